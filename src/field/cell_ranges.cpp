@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "field/cell_ranges.h"
+
+#include "gl/pass.h"
+#include "gl/program.h"
+
+#include <limits>
+
+namespace vs::field {
+
+glm::ivec3 cellDims(glm::ivec3 dims) { return glm::max(divideUp(dims - 1, kCell), glm::ivec3(1)); }
+
+namespace {
+
+void summarize(const gl::Texture& texels, glm::vec2 valueScaleOffset, const Box3& cellBox, gl::Texture& cells) {
+    static thread_local gl::Program program;
+    program = gl::Program("field/shaders/summarize_cells.comp");
+    texels.bindTexture(0);
+    cells.bindImage(0, gl::Access::Write);
+    program.set(0, texels.size()).set(1, cellBox.lo).set(2, cellBox.hi).set(3, valueScaleOffset);
+    program.dispatchOver(cellBox.size(), gl::Barrier::Texture);
+}
+
+} // namespace
+
+CellRanges computeCellRanges(const Field& field) {
+    const gl::Pass pass("cell ranges");
+    const glm::ivec3 dims = field.geometry.dims;
+    const glm::ivec3 cellCount = cellDims(dims);
+    CellRanges out;
+    out.cells = gl::Texture(cellCount, gl::Format::RG32F, gl::Filter::Nearest, "cell ranges");
+    summarize(field.texels, {field.valueScale, field.valueOffset}, {glm::ivec3(0), cellCount}, out.cells);
+
+    // Bricks from cells: eight cells along each axis.
+    constexpr int cellsPerBrick = kBrick / kCell;
+    out.brickDims = divideUp(dims, kBrick);
+    constexpr double inf = std::numeric_limits<double>::infinity();
+    out.bricks.assign(std::size_t(out.brickDims.x) * std::size_t(out.brickDims.y) * std::size_t(out.brickDims.z),
+                      {inf, -inf});
+    const auto cells = out.cells.downloadAll<glm::vec2>();
+    std::size_t i = 0;
+    for (int z = 0; z < cellCount.z; ++z) {
+        for (int y = 0; y < cellCount.y; ++y) {
+            for (int x = 0; x < cellCount.x; ++x, ++i) {
+                const glm::ivec3 b = glm::ivec3(x, y, z) / cellsPerBrick;
+                Range& brick = out.bricks[std::size_t((b.z * out.brickDims.y + b.y) * out.brickDims.x + b.x)];
+                brick.lo = std::min(brick.lo, double(cells[i].x));
+                brick.hi = std::max(brick.hi, double(cells[i].y));
+            }
+        }
+    }
+    return out;
+}
+
+void updateCellRanges(const gl::Texture& texels, const Box3& voxels, gl::Texture& cells) {
+    const gl::Pass pass("update cell ranges");
+    // A voxel on a cell border belongs to both cells.
+    const Box3 touched{(voxels.lo - 1) / kCell, (voxels.hi - 1) / kCell + 1};
+    const Box3 box = intersect(touched, {glm::ivec3(0), cells.size()});
+    if (!box.isEmpty()) {
+        summarize(texels, {1, 0}, box, cells);
+    }
+}
+
+} // namespace vs::field

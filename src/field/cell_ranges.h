@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "field/field.h"
+
+#include <vector>
+
+namespace vs::field {
+
+// Macrocells of 4^3 voxels. Cell c covers the voxel-space box [4c, 4c + 4] between voxel centres, so what trilinear
+// sampling can find in it are the values of its 5^3 corner voxels. The half voxel outside the outermost centres belongs to
+// the nearest cell.
+inline constexpr int kCell = 4;
+glm::ivec3 cellDims(glm::ivec3 dims);
+
+// Smallest and largest value per macrocell (RG32F, values in the field's unit) and per 32^3 brick.
+struct CellRanges {
+    gl::Texture cells;
+    glm::ivec3 brickDims{0};
+    std::vector<Range> bricks; // x fastest
+};
+
+CellRanges computeCellRanges(const Field& field);
+
+// As above, for any single-channel texture on the same grid (the sculpture): writes smallest and largest texel of the
+// cells that `voxels` touches into `cells`, which must have cellDims(dims) RG32F texels.
+void updateCellRanges(const gl::Texture& texels, const Box3& voxels, gl::Texture& cells);
+
+} // namespace vs::field

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "field/field.h"
+
+#include "gl/pass.h"
+
+#include <cmath>
+#include <type_traits>
+
+namespace vs::field {
+
+namespace {
+
+// Uploads in slabs so that no copy of the whole volume is made. `convert` turns one stored value into one texel.
+template <typename Texel, typename Stored, typename Convert>
+void uploadSlabs(gl::Texture& texture, const Stored* values, Convert convert) {
+    const glm::ivec3 dims = texture.size();
+    const std::size_t slice = std::size_t(dims.x) * std::size_t(dims.y);
+    const int slab = std::max(1, int((std::size_t(8) << 20) / slice));
+    std::vector<Texel> texels;
+    for (int z = 0; z < dims.z; z += slab) {
+        const int end = std::min(z + slab, dims.z);
+        const std::size_t count = slice * std::size_t(end - z);
+        const Stored* source = values + slice * std::size_t(z);
+        const Box3 box{{0, 0, z}, {dims.x, dims.y, end}};
+        if constexpr (std::is_same_v<Texel, Stored>) {
+            texture.upload(box, std::as_bytes(std::span(source, count)));
+        } else {
+            texels.resize(count);
+            std::transform(source, source + count, texels.begin(), convert);
+            texture.upload(box, std::as_bytes(std::span(texels)));
+        }
+    }
+}
+
+} // namespace
+
+Field uploadVolume(const volume::Volume& volume) {
+    const gl::Pass pass("upload volume");
+    Field field;
+    field.geometry = volume.geometry;
+    field.range = volume.range;
+    volume::visit(volume, [&]<typename T>(const T* values) {
+        const auto make = [&](gl::Format format) {
+            field.texels = gl::Texture(volume.geometry.dims, format, gl::Filter::Linear, "data " + volume.name);
+        };
+        field.isIntegral = std::is_integral_v<T>;
+        if constexpr (sizeof(T) == 1) {
+            make(gl::Format::R8);
+            field.valueScale = 255;
+            field.valueOffset = std::is_signed_v<T> ? -128 : 0;
+            uploadSlabs<std::uint8_t>(field.texels, values,
+                                      [](T v) { return std::uint8_t(int(v) + (std::is_signed_v<T> ? 128 : 0)); });
+        } else if constexpr (sizeof(T) == 2) {
+            make(gl::Format::R16);
+            field.valueScale = 65535;
+            field.valueOffset = std::is_signed_v<T> ? -32768 : 0;
+            uploadSlabs<std::uint16_t>(field.texels, values,
+                                       [](T v) { return std::uint16_t(int(v) + (std::is_signed_v<T> ? 32768 : 0)); });
+        } else {
+            make(gl::Format::R32F);
+            uploadSlabs<float>(field.texels, values, [](T v) {
+                const float f = float(v);
+                return std::isfinite(f) ? f : kNonFinite;
+            });
+            if constexpr (std::is_same_v<T, float>) {
+                if (volume.nonFiniteCount > 0) { // the fast path above uploads floats as they are
+                    std::vector<float> clean(values, values + volume.geometry.voxelCount());
+                    std::replace_if(clean.begin(), clean.end(), [](float f) { return !std::isfinite(f); }, kNonFinite);
+                    uploadSlabs<float>(field.texels, clean.data(), [](float f) { return f; });
+                }
+            }
+        }
+    });
+    return field;
+}
+
+} // namespace vs::field

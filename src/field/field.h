@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "gl/texture.h"
+#include "volume/volume.h"
+
+namespace vs::field {
+
+// A volume's values on the device. 8- and 16-bit integers are unsigned-normalised texels, everything else 32-bit float;
+// value = texel * valueScale + valueOffset in both cases, exact at voxel centres after rounding (isIntegral).
+// Non-finite voxels hold kNonFinite, which no range contains.
+struct Field {
+    gl::Texture texels;
+    volume::GridGeometry geometry;
+    float valueScale = 1;
+    float valueOffset = 0;
+    bool isIntegral = false; // stored values are whole numbers
+    Range range;             // smallest and largest finite value
+};
+
+// Stands for NaN and infinity: far below any value, small enough that interpolation stays finite.
+inline constexpr float kNonFinite = -1e30F;
+
+// Throws GlError if the device has no room.
+Field uploadVolume(const volume::Volume& volume);
+
+// Bricks of 32^3 voxels: the unit of dirty tracking, undo and summaries.
+inline constexpr int kBrick = 32;
+
+} // namespace vs::field

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "field/histogram.h"
+
+#include "base/check.h"
+#include "gl/pass.h"
+#include "gl/program.h"
+
+namespace vs::field {
+
+std::vector<std::uint32_t> intensityHistogram(const Field& field, int bins) {
+    VS_CHECK(bins >= 1 && bins <= 4096);
+    const gl::Pass pass("intensity histogram");
+    gl::Program program("field/shaders/count_histogram.comp");
+    gl::Buffer counts(std::size_t(bins) * sizeof(std::uint32_t), "histogram");
+    counts.bindStorage(0);
+    field.texels.bindTexture(0);
+    program.set(0, field.geometry.dims)
+        .set(1, bins)
+        .set(2, glm::vec2(field.valueScale, field.valueOffset))
+        .set(3, glm::vec2(float(field.range.lo), float(field.range.hi)));
+    // One work group counts an 8 x 8 column of voxels along z.
+    const glm::ivec3 dims = field.geometry.dims;
+    program.dispatch({divideUp(dims.x, 8), divideUp(dims.y, 8), 1}, gl::Barrier::Storage);
+    return counts.read<std::uint32_t>(std::size_t(bins));
+}
+
+Range suggestRange(const std::vector<std::uint32_t>& histogram, const Range& range) {
+    double total = 0;
+    double weighted = 0;
+    for (std::size_t i = 0; i < histogram.size(); ++i) {
+        total += histogram[i];
+        weighted += double(i) * histogram[i];
+    }
+    double below = 0;
+    double weightedBelow = 0;
+    double bestVariance = -1;
+    std::size_t best = 0;
+    for (std::size_t i = 0; i + 1 < histogram.size(); ++i) {
+        below += histogram[i];
+        weightedBelow += double(i) * histogram[i];
+        const double above = total - below;
+        if (below <= 0 || above <= 0) {
+            continue;
+        }
+        const double meanGap = weightedBelow / below - (weighted - weightedBelow) / above;
+        const double variance = below * above * meanGap * meanGap;
+        if (variance > bestVariance) {
+            bestVariance = variance;
+            best = i + 1;
+        }
+    }
+    return {range.lo + range.width() * double(best) / double(histogram.size()), range.hi};
+}
+
+} // namespace vs::field

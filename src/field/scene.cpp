@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "field/scene.h"
+
+#include "base/check.h"
+
+namespace vs::field {
+
+SceneBinding::SceneBinding()
+    : block_(sizeof(SceneBlock), "scene"), empty_(glm::ivec3(1), gl::Format::R8, gl::Filter::Nearest, "empty") {}
+
+void SceneBinding::bind(const Scene& scene) {
+    VS_CHECK(scene.data != nullptr);
+    const Field& data = *scene.data;
+    SceneBlock block;
+    block.worldFromVoxel = glm::mat4(data.geometry.worldFromVoxel);
+    block.voxelFromWorld = glm::mat4(data.geometry.voxelFromWorld());
+    block.dims = glm::ivec4(data.geometry.dims, int(scene.view));
+    block.spacing = glm::vec4(glm::vec3(data.geometry.spacing()), float(data.geometry.stepMm()));
+    block.valueScale = {data.valueScale, data.valueOffset, data.isIntegral ? 1.0F : 0.0F, 0.0F};
+    // Clipped to the data's own range, so that the stand-in for non-finite voxels is never inside.
+    block.range = {float(std::max(scene.displayedRange.lo, data.range.lo)),
+                   float(std::min(scene.displayedRange.hi, data.range.hi)), float(scene.greyWindow.lo),
+                   float(scene.greyWindow.hi)};
+    block.flags.x = scene.segmentation != nullptr ? 1.0F : 0.0F;
+    block_.writeValue(block);
+    block_.bindUniform(0);
+    data.texels.bindTexture(0);
+    (scene.sculpture != nullptr ? *scene.sculpture : empty_).bindTexture(1);
+    (scene.segmentation != nullptr ? *scene.segmentation : empty_).bindTexture(2);
+}
+
+} // namespace vs::field

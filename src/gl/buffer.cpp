@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gl/buffer.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+
+namespace vs::gl {
+
+static_assert(std::is_nothrow_move_constructible_v<Buffer> && std::is_nothrow_move_assignable_v<Buffer>);
+
+namespace detail {
+void deleteBuffer(unsigned int name) { glDeleteBuffers(1, &name); }
+} // namespace detail
+
+Buffer::Buffer(std::size_t sizeBytes, const std::string& label)
+    : size_(std::max<std::size_t>(sizeBytes, 4)), label_(label) {
+    GLuint name = 0;
+    glCreateBuffers(1, &name);
+    handle_ = Handle<detail::deleteBuffer>(name);
+    glNamedBufferStorage(name, GLsizeiptr(size_), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    glObjectLabel(GL_BUFFER, name, -1, label.c_str());
+    clear();
+}
+
+void Buffer::write(std::span<const std::byte> bytes, std::size_t offset) {
+    VS_CHECK(offset + bytes.size() <= size_);
+    if (!bytes.empty()) {
+        glNamedBufferSubData(name(), GLintptr(offset), GLsizeiptr(bytes.size()), bytes.data());
+    }
+}
+
+void Buffer::read(std::span<std::byte> bytes, std::size_t offset) const {
+    VS_CHECK(offset + bytes.size() <= size_);
+    if (bytes.empty()) {
+        return;
+    }
+    // Shader writes must be visible to the copy.
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    glGetNamedBufferSubData(name(), GLintptr(offset), GLsizeiptr(bytes.size()), bytes.data());
+}
+
+void Buffer::clear(std::size_t offset, std::size_t sizeBytes) {
+    const GLuint zero = 0;
+    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    glClearNamedBufferSubData(name(), GL_R32UI, GLintptr(offset),
+                              GLsizeiptr(sizeBytes == 0 ? (size_ - offset) / 4 * 4 : sizeBytes), GL_RED_INTEGER,
+                              GL_UNSIGNED_INT, &zero);
+}
+
+void Buffer::reserve(std::size_t sizeBytes) {
+    if (sizeBytes > size_) {
+        *this = Buffer(std::max(sizeBytes, size_ + size_ / 2), std::string(label_));
+    }
+}
+
+void Buffer::bindStorage(unsigned int binding) const {
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, binding, name());
+}
+
+void Buffer::bindUniform(unsigned int binding) const { glBindBufferBase(GL_UNIFORM_BUFFER, binding, name()); }
+
+} // namespace vs::gl

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "base/timer.h"
+
+#include <map>
+#include <string>
+
+namespace vs::gl {
+
+// Milliseconds of wall clock that each named pass has taken, while timing is on.
+struct PassTimes {
+    double milliseconds = 0;
+    int count = 0;
+};
+
+// Names a piece of GPU work for debuggers (a debug group) and for the timing table. Opened at the start of the block that
+// dispatches the work, closed at its end. With timing on, each pass waits for the device at both ends, so its time is its
+// own; with timing off it costs next to nothing.
+class Pass {
+public:
+    explicit Pass(const char* name);
+    ~Pass();
+    Pass(const Pass&) = delete;
+    Pass& operator=(const Pass&) = delete;
+
+    static void enableTiming(bool enabled);
+    static const std::map<std::string, PassTimes>& times();
+    static void resetTimes();
+
+private:
+    const char* name_;
+    Timer timer_;
+};
+
+} // namespace vs::gl

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gl/program.h"
+
+#include "base/error.h"
+
+#include <epoxy/gl.h>
+
+#include <glm/gtc/type_ptr.hpp>
+
+namespace vs::gl {
+
+static_assert(std::is_nothrow_move_constructible_v<Program>);
+
+namespace detail {
+void deleteProgram(unsigned int name) { glDeleteProgram(name); }
+} // namespace detail
+
+namespace {
+
+std::string programLog(GLuint program) {
+    GLint length = 0;
+    glGetProgramiv(program, GL_INFO_LOG_LENGTH, &length);
+    std::string log(std::size_t(std::max(length, 1)), '\0');
+    glGetProgramInfoLog(program, length, nullptr, log.data());
+    return log.c_str();
+}
+
+void addBarrier(Barrier after) {
+    switch (after) {
+    case Barrier::None:
+        return;
+    case Barrier::Image:
+        return glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    case Barrier::Texture:
+        return glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    case Barrier::Storage:
+        return glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+    case Barrier::Indirect:
+        return glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+    case Barrier::All:
+        return glMemoryBarrier(GL_ALL_BARRIER_BITS);
+    }
+}
+
+} // namespace
+
+Program::Program(const std::string& path, const Defines& defines) {
+    const ExpandedSource source = expandSource(path, defines);
+    const char* text = source.text.c_str();
+    const GLuint program = glCreateShaderProgramv(GL_COMPUTE_SHADER, 1, &text);
+    handle_ = Handle<detail::deleteProgram>(program);
+    GLint linked = GL_FALSE;
+    glGetProgramiv(program, GL_LINK_STATUS, &linked);
+    if (linked != GL_TRUE) {
+        throw GlError("{} does not compile on this driver: {}", path, readableLog(programLog(program), source));
+    }
+    glObjectLabel(GL_PROGRAM, program, -1, path.c_str());
+    glGetProgramiv(program, GL_COMPUTE_WORK_GROUP_SIZE, glm::value_ptr(localSize_));
+}
+
+Program& Program::set(int location, int value) {
+    glProgramUniform1i(name(), location, value);
+    return *this;
+}
+Program& Program::set(int location, unsigned int value) {
+    glProgramUniform1ui(name(), location, value);
+    return *this;
+}
+Program& Program::set(int location, float value) {
+    glProgramUniform1f(name(), location, value);
+    return *this;
+}
+Program& Program::set(int location, glm::vec2 value) {
+    glProgramUniform2fv(name(), location, 1, glm::value_ptr(value));
+    return *this;
+}
+Program& Program::set(int location, glm::vec3 value) {
+    glProgramUniform3fv(name(), location, 1, glm::value_ptr(value));
+    return *this;
+}
+Program& Program::set(int location, glm::vec4 value) {
+    glProgramUniform4fv(name(), location, 1, glm::value_ptr(value));
+    return *this;
+}
+Program& Program::set(int location, glm::ivec2 value) {
+    glProgramUniform2iv(name(), location, 1, glm::value_ptr(value));
+    return *this;
+}
+Program& Program::set(int location, glm::ivec3 value) {
+    glProgramUniform3iv(name(), location, 1, glm::value_ptr(value));
+    return *this;
+}
+Program& Program::set(int location, const glm::mat4& value) {
+    glProgramUniformMatrix4fv(name(), location, 1, GL_FALSE, glm::value_ptr(value));
+    return *this;
+}
+
+void Program::dispatch(glm::ivec3 groups, Barrier after) {
+    if (groups.x > 0 && groups.y > 0 && groups.z > 0) {
+        glUseProgram(name());
+        glDispatchCompute(GLuint(groups.x), GLuint(groups.y), GLuint(groups.z));
+        addBarrier(after);
+    }
+}
+
+void Program::dispatchOver(glm::ivec3 items, Barrier after) {
+    dispatch((items + localSize_ - 1) / localSize_, after);
+}
+
+void Program::dispatchIndirect(const Buffer& arguments, std::size_t offset, Barrier after) {
+    glUseProgram(name());
+    glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, arguments.name());
+    glDispatchComputeIndirect(GLintptr(offset));
+    addBarrier(after);
+}
+
+} // namespace vs::gl

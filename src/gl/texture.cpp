@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gl/texture.h"
+
+#include "base/check.h"
+#include "base/error.h"
+
+#include <epoxy/gl.h>
+
+namespace vs::gl {
+
+static_assert(std::is_nothrow_move_constructible_v<Texture> && std::is_nothrow_move_assignable_v<Texture>);
+
+namespace detail {
+void deleteTexture(unsigned int name) { glDeleteTextures(1, &name); }
+} // namespace detail
+
+namespace {
+
+struct FormatInfo {
+    GLenum internal;
+    GLenum layout;
+    GLenum type;
+    std::size_t bytes;
+};
+
+FormatInfo info(Format format) {
+    switch (format) {
+    case Format::R8:
+        return {GL_R8, GL_RED, GL_UNSIGNED_BYTE, 1};
+    case Format::R16:
+        return {GL_R16, GL_RED, GL_UNSIGNED_SHORT, 2};
+    case Format::R16F:
+        return {GL_R16F, GL_RED, GL_HALF_FLOAT, 2};
+    case Format::R32F:
+        return {GL_R32F, GL_RED, GL_FLOAT, 4};
+    case Format::R8UI:
+        return {GL_R8UI, GL_RED_INTEGER, GL_UNSIGNED_BYTE, 1};
+    case Format::R16UI:
+        return {GL_R16UI, GL_RED_INTEGER, GL_UNSIGNED_SHORT, 2};
+    case Format::R32UI:
+        return {GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, 4};
+    case Format::RG32F:
+        return {GL_RG32F, GL_RG, GL_FLOAT, 8};
+    case Format::RGBA8:
+        return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
+    case Format::RGBA16F:
+        return {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, 8};
+    case Format::RGBA32F:
+        break;
+    }
+    return {GL_RGBA32F, GL_RGBA, GL_FLOAT, 16};
+}
+
+} // namespace
+
+std::size_t bytesPerTexel(Format format) { return info(format).bytes; }
+
+std::size_t Texture::bytes() const {
+    return std::size_t(size_.x) * std::size_t(size_.y) * std::size_t(size_.z) * bytesPerTexel(format_);
+}
+
+Texture::Texture(glm::ivec3 size, Format format, Filter filter, const std::string& label)
+    : size_(size), format_(format) {
+    create(label, filter);
+}
+
+Texture::Texture(glm::ivec2 size, Format format, Filter filter, const std::string& label)
+    : size_(size, 1), format_(format), is3D_(false) {
+    create(label, filter);
+}
+
+void Texture::create(const std::string& label, Filter filter) {
+    GLint limit = 0;
+    glGetIntegerv(is3D_ ? GL_MAX_3D_TEXTURE_SIZE : GL_MAX_TEXTURE_SIZE, &limit);
+    if (std::max({size_.x, size_.y, size_.z}) > limit) {
+        throw GlError("{}: {}x{}x{} texels are more than this device's limit of {} along an axis", label, size_.x,
+                      size_.y, size_.z, limit);
+    }
+    GLuint name = 0;
+    glCreateTextures(is3D_ ? GL_TEXTURE_3D : GL_TEXTURE_2D, 1, &name);
+    handle_ = Handle<detail::deleteTexture>(name);
+    while (glGetError() != GL_NO_ERROR) {
+    }
+    const GLenum internal = info(format_).internal;
+    if (is3D_) {
+        glTextureStorage3D(name, 1, internal, size_.x, size_.y, size_.z);
+    } else {
+        glTextureStorage2D(name, 1, internal, size_.x, size_.y);
+    }
+    if (glGetError() != GL_NO_ERROR) {
+        throw GlError("{}: the device has no room for {}x{}x{} texels ({} MiB); use a smaller volume", label, size_.x,
+                      size_.y, size_.z, bytes() >> 20);
+    }
+    glObjectLabel(GL_TEXTURE, name, -1, label.c_str());
+    const GLint mode = filter == Filter::Linear ? GL_LINEAR : GL_NEAREST;
+    glTextureParameteri(name, GL_TEXTURE_MIN_FILTER, mode);
+    glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, mode);
+    // Mirrored, not plain, clamping: with plain clamping llvmpipe filters 8-bit textures in 8-bit arithmetic, which shows
+    // as wood grain on surfaces; this keeps it in floats, and is no slower. Within a texel of the border both are equal.
+    for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
+        glTextureParameteri(name, axis, GL_MIRROR_CLAMP_TO_EDGE);
+    }
+    clear();
+}
+
+void Texture::upload(const Box3& box, std::span<const std::byte> texels) {
+    VS_CHECK_EQ(texels.size(), box.volume() * bytesPerTexel(format_));
+    const FormatInfo f = info(format_);
+    const glm::ivec3 s = box.size();
+    glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+    if (is3D_) {
+        glTextureSubImage3D(name(), 0, box.lo.x, box.lo.y, box.lo.z, s.x, s.y, s.z, f.layout, f.type, texels.data());
+    } else {
+        glTextureSubImage2D(name(), 0, box.lo.x, box.lo.y, s.x, s.y, f.layout, f.type, texels.data());
+    }
+}
+
+std::vector<std::byte> Texture::download(const Box3& box) const {
+    const FormatInfo f = info(format_);
+    const glm::ivec3 s = box.size();
+    std::vector<std::byte> texels(box.volume() * f.bytes);
+    if (texels.empty()) {
+        return texels;
+    }
+    glPixelStorei(GL_PACK_ALIGNMENT, 1);
+    // Image stores must be visible to the read-back.
+    glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+    glGetTextureSubImage(name(), 0, box.lo.x, box.lo.y, box.lo.z, s.x, s.y, s.z, f.layout, f.type,
+                         GLsizei(texels.size()), texels.data());
+    return texels;
+}
+
+void Texture::copyFrom(const Texture& source, const Box3& sourceBox, glm::ivec3 destination) {
+    VS_CHECK(format_ == source.format_);
+    const glm::ivec3 s = sourceBox.size();
+    const GLenum target = is3D_ ? GL_TEXTURE_3D : GL_TEXTURE_2D;
+    glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+    glCopyImageSubData(source.name(), target, 0, sourceBox.lo.x, sourceBox.lo.y, sourceBox.lo.z, name(), target, 0,
+                       destination.x, destination.y, destination.z, s.x, s.y, s.z);
+}
+
+void Texture::clear() {
+    const FormatInfo f = info(format_);
+    glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+    glClearTexImage(name(), 0, f.layout, f.type, nullptr);
+}
+
+void Texture::clear(const Box3& box) {
+    const FormatInfo f = info(format_);
+    const glm::ivec3 s = box.size();
+    if (!box.isEmpty()) {
+        glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+        glClearTexSubImage(name(), 0, box.lo.x, box.lo.y, box.lo.z, s.x, s.y, s.z, f.layout, f.type, nullptr);
+    }
+}
+
+void Texture::clear(unsigned int value) { clear({glm::ivec3(0), size_}, value); }
+
+void Texture::clear(const Box3& box, unsigned int value) {
+    VS_CHECK(format_ == Format::R8UI || format_ == Format::R16UI || format_ == Format::R32UI);
+    const glm::ivec3 s = box.size();
+    if (!box.isEmpty()) {
+        glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+        glClearTexSubImage(name(), 0, box.lo.x, box.lo.y, box.lo.z, s.x, s.y, s.z, GL_RED_INTEGER, GL_UNSIGNED_INT,
+                           &value);
+    }
+}
+
+void Texture::bindTexture(unsigned int unit) const { glBindTextureUnit(unit, name()); }
+
+void Texture::bindImage(unsigned int unit, Access access) const {
+    const GLenum mode = access == Access::Read ? GL_READ_ONLY : access == Access::Write ? GL_WRITE_ONLY : GL_READ_WRITE;
+    glBindImageTexture(unit, name(), 0, is3D_ ? GL_TRUE : GL_FALSE, 0, mode, info(format_).internal);
+}
+
+} // namespace vs::gl

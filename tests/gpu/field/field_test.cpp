@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "field/cell_ranges.h"
+#include "field/field.h"
+#include "field/histogram.h"
+#include "gpu/gl_test.h"
+#include "volume/phantom.h"
+
+#include <cmath>
+#include <limits>
+#include <random>
+
+namespace vs::field {
+namespace {
+
+using FieldTest = test::GlTest;
+
+volume::Volume randomVolume(glm::ivec3 dims, volume::ScalarType type, double lo, double hi) {
+    std::mt19937 random(7);
+    std::uniform_real_distribution<double> value(lo, hi);
+    return volume::makePhantom(dims, type, [&](glm::dvec3) { return value(random); });
+}
+
+TEST_F(FieldTest, HistogramEqualsTheOneCountedOnTheCpu) {
+    using enum volume::ScalarType;
+    for (const auto type : {UInt8, Int8, UInt16, Int16, Int32, Float32}) {
+        const auto volume = randomVolume({37, 21, 19}, type, type == UInt8 || type == UInt16 ? 0 : -100, 100);
+        const auto onDevice = intensityHistogram(uploadVolume(volume), 64);
+        const auto onCpu = volume::histogram(volume, 64);
+        std::uint64_t moved = 0;
+        std::uint64_t total = 0;
+        for (std::size_t i = 0; i < onCpu.size(); ++i) {
+            moved += std::uint64_t(std::abs(std::int64_t(onDevice[i]) - std::int64_t(onCpu[i])));
+            total += onDevice[i];
+        }
+        EXPECT_EQ(total, volume.geometry.voxelCount()) << name(type);
+        // A value on a bin's border may fall to either side in single precision.
+        EXPECT_LE(moved, type == Float32 ? 4U : volume.geometry.voxelCount() / 50) << name(type);
+    }
+}
+
+TEST_F(FieldTest, NonFiniteVoxelsAreInNoBin) {
+    auto volume = randomVolume({16, 16, 16}, volume::ScalarType::Float32, 0, 1);
+    auto* values = reinterpret_cast<float*>(volume.bytes.data());
+    values[5] = std::numeric_limits<float>::quiet_NaN();
+    values[99] = std::numeric_limits<float>::infinity();
+    volume::computeRange(volume);
+    EXPECT_EQ(volume.nonFiniteCount, 2U);
+    const auto counts = intensityHistogram(uploadVolume(volume), 32);
+    std::uint64_t total = 0;
+    for (const auto c : counts) {
+        total += c;
+    }
+    EXPECT_EQ(total, volume.geometry.voxelCount() - 2);
+}
+
+TEST_F(FieldTest, CellRangesBoundEveryTrilinearSample) {
+    const auto volume = randomVolume({23, 9, 14}, volume::ScalarType::Int16, -500, 3000);
+    const Field field = uploadVolume(volume);
+    const CellRanges ranges = computeCellRanges(field);
+    const auto cells = ranges.cells.downloadAll<glm::vec2>();
+    const glm::ivec3 cellCount = cellDims(volume.geometry.dims);
+    EXPECT_EQ(cellCount, glm::ivec3(6, 2, 4));
+    for (int z = 0; z < 14; ++z) {
+        for (int y = 0; y < 9; ++y) {
+            for (int x = 0; x < 23; ++x) {
+                const double value = volume.at({x, y, z});
+                for (int corner = 0; corner < 8; ++corner) { // all cells that share this voxel as a corner
+                    const glm::ivec3 back(corner & 1, (corner >> 1) & 1, corner >> 2);
+                    const glm::ivec3 cell =
+                        glm::clamp((glm::ivec3(x, y, z) - back) / kCell, glm::ivec3(0), cellCount - 1);
+                    const glm::vec2 bounds =
+                        cells[std::size_t((cell.z * cellCount.y + cell.y) * cellCount.x + cell.x)];
+                    EXPECT_GE(value, bounds.x - 0.01);
+                    EXPECT_LE(value, bounds.y + 0.01);
+                }
+            }
+        }
+    }
+    EXPECT_EQ(ranges.brickDims, glm::ivec3(1));
+    EXPECT_NEAR(ranges.bricks[0].lo, volume.range.lo, 0.01);
+    EXPECT_NEAR(ranges.bricks[0].hi, volume.range.hi, 0.01);
+}
+
+TEST_F(FieldTest, OtsuSeparatesAirFromObject) {
+    const auto ball = volume::makeBall({48, 48, 48}, {24, 24, 24}, 15, 200, 10);
+    const Field field = uploadVolume(ball);
+    const Range range = suggestRange(intensityHistogram(field), field.range);
+    EXPECT_GT(range.lo, 20);
+    EXPECT_LT(range.lo, 190);
+    EXPECT_EQ(range.hi, 200);
+}
+
+} // namespace
+} // namespace vs::field

@@ -60,7 +60,8 @@ void writeAtomically(const std::filesystem::path& path,
         for (char& c : reason) {
             c = c == '\n' ? ' ' : c;
         }
-        throw WriteError("{}: cannot be written ({}); choose a folder that can be written to", path.string(), reason);
+        throw WriteError("{}: cannot be written ({}); choose a folder that can be written to", path.string(),
+                         reason);
     }
 }
 

@@ -9,9 +9,9 @@
 
 namespace vs {
 
-// Writes a file so that it is either whole or untouched: `write` fills a temporary file in the same folder (same
-// extension, so that writers which look at it choose the right format), which is synced and renamed over `path`. The
-// temporary file is removed when anything fails. Throws WriteError naming `path`.
+// Writes a file so that it is either whole or untouched: `write` fills a temporary file in the same folder
+// (same extension, so that writers which look at it choose the right format), which is synced and renamed
+// over `path`. The temporary file is removed when anything fails. Throws WriteError naming `path`.
 void writeAtomically(const std::filesystem::path& path,
                      const std::function<void(const std::filesystem::path& temporary)>& write);
 

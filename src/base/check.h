@@ -5,8 +5,8 @@
 
 #include <string>
 
-// VS_CHECK(condition), VS_CHECK_EQ(a, b): for our own bugs, in every build. Prints place and values, then aborts.
-// What a person can cause is an Error instead.
+// VS_CHECK(condition), VS_CHECK_EQ(a, b): for our own bugs, in every build. Prints place and values, then
+// aborts. What a person can cause is an Error instead.
 namespace vs::detail {
 [[noreturn]] void checkFailed(const char* file, int line, const std::string& what);
 }

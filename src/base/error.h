@@ -8,8 +8,9 @@
 
 namespace vs {
 
-// What a person can cause or mend: a wrong file, a full disk, a driver that cannot do what is needed. The text is one
-// line that names the file or value, says what is wrong and what would be right. Thrown at boundaries only.
+// What a person can cause or mend: a wrong file, a full disk, a driver that cannot do what is needed. The
+// text is one line that names the file or value, says what is wrong and what would be right. Thrown at
+// boundaries only.
 class Error : public std::runtime_error {
 public:
     explicit Error(const std::string& message) : std::runtime_error(message) {}

@@ -12,7 +12,8 @@ glm::ivec3 cellDims(glm::ivec3 dims) { return glm::max(divideUp(dims - 1, kCell)
 
 namespace {
 
-void summarize(const gl::Texture& texels, glm::vec2 valueScaleOffset, const Box3& cellBox, gl::Texture& cells) {
+void summarize(const gl::Texture& texels, glm::vec2 valueScaleOffset, const Box3& cellBox,
+               gl::Texture& cells) {
     static thread_local gl::Program program;
     program = gl::Program("field/shaders/summarize_cells.comp");
     texels.bindTexture(0);
@@ -35,7 +36,8 @@ CellRanges computeCellRanges(const Field& field) {
     constexpr int cellsPerBrick = kBrick / kCell;
     out.brickDims = divideUp(dims, kBrick);
     constexpr double inf = std::numeric_limits<double>::infinity();
-    out.bricks.assign(std::size_t(out.brickDims.x) * std::size_t(out.brickDims.y) * std::size_t(out.brickDims.z),
+    out.bricks.assign(std::size_t(out.brickDims.x) * std::size_t(out.brickDims.y) *
+                          std::size_t(out.brickDims.z),
                       {inf, -inf});
     const auto cells = out.cells.downloadAll<glm::vec2>();
     std::size_t i = 0;

@@ -7,9 +7,9 @@
 
 namespace vs::field {
 
-// Macrocells of 4^3 voxels. Cell c covers the voxel-space box [4c, 4c + 4] between voxel centres, so what trilinear
-// sampling can find in it are the values of its 5^3 corner voxels. The half voxel outside the outermost centres belongs to
-// the nearest cell.
+// Macrocells of 4^3 voxels. Cell c covers the voxel-space box [4c, 4c + 4] between voxel centres, so what
+// trilinear sampling can find in it are the values of its 5^3 corner voxels. The half voxel outside the
+// outermost centres belongs to the nearest cell.
 inline constexpr int kCell = 4;
 glm::ivec3 cellDims(glm::ivec3 dims);
 
@@ -22,8 +22,8 @@ struct CellRanges {
 
 CellRanges computeCellRanges(const Field& field);
 
-// As above, for any single-channel texture on the same grid (the sculpture): writes smallest and largest texel of the
-// cells that `voxels` touches into `cells`, which must have cellDims(dims) RG32F texels.
+// As above, for any single-channel texture on the same grid (the sculpture): writes smallest and largest
+// texel of the cells that `voxels` touches into `cells`, which must have cellDims(dims) RG32F texels.
 void updateCellRanges(const gl::Texture& texels, const Box3& voxels, gl::Texture& cells);
 
 } // namespace vs::field

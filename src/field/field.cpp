@@ -10,7 +10,8 @@ namespace vs::field {
 
 namespace {
 
-// Uploads in slabs so that no copy of the whole volume is made. `convert` turns one stored value into one texel.
+// Uploads in slabs so that no copy of the whole volume is made. `convert` turns one stored value into one
+// texel.
 template <typename Texel, typename Stored, typename Convert>
 void uploadSlabs(gl::Texture& texture, const Stored* values, Convert convert) {
     const glm::ivec3 dims = texture.size();
@@ -34,6 +35,14 @@ void uploadSlabs(gl::Texture& texture, const Stored* values, Convert convert) {
 
 } // namespace
 
+float valueTolerance(const Field& field) {
+    // Eight weighted texels and the affine: a few units in the last place of the largest number involved.
+    const double largest = field.isIntegral && field.valueScale > 1
+                               ? double(field.valueScale)
+                               : std::max(std::abs(field.range.lo), std::abs(field.range.hi));
+    return float(5e-7 * largest);
+}
+
 Field uploadVolume(const volume::Volume& volume) {
     const gl::Pass pass("upload volume");
     Field field;
@@ -41,21 +50,24 @@ Field uploadVolume(const volume::Volume& volume) {
     field.range = volume.range;
     volume::visit(volume, [&]<typename T>(const T* values) {
         const auto make = [&](gl::Format format) {
-            field.texels = gl::Texture(volume.geometry.dims, format, gl::Filter::Linear, "data " + volume.name);
+            field.texels =
+                gl::Texture(volume.geometry.dims, format, gl::Filter::Linear, "data " + volume.name);
         };
         field.isIntegral = std::is_integral_v<T>;
         if constexpr (sizeof(T) == 1) {
             make(gl::Format::R8);
             field.valueScale = 255;
             field.valueOffset = std::is_signed_v<T> ? -128 : 0;
-            uploadSlabs<std::uint8_t>(field.texels, values,
-                                      [](T v) { return std::uint8_t(int(v) + (std::is_signed_v<T> ? 128 : 0)); });
+            uploadSlabs<std::uint8_t>(field.texels, values, [](T v) {
+                return std::uint8_t(int(v) + (std::is_signed_v<T> ? 128 : 0));
+            });
         } else if constexpr (sizeof(T) == 2) {
             make(gl::Format::R16);
             field.valueScale = 65535;
             field.valueOffset = std::is_signed_v<T> ? -32768 : 0;
-            uploadSlabs<std::uint16_t>(field.texels, values,
-                                       [](T v) { return std::uint16_t(int(v) + (std::is_signed_v<T> ? 32768 : 0)); });
+            uploadSlabs<std::uint16_t>(field.texels, values, [](T v) {
+                return std::uint16_t(int(v) + (std::is_signed_v<T> ? 32768 : 0));
+            });
         } else {
             make(gl::Format::R32F);
             uploadSlabs<float>(field.texels, values, [](T v) {
@@ -65,7 +77,8 @@ Field uploadVolume(const volume::Volume& volume) {
             if constexpr (std::is_same_v<T, float>) {
                 if (volume.nonFiniteCount > 0) { // the fast path above uploads floats as they are
                     std::vector<float> clean(values, values + volume.geometry.voxelCount());
-                    std::replace_if(clean.begin(), clean.end(), [](float f) { return !std::isfinite(f); }, kNonFinite);
+                    std::replace_if(
+                        clean.begin(), clean.end(), [](float f) { return !std::isfinite(f); }, kNonFinite);
                     uploadSlabs<float>(field.texels, clean.data(), [](float f) { return f; });
                 }
             }

@@ -6,9 +6,9 @@
 
 namespace vs::field {
 
-// A volume's values on the device. 8- and 16-bit integers are unsigned-normalised texels, everything else 32-bit float;
-// value = texel * valueScale + valueOffset in both cases, exact at voxel centres after rounding (isIntegral).
-// Non-finite voxels hold kNonFinite, which no range contains.
+// A volume's values on the device. 8- and 16-bit integers are unsigned-normalised texels, everything else
+// 32-bit float; value = texel * valueScale + valueOffset in both cases, exact at voxel centres after rounding
+// (isIntegral). Non-finite voxels hold kNonFinite, which no range contains.
 struct Field {
     gl::Texture texels;
     volume::GridGeometry geometry;
@@ -20,6 +20,10 @@ struct Field {
 
 // Stands for NaN and infinity: far below any value, small enough that interpolation stays finite.
 inline constexpr float kNonFinite = -1e30F;
+
+// How far an interpolated value may be off by rounding, in the field's unit: what comparisons with a
+// displayed range allow for, or the inside of an object at exactly the upper end would be seen as outside.
+float valueTolerance(const Field& field);
 
 // Throws GlError if the device has no room.
 Field uploadVolume(const volume::Volume& volume);

@@ -6,7 +6,8 @@
 namespace vs::field {
 
 SceneBinding::SceneBinding()
-    : block_(sizeof(SceneBlock), "scene"), empty_(glm::ivec3(1), gl::Format::R8, gl::Filter::Nearest, "empty") {}
+    : block_(sizeof(SceneBlock), "scene"),
+      empty_(glm::ivec3(1), gl::Format::R8, gl::Filter::Nearest, "empty") {}
 
 void SceneBinding::bind(const Scene& scene) {
     VS_CHECK(scene.data != nullptr);
@@ -16,7 +17,8 @@ void SceneBinding::bind(const Scene& scene) {
     block.voxelFromWorld = glm::mat4(data.geometry.voxelFromWorld());
     block.dims = glm::ivec4(data.geometry.dims, int(scene.view));
     block.spacing = glm::vec4(glm::vec3(data.geometry.spacing()), float(data.geometry.stepMm()));
-    block.valueScale = {data.valueScale, data.valueOffset, data.isIntegral ? 1.0F : 0.0F, 0.0F};
+    block.valueScale = {data.valueScale, data.valueOffset, data.isIntegral ? 1.0F : 0.0F,
+                        valueTolerance(data)};
     // Clipped to the data's own range, so that the stand-in for non-finite voxels is never inside.
     block.range = {float(std::max(scene.displayedRange.lo, data.range.lo)),
                    float(std::min(scene.displayedRange.hi, data.range.hi)), float(scene.greyWindow.lo),

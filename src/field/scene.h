@@ -8,19 +8,21 @@ namespace vs::field {
 
 enum class SculptureView { Whole, Cut, Probe };
 
-// What every shader that samples the document needs to know; mirrors SceneBlock in field/shaders/scene.glsl (std140).
+// What every shader that samples the document needs to know; mirrors SceneBlock in field/shaders/scene.glsl
+// (std140).
 struct SceneBlock {
     glm::mat4 worldFromVoxel{1};
     glm::mat4 voxelFromWorld{1};
-    glm::ivec4 dims{0};        // xyz: voxels, w: SculptureView
-    glm::vec4 spacing{1};      // xyz: mm, w: step in mm
-    glm::vec4 valueScale{1};   // x scale, y offset, z 1 if values are whole numbers
-    glm::vec4 range{0};        // xy displayed range, zw grey window of cut faces, in the field's unit
-    glm::vec4 flags{0};        // x: 1 if there is a segmentation
+    glm::ivec4 dims{0};      // xyz: voxels, w: SculptureView
+    glm::vec4 spacing{1};    // xyz: mm, w: step in mm
+    glm::vec4 valueScale{1}; // x scale, y offset, z 1 if values are whole numbers, w tolerance
+    glm::vec4 range{0};      // xy displayed range, zw grey window of cut faces, in the field's unit
+    glm::vec4 flags{0};      // x: 1 if there is a segmentation
 };
 static_assert(sizeof(SceneBlock) == 208);
 
-// The document as shaders see it: data, sculpture (null: nothing cut), segmentation (null: none), displayed range, view.
+// The document as shaders see it: data, sculpture (null: nothing cut), segmentation (null: none), displayed
+// range, view.
 struct Scene {
     const Field* data = nullptr;
     const gl::Texture* sculpture = nullptr;
@@ -31,7 +33,8 @@ struct Scene {
 };
 
 // Binds a scene: uniform block 0, textures 0 (data), 1 (sculpture), 2 (segmentation). Shaders include
-// "field/shaders/scene.glsl" and call sampleScene(). Units 0 to 2 and uniform block 0 are taken while it is bound.
+// "field/shaders/scene.glsl" and call sampleScene(). Units 0 to 2 and uniform block 0 are taken while it is
+// bound.
 class SceneBinding {
 public:
     SceneBinding();

@@ -44,8 +44,8 @@ void Buffer::clear(std::size_t offset, std::size_t sizeBytes) {
     const GLuint zero = 0;
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     glClearNamedBufferSubData(name(), GL_R32UI, GLintptr(offset),
-                              GLsizeiptr(sizeBytes == 0 ? (size_ - offset) / 4 * 4 : sizeBytes), GL_RED_INTEGER,
-                              GL_UNSIGNED_INT, &zero);
+                              GLsizeiptr(sizeBytes == 0 ? (size_ - offset) / 4 * 4 : sizeBytes),
+                              GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
 }
 
 void Buffer::reserve(std::size_t sizeBytes) {

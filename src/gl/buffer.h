@@ -16,8 +16,8 @@ namespace detail {
 void deleteBuffer(unsigned int name);
 }
 
-// Memory on the device that shaders read and write (storage block, uniform block, indirect arguments). All calls need a
-// current context. Sizes and offsets are in bytes.
+// Memory on the device that shaders read and write (storage block, uniform block, indirect arguments). All
+// calls need a current context. Sizes and offsets are in bytes.
 class Buffer {
 public:
     Buffer() = default;
@@ -54,7 +54,8 @@ public:
 
     // Sets bytes [offset, offset + sizeBytes) to zero; everything when sizeBytes is 0.
     void clear(std::size_t offset = 0, std::size_t sizeBytes = 0);
-    // Makes the buffer at least this large, throwing the contents away when it has to grow (it grows by at least half).
+    // Makes the buffer at least this large, throwing the contents away when it has to grow (it grows by at
+    // least half).
     void reserve(std::size_t sizeBytes);
 
     void bindStorage(unsigned int binding) const;

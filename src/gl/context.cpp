@@ -37,8 +37,8 @@ std::string text(GLenum what) {
 
 DeviceInfo describeCurrent() {
     DeviceInfo info{text(GL_VENDOR), text(GL_RENDERER), text(GL_VERSION), false, 0, 0};
-    info.isSoftware =
-        info.renderer.find("llvmpipe") != std::string::npos || info.renderer.find("softpipe") != std::string::npos;
+    info.isSoftware = info.renderer.find("llvmpipe") != std::string::npos ||
+                      info.renderer.find("softpipe") != std::string::npos;
     glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &info.max3DTextureSize);
     GLint block = 0;
     glGetIntegerv(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &block);
@@ -46,8 +46,10 @@ DeviceInfo describeCurrent() {
     return info;
 }
 
-void GLAPIENTRY onMessage(GLenum, GLenum type, GLuint, GLenum, GLsizei, const GLchar* message, const void* user) {
-    if (type == GL_DEBUG_TYPE_ERROR) {
+void GLAPIENTRY onMessage(GLenum source, GLenum type, GLuint, GLenum, GLsizei, const GLchar* message,
+                          const void* user) {
+    // What the shader compiler says is thrown by Program, with the file's name.
+    if (type == GL_DEBUG_TYPE_ERROR && source != GL_DEBUG_SOURCE_SHADER_COMPILER) {
         ++*static_cast<int*>(const_cast<void*>(user));
         logNotice(fmt::format("OpenGL: {}", message));
     }
@@ -59,7 +61,8 @@ void listenForErrors(int& counter) {
     glDebugMessageCallback(onMessage, &counter);
 }
 
-// The displays that could carry a context without a window: each EGL device, then Mesa's surfaceless platform.
+// The displays that could carry a context without a window: each EGL device, then Mesa's surfaceless
+// platform.
 std::vector<EGLDisplay> candidateDisplays() {
     std::vector<EGLDisplay> displays;
     if (epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_EXT_device_enumeration") ||
@@ -74,7 +77,8 @@ std::vector<EGLDisplay> candidateDisplays() {
         }
     }
     if (displays.empty() && epoxy_has_egl_extension(EGL_NO_DISPLAY, "EGL_MESA_platform_surfaceless")) {
-        displays.push_back(eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
+        displays.push_back(
+            eglGetPlatformDisplayEXT(EGL_PLATFORM_SURFACELESS_MESA, EGL_DEFAULT_DISPLAY, nullptr));
     }
     return displays;
 }
@@ -101,7 +105,8 @@ EGLContext contextOn(EGLDisplay display) {
         }
     }
     EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, attributes);
-    if (context != EGL_NO_CONTEXT && eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) != EGL_TRUE) {
+    if (context != EGL_NO_CONTEXT &&
+        eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) != EGL_TRUE) {
         eglDestroyContext(display, context);
         context = EGL_NO_CONTEXT;
     }

@@ -17,14 +17,14 @@ struct DeviceInfo {
     std::size_t maxStorageBlockBytes = 0;
 };
 
-// An OpenGL 4.5 core context: either our own, without any window (EGL, surfaceless), or one that the host program made
-// current. GL objects belong to the thread and context they were made with. Driver messages of type error are counted
-// and logged, never thrown out of the driver.
+// An OpenGL 4.5 core context: either our own, without any window (EGL, surfaceless), or one that the host
+// program made current. GL objects belong to the thread and context they were made with. Driver messages of
+// type error are counted and logged, never thrown out of the driver.
 class Context {
 public:
-    // Our own context on a device of `listDevices()` (by its index), or on the best one: a hardware device where there is
-    // one, else the software renderer. $VOLUME_STUDIO_DEVICE (an index) chooses when `device` is not given.
-    // Throws GlError if no device offers OpenGL 4.5.
+    // Our own context on a device of `listDevices()` (by its index), or on the best one: a hardware device
+    // where there is one, else the software renderer. $VOLUME_STUDIO_DEVICE (an index) chooses when `device`
+    // is not given. Throws GlError if no device offers OpenGL 4.5.
     static Context createHeadless(std::optional<int> device = {});
     // Uses the context that is current on this thread (the window's). Throws GlError if it is older than 4.5.
     static Context adoptCurrent();

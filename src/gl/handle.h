@@ -5,8 +5,8 @@
 
 namespace vs::gl {
 
-// Owns one GL object name: made = created, destroyed = deleted, move only. The context that made it (or one that shares
-// with it) must be current when it is destroyed.
+// Owns one GL object name: made = created, destroyed = deleted, move only. The context that made it (or one
+// that shares with it) must be current when it is destroyed.
 template <void (*Delete)(unsigned int)>
 class Handle {
 public:

@@ -14,9 +14,9 @@ struct PassTimes {
     int count = 0;
 };
 
-// Names a piece of GPU work for debuggers (a debug group) and for the timing table. Opened at the start of the block that
-// dispatches the work, closed at its end. With timing on, each pass waits for the device at both ends, so its time is its
-// own; with timing off it costs next to nothing.
+// Names a piece of GPU work for debuggers (a debug group) and for the timing table. Opened at the start of
+// the block that dispatches the work, closed at its end. With timing on, each pass waits for the device at
+// both ends, so its time is its own; with timing off it costs next to nothing.
 class Pass {
 public:
     explicit Pass(const char* name);

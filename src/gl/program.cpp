@@ -52,7 +52,8 @@ Program::Program(const std::string& path, const Defines& defines) {
     GLint linked = GL_FALSE;
     glGetProgramiv(program, GL_LINK_STATUS, &linked);
     if (linked != GL_TRUE) {
-        throw GlError("{} does not compile on this driver: {}", path, readableLog(programLog(program), source));
+        throw GlError("{} does not compile on this driver: {}", path,
+                      readableLog(programLog(program), source));
     }
     glObjectLabel(GL_PROGRAM, program, -1, path.c_str());
     glGetProgramiv(program, GL_COMPUTE_WORK_GROUP_SIZE, glm::value_ptr(localSize_));

@@ -21,8 +21,8 @@ enum class Barrier { None, Image, Texture, Storage, Indirect, All };
 class Program {
 public:
     Program() = default;
-    // `path` below src/, for example "sculpt/shaders/deposit_points.comp". Throws GlError with the driver's log, places
-    // given as file:line.
+    // `path` below src/, for example "sculpt/shaders/deposit_points.comp". Throws GlError with the driver's
+    // log, places given as file:line.
     explicit Program(const std::string& path, const Defines& defines = {});
 
     [[nodiscard]] unsigned int name() const { return handle_.name(); }
@@ -38,7 +38,8 @@ public:
     Program& set(int location, glm::ivec3 value);
     Program& set(int location, const glm::mat4& value);
 
-    // Runs the given number of work groups; nothing if one of them is 0. `after` makes the writes visible to what follows.
+    // Runs the given number of work groups; nothing if one of them is 0. `after` makes the writes visible to
+    // what follows.
     void dispatch(glm::ivec3 groups, Barrier after);
     // Enough groups of the shader's own local size to cover `items`.
     void dispatchOver(glm::ivec3 items, Barrier after);

@@ -38,7 +38,8 @@ void appendFile(const std::string& path, const std::string& includedFrom, const 
     }
     const auto source = lookup(path);
     if (!source) {
-        throw GlError("shader {} not found{}", path, includedFrom.empty() ? "" : " (included from " + includedFrom + ")");
+        throw GlError("shader {} not found{}", path,
+                      includedFrom.empty() ? "" : " (included from " + includedFrom + ")");
     }
     const std::size_t number = out.files.size();
     out.files.push_back(path);
@@ -53,7 +54,8 @@ void appendFile(const std::string& path, const std::string& includedFrom, const 
             if (open == std::string::npos || close == open) {
                 throw GlError("{}:{}: #include wants a path in double quotes", path, lineNumber);
             }
-            appendFile(line.substr(open + 1, close - open - 1), fmt::format("{}:{}", path, lineNumber), lookup, out);
+            appendFile(line.substr(open + 1, close - open - 1), fmt::format("{}:{}", path, lineNumber),
+                       lookup, out);
             out.text += fmt::format("#line {} {}\n", lineNumber + 1, number);
         } else {
             out.text += line + "\n";

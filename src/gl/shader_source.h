@@ -11,8 +11,8 @@ namespace vs::gl {
 
 using Defines = std::vector<std::pair<std::string, std::string>>;
 
-// A shader text after #include expansion. `files[n]` is the file whose lines carry source number n in #line, so a
-// driver's "2(17)" can be turned back into a file and line.
+// A shader text after #include expansion. `files[n]` is the file whose lines carry source number n in #line,
+// so a driver's "2(17)" can be turned back into a file and line.
 struct ExpandedSource {
     std::string text;
     std::vector<std::string> files;
@@ -24,8 +24,8 @@ using SourceLookup = std::function<std::optional<std::string>(const std::string&
 // The embedded shaders, or the files below $VOLUME_STUDIO_SHADER_DIR when that is set (development).
 std::optional<std::string> findShader(const std::string& path);
 
-// Expands `#include "path"` lines (each file once), puts `#version 450 core` and the defines on top. Pure text work.
-// Throws GlError naming the including file and line when a file is missing.
+// Expands `#include "path"` lines (each file once), puts `#version 450 core` and the defines on top. Pure
+// text work. Throws GlError naming the including file and line when a file is missing.
 ExpandedSource expandSource(const std::string& path, const Defines& defines,
                             const SourceLookup& lookup = findShader);
 

@@ -73,8 +73,8 @@ void Texture::create(const std::string& label, Filter filter) {
     GLint limit = 0;
     glGetIntegerv(is3D_ ? GL_MAX_3D_TEXTURE_SIZE : GL_MAX_TEXTURE_SIZE, &limit);
     if (std::max({size_.x, size_.y, size_.z}) > limit) {
-        throw GlError("{}: {}x{}x{} texels are more than this device's limit of {} along an axis", label, size_.x,
-                      size_.y, size_.z, limit);
+        throw GlError("{}: {}x{}x{} texels are more than this device's limit of {} along an axis", label,
+                      size_.x, size_.y, size_.z, limit);
     }
     GLuint name = 0;
     glCreateTextures(is3D_ ? GL_TEXTURE_3D : GL_TEXTURE_2D, 1, &name);
@@ -88,15 +88,16 @@ void Texture::create(const std::string& label, Filter filter) {
         glTextureStorage2D(name, 1, internal, size_.x, size_.y);
     }
     if (glGetError() != GL_NO_ERROR) {
-        throw GlError("{}: the device has no room for {}x{}x{} texels ({} MiB); use a smaller volume", label, size_.x,
-                      size_.y, size_.z, bytes() >> 20);
+        throw GlError("{}: the device has no room for {}x{}x{} texels ({} MiB); use a smaller volume", label,
+                      size_.x, size_.y, size_.z, bytes() >> 20);
     }
     glObjectLabel(GL_TEXTURE, name, -1, label.c_str());
     const GLint mode = filter == Filter::Linear ? GL_LINEAR : GL_NEAREST;
     glTextureParameteri(name, GL_TEXTURE_MIN_FILTER, mode);
     glTextureParameteri(name, GL_TEXTURE_MAG_FILTER, mode);
-    // Mirrored, not plain, clamping: with plain clamping llvmpipe filters 8-bit textures in 8-bit arithmetic, which shows
-    // as wood grain on surfaces; this keeps it in floats, and is no slower. Within a texel of the border both are equal.
+    // Mirrored, not plain, clamping: with plain clamping llvmpipe filters 8-bit textures in 8-bit arithmetic,
+    // which shows as wood grain on surfaces; this keeps it in floats, and is no slower. Within a texel of the
+    // border both are equal.
     for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
         glTextureParameteri(name, axis, GL_MIRROR_CLAMP_TO_EDGE);
     }
@@ -110,7 +111,8 @@ void Texture::upload(const Box3& box, std::span<const std::byte> texels) {
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
     if (is3D_) {
-        glTextureSubImage3D(name(), 0, box.lo.x, box.lo.y, box.lo.z, s.x, s.y, s.z, f.layout, f.type, texels.data());
+        glTextureSubImage3D(name(), 0, box.lo.x, box.lo.y, box.lo.z, s.x, s.y, s.z, f.layout, f.type,
+                            texels.data());
     } else {
         glTextureSubImage2D(name(), 0, box.lo.x, box.lo.y, s.x, s.y, f.layout, f.type, texels.data());
     }
@@ -136,8 +138,8 @@ void Texture::copyFrom(const Texture& source, const Box3& sourceBox, glm::ivec3 
     const glm::ivec3 s = sourceBox.size();
     const GLenum target = is3D_ ? GL_TEXTURE_3D : GL_TEXTURE_2D;
     glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
-    glCopyImageSubData(source.name(), target, 0, sourceBox.lo.x, sourceBox.lo.y, sourceBox.lo.z, name(), target, 0,
-                       destination.x, destination.y, destination.z, s.x, s.y, s.z);
+    glCopyImageSubData(source.name(), target, 0, sourceBox.lo.x, sourceBox.lo.y, sourceBox.lo.z, name(),
+                       target, 0, destination.x, destination.y, destination.z, s.x, s.y, s.z);
 }
 
 void Texture::clear() {
@@ -162,15 +164,17 @@ void Texture::clear(const Box3& box, unsigned int value) {
     const glm::ivec3 s = box.size();
     if (!box.isEmpty()) {
         glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
-        glClearTexSubImage(name(), 0, box.lo.x, box.lo.y, box.lo.z, s.x, s.y, s.z, GL_RED_INTEGER, GL_UNSIGNED_INT,
-                           &value);
+        glClearTexSubImage(name(), 0, box.lo.x, box.lo.y, box.lo.z, s.x, s.y, s.z, GL_RED_INTEGER,
+                           GL_UNSIGNED_INT, &value);
     }
 }
 
 void Texture::bindTexture(unsigned int unit) const { glBindTextureUnit(unit, name()); }
 
 void Texture::bindImage(unsigned int unit, Access access) const {
-    const GLenum mode = access == Access::Read ? GL_READ_ONLY : access == Access::Write ? GL_WRITE_ONLY : GL_READ_WRITE;
+    const GLenum mode = access == Access::Read    ? GL_READ_ONLY
+                        : access == Access::Write ? GL_WRITE_ONLY
+                                                  : GL_READ_WRITE;
     glBindImageTexture(unit, name(), 0, is3D_ ? GL_TRUE : GL_FALSE, 0, mode, info(format_).internal);
 }
 

@@ -21,8 +21,8 @@ std::size_t bytesPerTexel(Format format);
 enum class Filter { Nearest, Linear };
 enum class Access { Read, Write, ReadWrite };
 
-// A grid of texels on the device, three- or two-dimensional (a 2D texture has size.z == 1 and is a GL_TEXTURE_2D).
-// Coordinates outside give the nearest texel. All calls need a current context.
+// A grid of texels on the device, three- or two-dimensional (a 2D texture has size.z == 1 and is a
+// GL_TEXTURE_2D). Coordinates outside give the nearest texel. All calls need a current context.
 class Texture {
 public:
     Texture() = default;

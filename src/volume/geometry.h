@@ -7,8 +7,9 @@
 
 namespace vs::volume {
 
-// Where a grid of voxels lies in the patient: a full affine from voxel space (continuous indices, voxel centres at
-// integers) to world (LPS millimetres). Anisotropic and sheared grids are allowed; singular ones are not.
+// Where a grid of voxels lies in the patient: a full affine from voxel space (continuous indices, voxel
+// centres at integers) to world (LPS millimetres). Anisotropic and sheared grids are allowed; singular ones
+// are not.
 struct GridGeometry {
     glm::ivec3 dims{0};
     glm::dmat4 worldFromVoxel{1.0};

@@ -51,13 +51,15 @@ bool parseNumber(const std::string& text, double& value) {
     return end == text.c_str() + text.size();
 }
 
-std::vector<double> parseNumbers(const std::filesystem::path& path, std::string_view what, const std::string& text) {
+std::vector<double> parseNumbers(const std::filesystem::path& path, std::string_view what,
+                                 const std::string& text) {
     std::istringstream words(text);
     std::vector<double> numbers;
     for (std::string word; words >> word;) {
         double value = 0;
         if (!parseNumber(word, value)) {
-            refuse(path, fmt::format("{} holds \"{}\"", what, printable(word)), "it must be a list of numbers");
+            refuse(path, fmt::format("{} holds \"{}\"", what, printable(word)),
+                   "it must be a list of numbers");
         }
         numbers.push_back(value);
     }
@@ -76,8 +78,9 @@ std::uint64_t checkedBytes(const std::filesystem::path& path, const std::vector<
             refuse(path, fmt::format("size {} along one axis", size), "every axis needs at least one voxel");
         }
         if (size > std::numeric_limits<int>::max() || bytes > memory / std::uint64_t(size)) {
-            refuse(path, fmt::format("the header asks for {} voxels, more than this machine's memory",
-                                     fmt::join(sizes, " x ")),
+            refuse(path,
+                   fmt::format("the header asks for {} voxels, more than this machine's memory",
+                               fmt::join(sizes, " x ")),
                    "check the sizes or crop the volume");
         }
         bytes *= std::uint64_t(size);
@@ -95,8 +98,10 @@ void checkSpacing(const std::filesystem::path& path, double spacing) {
 void checkGeometry(const std::filesystem::path& path, const GridGeometry& geometry) {
     for (int c = 0; c < 4; ++c) {
         for (int r = 0; r < 3; ++r) {
-            if (!std::isfinite(geometry.worldFromVoxel[c][r]) || std::abs(geometry.worldFromVoxel[c][r]) > 1e6) {
-                refuse(path, "the position or orientation is not finite", "it must be numbers of millimetres");
+            if (!std::isfinite(geometry.worldFromVoxel[c][r]) ||
+                std::abs(geometry.worldFromVoxel[c][r]) > 1e6) {
+                refuse(path, "the position or orientation is not finite",
+                       "it must be numbers of millimetres");
             }
         }
     }
@@ -105,7 +110,8 @@ void checkGeometry(const std::filesystem::path& path, const GridGeometry& geomet
         checkSpacing(path, spacing[axis]);
     }
     if (geometry.voxelMm3() < 1e-3 * spacing.x * spacing.y * spacing.z) {
-        refuse(path, "the directions of the axes lie in one plane", "three independent directions are needed");
+        refuse(path, "the directions of the axes lie in one plane",
+               "three independent directions are needed");
     }
 }
 
@@ -114,7 +120,8 @@ std::filesystem::path siblingFile(const std::filesystem::path& header, const std
     const bool leaves = relative.is_absolute() || relative.lexically_normal().string().starts_with("..");
     const auto file = header.parent_path() / relative;
     std::error_code error;
-    const auto folder = std::filesystem::weakly_canonical(header.parent_path().empty() ? "." : header.parent_path(), error);
+    const auto folder =
+        std::filesystem::weakly_canonical(header.parent_path().empty() ? "." : header.parent_path(), error);
     const auto target = std::filesystem::weakly_canonical(file, error);
     // A link inside the folder may point out of it just as a name with ".." does.
     if (leaves || name.empty() || target.lexically_relative(folder).string().starts_with("..")) {
@@ -126,6 +133,19 @@ std::filesystem::path siblingFile(const std::filesystem::path& header, const std
                "put it beside the header or correct the name");
     }
     return file;
+}
+
+int chosenFrame(const std::filesystem::path& path, std::int64_t frames, std::optional<int> frame) {
+    if (frames > 1 && !frame) {
+        refuse(path, fmt::format("it holds {} volumes (4D)", frames),
+               fmt::format("choose one with --frame 0 to --frame {}", frames - 1));
+    }
+    if (frame && (*frame < 0 || *frame >= frames)) {
+        refuse(path, fmt::format("it has no volume {}", *frame),
+               frames > 1 ? fmt::format("choose one with --frame 0 to --frame {}", frames - 1)
+                          : std::string("it holds one volume: leave out --frame"));
+    }
+    return frame.value_or(0);
 }
 
 bool hasGzipMagic(const std::filesystem::path& path) {

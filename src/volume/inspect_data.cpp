@@ -5,8 +5,11 @@
 #include <fmt/format.h>
 #include <zlib.h>
 
+#include <algorithm>
+#include <cstring>
 #include <fstream>
 #include <functional>
+#include <stdexcept>
 
 namespace vs::volume {
 namespace {
@@ -18,8 +21,8 @@ struct InflateResult {
     std::uint64_t bytes = 0;
 };
 
-// Inflates a zlib or gzip stream (also several members in a row) through a small window and gives each piece to
-// `sink`, which returns false to stop. Never holds more than the window, whatever the stream claims.
+// Inflates a zlib or gzip stream (also several members in a row) through a small window and gives each piece
+// to `sink`, which returns false to stop. Never holds more than the window, whatever the stream claims.
 class Inflater {
 public:
     Inflater(std::istream& input, std::uint64_t limit) : input_(input), limit_(limit) {
@@ -90,16 +93,19 @@ private:
 void checkDeflated(const std::filesystem::path& path, const DataBlock& block, std::uint64_t stored) {
     // Deflate shrinks at most by 1032, so a stream that is too small need not be read at all.
     const auto shortOf = [&](std::uint64_t bytes) {
-        refuse(path, fmt::format("its compressed data hold {} bytes, the header promises {}", bytes, block.expected),
-               "the file is cut short or its sizes are wrong");
+        refuse(
+            path,
+            fmt::format("its compressed data hold {} bytes, the header promises {}", bytes, block.expected),
+            "the file is cut short or its sizes are wrong");
     };
     if (stored > block.expected + (1 << 20) && stored > 2 * block.expected) {
         refuse(path, fmt::format("{} compressed bytes for {} bytes of values", stored, block.expected),
                "the sizes in the header do not fit the data");
     }
     if (stored * 1040 + 1024 < block.expected) {
-        refuse(path, fmt::format("its {} compressed bytes cannot hold the {} bytes that the header promises", stored,
-                                 block.expected),
+        refuse(path,
+               fmt::format("its {} compressed bytes cannot hold the {} bytes that the header promises",
+                           stored, block.expected),
                "the file is cut short or its sizes are wrong");
     }
     std::ifstream input(block.file, std::ios::binary);
@@ -110,11 +116,14 @@ void checkDeflated(const std::filesystem::path& path, const DataBlock& block, st
     case StreamEnd::Corrupt:
         refuse(path, "its compressed data are corrupt", "get an intact copy of the file");
     case StreamEnd::Early:
-        refuse(path, fmt::format("its compressed data end early, after {} of {} bytes", result.bytes, block.expected),
-               "get a complete copy of the file");
+        refuse(
+            path,
+            fmt::format("its compressed data end early, after {} of {} bytes", result.bytes, block.expected),
+            "get a complete copy of the file");
     case StreamEnd::TooLong:
-        refuse(path, fmt::format("its compressed data expand beyond the {} bytes that the header promises",
-                                 block.expected),
+        refuse(path,
+               fmt::format("its compressed data expand beyond the {} bytes that the header promises",
+                           block.expected),
                "the sizes in the header do not fit the data");
     default:
         break;
@@ -143,11 +152,13 @@ void checkAscii(const std::filesystem::path& path, const DataBlock& block) {
 
 } // namespace
 
-void checkDataBlock(const std::filesystem::path& path, const DataBlock& block, std::vector<std::string>& notices) {
+void checkDataBlock(const std::filesystem::path& path, const DataBlock& block,
+                    std::vector<std::string>& notices) {
     std::error_code error;
     const std::uint64_t size = std::filesystem::file_size(block.file, error);
     if (error || block.offset > size) {
-        refuse(path, fmt::format("its values should start at byte {}, behind the end of the file", block.offset),
+        refuse(path,
+               fmt::format("its values should start at byte {}, behind the end of the file", block.offset),
                "the file is cut short or its header is wrong");
     }
     const std::uint64_t stored = size - block.offset;
@@ -171,6 +182,31 @@ void checkDataBlock(const std::filesystem::path& path, const DataBlock& block, s
     if (stored > block.expected) {
         notices.push_back(fmt::format("{}: {} bytes behind the values were ignored", path.string(),
                                       stored - block.expected));
+    }
+}
+
+void readBlock(const DataBlock& block, std::uint64_t skip, std::span<std::byte> out) {
+    std::ifstream input(block.file, std::ios::binary);
+    if (block.encoding == Encoding::Raw) {
+        input.seekg(static_cast<std::streamoff>(block.offset + skip));
+        input.read(reinterpret_cast<char*>(out.data()), static_cast<std::streamsize>(out.size()));
+        if (!input) {
+            throw std::runtime_error("the file ended early");
+        }
+        return;
+    }
+    input.seekg(static_cast<std::streamoff>(block.offset));
+    std::size_t filled = 0;
+    Inflater(input, ~std::uint64_t(0)).run([&](const unsigned char* data, std::size_t size) {
+        const std::size_t skipped = std::size_t(std::min<std::uint64_t>(skip, size));
+        const std::size_t taken = std::min(size - skipped, out.size() - filled);
+        skip -= skipped;
+        std::memcpy(out.data() + filled, data + skipped, taken);
+        filled += taken;
+        return filled < out.size();
+    });
+    if (filled < out.size()) {
+        throw std::runtime_error("the compressed data ended early");
     }
 }
 

@@ -37,6 +37,18 @@ public:
         }
         return true;
     }
+    // Rows of the sform, from its RAS millimetres to LPS.
+    [[nodiscard]] glm::dmat4 sform() const {
+        glm::dmat4 matrix(1.0);
+        for (int row = 0; row < 3; ++row) {
+            for (int column = 0; column < 4; ++column) {
+                const double value = get<float>(std::size_t(280 + 16 * row + 4 * column));
+                matrix[column][row] = row < 2 ? -value : value;
+            }
+        }
+        return matrix;
+    }
+    [[nodiscard]] bool isSwapped() const { return swapped_; }
     [[nodiscard]] std::string magic() const {
         return std::string(reinterpret_cast<const char*>(bytes_.data()) + 344, 3);
     }
@@ -83,19 +95,21 @@ Header readHeader(const std::filesystem::path& path, bool gzipped) {
 }
 
 // Bytes per voxel of the scalar types.
-std::uint64_t voxelBytes(const std::filesystem::path& path, const Header& header, std::vector<std::string>& notices) {
+std::uint64_t voxelBytes(const std::filesystem::path& path, const Header& header,
+                         std::vector<std::string>& notices) {
     struct Type {
         int code;
         std::uint64_t bytes;
     };
-    constexpr Type scalars[] = {{2, 1},   {4, 2},   {8, 4},    {16, 4},   {64, 8},
+    constexpr Type scalars[] = {{2, 1},   {4, 2},   {8, 4},   {16, 4},   {64, 8},
                                 {256, 1}, {512, 2}, {768, 4}, {1024, 8}, {1280, 8}};
     for (const auto& type : scalars) {
         if (type.code == header.datatype()) {
             if (header.bitpix() != int(8 * type.bytes)) {
-                notices.push_back(fmt::format("{}: the header says {} bits per voxel, its data type has {}; the type "
-                                              "was believed",
-                                              path.string(), header.bitpix(), 8 * type.bytes));
+                notices.push_back(
+                    fmt::format("{}: the header says {} bits per voxel, its data type has {}; the type "
+                                "was believed",
+                                path.string(), header.bitpix(), 8 * type.bytes));
             }
             return type.bytes;
         }
@@ -146,37 +160,45 @@ std::filesystem::path dataFile(const std::filesystem::path& path, const Header& 
     return siblingFile(path, plain ? name : name + ".gz");
 }
 
-void checkPlace(const std::filesystem::path& path, const Header& header, std::vector<std::string>& notices) {
+void checkPlace(const std::filesystem::path& path, const Header& header) {
     for (std::size_t i = 1; i <= 3; ++i) {
         checkSpacing(path, header.pixdim(i));
     }
     if (header.hasForm() && !header.formsAreFinite()) {
-        refuse(path, "its orientation (qform or sform) holds values that are not numbers", "they must be finite");
+        refuse(path, "its orientation (qform or sform) holds values that are not numbers",
+               "they must be finite");
     }
-    if (!header.hasForm()) {
-        notices.push_back(fmt::format("{}: the header states no orientation; left, right, front and back are unknown",
-                                      path.string()));
-    }
+}
+
+// A slope of zero means none; so do values that are not numbers, which some programs write for "not set".
+void takeScaling(const std::filesystem::path& path, const Header& header, NiftiInspection& inspection) {
     if (!std::isfinite(header.slope()) || !std::isfinite(header.intercept())) {
-        notices.push_back(
-            fmt::format("{}: the scale slope or intercept is not a number; values are unscaled", path.string()));
+        inspection.notices.push_back(fmt::format(
+            "{}: the scale slope or intercept is not a number; values are unscaled", path.string()));
+    } else if (header.slope() != 0) {
+        inspection.slope = header.slope();
+        inspection.intercept = header.intercept();
     }
 }
 
 } // namespace
 
-Inspection inspectNifti(const std::filesystem::path& path) {
+NiftiInspection inspectNifti(const std::filesystem::path& path) {
     const bool gzipped = hasGzipMagic(path);
     const bool namedGz = lowerCase(path.extension().string()) == ".gz";
     if (gzipped != namedGz) {
-        refuse(path, gzipped ? "it is gzip-compressed but not named so" : "it is named .gz but is not gzip-compressed",
+        refuse(path,
+               gzipped ? "it is gzip-compressed but not named so"
+                       : "it is named .gz but is not gzip-compressed",
                gzipped ? "name it .nii.gz" : "name it .nii");
     }
     const Header header = readHeader(path, gzipped);
-    Inspection inspection;
+    NiftiInspection inspection;
     inspection.sizes = volumeSizes(path, header);
-    const std::uint64_t bytes = checkedBytes(path, inspection.sizes, voxelBytes(path, header, inspection.notices));
-    checkPlace(path, header, inspection.notices);
+    const std::uint64_t bytes =
+        checkedBytes(path, inspection.sizes, voxelBytes(path, header, inspection.notices));
+    checkPlace(path, header);
+    takeScaling(path, header, inspection);
 
     const float offset = header.voxOffset();
     const auto file = dataFile(path, header);
@@ -185,11 +207,19 @@ Inspection inspectNifti(const std::filesystem::path& path) {
         refuse(path, fmt::format("its values should start at byte {}", offset),
                fmt::format("they start at {} or later", least));
     }
-    DataBlock block{.file = file, .offset = std::uint64_t(offset), .encoding = Encoding::Raw, .expected = bytes};
+    const auto start = std::uint64_t(offset);
+    DataBlock& block = inspection.block;
+    block = {.file = file, .offset = start, .encoding = Encoding::Raw, .expected = bytes};
     if (hasGzipMagic(file)) {
-        block = {.file = file, .offset = 0, .encoding = Encoding::Deflated, .expected = bytes + block.offset};
+        inspection.valuesAt = start;
+        block = {.file = file, .offset = 0, .encoding = Encoding::Deflated, .expected = bytes + start};
     }
     checkDataBlock(path, block, inspection.notices);
+    inspection.datatype = header.datatype();
+    inspection.swapped = header.isSwapped();
+    if (header.hasSform()) {
+        inspection.sform = header.sform();
+    }
     return inspection;
 }
 

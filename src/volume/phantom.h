@@ -11,8 +11,8 @@ namespace vs::volume {
 Volume makePhantom(glm::ivec3 dims, ScalarType type, const std::function<double(glm::dvec3 voxel)>& value,
                    glm::dvec3 spacing = glm::dvec3(1.0));
 
-// A solid ball whose intensity falls linearly from `inside` to `outside` across `edgeVoxels` around its border, so the
-// mean of both lies exactly on the sphere.
+// A solid ball whose intensity falls linearly from `inside` to `outside` across `edgeVoxels` around its
+// border, so the mean of both lies exactly on the sphere.
 Volume makeBall(glm::ivec3 dims, glm::dvec3 centreVoxel, double radiusVoxels, double inside = 200,
                 double outside = 0, double edgeVoxels = 4, ScalarType type = ScalarType::UInt8);
 

@@ -23,7 +23,8 @@ std::size_t sizeOf(ScalarType type) {
 double Volume::at(glm::ivec3 index) const {
     const auto& d = geometry.dims;
     const std::size_t i =
-        (std::size_t(index.z) * std::size_t(d.y) + std::size_t(index.y)) * std::size_t(d.x) + std::size_t(index.x);
+        (std::size_t(index.z) * std::size_t(d.y) + std::size_t(index.y)) * std::size_t(d.x) +
+        std::size_t(index.x);
     return visit(*this, [&](const auto* values) { return double(values[i]); });
 }
 

@@ -18,16 +18,16 @@ enum class ScalarType { UInt8, Int8, UInt16, Int16, UInt32, Int32, Float32 };
 const char* name(ScalarType type);
 std::size_t sizeOf(ScalarType type);
 
-// A scalar volume as it was read: values (rescale slope and intercept already applied) in one block, x fastest, with
-// their place in the patient. Never changed after reading. 64-bit inputs are held as Float32.
+// A scalar volume as it was read: values (rescale slope and intercept already applied) in one block, x
+// fastest, with their place in the patient. Never changed after reading. 64-bit inputs are held as Float32.
 struct Volume {
     GridGeometry geometry;
     ScalarType type = ScalarType::UInt8;
-    std::vector<std::byte> bytes;    // geometry.voxelCount() * sizeOf(type)
-    Range range;                     // smallest and largest finite value
-    std::size_t nonFiniteCount = 0;  // NaN and infinite voxels; they lie outside every range
-    std::string name;                // file or folder name, for titles and messages
-    std::filesystem::path path;      // where it came from; empty for volumes made in memory
+    std::vector<std::byte> bytes;   // geometry.voxelCount() * sizeOf(type)
+    Range range;                    // smallest and largest finite value
+    std::size_t nonFiniteCount = 0; // NaN and infinite voxels; they lie outside every range
+    std::string name;               // file or folder name, for titles and messages
+    std::filesystem::path path;     // where it came from; empty for volumes made in memory
 
     // The value at one voxel; `index` must be inside the grid.
     [[nodiscard]] double at(glm::ivec3 index) const;
@@ -62,7 +62,8 @@ void computeRange(Volume& volume);
 // Counts of finite values in `bins` equal bins over volume.range, computed on the CPU (reference, `info`).
 std::vector<std::uint64_t> histogram(const Volume& volume, int bins);
 
-// Checksum of geometry and values (FNV-1a, 64 bit, as 16 hex digits): tells a session whether it has its volume.
+// Checksum of geometry and values (FNV-1a, 64 bit, as 16 hex digits): tells a session whether it has its
+// volume.
 std::string checksum(const Volume& volume);
 
 } // namespace vs::volume

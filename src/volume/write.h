@@ -9,11 +9,14 @@
 
 namespace vs::volume {
 
-// Each writes a grid (x fastest, geometry.voxelCount() values) with its place in the patient, as NIfTI, NRRD or
-// MetaImage by the file's extension (.nii .nii.gz .nrrd .mha .mhd), compressed where the format allows. Atomic: a
-// temporary file beside it, synced, then renamed. Throws WriteError naming the file.
-void writeGrid(const std::filesystem::path& path, const GridGeometry& geometry, std::span<const std::uint8_t> values);
-void writeGrid(const std::filesystem::path& path, const GridGeometry& geometry, std::span<const std::uint32_t> values);
-void writeGrid(const std::filesystem::path& path, const GridGeometry& geometry, std::span<const float> values);
+// Each writes a grid (x fastest, geometry.voxelCount() values) with its place in the patient, as NIfTI, NRRD
+// or MetaImage by the file's extension (.nii .nii.gz .nrrd .mha .mhd), compressed where the format allows.
+// Atomic: a temporary file beside it, synced, then renamed. Throws WriteError naming the file.
+void writeGrid(const std::filesystem::path& path, const GridGeometry& geometry,
+               std::span<const std::uint8_t> values);
+void writeGrid(const std::filesystem::path& path, const GridGeometry& geometry,
+               std::span<const std::uint32_t> values);
+void writeGrid(const std::filesystem::path& path, const GridGeometry& geometry,
+               std::span<const float> values);
 
 } // namespace vs::volume

@@ -11,8 +11,8 @@
 
 namespace vs::test {
 
-// Fixture of every test that needs a device: one headless context for the process, and after each test no GL error.
-// Without a device the test skips; with VOLUME_STUDIO_REQUIRE_GL set (CI) that is a failure.
+// Fixture of every test that needs a device: one headless context for the process, and after each test no GL
+// error. Without a device the test skips; with VOLUME_STUDIO_REQUIRE_GL set (CI) that is a failure.
 class GlTest : public ::testing::Test {
 protected:
     void SetUp() override {

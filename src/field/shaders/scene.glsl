@@ -9,7 +9,7 @@ layout(std140, binding = 0) uniform SceneBlock {
     mat4 voxelFromWorld;
     ivec4 dims;      // xyz voxels, w sculpture view: 0 whole, 1 cut, 2 probe
     vec4 spacing;    // xyz mm, w step mm
-    vec4 valueScale; // x scale, y offset, z 1 if values are whole numbers
+    vec4 valueScale; // x scale, y offset, z 1 if values are whole numbers, w tolerance of comparisons
     vec4 range;      // xy displayed range, zw grey window
     vec4 sceneFlags; // x 1 if there is a segmentation
 };
@@ -40,7 +40,7 @@ float sculptureAt(vec3 p) { return textureLod(sculptureTexture, textureFromVoxel
 float segmentationAt(vec3 p) { return textureLod(segmentationTexture, textureFromVoxel(p), 0.0).r; }
 
 // How far a value is inside the displayed range.
-float insideRange(float value) { return min(value - range.x, range.y - value); }
+float insideRange(float value) { return min(value - range.x, range.y - value) + valueScale.w; }
 
 // Cut view shows sculpture < 0.5, probe view >= 0.5.
 float visibleSide(float sculpture) {

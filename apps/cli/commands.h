@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <CLI/CLI.hpp>
+
+// One function per command, each in its own NAME_command.cpp. They add a subcommand whose callback does the
+// work and throws vs::Error.
+namespace vs::cli {
+
+void addInfoCommand(CLI::App& app);
+void addRenderCommand(CLI::App& app);
+void addRunCommand(CLI::App& app);
+void addDevicesCommand(CLI::App& app);
+void addCompareCommand(CLI::App& app);
+
+} // namespace vs::cli

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands.h"
+
+#include "base/error.h"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <string>
+
+namespace {
+
+constexpr int failed = 1;
+constexpr int wrongUsage = 2;
+
+// Whatever the cause, exactly one line on standard error.
+int report(std::string message, int exitCode) {
+    while (!message.empty() && message.back() == '\n') {
+        message.pop_back();
+    }
+    for (char& c : message) {
+        c = c == '\n' || c == '\r' ? ' ' : c;
+    }
+    fmt::print(stderr, "vstudio: {}\n", message);
+    return exitCode;
+}
+
+int run(int argc, char** argv) {
+    CLI::App app("Volume Studio without a display: looks into volumes, renders, grows and measures.",
+                 "vstudio");
+    app.set_version_flag("--version", "vstudio " VOLUME_STUDIO_VERSION);
+    app.require_subcommand(1);
+    vs::cli::addInfoCommand(app);
+    vs::cli::addRenderCommand(app);
+    vs::cli::addRunCommand(app);
+    vs::cli::addDevicesCommand(app);
+    vs::cli::addCompareCommand(app);
+    try {
+        app.parse(argc, argv);
+    } catch (const CLI::Success& asked) { // --help, --version
+        return app.exit(asked);
+    } catch (const CLI::ParseError& error) {
+        return report(fmt::format("{}; see vstudio --help", error.what()), wrongUsage);
+    }
+    return 0;
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    try {
+        return run(argc, argv);
+    } catch (const vs::UsageError& error) {
+        return report(error.what(), wrongUsage);
+    } catch (const std::exception& error) {
+        return report(error.what(), failed);
+    }
+}

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "base/timer.h"
+
+#include <cstddef>
+#include <string>
+
+namespace vs::cli {
+
+// A progress bar on standard error for work that takes over a second; silent when that is not a terminal. The
+// line is wiped when the work ends.
+class Progress {
+public:
+    Progress(std::string what, std::size_t total);
+    ~Progress();
+    Progress(const Progress&) = delete;
+    Progress& operator=(const Progress&) = delete;
+
+    void advance(std::size_t amount = 1);
+
+private:
+    std::string what_;
+    std::size_t total_;
+    std::size_t done_ = 0;
+    bool isTerminal_;
+    bool isShown_ = false;
+    Timer timer_;
+};
+
+} // namespace vs::cli

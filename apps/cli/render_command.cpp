@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands.h"
+#include "parse.h"
+#include "volume_argument.h"
+
+#include "gl/context.h"
+#include "image/image.h"
+#include "studio/document.h"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+
+namespace vs::cli {
+
+namespace {
+
+struct RenderOptions {
+    std::shared_ptr<VolumeArgument> volume;
+    std::string output;
+    std::string mode = "surface";
+    std::string range;
+    std::string size = "1230x870";
+    std::string projection = "perspective";
+    render::Camera camera;
+    int samples = 8;
+};
+
+void runRender(const RenderOptions& options) {
+    // Values are checked before the volume is read: a typing mistake must not cost a minute.
+    const render::Mode mode = render::modeFromName(options.mode);
+    const glm::ivec2 size = parseSize(options.size);
+    std::optional<Range> range;
+    if (!options.range.empty()) {
+        range = parseRange(options.range);
+    }
+    auto volume = loadVolume(*options.volume).volume;
+    const auto context = gl::Context::createHeadless();
+    studio::Document document(std::move(volume));
+    studio::View view = document.view();
+    view.camera = options.camera;
+    view.camera.projection = options.projection == "perspective" ? render::Projection::Perspective
+                                                                 : render::Projection::Orthographic;
+    view.mode = mode;
+    view.range = range.value_or(view.range);
+    document.look(view);
+    render::Frame frame = document.frame(size);
+    frame.samples = options.samples;
+    render::RayCaster caster;
+    caster.render(frame);
+    image::writePng(options.output, caster.readPicture());
+    fmt::print("{}: {} x {} pixels, {} from {:g} to {:g}, on {}\n", options.output, size.x, size.y,
+               options.mode, view.range.lo, view.range.hi, context.device().renderer);
+}
+
+} // namespace
+
+void addRenderCommand(CLI::App& app) {
+    auto* command = app.add_subcommand("render", "Render one picture of a volume as PNG");
+    auto options = std::make_shared<RenderOptions>();
+    options->volume = addVolumeArgument(*command);
+    command->add_option("-o,--output", options->output, "Picture to write (PNG)")->required();
+    command->add_option("--mode", options->mode, "surface, mip, xray")->capture_default_str();
+    command->add_option("--range", options->range,
+                        "Displayed range LO:HI; suggested from the histogram if not given");
+    command->add_option("--size", options->size, "Pixels, WIDTHxHEIGHT")->capture_default_str();
+    command->add_option("--azimuth", options->camera.azimuthDegrees,
+                        "Degrees; 0 looks at the face, positive moves the viewer to the patient's left");
+    command->add_option("--elevation", options->camera.elevationDegrees,
+                        "Degrees; positive moves the viewer up");
+    command->add_option("--zoom", options->camera.zoom, "1 frames the volume")
+        ->check(CLI::Range(1e-3, 1e3))
+        ->capture_default_str();
+    command->add_option("--projection", options->projection, "perspective or orthographic")
+        ->check(CLI::IsMember({"perspective", "orthographic"}))
+        ->capture_default_str();
+    command->add_option("--samples", options->samples, "Rays per pixel")
+        ->check(CLI::Range(1, 256))
+        ->capture_default_str();
+    command->callback([options] { runRender(*options); });
+}
+
+} // namespace vs::cli

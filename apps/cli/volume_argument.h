@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "volume/read.h"
+
+#include <CLI/CLI.hpp>
+
+#include <memory>
+#include <optional>
+#include <string>
+
+namespace vs::cli {
+
+// The volume that a command works on, as given on its command line.
+struct VolumeArgument {
+    std::string path;
+    std::optional<std::string> rawLayout;
+    std::optional<std::string> series;
+    std::optional<int> frame;
+};
+
+// Adds VOLUME, --raw, --series and --frame to a subcommand. The result is filled in when the line is parsed;
+// capture it in the subcommand's callback.
+std::shared_ptr<VolumeArgument> addVolumeArgument(CLI::App& command);
+
+// Reads the volume and prints its notices. Throws ReadError, or UsageError for a raw layout that makes no
+// sense.
+volume::ReadResult loadVolume(const VolumeArgument& argument);
+
+} // namespace vs::cli

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "gl/context.h"
+
+#include <QOffscreenSurface>
+#include <QOpenGLContext>
+
+#include <optional>
+
+namespace vs::desktop {
+
+// The engine's OpenGL 4.5 context. It owns every object of the document and of the picture; it shares with
+// the view's context, which owns only framebuffers. Everything that touches the document calls makeCurrent()
+// first, because Qt makes the view's context current whenever it paints.
+class GlHost {
+public:
+    // The format that both contexts use.
+    static QSurfaceFormat format();
+
+    // Needs a running QApplication with AA_ShareOpenGLContexts. Throws GlError if there is no OpenGL 4.5.
+    GlHost();
+    ~GlHost();
+    GlHost(const GlHost&) = delete;
+    GlHost& operator=(const GlHost&) = delete;
+
+    void makeCurrent();
+    [[nodiscard]] const gl::DeviceInfo& device() const { return engine_->device(); }
+    [[nodiscard]] int errorCount() const { return engine_->errorCount(); }
+
+private:
+    QOffscreenSurface surface_;
+    QOpenGLContext context_;
+    std::optional<gl::Context> engine_;
+};
+
+} // namespace vs::desktop

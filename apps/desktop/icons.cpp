@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "icons.h"
+
+#include "theme.h"
+
+#include "base/check.h"
+
+#include <QIconEngine>
+#include <QPainter>
+#include <QPixmap>
+#include <QSvgRenderer>
+
+#include <map>
+#include <string>
+
+namespace vs::desktop {
+
+namespace {
+
+// Content of a 24 x 24 SVG drawn with a line 1.7 wide; "C" as a colour is replaced by the icon's accent.
+const std::map<std::string, const char*> kShapes{
+    {"open", R"(<path d="M3 19V6h6l2 2.5h10V19z"/>)"},
+    {"folder", R"(<path d="M3 19V6h6l2 2.5h10V19z"/><path d="M7 12h10M7 15.5h10"/>)"},
+    {"session",
+     R"(<path d="M6 3h9l4 4v14H6z"/><path d="M15 3v4h4"/><path stroke="C" d="M10 11.5l5 3-5 3z"/>)"},
+    {"save",
+     R"(<path d="M4 4h12.5L20 7.500V20H4z"/><path d="M8 4v5h7V4"/><path d="M7.500 20v-6.500h9V20"/>)"},
+    {"labels",
+     R"(<path d="M12 3l9 5-9 5-9-5z"/><path stroke="C" d="M3 12l9 5 9-5"/><path d="M3 16l9 5 9-5"/>)"},
+    {"screenshot",
+     R"(<path d="M3 7.500h4.500L9 5h6l1.500 2.500H21V19H3z"/><circle cx="12" cy="13" r="3.600"/>)"},
+    {"quit", R"(<path d="M10 4H4v16h6"/><path d="M9 12h11M16 8l4 4-4 4"/>)"},
+    {"reset", R"(<path d="M4 11.500L12 4l8 7.500"/><path d="M6 10v10h12V10"/>)"},
+    {"surface",
+     R"(<circle cx="12" cy="12" r="8.500"/><path stroke="C" d="M7.500 10a5.500 5.500 0 0 1 4-3.500"/>)"},
+    {"mip", R"(<path d="M3 19l5-7 3 3 4-9 6 13z"/><path stroke="C" d="M12 5.500h6"/>)"},
+    {"xray",
+     R"(<path d="M12 4v16"/><path stroke="C" d="M12 8c-4 0-6 1-7 3M12 12c-4 0-6 1-7 3M12 8c4 0 6 1 7 3M12 12c4 0 6 1 7 3"/>)"},
+    {"overlay",
+     R"(<circle cx="12" cy="12" r="8.500" stroke-dasharray="2.500 2.500"/><circle cx="12" cy="12" r="4" stroke="C" fill="C"/>)"},
+    {"segment",
+     R"(<circle cx="12" cy="12" r="8.500"/><path stroke="C" fill="C" d="M12 12V3.500A8.500 8.500 0 0 1 20.500 12z"/>)"},
+    {"cut", R"(<path d="M12 20.500a8.500 8.500 0 1 1 8.500-8.500H12z"/>)"},
+    {"probe",
+     R"(<path d="M12 20.500a8.500 8.500 0 1 1 8.500-8.500" stroke-dasharray="1.500 3"/><path stroke="C" d="M12 12h8.500a8.500 8.500 0 0 1-8.500 8.500z"/>)"},
+    {"whole", R"(<circle cx="12" cy="12" r="8.500"/>)"},
+    {"camera",
+     R"(<path d="M19.500 9A8 8 0 0 0 5 8.500M4.500 15A8 8 0 0 0 19 15.500"/><path d="M19.800 4.500V9h-4.500M4.200 19.500V15h4.500"/>)"},
+    {"peel",
+     R"(<path d="M4 17c4-7 12-7 16 0"/><path stroke="C" d="M6 11c3-5 9-5 12 0"/><path stroke="C" d="M12 3v5M9.800 6L12 8.200 14.200 6"/>)"},
+    {"drill",
+     R"(<path d="M8 3h8v5H8z"/><path d="M9.500 8h5v4h-5z"/><path stroke="C" d="M10.500 12h3L12 21z"/>)"},
+    {"seed",
+     R"(<path d="M12 21v-9"/><path stroke="C" d="M12 12c0-5 3.500-7.500 8-7.500 0 5-3 7.500-8 7.500zM12 15c0-4-2.500-6-7-6 0 4 2.500 6 7 6z"/>)"},
+    {"freeform", R"(<path d="M5 15C3 9 8 4 12 7s6-2 8 3-4 10-8 9-6 1-7-4z"/>)"},
+    {"ellipse", R"(<ellipse cx="12" cy="12" rx="9" ry="6.500"/>)"},
+    {"clear", R"(<path d="M6 6l12 12M18 6L6 18"/>)"},
+    {"undo", R"(<path d="M8 5L4 9l4 4"/><path d="M4 9h10a5.500 5.500 0 0 1 0 11H9"/>)"},
+    {"redo", R"(<path d="M16 5l4 4-4 4"/><path d="M20 9H10a5.500 5.500 0 0 0 0 11h5"/>)"},
+    {"uncut",
+     R"(<path d="M12 20.500a8.500 8.500 0 1 1 8.500-8.500H12z"/><path stroke="C" d="M15 18h6M18 15v6"/>)"},
+    {"reseed",
+     R"(<path d="M12 21v-9"/><path d="M12 12c0-5 3.500-7.500 8-7.500 0 5-3 7.500-8 7.500z"/><path stroke="C" d="M3 5l5 5M8 5l-5 5"/>)"},
+    {"play", R"(<path fill="C" stroke="C" d="M7 4.500l12 7.500-12 7.500z"/>)"},
+    {"pause", R"(<path stroke-width="3.500" d="M8.500 6v12M15.500 6v12"/>)"},
+    {"step", R"(<path d="M6 5l9 7-9 7zM18.500 5v14"/>)"},
+    {"back", R"(<path d="M18 5l-9 7 9 7zM5.500 5v14"/>)"},
+    {"end", R"(<path d="M4 5l7 7-7 7zM11 5l7 7-7 7zM20.500 5v14"/>)"},
+    {"about", R"(<circle cx="12" cy="12" r="8.500"/><path d="M12 11v5.500M12 7.500v.500"/>)"},
+};
+
+class LineIcon : public QIconEngine {
+public:
+    explicit LineIcon(std::string name) : name_(std::move(name)) {}
+
+    void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State) override {
+        const bool isDisabled = mode == QIcon::Disabled;
+        const QString line = (isDisabled ? theme::kDisabled : theme::kText).name();
+        QString shape = kShapes.at(name_);
+        shape.replace("\"C\"", "\"" + (isDisabled ? theme::kDisabled : theme::kAccent).name() + "\"");
+        const QString svg =
+            "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 24 24'><g fill='none' stroke='" + line +
+            "' stroke-width='1.7' stroke-linecap='round' stroke-linejoin='round'>" + shape + "</g></svg>";
+        QSvgRenderer renderer(svg.toUtf8());
+        painter->setRenderHint(QPainter::Antialiasing);
+        renderer.render(painter, rect);
+    }
+
+    QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
+        QPixmap pixmap(size);
+        pixmap.fill(Qt::transparent);
+        QPainter painter(&pixmap);
+        paint(&painter, QRect(QPoint(0, 0), size), mode, state);
+        return pixmap;
+    }
+
+    [[nodiscard]] QIconEngine* clone() const override { return new LineIcon(*this); }
+
+private:
+    std::string name_;
+};
+
+} // namespace
+
+QIcon icon(const char* name) {
+    VS_CHECK(kShapes.count(name) == 1);
+    return QIcon(new LineIcon(name));
+}
+
+} // namespace vs::desktop

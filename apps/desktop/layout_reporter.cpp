@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "layout_reporter.h"
+
+#include "growth_controller.h"
+#include "main_window.h"
+#include "studio_controller.h"
+#include "tool.h"
+#include "view_widget.h"
+
+#include "base/atomic_file.h"
+#include "base/error.h"
+#include "base/log.h"
+
+#include <nlohmann/json.hpp>
+
+#include <QApplication>
+#include <QEvent>
+#include <QWidget>
+
+#include <cmath>
+
+namespace vs::desktop {
+
+namespace {
+
+constexpr int kPollMs = 40;
+
+// Scripts point in the screen's own pixels, Qt thinks in scaled ones.
+nlohmann::json screenRect(const QWidget& widget) {
+    const double scale = widget.devicePixelRatioF();
+    const QPointF corner = QPointF(widget.mapToGlobal(QPoint(0, 0))) * scale;
+    return {std::lround(corner.x()), std::lround(corner.y()), std::lround(widget.width() * scale),
+            std::lround(widget.height() * scale)};
+}
+
+} // namespace
+
+LayoutReporter::LayoutReporter(StudioController& studio, MainWindow& window, std::filesystem::path path)
+    : QObject(&window), studio_(studio), window_(window), path_(std::move(path)) {
+    qApp->installEventFilter(this);
+    connect(&timer_, &QTimer::timeout, this, &LayoutReporter::write);
+    timer_.start(kPollMs);
+}
+
+bool LayoutReporter::eventFilter(QObject* watched, QEvent* event) {
+    switch (event->type()) {
+    case QEvent::MouseButtonPress:
+    case QEvent::MouseButtonRelease:
+    case QEvent::Wheel:
+    case QEvent::KeyPress:
+        if (event->spontaneous()) {
+            ++inputs_;
+        }
+        break;
+    default:
+        break;
+    }
+    return QObject::eventFilter(watched, event);
+}
+
+void LayoutReporter::write() {
+    nlohmann::json widgets = nlohmann::json::object();
+    for (const QWidget* widget : QApplication::allWidgets()) {
+        const QString name = widget->objectName();
+        if (widget->isVisible() && !name.isEmpty() && !name.startsWith("qt_")) {
+            widgets[name.toStdString()] = screenRect(*widget);
+        }
+    }
+    const auto* document = studio_.document();
+    const auto status = studio_.growth().status();
+    const nlohmann::json report{
+        {"idle", studio_.isIdle()},
+        {"loading", studio_.isLoading()},
+        {"tool", studio_.tool().name().toStdString()},
+        {"hint", studio_.tool().hint().toStdString()},
+        {"mode", render::name(studio_.view().mode)},
+        {"range", {studio_.view().range.lo, studio_.view().range.hi}},
+        {"playing", studio_.growth().isPlaying()},
+        {"generation", status.generation},
+        {"extent", status.extent},
+        {"voxels", status.voxels},
+        {"operations", document != nullptr ? document->log().size() : 0},
+        {"canUndo", document != nullptr && document->canUndo()},
+        {"canRedo", document != nullptr && document->canRedo()},
+        {"message", studio_.message().toStdString()},
+        {"title", window_.windowTitle().toStdString()},
+        {"pictureComplete", studio_.picture().isComplete()},
+        {"viewRect", window_.view().isVisible() ? screenRect(window_.view()) : nlohmann::json::array()},
+        {"viewport", {studio_.picture().viewport().x, studio_.picture().viewport().y}},
+        {"glErrors", studio_.host().errorCount()},
+        {"inputs", inputs_},
+        {"widgets", widgets}};
+    const std::string text = report.dump(1);
+    if (text == written_) {
+        return;
+    }
+    try {
+        writeFileAtomically(path_, text);
+        written_ = text;
+    } catch (const Error& e) {
+        logNotice(e.what());
+        timer_.stop(); // once is enough to be told
+    }
+}
+
+} // namespace vs::desktop

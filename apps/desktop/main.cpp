@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gl_host.h"
+#include "layout_reporter.h"
+#include "main_window.h"
+#include "options.h"
+#include "studio_controller.h"
+#include "theme.h"
+
+#include "base/error.h"
+#include "base/log.h"
+
+#include <QApplication>
+#include <QMessageBox>
+#include <QScreen>
+
+#include <clocale>
+#include <memory>
+
+namespace {
+
+int run(QApplication& application) {
+    using namespace vs::desktop;
+    const Options options = parseOptions(application);
+    applyTheme(application);
+    std::unique_ptr<StudioController> studio;
+    try {
+        studio = std::make_unique<StudioController>();
+    } catch (const vs::GlError& e) {
+        QMessageBox::critical(nullptr, QApplication::applicationDisplayName(), QString::fromUtf8(e.what()));
+        throw;
+    }
+    MainWindow window(*studio);
+    const QSize screen = window.screen()->availableSize();
+    window.resize(screen.boundedTo(QSize(1440, 900)));
+    window.show();
+    if (!options.layoutFile.empty()) {
+        new LayoutReporter(*studio, window, options.layoutFile); // the window owns it
+    }
+    if (!options.open.volume.empty() || !options.open.session.empty()) {
+        studio->open(options.open);
+    }
+    return QApplication::exec();
+}
+
+} // namespace
+
+int main(int argc, char** argv) {
+    // One group of contexts for all windows, or a dock that changes its window would leave the view black.
+    QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+    QSurfaceFormat::setDefaultFormat(vs::desktop::GlHost::format());
+    QApplication application(argc, argv);
+    QApplication::setApplicationName("volume-studio");
+    QApplication::setApplicationDisplayName("Volume Studio");
+    QApplication::setApplicationVersion(VOLUME_STUDIO_VERSION);
+    std::setlocale(LC_NUMERIC, "C"); // file readers expect points in numbers whatever the person's language
+    try {
+        return run(application);
+    } catch (const vs::UsageError& e) {
+        vs::logNotice(e.what());
+        return 2;
+    } catch (const std::exception& e) {
+        vs::logNotice(e.what());
+        return 1;
+    }
+}

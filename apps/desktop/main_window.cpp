@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "main_window.h"
+
+#include "growth_controller.h"
+#include "growth_panel.h"
+#include "histogram_panel.h"
+#include "panel_parts.h"
+#include "studio_controller.h"
+#include "tool.h"
+#include "tool_panel.h"
+#include "view_widget.h"
+#include "welcome_page.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QDockWidget>
+#include <QLabel>
+#include <QMessageBox>
+#include <QProgressBar>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QVBoxLayout>
+
+namespace vs::desktop {
+
+namespace {
+
+constexpr int kProbeMs =
+    120; // after the pen came to rest: often enough to read, rarely enough not to disturb
+constexpr int kRateMs = 250;
+
+// "L 12.3  P 4.5  S 30.2 mm": the patient's directions instead of signs.
+QString patientPlace(glm::dvec3 lps) {
+    const auto part = [](double value, const char* positive, const char* negative) {
+        return QString("%1 %2").arg(value < 0 ? negative : positive).arg(std::abs(value), 0, 'f', 1);
+    };
+    return part(lps.x, "L", "R") + "  " + part(lps.y, "P", "A") + "  " + part(lps.z, "S", "I") + " mm";
+}
+
+} // namespace
+
+MainWindow::MainWindow(StudioController& studio, QWidget* parent) : QMainWindow(parent), studio_(studio) {
+    setObjectName("mainWindow");
+    setWindowTitle(tr("Volume Studio"));
+    setAcceptDrops(true);
+    setContextMenuPolicy(Qt::NoContextMenu); // tool bars cannot be lost by a stray click
+    makeCentre();
+    makeDock();
+    makeStatusBar();
+    makeFileActions();
+    makeEditActions();
+    makeViewActions();
+    makeToolActions();
+    makeGrowthActions();
+    makeMenus();
+    makeToolBars();
+
+    connect(&studio_, &StudioController::changed, this, &MainWindow::refresh);
+    connect(&studio_, &StudioController::overlayChanged, this, &MainWindow::refreshHint);
+    connect(&studio_, &StudioController::messageChanged, this,
+            [this] { message_->setText(studio_.message()); });
+    connect(&studio_, &StudioController::progress, this, &MainWindow::showProgress);
+    connect(&studio_, &StudioController::opened, this, [this] {
+        centre_->setCurrentIndex(1);
+        view_->setFocus();
+    });
+    connect(&studio_, &StudioController::openFailed, this, [this](const QString& message) {
+        auto* box =
+            new QMessageBox(QMessageBox::Warning, tr("Volume Studio"), message, QMessageBox::Ok, this);
+        box->setObjectName("openFailed");
+        box->setAttribute(Qt::WA_DeleteOnClose);
+        box->open();
+    });
+    connect(view_, &ViewWidget::penMoved, this, [this] { probeTimer_.start(kProbeMs); });
+    probeTimer_.setSingleShot(true);
+    connect(&probeTimer_, &QTimer::timeout, this, &MainWindow::refreshProbe);
+    connect(&rateTimer_, &QTimer::timeout, this, [this] {
+        const double rate = studio_.picture().framesPerSecond();
+        rate_->setText(rate > 0 ? tr("%1 fps").arg(rate, 0, 'f', rate < 10 ? 1 : 0) : QString());
+    });
+    rateTimer_.start(kRateMs);
+    refresh();
+}
+
+void MainWindow::makeCentre() {
+    centre_ = new QStackedWidget;
+    auto* welcome = named(new WelcomePage, "welcome", tr("Welcome"));
+    connect(welcome, &WelcomePage::openRequested, this, &MainWindow::openFile);
+    connect(welcome, &WelcomePage::openFolderRequested, this, &MainWindow::openFolder);
+    centre_->addWidget(welcome);
+
+    auto* page = new QWidget;
+    auto* column = new QVBoxLayout(page);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    view_ = new ViewWidget(studio_);
+    column->addWidget(view_, 1);
+    hint_ = named(new QLabel, "hint", tr("What to do next"));
+    hint_->setMinimumWidth(1); // never widens the window
+    column->addWidget(hint_);
+    centre_->addWidget(page);
+    setCentralWidget(centre_);
+}
+
+void MainWindow::makeDock() {
+    auto* dock = named(new QDockWidget(tr("Panels")), "panels", tr("Panels"));
+    dock->setFeatures(QDockWidget::NoDockWidgetFeatures);
+    dock->setTitleBarWidget(new QWidget(dock)); // none: the cards have their own titles
+    auto* content = new QWidget;
+    auto* column = new QVBoxLayout(content);
+    column->setContentsMargins(8, 8, 4, 8);
+    column->setSpacing(8);
+    column->addWidget(new HistogramPanel(studio_));
+    column->addWidget(new ToolPanel(studio_));
+    column->addWidget(new GrowthPanel(studio_));
+    column->addStretch(1);
+    content->setFixedWidth(300);
+    dock->setWidget(content);
+    addDockWidget(Qt::LeftDockWidgetArea, dock);
+}
+
+void MainWindow::makeStatusBar() {
+    statusBar()->setSizeGripEnabled(false);
+    message_ = named(new QLabel, "message", tr("Message"));
+    message_->setMinimumWidth(1);
+    message_->setContentsMargins(8, 0, 8, 0);
+    statusBar()->addWidget(message_, 1);
+    progress_ = named(new QProgressBar, "progress", tr("Progress"));
+    progress_->setFixedWidth(150);
+    progress_->setTextVisible(false);
+    progress_->setMaximumHeight(12);
+    progress_->hide();
+    statusBar()->addPermanentWidget(progress_);
+    const auto add = [this](const char* objectName, const QString& accessibleName) {
+        auto* label = named(makeQuietLabel({}), objectName, accessibleName);
+        label->setContentsMargins(10, 0, 10, 0);
+        statusBar()->addPermanentWidget(label);
+        return label;
+    };
+    probe_ = add("probe", tr("Value and place under the pen"));
+    probe_->setProperty("quiet", false);
+    volume_ = add("volume", tr("Size and type of the volume"));
+    rate_ = add("rate", tr("Frame rate"));
+    rate_->setFixedWidth(66);
+    rate_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    device_ = add("device", tr("Graphics device"));
+    const auto& device = studio_.host().device();
+    // "llvmpipe (LLVM 15.0.6, 256 bits)" is long; the whole of it is in the tooltip.
+    device_->setText(QString::fromStdString(device.renderer).section(" (", 0, 0));
+    device_->setToolTip(QString::fromStdString(device.renderer + ", OpenGL " + device.version));
+}
+
+void MainWindow::refresh() {
+    auto* document = studio_.document();
+    const bool hasDocument = document != nullptr && !studio_.isLoading();
+    const auto& growth = studio_.growth();
+    const bool canPlay = hasDocument && growth.canPlay();
+    for (const auto& [name, action] : actions_) {
+        if (name != "open" && name != "openFolder" && name != "quit" && name != "about") {
+            action->setEnabled(hasDocument);
+        }
+    }
+    action("open")->setEnabled(!studio_.isLoading());
+    action("openFolder")->setEnabled(!studio_.isLoading());
+    action("undo")->setEnabled(hasDocument && document->canUndo());
+    action("redo")->setEnabled(hasDocument && document->canRedo());
+    for (const char* name :
+         {"exportLabels", "reSeed", "playPause", "growStepKey", "growToEndKey", "growBackKey"}) {
+        action(name)->setEnabled(canPlay);
+    }
+    const auto& view = studio_.view();
+    action(std::string("mode." + std::string(render::name(view.mode))).c_str())->setChecked(true);
+    constexpr const char* kSculptureViews[] = {"viewWhole", "viewCut", "viewProbe"};
+    action(kSculptureViews[static_cast<int>(view.sculptureView)])->setChecked(true);
+    action((studio_.tool().name().toStdString() + "Tool").c_str())->setChecked(true);
+    action(studio_.shape() == studio::Shape::Ellipse ? "ellipse" : "freeForm")->setChecked(true);
+    if (document != nullptr) {
+        const auto& volume = document->volume();
+        setWindowTitle(QString::fromStdString(volume.name) + tr(" – Volume Studio"));
+        const auto dims = volume.geometry.dims;
+        volume_->setText(
+            tr("%1 × %2 × %3  %4").arg(dims.x).arg(dims.y).arg(dims.z).arg(volume::name(volume.type)));
+    }
+    refreshHint();
+}
+
+void MainWindow::refreshHint() {
+    hint_->setText(studio_.isLoading() ? tr("Please wait…") : studio_.tool().hint());
+}
+
+void MainWindow::refreshProbe() {
+    const auto pen = view_->penPosition();
+    if (!pen) {
+        probe_->clear();
+        return;
+    }
+    if (!studio_.isIdle()) {
+        probeTimer_.start(kProbeMs); // later, at rest
+        return;
+    }
+    const auto found = studio_.probe(*pen);
+    if (!found) {
+        probe_->setText(tr("nothing under the pen"));
+        return;
+    }
+    const auto voxel = glm::ivec3(glm::round(found->voxel));
+    probe_->setText(tr("%1   at %2, %3, %4   %5")
+                        .arg(found->value, 0, 'g', 6)
+                        .arg(voxel.x)
+                        .arg(voxel.y)
+                        .arg(voxel.z)
+                        .arg(patientPlace(found->world)));
+}
+
+void MainWindow::showProgress(int done, int total) {
+    const bool isBusy = total == 0 || done < total;
+    progress_->setRange(0, total); // 0: a bar without an end
+    progress_->setValue(done);
+    progress_->setVisible(isBusy);
+    if (isBusy != isBusyCursor_) {
+        isBusyCursor_ = isBusy;
+        isBusy ? QApplication::setOverrideCursor(Qt::BusyCursor) : QApplication::restoreOverrideCursor();
+    }
+}
+
+void MainWindow::about() {
+    const auto& device = studio_.host().device();
+    auto* box = new QMessageBox(
+        QMessageBox::NoIcon, tr("About Volume Studio"),
+        tr("<h3>Volume Studio %1</h3><p>Reshape a 3D scan with a pen, on the rendered picture itself.</p>"
+           "<p>%2<br>OpenGL %3</p><p>Not a medical device: do not use it for diagnosis or treatment.</p>")
+            .arg(QApplication::applicationVersion(), QString::fromStdString(device.renderer).toHtmlEscaped(),
+                 QString::fromStdString(device.version).toHtmlEscaped()),
+        QMessageBox::Ok, this);
+    box->setAttribute(Qt::WA_DeleteOnClose);
+    box->open();
+}
+
+} // namespace vs::desktop

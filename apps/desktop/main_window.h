@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "volume_loader.h"
+
+#include <QMainWindow>
+#include <QTimer>
+
+#include <functional>
+#include <map>
+#include <string>
+
+class QActionGroup;
+class QFileDialog;
+class QLabel;
+class QProgressBar;
+class QStackedWidget;
+class QToolBar;
+
+namespace vs::desktop {
+
+class StudioController;
+class Tool;
+class ViewWidget;
+
+// The window: tool bars and menus around the view, panels on the left, the line of hints below the picture
+// and the status bar. Holds no state of its own: it shows the controller's and calls it.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+
+public:
+    explicit MainWindow(StudioController& studio, QWidget* parent = nullptr);
+
+    [[nodiscard]] const ViewWidget& view() const { return *view_; }
+    // Opens a path given by a person: a session if it ends in .json, else a volume. Asks for the layout of
+    // raw files.
+    void openPath(const QString& path);
+
+protected:
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+
+private:
+    struct ActionText {
+        const char* name; // objectName of the action and of its button
+        const char* icon;
+        QString text;
+        QString tip;
+        QKeySequence shortcut;
+    };
+
+    // main_window_actions.cpp
+    QAction* addAction(const ActionText& text, const std::function<void()>& run);
+    QAction* addChoice(QActionGroup* group, const ActionText& text, const std::function<void()>& run);
+    void makeFileActions();
+    void makeEditActions();
+    void makeViewActions();
+    void makeToolActions();
+    void makeGrowthActions();
+    void makeMenus();
+    void makeToolBars();
+    void addButtons(QToolBar* bar, std::initializer_list<const char*> names);
+    [[nodiscard]] QAction* action(const char* name) const { return actions_.at(name); }
+
+    // main_window_files.cpp
+    void openFile();
+    void openFolder();
+    void saveSession();
+    void exportLabels();
+    void screenshot();
+    void choose(const char* objectName, const QString& title, bool isSave, const QString& filter,
+                const QString& suggestion, const std::function<void(const QString&)>& take);
+    [[nodiscard]] QString suggestedName(const QString& suffix) const;
+
+    void makeCentre();
+    void makeDock();
+    void makeStatusBar();
+    void refresh();
+    void refreshHint();
+    void refreshProbe();
+    void showProgress(int done, int total);
+    void about();
+
+    StudioController& studio_;
+    std::map<std::string, QAction*> actions_;
+    QStackedWidget* centre_ = nullptr;
+    ViewWidget* view_ = nullptr;
+    QLabel* hint_ = nullptr;
+    QLabel* message_ = nullptr;
+    QLabel* probe_ = nullptr;
+    QLabel* volume_ = nullptr;
+    QLabel* rate_ = nullptr;
+    QLabel* device_ = nullptr;
+    QProgressBar* progress_ = nullptr;
+    QTimer probeTimer_;
+    QTimer rateTimer_;
+    bool isBusyCursor_ = false;
+};
+
+} // namespace vs::desktop

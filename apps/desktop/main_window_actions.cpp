@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "main_window.h"
+
+#include "camera_tool.h"
+#include "drill_tool.h"
+#include "growth_controller.h"
+#include "icons.h"
+#include "peel_tool.h"
+#include "seed_tool.h"
+#include "studio_controller.h"
+
+#include <QActionGroup>
+#include <QApplication>
+#include <QMenuBar>
+#include <QToolBar>
+#include <QToolButton>
+
+namespace vs::desktop {
+
+QAction* MainWindow::addAction(const ActionText& text, const std::function<void()>& run) {
+    auto* action = new QAction(text.text, this);
+    action->setObjectName(text.name);
+    if (text.icon != nullptr) {
+        action->setIcon(icon(text.icon));
+    }
+    const QString keys = text.shortcut.toString(QKeySequence::NativeText);
+    action->setToolTip(keys.isEmpty() ? text.tip : text.tip + "  (" + keys + ")");
+    action->setStatusTip(QString());
+    action->setShortcut(text.shortcut);
+    QWidget::addAction(action);
+    connect(action, &QAction::triggered, this, run);
+    actions_[text.name] = action;
+    return action;
+}
+
+QAction* MainWindow::addChoice(QActionGroup* group, const ActionText& text,
+                               const std::function<void()>& run) {
+    QAction* action = addAction(text, run);
+    action->setCheckable(true);
+    group->addAction(action);
+    return action;
+}
+
+void MainWindow::makeFileActions() {
+    addAction({"open", "open", tr("Open"), tr("Open a volume or a session"), QKeySequence::Open},
+              [this] { openFile(); });
+    addAction({"openFolder", "folder", tr("DICOM"), tr("Open a folder of DICOM slices"), tr("Ctrl+Shift+O")},
+              [this] { openFolder(); });
+    addAction({"saveSession", "save", tr("Save"),
+               tr("Save the session: everything done so far, to go on or replay"), QKeySequence::Save},
+              [this] { saveSession(); });
+    addAction(
+        {"exportLabels", "labels", tr("Labels"), tr("Export the segmentation as a label map"), tr("Ctrl+E")},
+        [this] { exportLabels(); });
+    addAction({"screenshot", "screenshot", tr("Picture"), tr("Save the picture as PNG, at full quality"),
+               tr("F12")},
+              [this] { screenshot(); });
+    addAction({"quit", "quit", tr("Quit"), tr("Leave Volume Studio"), tr("Ctrl+Q")}, [this] { close(); });
+    addAction({"about", "about", tr("About"), tr("About Volume Studio"), {}}, [this] { about(); });
+}
+
+void MainWindow::makeEditActions() {
+    addAction({"undo", "undo", tr("Undo"), tr("Take the last change back"), tr("Ctrl+Z")},
+              [this] { studio_.apply(studio::Undo{}); });
+    addAction({"redo", "redo", tr("Redo"), tr("Do it again"), tr("Ctrl+Shift+Z")},
+              [this] { studio_.apply(studio::Redo{}); });
+    addAction({"unCut", "uncut", tr("Un-Cut"), tr("Clear all cuts"), tr("Ctrl+Shift+U")},
+              [this] { studio_.apply(studio::UnCut{}); });
+    addAction({"reSeed", "reseed", tr("Re-Seed"), tr("Clear the segmentation"), tr("Ctrl+Shift+R")},
+              [this] { studio_.apply(studio::ReSeed{}); });
+}
+
+void MainWindow::makeViewActions() {
+    addAction({"resetView", "reset", tr("Reset"), tr("Look at the face again, all of it"), tr("Home")},
+              [this] { studio_.cameraTool().reset(); });
+    using render::Mode;
+    auto* modes = new QActionGroup(this);
+    const auto mode = [&](Mode value, const char* name, const char* iconName, const QString& text,
+                          const QString& tip, const char* key) {
+        addChoice(modes, {name, iconName, text, tip, QKeySequence(key)},
+                  [this, value] { studio_.setMode(value); });
+    };
+    mode(Mode::Surface, "mode.surface", "surface", tr("Surface"), tr("The surface of the displayed range"),
+         "1");
+    mode(Mode::Mip, "mode.mip", "mip", tr("MIP"), tr("The greatest value along each ray"), "2");
+    mode(Mode::XRay, "mode.xray", "xray", tr("X-ray"), tr("The sum of the values along each ray"), "3");
+    mode(Mode::Overlay, "mode.overlay", "overlay", tr("Overlay"),
+         tr("The segmentation in an X-ray of the rest"), "4");
+    mode(Mode::Segment, "mode.segment", "segment", tr("Segment"),
+         tr("The segmentation and the surface around it"), "5");
+
+    using field::SculptureView;
+    auto* views = new QActionGroup(this);
+    addChoice(views, {"viewCut", "cut", tr("Cut"), tr("What remains after cutting"), tr("6")},
+              [this] { studio_.setSculptureView(SculptureView::Cut); });
+    addChoice(views, {"viewProbe", "probe", tr("Probe"), tr("What has been cut out"), tr("7")},
+              [this] { studio_.setSculptureView(SculptureView::Probe); });
+    addChoice(views, {"viewWhole", "whole", tr("Whole"), tr("The whole volume, without cuts"), tr("8")},
+              [this] { studio_.setSculptureView(SculptureView::Whole); });
+}
+
+void MainWindow::makeToolActions() {
+    auto* tools = new QActionGroup(this);
+    const auto add = [&](Tool& tool, const char* name, const char* iconName, const QString& text,
+                         const QString& tip, const char* key) {
+        addChoice(tools, {name, iconName, text, tip, QKeySequence(key)},
+                  [this, &tool] { studio_.setTool(tool); });
+    };
+    add(studio_.cameraTool(), "cameraTool", "camera", tr("Camera"), tr("Turn the volume"), "V");
+    add(studio_.peelTool(), "peelTool", "peel", tr("Peel"), tr("Peel layers off the surface"), "P");
+    add(studio_.drillTool(), "drillTool", "drill", tr("Drill"), tr("Drill along the view"), "D");
+    add(studio_.seedTool(), "seedTool", "seed", tr("Seed"), tr("Mark what should be segmented"), "S");
+
+    auto* shapes = new QActionGroup(this);
+    addChoice(shapes, {"freeForm", "freeform", tr("Free-form"), tr("Draw the outline by hand"), tr("F")},
+              [this] { studio_.setShape(studio::Shape::FreeForm); });
+    addChoice(shapes,
+              {"ellipse", "ellipse", tr("Ellipse"), tr("Drag an ellipse from corner to corner"), tr("E")},
+              [this] { studio_.setShape(studio::Shape::Ellipse); });
+    addAction({"clearSketch", "clear", tr("Clear"), tr("Drop the stroke in hand, or the mask"), tr("Esc")},
+              [this] { studio_.tool().clear(); });
+}
+
+void MainWindow::makeGrowthActions() {
+    auto& growth = studio_.growth();
+    addAction({"playPause", "play", tr("Play or pause"), tr("Let the region grow, or pause it"), tr("G")},
+              [&growth] { growth.isPlaying() ? growth.pause() : growth.play(); });
+    addAction({"growStepKey", "step", tr("Step"), tr("One generation further"), tr(".")},
+              [&growth] { growth.step(); });
+    addAction({"growBackKey", "back", tr("Backward"), tr("One generation back"), tr(",")},
+              [&growth] { growth.stepBack(); });
+    addAction(
+        {"growToEndKey", "end", tr("To the end"), tr("Grow until nothing grows any more"), tr("Ctrl+G")},
+        [&growth] { growth.toEnd(); });
+}
+
+void MainWindow::makeMenus() {
+    const auto menu = [this](const QString& title, std::initializer_list<const char*> names) {
+        auto* list = menuBar()->addMenu(title);
+        for (const char* name : names) {
+            *name == '-' ? list->addSeparator() : list->QWidget::addAction(action(name));
+        }
+    };
+    menu(tr("&File"), {"open", "openFolder", "-", "saveSession", "exportLabels", "screenshot", "-", "quit"});
+    menu(tr("&Edit"), {"undo", "redo", "-", "unCut", "reSeed", "-", "clearSketch"});
+    menu(tr("&View"), {"resetView", "-", "mode.surface", "mode.mip", "mode.xray", "mode.overlay",
+                       "mode.segment", "-", "viewCut", "viewProbe", "viewWhole"});
+    menu(tr("&Tools"), {"cameraTool", "peelTool", "drillTool", "seedTool", "-", "freeForm", "ellipse"});
+    menu(tr("&Segmentation"), {"playPause", "growStepKey", "growBackKey", "growToEndKey"});
+    menu(tr("&Help"), {"about"});
+}
+
+void MainWindow::addButtons(QToolBar* bar, std::initializer_list<const char*> names) {
+    for (const char* name : names) {
+        if (*name == '-') {
+            bar->addSeparator();
+            continue;
+        }
+        QAction* const shown = action(name);
+        bar->QWidget::addAction(shown);
+        auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(shown));
+        button->setObjectName(name);
+        button->setAccessibleName(shown->text());
+        button->setFocusPolicy(Qt::TabFocus);
+        button->setMinimumWidth(bar->orientation() == Qt::Horizontal ? 58 : 104);
+    }
+}
+
+void MainWindow::makeToolBars() {
+    const auto bar = [this](Qt::ToolBarArea area, const char* name, const QString& title) {
+        auto* made = new QToolBar(title);
+        made->setObjectName(name);
+        made->setAccessibleName(title);
+        made->setMovable(false);
+        made->setIconSize(QSize(22, 22));
+        made->setToolButtonStyle(area == Qt::TopToolBarArea ? Qt::ToolButtonTextUnderIcon
+                                                            : Qt::ToolButtonTextBesideIcon);
+        QMainWindow::addToolBar(area, made);
+        return made;
+    };
+    addButtons(bar(Qt::TopToolBarArea, "mainBar", tr("File, view and mode")),
+               {"open",         "openFolder", "saveSession",
+                "exportLabels", "screenshot", "-",
+                "undo",         "redo",       "-",
+                "resetView",    "-",          "mode.surface",
+                "mode.mip",     "mode.xray",  "mode.overlay",
+                "mode.segment", "-",          "viewCut",
+                "viewProbe",    "viewWhole"});
+    addButtons(bar(Qt::RightToolBarArea, "toolBar", tr("Tools and shapes")),
+               {"cameraTool", "peelTool", "drillTool", "seedTool", "-", "freeForm", "ellipse", "clearSketch",
+                "-", "unCut", "reSeed"});
+}
+
+} // namespace vs::desktop

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "main_window.h"
+
+#include "studio_controller.h"
+
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QInputDialog>
+#include <QMimeData>
+
+namespace vs::desktop {
+
+namespace {
+
+std::filesystem::path pathOf(const QString& text) { return {text.toStdString()}; }
+
+bool isHeaderless(const QString& path) {
+    const QString suffix = QFileInfo(path).suffix().toLower();
+    return suffix == "raw" || suffix == "bin";
+}
+
+} // namespace
+
+void MainWindow::openPath(const QString& path) {
+    OpenRequest request;
+    if (path.endsWith(".json", Qt::CaseInsensitive)) {
+        request.session = pathOf(path);
+        studio_.open(request);
+        return;
+    }
+    request.volume = pathOf(path);
+    if (!isHeaderless(path)) {
+        studio_.open(request);
+        return;
+    }
+    auto* dialog = new QInputDialog(this);
+    dialog->setObjectName("rawLayout");
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(tr("Layout of %1").arg(QFileInfo(path).fileName()));
+    dialog->setLabelText(
+        tr("This file has no header. Dimensions, type and spacing:\nDIMS:TYPE[:SPACING[:OFFSET]]"));
+    dialog->setTextValue("256x256x108:int16:0.957,0.957,1.5");
+    connect(dialog, &QInputDialog::textValueSelected, this, [this, request](const QString& layout) {
+        auto described = request;
+        described.rawLayout = layout.trimmed().toStdString();
+        studio_.open(described);
+    });
+    dialog->open();
+}
+
+void MainWindow::choose(const char* objectName, const QString& title, bool isSave, const QString& filter,
+                        const QString& suggestion, const std::function<void(const QString&)>& take) {
+    auto* dialog = new QFileDialog(this, title);
+    dialog->setObjectName(objectName);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(isSave ? QFileDialog::AcceptSave : QFileDialog::AcceptOpen);
+    dialog->setFileMode(isSave ? QFileDialog::AnyFile : QFileDialog::ExistingFile);
+    if (filter.isEmpty()) {
+        dialog->setFileMode(QFileDialog::Directory);
+        dialog->setOption(QFileDialog::ShowDirsOnly);
+    } else {
+        dialog->setNameFilter(filter);
+    }
+    if (isSave) {
+        dialog->setDefaultSuffix(QFileInfo(suggestion).completeSuffix());
+        dialog->selectFile(suggestion);
+    }
+    connect(dialog, &QFileDialog::fileSelected, this, take);
+    dialog->open();
+}
+
+QString MainWindow::suggestedName(const QString& suffix) const {
+    const auto* document = studio_.document();
+    const QString name = document != nullptr ? QString::fromStdString(document->volume().name) : "volume";
+    return QFileInfo(name).baseName() + suffix;
+}
+
+void MainWindow::openFile() {
+    choose("openDialog", tr("Open a volume or a session"), false,
+           tr("Volumes and sessions (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vtk *.dcm *.raw *.json);;All "
+              "files (*)"),
+           {}, [this](const QString& path) { openPath(path); });
+}
+
+void MainWindow::openFolder() {
+    choose("openFolderDialog", tr("Open a folder of DICOM slices"), false, {}, {},
+           [this](const QString& path) { openPath(path); });
+}
+
+void MainWindow::saveSession() {
+    choose("saveDialog", tr("Save the session"), true, tr("Sessions (*.json)"), suggestedName(".json"),
+           [this](const QString& path) { studio_.saveSession(pathOf(path)); });
+}
+
+void MainWindow::exportLabels() {
+    choose("labelsDialog", tr("Export the label map"), true, tr("Label maps (*.nrrd *.nii *.nii.gz)"),
+           suggestedName("-labels.nrrd"),
+           [this](const QString& path) { studio_.exportLabels(pathOf(path)); });
+}
+
+void MainWindow::screenshot() {
+    choose("screenshotDialog", tr("Save the picture"), true, tr("Pictures (*.png)"), suggestedName(".png"),
+           [this](const QString& path) { studio_.takeScreenshot(pathOf(path)); });
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (event->mimeData()->hasUrls() && event->mimeData()->urls().front().isLocalFile()) {
+        event->acceptProposedAction();
+    }
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    event->acceptProposedAction();
+    openPath(event->mimeData()->urls().front().toLocalFile());
+}
+
+} // namespace vs::desktop

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "peel_tool.h"
+
+#include "studio_controller.h"
+
+#include <algorithm>
+
+namespace vs::desktop {
+
+namespace {
+constexpr double kLayersPerPixel = 0.1; // SPEC 7: 10 logical pixels are one layer
+}
+
+PeelTool::PeelTool(StudioController& studio) : Tool(&studio), studio_(studio) {}
+
+QString PeelTool::hint() const {
+    switch (state_) {
+    case State::Empty:
+        return tr("Draw a closed outline around the region to peel; it closes when you let go.");
+    case State::Sketching:
+        return tr("Let go to close the mask. Esc drops it.");
+    case State::Ready:
+        return tr(
+            "Press inside the mask and drag down to peel. Draw outside it for a new mask. Esc clears it.");
+    case State::Peeling:
+        break;
+    }
+    return tr("Down peels, up puts back: %1 layers. Let go to keep, Esc to undo.").arg(wanted_, 0, 'f', 1);
+}
+
+Overlay PeelTool::overlay() const {
+    switch (state_) {
+    case State::Empty:
+        return {};
+    case State::Sketching:
+        return {pad_.outline(), Overlay::Tint::Pen, false, 2};
+    case State::Ready:
+        return {pad_.area(), Overlay::Tint::Idle, true, 2};
+    case State::Peeling:
+        break;
+    }
+    return {pad_.area(), Overlay::Tint::Cutting, true, 2};
+}
+
+Qt::CursorShape PeelTool::cursor() const {
+    return state_ == State::Peeling || (state_ == State::Ready && isInside_) ? Qt::SizeVerCursor
+                                                                             : Qt::CrossCursor;
+}
+
+void PeelTool::setState(State state) {
+    state_ = state;
+    emit overlayChanged();
+}
+
+void PeelTool::press(const Pen& pen) {
+    if (state_ == State::Ready && pad_.area().contains(pen.position)) {
+        pressed_ = pen.position;
+        wanted_ = applied_ = 0;
+        const auto mask = pad_.sketch(studio_.devicePerLogical());
+        const bool begun = studio_.guard([&] { studio_.document()->beginPeel(mask, studio_.canvas()); });
+        if (begun) {
+            setState(State::Peeling);
+        }
+        return;
+    }
+    pad_.begin(studio_.shape(), pen.position);
+    setState(State::Sketching);
+}
+
+void PeelTool::move(const Pen& pen) {
+    if (state_ == State::Sketching) {
+        pad_.extend(pen.position);
+        emit overlayChanged();
+    } else if (state_ == State::Peeling) {
+        peelTo(pen);
+    }
+}
+
+void PeelTool::peelTo(const Pen& pen) {
+    wanted_ = std::max(0.0, kLayersPerPixel * (pen.position.y() - pressed_.y()));
+    studio_.wake();
+    emit layersChanged();
+    emit overlayChanged();
+}
+
+void PeelTool::release(const Pen& pen) {
+    if (state_ == State::Sketching) {
+        pad_.extend(pen.position);
+        if (pad_.hasArea()) {
+            isInside_ = pad_.area().contains(pen.position);
+            setState(State::Ready);
+        } else {
+            stop();
+        }
+    } else if (state_ == State::Peeling) {
+        peelTo(pen);
+        advance();
+        if (state_ == State::Peeling) { // advance() may have failed
+            studio_.endStroke(applied_ > 0);
+            setState(State::Ready);
+        }
+    }
+}
+
+void PeelTool::hover(const Pen& pen) {
+    const bool isInside = state_ == State::Ready && pad_.area().contains(pen.position);
+    if (isInside != isInside_) {
+        isInside_ = isInside;
+        emit overlayChanged();
+    }
+}
+
+void PeelTool::clear() {
+    if (state_ == State::Peeling) {
+        studio_.endStroke(false);
+        wanted_ = applied_ = 0;
+        setState(State::Ready);
+        emit layersChanged();
+    } else {
+        stop();
+    }
+}
+
+void PeelTool::viewResized() {
+    if (state_ == State::Peeling) {
+        studio_.endStroke(false);
+    }
+    stop();
+}
+
+void PeelTool::stop() {
+    pad_.clear();
+    setState(State::Empty);
+}
+
+void PeelTool::advance() {
+    if (state_ != State::Peeling || wanted_ == applied_) {
+        return;
+    }
+    if (studio_.guard([&] { studio_.document()->updatePeel(wanted_); })) {
+        applied_ = wanted_;
+    } else {
+        studio_.endStroke(false);
+        setState(State::Ready);
+    }
+}
+
+} // namespace vs::desktop

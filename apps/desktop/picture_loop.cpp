@@ -1,0 +1,153 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "picture_loop.h"
+
+#include "gl/context.h"
+#include "studio/document.h"
+
+#include <array>
+#include <cmath>
+
+namespace vs::desktop {
+
+namespace {
+
+// Part of the frame time that ray casting may take; the rest goes to the document's own work, to the window
+// system and to composing the window (about 15 ms a frame on the software renderer).
+constexpr double kSoftwareDraftMs = 45; // 15 fps
+constexpr double kHardwareDraftMs = 20; // 30 fps
+constexpr double kCalmMs = 180;         // longer than the pauses within a hand's movement
+constexpr std::array kScales{1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0};
+
+} // namespace
+
+PictureLoop::PictureLoop(bool isSoftwareRenderer)
+    : draftMs_(isSoftwareRenderer ? kSoftwareDraftMs : kHardwareDraftMs), scale_(isSoftwareRenderer ? 2 : 1) {
+}
+
+void PictureLoop::setDocument(studio::Document* document) {
+    document_ = document;
+    pass_ = Pass::None;
+    startedVersion_.reset();
+    isFullDone_ = false;
+    shown_ = gl::Texture();
+    nanosPerPixel_ = 0;
+    ++pictures_;
+}
+
+void PictureLoop::setViewport(glm::ivec2 devicePixels) {
+    if (devicePixels != viewport_) {
+        viewport_ = devicePixels;
+        interact();
+    }
+}
+
+bool PictureLoop::isComplete() const {
+    return document_ != nullptr && isFullDone_ && startedVersion_ == document_->version() &&
+           startedViewport_ == viewport_;
+}
+
+double PictureLoop::framesPerSecond() const {
+    return frameMs_ > 0 && sinceDraft_.milliseconds() < 500 ? 1000 / frameMs_ : 0;
+}
+
+PictureLoop::State PictureLoop::step(double budgetMs) {
+    if (document_ == nullptr || viewport_.x < 1 || viewport_.y < 1) {
+        return State::Complete;
+    }
+    const bool isStale = startedVersion_ != document_->version() || startedViewport_ != viewport_;
+    const bool isCalm = sinceInput_.milliseconds() >= kCalmMs;
+    if (isStale) {
+        begin(Pass::Draft);
+    } else if (pass_ == Pass::None) {
+        if (isFullDone_) {
+            return State::Complete;
+        }
+        if (!isCalm) {
+            return State::Waiting;
+        }
+        begin(Pass::Full);
+    } else if (pass_ == Pass::Full && !isCalm) {
+        return State::Waiting; // a pen is moving over a picture that did not change
+    }
+
+    const Timer timer;
+    caster_.renderSome(budgetMs);
+    passMs_ += timer.milliseconds();
+    if (pass_ == Pass::Draft && caster_.isComplete()) {
+        show();
+        finishDraft();
+        pass_ = Pass::None;
+    } else if (pass_ == Pass::Full) {
+        // Shown after 1, 2, 4 and 8 samples: between, nobody would see the difference.
+        const int samples = caster_.completedSamples();
+        if (samples > 0 && samples >= 2 * samplesShown_) {
+            show();
+            samplesShown_ = samples;
+        }
+        if (caster_.isComplete()) {
+            isFullDone_ = true;
+            pass_ = Pass::None;
+        }
+    }
+    return isComplete() ? State::Complete : State::Busy;
+}
+
+void PictureLoop::begin(Pass pass) {
+    const Timer timer;
+    glm::ivec2 size = viewport_;
+    if (pass == Pass::Draft) {
+        scale_ = wantedScale();
+        size = glm::max(glm::ivec2(glm::round(glm::dvec2(viewport_) / scale_)), glm::ivec2(1));
+    }
+    auto frame = document_->frame(size);
+    frame.samples = pass == Pass::Full ? kFullSamples : 1;
+    caster_.start(frame);
+    pass_ = pass;
+    startedVersion_ = document_->version();
+    startedViewport_ = viewport_;
+    isFullDone_ = false;
+    samplesShown_ = 0;
+    passMs_ = timer.milliseconds();
+}
+
+void PictureLoop::show() {
+    const gl::Texture& picture = caster_.picture();
+    if (shown_.size() != picture.size()) {
+        shown_ =
+            gl::Texture(glm::ivec2(picture.size()), gl::Format::RGBA8, gl::Filter::Linear, "shown picture");
+    }
+    shown_.copyFrom(picture, {glm::ivec3(0), picture.size()}, glm::ivec3(0));
+    gl::Context::finish(); // the view's context reads it
+    ++pictures_;
+}
+
+void PictureLoop::finishDraft() {
+    const glm::dvec2 size(shown_.size());
+    const double nanos = passMs_ * 1e6 / (size.x * size.y);
+    // The first draft of a mode includes compiling its shader, so one slow draft is not believed at once.
+    nanosPerPixel_ =
+        nanosPerPixel_ == 0 ? nanos : 0.5 * nanosPerPixel_ + 0.5 * std::min(nanos, 2 * nanosPerPixel_);
+    const double sinceLast = sinceDraft_.milliseconds();
+    frameMs_ = sinceLast > 500 || frameMs_ == 0 ? passMs_ : 0.7 * frameMs_ + 0.3 * sinceLast;
+    sinceDraft_ = Timer();
+}
+
+double PictureLoop::wantedScale() const {
+    if (nanosPerPixel_ == 0) {
+        return scale_;
+    }
+    const double pixels = double(viewport_.x) * double(viewport_.y);
+    const double wanted = std::sqrt(nanosPerPixel_ * 1e-6 * pixels / draftMs_);
+    // Stays where it is when that is nearly right, or the picture would flicker between two scales.
+    if (wanted > 0.7 * scale_ && wanted < 1.1 * scale_) {
+        return scale_;
+    }
+    for (const double scale : kScales) {
+        if (scale >= 0.95 * wanted) {
+            return scale;
+        }
+    }
+    return kScales.back();
+}
+
+} // namespace vs::desktop

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "base/timer.h"
+#include "render/ray_caster.h"
+
+#include <optional>
+
+namespace vs::studio {
+class Document;
+}
+
+namespace vs::desktop {
+
+// Keeps a picture of the document up to date in short slices. Whatever changed is shown first as a draft, as
+// coarse as it must be to hold the frame rate (scale 1 .. 1/4); when nothing has moved for a moment the
+// picture is made at full resolution and then refined to 8 samples per pixel. No widgets; the engine's
+// context must be current in every call.
+class PictureLoop {
+public:
+    static constexpr int kFullSamples = 8;
+
+    // Framerate to hold while things move: lower on the software renderer.
+    explicit PictureLoop(bool isSoftwareRenderer);
+
+    // Null: nothing to show. Forgets the picture.
+    void setDocument(studio::Document* document);
+    void setViewport(glm::ivec2 devicePixels);
+    // Something is moving now: only drafts until it has been calm for a moment.
+    void interact() { sinceInput_ = Timer(); }
+    // Throws Error when the picture cannot be made. A slice takes about `budgetMs`, or one tile where that is
+    // longer.
+    enum class State { Busy, Waiting, Complete };
+    State step(double budgetMs);
+
+    // A draft is under way: finish it before changing the document again, or nothing is ever shown.
+    [[nodiscard]] bool isDrafting() const { return pass_ == Pass::Draft; }
+    // The picture shows the document as it is now, at full quality.
+    [[nodiscard]] bool isComplete() const;
+    [[nodiscard]] glm::ivec2 viewport() const { return viewport_; }
+    // What to show; null before the first picture. Replaced in step() only.
+    [[nodiscard]] const gl::Texture* shown() const { return shown_ ? &shown_ : nullptr; }
+    // Counts pictures shown.
+    [[nodiscard]] int pictures() const { return pictures_; }
+    // Drafts per second of late; 0 when at rest.
+    [[nodiscard]] double framesPerSecond() const;
+    // The finished picture. isComplete() must hold.
+    image::Image readPicture() { return caster_.readPicture(); }
+
+private:
+    enum class Pass { None, Draft, Full };
+
+    void begin(Pass pass);
+    void show();
+    void finishDraft();
+    [[nodiscard]] double wantedScale() const;
+
+    render::RayCaster caster_;
+    studio::Document* document_ = nullptr;
+    glm::ivec2 viewport_{0};
+    double draftMs_;           // time a draft may take
+    double scale_ = 2;         // draft pixels are this many times larger
+    double nanosPerPixel_ = 0; // running estimate; 0: not known yet
+    Pass pass_ = Pass::None;
+    std::optional<std::uint64_t> startedVersion_; // what the running or last pass shows
+    glm::ivec2 startedViewport_{0};
+    bool isFullDone_ = false;
+    double passMs_ = 0; // spent in this pass so far
+    Timer passTimer_;
+    Timer sinceInput_;
+    Timer sinceDraft_;
+    double frameMs_ = 0; // running mean of the time from draft to draft
+    int samplesShown_ = 0;
+    int pictures_ = 0;
+    gl::Texture shown_;
+};
+
+} // namespace vs::desktop

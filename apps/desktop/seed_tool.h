@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "sketch_pad.h"
+#include "tool.h"
+
+namespace vs::desktop {
+
+class StudioController;
+
+// Strokes on the visible surface become seeds as soon as the pen is lifted; with auto start on they begin to
+// grow.
+class SeedTool : public Tool {
+    Q_OBJECT
+
+public:
+    explicit SeedTool(StudioController& studio);
+
+    [[nodiscard]] QString name() const override { return "seed"; }
+    [[nodiscard]] QString hint() const override;
+    [[nodiscard]] Overlay overlay() const override;
+    void press(const Pen& pen) override;
+    void move(const Pen& pen) override;
+    void release(const Pen& pen) override;
+    void clear() override;
+    void viewResized() override { clear(); }
+    [[nodiscard]] bool isBusy() const override { return isDown_; }
+    [[nodiscard]] bool isSketching() const override { return isDown_; }
+
+    // Logical pixels.
+    [[nodiscard]] double width() const { return width_; }
+    void setWidth(double pixels) { width_ = pixels; }
+
+private:
+    StudioController& studio_;
+    SketchPad pad_;
+    bool isDown_ = false;
+    double width_ = 5;
+};
+
+} // namespace vs::desktop

@@ -1,0 +1,249 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "studio_controller.h"
+
+#include "camera_tool.h"
+#include "drill_tool.h"
+#include "growth_controller.h"
+#include "peel_tool.h"
+#include "seed_tool.h"
+
+#include "base/error.h"
+
+#include <algorithm>
+
+namespace vs::desktop {
+
+namespace {
+constexpr double kPictureSliceMs = 8;
+constexpr int kCalmPollMs = 40; // until the picture may refine
+} // namespace
+
+StudioController::StudioController()
+    : picture_(std::make_unique<PictureLoop>(host_.device().isSoftware)), cameraTool_(new CameraTool(*this)),
+      peelTool_(new PeelTool(*this)), drillTool_(new DrillTool(*this)), seedTool_(new SeedTool(*this)),
+      growth_(new GrowthController(*this)), tool_(cameraTool_) {
+    timer_.setSingleShot(true);
+    connect(&timer_, &QTimer::timeout, this, &StudioController::tick);
+    connect(growth_, &GrowthController::changed, this, &StudioController::changed);
+    for (Tool* tool : std::initializer_list<Tool*>{cameraTool_, peelTool_, drillTool_, seedTool_}) {
+        connect(tool, &Tool::overlayChanged, this, &StudioController::overlayChanged);
+    }
+    connect(&loader_, &VolumeLoader::loaded, this, &StudioController::finishOpening);
+    connect(&loader_, &VolumeLoader::failed, this, [this](const QString& message) {
+        say(message);
+        emit progress(1, 1);
+        emit changed();
+        emit openFailed(message);
+    });
+}
+
+StudioController::~StudioController() {
+    host_.makeCurrent();
+    document_.reset(); // before the ray caster: its frames point into it
+    picture_.reset();
+}
+
+studio::Document* StudioController::document() {
+    host_.makeCurrent();
+    return document_.get();
+}
+
+void StudioController::tick() {
+    host_.makeCurrent();
+    if (isReplaying()) {
+        replayOne();
+        schedule(0);
+        return;
+    }
+    // A draft that has begun is finished first: one picture for each change, however fast they come.
+    if (!picture_->isDrafting()) {
+        flushView();
+        tool_->advance();
+        if (!tool_->isSketching() && growth_->advance()) {
+            picture_->interact();
+        }
+    }
+    auto state = PictureLoop::State::Complete;
+    if (!tool_->isSketching()) {
+        if (!guard([&] { state = picture_->step(kPictureSliceMs); })) {
+            return;
+        }
+        if (picture_->pictures() != picturesSeen_) {
+            picturesSeen_ = picture_->pictures();
+            emit pictureChanged();
+        }
+        if (picture_->isComplete()) {
+            writeScreenshot();
+        }
+    }
+    const bool isPlayingNow = growth_->isPlaying() && !growth_->isWaiting() && !tool_->isSketching();
+    if (state == PictureLoop::State::Busy || isViewPending_ || isPlayingNow) {
+        schedule(0);
+    } else if (state == PictureLoop::State::Waiting || growth_->isWaiting()) {
+        schedule(growth_->isWaiting() ? 5 : kCalmPollMs);
+    }
+}
+
+void StudioController::schedule(int milliseconds) {
+    if (!timer_.isActive() || timer_.remainingTime() > milliseconds) {
+        timer_.start(milliseconds);
+    }
+}
+
+void StudioController::wake() {
+    picture_->interact();
+    schedule(0);
+}
+
+void StudioController::look(const studio::View& view) {
+    if (document_ == nullptr || view == view_) {
+        return;
+    }
+    view_ = view;
+    isViewPending_ = true;
+    wake();
+    emit changed();
+}
+
+void StudioController::flushView() {
+    if (isViewPending_ && document_ != nullptr && !document_->isStrokeOpen()) {
+        isViewPending_ = false;
+        guard([this] { document_->look(view_); });
+    }
+}
+
+void StudioController::setMode(render::Mode mode) {
+    auto next = view_;
+    next.mode = mode;
+    look(next);
+}
+
+void StudioController::setSculptureView(field::SculptureView sculptureView) {
+    auto next = view_;
+    next.sculptureView = sculptureView;
+    look(next);
+}
+
+void StudioController::setRange(Range range) {
+    auto next = view_;
+    next.range = range;
+    look(next);
+}
+
+void StudioController::setViewport(QSizeF logical, glm::ivec2 device) {
+    const bool isNew = device != picture_->viewport();
+    logical_ = logical;
+    picture_->setViewport(device);
+    if (isNew) {
+        tool_->viewResized();
+        wake();
+    }
+}
+
+glm::dvec2 StudioController::devicePerLogical() const {
+    return glm::dvec2(picture_->viewport()) / glm::dvec2(logical_.width(), logical_.height());
+}
+
+QPointF StudioController::viewCentre() const { return {0.5 * logical_.width(), 0.5 * logical_.height()}; }
+
+double StudioController::millimetresPerPixel() {
+    if (document_ == nullptr) {
+        return 1;
+    }
+    const auto& geometry = document_->volume().geometry;
+    const auto rays = render::viewRays(view_.camera, geometry, glm::max(picture_->viewport(), glm::ivec2(1)));
+    return rays.pixelMm(geometry.centreWorld()) * devicePerLogical().y;
+}
+
+studio::Canvas StudioController::canvas() {
+    host_.makeCurrent();
+    flushView();
+    return {view_, picture_->viewport()};
+}
+
+bool StudioController::guard(const std::function<void()>& work) {
+    host_.makeCurrent();
+    try {
+        work();
+        return true;
+    } catch (const std::exception& e) {
+        say(QString::fromUtf8(e.what()));
+        return false;
+    }
+}
+
+bool StudioController::apply(const studio::Operation& operation, const std::filesystem::path& outputFolder) {
+    if (document_ == nullptr || isLoading() || document_->isStrokeOpen()) {
+        return false;
+    }
+    growth_->pause(); // what has grown so far is an operation of its own
+    const bool done = guard([&] {
+        flushView();
+        report(document_->apply(operation, outputFolder));
+    });
+    view_ = document_->view();
+    wake();
+    emit changed();
+    return done;
+}
+
+void StudioController::endStroke(bool keep) {
+    if (document_ == nullptr || !document_->isStrokeOpen()) {
+        return;
+    }
+    guard([&] {
+        if (keep) {
+            report(document_->commitStroke());
+        } else {
+            document_->discardStroke();
+            say(tr("Nothing was changed"));
+        }
+    });
+    wake();
+    emit changed();
+}
+
+void StudioController::report(const studio::Outcome& outcome) {
+    say(outcome.message.empty() ? QString::fromStdString(outcome.name)
+                                : QString::fromStdString(outcome.message));
+}
+
+void StudioController::say(const QString& message) {
+    message_ = message;
+    emit messageChanged();
+}
+
+void StudioController::setTool(Tool& tool) {
+    if (tool_ != &tool) {
+        tool_->clear(); // leaving a tool changes nothing: a stroke in hand is dropped
+        tool_ = &tool;
+        wake();
+        emit overlayChanged();
+        emit changed();
+    }
+}
+
+void StudioController::setShape(studio::Shape shape) {
+    shape_ = shape;
+    emit changed();
+}
+
+void StudioController::setTabletPressure(double pressure) { emit tabletPressureChanged(pressure); }
+
+std::optional<studio::Document::Probe> StudioController::probe(QPointF position) {
+    std::optional<studio::Document::Probe> found;
+    if (isIdle() && document_ != nullptr) {
+        const glm::dvec2 pixel = glm::dvec2(position.x(), position.y()) * devicePerLogical();
+        guard([&] { found = document_->probe(pixel, picture_->viewport()); });
+    }
+    return found;
+}
+
+bool StudioController::isIdle() {
+    if (isLoading() || tool_->isBusy() || growth_->isPlaying() || isViewPending_ || !screenshot_.empty()) {
+        return false;
+    }
+    return document_ == nullptr || picture_->isComplete();
+}
+
+} // namespace vs::desktop

@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "gl_host.h"
+#include "picture_loop.h"
+#include "volume_loader.h"
+
+#include "studio/document.h"
+
+#include <QObject>
+#include <QSizeF>
+#include <QTimer>
+
+#include <deque>
+#include <functional>
+#include <memory>
+
+namespace vs::desktop {
+
+class CameraTool;
+class DrillTool;
+class GrowthController;
+class PeelTool;
+class SeedTool;
+class Tool;
+
+// The model of the window: the document, its picture, the current tool, and the one timer that does all work
+// in short slices, so that input is handled between. No widgets. Everything runs on the window's thread but
+// reading files.
+class StudioController : public QObject {
+    Q_OBJECT
+
+public:
+    // Needs a QApplication. Throws GlError if there is no OpenGL 4.5.
+    StudioController();
+    ~StudioController() override;
+
+    GlHost& host() { return host_; }
+    PictureLoop& picture() { return *picture_; }
+    GrowthController& growth() { return *growth_; }
+    CameraTool& cameraTool() { return *cameraTool_; }
+    PeelTool& peelTool() { return *peelTool_; }
+    DrillTool& drillTool() { return *drillTool_; }
+    SeedTool& seedTool() { return *seedTool_; }
+    // Null before something was opened. With the engine's context current.
+    studio::Document* document();
+
+    // Files. open() returns at once; opened() or openFailed() tells how it ended.
+    void open(const OpenRequest& request);
+    [[nodiscard]] const OpenRequest& source() const { return source_; }
+    bool saveSession(const std::filesystem::path& path);
+    bool exportLabels(const std::filesystem::path& path);
+    // Written as soon as the picture is at full quality.
+    void takeScreenshot(const std::filesystem::path& path);
+
+    // The view as the person sees it; look() reaches the document before the next picture.
+    [[nodiscard]] const studio::View& view() const { return view_; }
+    void look(const studio::View& view);
+    void setMode(render::Mode mode);
+    void setSculptureView(field::SculptureView view);
+    void setRange(Range range);
+    void setViewport(QSizeF logical, glm::ivec2 device);
+    [[nodiscard]] glm::dvec2 devicePerLogical() const;
+    [[nodiscard]] QPointF viewCentre() const;
+    // Of one logical pixel, in the middle of what is looked at.
+    [[nodiscard]] double millimetresPerPixel();
+    // What a sketch is drawn on now.
+    studio::Canvas canvas();
+
+    // Edits. False: it failed, and the message says why.
+    bool apply(const studio::Operation& operation, const std::filesystem::path& outputFolder = ".");
+    void endStroke(bool keep);
+    bool guard(const std::function<void()>& work);
+    void report(const studio::Outcome& outcome);
+
+    // Tools.
+    [[nodiscard]] Tool& tool() const { return *tool_; }
+    void setTool(Tool& tool);
+    [[nodiscard]] studio::Shape shape() const { return shape_; }
+    void setShape(studio::Shape shape);
+    // For a mouse; a tablet's own pressure overrides it.
+    [[nodiscard]] double mousePressure() const { return mousePressure_; }
+    void setMousePressure(double pressure) { mousePressure_ = pressure; }
+    void setTabletPressure(double pressure);
+
+    // What lies under a place of the view. Nothing while things move.
+    std::optional<studio::Document::Probe> probe(QPointF position);
+
+    void say(const QString& message);
+    [[nodiscard]] const QString& message() const { return message_; }
+    // Something happened: the next slice comes soon. Input also sends the picture back to drafts.
+    void wake();
+    [[nodiscard]] bool isLoading() const { return loader_.isLoading() || isReplaying(); }
+    [[nodiscard]] bool isReplaying() const { return !replay_.empty(); }
+    // Nothing is under way and nothing is waiting; the picture is at full quality.
+    [[nodiscard]] bool isIdle();
+
+signals:
+    void opened();
+    void openFailed(const QString& message);
+    void changed();        // document, view, tool or playback: panels and actions look again
+    void pictureChanged(); // a new picture to show
+    void overlayChanged();
+    void messageChanged();
+    void tabletPressureChanged(double pressure);
+    void progress(int done, int total); // total 0: unknown; done == total > 0: finished
+
+private:
+    void tick();
+    void schedule(int milliseconds);
+    void flushView();
+    void finishOpening(const std::shared_ptr<Loaded>& loaded);
+    void replayOne();
+    void writeScreenshot();
+
+    GlHost host_;
+    std::unique_ptr<PictureLoop> picture_;
+    std::unique_ptr<studio::Document> document_;
+    VolumeLoader loader_;
+    OpenRequest source_;
+    std::deque<studio::Operation> replay_; // of the session being opened
+    int replayTotal_ = 0;
+    std::filesystem::path screenshot_; // waiting for the picture
+    CameraTool* cameraTool_;
+    PeelTool* peelTool_;
+    DrillTool* drillTool_;
+    SeedTool* seedTool_;
+    GrowthController* growth_;
+    Tool* tool_;
+    studio::View view_;
+    bool isViewPending_ = false;
+    studio::Shape shape_ = studio::Shape::FreeForm;
+    double mousePressure_ = 1;
+    QSizeF logical_{1, 1};
+    QString message_;
+    QTimer timer_;
+    int picturesSeen_ = 0;
+};
+
+} // namespace vs::desktop

@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "view_widget.h"
+
+#include "camera_tool.h"
+#include "paint_overlay.h"
+#include "studio_controller.h"
+
+#include <QMouseEvent>
+#include <QOpenGLContext>
+#include <QPainter>
+#include <QTabletEvent>
+#include <QWheelEvent>
+
+#include <cmath>
+
+namespace vs::desktop {
+
+ViewWidget::ViewWidget(StudioController& studio, QWidget* parent) : QOpenGLWidget(parent), studio_(studio) {
+    setFormat(GlHost::format());
+    setObjectName("view");
+    setAccessibleName(tr("Picture of the volume"));
+    setMouseTracking(true);
+    setTabletTracking(true);
+    setFocusPolicy(Qt::StrongFocus);
+    setMinimumSize(320, 240);
+    connect(&studio_, &StudioController::pictureChanged, this, qOverload<>(&QWidget::update));
+    connect(&studio_, &StudioController::overlayChanged, this, [this] {
+        setCursor(studio_.tool().cursor());
+        update();
+    });
+    setCursor(studio_.tool().cursor());
+}
+
+ViewWidget::~ViewWidget() {
+    makeCurrent();
+    presenter_.reset();
+    doneCurrent();
+}
+
+glm::ivec2 ViewWidget::deviceSize() const {
+    const QSize size = this->size() * devicePixelRatioF(); // as QOpenGLWidget sizes its framebuffer
+    return {size.width(), size.height()};
+}
+
+void ViewWidget::initializeGL() {
+    // Called again when the widget gets another native window; framebuffers belong to the context.
+    presenter_ = std::make_unique<Presenter>();
+    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] {
+        makeCurrent();
+        presenter_.reset();
+        doneCurrent();
+    });
+}
+
+void ViewWidget::resizeGL(int, int) { studio_.setViewport(QSizeF(size()), deviceSize()); }
+
+void ViewWidget::paintGL() {
+    QPainter painter(this);
+    const gl::Texture* picture = studio_.picture().shown();
+    painter.beginNativePainting();
+    if (picture != nullptr && presenter_) {
+        presenter_->present(*picture, defaultFramebufferObject(), deviceSize());
+    }
+    painter.endNativePainting();
+    if (picture == nullptr) {
+        painter.fillRect(rect(), Qt::black);
+    }
+    paintOverlay(painter, studio_.tool().overlay());
+}
+
+Pen ViewWidget::penAt(QPointF position) const {
+    // A mouse reports a pixel's corner; what the person points with is its middle.
+    const double half = 0.5 / devicePixelRatioF();
+    return {position + QPointF(half, half), studio_.mousePressure()};
+}
+
+void ViewWidget::press(const Pen& pen, Drag drag) {
+    drag_ = drag;
+    last_ = pressed_ = pen.position;
+    if (drag == Drag::Tool && studio_.document() != nullptr && !studio_.isLoading()) {
+        studio_.tool().press(pen);
+    } else if (drag == Drag::Tool) {
+        drag_ = Drag::None;
+    }
+}
+
+void ViewWidget::move(const Pen& pen) {
+    penPosition_ = pen.position;
+    const QPointF delta = pen.position - last_;
+    last_ = pen.position;
+    switch (drag_) {
+    case Drag::None:
+        studio_.tool().hover(pen);
+        break;
+    case Drag::Tool:
+        studio_.tool().move(pen);
+        break;
+    case Drag::Pan:
+        studio_.cameraTool().pan(delta);
+        break;
+    case Drag::Zoom:
+        studio_.cameraTool().zoom(std::exp(-0.008 * delta.y()), pressed_); // up to come nearer
+        break;
+    }
+    emit penMoved();
+}
+
+void ViewWidget::release(const Pen& pen) {
+    if (drag_ == Drag::Tool) {
+        studio_.tool().release(pen);
+    }
+    drag_ = Drag::None;
+    button_ = Qt::NoButton;
+    emit penMoved();
+}
+
+void ViewWidget::mousePressEvent(QMouseEvent* event) {
+    if (drag_ != Drag::None) {
+        return; // a second button changes nothing
+    }
+    button_ = event->button();
+    const Pen pen = penAt(event->position());
+    if (button_ == Qt::LeftButton) {
+        press(pen, event->modifiers().testFlag(Qt::ShiftModifier) ? Drag::Pan : Drag::Tool);
+    } else if (button_ == Qt::MiddleButton) {
+        press(pen, Drag::Pan);
+    } else if (button_ == Qt::RightButton) {
+        press(pen, Drag::Zoom);
+    }
+}
+
+void ViewWidget::mouseMoveEvent(QMouseEvent* event) { move(penAt(event->position())); }
+
+void ViewWidget::mouseReleaseEvent(QMouseEvent* event) {
+    if (event->button() == button_) {
+        release(penAt(event->position()));
+    }
+}
+
+void ViewWidget::wheelEvent(QWheelEvent* event) {
+    if (drag_ == Drag::None) {
+        constexpr double kPerNotch = 1.2; // one notch is 120
+        studio_.cameraTool().zoom(std::pow(kPerNotch, event->angleDelta().y() / 120.0),
+                                  penAt(event->position()).position);
+    }
+    event->accept();
+}
+
+void ViewWidget::tabletEvent(QTabletEvent* event) {
+    const Pen pen{event->position(), event->pressure()}; // already finer than pixels
+    studio_.setTabletPressure(event->pressure());
+    switch (event->type()) {
+    case QEvent::TabletPress:
+        if (drag_ == Drag::None) {
+            button_ = event->button();
+            press(pen, button_ == Qt::LeftButton ? Drag::Tool : Drag::Pan);
+        }
+        break;
+    case QEvent::TabletRelease:
+        if (event->button() == button_) {
+            release(pen);
+        }
+        break;
+    default:
+        move(pen);
+    }
+    event->accept(); // or Qt would make a mouse event of it too
+}
+
+void ViewWidget::leaveEvent(QEvent*) {
+    penPosition_.reset();
+    if (drag_ == Drag::None) {
+        studio_.tool().leave();
+    }
+    emit penMoved();
+}
+
+} // namespace vs::desktop

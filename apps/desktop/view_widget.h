@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "present.h"
+
+#include <QElapsedTimer>
+#include <QOpenGLWidget>
+
+#include <memory>
+#include <optional>
+
+namespace vs::desktop {
+
+class StudioController;
+struct Pen;
+
+// Shows the picture with the tool's overlay on top, and hands mouse, pen and wheel to the controllers. Middle
+// button, right button, Shift+drag and the wheel look around whatever the tool is.
+class ViewWidget : public QOpenGLWidget {
+    Q_OBJECT
+
+public:
+    explicit ViewWidget(StudioController& studio, QWidget* parent = nullptr);
+    ~ViewWidget() override;
+
+    // Where the pen is, if it is over the view.
+    [[nodiscard]] std::optional<QPointF> penPosition() const { return penPosition_; }
+
+signals:
+    void penMoved();
+
+protected:
+    void initializeGL() override;
+    void resizeGL(int width, int height) override;
+    void paintGL() override;
+    void mousePressEvent(QMouseEvent* event) override;
+    void mouseMoveEvent(QMouseEvent* event) override;
+    void mouseReleaseEvent(QMouseEvent* event) override;
+    void wheelEvent(QWheelEvent* event) override;
+    void tabletEvent(QTabletEvent* event) override;
+    void leaveEvent(QEvent* event) override;
+
+private:
+    enum class Drag { None, Tool, Pan, Zoom };
+
+    [[nodiscard]] glm::ivec2 deviceSize() const;
+    [[nodiscard]] Pen penAt(QPointF position) const;
+    void press(const Pen& pen, Drag drag);
+    void move(const Pen& pen);
+    void release(const Pen& pen);
+
+    StudioController& studio_;
+    std::unique_ptr<Presenter> presenter_;
+    Drag drag_ = Drag::None;
+    Qt::MouseButton button_ = Qt::NoButton; // that began the drag
+    QPointF last_;
+    QPointF pressed_;
+    std::optional<QPointF> penPosition_;
+};
+
+} // namespace vs::desktop

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/macrocells.h"
+
+#include "gl/pass.h"
+
+namespace vs::render {
+
+Macrocells::Macrocells()
+    : classify_("render/shaders/classify_cells.comp"), spread_("render/shaders/spread_distance.comp"),
+      empty_(glm::ivec3(1), gl::Format::RG32F, gl::Filter::Nearest, "no cells") {}
+
+void Macrocells::rebuild(const Input& input) {
+    const gl::Pass pass("macrocells");
+    const glm::ivec3 cells = input.dataCells->size();
+    if (distances_.size() != cells) {
+        distances_ = gl::Texture(cells, gl::Format::R8UI, gl::Filter::Nearest, "cell distances");
+        scratch_ = gl::Texture(cells, gl::Format::R8UI, gl::Filter::Nearest, "cell distances scratch");
+    }
+    input.dataCells->bindTexture(0);
+    (input.sculptureCells != nullptr ? *input.sculptureCells : empty_).bindTexture(1);
+    (input.segmentationCells != nullptr ? *input.segmentationCells : empty_).bindTexture(2);
+    distances_.bindImage(0, gl::Access::Write);
+    classify_
+        .set(0, glm::vec2(float(input.displayedRange.lo - input.valueTolerance),
+                          float(input.displayedRange.hi + input.valueTolerance)))
+        .set(1, input.sculptureCells != nullptr || input.view == field::SculptureView::Probe ? int(input.view)
+                                                                                             : 0)
+        .set(2, (input.drawsData ? 1 : 0) | (input.segmentationCells != nullptr ? 2 : 0))
+        .set(3, kFar);
+    classify_.dispatchOver(cells, gl::Barrier::Texture);
+
+    // Chebyshev distance separates: along x, then y, then z, each taking max(offset, distance so far).
+    for (int axis = 0; axis < 3; ++axis) {
+        distances_.bindTexture(0);
+        scratch_.bindImage(0, gl::Access::Write);
+        glm::ivec3 direction(0);
+        direction[axis] = 1;
+        spread_.set(0, direction).set(1, kFar);
+        spread_.dispatchOver(cells, gl::Barrier::Texture);
+        std::swap(distances_, scratch_);
+    }
+}
+
+} // namespace vs::render

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "field/cell_ranges.h"
+#include "field/scene.h"
+#include "gl/program.h"
+
+namespace vs::render {
+
+// What can be seen in which macrocell: per 4^3 cell the Chebyshev distance, in cells, to the nearest one that
+// may hold something visible (0: this one may; at most kFar). Knows displayed range, sculpture and
+// segmentation.
+class Macrocells {
+public:
+    static constexpr int kFar = 24;
+
+    Macrocells();
+
+    struct Input {
+        const gl::Texture* dataCells = nullptr;         // field::CellRanges::cells
+        const gl::Texture* sculptureCells = nullptr;    // null: nothing cut
+        const gl::Texture* segmentationCells = nullptr; // null: segmentation is not drawn
+        Range displayedRange;
+        double valueTolerance = 0; // field::valueTolerance
+        field::SculptureView view = field::SculptureView::Cut;
+        bool drawsData = true; // false: only the segmentation counts
+    };
+    // Recomputes everything.
+    void rebuild(const Input& input);
+
+    [[nodiscard]] const gl::Texture& distances() const { return distances_; }
+
+private:
+    gl::Program classify_;
+    gl::Program spread_;
+    gl::Texture distances_;
+    gl::Texture scratch_;
+    gl::Texture empty_;
+};
+
+} // namespace vs::render

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/picker.h"
+
+#include "gl/pass.h"
+
+namespace vs::render {
+
+Picker::Picker() : view_(sizeof(ViewBlock), "picker view") {}
+
+gl::Program& Picker::programFor(const Frame& frame) {
+    const bool isSculpted =
+        frame.scene.sculpture != nullptr || frame.scene.view == field::SculptureView::Probe;
+    const bool picksMaximum = frame.mode == Mode::Mip;
+    // In overlay and segment mode a stroke lands on whatever surface is seen; in X-ray on the displayed
+    // range's.
+    const int content = frame.mode == Mode::Overlay || frame.mode == Mode::Segment ? 2 : 0;
+    auto& program = programs_[(isSculpted ? 1 : 0) + (picksMaximum ? 2 : 0) + 4 * content];
+    if (!program) {
+        gl::Defines defines{{"CONTENT", std::to_string(content)}};
+        if (isSculpted) {
+            defines.emplace_back("SCULPTED", "1");
+        }
+        if (picksMaximum) {
+            defines.emplace_back("PICK_MAXIMUM", "1");
+        }
+        program = gl::Program("render/shaders/pick_points.comp", defines);
+    }
+    return program;
+}
+
+field::SurfacePoints Picker::pick(const Frame& frame, std::span<const glm::vec2> positions) {
+    const gl::Pass pass("pick surface points");
+    field::SurfacePoints out;
+    out.size = {int(positions.size()), 1};
+    out.points = gl::Buffer(positions.size() * sizeof(field::SurfacePoint), "surface points");
+    if (positions.empty()) {
+        return out;
+    }
+    gl::Program& program = programFor(frame);
+    sceneBinding_.bind(frame.scene);
+    view_.writeValue(viewBlock(frame.rays));
+    view_.bindUniform(1);
+    frame.macrocells->distances().bindTexture(3);
+    positions_.reserve(positions.size_bytes());
+    positions_.write(positions);
+    positions_.bindStorage(0);
+    out.points.bindStorage(1);
+    program.set(0, int(positions.size()));
+    program.dispatchOver({int(positions.size()), 1, 1}, gl::Barrier::Storage);
+    return out;
+}
+
+std::vector<field::SurfacePoint> Picker::pickPoints(const Frame& frame,
+                                                    std::span<const glm::vec2> positions) {
+    return pick(frame, positions).points.read<field::SurfacePoint>(positions.size());
+}
+
+} // namespace vs::render

@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "field/surface_points.h"
+#include "render/ray_caster.h"
+
+#include <span>
+
+namespace vs::render {
+
+// Finds what lies under places of the picture: the surface, or in MIP mode the greatest value. Same rays,
+// same surface as the picture shows.
+class Picker {
+public:
+    Picker();
+
+    // One surface point for each viewport position (pixels, y down), in order. `frame` says what is drawn and
+    // from where; its picture is not touched.
+    field::SurfacePoints pick(const Frame& frame, std::span<const glm::vec2> positions);
+
+    // As above, read back.
+    std::vector<field::SurfacePoint> pickPoints(const Frame& frame, std::span<const glm::vec2> positions);
+
+private:
+    gl::Program& programFor(const Frame& frame);
+
+    std::map<int, gl::Program> programs_;
+    gl::Buffer view_;
+    gl::Buffer positions_;
+    field::SceneBinding sceneBinding_;
+};
+
+} // namespace vs::render

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "field/scene.h"
+#include "gl/program.h"
+#include "image/image.h"
+#include "render/camera.h"
+#include "render/macrocells.h"
+
+#include <map>
+
+namespace vs::render {
+
+enum class Mode { Surface, Mip, XRay, Overlay, Segment };
+// "surface", "mip", "xray", "overlay", "segment".
+const char* name(Mode mode);
+// Throws UsageError listing the modes.
+Mode modeFromName(const std::string& name);
+
+// The view as shaders see it; mirrors ViewBlock in render/shaders/rays.glsl (std140).
+struct ViewBlock {
+    glm::vec4 eye{0};
+    glm::vec4 forward{0};
+    glm::vec4 right{0};
+    glm::vec4 up{0};
+    glm::vec4 viewport{1};
+};
+static_assert(sizeof(ViewBlock) == 80);
+
+ViewBlock viewBlock(const ViewRays& rays);
+
+// Everything one picture depends on. The pointers must stay alive until the picture is finished.
+struct Frame {
+    field::Scene scene;
+    const Macrocells* macrocells = nullptr;
+    ViewRays rays;
+    Mode mode = Mode::Surface;
+    double xrayGain = 3; // brightness of a ray through one whole diagonal at full value
+    glm::vec3 segmentColour{0.80F, 0.13F, 0.0F}; // linear; vermilion of the Okabe-Ito palette
+    int samples = 1;                             // rays per pixel, evenly spread over it
+};
+
+// Casts rays (SPEC 3) in a compute shader, tile by tile so that no single submission is long. Start a frame,
+// then render tiles until it is complete; the picture can be looked at after every whole sample.
+class RayCaster {
+public:
+    RayCaster();
+
+    // Starts over with a new picture.
+    void start(const Frame& frame);
+    // Renders tiles for about `budgetMs`, at least one. True when all samples of the frame are done.
+    bool renderSome(double budgetMs);
+    // start() and everything at once.
+    void render(const Frame& frame);
+
+    [[nodiscard]] bool isComplete() const;
+    // Samples per pixel that the picture holds everywhere so far.
+    [[nodiscard]] int completedSamples() const { return sample_; }
+    // The samples so far, averaged, as an RGBA8 texture of the frame's size.
+    const gl::Texture& picture();
+    image::Image readPicture();
+
+private:
+    gl::Program& programFor(const Frame& frame);
+
+    std::map<int, gl::Program> programs_; // by mode and whether there is a sculpture
+    gl::Program resolve_;
+    gl::Buffer view_;
+    field::SceneBinding sceneBinding_;
+    gl::Texture accumulation_;
+    gl::Texture picture_;
+    Frame frame_;
+    int sample_ = 0;
+    int tile_ = 0;
+    double tileMs_ = 0; // running estimate of what one tile takes
+};
+
+} // namespace vs::render

@@ -1,0 +1,113 @@
+// One sample per pixel of the picture: cast a ray, find what the mode asks for, colour it, add it to the accumulation.
+// MODE: 0 surface, 1 MIP, 2 X-ray, 3 overlay (segmentation as surface, the rest as X-ray), 4 segment (both as surface).
+// CONTENT and SCULPTED: see surface.glsl.
+// In: the scene (field/shaders/scene.glsl), the view (rays.glsl). Out: image 0 (rgba32f) sum of display colours.
+// variants: MODE=0 CONTENT=0;MODE=0 CONTENT=0 SCULPTED=1;MODE=1 CONTENT=0;MODE=2 CONTENT=0 SCULPTED=1;MODE=3 CONTENT=1 SCULPTED=1;MODE=4 CONTENT=2
+layout(local_size_x = 8, local_size_y = 8) in;
+
+#include "field/shaders/scene.glsl"
+#include "render/shaders/rays.glsl"
+#include "render/shaders/surface.glsl"
+#include "render/shaders/shading.glsl"
+
+layout(rgba32f, binding = 0) uniform image2D accumulation;
+
+layout(location = 0) uniform ivec2 tileOrigin;
+layout(location = 1) uniform vec2 pixelOffset; // where in the pixel this sample lies, 0..1
+layout(location = 2) uniform int addToPrevious;
+layout(location = 3) uniform vec2 exposure;     // x: X-ray gain per diagonal; y: volume's diagonal in steps
+layout(location = 4) uniform vec3 segmentColour; // linear
+
+const vec3 kSurfaceColour = vec3(0.72, 0.57, 0.45); // linear: the ivory of anatomical plates
+
+float greyOf(float value) { return clamp((value - range.z) / max(range.w - range.z, 1e-20), 0.0, 1.0); }
+
+vec3 shadeHit(Hit hit, Ray ray) {
+    vec3 right = normalize(viewRight.xyz);
+    vec3 up = normalize(viewUp.xyz);
+    vec3 albedo = kSurfaceColour;
+    float gloss = 0.12;
+    if (hit.isCut) { // a section: the data's own values
+        albedo = linearFromDisplay(vec3(0.12 + 0.88 * greyOf(dataAt(hit.voxel))) * vec3(1.0, 0.985, 0.96));
+        gloss = 0.0;
+    }
+    if (hit.isSegment) {
+        albedo = hit.isCut ? mix(albedo, segmentColour, 0.6) : segmentColour;
+    }
+    return displayFromLinear(lit(albedo, hit.normal, -ray.world, right, up, -viewForward.xyz, gloss));
+}
+
+#if MODE == 1
+// Largest visible value in range along the ray; -1e30 when there is none.
+float greatestAlong(Ray ray) {
+    vec3 inverseDirection = safeInverse(ray.direction);
+    float greatest = -1e30;
+    float t = ray.tNear;
+    while (t < ray.tFar) {
+        float skip = emptyUntil(ray, t, inverseDirection);
+        vec3 p = at(ray, t);
+        float value = dataAt(p);
+        bool counts = skip == 0.0 && visibility(p) >= 0.0;
+        greatest = counts ? max(greatest, value) : greatest;
+        t += skip > 0.0 ? skip : kDt;
+    }
+    return greatest;
+}
+#endif
+
+#if MODE == 2 || MODE == 3
+// Integral of (value - lo) / (hi - lo) over the visible part of the ray up to tEnd, in steps.
+float integralAlong(Ray ray, float tEnd) {
+    vec3 inverseDirection = safeInverse(ray.direction);
+    float scale = 1.0 / max(range.y - range.x, 1e-20);
+    float sum = 0.0;
+    float t = ray.tNear + 0.5 * kDt;
+    while (t < tEnd) {
+        float skip = emptyUntil(ray, t, inverseDirection);
+        vec3 p = at(ray, t);
+        float value = dataAt(p);
+        bool counts = skip == 0.0 && insideRange(value) >= 0.0;
+#ifdef SCULPTED
+        counts = counts && visibleSide(sculptureAt(p)) >= 0.0;
+#endif
+        sum += counts ? (value - range.x) * scale : 0.0;
+        // Whole steps only, so that the samples stay evenly spaced across a skip.
+        t += skip > 0.0 ? max(ceil(skip / kDt), 1.0) * kDt : kDt;
+    }
+    return sum * kDt;
+}
+#endif
+
+vec3 colourOf(Ray ray, vec3 behind) {
+#if MODE == 0 || MODE == 4
+    Hit hit = findSurface(ray);
+    return hit.found ? shadeHit(hit, ray) : behind;
+#elif MODE == 1
+    float greatest = greatestAlong(ray);
+    return greatest > -1e29 ? mix(behind * 0.3, vec3(1.0), greyOf(greatest)) : behind;
+#elif MODE == 2
+    float brightness = integralAlong(ray, ray.tFar) / exposure.y * exposure.x;
+    return mix(behind, vec3(1.0), clamp(brightness, 0.0, 1.0));
+#else
+    Hit hit = findSurface(ray);
+    float brightness = integralAlong(ray, hit.found ? hit.t : ray.tFar) / exposure.y * exposure.x;
+    vec3 base = hit.found ? shadeHit(hit, ray) : behind;
+    return mix(base, vec3(0.86, 0.91, 1.0), clamp(brightness, 0.0, 1.0) * (hit.found ? 0.45 : 0.9));
+#endif
+}
+
+void main() {
+    ivec2 pixel = tileOrigin + ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(pixel, ivec2(viewport.xy)))) {
+        return;
+    }
+    vec2 position = vec2(pixel) + pixelOffset;
+    Ray ray = rayThrough(position);
+    vec3 behind = background(position, viewport.xy);
+    vec3 colour = colourOf(ray, behind);
+    vec4 sum = vec4(colour, 1.0);
+    if (addToPrevious != 0) {
+        sum += imageLoad(accumulation, pixel);
+    }
+    imageStore(accumulation, pixel, sum);
+}

@@ -1,0 +1,63 @@
+// Rays of the current view, in voxel space, and walking along them.
+// A ray's parameter t counts steps: one step is the smallest voxel spacing in mm, so dt = 0.5 samples twice per voxel.
+// Bindings: uniform block 1 (render::ViewBlock), texture 3 macrocell distances. Include "field/shaders/scene.glsl" first.
+
+layout(std140, binding = 1) uniform ViewBlock {
+    vec4 eye;        // world; w 1 if orthographic
+    vec4 viewForward; // world, unit
+    vec4 viewRight;   // world, half the picture's width (see render/camera.h)
+    vec4 viewUp;
+    vec4 viewport;    // xy size in pixels, zw unused
+};
+
+layout(binding = 3) uniform usampler3D cellDistances;
+
+struct Ray {
+    vec3 origin;    // voxel space
+    vec3 direction; // voxel space, per step
+    vec3 world;     // world direction, unit
+    float tNear;    // where it enters the grid's box, not before the eye
+    float tFar;
+};
+
+const float kDt = 0.5;
+
+Ray rayThrough(vec2 pixel) {
+    vec2 n = 2.0 * pixel / viewport.xy - 1.0;
+    vec3 offset = n.x * viewRight.xyz - n.y * viewUp.xyz;
+    bool orthographic = eye.w > 0.5;
+    Ray ray;
+    ray.world = orthographic ? viewForward.xyz : normalize(viewForward.xyz + offset);
+    vec3 origin = orthographic ? eye.xyz + offset : eye.xyz;
+    ray.origin = (voxelFromWorld * vec4(origin, 1.0)).xyz;
+    ray.direction = mat3(voxelFromWorld) * (ray.world * spacing.w);
+    // The box reaches half a voxel beyond the outermost centres.
+    vec3 inverse = 1.0 / (ray.direction + vec3(equal(ray.direction, vec3(0.0))) * 1e-20);
+    vec3 a = (vec3(-0.5) - ray.origin) * inverse;
+    vec3 b = (vec3(dims.xyz) - 0.5 - ray.origin) * inverse;
+    vec3 lo = min(a, b);
+    vec3 hi = max(a, b);
+    ray.tNear = max(max(max(lo.x, lo.y), lo.z), 0.0);
+    ray.tFar = min(min(hi.x, hi.y), hi.z);
+    return ray;
+}
+
+vec3 at(Ray ray, float t) { return ray.origin + t * ray.direction; }
+
+// How far from t the ray can go without meeting an occupied macrocell; 0 if the cell at t is occupied itself.
+float emptyUntil(Ray ray, float t, vec3 inverseDirection) {
+    vec3 p = at(ray, t);
+    ivec3 cell = clamp(ivec3(floor(p * 0.25)), ivec3(0), textureSize(cellDistances, 0) - 1);
+    int distance = int(texelFetch(cellDistances, cell, 0).r);
+    // All cells nearer than `distance` are empty: leave their block through the faces ahead.
+    vec3 face = 4.0 * vec3(cell) + mix(vec3(4.0 * float(1 - distance)), vec3(4.0 * float(distance)),
+                                       greaterThan(ray.direction, vec3(0.0)));
+    vec3 exits = (face - ray.origin) * inverseDirection;
+    return distance > 0 ? max(min(min(exits.x, exits.y), exits.z) - t, 0.0) + 1e-3 : 0.0;
+}
+
+// A component of zero becomes a tiny one of the same sign as `greaterThan(direction, 0)` assumes.
+vec3 safeInverse(vec3 d) {
+    vec3 tiny = mix(vec3(-1e-12), vec3(1e-12), greaterThan(d, vec3(0.0)));
+    return 1.0 / mix(d, tiny, lessThan(abs(d), vec3(1e-12)));
+}

@@ -1,0 +1,29 @@
+// Light and colour. World-space unit vectors; colours linear unless said otherwise.
+
+vec3 displayFromLinear(vec3 c) {
+    c = clamp(c, 0.0, 1.0);
+    return mix(12.92 * c, 1.055 * pow(c, vec3(1.0 / 2.4)) - 0.055, greaterThan(c, vec3(0.0031308)));
+}
+
+vec3 linearFromDisplay(vec3 c) {
+    return mix(c / 12.92, pow((c + 0.055) / 1.055, vec3(2.4)), greaterThan(c, vec3(0.04045)));
+}
+
+// Studio light fixed to the viewer: a warm key from the upper left, a cool fill from the right, a little light from the
+// sky; Blinn-Phong highlights. `right`, `up`, `back` are the viewer's unit axes.
+vec3 lit(vec3 albedo, vec3 normal, vec3 towardsViewer, vec3 right, vec3 up, vec3 back, float gloss) {
+    vec3 key = normalize(-0.45 * right + 0.65 * up + 0.75 * back);
+    vec3 fill = normalize(0.8 * right + 0.05 * up + 0.5 * back);
+    float keyLight = max(dot(normal, key), 0.0);
+    float fillLight = max(dot(normal, fill), 0.0);
+    float sky = 0.5 + 0.5 * dot(normal, up);
+    vec3 light = 0.80 * keyLight * vec3(1.0, 0.97, 0.92) + 0.20 * fillLight * vec3(0.85, 0.92, 1.0) +
+                 mix(vec3(0.07, 0.065, 0.06), vec3(0.16, 0.17, 0.18), sky);
+    float highlight = pow(max(dot(normal, normalize(key + towardsViewer)), 0.0), 40.0);
+    return albedo * light + gloss * highlight * vec3(1.0, 0.98, 0.95);
+}
+
+vec3 background(vec2 pixel, vec2 size) {
+    // Display colours: a calm dark slate, lighter below, that neither bone nor vessels blend into.
+    return mix(vec3(0.055, 0.065, 0.08), vec3(0.17, 0.19, 0.22), smoothstep(0.0, 1.0, pixel.y / size.y));
+}

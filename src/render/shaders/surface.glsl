@@ -1,0 +1,117 @@
+// The first visible surface along a ray: what is seen, picked and cut.
+// CONTENT chooses what counts as content: 0 data in the displayed range, 1 segmentation, 2 either of the two.
+// Include "render/shaders/rays.glsl" first.
+
+// >= 0 where something is visible; continuous along each of its parts, so it can be bisected.
+float visibility(vec3 p) {
+#if CONTENT == 0
+    float content = insideRange(dataAt(p));
+#elif CONTENT == 1
+    float content = segmentationAt(p) - 0.5;
+#else
+    float content = max(insideRange(dataAt(p)), segmentationAt(p) - 0.5);
+#endif
+#ifdef SCULPTED
+    return min(content, visibleSide(sculptureAt(p)));
+#else
+    return content;
+#endif
+}
+
+struct Hit {
+    bool found;
+    float t;      // steps along the ray
+    vec3 voxel;   // where
+    vec3 normal;  // world, unit, facing the viewer
+    bool isCut;   // on a cut face: the sculpture's 0.5 level, or the grid's border
+    bool isSegment;
+};
+
+// First t at which something is visible, or tFar and beyond. The loop only looks; shading comes after it.
+float firstVisible(Ray ray, float tStart) {
+    vec3 inverseDirection = safeInverse(ray.direction);
+    float t = tStart;
+    float level = -1.0;
+    while (t < ray.tFar) {
+        float skip = emptyUntil(ray, t, inverseDirection);
+        while (skip > 0.0 && t < ray.tFar) {
+            t += skip;
+            skip = emptyUntil(ray, t, inverseDirection);
+        }
+        level = visibility(at(ray, t));
+        if (level >= 0.0) {
+            break;
+        }
+        t += kDt;
+    }
+    return t;
+}
+
+// Moves a visible t back to the surface: between an invisible and a visible place at most dt apart, to 1/128 step.
+vec2 refine(Ray ray, float t) {
+    float outside = max(t - kDt, ray.tNear);
+    float inside = t;
+    if (visibility(at(ray, outside)) >= 0.0) {
+        return vec2(outside, outside); // visible from the start: the ray enters the box inside
+    }
+    for (int i = 0; i < 7; ++i) {
+        float middle = 0.5 * (outside + inside);
+        bool seen = visibility(at(ray, middle)) >= 0.0;
+        inside = seen ? middle : inside;
+        outside = seen ? outside : middle;
+    }
+    return vec2(outside, inside);
+}
+
+// Normal of the box face that the point is nearest to, facing out.
+vec3 boxNormal(vec3 p) {
+    vec3 centred = (p - 0.5 * vec3(dims.xyz - 1)) / (0.5 * vec3(dims.xyz));
+    vec3 a = abs(centred);
+    vec3 n = a.x >= a.y && a.x >= a.z ? vec3(sign(centred.x), 0.0, 0.0)
+             : a.y >= a.z            ? vec3(0.0, sign(centred.y), 0.0)
+                                     : vec3(0.0, 0.0, sign(centred.z));
+    return normalize(transpose(mat3(voxelFromWorld)) * n);
+}
+
+// A direction of zero length stays harmless: seen face on.
+vec3 facing(vec3 gradient, vec3 towardsViewer) {
+    float l = length(gradient);
+    vec3 n = l > 1e-12 ? gradient / l : towardsViewer;
+    return dot(n, towardsViewer) < 0.0 ? -n : n;
+}
+
+Hit findSurface(Ray ray) {
+    Hit hit;
+    hit.t = firstVisible(ray, ray.tNear);
+    hit.found = hit.t < ray.tFar && ray.tNear < ray.tFar;
+    hit.isCut = false;
+    hit.isSegment = false;
+    hit.normal = -ray.world;
+    hit.voxel = vec3(0.0);
+    if (!hit.found) {
+        return hit;
+    }
+    vec2 bracket = refine(ray, hit.t);
+    hit.t = bracket.y;
+    hit.voxel = at(ray, hit.t);
+    vec3 before = at(ray, bracket.x);
+#if CONTENT != 0
+    hit.isSegment = segmentationAt(hit.voxel) >= 0.5;
+#endif
+    bool atBorder = bracket.y - ray.tNear < 1e-3 && ray.tNear > 0.0;
+    vec3 gradient = atBorder ? boxNormal(hit.voxel) : dataGradient(hit.voxel);
+#if CONTENT != 0
+    if (hit.isSegment && !atBorder) {
+        gradient = segmentationGradient(hit.voxel);
+    }
+#endif
+    hit.isCut = atBorder;
+#ifdef SCULPTED
+    if (visibleSide(sculptureAt(before)) < 0.0 && !atBorder) {
+        hit.isCut = true;
+        gradient = sculptureGradient(hit.voxel);
+    }
+#endif
+    hit.normal = facing(gradient, -ray.world);
+    return hit;
+}

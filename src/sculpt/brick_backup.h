@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "base/math.h"
+#include "gl/texture.h"
+
+#include <cstddef>
+#include <map>
+#include <vector>
+
+namespace vs::sculpt {
+
+// One change of a texture as the contents that certain bricks have on the other side of it. swap() goes there
+// and, called again, back: undo and redo, byte for byte. Held compressed.
+class BrickDelta {
+public:
+    // Exchanges the texture's contents with the ones held here; `texture` must be the one the delta was made
+    // of. Throws Error when there is no memory to hold them.
+    void swap(gl::Texture& texture);
+
+    [[nodiscard]] bool isEmpty() const { return bricks_.empty(); }
+    // Smallest box of voxels that holds every brick in which something changed.
+    [[nodiscard]] Box3 box() const;
+    [[nodiscard]] std::size_t changedVoxels() const { return changedVoxels_; }
+    [[nodiscard]] std::size_t memoryBytes() const;
+
+private:
+    friend class BrickBackup;
+    struct Brick {
+        Box3 box;
+        std::vector<std::byte> compressed;
+    };
+    std::vector<Brick> bricks_;
+    std::size_t changedVoxels_ = 0;
+};
+
+// Keeps the original contents of the bricks (32^3) of one texture from the moment they are about to be
+// written for the first time. One backup lasts from the start of an operation to its end. Holds a reference
+// to the texture.
+class BrickBackup {
+public:
+    explicit BrickBackup(gl::Texture& texture) : texture_(&texture) {}
+
+    // Call before anything inside `voxels` is written. Parts outside the texture are ignored.
+    void protect(const Box3& voxels);
+    // Puts every protected brick back as it was and goes on protecting them. Returns the box that may have
+    // changed.
+    Box3 restore();
+    // Ends the operation: what differs now becomes a delta whose swap() undoes it, and the backup is empty
+    // again.
+    BrickDelta finish();
+
+    [[nodiscard]] bool isEmpty() const { return originals_.empty(); }
+
+private:
+    struct Original {
+        Box3 box;
+        std::vector<std::byte> bytes;
+    };
+    gl::Texture* texture_;
+    std::map<std::size_t, Original> originals_; // by brick number
+};
+
+} // namespace vs::sculpt

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sculpt/sculpture.h"
+
+#include "field/cell_ranges.h"
+#include "gl/pass.h"
+
+namespace vs::sculpt {
+
+Sculpture::Sculpture(glm::ivec3 dims)
+    : texels_(dims, gl::Format::R16F, gl::Filter::Linear, "sculpture"),
+      cells_(field::cellDims(dims), gl::Format::RG32F, gl::Filter::Nearest, "sculpture cells"),
+      combine_("sculpt/shaders/combine_sculpture.comp"), changed_(sizeof(std::uint32_t), "changed voxels") {}
+
+Box3 Sculpture::combine(const Radiator& radiation, Combine how) {
+    changed_.clear();
+    const Box3 box = radiation.resultBox();
+    if (box.isEmpty() || (isEmpty_ && how == Combine::Restore)) {
+        return {};
+    }
+    {
+        const gl::Pass pass("combine sculpture");
+        radiation.bindResultTiles(0);
+        changed_.bindStorage(1);
+        radiation.energy().bindImage(0, gl::Access::Read);
+        texels_.bindImage(1, gl::Access::ReadWrite);
+        combine_.set(0, radiation.tileDims())
+            .set(1, radiation.originVoxel())
+            .set(2, dims())
+            .set(3, how == Combine::Restore ? 1 : 0);
+        combine_.dispatchIndirect(radiation.tileArguments(), 0, gl::Barrier::Texture);
+    }
+    isEmpty_ = false;
+    refresh(box);
+    return box;
+}
+
+std::uint64_t Sculpture::changedVoxels() const { return changed_.readValue<std::uint32_t>(); }
+
+void Sculpture::clear() {
+    texels_.clear();
+    cells_.clear();
+    isEmpty_ = true;
+    ++version_;
+}
+
+void Sculpture::upload(const Box3& box, std::span<const std::byte> texels) {
+    texels_.upload(box, texels);
+    isEmpty_ = false;
+    refresh(box);
+}
+
+void Sculpture::swap(BrickDelta& delta) {
+    delta.swap(texels_);
+    isEmpty_ = false;
+    refresh(delta.box());
+}
+
+void Sculpture::refresh(const Box3& box) {
+    if (!box.isEmpty()) {
+        field::updateCellRanges(texels_, box, cells_);
+        ++version_;
+    }
+}
+
+} // namespace vs::sculpt

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "base/math.h"
+#include "gl/buffer.h"
+#include "gl/program.h"
+#include "gl/texture.h"
+#include "sculpt/brick_backup.h"
+#include "sculpt/radiation.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace vs::sculpt {
+
+enum class Combine { Cut, Restore };
+
+// What has been cut away: a scalar from 0 (untouched) to 1 (cut) on the volume's grid, the cut face at 0.5.
+// Kept as 16-bit floats on the device, together with the range of each macrocell for skipping empty space.
+class Sculpture {
+public:
+    explicit Sculpture(glm::ivec3 dims);
+
+    // Union with a radiation E, clamped to [0, 1]: S = max(S, E) for a cut, S = min(S, 1 - E) for a restore
+    // (SPEC 4). Where a restore has E >= 0.5 the result stays below 0.5, so nothing of the same stroke's cut
+    // remains visible. Returns the box of voxels that may have changed (tile-tight).
+    Box3 combine(const Radiator& radiation, Combine how);
+    // Voxels whose value the last combine() changed; waits for the device.
+    [[nodiscard]] std::uint64_t changedVoxels() const;
+
+    // Everything untouched again (Un-Cut). Undoable when the whole box was protected before.
+    void clear();
+    // Texels as they are stored (half floats, x fastest). upload() refreshes the macrocells.
+    [[nodiscard]] std::vector<std::byte> download(const Box3& box) const { return texels_.download(box); }
+    void upload(const Box3& box, std::span<const std::byte> texels);
+    // Undo or redo, with the macrocells.
+    void swap(BrickDelta& delta);
+    // After texels() was written by something else (BrickBackup::restore).
+    void refresh(const Box3& box);
+
+    [[nodiscard]] gl::Texture& texels() { return texels_; }
+    [[nodiscard]] const gl::Texture& texels() const { return texels_; }
+    // RG32F, field::cellDims(dims) texels: smallest and largest value per macrocell.
+    [[nodiscard]] const gl::Texture& cells() const { return cells_; }
+    [[nodiscard]] glm::ivec3 dims() const { return texels_.size(); }
+    // Counts every change.
+    [[nodiscard]] std::uint64_t version() const { return version_; }
+    // True while nothing was ever written since it was made or cleared.
+    [[nodiscard]] bool isEmpty() const { return isEmpty_; }
+
+private:
+    gl::Texture texels_;
+    gl::Texture cells_;
+    gl::Program combine_;
+    gl::Buffer changed_;
+    std::uint64_t version_ = 0;
+    bool isEmpty_ = true;
+};
+
+} // namespace vs::sculpt

@@ -1,0 +1,49 @@
+// Combines radiation with the sculpture in the radiation's tiles: one work group a tile, one invocation a line along x.
+// In: storage 0 tile list, image 0 energy (texel t is voxel originVoxel + t). In/out: image 1 sculpture. Out: storage 1
+// number of voxels changed.
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(std430, binding = 0) readonly buffer TileList { uint tileList[]; };
+layout(std430, binding = 1) buffer Changed { uint changed; };
+layout(r32f, binding = 0) uniform readonly image3D energy;
+layout(r16f, binding = 1) uniform image3D sculpture;
+
+layout(location = 0) uniform ivec3 tileDims;
+layout(location = 1) uniform ivec3 originVoxel;
+layout(location = 2) uniform ivec3 dims;
+layout(location = 3) uniform int isRestore;
+
+#include "sculpt/shaders/tiles.glsl"
+
+// Energies below half a step of a 16-bit float at 1 are no more than the Gaussian's cut-off and rounding.
+const float negligible = 1.0 / 2048.0;
+// The next 16-bit float below 0.5.
+const float justVisible = 0.499755859375;
+
+void main() {
+    ivec3 tile;
+    if (!tileOfGroup(tileDims, tile)) {
+        return;
+    }
+    ivec3 texel = tile * 8 + ivec3(0, gl_LocalInvocationID.xy);
+    uint count = 0u;
+    for (int n = 0; n < 8; ++n) {
+        ivec3 voxel = texel + originVoxel;
+        if (all(greaterThanEqual(voxel, ivec3(0))) && all(lessThan(voxel, dims))) {
+            float e = clamp(imageLoad(energy, texel).r, 0.0, 1.0);
+            float before = imageLoad(sculpture, voxel).r;
+            float remains = e >= 0.5 ? min(1.0 - e, justVisible) : 1.0 - e;
+            float wanted = isRestore != 0 ? min(before, remains) : max(before, e);
+            // Rounded here, so that what is counted as changed is what is stored.
+            float after = e > negligible ? unpackHalf2x16(packHalf2x16(vec2(wanted, 0.0))).x : before;
+            if (after != before) {
+                imageStore(sculpture, voxel, vec4(after));
+                ++count;
+            }
+        }
+        texel.x += 1;
+    }
+    if (count > 0u) {
+        atomicAdd(changed, count);
+    }
+}

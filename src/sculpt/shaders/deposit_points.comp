@@ -1,0 +1,77 @@
+// Deposits points into the WIDTH^3 voxels around each with B-spline weights, as fixed-point integers, so that the sum does
+// not depend on the order. Marks the tiles it writes to. WIDTH 3: quadratic or, per axis, linear; 4: cubic or lower.
+// variants: WIDTH=3 FIXED_ONE=4194304.0 FIXED_LIMIT=1073741824u MAX_POINT_ENERGY=16.0;WIDTH=4 FIXED_ONE=4194304.0 FIXED_LIMIT=1073741824u MAX_POINT_ENERGY=16.0
+// In: storage 0 points (xyz voxel space, w energy). In/out: image 0 deposits, storage 1 one mark a tile.
+layout(local_size_x = 64) in;
+
+layout(std430, binding = 0) readonly buffer Points { vec4 points[]; };
+layout(std430, binding = 1) buffer Marks { uint marks[]; };
+layout(r32ui, binding = 0) uniform uimage3D deposits;
+
+layout(location = 0) uniform int count;
+layout(location = 1) uniform ivec3 originVoxel; // of texel 0
+layout(location = 2) uniform ivec3 tileDims;
+layout(location = 3) uniform ivec3 degrees;
+
+// Weights of the WIDTH voxels from the first on, along one axis; x: where the point lies beyond that first voxel.
+#if WIDTH == 3
+float[3] weightsAlong(int degree, float x) {
+    float u = x - 1.0; // in [-0.5, 0.5]
+    float before = degree == 1 ? max(-u, 0.0) : 0.5 * (0.5 - u) * (0.5 - u);
+    float after = degree == 1 ? max(u, 0.0) : 0.5 * (0.5 + u) * (0.5 + u);
+    return float[](before, 1.0 - before - after, after);
+}
+#else
+float[4] weightsAlong(int degree, float x) {
+    float weights[4];
+    for (int n = 0; n < 4; ++n) {
+        float d = abs(x - float(n));
+        float linear = max(1.0 - d, 0.0);
+        float outer = max(1.5 - d, 0.0);
+        float quadratic = d < 0.5 ? 0.75 - d * d : 0.5 * outer * outer;
+        float rest = max(2.0 - d, 0.0);
+        float cubic = d < 1.0 ? (0.5 * d - 1.0) * d * d + 2.0 / 3.0 : rest * rest * rest / 6.0;
+        weights[n] = degree == 1 ? linear : (degree == 2 ? quadratic : cubic);
+    }
+    return weights;
+}
+#endif
+
+void main() {
+    int index = int(gl_GlobalInvocationID.x);
+    if (index >= count) {
+        return;
+    }
+    vec4 point = points[index];
+    vec3 first = floor(point.xyz + (WIDTH == 3 ? 0.5 : 0.0)) - 1.0;
+    ivec3 texel = ivec3(first) - originVoxel;
+    float energy = clamp(point.w, 0.0, MAX_POINT_ENERGY) * FIXED_ONE;
+    if (any(lessThan(texel, ivec3(0))) || any(greaterThan(texel, tileDims * 8 - WIDTH)) || !(energy > 0.0)) {
+        return;
+    }
+    float wx[WIDTH] = weightsAlong(degrees.x, point.x - first.x);
+    float wy[WIDTH] = weightsAlong(degrees.y, point.y - first.y);
+    float wz[WIDTH] = weightsAlong(degrees.z, point.z - first.z);
+    uint highest = 0u;
+    for (int z = 0; z < WIDTH; ++z) {
+        for (int y = 0; y < WIDTH; ++y) {
+            float row = energy * wz[z] * wy[y];
+            for (int x = 0; x < WIDTH; ++x) {
+                uint amount = uint(row * wx[x] + 0.5);
+                highest = max(highest, imageAtomicAdd(deposits, texel + ivec3(x, y, z), amount));
+            }
+        }
+    }
+    // A full voxel is brought back to the limit, far below the wrap: what is read later is min(sum, limit) in any order.
+    if (highest >= FIXED_LIMIT) {
+        for (int n = 0; n < WIDTH * WIDTH * WIDTH; ++n) {
+            imageAtomicMin(deposits, texel + ivec3(n % WIDTH, (n / WIDTH) % WIDTH, n / (WIDTH * WIDTH)), FIXED_LIMIT);
+        }
+    }
+    ivec3 low = texel >> 3;
+    ivec3 high = (texel + WIDTH - 1) >> 3;
+    for (int n = 0; n < 8; ++n) {
+        ivec3 tile = ivec3((n & 1) != 0 ? high.x : low.x, (n & 2) != 0 ? high.y : low.y, (n & 4) != 0 ? high.z : low.z);
+        marks[(tile.z * tileDims.y + tile.y) * tileDims.x + tile.x] = 1u;
+    }
+}

@@ -1,0 +1,71 @@
+// Samples the solids that patches of a mask sweep, one invocation a patch. P(u, v, d) = start(u, v) + d * direction(u, v),
+// both bilinear between four corners; a sample carries mask * det(dP/du, dP/dv, dP/dd) du dv dd, in voxels.
+// In: storage 0 corners, storage 1 patches (sculpt/swept_patches.h), all in voxel space.
+// Out: storage 2 points (xyz voxel space, w energy), each patch from its own first place on.
+layout(local_size_x = 64) in;
+
+struct Corner {
+    vec4 start;     // w mask
+    vec4 direction;
+};
+struct Patch {
+    uint corners[4];
+    uint firstPoint;
+    uint counts;
+    float mask;
+    float unused;
+};
+
+layout(std430, binding = 0) readonly buffer Corners { Corner corners[]; };
+layout(std430, binding = 1) readonly buffer Patches { Patch patches[]; };
+layout(std430, binding = 2) writeonly buffer Points { vec4 points[]; };
+
+layout(location = 0) uniform int firstPatch;
+layout(location = 1) uniform int patchCount;
+layout(location = 2) uniform uint basePoint; // the buffer's first place belongs to this point
+layout(location = 3) uniform vec2 depths;    // from, to
+layout(location = 4) uniform float orientation; // sign of forward motion; 0: each patch's own near depth 0
+
+vec4 bilinear(vec4 a, vec4 b, vec4 c, vec4 d, vec2 uv) { return mix(mix(a, b, uv.x), mix(c, d, uv.x), uv.y); }
+
+void main() {
+    int index = int(gl_GlobalInvocationID.x);
+    if (index >= patchCount) {
+        return;
+    }
+    Patch p = patches[firstPatch + index];
+    Corner a = corners[p.corners[0]];
+    Corner b = corners[p.corners[1]];
+    Corner c = corners[p.corners[2]];
+    Corner d = corners[p.corners[3]];
+    ivec3 counts = ivec3(p.counts & 255u, (p.counts >> 8) & 255u, p.counts >> 16);
+    vec3 stride = vec3(1.0, 1.0, depths.y - depths.x) / vec3(counts);
+    float cellVolume = stride.x * stride.y * stride.z;
+
+    float nearest = clamp(0.0, depths.x, depths.y);
+    vec3 middleU = (b.start - a.start + d.start - c.start + nearest * (b.direction - a.direction + d.direction - c.direction)).xyz;
+    vec3 middleV = (c.start - a.start + d.start - b.start + nearest * (c.direction - a.direction + d.direction - b.direction)).xyz;
+    vec3 middleD = (a.direction + b.direction + c.direction + d.direction).xyz;
+    float forwards = orientation != 0.0 ? orientation : sign(dot(cross(middleU, middleV), middleD));
+
+    uint place = p.firstPoint - basePoint;
+    for (int j = 0; j < counts.y; ++j) {
+        for (int i = 0; i < counts.x; ++i) {
+            vec2 uv = (vec2(i, j) + 0.5) * stride.xy;
+            vec4 start = bilinear(a.start, b.start, c.start, d.start, uv);
+            vec3 direction = bilinear(a.direction, b.direction, c.direction, d.direction, uv).xyz;
+            vec3 startU = mix(b.start - a.start, d.start - c.start, uv.y).xyz;
+            vec3 startV = mix(c.start - a.start, d.start - b.start, uv.x).xyz;
+            vec3 directionU = mix(b.direction - a.direction, d.direction - c.direction, uv.y).xyz;
+            vec3 directionV = mix(c.direction - a.direction, d.direction - b.direction, uv.x).xyz;
+            float mask = p.mask >= 0.0 ? p.mask : start.w;
+            for (int k = 0; k < counts.z; ++k) {
+                float depth = depths.x + (float(k) + 0.5) * stride.z;
+                vec3 alongU = startU + depth * directionU;
+                vec3 alongV = startV + depth * directionV;
+                float density = max(forwards * dot(cross(alongU, alongV), direction), 0.0);
+                points[place++] = vec4(start.xyz + depth * direction, mask * density * cellVolume);
+            }
+        }
+    }
+}

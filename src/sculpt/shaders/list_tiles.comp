@@ -1,0 +1,70 @@
+// From the tiles that have deposits to the tiles that each pass of the convolution must compute: grown by one tile along
+// x, then y, then z (the taps reach less than a tile).
+// In: storage 0 one mark a tile. Out: storage 1 stages (bit 0 deposits, bits 1 to 3 computed by the pass along x, y, z),
+// storage 2 to 4 lists for those passes (see tiles.glsl), storage 5 lowest and highest tile of the last.
+layout(local_size_x = 8, local_size_y = 4, local_size_z = 2) in;
+
+layout(std430, binding = 0) readonly buffer Marks { uint marks[]; };
+layout(std430, binding = 1) writeonly buffer Stages { uint stages[]; };
+layout(std430, binding = 2) buffer ListX { uint listX[]; };
+layout(std430, binding = 3) buffer ListY { uint listY[]; };
+layout(std430, binding = 4) buffer ListZ { uint listZ[]; };
+layout(std430, binding = 5) buffer Bounds { int bounds[6]; };
+
+layout(location = 0) uniform ivec3 tileDims;
+layout(location = 1) uniform ivec3 insideLo; // tiles that reach into the grid: only those are results
+layout(location = 2) uniform ivec3 insideHi;
+
+const uint tileListRow = 32768u;
+
+uint markAt(ivec3 tile) {
+    bool inside = all(greaterThanEqual(tile, ivec3(0))) && all(lessThan(tile, tileDims));
+    return inside ? marks[(tile.z * tileDims.y + tile.y) * tileDims.x + tile.x] : 0u;
+}
+
+uint markAlongX(ivec3 tile) {
+    return markAt(tile - ivec3(1, 0, 0)) | markAt(tile) | markAt(tile + ivec3(1, 0, 0));
+}
+
+uint markAlongXY(ivec3 tile) {
+    return markAlongX(tile - ivec3(0, 1, 0)) | markAlongX(tile) | markAlongX(tile + ivec3(0, 1, 0));
+}
+
+void main() {
+    ivec3 tile = ivec3(gl_GlobalInvocationID);
+    if (any(greaterThanEqual(tile, tileDims))) {
+        return;
+    }
+    uint number = uint((tile.z * tileDims.y + tile.y) * tileDims.x + tile.x);
+    uint alongX = markAlongX(tile);
+    uint alongY = markAlongXY(tile);
+    uint alongZ = markAlongXY(tile - ivec3(0, 0, 1)) | alongY | markAlongXY(tile + ivec3(0, 0, 1));
+    bool isResult = all(greaterThanEqual(tile, insideLo)) && all(lessThan(tile, insideHi));
+    // Tiles with deposits are always visited last, because that pass also clears the deposits.
+    alongZ = isResult || markAt(tile) != 0u ? alongZ : 0u;
+    stages[number] = markAt(tile) | (alongX << 1) | (alongY << 2) | ((isResult ? alongZ : 0u) << 3);
+    if (alongX != 0u) {
+        uint slot = atomicAdd(listX[3], 1u);
+        listX[4u + slot] = number;
+        atomicMax(listX[0], min(slot + 1u, tileListRow));
+        atomicMax(listX[1], slot / tileListRow + 1u);
+    }
+    if (alongY != 0u) {
+        uint slot = atomicAdd(listY[3], 1u);
+        listY[4u + slot] = number;
+        atomicMax(listY[0], min(slot + 1u, tileListRow));
+        atomicMax(listY[1], slot / tileListRow + 1u);
+    }
+    if (alongZ != 0u) {
+        uint slot = atomicAdd(listZ[3], 1u);
+        listZ[4u + slot] = number;
+        atomicMax(listZ[0], min(slot + 1u, tileListRow));
+        atomicMax(listZ[1], slot / tileListRow + 1u);
+    }
+    if (alongZ != 0u && isResult) {
+        for (int axis = 0; axis < 3; ++axis) {
+            atomicMin(bounds[axis], tile[axis]);
+            atomicMax(bounds[3 + axis], tile[axis]);
+        }
+    }
+}

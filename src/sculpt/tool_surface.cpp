@@ -1,0 +1,294 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sculpt/tool_surface.h"
+
+#include "base/check.h"
+#include "sculpt/raster_blur.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+namespace vs::sculpt {
+
+namespace {
+
+constexpr double kMinPeak = 0.6;        // thin masks are raised until their radiation reaches this somewhere
+constexpr double kSmallestGapSteps = 3; // neighbours closer than this always belong together
+constexpr double kGapElements = 4;      // ... and those closer than this many elements
+constexpr int kMaxBlock = 16;           // cells of a block along each axis
+
+// Builds the patches of one sweep; the members are what its steps share.
+class SurfaceSweeper {
+public:
+    SurfaceSweeper(std::span<const field::SurfacePoint> points, const MaskRaster& mask,
+                   const volume::GridGeometry& geometry, const ToolSweep& sweep)
+        : points_(points), mask_(mask), sweep_(sweep), size_(mask.size),
+          stepsFromVoxel_(glm::mat3(geometry.worldFromVoxel) / float(geometry.stepMm())),
+          voxelFromSteps_(glm::inverse(stepsFromVoxel_)),
+          outside_(sweep.outsideSteps < 0 ? sweep.radius : sweep.outsideSteps),
+          out_(float(-outside_), float(sweep.depthSteps), 0) {}
+
+    SweptPatches run() {
+        if (!(sweep_.depthSteps > 0) || size_.x < 1 || size_.y < 1 || !anyHitUnderMask()) {
+            return std::move(out_);
+        }
+        chooseDirections();
+        measureSpacing();
+        if (sweep_.direction == ToolDirection::OwnNormal) {
+            smoothDirections();
+        }
+        addCorners(thinMaskGain());
+        findCells();
+        const int block = std::clamp(int(SweptPatches::kSpacing / spacing_), 1, kMaxBlock);
+        for (int j = -1; j < size_.y; j = j < 0 ? 0 : j + block) {
+            for (int i = -1; i < size_.x; i = i < 0 ? 0 : i + block) {
+                addBlock({i, j}, {i < 0 ? 1 : block, j < 0 ? 1 : block});
+            }
+        }
+        return std::move(out_);
+    }
+
+private:
+    enum class Cell : std::uint8_t { Nothing, Whole, Broken };
+
+    [[nodiscard]] std::size_t at(int i, int j) const {
+        return std::size_t(j) * std::size_t(size_.x) + std::size_t(i);
+    }
+    [[nodiscard]] bool isHit(int i, int j) const {
+        return i >= 0 && j >= 0 && i < size_.x && j < size_.y && points_[at(i, j)].voxel.w > 0.5F;
+    }
+    [[nodiscard]] glm::vec3 place(int i, int j) const { return glm::vec3(points_[at(i, j)].voxel); }
+    // Offset in steps (world axes) between two places in voxel space.
+    [[nodiscard]] glm::vec3 inSteps(const glm::vec3& voxels) const { return stepsFromVoxel_ * voxels; }
+
+    [[nodiscard]] bool anyHitUnderMask() const {
+        for (std::size_t n = 0; n < points_.size(); ++n) {
+            if (points_[n].voxel.w > 0.5F && mask_.values[n] > 0) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    // Unit directions in steps along the world's axes.
+    void chooseDirections() {
+        const glm::vec3 common(glm::normalize(sweep_.directionWorld));
+        directions_.resize(points_.size());
+        for (std::size_t n = 0; n < points_.size(); ++n) {
+            directions_[n] =
+                sweep_.direction == ToolDirection::Common ? common : -glm::vec3(points_[n].normal);
+        }
+    }
+
+    // The median distance, in steps, between the paths of neighbouring hits.
+    void measureSpacing() {
+        std::vector<float> distances;
+        const int stride = std::max(1, int(std::sqrt(double(points_.size()) / 2000)));
+        for (int j = 0; j < size_.y; j += stride) {
+            for (int i = 0; i < size_.x; i += stride) {
+                for (const glm::ivec2 next : {glm::ivec2(i + 1, j), glm::ivec2(i, j + 1)}) {
+                    if (isHit(i, j) && isHit(next.x, next.y)) {
+                        const glm::vec3 between = inSteps(place(next.x, next.y) - place(i, j));
+                        const float along = glm::dot(between, directions_[at(i, j)]);
+                        distances.push_back(
+                            std::sqrt(std::max(glm::dot(between, between) - along * along, 0.0F)));
+                    }
+                }
+            }
+        }
+        if (!distances.empty()) {
+            const auto middle = distances.begin() + std::ptrdiff_t(distances.size() / 2);
+            std::nth_element(distances.begin(), middle, distances.end());
+            spacing_ = std::max(double(*middle), 1e-3);
+        }
+        gap_ = float(std::max(kGapElements * spacing_, kSmallestGapSteps));
+    }
+
+    // Normals over an eighth of the mask's size, so that a rough surface does not scatter its paths; at least
+    // over what the radiation cannot resolve, and never so far that the shape of an organ is lost.
+    void smoothDirections() {
+        const auto filled =
+            std::count_if(mask_.values.begin(), mask_.values.end(), [](float m) { return m >= 0.5F; });
+        const double sigma = std::clamp(std::sqrt(double(filled)) / 8, 1.5 / spacing_, 8.0 / spacing_);
+        std::vector<glm::vec3> smooth(directions_.size(), glm::vec3(0));
+        for (std::size_t n = 0; n < smooth.size(); ++n) {
+            if (points_[n].voxel.w > 0.5F) {
+                smooth[n] = directions_[n];
+            }
+        }
+        blurRaster(smooth, size_, sigma);
+        for (std::size_t n = 0; n < smooth.size(); ++n) {
+            const float length = glm::length(smooth[n]);
+            if (length > 1e-6F && glm::dot(smooth[n], directions_[n]) > 0) {
+                directions_[n] = smooth[n] / length;
+            }
+        }
+    }
+
+    // How much more energy the mask needs so that its radiation reaches kMinPeak somewhere; 1 for all but
+    // thin masks.
+    [[nodiscard]] float thinMaskGain() const {
+        std::vector<float> spread(points_.size());
+        for (std::size_t n = 0; n < spread.size(); ++n) {
+            spread[n] = points_[n].voxel.w > 0.5F ? mask_.values[n] : 0.0F;
+        }
+        blurRaster(spread, size_, sweep_.radius / 3.0 / spacing_);
+        const float peak = *std::max_element(spread.begin(), spread.end());
+        return peak < kMinPeak && peak > 0 ? float(std::min(kMinPeak / double(peak), 1000.0)) : 1.0F;
+    }
+
+    void addCorners(float gain) {
+        out_.reserve(points_.size(), points_.size());
+        for (std::size_t n = 0; n < points_.size(); ++n) {
+            const bool hit = points_[n].voxel.w > 0.5F;
+            out_.addCorner(glm::vec3(points_[n].voxel), voxelFromSteps_ * directions_[n],
+                           hit ? gain * mask_.values[n] : 0.0F);
+        }
+    }
+
+    [[nodiscard]] bool isJoined(glm::ivec2 a, glm::ivec2 b) const {
+        if (!isHit(a.x, a.y) || !isHit(b.x, b.y)) {
+            return false;
+        }
+        const glm::vec3 between = inSteps(place(b.x, b.y) - place(a.x, a.y));
+        return glm::dot(between, between) <= gap_ * gap_;
+    }
+
+    [[nodiscard]] float cornerMask(int i, int j) const {
+        return isHit(i, j) ? out_.corners()[at(i, j)].start.w : 0.0F;
+    }
+
+    // Cell (i, j) lies between elements (i, j) and (i + 1, j + 1); cells of the raster's rim have elements on
+    // one side.
+    Cell& cell(int i, int j) {
+        return cells_[std::size_t(j + 1) * std::size_t(size_.x + 1) + std::size_t(i + 1)];
+    }
+    void findCells() {
+        cells_.assign(std::size_t(size_.x + 1) * std::size_t(size_.y + 1), Cell::Nothing);
+        for (int j = -1; j < size_.y; ++j) {
+            for (int i = -1; i < size_.x; ++i) {
+                const bool whole = isJoined({i, j}, {i + 1, j}) && isJoined({i, j + 1}, {i + 1, j + 1}) &&
+                                   isJoined({i, j}, {i, j + 1}) && isJoined({i + 1, j}, {i + 1, j + 1});
+                const bool any =
+                    whole || isHit(i, j) || isHit(i + 1, j) || isHit(i, j + 1) || isHit(i + 1, j + 1);
+                cell(i, j) = whole ? Cell::Whole : (any ? Cell::Broken : Cell::Nothing);
+            }
+        }
+    }
+
+    void addBlock(glm::ivec2 first, glm::ivec2 count) {
+        const glm::ivec2 end = glm::min(first + count, size_); // the rim's last cells are at size - 1
+        bool whole = true;
+        double sum = 0;
+        for (int j = first.y; j < end.y; ++j) {
+            for (int i = first.x; i < end.x; ++i) {
+                whole = whole && cell(i, j) == Cell::Whole;
+                sum +=
+                    cornerMask(i, j) + cornerMask(i + 1, j) + cornerMask(i, j + 1) + cornerMask(i + 1, j + 1);
+            }
+        }
+        if (sum <= 0) {
+            return;
+        }
+        const glm::ivec2 cells = end - first;
+        if (whole && cells.x * cells.y > 1) {
+            addPatch(first, cells, float(sum / (4.0 * cells.x * cells.y)));
+            return;
+        }
+        for (int j = first.y; j < end.y; ++j) {
+            for (int i = first.x; i < end.x; ++i) {
+                if (cell(i, j) == Cell::Whole) {
+                    addWholeCell({i, j});
+                } else if (cell(i, j) == Cell::Broken) {
+                    addQuarters({i, j});
+                }
+            }
+        }
+    }
+
+    void addPatch(glm::ivec2 c, glm::ivec2 cells, float mask) {
+        const glm::ivec2 d = c + cells;
+        out_.addPatch({std::uint32_t(at(c.x, c.y)), std::uint32_t(at(d.x, c.y)), std::uint32_t(at(c.x, d.y)),
+                       std::uint32_t(at(d.x, d.y))},
+                      mask);
+    }
+
+    void addWholeCell(glm::ivec2 c) {
+        if (cornerMask(c.x, c.y) + cornerMask(c.x + 1, c.y) + cornerMask(c.x, c.y + 1) +
+                cornerMask(c.x + 1, c.y + 1) >
+            0) {
+            addPatch(c, {1, 1}, -1);
+        }
+    }
+
+    // The step in voxel space from one element to the next along an axis of the raster, as a hit's neighbours
+    // tell it: along the surface where they belong together, else only across the element's own path.
+    [[nodiscard]] std::optional<glm::vec3> tangent(glm::ivec2 e, glm::ivec2 axis) const {
+        std::optional<glm::vec3> across;
+        for (const int side : {1, -1}) {
+            const glm::ivec2 next = e + side * axis;
+            if (isJoined(e, next)) {
+                return float(side) * (place(next.x, next.y) - place(e.x, e.y));
+            }
+            if (isHit(next.x, next.y) && !across) {
+                const glm::vec3 direction = directions_[at(e.x, e.y)];
+                const glm::vec3 between = inSteps(place(next.x, next.y) - place(e.x, e.y));
+                across =
+                    voxelFromSteps_ * (float(side) * (between - direction * glm::dot(between, direction)));
+            }
+        }
+        return across;
+    }
+
+    void addQuarters(glm::ivec2 c) {
+        for (int n = 0; n < 4; ++n) {
+            const glm::ivec2 side(n & 1, n >> 1);
+            const glm::ivec2 e = c + side;
+            const float mask = cornerMask(e.x, e.y);
+            if (!(mask > 0)) {
+                continue;
+            }
+            auto u = tangent(e, {1, 0});
+            auto v = tangent(e, {0, 1});
+            const glm::vec3 direction = directions_[at(e.x, e.y)];
+            if (!u && v) {
+                u = voxelFromSteps_ * glm::cross(direction, inSteps(*v));
+            } else if (u && !v) {
+                v = voxelFromSteps_ * glm::cross(direction, inSteps(*u));
+            } else if (!u) { // alone: nothing tells how large it is
+                continue;
+            }
+            const glm::vec3 halfU = (side.x == 0 ? 0.5F : -0.5F) * *u;
+            const glm::vec3 halfV = (side.y == 0 ? 0.5F : -0.5F) * *v;
+            std::array<std::uint32_t, 4> corners{};
+            for (std::size_t k = 0; k < 4; ++k) {
+                const glm::vec3 start = place(e.x, e.y) + float(k & 1U) * halfU + float(k >> 1U) * halfV;
+                corners[k] = out_.addCorner(start, voxelFromSteps_ * direction, mask);
+            }
+            out_.addPatch(corners);
+        }
+    }
+
+    std::span<const field::SurfacePoint> points_;
+    const MaskRaster& mask_;
+    const ToolSweep& sweep_;
+    glm::ivec2 size_;
+    glm::mat3 stepsFromVoxel_;
+    glm::mat3 voxelFromSteps_;
+    double outside_;
+    double spacing_ = 1; // steps between neighbouring elements
+    float gap_ = 0;      // steps; neighbours farther apart are not joined
+    std::vector<glm::vec3> directions_;
+    std::vector<Cell> cells_;
+    SweptPatches out_;
+};
+
+} // namespace
+
+SweptPatches sweepSurface(std::span<const field::SurfacePoint> points, const MaskRaster& mask,
+                          const volume::GridGeometry& geometry, const ToolSweep& sweep) {
+    VS_CHECK_EQ(points.size(), mask.values.size());
+    return SurfaceSweeper(points, mask, geometry, sweep).run();
+}
+
+} // namespace vs::sculpt

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "base/math.h"
+#include "gl/buffer.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace vs::segment {
+
+// The first and the last generation found in a brick of 32^3 voxels; 0, 0 when nothing has grown there. After
+// voxels were erased the span may be wider than what is left.
+struct GenerationSpan {
+    std::uint32_t first = 0;
+    std::uint32_t last = 0;
+
+    bool operator==(const GenerationSpan&) const = default;
+};
+
+// Which bricks growth has reached and when, on the device (written while growing) and on the CPU, and when
+// what a brick shows last changed. Bricks are numbered x fastest.
+class BrickTable {
+public:
+    explicit BrickTable(glm::ivec3 dims);
+
+    [[nodiscard]] glm::ivec3 brickDims() const { return brickDims_; }
+    [[nodiscard]] const gl::Buffer& onDevice() const { return onDevice_; }
+    // Voxels of one brick, clipped to the grid.
+    [[nodiscard]] Box3 box(std::uint32_t brick) const;
+    [[nodiscard]] glm::ivec3 brickAt(std::uint32_t brick) const;
+    [[nodiscard]] std::uint32_t brickOf(glm::ivec3 voxel) const;
+    [[nodiscard]] GenerationSpan span(std::uint32_t brick) const { return spans_[brick]; }
+    void setSpan(std::uint32_t brick, GenerationSpan span) { spans_[brick] = span; }
+    // Bricks that may hold a generation in (after, upTo].
+    [[nodiscard]] std::vector<std::uint32_t> holding(int after, int upTo) const;
+
+    // Reads what the device has written; the other way round after changes made here.
+    void download();
+    void upload();
+    // Widens a brick's span by a voxel of this generation, which must not be older than any in it.
+    void add(glm::ivec3 voxel, int generation);
+    // Takes note that generations after `last` were erased.
+    void truncate(int last);
+
+    // Counts changes of what is shown; bricks changed since an earlier count.
+    [[nodiscard]] std::uint64_t revision() const { return revision_; }
+    [[nodiscard]] std::vector<glm::ivec3> changedSince(std::uint64_t revision) const;
+    void markChanged(const std::vector<std::uint32_t>& bricks);
+
+private:
+    glm::ivec3 dims_;
+    glm::ivec3 brickDims_;
+    gl::Buffer onDevice_;
+    std::vector<GenerationSpan> spans_;
+    std::vector<std::uint64_t> changedAt_;
+    std::uint64_t revision_ = 0;
+};
+
+} // namespace vs::segment

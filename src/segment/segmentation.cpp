@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "segment/segmentation.h"
+
+#include "field/cell_ranges.h"
+#include "gl/pass.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+
+namespace vs::segment {
+
+namespace {
+
+constexpr int kTile = 16;
+constexpr int kReach = 3; // voxels that the kernel reaches to either side
+constexpr int kPadded = kTile + 2 * kReach;
+constexpr int kTilesPerBrick = field::kBrick / kTile;
+constexpr double kRadiusSteps = 3.0;
+// Tiles smoothed at a time: 512 take 15 MiB of values along x and 11 MiB along x and y.
+constexpr std::uint32_t kTilesAtOnce = 512;
+constexpr std::uint32_t kMaxGroups = 65535;
+
+// The Gaussian at 0..3 voxels along an axis, normalised. The spacing is at least one step, so sigma is at
+// most a voxel and 3 voxels hold all of it that 16 bits show.
+glm::vec4 kernel(double stepMm, double spacingMm) {
+    const double sigma = kRadiusSteps / 3.0 * stepMm / spacingMm;
+    double weights[4];
+    double sum = 0;
+    for (int i = 0; i < 4; ++i) {
+        weights[i] = std::exp(-0.5 * i * i / (sigma * sigma));
+        sum += i == 0 ? weights[i] : 2 * weights[i];
+    }
+    return glm::vec4(glm::dvec4(weights[0], weights[1], weights[2], weights[3]) / sum);
+}
+
+} // namespace
+
+Segmentation::Segmentation(const volume::GridGeometry& geometry)
+    : dims_(geometry.dims), tileDims_(divideUp(geometry.dims, kTile)),
+      texels_(geometry.dims, gl::Format::R16, gl::Filter::Linear, "segmentation"),
+      cells_(field::cellDims(geometry.dims), gl::Format::RG32F, gl::Filter::Nearest, "segmentation cells"),
+      pending_(std::size_t(tileDims_.x) * std::size_t(tileDims_.y) * std::size_t(tileDims_.z), 0),
+      tiles_(4, "segmentation tiles"), reach_(4, "segmentation reach"),
+      alongX_(kTilesAtOnce * kPadded * kPadded * kTile * sizeof(float), "smoothed along x"),
+      alongXY_(kTilesAtOnce * kPadded * kTile * kTile * sizeof(float), "smoothed along x and y"),
+      findChanges_("segment/shaders/find_changed_tiles.comp"), smoothX_("segment/shaders/smooth_x.comp"),
+      smoothY_("segment/shaders/smooth_y.comp"), smoothZ_("segment/shaders/smooth_z.comp"),
+      writePlain_("segment/shaders/write_membership.comp"),
+      summarize_("segment/shaders/summarize_tiles.comp") {
+    const glm::dvec3 spacing = geometry.spacing();
+    for (int axis = 0; axis < 3; ++axis) {
+        weights_[axis] = kernel(geometry.stepMm(), spacing[axis]);
+    }
+}
+
+glm::ivec3 Segmentation::tileAt(std::uint32_t tile) const {
+    const int i = int(tile);
+    return {i % tileDims_.x, i / tileDims_.x % tileDims_.y, i / (tileDims_.x * tileDims_.y)};
+}
+
+std::vector<std::uint32_t> Segmentation::candidateTiles(const Growth& growth) const {
+    std::vector<std::uint32_t> tiles;
+    for (const glm::ivec3 brick : growth.bricksChangedSince(seenRevision_)) {
+        const glm::ivec3 lo = brick * kTilesPerBrick;
+        const glm::ivec3 hi = glm::min(lo + kTilesPerBrick, tileDims_);
+        for (int z = lo.z; z < hi.z; ++z) {
+            for (int y = lo.y; y < hi.y; ++y) {
+                for (int x = lo.x; x < hi.x; ++x) {
+                    tiles.push_back(std::uint32_t((z * tileDims_.y + y) * tileDims_.x + x));
+                }
+            }
+        }
+    }
+    return tiles;
+}
+
+// Compares membership with what the volume holds, and notes in pending_ where changes reach.
+void Segmentation::findChanges(const Growth& growth, const std::vector<std::uint32_t>& tiles) {
+    tiles_.reserve(tiles.size() * sizeof(std::uint32_t));
+    tiles_.write(std::span<const std::uint32_t>(tiles));
+    reach_.reserve(tiles.size() * sizeof(std::uint32_t));
+    reach_.clear();
+    tiles_.bindStorage(0);
+    reach_.bindStorage(1);
+    growth.seedMap().bindTexture(0);
+    texels_.bindTexture(1);
+    findChanges_.set(0, dims_).set(1, tileDims_).set(2, growth.playhead());
+    for (std::uint32_t first = 0; first < tiles.size(); first += kMaxGroups) {
+        findChanges_.set(3, int(first));
+        findChanges_.dispatch({int(std::min<std::size_t>(kMaxGroups, tiles.size() - first)), 1, 1},
+                              gl::Barrier::Storage);
+    }
+    const auto reach = reach_.read<std::uint32_t>(tiles.size());
+    for (std::size_t i = 0; i < tiles.size(); ++i) {
+        pending_[tiles[i]] |= reach[i];
+    }
+}
+
+std::vector<std::uint32_t> Segmentation::tilesToSmooth() {
+    std::vector<std::uint32_t> tiles;
+    for (std::uint32_t i = 0; i < pending_.size(); ++i) {
+        for (int n = 0; n < 27 && pending_[i] != 0; ++n) {
+            const glm::ivec3 tile = tileAt(i) + glm::ivec3(n % 3, n / 3 % 3, n / 9) - 1;
+            if ((pending_[i] >> n & 1U) != 0 && glm::all(glm::greaterThanEqual(tile, glm::ivec3(0))) &&
+                glm::all(glm::lessThan(tile, tileDims_))) {
+                tiles.push_back(std::uint32_t((tile.z * tileDims_.y + tile.y) * tileDims_.x + tile.x));
+            }
+        }
+        pending_[i] = 0;
+    }
+    std::sort(tiles.begin(), tiles.end());
+    tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());
+    return tiles;
+}
+
+// Smooths tiles [first, first + count) of the list on the device.
+void Segmentation::smooth(const Growth& growth, std::uint32_t first, std::uint32_t count) {
+    growth.seedMap().bindTexture(0);
+    alongX_.bindStorage(1);
+    alongXY_.bindStorage(2);
+    const auto prepare = [&](gl::Program& program, int axis) {
+        program.set(0, dims_)
+            .set(1, tileDims_)
+            .set(2, growth.playhead())
+            .set(3, int(first))
+            .set(4, weights_[axis]);
+    };
+    prepare(smoothX_, 0);
+    prepare(smoothY_, 1);
+    prepare(smoothZ_, 2);
+    // Each pass reads what the one before it has written.
+    smoothX_.dispatchOver({kPadded * kPadded, int(count), 1}, gl::Barrier::Storage);
+    smoothY_.dispatchOver({kPadded * kTile, int(count), 1}, gl::Barrier::Storage);
+    texels_.bindImage(0, gl::Access::Write);
+    smoothZ_.dispatchOver({kTile * kTile, int(count), 1}, gl::Barrier::Texture);
+}
+
+Box3 Segmentation::update(const Growth& growth, Smoothing smoothing) {
+    const gl::Pass pass("update segmentation");
+    const auto candidates = candidateTiles(growth);
+    if (!candidates.empty()) {
+        findChanges(growth, candidates);
+    }
+    seenRevision_ = growth.revision();
+    std::vector<std::uint32_t> tiles;
+    if (smoothing == Smoothing::Smooth) {
+        tiles = tilesToSmooth();
+    } else {
+        std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(tiles),
+                     [&](std::uint32_t tile) { return pending_[tile] != 0; });
+    }
+    Box3 box;
+    for (const std::uint32_t tile : tiles) {
+        const glm::ivec3 lo = tileAt(tile) * kTile;
+        box = unite(box, {lo, glm::min(lo + kTile, dims_)});
+    }
+    if (tiles.empty()) {
+        return box;
+    }
+    ++version_;
+    tiles_.reserve(tiles.size() * sizeof(std::uint32_t));
+    tiles_.write(std::span<const std::uint32_t>(tiles));
+    tiles_.bindStorage(0);
+    const auto total = std::uint32_t(tiles.size());
+    for (std::uint32_t first = 0; first < total; first += kTilesAtOnce) {
+        const std::uint32_t count = std::min(kTilesAtOnce, total - first);
+        if (smoothing == Smoothing::Smooth) {
+            smooth(growth, first, count);
+        } else {
+            growth.seedMap().bindTexture(0);
+            texels_.bindImage(0, gl::Access::Write);
+            writePlain_.set(0, dims_).set(1, tileDims_).set(2, growth.playhead()).set(3, int(first));
+            writePlain_.dispatchOver({kTile * kTile, int(count), 1}, gl::Barrier::Texture);
+        }
+    }
+    texels_.bindTexture(1);
+    cells_.bindImage(1, gl::Access::Write);
+    for (std::uint32_t first = 0; first < total; first += kMaxGroups) {
+        summarize_.set(0, dims_).set(1, tileDims_).set(3, int(first)).set(5, cells_.size());
+        summarize_.dispatch({1, int(std::min(kMaxGroups, total - first)), 1}, gl::Barrier::Texture);
+    }
+    return box;
+}
+
+} // namespace vs::segment

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "gl/buffer.h"
+#include "gl/program.h"
+#include "gl/texture.h"
+#include "segment/growth.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace vs::segment {
+
+// Smooth: the region radiated by a Gaussian. Plain: 1 inside and 0 outside, for scrubbing; what was updated
+// so is smoothed by the next smooth update.
+enum class Smoothing { Plain, Smooth };
+
+// The anti-aliased region as renderer and surface extraction see it: the voxels shown by a Growth, convolved
+// with a separable Gaussian (sigma R/3 steps with R = 3, the same in mm along all axes; nothing lies outside
+// the grid), then held to the truth: at least 0.5 at each shown voxel's centre, below 0.5 at every other. The
+// surface is its 0.5 level.
+class Segmentation {
+public:
+    // Throws GlError when the device has no room (2 bytes a voxel, and 40 MiB of scratch).
+    explicit Segmentation(const volume::GridGeometry& geometry);
+
+    // Brings the volume up to date with what `growth` shows, always the same one. Cost follows the number of
+    // tiles of 16^3 voxels around which membership changed. Returns the box of voxels rewritten.
+    Box3 update(const Growth& growth, Smoothing smoothing = Smoothing::Smooth);
+
+    // R16, linear filter, values in [0, 1].
+    [[nodiscard]] const gl::Texture& texels() const { return texels_; }
+    // RG32F, smallest and largest value of each macrocell, as field::updateCellRanges makes them.
+    [[nodiscard]] const gl::Texture& cells() const { return cells_; }
+    // Counts the updates that changed something.
+    [[nodiscard]] std::uint64_t version() const { return version_; }
+
+private:
+    std::vector<std::uint32_t> candidateTiles(const Growth& growth) const;
+    void findChanges(const Growth& growth, const std::vector<std::uint32_t>& tiles);
+    std::vector<std::uint32_t> tilesToSmooth();
+    void smooth(const Growth& growth, std::uint32_t first, std::uint32_t count);
+    [[nodiscard]] glm::ivec3 tileAt(std::uint32_t tile) const;
+
+    glm::ivec3 dims_;
+    glm::ivec3 tileDims_;
+    glm::vec4 weights_[3]; // per axis: the kernel at 0, 1, 2 and 3 voxels
+    gl::Texture texels_;
+    gl::Texture cells_;
+    std::uint64_t seenRevision_ = 0;
+    std::uint64_t version_ = 0;
+    // Per tile: which of its 27 neighbours (itself included) changes there reach and that are not smoothed
+    // yet, bit (dx + 1) + 3 (dy + 1) + 9 (dz + 1).
+    std::vector<std::uint32_t> pending_;
+
+    gl::Buffer tiles_;
+    gl::Buffer reach_;
+    gl::Buffer alongX_;
+    gl::Buffer alongXY_;
+    gl::Program findChanges_;
+    gl::Program smoothX_;
+    gl::Program smoothY_;
+    gl::Program smoothZ_;
+    gl::Program writePlain_;
+    gl::Program summarize_;
+};
+
+} // namespace vs::segment

@@ -1,0 +1,40 @@
+// Smooths along z what is smooth along x and y, and holds the result to the truth: at least 0.5 at the region's voxels,
+// below 0.5 at all others. One invocation a row of 16 voxels along z, with a sliding window.
+// In: texture 0 seed map; storage 0 tiles, 2 with 16 x 16 x 22 values a tile. Out: image 0 segmentation (r16).
+#include "segment/shaders/tiles.glsl"
+
+layout(local_size_x = 64) in;
+
+layout(r16, binding = 0) uniform writeonly image3D segmentation;
+layout(std430, binding = 2) readonly buffer AlongXY { float alongXY[]; };
+
+void main() {
+    uint row = gl_GlobalInvocationID.x; // x + 16 y
+    const uint stride = uint(kTile * kTile);
+    ivec3 voxel = tileOrigin(gl_WorkGroupID.y) + ivec3(row % uint(kTile), row / uint(kTile), 0);
+    if (any(greaterThanEqual(voxel, dims))) {
+        return;
+    }
+    uint from = gl_WorkGroupID.y * uint(kPadded) * stride + row;
+    float a = 0.0;
+    float b = alongXY[from];
+    float c = alongXY[from + stride];
+    float d = alongXY[from + 2u * stride];
+    float e = alongXY[from + 3u * stride];
+    float f = alongXY[from + 4u * stride];
+    float g = alongXY[from + 5u * stride];
+    int depth = min(kTile, dims.z - voxel.z);
+    for (int z = 0; z < depth; ++z, ++voxel.z) {
+        a = b;
+        b = c;
+        c = d;
+        d = e;
+        e = f;
+        f = g;
+        g = alongXY[from + (uint(z) + 6u) * stride];
+        // In the texel's own units, where 0.5 lies between 32767 and 32768.
+        float texel = round(clamp(smoothed(a, b, c, d, e, f, g), 0.0, 1.0) * 65535.0);
+        texel = isMember(voxel) ? max(texel, 32768.0) : min(texel, 32767.0);
+        imageStore(segmentation, voxel, vec4(texel / 65535.0));
+    }
+}

@@ -1,0 +1,19 @@
+// Writes the region without smoothing: 1 at its voxels, 0 at all others. One invocation a row of 16 voxels along x.
+// In: texture 0 seed map; storage 0 tiles. Out: image 0 segmentation (r16).
+#include "segment/shaders/tiles.glsl"
+
+layout(local_size_x = 64) in;
+
+layout(r16, binding = 0) uniform writeonly image3D segmentation;
+
+void main() {
+    int row = int(gl_GlobalInvocationID.x);
+    ivec3 voxel = tileOrigin(gl_WorkGroupID.y) + ivec3(0, row & (kTile - 1), row >> 4);
+    if (any(greaterThanEqual(voxel, dims))) {
+        return;
+    }
+    int width = min(kTile, dims.x - voxel.x);
+    for (int x = 0; x < width; ++x, ++voxel.x) {
+        imageStore(segmentation, voxel, vec4(isMember(voxel) ? 1.0 : 0.0));
+    }
+}

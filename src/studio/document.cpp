@@ -1,0 +1,246 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/document.h"
+
+#include "base/check.h"
+#include "field/histogram.h"
+#include "studio/document_state.h"
+
+namespace vs::studio {
+
+namespace {
+
+// Greys of cut faces: the values of the object (those above `objectFrom`) without the rarest hundredth at
+// either end.
+Range greyWindow(const std::vector<std::uint32_t>& histogram, const Range& range, double objectFrom) {
+    const double binWidth = range.width() / double(histogram.size());
+    const auto countsFrom = [&](std::size_t bin) {
+        return range.lo + double(bin + 1) * binWidth > objectFrom;
+    };
+    double total = 0;
+    for (std::size_t i = 0; i < histogram.size(); ++i) {
+        total += countsFrom(i) ? histogram[i] : 0;
+    }
+    Range window{range.lo, range.hi};
+    double seen = 0;
+    for (std::size_t i = 0; i < histogram.size(); ++i) {
+        const double before = seen;
+        seen += countsFrom(i) ? histogram[i] : 0;
+        if (before <= 0.01 * total && seen > 0.01 * total) {
+            window.lo = range.lo + double(i) * binWidth;
+        }
+        if (before < 0.99 * total && seen >= 0.99 * total) {
+            window.hi = range.lo + double(i + 1) * binWidth;
+        }
+    }
+    // The darkest tissue of the object is dark grey, not black.
+    window.lo = std::max(range.lo, window.lo - 0.25 * window.width());
+    return window;
+}
+
+} // namespace
+
+Document::Impl::Impl(volume::Volume v)
+    : volume(std::move(v)), field(field::uploadVolume(volume)), histogram(field::intensityHistogram(field)),
+      sculpture(volume.geometry.dims), pipeline(field), region(field, sculpture), cutter(field, sculpture) {
+    view.range = field::suggestRange(histogram, volume.range);
+    grey = greyWindow(histogram, volume.range, view.range.lo);
+    loggedView = view;
+}
+
+render::Frame Document::Impl::frame(const View& from, glm::ivec2 size) {
+    Pipeline::State state;
+    state.view = &from;
+    state.sculpture = &sculpture;
+    state.growth = region.growth();
+    state.greyWindow = grey;
+    state.isCutting = stroke.has_value();
+    return pipeline.frame(state, size);
+}
+
+void Document::Impl::settle(std::optional<Canvas>& canvas) const {
+    if (!canvas) {
+        canvas = Canvas{view, Canvas{}.viewport};
+    }
+}
+
+void Document::Impl::record(Operation operation) {
+    if (!(view == loggedView)) {
+        log.emplace_back(SetView{view.camera, view.mode, view.range, view.sculptureView});
+        loggedView = view;
+    }
+    log.push_back(std::move(operation));
+}
+
+void Document::Impl::remember(Operation operation, std::optional<sculpt::BrickDelta> cut,
+                              Region::Records growth) {
+    history.push({std::move(operation), std::move(cut), std::move(growth)});
+    ++version;
+}
+
+Document::Document(volume::Volume volume) : impl_(std::make_unique<Impl>(std::move(volume))) {}
+Document::~Document() = default;
+
+const volume::Volume& Document::volume() const { return impl_->volume; }
+const field::Field& Document::field() const { return impl_->field; }
+const std::vector<std::uint32_t>& Document::histogram() const { return impl_->histogram; }
+const View& Document::view() const { return impl_->view; }
+const std::vector<Operation>& Document::log() const { return impl_->log; }
+bool Document::canUndo() const { return impl_->history.canUndo(); }
+bool Document::canRedo() const { return impl_->history.canRedo(); }
+std::uint64_t Document::version() const { return impl_->version; }
+
+Outcome Document::apply(const Operation& operation, const std::filesystem::path& outputFolder) {
+    VS_CHECK(!isStrokeOpen() && !isGrowing());
+    const Timer timer;
+    Operation resolved = operation;
+    Outcome outcome = std::visit([&](auto& op) { return impl_->run(op, outputFolder); }, resolved);
+    outcome.name = name(operation);
+    if (std::holds_alternative<SetView>(resolved)) {
+        impl_->log.push_back(std::move(resolved));
+    } else {
+        impl_->record(std::move(resolved));
+    }
+    outcome.milliseconds = timer.milliseconds();
+    return outcome;
+}
+
+void Document::look(const View& view) {
+    if (!(view == impl_->view)) {
+        impl_->view = view;
+        ++impl_->version;
+    }
+}
+
+render::Frame Document::frame(glm::ivec2 size) { return impl_->frame(impl_->view, size); }
+
+// --- live strokes
+
+void Document::beginPeel(const Sketch& mask, const Canvas& canvas) {
+    VS_CHECK(!isStrokeOpen() && !isGrowing());
+    Peel op;
+    op.mask = mask;
+    op.canvas = canvas;
+    impl_->beginStroke(op);
+}
+
+void Document::updatePeel(double layers) {
+    VS_CHECK(isStrokeOpen());
+    impl_->stroke->peelTo(layers);
+    ++impl_->version;
+}
+
+void Document::beginDrill(const Sketch& mask, const Canvas& canvas, double depthMax) {
+    VS_CHECK(!isStrokeOpen() && !isGrowing());
+    Drill op;
+    op.mask = mask;
+    op.canvas = canvas;
+    op.depthMax = depthMax;
+    impl_->beginStroke(op);
+}
+
+void Document::updateDrill(const sculpt::PenPoint& pen) {
+    VS_CHECK(isStrokeOpen());
+    impl_->stroke->drillAt(pen);
+    ++impl_->version;
+}
+
+bool Document::isStrokeOpen() const { return impl_->stroke.has_value(); }
+
+Outcome Document::commitStroke() {
+    VS_CHECK(isStrokeOpen());
+    const Operation operation = impl_->stroke->operation();
+    Outcome outcome = impl_->endStroke();
+    outcome.name = name(operation);
+    outcome.milliseconds = impl_->strokeTimer.milliseconds();
+    if (outcome.voxelsTouched > 0) {
+        impl_->record(operation);
+    }
+    return outcome;
+}
+
+void Document::discardStroke() {
+    VS_CHECK(isStrokeOpen());
+    impl_->stroke->discard();
+    impl_->stroke.reset();
+    ++impl_->version;
+}
+
+// --- live growth
+
+void Document::beginGrowth() {
+    VS_CHECK(!isStrokeOpen() && !isGrowing());
+    Impl::LiveGrowth live;
+    live.voxelsBefore = impl_->grownVoxels();
+    impl_->region.beginLive(impl_->view.sculptureView, live.records);
+    impl_->live = std::move(live);
+}
+
+bool Document::growFor(double budgetMs, int maxGenerations) {
+    VS_CHECK(isGrowing());
+    impl_->live->generations += impl_->region.growFor(budgetMs, maxGenerations);
+    ++impl_->version;
+    return !impl_->region.growth()->isFinished();
+}
+
+bool Document::isGrowing() const { return impl_->live.has_value(); }
+
+Outcome Document::endGrowth() {
+    VS_CHECK(isGrowing());
+    Impl::LiveGrowth live = std::move(*impl_->live);
+    impl_->live.reset();
+    impl_->region.endLive(live.records);
+    Outcome outcome = impl_->describeGrowth(live.generations, live.voxelsBefore);
+    const Operation operation = Grow{live.generations};
+    outcome.name = name(operation);
+    outcome.milliseconds = live.timer.milliseconds();
+    impl_->remember(operation, {}, std::move(live.records));
+    impl_->record(operation);
+    return outcome;
+}
+
+Document::GrowthStatus Document::growth() const {
+    GrowthStatus status;
+    if (const segment::Growth* growth = impl_->region.growth()) {
+        status.generation = growth->playhead();
+        status.extent = growth->extent();
+        status.voxels = std::size_t(growth->voxelCount());
+        status.millilitres = double(status.voxels) * impl_->volume.geometry.voxelMm3() / 1000;
+        status.range = growth->constraints().range;
+        status.hasSeeds = impl_->region.hasSeeds();
+    }
+    return status;
+}
+
+// --- asking
+
+std::optional<Document::Probe> Document::probe(glm::dvec2 pixel, glm::ivec2 viewport) {
+    const glm::vec2 position(pixel);
+    const auto points =
+        impl_->picker.pickPoints(impl_->frame(impl_->view, viewport), std::span(&position, 1));
+    if (points.front().voxel.w < 0.5F) {
+        return std::nullopt;
+    }
+    const auto& geometry = impl_->volume.geometry;
+    Probe probe;
+    probe.voxel = glm::dvec3(points.front().voxel);
+    probe.world = glm::dvec3(geometry.worldFromVoxel * glm::dvec4(probe.voxel, 1.0));
+    probe.value =
+        impl_->volume.at(glm::clamp(glm::ivec3(glm::round(probe.voxel)), glm::ivec3(0), geometry.dims - 1));
+    return probe;
+}
+
+std::vector<std::byte> Document::sculptureBytes() const {
+    return impl_->sculpture.download(impl_->volume.geometry.box());
+}
+
+std::vector<std::uint32_t> Document::generations() const {
+    return impl_->region.exists() ? impl_->region.growth()->generations(true)
+                                  : std::vector<std::uint32_t>(impl_->volume.geometry.voxelCount(), 0);
+}
+
+std::vector<std::uint8_t> Document::labels() const {
+    return impl_->region.exists() ? impl_->region.growth()->labels()
+                                  : std::vector<std::uint8_t>(impl_->volume.geometry.voxelCount(), 0);
+}
+
+} // namespace vs::studio

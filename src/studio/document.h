@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "field/cell_ranges.h"
+#include "field/field.h"
+#include "render/picker.h"
+#include "render/ray_caster.h"
+#include "studio/operation.h"
+#include "volume/volume.h"
+
+#include <filesystem>
+#include <memory>
+
+namespace vs::studio {
+
+// What applying one operation did.
+struct Outcome {
+    std::string name;
+    double milliseconds = 0;
+    std::size_t voxelsTouched = 0; // sculpture voxels changed, or voxels grown or taken back
+    std::string message;           // for the status line, one line
+};
+
+// A volume with everything a person has done to it. All edits go through apply(), or through one of the live
+// strokes below, which end as one operation. Needs a current GL context for its whole life; one thread.
+class Document {
+public:
+    // Takes the volume and uploads it. The first displayed range is the suggested one.
+    explicit Document(volume::Volume volume);
+    ~Document();
+    Document(const Document&) = delete;
+    Document& operator=(const Document&) = delete;
+
+    [[nodiscard]] const volume::Volume& volume() const;
+    [[nodiscard]] const field::Field& field() const;
+    // Voxel counts over volume().range, 256 bins.
+    [[nodiscard]] const std::vector<std::uint32_t>& histogram() const;
+    [[nodiscard]] const View& view() const;
+    // All operations so far, in order, pictures and label maps included: what a session saves.
+    [[nodiscard]] const std::vector<Operation>& log() const;
+
+    // Applies one operation and appends it to the log. `outputFolder` is where pictures and label maps go.
+    // Throws Error (one line) and changes nothing if the operation makes no sense here.
+    Outcome apply(const Operation& operation, const std::filesystem::path& outputFolder = ".");
+
+    // Changes the view without logging; used while the view is being dragged. The next apply() logs it first.
+    void look(const View& view);
+
+    [[nodiscard]] bool canUndo() const;
+    [[nodiscard]] bool canRedo() const;
+
+    // A frame of the current view, ready for a RayCaster or Picker. Brings macrocells up to date first. Valid
+    // until the document is changed or another frame is made.
+    render::Frame frame(glm::ivec2 size);
+
+    // Counts document changes that a picture can show (view, sculpture, segmentation).
+    [[nodiscard]] std::uint64_t version() const;
+
+    // Live strokes: what the pen does now is seen at once; commit() appends one operation and one undo step,
+    // the same as apply() of that operation would have given; discard() leaves no trace. One at a time;
+    // apply() must not be called before it ends.
+    void beginPeel(const Sketch& mask, const Canvas& canvas);
+    void updatePeel(double layers); // the total so far; fewer than before puts layers back
+    void beginDrill(const Sketch& mask, const Canvas& canvas, double depthMax);
+    void updateDrill(const sculpt::PenPoint& pen);
+    [[nodiscard]] bool isStrokeOpen() const;
+    Outcome commitStroke();
+    void discardStroke();
+
+    // Live growth: play in slices of about `budgetMs`; endGrowth() appends one Grow operation for all of
+    // them. Returns false when nothing grows any more.
+    void beginGrowth();
+    bool growFor(double budgetMs, int maxGenerations);
+    [[nodiscard]] bool isGrowing() const;
+    Outcome endGrowth();
+
+    struct GrowthStatus {
+        int generation = 0;     // the one shown
+        int extent = 0;         // the last one computed
+        std::size_t voxels = 0; // grown at the generation shown
+        double millilitres = 0;
+        Range range; // intensity range of the run
+        bool hasSeeds = false;
+    };
+    [[nodiscard]] GrowthStatus growth() const;
+
+    // Value and place under a viewport position: the surface point there. Nothing if the ray meets nothing.
+    struct Probe {
+        glm::dvec3 voxel{0};
+        glm::dvec3 world{0};
+        double value = 0;
+    };
+    std::optional<Probe> probe(glm::dvec2 pixel, glm::ivec2 viewport);
+
+    // Bytes of the states that undo must restore, for tests and checks.
+    [[nodiscard]] std::vector<std::byte> sculptureBytes() const;
+    [[nodiscard]] std::vector<std::uint32_t> generations() const; // at the generation shown; 0 = not grown
+    [[nodiscard]] std::vector<std::uint8_t> labels() const;       // 1 = grown
+
+private:
+    struct Impl;
+    std::unique_ptr<Impl> impl_;
+};
+
+} // namespace vs::studio

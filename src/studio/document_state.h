@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "base/timer.h"
+#include "studio/cut_stroke.h"
+#include "studio/document.h"
+#include "studio/history.h"
+#include "studio/pipeline.h"
+#include "studio/region.h"
+
+#include <optional>
+
+namespace vs::studio {
+
+// What a Document holds, and one function per operation. Private to the document's own files.
+struct Document::Impl {
+    explicit Impl(volume::Volume v);
+
+    // Each carries out one operation, fills in what it found (canvas, seed voxels), and remembers how to undo
+    // it. Throws Error before anything has changed. `folder` is where files go.
+    Outcome run(SetView& op, const std::filesystem::path& folder);
+    Outcome run(Peel& op, const std::filesystem::path& folder);
+    Outcome run(Drill& op, const std::filesystem::path& folder);
+    Outcome run(Seed& op, const std::filesystem::path& folder);
+    Outcome run(Grow& op, const std::filesystem::path& folder);
+    Outcome run(Rewind& op, const std::filesystem::path& folder);
+    Outcome run(SetGrowthRange& op, const std::filesystem::path& folder);
+    Outcome run(Undo& op, const std::filesystem::path& folder);
+    Outcome run(Redo& op, const std::filesystem::path& folder);
+    Outcome run(UnCut& op, const std::filesystem::path& folder);
+    Outcome run(ReSeed& op, const std::filesystem::path& folder);
+    Outcome run(SavePicture& op, const std::filesystem::path& folder);
+    Outcome run(SaveLabels& op, const std::filesystem::path& folder);
+    Outcome run(SaveSculpture& op, const std::filesystem::path& folder);
+
+    render::Frame frame(const View& from, glm::ivec2 size);
+    // The canvas given, or the document's view on the usual viewport.
+    void settle(std::optional<Canvas>& canvas) const;
+    // Appends to the log, after the view that it happened in.
+    void record(Operation operation);
+
+    // Opens a stroke of a Peel or Drill whose canvas is set.
+    template <typename Cut>
+    void beginStroke(const Cut& op) {
+        strokeTimer = Timer();
+        stroke.emplace(cutter, picker, frame(op.canvas->view, op.canvas->viewport), op);
+    }
+    Outcome endStroke();
+    segment::SeedCounts plant(const Seed& op, Region::Records& records);
+    [[nodiscard]] std::size_t grownVoxels() const;
+    [[nodiscard]] Outcome describeGrowth(int generations, std::size_t voxelsBefore) const;
+    Region::Records repeat(const Operation& operation);
+    void remember(Operation operation, std::optional<sculpt::BrickDelta> cut, Region::Records growth);
+    Outcome travel(Step& step, bool isUndo);
+
+    volume::Volume volume;
+    field::Field field;
+    std::vector<std::uint32_t> histogram;
+    sculpt::Sculpture sculpture;
+    Pipeline pipeline;
+    Region region;
+    Cutter cutter;
+    render::Picker picker;
+    std::optional<render::RayCaster> caster; // for SavePicture; made when first used
+    History history;
+    std::vector<Operation> log;
+    View view;
+    View loggedView; // what replaying the log would show
+    Range grey;
+    std::uint64_t version = 0;
+
+    std::optional<CutStroke> stroke; // the live peel or drill
+    struct LiveGrowth {
+        Region::Records records;
+        int generations = 0;
+        std::size_t voxelsBefore = 0;
+        Timer timer;
+    };
+    std::optional<LiveGrowth> live;
+    Timer strokeTimer;
+};
+
+} // namespace vs::studio

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "sculpt/brick_backup.h"
+#include "segment/growth_undo.h"
+#include "studio/operation.h"
+
+#include <optional>
+#include <vector>
+
+namespace vs::studio {
+
+// One undoable edit: the operation, and what takes it back. A cut is a delta of bricks that swaps both ways;
+// a change of the region is undone by its records, newest first, and redone by applying the operation again.
+struct Step {
+    Operation operation;
+    std::optional<sculpt::BrickDelta> cut;
+    std::vector<segment::GrowthUndo> growth;
+};
+
+// Undo and redo without limit. A new step forgets what could be redone.
+class History {
+public:
+    void push(Step step) {
+        done_.push_back(std::move(step));
+        undone_.clear();
+    }
+    [[nodiscard]] bool canUndo() const { return !done_.empty(); }
+    [[nodiscard]] bool canRedo() const { return !undone_.empty(); }
+
+    // The step to take back; it becomes the one to redo.
+    Step& undo() { return move(done_, undone_); }
+    // The step to apply again; it becomes the one to undo.
+    Step& redo() { return move(undone_, done_); }
+
+private:
+    static Step& move(std::vector<Step>& from, std::vector<Step>& to) {
+        to.push_back(std::move(from.back()));
+        from.pop_back();
+        return to.back();
+    }
+
+    std::vector<Step> done_;
+    std::vector<Step> undone_;
+};
+
+} // namespace vs::studio

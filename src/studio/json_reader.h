@@ -1,0 +1,140 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "base/error.h"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+#include <cmath>
+#include <initializer_list>
+#include <string>
+
+namespace vs::studio {
+
+// Reads one JSON value and knows where it stands, so that every complaint names the place: "head.json:
+// operation 3: mask.points[7]: must be a number". Throws SessionError.
+class JsonReader {
+public:
+    using Json = nlohmann::ordered_json;
+
+    JsonReader(const Json& json, std::string where, std::string path = "")
+        : json_(json), where_(std::move(where)), path_(std::move(path)) {}
+
+    [[noreturn]] void fail(const std::string& wanted) const {
+        throw SessionError("{}: {}{}{}", where_, path_, path_.empty() ? "" : ": ", wanted);
+    }
+
+    [[nodiscard]] JsonReader member(const char* key) const {
+        expectObject();
+        if (!json_.contains(key)) {
+            fail(std::string("the member '") + key + "' is missing");
+        }
+        return {json_.at(key), where_, path_.empty() ? key : path_ + "." + key};
+    }
+
+    template <typename F>
+    void ifHas(const char* key, F&& read) const {
+        expectObject();
+        if (json_.contains(key)) {
+            read(member(key));
+        }
+    }
+
+    // Complains about members that mean nothing here: a misspelt one must not be ignored.
+    void allow(std::initializer_list<const char*> keys) const {
+        expectObject();
+        for (const auto& item : json_.items()) {
+            if (std::find(keys.begin(), keys.end(), item.key()) == keys.end()) {
+                std::string all;
+                for (const char* key : keys) {
+                    all += std::string(all.empty() ? "" : ", ") + key;
+                }
+                fail("the member '" + item.key() + "' is not known here; known are " + all);
+            }
+        }
+    }
+
+    [[nodiscard]] std::size_t size() const {
+        if (!json_.is_array()) {
+            fail("must be a list");
+        }
+        return json_.size();
+    }
+
+    void expectSize(std::size_t wanted) const {
+        if (size() != wanted) {
+            fail("must be a list of " + std::to_string(wanted) + " numbers");
+        }
+    }
+
+    [[nodiscard]] JsonReader at(std::size_t index) const {
+        if (index >= size()) {
+            fail("must have at least " + std::to_string(index + 1) + " entries");
+        }
+        return {json_.at(index), where_, path_ + "[" + std::to_string(index) + "]"};
+    }
+
+    [[nodiscard]] double number() const {
+        if (!json_.is_number() || !std::isfinite(json_.get<double>())) {
+            fail("must be a number");
+        }
+        return json_.get<double>();
+    }
+
+    [[nodiscard]] double numberBetween(double lo, double hi) const {
+        const double value = number();
+        if (value < lo || value > hi) {
+            fail(fmt::format("{} is out of bounds; {} to {} is allowed", value, lo, hi));
+        }
+        return value;
+    }
+
+    [[nodiscard]] long integerBetween(long lo, long hi) const {
+        if (!json_.is_number_integer()) {
+            fail("must be a whole number");
+        }
+        return long(numberBetween(double(lo), double(hi)));
+    }
+
+    [[nodiscard]] bool boolean() const {
+        if (!json_.is_boolean()) {
+            fail("must be true or false");
+        }
+        return json_.get<bool>();
+    }
+
+    [[nodiscard]] std::string text() const {
+        if (!json_.is_string()) {
+            fail("must be a text");
+        }
+        return json_.get<std::string>();
+    }
+
+    // One of the names, as the enumerator of the same place.
+    template <typename Enum, std::size_t N>
+    [[nodiscard]] Enum choice(const std::array<const char*, N>& names) const {
+        const std::string value = text();
+        std::string all;
+        for (std::size_t i = 0; i < N; ++i) {
+            if (value == names[i]) {
+                return static_cast<Enum>(i);
+            }
+            all += std::string(all.empty() ? "" : ", ") + names[i];
+        }
+        fail("'" + value + "' is not known; choose one of " + all);
+    }
+
+private:
+    void expectObject() const {
+        if (!json_.is_object()) {
+            fail("must be an object");
+        }
+    }
+
+    const Json& json_;
+    std::string where_;
+    std::string path_;
+};
+
+} // namespace vs::studio

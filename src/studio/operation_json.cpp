@@ -1,0 +1,351 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/operation_json.h"
+
+#include "base/error.h"
+#include "studio/json_reader.h"
+
+#include <nlohmann/json.hpp>
+
+#include <array>
+
+namespace vs::studio {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+constexpr std::array<const char*, 5> kShapes{"free-form", "ellipse", "circle", "rectangle", "polyline"};
+constexpr std::array<const char*, 3> kSculptureViews{"whole", "cut", "probe"};
+constexpr std::array<const char*, 2> kProjections{"perspective", "orthographic"};
+constexpr std::array<const char*, 5> kModes{"surface", "mip", "xray", "overlay", "segment"};
+
+// --- values to JSON
+
+Json pair(double a, double b) { return Json::array({a, b}); }
+
+Json toJson(const Range& range) { return pair(range.lo, range.hi); }
+
+Json toJson(const render::Camera& camera) {
+    return {{"azimuth", camera.azimuthDegrees},
+            {"elevation", camera.elevationDegrees},
+            {"zoom", camera.zoom},
+            {"pan", pair(camera.panMm.x, camera.panMm.y)},
+            {"projection", kProjections[std::size_t(camera.projection)]}};
+}
+
+Json toJson(const Sketch& sketch) {
+    Json points = Json::array();
+    for (const auto& p : sketch.points) {
+        points.push_back(pair(p.x, p.y));
+    }
+    return {{"shape", kShapes[std::size_t(sketch.shape)]}, {"points", points}};
+}
+
+Json toJson(const Canvas& canvas) {
+    return {{"viewport", Json::array({canvas.viewport.x, canvas.viewport.y})},
+            {"camera", toJson(canvas.view.camera)},
+            {"mode", kModes[std::size_t(canvas.view.mode)]},
+            {"range", toJson(canvas.view.range)},
+            {"sculptureView", kSculptureViews[std::size_t(canvas.view.sculptureView)]}};
+}
+
+template <typename T>
+void addIfSet(Json& json, const char* key, const std::optional<T>& value) {
+    if (value) {
+        json[key] = toJson(*value);
+    }
+}
+
+// --- one writer per operation, into an object that already has "op"
+
+void write(Json& j, const SetView& op) {
+    addIfSet(j, "camera", op.camera);
+    if (op.mode) {
+        j["mode"] = kModes[std::size_t(*op.mode)];
+    }
+    addIfSet(j, "range", op.range);
+    if (op.sculptureView) {
+        j["sculptureView"] = kSculptureViews[std::size_t(*op.sculptureView)];
+    }
+}
+
+void write(Json& j, const Peel& op) {
+    j["layers"] = op.layers;
+    j["radius"] = op.radius;
+    j["mask"] = toJson(op.mask);
+    addIfSet(j, "canvas", op.canvas);
+}
+
+void write(Json& j, const Drill& op) {
+    j["depthMax"] = op.depthMax;
+    j["radius"] = op.radius;
+    j["mask"] = toJson(op.mask);
+    Json stroke = Json::array();
+    for (const auto& pen : op.stroke) {
+        stroke.push_back(Json::array({pen.pixel.x, pen.pixel.y, pen.pressure}));
+    }
+    j["stroke"] = stroke;
+    addIfSet(j, "canvas", op.canvas);
+}
+
+void write(Json& j, const Seed& op) {
+    j["width"] = op.widthPixels;
+    j["connectivity"] = op.connectivity;
+    addIfSet(j, "range", op.range);
+    Json strokes = Json::array();
+    for (const auto& stroke : op.strokes) {
+        strokes.push_back(toJson(stroke));
+    }
+    j["strokes"] = strokes;
+    Json voxels = Json::array();
+    for (const auto& v : op.voxels) {
+        voxels.push_back(Json::array({v.x, v.y, v.z}));
+    }
+    j["voxels"] = voxels;
+    addIfSet(j, "canvas", op.canvas);
+}
+
+void write(Json& j, const Grow& op) {
+    if (op.generations) {
+        j["generations"] = *op.generations;
+    }
+}
+
+void write(Json& j, const Rewind& op) { j["generations"] = op.generations; }
+void write(Json& j, const SetGrowthRange& op) { j["range"] = toJson(op.range); }
+void write(Json&, const Undo&) {}
+void write(Json&, const Redo&) {}
+void write(Json&, const UnCut&) {}
+void write(Json&, const ReSeed&) {}
+
+void write(Json& j, const SavePicture& op) {
+    j["file"] = op.file;
+    j["size"] = Json::array({op.size.x, op.size.y});
+    j["samples"] = op.samples;
+}
+
+void write(Json& j, const SaveLabels& op) { j["file"] = op.file; }
+void write(Json& j, const SaveSculpture& op) { j["file"] = op.file; }
+
+// --- JSON to values
+
+Range readRange(const JsonReader& reader) {
+    const Range range{reader.at(0).number(), reader.at(1).number()};
+    reader.expectSize(2);
+    if (range.lo > range.hi) {
+        reader.fail("its first number must not be above its second");
+    }
+    return range;
+}
+
+glm::dvec2 readPoint(const JsonReader& reader) {
+    reader.expectSize(2);
+    return {reader.at(0).number(), reader.at(1).number()};
+}
+
+render::Camera readCamera(const JsonReader& reader) {
+    reader.allow({"azimuth", "elevation", "zoom", "pan", "projection"});
+    render::Camera camera;
+    reader.ifHas("azimuth", [&](const JsonReader& r) { camera.azimuthDegrees = r.number(); });
+    reader.ifHas("elevation", [&](const JsonReader& r) { camera.elevationDegrees = r.number(); });
+    reader.ifHas("zoom", [&](const JsonReader& r) { camera.zoom = r.numberBetween(1e-3, 1e3); });
+    reader.ifHas("pan", [&](const JsonReader& r) { camera.panMm = readPoint(r); });
+    reader.ifHas("projection", [&](const JsonReader& r) {
+        camera.projection = r.choice<render::Projection>(kProjections);
+    });
+    return camera;
+}
+
+Sketch readSketch(const JsonReader& reader) {
+    reader.allow({"shape", "points"});
+    Sketch sketch;
+    sketch.shape = reader.member("shape").choice<Shape>(kShapes);
+    const JsonReader points = reader.member("points");
+    for (std::size_t i = 0; i < points.size(); ++i) {
+        sketch.points.push_back(readPoint(points.at(i)));
+    }
+    const bool isBox = sketch.shape != Shape::FreeForm && sketch.shape != Shape::Polyline;
+    if (isBox && sketch.points.size() != 2) {
+        points.fail("this shape takes exactly two points");
+    }
+    return sketch;
+}
+
+glm::ivec2 readSize(const JsonReader& reader) {
+    reader.expectSize(2);
+    return {int(reader.at(0).integerBetween(1, 16384)), int(reader.at(1).integerBetween(1, 16384))};
+}
+
+Canvas readCanvas(const JsonReader& reader) {
+    reader.allow({"viewport", "camera", "mode", "range", "sculptureView"});
+    Canvas canvas;
+    canvas.viewport = readSize(reader.member("viewport"));
+    canvas.view.camera = readCamera(reader.member("camera"));
+    canvas.view.mode = reader.member("mode").choice<render::Mode>(kModes);
+    canvas.view.range = readRange(reader.member("range"));
+    canvas.view.sculptureView = reader.member("sculptureView").choice<field::SculptureView>(kSculptureViews);
+    return canvas;
+}
+
+// A file in the output folder: a plain relative path that stays inside.
+std::string readFileName(const JsonReader& reader) {
+    const std::filesystem::path path = reader.text();
+    bool leaves = path.empty() || path.is_absolute();
+    for (const auto& part : path) {
+        leaves = leaves || part == "..";
+    }
+    if (leaves) {
+        reader.fail("a file name inside the output folder is wanted");
+    }
+    return path.string();
+}
+
+// --- one reader per operation
+
+Operation readView(const JsonReader& reader) {
+    reader.allow({"op", "camera", "mode", "range", "sculptureView"});
+    SetView op;
+    reader.ifHas("camera", [&](const JsonReader& r) { op.camera = readCamera(r); });
+    reader.ifHas("mode", [&](const JsonReader& r) { op.mode = r.choice<render::Mode>(kModes); });
+    reader.ifHas("range", [&](const JsonReader& r) { op.range = readRange(r); });
+    reader.ifHas("sculptureView", [&](const JsonReader& r) {
+        op.sculptureView = r.choice<field::SculptureView>(kSculptureViews);
+    });
+    return op;
+}
+
+Operation readPeel(const JsonReader& reader) {
+    reader.allow({"op", "layers", "radius", "mask", "canvas"});
+    Peel op;
+    op.layers = reader.member("layers").numberBetween(0, 4096);
+    reader.ifHas("radius", [&](const JsonReader& r) { op.radius = int(r.integerBetween(2, 4)); });
+    op.mask = readSketch(reader.member("mask"));
+    reader.ifHas("canvas", [&](const JsonReader& r) { op.canvas = readCanvas(r); });
+    return op;
+}
+
+Operation readDrill(const JsonReader& reader) {
+    reader.allow({"op", "depthMax", "radius", "mask", "stroke", "canvas"});
+    Drill op;
+    reader.ifHas("depthMax", [&](const JsonReader& r) { op.depthMax = r.numberBetween(0, 4096); });
+    reader.ifHas("radius", [&](const JsonReader& r) { op.radius = int(r.integerBetween(2, 4)); });
+    op.mask = readSketch(reader.member("mask"));
+    reader.ifHas("stroke", [&](const JsonReader& r) {
+        for (std::size_t i = 0; i < r.size(); ++i) {
+            const JsonReader pen = r.at(i);
+            pen.expectSize(3);
+            op.stroke.push_back({{pen.at(0).number(), pen.at(1).number()}, pen.at(2).numberBetween(0, 1)});
+        }
+    });
+    reader.ifHas("canvas", [&](const JsonReader& r) { op.canvas = readCanvas(r); });
+    return op;
+}
+
+Operation readSeed(const JsonReader& reader) {
+    reader.allow({"op", "width", "connectivity", "range", "strokes", "voxels", "canvas"});
+    Seed op;
+    reader.ifHas("width", [&](const JsonReader& r) { op.widthPixels = r.numberBetween(0.1, 1000); });
+    reader.ifHas("connectivity", [&](const JsonReader& r) {
+        op.connectivity = int(r.integerBetween(6, 26));
+        if (op.connectivity != 6 && op.connectivity != 26) {
+            r.fail("must be 6 or 26");
+        }
+    });
+    reader.ifHas("range", [&](const JsonReader& r) { op.range = readRange(r); });
+    reader.ifHas("strokes", [&](const JsonReader& r) {
+        for (std::size_t i = 0; i < r.size(); ++i) {
+            op.strokes.push_back(readSketch(r.at(i)));
+        }
+    });
+    reader.ifHas("voxels", [&](const JsonReader& r) {
+        for (std::size_t i = 0; i < r.size(); ++i) {
+            const JsonReader v = r.at(i);
+            v.expectSize(3);
+            op.voxels.emplace_back(v.at(0).integerBetween(0, 1 << 20), v.at(1).integerBetween(0, 1 << 20),
+                                   v.at(2).integerBetween(0, 1 << 20));
+        }
+    });
+    if (op.strokes.empty() && op.voxels.empty()) {
+        reader.fail("needs 'strokes' or 'voxels'");
+    }
+    reader.ifHas("canvas", [&](const JsonReader& r) { op.canvas = readCanvas(r); });
+    return op;
+}
+
+Operation readGrow(const JsonReader& reader) {
+    reader.allow({"op", "generations"});
+    Grow op;
+    reader.ifHas("generations",
+                 [&](const JsonReader& r) { op.generations = int(r.integerBetween(0, 1 << 30)); });
+    return op;
+}
+
+Operation readRewind(const JsonReader& reader) {
+    reader.allow({"op", "generations"});
+    return Rewind{int(reader.member("generations").integerBetween(0, 1 << 30))};
+}
+
+Operation readGrowthRange(const JsonReader& reader) {
+    reader.allow({"op", "range"});
+    return SetGrowthRange{readRange(reader.member("range"))};
+}
+
+Operation readPicture(const JsonReader& reader) {
+    reader.allow({"op", "file", "size", "samples"});
+    SavePicture op;
+    op.file = readFileName(reader.member("file"));
+    reader.ifHas("size", [&](const JsonReader& r) { op.size = readSize(r); });
+    reader.ifHas("samples", [&](const JsonReader& r) { op.samples = int(r.integerBetween(1, 256)); });
+    return op;
+}
+
+template <typename T>
+Operation readFileOperation(const JsonReader& reader) {
+    reader.allow({"op", "file"});
+    return T{readFileName(reader.member("file"))};
+}
+
+template <typename T>
+Operation readBare(const JsonReader& reader) {
+    reader.allow({"op"});
+    return T{};
+}
+
+using OperationReader = Operation (*)(const JsonReader&);
+// In the order of the variant's alternatives, as in name().
+constexpr std::array<OperationReader, std::variant_size_v<Operation>> kReaders{
+    readView,
+    readPeel,
+    readDrill,
+    readSeed,
+    readGrow,
+    readRewind,
+    readGrowthRange,
+    readBare<Undo>,
+    readBare<Redo>,
+    readBare<UnCut>,
+    readBare<ReSeed>,
+    readPicture,
+    readFileOperation<SaveLabels>,
+    readFileOperation<SaveSculpture>};
+
+constexpr std::array<const char*, std::variant_size_v<Operation>> kNames{
+    "view", "peel", "drill",  "seed",    "grow",    "rewind", "growth range",
+    "undo", "redo", "un-cut", "re-seed", "picture", "labels", "sculpture"};
+
+} // namespace
+
+Json toJson(const Operation& operation) {
+    Json json{{"op", name(operation)}};
+    std::visit([&json](const auto& op) { write(json, op); }, operation);
+    return json;
+}
+
+Operation operationFromJson(const Json& json, const std::string& where) {
+    const JsonReader reader(json, where);
+    enum class Kind : std::size_t {};
+    const auto kind = reader.member("op").choice<Kind>(kNames);
+    return kReaders[std::size_t(kind)](reader);
+}
+
+} // namespace vs::studio

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "field/cell_ranges.h"
+#include "render/macrocells.h"
+#include "render/ray_caster.h"
+#include "sculpt/sculpture.h"
+#include "segment/growth.h"
+#include "segment/segmentation.h"
+#include "studio/operation.h"
+
+namespace vs::studio {
+
+// From the document's state to something that can be rendered: notices what is stale and runs only those
+// stages (segmentation volume, then macrocells).
+class Pipeline {
+public:
+    explicit Pipeline(const field::Field& field);
+
+    struct State {
+        const View* view = nullptr;
+        const sculpt::Sculpture* sculpture = nullptr;
+        const segment::Growth* growth = nullptr; // null: nothing seeded yet
+        Range greyWindow;
+        // While a stroke only cuts away, the macrocells from before it still hold everything that can be
+        // seen; they are left alone so that a stamp costs only what it touches.
+        bool isCutting = false;
+    };
+    render::Frame frame(const State& state, glm::ivec2 size);
+
+    [[nodiscard]] const field::CellRanges& cellRanges() const { return cells_; }
+
+private:
+    // What the macrocells were last made from.
+    struct Key {
+        Range range;
+        field::SculptureView view = field::SculptureView::Cut;
+        std::uint64_t sculptureVersion = 0;
+        std::uint64_t segmentationVersion = 0;
+        bool drawsSegmentation = false;
+        bool operator==(const Key&) const = default;
+    };
+
+    const field::Field* field_;
+    field::CellRanges cells_;
+    std::optional<segment::Segmentation> segmentation_; // made when first drawn
+    render::Macrocells macrocells_;
+    std::optional<Key> key_;
+};
+
+} // namespace vs::studio

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/session.h"
+
+#include "base/atomic_file.h"
+#include "base/error.h"
+#include "studio/json_reader.h"
+#include "studio/operation_json.h"
+
+#include <nlohmann/json.hpp>
+
+#include <fstream>
+
+namespace vs::studio {
+
+using Json = nlohmann::ordered_json;
+
+namespace {
+
+Json parseFile(const std::filesystem::path& path) {
+    std::ifstream file(path);
+    if (!file || std::filesystem::is_directory(path)) {
+        throw SessionError("{}: cannot be read; give a session file (JSON)", path.string());
+    }
+    try {
+        return Json::parse(file);
+    } catch (const Json::parse_error& error) {
+        throw SessionError("{}: not valid JSON at byte {}; a session file is wanted (doc/session.md)",
+                           path.string(), error.byte);
+    }
+}
+
+void readVolumeMember(const JsonReader& reader, Session& session) {
+    reader.allow({"path", "checksum", "raw", "series", "frame"});
+    session.volumePath = reader.member("path").text();
+    reader.ifHas("checksum", [&](const JsonReader& r) { session.volumeChecksum = r.text(); });
+    reader.ifHas("raw", [&](const JsonReader& r) { session.rawLayout = r.text(); });
+    reader.ifHas("series", [&](const JsonReader& r) { session.series = r.text(); });
+    reader.ifHas("frame", [&](const JsonReader& r) { session.frame = int(r.integerBetween(0, 1 << 20)); });
+}
+
+// Relative when the volume lies in or below the session's folder, so that the two can move together.
+std::filesystem::path storedPath(const std::filesystem::path& volume, const std::filesystem::path& session) {
+    const auto absolute = std::filesystem::absolute(volume).lexically_normal();
+    const auto folder = std::filesystem::absolute(session).lexically_normal().parent_path();
+    const auto relative = absolute.lexically_relative(folder);
+    return relative.empty() || *relative.begin() == ".." ? absolute : relative;
+}
+
+} // namespace
+
+Session loadSession(const std::filesystem::path& path) {
+    const Json json = parseFile(path);
+    const JsonReader root(json, path.string());
+    root.allow({"volumeStudioSession", "volume", "operations"});
+    const long version = root.member("volumeStudioSession").integerBetween(1, 1 << 20);
+    if (version > Session::kVersion) {
+        throw SessionError(
+            "{}: made by a newer Volume Studio (session version {}, this program knows {}); update it",
+            path.string(), version, Session::kVersion);
+    }
+    Session session;
+    readVolumeMember(root.member("volume"), session);
+    const JsonReader operations = root.member("operations");
+    for (std::size_t i = 0; i < operations.size(); ++i) {
+        session.operations.push_back(operationFromJson(
+            json.at("operations").at(i), fmt::format("{}: operation {}", path.string(), i + 1)));
+    }
+    return session;
+}
+
+void saveSession(const std::filesystem::path& path, const Session& session) {
+    Json volume{{"path", storedPath(session.volumePath, path).string()}};
+    const auto addText = [&volume](const char* key, const std::string& value) {
+        if (!value.empty()) {
+            volume[key] = value;
+        }
+    };
+    addText("checksum", session.volumeChecksum);
+    addText("raw", session.rawLayout);
+    addText("series", session.series);
+    if (session.frame) {
+        volume["frame"] = *session.frame;
+    }
+    // One operation a line: sessions are read and compared by people too.
+    std::string text =
+        fmt::format("{{\n  \"volumeStudioSession\": {},\n  \"volume\": {},\n  \"operations\": [",
+                    Session::kVersion, volume.dump());
+    for (std::size_t i = 0; i < session.operations.size(); ++i) {
+        text += fmt::format("{}\n    {}", i == 0 ? "" : ",", toJson(session.operations[i]).dump());
+    }
+    text += "\n  ]\n}\n";
+    writeFileAtomically(path, text);
+}
+
+Session sessionOf(const Document& document, const Session& source) {
+    Session session = source;
+    session.volumeChecksum = volume::checksum(document.volume());
+    session.operations = document.log();
+    const View& view = document.view();
+    session.operations.emplace_back(SetView{view.camera, view.mode, view.range, view.sculptureView});
+    return session;
+}
+
+volume::Volume openVolume(const Session& session, const std::filesystem::path& sessionPath,
+                          const std::optional<std::filesystem::path>& replacement,
+                          std::vector<std::string>& notices) {
+    volume::ReadOptions options;
+    if (!session.rawLayout.empty() && !replacement) {
+        options.raw = volume::parseRawLayout(session.rawLayout);
+    }
+    if (!session.series.empty()) {
+        options.series = session.series;
+    }
+    options.frame = session.frame;
+    const std::filesystem::path path =
+        replacement ? *replacement
+                    : (session.volumePath.is_absolute() ? session.volumePath
+                                                        : sessionPath.parent_path() / session.volumePath);
+    auto result = volume::readVolume(path, options);
+    notices.insert(notices.end(), result.notices.begin(), result.notices.end());
+    if (!session.volumeChecksum.empty() && volume::checksum(result.volume) != session.volumeChecksum) {
+        if (!replacement) {
+            throw SessionError(
+                "{}: its volume {} is not the one the session was made with (checksum {}, not {}); give "
+                "the right file with --volume",
+                sessionPath.string(), path.string(), volume::checksum(result.volume), session.volumeChecksum);
+        }
+        notices.push_back(fmt::format("{} is not the volume that {} was made with; the result will differ",
+                                      path.string(), sessionPath.string()));
+    }
+    return std::move(result.volume);
+}
+
+} // namespace vs::studio

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "studio/document.h"
+#include "volume/read.h"
+
+#include <filesystem>
+
+namespace vs::studio {
+
+// A session file: which volume, and what was done to it. doc/session.md describes it, doc/session.schema.json
+// is its schema.
+struct Session {
+    static constexpr int kVersion = 1;
+
+    std::filesystem::path volumePath; // absolute, or relative to the session file
+    std::string volumeChecksum;       // empty: not checked
+    std::string rawLayout;            // set for headerless files
+    std::string series;               // set when a DICOM series was chosen
+    std::optional<int> frame;
+    std::vector<Operation> operations;
+};
+
+// Throws SessionError naming file, operation and member, what is wrong and what would be right.
+Session loadSession(const std::filesystem::path& path);
+
+// Atomic. The volume's path is stored relative to the file when it lies below its folder. Throws WriteError.
+void saveSession(const std::filesystem::path& path, const Session& session);
+
+// The session of a document as it is now: its log, ended by its current view. `source` says where the volume
+// came from (path, layout, series, frame); its operations are ignored.
+Session sessionOf(const Document& document, const Session& source);
+
+// Opens the session's volume (or `replacement` instead, with a notice if its content differs). Notices are
+// appended.
+volume::Volume openVolume(const Session& session, const std::filesystem::path& sessionPath,
+                          const std::optional<std::filesystem::path>& replacement,
+                          std::vector<std::string>& notices);
+
+} // namespace vs::studio

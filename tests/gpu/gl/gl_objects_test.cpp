@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gl/buffer.h"
+#include "gl/program.h"
+#include "gl/texture.h"
+#include "gpu/gl_test.h"
+
+#include <numeric>
+
+namespace vs::gl {
+namespace {
+
+using GlObjectsTest = test::GlTest;
+
+TEST_F(GlObjectsTest, TexturesGiveBackTheirBytes) {
+    for (const Format format : {Format::R8, Format::R16, Format::R16F, Format::R32F, Format::R32UI}) {
+        Texture texture(glm::ivec3(7, 5, 3), format, Filter::Nearest, "test");
+        const Box3 box{{1, 1, 0}, {6, 4, 2}};
+        std::vector<std::byte> bytes(box.volume() * bytesPerTexel(format));
+        for (std::size_t i = 0; i < bytes.size(); ++i) {
+            bytes[i] = std::byte(i % 59); // no NaN patterns in half floats
+        }
+        texture.upload(box, bytes);
+        EXPECT_EQ(texture.download(box), bytes);
+        texture.clear({{1, 1, 0}, {6, 4, 1}});
+        const auto after = texture.download(box);
+        EXPECT_TRUE(std::all_of(after.begin(), after.begin() + std::ptrdiff_t(after.size() / 2),
+                                [](std::byte b) { return b == std::byte(0); }));
+        EXPECT_TRUE(std::equal(after.begin() + std::ptrdiff_t(after.size() / 2), after.end(),
+                               bytes.begin() + std::ptrdiff_t(bytes.size() / 2)));
+    }
+}
+
+TEST_F(GlObjectsTest, EightBitTexturesAreFilteredInFloatingPoint) {
+    // On llvmpipe plain edge clamping would give 8-bit steps here; see gl/texture.cpp.
+    Texture texture(glm::ivec3(2, 1, 1), Format::R8, Filter::Linear, "test");
+    const std::uint8_t values[] = {100, 101};
+    texture.upload({glm::ivec3(0), {2, 1, 1}}, std::as_bytes(std::span(values)));
+    Texture cells(glm::ivec3(1), Format::RG32F, Filter::Nearest, "sum");
+    Buffer out(64 * sizeof(float), "samples");
+    setenv("VOLUME_STUDIO_SHADER_DIR", VS_TEST_SHADERS, 1);
+    Program program("sample_row.comp");
+    unsetenv("VOLUME_STUDIO_SHADER_DIR");
+    texture.bindTexture(0);
+    out.bindStorage(0);
+    program.dispatch({1, 1, 1}, Barrier::Storage);
+    const auto samples = out.read<float>(64);
+    for (std::size_t i = 0; i < 64; ++i) {
+        EXPECT_NEAR(samples[i] * 255, 100 + (double(i) + 0.5) / 64, 0.02) << i;
+    }
+}
+
+TEST_F(GlObjectsTest, BuffersStartAsZerosAndGiveBackTheirBytes) {
+    Buffer buffer(64, "test");
+    EXPECT_EQ(buffer.read<std::uint32_t>(16), std::vector<std::uint32_t>(16, 0));
+    std::vector<std::uint32_t> values(8);
+    std::iota(values.begin(), values.end(), 3U);
+    buffer.write(std::span<const std::uint32_t>(values), 16);
+    EXPECT_EQ(buffer.read<std::uint32_t>(8, 16), values);
+    buffer.clear(16, 8);
+    EXPECT_EQ(buffer.readValue<std::uint32_t>(20), 0U);
+    EXPECT_EQ(buffer.readValue<std::uint32_t>(24), 5U);
+}
+
+TEST_F(GlObjectsTest, ATextureBeyondTheLimitIsRefusedWithItsSize) {
+    try {
+        Texture texture(glm::ivec3(100000, 2, 2), Format::R8, Filter::Linear, "data of big.nii");
+        FAIL();
+    } catch (const GlError& error) {
+        EXPECT_NE(std::string(error.what()).find("data of big.nii: 100000x2x2"), std::string::npos)
+            << error.what();
+    }
+}
+
+TEST_F(GlObjectsTest, AShaderErrorNamesFileAndLine) {
+    setenv("VOLUME_STUDIO_SHADER_DIR", VS_TEST_SHADERS, 1);
+    try {
+        Program program("broken.comp");
+        ADD_FAILURE() << "must not compile";
+    } catch (const GlError& error) {
+        EXPECT_NE(std::string(error.what()).find("broken.comp:4"), std::string::npos) << error.what();
+    }
+    unsetenv("VOLUME_STUDIO_SHADER_DIR");
+}
+
+} // namespace
+} // namespace vs::gl

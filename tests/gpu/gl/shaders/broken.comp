@@ -1,0 +1,5 @@
+// Wrong on purpose.
+layout(local_size_x = 1) in;
+void main() {
+    int x = undeclared;
+}

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+// The region against ITK's ConnectedThresholdImageFilter, on made-up and on real volumes.
+#include "base/timer.h"
+#include "gpu/gl_test.h"
+#include "gpu/segment/growth_cases.h"
+#include "gpu/segment/itk_growing.h"
+#include "volume/read.h"
+
+#include <cstdlib>
+#include <filesystem>
+#include <limits>
+
+namespace vs::segment {
+namespace {
+
+using GrowthItkTest = test::GlTest;
+constexpr int kAll = std::numeric_limits<int>::max();
+const std::filesystem::path kTemplates = "/usr/share/mricron/templates";
+
+std::filesystem::path testData() {
+    const char* folder = std::getenv("VOLUME_STUDIO_TEST_DATA");
+    return folder != nullptr ? folder
+                             : std::filesystem::path(VOLUME_STUDIO_SOURCE_DIR) / ".." / "shared" / "data";
+}
+
+// The voxel with a value in the range that lies nearest to the middle of the volume.
+glm::ivec3 nearestInRange(const volume::Volume& volume, Range range) {
+    const glm::ivec3 dims = volume.geometry.dims;
+    glm::ivec3 best(-1);
+    double nearest = std::numeric_limits<double>::infinity();
+    for (int z = 0; z < dims.z; ++z) {
+        for (int y = 0; y < dims.y; ++y) {
+            for (int x = 0; x < dims.x; ++x) {
+                const double apart = glm::length(glm::dvec3(x, y, z) - glm::dvec3(dims) / 2.0);
+                if (apart < nearest && range.contains(volume.at({x, y, z}))) {
+                    nearest = apart;
+                    best = {x, y, z};
+                }
+            }
+        }
+    }
+    return best;
+}
+
+void expectEqualsItk(const volume::Volume& volume, const std::vector<glm::ivec3>& seeds, Range range,
+                     std::uint64_t atLeast) {
+    const field::Field field = field::uploadVolume(volume);
+    for (const auto connectivity : {Connectivity::Six, Connectivity::TwentySix}) {
+        Growth growth(field);
+        Constraints constraints;
+        constraints.range = range;
+        constraints.connectivity = connectivity;
+        growth.setConstraints(constraints);
+        growth.addSeeds(seeds);
+        growth.advance(kAll);
+        const auto itk = test::growWithItk(volume, seeds, range, connectivity == Connectivity::TwentySix);
+        EXPECT_TRUE(growth.labels() == itk) << volume.name;
+        EXPECT_GE(growth.voxelCount(), atLeast) << volume.name;
+    }
+}
+
+TEST_F(GrowthItkTest, RandomVolumesOfEveryScalarType) {
+    using enum volume::ScalarType;
+    for (const auto type : {UInt8, Int8, UInt16, Int16, UInt32, Int32, Float32}) {
+        const auto volume = randomVolume({37, 21, 19}, type, 0, 100);
+        expectEqualsItk(volume, {{18, 10, 9}, {3, 4, 5}, {30, 2, 2}, {1, 1, 1}, {20, 20, 10}}, {10, 55}, 1);
+    }
+}
+
+TEST_F(GrowthItkTest, BrainTemplate) {
+    const auto path = kTemplates / "ch2.nii.gz";
+    if (!std::filesystem::exists(path)) {
+        GTEST_SKIP() << path << " is not installed (package mricron-data)";
+    }
+    expectEqualsItk(volume::readVolume(path).volume, {{90, 108, 90}, {60, 100, 90}, {120, 120, 80}},
+                    {70, 130}, 500000);
+}
+
+TEST_F(GrowthItkTest, CompressedCtSeries) {
+    const auto path = testData() / "dicom_ct_j2k";
+    if (!std::filesystem::exists(path)) {
+        GTEST_SKIP() << path << " is not here; set VOLUME_STUDIO_TEST_DATA";
+    }
+    const auto volume = volume::readVolume(path).volume;
+    const Range range{-50, 200};
+    expectEqualsItk(volume, {nearestInRange(volume, range)}, range, 100000);
+}
+
+TEST_F(GrowthItkTest, ObliqueMrSeries) {
+    const auto archive = testData() / "dicom_t1_7t.tar.gz";
+    if (!std::filesystem::exists(archive)) {
+        GTEST_SKIP() << archive << " is not here; set VOLUME_STUDIO_TEST_DATA";
+    }
+    const auto folder =
+        std::filesystem::temp_directory_path() / fmt::format("volume_studio_t1_{}", std::rand());
+    std::filesystem::create_directories(folder);
+    const std::string unpack = fmt::format("tar -xzf '{}' -C '{}'", archive.string(), folder.string());
+    ASSERT_EQ(std::system(unpack.c_str()), 0);
+    std::filesystem::path series = folder;
+    while (std::filesystem::directory_iterator(series)->is_directory()) {
+        series = std::filesystem::directory_iterator(series)->path();
+    }
+    const auto volume = volume::readVolume(series).volume;
+    std::filesystem::remove_all(folder);
+    const Range range{45, 90};
+    expectEqualsItk(volume, {nearestInRange(volume, range)}, range, 100000);
+}
+
+// Also says how fast both are, in turns, so that both see the same load of the machine.
+TEST_F(GrowthItkTest, LargeBrainTemplate) {
+    const auto path = kTemplates / "ch2better.nii.gz";
+    if (!std::filesystem::exists(path)) {
+        GTEST_SKIP() << path << " is not installed (package mricron-data)";
+    }
+    const auto volume = volume::readVolume(path).volume;
+    const field::Field field = field::uploadVolume(volume);
+    Growth growth(field);
+    const glm::ivec3 seed(150, 185, 200);
+    Constraints constraints;
+    constraints.range = {40, 130};
+    growth.setConstraints(constraints);
+    for (int run = 0; run < 3; ++run) {
+        growth.reset();
+        growth.addSeeds(std::span(&seed, 1));
+        const Timer timer;
+        growth.advance(kAll);
+        const double ours = timer.milliseconds();
+        double itk = 0;
+        const auto labels = test::growWithItk(volume, {seed}, constraints.range, false, &itk);
+        EXPECT_EQ(growth.voxelCount(), 13023248U);
+        EXPECT_TRUE(growth.labels() == labels);
+        const double voxels = double(growth.voxelCount()) / 1000.0;
+        fmt::print("million voxels/s: {:.1f} here, {:.1f} ITK{}\n", voxels / ours, voxels / itk,
+                   run == 0 ? " (first run, with compiling)" : "");
+    }
+}
+
+} // namespace
+} // namespace vs::segment

@@ -1,0 +1,16 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "volume/volume.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace vs::test {
+
+// ITK's ConnectedThresholdImageFilter on a volume's values: 1 in the region, else 0. `milliseconds`, when
+// given, gets what the filter alone took.
+std::vector<std::uint8_t> growWithItk(const volume::Volume& volume, const std::vector<glm::ivec3>& seeds,
+                                      Range range, bool cornersTouch, double* milliseconds = nullptr);
+
+} // namespace vs::test

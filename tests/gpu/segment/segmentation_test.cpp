@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "field/cell_ranges.h"
+#include "gpu/gl_test.h"
+#include "gpu/segment/growth_cases.h"
+#include "segment/growth_undo.h"
+#include "segment/segmentation.h"
+
+#include <cmath>
+#include <limits>
+
+namespace vs::segment {
+namespace {
+
+using SegmentationTest = test::GlTest;
+constexpr int kAll = std::numeric_limits<int>::max();
+
+std::vector<std::uint16_t> texelsOf(const Segmentation& segmentation) {
+    return segmentation.texels().downloadAll<std::uint16_t>();
+}
+
+void expectTruth(const Growth& growth, const Segmentation& segmentation, const std::string& what) {
+    const auto labels = growth.labels();
+    const auto texels = texelsOf(segmentation);
+    std::size_t wrong = 0;
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        wrong += (texels[i] >= 32768) != (labels[i] == 1) ? 1 : 0;
+    }
+    EXPECT_EQ(wrong, 0U) << what;
+}
+
+// Texels and cells as a segmentation made afresh has them.
+void expectEqualsFresh(const Growth& growth, const Segmentation& segmentation, const std::string& what) {
+    Segmentation fresh(growth.field().geometry);
+    fresh.update(growth);
+    EXPECT_TRUE(texelsOf(segmentation) == texelsOf(fresh)) << what;
+    gl::Texture cells(segmentation.cells().size(), gl::Format::RG32F, gl::Filter::Nearest, "expected cells");
+    field::updateCellRanges(segmentation.texels(), growth.field().geometry.box(), cells);
+    EXPECT_TRUE(segmentation.cells().downloadAll<float>() == cells.downloadAll<float>()) << what;
+}
+
+TEST_F(SegmentationTest, IsTheGaussianHeldToTheTruth) {
+    // Anisotropic, so that the kernel is narrower along z.
+    const glm::ivec3 dims(37, 21, 19);
+    const glm::dvec3 spacing(1, 1, 2.5);
+    std::mt19937 random(3);
+    const auto volume = volume::makePhantom(
+        dims, volume::ScalarType::UInt8, [&](glm::dvec3) { return double(random() % 100); }, spacing);
+    const field::Field field = field::uploadVolume(volume);
+    Growth growth(field);
+    Constraints constraints;
+    constraints.range = {0, 55};
+    growth.setConstraints(constraints);
+    growth.addSeeds(std::vector<glm::ivec3>{{18, 10, 9}, {1, 1, 1}, {30, 15, 3}, {36, 20, 18}, {17, 10, 9}});
+    growth.advance(kAll);
+    Segmentation segmentation(volume.geometry);
+    segmentation.update(growth);
+
+    const auto labels = growth.labels();
+    const auto texels = texelsOf(segmentation);
+    const auto member = [&](glm::ivec3 v) {
+        const bool inside =
+            glm::all(glm::greaterThanEqual(v, glm::ivec3(0))) && glm::all(glm::lessThan(v, dims));
+        return inside && labels[std::size_t((v.z * dims.y + v.y) * dims.x + v.x)] == 1 ? 1.0 : 0.0;
+    };
+    double weights[3][7];
+    for (int axis = 0; axis < 3; ++axis) {
+        double sum = 0;
+        for (int i = -3; i <= 3; ++i) {
+            weights[axis][i + 3] = std::exp(-0.5 * i * i * spacing[axis] * spacing[axis]);
+            sum += weights[axis][i + 3];
+        }
+        for (double& w : weights[axis]) {
+            w /= sum;
+        }
+    }
+    double worst = 0;
+    for (int z = 0; z < dims.z; ++z) {
+        for (int y = 0; y < dims.y; ++y) {
+            for (int x = 0; x < dims.x; ++x) {
+                double value = 0;
+                for (int n = 0; n < 343; ++n) {
+                    const glm::ivec3 o(n % 7, n / 7 % 7, n / 49);
+                    value += weights[0][o.x] * weights[1][o.y] * weights[2][o.z] *
+                             member(glm::ivec3(x, y, z) + o - 3);
+                }
+                value *= 65535;
+                value = member({x, y, z}) > 0 ? std::max(value, 32768.0) : std::min(value, 32767.0);
+                worst = std::max(worst, std::abs(value - texels[std::size_t((z * dims.y + y) * dims.x + x)]));
+            }
+        }
+    }
+    EXPECT_LT(worst, 0.6) << "half a texel's unit of rounding, and single precision";
+    expectTruth(growth, segmentation, "anisotropic");
+}
+
+TEST_F(SegmentationTest, IncrementalUpdatesEqualFreshOnesByteForByte) {
+    const auto volume = randomVolume({70, 50, 41}, volume::ScalarType::UInt8, 0, 100);
+    const field::Field field = field::uploadVolume(volume);
+    Growth growth(field);
+    Segmentation segmentation(volume.geometry);
+    Constraints constraints;
+    constraints.range = {0, 60};
+    growth.setConstraints(constraints);
+    EXPECT_TRUE(segmentation.update(growth).isEmpty());
+    EXPECT_EQ(segmentation.version(), 0U);
+    growth.addSeeds(std::vector<glm::ivec3>{{15, 15, 15}, {16, 16, 16}, {40, 20, 33}, {0, 0, 0}});
+    const auto check = [&](const std::string& what) {
+        segmentation.update(growth);
+        expectTruth(growth, segmentation, what);
+        expectEqualsFresh(growth, segmentation, what);
+    };
+    check("seeds");
+    growth.advance(5);
+    check("forward");
+    growth.advance(12);
+    check("further");
+    growth.stepBack(9);
+    check("back");
+    const auto version = segmentation.version();
+    EXPECT_TRUE(segmentation.update(growth).isEmpty());
+    EXPECT_EQ(segmentation.version(), version) << "nothing changed";
+    GrowthUndo undo;
+    constraints.range = {0, 80};
+    growth.setConstraints(constraints, &undo);
+    check("other rules show the same");
+    undo.undo(growth);
+    growth.addSeeds(std::vector<glm::ivec3>{{60, 40, 5}, {61, 40, 5}, {60, 41, 5}}, &undo);
+    check("late seeds");
+    undo.undo(growth);
+    check("seeds undone");
+    growth.advance(kAll, &undo);
+    check("to the end");
+    undo.undo(growth);
+    check("undone");
+    growth.reset();
+    check("erased");
+    for (const auto texel : texelsOf(segmentation)) {
+        ASSERT_EQ(texel, 0);
+    }
+}
+
+TEST_F(SegmentationTest, WhatWasScrubbedPlainIsSmoothedLater) {
+    const auto volume = randomVolume({70, 50, 41}, volume::ScalarType::UInt8, 0, 100);
+    const field::Field field = field::uploadVolume(volume);
+    Growth growth(field);
+    Segmentation segmentation(volume.geometry);
+    Constraints constraints;
+    constraints.range = {0, 60};
+    growth.setConstraints(constraints);
+    growth.addSeeds(std::vector<glm::ivec3>{{15, 15, 15}, {16, 16, 16}, {40, 20, 33}});
+    growth.advance(20);
+    segmentation.update(growth);
+    for (const int generation : {15, 9, 3, 12, 20, 11}) {
+        growth.setPlayhead(generation);
+        segmentation.update(growth, Smoothing::Plain);
+        expectTruth(growth, segmentation, fmt::format("plain {}", generation));
+    }
+    segmentation.update(growth);
+    expectTruth(growth, segmentation, "smooth again");
+    expectEqualsFresh(growth, segmentation, "smooth again");
+}
+
+} // namespace
+} // namespace vs::segment

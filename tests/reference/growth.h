@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+#include <span>
+#include <vector>
+
+namespace vs::reference {
+
+// Region growing with a plain queue, one voxel after another: what growth on the device must equal,
+// generation by generation. Suspended voxels are not kept in a list of their own: after a change of the rules
+// every grown voxel is put into the queue again, so all refused neighbours are offered again.
+class QueueGrowth {
+public:
+    using Admits = std::function<bool(glm::ivec3)>;
+
+    explicit QueueGrowth(glm::ivec3 dims) : dims_(dims), generations_(count(), 0) {}
+
+    void setRules(Admits admits, bool cornersTouch);
+    void addSeeds(std::span<const glm::ivec3> seeds);
+    // Expands by whole generations; returns how many there were.
+    int advance(int generations);
+    void stepBack(int generations) { playhead_ = std::max(0, playhead_ - generations); }
+    void setPlayhead(int generation) { playhead_ = std::clamp(generation, 0, extent_); }
+    void reset();
+
+    [[nodiscard]] int playhead() const { return playhead_; }
+    [[nodiscard]] int extent() const { return extent_; }
+    [[nodiscard]] const std::vector<std::uint32_t>& generations() const { return generations_; }
+
+private:
+    [[nodiscard]] std::size_t count() const {
+        return std::size_t(dims_.x) * std::size_t(dims_.y) * std::size_t(dims_.z);
+    }
+    [[nodiscard]] std::size_t indexOf(glm::ivec3 v) const {
+        return (std::size_t(v.z) * std::size_t(dims_.y) + std::size_t(v.y)) * std::size_t(dims_.x) +
+               std::size_t(v.x);
+    }
+    void truncate();
+    void requeueAll();
+    [[nodiscard]] bool expand();
+
+    glm::ivec3 dims_;
+    std::vector<std::uint32_t> generations_;
+    std::vector<glm::ivec3> queue_;
+    Admits admits_;
+    bool cornersTouch_ = false;
+    int playhead_ = 0;
+    int extent_ = 0;
+};
+
+} // namespace vs::reference

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "base/atomic_file.h"
+#include "base/error.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <sstream>
+
+namespace vs {
+namespace {
+
+class AtomicFile : public ::testing::Test {
+protected:
+    void SetUp() override {
+        folder_ = std::filesystem::temp_directory_path() / ("vs_atomic_" + std::to_string(getpid()));
+        std::filesystem::create_directories(folder_);
+    }
+    void TearDown() override { std::filesystem::remove_all(folder_); }
+
+    static std::string contentOf(const std::filesystem::path& path) {
+        std::ifstream file(path);
+        std::stringstream text;
+        text << file.rdbuf();
+        return text.str();
+    }
+
+    std::filesystem::path folder_;
+};
+
+TEST_F(AtomicFile, ReplacesTheWholeFile) {
+    writeFileAtomically(folder_ / "a.txt", std::string("first and long"));
+    writeFileAtomically(folder_ / "a.txt", std::string("second"));
+    EXPECT_EQ(contentOf(folder_ / "a.txt"), "second");
+}
+
+TEST_F(AtomicFile, AFailedWriteLeavesTheOldFileAndNothingElse) {
+    writeFileAtomically(folder_ / "a.nii.gz", std::string("old"));
+    EXPECT_THROW(writeAtomically(folder_ / "a.nii.gz",
+                                 [](const std::filesystem::path& temporary) {
+                                     EXPECT_TRUE(temporary.string().ends_with(".nii.gz"));
+                                     std::ofstream(temporary) << "half";
+                                     throw Error("the pen broke\nin two");
+                                 }),
+                 WriteError);
+    EXPECT_EQ(contentOf(folder_ / "a.nii.gz"), "old");
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1);
+}
+
+TEST_F(AtomicFile, AMissingFolderIsNamedInOneLine) {
+    try {
+        writeFileAtomically(folder_ / "gone" / "a.txt", std::string("x"));
+        FAIL();
+    } catch (const WriteError& error) {
+        const std::string text = error.what();
+        EXPECT_NE(text.find("gone does not exist"), std::string::npos) << text;
+        EXPECT_EQ(text.find('\n'), std::string::npos);
+    }
+}
+
+} // namespace
+} // namespace vs

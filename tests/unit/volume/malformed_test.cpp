@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+// Files that are not what they claim are refused in one line that names them.
+#include "base/error.h"
+#include "volume/read.h"
+#include "volume/write.h"
+
+#include "test_files.h"
+
+#include <random>
+
+namespace vs::volume {
+namespace {
+
+std::string refusal(const std::filesystem::path& path, const ReadOptions& options = {}) {
+    try {
+        readVolume(path, options);
+    } catch (const ReadError& error) {
+        const std::string text = error.what();
+        EXPECT_NE(text.find(path.filename().string()), std::string::npos) << text;
+        EXPECT_EQ(text.find('\n'), std::string::npos) << text;
+        EXPECT_NE(text.find("; "), std::string::npos) << "no word of what would be right: " << text;
+        return text;
+    }
+    ADD_FAILURE() << path << " was read";
+    return {};
+}
+
+std::string nrrd(const std::string& fields, const std::string& data = "12345678") {
+    return "NRRD0004\n" + fields + "\n" + data;
+}
+
+TEST(Malformed, FilesThatAreSomethingElse) {
+    const TemporaryFolder folder;
+    for (const char* name :
+         {"a.nii", "a.nii.gz", "a.nrrd", "a.nhdr", "a.mha", "a.mhd", "a.vtk", "a.dcm", "a", "a.txt"}) {
+        writeFile(folder / name, "");
+        EXPECT_NE(refusal(folder / name).find("empty"), std::string::npos);
+        writeFile(folder / name, "just a few words\nin two lines\n");
+        refusal(folder / name);
+        writeFile(folder / name, std::string(5000, '\xA5'));
+        refusal(folder / name);
+    }
+    refusal(folder / "missing.nrrd");
+    refusal(folder.path());
+    std::filesystem::create_directory(folder / "empty_folder");
+    refusal(folder / "empty_folder");
+    writeFile(folder / "a.raw", "12345678");
+    EXPECT_NE(refusal(folder / "a.raw").find("--raw"), std::string::npos);
+}
+
+TEST(Malformed, NrrdFields) {
+    const TemporaryFolder folder;
+    const std::string good = "type: uint8\ndimension: 3\nsizes: 2 2 2\nspacings: 1 1 1\nencoding: raw\n";
+    writeFile(folder / "good.nrrd", nrrd(good));
+    EXPECT_NO_THROW(readVolume(folder / "good.nrrd"));
+    const std::pair<const char*, const char*> changes[] = {
+        {"2 2 2", "2 2 3"},
+        {"2 2 2", "2 2"},
+        {"2 2 2", "2 -2 2"},
+        {"2 2 2", "0 2 2"},
+        {"2 2 2", "2.5 2 2"},
+        {"2 2 2", "2 2 99999999999999999999"},
+        {"2 2 2", "65536 65536 65536"},
+        {"2 2 2", "a b c"},
+        {"2 2 2", "nan nan nan"},
+        {"uint8", "uint80"},
+        {"uint8", "block"},
+        {"uint8", "double"},
+        {"raw", "gzip"},
+        {"raw", "bzip2"},
+        {"raw", "ascii"},
+        {"dimension: 3", "dimension: 4"},
+        {"1 1 1", "1 0 1"},
+        {"1 1 1", "1 -1 1"},
+        {"1 1 1", "1 inf 1"},
+        {"1 1 1", "1 1"},
+        {"type: uint8", "kind: uint8"},
+        {"type: uint8\n", "type: int16\n"},
+        {"spacings: 1 1 1", "space directions: (1,0,0) (0,1,0) (1,1,0)"},
+        {"spacings: 1 1 1", "kinds: RGB-color domain domain"},
+        {"raw", "raw\ndata file: /etc/hostname"},
+        {"raw", "raw\ndata file: ../x.raw"},
+        {"raw", "raw\nbyte skip: 5"},
+        {"raw", "raw\nline skip: -3"}};
+    for (const auto& [from, to] : changes) {
+        std::string fields = good;
+        fields.replace(fields.find(from), std::string(from).size(), to);
+        writeFile(folder / "bad.nrrd", nrrd(fields));
+        refusal(folder / "bad.nrrd");
+    }
+}
+
+TEST(Malformed, DataFileMayNotBeALinkOutOfTheFolder) {
+    const TemporaryFolder folder;
+    const TemporaryFolder elsewhere;
+    writeFile(elsewhere / "data.raw", "12345678");
+    std::filesystem::create_symlink(elsewhere / "data.raw", folder / "data.raw");
+    writeFile(folder / "a.nhdr",
+              "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 2 2 2\nencoding: raw\ndata file: data.raw\n");
+    EXPECT_NE(refusal(folder / "a.nhdr").find("outside"), std::string::npos);
+}
+
+TEST(Malformed, RawFilesOfAnotherSize) {
+    const TemporaryFolder folder;
+    ReadOptions options;
+    options.raw = parseRawLayout("2x2x2:uint8");
+    for (const char* content : {"1234567", "123456789", ""}) {
+        writeFile(folder / "a.raw", content);
+        const auto text = refusal(folder / "a.raw", options);
+        EXPECT_NE(text.find(std::to_string(std::string(content).size())), std::string::npos)
+            << "found: " << text;
+        EXPECT_NE(text.find('8'), std::string::npos) << "expected: " << text;
+    }
+}
+
+// Truncated at any length or with flipped header bytes a file is read or refused, never worse.
+TEST(Malformed, DamagedFilesNeverCrash) {
+    const TemporaryFolder folder;
+    const GridGeometry grid = makeGeometry({9, 8, 7}, {1, 2, 3});
+    std::vector<std::uint8_t> values(grid.voxelCount());
+    std::mt19937 random(7);
+    for (auto& value : values) {
+        value = std::uint8_t(random());
+    }
+    for (const std::string name : {"a.nii.gz", "a.nii", "a.nrrd", "a.mha"}) {
+        writeGrid(folder / name, grid, std::span<const std::uint8_t>(values));
+        const std::string whole = readFile(folder / name);
+        for (int i = 0; i < 150; ++i) {
+            std::string damaged = whole;
+            if (i < 50) {
+                damaged.resize(random() % whole.size());
+                writeFile(folder / name, damaged);
+                refusal(folder / name);
+                continue;
+            }
+            for (int k = 0; k < 3; ++k) {
+                damaged[random() % std::min<std::size_t>(whole.size(), 352)] = char(random());
+            }
+            writeFile(folder / name, damaged);
+            try {
+                EXPECT_GT(readVolume(folder / name).volume.bytes.size(), 0U);
+            } catch (const ReadError& error) {
+                EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+            }
+        }
+    }
+}
+
+} // namespace
+} // namespace vs::volume

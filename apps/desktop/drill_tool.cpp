@@ -53,7 +53,8 @@ void DrillTool::press(const Pen& pen) {
         return;
     }
     const auto mask = pad_.sketch(studio_.devicePerLogical());
-    const bool begun = studio_.guard([&] { studio_.document()->beginDrill(mask, studio_.canvas(), depth_); });
+    const bool begun = studio_.beginStroke(
+        [&](auto& document, const auto& canvas) { document.beginDrill(mask, canvas, depth_); });
     if (begun) {
         waiting_.clear();
         last_ = {glm::dvec2(-1e9), 0};

@@ -10,7 +10,6 @@ namespace vs::desktop {
 
 namespace {
 constexpr double kSliceMs = 10;
-constexpr double kFastSliceMs = 40; // to the end: fewer pictures between
 } // namespace
 
 GrowthController::GrowthController(StudioController& studio) : QObject(&studio), studio_(studio) {}
@@ -85,8 +84,7 @@ bool GrowthController::advance() {
         played_ = due;
     }
     bool goesOn = false;
-    const bool done = studio_.guard(
-        [&] { goesOn = studio_.document()->growFor(isToEnd_ ? kFastSliceMs : kSliceMs, most); });
+    const bool done = studio_.guard([&] { goesOn = studio_.document()->growFor(kSliceMs, most); });
     if (!done || !goesOn) {
         finish();
     }

@@ -36,6 +36,7 @@ public:
     void setSpeed(int generationsPerSecond);
 
     [[nodiscard]] bool isPlaying() const { return isPlaying_; }
+    [[nodiscard]] bool isToEnd() const { return isPlaying_ && isToEnd_; }
     [[nodiscard]] bool canPlay() const;
     [[nodiscard]] studio::Document::GrowthStatus status() const;
 

@@ -55,6 +55,8 @@ GrowthPanel::GrowthPanel(StudioController& studio, QWidget* parent) : QWidget(pa
     speed_ = named(new QSpinBox, "growthSpeed", tr("Generations per second"));
     speed_->setRange(0, 60);
     speed_->setSpecialValueText(tr("full speed"));
+    speed_->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    speed_->setAlignment(Qt::AlignRight);
     speed_->setSuffix(tr(" per s"));
     speed_->setToolTip(tr("Generations per second; 0 grows as fast as it can"));
     connect(speed_, &QSpinBox::valueChanged, &studio_.growth(), &GrowthController::setSpeed);

@@ -75,14 +75,18 @@ void HistogramView::paintEvent(QPaintEvent*) {
     // Bars on a logarithmic scale: tissue next to millions of air voxels would not show otherwise.
     const double most = std::log1p(double(*std::max_element(counts_.begin(), counts_.end())));
     const double width = area.width() / double(counts_.size());
-    painter.setPen(Qt::NoPen);
+    QPainterPath bars(area.bottomLeft()); // one shape, so that no seams show between the bars
     for (std::size_t i = 0; i < counts_.size(); ++i) {
         const double height = most > 0 ? std::log1p(double(counts_[i])) / most * (area.height() - 6) : 0;
-        const double x = area.left() + double(i) * width;
-        const bool isIn = x + 0.5 * width >= lo && x + 0.5 * width <= hi;
-        painter.setBrush(isIn ? theme::kAccent : QColor(0x5a, 0x63, 0x6d));
-        painter.drawRect(QRectF(x, area.bottom() - height, width + 0.4, height)); // overlap hides seams
+        bars.lineTo(area.left() + double(i) * width, area.bottom() - height);
+        bars.lineTo(area.left() + double(i + 1) * width, area.bottom() - height);
     }
+    bars.lineTo(area.bottomRight());
+    painter.fillPath(bars, QColor(0x5a, 0x63, 0x6d));
+    painter.save();
+    painter.setClipRect(QRectF(lo, area.top(), std::max(hi - lo, 1.0), area.height()));
+    painter.fillPath(bars, theme::kAccent);
+    painter.restore();
     for (const double x : {lo, hi}) {
         painter.setPen(QPen(theme::kText, 1.5));
         painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));

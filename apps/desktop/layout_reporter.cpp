@@ -48,7 +48,7 @@ bool LayoutReporter::eventFilter(QObject* watched, QEvent* event) {
     case QEvent::MouseButtonRelease:
     case QEvent::Wheel:
     case QEvent::KeyPress:
-        if (event->spontaneous()) {
+        if (event->spontaneous() && watched->isWindowType()) { // once, not for each widget it is passed to
             ++inputs_;
         }
         break;

@@ -138,7 +138,11 @@ void MainWindow::makeMenus() {
     const auto menu = [this](const QString& title, std::initializer_list<const char*> names) {
         auto* list = menuBar()->addMenu(title);
         for (const char* name : names) {
-            *name == '-' ? list->addSeparator() : list->QWidget::addAction(action(name));
+            if (*name == '-') {
+                list->addSeparator();
+            } else {
+                list->QWidget::addAction(action(name));
+            }
         }
     };
     menu(tr("&File"), {"open", "openFolder", "-", "saveSession", "exportLabels", "screenshot", "-", "quit"});
@@ -162,7 +166,7 @@ void MainWindow::addButtons(QToolBar* bar, std::initializer_list<const char*> na
         button->setObjectName(name);
         button->setAccessibleName(shown->text());
         button->setFocusPolicy(Qt::TabFocus);
-        button->setMinimumWidth(bar->orientation() == Qt::Horizontal ? 58 : 104);
+        button->setMinimumWidth(bar->orientation() == Qt::Horizontal ? 58 : 112);
     }
 }
 

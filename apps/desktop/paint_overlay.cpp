@@ -4,6 +4,7 @@
 #include "theme.h"
 #include "tool.h"
 
+#include <QImage>
 #include <QPainter>
 
 namespace vs::desktop {
@@ -26,26 +27,41 @@ QColor colourOf(Overlay::Tint tint) {
 
 } // namespace
 
-void paintOverlay(QPainter& painter, const Overlay& overlay) {
+void paintOverlay(QPainter& painter, const Overlay& overlay, QRectF area) {
     if (overlay.path.isEmpty()) {
         return;
     }
-    painter.setRenderHint(QPainter::Antialiasing);
+    // A dark edge on both sides of the line shows it on any background.
+    constexpr double kEdge = 1.5;
+    const double outer = overlay.width + 2 * kEdge;
+    // Drawn on the CPU and put on the picture as an image: on OpenGL, QPainter smooths edges only with
+    // multisampling, which costs more here than a small image.
+    const double scale = painter.device()->devicePixelRatioF();
+    const QRect box =
+        overlay.path.boundingRect().adjusted(-outer, -outer, outer, outer).intersected(area).toAlignedRect();
+    if (box.isEmpty()) {
+        return;
+    }
+    QImage image(box.size() * scale, QImage::Format_ARGB32_Premultiplied);
+    image.setDevicePixelRatio(scale);
+    image.fill(Qt::transparent);
+    QPainter onImage(&image);
+    onImage.setRenderHint(QPainter::Antialiasing);
+    onImage.translate(-box.topLeft());
     const QColor colour = colourOf(overlay.tint);
     if (overlay.isFilled) {
         QColor fill = colour;
         fill.setAlphaF(0.22F); // what is cut must be seen through it
-        painter.fillPath(overlay.path, fill);
+        onImage.fillPath(overlay.path, fill);
     }
-    // A dark edge on both sides of the line shows it on any background.
-    constexpr double kEdge = 1.5;
     QColor edge = Qt::black;
     edge.setAlphaF(0.65F);
-    painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(edge, overlay.width + 2 * kEdge, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    painter.drawPath(overlay.path);
-    painter.setPen(QPen(colour, overlay.width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    painter.drawPath(overlay.path);
+    onImage.setPen(QPen(edge, outer, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    onImage.drawPath(overlay.path);
+    onImage.setPen(QPen(colour, overlay.width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+    onImage.drawPath(overlay.path);
+    onImage.end();
+    painter.drawImage(box.topLeft(), image);
 }
 
 } // namespace vs::desktop

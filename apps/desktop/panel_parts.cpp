@@ -43,6 +43,7 @@ QDoubleSpinBox* makeSpinBox(const char* objectName, const QString& accessibleNam
     box->setAlignment(Qt::AlignRight);
     box->setLocale(QLocale::c());
     box->setMinimumWidth(84);
+    box->setButtonSymbols(QAbstractSpinBox::NoButtons); // wheel and arrow keys do
     return box;
 }
 

@@ -57,8 +57,8 @@ void PeelTool::press(const Pen& pen) {
         pressed_ = pen.position;
         wanted_ = applied_ = 0;
         const auto mask = pad_.sketch(studio_.devicePerLogical());
-        const bool begun = studio_.guard([&] { studio_.document()->beginPeel(mask, studio_.canvas()); });
-        if (begun) {
+        if (studio_.beginStroke(
+                [&](auto& document, const auto& canvas) { document.beginPeel(mask, canvas); })) {
             setState(State::Peeling);
         }
         return;

@@ -21,8 +21,8 @@ constexpr std::array kScales{1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0};
 } // namespace
 
 PictureLoop::PictureLoop(bool isSoftwareRenderer)
-    : draftMs_(isSoftwareRenderer ? kSoftwareDraftMs : kHardwareDraftMs), scale_(isSoftwareRenderer ? 2 : 1) {
-}
+    : targetMs_(isSoftwareRenderer ? kSoftwareDraftMs : kHardwareDraftMs),
+      scale_(isSoftwareRenderer ? 2 : 1) {}
 
 void PictureLoop::setDocument(studio::Document* document) {
     document_ = document;
@@ -107,7 +107,8 @@ void PictureLoop::begin(Pass pass) {
     startedViewport_ = viewport_;
     isFullDone_ = false;
     samplesShown_ = 0;
-    passMs_ = timer.milliseconds();
+    gl::Context::finish(); // or the first tile would be charged for it
+    prepareMs_ = passMs_ = timer.milliseconds();
 }
 
 void PictureLoop::show() {
@@ -123,11 +124,12 @@ void PictureLoop::show() {
 
 void PictureLoop::finishDraft() {
     const glm::dvec2 size(shown_.size());
-    const double nanos = passMs_ * 1e6 / (size.x * size.y);
+    const double nanos = (passMs_ - prepareMs_) * 1e6 / (size.x * size.y);
     // The first draft of a mode includes compiling its shader, so one slow draft is not believed at once.
     nanosPerPixel_ =
         nanosPerPixel_ == 0 ? nanos : 0.5 * nanosPerPixel_ + 0.5 * std::min(nanos, 2 * nanosPerPixel_);
     const double sinceLast = sinceDraft_.milliseconds();
+    lastDraftMs_ = passMs_;
     frameMs_ = sinceLast > 500 || frameMs_ == 0 ? passMs_ : 0.7 * frameMs_ + 0.3 * sinceLast;
     sinceDraft_ = Timer();
 }
@@ -137,7 +139,9 @@ double PictureLoop::wantedScale() const {
         return scale_;
     }
     const double pixels = double(viewport_.x) * double(viewport_.y);
-    const double wanted = std::sqrt(nanosPerPixel_ * 1e-6 * pixels / draftMs_);
+    // Where preparing takes most of the time, fewer pixels would not help much and only look worse.
+    const double forRays = std::max(targetMs_ - prepareMs_, 0.4 * targetMs_);
+    const double wanted = std::sqrt(nanosPerPixel_ * 1e-6 * pixels / forRays);
     // Stays where it is when that is nearly right, or the picture would flicker between two scales.
     if (wanted > 0.7 * scale_ && wanted < 1.1 * scale_) {
         return scale_;

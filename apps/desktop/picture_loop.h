@@ -42,6 +42,8 @@ public:
     [[nodiscard]] const gl::Texture* shown() const { return shown_ ? &shown_ : nullptr; }
     // Counts pictures shown.
     [[nodiscard]] int pictures() const { return pictures_; }
+    // What the last draft took, macrocells and all.
+    [[nodiscard]] double draftMs() const { return lastDraftMs_; }
     // Drafts per second of late; 0 when at rest.
     [[nodiscard]] double framesPerSecond() const;
     // The finished picture. isComplete() must hold.
@@ -58,7 +60,9 @@ private:
     render::RayCaster caster_;
     studio::Document* document_ = nullptr;
     glm::ivec2 viewport_{0};
-    double draftMs_;           // time a draft may take
+    double targetMs_; // time a draft may take
+    double lastDraftMs_ = 0;
+    double prepareMs_ = 0;     // of the running pass, before the first ray: macrocells and such
     double scale_ = 2;         // draft pixels are this many times larger
     double nanosPerPixel_ = 0; // running estimate; 0: not known yet
     Pass pass_ = Pass::None;
@@ -66,7 +70,6 @@ private:
     glm::ivec2 startedViewport_{0};
     bool isFullDone_ = false;
     double passMs_ = 0; // spent in this pass so far
-    Timer passTimer_;
     Timer sinceInput_;
     Timer sinceDraft_;
     double frameMs_ = 0; // running mean of the time from draft to draft

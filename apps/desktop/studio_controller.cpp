@@ -59,8 +59,9 @@ void StudioController::tick() {
     if (!picture_->isDrafting()) {
         flushView();
         tool_->advance();
-        if (!tool_->isSketching() && growth_->advance()) {
-            picture_->interact();
+        if (!tool_->isSketching() && grow()) {
+            schedule(0);
+            return;
         }
     }
     auto state = PictureLoop::State::Complete;
@@ -82,6 +83,23 @@ void StudioController::tick() {
     } else if (state == PictureLoop::State::Waiting || growth_->isWaiting()) {
         schedule(growth_->isWaiting() ? 5 : kCalmPollMs);
     }
+}
+
+bool StudioController::grow() {
+    const Timer timer;
+    if (!growth_->advance()) {
+        return false;
+    }
+    picture_->interact();
+    growthMs_ += timer.milliseconds();
+    // Growing and drawing take turns: as long as the last picture took, or longer when only the end matters.
+    constexpr double kToEndMs = 500;
+    const double turnMs = growth_->isToEnd() ? kToEndMs : picture_->draftMs();
+    if (growth_->isPlaying() && growthMs_ < turnMs) {
+        return true;
+    }
+    growthMs_ = 0;
+    return false;
 }
 
 void StudioController::schedule(int milliseconds) {
@@ -187,6 +205,13 @@ bool StudioController::apply(const studio::Operation& operation, const std::file
     return done;
 }
 
+bool StudioController::beginStroke(
+    const std::function<void(studio::Document&, const studio::Canvas&)>& begin) {
+    growth_->pause();
+    const auto on = canvas();
+    return guard([&] { begin(*document_, on); });
+}
+
 void StudioController::endStroke(bool keep) {
     if (document_ == nullptr || !document_->isStrokeOpen()) {
         return;
@@ -204,8 +229,9 @@ void StudioController::endStroke(bool keep) {
 }
 
 void StudioController::report(const studio::Outcome& outcome) {
-    say(outcome.message.empty() ? QString::fromStdString(outcome.name)
-                                : QString::fromStdString(outcome.message));
+    QString text = QString::fromStdString(outcome.name);
+    text = text.left(1).toUpper() + text.mid(1);
+    say(outcome.message.empty() ? text : text + ": " + QString::fromStdString(outcome.message));
 }
 
 void StudioController::say(const QString& message) {

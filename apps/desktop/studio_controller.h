@@ -69,6 +69,8 @@ public:
 
     // Edits. False: it failed, and the message says why.
     bool apply(const studio::Operation& operation, const std::filesystem::path& outputFolder = ".");
+    // Runs `begin`, which opens a live stroke on canvas(); what is growing is paused first.
+    bool beginStroke(const std::function<void(studio::Document&, const studio::Canvas&)>& begin);
     void endStroke(bool keep);
     bool guard(const std::function<void()>& work);
     void report(const studio::Outcome& outcome);
@@ -107,6 +109,7 @@ signals:
 
 private:
     void tick();
+    bool grow(); // true: more of it before the next picture
     void schedule(int milliseconds);
     void flushView();
     void finishOpening(const std::shared_ptr<Loaded>& loaded);
@@ -135,6 +138,7 @@ private:
     QString message_;
     QTimer timer_;
     int picturesSeen_ = 0;
+    double growthMs_ = 0; // grown for since the last picture
 };
 
 } // namespace vs::desktop

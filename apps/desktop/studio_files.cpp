@@ -112,10 +112,12 @@ bool StudioController::saveSession(const std::filesystem::path& path) {
     growth_->pause();
     return guard([&] {
         flushView();
-        auto session = studio::sessionOf(*document_);
-        session.rawLayout = source_.rawLayout;
-        session.series = source_.series;
-        session.frame = source_.frame;
+        studio::Session source;
+        source.volumePath = std::filesystem::absolute(document_->volume().path);
+        source.rawLayout = source_.rawLayout;
+        source.series = source_.series;
+        source.frame = source_.frame;
+        const auto session = studio::sessionOf(*document_, source);
         studio::saveSession(path, session);
         say(tr("Saved %1").arg(text(path)));
     });

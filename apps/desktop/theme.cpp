@@ -20,6 +20,7 @@ QToolButton:pressed { background: #1b3a4d; }
 QToolButton:checked { background: #1d4259; border-color: #56b4e9; color: #ffffff; }
 QToolButton:focus { border-color: #56b4e9; }
 QToolButton:disabled { color: #5f6770; }
+QToolButton:checked:disabled { color: #5f6770; background: #2b3036; border-color: #3a4047; }
 QMenuBar { background: #1f2226; padding: 1px 4px; }
 QMenuBar::item { padding: 4px 9px; border-radius: 4px; background: transparent; }
 QMenuBar::item:selected { background: #333940; }

@@ -65,7 +65,7 @@ void ViewWidget::paintGL() {
     if (picture == nullptr) {
         painter.fillRect(rect(), Qt::black);
     }
-    paintOverlay(painter, studio_.tool().overlay());
+    paintOverlay(painter, studio_.tool().overlay(), QRectF(rect()));
 }
 
 Pen ViewWidget::penAt(QPointF position) const {

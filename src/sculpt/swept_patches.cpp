@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sculpt/swept_patches.h"
 
+#include <glm/gtc/packing.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -35,7 +37,7 @@ void SweptPatches::reserve(std::size_t corners, std::size_t patches) {
     patches_.reserve(patches);
 }
 
-void SweptPatches::addPatch(const std::array<std::uint32_t, 4>& corners, float mask) {
+void SweptPatches::addPatch(const std::array<std::uint32_t, 4>& corners, float mask, glm::vec2 centroid) {
     std::array<glm::vec3, 4> begin;
     std::array<glm::vec3, 4> end;
     glm::vec3 direction(0);
@@ -59,8 +61,10 @@ void SweptPatches::addPatch(const std::array<std::uint32_t, 4>& corners, float m
     const int nv = samplesFor(std::max(gap(0, 2), gap(1, 3)), kMaxAcross);
     const float depth = depthHi_ - depthLo_;
     const int nd = samplesFor(longest * depth * depth, std::min(kMaxAlong, (1 << 21) / (nu * nv)));
+    const glm::vec2 offset(nu == 1 ? centroid.x - 0.5F : 0.0F, nv == 1 ? centroid.y - 0.5F : 0.0F);
     patches_.push_back({corners, std::uint32_t(pointCount_),
-                        std::uint32_t(nu) | std::uint32_t(nv) << 8U | std::uint32_t(nd) << 16U, mask, 0});
+                        std::uint32_t(nu) | std::uint32_t(nv) << 8U | std::uint32_t(nd) << 16U, mask,
+                        glm::packSnorm2x16(offset)});
     pointCount_ += std::size_t(nu) * std::size_t(nv) * std::size_t(nd);
 }
 

@@ -15,7 +15,7 @@ namespace {
 constexpr double kMinPeak = 0.6;        // thin masks are raised until their radiation reaches this somewhere
 constexpr double kSmallestGapSteps = 3; // neighbours closer than this always belong together
 constexpr double kGapElements = 4;      // ... and those closer than this many elements
-constexpr int kMaxBlock = 16;           // cells of a block along each axis
+constexpr int kMaxBlock = 32;           // cells of a block along each axis
 
 // Builds the patches of one sweep; the members are what its steps share.
 class SurfaceSweeper {
@@ -146,6 +146,7 @@ private:
         }
     }
 
+    // Whether two neighbouring elements lie on one piece of surface.
     [[nodiscard]] bool isJoined(glm::ivec2 a, glm::ivec2 b) const {
         if (!isHit(a.x, a.y) || !isHit(b.x, b.y)) {
             return false;
@@ -154,71 +155,80 @@ private:
         return glm::dot(between, between) <= gap_ * gap_;
     }
 
-    [[nodiscard]] float cornerMask(int i, int j) const {
-        return isHit(i, j) ? out_.corners()[at(i, j)].start.w : 0.0F;
-    }
+    [[nodiscard]] float cornerMask(int i, int j) const { return isHit(i, j) ? out_.corners()[at(i, j)].start.w : 0.0F; }
 
-    // Cell (i, j) lies between elements (i, j) and (i + 1, j + 1); cells of the raster's rim have elements on
-    // one side.
-    Cell& cell(int i, int j) {
-        return cells_[std::size_t(j + 1) * std::size_t(size_.x + 1) + std::size_t(i + 1)];
-    }
+    // Cell (i, j) lies between elements (i, j) and (i + 1, j + 1); cells of the raster's rim have elements on one side.
+    Cell& cell(int i, int j) { return cells_[std::size_t(j + 1) * std::size_t(size_.x + 1) + std::size_t(i + 1)]; }
     void findCells() {
+        std::vector<std::uint8_t> joinedX(points_.size(), 0); // to the next along x, along y
+        std::vector<std::uint8_t> joinedY(points_.size(), 0);
+        for (int j = 0; j < size_.y; ++j) {
+            for (int i = 0; i < size_.x; ++i) {
+                joinedX[at(i, j)] = std::uint8_t(isJoined({i, j}, {i + 1, j}));
+                joinedY[at(i, j)] = std::uint8_t(isJoined({i, j}, {i, j + 1}));
+            }
+        }
         cells_.assign(std::size_t(size_.x + 1) * std::size_t(size_.y + 1), Cell::Nothing);
         for (int j = -1; j < size_.y; ++j) {
             for (int i = -1; i < size_.x; ++i) {
-                const bool whole = isJoined({i, j}, {i + 1, j}) && isJoined({i, j + 1}, {i + 1, j + 1}) &&
-                                   isJoined({i, j}, {i, j + 1}) && isJoined({i + 1, j}, {i + 1, j + 1});
-                const bool any =
-                    whole || isHit(i, j) || isHit(i + 1, j) || isHit(i, j + 1) || isHit(i + 1, j + 1);
-                cell(i, j) = whole ? Cell::Whole : (any ? Cell::Broken : Cell::Nothing);
-            }
-        }
-    }
-
-    void addBlock(glm::ivec2 first, glm::ivec2 count) {
-        const glm::ivec2 end = glm::min(first + count, size_); // the rim's last cells are at size - 1
-        bool whole = true;
-        double sum = 0;
-        for (int j = first.y; j < end.y; ++j) {
-            for (int i = first.x; i < end.x; ++i) {
-                whole = whole && cell(i, j) == Cell::Whole;
-                sum +=
-                    cornerMask(i, j) + cornerMask(i + 1, j) + cornerMask(i, j + 1) + cornerMask(i + 1, j + 1);
-            }
-        }
-        if (sum <= 0) {
-            return;
-        }
-        const glm::ivec2 cells = end - first;
-        if (whole && cells.x * cells.y > 1) {
-            addPatch(first, cells, float(sum / (4.0 * cells.x * cells.y)));
-            return;
-        }
-        for (int j = first.y; j < end.y; ++j) {
-            for (int i = first.x; i < end.x; ++i) {
-                if (cell(i, j) == Cell::Whole) {
-                    addWholeCell({i, j});
-                } else if (cell(i, j) == Cell::Broken) {
-                    addQuarters({i, j});
+                const bool inner = i >= 0 && j >= 0 && i + 1 < size_.x && j + 1 < size_.y;
+                if (inner && (joinedX[at(i, j)] & joinedX[at(i, j + 1)] & joinedY[at(i, j)] & joinedY[at(i + 1, j)]) != 0) {
+                    cell(i, j) = Cell::Whole;
+                } else if (isHit(i, j) || isHit(i + 1, j) || isHit(i, j + 1) || isHit(i + 1, j + 1)) {
+                    cell(i, j) = Cell::Broken;
                 }
             }
         }
     }
 
-    void addPatch(glm::ivec2 c, glm::ivec2 cells, float mask) {
+    // Cells [first, first + count): as one patch where they are whole, else in quarters, down to single cells.
+    void addBlock(glm::ivec2 first, glm::ivec2 count) {
+        const glm::ivec2 end = glm::min(first + count, size_); // the rim's last cells are at size - 1
+        bool whole = true;
+        float sum = 0;
+        glm::vec2 moment(0);
+        for (int j = first.y; j < end.y; ++j) {
+            for (int i = first.x; i < end.x; ++i) {
+                whole = whole && cell(i, j) == Cell::Whole;
+                const float mask =
+                    cornerMask(i, j) + cornerMask(i + 1, j) + cornerMask(i, j + 1) + cornerMask(i + 1, j + 1);
+                sum += mask;
+                moment += mask * (glm::vec2(i - first.x, j - first.y) + 0.5F);
+            }
+        }
+        const glm::ivec2 cells = end - first;
+        if (!(sum > 0)) {
+            return;
+        }
+        if (cells.x * cells.y == 1) {
+            addCell(first);
+        } else if (whole) {
+            addPatch(first, cells, sum / float(4 * cells.x * cells.y), moment / sum / glm::vec2(cells));
+        } else {
+            const glm::ivec2 half = (count + 1) / 2;
+            for (int n = 0; n < 4; ++n) {
+                const glm::ivec2 from = first + glm::ivec2(n & 1, n >> 1) * half;
+                const glm::ivec2 to = glm::min(from + half, first + count);
+                if (glm::all(glm::lessThan(from, glm::min(to, size_)))) {
+                    addBlock(from, to - from);
+                }
+            }
+        }
+    }
+
+    void addCell(glm::ivec2 c) {
+        if (cell(c.x, c.y) == Cell::Whole) {
+            addPatch(c, {1, 1}, -1, glm::vec2(0.5F));
+        } else if (cell(c.x, c.y) == Cell::Broken) {
+            addQuarters(c);
+        }
+    }
+
+    void addPatch(glm::ivec2 c, glm::ivec2 cells, float mask, glm::vec2 centroid) {
         const glm::ivec2 d = c + cells;
         out_.addPatch({std::uint32_t(at(c.x, c.y)), std::uint32_t(at(d.x, c.y)), std::uint32_t(at(c.x, d.y)),
                        std::uint32_t(at(d.x, d.y))},
-                      mask);
-    }
-
-    void addWholeCell(glm::ivec2 c) {
-        if (cornerMask(c.x, c.y) + cornerMask(c.x + 1, c.y) + cornerMask(c.x, c.y + 1) +
-                cornerMask(c.x + 1, c.y + 1) >
-            0) {
-            addPatch(c, {1, 1}, -1);
-        }
+                      mask, centroid);
     }
 
     // The step in voxel space from one element to the next along an axis of the raster, as a hit's neighbours

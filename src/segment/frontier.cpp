@@ -2,6 +2,7 @@
 #include "segment/frontier.h"
 
 #include "base/check.h"
+#include "base/error.h"
 #include "gl/pass.h"
 
 #include <cstddef>

@@ -23,6 +23,7 @@ public:
     // At most this many expansions in one submission.
     static constexpr int kMaxSteps = 128;
 
+    // Throws GlError when there are more voxels than its lists can name, or no room on the device.
     explicit Frontier(glm::ivec3 dims);
 
     // The rules or the seed map have changed: the next expansion tries the neighbours of every grown voxel

@@ -76,7 +76,8 @@ public:
     [[nodiscard]] const field::Field& field() const { return *field_; }
     // R32UI, one generation a voxel, hidden ones included: those up to the playhead are the region.
     [[nodiscard]] const gl::Texture& seedMap() const { return seedMap_; }
-    // Box of whole bricks (clipped to the grid) around everything grown, hidden or not.
+    // Box of whole bricks (clipped to the grid) around everything grown, hidden or not. After undoing it may
+    // be larger.
     [[nodiscard]] Box3 touchedBox() const;
 
     // Counts changes of what is shown. Bricks of 32^3 voxels whose shown voxels may differ from those at an

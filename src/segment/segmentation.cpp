@@ -17,7 +17,7 @@ constexpr int kReach = 3; // voxels that the kernel reaches to either side
 constexpr int kPadded = kTile + 2 * kReach;
 constexpr int kTilesPerBrick = field::kBrick / kTile;
 constexpr double kRadiusSteps = 3.0;
-// Tiles smoothed at a time: 512 take 15 MiB of values along x and 11 MiB along x and y.
+// Tiles smoothed at a time: 512 take 1 MiB of bits and 11 MiB of values.
 constexpr std::uint32_t kTilesAtOnce = 512;
 constexpr std::uint32_t kMaxGroups = 65535;
 
@@ -42,10 +42,10 @@ Segmentation::Segmentation(const volume::GridGeometry& geometry)
       cells_(field::cellDims(geometry.dims), gl::Format::RG32F, gl::Filter::Nearest, "segmentation cells"),
       pending_(std::size_t(tileDims_.x) * std::size_t(tileDims_.y) * std::size_t(tileDims_.z), 0),
       tiles_(4, "segmentation tiles"), reach_(4, "segmentation reach"),
-      alongX_(kTilesAtOnce * kPadded * kPadded * kTile * sizeof(float), "smoothed along x"),
+      rows_(kTilesAtOnce * kPadded * kPadded * sizeof(std::uint32_t), "membership rows"),
       alongXY_(kTilesAtOnce * kPadded * kTile * kTile * sizeof(float), "smoothed along x and y"),
-      findChanges_("segment/shaders/find_changed_tiles.comp"), smoothX_("segment/shaders/smooth_x.comp"),
-      smoothY_("segment/shaders/smooth_y.comp"), smoothZ_("segment/shaders/smooth_z.comp"),
+      findChanges_("segment/shaders/find_changed_tiles.comp"), packRows_("segment/shaders/pack_rows.comp"),
+      smoothXY_("segment/shaders/smooth_xy.comp"), smoothZ_("segment/shaders/smooth_z.comp"),
       writePlain_("segment/shaders/write_membership.comp"),
       summarize_("segment/shaders/summarize_tiles.comp") {
     const glm::dvec3 spacing = geometry.spacing();
@@ -117,7 +117,7 @@ std::vector<std::uint32_t> Segmentation::tilesToSmooth() {
 // Smooths tiles [first, first + count) of the list on the device.
 void Segmentation::smooth(const Growth& growth, std::uint32_t first, std::uint32_t count) {
     growth.seedMap().bindTexture(0);
-    alongX_.bindStorage(1);
+    rows_.bindStorage(1);
     alongXY_.bindStorage(2);
     const auto prepare = [&](gl::Program& program, int axis) {
         program.set(0, dims_)
@@ -126,12 +126,13 @@ void Segmentation::smooth(const Growth& growth, std::uint32_t first, std::uint32
             .set(3, int(first))
             .set(4, weights_[axis]);
     };
-    prepare(smoothX_, 0);
-    prepare(smoothY_, 1);
+    prepare(packRows_, 0);
+    prepare(smoothXY_, 1);
+    smoothXY_.set(5, weights_[0]);
     prepare(smoothZ_, 2);
     // Each pass reads what the one before it has written.
-    smoothX_.dispatchOver({kPadded * kPadded, int(count), 1}, gl::Barrier::Storage);
-    smoothY_.dispatchOver({kPadded * kTile, int(count), 1}, gl::Barrier::Storage);
+    packRows_.dispatchOver({kPadded * kPadded, int(count), 1}, gl::Barrier::Storage);
+    smoothXY_.dispatchOver({kPadded * kTile, int(count), 1}, gl::Barrier::Storage);
     texels_.bindImage(0, gl::Access::Write);
     smoothZ_.dispatchOver({kTile * kTile, int(count), 1}, gl::Barrier::Texture);
 }

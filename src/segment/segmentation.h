@@ -21,7 +21,7 @@ enum class Smoothing { Plain, Smooth };
 // surface is its 0.5 level.
 class Segmentation {
 public:
-    // Throws GlError when the device has no room (2 bytes a voxel, and 40 MiB of scratch).
+    // Throws GlError when the device has no room (2 bytes a voxel, and 12 MiB of scratch).
     explicit Segmentation(const volume::GridGeometry& geometry);
 
     // Brings the volume up to date with what `growth` shows, always the same one. Cost follows the number of
@@ -55,11 +55,11 @@ private:
 
     gl::Buffer tiles_;
     gl::Buffer reach_;
-    gl::Buffer alongX_;
+    gl::Buffer rows_;
     gl::Buffer alongXY_;
     gl::Program findChanges_;
-    gl::Program smoothX_;
-    gl::Program smoothY_;
+    gl::Program packRows_;
+    gl::Program smoothXY_;
     gl::Program smoothZ_;
     gl::Program writePlain_;
     gl::Program summarize_;

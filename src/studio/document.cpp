@@ -28,7 +28,7 @@ Range greyWindow(const std::vector<std::uint32_t>& histogram, const Range& range
         if (before <= 0.01 * total && seen > 0.01 * total) {
             window.lo = range.lo + double(i) * binWidth;
         }
-        if (before < 0.99 * total && seen >= 0.99 * total) {
+        if (before < 0.97 * total && seen >= 0.97 * total) {
             window.hi = range.lo + double(i + 1) * binWidth;
         }
     }

@@ -121,7 +121,7 @@ std::string shortReason(const std::exception& error) {
 }
 
 bool takeValues(Volume& volume, itk::IOComponentEnum component, std::vector<std::byte>&& bytes) {
-    using enum itk::IOComponentEnum;
+    using enum itk::CommonEnums::IOComponent;
     const auto keep = [&](ScalarType type) {
         volume.type = type;
         volume.bytes = std::move(bytes);

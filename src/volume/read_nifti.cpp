@@ -17,7 +17,7 @@ namespace vs::volume {
 namespace {
 
 itk::IOComponentEnum componentOf(int datatype) {
-    using enum itk::IOComponentEnum;
+    using enum itk::CommonEnums::IOComponent;
     switch (datatype) {
     case 2:
         return UCHAR;

@@ -41,7 +41,7 @@ void QueueGrowth::addSeeds(std::span<const glm::ivec3> seeds) {
 
 int QueueGrowth::advance(int generations) {
     const int before = playhead_;
-    playhead_ = std::min(extent_, playhead_ + generations);
+    playhead_ += std::min(extent_ - playhead_, generations);
     while (playhead_ - before < generations && expand()) {
         playhead_ = ++extent_;
     }

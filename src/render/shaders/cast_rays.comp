@@ -25,16 +25,15 @@ float greyOf(float value) { return clamp((value - range.z) / max(range.w - range
 vec3 shadeHit(Hit hit, Ray ray) {
     vec3 right = normalize(viewRight.xyz);
     vec3 up = normalize(viewUp.xyz);
-    vec3 albedo = kSurfaceColour;
-    float gloss = 0.12;
-    if (hit.isCut) { // a section: the data's own values
-        albedo = linearFromDisplay(vec3(0.12 + 0.88 * greyOf(dataAt(hit.voxel))) * vec3(1.0, 0.985, 0.96));
-        gloss = 0.0;
+    vec3 albedo = hit.isSegment ? segmentColour : kSurfaceColour;
+    if (!hit.isCut) {
+        return displayFromLinear(lit(albedo, hit.normal, -ray.world, right, up, -viewForward.xyz, 0.12));
     }
-    if (hit.isSegment) {
-        albedo = hit.isCut ? mix(albedo, segmentColour, 0.6) : segmentColour;
-    }
-    return displayFromLinear(lit(albedo, hit.normal, -ray.world, right, up, -viewForward.xyz, gloss));
+    // A section shows the data's own values: grey, shaded just enough to tell its shape.
+    vec3 section = linearFromDisplay(vec3(0.15 + 0.85 * greyOf(dataAt(hit.voxel))) * vec3(1.0, 0.985, 0.96));
+    section = hit.isSegment ? mix(section, segmentColour, 0.55) : section;
+    vec3 key = normalize(-0.45 * right + 0.65 * up - 0.75 * viewForward.xyz);
+    return displayFromLinear(section * (0.55 + 0.45 * max(dot(hit.normal, key), 0.0)));
 }
 
 #if MODE == 1
@@ -84,7 +83,8 @@ vec3 colourOf(Ray ray, vec3 behind) {
     return hit.found ? shadeHit(hit, ray) : behind;
 #elif MODE == 1
     float greatest = greatestAlong(ray);
-    return greatest > -1e29 ? mix(behind * 0.3, vec3(1.0), greyOf(greatest)) : behind;
+    float brightness = clamp((greatest - range.x) / max(range.y - range.x, 1e-20), 0.0, 1.0);
+    return greatest > -1e29 ? mix(behind * 0.3, vec3(1.0), brightness) : behind;
 #elif MODE == 2
     float brightness = integralAlong(ray, ray.tFar) / exposure.y * exposure.x;
     return mix(behind, vec3(1.0), clamp(brightness, 0.0, 1.0));

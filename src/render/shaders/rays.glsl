@@ -47,13 +47,21 @@ vec3 at(Ray ray, float t) { return ray.origin + t * ray.direction; }
 // How far from t the ray can go without meeting an occupied macrocell; 0 if the cell at t is occupied itself.
 float emptyUntil(Ray ray, float t, vec3 inverseDirection) {
     vec3 p = at(ray, t);
-    ivec3 cell = clamp(ivec3(floor(p * 0.25)), ivec3(0), textureSize(cellDistances, 0) - 1);
+    ivec3 count = textureSize(cellDistances, 0);
+    ivec3 cell = clamp(ivec3(floor(p * 0.25)), ivec3(0), count - 1);
     int distance = int(texelFetch(cellDistances, cell, 0).r);
-    // All cells nearer than `distance` are empty: leave their block through the faces ahead.
-    vec3 face = 4.0 * vec3(cell) + mix(vec3(4.0 * float(1 - distance)), vec3(4.0 * float(distance)),
-                                       greaterThan(ray.direction, vec3(0.0)));
+    // All cells nearer than `distance` are empty: leave their block through the faces ahead, a hair beyond them, in
+    // voxels and not in steps, or a ray almost along a face would creep towards it. The half voxel outside the outermost
+    // cells belongs to them.
+    const float hair = 1e-3;
+    const float outside = 1e5;
+    ivec3 lower = cell + 1 - distance;
+    ivec3 upper = cell + distance;
+    vec3 lowerFace = mix(4.0 * vec3(lower) - hair, vec3(-outside), lessThanEqual(lower, ivec3(0)));
+    vec3 upperFace = mix(4.0 * vec3(upper) + hair, vec3(outside), greaterThanEqual(upper, count));
+    vec3 face = mix(lowerFace, upperFace, greaterThan(ray.direction, vec3(0.0)));
     vec3 exits = (face - ray.origin) * inverseDirection;
-    return distance > 0 ? max(min(min(exits.x, exits.y), exits.z) - t, 0.0) + 1e-3 : 0.0;
+    return distance > 0 ? max(min(min(exits.x, exits.y), exits.z) - t, 1e-3) : 0.0;
 }
 
 // A component of zero becomes a tiny one of the same sign as `greaterThan(direction, 0)` assumes.

@@ -96,12 +96,14 @@ Hit findSurface(Ray ray) {
     hit.voxel = at(ray, hit.t);
     vec3 before = at(ray, bracket.x);
 #if CONTENT != 0
-    hit.isSegment = segmentationAt(hit.voxel) >= 0.5;
+    // The data's surface and the segment's rarely agree to the voxel: what lies just behind is tinted too.
+    vec3 inwards = at(ray, hit.t + 1.5);
+    hit.isSegment = max(segmentationAt(hit.voxel), segmentationAt(inwards)) >= 0.5;
 #endif
     bool atBorder = bracket.y - ray.tNear < 1e-3 && ray.tNear > 0.0;
     vec3 gradient = atBorder ? boxNormal(hit.voxel) : dataGradient(hit.voxel);
 #if CONTENT != 0
-    if (hit.isSegment && !atBorder) {
+    if (segmentationAt(hit.voxel) >= 0.5 && !atBorder) {
         gradient = segmentationGradient(hit.voxel);
     }
 #endif

@@ -13,7 +13,7 @@ struct Patch {
     uint firstPoint;
     uint counts;
     float mask;
-    float unused;
+    uint offset; // of a single sample from the middle in u and v
 };
 
 layout(std430, binding = 0) readonly buffer Corners { Corner corners[]; };
@@ -51,7 +51,7 @@ void main() {
     uint place = p.firstPoint - basePoint;
     for (int j = 0; j < counts.y; ++j) {
         for (int i = 0; i < counts.x; ++i) {
-            vec2 uv = (vec2(i, j) + 0.5) * stride.xy;
+            vec2 uv = (vec2(i, j) + 0.5) * stride.xy + unpackSnorm2x16(p.offset);
             vec4 start = bilinear(a.start, b.start, c.start, d.start, uv);
             vec3 direction = bilinear(a.direction, b.direction, c.direction, d.direction, uv).xyz;
             vec3 startU = mix(b.start - a.start, d.start - c.start, uv.y).xyz;
@@ -64,7 +64,9 @@ void main() {
                 vec3 alongU = startU + depth * directionU;
                 vec3 alongV = startV + depth * directionV;
                 float density = max(forwards * dot(cross(alongU, alongV), direction), 0.0);
-                points[place++] = vec4(start.xyz + depth * direction, mask * density * cellVolume);
+                // Where paths have met and crossed in both u and v the determinant is positive again.
+                bool hasCrossed = dot(alongU, middleU) < 0.0 || dot(alongV, middleV) < 0.0;
+                points[place++] = vec4(start.xyz + depth * direction, hasCrossed ? 0.0 : mask * density * cellVolume);
             }
         }
     }

@@ -1,6 +1,6 @@
 // Smooths along z what is smooth along x and y, and holds the result to the truth: at least 0.5 at the region's voxels,
 // below 0.5 at all others. One invocation a row of 16 voxels along z, with a sliding window.
-// In: texture 0 seed map; storage 0 tiles, 2 with 16 x 16 x 22 values a tile. Out: image 0 segmentation (r16).
+// In: storage 0 tiles, 2 with 16 x 16 x 22 values a tile, negative at the region's voxels. Out: image 0 segmentation (r16).
 #include "segment/shaders/tiles.glsl"
 
 layout(local_size_x = 64) in;
@@ -17,12 +17,16 @@ void main() {
     }
     uint from = gl_WorkGroupID.y * uint(kPadded) * stride + row;
     float a = 0.0;
-    float b = alongXY[from];
-    float c = alongXY[from + stride];
-    float d = alongXY[from + 2u * stride];
-    float e = alongXY[from + 3u * stride];
-    float f = alongXY[from + 4u * stride];
-    float g = alongXY[from + 5u * stride];
+    float b = abs(alongXY[from]);
+    float c = abs(alongXY[from + stride]);
+    float d = abs(alongXY[from + 2u * stride]);
+    float e = abs(alongXY[from + 3u * stride]);
+    float f = abs(alongXY[from + 4u * stride]);
+    float g = abs(alongXY[from + 5u * stride]);
+    // Signs from the middle of the window on.
+    bool m0 = alongXY[from + 3u * stride] < 0.0;
+    bool m1 = alongXY[from + 4u * stride] < 0.0;
+    bool m2 = alongXY[from + 5u * stride] < 0.0;
     int depth = min(kTile, dims.z - voxel.z);
     for (int z = 0; z < depth; ++z, ++voxel.z) {
         a = b;
@@ -31,10 +35,14 @@ void main() {
         d = e;
         e = f;
         f = g;
-        g = alongXY[from + (uint(z) + 6u) * stride];
+        float newest = alongXY[from + (uint(z) + 6u) * stride];
+        g = abs(newest);
         // In the texel's own units, where 0.5 lies between 32767 and 32768.
-        float texel = round(clamp(smoothed(a, b, c, d, e, f, g), 0.0, 1.0) * 65535.0);
-        texel = isMember(voxel) ? max(texel, 32768.0) : min(texel, 32767.0);
+        float texel = round(clamp(smoothed(weights, a, b, c, d, e, f, g), 0.0, 1.0) * 65535.0);
+        texel = m0 ? max(texel, 32768.0) : min(texel, 32767.0);
         imageStore(segmentation, voxel, vec4(texel / 65535.0));
+        m0 = m1;
+        m1 = m2;
+        m2 = newest < 0.0;
     }
 }

@@ -1,0 +1,144 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "field/cell_ranges.h"
+#include "tool_fixture.h"
+
+#include <random>
+
+namespace vs::sculpt {
+namespace {
+
+using SculptureTest = test::GlTest;
+using test::drill;
+using test::Workpiece;
+
+const glm::ivec3 kDims(75, 61, 50); // no multiple of a tile, a cell or a brick
+
+// Every cell's range must be the one of its 5^3 corner voxels.
+void expectCellsRight(const Sculpture& sculpture) {
+    const auto values = test::floatsFromHalves(sculpture.download({glm::ivec3(0), sculpture.dims()}));
+    const auto cells = sculpture.cells().downloadAll<glm::vec2>();
+    const glm::ivec3 dims = sculpture.dims();
+    const glm::ivec3 count = field::cellDims(dims);
+    std::size_t n = 0;
+    for (int z = 0; z < count.z; ++z) {
+        for (int y = 0; y < count.y; ++y) {
+            for (int x = 0; x < count.x; ++x, ++n) {
+                const glm::ivec3 first = glm::ivec3(x, y, z) * field::kCell;
+                const glm::ivec3 last = glm::min(first + field::kCell, dims - 1);
+                glm::vec2 range(1e9F, -1e9F);
+                for (int k = first.z; k <= last.z; ++k) {
+                    for (int j = first.y; j <= last.y; ++j) {
+                        for (int i = first.x; i <= last.x; ++i) {
+                            const float v = values[std::size_t((k * dims.y + j) * dims.x + i)];
+                            range = {std::min(range.x, v), std::max(range.y, v)};
+                        }
+                    }
+                }
+                ASSERT_EQ(cells[n], range) << x << " " << y << " " << z;
+            }
+        }
+    }
+}
+
+TEST_F(SculptureTest, CellsFollowEveryChange) {
+    Workpiece piece(kDims);
+    const auto mask = rasterize(ellipseOutline({40, 30}, {20, 9}), 0.5);
+    BrickBackup backup(piece.sculpture.texels());
+    const auto before = piece.sculpture.version();
+    const Box3 box = piece.cut(test::slabUnder(mask, 20), mask, drill(15, {0.3, 0.2, 1}), &backup);
+    EXPECT_GT(piece.sculpture.version(), before);
+    EXPECT_FALSE(piece.sculpture.isEmpty());
+    expectCellsRight(piece.sculpture);
+    auto delta = backup.finish();
+    piece.sculpture.swap(delta);
+    expectCellsRight(piece.sculpture);
+    piece.sculpture.swap(delta);
+    const auto bytes = piece.sculpture.download(box);
+    piece.sculpture.clear();
+    EXPECT_TRUE(piece.sculpture.isEmpty());
+    expectCellsRight(piece.sculpture);
+    piece.sculpture.upload(box, bytes);
+    expectCellsRight(piece.sculpture);
+}
+
+TEST_F(SculptureTest, OnlyTheReturnedBoxChangesAndItIsTight) {
+    Workpiece piece(kDims);
+    const auto mask = rasterize(circleOutline({40, 30}, 6), 0.5);
+    const Box3 box = piece.cut(test::slabUnder(mask, 20), mask, drill(10));
+    const auto values = piece.values();
+    Box3 changed;
+    for (int z = 0; z < kDims.z; ++z) {
+        for (int y = 0; y < kDims.y; ++y) {
+            for (int x = 0; x < kDims.x; ++x) {
+                if (values[std::size_t((z * kDims.y + y) * kDims.x + x)] != 0) {
+                    changed = unite(changed, {{x, y, z}, {x + 1, y + 1, z + 1}});
+                }
+            }
+        }
+    }
+    EXPECT_EQ(intersect(box, changed), changed);
+    EXPECT_LE(box.volume(), grow(changed, 2 * kTile).volume());
+}
+
+TEST_F(SculptureTest, UndoAndRedoRestoreBytesExactly) {
+    Workpiece piece(kDims);
+    const auto first = rasterize(circleOutline({30, 30}, 10), 0.5);
+    const auto second = rasterize(circleOutline({42, 33}, 12), 0.5);
+    piece.cut(test::slabUnder(first, 15), first, drill(8));
+    const auto before = piece.bytes();
+
+    BrickBackup backup(piece.sculpture.texels());
+    piece.cut(test::slabUnder(second, 12), second, drill(9), &backup);
+    piece.cut(test::slabUnder(second, 12), second, drill(13), &backup);
+    const auto after = piece.bytes();
+    BrickDelta delta = backup.finish();
+    EXPECT_TRUE(backup.isEmpty());
+
+    std::size_t differing = 0;
+    for (std::size_t n = 0; n < before.size(); n += 2) {
+        differing += before[n] != after[n] || before[n + 1] != after[n + 1] ? 1 : 0;
+    }
+    EXPECT_EQ(delta.changedVoxels(), differing);
+    EXPECT_GT(differing, 1000U);
+    EXPECT_LT(delta.memoryBytes(), before.size() / 2);
+    piece.sculpture.swap(delta);
+    EXPECT_EQ(piece.bytes(), before);
+    piece.sculpture.swap(delta);
+    EXPECT_EQ(piece.bytes(), after);
+    piece.sculpture.swap(delta);
+    EXPECT_EQ(piece.bytes(), before);
+}
+
+TEST_F(SculptureTest, ABackupCanPutEverythingBack) {
+    Workpiece piece(kDims);
+    const auto mask = rasterize(circleOutline({42, 33}, 12), 0.5);
+    BrickBackup backup(piece.sculpture.texels());
+    const auto before = piece.bytes();
+    piece.cut(test::slabUnder(mask, 12), mask, drill(9), &backup);
+    piece.sculpture.refresh(backup.restore());
+    EXPECT_EQ(piece.bytes(), before);
+    expectCellsRight(piece.sculpture);
+    // Back to the start is no change at all.
+    EXPECT_TRUE(backup.finish().isEmpty());
+}
+
+TEST_F(SculptureTest, BricksAreProtectedOnceAndOnlyInsideTheTexture) {
+    gl::Texture texture(glm::ivec3(40, 33, 20), gl::Format::R16UI, gl::Filter::Nearest, "labels");
+    texture.clear(7U);
+    BrickBackup backup(texture);
+    backup.protect({{-10, 5, 5}, {5, 6, 6}});
+    texture.clear({{0, 0, 0}, {3, 3, 3}}, 9U);
+    backup.protect({{0, 0, 0}, {100, 100, 100}}); // the first brick keeps its first contents
+    texture.clear({{39, 32, 19}, {40, 33, 20}}, 1U);
+    backup.protect({{200, 0, 0}, {300, 1, 1}});
+    BrickDelta delta = backup.finish();
+    EXPECT_EQ(delta.changedVoxels(), 28U);
+    EXPECT_EQ(delta.box(), (Box3{{0, 0, 0}, {40, 33, 20}}));
+    delta.swap(texture);
+    for (const auto value : texture.downloadAll<std::uint16_t>()) {
+        ASSERT_EQ(value, 7);
+    }
+}
+
+} // namespace
+} // namespace vs::sculpt

@@ -33,6 +33,8 @@ int run(int argc, char** argv) {
     vs::cli::addInfoCommand(app);
     vs::cli::addRenderCommand(app);
     vs::cli::addRunCommand(app);
+    vs::cli::addGrowCommand(app);
+    //vs::cli::addSweepCommand(app);
     vs::cli::addDevicesCommand(app);
     vs::cli::addCompareCommand(app);
     try {

@@ -21,9 +21,12 @@ void SceneBinding::bind(const Scene& scene) {
     block.spacing = glm::vec4(glm::vec3(data.geometry.spacing()), float(data.geometry.stepMm()));
     block.valueScale = {data.valueScale, data.valueOffset, data.isIntegral ? 1.0F : 0.0F,
                         valueTolerance(data)};
-    // Never below the data, so that the stand-in for non-finite voxels (which only float fields have) is outside.
-    const double lo = data.isIntegral ? scene.displayedRange.lo : std::max(scene.displayedRange.lo, data.range.lo);
-    block.range = {float(lo), float(scene.displayedRange.hi), float(scene.greyWindow.lo), float(scene.greyWindow.hi)};
+    // Never below the data, so that the stand-in for non-finite voxels (which only float fields have) is
+    // outside.
+    const double lo =
+        data.isIntegral ? scene.displayedRange.lo : std::max(scene.displayedRange.lo, data.range.lo);
+    block.range = {float(lo), float(scene.displayedRange.hi), float(scene.greyWindow.lo),
+                   float(scene.greyWindow.hi)};
     block.flags.x = scene.segmentation != nullptr ? 1.0F : 0.0F;
     block_.writeValue(block);
     block_.bindUniform(0);

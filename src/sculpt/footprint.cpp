@@ -14,7 +14,8 @@ namespace {
 // the middle between its variance and the linear one's 1/6 decides.
 constexpr double kQuadraticVariance = 5.0 / 24.0;
 
-// Variances of Gaussians for which a cubic deposit (variance 1/3) is worth its 64 voxels a point instead of 27.
+// Variances of Gaussians for which a cubic deposit (variance 1/3) is worth its 64 voxels a point instead
+// of 27.
 constexpr double kCubicFrom = 0.36;
 constexpr double kCubicTo = 0.5;
 
@@ -108,8 +109,9 @@ AxisFootprint fitAxis(double sigma) {
     }
     // Around radius 2 a quadratic deposit leaves errors of 8e-3 where edges meet, a cubic one half of that.
     axis.degree = sigma * sigma > kCubicFrom && sigma * sigma < kCubicTo ? 3 : 2;
-    // The deposit itself reaches 1.5 voxels, so one tap fewer than the Gaussian's 3 sigma covers it. The narrowest needs
-    // its second tap all the same, slightly negative: it sharpens what the deposit has blurred.
+    // The deposit itself reaches 1.5 voxels, so one tap fewer than the Gaussian's 3 sigma covers it. The
+    // narrowest needs its second tap all the same, slightly negative: it sharpens what the deposit has
+    // blurred.
     axis.reach = std::clamp(int(std::ceil(3 * sigma - 1e-6)) - 1, 2, AxisFootprint::kMaxReach);
     const auto taps = fitTaps(sigma, axis.degree, axis.reach);
     float sides = 0;

@@ -7,9 +7,9 @@
 
 namespace vs::sculpt {
 
-// How one axis spreads a point's energy: it is first deposited by a B-spline (degree 1, 2 or 3) into the voxels
-// next to it and then convolved with symmetric taps, which together stand for the Gaussian. taps[0] is the
-// middle; they sum to 1.
+// How one axis spreads a point's energy: it is first deposited by a B-spline (degree 1, 2 or 3) into the
+// voxels next to it and then convolved with symmetric taps, which together stand for the Gaussian. taps[0] is
+// the middle; they sum to 1.
 struct AxisFootprint {
     static constexpr int kMaxReach = 4;
     int degree = 2;

@@ -17,11 +17,8 @@ SweptPatches sweepPiece(const MaskRaster& mask, const PathPiece& piece) {
     const auto row = std::uint32_t(mask.size.x);
     for (int j = 0; j + 1 < mask.size.y; ++j) {
         for (int i = 0; i + 1 < mask.size.x; ++i) {
-            if (mask.at(i, j) > 0 || mask.at(i + 1, j) > 0 || mask.at(i, j + 1) > 0 ||
-                mask.at(i + 1, j + 1) > 0) {
-                const auto corner = std::uint32_t(j) * row + std::uint32_t(i);
-                out.addPatch({corner, corner + 1, corner + row, corner + row + 1});
-            }
+            const auto corner = std::uint32_t(j) * row + std::uint32_t(i);
+            out.addCell({corner, corner + 1, corner + row, corner + row + 1});
         }
     }
     return out;

@@ -37,7 +37,22 @@ void SweptPatches::reserve(std::size_t corners, std::size_t patches) {
     patches_.reserve(patches);
 }
 
-void SweptPatches::addPatch(const std::array<std::uint32_t, 4>& corners, float mask, glm::vec2 centroid) {
+void SweptPatches::addCell(const std::array<std::uint32_t, 4>& corners) {
+    std::array<float, 4> mask{};
+    std::transform(corners.begin(), corners.end(), mask.begin(),
+                   [&](std::uint32_t n) { return corners_[n].start.w; });
+    const float sum = mask[0] + mask[1] + mask[2] + mask[3];
+    if (sum > 0) {
+        addPatch(corners, sum / 4, {(mask[1] + mask[3]) / sum, (mask[2] + mask[3]) / sum}, true);
+    }
+}
+
+void SweptPatches::addBlock(const std::array<std::uint32_t, 4>& corners, float mask, glm::vec2 centroid) {
+    addPatch(corners, mask, centroid, false);
+}
+
+void SweptPatches::addPatch(const std::array<std::uint32_t, 4>& corners, float mean, glm::vec2 centroid,
+                            bool isBilinear) {
     std::array<glm::vec3, 4> begin;
     std::array<glm::vec3, 4> end;
     glm::vec3 direction(0);
@@ -61,6 +76,7 @@ void SweptPatches::addPatch(const std::array<std::uint32_t, 4>& corners, float m
     const int nv = samplesFor(std::max(gap(0, 2), gap(1, 3)), kMaxAcross);
     const float depth = depthHi_ - depthLo_;
     const int nd = samplesFor(longest * depth * depth, std::min(kMaxAlong, (1 << 21) / (nu * nv)));
+    const float mask = isBilinear && nu * nv > 1 ? -1 : mean;
     const glm::vec2 offset(nu == 1 ? centroid.x - 0.5F : 0.0F, nv == 1 ? centroid.y - 0.5F : 0.0F);
     patches_.push_back({corners, std::uint32_t(pointCount_),
                         std::uint32_t(nu) | std::uint32_t(nv) << 8U | std::uint32_t(nd) << 16U, mask,

@@ -22,7 +22,7 @@ struct SweptPatch {
     std::array<std::uint32_t, 4> corners{}; // (0,0) (1,0) (0,1) (1,1)
     std::uint32_t firstPoint = 0;           // among all points of its SweptPatches
     std::uint32_t counts = 0;               // samples along u (8 bits), v (8 bits) and depth (16 bits)
-    float mask = -1; // the same for the whole patch; bilinear between the corners' when negative
+    float mask = -1;          // the same for the whole patch; bilinear between the corners' when negative
     std::uint32_t offset = 0; // of a single sample from the middle in u and v, as two 16-bit signed fractions
 };
 static_assert(sizeof(SweptPatch) == 32);
@@ -32,9 +32,10 @@ static_assert(sizeof(SweptPatch) == 32);
 // share corners.
 class SweptPatches {
 public:
-    // Samples are at most this many voxels apart. A quadratic deposit passes a lattice's ripple at frequency f (per voxel)
-    // with sinc(f)^3 along each axis: zero at 1, 3e-3 at 1 / 1.15. Measured: density 1 within 1e-2, in any direction.
-    static constexpr float kSpacing = 1.05F;
+    // Samples are at most this many voxels apart. A quadratic deposit passes a lattice's ripple at frequency
+    // f (per voxel) with sinc(f)^3 along each axis: zero at 1, 3e-3 at 1 / 1.15. Measured: density 1 within
+    // 1e-2, in any direction.
+    static constexpr float kSpacing = 1.15F;
 
     // `orientation` is the sign of det(dP/du, dP/dv, dP/dd) that counts as moving forwards: parts of a patch
     // that move the other way (paths that have crossed) carry no energy. 0: the sign that each patch has at
@@ -44,9 +45,13 @@ public:
 
     // Returns the new corner's index.
     std::uint32_t addCorner(const glm::vec3& start, const glm::vec3& direction, float mask);
-    // Adds a patch, choosing its number of samples. `mask` as in SweptPatch. `centroid` is the middle of the mask's energy
-    // within a patch that stands for many elements: where a single sample has to be for its edges to lie right.
-    void addPatch(const std::array<std::uint32_t, 4>& corners, float mask = -1, glm::vec2 centroid = glm::vec2(0.5F));
+    // Adds a patch between four neighbouring elements, choosing its number of samples; their masks are the
+    // corners'. A single sample lies at the centre of mass of the four, so that nothing is blurred by joining
+    // them.
+    void addCell(const std::array<std::uint32_t, 4>& corners);
+    // Adds a patch that stands for many elements, of mean `mask` and with their centre of mass at `centroid`
+    // in (u, v).
+    void addBlock(const std::array<std::uint32_t, 4>& corners, float mask, glm::vec2 centroid);
     void reserve(std::size_t corners, std::size_t patches);
 
     [[nodiscard]] const std::vector<SweptCorner>& corners() const { return corners_; }
@@ -59,6 +64,9 @@ public:
     [[nodiscard]] Box3 pointBox() const;
 
 private:
+    void addPatch(const std::array<std::uint32_t, 4>& corners, float mean, glm::vec2 centroid,
+                  bool isBilinear);
+
     std::vector<SweptCorner> corners_;
     std::vector<SweptPatch> patches_;
     glm::vec3 lo_{1e30F};

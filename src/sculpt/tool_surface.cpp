@@ -155,10 +155,15 @@ private:
         return glm::dot(between, between) <= gap_ * gap_;
     }
 
-    [[nodiscard]] float cornerMask(int i, int j) const { return isHit(i, j) ? out_.corners()[at(i, j)].start.w : 0.0F; }
+    [[nodiscard]] float cornerMask(int i, int j) const {
+        return isHit(i, j) ? out_.corners()[at(i, j)].start.w : 0.0F;
+    }
 
-    // Cell (i, j) lies between elements (i, j) and (i + 1, j + 1); cells of the raster's rim have elements on one side.
-    Cell& cell(int i, int j) { return cells_[std::size_t(j + 1) * std::size_t(size_.x + 1) + std::size_t(i + 1)]; }
+    // Cell (i, j) lies between elements (i, j) and (i + 1, j + 1); cells of the raster's rim have elements on
+    // one side.
+    Cell& cell(int i, int j) {
+        return cells_[std::size_t(j + 1) * std::size_t(size_.x + 1) + std::size_t(i + 1)];
+    }
     void findCells() {
         std::vector<std::uint8_t> joinedX(points_.size(), 0); // to the next along x, along y
         std::vector<std::uint8_t> joinedY(points_.size(), 0);
@@ -172,7 +177,8 @@ private:
         for (int j = -1; j < size_.y; ++j) {
             for (int i = -1; i < size_.x; ++i) {
                 const bool inner = i >= 0 && j >= 0 && i + 1 < size_.x && j + 1 < size_.y;
-                if (inner && (joinedX[at(i, j)] & joinedX[at(i, j + 1)] & joinedY[at(i, j)] & joinedY[at(i + 1, j)]) != 0) {
+                if (inner && (joinedX[at(i, j)] & joinedX[at(i, j + 1)] & joinedY[at(i, j)] &
+                              joinedY[at(i + 1, j)]) != 0) {
                     cell(i, j) = Cell::Whole;
                 } else if (isHit(i, j) || isHit(i + 1, j) || isHit(i, j + 1) || isHit(i + 1, j + 1)) {
                     cell(i, j) = Cell::Broken;
@@ -181,7 +187,8 @@ private:
         }
     }
 
-    // Cells [first, first + count): as one patch where they are whole, else in quarters, down to single cells.
+    // Cells [first, first + count): as one patch where they are whole, else in quarters, down to single
+    // cells.
     void addBlock(glm::ivec2 first, glm::ivec2 count) {
         const glm::ivec2 end = glm::min(first + count, size_); // the rim's last cells are at size - 1
         bool whole = true;
@@ -190,10 +197,13 @@ private:
         for (int j = first.y; j < end.y; ++j) {
             for (int i = first.x; i < end.x; ++i) {
                 whole = whole && cell(i, j) == Cell::Whole;
-                const float mask =
-                    cornerMask(i, j) + cornerMask(i + 1, j) + cornerMask(i, j + 1) + cornerMask(i + 1, j + 1);
-                sum += mask;
-                moment += mask * (glm::vec2(i - first.x, j - first.y) + 0.5F);
+                // Each element's share at its own place: joining elements must not blur the mask.
+                for (int n = 0; n < 4; ++n) {
+                    const glm::ivec2 e(i + (n & 1), j + (n >> 1));
+                    const float mask = cornerMask(e.x, e.y);
+                    sum += mask;
+                    moment += mask * glm::vec2(e - first);
+                }
             }
         }
         const glm::ivec2 cells = end - first;
@@ -203,7 +213,8 @@ private:
         if (cells.x * cells.y == 1) {
             addCell(first);
         } else if (whole) {
-            addPatch(first, cells, sum / float(4 * cells.x * cells.y), moment / sum / glm::vec2(cells));
+            out_.addBlock(cornersOf(first, cells), sum / float(4 * cells.x * cells.y),
+                          moment / sum / glm::vec2(cells));
         } else {
             const glm::ivec2 half = (count + 1) / 2;
             for (int n = 0; n < 4; ++n) {
@@ -218,17 +229,17 @@ private:
 
     void addCell(glm::ivec2 c) {
         if (cell(c.x, c.y) == Cell::Whole) {
-            addPatch(c, {1, 1}, -1, glm::vec2(0.5F));
+            out_.addCell(cornersOf(c, {1, 1}));
         } else if (cell(c.x, c.y) == Cell::Broken) {
             addQuarters(c);
         }
     }
 
-    void addPatch(glm::ivec2 c, glm::ivec2 cells, float mask, glm::vec2 centroid) {
+    // The corners of cells [c, c + cells).
+    [[nodiscard]] std::array<std::uint32_t, 4> cornersOf(glm::ivec2 c, glm::ivec2 cells) const {
         const glm::ivec2 d = c + cells;
-        out_.addPatch({std::uint32_t(at(c.x, c.y)), std::uint32_t(at(d.x, c.y)), std::uint32_t(at(c.x, d.y)),
-                       std::uint32_t(at(d.x, d.y))},
-                      mask, centroid);
+        return {std::uint32_t(at(c.x, c.y)), std::uint32_t(at(d.x, c.y)), std::uint32_t(at(c.x, d.y)),
+                std::uint32_t(at(d.x, d.y))};
     }
 
     // The step in voxel space from one element to the next along an axis of the raster, as a hit's neighbours
@@ -275,7 +286,7 @@ private:
                 const glm::vec3 start = place(e.x, e.y) + float(k & 1U) * halfU + float(k >> 1U) * halfV;
                 corners[k] = out_.addCorner(start, voxelFromSteps_ * direction, mask);
             }
-            out_.addPatch(corners);
+            out_.addCell(corners);
         }
     }
 

@@ -14,7 +14,6 @@ using test::Workpiece;
 const glm::ivec3 kDims(72, 68, 48);
 const MaskRaster kDisc = rasterize(circleOutline({36, 34}, 14), 0.5);
 
-
 TEST_F(DrillTest, FloorOfASlabLiesAtTheAskedDepth) {
     for (const double depth : {0.5, 1.0, 3.3, 8.0, 10.0}) {
         for (const int radius : {2, 3, 4}) {
@@ -123,7 +122,7 @@ TEST_F(DrillTest, TheMasksDensityDoesNotMatter) {
     }
     EXPECT_LE(test::largestDifference(results[0], results[1]), 0.02F);
     EXPECT_LE(test::largestDifference(results[1], results[2]), 0.02F);
-    printf("density: %f %f\n", double(test::largestDifference(results[0], results[1])), double(test::largestDifference(results[1], results[2])));
+           double(test::largestDifference(results[1], results[2])));
 }
 
 TEST_F(DrillTest, ACoarseMaskLeavesNoHoles) {
@@ -151,13 +150,15 @@ TEST_F(DrillTest, ASteepSurfaceIsCutToItsDepthEverywhere) {
     piece.cut(surface, mask, drill(10));
     const auto values = piece.values();
     for (double x = 32; x <= 40; x += 0.7) {
-        const double found = test::crossingOf(values, piece.dims(), {x, 34, height(x) + 3}, {0, 0, 1}, 20) + 3;
+        const double found =
+            test::crossingOf(values, piece.dims(), {x, 34, height(x) + 3}, {0, 0, 1}, 20) + 3;
         EXPECT_NEAR(found, 10, 0.15) << x;
     }
 }
 
 TEST_F(DrillTest, SilhouettesAreNotJoined) {
-    // A step of 20 voxels at x = 36: the columns of both sides end where they should, and no wall is cut between them.
+    // A step of 20 voxels at x = 36: the columns of both sides end where they should, and no wall is cut
+    // between them.
     const auto surface = test::surfaceUnder(kDisc, [&](glm::dvec2 e) {
         return test::SurfaceHit{{e.x, e.y, e.x < 36 ? 8 : 30}, {0, 0, -1}};
     });
@@ -204,7 +205,8 @@ TEST_F(DrillTest, SurfacePointsOnTheDeviceDoTheSame) {
     const auto surface = test::slabUnder(kDisc, 15.3);
     Workpiece a(kDims);
     a.cut(surface, kDisc, drill(9));
-    field::SurfacePoints onDevice{gl::Buffer(surface.size() * sizeof(field::SurfacePoint), "points"), kDisc.size};
+    field::SurfacePoints onDevice{gl::Buffer(surface.size() * sizeof(field::SurfacePoint), "points"),
+                                  kDisc.size};
     onDevice.points.write(std::span(surface));
     Workpiece b(kDims);
     b.cutter.cut(b.sculpture, onDevice, kDisc, drill(9), nullptr);

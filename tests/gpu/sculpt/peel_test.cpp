@@ -42,7 +42,6 @@ TEST_F(PeelTest, LayersComeOffASphere) {
             }
         }
         EXPECT_LT(std::sqrt(squared / count), 0.2) << layers;
-        printf("peel %.1f: rms %.4f\n", layers, std::sqrt(squared / count));
         // Beyond the mask and its blur nothing has changed.
         for (int z = 0; z < kDims.z; ++z) {
             for (int y = 0; y < kDims.y; ++y) {
@@ -57,7 +56,8 @@ TEST_F(PeelTest, LayersComeOffASphere) {
 }
 
 TEST_F(PeelTest, DivergingPathsLeaveNoGaps) {
-    // From inside a hollow sphere of radius 14, 12 layers outwards: paths come to lie almost twice as far apart.
+    // From inside a hollow sphere of radius 14, 12 layers outwards: paths come to lie almost twice as far
+    // apart.
     const glm::ivec3 dims(64, 64, 64);
     const glm::dvec3 centre(32, 32, 24);
     const auto mask = rasterize(circleOutline({0, 0}, 0.7), 0.06);
@@ -83,8 +83,6 @@ TEST_F(PeelTest, DivergingPathsLeaveNoGaps) {
     }
     EXPECT_GT(lowest, 0.97F);
     EXPECT_LT(std::sqrt(squared / count), 0.2);
-    printf("hollow: lowest %f\n", double(lowest));
-    printf("hollow: rms %.4f\n", std::sqrt(squared / count));
 }
 
 TEST_F(PeelTest, PathsThatMeetDoNotPileUp) {
@@ -97,7 +95,8 @@ TEST_F(PeelTest, PathsThatMeetDoNotPileUp) {
     Radiator radiator;
     PointGenerator generator;
     radiator.begin(patches.pointBox(), dims, fitFootprint(3));
-    generator.generate(patches, [&](const gl::Buffer& points, std::size_t count) { radiator.deposit(points, count); });
+    generator.generate(patches,
+                       [&](const gl::Buffer& points, std::size_t count) { radiator.deposit(points, count); });
     radiator.finish();
     const auto e = radiator.download({glm::ivec3(0), dims});
     EXPECT_LE(*std::max_element(e.begin(), e.end()), 1.3F);
@@ -111,7 +110,8 @@ TEST_F(PeelTest, RoughNormalsDoNotScatterThePaths) {
     std::mt19937 random(11);
     std::normal_distribution<float> noise(0, 0.4F);
     for (auto& point : surface) {
-        const glm::vec3 rough = glm::vec3(point.normal) + glm::vec3(noise(random), noise(random), noise(random));
+        const glm::vec3 rough =
+            glm::vec3(point.normal) + glm::vec3(noise(random), noise(random), noise(random));
         point.normal = glm::vec4(glm::normalize(rough), 0);
     }
     Workpiece piece(kDims);
@@ -131,7 +131,6 @@ TEST_F(PeelTest, TheMasksDensityDoesNotMatter) {
         results.push_back(piece.values());
     }
     EXPECT_LE(test::largestDifference(results[0], results[1]), 0.02F);
-    printf("peel density: %f\n", double(test::largestDifference(results[0], results[1])));
 }
 
 } // namespace

@@ -105,7 +105,6 @@ TEST_F(RadiationTest, DenseSweptMasksMatchTheReference) {
         EXPECT_LE(worst, radius == 2 ? 7e-3 : 2.5e-3) << radius;
         EXPECT_LE(worstInside, radius == 2 ? 7e-3 : 2.5e-3) << radius;
         RecordProperty("worst" + std::to_string(radius), std::to_string(worst));
-        printf("radius %d: worst %.5f inside %.5f\n", radius, worst, worstInside);
     }
 }
 
@@ -197,7 +196,6 @@ TEST_F(RadiationTest, AnObliqueEllipseHasItsWallsWhereTheyBelong) {
         }
     }
     EXPECT_LT(std::sqrt(squared / count), 0.1);
-    printf("wall rms %.4f\n", std::sqrt(squared / count));
     // Ends: flat, exactly at the path's ends.
     const glm::dvec3 way = glm::normalize(to - from);
     EXPECT_NEAR(test::crossingOf(e, dims, glm::mix(from, to, 0.5), way, 40), 0.5 * glm::length(to - from),
@@ -211,7 +209,6 @@ TEST_F(RadiationTest, AnObliqueEllipseHasItsWallsWhereTheyBelong) {
         worst = std::max(worst, std::abs(std::clamp(e[n], 0.0F, 1.0F) - std::clamp(dense[n], 0.0F, 1.0F)));
     }
     EXPECT_LE(worst, 0.02);
-    printf("density diff %.4f\n", worst);
 }
 
 TEST_F(RadiationTest, APathWithACornerHasNoHole) {

@@ -23,8 +23,9 @@ void timeStamp(const char* name, test::Workpiece& piece, const std::vector<field
     const double each = whole.milliseconds() / kTimes;
     const Timer sweepTimer;
     const auto patches = sweepSurface(surface, mask, piece.geometry, how.sweep);
-    fmt::print("{}: {:.1f} ms ({} x {} elements, {} patches, {} points; sweeping on the CPU {:.1f} ms)\n", name, each,
-               mask.size.x, mask.size.y, patches.patches().size(), patches.pointCount(), sweepTimer.milliseconds());
+    fmt::print("{}: {:.1f} ms ({} x {} elements, {} patches, {} points; sweeping on the CPU {:.1f} ms)\n",
+               name, each, mask.size.x, mask.size.y, patches.patches().size(), patches.pointCount(),
+               sweepTimer.milliseconds());
     gl::Pass::enableTiming(true);
     gl::Pass::resetTimes();
     piece.cut(surface, mask, how);

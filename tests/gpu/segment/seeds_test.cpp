@@ -94,6 +94,9 @@ TEST_F(SeedsTest, ManyHitsOnOneVoxelGiveOneSeed) {
     SeedFinder finder;
     EXPECT_EQ(finder.find(upload(points, {300, 200}), field, constraints),
               (std::vector<glm::ivec3>{{3, 4, 7}}));
+    points[7].voxel = {1.5F, 2, 3, 1}; // of equally near voxels the first in the grid's order
+    EXPECT_EQ(finder.find(upload(points, {300, 200}), field, constraints),
+              (std::vector<glm::ivec3>{{1, 2, 3}, {3, 4, 7}}));
     for (auto& point : points) {
         point.voxel.w = 0;
     }

@@ -139,6 +139,32 @@ TEST_F(SegmentationTest, IncrementalUpdatesEqualFreshOnesByteForByte) {
     }
 }
 
+TEST_F(SegmentationTest, ASingleVoxelReachesTheTilesAround) {
+    // Along a diagonal, so that each border of a 16^3 tile is met at every distance, on all axes at once.
+    const auto volume =
+        volume::makePhantom({40, 40, 40}, volume::ScalarType::UInt8, [](glm::dvec3) { return 10.0; });
+    const field::Field field = field::uploadVolume(volume);
+    Growth growth(field);
+    Constraints constraints;
+    constraints.range = {10, 10};
+    growth.setConstraints(constraints);
+    Segmentation segmentation(volume.geometry);
+    for (int i = 10; i < 23; ++i) {
+        growth.reset();
+        segmentation.update(growth);
+        const glm::ivec3 seed(i, i, 33 - i);
+        growth.addSeeds(std::span(&seed, 1));
+        segmentation.update(growth);
+        expectEqualsFresh(growth, segmentation, fmt::format("one voxel at {}", i));
+        const auto texels = texelsOf(segmentation);
+        for (int n = 0; n < 6; ++n) {
+            glm::ivec3 v = seed;
+            v[n / 2] += n % 2 == 0 ? 3 : -3;
+            EXPECT_GT(texels[std::size_t((v.z * 40 + v.y) * 40 + v.x)], 0) << i << " " << n;
+        }
+    }
+}
+
 TEST_F(SegmentationTest, WhatWasScrubbedPlainIsSmoothedLater) {
     const auto volume = randomVolume({70, 50, 41}, volume::ScalarType::UInt8, 0, 100);
     const field::Field field = field::uploadVolume(volume);

@@ -1,0 +1,182 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Starts volume-studio on an X server of its own and drives it with real events. Python's standard library only."""
+
+import json
+import os
+import pathlib
+import shutil
+import subprocess
+import time
+
+SCREEN = "1600x1000x24"
+
+
+class Failure(Exception):
+    pass
+
+
+def need(condition, message):
+    if not condition:
+        raise Failure(message)
+
+
+class Display:
+    """An Xvfb that chooses a free display number by itself."""
+
+    def __init__(self):
+        for tool in ("Xvfb", "xdotool"):
+            need(shutil.which(tool), f"{tool} is not installed (Debian: xvfb xdotool)")
+        read_end, write_end = os.pipe()
+        self.server = subprocess.Popen(
+            ["Xvfb", "-displayfd", str(write_end), "-screen", "0", SCREEN, "-nolisten", "tcp"],
+            pass_fds=[write_end], stderr=subprocess.DEVNULL)
+        os.close(write_end)
+        with os.fdopen(read_end) as answer:
+            number = answer.readline().strip()
+        need(number, "Xvfb did not start")
+        self.environment = dict(os.environ, DISPLAY=f":{number}", QT_QPA_PLATFORM="xcb")
+        # Neither the person's desktop theme nor its scale may change what is clicked on.
+        for name in ("QT_QPA_PLATFORMTHEME", "QT_STYLE_OVERRIDE", "QT_SCALE_FACTOR", "XDG_CURRENT_DESKTOP"):
+            self.environment.pop(name, None)
+
+    def close(self):
+        self.server.terminate()
+        self.server.wait()
+
+
+class Studio:
+    """One running volume-studio."""
+
+    def __init__(self, display, program, folder, arguments=(), scale=1):
+        self.folder = pathlib.Path(folder)
+        self.layout_file = self.folder / "layout.json"
+        self.layout_file.unlink(missing_ok=True)
+        self.environment = dict(display.environment, QT_SCALE_FACTOR=str(scale))
+        self.log = open(self.folder / "volume-studio.log", "w+")
+        self.process = subprocess.Popen(
+            [program, "--layout-file", str(self.layout_file), *map(str, arguments)],
+            env=self.environment, stdout=self.log, stderr=subprocess.STDOUT)
+        self.wait("the window", lambda state: "mainWindow" in state["widgets"])
+
+    # --- looking
+
+    def state(self):
+        if self.process.poll() is not None:
+            self.log.seek(0)
+            raise Failure(f"volume-studio ended with {self.process.returncode}:\n{self.log.read()}")
+        try:
+            return json.loads(self.layout_file.read_text())
+        except FileNotFoundError:
+            return None
+
+    def wait(self, what, condition, seconds=90):
+        """Waits until the condition holds; the bound is generous because a software renderer may share its cores."""
+        end = time.monotonic() + seconds
+        state = None
+        while time.monotonic() < end:
+            state = self.state()
+            if state is not None and condition(state):
+                return state
+            time.sleep(0.03)
+        if state is not None:
+            state.pop("widgets")
+        raise Failure(f"waited {seconds} s for {what}; the program says {state}")
+
+    def wait_idle(self, what="the program to be idle", condition=lambda state: True, seconds=90):
+        return self.wait(what, lambda state: state["idle"] and condition(state), seconds)
+
+    def view_point(self, fx, fy):
+        """A place of the view, given in fractions of it, in pixels of the screen."""
+        x, y, width, height = self.state()["viewRect"]
+        return round(x + fx * width), round(y + fy * height)
+
+    # --- acting
+
+    def xdotool(self, *arguments):
+        subprocess.run(["xdotool", *map(str, arguments)], env=self.environment, check=True)
+
+    def key(self, keys):
+        self.xdotool("key", keys)
+
+    def move(self, point):
+        self.xdotool("mousemove", *point)
+
+    def click(self, widget):
+        state = self.wait(f"the widget {widget}", lambda s: widget in s["widgets"])
+        x, y, width, height = state["widgets"][widget]
+        self.xdotool("mousemove", x + width // 2, y + height // 2, "click", 1)
+
+    def drag(self, points, button=1, pause=0.02):
+        """Presses at the first point, moves through the others, releases at the last."""
+        self.move(points[0])
+        self.xdotool("mousedown", button)
+        for point in points[1:]:
+            self.move(point)
+            time.sleep(pause)
+        self.xdotool("mouseup", button)
+
+    def type_path(self, dialog, path):
+        """Types a path into an open file dialog and accepts it."""
+        self.wait(dialog, lambda state: dialog in state["widgets"] and "fileNameEdit" in state["widgets"])
+        time.sleep(0.3)  # the dialog is laid out once more after it appears
+        self.click("fileNameEdit")
+        self.key("ctrl+a")
+        self.xdotool("type", "--delay", 5, path)
+        self.key("Return")
+        self.wait(f"{dialog} to close", lambda state: dialog not in state["widgets"])
+        self.focus()
+
+    def focus(self):
+        """Gives the main window the keyboard: there is no window manager here to do it when a dialog closes."""
+        found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "Volume Studio"],
+                               env=self.environment, check=True, capture_output=True, text=True).stdout.split()
+        self.xdotool("windowfocus", "--sync", found[0])
+
+    def quit(self):
+        self.xdotool("mousemove", *self.view_point(0.5, 0.5))
+        self.key("ctrl+q")
+        try:
+            code = self.process.wait(30)
+        except subprocess.TimeoutExpired:
+            raise Failure("volume-studio did not end within 30 s of Ctrl+Q") from None
+        self.log.seek(0)
+        output = self.log.read()
+        need(code == 0, f"volume-studio ended with {code}:\n{output}")
+        need("OpenGL:" not in output, f"OpenGL errors:\n{output}")
+
+    def kill(self):
+        if self.process.poll() is None:
+            self.process.kill()
+            self.process.wait()
+        self.log.close()
+
+
+def run_test(main, arguments):
+    """Runs main(display, arguments), prints what went wrong, returns the exit code."""
+    folder = pathlib.Path(arguments.work)
+    shutil.rmtree(folder, ignore_errors=True)
+    folder.mkdir(parents=True)
+    display = Display()
+    try:
+        main(display, arguments, folder)
+    except (Failure, subprocess.CalledProcessError) as error:
+        if shutil.which("import"):  # a picture of what it looked like helps most
+            subprocess.run(["import", "-window", "root", str(folder / "failure.png")], env=display.environment,
+                           check=False)
+        print(f"FAILED: {error}")
+        return 1
+    finally:
+        for studio in STARTED:
+            studio.kill()
+        display.close()
+    print("passed")
+    return 0
+
+
+STARTED = []
+
+
+def start(*arguments, **options):
+    studio = Studio(*arguments, **options)
+    STARTED.append(studio)
+    return studio

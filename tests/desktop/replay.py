@@ -1,0 +1,37 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Replays what was saved in the window without any window, and compares the pictures."""
+
+import json
+import subprocess
+
+from driver import Failure, need
+
+# Same device, same shaders, same operations: the pictures could differ only where a ray grazes a surface and the two
+# contexts round differently. Half a grey level on average, and one pixel in five hundred, leave room for that and for
+# nothing else: one seed stroke or half a peeled layer elsewhere changes far more.
+MEAN = 0.5
+CHANGED = 0.002
+
+
+def run(*command):
+    done = subprocess.run([str(part) for part in command], capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        raise Failure(f"{' '.join(map(str, command))} ended with {done.returncode}:\n{done.stdout}{done.stderr}")
+    return done.stdout
+
+
+def operations(session):
+    return json.loads(session.read_text())["operations"]
+
+
+def compare_with_replay(vstudio, session, screenshot, viewport, folder):
+    """The session, with a picture of the screenshot's size at its end, must give the screenshot."""
+    content = json.loads(session.read_text())
+    content["operations"].append({"op": "picture", "file": "replay.png", "size": viewport, "samples": 8})
+    extended = session.with_name("with_picture.json")
+    extended.write_text(json.dumps(content))
+    run(vstudio, "run", extended, "-o", folder)
+    need((folder / "replay.png").exists(), "the replay wrote no picture")
+    print("replayed picture:", run(vstudio, "compare", screenshot, folder / "replay.png", "--mean", MEAN,
+                                   "--changed", CHANGED).strip())
+    return json.loads((folder / "report.json").read_text())

@@ -1,0 +1,178 @@
+# SPDX-License-Identifier: Apache-2.0
+"""A surgeon's way through the program: open a head, peel its top, mark the brain, let it grow, take it back, keep it."""
+
+import argparse
+import math
+import sys
+
+from driver import need, run_test, start
+from phantom import head
+from replay import compare_with_replay, operations, run
+
+
+def ellipse(studio, centre, radii, count=24):
+    return [studio.view_point(centre[0] + radii[0] * math.cos(2 * math.pi * i / count),
+                              centre[1] + radii[1] * math.sin(2 * math.pi * i / count)) for i in range(count)]
+
+
+def downwards(start_point, pixels, step=10):
+    x, y = start_point
+    return [(x, y + d) for d in range(0, pixels, step)] + [(x, y + pixels)]
+
+
+def open_by_dialog(studio, volume):
+    studio.click("openButton")
+    studio.type_path("openDialog", volume)
+    state = studio.wait_idle("the volume", lambda s: s["pictureComplete"])
+    need(state["title"].startswith(volume.name), f"the title is {state['title']!r}, without {volume.name}")
+    need(state["operations"] == 0, "opening made operations")
+
+
+def look_at_top(studio):
+    """Left drag in the camera tool: down to look from above. Not an edit."""
+    start_point = studio.view_point(0.5, 0.5)
+    studio.drag(downwards(start_point, 110))
+    studio.wait_idle("the turned picture", lambda s: s["pictureComplete"] and s["operations"] == 0)
+
+
+def peel(studio):
+    """Sketches a mask and drags down inside it, twice. Returns the mask's points in the view."""
+    studio.click("peelTool")
+    studio.wait("the peel tool", lambda s: s["tool"] == "peel")
+    outline = ellipse(studio, (0.5, 0.38), (0.1, 0.1))
+    studio.drag(outline)
+    state = studio.wait("the mask", lambda s: s["hint"].startswith("Press inside the mask"))
+    need(state["operations"] == 0, "a sketch alone made an operation")
+    middle = studio.view_point(0.5, 0.36)
+    studio.drag(downwards(middle, 160))
+    state = studio.wait_idle("the peel", lambda s: s["operations"] == 2)  # the view it was drawn on, and the peel
+    need(state["canUndo"], "a peel cannot be undone")
+    studio.drag(downwards(middle, 30))
+    studio.wait_idle("the second peel", lambda s: s["operations"] == 3)
+    left, top = studio.state()["viewRect"][:2]
+    return [(x - left + 0.5, y - top + 0.5) for x, y in outline]  # pixel centres
+
+
+def put_back(studio):
+    """Dragging down and up again changes nothing."""
+    before = studio.state()["operations"]
+    middle = studio.view_point(0.5, 0.36)
+    way = downwards(middle, 40)
+    studio.drag(way + way[::-1])
+    studio.wait_idle("the empty peel", lambda s: s["message"] == "Nothing was changed")
+    need(studio.state()["operations"] == before, "a peel of nothing made an operation")
+
+
+def grow(studio):
+    """Seeds on what was opened, which start to grow; then pause, one back, one forth."""
+    studio.key("s")
+    studio.wait("the seed tool", lambda s: s["tool"] == "seed")
+    studio.drag([studio.view_point(0.46 + 0.01 * i, 0.38) for i in range(9)])
+    studio.wait("the growth", lambda s: s["playing"] and s["voxels"] > 1000)
+    studio.click("growPause")
+    state = studio.wait_idle("the pause", lambda s: not s["playing"])
+    need(state["mode"] == "segment", f"the region is not shown, the mode is {state['mode']}")
+    need(state["generation"] > 1, "nothing has grown")
+    paused = (state["generation"], state["voxels"])
+
+    studio.click("growBack")
+    studio.wait_idle("one generation back", lambda s: s["generation"] == paused[0] - 1 and s["voxels"] < paused[1])
+    studio.click("growStep")
+    state = studio.wait_idle("one generation forth", lambda s: s["generation"] == paused[0])
+    need(state["voxels"] == paused[1], f"{paused[1]} voxels became {state['voxels']} by going back and forth")
+    return paused
+
+
+def undo_and_redo(studio, paused):
+    """The drill is undone for good; the last step is undone and redone."""
+    studio.key("ctrl+z")
+    studio.wait_idle("undo", lambda s: s["canRedo"] and s["voxels"] != paused[1])
+    studio.key("ctrl+shift+z")
+    state = studio.wait_idle("redo", lambda s: not s["canRedo"])
+    need((state["generation"], state["voxels"]) == paused, "redo did not bring the region back")
+
+
+def drill(studio):
+    studio.key("d")
+    studio.wait("the drill", lambda s: s["tool"] == "drill")
+    studio.key("e")
+    corner, opposite = studio.view_point(0.4, 0.6), studio.view_point(0.44, 0.66)
+    studio.drag([corner, opposite])
+    studio.wait("the drill's mask", lambda s: s["hint"].startswith("The mask follows"))
+    before = studio.state()["operations"]
+    studio.drag([studio.view_point(0.42 + 0.01 * i, 0.63) for i in range(8)])
+    studio.wait_idle("the drilling", lambda s: s["operations"] > before)
+    studio.key("Escape")
+    studio.wait("the mask to be dropped", lambda s: s["hint"].startswith("Draw the shape"))
+
+
+def save(studio, folder):
+    studio.key("F12")
+    studio.type_path("screenshotDialog", folder / "window.png")
+    studio.wait_idle("the picture", lambda s: s["message"].startswith("Saved picture"))
+    studio.key("ctrl+s")
+    studio.type_path("saveDialog", folder / "session.json")
+    studio.wait_idle("the session", lambda s: s["message"].startswith("Saved") and "session.json" in s["message"])
+    studio.key("ctrl+e")
+    studio.type_path("labelsDialog", folder / "labels.nrrd")
+    studio.wait_idle("the labels", lambda s: s["message"].startswith("Exported"))
+    for name in ("window.png", "session.json", "labels.nrrd"):
+        need((folder / name).exists(), f"{name} was not written")
+
+
+def check_session(session, mask):
+    names = [operation["op"] for operation in operations(session)]
+    for name in ("view", "peel", "seed", "grow", "rewind", "undo", "redo", "drill"):
+        need(name in names, f"the session has no {name}: {names}")
+    drawn = next(operation for operation in operations(session) if operation["op"] == "peel")["mask"]["points"]
+    # The pen's own places, unfiltered: every one of them was reported, so the first and each further point is there.
+    for point, expected in zip(drawn, mask):
+        need(math.dist(point, expected) < 0.01, f"the mask has {point} where the pen was at {expected}")
+    need(len(drawn) == len(mask), f"the mask has {len(drawn)} points, the pen made {len(mask)}")
+
+
+def main(display, arguments, folder):
+    volume = head(folder)
+    studio = start(display, arguments.program, folder)
+    open_by_dialog(studio, volume)
+    look_at_top(studio)
+    mask = peel(studio)
+    put_back(studio)
+    paused = grow(studio)
+    undo_and_redo(studio, paused)
+    drill(studio)
+    save(studio, folder)
+    state = studio.state()
+    need(state["glErrors"] == 0, f"{state['glErrors']} OpenGL errors")
+    studio.quit()
+
+    session = folder / "session.json"
+    check_session(session, mask)
+    compare_with_replay(arguments.vstudio, session, folder / "window.png", state["viewport"], folder)
+
+    # The same session, opened by the command line, is the same document.
+    studio = start(display, arguments.program, folder, [session])
+    again = studio.wait_idle("the session", lambda s: s["message"].startswith("Replayed") and s["pictureComplete"])
+    need((again["generation"], again["voxels"]) == paused, "the session's region is another one")
+    studio.move(studio.view_point(0.5, 0.5))
+    studio.key("F12")
+    studio.type_path("screenshotDialog", folder / "reopened.png")
+    studio.wait_idle("the picture", lambda s: s["message"].startswith("Saved picture"))
+    print("reopened picture:", run(arguments.vstudio, "compare", folder / "window.png", folder / "reopened.png",
+                                   "--mean", 0.5).strip())
+    studio.quit()
+
+    # What cannot be opened is refused in one line, and the program goes on.
+    broken = folder / "broken.nrrd"
+    broken.write_text("NRRD0004\n")
+    studio = start(display, arguments.program, folder, [broken])
+    state = studio.wait("the refusal", lambda s: "openFailed" in s["widgets"])
+    need("broken.nrrd" in state["message"] and "\n" not in state["message"], f"the message is {state['message']!r}")
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--program", required=True)
+    parser.add_argument("--vstudio", required=True)
+    parser.add_argument("--work", required=True, help="folder to work in; emptied first")
+    sys.exit(run_test(main, parser.parse_args()))

@@ -1,0 +1,250 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "base/error.h"
+#include "gpu/gl_test.h"
+#include "gpu/studio/test_head.h"
+
+#include <algorithm>
+#include <random>
+
+namespace vs::studio {
+namespace {
+
+using DocumentTest = test::GlTest;
+using test::ellipseAt;
+using test::testCanvas;
+using test::testHead;
+
+Peel somePeel(double layers = 8) {
+    Peel op;
+    op.mask = ellipseAt(200, 110, 40, 30);
+    op.layers = layers;
+    op.canvas = testCanvas();
+    return op;
+}
+
+Seed brainSeed() {
+    Seed op;
+    op.voxels = {{35, 20, 29}};
+    op.range = Range{80, 120};
+    op.canvas = testCanvas();
+    return op;
+}
+
+TEST_F(DocumentTest, APeelOpensTheSkullAndUndoPutsBackEveryByte) {
+    Document document(testHead());
+    const auto untouched = document.sculptureBytes();
+    const Outcome peel = document.apply(somePeel());
+    EXPECT_EQ(peel.name, "peel");
+    EXPECT_GT(peel.voxelsTouched, 500U);
+    const auto peeled = document.sculptureBytes();
+    EXPECT_NE(peeled, untouched);
+
+    Drill drill;
+    drill.mask = ellipseAt(200, 180, 12, 12);
+    drill.canvas = testCanvas();
+    drill.stroke = {{{200, 180}, 0.5}, {{230, 185}, 1}};
+    EXPECT_GT(document.apply(drill).voxelsTouched, 100U);
+    const auto drilled = document.sculptureBytes();
+
+    document.apply(Undo{});
+    EXPECT_EQ(document.sculptureBytes(), peeled);
+    document.apply(Undo{});
+    EXPECT_EQ(document.sculptureBytes(), untouched);
+    document.apply(Redo{});
+    document.apply(Redo{});
+    EXPECT_EQ(document.sculptureBytes(), drilled);
+    document.apply(UnCut{});
+    EXPECT_EQ(document.sculptureBytes(), untouched);
+    document.apply(Undo{});
+    EXPECT_EQ(document.sculptureBytes(), drilled);
+}
+
+TEST_F(DocumentTest, TheSurfaceUnderAPeelLiesAsManyStepsDeeper) {
+    Document document(testHead());
+    document.look(testCanvas().view);
+    const auto before = document.probe({200, 110}, {400, 300});
+    document.apply(somePeel(3));
+    const auto after = document.probe({200, 110}, {400, 300});
+    ASSERT_TRUE(before && after);
+    // The skull is a shell around the grid's centre: a peel of 3 steps (3 mm) lowers its radius by 3.
+    const auto centre = document.volume().geometry.centreWorld();
+    EXPECT_NEAR(glm::length(before->world - centre) - glm::length(after->world - centre), 3, 0.3);
+}
+
+TEST_F(DocumentTest, ALiveStrokeEndsAsTheSameOperationWould) {
+    Document live(testHead());
+    live.beginPeel(somePeel().mask, testCanvas());
+    for (const double layers : {1.0, 4.5, 9.0, 8.0}) {
+        live.updatePeel(layers);
+    }
+    live.commitStroke();
+    live.beginDrill(ellipseAt(200, 180, 12, 12), testCanvas(), 10);
+    live.updateDrill({{200, 180}, 0.5});
+    live.updateDrill({{230, 185}, 1});
+    live.commitStroke();
+
+    Document replayed(testHead());
+    for (const Operation& operation : live.log()) {
+        replayed.apply(operation);
+    }
+    EXPECT_EQ(live.log().size(), 2U);
+    EXPECT_EQ(replayed.sculptureBytes(), live.sculptureBytes());
+}
+
+TEST_F(DocumentTest, ADiscardedOrFruitlessStrokeLeavesNoTrace) {
+    Document document(testHead());
+    const auto untouched = document.sculptureBytes();
+    document.beginPeel(somePeel().mask, testCanvas());
+    document.updatePeel(6);
+    EXPECT_NE(document.sculptureBytes(), untouched);
+    document.discardStroke();
+    EXPECT_EQ(document.sculptureBytes(), untouched);
+    document.beginPeel(ellipseAt(5, 5, 4, 4), testCanvas()); // beside the head
+    document.updatePeel(6);
+    EXPECT_EQ(document.commitStroke().voxelsTouched, 0U);
+    document.beginDrill(ellipseAt(200, 150, 9, 9), testCanvas(), 10);
+    document.updateDrill({{200, 150}, 0}); // the pen hovers
+    EXPECT_EQ(document.commitStroke().voxelsTouched, 0U);
+    EXPECT_TRUE(document.log().empty());
+    EXPECT_FALSE(document.canUndo());
+}
+
+TEST_F(DocumentTest, HoldingThePenStillChangesNothingAfterTheFirstStamp) {
+    Document document(testHead());
+    document.beginDrill(ellipseAt(200, 150, 9, 9), testCanvas(), 10);
+    document.updateDrill({{200, 150}, 0.8});
+    const auto once = document.sculptureBytes();
+    for (int i = 0; i < 5; ++i) {
+        document.updateDrill({{200, 150}, 0.8});
+    }
+    EXPECT_EQ(document.sculptureBytes(), once);
+    document.commitStroke();
+}
+
+TEST_F(DocumentTest, GrowthFillsTheBrainAndStepsBothWaysExactly) {
+    Document document(testHead());
+    document.apply(brainSeed());
+    document.apply(Grow{10});
+    const auto ten = document.generations();
+    document.apply(Grow{});
+    const auto all = document.generations();
+    const auto isBrain = [&](std::size_t i) { return std::uint8_t(document.volume().bytes[i]) == 100; };
+    for (std::size_t i = 0; i < all.size(); ++i) {
+        ASSERT_EQ(all[i] > 0, isBrain(i)) << i;
+    }
+    const int last = document.growth().generation;
+    document.apply(Rewind{last - 11});
+    EXPECT_EQ(document.generations(), ten);
+    document.apply(Grow{last - 11});
+    EXPECT_EQ(document.generations(), all);
+    document.apply(Undo{});
+    EXPECT_EQ(document.generations(), ten);
+    document.apply(Undo{});
+    EXPECT_EQ(document.generations(), all);
+}
+
+TEST_F(DocumentTest, GrowthNeverEntersWhatWasCutAway) {
+    Document document(testHead());
+    document.apply(somePeel(14));
+    document.apply(brainSeed());
+    document.apply(Grow{});
+    const auto labels = document.labels();
+    const auto bytes = document.sculptureBytes();
+    const auto* halves = reinterpret_cast<const std::uint16_t*>(bytes.data());
+    std::size_t fenced = 0;
+    for (std::size_t i = 0; i < labels.size(); ++i) {
+        const bool isCut = halves[i] >= 0x3800; // 0.5 as a half float
+        EXPECT_FALSE(isCut && labels[i] == 1);
+        fenced += isCut && std::uint8_t(document.volume().bytes[i]) == 100 ? 1 : 0;
+    }
+    EXPECT_GT(fenced, 50U) << "the peel must reach into the brain for this test to mean anything";
+}
+
+TEST_F(DocumentTest, LiveGrowthEndsAsOneOperation) {
+    Document document(testHead());
+    document.apply(brainSeed());
+    const auto seeds = document.generations();
+    document.beginGrowth();
+    while (document.growFor(0.1, 3)) {
+    }
+    const Outcome outcome = document.endGrowth();
+    const auto all = document.generations();
+    EXPECT_EQ(outcome.voxelsTouched + 1, document.growth().voxels);
+    EXPECT_EQ(document.log().size(), 2U);
+    document.apply(Undo{});
+    EXPECT_EQ(document.generations(), seeds);
+    document.apply(Undo{});
+    EXPECT_EQ(document.growth().voxels, 0U);
+    document.apply(Redo{});
+    document.apply(Redo{});
+    EXPECT_EQ(document.generations(), all);
+}
+
+TEST_F(DocumentTest, StrokesFindSeedsOnTheVisibleSurface) {
+    Document document(testHead());
+    Seed op;
+    op.strokes = {{Shape::FreeForm, {{180, 140}, {220, 150}}}};
+    op.canvas = testCanvas();
+    const Outcome outcome = document.apply(op);
+    EXPECT_GT(outcome.voxelsTouched, 3U);
+    const auto& logged = std::get<Seed>(document.log().back());
+    EXPECT_EQ(logged.voxels.size(), outcome.voxelsTouched);
+    for (const glm::ivec3 v : logged.voxels) {
+        EXPECT_EQ(document.volume().at(v), 200) << "on the skull";
+    }
+    EXPECT_EQ(document.growth().range, (Range{50, 255})) << "the run takes the displayed range";
+}
+
+TEST_F(DocumentTest, UndoAndRedoAtRandomReturnToTheSameStates) {
+    Document document(testHead());
+    std::mt19937 random(3);
+    std::vector<std::pair<std::vector<std::byte>, std::vector<std::uint32_t>>> states;
+    const auto state = [&] { return std::pair(document.sculptureBytes(), document.generations()); };
+    states.push_back(state());
+    for (int i = 0; i < 8; ++i) {
+        const double x = 150 + double(random() % 100);
+        const double y = 90 + double(random() % 120);
+        switch (i % 4) {
+        case 0: {
+            Peel peel = somePeel(double(random() % 9) + 1);
+            peel.mask = ellipseAt(x, y, 25, 20);
+            document.apply(peel);
+            break;
+        }
+        case 1:
+            document.apply(brainSeed());
+            break;
+        case 2:
+            document.apply(Grow{5});
+            break;
+        default: {
+            Drill drill;
+            drill.mask = ellipseAt(x, y, 10, 10);
+            drill.canvas = testCanvas();
+            document.apply(drill);
+        }
+        }
+        states.push_back(state());
+    }
+    std::size_t at = states.size() - 1;
+    for (int i = 0; i < 40; ++i) {
+        const bool back = random() % 2 == 0;
+        if (back ? document.canUndo() : document.canRedo()) {
+            document.apply(back ? Operation(Undo{}) : Operation(Redo{}));
+            at += back ? std::size_t(-1) : 1;
+        }
+        ASSERT_TRUE(state() == states[at]) << "after " << i << " moves, at state " << at;
+    }
+}
+
+TEST_F(DocumentTest, WhatMakesNoSenseIsRefusedAndChangesNothing) {
+    Document document(testHead());
+    EXPECT_THROW(document.apply(Undo{}), Error);
+    EXPECT_THROW(document.apply(Redo{}), Error);
+    EXPECT_THROW(document.apply(Grow{}), Error);
+    EXPECT_THROW(document.apply(Rewind{}), Error);
+    EXPECT_TRUE(document.log().empty());
+}
+
+} // namespace
+} // namespace vs::studio

@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "base/error.h"
+#include "gpu/gl_test.h"
+#include "gpu/studio/test_head.h"
+#include "image/compare.h"
+#include "studio/session.h"
+
+#include <unistd.h>
+
+#include <fstream>
+
+namespace vs::studio {
+namespace {
+
+class SessionTest : public test::GlTest {
+protected:
+    void SetUp() override {
+        GlTest::SetUp();
+        folder_ = std::filesystem::temp_directory_path() / ("vs_session_" + std::to_string(getpid()));
+        std::filesystem::create_directories(folder_);
+        // The head as a raw file, so that the session can find it again.
+        const auto head = test::testHead();
+        std::ofstream(folder_ / "head.raw", std::ios::binary)
+            .write(reinterpret_cast<const char*>(head.bytes.data()), std::streamsize(head.bytes.size()));
+    }
+    void TearDown() override {
+        std::filesystem::remove_all(folder_);
+        GlTest::TearDown();
+    }
+
+    Session source() const {
+        Session session;
+        session.volumePath = folder_ / "head.raw";
+        session.rawLayout = "72x80x60:uint8:1,1,1.2";
+        return session;
+    }
+
+    std::filesystem::path folder_;
+};
+
+TEST_F(SessionTest, AReplayGivesTheSameMasksLabelsAndPicture) {
+    std::vector<std::string> notices;
+    Document original(openVolume(source(), folder_ / "s.json", {}, notices));
+    View view = test::testCanvas().view;
+    original.look(view);
+    original.beginPeel(test::ellipseAt(200, 110, 40, 30), test::testCanvas());
+    original.updatePeel(9.3);
+    original.commitStroke();
+    Seed seed;
+    seed.strokes = {{Shape::FreeForm, {{190, 100}, {210, 120}}}};
+    seed.canvas = test::testCanvas({80, 120});
+    original.apply(seed);
+    original.apply(Grow{12});
+    original.apply(Rewind{3});
+    view.mode = render::Mode::Segment;
+    view.camera.azimuthDegrees = 30;
+    original.look(view);
+    saveSession(folder_ / "s.json", sessionOf(original, source()));
+
+    const Session loaded = loadSession(folder_ / "s.json");
+    EXPECT_EQ(loaded.volumePath, "head.raw") << "relative, so that folder can move";
+    Document replayed(openVolume(loaded, folder_ / "s.json", {}, notices));
+    EXPECT_TRUE(notices.empty());
+    for (const Operation& operation : loaded.operations) {
+        replayed.apply(operation, folder_);
+    }
+    EXPECT_EQ(replayed.sculptureBytes(), original.sculptureBytes());
+    EXPECT_EQ(replayed.generations(), original.generations());
+    EXPECT_EQ(replayed.view(), original.view());
+    original.apply(SavePicture{"original.png", {300, 200}, 2}, folder_);
+    replayed.apply(SavePicture{"replayed.png", {300, 200}, 2}, folder_);
+    EXPECT_EQ(
+        image::compare(image::readPng(folder_ / "original.png"), image::readPng(folder_ / "replayed.png"))
+            .max,
+        0);
+}
+
+TEST_F(SessionTest, AnotherVolumeIsRefusedUnlessAskedFor) {
+    Session session = source();
+    session.volumeChecksum = "0123456789abcdef";
+    std::vector<std::string> notices;
+    EXPECT_THROW(openVolume(session, folder_ / "s.json", {}, notices), SessionError);
+    session.rawLayout.clear();
+    // A replacement is read as what it is; a raw file needs its layout, so this one is a readable kind of
+    // file.
+    Document document(test::testHead());
+    document.apply(SaveLabels{"other.nrrd"}, folder_);
+    openVolume(session, folder_ / "s.json", folder_ / "other.nrrd", notices);
+    ASSERT_EQ(notices.size(), 1U);
+    EXPECT_NE(notices[0].find("not the volume"), std::string::npos);
+}
+
+TEST_F(SessionTest, AnUnwritablePathIsNamed) {
+    try {
+        saveSession(folder_ / "gone" / "s.json", source());
+        FAIL();
+    } catch (const WriteError& error) {
+        EXPECT_NE(std::string(error.what()).find("gone"), std::string::npos);
+    }
+}
+
+} // namespace
+} // namespace vs::studio

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "base/error.h"
+#include "studio/operation_json.h"
+
+#include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
+
+namespace vs::studio {
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Canvas someCanvas() {
+    Canvas canvas;
+    canvas.viewport = {640, 480};
+    canvas.view.camera = {12.5, -30, 2, {3, -4}, render::Projection::Orthographic};
+    canvas.view.mode = render::Mode::Mip;
+    canvas.view.range = {-200.5, 1200};
+    canvas.view.sculptureView = field::SculptureView::Probe;
+    return canvas;
+}
+
+TEST(OperationJson, EveryKindComesBackAsItWas) {
+    const Sketch ellipse{Shape::Ellipse, {{10.25, 20}, {30, 40.125}}};
+    const Sketch line{Shape::FreeForm, {{1, 2}, {3, 4}, {5.5, 6.5}}};
+    const std::vector<Operation> operations{
+        SetView{someCanvas().view.camera, render::Mode::XRay, Range{1, 2}, field::SculptureView::Whole},
+        SetView{},
+        Peel{ellipse, 12.75, 4, someCanvas()},
+        Drill{line, {{{1.5, 2.5}, 0.25}, {{3, 4}, 1}}, 9, 2, someCanvas()},
+        Seed{{line, ellipse}, 7, Range{30, 90.5}, 26, {{1, 2, 3}, {4, 5, 6}}, someCanvas()},
+        Grow{17},
+        Grow{},
+        Rewind{4},
+        SetGrowthRange{{-5, 5}},
+        Undo{},
+        Redo{},
+        UnCut{},
+        ReSeed{},
+        SavePicture{"a/b.png", {320, 200}, 2},
+        SaveLabels{"l.nii.gz"},
+        SaveSculpture{"s.nrrd"}};
+    for (const Operation& operation : operations) {
+        const Json json = toJson(operation);
+        const Operation back = operationFromJson(Json::parse(json.dump()), "test");
+        EXPECT_EQ(back.index(), operation.index());
+        EXPECT_EQ(toJson(back).dump(), json.dump());
+        EXPECT_EQ(json.at("op"), name(operation));
+    }
+}
+
+TEST(OperationJson, ComplaintsNameThePlace) {
+    const auto complaint = [](const char* text) -> std::string {
+        try {
+            operationFromJson(Json::parse(text), "head.json: operation 3");
+        } catch (const SessionError& error) {
+            return error.what();
+        }
+        return "accepted";
+    };
+    EXPECT_EQ(complaint(R"({"op": "rewind"})"),
+              "head.json: operation 3: the member 'generations' is missing");
+    EXPECT_EQ(complaint(R"({"op": "grow", "generations": -1})"),
+              "head.json: operation 3: generations: -1 is out of bounds; 0 to 1073741824 is allowed");
+    EXPECT_EQ(complaint(R"({"op": "drill", "mask": {"shape": "circle", "points": [[1, 2]]}})"),
+              "head.json: operation 3: mask.points: this shape takes exactly two points");
+    EXPECT_EQ(complaint(R"({"op": "view", "range": [9, 1]})"),
+              "head.json: operation 3: range: its first number must not be above its second");
+    EXPECT_EQ(complaint(R"({"op": "picture", "file": "/etc/x.png"})"),
+              "head.json: operation 3: file: a file name inside the output folder is wanted");
+    EXPECT_EQ(complaint(R"([1])"), "head.json: operation 3: must be an object");
+}
+
+} // namespace
+} // namespace vs::studio

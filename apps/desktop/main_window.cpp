@@ -17,6 +17,7 @@
 #include <QLabel>
 #include <QMessageBox>
 #include <QProgressBar>
+#include <QScrollArea>
 #include <QStackedWidget>
 #include <QStatusBar>
 #include <QVBoxLayout>
@@ -108,14 +109,21 @@ void MainWindow::makeDock() {
     dock->setTitleBarWidget(new QWidget(dock)); // none: the cards have their own titles
     auto* content = new QWidget;
     auto* column = new QVBoxLayout(content);
-    column->setContentsMargins(8, 8, 4, 8);
+    column->setContentsMargins(8, 8, 0, 8);
     column->setSpacing(8);
     column->addWidget(new HistogramPanel(studio_));
     column->addWidget(new ToolPanel(studio_));
     column->addWidget(new GrowthPanel(studio_));
     column->addStretch(1);
-    content->setFixedWidth(300);
-    dock->setWidget(content);
+    constexpr int kPanelWidth = 300;
+    content->setFixedWidth(kPanelWidth);
+    auto* scroll = new QScrollArea; // small screens
+    scroll->setWidget(content);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setFixedWidth(kPanelWidth + 10); // room for the scroll bar
+    dock->setWidget(scroll);
     addDockWidget(Qt::LeftDockWidgetArea, dock);
 }
 

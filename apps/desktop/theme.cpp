@@ -50,6 +50,9 @@ QSlider::groove:horizontal { height: 4px; background: #181b1e; border-radius: 2p
 QSlider::sub-page:horizontal { background: #56b4e9; border-radius: 2px; }
 QSlider::handle:horizontal { width: 14px; margin: -5px 0; border-radius: 7px; background: #e3e6ea; }
 QSlider::handle:horizontal:hover { background: #ffffff; }
+QScrollBar:vertical { background: transparent; width: 8px; margin: 0; }
+QScrollBar::handle:vertical { background: #434a52; border-radius: 4px; min-height: 24px; }
+QScrollBar::add-line, QScrollBar::sub-line { height: 0; width: 0; }
 QStatusBar { background: #1f2226; color: #e3e6ea; }
 QStatusBar::item { border: 0; }
 QProgressBar { background: #181b1e; border: 1px solid #3a4047; border-radius: 4px; text-align: center; }

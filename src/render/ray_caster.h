@@ -35,7 +35,7 @@ struct Frame {
     const Macrocells* macrocells = nullptr;
     ViewRays rays;
     Mode mode = Mode::Surface;
-    double xrayGain = 3; // brightness of a ray through one whole diagonal at full value
+    double xrayGain = 4; // brightness of a ray through one whole diagonal at full value
     glm::vec3 segmentColour{0.80F, 0.13F, 0.0F}; // linear; vermilion of the Okabe-Ito palette
     int samples = 1;                             // rays per pixel, evenly spread over it
 };

@@ -28,7 +28,7 @@ class Radiator {
 public:
     static constexpr float kMaxPointEnergy = 16;
     static constexpr float kMaxVoxelEnergy = 256;
-    static constexpr std::size_t kMaxPoints = std::size_t(1) << 21; // of one deposit()
+    static constexpr std::size_t kMaxPoints = std::size_t(1) << 19; // of one deposit(): 100 ms on llvmpipe
 
     Radiator();
 

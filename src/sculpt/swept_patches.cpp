@@ -75,7 +75,7 @@ void SweptPatches::addPatch(const std::array<std::uint32_t, 4>& corners, float m
     const int nu = samplesFor(std::max(gap(0, 1), gap(2, 3)), kMaxAcross);
     const int nv = samplesFor(std::max(gap(0, 2), gap(1, 3)), kMaxAcross);
     const float depth = depthHi_ - depthLo_;
-    const int nd = samplesFor(longest * depth * depth, std::min(kMaxAlong, (1 << 21) / (nu * nv)));
+    const int nd = samplesFor(longest * depth * depth, std::min(kMaxAlong, kMaxPatchPoints / (nu * nv)));
     const float mask = isBilinear && nu * nv > 1 ? -1 : mean;
     const glm::vec2 offset(nu == 1 ? centroid.x - 0.5F : 0.0F, nv == 1 ? centroid.y - 0.5F : 0.0F);
     patches_.push_back({corners, std::uint32_t(pointCount_),

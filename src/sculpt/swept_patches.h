@@ -37,6 +37,9 @@ public:
     // 1e-2, in any direction.
     static constexpr float kSpacing = 1.15F;
 
+    // A patch has at most this many samples.
+    static constexpr int kMaxPatchPoints = 1 << 19;
+
     // `orientation` is the sign of det(dP/du, dP/dv, dP/dd) that counts as moving forwards: parts of a patch
     // that move the other way (paths that have crossed) carry no energy. 0: the sign that each patch has at
     // the depth closest to 0.

@@ -6,6 +6,8 @@
 
 namespace vs::sculpt {
 
+static_assert(SweptPatches::kMaxPatchPoints <= Radiator::kMaxPoints);
+
 PointGenerator::PointGenerator()
     : program_("sculpt/shaders/generate_tool_points.comp"), corners_(4, "tool corners"),
       patches_(4, "tool patches"), points_(4, "tool points") {}

@@ -19,7 +19,7 @@ enum class ToolDirection {
 // What a tool sweeps. Depths in steps (the volume's smallest spacing).
 struct ToolSweep {
     ToolDirection direction = ToolDirection::Common;
-    glm::dvec3 directionWorld{0, 0, 1}; // for Common; any length
+    glm::dvec3 directionWorld{0, 0, 1}; // for Common; of any length but 0
     double depthSteps = 10;
     // The sweep begins this far outside the surface, so that the first layer goes too; negative: the radius.
     double outsideSteps = -1;

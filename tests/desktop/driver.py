@@ -57,6 +57,7 @@ class Studio:
             [program, "--layout-file", str(self.layout_file), *map(str, arguments)],
             env=self.environment, stdout=self.log, stderr=subprocess.STDOUT)
         self.wait("the window", lambda state: "mainWindow" in state["widgets"])
+        self.focus()
 
     # --- looking
 

@@ -15,7 +15,7 @@ layout(location = 0) uniform ivec3 tileDims;
 layout(location = 1) uniform ivec3 insideLo; // tiles that reach into the grid: only those are results
 layout(location = 2) uniform ivec3 insideHi;
 
-const uint tileListRow = 32768u;
+const uint tileListRow = 32768u; // work groups along x, as in tiles.glsl
 
 uint markAt(ivec3 tile) {
     bool inside = all(greaterThanEqual(tile, ivec3(0))) && all(lessThan(tile, tileDims));

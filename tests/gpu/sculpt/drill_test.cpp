@@ -122,7 +122,6 @@ TEST_F(DrillTest, TheMasksDensityDoesNotMatter) {
     }
     EXPECT_LE(test::largestDifference(results[0], results[1]), 0.02F);
     EXPECT_LE(test::largestDifference(results[1], results[2]), 0.02F);
-           double(test::largestDifference(results[1], results[2])));
 }
 
 TEST_F(DrillTest, ACoarseMaskLeavesNoHoles) {

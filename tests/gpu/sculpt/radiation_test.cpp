@@ -104,7 +104,6 @@ TEST_F(RadiationTest, DenseSweptMasksMatchTheReference) {
         // What the fitted taps leave: 5e-3 for the narrowest Gaussian, 1.6e-3 and less for the others.
         EXPECT_LE(worst, radius == 2 ? 7e-3 : 2.5e-3) << radius;
         EXPECT_LE(worstInside, radius == 2 ? 7e-3 : 2.5e-3) << radius;
-        RecordProperty("worst" + std::to_string(radius), std::to_string(worst));
     }
 }
 

@@ -5,7 +5,6 @@
 #include "paint_overlay.h"
 #include "studio_controller.h"
 
-#include <QDebug>
 #include <QMouseEvent>
 #include <QOpenGLContext>
 #include <QPainter>
@@ -69,15 +68,14 @@ void ViewWidget::paintGL() {
     paintOverlay(painter, studio_.tool().overlay(), QRectF(rect()));
 }
 
-Pen ViewWidget::penAt(QPointF global) const {
-    // From the place on the screen, because Qt rounds the place in a widget to whole logical pixels. A mouse
-    // reports a pixel's corner; what the person points with is its middle.
+Pen ViewWidget::penAt(QPointF inWindow) const {
+    // From the place in the window, because Qt rounds a mouse's place in the widget to whole logical pixels.
+    // A mouse reports a pixel's corner; what the person points with is its middle.
     const double half = 0.5 / devicePixelRatioF();
-    return {mapFromGlobal(global) + QPointF(half, half), studio_.mousePressure()};
+    return {mapFrom(window(), inWindow) + QPointF(half, half), studio_.mousePressure()};
 }
 
 void ViewWidget::press(const Pen& pen, Drag drag) {
-    qWarning() << "press" << pen.position;
     drag_ = drag;
     last_ = pressed_ = pen.position;
     if (drag == Drag::Tool && studio_.document() != nullptr && !studio_.isLoading()) {
@@ -122,7 +120,7 @@ void ViewWidget::mousePressEvent(QMouseEvent* event) {
         return; // a second button changes nothing
     }
     button_ = event->button();
-    const Pen pen = penAt(event->globalPosition());
+    const Pen pen = penAt(event->scenePosition());
     if (button_ == Qt::LeftButton) {
         press(pen, event->modifiers().testFlag(Qt::ShiftModifier) ? Drag::Pan : Drag::Tool);
     } else if (button_ == Qt::MiddleButton) {
@@ -132,11 +130,11 @@ void ViewWidget::mousePressEvent(QMouseEvent* event) {
     }
 }
 
-void ViewWidget::mouseMoveEvent(QMouseEvent* event) { move(penAt(event->globalPosition())); }
+void ViewWidget::mouseMoveEvent(QMouseEvent* event) { move(penAt(event->scenePosition())); }
 
 void ViewWidget::mouseReleaseEvent(QMouseEvent* event) {
     if (event->button() == button_) {
-        release(penAt(event->globalPosition()));
+        release(penAt(event->scenePosition()));
     }
 }
 
@@ -144,7 +142,7 @@ void ViewWidget::wheelEvent(QWheelEvent* event) {
     if (drag_ == Drag::None) {
         constexpr double kPerNotch = 1.2; // one notch is 120
         studio_.cameraTool().zoom(std::pow(kPerNotch, event->angleDelta().y() / 120.0),
-                                  penAt(event->globalPosition()).position);
+                                  penAt(event->scenePosition()).position);
     }
     event->accept();
 }

@@ -44,7 +44,7 @@ private:
     enum class Drag { None, Tool, Pan, Zoom };
 
     [[nodiscard]] glm::ivec2 deviceSize() const;
-    [[nodiscard]] Pen penAt(QPointF global) const;
+    [[nodiscard]] Pen penAt(QPointF inWindow) const;
     void press(const Pen& pen, Drag drag);
     void move(const Pen& pen);
     void release(const Pen& pen);

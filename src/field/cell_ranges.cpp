@@ -2,7 +2,6 @@
 #include "field/cell_ranges.h"
 
 #include "gl/pass.h"
-#include "gl/program.h"
 
 #include <limits>
 
@@ -12,10 +11,10 @@ glm::ivec3 cellDims(glm::ivec3 dims) { return glm::max(divideUp(dims - 1, kCell)
 
 namespace {
 
-void summarize(const gl::Texture& texels, glm::vec2 valueScaleOffset, const Box3& cellBox,
-               gl::Texture& cells) {
-    static thread_local gl::Program program;
-    program = gl::Program("field/shaders/summarize_cells.comp");
+constexpr const char* kShader = "field/shaders/summarize_cells.comp";
+
+void summarize(gl::Program& program, const gl::Texture& texels, glm::vec2 valueScaleOffset,
+               const Box3& cellBox, gl::Texture& cells) {
     texels.bindTexture(0);
     cells.bindImage(0, gl::Access::Write);
     program.set(0, texels.size()).set(1, cellBox.lo).set(2, cellBox.hi).set(3, valueScaleOffset);
@@ -30,7 +29,9 @@ CellRanges computeCellRanges(const Field& field) {
     const glm::ivec3 cellCount = cellDims(dims);
     CellRanges out;
     out.cells = gl::Texture(cellCount, gl::Format::RG32F, gl::Filter::Nearest, "cell ranges");
-    summarize(field.texels, {field.valueScale, field.valueOffset}, {glm::ivec3(0), cellCount}, out.cells);
+    gl::Program program(kShader);
+    summarize(program, field.texels, {field.valueScale, field.valueOffset}, {glm::ivec3(0), cellCount},
+              out.cells);
 
     // Bricks from cells: eight cells along each axis.
     constexpr int cellsPerBrick = kBrick / kCell;
@@ -54,13 +55,15 @@ CellRanges computeCellRanges(const Field& field) {
     return out;
 }
 
-void updateCellRanges(const gl::Texture& texels, const Box3& voxels, gl::Texture& cells) {
+CellRangeUpdater::CellRangeUpdater() : program_(kShader) {}
+
+void CellRangeUpdater::update(const gl::Texture& texels, const Box3& voxels, gl::Texture& cells) {
     const gl::Pass pass("update cell ranges");
     // A voxel on a cell border belongs to both cells.
     const Box3 touched{(voxels.lo - 1) / kCell, (voxels.hi - 1) / kCell + 1};
     const Box3 box = intersect(touched, {glm::ivec3(0), cells.size()});
     if (!box.isEmpty()) {
-        summarize(texels, {1, 0}, box, cells);
+        summarize(program_, texels, {1, 0}, box, cells);
     }
 }
 

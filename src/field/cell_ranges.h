@@ -2,6 +2,7 @@
 #pragma once
 
 #include "field/field.h"
+#include "gl/program.h"
 
 #include <vector>
 
@@ -22,8 +23,16 @@ struct CellRanges {
 
 CellRanges computeCellRanges(const Field& field);
 
-// As above, for any single-channel texture on the same grid (the sculpture): writes smallest and largest
-// texel of the cells that `voxels` touches into `cells`, which must have cellDims(dims) RG32F texels.
-void updateCellRanges(const gl::Texture& texels, const Box3& voxels, gl::Texture& cells);
+// Keeps smallest and largest texel per macrocell of a single-channel texture that changes (the sculpture).
+class CellRangeUpdater {
+public:
+    CellRangeUpdater();
+    // Writes the ranges of the cells that `voxels` touches into `cells`, which must have cellDims(dims) RG32F
+    // texels.
+    void update(const gl::Texture& texels, const Box3& voxels, gl::Texture& cells);
+
+private:
+    gl::Program program_;
+};
 
 } // namespace vs::field

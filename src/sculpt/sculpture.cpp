@@ -57,7 +57,7 @@ void Sculpture::swap(BrickDelta& delta) {
 
 void Sculpture::refresh(const Box3& box) {
     if (!box.isEmpty()) {
-        field::updateCellRanges(texels_, box, cells_);
+        updater_.update(texels_, box, cells_);
         ++version_;
     }
 }

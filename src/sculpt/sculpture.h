@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/math.h"
+#include "field/cell_ranges.h"
 #include "gl/buffer.h"
 #include "gl/program.h"
 #include "gl/texture.h"
@@ -53,6 +54,7 @@ private:
     gl::Texture texels_;
     gl::Texture cells_;
     gl::Program combine_;
+    field::CellRangeUpdater updater_;
     gl::Buffer changed_;
     std::uint64_t version_ = 0;
     bool isEmpty_ = true;

@@ -30,7 +30,7 @@ public:
 
     // R16, linear filter, values in [0, 1].
     [[nodiscard]] const gl::Texture& texels() const { return texels_; }
-    // RG32F, smallest and largest value of each macrocell, as field::updateCellRanges makes them.
+    // RG32F, smallest and largest value of each macrocell, as field::CellRangeUpdater makes them.
     [[nodiscard]] const gl::Texture& cells() const { return cells_; }
     // Counts the updates that changed something.
     [[nodiscard]] std::uint64_t version() const { return version_; }

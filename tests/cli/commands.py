@@ -62,7 +62,7 @@ class Commands(unittest.TestCase):
 
     def test_usage_errors_exit_with_2(self):
         self.expect_error(2, ["subcommand"])
-        self.expect_error(2, ["info"], "info")
+        self.expect_error(2, ["VOLUME"], "info")
         picture = self.folder / "p.png"
         self.expect_error(2, ["mode 'xry'", "surface"], "render", self.raw, *self.layout, "-o", picture, "--mode", "xry")
         self.expect_error(2, ["range '5'"], "render", self.raw, *self.layout, "-o", picture, "--range", "5")

@@ -33,7 +33,7 @@ struct Stage {
         input.view = frame.scene.view;
         if (frame.scene.sculpture != nullptr) {
             sculptureCells = gl::Texture(cells.cells.size(), gl::Format::RG32F, gl::Filter::Nearest, "cells");
-            field::updateCellRanges(*frame.scene.sculpture, volume.geometry.box(), sculptureCells);
+            field::CellRangeUpdater().update(*frame.scene.sculpture, volume.geometry.box(), sculptureCells);
             input.sculptureCells = &sculptureCells;
         }
         macrocells.rebuild(input);

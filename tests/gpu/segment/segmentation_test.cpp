@@ -34,7 +34,7 @@ void expectEqualsFresh(const Growth& growth, const Segmentation& segmentation, c
     fresh.update(growth);
     EXPECT_TRUE(texelsOf(segmentation) == texelsOf(fresh)) << what;
     gl::Texture cells(segmentation.cells().size(), gl::Format::RG32F, gl::Filter::Nearest, "expected cells");
-    field::updateCellRanges(segmentation.texels(), growth.field().geometry.box(), cells);
+    field::CellRangeUpdater().update(segmentation.texels(), growth.field().geometry.box(), cells);
     EXPECT_TRUE(segmentation.cells().downloadAll<float>() == cells.downloadAll<float>()) << what;
 }
 

@@ -47,6 +47,9 @@ int run(QApplication& application) {
 int main(int argc, char** argv) {
     // One group of contexts for all windows, or a dock that changes its window would leave the view black.
     QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
+    // Every place that the pen reports belongs to the stroke; by default Qt drops those it has no time for.
+    QApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, false);
+    QApplication::setAttribute(Qt::AA_CompressTabletEvents, false);
     QSurfaceFormat::setDefaultFormat(vs::desktop::GlHost::format());
     QApplication application(argc, argv);
     QApplication::setApplicationName("volume-studio");

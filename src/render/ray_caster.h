@@ -35,8 +35,8 @@ struct Frame {
     const Macrocells* macrocells = nullptr;
     ViewRays rays;
     Mode mode = Mode::Surface;
-    double xrayGain = 4; // brightness of a ray through one whole diagonal at full value
-    glm::vec3 segmentColour{0.80F, 0.13F, 0.0F}; // linear; vermilion of the Okabe-Ito palette
+    double xrayGain = 5; // brightness of a ray through one whole diagonal at full value
+    glm::vec3 segmentColour{0.70F, 0.17F, 0.04F}; // linear; near the vermilion of the Okabe-Ito palette
     int samples = 1;                             // rays per pixel, evenly spread over it
 };
 

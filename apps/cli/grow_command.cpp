@@ -2,6 +2,7 @@
 // vstudio grow: region growing from given voxels, labels and generations written as volumes.
 #include "commands.h"
 #include "parse.h"
+#include "progress.h"
 #include "volume_argument.h"
 
 #include "base/error.h"
@@ -102,8 +103,16 @@ double grow(segment::Growth& growth, const GrowRequest& request, const volume::V
     gl::Context::finish();
     const Timer timer;
     growth.addSeeds(request.seeds);
-    // Downloading what each batch has grown waits for the device.
-    growth.advance(request.steps);
+    Progress progress("growing", 0);
+    if (progress.isTerminal()) {
+        constexpr double sliceMs = 300;
+        for (int left = request.steps; left > 0 && !growth.isFinished();) {
+            left -= growth.advanceFor(sliceMs, left);
+            progress.show(fmt::format("{} voxels, generation {}", growth.voxelCount(), growth.playhead()));
+        }
+    } else {
+        growth.advance(request.steps);
+    }
     gl::Context::finish();
     return timer.milliseconds();
 }
@@ -125,8 +134,8 @@ void run(const GrowOptions& options, const VolumeArgument& argument) {
     fmt::print("voxels       {}\n", voxels);
     fmt::print("generations  {}\n", growth.playhead());
     fmt::print("volume       {:.6g} ml\n", double(voxels) * volume.geometry.voxelMm3() / 1000.0);
-    fmt::print("growing      {:.1f} ms, {:.1f} million voxels/s\n", milliseconds,
-               double(voxels) / std::max(milliseconds, 1e-3) / 1000.0);
+    fmt::print("milliseconds {:.1f}\n", milliseconds);
+    fmt::print("voxels/s     {:.0f}\n", double(voxels) / std::max(milliseconds, 1e-3) * 1000.0);
 }
 
 } // namespace

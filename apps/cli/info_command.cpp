@@ -63,34 +63,6 @@ double percentile(const Volume& volume, const std::vector<std::uint64_t>& counts
     return volume.range.hi;
 }
 
-// The threshold that parts the histogram into the two classes with the largest variance between them (Otsu
-// 1979).
-double otsuThreshold(const Volume& volume, const std::vector<std::uint64_t>& counts) {
-    double total = 0;
-    double sum = 0;
-    for (std::size_t bin = 0; bin < counts.size(); ++bin) {
-        total += double(counts[bin]);
-        sum += double(bin) * double(counts[bin]);
-    }
-    double best = -1;
-    std::size_t bestBin = 0;
-    double below = 0;
-    double sumBelow = 0;
-    for (std::size_t bin = 0; bin + 1 < counts.size(); ++bin) {
-        below += double(counts[bin]);
-        sumBelow += double(bin) * double(counts[bin]);
-        const double above = total - below;
-        if (below > 0 && above > 0) {
-            const double difference = sumBelow / below - (sum - sumBelow) / above;
-            if (const double between = below * above * difference * difference; between > best) {
-                best = between;
-                bestBin = bin;
-            }
-        }
-    }
-    return binStart(volume, double(bestBin) + 1);
-}
-
 Summary summarise(const Volume& volume) {
     Summary summary;
     summary.counts = volume::histogram(volume, bins);
@@ -102,7 +74,7 @@ Summary summarise(const Volume& volume) {
     summary.commonest =
         volume.range.lo +
         (fine.size() > 1 ? volume.range.width() * double(fullest) / double(fine.size() - 1) : 0.0);
-    summary.foreground = otsuThreshold(volume, summary.counts);
+    summary.foreground = volume::otsuThreshold(summary.counts, volume.range);
     return summary;
 }
 

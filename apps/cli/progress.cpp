@@ -32,4 +32,12 @@ void Progress::advance(std::size_t amount) {
     isShown_ = true;
 }
 
+void Progress::show(const std::string& soFar) {
+    if (isTerminal_ && timer_.milliseconds() >= 1000) {
+        fmt::print(stderr, "\r\033[K{} {}", what_, soFar);
+        std::fflush(stderr);
+        isShown_ = true;
+    }
+}
+
 } // namespace vs::cli

@@ -18,6 +18,9 @@ public:
     Progress& operator=(const Progress&) = delete;
 
     void advance(std::size_t amount = 1);
+    void show(const std::string& soFar);
+    // False when nothing would be shown: then the work need not be cut into pieces.
+    [[nodiscard]] bool isTerminal() const { return isTerminal_; }
 
 private:
     std::string what_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands.h"
 #include "parse.h"
+#include "progress.h"
 #include "volume_argument.h"
 
 #include "gl/context.h"
@@ -47,7 +48,13 @@ void runRender(const RenderOptions& options) {
     render::Frame frame = document.frame(size);
     frame.samples = options.samples;
     render::RayCaster caster;
-    caster.render(frame);
+    caster.start(frame);
+    {
+        Progress progress("rendering", std::size_t(options.samples));
+        for (int done = 0; !caster.renderSome(200); done = caster.completedSamples()) {
+            progress.advance(std::size_t(caster.completedSamples() - done));
+        }
+    }
     image::writePng(options.output, caster.readPicture());
     fmt::print("{}: {} x {} pixels, {} from {:g} to {:g}, on {}\n", options.output, size.x, size.y,
                options.mode, view.range.lo, view.range.hi, context.device().renderer);

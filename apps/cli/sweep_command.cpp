@@ -16,9 +16,6 @@
 
 namespace vs::cli {
 
-// Declared here too, so that the command does not depend on when commands.h learns of it.
-void addSweepCommand(CLI::App& app);
-
 namespace {
 
 struct SweepOptions {
@@ -104,6 +101,8 @@ void runSweep(const SweepOptions& options) {
     std::transform(values.begin(), values.end(), values.begin(),
                    [](float e) { return std::clamp(e, 0.0F, 1.0F); });
     volume::writeGrid(options.output, volume::makeGeometry(dims), std::span<const float>(values));
+    const auto inside = std::count_if(values.begin(), values.end(), [](float e) { return e >= 0.5F; });
+    fmt::print("{}: {} voxels inside (0.5 and above)\n", options.output, inside);
 }
 
 } // namespace
@@ -115,7 +114,12 @@ void addSweepCommand(CLI::App& app) {
     command
         ->add_option("--mask", options->mask, "ellipse:RX,RY, circle:R or rectangle:WIDTH,HEIGHT, in voxels")
         ->required();
-    command->add_option("--path", options->path, "line:X0,Y0,Z0:X1,Y1,Z1 and further corners, in voxels")
+    command
+        ->add_option(
+            "--path", options->path,
+            "line:X0,Y0,Z0:X1,Y1,Z1 and further corners, in voxels. The mask's x is the volume's x made "
+            "perpendicular to the path (its y where the path runs along x), its y completes a "
+            "right-handed frame with the path's direction")
         ->required();
     command->add_option("--radius", options->radius, "Radius of the radiation in voxels: 2, 3 or 4")
         ->capture_default_str();

@@ -59,6 +59,7 @@ GrowthPanel::GrowthPanel(StudioController& studio, QWidget* parent) : QWidget(pa
     speed_->setAlignment(Qt::AlignRight);
     speed_->setSuffix(tr(" per s"));
     speed_->setToolTip(tr("Generations per second; 0 grows as fast as it can"));
+    connect(speed_, &QAbstractSpinBox::editingFinished, speed_, &QWidget::clearFocus);
     connect(speed_, &QSpinBox::valueChanged, &studio_.growth(), &GrowthController::setSpeed);
     options->addWidget(autoStart_);
     options->addStretch(1);

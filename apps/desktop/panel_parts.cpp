@@ -44,6 +44,8 @@ QDoubleSpinBox* makeSpinBox(const char* objectName, const QString& accessibleNam
     box->setLocale(QLocale::c());
     box->setMinimumWidth(84);
     box->setButtonSymbols(QAbstractSpinBox::NoButtons); // wheel and arrow keys do
+    // The single-key shortcuts work again once a number is typed.
+    QObject::connect(box, &QAbstractSpinBox::editingFinished, box, &QWidget::clearFocus);
     return box;
 }
 

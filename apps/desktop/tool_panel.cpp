@@ -109,6 +109,7 @@ QWidget* ToolPanel::makeDrillPage() {
 
     pressure_ = named(new QProgressBar, "penPressure", tr("Pressure of the tablet's pen"));
     pressure_->setRange(0, 100);
+    pressure_->setValue(0); // or its text is not shown
     pressure_->setFormat(tr("no tablet pen yet"));
     connect(&studio_, &StudioController::tabletPressureChanged, this, [this](double p) {
         pressure_->setFormat("%p %");

@@ -25,31 +25,8 @@ std::vector<std::uint32_t> intensityHistogram(const Field& field, int bins) {
 }
 
 Range suggestRange(const std::vector<std::uint32_t>& histogram, const Range& range) {
-    double total = 0;
-    double weighted = 0;
-    for (std::size_t i = 0; i < histogram.size(); ++i) {
-        total += histogram[i];
-        weighted += double(i) * histogram[i];
-    }
-    double below = 0;
-    double weightedBelow = 0;
-    double bestVariance = -1;
-    std::size_t best = 0;
-    for (std::size_t i = 0; i + 1 < histogram.size(); ++i) {
-        below += histogram[i];
-        weightedBelow += double(i) * histogram[i];
-        const double above = total - below;
-        if (below <= 0 || above <= 0) {
-            continue;
-        }
-        const double meanGap = weightedBelow / below - (weighted - weightedBelow) / above;
-        const double variance = below * above * meanGap * meanGap;
-        if (variance > bestVariance) {
-            bestVariance = variance;
-            best = i + 1;
-        }
-    }
-    return {range.lo + range.width() * double(best) / double(histogram.size()), range.hi};
+    const std::vector<std::uint64_t> counts(histogram.begin(), histogram.end());
+    return {volume::otsuThreshold(counts, range), range.hi};
 }
 
 } // namespace vs::field

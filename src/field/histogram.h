@@ -12,8 +12,8 @@ namespace vs::field {
 // voxels are left out.
 std::vector<std::uint32_t> intensityHistogram(const Field& field, int bins = 256);
 
-// A displayed range that shows something sensible at first: from Otsu's threshold between background and
-// object (Otsu 1979, "A threshold selection method from gray-level histograms") up to the largest value.
+// A displayed range that shows something sensible at first: from the threshold between background and object
+// (volume::otsuThreshold) up to the largest value.
 Range suggestRange(const std::vector<std::uint32_t>& histogram, const Range& range);
 
 } // namespace vs::field

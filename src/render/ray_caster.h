@@ -37,7 +37,7 @@ struct Frame {
     Mode mode = Mode::Surface;
     double xrayGain = 5; // brightness of a ray through one whole diagonal at full value
     glm::vec3 segmentColour{0.70F, 0.17F, 0.04F}; // linear; near the vermilion of the Okabe-Ito palette
-    int samples = 1;                             // rays per pixel, evenly spread over it
+    int samples = 1;                              // rays per pixel, evenly spread over it
 };
 
 // Casts rays (SPEC 3) in a compute shader, tile by tile so that no single submission is long. Start a frame,

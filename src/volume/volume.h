@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -61,6 +62,11 @@ void computeRange(Volume& volume);
 
 // Counts of finite values in `bins` equal bins over volume.range, computed on the CPU (reference, `info`).
 std::vector<std::uint64_t> histogram(const Volume& volume, int bins);
+
+// The value that parts a histogram (equal bins over `range`) into background and object: Otsu's threshold,
+// the one with the largest variance between the two classes (Otsu 1979, "A threshold selection method from
+// gray-level histograms"). Where a gap in the histogram makes many equally good, their middle.
+double otsuThreshold(std::span<const std::uint64_t> counts, const Range& range);
 
 // Checksum of geometry and values (FNV-1a, 64 bit, as 16 hex digits): tells a session whether it has its
 // volume.

@@ -26,8 +26,8 @@ def write_ball_head(path):
     path.write_bytes(header.encode() + values)
 
 
-def head(folder):
-    if REAL.exists():
+def head(folder, is_generated):
+    if REAL.exists() and not is_generated:
         return REAL
     path = folder / "head.nrrd"
     write_ball_head(path)

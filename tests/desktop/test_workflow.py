@@ -67,8 +67,12 @@ def grow(studio):
     """Seeds on what was opened, which start to grow; then pause, one back, one forth."""
     studio.key("s")
     studio.wait("the seed tool", lambda s: s["tool"] == "seed")
+    studio.click("growthSpeed")  # slow enough to be paused, however small the head
+    studio.key("ctrl+a")
+    studio.xdotool("type", "8")
+    studio.key("Return")
     studio.drag([studio.view_point(0.46 + 0.01 * i, 0.38) for i in range(9)])
-    studio.wait("the growth", lambda s: s["playing"] and s["voxels"] > 1000)
+    studio.wait("the growth", lambda s: s["playing"] and s["generation"] > 8)
     studio.click("growPause")
     state = studio.wait_idle("the pause", lambda s: not s["playing"])
     need(state["mode"] == "segment", f"the region is not shown, the mode is {state['mode']}")
@@ -132,7 +136,7 @@ def check_session(session, mask):
 
 
 def main(display, arguments, folder):
-    volume = head(folder)
+    volume = head(folder, arguments.generated)
     studio = start(display, arguments.program, folder)
     open_by_dialog(studio, volume)
     look_at_top(studio)
@@ -175,4 +179,5 @@ if __name__ == "__main__":
     parser.add_argument("--program", required=True)
     parser.add_argument("--vstudio", required=True)
     parser.add_argument("--work", required=True, help="folder to work in; emptied first")
+    parser.add_argument("--generated", action="store_true", help="use the made head even where a real one is installed")
     sys.exit(run_test(main, parser.parse_args()))

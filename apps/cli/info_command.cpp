@@ -29,10 +29,6 @@ struct Summary {
     double foreground = 0; // Otsu's threshold between background and foreground
 };
 
-double binStart(const Volume& volume, double bin) {
-    return volume.range.lo + volume.range.width() * bin / bins;
-}
-
 // One bin for each value where integers are few enough, else as many bins as still tell percentiles well.
 std::vector<std::uint64_t> fineCounts(const Volume& volume) {
     constexpr double most = 65536;

@@ -47,11 +47,12 @@ int run(QApplication& application) {
 int main(int argc, char** argv) {
     // One group of contexts for all windows, or a dock that changes its window would leave the view black.
     QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
-    // Every place that the pen reports belongs to the stroke; by default Qt drops those it has no time for.
-    QApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, false);
-    QApplication::setAttribute(Qt::AA_CompressTabletEvents, false);
     QSurfaceFormat::setDefaultFormat(vs::desktop::GlHost::format());
     QApplication application(argc, argv);
+    // Every place that the pen reports belongs to the stroke; on X11 Qt drops those it has no time for. Set only now,
+    // because the platform's plugin sets it while the application is made.
+    QApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, false);
+    QApplication::setAttribute(Qt::AA_CompressTabletEvents, false);
     QApplication::setApplicationName("volume-studio");
     QApplication::setApplicationDisplayName("Volume Studio");
     QApplication::setApplicationVersion(VOLUME_STUDIO_VERSION);

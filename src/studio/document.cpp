@@ -193,8 +193,12 @@ Outcome Document::endGrowth() {
     const Operation operation = Grow{live.generations};
     outcome.name = name(operation);
     outcome.milliseconds = live.timer.milliseconds();
-    impl_->remember(operation, {}, std::move(live.records));
-    impl_->record(operation);
+    if (live.generations > 0) {
+        impl_->remember(operation, {}, std::move(live.records));
+        impl_->record(operation);
+    } else {
+        impl_->region.undo(live.records); // nothing grew: as if it had not begun
+    }
     return outcome;
 }
 

@@ -40,6 +40,8 @@ def main(display, arguments, folder):
 
     session = folder / "session.json"
     peel = next(operation for operation in operations(session) if operation["op"] == "peel")
+    drawn = len(peel["mask"]["points"])
+    need(drawn == len(outline), f"the mask has {drawn} points, the pen made {len(outline)}")
     for point, (px, py) in zip(peel["mask"]["points"], outline):
         expected = (px - x + 0.5, py - y + 0.5)
         need(math.dist(point, expected) < 0.01, f"the mask has {point} where the pen was at {expected}")

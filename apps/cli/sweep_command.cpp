@@ -42,7 +42,7 @@ sculpt::Outline parseMask(const std::string& text) {
     const std::string shape = text.substr(0, split);
     const std::string sizes = split == std::string::npos ? "" : text.substr(split + 1);
     const auto positive = [&](std::size_t count, const std::string& example) {
-        const auto n = parseNumbers(sizes, ',', count, "--mask " + text, example);
+        auto n = parseNumbers(sizes, ',', count, "--mask " + text, example);
         if (!std::all_of(n.begin(), n.end(), [](double value) { return value > 0 && value <= 4096; })) {
             throw UsageError("--mask {}: sizes are in voxels, above 0 and at most 4096", text);
         }

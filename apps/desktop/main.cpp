@@ -49,8 +49,8 @@ int main(int argc, char** argv) {
     QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
     QSurfaceFormat::setDefaultFormat(vs::desktop::GlHost::format());
     QApplication application(argc, argv);
-    // Every place that the pen reports belongs to the stroke; on X11 Qt drops those it has no time for. Set only now,
-    // because the platform's plugin sets it while the application is made.
+    // Every place that the pen reports belongs to the stroke; on X11 Qt drops those it has no time for. Set
+    // only now, because the platform's plugin sets it while the application is made.
     QApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, false);
     QApplication::setAttribute(Qt::AA_CompressTabletEvents, false);
     QApplication::setApplicationName("volume-studio");

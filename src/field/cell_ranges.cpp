@@ -40,13 +40,16 @@ CellRanges computeCellRanges(const Field& field) {
     out.bricks.assign(std::size_t(out.brickDims.x) * std::size_t(out.brickDims.y) *
                           std::size_t(out.brickDims.z),
                       {inf, -inf});
+    const glm::vec<3, std::size_t> brickCount(out.brickDims);
     const auto cells = out.cells.downloadAll<glm::vec2>();
     std::size_t i = 0;
     for (int z = 0; z < cellCount.z; ++z) {
         for (int y = 0; y < cellCount.y; ++y) {
             for (int x = 0; x < cellCount.x; ++x, ++i) {
                 const glm::ivec3 b = glm::ivec3(x, y, z) / cellsPerBrick;
-                Range& brick = out.bricks[std::size_t((b.z * out.brickDims.y + b.y) * out.brickDims.x + b.x)];
+                Range& brick =
+                    out.bricks[(std::size_t(b.z) * brickCount.y + std::size_t(b.y)) * brickCount.x +
+                               std::size_t(b.x)];
                 brick.lo = std::min(brick.lo, double(cells[i].x));
                 brick.hi = std::max(brick.hi, double(cells[i].y));
             }

@@ -39,8 +39,9 @@ std::vector<float> Cutter::sculptureAsFloats() const {
     return values;
 }
 
-CutStroke::CutStroke(Cutter& cutter, render::Picker& picker, render::Frame frame, const Peel& operation)
-    : cutter_(&cutter), picker_(&picker), frame_(std::move(frame)), operation_(operation),
+CutStroke::CutStroke(Cutter& cutter, render::Picker& picker, const render::Frame& frame,
+                     const Peel& operation)
+    : cutter_(&cutter), picker_(&picker), frame_(frame), operation_(operation),
       backup_(cutter.sculpture->texels()) {
     prepare(operation.mask);
     // The peel stays where it was drawn, so its surface is cast once.
@@ -49,8 +50,9 @@ CutStroke::CutStroke(Cutter& cutter, render::Picker& picker, render::Frame frame
     }
 }
 
-CutStroke::CutStroke(Cutter& cutter, render::Picker& picker, render::Frame frame, const Drill& operation)
-    : cutter_(&cutter), picker_(&picker), frame_(std::move(frame)), operation_(operation),
+CutStroke::CutStroke(Cutter& cutter, render::Picker& picker, const render::Frame& frame,
+                     const Drill& operation)
+    : cutter_(&cutter), picker_(&picker), frame_(frame), operation_(operation),
       backup_(cutter.sculpture->texels()) {
     std::get<Drill>(operation_).stroke.clear(); // filled again as the pen moves
     prepare(operation.mask);

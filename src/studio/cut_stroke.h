@@ -32,8 +32,8 @@ private:
 class CutStroke {
 public:
     // `frame` is what the pen was drawn on; `operation` is a Peel or a Drill with its canvas set.
-    CutStroke(Cutter& cutter, render::Picker& picker, render::Frame frame, const Peel& operation);
-    CutStroke(Cutter& cutter, render::Picker& picker, render::Frame frame, const Drill& operation);
+    CutStroke(Cutter& cutter, render::Picker& picker, const render::Frame& frame, const Peel& operation);
+    CutStroke(Cutter& cutter, render::Picker& picker, const render::Frame& frame, const Drill& operation);
 
     // Peels down to this many layers in all; fewer than before puts layers back.
     void peelTo(double layers);

@@ -6,20 +6,11 @@
 
 #include "base/error.h"
 
-#include <variant>
-
 namespace vs::desktop {
 
 namespace {
 
 QString text(const std::filesystem::path& path) { return QString::fromStdString(path.string()); }
-
-// Writes files but changes nothing in the document.
-bool isOutput(const studio::Operation& operation) {
-    return std::holds_alternative<studio::SavePicture>(operation) ||
-           std::holds_alternative<studio::SaveLabels>(operation) ||
-           std::holds_alternative<studio::SaveSculpture>(operation);
-}
 
 } // namespace
 
@@ -55,13 +46,7 @@ void StudioController::finishOpening(const std::shared_ptr<Loaded>& loaded) {
         source_.rawLayout = session.rawLayout;
         source_.series = session.series;
         source_.frame = session.frame;
-        // A picture or label map that the session asks for was written when it was made; opening writes
-        // nothing.
-        for (const auto& operation : session.operations) {
-            if (!isOutput(operation)) {
-                replay_.push_back(operation);
-            }
-        }
+        replay_.assign(session.operations.begin(), session.operations.end());
     }
     replayTotal_ = int(replay_.size());
     view_ = document_->view();
@@ -84,7 +69,13 @@ void StudioController::replayOne() {
     emit progress(number - 1, replayTotal_);
     QString error;
     try {
-        document_->apply(operation);
+        // A picture or label map that the session asks for was written when it was made; opening writes
+        // nothing.
+        if (studio::isOutput(operation)) {
+            document_->note(operation);
+        } else {
+            document_->apply(operation);
+        }
         replay_.pop_front();
     } catch (const std::exception& e) {
         error = tr("Replayed up to operation %1 (%2): %3")

@@ -104,6 +104,11 @@ Outcome Document::apply(const Operation& operation, const std::filesystem::path&
     return outcome;
 }
 
+void Document::note(const Operation& operation) {
+    VS_CHECK(isOutput(operation));
+    impl_->record(operation);
+}
+
 void Document::look(const View& view) {
     if (!(view == impl_->view)) {
         impl_->view = view;

@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/operation.h"
 
-#include <array>
+#include "studio/operation_names.h"
 
 namespace vs::studio {
 
-const char* name(const Operation& operation) {
-    // In the order of the variant's alternatives.
-    constexpr std::array<const char*, std::variant_size_v<Operation>> names{
-        "view", "peel", "drill",  "seed",    "grow",    "rewind", "growth range",
-        "undo", "redo", "un-cut", "re-seed", "picture", "labels", "sculpture"};
-    return names[operation.index()];
+const char* name(const Operation& operation) { return kOperationNames[operation.index()]; }
+
+bool isOutput(const Operation& operation) {
+    return std::holds_alternative<SavePicture>(operation) || std::holds_alternative<SaveLabels>(operation) ||
+           std::holds_alternative<SaveSculpture>(operation);
 }
 
 } // namespace vs::studio

@@ -86,9 +86,11 @@ struct Seed {
     std::optional<Canvas> canvas;
 };
 
-// Lets the region grow: so many generations, or until nothing grows any more.
+// Lets the region grow: so many generations, or until nothing grows any more. The sculpture fences it as
+// `sculptureView` says: the view's when not set.
 struct Grow {
     std::optional<int> generations;
+    std::optional<field::SculptureView> sculptureView;
 };
 
 // Plays backward by so many generations.
@@ -129,5 +131,8 @@ using Operation = std::variant<SetView, Peel, Drill, Seed, Grow, Rewind, SetGrow
 // "view", "peel", "drill", "seed", "grow", "rewind", "growth range", "undo", "redo", "un-cut", "re-seed",
 // "picture", "labels", "sculpture": the names in sessions, reports and the history.
 const char* name(const Operation& operation);
+
+// Whether an operation only writes a file and leaves the document as it is.
+bool isOutput(const Operation& operation);
 
 } // namespace vs::studio

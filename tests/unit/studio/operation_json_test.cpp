@@ -29,7 +29,7 @@ TEST(OperationJson, EveryKindComesBackAsItWas) {
         Peel{ellipse, 12.75, 4, someCanvas()},
         Drill{line, {{{1.5, 2.5}, 0.25}, {{3, 4}, 1}}, 9, 2, someCanvas()},
         Seed{{line, ellipse}, 7, Range{30, 90.5}, 26, {{1, 2, 3}, {4, 5, 6}}, someCanvas()},
-        Grow{17},
+        Grow{17, field::SculptureView::Probe},
         Grow{},
         Rewind{4},
         SetGrowthRange{{-5, 5}},

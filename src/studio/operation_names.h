@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "studio/operation.h"
+
+#include <array>
+
+namespace vs::studio {
+
+// The texts that stand for enumerators in session files, in the enumerators' order.
+inline constexpr std::array<const char*, 5> kShapes{"free-form", "ellipse", "circle", "rectangle",
+                                                    "polyline"};
+inline constexpr std::array<const char*, 3> kSculptureViews{"whole", "cut", "probe"};
+inline constexpr std::array<const char*, 2> kProjections{"perspective", "orthographic"};
+inline constexpr std::array<const char*, 5> kModes{"surface", "mip", "xray", "overlay", "segment"};
+
+// The operations' names, in the order of the variant's alternatives.
+inline constexpr std::array<const char*, std::variant_size_v<Operation>> kOperationNames{
+    "view", "peel", "drill",  "seed",    "grow",    "rewind", "growth range",
+    "undo", "redo", "un-cut", "re-seed", "picture", "labels", "sculpture"};
+
+} // namespace vs::studio

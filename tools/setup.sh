@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # What ./run and ./test share: installs what is missing (Debian 12, root) and builds. Source it, then call
-#   install_packages [test]   and   build PRESET [target ...]
+#   install_packages [test]   and   build PRESET TESTS [target ...]
 set -euo pipefail
 ROOT=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
@@ -8,7 +8,7 @@ ROOT=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 PACKAGES=(
   g++ cmake ninja-build ccache pkg-config
   libinsighttoolkit5-dev libgdcm-dev libfftw3-dev libexpat1-dev libeigen3-dev zlib1g-dev
-  qt6-base-dev libqt6opengl6-dev libqt6svg6-dev qt6-qpa-plugins
+  qt6-base-dev libqt6opengl6-dev qt6-svg-dev qt6-qpa-plugins
   libepoxy-dev libegl-dev libgl1-mesa-dri libegl-mesa0 libegl1 libgl1 libglx-mesa0
   libglm-dev libfmt-dev nlohmann-json3-dev libcli11-dev libzstd-dev libpng-dev
   mricron-data
@@ -37,17 +37,21 @@ install_packages() {
   DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
 }
 
-# build PRESET [target ...]: configures once, then builds what changed.
+# build PRESET TESTS [target ...]: builds what changed. Configures when that has not been done, or was done without the
+# tests (whose packages ./run does not install) and TESTS is ON.
 build() {
-  local preset=$1
-  shift
+  local preset=$1 tests=$2
+  shift 2
   BUILD=$ROOT/build/$preset
   say "building (preset $preset) into $BUILD"
   (
     cd "$ROOT"
-    [ -f "$BUILD/build.ninja" ] || cmake --preset "$preset" >"/tmp/volume-studio-configure.$$" ||
-      { cat "/tmp/volume-studio-configure.$$" >&2; exit 1; }
-    rm -f "/tmp/volume-studio-configure.$$"
+    mkdir -p "$ROOT/build"
+    if [ ! -f "$BUILD/build.ninja" ] ||
+      { [ "$tests" = ON ] && ! grep -q '^VOLUME_STUDIO_BUILD_TESTS:BOOL=ON' "$BUILD/CMakeCache.txt"; }; then
+      cmake --preset "$preset" -DVOLUME_STUDIO_BUILD_TESTS="$tests" >"$BUILD.log" 2>&1 ||
+        { cat "$BUILD.log" >&2; exit 1; }
+    fi
     cmake --build --preset "$preset" ${1:+--target "$@"}
   )
 }

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gl/buffer.h"
 
+#include "base/error.h"
+#include "gl/errors.h"
+
 #include <epoxy/gl.h>
 
 #include <algorithm>
@@ -18,7 +21,13 @@ Buffer::Buffer(std::size_t sizeBytes, const std::string& label)
     GLuint name = 0;
     glCreateBuffers(1, &name);
     handle_ = Handle<detail::deleteBuffer>(name);
-    glNamedBufferStorage(name, GLsizeiptr(size_), nullptr, GL_DYNAMIC_STORAGE_BIT);
+    {
+        const ExpectedFailure failure;
+        glNamedBufferStorage(name, GLsizeiptr(size_), nullptr, GL_DYNAMIC_STORAGE_BIT);
+        if (failure.happened()) {
+            throw GlError("{}: the device has no room for {} MiB; use a smaller volume", label, size_ >> 20);
+        }
+    }
     glObjectLabel(GL_BUFFER, name, -1, label.c_str());
     clear();
 }

@@ -21,7 +21,7 @@ void deleteBuffer(unsigned int name);
 class Buffer {
 public:
     Buffer() = default;
-    // Contents start as zeros.
+    // Contents start as zeros. Throws GlError when the device has no room for it.
     Buffer(std::size_t sizeBytes, const std::string& label);
 
     [[nodiscard]] std::size_t size() const { return size_; }

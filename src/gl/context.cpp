@@ -2,12 +2,14 @@
 #include "gl/context.h"
 
 #include "base/error.h"
-#include "base/log.h"
+#include "gl/errors.h"
 
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
 
+#include <charconv>
 #include <cstdlib>
+#include <cstring>
 
 namespace vs::gl {
 
@@ -15,12 +17,15 @@ struct Context::Impl {
     EGLDisplay display = EGL_NO_DISPLAY; // none for an adopted context
     EGLContext context = EGL_NO_CONTEXT;
     DeviceInfo device;
-    int errors = 0;
+    ErrorCount errors;
 
     Impl() = default;
     Impl(const Impl&) = delete;
     Impl& operator=(const Impl&) = delete;
     ~Impl() {
+        if (errorsCounted() == &errors) {
+            countErrorsIn(nullptr);
+        }
         if (context != EGL_NO_CONTEXT) {
             eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
             eglDestroyContext(display, context);
@@ -50,15 +55,15 @@ void GLAPIENTRY onMessage(GLenum source, GLenum type, GLuint, GLenum, GLsizei, c
                           const void* user) {
     // What the shader compiler says is thrown by Program, with the file's name.
     if (type == GL_DEBUG_TYPE_ERROR && source != GL_DEBUG_SOURCE_SHADER_COMPILER) {
-        ++*static_cast<int*>(const_cast<void*>(user));
-        logNotice(fmt::format("OpenGL: {}", message));
+        addErrorMessage(*static_cast<ErrorCount*>(const_cast<void*>(user)), message);
     }
 }
 
-void listenForErrors(int& counter) {
+void listenForErrors(ErrorCount& count) {
+    countErrorsIn(&count);
     glEnable(GL_DEBUG_OUTPUT);
     glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
-    glDebugMessageCallback(onMessage, &counter);
+    glDebugMessageCallback(onMessage, &count);
 }
 
 // The displays that could carry a context without a window: each EGL device, then Mesa's surfaceless
@@ -115,7 +120,18 @@ EGLContext contextOn(EGLDisplay display) {
 
 std::optional<int> deviceFromEnvironment() {
     const char* value = std::getenv("VOLUME_STUDIO_DEVICE");
-    return value != nullptr ? std::optional<int>(std::atoi(value)) : std::nullopt;
+    if (value == nullptr || *value == '\0') {
+        return std::nullopt;
+    }
+    int device = 0;
+    const char* end = value + std::strlen(value);
+    const auto result = std::from_chars(value, end, device);
+    if (result.ec != std::errc() || result.ptr != end) {
+        throw GlError("VOLUME_STUDIO_DEVICE={}: not the number of a device; give one that `vstudio devices` "
+                      "lists, for example 0",
+                      value);
+    }
+    return device;
 }
 
 } // namespace
@@ -179,12 +195,31 @@ Context Context::adoptCurrent() {
 void Context::makeCurrent() {
     if (impl_->context != EGL_NO_CONTEXT) {
         eglMakeCurrent(impl_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, impl_->context);
+        countErrorsIn(&impl_->errors);
     }
 }
 
 const DeviceInfo& Context::device() const { return impl_->device; }
-int Context::errorCount() const { return impl_->errors; }
-void Context::finish() { glFinish(); }
+
+int Context::errorCount() const {
+    if (errorsCounted() == &impl_->errors) {
+        collectErrors();
+    }
+    return impl_->errors.total();
+}
+
+void Context::requireNoErrors() const {
+    if (const int count = errorCount(); count > 0) {
+        throw GlError("{} reported {} OpenGL errors, so the result cannot be relied on; update the graphics "
+                      "driver or choose another device with VOLUME_STUDIO_DEVICE=N",
+                      impl_->device.renderer, count);
+    }
+}
+
+void Context::finish() {
+    glFinish();
+    collectErrors();
+}
 
 std::vector<ListedDevice> listDevices() {
     std::vector<ListedDevice> result;

@@ -19,7 +19,7 @@ struct DeviceInfo {
 
 // An OpenGL 4.5 core context: either our own, without any window (EGL, surfaceless), or one that the host
 // program made current. GL objects belong to the thread and context they were made with. Driver messages of
-// type error are counted and logged, never thrown out of the driver.
+// type error are counted and the first ones logged, never thrown out of the driver.
 class Context {
 public:
     // Our own context on a device of `listDevices()` (by its index), or on the best one: a hardware device
@@ -35,8 +35,10 @@ public:
 
     void makeCurrent();
     [[nodiscard]] const DeviceInfo& device() const;
-    // GL errors that the driver has reported since the context was made.
+    // GL errors that the driver has reported, or kept for whoever asks, since the context was made.
     [[nodiscard]] int errorCount() const;
+    // Throws GlError if there are any: what was computed cannot be relied on.
+    void requireNoErrors() const;
     // Waits until the device has done everything submitted so far.
     static void finish();
 

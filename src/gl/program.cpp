@@ -108,6 +108,16 @@ void Program::dispatchOver(glm::ivec3 items, Barrier after) {
     dispatch((items + localSize_ - 1) / localSize_, after);
 }
 
+void Program::dispatchOverList(std::size_t items, Barrier after) {
+    constexpr std::size_t maxGroups = 65535; // along an axis
+    const std::size_t groups = (items + std::size_t(localSize_.x) - 1) / std::size_t(localSize_.x);
+    const std::size_t rows = (groups + maxGroups - 1) / maxGroups;
+    if (groups > 0) {
+        VS_CHECK(rows <= maxGroups);
+        dispatch({int((groups + rows - 1) / rows), int(rows), 1}, after);
+    }
+}
+
 void Program::dispatchIndirect(const Buffer& arguments, std::size_t offset, Barrier after) {
     glUseProgram(name());
     glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, arguments.name());

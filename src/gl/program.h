@@ -43,6 +43,10 @@ public:
     void dispatch(glm::ivec3 groups, Barrier after);
     // Enough groups of the shader's own local size to cover `items`.
     void dispatchOver(glm::ivec3 items, Barrier after);
+    // The same for a list of any length, for shaders with a local size along x only that take their item from
+    // gl/shaders/items.glsl: OpenGL promises no more than 65535 groups along an axis, and one row of them is
+    // soon used up.
+    void dispatchOverList(std::size_t items, Barrier after);
     // Group counts are three unsigned ints in `arguments` at `offset` bytes.
     void dispatchIndirect(const Buffer& arguments, std::size_t offset, Barrier after);
 

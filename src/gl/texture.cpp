@@ -3,6 +3,7 @@
 
 #include "base/check.h"
 #include "base/error.h"
+#include "gl/errors.h"
 
 #include <epoxy/gl.h>
 
@@ -79,17 +80,18 @@ void Texture::create(const std::string& label, Filter filter) {
     GLuint name = 0;
     glCreateTextures(is3D_ ? GL_TEXTURE_3D : GL_TEXTURE_2D, 1, &name);
     handle_ = Handle<detail::deleteTexture>(name);
-    while (glGetError() != GL_NO_ERROR) {
-    }
     const GLenum internal = info(format_).internal;
-    if (is3D_) {
-        glTextureStorage3D(name, 1, internal, size_.x, size_.y, size_.z);
-    } else {
-        glTextureStorage2D(name, 1, internal, size_.x, size_.y);
-    }
-    if (glGetError() != GL_NO_ERROR) {
-        throw GlError("{}: the device has no room for {}x{}x{} texels ({} MiB); use a smaller volume", label,
-                      size_.x, size_.y, size_.z, bytes() >> 20);
+    {
+        const ExpectedFailure failure;
+        if (is3D_) {
+            glTextureStorage3D(name, 1, internal, size_.x, size_.y, size_.z);
+        } else {
+            glTextureStorage2D(name, 1, internal, size_.x, size_.y);
+        }
+        if (failure.happened()) {
+            throw GlError("{}: the device has no room for {}x{}x{} texels ({} MiB); use a smaller volume",
+                          label, size_.x, size_.y, size_.z, bytes() >> 20);
+        }
     }
     glObjectLabel(GL_TEXTURE, name, -1, label.c_str());
     const GLint mode = filter == Filter::Linear ? GL_LINEAR : GL_NEAREST;

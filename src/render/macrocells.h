@@ -28,6 +28,9 @@ public:
     // Recomputes everything.
     void rebuild(const Input& input);
 
+    // Becomes what `other` is now.
+    void copyFrom(const Macrocells& other);
+
     [[nodiscard]] const gl::Texture& distances() const { return distances_; }
 
 private:

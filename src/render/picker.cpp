@@ -38,7 +38,7 @@ field::SurfacePoints Picker::pick(const Frame& frame, std::span<const glm::vec2>
     }
     gl::Program& program = programFor(frame);
     sceneBinding_.bind(frame.scene);
-    view_.writeValue(viewBlock(frame.rays));
+    view_.writeValue(viewBlock(frame.rays, frame.scene.data->geometry));
     view_.bindUniform(1);
     frame.macrocells->distances().bindTexture(3);
     positions_.reserve(positions.size_bytes());
@@ -46,7 +46,7 @@ field::SurfacePoints Picker::pick(const Frame& frame, std::span<const glm::vec2>
     positions_.bindStorage(0);
     out.points.bindStorage(1);
     program.set(0, int(positions.size()));
-    program.dispatchOver({int(positions.size()), 1, 1}, gl::Barrier::Storage);
+    program.dispatchOverList(positions.size(), gl::Barrier::Storage);
     return out;
 }
 

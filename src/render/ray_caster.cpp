@@ -42,9 +42,25 @@ Mode modeFromName(const std::string& text) {
     throw UsageError("mode '{}' does not exist; choose surface, mip, xray, overlay or segment", text);
 }
 
-ViewBlock viewBlock(const ViewRays& rays) {
-    return {glm::vec4(rays.eye, rays.isOrthographic ? 1.0 : 0.0), glm::vec4(rays.forward, 0.0),
-            glm::vec4(rays.right, 0.0), glm::vec4(rays.up, 0.0), glm::vec4(glm::vec2(rays.size), 0.0F, 0.0F)};
+ViewBlock viewBlock(const ViewRays& rays, const volume::GridGeometry& geometry) {
+    const glm::dmat4 voxelFromWorld = geometry.voxelFromWorld();
+    const auto direction = [&](glm::dvec3 world, double scale) {
+        return glm::vec4(glm::dmat3(voxelFromWorld) * (world * scale), 0.0);
+    };
+    // Directions are per step, except the picture's half width and height of an orthographic view, which are
+    // lengths.
+    const double step = geometry.stepMm();
+    const double offset = rays.isOrthographic ? 1.0 : step;
+    ViewBlock block;
+    block.forward = glm::vec4(rays.forward, rays.isOrthographic ? 1.0 : 0.0);
+    block.right = glm::vec4(glm::normalize(rays.right), 0.0);
+    block.up = glm::vec4(glm::normalize(rays.up), 0.0);
+    block.eyeVoxel = glm::vec4(voxelFromWorld * glm::dvec4(rays.eye, 1.0));
+    block.forwardVoxel = direction(rays.forward, step);
+    block.rightVoxel = direction(rays.right, offset);
+    block.upVoxel = direction(rays.up, offset);
+    block.viewport = {glm::vec2(rays.size), float(glm::length(rays.right)), float(glm::length(rays.up))};
+    return block;
 }
 
 RayCaster::RayCaster() : resolve_("render/shaders/resolve_picture.comp"), view_(sizeof(ViewBlock), "view") {}
@@ -84,7 +100,7 @@ bool RayCaster::renderSome(double budgetMs) {
     const Timer timer;
     gl::Program& program = programFor(frame_);
     sceneBinding_.bind(frame_.scene);
-    view_.writeValue(viewBlock(frame_.rays));
+    view_.writeValue(viewBlock(frame_.rays, frame_.scene.data->geometry));
     view_.bindUniform(1);
     frame_.macrocells->distances().bindTexture(3);
     accumulation_.bindImage(0, gl::Access::ReadWrite);

@@ -19,15 +19,18 @@ Mode modeFromName(const std::string& name);
 
 // The view as shaders see it; mirrors ViewBlock in render/shaders/rays.glsl (std140).
 struct ViewBlock {
-    glm::vec4 eye{0};
-    glm::vec4 forward{0};
+    glm::vec4 forward{0}; // world, unit; w 1 if orthographic
     glm::vec4 right{0};
     glm::vec4 up{0};
+    glm::vec4 eyeVoxel{0}; // voxel space, per step
+    glm::vec4 forwardVoxel{0};
+    glm::vec4 rightVoxel{0};
+    glm::vec4 upVoxel{0};
     glm::vec4 viewport{1};
 };
-static_assert(sizeof(ViewBlock) == 80);
+static_assert(sizeof(ViewBlock) == 128);
 
-ViewBlock viewBlock(const ViewRays& rays);
+ViewBlock viewBlock(const ViewRays& rays, const volume::GridGeometry& geometry);
 
 // Everything one picture depends on. The pointers must stay alive until the picture is finished.
 struct Frame {

@@ -4,6 +4,8 @@
 #include "field/cell_ranges.h"
 #include "gl/pass.h"
 
+#include <algorithm>
+
 namespace vs::sculpt {
 
 Sculpture::Sculpture(glm::ivec3 dims)
@@ -14,7 +16,7 @@ Sculpture::Sculpture(glm::ivec3 dims)
 Box3 Sculpture::combine(const Radiator& radiation, Combine how) {
     changed_.clear();
     const Box3 box = radiation.resultBox();
-    if (box.isEmpty() || (isEmpty_ && how == Combine::Restore)) {
+    if (box.isEmpty() || (how == Combine::Restore && isEmpty())) {
         return {};
     }
     {
@@ -29,8 +31,12 @@ Box3 Sculpture::combine(const Radiator& radiation, Combine how) {
             .set(3, how == Combine::Restore ? 1 : 0);
         combine_.dispatchIndirect(radiation.tileArguments(), 0, gl::Barrier::Texture);
     }
-    isEmpty_ = false;
+    // A cut only adds: what was not empty stays so.
+    const bool staysNonEmpty = how == Combine::Cut && isEmpty_ == false;
     refresh(box);
+    if (staysNonEmpty) {
+        isEmpty_ = false;
+    }
     return box;
 }
 
@@ -39,27 +45,42 @@ std::uint64_t Sculpture::changedVoxels() const { return changed_.readValue<std::
 void Sculpture::clear() {
     texels_.clear();
     cells_.clear();
+    everTouched_ = {};
     isEmpty_ = true;
     ++version_;
 }
 
 void Sculpture::upload(const Box3& box, std::span<const std::byte> texels) {
     texels_.upload(box, texels);
-    isEmpty_ = false;
     refresh(box);
 }
 
 void Sculpture::swap(BrickDelta& delta) {
     delta.swap(texels_);
-    isEmpty_ = false;
     refresh(delta.box());
 }
 
 void Sculpture::refresh(const Box3& box) {
     if (!box.isEmpty()) {
         updater_.update(texels_, box, cells_);
+        everTouched_ = unite(everTouched_, box);
+        isEmpty_.reset();
         ++version_;
     }
+}
+
+bool Sculpture::isEmpty() const {
+    if (!isEmpty_) {
+        // The cells know: a voxel is a corner of some cell, and only where something was written can there be
+        // anything.
+        const Box3 cells =
+            intersect({(everTouched_.lo - 1) / field::kCell, everTouched_.hi / field::kCell + 1},
+                      {glm::ivec3(0), cells_.size()});
+        const auto bytes = cells_.download(cells);
+        const auto* ranges = reinterpret_cast<const glm::vec2*>(bytes.data());
+        isEmpty_ = std::none_of(ranges, ranges + cells.volume(), [](glm::vec2 range) { return range.y > 0; });
+    }
+    return *isEmpty_;
 }
 
 } // namespace vs::sculpt

@@ -10,6 +10,7 @@
 #include "sculpt/radiation.h"
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -47,8 +48,9 @@ public:
     [[nodiscard]] glm::ivec3 dims() const { return texels_.size(); }
     // Counts every change.
     [[nodiscard]] std::uint64_t version() const { return version_; }
-    // True while nothing was ever written since it was made or cleared.
-    [[nodiscard]] bool isEmpty() const { return isEmpty_; }
+    // True when nothing is cut anywhere: a matter of content, so that undoing the first cut is as if it had
+    // never been. May wait for the device.
+    [[nodiscard]] bool isEmpty() const;
 
 private:
     gl::Texture texels_;
@@ -57,7 +59,8 @@ private:
     field::CellRangeUpdater updater_;
     gl::Buffer changed_;
     std::uint64_t version_ = 0;
-    bool isEmpty_ = true;
+    Box3 everTouched_;                           // since it was made or cleared
+    mutable std::optional<bool> isEmpty_ = true; // nothing: not known
 };
 
 } // namespace vs::sculpt

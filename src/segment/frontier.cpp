@@ -77,7 +77,7 @@ void Frontier::pushAdded() {
     list_.write(std::span<const std::uint32_t>(added_));
     list_.bindStorage(7);
     pushSeeds_.set(0, dims_).set(1, int(added_.size()));
-    pushSeeds_.dispatchOver({int(added_.size()), 1, 1}, gl::Barrier::Indirect);
+    pushSeeds_.dispatchOverList(added_.size(), gl::Barrier::Indirect);
     added_.clear();
 }
 

@@ -73,7 +73,7 @@ SeedCounts Growth::addSeeds(std::span<const glm::ivec3> seeds, GrowthUndo* undo)
     bindConstraints(test, *field_, state_.constraints);
     seedMap_.bindTexture(2);
     test.set(0, int(voxels.size())).set(1, state_.playhead);
-    test.dispatchOver({int(voxels.size()), 1, 1}, gl::Barrier::Storage);
+    test.dispatchOverList(voxels.size(), gl::Barrier::Storage);
     const auto answers = answers_.read<std::uint32_t>(voxels.size());
     std::vector<std::uint32_t> added;
     for (std::size_t i = 0; i < voxels.size(); ++i) {
@@ -240,7 +240,7 @@ void Growth::storeGeneration(std::span<const std::uint32_t> voxels, int generati
     list_.bindStorage(0);
     seedMap_.bindImage(0, gl::Access::Write);
     storeGeneration_.set(0, int(voxels.size())).set(1, generation);
-    storeGeneration_.dispatchOver({int(voxels.size()), 1, 1}, gl::Barrier::All);
+    storeGeneration_.dispatchOverList(voxels.size(), gl::Barrier::All);
 }
 
 std::uint64_t Growth::voxelCount() const {

@@ -34,7 +34,7 @@ std::vector<glm::ivec3> SeedFinder::find(const field::SurfacePoints& points, con
     program.set(0, int(count))
         .set(1, std::uint32_t(slots - 1))
         .set(2, glm::mat4(field.geometry.worldFromVoxel));
-    program.dispatchOver({int(count), 1, 1}, gl::Barrier::Storage);
+    program.dispatchOverList(count, gl::Barrier::Storage);
 
     auto voxels = found_.read<std::uint32_t>(found_.readValue<std::uint32_t>(), sizeof(std::uint32_t));
     std::sort(voxels.begin(), voxels.end());

@@ -30,6 +30,11 @@ const gl::Texture& Cutter::snapshot() {
     return snapshot_;
 }
 
+const render::Macrocells& Cutter::snapshot(const render::Macrocells& macrocells) {
+    macrocells_.copyFrom(macrocells);
+    return macrocells_;
+}
+
 std::vector<float> Cutter::sculptureAsFloats() const {
     const auto bytes = sculpture->download(geometry->box());
     const auto* halves = reinterpret_cast<const std::uint16_t*>(bytes.data());
@@ -42,7 +47,7 @@ std::vector<float> Cutter::sculptureAsFloats() const {
 CutStroke::CutStroke(Cutter& cutter, render::Picker& picker, const render::Frame& frame,
                      const Peel& operation)
     : cutter_(&cutter), picker_(&picker), frame_(frame), operation_(operation),
-      backup_(cutter.sculpture->texels()) {
+      sculptureVersion_(cutter.sculpture->version()), backup_(cutter.sculpture->texels()) {
     prepare(operation.mask);
     // The peel stays where it was drawn, so its surface is cast once.
     if (mask_.size.x > 0) {
@@ -53,12 +58,13 @@ CutStroke::CutStroke(Cutter& cutter, render::Picker& picker, const render::Frame
 CutStroke::CutStroke(Cutter& cutter, render::Picker& picker, const render::Frame& frame,
                      const Drill& operation)
     : cutter_(&cutter), picker_(&picker), frame_(frame), operation_(operation),
-      backup_(cutter.sculpture->texels()) {
+      sculptureVersion_(cutter.sculpture->version()), backup_(cutter.sculpture->texels()) {
     std::get<Drill>(operation_).stroke.clear(); // filled again as the pen moves
     prepare(operation.mask);
     if (frame_.scene.sculpture != nullptr) {
         frame_.scene.sculpture = &cutter_->snapshot();
     }
+    frame_.macrocells = &cutter_->snapshot(*frame_.macrocells);
 }
 
 void CutStroke::prepare(const Sketch& sketch) {
@@ -118,7 +124,10 @@ void CutStroke::stampWhereDrawn() { stamp(drawnAt_, 1); }
 
 void CutStroke::stamp(glm::dvec2 centre, double pressure) {
     const Drill& op = std::get<Drill>(operation_);
-    if (mask_.size.x == 0 || pressure <= 0) {
+    // Beside the picture there is nothing to cut, however long the stroke.
+    const bool isInPicture = glm::all(glm::greaterThan(centre + extent_, glm::dvec2(0))) &&
+                             glm::all(glm::lessThan(centre - extent_, glm::dvec2(frame_.rays.size)));
+    if (mask_.size.x == 0 || pressure <= 0 || !isInPicture) {
         return;
     }
     const auto surface = picker_->pickPoints(frame_, elementPixels(centre));

@@ -15,6 +15,8 @@ public:
 
     // The sculpture as it is now, as a texture that stays so: a stroke keeps seeing the surface it began on.
     const gl::Texture& snapshot();
+    // The macrocells as they are now, likewise: pictures drawn during the stroke may rebuild the shared ones.
+    const render::Macrocells& snapshot(const render::Macrocells& macrocells);
     // The sculpture's values, x fastest.
     [[nodiscard]] std::vector<float> sculptureAsFloats() const;
 
@@ -24,6 +26,7 @@ public:
 
 private:
     gl::Texture snapshot_;
+    render::Macrocells macrocells_;
 };
 
 // One stroke of the peel or the drill, from pen-down to pen-up. Whatever is drawn is in the sculpture at
@@ -44,6 +47,8 @@ public:
 
     // The operation as it has become: with the layers, or the pen points, so far.
     [[nodiscard]] const Operation& operation() const { return operation_; }
+    // The sculpture's version at pen-down.
+    [[nodiscard]] std::uint64_t sculptureVersion() const { return sculptureVersion_; }
     sculpt::BrickDelta finish() { return backup_.finish(); }
     void discard();
 
@@ -56,6 +61,7 @@ private:
     render::Picker* picker_;
     render::Frame frame_;
     Operation operation_;
+    std::uint64_t sculptureVersion_;
     sculpt::BrickBackup backup_;
     sculpt::MaskRaster mask_; // centred on the origin, in pixels
     glm::dvec2 drawnAt_{0};

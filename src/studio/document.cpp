@@ -53,7 +53,9 @@ render::Frame Document::Impl::frame(const View& from, glm::ivec2 size) {
     state.sculpture = &sculpture;
     state.growth = region.growth();
     state.greyWindow = grey;
-    state.isCutting = stroke.has_value();
+    if (stroke) {
+        state.cuttingSince = stroke->sculptureVersion();
+    }
     return pipeline.frame(state, size);
 }
 
@@ -176,7 +178,8 @@ void Document::beginGrowth() {
     VS_CHECK(!isStrokeOpen() && !isGrowing());
     Impl::LiveGrowth live;
     live.voxelsBefore = impl_->grownVoxels();
-    impl_->region.beginLive(impl_->view.sculptureView, live.records);
+    live.sculptureView = impl_->view.sculptureView;
+    impl_->region.beginLive(live.sculptureView, live.records);
     impl_->live = std::move(live);
 }
 
@@ -195,7 +198,7 @@ Outcome Document::endGrowth() {
     impl_->live.reset();
     impl_->region.endLive(live.records);
     Outcome outcome = impl_->describeGrowth(live.generations, live.voxelsBefore);
-    const Operation operation = Grow{live.generations};
+    const Operation operation = Grow{live.generations, live.sculptureView};
     outcome.name = name(operation);
     outcome.milliseconds = live.timer.milliseconds();
     if (live.generations > 0) {

@@ -22,6 +22,8 @@ Outcome Document::Impl::run(SetView& op, const std::filesystem::path&) {
     view.mode = op.mode.value_or(view.mode);
     view.range = op.range.value_or(view.range);
     view.sculptureView = op.sculptureView.value_or(view.sculptureView);
+    // Logged whole: what was looked at before is part of it.
+    op = {view.camera, view.mode, view.range, view.sculptureView};
     loggedView = view;
     ++version;
     return {};
@@ -44,21 +46,19 @@ Outcome Document::Impl::endStroke() {
 
 Outcome Document::Impl::run(Peel& op, const std::filesystem::path&) {
     settle(op.canvas);
-    beginStroke(op);
-    stroke->peelTo(op.layers);
-    return endStroke();
+    return cutAtOnce(op, [&] { stroke->peelTo(op.layers); });
 }
 
 Outcome Document::Impl::run(Drill& op, const std::filesystem::path&) {
     settle(op.canvas);
-    beginStroke(op);
-    if (op.stroke.empty()) {
-        stroke->stampWhereDrawn();
-    }
-    for (const auto& pen : op.stroke) {
-        stroke->drillAt(pen);
-    }
-    return endStroke();
+    return cutAtOnce(op, [&] {
+        if (op.stroke.empty()) {
+            stroke->stampWhereDrawn();
+        }
+        for (const auto& pen : op.stroke) {
+            stroke->drillAt(pen);
+        }
+    });
 }
 
 Outcome Document::Impl::run(UnCut& op, const std::filesystem::path&) {
@@ -108,7 +108,13 @@ Outcome Document::Impl::run(Seed& op, const std::filesystem::path&) {
     Region::Records records;
     const auto counts = plant(op, records);
     remember(op, {}, std::move(records));
-    return {{}, 0, std::size_t(counts.added), fmt::format("{} voxels seeded", counts.added)};
+    return {{},
+            0,
+            std::size_t(counts.added),
+            counts.refused > 0
+                ? fmt::format("{} voxels seeded, {} refused (outside the grid or the range, or cut away)",
+                              counts.added, counts.refused)
+                : fmt::format("{} voxels seeded", counts.added)};
 }
 
 Outcome Document::Impl::run(Grow& op, const std::filesystem::path&) {
@@ -149,14 +155,18 @@ Outcome Document::Impl::run(Undo&, const std::filesystem::path&) {
     if (!history.canUndo()) {
         throw Error("nothing to undo");
     }
-    return travel(history.undo(), true);
+    Outcome outcome = travel(history.toUndo(), true);
+    history.tookBack();
+    return outcome;
 }
 
 Outcome Document::Impl::run(Redo&, const std::filesystem::path&) {
     if (!history.canRedo()) {
         throw Error("nothing to redo");
     }
-    return travel(history.redo(), false);
+    Outcome outcome = travel(history.toRedo(), false);
+    history.appliedAgain();
+    return outcome;
 }
 
 Outcome Document::Impl::travel(Step& step, bool isUndo) {
@@ -185,7 +195,7 @@ Region::Records Document::Impl::repeat(const Operation& operation) {
     if (const auto* seed = std::get_if<Seed>(&operation)) {
         plant(*seed, records);
     } else if (const auto* grow = std::get_if<Grow>(&operation)) {
-        region.grow(grow->generations.value_or(Region::kEndless), view.sculptureView, records);
+        region.grow(grow->generations.value_or(Region::kEndless), *grow->sculptureView, records);
     } else if (const auto* rewind = std::get_if<Rewind>(&operation)) {
         region.rewind(rewind->generations, records);
     } else if (const auto* range = std::get_if<SetGrowthRange>(&operation)) {

@@ -46,6 +46,19 @@ struct Document::Impl {
         stroke.emplace(cutter, picker, frame(op.canvas->view, op.canvas->viewport), op);
     }
     Outcome endStroke();
+    // A whole stroke; if something is thrown in its midst (a device without room), everything is as before.
+    template <typename Cut, typename Draw>
+    Outcome cutAtOnce(const Cut& op, Draw draw) {
+        beginStroke(op);
+        try {
+            draw();
+        } catch (...) {
+            stroke->discard();
+            stroke.reset();
+            throw;
+        }
+        return endStroke();
+    }
     segment::SeedCounts plant(const Seed& op, Region::Records& records);
     [[nodiscard]] std::size_t grownVoxels() const;
     [[nodiscard]] Outcome describeGrowth(int generations, std::size_t voxelsBefore) const;
@@ -74,6 +87,7 @@ struct Document::Impl {
         Region::Records records;
         int generations = 0;
         std::size_t voxelsBefore = 0;
+        field::SculptureView sculptureView = field::SculptureView::Cut;
         Timer timer;
     };
     std::optional<LiveGrowth> live;

@@ -28,16 +28,17 @@ public:
     [[nodiscard]] bool canUndo() const { return !done_.empty(); }
     [[nodiscard]] bool canRedo() const { return !undone_.empty(); }
 
-    // The step to take back; it becomes the one to redo.
-    Step& undo() { return move(done_, undone_); }
-    // The step to apply again; it becomes the one to undo.
-    Step& redo() { return move(undone_, done_); }
+    // The step to take back; once that is done, tookBack() makes it the one to redo.
+    Step& toUndo() { return done_.back(); }
+    void tookBack() { move(done_, undone_); }
+    // The step to apply again; once that is done, appliedAgain() makes it the one to undo.
+    Step& toRedo() { return undone_.back(); }
+    void appliedAgain() { move(undone_, done_); }
 
 private:
-    static Step& move(std::vector<Step>& from, std::vector<Step>& to) {
+    static void move(std::vector<Step>& from, std::vector<Step>& to) {
         to.push_back(std::move(from.back()));
         from.pop_back();
-        return to.back();
     }
 
     std::vector<Step> done_;

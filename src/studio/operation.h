@@ -89,8 +89,8 @@ struct Seed {
 // Lets the region grow: so many generations, or until nothing grows any more. The sculpture fences it as
 // `sculptureView` says: the view's when not set.
 struct Grow {
-    std::optional<int> generations;
-    std::optional<field::SculptureView> sculptureView;
+    std::optional<int> generations = {};
+    std::optional<field::SculptureView> sculptureView = {};
 };
 
 // Plays backward by so many generations.

@@ -30,8 +30,10 @@ render::Frame Pipeline::frame(const State& state, glm::ivec2 size) {
 
     const Key key{view.range, frame.scene.view, state.sculpture->version(),
                   hasSegmentation ? segmentation_->version() : 0, hasSegmentation};
-    const bool mayKeep = state.isCutting && key_ && key_->range == key.range &&
-                         frame.scene.view != field::SculptureView::Probe &&
+    // In probe view a cut adds to what is seen, so there nothing can be kept.
+    const bool mayKeep = state.cuttingSince && key_ && key_->sculptureVersion == *state.cuttingSince &&
+                         key_->view != field::SculptureView::Probe &&
+                         key.view != field::SculptureView::Probe && key_->range == key.range &&
                          key_->drawsSegmentation == key.drawsSegmentation &&
                          key_->segmentationVersion == key.segmentationVersion;
     if (!mayKeep && key_ != key) {

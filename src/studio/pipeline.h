@@ -22,9 +22,9 @@ public:
         const sculpt::Sculpture* sculpture = nullptr;
         const segment::Growth* growth = nullptr; // null: nothing seeded yet
         Range greyWindow;
-        // While a stroke only cuts away, the macrocells from before it still hold everything that can be
-        // seen; they are left alone so that a stamp costs only what it touches.
-        bool isCutting = false;
+        // The sculpture's version when the stroke in hand began. While it cuts, the macrocells of that moment
+        // hold everything that can be seen, and are kept so that a stamp costs only what it touches.
+        std::optional<std::uint64_t> cuttingSince;
     };
     render::Frame frame(const State& state, glm::ivec2 size);
 

@@ -20,11 +20,19 @@ layout(location = 4) uniform vec3 segmentColour; // linear
 
 const vec3 kSurfaceColour = vec3(0.72, 0.57, 0.45); // linear: the ivory of anatomical plates
 
+// Where a value lies in the displayed range, 0 to 1; a range of one value counts in full.
+float partOfRange(float value) { return range.y > range.x ? (value - range.x) / (range.y - range.x) : 1.0; }
+
+// Different for each pixel and sample, the same each time (interleaved gradient noise, Jimenez 2014).
+float startJitter(ivec2 pixel) {
+    return fract(52.9829189 * fract(dot(vec2(pixel) + 64.0 * pixelOffset, vec2(0.06711056, 0.00583715))));
+}
+
 float greyOf(float value) { return clamp((value - range.z) / max(range.w - range.z, 1e-20), 0.0, 1.0); }
 
 vec3 shadeHit(Hit hit, Ray ray) {
-    vec3 right = normalize(viewRight.xyz);
-    vec3 up = normalize(viewUp.xyz);
+    vec3 right = viewRight.xyz;
+    vec3 up = viewUp.xyz;
     vec3 albedo = hit.isSegment ? segmentColour : kSurfaceColour;
     if (!hit.isCut) {
         return displayFromLinear(lit(albedo, hit.normal, -ray.world, right, up, -viewForward.xyz, 0.12));
@@ -58,7 +66,6 @@ float greatestAlong(Ray ray) {
 // Integral of (value - lo) / (hi - lo) over the visible part of the ray up to tEnd, in steps.
 float integralAlong(Ray ray, float tEnd) {
     vec3 inverseDirection = safeInverse(ray.direction);
-    float scale = 1.0 / max(range.y - range.x, 1e-20);
     float sum = 0.0;
     float t = ray.tNear + 0.5 * kDt;
     while (t < tEnd) {
@@ -69,7 +76,7 @@ float integralAlong(Ray ray, float tEnd) {
 #ifdef SCULPTED
         counts = counts && visibleSide(sculptureAt(p)) >= 0.0;
 #endif
-        sum += counts ? (value - range.x) * scale : 0.0;
+        sum += counts ? partOfRange(value) : 0.0;
         // Whole steps only, so that the samples stay evenly spaced across a skip.
         t += skip > 0.0 ? max(ceil(skip / kDt), 1.0) * kDt : kDt;
     }
@@ -77,19 +84,19 @@ float integralAlong(Ray ray, float tEnd) {
 }
 #endif
 
-vec3 colourOf(Ray ray, vec3 behind) {
+vec3 colourOf(Ray ray, vec3 behind, float jitter) {
 #if MODE == 0 || MODE == 4
-    Hit hit = findSurface(ray);
+    Hit hit = findSurface(ray, jitter);
     return hit.found ? shadeHit(hit, ray) : behind;
 #elif MODE == 1
     float greatest = greatestAlong(ray);
-    float brightness = clamp((greatest - range.x) / max(range.y - range.x, 1e-20), 0.0, 1.0);
+    float brightness = clamp(partOfRange(greatest), 0.0, 1.0);
     return greatest > -1e29 ? mix(behind * 0.3, vec3(1.0), brightness) : behind;
 #elif MODE == 2
     float brightness = integralAlong(ray, ray.tFar) / exposure.y * exposure.x;
     return mix(behind, vec3(1.0), clamp(brightness, 0.0, 1.0));
 #else
-    Hit hit = findSurface(ray);
+    Hit hit = findSurface(ray, jitter);
     float brightness = integralAlong(ray, hit.found ? hit.t : ray.tFar) / exposure.y * exposure.x;
     vec3 base = hit.found ? shadeHit(hit, ray) : behind;
     return mix(base, vec3(0.86, 0.91, 1.0), clamp(brightness, 0.0, 1.0) * (hit.found ? 0.45 : 0.9));
@@ -104,7 +111,7 @@ void main() {
     vec2 position = vec2(pixel) + pixelOffset;
     Ray ray = rayThrough(position);
     vec3 behind = background(position, viewport.xy);
-    vec3 colour = colourOf(ray, behind);
+    vec3 colour = colourOf(ray, behind, startJitter(pixel));
     vec4 sum = vec4(colour, 1.0);
     if (addToPrevious != 0) {
         sum += imageLoad(accumulation, pixel);

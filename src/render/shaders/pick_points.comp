@@ -5,6 +5,7 @@
 layout(local_size_x = 64) in;
 
 #include "field/shaders/scene.glsl"
+#include "gl/shaders/items.glsl"
 #include "render/shaders/rays.glsl"
 #include "render/shaders/surface.glsl"
 
@@ -43,7 +44,7 @@ Hit findMaximum(Ray ray) {
 #endif
 
 void main() {
-    int i = int(gl_GlobalInvocationID.x);
+    int i = int(itemIndex());
     if (i >= count) {
         return;
     }
@@ -51,7 +52,7 @@ void main() {
 #ifdef PICK_MAXIMUM
     Hit hit = findMaximum(ray);
 #else
-    Hit hit = findSurface(ray);
+    Hit hit = findSurface(ray, 0.0);
 #endif
     points[i].voxel = hit.found ? vec4(hit.voxel, 1.0) : vec4(0.0);
     points[i].normal = hit.found ? vec4(hit.normal, hit.t * spacing.w) : vec4(0.0);

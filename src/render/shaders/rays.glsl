@@ -3,11 +3,17 @@
 // Bindings: uniform block 1 (render::ViewBlock), texture 3 macrocell distances. Include "field/shaders/scene.glsl" first.
 
 layout(std140, binding = 1) uniform ViewBlock {
-    vec4 eye;        // world; w 1 if orthographic
-    vec4 viewForward; // world, unit
-    vec4 viewRight;   // world, half the picture's width (see render/camera.h)
+    // World, for shading: unit vectors.
+    vec4 viewForward; // w 1 if orthographic
+    vec4 viewRight;
     vec4 viewUp;
-    vec4 viewport;    // xy size in pixels, zw unused
+    // Voxel space, per step, for rays (transformed in double precision, so that scans far from the world's origin keep
+    // theirs). A ray has origin eye and direction forward + n.x * right - n.y * up (see render/camera.h).
+    vec4 eyeVoxel;
+    vec4 forwardVoxel;
+    vec4 rightVoxel;
+    vec4 upVoxel;
+    vec4 viewport; // xy size in pixels, zw tangents of half the picture's width and height (perspective)
 };
 
 layout(binding = 3) uniform usampler3D cellDistances;
@@ -24,13 +30,14 @@ const float kDt = 0.5;
 
 Ray rayThrough(vec2 pixel) {
     vec2 n = 2.0 * pixel / viewport.xy - 1.0;
-    vec3 offset = n.x * viewRight.xyz - n.y * viewUp.xyz;
-    bool orthographic = eye.w > 0.5;
+    vec3 offset = n.x * rightVoxel.xyz - n.y * upVoxel.xyz;
+    bool orthographic = viewForward.w > 0.5;
+    vec3 slant = n.x * viewport.z * viewRight.xyz - n.y * viewport.w * viewUp.xyz;
     Ray ray;
-    ray.world = orthographic ? viewForward.xyz : normalize(viewForward.xyz + offset);
-    vec3 origin = orthographic ? eye.xyz + offset : eye.xyz;
-    ray.origin = (voxelFromWorld * vec4(origin, 1.0)).xyz;
-    ray.direction = mat3(voxelFromWorld) * (ray.world * spacing.w);
+    ray.world = orthographic ? viewForward.xyz : normalize(viewForward.xyz + slant);
+    ray.origin = orthographic ? eyeVoxel.xyz + offset : eyeVoxel.xyz;
+    // As long as one step in the world: the slanted direction is longer than the one straight ahead.
+    ray.direction = orthographic ? forwardVoxel.xyz : (forwardVoxel.xyz + offset) / length(viewForward.xyz + slant);
     // The box reaches half a voxel beyond the outermost centres.
     vec3 inverse = 1.0 / (ray.direction + vec3(equal(ray.direction, vec3(0.0))) * 1e-20);
     vec3 a = (vec3(-0.5) - ray.origin) * inverse;
@@ -61,7 +68,8 @@ float emptyUntil(Ray ray, float t, vec3 inverseDirection) {
     vec3 upperFace = mix(4.0 * vec3(upper) + hair, vec3(outside), greaterThanEqual(upper, count));
     vec3 face = mix(lowerFace, upperFace, greaterThan(ray.direction, vec3(0.0)));
     vec3 exits = (face - ray.origin) * inverseDirection;
-    return distance > 0 ? max(min(min(exits.x, exits.y), exits.z) - t, 1e-3) : 0.0;
+        // Never less than t's own resolution, or the ray would not move.
+    return distance > 0 ? max(min(min(exits.x, exits.y), exits.z) - t, max(1e-3, 2e-7 * t)) : 0.0;
 }
 
 // A component of zero becomes a tiny one of the same sign as `greaterThan(direction, 0)` assumes.

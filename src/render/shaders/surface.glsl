@@ -2,21 +2,28 @@
 // CONTENT chooses what counts as content: 0 data in the displayed range, 1 segmentation, 2 either of the two.
 // Include "render/shaders/rays.glsl" first.
 
-// >= 0 where something is visible; continuous along each of its parts, so it can be bisected.
-float visibility(vec3 p) {
+// >= 0 where there is content to see; continuous along each of its parts, so it can be bisected.
+float contentAt(vec3 p) {
 #if CONTENT == 0
-    float content = insideRange(dataAt(p));
+    return insideRange(dataAt(p));
 #elif CONTENT == 1
-    float content = segmentationAt(p) - 0.5;
+    return segmentationAt(p) - 0.5;
 #else
-    float content = max(insideRange(dataAt(p)), segmentationAt(p) - 0.5);
-#endif
-#ifdef SCULPTED
-    return min(content, visibleSide(sculptureAt(p)));
-#else
-    return content;
+    return max(insideRange(dataAt(p)), segmentationAt(p) - 0.5);
 #endif
 }
+
+// >= 0 on the visible side of the sculpture.
+float sideAt(vec3 p) {
+#ifdef SCULPTED
+    return visibleSide(sculptureAt(p));
+#else
+    return 1.0;
+#endif
+}
+
+// >= 0 where something is visible.
+float visibility(vec3 p) { return min(contentAt(p), sideAt(p)); }
 
 struct Hit {
     bool found;
@@ -27,21 +34,44 @@ struct Hit {
     bool isSegment;
 };
 
+#ifdef SCULPTED
+// Between two places of which neither is visible, content may begin before the visible side ends, or the side begin before
+// the content ends: a sliver thinner than a step, along the edge of a cut. Where it is, as a part of the way; -1: nowhere.
+// x content, y side, as in contentAt and sideAt, taken as linear between the places.
+float sliverBetween(vec2 before, vec2 after) {
+    vec2 crossing = before / (before - after);
+    bool contentBegins = before.x < 0.0 && after.x >= 0.0 && before.y >= 0.0 && after.y < 0.0;
+    bool sideBegins = before.x >= 0.0 && after.x < 0.0 && before.y < 0.0 && after.y >= 0.0;
+    bool isThere = (contentBegins && crossing.x <= crossing.y) || (sideBegins && crossing.y <= crossing.x);
+    return isThere ? 0.5 * (crossing.x + crossing.y) : -1.0;
+}
+#endif
+
 // First t at which something is visible, or tFar and beyond. The loop only looks; shading comes after it.
 float firstVisible(Ray ray, float tStart) {
     vec3 inverseDirection = safeInverse(ray.direction);
     float t = tStart;
-    float level = -1.0;
+    vec2 before = vec2(-1.0);
     while (t < ray.tFar) {
         float skip = emptyUntil(ray, t, inverseDirection);
         while (skip > 0.0 && t < ray.tFar) {
             t += skip;
             skip = emptyUntil(ray, t, inverseDirection);
+            before = vec2(-1.0);
         }
-        level = visibility(at(ray, t));
-        if (level >= 0.0) {
+        vec3 p = at(ray, t);
+        vec2 here = vec2(contentAt(p), sideAt(p));
+        if (min(here.x, here.y) >= 0.0) {
             break;
         }
+#ifdef SCULPTED
+        float sliver = sliverBetween(before, here);
+        if (sliver >= 0.0 && visibility(at(ray, t + (sliver - 1.0) * kDt)) >= 0.0) {
+            t += (sliver - 1.0) * kDt;
+            break;
+        }
+        before = here;
+#endif
         t += kDt;
     }
     return t;
@@ -80,9 +110,10 @@ vec3 facing(vec3 gradient, vec3 towardsViewer) {
     return dot(n, towardsViewer) < 0.0 ? -n : n;
 }
 
-Hit findSurface(Ray ray) {
+// `jitter` in [0, 1) shifts the samples by that part of a step: what they all miss then differs from ray to ray.
+Hit findSurface(Ray ray, float jitter) {
     Hit hit;
-    hit.t = firstVisible(ray, ray.tNear);
+    hit.t = firstVisible(ray, ray.tNear + jitter * kDt);
     hit.found = hit.t < ray.tFar && ray.tNear < ray.tFar;
     hit.isCut = false;
     hit.isSegment = false;

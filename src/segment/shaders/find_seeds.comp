@@ -6,6 +6,8 @@
 
 layout(local_size_x = 64) in;
 
+#include "gl/shaders/items.glsl"
+
 struct SurfacePoint {
     vec4 voxel;  // w 1 = hit
     vec4 normal;
@@ -37,7 +39,7 @@ bool insert(uint voxel) {
 }
 
 void main() {
-    uint i = gl_GlobalInvocationID.x;
+    uint i = itemIndex();
     if (i >= uint(count) || points[i].voxel.w < 0.5) {
         return;
     }

@@ -4,6 +4,8 @@
 
 layout(local_size_x = 64) in;
 
+#include "gl/shaders/items.glsl"
+
 layout(std430, binding = 0) buffer Decided { uint decided[]; };
 layout(std430, binding = 1) buffer Frontier { uint frontier[]; };
 layout(std430, binding = 3) writeonly buffer Parents { uint parents[]; };
@@ -14,10 +16,11 @@ layout(location = 0) uniform ivec3 dims;
 layout(location = 1) uniform int count;
 
 void main() {
-    if (gl_GlobalInvocationID.x >= uint(count)) {
+    uint i = itemIndex();
+    if (i >= uint(count)) {
         return;
     }
-    ivec3 voxel = placeIn(voxels[gl_GlobalInvocationID.x], dims);
+    ivec3 voxel = placeIn(voxels[i], dims);
     ivec3 inWord = voxel % kWordSize;
     uint bit = 1u << (inWord.x + 4 * inWord.y + 16 * inWord.z);
     ivec3 word = voxel / kWordSize;

@@ -5,6 +5,8 @@
 
 layout(local_size_x = 64) in;
 
+#include "gl/shaders/items.glsl"
+
 layout(binding = 2) uniform usampler3D seedMap;
 layout(std430, binding = 0) readonly buffer Voxels { uint voxels[]; };
 layout(std430, binding = 1) writeonly buffer Answers { uint answers[]; };
@@ -13,7 +15,7 @@ layout(location = 0) uniform int count;
 layout(location = 1) uniform int playhead;
 
 void main() {
-    uint i = gl_GlobalInvocationID.x;
+    uint i = itemIndex();
     if (i < uint(count)) {
         ivec3 voxel = voxelOf(voxels[i]);
         uint generation = texelFetch(seedMap, voxel, 0).r;

@@ -200,6 +200,48 @@ TEST_F(RayCasterTest, AnXRayOfABoxIsItsPathLength) {
     EXPECT_NEAR(centre[0], expected, 0.01 * 255 / std::sqrt(3.0) + 1);
 }
 
+TEST_F(RayCasterTest, AVolumeOfOneValueIsSeenInFull) {
+    Stage stage(volume::makePhantom({20, 20, 20}, volume::ScalarType::UInt8, [](glm::dvec3) { return 42.0; }),
+                {42, 42});
+    stage.look({}, {100, 100});
+    const int behind = stage.picture(Mode::Mip).pixel(2, 2)[0];
+    EXPECT_GT(stage.picture(Mode::Mip).pixel(50, 50)[0], 250);
+    EXPECT_GT(stage.picture(Mode::XRay).pixel(50, 50)[0], behind + 100);
+}
+
+TEST_F(RayCasterTest, AThinSliceBesideACutIsNotMissed) {
+    // Material from x = 35.0 on, cut away from x = 35.3 on: a slice of 0.3 voxel, thinner than a step.
+    const auto slice = [](glm::dvec3 p) { return std::clamp(100 + 40 * (p.x - 35.0), 0.0, 200.0); };
+    Stage stage(volume::makePhantom({64, 48, 48}, volume::ScalarType::UInt8, slice), {100, 255});
+    stage.cutAbove(35.3);
+    Camera camera;
+    camera.azimuthDegrees = 90;
+    camera.zoom = 2;
+    stage.look(camera, {120, 90});
+    int hits = 0;
+    const auto points = stage.picker.pickPoints(stage.frame, allPixels({120, 90}, 3));
+    for (const auto& point : points) {
+        hits += point.voxel.w > 0.5F && std::abs(point.voxel.x - 35.3F) < 0.05F ? 1 : 0;
+    }
+    EXPECT_EQ(std::size_t(hits), points.size());
+}
+
+TEST_F(RayCasterTest, AScanFarFromTheWorldsOriginLooksTheSame) {
+    // A microscope's volume, 0.001 mm a voxel, tens of metres from the origin: single precision would be lost
+    // there.
+    auto ball = volume::makeBall({48, 48, 48}, {23.5, 23.5, 23.5}, 18);
+    for (int axis = 0; axis < 3; ++axis) {
+        ball.geometry.worldFromVoxel[axis] *= 0.001;
+    }
+    auto far = ball;
+    far.geometry.worldFromVoxel[3] = glm::dvec4(50000, 50000, 20000, 1);
+    Stage here(std::move(ball), {100, 200});
+    Stage there(std::move(far), {100, 200});
+    here.look({30, 20}, {160, 120});
+    there.look({30, 20}, {160, 120});
+    EXPECT_LT(image::compare(here.picture(Mode::Surface), there.picture(Mode::Surface)).mean, 0.05);
+}
+
 TEST_F(RayCasterTest, TilesInSlicesGiveTheWholePicture) {
     Stage stage(volume::makeBall({48, 48, 48}, {24, 24, 24}, 15), {100, 200});
     stage.look({}, {300, 200});

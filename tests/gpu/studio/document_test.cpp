@@ -237,6 +237,142 @@ TEST_F(DocumentTest, UndoAndRedoAtRandomReturnToTheSameStates) {
     }
 }
 
+// A document whose view is the probe's, with a seed in the brain: everything that a fence can go wrong with.
+View probeView() {
+    View view = testCanvas().view;
+    view.sculptureView = field::SculptureView::Probe;
+    return view;
+}
+
+Drill drillInProbeView() {
+    Drill drill;
+    drill.mask = ellipseAt(200, 150, 15, 15);
+    drill.canvas = testCanvas();
+    drill.canvas->view = probeView();
+    return drill;
+}
+
+TEST_F(DocumentTest, UndoingTheFirstCutIsAsIfNothingHadBeenCut) {
+    Document document(testHead());
+    document.look(probeView());
+    const auto picture = [&] {
+        render::RayCaster caster;
+        caster.render(document.frame({160, 120}));
+        return caster.readPicture().rgba;
+    };
+    const auto whole = picture(); // nothing cut yet: the probe view shows everything
+    document.apply(drillInProbeView());
+    const auto plug = picture();
+    EXPECT_NE(plug, whole);
+    document.apply(Undo{});
+    EXPECT_EQ(picture(), whole);
+    document.apply(Redo{});
+    EXPECT_EQ(picture(), plug);
+    document.apply(Undo{});
+    document.apply(UnCut{});
+    document.apply(Undo{});
+    EXPECT_EQ(picture(), whole);
+    document.beginPeel(somePeel().mask, testCanvas());
+    document.updatePeel(5);
+    document.discardStroke();
+    EXPECT_EQ(picture(), whole);
+}
+
+TEST_F(DocumentTest, RedoWorksAfterTheFirstCutOfAProbeView) {
+    Document document(testHead());
+    document.look(probeView());
+    Seed seed = brainSeed();
+    seed.canvas->view = probeView();
+    document.apply(seed);
+    document.apply(Grow{3});
+    const auto grown = document.generations();
+    document.apply(drillInProbeView());
+    for (int i = 0; i < 3; ++i) {
+        document.apply(Undo{});
+    }
+    document.apply(Redo{});
+    document.apply(Redo{});
+    EXPECT_EQ(document.generations(), grown);
+    document.apply(Undo{});
+    document.apply(Undo{});
+    EXPECT_FALSE(document.canUndo());
+}
+
+TEST_F(DocumentTest, PicturesDrawnDuringAStrokeDoNotChangeIt) {
+    const auto drilled = [](bool drawsFrames) {
+        Document document(testHead());
+        document.look(probeView());
+        document.beginDrill(drillInProbeView().mask, *drillInProbeView().canvas, 10);
+        for (const double x : {150.0, 180.0, 210.0, 240.0}) {
+            document.updateDrill({{x, 150}, 1});
+            if (drawsFrames) {
+                render::RayCaster().render(document.frame({80, 60}));
+            }
+        }
+        document.commitStroke();
+        return document.sculptureBytes();
+    };
+    EXPECT_EQ(drilled(true), drilled(false));
+}
+
+TEST_F(DocumentTest, GrowthIsFencedByTheViewThatItBeganIn) {
+    Document document(testHead());
+    document.look(testCanvas().view);
+    document.apply(somePeel(14));
+    document.apply(brainSeed());
+    document.beginGrowth();
+    document.growFor(0, 2);
+    View whole = testCanvas().view;
+    whole.sculptureView = field::SculptureView::Whole;
+    document.look(whole); // while it plays
+    while (document.growFor(1, 1000)) {
+    }
+    document.endGrowth();
+    const auto fenced = document.generations();
+    document.apply(Undo{});
+    document.apply(Redo{});
+    EXPECT_EQ(document.generations(), fenced);
+
+    Document replayed(testHead());
+    for (const Operation& operation : document.log()) {
+        replayed.apply(operation);
+    }
+    EXPECT_EQ(replayed.generations(), fenced);
+    EXPECT_EQ(replayed.view(), document.view());
+}
+
+TEST_F(DocumentTest, WhatWasLookedAtIsInTheLog) {
+    Document document(testHead());
+    View view = document.view();
+    view.camera.azimuthDegrees = 70;
+    document.look(view);
+    document.apply(SetView{{}, render::Mode::XRay, {}, {}});
+    Document replayed(testHead());
+    for (const Operation& operation : document.log()) {
+        replayed.apply(operation);
+    }
+    EXPECT_EQ(replayed.view(), document.view());
+    EXPECT_EQ(replayed.view().camera.azimuthDegrees, 70);
+}
+
+TEST_F(DocumentTest, AStrokeFarBesideThePictureCostsNothing) {
+    Document document(testHead());
+    Drill drill;
+    drill.mask = ellipseAt(200, 150, 9, 9);
+    drill.canvas = testCanvas();
+    drill.stroke = {{{0, 150}, 1}, {{900000, 150}, 1}};
+    const Outcome outcome = document.apply(drill);
+    EXPECT_GT(outcome.voxelsTouched, 100U); // the part that crosses the head
+    EXPECT_LT(outcome.milliseconds, 20000);
+}
+
+TEST_F(DocumentTest, SeedsOutsideTheGridAreReported) {
+    Document document(testHead());
+    Seed seed = brainSeed();
+    seed.voxels.emplace_back(500, 1, 1);
+    EXPECT_NE(document.apply(seed).message.find("1 refused"), std::string::npos);
+}
+
 TEST_F(DocumentTest, WhatMakesNoSenseIsRefusedAndChangesNothing) {
     Document document(testHead());
     EXPECT_THROW(document.apply(Undo{}), Error);

@@ -101,6 +101,9 @@ void PictureLoop::begin(Pass pass) {
     }
     auto frame = document_->frame(size);
     frame.samples = pass == Pass::Full ? kFullSamples : 1;
+    if (pass != Pass::Full) {
+        frame.sampleStep = 1; // pixels of a draft are wider than that
+    }
     caster_.start(frame);
     pass_ = pass;
     startedVersion_ = document_->version();

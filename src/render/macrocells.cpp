@@ -9,18 +9,25 @@ Macrocells::Macrocells()
     : classify_("render/shaders/classify_cells.comp"), spread_("render/shaders/spread_distance.comp"),
       empty_(glm::ivec3(1), gl::Format::RG32F, gl::Filter::Nearest, "no cells") {}
 
+void Macrocells::bind() const {
+    distances_.bindTexture(3);
+    dataCells_->bindTexture(4);
+}
+
 void Macrocells::copyFrom(const Macrocells& other) {
     const glm::ivec3 size = other.distances_.size();
     if (distances_.size() != size) {
         distances_ = gl::Texture(size, gl::Format::R8UI, gl::Filter::Nearest, "cell distances");
         scratch_ = {};
     }
+    dataCells_ = other.dataCells_;
     distances_.copyFrom(other.distances_, {glm::ivec3(0), size}, glm::ivec3(0));
 }
 
 void Macrocells::rebuild(const Input& input) {
     const gl::Pass pass("macrocells");
     const glm::ivec3 cells = input.dataCells->size();
+    dataCells_ = input.dataCells;
     if (distances_.size() != cells || scratch_.size() != cells) {
         distances_ = gl::Texture(cells, gl::Format::R8UI, gl::Filter::Nearest, "cell distances");
         scratch_ = gl::Texture(cells, gl::Format::R8UI, gl::Filter::Nearest, "cell distances scratch");

@@ -25,19 +25,22 @@ public:
         field::SculptureView view = field::SculptureView::Cut;
         bool drawsData = true; // false: only the segmentation counts
     };
-    // Recomputes everything.
+    // Recomputes everything. The data's cells must outlive this.
     void rebuild(const Input& input);
 
     // Becomes what `other` is now.
     void copyFrom(const Macrocells& other);
 
-    [[nodiscard]] const gl::Texture& distances() const { return distances_; }
+    // Binds the distances as texture 3 and the data's cell ranges as texture 4 (render/shaders/rays.glsl,
+    // maximum.glsl).
+    void bind() const;
 
 private:
     gl::Program classify_;
     gl::Program spread_;
     gl::Texture distances_;
     gl::Texture scratch_;
+    const gl::Texture* dataCells_ = nullptr;
     gl::Texture empty_;
 };
 

@@ -40,7 +40,7 @@ field::SurfacePoints Picker::pick(const Frame& frame, std::span<const glm::vec2>
     sceneBinding_.bind(frame.scene);
     view_.writeValue(viewBlock(frame.rays, frame.scene.data->geometry));
     view_.bindUniform(1);
-    frame.macrocells->distances().bindTexture(3);
+    frame.macrocells->bind();
     positions_.reserve(positions.size_bytes());
     positions_.write(positions);
     positions_.bindStorage(0);

@@ -102,11 +102,12 @@ bool RayCaster::renderSome(double budgetMs) {
     sceneBinding_.bind(frame_.scene);
     view_.writeValue(viewBlock(frame_.rays, frame_.scene.data->geometry));
     view_.bindUniform(1);
-    frame_.macrocells->distances().bindTexture(3);
+    frame_.macrocells->bind();
     accumulation_.bindImage(0, gl::Access::ReadWrite);
     const auto& geometry = frame_.scene.data->geometry;
     program.set(3, glm::vec2(float(frame_.xrayGain), float(geometry.diagonalMm() / geometry.stepMm())))
-        .set(4, frame_.segmentColour);
+        .set(4, frame_.segmentColour)
+        .set(5, float(frame_.sampleStep));
     const glm::ivec2 tiles = tileCount(frame_.rays.size);
     while (!isComplete()) {
         const gl::Pass pass("cast rays");

@@ -40,6 +40,7 @@ struct Frame {
     Mode mode = Mode::Surface;
     double xrayGain = 5; // brightness of a ray through one whole diagonal at full value
     glm::vec3 segmentColour{0.70F, 0.17F, 0.04F}; // linear; near the vermilion of the Okabe-Ito palette
+    double sampleStep = 0.5;                      // steps between samples in MIP and X-ray; more for drafts
     int samples = 1;                              // rays per pixel, evenly spread over it
 };
 

@@ -8,6 +8,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "field/shaders/scene.glsl"
 #include "render/shaders/rays.glsl"
 #include "render/shaders/surface.glsl"
+#include "render/shaders/maximum.glsl"
 #include "render/shaders/shading.glsl"
 
 layout(rgba32f, binding = 0) uniform image2D accumulation;
@@ -17,6 +18,7 @@ layout(location = 1) uniform vec2 pixelOffset; // where in the pixel this sample
 layout(location = 2) uniform int addToPrevious;
 layout(location = 3) uniform vec2 exposure;     // x: X-ray gain per diagonal; y: volume's diagonal in steps
 layout(location = 4) uniform vec3 segmentColour; // linear
+layout(location = 5) uniform float sampleStep;   // steps between samples in MIP and X-ray
 
 const vec3 kSurfaceColour = vec3(0.72, 0.57, 0.45); // linear: the ivory of anatomical plates
 
@@ -44,30 +46,12 @@ vec3 shadeHit(Hit hit, Ray ray) {
     return displayFromLinear(section * (0.55 + 0.45 * max(dot(hit.normal, key), 0.0)));
 }
 
-#if MODE == 1
-// Largest visible value in range along the ray; -1e30 when there is none.
-float greatestAlong(Ray ray) {
-    vec3 inverseDirection = safeInverse(ray.direction);
-    float greatest = -1e30;
-    float t = ray.tNear;
-    while (t < ray.tFar) {
-        float skip = emptyUntil(ray, t, inverseDirection);
-        vec3 p = at(ray, t);
-        float value = dataAt(p);
-        bool counts = skip == 0.0 && visibility(p) >= 0.0;
-        greatest = counts ? max(greatest, value) : greatest;
-        t += skip > 0.0 ? skip : kDt;
-    }
-    return greatest;
-}
-#endif
-
 #if MODE == 2 || MODE == 3
 // Integral of (value - lo) / (hi - lo) over the visible part of the ray up to tEnd, in steps.
 float integralAlong(Ray ray, float tEnd) {
     vec3 inverseDirection = safeInverse(ray.direction);
     float sum = 0.0;
-    float t = ray.tNear + 0.5 * kDt;
+    float t = ray.tNear + 0.5 * sampleStep;
     while (t < tEnd) {
         float skip = emptyUntil(ray, t, inverseDirection);
         vec3 p = at(ray, t);
@@ -78,9 +62,9 @@ float integralAlong(Ray ray, float tEnd) {
 #endif
         sum += counts ? partOfRange(value) : 0.0;
         // Whole steps only, so that the samples stay evenly spaced across a skip.
-        t += skip > 0.0 ? max(ceil(skip / kDt), 1.0) * kDt : kDt;
+        t += skip > 0.0 ? max(ceil(skip / sampleStep), 1.0) * sampleStep : sampleStep;
     }
-    return sum * kDt;
+    return sum * sampleStep;
 }
 #endif
 
@@ -89,7 +73,7 @@ vec3 colourOf(Ray ray, vec3 behind, float jitter) {
     Hit hit = findSurface(ray, jitter);
     return hit.found ? shadeHit(hit, ray) : behind;
 #elif MODE == 1
-    float greatest = greatestAlong(ray);
+    float greatest = findGreatest(ray, sampleStep).value;
     float brightness = clamp(partOfRange(greatest), 0.0, 1.0);
     return greatest > -1e29 ? mix(behind * 0.3, vec3(1.0), brightness) : behind;
 #elif MODE == 2

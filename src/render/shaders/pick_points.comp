@@ -8,6 +8,7 @@ layout(local_size_x = 64) in;
 #include "gl/shaders/items.glsl"
 #include "render/shaders/rays.glsl"
 #include "render/shaders/surface.glsl"
+#include "render/shaders/maximum.glsl"
 
 struct SurfacePoint {
     vec4 voxel;
@@ -21,24 +22,12 @@ layout(location = 0) uniform int count;
 
 #ifdef PICK_MAXIMUM
 Hit findMaximum(Ray ray) {
-    vec3 inverseDirection = safeInverse(ray.direction);
+    Greatest greatest = findGreatest(ray, kDt);
     Hit hit;
-    hit.found = false;
-    hit.normal = -ray.world;
-    hit.t = 0.0;
-    float greatest = -1e30;
-    float t = ray.tNear;
-    while (t < ray.tFar) {
-        float skip = emptyUntil(ray, t, inverseDirection);
-        vec3 p = at(ray, t);
-        float value = dataAt(p);
-        bool better = skip == 0.0 && visibility(p) >= 0.0 && value > greatest;
-        greatest = better ? value : greatest;
-        hit.t = better ? t : hit.t;
-        hit.found = hit.found || better;
-        t += skip > 0.0 ? skip : kDt;
-    }
+    hit.found = greatest.value > -1e29;
+    hit.t = greatest.t;
     hit.voxel = at(ray, hit.t);
+    hit.normal = -ray.world;
     return hit;
 }
 #endif

@@ -26,7 +26,7 @@ struct Ray {
     float tFar;
 };
 
-const float kDt = 0.5;
+const float kDt = 0.5; // steps between samples of a surface
 
 Ray rayThrough(vec2 pixel) {
     vec2 n = 2.0 * pixel / viewport.xy - 1.0;
@@ -51,25 +51,29 @@ Ray rayThrough(vec2 pixel) {
 
 vec3 at(Ray ray, float t) { return ray.origin + t * ray.direction; }
 
-// How far from t the ray can go without meeting an occupied macrocell; 0 if the cell at t is occupied itself.
-float emptyUntil(Ray ray, float t, vec3 inverseDirection) {
-    vec3 p = at(ray, t);
-    ivec3 count = textureSize(cellDistances, 0);
-    ivec3 cell = clamp(ivec3(floor(p * 0.25)), ivec3(0), count - 1);
-    int distance = int(texelFetch(cellDistances, cell, 0).r);
-    // All cells nearer than `distance` are empty: leave their block through the faces ahead, a hair beyond them, in
-    // voxels and not in steps, or a ray almost along a face would creep towards it. The half voxel outside the outermost
-    // cells belongs to them.
+ivec3 cellAt(vec3 p) { return clamp(ivec3(floor(p * 0.25)), ivec3(0), textureSize(cellDistances, 0) - 1); }
+
+// How far from t the ray goes until it has left all cells nearer to `cell` than `distance` (1: the cell itself).
+// It ends a hair beyond their faces, in voxels and not in steps, or a ray almost along a face would creep towards it. The
+// half voxel outside the outermost cells belongs to them. Never less than t's own resolution, or the ray would not move.
+float leaveCells(Ray ray, float t, ivec3 cell, int distance, vec3 inverseDirection) {
     const float hair = 1e-3;
     const float outside = 1e5;
+    ivec3 count = textureSize(cellDistances, 0);
     ivec3 lower = cell + 1 - distance;
     ivec3 upper = cell + distance;
     vec3 lowerFace = mix(4.0 * vec3(lower) - hair, vec3(-outside), lessThanEqual(lower, ivec3(0)));
     vec3 upperFace = mix(4.0 * vec3(upper) + hair, vec3(outside), greaterThanEqual(upper, count));
     vec3 face = mix(lowerFace, upperFace, greaterThan(ray.direction, vec3(0.0)));
     vec3 exits = (face - ray.origin) * inverseDirection;
-        // Never less than t's own resolution, or the ray would not move.
-    return distance > 0 ? max(min(min(exits.x, exits.y), exits.z) - t, max(1e-3, 2e-7 * t)) : 0.0;
+    return max(min(min(exits.x, exits.y), exits.z) - t, max(1e-3, 2e-7 * t));
+}
+
+// How far from t the ray can go without meeting an occupied macrocell; 0 if the cell at t is occupied itself.
+float emptyUntil(Ray ray, float t, vec3 inverseDirection) {
+    ivec3 cell = cellAt(at(ray, t));
+    int distance = int(texelFetch(cellDistances, cell, 0).r);
+    return distance > 0 ? leaveCells(ray, t, cell, distance, inverseDirection) : 0.0;
 }
 
 // A component of zero becomes a tiny one of the same sign as `greaterThan(direction, 0)` assumes.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands.h"
+#include "parse.h"
 
 #include "base/error.h"
 #include "image/compare.h"
@@ -39,10 +40,13 @@ void addCompareCommand(CLI::App& app) {
     auto options = std::make_shared<CompareOptions>();
     command->add_option("a", options->a, "First picture (PNG)")->required();
     command->add_option("b", options->b, "Second picture (PNG)")->required();
-    command->add_option("--mean", options->mean, "Fail above this mean difference (0..255)");
+    command->add_option("--mean", options->mean, "Fail above this mean difference (0..255)")
+        ->check(between(0, 255));
     command->add_option("--max", options->max, "Fail above this difference of any channel (0..255)");
-    command->add_option("--changed", options->changed,
-                        "Fail above this fraction of pixels that differ by more than 8");
+    command
+        ->add_option("--changed", options->changed,
+                     "Fail above this fraction of pixels that differ by more than 8")
+        ->check(between(0, 1));
     command->callback([options] { runCompare(*options); });
 }
 

@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <filesystem>
 #include <limits>
 #include <memory>
 #include <string>
@@ -49,6 +50,22 @@ glm::ivec3 parseSeed(const std::string& text) {
     return {int(values[0]), int(values[1]), int(values[2])};
 }
 
+void checkOutputs(const GrowOptions& options) {
+    checkGridName(options.labels);
+    if (options.generations.empty()) {
+        return;
+    }
+    checkGridName(options.generations);
+    const auto placeOf = [](const std::string& file) {
+        std::error_code ignored; // writing will tell what is wrong
+        return std::filesystem::weakly_canonical(std::filesystem::absolute(file, ignored), ignored);
+    };
+    const auto labels = placeOf(options.labels);
+    if (!labels.empty() && labels == placeOf(options.generations)) {
+        throw UsageError("--generations {}: is the file of -o too; give another name", options.generations);
+    }
+}
+
 GrowRequest understand(const GrowOptions& options) {
     GrowRequest request;
     for (const std::string& text : options.seeds) {
@@ -69,6 +86,7 @@ GrowRequest understand(const GrowOptions& options) {
         }
         request.steps = int(steps);
     }
+    checkOutputs(options);
     return request;
 }
 
@@ -76,8 +94,8 @@ void checkSeeds(const GrowRequest& request, const volume::Volume& volume) {
     const glm::ivec3 dims = volume.geometry.dims;
     for (const glm::ivec3 s : request.seeds) {
         if (glm::any(glm::lessThan(s, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(s, dims))) {
-            throw Error("seed {},{},{} lies outside the volume; indices run from 0,0,0 to {},{},{}", s.x, s.y,
-                        s.z, dims.x - 1, dims.y - 1, dims.z - 1);
+            throw Error("{}: the seed {},{},{} lies outside; indices run from 0,0,0 to {},{},{}",
+                        volume.path.string(), s.x, s.y, s.z, dims.x - 1, dims.y - 1, dims.z - 1);
         }
     }
 }
@@ -89,9 +107,9 @@ double grow(segment::Growth& growth, const GrowRequest& request, const volume::V
     if (counts.added == 0) {
         const glm::ivec3 s = request.seeds.front();
         const Range range = request.constraints.range;
-        throw Error("no seed lies in the range {:g}:{:g}: {},{},{} has the value {:g}; widen the range or "
-                    "seed elsewhere",
-                    range.lo, range.hi, s.x, s.y, s.z, volume.at(s));
+        throw Error("{}: no seed lies in the range {:g}:{:g}: {},{},{} has the value {:g}; widen the range "
+                    "or seed elsewhere",
+                    volume.path.string(), range.lo, range.hi, s.x, s.y, s.z, volume.at(s));
     }
     if (counts.refused > 0) {
         fmt::print(stderr, "note: {} of {} seeds lie outside the range and are left out\n", counts.refused,
@@ -126,9 +144,13 @@ void run(const GrowOptions& options, const VolumeArgument& argument) {
     const field::Field field = field::uploadVolume(volume);
     segment::Growth growth(field);
     const double milliseconds = grow(growth, request, volume);
-    volume::writeGrid(options.labels, volume.geometry, growth.labels());
+    const auto labels = growth.labels();
+    const auto generations =
+        options.generations.empty() ? std::vector<std::uint32_t>() : growth.generations(true);
+    context.requireNoErrors();
+    volume::writeGrid(options.labels, volume.geometry, labels);
     if (!options.generations.empty()) {
-        volume::writeGrid(options.generations, volume.geometry, growth.generations(true));
+        volume::writeGrid(options.generations, volume.geometry, generations);
     }
     const auto voxels = growth.voxelCount();
     fmt::print("voxels       {}\n", voxels);

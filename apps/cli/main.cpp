@@ -51,7 +51,12 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     try {
-        return run(argc, argv);
+        const int code = run(argc, argv);
+        // What was printed may still wait to be written; a full disk shows only now.
+        if (std::fflush(stdout) != 0 || std::ferror(stdout) != 0) {
+            return report("standard output: cannot be written; check where it is sent to", failed);
+        }
+        return code;
     } catch (const vs::UsageError& error) {
         return report(error.what(), wrongUsage);
     } catch (const std::exception& error) {

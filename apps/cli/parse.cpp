@@ -2,7 +2,10 @@
 #include "parse.h"
 
 #include "base/error.h"
+#include "volume/write.h"
 
+#include <algorithm>
+#include <cctype>
 #include <charconv>
 #include <cmath>
 #include <optional>
@@ -65,6 +68,34 @@ glm::ivec2 parseSize(const std::string& text) {
         }
     }
     return {int(values[0]), int(values[1])};
+}
+
+CLI::Validator between(double lo, double hi) {
+    const auto complaint = [lo, hi](const std::string& text) {
+        const auto value = number(text);
+        return value && *value >= lo && *value <= hi
+                   ? std::string()
+                   : fmt::format("'{}' is no number from {} to {}", text, lo, hi);
+    };
+    return CLI::Validator(complaint, fmt::format("FLOAT in [{} - {}]", lo, hi));
+}
+
+void checkPictureName(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return char(std::tolower(c)); });
+    if (extension != ".png") {
+        throw UsageError("{}: pictures are written as PNG only; give a name that ends in .png",
+                         path.string());
+    }
+}
+
+void checkGridName(const std::filesystem::path& path) {
+    try {
+        volume::checkGridName(path);
+    } catch (const WriteError& error) {
+        throw UsageError("{}", error.what());
+    }
 }
 
 } // namespace vs::cli

@@ -29,6 +29,7 @@ struct RenderOptions {
 
 void runRender(const RenderOptions& options) {
     // Values are checked before the volume is read: a typing mistake must not cost a minute.
+    checkPictureName(options.output);
     const render::Mode mode = render::modeFromName(options.mode);
     const glm::ivec2 size = parseSize(options.size);
     std::optional<Range> range;
@@ -55,6 +56,7 @@ void runRender(const RenderOptions& options) {
             progress.advance(std::size_t(caster.completedSamples() - done));
         }
     }
+    context.requireNoErrors();
     image::writePng(options.output, caster.readPicture());
     fmt::print("{}: {} x {} pixels, {} from {:g} to {:g}, on {}\n", options.output, size.x, size.y,
                options.mode, view.range.lo, view.range.hi, context.device().renderer);
@@ -71,12 +73,15 @@ void addRenderCommand(CLI::App& app) {
     command->add_option("--range", options->range,
                         "Displayed range LO:HI; suggested from the histogram if not given");
     command->add_option("--size", options->size, "Pixels, WIDTHxHEIGHT")->capture_default_str();
-    command->add_option("--azimuth", options->camera.azimuthDegrees,
-                        "Degrees; 0 looks at the face, positive moves the viewer to the patient's left");
-    command->add_option("--elevation", options->camera.elevationDegrees,
-                        "Degrees; positive moves the viewer up");
+    command
+        ->add_option("--azimuth", options->camera.azimuthDegrees,
+                     "Degrees; 0 looks at the face, positive moves the viewer to the patient's left")
+        ->check(between(-1e6, 1e6));
+    command
+        ->add_option("--elevation", options->camera.elevationDegrees, "Degrees; positive moves the viewer up")
+        ->check(between(-1e6, 1e6));
     command->add_option("--zoom", options->camera.zoom, "1 frames the volume")
-        ->check(CLI::Range(1e-3, 1e3))
+        ->check(between(1e-3, 1e3))
         ->capture_default_str();
     command->add_option("--projection", options->projection, "perspective or orthographic")
         ->check(CLI::IsMember({"perspective", "orthographic"}))

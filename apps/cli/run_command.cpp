@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands.h"
 #include "progress.h"
+#include "volume_argument.h"
 
 #include "base/atomic_file.h"
 #include "base/error.h"
@@ -21,7 +22,7 @@ namespace {
 struct RunOptions {
     std::string session;
     std::string output;
-    std::string volume;
+    VolumeArgument volume; // instead of the session's own, as far as given
 };
 
 using Json = nlohmann::ordered_json;
@@ -40,22 +41,88 @@ Json entryOf(const studio::Outcome& outcome, std::size_t index) {
 void makeFolder(const std::filesystem::path& folder) {
     std::error_code error;
     std::filesystem::create_directories(folder, error);
-    if (!std::filesystem::is_directory(folder)) {
+    std::error_code ignored;
+    if (!std::filesystem::is_directory(folder, ignored)) {
         throw WriteError("{}: cannot be made ({}); choose a folder that can be written to", folder.string(),
                          error ? error.message() : "a file of that name exists");
+    }
+}
+
+// The folders of all files that the session writes, before any work is done.
+void makeFolders(const std::filesystem::path& folder, const std::vector<studio::Operation>& operations) {
+    makeFolder(folder);
+    for (const studio::Operation& operation : operations) {
+        std::visit(
+            [&folder](const auto& op) {
+                if constexpr (requires { op.file; }) {
+                    makeFolder((folder / op.file).parent_path());
+                }
+            },
+            operation);
+    }
+}
+
+// What a run has done so far, on disk at any moment: an older report must not be taken for this run's.
+class Report {
+public:
+    Report(const std::filesystem::path& folder, Json head)
+        : file_(folder / "report.json"), json_(std::move(head)) {
+        json_["complete"] = false;
+        json_["operations"] = Json::array();
+        write();
+    }
+
+    void add(const studio::Outcome& outcome) {
+        json_["operations"].push_back(entryOf(outcome, json_["operations"].size()));
+    }
+    void complete() {
+        json_["complete"] = true;
+        write();
+    }
+    void fail(const std::string& error) {
+        json_["error"] = error;
+        try {
+            write();
+        } catch (const WriteError& second) { // the first error is the one to tell
+            logNotice(second.what());
+        }
+    }
+
+private:
+    void write() const {
+        // File names need not be UTF-8, JSON must be.
+        writeFileAtomically(file_, json_.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    }
+
+    std::filesystem::path file_;
+    Json json_;
+};
+
+void replay(const studio::Session& session, const RunOptions& options, const gl::Context& context,
+            studio::Document& document, Report& report) {
+    Progress progress("replaying", session.operations.size());
+    for (std::size_t i = 0; i < session.operations.size(); ++i) {
+        try {
+            const auto outcome = document.apply(session.operations[i], options.output);
+            context.requireNoErrors();
+            report.add(outcome);
+        } catch (const std::exception& error) {
+            throw SessionError("{}: operation {} ({}): {}", options.session, i + 1,
+                               name(session.operations[i]), error.what());
+        }
+        progress.advance();
     }
 }
 
 void runSession(const RunOptions& options) {
     const studio::Session session = studio::loadSession(options.session);
     const std::filesystem::path folder = options.output;
-    makeFolder(folder);
     std::vector<std::string> notices;
     const Timer loading;
-    auto volume = studio::openVolume(
-        session, options.session,
-        options.volume.empty() ? std::nullopt : std::optional<std::filesystem::path>(options.volume),
-        notices);
+    const auto& path = options.volume.path;
+    auto volume = studio::openVolume(session, options.session,
+                                     path.empty() ? std::nullopt : std::optional<std::filesystem::path>(path),
+                                     notices, readOptions(options.volume));
     for (const auto& notice : notices) {
         logNotice(notice);
     }
@@ -63,24 +130,21 @@ void runSession(const RunOptions& options) {
     const std::string volumeName = volume.name;
     studio::Document document(std::move(volume));
     gl::Context::finish();
-    Json report{{"session", options.session},
-                {"volume", volumeName},
-                {"device", context.device().renderer},
-                {"loadMilliseconds", loading.milliseconds()},
-                {"notices", notices},
-                {"operations", Json::array()}};
-
-    Progress progress("replaying", session.operations.size());
-    for (std::size_t i = 0; i < session.operations.size(); ++i) {
-        try {
-            report["operations"].push_back(entryOf(document.apply(session.operations[i], folder), i));
-        } catch (const Error& error) {
-            throw SessionError("{}: operation {} ({}): {}", options.session, i + 1,
-                               name(session.operations[i]), error.what());
-        }
-        progress.advance();
+    makeFolders(folder, session.operations);
+    Report report(folder, {{"session", options.session},
+                           {"volume", volumeName},
+                           {"device", context.device().renderer},
+                           {"loadMilliseconds", loading.milliseconds()},
+                           {"notices", notices}});
+    try {
+        replay(session, options, context, document, report);
+        gl::Context::finish();
+        context.requireNoErrors();
+    } catch (const std::exception& error) {
+        report.fail(error.what());
+        throw;
     }
-    writeFileAtomically(folder / "report.json", report.dump(2) + "\n");
+    report.complete();
     fmt::print("{}: {} operations on {}; results in {}\n", options.session, session.operations.size(),
                volumeName, folder.string());
 }
@@ -93,7 +157,8 @@ void addRunCommand(CLI::App& app) {
     command->add_option("session", options->session, "Session file (JSON, see doc/session.md)")->required();
     command->add_option("-o,--output", options->output, "Folder for pictures, label maps and report.json")
         ->required();
-    command->add_option("--volume", options->volume, "Use this volume instead of the session's own");
+    command->add_option("--volume", options->volume.path, "Use this volume instead of the session's own");
+    addReadOptions(*command, options->volume);
     command->callback([options] { runSession(*options); });
 }
 

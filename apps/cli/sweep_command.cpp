@@ -92,12 +92,14 @@ void runSweep(const SweepOptions& options) {
     if (options.radius < 2 || options.radius > 4) {
         throw UsageError("--radius {}: use 2, 3 or 4", options.radius);
     }
+    checkGridName(options.output);
     const gl::Context context = gl::Context::createHeadless();
     const auto mask = sculpt::rasterize(outline, sculpt::kSweepPitch);
     sculpt::Radiator radiator;
     sculpt::PointGenerator generator;
     sculpt::sweepMask(radiator, generator, mask, path, dims, sculpt::fitFootprint(options.radius));
     auto values = radiator.download({glm::ivec3(0), dims});
+    context.requireNoErrors();
     std::transform(values.begin(), values.end(), values.begin(),
                    [](float e) { return std::clamp(e, 0.0F, 1.0F); });
     volume::writeGrid(options.output, volume::makeGeometry(dims), std::span<const float>(values));

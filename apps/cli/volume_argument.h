@@ -19,9 +19,15 @@ struct VolumeArgument {
     std::optional<int> frame;
 };
 
+// Adds --raw, --series and --frame for a volume that is named elsewhere.
+void addReadOptions(CLI::App& command, VolumeArgument& argument);
+
 // Adds VOLUME, --raw, --series and --frame to a subcommand. The result is filled in when the line is parsed;
 // capture it in the subcommand's callback.
 std::shared_ptr<VolumeArgument> addVolumeArgument(CLI::App& command);
+
+// --raw, --series and --frame as reading wants them. Throws UsageError for a raw layout that makes no sense.
+volume::ReadOptions readOptions(const VolumeArgument& argument);
 
 // Reads the volume and prints its notices. Throws ReadError, or UsageError for a raw layout that makes no
 // sense.

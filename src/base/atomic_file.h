@@ -11,9 +11,14 @@ namespace vs {
 
 // Writes a file so that it is either whole or untouched: `write` fills a temporary file in the same folder
 // (same extension, so that writers which look at it choose the right format), which is synced and renamed
-// over `path`. The temporary file is removed when anything fails. Throws WriteError naming `path`.
+// over `path` (or what outputFile() says). The temporary file is removed when anything fails. Throws
+// WriteError naming `path`.
 void writeAtomically(const std::filesystem::path& path,
                      const std::function<void(const std::filesystem::path& temporary)>& write);
+
+// The file that writing to `path` replaces: where links point, so that they stay. Throws WriteError when what
+// is there already is no file: a folder, a pipe, a device.
+std::filesystem::path outputFile(const std::filesystem::path& path);
 
 void writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> content);
 void writeFileAtomically(const std::filesystem::path& path, const std::string& content);

@@ -21,12 +21,8 @@ Buffer::Buffer(std::size_t sizeBytes, const std::string& label)
     GLuint name = 0;
     glCreateBuffers(1, &name);
     handle_ = Handle<detail::deleteBuffer>(name);
-    {
-        const ExpectedFailure failure;
-        glNamedBufferStorage(name, GLsizeiptr(size_), nullptr, GL_DYNAMIC_STORAGE_BIT);
-        if (failure.happened()) {
-            throw GlError("{}: the device has no room for {} MiB; use a smaller volume", label, size_ >> 20);
-        }
+    if (fails([&] { glNamedBufferStorage(name, GLsizeiptr(size_), nullptr, GL_DYNAMIC_STORAGE_BIT); })) {
+        throw GlError("{}: the device has no room for {} MiB; use a smaller volume", label, size_ >> 20);
     }
     glObjectLabel(GL_BUFFER, name, -1, label.c_str());
     clear();

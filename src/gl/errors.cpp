@@ -49,17 +49,14 @@ void collectErrors() {
     }
 }
 
-ExpectedFailure::ExpectedFailure() {
+bool fails(const std::function<void()>& call) {
     collectErrors();
     isExpected = true;
-}
-
-ExpectedFailure::~ExpectedFailure() { isExpected = false; }
-
-bool ExpectedFailure::happened() {
-    bool any = false;
-    takeErrors([&any](GLenum) { any = true; });
-    return any;
+    call();
+    bool failed = false;
+    takeErrors([&failed](GLenum) { failed = true; });
+    isExpected = false;
+    return failed;
 }
 
 } // namespace vs::gl

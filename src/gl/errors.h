@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <functional>
 #include <string_view>
 
 // How driver errors are counted. Internal to this folder; others ask Context::errorCount().
@@ -26,17 +27,8 @@ void addErrorMessage(ErrorCount& count, std::string_view message);
 // Counts what glGetError holds and leaves it empty.
 void collectErrors();
 
-// For a call whose failure is told by an exception, and must not count or be logged besides: made before the
-// call, asked after it.
-class ExpectedFailure {
-public:
-    ExpectedFailure();
-    ~ExpectedFailure();
-    ExpectedFailure(const ExpectedFailure&) = delete;
-    ExpectedFailure& operator=(const ExpectedFailure&) = delete;
-
-    // Whether there has been an error since.
-    [[nodiscard]] static bool happened();
-};
+// Makes an OpenGL call and tells whether it failed. For failures that are told by an exception: they neither
+// count nor are logged besides.
+[[nodiscard]] bool fails(const std::function<void()>& call);
 
 } // namespace vs::gl

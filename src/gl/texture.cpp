@@ -81,17 +81,16 @@ void Texture::create(const std::string& label, Filter filter) {
     glCreateTextures(is3D_ ? GL_TEXTURE_3D : GL_TEXTURE_2D, 1, &name);
     handle_ = Handle<detail::deleteTexture>(name);
     const GLenum internal = info(format_).internal;
-    {
-        const ExpectedFailure failure;
+    const auto allocate = [&] {
         if (is3D_) {
             glTextureStorage3D(name, 1, internal, size_.x, size_.y, size_.z);
         } else {
             glTextureStorage2D(name, 1, internal, size_.x, size_.y);
         }
-        if (failure.happened()) {
-            throw GlError("{}: the device has no room for {}x{}x{} texels ({} MiB); use a smaller volume",
-                          label, size_.x, size_.y, size_.z, bytes() >> 20);
-        }
+    };
+    if (fails(allocate)) {
+        throw GlError("{}: the device has no room for {}x{}x{} texels ({} MiB); use a smaller volume", label,
+                      size_.x, size_.y, size_.z, bytes() >> 20);
     }
     glObjectLabel(GL_TEXTURE, name, -1, label.c_str());
     const GLint mode = filter == Filter::Linear ? GL_LINEAR : GL_NEAREST;

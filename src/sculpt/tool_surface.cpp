@@ -26,7 +26,14 @@ public:
           stepsFromVoxel_(glm::mat3(geometry.worldFromVoxel) / float(geometry.stepMm())),
           voxelFromSteps_(glm::inverse(stepsFromVoxel_)),
           outside_(sweep.outsideSteps < 0 ? sweep.radius : sweep.outsideSteps),
-          out_(float(-outside_), float(sweep.depthSteps), 0) {}
+          out_(float(-outside_), float(sweep.depthSteps), 0) {
+        // A point farther outside the grid reaches no voxel of it (Footprint::reachVoxels() <= radius + 2).
+        const glm::vec3 reach(float(sweep.radius + 3));
+        out_.clipTo(-reach, glm::vec3(geometry.dims - 1) + reach);
+        const glm::dvec3 sigma = sweep.radius / 3.0 * geometry.stepMm() / geometry.spacing();
+        out_.setDensity({SweptPatches::densityFor(sigma.x), SweptPatches::densityFor(sigma.y),
+                         SweptPatches::densityFor(sigma.z)});
+    }
 
     SweptPatches run() {
         if (!(sweep_.depthSteps > 0) || size_.x < 1 || size_.y < 1 || !anyHitUnderMask()) {

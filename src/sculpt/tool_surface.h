@@ -32,6 +32,8 @@ struct ToolSweep {
 // - Neighbours farther apart than four elements and 3 steps (silhouettes) are not joined: each hit then
 // covers its own
 //   quarters of the cells around it with straight columns.
+// - Nothing is swept outside the grid but what radiates into it, and peeling paths end where they meet, so
+// any depth is as good as infinite.
 // - Where elements are closer than the samples need to be, blocks of cells become one patch with their mean
 // mask.
 // - A mask too thin for its radiation to reach 0.5 anywhere gets more energy, so that its strongest place

@@ -111,6 +111,15 @@ public:
         return json_.get<std::string>();
     }
 
+    // The name of a file or folder: JSON texts can be what no name is.
+    [[nodiscard]] std::string fileName() const {
+        std::string value = text();
+        if (value.empty() || value.find('\0') != std::string::npos) {
+            fail("must be the name of a file or folder");
+        }
+        return value;
+    }
+
     // One of the names, as the enumerator of the same place.
     template <typename Enum, std::size_t N>
     [[nodiscard]] Enum choice(const std::array<const char*, N>& names) const {

@@ -40,13 +40,21 @@ render::Camera readCamera(const JsonReader& reader) {
     return camera;
 }
 
+// One coordinate of a place on the viewport, or anywhere about it.
+double readCoordinate(const JsonReader& reader) {
+    constexpr double farthest = 1e6;
+    return reader.numberBetween(-farthest, farthest);
+}
+
 Sketch readSketch(const JsonReader& reader) {
     reader.allow({"shape", "points"});
     Sketch sketch;
     sketch.shape = reader.member("shape").choice<Shape>(kShapes);
     const JsonReader points = reader.member("points");
     for (std::size_t i = 0; i < points.size(); ++i) {
-        sketch.points.push_back(readPoint(points.at(i)));
+        const JsonReader point = points.at(i);
+        point.expectSize(2);
+        sketch.points.emplace_back(readCoordinate(point.at(0)), readCoordinate(point.at(1)));
     }
     const bool isBox = sketch.shape != Shape::FreeForm && sketch.shape != Shape::Polyline;
     if (isBox && sketch.points.size() != 2) {
@@ -73,13 +81,19 @@ Canvas readCanvas(const JsonReader& reader) {
 
 // A file in the output folder: a plain relative path that stays inside.
 std::string readFileName(const JsonReader& reader) {
-    const std::filesystem::path path = reader.text();
-    bool leaves = path.empty() || path.is_absolute();
+    const std::filesystem::path path = reader.fileName();
+    bool leaves = path.is_absolute();
     for (const auto& part : path) {
         leaves = leaves || part == "..";
     }
     if (leaves) {
         reader.fail("a file name inside the output folder is wanted");
+    }
+    if (!path.has_filename() || path.filename() == ".") {
+        reader.fail("a file name is wanted, not a folder's");
+    }
+    if (path.lexically_normal() == "report.json") {
+        reader.fail("report.json is what the replay itself writes; choose another name");
     }
     return path.string();
 }
@@ -118,7 +132,8 @@ Operation readDrill(const JsonReader& reader) {
         for (std::size_t i = 0; i < r.size(); ++i) {
             const JsonReader pen = r.at(i);
             pen.expectSize(3);
-            op.stroke.push_back({{pen.at(0).number(), pen.at(1).number()}, pen.at(2).numberBetween(0, 1)});
+            op.stroke.push_back(
+                {{readCoordinate(pen.at(0)), readCoordinate(pen.at(1))}, pen.at(2).numberBetween(0, 1)});
         }
     });
     reader.ifHas("canvas", [&](const JsonReader& r) { op.canvas = readCanvas(r); });

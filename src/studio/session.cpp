@@ -16,6 +16,13 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
+// What the library says, without its own error number in front.
+std::string reasonOf(const Json::exception& error) {
+    const std::string text = error.what();
+    const auto end = text.find("] ");
+    return end == std::string::npos ? text : text.substr(end + 2);
+}
+
 Json parseFile(const std::filesystem::path& path) {
     std::ifstream file(path);
     if (!file || std::filesystem::is_directory(path)) {
@@ -26,14 +33,28 @@ Json parseFile(const std::filesystem::path& path) {
     } catch (const Json::parse_error& error) {
         throw SessionError("{}: not valid JSON at byte {}; a session file is wanted (doc/session.md)",
                            path.string(), error.byte);
+    } catch (const Json::exception& error) { // a number beyond all bounds
+        throw SessionError("{}: not valid JSON ({}); a session file is wanted (doc/session.md)",
+                           path.string(), reasonOf(error));
+    }
+}
+
+void checkRawLayout(const JsonReader& reader) {
+    try {
+        volume::parseRawLayout(reader.text());
+    } catch (const UsageError& error) {
+        reader.fail(error.what());
     }
 }
 
 void readVolumeMember(const JsonReader& reader, Session& session) {
     reader.allow({"path", "checksum", "raw", "series", "frame"});
-    session.volumePath = reader.member("path").text();
+    session.volumePath = reader.member("path").fileName();
     reader.ifHas("checksum", [&](const JsonReader& r) { session.volumeChecksum = r.text(); });
-    reader.ifHas("raw", [&](const JsonReader& r) { session.rawLayout = r.text(); });
+    reader.ifHas("raw", [&](const JsonReader& r) {
+        checkRawLayout(r);
+        session.rawLayout = r.text();
+    });
     reader.ifHas("series", [&](const JsonReader& r) { session.series = r.text(); });
     reader.ifHas("frame", [&](const JsonReader& r) { session.frame = int(r.integerBetween(0, 1 << 20)); });
 }
@@ -68,7 +89,9 @@ Session loadSession(const std::filesystem::path& path) {
     return session;
 }
 
-void saveSession(const std::filesystem::path& path, const Session& session) {
+namespace {
+
+std::string textOf(const std::filesystem::path& path, const Session& session) {
     Json volume{{"path", storedPath(session.volumePath, path).string()}};
     const auto addText = [&volume](const char* key, const std::string& value) {
         if (!value.empty()) {
@@ -88,7 +111,21 @@ void saveSession(const std::filesystem::path& path, const Session& session) {
     for (std::size_t i = 0; i < session.operations.size(); ++i) {
         text += fmt::format("{}\n    {}", i == 0 ? "" : ",", toJson(session.operations[i]).dump());
     }
-    text += "\n  ]\n}\n";
+    return text + "\n  ]\n}\n";
+}
+
+} // namespace
+
+void saveSession(const std::filesystem::path& path, const Session& session) {
+    std::string text;
+    try {
+        text = textOf(path, session);
+    } catch (const Json::exception&) {
+        throw WriteError(
+            "{}: cannot be saved: a session is UTF-8 text, and the name of the volume {} or of a "
+            "file that the session writes is not; rename it",
+            path.string(), session.volumePath.string());
+    }
     writeFileAtomically(path, text);
 }
 
@@ -101,25 +138,54 @@ Session sessionOf(const Document& document, const Session& source) {
     return session;
 }
 
+namespace {
+
+// Reads another volume than the session's. What the session says about choosing from its own helps where it
+// fits, and is left out where it does not.
+volume::ReadResult readInstead(const std::filesystem::path& path, const volume::ReadOptions& fromSession,
+                               const volume::ReadOptions& overrides) {
+    const bool tellsMore = fromSession.series != overrides.series || fromSession.frame != overrides.frame;
+    if (tellsMore) {
+        try {
+            return volume::readVolume(path, fromSession);
+        } catch (const ReadError&) {
+            // Whatever else is wrong is told below.
+        }
+    }
+    volume::ReadOptions options = fromSession;
+    options.series = overrides.series;
+    options.frame = overrides.frame;
+    auto result = volume::readVolume(path, options);
+    if (tellsMore) {
+        result.notices.push_back(
+            fmt::format("{}: the session's series or frame does not fit it and is left out", path.string()));
+    }
+    return result;
+}
+
+} // namespace
+
 volume::Volume openVolume(const Session& session, const std::filesystem::path& sessionPath,
                           const std::optional<std::filesystem::path>& replacement,
-                          std::vector<std::string>& notices) {
-    volume::ReadOptions options;
-    if (!session.rawLayout.empty() && !replacement) {
-        options.raw = volume::parseRawLayout(session.rawLayout);
-    }
-    if (!session.series.empty()) {
-        options.series = session.series;
-    }
-    options.frame = session.frame;
+                          std::vector<std::string>& notices, const volume::ReadOptions& overrides) {
     const std::filesystem::path path =
         replacement ? *replacement
                     : (session.volumePath.is_absolute() ? session.volumePath
                                                         : sessionPath.parent_path() / session.volumePath);
-    auto result = volume::readVolume(path, options);
+    volume::ReadOptions options = overrides;
+    if (!options.raw && !session.rawLayout.empty() && (!replacement || volume::isHeaderless(path))) {
+        options.raw = volume::parseRawLayout(session.rawLayout);
+    }
+    if (!options.series && !session.series.empty()) {
+        options.series = session.series;
+    }
+    if (!options.frame) {
+        options.frame = session.frame;
+    }
+    auto result = replacement ? readInstead(path, options, overrides) : volume::readVolume(path, options);
     notices.insert(notices.end(), result.notices.begin(), result.notices.end());
     if (!session.volumeChecksum.empty() && volume::checksum(result.volume) != session.volumeChecksum) {
-        if (!replacement) {
+        if (!replacement && !overrides.raw && !overrides.series && !overrides.frame) {
             throw SessionError(
                 "{}: its volume {} is not the one the session was made with (checksum {}, not {}); give "
                 "the right file with --volume",

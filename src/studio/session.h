@@ -24,7 +24,8 @@ struct Session {
 // Throws SessionError naming file, operation and member, what is wrong and what would be right.
 Session loadSession(const std::filesystem::path& path);
 
-// Atomic. The volume's path is stored relative to the file when it lies below its folder. Throws WriteError.
+// Atomic. The volume's path is stored relative to the file when it lies below its folder. Throws WriteError,
+// also for names that are not UTF-8.
 void saveSession(const std::filesystem::path& path, const Session& session);
 
 // The session of a document as it is now: its log, ended by its current view. `source` says where the volume
@@ -32,9 +33,10 @@ void saveSession(const std::filesystem::path& path, const Session& session);
 Session sessionOf(const Document& document, const Session& source);
 
 // Opens the session's volume (or `replacement` instead, with a notice if its content differs). Notices are
-// appended.
+// appended. What `overrides` sets takes the place of the session's layout, series and frame, which apply to a
+// replacement only where they fit it: the layout if it is headerless too, series and frame if it has them.
 volume::Volume openVolume(const Session& session, const std::filesystem::path& sessionPath,
                           const std::optional<std::filesystem::path>& replacement,
-                          std::vector<std::string>& notices);
+                          std::vector<std::string>& notices, const volume::ReadOptions& overrides = {});
 
 } // namespace vs::studio

@@ -19,7 +19,7 @@ namespace {
 enum class Format { Dicom, Nifti, Nrrd, Meta, Vtk, Raw };
 
 // By content where the content says so, else by the extension, so that a damaged file is judged as what it
-// claims to be.
+// claims to be. Raw: neither says anything.
 Format recognise(const std::filesystem::path& path) {
     const auto start = readPrefix(path, 352);
     const std::string_view text(reinterpret_cast<const char*>(start.data()), start.size());
@@ -44,9 +44,6 @@ Format recognise(const std::filesystem::path& path) {
         (extension == ".gz" && (stem == ".nii" || stem == ".hdr"))) {
         return Format::Nifti;
     }
-    if (extension == ".img") {
-        refuse(path, "it is the data half of a pair", "open the .hdr file beside it");
-    }
     if (extension == ".nrrd" || extension == ".nhdr") {
         return Format::Nrrd;
     }
@@ -56,11 +53,20 @@ Format recognise(const std::filesystem::path& path) {
     if (extension == ".vtk") {
         return Format::Vtk;
     }
-    if (extension == ".raw" || extension == ".bin") {
-        return Format::Raw;
-    }
     if (extension == ".dcm" || extension == ".ima" || extension == ".dicom") {
         return Format::Dicom;
+    }
+    return Format::Raw;
+}
+
+[[noreturn]] void refuseRaw(const std::filesystem::path& path) {
+    const auto extension = lowerCase(path.extension().string());
+    if (extension == ".img") {
+        refuse(path, "it is the data half of a pair", "open the .hdr file beside it");
+    }
+    if (extension == ".raw" || extension == ".bin") {
+        refuse(path, "a raw file has no header",
+               "describe it with --raw, for example --raw 256x256x128:uint8:1,1,2");
     }
     refuse(
         path, "it is no volume of a known format",
@@ -114,11 +120,15 @@ ReadResult readFormat(const std::filesystem::path& path, const ReadOptions& opti
     case Format::Raw:
         break;
     }
-    refuse(path, "a raw file has no header",
-           "describe it with --raw, for example --raw 256x256x128:uint8:1,1,2");
+    refuseRaw(path);
 }
 
 } // namespace
+
+bool isHeaderless(const std::filesystem::path& path) {
+    std::error_code error;
+    return std::filesystem::is_regular_file(path, error) && recognise(path) == Format::Raw;
+}
 
 ReadResult readVolume(const std::filesystem::path& path, const ReadOptions& options) {
     try {

@@ -22,6 +22,9 @@ struct RawLayout {
 // Throws UsageError if the text is not a layout, saying what one looks like.
 RawLayout parseRawLayout(const std::string& text);
 
+// Whether a file is of no known format, so that only a layout can tell what it holds.
+bool isHeaderless(const std::filesystem::path& path);
+
 struct ReadOptions {
     std::optional<RawLayout> raw; // set: the file is headerless and has this layout
     std::optional<std::string>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "volume/write.h"
 
+#include "base/atomic_file.h"
 #include "base/error.h"
 #include "volume/inspect.h"
 #include "volume/itk_decode.h"
@@ -173,8 +174,9 @@ void inspectWritten(const std::filesystem::path& file, Format format) {
 }
 
 template <typename T>
-void writeTyped(const std::filesystem::path& path, const GridGeometry& geometry, std::span<const T> values) {
-    const Format format = formatOf(path);
+void writeTyped(const std::filesystem::path& name, const GridGeometry& geometry, std::span<const T> values) {
+    const Format format = formatOf(name);
+    const std::filesystem::path path = outputFile(name);
     if (values.size() != geometry.voxelCount() || values.empty()) {
         fail(path, fmt::format("{} values for {} voxels", values.size(), geometry.voxelCount()),
              "a grid has one value for each voxel");
@@ -190,11 +192,11 @@ void writeTyped(const std::filesystem::path& path, const GridGeometry& geometry,
     if (!std::filesystem::is_directory(folder, error)) {
         fail(path, "its folder does not exist", "create it or choose another");
     }
-    if (access(folder.c_str(), W_OK | X_OK) != 0 || std::filesystem::is_directory(path, error)) {
+    if (access(folder.c_str(), W_OK | X_OK) != 0) {
         fail(path, "it cannot be written there", "check the permissions of the folder");
     }
     try {
-        const TemporaryFile file(path, format == Format::MetaPair ? ".mha" : formatSuffix(path));
+        const TemporaryFile file(path, format == Format::MetaPair ? ".mha" : formatSuffix(name));
         itk::ImageIOBase::Pointer io;
         if (format == Format::Nifti) {
             io = itk::NiftiImageIO::New();
@@ -217,6 +219,8 @@ void writeTyped(const std::filesystem::path& path, const GridGeometry& geometry,
 }
 
 } // namespace
+
+void checkGridName(const std::filesystem::path& path) { formatOf(path); }
 
 void writeGrid(const std::filesystem::path& path, const GridGeometry& geometry,
                std::span<const std::uint8_t> values) {

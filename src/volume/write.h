@@ -9,6 +9,9 @@
 
 namespace vs::volume {
 
+// Throws WriteError if a file's extension is none that writeGrid knows.
+void checkGridName(const std::filesystem::path& path);
+
 // Each writes a grid (x fastest, geometry.voxelCount() values) with its place in the patient, as NIfTI, NRRD
 // or MetaImage by the file's extension (.nii .nii.gz .nrrd .mha .mhd), compressed where the format allows.
 // Atomic: a temporary file beside it, synced, then renamed. Throws WriteError naming the file.

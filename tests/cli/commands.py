@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Calls vstudio as a person would, rightly and wrongly. usage: commands.py VSTUDIO"""
 import json
+import os
 import pathlib
 import struct
 import subprocess
@@ -13,8 +14,13 @@ import zlib
 VSTUDIO = sys.argv.pop(1)
 
 
-def call(*arguments):
-    return subprocess.run([VSTUDIO, *map(str, arguments)], capture_output=True, text=True, timeout=300)
+def call(*arguments, **environment):
+    return subprocess.run([VSTUDIO, *map(os.fspath, map(as_argument, arguments))], capture_output=True, text=True,
+                          errors="replace", timeout=300, env={**os.environ, **environment})
+
+
+def as_argument(value):
+    return value if isinstance(value, (bytes, os.PathLike)) else str(value)
 
 
 def read_png(path):
@@ -72,6 +78,19 @@ class Commands(unittest.TestCase):
         self.expect_error(2, ["24y20"], "info", self.raw, "--raw", "24y20")
         self.expect_error(2, ["seed"], "grow", self.raw, *self.layout, "--seed", "1,2", "--range", "1:2", "-o",
                           self.folder / "l.nrrd")
+        for option in ("--azimuth=nan", "--azimuth=inf", "--elevation=nan", "--zoom=nan", "--zoom=0", "--azimuth=1e9"):
+            self.expect_error(2, [option.split("=")[0]], "render", self.raw, *self.layout, "-o", picture, option)
+        self.expect_error(2, ["--mean"], "compare", picture, picture, "--mean", "nan")
+        self.expect_error(2, ["p.jpg", "PNG"], "render", self.raw, *self.layout, "-o", self.folder / "p.jpg")
+        grow = ("grow", self.raw, *self.layout, "--seed", "10,10,8", "--range", "100:255", "-o")
+        self.expect_error(2, ["l.xyz", ".nrrd"], *grow, self.folder / "l.xyz")
+        labels = self.folder / "l.nrrd"
+        self.expect_error(2, ["g.raw", ".nrrd"], *grow, labels, "--generations", self.folder / "g.raw")
+        self.expect_error(2, ["--generations", "l.nrrd"], *grow, labels, "--generations",
+                          self.folder / ".." / self.folder.name / "l.nrrd")
+        self.assertFalse(labels.exists())
+        self.expect_error(2, ["s.xyz", ".nrrd"], "sweep", "--dims", "8,8,8", "--mask", "circle:3", "--path",
+                          "line:0,0,0:1,1,1", "-o", self.folder / "s.xyz")
         self.expect_error(2, ["blob"], "sweep", "--dims", "8,8,8", "--mask", "blob:3", "--path", "line:0,0,0:1,1,1",
                           "-o", self.folder / "s.nrrd")
         self.assertFalse(picture.exists())
@@ -88,19 +107,113 @@ class Commands(unittest.TestCase):
         self.expect_error(1, ["nowhere"], "render", self.raw, *self.layout, "-o", self.folder / "nowhere" / "p.png")
         self.expect_error(1, ["nowhere"], "grow", self.raw, *self.layout, "--seed", "10,10,8", "--range", "100:255",
                           "-o", self.folder / "nowhere" / "l.nii.gz")
-        self.expect_error(1, ["seed"], "grow", self.raw, *self.layout, "--seed", "99,1,1", "--range", "1:2", "-o",
-                          self.folder / "l.nii.gz")
+        for seed in ("99,1,1", "10,10,8"):
+            self.expect_error(1, ["ramp.raw", "seed"], "grow", self.raw, *self.layout, "--seed", seed, "--range", "1:2",
+                              "-o", self.folder / "l.nii.gz")
+        os.mkfifo(self.folder / "pipe.nrrd")
+        self.expect_error(1, ["pipe.nrrd"], "grow", self.raw, *self.layout, "--seed", "10,10,8", "--range", "100:255",
+                          "-o", self.folder / "pipe.nrrd")
+        self.assertTrue((self.folder / "pipe.nrrd").is_fifo())
         self.expect_error(1, ["no.json"], "run", self.folder / "no.json", "-o", self.folder / "out")
         self.assertEqual([p.name for p in self.folder.iterdir() if p.name.startswith(".")], [], "no half-written files")
 
+    def test_a_device_that_is_no_number_is_named(self):
+        result = call("render", self.raw, *self.layout, "-o", self.folder / "p.png", VOLUME_STUDIO_DEVICE="abc")
+        self.assertEqual(result.returncode, 1)
+        self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
+        self.assertIn("VOLUME_STUDIO_DEVICE=abc", result.stderr)
+
+    def test_output_that_cannot_be_printed_is_an_error(self):
+        for arguments in (["info", self.raw, *self.layout], ["info", self.raw, *self.layout, "--json"], ["--help"]):
+            with open("/dev/full", "w") as full:
+                result = subprocess.run([VSTUDIO, *arguments], stdout=full, stderr=subprocess.PIPE, text=True)
+            self.assertEqual(result.returncode, 1, arguments)
+            self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
+
+    def test_opengl_errors_fail_every_command_that_renders_or_computes(self):
+        # A shader without its uniforms: setting them is an OpenGL error.
+        def with_stub(shader, *arguments):
+            stub = self.folder / "shaders" / shader
+            stub.parent.mkdir(parents=True, exist_ok=True)
+            stub.write_text("layout(local_size_x = 64) in;\nvoid main() {}\n")
+            result = call(*arguments, VOLUME_STUDIO_SHADER_DIR=str(self.folder / "shaders"))
+            stub.unlink()
+            self.assertEqual(result.returncode, 1, result)
+            self.assertIn("OpenGL errors", result.stderr.splitlines()[-1])
+            self.assertTrue(all(line.startswith("note: ") for line in result.stderr.splitlines()[:-1]), result.stderr)
+
+        picture, labels, solid = (self.folder / name for name in ("p.png", "l.nrrd", "s.nrrd"))
+        with_stub("render/shaders/classify_cells.comp", "render", self.raw, *self.layout, "-o", picture)
+        with_stub("segment/shaders/store_generation.comp", "grow", self.raw, *self.layout, "--seed", "10,10,8", "--range",
+                  "100:255", "-o", labels)
+        with_stub("sculpt/shaders/deposit_points.comp", "sweep", "--dims", "16,16,16", "--mask", "circle:3", "--path",
+                  "line:8,8,4:8,8,12", "-o", solid)
+        self.assertFalse(any(p.exists() for p in (picture, labels, solid)))
+        with_stub("render/shaders/classify_cells.comp", *self.session_call({"op": "picture", "file": "p.png"}))
+        report = json.loads((self.folder / "out" / "report.json").read_text())
+        self.assertIn("OpenGL errors", report["error"])
+
+    def session_call(self, *operations, **volume):
+        """Writes s.json and gives the arguments that replay it."""
+        session = self.folder / "s.json"
+        session.write_text(json.dumps({"volumeStudioSession": 1, "operations": operations,
+                                       "volume": {"path": "ramp.raw", "raw": "24x20x16:uint8", **volume}}))
+        return "run", session, "-o", self.folder / "out"
+
+    def test_a_session_writes_into_folders_and_reports(self):
+        small = {"op": "picture", "size": [32, 24], "samples": 1}
+        replay = self.session_call({**small, "file": "a/b.png"}, {"op": "labels", "file": "a/c/l.nrrd"})
+        result = call(*replay)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        out = self.folder / "out"
+        self.assertEqual(read_png(out / "a" / "b.png")[:2], (32, 24))
+        self.assertTrue((out / "a" / "c" / "l.nrrd").exists())
+        report = json.loads((out / "report.json").read_text())
+        self.assertTrue(report["complete"])
+        self.assertEqual(len(report["operations"]), 2)
+        # A replay that fails leaves what it has done and why it ended, not the older report.
+        self.expect_error(1, ["operation 2 (undo)"], *self.session_call({**small, "file": "b.png"}, {"op": "undo"}))
+        report = json.loads((out / "report.json").read_text())
+        self.assertFalse(report["complete"])
+        self.assertEqual([entry["name"] for entry in report["operations"]], ["picture"])
+        self.assertIn("nothing to undo", report["error"])
+
+    def test_a_session_whose_volume_cannot_be_opened_leaves_no_folder(self):
+        self.expect_error(1, ["gone.raw"], *self.session_call(path="gone.raw"))
+        self.expect_error(1, ["ramp.raw"], *self.session_call(raw="24x20x17:uint8"))
+        self.assertFalse((self.folder / "out").exists())
+
+    def test_a_session_runs_on_another_volume(self):
+        replay = self.session_call(path="gone.raw", checksum="0000000000000000", frame=3, series="1.2.3")
+        other = self.folder / "other.raw"
+        other.write_bytes(self.raw.read_bytes())
+        result = call(*replay, "--volume", other)  # headerless too, so the session's layout holds
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("is not the volume", result.stderr)
+        grid = self.folder / "grid.nrrd"
+        self.assertEqual(call("grow", self.raw, *self.layout, "--seed", "10,10,8", "--range", "100:255", "-o",
+                              grid).returncode, 0)
+        result = call(*replay, "--volume", grid)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("does not fit it", result.stderr)
+        self.expect_error(1, ["grid.nrrd", "--frame"], *replay, "--volume", grid, "--frame", "2")
+        other.write_bytes(bytes(8 * 8 * 8))
+        self.expect_error(1, ["other.raw", "512"], *replay, "--volume", other)
+        self.assertEqual(call(*replay, "--volume", other, "--raw", "8x8x8:uint8").returncode, 0)
+        self.expect_error(2, ["8x8"], *replay, "--volume", other, "--raw", "8x8")
+        self.expect_error(1, ["s.json", "checksum"], *self.session_call(checksum="0000000000000000"))
+
+    def test_names_that_are_not_utf8_do_no_harm(self):
+        other = os.path.join(os.fsencode(self.folder), b"h\xff.raw")
+        with open(other, "wb") as file:
+            file.write(self.raw.read_bytes())
+        result = call(*self.session_call(), "--volume", other)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("h\ufffd.raw", json.loads((self.folder / "out" / "report.json").read_text())["volume"])
+
     def test_wrong_sessions_name_operation_and_member(self):
         session = self.folder / "s.json"
-
-        def with_operations(*operations, **volume):
-            session.write_text(json.dumps({"volumeStudioSession": 1, "operations": operations,
-                                           "volume": {"path": "ramp.raw", "raw": "24x20x16:uint8", **volume}}))
-            return "run", session, "-o", self.folder / "out"
-
+        with_operations = self.session_call
         self.expect_error(1, ["operation 2", "'fly'", "peel"], *with_operations({"op": "undo"}, {"op": "fly"}))
         self.expect_error(1, ["operation 1", "layers"], *with_operations(
             {"op": "peel", "mask": {"shape": "ellipse", "points": [[1, 1], [9, 9]]}}))
@@ -111,6 +224,14 @@ class Commands(unittest.TestCase):
             {"op": "picture", "file": "../p.png"}))
         self.expect_error(1, ["operation 1 (undo)", "nothing to undo"], *with_operations({"op": "undo"}))
         self.expect_error(1, ["checksum"], *with_operations(checksum="0000000000000000"))
+        self.expect_error(1, ["s.json", "volume.raw", "24x20"], *with_operations(raw="24x20"))
+        self.expect_error(1, ["s.json", "volume.path"], *with_operations(path=""))
+        self.expect_error(1, ["operation 1", "report.json"], *with_operations({"op": "picture", "file": "report.json"}))
+        self.expect_error(1, ["operation 1", "not a folder's"], *with_operations({"op": "picture", "file": "a/"}))
+        self.expect_error(1, ["out of bounds"], *with_operations(
+            {"op": "seed", "strokes": [{"shape": "polyline", "points": [[1, 1e9], [2, 2]]}]}))
+        session.write_text('{"volumeStudioSession": 1e999, "volume": {"path": "x"}, "operations": []}')
+        self.expect_error(1, ["s.json", "JSON"], "run", session, "-o", self.folder / "out")
         session.write_text("{")
         self.expect_error(1, ["s.json", "JSON"], "run", session, "-o", self.folder / "out")
         session.write_text('{"volumeStudioSession": 99, "volume": {"path": "x"}, "operations": []}')
@@ -149,8 +270,11 @@ class Commands(unittest.TestCase):
         info = json.loads(call("info", labels, "--json").stdout)
         self.assertEqual(info["spacing"], [1, 1, 1.5], "the input's geometry")
         self.assertEqual(info["range"], [0, 1])
-        seeds = call("grow", self.raw, *self.layout, "--seed", "6,5,4", "--range", "100:255", "--steps", "0", "-o", labels)
+        link = self.folder / "link.nrrd"
+        link.symlink_to("labels.nrrd")
+        seeds = call("grow", self.raw, *self.layout, "--seed", "6,5,4", "--range", "100:255", "--steps", "0", "-o", link)
         self.assertEqual(seeds.returncode, 0)
+        self.assertTrue(link.is_symlink(), "a link stays, its target is replaced")
         self.assertEqual(sum(json.loads(call("info", labels, "--json").stdout)["histogram"]["counts"][128:]), 1)
 
     def test_sweep_writes_a_solid(self):

@@ -14,6 +14,8 @@ struct Patch {
     uint counts;
     float mask;
     uint offset; // of a single sample from the middle in u and v
+    float depthLo;
+    float depthHi;
 };
 
 layout(std430, binding = 0) readonly buffer Corners { Corner corners[]; };
@@ -23,10 +25,22 @@ layout(std430, binding = 2) writeonly buffer Points { vec4 points[]; };
 layout(location = 0) uniform int firstPatch;
 layout(location = 1) uniform int patchCount;
 layout(location = 2) uniform uint basePoint; // the buffer's first place belongs to this point
-layout(location = 3) uniform vec2 depths;    // from, to
-layout(location = 4) uniform float orientation; // sign of forward motion; 0: each patch's own near depth 0
+layout(location = 3) uniform vec2 depths;    // of the whole sweep: from, to
+layout(location = 4) uniform float orientation; // sign of forward motion; 0: each patch's own near depth 0, until paths meet
 
 vec4 bilinear(vec4 a, vec4 b, vec4 c, vec4 d, vec2 uv) { return mix(mix(a, b, uv.x), mix(c, d, uv.x), uv.y); }
+
+// Where a + b t + c t^2, positive at t = 0, first reaches zero on either side.
+vec2 rootsAround(float a, float b, float c) {
+    vec2 ends = vec2(-1e30, 1e30);
+    float discriminant = b * b - 4.0 * a * c;
+    if (discriminant >= 0.0) {
+        float root = sqrt(discriminant);
+        ends.x = -root - b < 0.0 ? 2.0 * a / (-root - b) : ends.x;
+        ends.y = root - b > 0.0 ? 2.0 * a / (root - b) : ends.y;
+    }
+    return ends;
+}
 
 void main() {
     int index = int(gl_GlobalInvocationID.x);
@@ -39,7 +53,7 @@ void main() {
     Corner c = corners[p.corners[2]];
     Corner d = corners[p.corners[3]];
     ivec3 counts = ivec3(p.counts & 255u, (p.counts >> 8) & 255u, p.counts >> 16);
-    vec3 stride = vec3(1.0, 1.0, depths.y - depths.x) / vec3(counts);
+    vec3 stride = vec3(1.0, 1.0, p.depthHi - p.depthLo) / vec3(counts);
     float cellVolume = stride.x * stride.y * stride.z;
 
     float nearest = clamp(0.0, depths.x, depths.y);
@@ -59,13 +73,22 @@ void main() {
             vec3 directionU = mix(b.direction - a.direction, d.direction - c.direction, uv.y).xyz;
             vec3 directionV = mix(c.direction - a.direction, d.direction - b.direction, uv.x).xyz;
             float mask = p.mask >= 0.0 ? p.mask : start.w;
+            // A path ends where it meets its neighbours: the determinant is a quadratic of the depth.
+            vec2 ends = vec2(-1e30, 1e30);
+            vec3 nearU = startU + nearest * directionU;
+            vec3 nearV = startV + nearest * directionV;
+            float here = forwards * dot(cross(nearU, nearV), direction);
+            if (orientation == 0.0 && here > 0.0) {
+                float slope = forwards * dot(cross(nearU, directionV) + cross(directionU, nearV), direction);
+                ends = nearest + rootsAround(here, slope, forwards * dot(cross(directionU, directionV), direction));
+            }
             for (int k = 0; k < counts.z; ++k) {
-                float depth = depths.x + (float(k) + 0.5) * stride.z;
+                float depth = p.depthLo + (float(k) + 0.5) * stride.z;
                 vec3 alongU = startU + depth * directionU;
                 vec3 alongV = startV + depth * directionV;
                 float density = max(forwards * dot(cross(alongU, alongV), direction), 0.0);
-                // Where paths have met and crossed in both u and v the determinant is positive again.
-                bool hasCrossed = dot(alongU, middleU) < 0.0 || dot(alongV, middleV) < 0.0;
+                // Beyond the point where paths meet in both u and v at once the determinant is positive again.
+                bool hasCrossed = dot(alongU, middleU) < 0.0 || dot(alongV, middleV) < 0.0 || depth < ends.x || depth > ends.y;
                 points[place++] = vec4(start.xyz + depth * direction, hasCrossed ? 0.0 : mask * density * cellVolume);
             }
         }

@@ -4,7 +4,10 @@
 #include "gl/texture.h"
 #include "gpu/gl_test.h"
 
+#include <algorithm>
+#include <cstdlib>
 #include <numeric>
+#include <optional>
 
 namespace vs::gl {
 namespace {
@@ -69,6 +72,63 @@ TEST_F(GlObjectsTest, ATextureBeyondTheLimitIsRefusedWithItsSize) {
         EXPECT_NE(std::string(error.what()).find("data of big.nii: 100000x2x2"), std::string::npos)
             << error.what();
     }
+}
+
+TEST_F(GlObjectsTest, ABufferThatFindsNoRoomIsRefusedWithItsSize) {
+    const std::size_t bytes = std::size_t(1) << 60; // an exbibyte
+    try {
+        Buffer buffer(bytes, "dream");
+        FAIL();
+    } catch (const GlError& error) {
+        EXPECT_NE(std::string(error.what()).find("dream: the device has no room for"), std::string::npos)
+            << error.what();
+    }
+    // Told by the exception, so not counted besides: the fixture checks that.
+}
+
+TEST_F(GlObjectsTest, AListLongerThanOneRowOfGroupsIsWorkedOnOnce) {
+    setenv("VOLUME_STUDIO_SHADER_DIR", VS_TEST_SHADERS, 1);
+    Program program("count_items.comp");
+    unsetenv("VOLUME_STUDIO_SHADER_DIR");
+    for (const std::size_t count : {1, 64, 65535 * 64, 65535 * 64 + 1, 5000000}) {
+        Buffer visits((count + 100) * sizeof(std::uint32_t), "visits");
+        visits.bindStorage(0);
+        program.set(0, int(count));
+        program.dispatchOverList(count, Barrier::Storage);
+        const auto times = visits.read<std::uint32_t>(count + 100);
+        EXPECT_EQ(std::count(times.begin(), times.begin() + std::ptrdiff_t(count), 1U), count);
+        EXPECT_EQ(std::count(times.end() - 100, times.end(), 0U), 100) << "beyond the end of " << count;
+    }
+}
+
+// A context of its own, since errors are what is counted here.
+TEST(GlErrors, ADriverErrorIsCountedOnceAndFailsTheRun) {
+    std::optional<Context> context;
+    try {
+        context.emplace(Context::createHeadless());
+    } catch (const GlError&) {
+        GTEST_SKIP() << "no OpenGL 4.5 device here";
+    }
+    EXPECT_EQ(context->errorCount(), 0);
+    context->requireNoErrors();
+    Buffer buffer(64, "test");
+    buffer.bindStorage(100000); // no such binding
+    Context::finish();
+    EXPECT_EQ(context->errorCount(), 1);
+    EXPECT_EQ(context->errorCount(), 1);
+    EXPECT_THROW(context->requireNoErrors(), GlError);
+}
+
+TEST(GlErrors, ADeviceThatIsNoNumberIsNamed) {
+    setenv("VOLUME_STUDIO_DEVICE", "abc", 1);
+    try {
+        Context::createHeadless();
+        ADD_FAILURE() << "must be refused";
+    } catch (const GlError& error) {
+        EXPECT_NE(std::string(error.what()).find("VOLUME_STUDIO_DEVICE=abc"), std::string::npos)
+            << error.what();
+    }
+    unsetenv("VOLUME_STUDIO_DEVICE");
 }
 
 TEST_F(GlObjectsTest, AShaderErrorNamesFileAndLine) {

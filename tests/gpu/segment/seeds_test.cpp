@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/gl_test.h"
 #include "gpu/segment/growth_cases.h"
+#include "segment/growth.h"
 #include "segment/seeds.h"
 
 #include <algorithm>
@@ -101,6 +102,56 @@ TEST_F(SeedsTest, ManyHitsOnOneVoxelGiveOneSeed) {
         point.voxel.w = 0;
     }
     EXPECT_TRUE(finder.find(upload(points, {300, 200}), field, constraints).empty());
+}
+
+// More than one row of 65535 groups of 64: a filled sketch on a screen of 4K gives as many.
+TEST_F(SeedsTest, FiveMillionHitsAreAllLookedAt) {
+    const int side = 32;
+    const auto volume =
+        volume::makePhantom(glm::ivec3(side), volume::ScalarType::UInt8, [](glm::dvec3) { return 50.0; });
+    const field::Field field = field::uploadVolume(volume);
+    Constraints constraints;
+    constraints.range = {0, 100};
+    const glm::ivec2 size(2500, 2000);
+    std::vector<field::SurfacePoint> points(std::size_t(size.x) * std::size_t(size.y));
+    const auto place = [&](std::size_t voxel) {
+        return glm::vec4(voxel % side, voxel / side % side, voxel / (side * side), 1);
+    };
+    // One hit each at the very ends of the list and of its first row; nothing between them.
+    const std::vector<std::size_t> hits{0, 1, 65535 * 64 - 1, 65535 * 64, points.size() - 1};
+    std::vector<glm::ivec3> expected;
+    for (std::size_t i = 0; i < hits.size(); ++i) {
+        points[hits[i]].voxel = place(1000 * i);
+        expected.emplace_back(place(1000 * i));
+    }
+    SeedFinder finder;
+    EXPECT_EQ(finder.find(upload(points, size), field, constraints), expected);
+}
+
+TEST_F(SeedsTest, FiveMillionVoxelsCanBeSeeds) {
+    const glm::ivec3 dims(172); // 5.09 million
+    const auto volume = volume::makePhantom(dims, volume::ScalarType::UInt8, [](glm::dvec3) { return 50.0; });
+    const field::Field field = field::uploadVolume(volume);
+    std::vector<glm::ivec3> seeds;
+    for (int i = 0; i < dims.x * dims.y * dims.z; ++i) {
+        seeds.emplace_back(i % dims.x, i / dims.x % dims.y, i / (dims.x * dims.y));
+    }
+    seeds.pop_back(); // the last voxel is left to grow
+    Constraints constraints;
+    constraints.range = {0, 100};
+    Growth growth(field);
+    growth.setConstraints(constraints);
+    EXPECT_EQ(growth.addSeeds(std::span(&seeds.front(), 1)).added, 1);
+    EXPECT_EQ(growth.advance(1), 1); // from here on seeds are put into the frontier one by one
+    const auto counts = growth.addSeeds(seeds);
+    EXPECT_EQ(counts.added, int(seeds.size()) - 4);
+    EXPECT_EQ(counts.present, 4);
+    EXPECT_EQ(growth.voxelCount(), seeds.size());
+    // Only a seed from the list's end has the last voxel for a neighbour.
+    EXPECT_EQ(growth.advance(5), 1);
+    const auto generations = growth.generations(true);
+    EXPECT_EQ(std::count(generations.begin(), generations.end(), 0U), 0);
+    EXPECT_EQ(generations.back(), std::uint32_t(growth.playhead()));
 }
 
 } // namespace

@@ -90,6 +90,69 @@ TEST_F(SessionTest, AnotherVolumeIsRefusedUnlessAskedFor) {
     EXPECT_NE(notices[0].find("not the volume"), std::string::npos);
 }
 
+TEST_F(SessionTest, AReplacementTakesFromTheSessionWhatFitsIt) {
+    Session session = source();
+    session.volumePath = "gone.raw";
+    std::vector<std::string> notices;
+    const auto open = [&](const char* file, const volume::ReadOptions& overrides = {}) {
+        notices.clear();
+        return openVolume(session, folder_ / "s.json", folder_ / file, notices, overrides);
+    };
+    EXPECT_EQ(open("head.raw").geometry.dims, glm::ivec3(72, 80, 60)) << "headerless, like the session's own";
+    EXPECT_TRUE(notices.empty());
+    volume::ReadOptions other;
+    other.raw = volume::parseRawLayout("80x72x60:uint8");
+    EXPECT_EQ(open("head.raw", other).geometry.dims, glm::ivec3(80, 72, 60));
+    Document document(test::testHead());
+    document.apply(SaveLabels{"other.nrrd"}, folder_);
+    EXPECT_EQ(open("other.nrrd").geometry.dims, glm::ivec3(72, 80, 60)) << "by its own header";
+    session.rawLayout.clear();
+    session.series = "1.2.3";
+    session.frame = 2;
+    EXPECT_EQ(open("other.nrrd").geometry.dims, glm::ivec3(72, 80, 60));
+    ASSERT_EQ(notices.size(), 1U);
+    EXPECT_NE(notices[0].find("does not fit it"), std::string::npos) << notices[0];
+    other = {};
+    other.frame = 1;
+    EXPECT_THROW(open("other.nrrd", other), ReadError) << "asked for, so not left out";
+}
+
+TEST_F(SessionTest, WrongFilesAreNamedInOneLine) {
+    const auto complaint = [&](const std::string& text) -> std::string {
+        std::ofstream(folder_ / "wrong.json") << text;
+        try {
+            loadSession(folder_ / "wrong.json");
+        } catch (const SessionError& error) {
+            return error.what();
+        }
+        return "accepted";
+    };
+    const auto withVolume = [](const std::string& volume) {
+        return R"({"volumeStudioSession": 1, "operations": [], "volume": )" + volume + "}";
+    };
+    for (const std::string& text :
+         {std::string("1e999"), std::string("{"), std::string("\"\xff\""), withVolume(R"({"path": ""})"),
+          withVolume(R"({"path": "a\u0000b"})"), withVolume(R"({"path": "a", "raw": "1x2"})"),
+          withVolume(R"({"path": "a", "frame": 1e999})")}) {
+        const std::string said = complaint(text);
+        EXPECT_NE(said.find("wrong.json: "), std::string::npos) << text << ": " << said;
+        EXPECT_EQ(said.find("json.exception"), std::string::npos) << said;
+    }
+    EXPECT_EQ(complaint(withVolume(R"({"path": "a"})")), "accepted");
+}
+
+TEST_F(SessionTest, ANameThatIsNotUtf8IsRefusedNotThrownAsJson) {
+    Session session = source();
+    session.volumePath = folder_ / "h\xff.raw";
+    try {
+        saveSession(folder_ / "s.json", session);
+        FAIL();
+    } catch (const WriteError& error) {
+        EXPECT_NE(std::string(error.what()).find("s.json"), std::string::npos);
+    }
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "s.json"));
+}
+
 TEST_F(SessionTest, AnUnwritablePathIsNamed) {
     try {
         saveSession(folder_ / "gone" / "s.json", source());

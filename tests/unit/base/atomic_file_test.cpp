@@ -4,6 +4,9 @@
 
 #include <gtest/gtest.h>
 
+#include <sys/stat.h>
+#include <unistd.h>
+
 #include <fstream>
 #include <sstream>
 
@@ -56,6 +59,37 @@ TEST_F(AtomicFile, AMissingFolderIsNamedInOneLine) {
         EXPECT_NE(text.find("gone does not exist"), std::string::npos) << text;
         EXPECT_EQ(text.find('\n'), std::string::npos);
     }
+}
+
+TEST_F(AtomicFile, WhatIsNoRegularFileIsLeftAlone) {
+    const auto expectRefused = [](const std::filesystem::path& path) {
+        EXPECT_THROW(writeFileAtomically(path, std::string("x")), WriteError) << path;
+    };
+    const auto pipe = folder_ / "pipe";
+    ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0);
+    expectRefused(pipe);
+    EXPECT_TRUE(std::filesystem::is_fifo(pipe));
+    expectRefused(folder_);
+    std::filesystem::create_symlink("/dev/null", folder_ / "null");
+    expectRefused(folder_ / "null");
+    EXPECT_TRUE(std::filesystem::is_character_file(folder_ / "null"));
+    std::filesystem::create_symlink("round", folder_ / "round");
+    expectRefused(folder_ / "round");
+}
+
+TEST_F(AtomicFile, ALinkStaysAndItsTargetIsReplaced) {
+    std::filesystem::create_directory(folder_ / "below");
+    writeFileAtomically(folder_ / "below" / "a.txt", std::string("old"));
+    std::filesystem::create_symlink("below/a.txt", folder_ / "link.txt");
+    std::filesystem::create_symlink(folder_ / "link.txt", folder_ / "link2.txt");
+    std::filesystem::create_symlink("below/new.txt", folder_ / "dangling.txt");
+    writeFileAtomically(folder_ / "link2.txt", std::string("new"));
+    EXPECT_TRUE(std::filesystem::is_symlink(folder_ / "link.txt"));
+    EXPECT_TRUE(std::filesystem::is_symlink(folder_ / "link2.txt"));
+    EXPECT_EQ(contentOf(folder_ / "below" / "a.txt"), "new");
+    writeFileAtomically(folder_ / "dangling.txt", std::string("made"));
+    EXPECT_TRUE(std::filesystem::is_symlink(folder_ / "dangling.txt"));
+    EXPECT_EQ(contentOf(folder_ / "below" / "new.txt"), "made");
 }
 
 } // namespace

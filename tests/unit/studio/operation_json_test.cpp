@@ -68,6 +68,23 @@ TEST(OperationJson, ComplaintsNameThePlace) {
               "head.json: operation 3: range: its first number must not be above its second");
     EXPECT_EQ(complaint(R"({"op": "picture", "file": "/etc/x.png"})"),
               "head.json: operation 3: file: a file name inside the output folder is wanted");
+    for (const char* file : {".", "a/", "a/."}) {
+        EXPECT_EQ(complaint(fmt::format(R"({{"op": "labels", "file": "{}"}})", file).c_str()),
+                  "head.json: operation 3: file: a file name is wanted, not a folder's");
+    }
+    EXPECT_NE(complaint(R"({"op": "picture", "file": "./report.json"})").find("report.json is what"),
+              std::string::npos);
+    EXPECT_NE(complaint(R"({"op": "picture", "file": ""})").find("file: must be the name"),
+              std::string::npos);
+    EXPECT_EQ(
+        complaint(
+            R"({"op": "peel", "layers": 1, "mask": {"shape": "circle", "points": [[1, 2], [1e7, 2]]}})"),
+        "head.json: operation 3: mask.points[1][0]: 10000000 is out of bounds; -1000000 to 1000000 is "
+        "allowed");
+    EXPECT_EQ(
+        complaint(R"({"op": "drill", "stroke": [[1, -2e6, 1]],
+                            "mask": {"shape": "circle", "points": [[1, 2], [3, 2]]}})"),
+        "head.json: operation 3: stroke[0][1]: -2000000 is out of bounds; -1000000 to 1000000 is allowed");
     EXPECT_EQ(complaint(R"([1])"), "head.json: operation 3: must be an object");
 }
 

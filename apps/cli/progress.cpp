@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <chrono>
 #include <cstdio>
 
 namespace vs::cli {
@@ -37,6 +38,41 @@ void Progress::show(const std::string& soFar) {
         fmt::print(stderr, "\r\033[K{} {}", what_, soFar);
         std::fflush(stderr);
         isShown_ = true;
+    }
+}
+
+namespace {
+
+// One system call, no stream: nothing is locked when another thread forks.
+void writeTo(int file, const std::string& text) {
+    [[maybe_unused]] const auto written = write(file, text.data(), text.size());
+}
+
+} // namespace
+
+Activity::Activity(std::string what) {
+    if (isatty(STDERR_FILENO) != 1) {
+        return;
+    }
+    terminal_ = dup(STDERR_FILENO);
+    thread_ = std::jthread([this, text = std::move(what)](const std::stop_token& stop) {
+        const Timer timer;
+        std::unique_lock lock(mutex_);
+        while (!wake_.wait_for(lock, stop, std::chrono::seconds(1), [&] { return stop.stop_requested(); })) {
+            isShown_ = true;
+            writeTo(terminal_, fmt::format("\r\033[K{} ... {:.0f} s", text, timer.milliseconds() / 1000));
+        }
+    });
+}
+
+Activity::~Activity() {
+    if (terminal_ >= 0) {
+        thread_.request_stop();
+        thread_.join();
+        if (isShown_) {
+            writeTo(terminal_, "\r\033[K");
+        }
+        close(terminal_);
     }
 }
 

@@ -3,8 +3,12 @@
 
 #include "base/timer.h"
 
+#include <atomic>
+#include <condition_variable>
 #include <cstddef>
+#include <mutex>
 #include <string>
+#include <thread>
 
 namespace vs::cli {
 
@@ -29,6 +33,24 @@ private:
     bool isTerminal_;
     bool isShown_ = false;
     Timer timer_;
+};
+
+// Says on a terminal that something of unknown length is under way, and for how long, once it has taken a
+// second.
+class Activity {
+public:
+    explicit Activity(std::string what);
+    ~Activity();
+    Activity(const Activity&) = delete;
+    Activity& operator=(const Activity&) = delete;
+
+private:
+    int terminal_ =
+        -1; // a copy of standard error, which libraries may be silenced on meanwhile; -1: no terminal
+    std::atomic<bool> isShown_ = false;
+    std::mutex mutex_;
+    std::condition_variable_any wake_;
+    std::jthread thread_;
 };
 
 } // namespace vs::cli

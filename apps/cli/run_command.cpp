@@ -120,9 +120,12 @@ void runSession(const RunOptions& options) {
     std::vector<std::string> notices;
     const Timer loading;
     const auto& path = options.volume.path;
-    auto volume = studio::openVolume(session, options.session,
-                                     path.empty() ? std::nullopt : std::optional<std::filesystem::path>(path),
-                                     notices, readOptions(options.volume));
+    auto volume = [&] {
+        const Activity activity("reading the volume of " + options.session);
+        return studio::openVolume(session, options.session,
+                                  path.empty() ? std::nullopt : std::optional<std::filesystem::path>(path),
+                                  notices, readOptions(options.volume));
+    }();
     for (const auto& notice : notices) {
         logNotice(notice);
     }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "volume_argument.h"
 
+#include "progress.h"
+
 #include "base/log.h"
 
 namespace vs::cli {
@@ -36,7 +38,10 @@ volume::ReadOptions readOptions(const VolumeArgument& argument) {
 }
 
 volume::ReadResult loadVolume(const VolumeArgument& argument) {
-    auto result = volume::readVolume(argument.path, readOptions(argument));
+    auto result = [&] {
+        const Activity activity("reading " + argument.path);
+        return volume::readVolume(argument.path, readOptions(argument));
+    }();
     for (const auto& notice : result.notices) {
         logNotice(notice);
     }

@@ -125,7 +125,8 @@ SweptPatches::Interval SweptPatches::beforeCrossing(const Quad& quad, Interval d
     const float forwards = glm::dot(glm::cross(middleU, middleV), middleWay) < 0 ? -1.0F : 1.0F;
     Reach longest{0, 0};
     for (int n = 0; n < 9; ++n) {
-        const glm::vec2 uv(0.5F * float(n % 3), 0.5F * float(n / 3));
+        const glm::ivec2 place(n % 3, n / 3);
+        const glm::vec2 uv = 0.5F * glm::vec2(place);
         const glm::vec3 direction =
             glm::mix(glm::mix(way(0), way(1), uv.x), glm::mix(way(2), way(3), uv.x), uv.y);
         const glm::vec3 u = glm::mix(startU[0], startU[1], uv.y);

@@ -150,7 +150,7 @@ TEST_F(DeepTest, PathsThatDivergeFillTheGrid) {
     piece.cut(surface, mask, peel(4000));
     const auto cone = [&](glm::ivec3 v) {
         const glm::dvec3 off = glm::dvec3(v) - centre;
-        return glm::length(off) > 8 && std::hypot(off.x, off.y) < 0.35 * off.z; // well inside the mask's rim
+        return glm::length(off) > 8 && std::hypot(off.x, off.y) < 0.28 * off.z; // well inside the mask's rim
     };
     EXPECT_GE(lowestWhere(piece.values(), kIsotropic, cone), 0.97F);
     EXPECT_LT(pointCount(piece, surface, mask, peel(4000)), 600000U);

@@ -119,9 +119,10 @@ Outcome Document::Impl::run(Seed& op, const std::filesystem::path&) {
 
 Outcome Document::Impl::run(Grow& op, const std::filesystem::path&) {
     const std::size_t before = grownVoxels();
+    op.sculptureView = op.sculptureView.value_or(view.sculptureView);
     Region::Records records;
     const int generations =
-        region.grow(op.generations.value_or(Region::kEndless), view.sculptureView, records);
+        region.grow(op.generations.value_or(Region::kEndless), *op.sculptureView, records);
     remember(op, {}, std::move(records));
     return describeGrowth(generations, before);
 }

@@ -93,7 +93,8 @@ def undo_and_redo(studio, paused):
     studio.wait_idle("undo", lambda s: s["canRedo"] and s["voxels"] != paused[1])
     studio.key("ctrl+shift+z")
     state = studio.wait_idle("redo", lambda s: not s["canRedo"])
-    need((state["generation"], state["voxels"]) == paused, "redo did not bring the region back")
+    need((state["generation"], state["voxels"]) == paused,
+         f"redo did not bring {paused} back but {(state['generation'], state['voxels'])}")
 
 
 def drill(studio):

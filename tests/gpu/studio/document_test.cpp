@@ -341,6 +341,30 @@ TEST_F(DocumentTest, GrowthIsFencedByTheViewThatItBeganIn) {
     EXPECT_EQ(replayed.view(), document.view());
 }
 
+TEST_F(DocumentTest, RedoOfGrowthKeepsItsFenceWhateverTheViewIsNow) {
+    Document document(testHead());
+    document.look(testCanvas().view);
+    document.apply(somePeel(14));
+    document.apply(brainSeed());
+    document.apply(Grow{12});
+    const auto fenced = document.generations();
+    document.apply(Rewind{1});
+    document.apply(Grow{1});
+    EXPECT_EQ(document.generations(), fenced);
+    View whole = testCanvas().view;
+    whole.sculptureView = field::SculptureView::Whole;
+    document.look(whole);
+    for (const int steps : {1, 3}) { // the last growth; the last growth, the rewind and the first
+        for (int i = 0; i < steps; ++i) {
+            document.apply(Undo{});
+        }
+        for (int i = 0; i < steps; ++i) {
+            document.apply(Redo{});
+        }
+        EXPECT_EQ(document.generations(), fenced);
+    }
+}
+
 TEST_F(DocumentTest, WhatWasLookedAtIsInTheLog) {
     Document document(testHead());
     View view = document.view();

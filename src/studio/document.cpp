@@ -37,11 +37,18 @@ Range greyWindow(const std::vector<std::uint32_t>& histogram, const Range& range
     return window;
 }
 
+// 256 bins, or one for each step from value to value where whole numbers are fewer: bins of uneven size would
+// comb.
+int histogramBins(const field::Field& field) {
+    return field.isIntegral ? std::clamp(int(std::min(field.range.width(), 256.0)), 1, 256) : 256;
+}
+
 } // namespace
 
 Document::Impl::Impl(volume::Volume v)
-    : volume(std::move(v)), field(field::uploadVolume(volume)), histogram(field::intensityHistogram(field)),
-      sculpture(volume.geometry.dims), pipeline(field), region(field, sculpture), cutter(field, sculpture) {
+    : volume(std::move(v)), field(field::uploadVolume(volume)),
+      histogram(field::intensityHistogram(field, histogramBins(field))), sculpture(volume.geometry.dims),
+      pipeline(field), region(field, sculpture), cutter(field, sculpture) {
     view.range = field::suggestRange(histogram, volume.range);
     grey = greyWindow(histogram, volume.range, view.range.lo);
     loggedView = view;

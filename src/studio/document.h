@@ -33,7 +33,7 @@ public:
 
     [[nodiscard]] const volume::Volume& volume() const;
     [[nodiscard]] const field::Field& field() const;
-    // Voxel counts over volume().range, 256 bins.
+    // Voxel counts in equal bins over volume().range, at most 256.
     [[nodiscard]] const std::vector<std::uint32_t>& histogram() const;
     [[nodiscard]] const View& view() const;
     // All operations so far, in order, pictures and label maps included: what a session saves.

@@ -71,6 +71,9 @@ Summary summarise(const Volume& volume) {
         volume.range.lo +
         (fine.size() > 1 ? volume.range.width() * double(fullest) / double(fine.size() - 1) : 0.0);
     summary.foreground = volume::otsuThreshold(summary.counts, volume.range);
+    if (volume.type != volume::ScalarType::Float32) {
+        summary.foreground = std::ceil(summary.foreground);
+    }
     return summary;
 }
 

@@ -69,7 +69,8 @@ void addRenderCommand(CLI::App& app) {
     auto options = std::make_shared<RenderOptions>();
     options->volume = addVolumeArgument(*command);
     command->add_option("-o,--output", options->output, "Picture to write (PNG)")->required();
-    command->add_option("--mode", options->mode, "surface, mip, xray")->capture_default_str();
+    command->add_option("--mode", options->mode, "surface, mip or xray (overlay and segment need a session)")
+        ->capture_default_str();
     command->add_option("--range", options->range,
                         "Displayed range LO:HI; suggested from the histogram if not given");
     command->add_option("--size", options->size, "Pixels, WIDTHxHEIGHT")->capture_default_str();

@@ -106,6 +106,13 @@ void replay(const studio::Session& session, const RunOptions& options, const gl:
             const auto outcome = document.apply(session.operations[i], options.output);
             context.requireNoErrors();
             report.add(outcome);
+            const auto& operation = session.operations[i];
+            const bool isDrawn = std::holds_alternative<studio::Peel>(operation) ||
+                                 std::holds_alternative<studio::Drill>(operation) ||
+                                 std::holds_alternative<studio::Seed>(operation);
+            if (isDrawn && outcome.voxelsTouched == 0) {
+                logNotice(fmt::format("operation {} ({}): {}", i + 1, outcome.name, outcome.message));
+            }
         } catch (const std::exception& error) {
             throw SessionError("{}: operation {} ({}): {}", options.session, i + 1,
                                name(session.operations[i]), error.what());

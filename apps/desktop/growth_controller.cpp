@@ -119,7 +119,10 @@ void GrowthController::stepBack() {
     if (canPlay()) {
         pause();
         if (status().generation > 1) {
-            studio_.apply(studio::Rewind{1});
+            // Held down, the button goes faster the more there is to take back, and leaves one undo step.
+            const bool isHeld = sinceBack_.milliseconds() < 250;
+            studio_.rewind(isHeld ? 1 + status().generation / 60 : 1);
+            sinceBack_ = Timer();
         }
         emit changed();
     }

@@ -61,6 +61,7 @@ private:
     bool hasShownRegion_ = false;
     int speed_ = 0;
     Timer sincePlay_;
+    Timer sinceBack_;   // the last generation taken back
     double played_ = 0; // generations in this run, by the clock's count
 };
 

@@ -13,8 +13,10 @@
 #include <QMessageBox>
 #include <QScreen>
 
+#include <algorithm>
 #include <clocale>
 #include <memory>
+#include <string_view>
 
 namespace {
 
@@ -42,9 +44,23 @@ int run(QApplication& application) {
     return QApplication::exec();
 }
 
+// Help and version are for terminals without a display too.
+void answerWithoutDisplay(int argc, char** argv) {
+    const bool asks = std::any_of(argv + 1, argv + argc, [](std::string_view argument) {
+        return argument == "--help" || argument == "-h" || argument == "--version" || argument == "-v";
+    });
+    if (asks) {
+        QCoreApplication application(argc, argv);
+        QCoreApplication::setApplicationName("volume-studio");
+        QCoreApplication::setApplicationVersion(VOLUME_STUDIO_VERSION);
+        vs::desktop::parseOptions(application); // prints and ends the program
+    }
+}
+
 } // namespace
 
 int main(int argc, char** argv) {
+    answerWithoutDisplay(argc, argv);
     // One group of contexts for all windows, or a dock that changes its window would leave the view black.
     QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
     QSurfaceFormat::setDefaultFormat(vs::desktop::GlHost::format());

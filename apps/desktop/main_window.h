@@ -37,10 +37,14 @@ public:
     void openPath(const QString& path);
 
 protected:
+    void closeEvent(QCloseEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
 
 private:
+    // Asks before work that no file holds is lost; false: the person wants to keep it.
+    bool mayLeave();
+
     struct ActionText {
         const char* name; // objectName of the action and of its button
         const char* icon;

@@ -3,11 +3,15 @@
 
 #include "studio_controller.h"
 
+#include <QAbstractButton>
+#include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QInputDialog>
+#include <QMessageBox>
 #include <QMimeData>
+#include <QPushButton>
 
 namespace vs::desktop {
 
@@ -22,7 +26,26 @@ bool isHeaderless(const QString& path) {
 
 } // namespace
 
+bool MainWindow::mayLeave() {
+    if (!studio_.hasUnsavedEdits()) {
+        return true;
+    }
+    QMessageBox question(QMessageBox::Warning, tr("Volume Studio"),
+                         tr("There are edits that no session file holds."), QMessageBox::NoButton, this);
+    question.setObjectName("unsavedEdits");
+    question.setInformativeText(tr("Leave them, or go back and save the session first?"));
+    const QAbstractButton* leave = question.addButton(tr("&Discard edits"), QMessageBox::DestructiveRole);
+    question.setDefaultButton(question.addButton(tr("&Go back"), QMessageBox::RejectRole));
+    question.exec();
+    return question.clickedButton() == leave;
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) { event->setAccepted(mayLeave()); }
+
 void MainWindow::openPath(const QString& path) {
+    if (!mayLeave()) {
+        return;
+    }
     OpenRequest request;
     if (path.endsWith(".json", Qt::CaseInsensitive)) {
         request.session = pathOf(path);

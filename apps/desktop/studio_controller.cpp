@@ -191,13 +191,21 @@ bool StudioController::guard(const std::function<void()>& work) {
 }
 
 bool StudioController::apply(const studio::Operation& operation, const std::filesystem::path& outputFolder) {
+    return change([&] { return document_->apply(operation, outputFolder); });
+}
+
+bool StudioController::rewind(int generations) {
+    return change([&] { return document_->rewindFurther(generations); });
+}
+
+bool StudioController::change(const std::function<studio::Outcome()>& edit) {
     if (document_ == nullptr || isLoading() || document_->isStrokeOpen()) {
         return false;
     }
     growth_->pause(); // what has grown so far is an operation of its own
     const bool done = guard([&] {
         flushView();
-        report(document_->apply(operation, outputFolder));
+        report(edit());
     });
     view_ = document_->view();
     wake();

@@ -69,9 +69,14 @@ public:
 
     // Edits. False: it failed, and the message says why.
     bool apply(const studio::Operation& operation, const std::filesystem::path& outputFolder = ".");
+    // Plays the region backward; one undo step with the rewinding before it.
+    bool rewind(int generations);
+    // Whether there are edits that no session file holds.
+    [[nodiscard]] bool hasUnsavedEdits() const;
     // Runs `begin`, which opens a live stroke on canvas(); what is growing is paused first.
     bool beginStroke(const std::function<void(studio::Document&, const studio::Canvas&)>& begin);
     void endStroke(bool keep);
+    bool change(const std::function<studio::Outcome()>& edit);
     bool guard(const std::function<void()>& work);
     void report(const studio::Outcome& outcome);
 
@@ -121,6 +126,7 @@ private:
     std::unique_ptr<studio::Document> document_;
     VolumeLoader loader_;
     OpenRequest source_;
+    std::size_t savedEdits_ = 0;           // edits in the log when it was last saved or opened
     std::deque<studio::Operation> replay_; // of the session being opened
     int replayTotal_ = 0;
     std::filesystem::path screenshot_; // waiting for the picture

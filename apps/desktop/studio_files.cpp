@@ -6,11 +6,25 @@
 
 #include "base/error.h"
 
+#include <algorithm>
+#include <variant>
+
 namespace vs::desktop {
 
 namespace {
 
 QString text(const std::filesystem::path& path) { return QString::fromStdString(path.string()); }
+
+// Looking and writing files are no edits.
+std::size_t countEdits(const studio::Document* document) {
+    if (document == nullptr) {
+        return 0;
+    }
+    const auto& log = document->log();
+    return std::size_t(std::count_if(log.begin(), log.end(), [](const studio::Operation& operation) {
+        return !studio::isOutput(operation) && !std::holds_alternative<studio::SetView>(operation);
+    }));
+}
 
 } // namespace
 
@@ -48,6 +62,7 @@ void StudioController::finishOpening(const std::shared_ptr<Loaded>& loaded) {
         source_.frame = session.frame;
         replay_.assign(session.operations.begin(), session.operations.end());
     }
+    savedEdits_ = 0;
     replayTotal_ = int(replay_.size());
     view_ = document_->view();
     isViewPending_ = false;
@@ -84,6 +99,7 @@ void StudioController::replayOne() {
         replay_.clear();
     }
     if (!isReplaying()) {
+        savedEdits_ = countEdits(document_.get());
         view_ = document_->view();
         picture_->setDocument(document_.get());
         say(error.isEmpty() ? tr("Replayed %1 operations").arg(replayTotal_) : error);
@@ -94,6 +110,10 @@ void StudioController::replayOne() {
         }
     }
     emit changed();
+}
+
+bool StudioController::hasUnsavedEdits() const {
+    return !isReplaying() && (growth_->isPlaying() || countEdits(document_.get()) != savedEdits_);
 }
 
 bool StudioController::saveSession(const std::filesystem::path& path) {
@@ -110,6 +130,7 @@ bool StudioController::saveSession(const std::filesystem::path& path) {
         source.frame = source_.frame;
         const auto session = studio::sessionOf(*document_, source);
         studio::saveSession(path, session);
+        savedEdits_ = countEdits(document_.get());
         say(tr("Saved %1").arg(text(path)));
     });
 }

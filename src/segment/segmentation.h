@@ -17,8 +17,8 @@ enum class Smoothing { Plain, Smooth };
 
 // The anti-aliased region as renderer and surface extraction see it: the voxels shown by a Growth, convolved
 // with a separable Gaussian (sigma R/3 steps with R = 3, the same in mm along all axes; nothing lies outside
-// the grid), then held to the truth: at least 0.5 at each shown voxel's centre, below 0.5 at every other. The
-// surface is its 0.5 level.
+// the grid), then held to the truth by mirroring at 0.5: at least 0.5 at each shown voxel's centre, below 0.5
+// at every other. The surface is its 0.5 level.
 class Segmentation {
 public:
     // Throws GlError when the device has no room (2 bytes a voxel, and 12 MiB of scratch).

@@ -5,6 +5,8 @@
 #include "field/histogram.h"
 #include "studio/document_state.h"
 
+#include <cmath>
+
 namespace vs::studio {
 
 namespace {
@@ -43,6 +45,20 @@ int histogramBins(const field::Field& field) {
     return field.isIntegral ? std::clamp(int(std::min(field.range.width(), 256.0)), 1, 256) : 256;
 }
 
+// The value between voxels, as the picture shows it: on a surface it is the displayed range's end.
+double interpolate(const volume::Volume& volume, glm::dvec3 voxel) {
+    const glm::ivec3 base(glm::floor(voxel));
+    const glm::dvec3 part = voxel - glm::dvec3(base);
+    double value = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::ivec3 offset(corner & 1, (corner >> 1) & 1, corner >> 2);
+        const glm::dvec3 weight = glm::mix(1.0 - part, part, glm::equal(offset, glm::ivec3(1)));
+        value += weight.x * weight.y * weight.z *
+                 volume.at(glm::clamp(base + offset, glm::ivec3(0), volume.geometry.dims - 1));
+    }
+    return value;
+}
+
 } // namespace
 
 Document::Impl::Impl(volume::Volume v)
@@ -50,6 +66,9 @@ Document::Impl::Impl(volume::Volume v)
       histogram(field::intensityHistogram(field, histogramBins(field))), sculpture(volume.geometry.dims),
       pipeline(field), region(field, sculpture), cutter(field, sculpture) {
     view.range = field::suggestRange(histogram, volume.range);
+    if (field.isIntegral) {
+        view.range.lo = std::ceil(view.range.lo);
+    }
     grey = greyWindow(histogram, volume.range, view.range.lo);
     loggedView = view;
 }
@@ -181,6 +200,20 @@ void Document::discardStroke() {
 
 // --- live growth
 
+Outcome Document::rewindFurther(int generations) {
+    const bool continues = !impl_->log.empty() && std::holds_alternative<Rewind>(impl_->log.back()) &&
+                           impl_->view == impl_->loggedView && !canRedo() && canUndo() &&
+                           std::holds_alternative<Rewind>(impl_->history.toUndo().operation);
+    Outcome outcome = apply(Rewind{generations});
+    if (continues) {
+        impl_->history.mergeLastTwo();
+        impl_->log.pop_back();
+        std::get<Rewind>(impl_->log.back()).generations += generations;
+        impl_->history.toUndo().operation = impl_->log.back();
+    }
+    return outcome;
+}
+
 void Document::beginGrowth() {
     VS_CHECK(!isStrokeOpen() && !isGrowing());
     Impl::LiveGrowth live;
@@ -243,8 +276,7 @@ std::optional<Document::Probe> Document::probe(glm::dvec2 pixel, glm::ivec2 view
     Probe probe;
     probe.voxel = glm::dvec3(points.front().voxel);
     probe.world = glm::dvec3(geometry.worldFromVoxel * glm::dvec4(probe.voxel, 1.0));
-    probe.value =
-        impl_->volume.at(glm::clamp(glm::ivec3(glm::round(probe.voxel)), glm::ivec3(0), geometry.dims - 1));
+    probe.value = interpolate(impl_->volume, probe.voxel);
     return probe;
 }
 

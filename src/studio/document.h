@@ -71,6 +71,10 @@ public:
     Outcome commitStroke();
     void discardStroke();
 
+    // Plays backward; when the last thing done was that too, both become one operation and one undo step, so
+    // that a button held down leaves one.
+    Outcome rewindFurther(int generations);
+
     // Live growth: play in slices of about `budgetMs`; endGrowth() appends one Grow operation for all of
     // them. Returns false when nothing grows any more.
     void beginGrowth();

@@ -5,6 +5,8 @@
 #include "studio/sketch.h"
 #include "volume/write.h"
 
+#include <cstdlib>
+
 namespace vs::studio {
 
 namespace {
@@ -82,7 +84,8 @@ Outcome Document::Impl::describeGrowth(int generations, std::size_t voxelsBefore
     return {{},
             0,
             now > voxelsBefore ? now - voxelsBefore : voxelsBefore - now,
-            fmt::format("{} generations; {} voxels, {:.1f} ml", generations, now,
+            fmt::format("{} generation{}{}; {} voxels, {:.1f} ml", std::abs(generations),
+                        std::abs(generations) == 1 ? "" : "s", generations < 0 ? " back" : "", now,
                         double(now) * volume.geometry.voxelMm3() / 1000)};
 }
 

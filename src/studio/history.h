@@ -25,6 +25,14 @@ public:
         done_.push_back(std::move(step));
         undone_.clear();
     }
+    // The last two steps (both changes of the region alone) become one.
+    void mergeLastTwo() {
+        Step last = std::move(done_.back());
+        done_.pop_back();
+        for (auto& record : last.growth) {
+            done_.back().growth.push_back(std::move(record));
+        }
+    }
     [[nodiscard]] bool canUndo() const { return !done_.empty(); }
     [[nodiscard]] bool canRedo() const { return !undone_.empty(); }
 

@@ -136,6 +136,9 @@ class Studio:
     def quit(self):
         self.xdotool("mousemove", *self.view_point(0.5, 0.5))
         self.key("ctrl+q")
+        time.sleep(1)
+        if self.process.poll() is None and "unsavedEdits" in self.state()["widgets"]:
+            self.key("alt+d")  # "Discard edits"
         try:
             code = self.process.wait(30)
         except subprocess.TimeoutExpired:

@@ -128,8 +128,12 @@ Hit findSurface(Ray ray, float jitter) {
     vec3 before = at(ray, bracket.x);
 #if CONTENT != 0
     // The data's surface and the segment's rarely agree to the voxel: what lies just behind is tinted too.
-    vec3 inwards = at(ray, hit.t + 1.5);
-    hit.isSegment = max(segmentationAt(hit.voxel), segmentationAt(inwards)) >= 0.5;
+    // Seeds lie up to a voxel behind the surface that they were drawn on.
+    float nearby = segmentationAt(hit.voxel);
+    for (int i = 1; i <= 3; ++i) {
+        nearby = max(nearby, segmentationAt(at(ray, hit.t + 0.5 * float(i))));
+    }
+    hit.isSegment = nearby >= 0.5;
 #endif
     bool atBorder = bracket.y - ray.tNear < 1e-3 && ray.tNear > 0.0;
     vec3 gradient = atBorder ? boxNormal(hit.voxel) : dataGradient(hit.voxel);

@@ -39,7 +39,9 @@ void main() {
         g = abs(newest);
         // In the texel's own units, where 0.5 lies between 32767 and 32768.
         float texel = round(clamp(smoothed(weights, a, b, c, d, e, f, g), 0.0, 1.0) * 65535.0);
-        texel = m0 ? max(texel, 32768.0) : min(texel, 32767.0);
+        // Held to the truth by mirroring at 0.5, so that the thinner a part is the farther its level is pushed out: a voxel
+        // on its own becomes a dot of nearly its own size, which can be seen, and not a point.
+        texel = m0 ? max(texel, 65535.0 - texel) : min(texel, 65535.0 - texel);
         imageStore(segmentation, voxel, vec4(texel / 65535.0));
         m0 = m1;
         m1 = m2;

@@ -84,7 +84,8 @@ TEST_F(SegmentationTest, IsTheGaussianHeldToTheTruth) {
                              member(glm::ivec3(x, y, z) + o - 3);
                 }
                 value *= 65535;
-                value = member({x, y, z}) > 0 ? std::max(value, 32768.0) : std::min(value, 32767.0);
+                value =
+                    member({x, y, z}) > 0 ? std::max(value, 65535 - value) : std::min(value, 65535 - value);
                 worst = std::max(worst, std::abs(value - texels[std::size_t((z * dims.y + y) * dims.x + x)]));
             }
         }

@@ -365,6 +365,51 @@ TEST_F(DocumentTest, RedoOfGrowthKeepsItsFenceWhateverTheViewIsNow) {
     }
 }
 
+TEST_F(DocumentTest, RewindingOnAndOnIsOneStep) {
+    Document document(testHead());
+    document.apply(brainSeed());
+    document.apply(Grow{12});
+    const auto grown = document.generations();
+    for (const int generations : {1, 1, 3}) {
+        document.rewindFurther(generations);
+    }
+    EXPECT_EQ(document.growth().generation, 8);
+    EXPECT_EQ(document.log().size(), 3U);
+    const auto rewound = document.generations();
+    document.apply(Undo{});
+    EXPECT_EQ(document.generations(), grown);
+    document.apply(Redo{});
+    EXPECT_EQ(document.generations(), rewound);
+    Document replayed(testHead());
+    for (const Operation& operation : document.log()) {
+        replayed.apply(operation);
+    }
+    EXPECT_EQ(replayed.generations(), rewound);
+}
+
+TEST_F(DocumentTest, AFewSeedsCanBeSeen) {
+    Document document(testHead());
+    View view = testCanvas({60, 255}).view;
+    view.mode = render::Mode::Segment;
+    document.look(view);
+    const auto picture = [&] {
+        render::RayCaster caster;
+        caster.render(document.frame({400, 300}));
+        return caster.readPicture();
+    };
+    const auto before = picture();
+    Seed op;
+    op.strokes = {{Shape::FreeForm, {{180, 140}, {220, 150}}}};
+    op.canvas = Canvas{view, {400, 300}};
+    document.apply(op);
+    const auto after = picture();
+    int tinted = 0;
+    for (std::size_t i = 0; i < after.rgba.size(); i += 4) { // the segment's colour has little blue
+        tinted += after.rgba[i + 2] + 20 < before.rgba[i + 2] ? 1 : 0;
+    }
+    EXPECT_GT(tinted, 60) << "a stroke of 40 pixels must show";
+}
+
 TEST_F(DocumentTest, WhatWasLookedAtIsInTheLog) {
     Document document(testHead());
     View view = document.view();

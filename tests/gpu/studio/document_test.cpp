@@ -10,25 +10,13 @@ namespace vs::studio {
 namespace {
 
 using DocumentTest = test::GlTest;
+using test::brainSeed;
+using test::drillInProbeView;
 using test::ellipseAt;
+using test::probeView;
+using test::somePeel;
 using test::testCanvas;
 using test::testHead;
-
-Peel somePeel(double layers = 8) {
-    Peel op;
-    op.mask = ellipseAt(200, 110, 40, 30);
-    op.layers = layers;
-    op.canvas = testCanvas();
-    return op;
-}
-
-Seed brainSeed() {
-    Seed op;
-    op.voxels = {{35, 20, 29}};
-    op.range = Range{80, 120};
-    op.canvas = testCanvas();
-    return op;
-}
 
 TEST_F(DocumentTest, APeelOpensTheSkullAndUndoPutsBackEveryByte) {
     Document document(testHead());
@@ -121,80 +109,6 @@ TEST_F(DocumentTest, HoldingThePenStillChangesNothingAfterTheFirstStamp) {
     document.commitStroke();
 }
 
-TEST_F(DocumentTest, GrowthFillsTheBrainAndStepsBothWaysExactly) {
-    Document document(testHead());
-    document.apply(brainSeed());
-    document.apply(Grow{10});
-    const auto ten = document.generations();
-    document.apply(Grow{});
-    const auto all = document.generations();
-    const auto isBrain = [&](std::size_t i) { return std::uint8_t(document.volume().bytes[i]) == 100; };
-    for (std::size_t i = 0; i < all.size(); ++i) {
-        ASSERT_EQ(all[i] > 0, isBrain(i)) << i;
-    }
-    const int last = document.growth().generation;
-    document.apply(Rewind{last - 11});
-    EXPECT_EQ(document.generations(), ten);
-    document.apply(Grow{last - 11});
-    EXPECT_EQ(document.generations(), all);
-    document.apply(Undo{});
-    EXPECT_EQ(document.generations(), ten);
-    document.apply(Undo{});
-    EXPECT_EQ(document.generations(), all);
-}
-
-TEST_F(DocumentTest, GrowthNeverEntersWhatWasCutAway) {
-    Document document(testHead());
-    document.apply(somePeel(14));
-    document.apply(brainSeed());
-    document.apply(Grow{});
-    const auto labels = document.labels();
-    const auto bytes = document.sculptureBytes();
-    const auto* halves = reinterpret_cast<const std::uint16_t*>(bytes.data());
-    std::size_t fenced = 0;
-    for (std::size_t i = 0; i < labels.size(); ++i) {
-        const bool isCut = halves[i] >= 0x3800; // 0.5 as a half float
-        EXPECT_FALSE(isCut && labels[i] == 1);
-        fenced += isCut && std::uint8_t(document.volume().bytes[i]) == 100 ? 1 : 0;
-    }
-    EXPECT_GT(fenced, 50U) << "the peel must reach into the brain for this test to mean anything";
-}
-
-TEST_F(DocumentTest, LiveGrowthEndsAsOneOperation) {
-    Document document(testHead());
-    document.apply(brainSeed());
-    const auto seeds = document.generations();
-    document.beginGrowth();
-    while (document.growFor(0.1, 3)) {
-    }
-    const Outcome outcome = document.endGrowth();
-    const auto all = document.generations();
-    EXPECT_EQ(outcome.voxelsTouched + 1, document.growth().voxels);
-    EXPECT_EQ(document.log().size(), 2U);
-    document.apply(Undo{});
-    EXPECT_EQ(document.generations(), seeds);
-    document.apply(Undo{});
-    EXPECT_EQ(document.growth().voxels, 0U);
-    document.apply(Redo{});
-    document.apply(Redo{});
-    EXPECT_EQ(document.generations(), all);
-}
-
-TEST_F(DocumentTest, StrokesFindSeedsOnTheVisibleSurface) {
-    Document document(testHead());
-    Seed op;
-    op.strokes = {{Shape::FreeForm, {{180, 140}, {220, 150}}}};
-    op.canvas = testCanvas();
-    const Outcome outcome = document.apply(op);
-    EXPECT_GT(outcome.voxelsTouched, 3U);
-    const auto& logged = std::get<Seed>(document.log().back());
-    EXPECT_EQ(logged.voxels.size(), outcome.voxelsTouched);
-    for (const glm::ivec3 v : logged.voxels) {
-        EXPECT_EQ(document.volume().at(v), 200) << "on the skull";
-    }
-    EXPECT_EQ(document.growth().range, (Range{50, 255})) << "the run takes the displayed range";
-}
-
 TEST_F(DocumentTest, UndoAndRedoAtRandomReturnToTheSameStates) {
     Document document(testHead());
     std::mt19937 random(3);
@@ -237,21 +151,6 @@ TEST_F(DocumentTest, UndoAndRedoAtRandomReturnToTheSameStates) {
     }
 }
 
-// A document whose view is the probe's, with a seed in the brain: everything that a fence can go wrong with.
-View probeView() {
-    View view = testCanvas().view;
-    view.sculptureView = field::SculptureView::Probe;
-    return view;
-}
-
-Drill drillInProbeView() {
-    Drill drill;
-    drill.mask = ellipseAt(200, 150, 15, 15);
-    drill.canvas = testCanvas();
-    drill.canvas->view = probeView();
-    return drill;
-}
-
 TEST_F(DocumentTest, UndoingTheFirstCutIsAsIfNothingHadBeenCut) {
     Document document(testHead());
     document.look(probeView());
@@ -278,26 +177,6 @@ TEST_F(DocumentTest, UndoingTheFirstCutIsAsIfNothingHadBeenCut) {
     EXPECT_EQ(picture(), whole);
 }
 
-TEST_F(DocumentTest, RedoWorksAfterTheFirstCutOfAProbeView) {
-    Document document(testHead());
-    document.look(probeView());
-    Seed seed = brainSeed();
-    seed.canvas->view = probeView();
-    document.apply(seed);
-    document.apply(Grow{3});
-    const auto grown = document.generations();
-    document.apply(drillInProbeView());
-    for (int i = 0; i < 3; ++i) {
-        document.apply(Undo{});
-    }
-    document.apply(Redo{});
-    document.apply(Redo{});
-    EXPECT_EQ(document.generations(), grown);
-    document.apply(Undo{});
-    document.apply(Undo{});
-    EXPECT_FALSE(document.canUndo());
-}
-
 TEST_F(DocumentTest, PicturesDrawnDuringAStrokeDoNotChangeIt) {
     const auto drilled = [](bool drawsFrames) {
         Document document(testHead());
@@ -313,101 +192,6 @@ TEST_F(DocumentTest, PicturesDrawnDuringAStrokeDoNotChangeIt) {
         return document.sculptureBytes();
     };
     EXPECT_EQ(drilled(true), drilled(false));
-}
-
-TEST_F(DocumentTest, GrowthIsFencedByTheViewThatItBeganIn) {
-    Document document(testHead());
-    document.look(testCanvas().view);
-    document.apply(somePeel(14));
-    document.apply(brainSeed());
-    document.beginGrowth();
-    document.growFor(0, 2);
-    View whole = testCanvas().view;
-    whole.sculptureView = field::SculptureView::Whole;
-    document.look(whole); // while it plays
-    while (document.growFor(1, 1000)) {
-    }
-    document.endGrowth();
-    const auto fenced = document.generations();
-    document.apply(Undo{});
-    document.apply(Redo{});
-    EXPECT_EQ(document.generations(), fenced);
-
-    Document replayed(testHead());
-    for (const Operation& operation : document.log()) {
-        replayed.apply(operation);
-    }
-    EXPECT_EQ(replayed.generations(), fenced);
-    EXPECT_EQ(replayed.view(), document.view());
-}
-
-TEST_F(DocumentTest, RedoOfGrowthKeepsItsFenceWhateverTheViewIsNow) {
-    Document document(testHead());
-    document.look(testCanvas().view);
-    document.apply(somePeel(14));
-    document.apply(brainSeed());
-    document.apply(Grow{12});
-    const auto fenced = document.generations();
-    document.apply(Rewind{1});
-    document.apply(Grow{1});
-    EXPECT_EQ(document.generations(), fenced);
-    View whole = testCanvas().view;
-    whole.sculptureView = field::SculptureView::Whole;
-    document.look(whole);
-    for (const int steps : {1, 3}) { // the last growth; the last growth, the rewind and the first
-        for (int i = 0; i < steps; ++i) {
-            document.apply(Undo{});
-        }
-        for (int i = 0; i < steps; ++i) {
-            document.apply(Redo{});
-        }
-        EXPECT_EQ(document.generations(), fenced);
-    }
-}
-
-TEST_F(DocumentTest, RewindingOnAndOnIsOneStep) {
-    Document document(testHead());
-    document.apply(brainSeed());
-    document.apply(Grow{12});
-    const auto grown = document.generations();
-    for (const int generations : {1, 1, 3}) {
-        document.rewindFurther(generations);
-    }
-    EXPECT_EQ(document.growth().generation, 8);
-    EXPECT_EQ(document.log().size(), 3U);
-    const auto rewound = document.generations();
-    document.apply(Undo{});
-    EXPECT_EQ(document.generations(), grown);
-    document.apply(Redo{});
-    EXPECT_EQ(document.generations(), rewound);
-    Document replayed(testHead());
-    for (const Operation& operation : document.log()) {
-        replayed.apply(operation);
-    }
-    EXPECT_EQ(replayed.generations(), rewound);
-}
-
-TEST_F(DocumentTest, AFewSeedsCanBeSeen) {
-    Document document(testHead());
-    View view = testCanvas({60, 255}).view;
-    view.mode = render::Mode::Segment;
-    document.look(view);
-    const auto picture = [&] {
-        render::RayCaster caster;
-        caster.render(document.frame({400, 300}));
-        return caster.readPicture();
-    };
-    const auto before = picture();
-    Seed op;
-    op.strokes = {{Shape::FreeForm, {{180, 140}, {220, 150}}}};
-    op.canvas = Canvas{view, {400, 300}};
-    document.apply(op);
-    const auto after = picture();
-    int tinted = 0;
-    for (std::size_t i = 0; i < after.rgba.size(); i += 4) { // the segment's colour has little blue
-        tinted += after.rgba[i + 2] + 20 < before.rgba[i + 2] ? 1 : 0;
-    }
-    EXPECT_GT(tinted, 60) << "a stroke of 40 pixels must show";
 }
 
 TEST_F(DocumentTest, WhatWasLookedAtIsInTheLog) {
@@ -433,13 +217,6 @@ TEST_F(DocumentTest, AStrokeFarBesideThePictureCostsNothing) {
     const Outcome outcome = document.apply(drill);
     EXPECT_GT(outcome.voxelsTouched, 100U); // the part that crosses the head
     EXPECT_LT(outcome.milliseconds, 20000);
-}
-
-TEST_F(DocumentTest, SeedsOutsideTheGridAreReported) {
-    Document document(testHead());
-    Seed seed = brainSeed();
-    seed.voxels.emplace_back(500, 1, 1);
-    EXPECT_NE(document.apply(seed).message.find("1 refused"), std::string::npos);
 }
 
 TEST_F(DocumentTest, WhatMakesNoSenseIsRefusedAndChangesNothing) {

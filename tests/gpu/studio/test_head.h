@@ -30,4 +30,35 @@ inline studio::Sketch ellipseAt(double x, double y, double rx, double ry) {
     return {studio::Shape::Ellipse, {{x - rx, y - ry}, {x + rx, y + ry}}};
 }
 
+inline studio::Peel somePeel(double layers = 8) {
+    studio::Peel op;
+    op.mask = ellipseAt(200, 110, 40, 30);
+    op.layers = layers;
+    op.canvas = testCanvas();
+    return op;
+}
+
+inline studio::Seed brainSeed() {
+    studio::Seed op;
+    op.voxels = {{35, 20, 29}};
+    op.range = Range{80, 120};
+    op.canvas = testCanvas();
+    return op;
+}
+
+// The probe's view: where fences and empty sculptures can go wrong.
+inline studio::View probeView() {
+    studio::View view = testCanvas().view;
+    view.sculptureView = field::SculptureView::Probe;
+    return view;
+}
+
+inline studio::Drill drillInProbeView() {
+    studio::Drill drill;
+    drill.mask = ellipseAt(200, 150, 15, 15);
+    drill.canvas = testCanvas();
+    drill.canvas->view = probeView();
+    return drill;
+}
+
 } // namespace vs::test

@@ -51,7 +51,7 @@ void paintOverlay(QPainter& painter, const Overlay& overlay, QRectF area) {
     const QColor colour = colourOf(overlay.tint);
     if (overlay.isFilled) {
         QColor fill = colour;
-        fill.setAlphaF(0.22F); // what is cut must be seen through it
+        fill.setAlphaF(0.14F); // what is cut must be seen through it, in its own colours
         onImage.fillPath(overlay.path, fill);
     }
     QColor edge = Qt::black;

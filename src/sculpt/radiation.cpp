@@ -178,7 +178,10 @@ std::vector<float> Radiator::download(const Box3& box) const {
             for (int x = part.lo.x; x < part.hi.x; ++x) {
                 const glm::ivec3 tile = tileOf(glm::ivec3(x, y, z) - origin_);
                 const bool valid =
-                    (stages[std::size_t((tile.z * tileDims_.y + tile.y) * tileDims_.x + tile.x)] & 8U) != 0;
+                    (stages[(std::size_t(tile.z) * std::size_t(tileDims_.y) + std::size_t(tile.y)) *
+                                std::size_t(tileDims_.x) +
+                            std::size_t(tile.x)] &
+                     8U) != 0;
                 const glm::ivec3 from = glm::ivec3(x, y, z) - part.lo;
                 const glm::ivec3 to = glm::ivec3(x, y, z) - box.lo;
                 const glm::ivec3 outSize = box.size();

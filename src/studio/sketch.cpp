@@ -127,8 +127,9 @@ std::vector<glm::vec2> pixelsUnder(const std::vector<Sketch>& strokes, double wi
     std::vector<glm::vec2> pixels;
     for (std::size_t i = 0; i < bitmap.set.size(); ++i) {
         if (bitmap.set[i]) {
-            pixels.emplace_back(float(i % std::size_t(viewport.x)) + 0.5F,
-                                float(i / std::size_t(viewport.x)) + 0.5F);
+            const auto width = std::size_t(viewport.x);
+            const glm::ivec2 pixel(int(i % width), int(i / width));
+            pixels.push_back(glm::vec2(pixel) + 0.5F);
         }
     }
     return pixels;

@@ -1,23 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/sketch.h"
 
+#include "sculpt/mask.h"
+
 #include <cmath>
-#include <numbers>
 
 namespace vs::studio {
 
 namespace {
-
-std::vector<glm::dvec2> ellipse(glm::dvec2 centre, glm::dvec2 radii) {
-    // Chords of at most a pixel or so stay within 0.1 pixel of the curve.
-    const int segments = std::clamp(int(2 * std::numbers::pi * std::max(radii.x, radii.y)), 32, 1024);
-    std::vector<glm::dvec2> outline;
-    for (int i = 0; i < segments; ++i) {
-        const double angle = 2 * std::numbers::pi * i / segments;
-        outline.push_back(centre + radii * glm::dvec2(std::cos(angle), std::sin(angle)));
-    }
-    return outline;
-}
 
 double distanceToSegment(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b) {
     const glm::dvec2 ab = b - a;
@@ -89,16 +79,17 @@ std::vector<glm::dvec2> outlineOf(const Sketch& sketch) {
     const auto& p = sketch.points;
     switch (sketch.shape) {
     case Shape::FreeForm:
+        return p.size() >= 3 ? sculpt::freeFormOutline(p) : sculpt::Outline{};
     case Shape::Polyline:
-        return p.size() >= 3 ? p : std::vector<glm::dvec2>{};
+        return p.size() >= 3 ? sculpt::polylineOutline(p) : sculpt::Outline{};
     case Shape::Ellipse:
-        return ellipse(0.5 * (p.at(0) + p.at(1)), 0.5 * glm::abs(p.at(1) - p.at(0)));
+        return sculpt::ellipseOutline(0.5 * (p.at(0) + p.at(1)), 0.5 * glm::abs(p.at(1) - p.at(0)));
     case Shape::Circle:
-        return ellipse(p.at(0), glm::dvec2(glm::length(p.at(1) - p.at(0))));
+        return sculpt::circleOutline(p.at(0), glm::length(p.at(1) - p.at(0)));
     case Shape::Rectangle:
         break;
     }
-    return {p.at(0), {p.at(1).x, p.at(0).y}, p.at(1), {p.at(0).x, p.at(1).y}};
+    return sculpt::rectangleOutline(p.at(0), p.at(1));
 }
 
 glm::dvec2 centreOf(const std::vector<glm::dvec2>& outline) {

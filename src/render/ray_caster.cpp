@@ -24,6 +24,9 @@ glm::vec2 placeInPixel(int sample) {
     return glm::vec2(glm::fract(glm::dvec2(0.5 + n / g, 0.5 + n / (g * g))));
 }
 
+// Side of the square of pixels whose rays share a beam.
+constexpr int kBeam = 8;
+
 glm::ivec2 tileCount(glm::ivec2 size) { return (size + kTile - 1) / kTile; }
 
 } // namespace
@@ -63,7 +66,9 @@ ViewBlock viewBlock(const ViewRays& rays, const volume::GridGeometry& geometry) 
     return block;
 }
 
-RayCaster::RayCaster() : resolve_("render/shaders/resolve_picture.comp"), view_(sizeof(ViewBlock), "view") {}
+RayCaster::RayCaster()
+    : resolve_("render/shaders/resolve_picture.comp"), findBeams_("render/shaders/find_beams.comp"),
+      view_(sizeof(ViewBlock), "view") {}
 
 gl::Program& RayCaster::programFor(const Frame& frame) {
     const bool isSculpted =
@@ -91,10 +96,18 @@ void RayCaster::start(const Frame& frame) {
         accumulation_ =
             gl::Texture(frame.rays.size, gl::Format::RGBA32F, gl::Filter::Nearest, "accumulation");
         picture_ = gl::Texture(frame.rays.size, gl::Format::RGBA8, gl::Filter::Linear, "picture");
+        beams_ = gl::Texture((frame.rays.size + kBeam - 1) / kBeam, gl::Format::RG32F, gl::Filter::Nearest, "beams");
     }
 }
 
 bool RayCaster::isComplete() const { return sample_ >= frame_.samples; }
+
+void RayCaster::findBeams() {
+    const gl::Pass pass("find beams");
+    beams_.bindImage(0, gl::Access::Write);
+    findBeams_.set(0, kBeam);
+    findBeams_.dispatchOver(beams_.size(), gl::Barrier::Texture);
+}
 
 bool RayCaster::renderSome(double budgetMs) {
     const Timer timer;
@@ -103,11 +116,16 @@ bool RayCaster::renderSome(double budgetMs) {
     view_.writeValue(viewBlock(frame_.rays, frame_.scene.data->geometry));
     view_.bindUniform(1);
     frame_.macrocells->bind();
+    if (sample_ == 0 && tile_ == 0) {
+        findBeams();
+    }
+    beams_.bindTexture(5);
     accumulation_.bindImage(0, gl::Access::ReadWrite);
     const auto& geometry = frame_.scene.data->geometry;
     program.set(3, glm::vec2(float(frame_.xrayGain), float(geometry.diagonalMm() / geometry.stepMm())))
         .set(4, frame_.segmentColour)
-        .set(5, float(frame_.sampleStep));
+        .set(5, float(frame_.sampleStep))
+        .set(6, kBeam);
     const glm::ivec2 tiles = tileCount(frame_.rays.size);
     while (!isComplete()) {
         const gl::Pass pass("cast rays");

@@ -66,9 +66,12 @@ public:
 
 private:
     gl::Program& programFor(const Frame& frame);
+    void findBeams();
 
     std::map<int, gl::Program> programs_; // by mode and whether there is a sculpture
     gl::Program resolve_;
+    gl::Program findBeams_;
+    gl::Texture beams_;
     gl::Buffer view_;
     field::SceneBinding sceneBinding_;
     gl::Texture accumulation_;

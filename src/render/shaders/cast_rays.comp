@@ -12,6 +12,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "render/shaders/shading.glsl"
 
 layout(rgba32f, binding = 0) uniform image2D accumulation;
+layout(binding = 5) uniform sampler2D beams; // where along its rays each square of pixels may show something
 
 layout(location = 0) uniform ivec2 tileOrigin;
 layout(location = 1) uniform vec2 pixelOffset; // where in the pixel this sample lies, 0..1
@@ -19,6 +20,7 @@ layout(location = 2) uniform int addToPrevious;
 layout(location = 3) uniform vec2 exposure;     // x: X-ray gain per diagonal; y: volume's diagonal in steps
 layout(location = 4) uniform vec3 segmentColour; // linear
 layout(location = 5) uniform float sampleStep;   // steps between samples in MIP and X-ray
+layout(location = 6) uniform int beamPixels;     // side of a beam's square
 
 const vec3 kSurfaceColour = vec3(0.72, 0.57, 0.45); // linear: the ivory of anatomical plates
 
@@ -51,7 +53,7 @@ vec3 shadeHit(Hit hit, Ray ray) {
 float integralAlong(Ray ray, float tEnd) {
     vec3 inverseDirection = safeInverse(ray.direction);
     float sum = 0.0;
-    float t = ray.tNear + 0.5 * sampleStep;
+    float t = nextSample(ray.tBegin, sampleStep, 0.5);
     while (t < tEnd) {
         float skip = emptyUntil(ray, t, inverseDirection);
         vec3 p = at(ray, t);
@@ -62,7 +64,7 @@ float integralAlong(Ray ray, float tEnd) {
 #endif
         sum += counts ? partOfRange(value) : 0.0;
         // Whole steps only, so that the samples stay evenly spaced across a skip.
-        t += skip > 0.0 ? max(ceil(skip / sampleStep), 1.0) * sampleStep : sampleStep;
+        t = skip > 0.0 ? nextSample(t + skip, sampleStep, 0.5) : t + sampleStep;
     }
     return sum * sampleStep;
 }
@@ -77,11 +79,11 @@ vec3 colourOf(Ray ray, vec3 behind, float jitter) {
     float brightness = clamp(partOfRange(greatest), 0.0, 1.0);
     return greatest > -1e29 ? mix(behind * 0.3, vec3(1.0), brightness) : behind;
 #elif MODE == 2
-    float brightness = integralAlong(ray, ray.tFar) / exposure.y * exposure.x;
+    float brightness = integralAlong(ray, ray.tEnd) / exposure.y * exposure.x;
     return mix(behind, vec3(1.0), clamp(brightness, 0.0, 1.0));
 #else
     Hit hit = findSurface(ray, jitter);
-    float brightness = integralAlong(ray, hit.found ? hit.t : ray.tFar) / exposure.y * exposure.x;
+    float brightness = integralAlong(ray, hit.found ? hit.t : ray.tEnd) / exposure.y * exposure.x;
     vec3 base = hit.found ? shadeHit(hit, ray) : behind;
     return mix(base, vec3(0.86, 0.91, 1.0), clamp(brightness, 0.0, 1.0) * (hit.found ? 0.45 : 0.9));
 #endif
@@ -94,6 +96,9 @@ void main() {
     }
     vec2 position = vec2(pixel) + pixelOffset;
     Ray ray = rayThrough(position);
+    vec2 beam = texelFetch(beams, pixel / beamPixels, 0).rg;
+    ray.tBegin = max(ray.tBegin, beam.x);
+    ray.tEnd = min(ray.tEnd, beam.y);
     vec3 behind = background(position, viewport.xy);
     vec3 colour = colourOf(ray, behind, startJitter(pixel));
     vec4 sum = vec4(colour, 1.0);

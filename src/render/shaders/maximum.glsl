@@ -20,16 +20,16 @@ float hopelessUntil(Ray ray, float t, float greatest, vec3 inverseDirection) {
 Greatest findGreatest(Ray ray, float dt) {
     vec3 inverseDirection = safeInverse(ray.direction);
     Greatest best = Greatest(-1e30, ray.tNear);
-    float t = ray.tNear;
-    while (t < ray.tFar) {
+    float t = nextSample(ray.tBegin, dt, 0.5);
+    while (t < ray.tEnd) {
         float skip = hopelessUntil(ray, t, best.value, inverseDirection);
-        while (skip > 0.0 && t < ray.tFar) {
-            t += skip;
+        while (skip > 0.0 && t < ray.tEnd) {
+            t = nextSample(t + skip, dt, 0.5);
             skip = hopelessUntil(ray, t, best.value, inverseDirection);
         }
         vec3 p = at(ray, t);
         float value = dataAt(p);
-        bool better = t < ray.tFar && visibility(p) >= 0.0 && value > best.value;
+        bool better = t < ray.tEnd && visibility(p) >= 0.0 && value > best.value;
         best.value = better ? value : best.value;
         best.t = better ? t : best.t;
         t += dt;

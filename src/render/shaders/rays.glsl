@@ -24,6 +24,8 @@ struct Ray {
     vec3 world;     // world direction, unit
     float tNear;    // where it enters the grid's box, not before the eye
     float tFar;
+    float tBegin; // nothing visible lies before tBegin or after tEnd; within tNear and tFar
+    float tEnd;
 };
 
 const float kDt = 0.5; // steps between samples of a surface
@@ -46,6 +48,8 @@ Ray rayThrough(vec2 pixel) {
     vec3 hi = max(a, b);
     ray.tNear = max(max(max(lo.x, lo.y), lo.z), 0.0);
     ray.tFar = min(min(hi.x, hi.y), hi.z);
+    ray.tBegin = ray.tNear;
+    ray.tEnd = ray.tFar;
     return ray;
 }
 
@@ -75,6 +79,10 @@ float emptyUntil(Ray ray, float t, vec3 inverseDirection) {
     int distance = int(texelFetch(cellDistances, cell, 0).r);
     return distance > 0 ? leaveCells(ray, t, cell, distance, inverseDirection) : 0.0;
 }
+
+// The first place at or after t where samples `dt` apart lie: the same for all rays and however a ray got there, so that
+// skipping what cannot be seen changes nothing. `jitter` in [0, 1) shifts them.
+float nextSample(float t, float dt, float jitter) { return (ceil(t / dt - jitter) + jitter) * dt; }
 
 // A component of zero becomes a tiny one of the same sign as `greaterThan(direction, 0)` assumes.
 vec3 safeInverse(vec3 d) {

@@ -47,50 +47,49 @@ float sliverBetween(vec2 before, vec2 after) {
 }
 #endif
 
-// First t at which something is visible, or tFar and beyond. The loop only looks; shading comes after it.
-float firstVisible(Ray ray, float tStart) {
+// First t at which something is visible, or tEnd and beyond. The loop only looks; shading comes after it.
+// Several samples a turn: on a software renderer the turn itself costs as much as they do.
+float firstVisible(Ray ray, float jitter) {
+    const int batch = 4;
     vec3 inverseDirection = safeInverse(ray.direction);
-    float t = tStart;
-    vec2 before = vec2(-1.0);
-    while (t < ray.tFar) {
+    float t = nextSample(ray.tBegin, kDt, jitter);
+    bool found = false;
+    while (t < ray.tEnd && !found) {
         float skip = emptyUntil(ray, t, inverseDirection);
-        while (skip > 0.0 && t < ray.tFar) {
-            t += skip;
+        while (skip > 0.0 && t < ray.tEnd) {
+            t = nextSample(t + skip, kDt, jitter);
             skip = emptyUntil(ray, t, inverseDirection);
-            before = vec2(-1.0);
         }
-        vec3 p = at(ray, t);
-        vec2 here = vec2(contentAt(p), sideAt(p));
-        if (min(here.x, here.y) >= 0.0) {
-            break;
+        float first = float(batch);
+        for (int i = batch - 1; i >= 0; --i) {
+            first = visibility(at(ray, t + float(i) * kDt)) >= 0.0 ? float(i) : first;
         }
-#ifdef SCULPTED
-        float sliver = sliverBetween(before, here);
-        if (sliver >= 0.0 && visibility(at(ray, t + (sliver - 1.0) * kDt)) >= 0.0) {
-            t += (sliver - 1.0) * kDt;
-            break;
-        }
-        before = here;
-#endif
-        t += kDt;
+        found = first < float(batch);
+        t += first * kDt;
     }
     return t;
 }
 
-// Moves a visible t back to the surface: between an invisible and a visible place at most dt apart, to 1/128 step.
+// Moves a visible t back to the surface: an invisible and a visible place, almost together, around it. False position,
+// kept off the ends so that a jump (the edge of non-finite voxels) is closed in on too.
 vec2 refine(Ray ray, float t) {
     float outside = max(t - kDt, ray.tNear);
     float inside = t;
-    if (visibility(at(ray, outside)) >= 0.0) {
+    float below = visibility(at(ray, outside));
+    float above = visibility(at(ray, inside));
+    if (below >= 0.0) {
         return vec2(outside, outside); // visible from the start: the ray enters the box inside
     }
-    for (int i = 0; i < 7; ++i) {
-        float middle = 0.5 * (outside + inside);
-        bool seen = visibility(at(ray, middle)) >= 0.0;
+    for (int i = 0; i < 3; ++i) {
+        float middle = mix(outside, inside, clamp(below / (below - above), 0.05, 0.95));
+        float there = visibility(at(ray, middle));
+        bool seen = there >= 0.0;
         inside = seen ? middle : inside;
+        above = seen ? there : above;
         outside = seen ? outside : middle;
+        below = seen ? below : there;
     }
-    return vec2(outside, inside);
+    return vec2(outside, mix(outside, inside, below / (below - above)));
 }
 
 // Normal of the box face that the point is nearest to, facing out.
@@ -113,8 +112,8 @@ vec3 facing(vec3 gradient, vec3 towardsViewer) {
 // `jitter` in [0, 1) shifts the samples by that part of a step: what they all miss then differs from ray to ray.
 Hit findSurface(Ray ray, float jitter) {
     Hit hit;
-    hit.t = firstVisible(ray, ray.tNear + jitter * kDt);
-    hit.found = hit.t < ray.tFar && ray.tNear < ray.tFar;
+    hit.t = firstVisible(ray, jitter);
+    hit.found = hit.t < ray.tEnd;
     hit.isCut = false;
     hit.isSegment = false;
     hit.normal = -ray.world;

@@ -16,8 +16,8 @@ struct Field {
     volume::GridGeometry geometry;
     float valueScale = 1;
     float valueOffset = 0;
-    bool isIntegral = false; // stored values are whole numbers
-    Range range;             // smallest and largest finite value
+    bool isIntegral = false;  // stored values are whole numbers
+    Range range;              // smallest and largest finite value
     std::uint64_t serial = 0; // different for each upload: whether what was derived from it is still good
 };
 

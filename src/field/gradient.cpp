@@ -32,7 +32,7 @@ void count(gl::Program& program, const Field& field, const Range& gradients, glm
     field.texels.bindTexture(0);
     program.set(0, dims)
         .set(1, bins)
-        .set(2, glm::vec2(field.valueScale, field.valueOffset))
+        .set(2, glm::vec3(field.valueScale, field.valueOffset, field.isIntegral ? 1 : 0))
         .set(3, glm::vec4(float(field.range.lo), float(field.range.hi), float(gradients.lo),
                           float(gradients.hi)))
         .set(4, glm::mat4(glm::transpose(glm::dmat3(field.geometry.voxelFromWorld()))));

@@ -8,10 +8,10 @@
 
 namespace vs::field {
 
-// Gradient magnitudes at voxel centres, in the volume's unit per mm: central differences over spacing along the
-// patient's axes, as dataGradient() of field/shaders/scene.glsl has them; beyond the grid values are those at
-// its border. Voxels that are, or touch, a non-finite one are left out everywhere. Counted on the device, one
-// pass over the voxels each.
+// Gradient magnitudes at voxel centres, in the volume's unit per mm: central differences over spacing along
+// the patient's axes, as dataGradient() of field/shaders/scene.glsl has them; beyond the grid values are
+// those at its border. Voxels that are, or touch, a non-finite one are left out everywhere. Counted on the
+// device, one pass over the voxels each.
 
 // From 0 to the 99.9th percentile (to about a hundredth of itself): what most of the volume needs.
 Range gradientRange(const Field& field);

@@ -90,8 +90,8 @@ void Classification::writeBlock(const ClassificationTables& tables, const field:
     const bool isGradient = resolved_.kind == FunctionKind::Gradient;
     const int columns = int(tables.visibleBefore.size()) - 1;
     ClassificationBlock block;
-    // Never below the data, so that the stand-in for non-finite voxels (which only float fields have), and what
-    // is interpolated from it, stays clear.
+    // Never below the data, so that the stand-in for non-finite voxels (which only float fields have), and
+    // what is interpolated from it, stays clear.
     const double lowest =
         field.isIntegral ? double(field::kNonFinite) : field.range.lo - double(field::valueTolerance(field));
     block.valueAxis = glm::vec4(glm::dvec4(axisOf(tables.values, columns), lowest, columns));

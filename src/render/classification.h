@@ -11,7 +11,8 @@ namespace vs::render {
 // What shaders need to look a value up; mirrors ClassificationBlock in render/shaders/classification.glsl
 // (std140).
 struct ClassificationBlock {
-    glm::vec4 valueAxis{0};    // x scale, y offset to a table coordinate 0..1; z lowest value that counts, w columns
+    glm::vec4 valueAxis{
+        0}; // x scale, y offset to a table coordinate 0..1; z lowest value that counts, w columns
     glm::vec4 gradientAxis{0}; // x scale, y offset to a table coordinate 0..1
     glm::vec4 segment{0};      // x steps of a segment
     glm::vec4 lighting{0};     // x amount, y gloss
@@ -45,8 +46,8 @@ public:
 
 private:
     const Anchors& anchorsOf(const field::Field& field);
-    void upload(gl::Texture& texture, glm::ivec2 size, gl::Format format, gl::Filter filter, const char* label,
-                std::span<const std::byte> texels);
+    void upload(gl::Texture& texture, glm::ivec2 size, gl::Format format, gl::Filter filter,
+                const char* label, std::span<const std::byte> texels);
     void uploadTables(const ClassificationTables& tables);
     void integrateSegments(const ClassificationTables& tables);
     void writeBlock(const ClassificationTables& tables, const field::Field& field);

@@ -78,7 +78,8 @@ void fillIntegrals(ClassificationTables& tables) {
     std::vector<glm::dvec4> sums{glm::dvec4(0)};
     glm::dvec4 before(0);
     for (std::size_t i = 0; i < tables.main.size(); ++i) {
-        const glm::dvec4 here = extinction(double(tables.main[i].w)) * glm::dvec4(glm::vec3(tables.main[i]), 1);
+        const glm::dvec4 here =
+            extinction(double(tables.main[i].w)) * glm::dvec4(glm::vec3(tables.main[i]), 1);
         if (i > 0) {
             sums.push_back(sums.back() + 0.5 * (before + here));
         }

@@ -31,10 +31,14 @@ std::vector<Recipe> recipes() {
          {{0.20, 0.040, 50}, {0.46, 0.075, 62}, {0.72, 0.070, 78}, {0.97, 0.022, 95}}},
         {"ember",
          "night, embers, flame",
-         {{0.12, 0.050, 300}, {0.33, 0.140, 355}, {0.54, 0.175, 30}, {0.75, 0.155, 62}, {0.95, 0.090, 100}}},
+         {{0.12, 0.050, 300}, {0.33, 0.125, 355}, {0.54, 0.175, 30}, {0.75, 0.155, 62}, {0.95, 0.090, 100}}},
         {"marine",
          "deep sea to foam",
-         {{0.15, 0.070, 275}, {0.36, 0.115, 258}, {0.57, 0.100, 225}, {0.77, 0.090, 190}, {0.96, 0.040, 150}}},
+         {{0.15, 0.070, 275},
+          {0.36, 0.115, 258},
+          {0.57, 0.100, 225},
+          {0.77, 0.090, 190},
+          {0.96, 0.040, 150}}},
         {"flesh",
          "muscle to pale skin",
          {{0.22, 0.080, 20}, {0.46, 0.125, 27}, {0.70, 0.095, 40}, {0.94, 0.030, 65}}},
@@ -43,11 +47,7 @@ std::vector<Recipe> recipes() {
          {{0.20, 0.080, 20}, {0.43, 0.165, 25}, {0.62, 0.200, 30}, {0.78, 0.120, 50}, {0.95, 0.045, 80}}},
         {"tide",
          "blue below, orange above, pale in the middle",
-         {{0.38, 0.110, 258},
-          {0.66, 0.100, 245},
-          {0.95, 0.010, 150},
-          {0.66, 0.115, 60},
-          {0.38, 0.095, 45}},
+         {{0.38, 0.110, 258}, {0.66, 0.100, 245}, {0.95, 0.010, 150}, {0.66, 0.115, 60}, {0.38, 0.095, 45}},
          true},
     };
 }
@@ -76,8 +76,8 @@ glm::dvec3 shown(glm::dvec3 oklab) {
     return {oklab.x, inside * oklab.y, inside * oklab.z};
 }
 
-// The recipe's path, finely: lightness linear between stops, chroma and hue along a spline (Catmull-Rom), which
-// has no corners where hue changes its pace.
+// The recipe's path, finely: lightness linear between stops, chroma and hue along a spline (Catmull-Rom),
+// which has no corners where hue changes its pace.
 std::vector<glm::dvec3> pathOf(const std::vector<Stop>& stops) {
     constexpr int perPart = 512;
     const auto spline = [](double a, double b, double c, double d, double t) {

@@ -67,8 +67,8 @@ double fade(double depth, double soft) {
     return t * t * (3 - 2 * t);
 }
 
-// A shape's part at a place: x of its opacity, 0 to 1; y how far inside it is (negative: outside), for colours
-// near the shape.
+// A shape's part at a place: x of its opacity, 0 to 1; y how far inside it is (negative: outside), for
+// colours near the shape.
 glm::dvec2 partOf(const Trapezoid& shape, double value, double gradient) {
     const double height = shape.gradients.width();
     const double s = height > 0 ? std::clamp((gradient - shape.gradients.lo) / height, 0.0, 1.0) : 0;
@@ -129,8 +129,9 @@ glm::dvec4 FunctionSampler::at(double value, double gradient) const {
 
 glm::dvec4 FunctionSampler::alongPoints(double position) const {
     const auto& points = function_.points;
-    const auto after = std::upper_bound(points.begin(), points.end(), position,
-                                        [](double p, const ControlPoint& point) { return p < point.position; });
+    const auto after =
+        std::upper_bound(points.begin(), points.end(), position,
+                         [](double p, const ControlPoint& point) { return p < point.position; });
     const std::size_t b = std::min(std::size_t(after - points.begin()), points.size() - 1);
     const std::size_t a = after == points.begin() ? 0 : std::size_t(after - points.begin()) - 1;
     const double width = points[b].position - points[a].position;
@@ -141,14 +142,13 @@ glm::dvec4 FunctionSampler::alongPoints(double position) const {
         const double place = range.width() > 0 ? (position - range.lo) / range.width() : 0;
         oklab = map_->at(place);
     }
-    return {glm::clamp(linearFromOklab(oklab), 0.0, 1.0),
-            glm::mix(points[a].opacity, points[b].opacity, t)};
+    return {glm::clamp(linearFromOklab(oklab), 0.0, 1.0), glm::mix(points[a].opacity, points[b].opacity, t)};
 }
 
 glm::dvec4 FunctionSampler::amongShapes(double value, double gradient) const {
-    glm::dvec4 front(0);         // premultiplied
-    glm::dvec4 most(0);          // not premultiplied
-    glm::dvec3 nearest(0);       // colour where nothing is
+    glm::dvec4 front(0);   // premultiplied
+    glm::dvec4 most(0);    // not premultiplied
+    glm::dvec3 nearest(0); // colour where nothing is
     double nearestDepth = -std::numeric_limits<double>::infinity();
     for (std::size_t i = 0; i < function_.shapes.size(); ++i) {
         const Shape& shape = function_.shapes[i];

@@ -40,8 +40,8 @@ struct SpreadColours {
 };
 
 // A quadrilateral over intensity (across) and gradient magnitude (upwards): a box if base and top are the
-// same, a triangle if one of them is a single value (Kniss, Kindlmann, Hansen 2002, "Multidimensional transfer
-// functions for interactive volume rendering").
+// same, a triangle if one of them is a single value (Kniss, Kindlmann, Hansen 2002, "Multidimensional
+// transfer functions for interactive volume rendering").
 struct Trapezoid {
     Range base;      // intensities at gradients.lo
     Range top;       // intensities at gradients.hi
@@ -115,8 +115,8 @@ TransferFunction resolve(const TransferFunction& function, const Anchors& anchor
 
 struct ColourMap;
 
-// Evaluates a function whose positions are absolute, at any place: what tables are made from and tests compare
-// with.
+// Evaluates a function whose positions are absolute, at any place: what tables are made from and tests
+// compare with.
 class FunctionSampler {
 public:
     explicit FunctionSampler(TransferFunction absolute);

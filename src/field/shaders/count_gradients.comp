@@ -11,7 +11,7 @@ layout(std430, binding = 0) buffer Counts { uint counts[]; };
 
 layout(location = 0) uniform ivec3 dims;
 layout(location = 1) uniform ivec2 bins;
-layout(location = 2) uniform vec2 valueScaleOffset;
+layout(location = 2) uniform vec3 valueScale; // x scale, y offset, z 1 if values are whole numbers
 layout(location = 3) uniform vec4 ranges; // xy values, zw magnitudes
 layout(location = 4) uniform mat4 worldFromVoxelGradient;
 
@@ -22,7 +22,8 @@ shared uint localCounts[4096]; // contended atomics stay in the work group
 #endif
 
 float valueAt(int x, int y, int z) {
-    return texelFetch(dataTexture, ivec3(x, y, z), 0).r * valueScaleOffset.x + valueScaleOffset.y;
+    float value = texelFetch(dataTexture, ivec3(x, y, z), 0).r * valueScale.x + valueScale.y;
+    return valueScale.z > 0.5 ? round(value) : value;
 }
 
 // Which of `count` equal bins over lo..hi; the upper end belongs to the last one.

@@ -23,8 +23,8 @@ protected:
     // Values from -1000 to 3000, half a millimetre apart.
     static field::Field makeField() {
         return field::uploadVolume(volume::makePhantom(
-            {17, 16, 16}, volume::ScalarType::Int16,
-            [](glm::dvec3 p) { return -1000 + 250 * p.x; }, glm::dvec3(0.5, 0.75, 1)));
+            {17, 16, 16}, volume::ScalarType::Int16, [](glm::dvec3 p) { return -1000 + 250 * p.x; },
+            glm::dvec3(0.5, 0.75, 1)));
     }
 
     static std::vector<Answer> ask(const Classification& classification,
@@ -80,8 +80,11 @@ TEST_F(ClassificationTest, CurvesOnTheDeviceEqualTheFunction) {
     for (const auto kind : {FunctionKind::Intensity, FunctionKind::Gradient}) {
         TransferFunction f;
         f.kind = kind;
-        f.points = {{-500, 0, {10, 20, 30}}, {-100, 0.1, {200, 20, 30}}, {300, 0, {90, 220, 30}},
-                    {900, 0.9, {0, 20, 230}}, {1500, 1, {255, 255, 255}}};
+        f.points = {{-500, 0, {10, 20, 30}},
+                    {-100, 0.1, {200, 20, 30}},
+                    {300, 0, {90, 220, 30}},
+                    {900, 0.9, {0, 20, 230}},
+                    {1500, 1, {255, 255, 255}}};
         Classification classification;
         EXPECT_TRUE(classification.update(f, field));
         const FunctionSampler sampler(f);

@@ -19,7 +19,7 @@ struct Stop {
 struct Recipe {
     std::string_view name;
     std::string_view description;
-    std::vector<Stop> stops; // evenly spread; a diverging map has its lightest one in the middle
+    std::vector<Stop> stops; // evenly spread; in a diverging map the middle one stands twice
     bool isDiverging = false;
 };
 
@@ -38,7 +38,7 @@ std::vector<Recipe> recipes() {
           {0.36, 0.115, 258},
           {0.57, 0.100, 225},
           {0.77, 0.090, 190},
-          {0.96, 0.040, 150}}},
+          {0.96, 0.035, 175}}},
         {"flesh",
          "muscle to pale skin",
          {{0.22, 0.080, 20}, {0.46, 0.125, 27}, {0.70, 0.095, 40}, {0.94, 0.030, 65}}},
@@ -47,7 +47,12 @@ std::vector<Recipe> recipes() {
          {{0.20, 0.080, 20}, {0.43, 0.165, 25}, {0.62, 0.200, 30}, {0.78, 0.120, 50}, {0.95, 0.045, 80}}},
         {"tide",
          "blue below, orange above, pale in the middle",
-         {{0.38, 0.110, 258}, {0.66, 0.100, 245}, {0.95, 0.010, 150}, {0.66, 0.115, 60}, {0.38, 0.095, 45}},
+         {{0.38, 0.110, 260},
+          {0.66, 0.105, 250},
+          {0.95, 0, 245},
+          {0.95, 0, 65},
+          {0.66, 0.115, 60},
+          {0.38, 0.095, 48}},
          true},
     };
 }
@@ -130,10 +135,9 @@ std::vector<ColourMap> makeMaps() {
     for (const Recipe& recipe : recipes()) {
         ColourMap map{recipe.name, recipe.description, recipe.isDiverging, {}};
         if (recipe.isDiverging) { // each half on its own, so that the middle stays the middle
-            const std::size_t middle = recipe.stops.size() / 2;
-            const auto at = recipe.stops.begin() + std::ptrdiff_t(middle);
-            map.oklab = evenly(pathOf({recipe.stops.begin(), at + 1}), count / 2 + 1);
-            const auto rest = evenly(pathOf({at, recipe.stops.end()}), count / 2 + 1);
+            const auto middle = recipe.stops.begin() + std::ptrdiff_t(recipe.stops.size() / 2);
+            map.oklab = evenly(pathOf({recipe.stops.begin(), middle}), count / 2 + 1);
+            const auto rest = evenly(pathOf({middle, recipe.stops.end()}), count / 2 + 1);
             map.oklab.insert(map.oklab.end(), rest.begin() + 1, rest.end());
         } else {
             map.oklab = evenly(pathOf(recipe.stops), count);

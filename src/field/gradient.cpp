@@ -36,8 +36,17 @@ void count(gl::Program& program, const Field& field, const Range& gradients, glm
         .set(3, glm::vec4(float(field.range.lo), float(field.range.hi), float(gradients.lo),
                           float(gradients.hi)))
         .set(4, glm::mat4(glm::transpose(glm::dmat3(field.geometry.voxelFromWorld()))));
-    // One work group counts an 8 x 8 column of voxels along z.
-    program.dispatch({divideUp(dims.x, 8), divideUp(dims.y, 8), 1}, gl::Barrier::Storage);
+    // One work group counts an 8 x 8 column of voxels along z; as many rows of groups at once as make no long
+    // submission (some 40 ms on two
+    // cores of a software renderer).
+    constexpr std::size_t atOnce = std::size_t(1) << 22;
+    const std::size_t perRow = std::size_t(dims.x) * 8 * std::size_t(dims.z);
+    const int rows = divideUp(dims.y, 8);
+    const int rowsAtOnce = std::max(1, int(atOnce / perRow));
+    for (int row = 0; row < rows; row += rowsAtOnce) {
+        program.set(5, row);
+        program.dispatch({divideUp(dims.x, 8), std::min(rowsAtOnce, rows - row), 1}, gl::Barrier::Storage);
+    }
 }
 
 Magnitudes countMagnitudes(const Field& field) {

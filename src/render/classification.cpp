@@ -17,15 +17,14 @@ glm::dvec2 axisOf(const Range& span, int count) {
     return {scale, 0.5 / count - span.lo * scale};
 }
 
-} // namespace
-
-Anchors measureAnchors(const field::Field& field) {
-    constexpr double odd = 0.001; // the part of all voxels, at either end, that may be odd
+// From the 0.1st to the 99.9th percentile.
+Range robustRange(const field::Field& field) {
+    constexpr double odd = 0.001;
     const auto counts = field::intensityHistogram(field, 4096);
-    return {field.range,
-            {field::percentile(counts, field.range, odd), field::percentile(counts, field.range, 1 - odd)},
-            field::gradientRange(field).hi};
+    return {field::percentile(counts, field.range, odd), field::percentile(counts, field.range, 1 - odd)};
 }
+
+} // namespace
 
 Classification::Classification(double segmentSteps)
     : segmentSteps_(segmentSteps), integrate_("render/shaders/integrate_segments.comp"),
@@ -33,12 +32,21 @@ Classification::Classification(double segmentSteps)
       integrals_(std::size_t(kCurveTexels) * sizeof(glm::uvec4), "integrals of the transfer function"),
       segments_(glm::ivec2(kSegmentTexels), gl::Format::RGBA16F, gl::Filter::Linear, "segments") {}
 
-const Anchors& Classification::anchorsOf(const field::Field& field) {
+Anchors Classification::anchorsFor(const TransferFunction& function, const field::Field& field) {
     if (anchorsSerial_ != field.serial) {
-        anchors_ = measureAnchors(field);
         anchorsSerial_ = field.serial;
+        robustValues_.reset();
+        gradientTop_.reset();
     }
-    return anchors_;
+    if (function.positions == Positions::Robust && function.kind != FunctionKind::Gradient &&
+        !robustValues_) {
+        robustValues_ = robustRange(field);
+    }
+    if (function.positions != Positions::Absolute && function.kind != FunctionKind::Intensity &&
+        !gradientTop_) {
+        gradientTop_ = field::gradientRange(field).hi;
+    }
+    return {field.range, robustValues_.value_or(field.range), gradientTop_.value_or(0)};
 }
 
 bool Classification::update(const TransferFunction& function, const field::Field& field) {
@@ -48,7 +56,7 @@ bool Classification::update(const TransferFunction& function, const field::Field
     const gl::Pass pass("classification tables");
     function_ = function;
     serial_ = field.serial;
-    resolved_ = resolve(function, function.positions == Positions::Absolute ? Anchors() : anchorsOf(field));
+    resolved_ = resolve(function, anchorsFor(function, field));
     const auto tables = makeTables(resolved_, field.range, field.geometry.stepMm());
     uploadTables(tables);
     if (function.kind == FunctionKind::Intensity) {

@@ -45,7 +45,7 @@ public:
     [[nodiscard]] std::size_t uploadedBytes() const { return uploadedBytes_; }
 
 private:
-    const Anchors& anchorsOf(const field::Field& field);
+    Anchors anchorsFor(const TransferFunction& function, const field::Field& field);
     void upload(gl::Texture& texture, glm::ivec2 size, gl::Format format, gl::Filter filter,
                 const char* label, std::span<const std::byte> texels);
     void uploadTables(const ClassificationTables& tables);
@@ -62,14 +62,14 @@ private:
 
     TransferFunction function_;
     TransferFunction resolved_;
-    Anchors anchors_;
-    std::uint64_t anchorsSerial_ = 0; // of the field that anchors_ were measured in
-    std::uint64_t serial_ = 0;        // of the field that the tables were made for
+    // Of the field with this serial number; measured when a function first needs them.
+    std::uint64_t anchorsSerial_ = 0;
+    std::optional<Range> robustValues_;
+    std::optional<double> gradientTop_;
+
+    std::uint64_t serial_ = 0; // of the field that the tables were made for
     int version_ = 0;
     std::size_t uploadedBytes_ = 0;
 };
-
-// Measures a field: two passes over its voxels.
-Anchors measureAnchors(const field::Field& field);
 
 } // namespace vs::render

@@ -14,6 +14,7 @@ layout(location = 1) uniform ivec2 bins;
 layout(location = 2) uniform vec3 valueScale; // x scale, y offset, z 1 if values are whole numbers
 layout(location = 3) uniform vec4 ranges; // xy values, zw magnitudes
 layout(location = 4) uniform mat4 worldFromVoxelGradient;
+layout(location = 5) uniform int firstRow; // of work groups
 
 const uint kLogFirst = (127u - 64u) << 5;
 
@@ -86,7 +87,7 @@ void countColumn(ivec2 column) {
 }
 
 void main() {
-    ivec2 column = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 column = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, 8 * firstRow);
 #if COUNT != 2
     for (int i = int(gl_LocalInvocationIndex); i < bins.x; i += 64) {
         localCounts[i] = 0u;

@@ -50,7 +50,7 @@ Anchors Classification::anchorsFor(const TransferFunction& function, const field
 }
 
 bool Classification::update(const TransferFunction& function, const field::Field& field) {
-    if (serial_ == field.serial && function == function_) {
+    if (version_ > 0 && serial_ == field.serial && function == function_) {
         return false;
     }
     const gl::Pass pass("classification tables");
@@ -77,7 +77,10 @@ void Classification::upload(gl::Texture& texture, glm::ivec2 size, gl::Format fo
 }
 
 void Classification::uploadTables(const ClassificationTables& tables) {
-    upload(main_, tables.size, gl::Format::RGBA32F, gl::Filter::Linear, "transfer function",
+    // Thousands of texels along a curve need no interpolation, which on a software renderer costs three times
+    // as much.
+    const auto filter = tables.size.y > 1 ? gl::Filter::Linear : gl::Filter::Nearest;
+    upload(main_, tables.size, gl::Format::RGBA32F, filter, "transfer function",
            std::as_bytes(std::span(tables.main)));
     upload(visibleBefore_, {int(tables.visibleBefore.size()), 1}, gl::Format::R32UI, gl::Filter::Nearest,
            "visible values", std::as_bytes(std::span(tables.visibleBefore)));

@@ -1,0 +1,192 @@
+// SPDX-License-Identifier: Apache-2.0
+// vstudio histogram: how often values occur, as a chart for print and as numbers.
+#include "commands.h"
+#include "parse.h"
+#include "value_counts.h"
+#include "volume_argument.h"
+
+#include "base/atomic_file.h"
+#include "base/error.h"
+#include "image/axis.h"
+#include "image/chart.h"
+#include "image/image.h"
+#include "volume/volume.h"
+
+#include <CLI/CLI.hpp>
+
+#include <cmath>
+#include <memory>
+#include <numeric>
+#include <optional>
+
+namespace vs::cli {
+
+namespace {
+
+struct HistogramOptions {
+    std::shared_ptr<VolumeArgument> volume;
+    std::string output;
+    std::string kind = "intensity";
+    std::string range;
+    std::string size = "1200x800";
+    std::string csv;
+    bool isLinear = false;
+};
+
+// Counts in equal bins over a range.
+struct Counts {
+    Range range;
+    std::vector<double> counts;
+    double pitch = 0; // between neighbouring values that can occur; 0: anything can
+};
+
+constexpr int kBins = 512; // at most
+
+// The distance that all occurring values of a volume are multiples of from its smallest: 4 where a scanner's
+// twelve bits were stretched to fourteen.
+std::size_t pitchOf(const std::vector<std::uint64_t>& perValue) {
+    std::size_t pitch = 0;
+    for (std::size_t i = 0; i < perValue.size(); ++i) {
+        pitch = perValue[i] > 0 ? std::gcd(pitch, i) : pitch;
+    }
+    return pitch;
+}
+
+// Whole numbers have bins around as many of the possible values each as make few enough bins: with unequal
+// numbers of them the bins would look like a comb. Others have equal parts of the range.
+Counts countIntensities(const volume::Volume& volume) {
+    if (volume.range.width() == 0) {
+        return {{volume.range.lo - 0.5, volume.range.lo + 0.5},
+                {double(volume.geometry.voxelCount() - volume.nonFiniteCount)}};
+    }
+    if (!hasFewValues(volume)) {
+        const auto counts = volume::histogram(volume, kBins);
+        return {volume.range, {counts.begin(), counts.end()}};
+    }
+    const auto perValue = countsPerValue(volume);
+    const std::size_t pitch = pitchOf(perValue);
+    const std::size_t width = pitch * ((perValue.size() / pitch + kBins) / kBins);
+    std::vector<double> counts((perValue.size() + width - 1) / width);
+    for (std::size_t i = 0; i < perValue.size(); ++i) {
+        counts[i / width] += double(perValue[i]);
+    }
+    const double lo = volume.range.lo - 0.5 * double(pitch);
+    return {{lo, lo + double(width * counts.size())}, counts, double(pitch)};
+}
+
+double sum(const std::vector<double>& counts) { return std::accumulate(counts.begin(), counts.end(), 0.0); }
+
+// "7 221 032 voxels, 4 not finite, 256 bins"
+std::string describe(const volume::Volume& volume, double counted, const std::string& bins) {
+    const double all = double(volume.geometry.voxelCount());
+    const double other = all - counted - double(volume.nonFiniteCount);
+    std::string text = image::tickLabel(all) + " voxels";
+    if (volume.nonFiniteCount > 0) {
+        text += ", " + image::tickLabel(double(volume.nonFiniteCount)) + " not finite";
+    }
+    if (other > 0) {
+        text += ", " + image::tickLabel(other) + " not shown";
+    }
+    return text + ", " + bins + " bins";
+}
+
+// "from,to,voxels", one line a bin.
+std::string csvOf(const Counts& histogram) {
+    std::string text = "from,to,voxels\n";
+    const double width = histogram.range.width() / double(histogram.counts.size());
+    for (std::size_t i = 0; i < histogram.counts.size(); ++i) {
+        text += fmt::format("{:.9g},{:.9g},{:.0f}\n", histogram.range.lo + double(i) * width,
+                            histogram.range.lo + double(i + 1) * width, histogram.counts[i]);
+    }
+    return text;
+}
+
+struct Result {
+    image::Image picture;
+    std::string csv;
+};
+
+std::string label(const std::string& what, const Range& range) {
+    return what + " " + image::tickLabel(range.lo) + " to " + image::tickLabel(range.hi);
+}
+
+Result intensityHistogram(const volume::Volume& volume, const Range& shaded, glm::ivec2 size, bool isLinear) {
+    const Counts histogram = countIntensities(volume);
+    image::BarChart chart;
+    chart.title = volume.name;
+    chart.note = describe(volume, sum(histogram.counts), std::to_string(histogram.counts.size()));
+    chart.across = {histogram.range, "intensity"};
+    chart.counts = histogram.counts;
+    chart.isLogarithmic = !isLinear;
+    chart.shaded = {{shaded.lo - 0.5 * histogram.pitch, shaded.hi + 0.5 * histogram.pitch}};
+    chart.shadedLabel = label("displayed range", shaded);
+    return {image::drawChart(chart, size), csvOf(histogram)};
+}
+
+// The range that the volume is shown in at first, as `info` suggests it.
+Range suggestedRange(const volume::Volume& volume) {
+    const double lo = volume::otsuThreshold(volume::histogram(volume, 256), volume.range);
+    return {volume.type == volume::ScalarType::Float32 ? lo : std::ceil(lo), volume.range.hi};
+}
+
+glm::ivec2 chartSize(const std::string& text) {
+    const glm::ivec2 size = parseSize(text);
+    const glm::ivec2 least = image::kSmallestChart;
+    if (size.x < least.x || size.y < least.y) {
+        throw UsageError("size '{}' has no room for a chart; at least {}x{} pixels are needed", text, least.x,
+                         least.y);
+    }
+    return size;
+}
+
+// Both outputs are checked before anything is counted.
+void checkOutputs(const HistogramOptions& options) {
+    checkPictureName(options.output);
+    outputFile(options.output);
+    if (options.csv.empty()) {
+        return;
+    }
+    if (!options.csv.ends_with(".csv")) {
+        throw UsageError("--csv {}: give a name that ends in .csv", options.csv);
+    }
+    outputFile(options.csv);
+}
+
+void runHistogram(const HistogramOptions& options) {
+    checkOutputs(options);
+    const glm::ivec2 size = chartSize(options.size);
+    std::optional<Range> range;
+    if (!options.range.empty()) {
+        range = parseRange(options.range);
+    }
+    const auto volume = loadVolume(*options.volume).volume;
+    const Result result =
+        intensityHistogram(volume, range.value_or(suggestedRange(volume)), size, options.isLinear);
+    if (!options.csv.empty()) {
+        writeFileAtomically(options.csv, result.csv);
+    }
+    image::writePng(options.output, result.picture);
+    fmt::print("{}: {} histogram of {}, {} x {} pixels\n", options.output, options.kind, volume.name, size.x,
+               size.y);
+}
+
+} // namespace
+
+void addHistogramCommand(CLI::App& app) {
+    auto* command = app.add_subcommand("histogram", "Draw how often values occur in a volume, as PNG");
+    auto options = std::make_shared<HistogramOptions>();
+    options->volume = addVolumeArgument(*command);
+    command->add_option("-o,--output", options->output, "Picture to write (PNG)")->required();
+    command->add_option("--kind", options->kind, "intensity, gradient (magnitude) or 2d (both)")
+        ->check(CLI::IsMember({"intensity", "gradient", "2d"}))
+        ->capture_default_str();
+    command->add_option("--range", options->range,
+                        "Displayed range LO:HI to mark; suggested from the histogram if not given");
+    command->add_option("--size", options->size, "Pixels, WIDTHxHEIGHT")->capture_default_str();
+    command->add_option("--csv", options->csv, "Write the counts as a table too (CSV)");
+    command->add_flag("--linear,!--log", options->isLinear,
+                      "Linear counts; logarithmic (--log) if not given");
+    command->callback([options] { runHistogram(*options); });
+}
+
+} // namespace vs::cli

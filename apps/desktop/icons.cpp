@@ -40,8 +40,6 @@ const std::map<std::string, const char*> kShapes{
      R"(<circle cx="12" cy="12" r="8.500" stroke-dasharray="2.500 2.500"/><circle cx="12" cy="12" r="4" stroke="C" fill="C"/>)"},
     {"segment",
      R"(<circle cx="12" cy="12" r="8.500"/><path stroke="C" fill="C" d="M12 12V3.500A8.500 8.500 0 0 1 20.500 12z"/>)"},
-    {"annotations",
-     R"(<path d="M3.500 15v4.500h17V15"/><path stroke="C" d="M8.500 12L12 3.500 15.500 12M9.800 9h4.400"/>)"},
     {"cut", R"(<path d="M12 20.500a8.500 8.500 0 1 1 8.500-8.500H12z"/>)"},
     {"probe",
      R"(<path d="M12 20.500a8.500 8.500 0 1 1 8.500-8.500" stroke-dasharray="1.500 3"/><path stroke="C" d="M12 12h8.500a8.500 8.500 0 0 1-8.500 8.500z"/>)"},

@@ -100,7 +100,7 @@ void MainWindow::makeViewActions() {
               [this] { studio_.setSculptureView(SculptureView::Whole); });
 
     QAction* annotations =
-        addAction({"annotations", "annotations", tr("Annotations"),
+        addAction({"annotations", nullptr, tr("Annotations"),
                    tr("Scale bar and orientation marker over the view; saved pictures have none"), tr("A")},
                   [this] { view_->setAnnotated(action("annotations")->isChecked()); });
     annotations->setCheckable(true);

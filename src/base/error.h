@@ -44,7 +44,7 @@ public:
     using Error::Error;
 };
 
-// A session file whose content is wrong.
+// A session, or another JSON file of ours, whose content is wrong.
 class SessionError : public Error {
 public:
     using Error::Error;

@@ -3,6 +3,7 @@
 
 #include "gl/pass.h"
 
+#include <atomic>
 #include <cmath>
 #include <type_traits>
 
@@ -45,7 +46,9 @@ float valueTolerance(const Field& field) {
 
 Field uploadVolume(const volume::Volume& volume) {
     const gl::Pass pass("upload volume");
+    static std::atomic<std::uint64_t> uploads = 0;
     Field field;
+    field.serial = ++uploads;
     field.geometry = volume.geometry;
     field.range = volume.range;
     volume::visit(volume, [&]<typename T>(const T* values) {

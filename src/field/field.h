@@ -4,6 +4,8 @@
 #include "gl/texture.h"
 #include "volume/volume.h"
 
+#include <cstdint>
+
 namespace vs::field {
 
 // A volume's values on the device. 8- and 16-bit integers are unsigned-normalised texels, everything else
@@ -14,8 +16,9 @@ struct Field {
     volume::GridGeometry geometry;
     float valueScale = 1;
     float valueOffset = 0;
-    bool isIntegral = false; // stored values are whole numbers
-    Range range;             // smallest and largest finite value
+    bool isIntegral = false;  // stored values are whole numbers
+    Range range;              // smallest and largest finite value
+    std::uint64_t serial = 0; // different for each upload: whether what was derived from it is still good
 };
 
 // Stands for NaN and infinity: far below any value, small enough that interpolation stays finite.

@@ -5,6 +5,8 @@
 #include "gl/pass.h"
 #include "gl/program.h"
 
+#include <numeric>
+
 namespace vs::field {
 
 std::vector<std::uint32_t> intensityHistogram(const Field& field, int bins) {
@@ -22,6 +24,20 @@ std::vector<std::uint32_t> intensityHistogram(const Field& field, int bins) {
     const glm::ivec3 dims = field.geometry.dims;
     program.dispatch({divideUp(dims.x, 8), divideUp(dims.y, 8), 1}, gl::Barrier::Storage);
     return counts.read<std::uint32_t>(std::size_t(bins));
+}
+
+double percentile(const std::vector<std::uint32_t>& histogram, const Range& range, double part) {
+    const auto total = std::accumulate(histogram.begin(), histogram.end(), std::uint64_t(0));
+    const double width = range.width() / double(histogram.size());
+    double left = part * double(total);
+    for (std::size_t i = 0; i < histogram.size(); ++i) {
+        const double here = histogram[i];
+        if (here > 0 && here >= left) {
+            return range.lo + width * (double(i) + left / here);
+        }
+        left -= here;
+    }
+    return range.hi;
 }
 
 Range suggestRange(const std::vector<std::uint32_t>& histogram, const Range& range) {

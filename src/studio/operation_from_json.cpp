@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "studio/json_reader.h"
+#include "base/json_reader.h"
 #include "studio/operation_json.h"
 #include "studio/operation_names.h"
 

@@ -3,41 +3,17 @@
 
 #include "base/atomic_file.h"
 #include "base/error.h"
-#include "studio/json_reader.h"
+#include "base/json_file.h"
+#include "base/json_reader.h"
 #include "studio/operation_json.h"
 
 #include <nlohmann/json.hpp>
-
-#include <fstream>
 
 namespace vs::studio {
 
 using Json = nlohmann::ordered_json;
 
 namespace {
-
-// What the library says, without its own error number in front.
-std::string reasonOf(const Json::exception& error) {
-    const std::string text = error.what();
-    const auto end = text.find("] ");
-    return end == std::string::npos ? text : text.substr(end + 2);
-}
-
-Json parseFile(const std::filesystem::path& path) {
-    std::ifstream file(path);
-    if (!file || std::filesystem::is_directory(path)) {
-        throw SessionError("{}: cannot be read; give a session file (JSON)", path.string());
-    }
-    try {
-        return Json::parse(file);
-    } catch (const Json::parse_error& error) {
-        throw SessionError("{}: not valid JSON at byte {}; a session file is wanted (doc/session.md)",
-                           path.string(), error.byte);
-    } catch (const Json::exception& error) { // a number beyond all bounds
-        throw SessionError("{}: not valid JSON ({}); a session file is wanted (doc/session.md)",
-                           path.string(), reasonOf(error));
-    }
-}
 
 void checkRawLayout(const JsonReader& reader) {
     try {
@@ -70,7 +46,7 @@ std::filesystem::path storedPath(const std::filesystem::path& volume, const std:
 } // namespace
 
 Session loadSession(const std::filesystem::path& path) {
-    const Json json = parseFile(path);
+    const Json json = readJsonFile(path, "a session file", "doc/session.md");
     const JsonReader root(json, path.string());
     root.allow({"volumeStudioSession", "volume", "operations"});
     const long version = root.member("volumeStudioSession").integerBetween(1, 1 << 20);

@@ -5,12 +5,13 @@
 
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <initializer_list>
 #include <string>
 
-namespace vs::studio {
+namespace vs {
 
 // Reads one JSON value and knows where it stands, so that every complaint names the place: "head.json:
 // operation 3: mask.points[7]: must be a number". Throws SessionError.
@@ -146,4 +147,4 @@ private:
     std::string path_;
 };
 
-} // namespace vs::studio
+} // namespace vs

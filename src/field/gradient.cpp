@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "field/gradient.h"
+
+#include "base/check.h"
+#include "gl/pass.h"
+#include "gl/program.h"
+
+#include <bit>
+#include <numeric>
+
+namespace vs::field {
+
+namespace {
+
+// Logarithmic bins of count_gradients.comp: 32 to an octave, the lowest one from 0 to 2^-64.
+constexpr int kLogBins = 4096;
+constexpr std::uint32_t kLogShift = 18;
+constexpr std::uint32_t kLogFirst = (127U - 64U) << (23U - kLogShift);
+
+double lowerEnd(std::size_t logBin) {
+    return logBin == 0 ? 0 : double(std::bit_cast<float>((std::uint32_t(logBin) + kLogFirst) << kLogShift));
+}
+
+struct Magnitudes {
+    std::vector<std::uint32_t> counts; // in kLogBins
+    double largest = 0;
+};
+
+// Runs one variant of the counting shader over the whole field.
+void count(gl::Program& program, const Field& field, const Range& gradients, glm::ivec2 bins) {
+    const glm::ivec3 dims = field.geometry.dims;
+    field.texels.bindTexture(0);
+    program.set(0, dims)
+        .set(1, bins)
+        .set(2, glm::vec3(field.valueScale, field.valueOffset, field.isIntegral ? 1 : 0))
+        .set(3, glm::vec4(float(field.range.lo), float(field.range.hi), float(gradients.lo),
+                          float(gradients.hi)))
+        .set(4, glm::mat4(glm::transpose(glm::dmat3(field.geometry.voxelFromWorld()))));
+    // One work group counts an 8 x 8 column of voxels along z.
+    program.dispatch({divideUp(dims.x, 8), divideUp(dims.y, 8), 1}, gl::Barrier::Storage);
+}
+
+Magnitudes countMagnitudes(const Field& field) {
+    const gl::Pass pass("gradient range");
+    gl::Program program("field/shaders/count_gradients.comp", {{"COUNT", "0"}});
+    gl::Buffer counts((kLogBins + 1) * sizeof(std::uint32_t), "gradient magnitudes");
+    counts.bindStorage(0);
+    count(program, field, {}, {kLogBins, 1});
+    Magnitudes out;
+    out.counts = counts.read<std::uint32_t>(kLogBins + 1);
+    out.largest = double(std::bit_cast<float>(out.counts.back()));
+    out.counts.pop_back();
+    return out;
+}
+
+} // namespace
+
+Range gradientRange(const Field& field) {
+    const Magnitudes magnitudes = countMagnitudes(field);
+    const auto total = std::accumulate(magnitudes.counts.begin(), magnitudes.counts.end(), std::uint64_t(0));
+    double left = 0.999 * double(total);
+    for (std::size_t i = 0; i < magnitudes.counts.size(); ++i) {
+        const double here = magnitudes.counts[i];
+        if (here > 0 && here >= left) {
+            const double top = i + 1 < magnitudes.counts.size() ? lowerEnd(i + 1) : magnitudes.largest;
+            const double percentile = glm::mix(lowerEnd(i), top, left / here);
+            // Less than a thousandth of all has a gradient: then all of these count.
+            return {0, i == 0 ? magnitudes.largest : std::min(percentile, magnitudes.largest)};
+        }
+        left -= here;
+    }
+    return {0, magnitudes.largest};
+}
+
+Range fullGradientRange(const Field& field) { return {0, countMagnitudes(field).largest}; }
+
+std::vector<std::uint32_t> gradientHistogram(const Field& field, const Range& gradients, int bins) {
+    VS_CHECK(bins >= 1 && bins <= 4096);
+    const gl::Pass pass("gradient histogram");
+    gl::Program program("field/shaders/count_gradients.comp", {{"COUNT", "1"}});
+    gl::Buffer counts(std::size_t(bins) * sizeof(std::uint32_t), "gradient histogram");
+    counts.bindStorage(0);
+    count(program, field, gradients, {bins, 1});
+    return counts.read<std::uint32_t>(std::size_t(bins));
+}
+
+JointHistogram jointHistogram(const Field& field, const Range& gradients, glm::ivec2 bins) {
+    VS_CHECK(bins.x >= 1 && bins.x <= 4096 && bins.y >= 1 && bins.y <= 4096);
+    const gl::Pass pass("joint histogram");
+    gl::Program program("field/shaders/count_gradients.comp", {{"COUNT", "2"}});
+    const std::size_t all = std::size_t(bins.x) * std::size_t(bins.y);
+    gl::Buffer counts(all * sizeof(std::uint32_t), "joint histogram");
+    counts.bindStorage(0);
+    count(program, field, gradients, bins);
+    return {bins, field.range, gradients, counts.read<std::uint32_t>(all)};
+}
+
+} // namespace vs::field

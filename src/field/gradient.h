@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "field/field.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace vs::field {
+
+// Gradient magnitudes at voxel centres, in the volume's unit per mm: central differences over spacing along
+// the patient's axes, as dataGradient() of field/shaders/scene.glsl has them; beyond the grid values are
+// those at its border. Voxels that are, or touch, a non-finite one are left out everywhere. Counted on the
+// device, one pass over the voxels each.
+
+// From 0 to the 99.9th percentile (to about a hundredth of itself): what most of the volume needs.
+Range gradientRange(const Field& field);
+// From 0 to the largest of all.
+Range fullGradientRange(const Field& field);
+
+// Counts of voxels in `bins` (at most 4096) equal bins over `gradients`. Magnitudes above it are left out.
+std::vector<std::uint32_t> gradientHistogram(const Field& field, const Range& gradients, int bins = 256);
+
+// Voxels by intensity and gradient magnitude, in equal bins.
+struct JointHistogram {
+    glm::ivec2 bins{0}; // along intensity and gradient magnitude; at most 4096 each, 2^24 in all
+    Range values;       // of all voxels
+    Range gradients;
+    std::vector<std::uint32_t> counts; // intensity fastest
+};
+
+// Magnitudes above `gradients` are left out.
+JointHistogram jointHistogram(const Field& field, const Range& gradients, glm::ivec2 bins = {256, 256});
+
+} // namespace vs::field

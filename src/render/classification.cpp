@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/classification.h"
+
+#include "field/gradient.h"
+#include "field/histogram.h"
+#include "gl/pass.h"
+
+namespace vs::render {
+
+namespace {
+
+// Texture coordinate from a value, so that the ends of `span` fall on the centres of the outermost of `count`
+// texels: x scale, y offset. A span of one value is all one texel.
+glm::dvec2 axisOf(const Range& span, int count) {
+    const double inner = double(count - 1) / count;
+    const double scale = span.width() > 0 ? inner / span.width() : 0;
+    return {scale, 0.5 / count - span.lo * scale};
+}
+
+} // namespace
+
+Anchors measureAnchors(const field::Field& field) {
+    constexpr double odd = 0.001; // the part of all voxels, at either end, that may be odd
+    const auto counts = field::intensityHistogram(field, 4096);
+    return {field.range,
+            {field::percentile(counts, field.range, odd), field::percentile(counts, field.range, 1 - odd)},
+            field::gradientRange(field).hi};
+}
+
+Classification::Classification(double segmentSteps)
+    : segmentSteps_(segmentSteps), integrate_("render/shaders/integrate_segments.comp"),
+      block_(sizeof(ClassificationBlock), "classification"),
+      integrals_(std::size_t(kCurveTexels) * sizeof(glm::uvec4), "integrals of the transfer function"),
+      segments_(glm::ivec2(kSegmentTexels), gl::Format::RGBA16F, gl::Filter::Linear, "segments") {}
+
+const Anchors& Classification::anchorsOf(const field::Field& field) {
+    if (anchorsSerial_ != field.serial) {
+        anchors_ = measureAnchors(field);
+        anchorsSerial_ = field.serial;
+    }
+    return anchors_;
+}
+
+bool Classification::update(const TransferFunction& function, const field::Field& field) {
+    if (serial_ == field.serial && function == function_) {
+        return false;
+    }
+    const gl::Pass pass("classification tables");
+    function_ = function;
+    serial_ = field.serial;
+    resolved_ = resolve(function, function.positions == Positions::Absolute ? Anchors() : anchorsOf(field));
+    const auto tables = makeTables(resolved_, field.range, field.geometry.stepMm());
+    uploadTables(tables);
+    if (function.kind == FunctionKind::Intensity) {
+        integrateSegments(tables);
+    }
+    writeBlock(tables, field);
+    ++version_;
+    return true;
+}
+
+void Classification::upload(gl::Texture& texture, glm::ivec2 size, gl::Format format, gl::Filter filter,
+                            const char* label, std::span<const std::byte> texels) {
+    if (texture.size() != glm::ivec3(size, 1)) {
+        texture = gl::Texture(size, format, filter, label);
+    }
+    texture.upload({glm::ivec3(0), texture.size()}, texels);
+    uploadedBytes_ += texels.size();
+}
+
+void Classification::uploadTables(const ClassificationTables& tables) {
+    upload(main_, tables.size, gl::Format::RGBA32F, gl::Filter::Linear, "transfer function",
+           std::as_bytes(std::span(tables.main)));
+    upload(visibleBefore_, {int(tables.visibleBefore.size()), 1}, gl::Format::R32UI, gl::Filter::Nearest,
+           "visible values", std::as_bytes(std::span(tables.visibleBefore)));
+    integrals_.write(std::as_bytes(std::span(tables.integrals)));
+    uploadedBytes_ += tables.integrals.size() * sizeof(glm::uvec4);
+}
+
+void Classification::integrateSegments(const ClassificationTables& tables) {
+    const gl::Pass pass("integrate segments");
+    integrals_.bindStorage(0);
+    main_.bindTexture(0);
+    segments_.bindImage(0, gl::Access::Write);
+    integrate_.set(0, glm::vec2(float(segmentSteps_), float(tables.quantum)));
+    integrate_.dispatchOver(segments_.size(), gl::Barrier::Texture);
+}
+
+void Classification::writeBlock(const ClassificationTables& tables, const field::Field& field) {
+    const bool isGradient = resolved_.kind == FunctionKind::Gradient;
+    const int columns = int(tables.visibleBefore.size()) - 1;
+    ClassificationBlock block;
+    // Never below the data, so that the stand-in for non-finite voxels (which only float fields have), and
+    // what is interpolated from it, stays clear.
+    const double lowest =
+        field.isIntegral ? double(field::kNonFinite) : field.range.lo - double(field::valueTolerance(field));
+    block.valueAxis = glm::vec4(glm::dvec4(axisOf(tables.values, columns), lowest, columns));
+    block.gradientAxis =
+        glm::vec4(glm::dvec4(axisOf(tables.gradients, isGradient ? tables.size.x : tables.size.y), 0, 0));
+    block.segment.x = float(segmentSteps_);
+    block.lighting = {float(resolved_.lighting.amount), float(resolved_.lighting.gloss), 0, 0};
+    block_.writeValue(block);
+}
+
+void Classification::bind() const {
+    main_.bindTexture(5);
+    segments_.bindTexture(6);
+    visibleBefore_.bindTexture(7);
+    block_.bindUniform(2);
+}
+
+const char* Classification::kindDefine() const {
+    constexpr const char* defines[] = {"0", "1", "2"};
+    return defines[static_cast<int>(kind())];
+}
+
+} // namespace vs::render

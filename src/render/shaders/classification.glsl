@@ -1,0 +1,54 @@
+// Colour and opacity of values: the transfer function's tables (render::Classification).
+// TF_KIND: 0 over intensity, 1 over gradient magnitude, 2 over both. Gradient magnitudes that the kind does not use may be
+// passed as 0 and need not be computed; mayBeVisible() is the same for all kinds. Values in the volume's unit, gradient
+// magnitudes in that unit per mm (length of dataGradient()).
+// Bindings: uniform block 2; textures 5 the function, 6 segments (TF_KIND 0), 7 counts of visible values.
+
+layout(std140, binding = 2) uniform ClassificationBlock {
+    vec4 valueAxis;         // x scale, y offset to a table coordinate 0..1; z lowest value that counts, w columns
+    vec4 gradientAxis;      // x scale, y offset to a table coordinate 0..1
+    vec4 segmentOfFunction; // x steps of a segment
+    vec4 lightingOfFunction; // x amount: 0 glows by itself, 1 lit as a surface; y gloss
+};
+
+layout(binding = 5) uniform sampler2D functionTable;
+layout(binding = 7) uniform usampler2D visibleBefore;
+
+// Linear colour, opacity per step; not premultiplied.
+vec4 classify(float value, float gradientMagnitude) {
+#if TF_KIND == 0
+    vec2 place = vec2(value * valueAxis.x + valueAxis.y, 0.5);
+#elif TF_KIND == 1
+    vec2 place = vec2(gradientMagnitude * gradientAxis.x + gradientAxis.y, 0.5);
+#else
+    vec2 place = vec2(value * valueAxis.x + valueAxis.y, gradientMagnitude * gradientAxis.x + gradientAxis.y);
+#endif
+    vec4 c = textureLod(functionTable, clamp(place, 0.0, 1.0), 0.0);
+    c.a = value >= valueAxis.z ? c.a : 0.0;
+    return c;
+}
+
+#if TF_KIND == 0
+layout(binding = 6) uniform sampler2D segmentTable;
+
+// A piece of a ray segmentOfFunction.x steps long along which the value goes evenly from `front` to `back`: premultiplied
+// linear colour and opacity.
+vec4 classifySegment(float front, float back) {
+    const float size = float(textureSize(segmentTable, 0).x);
+    // The same ends as the function's table, which has other texels.
+    vec2 place = (vec2(front, back) * valueAxis.x + valueAxis.y) * valueAxis.w - 0.5;
+    place = clamp(place / (valueAxis.w - 1.0), 0.0, 1.0);
+    vec4 c = textureLod(segmentTable, (place * (size - 1.0) + 0.5) / size, 0.0);
+    return min(front, back) >= valueAxis.z ? c : vec4(0.0);
+}
+#endif
+
+// Whether any value from lo to hi may have opacity (with some gradient magnitude). Never false for one that has.
+bool mayBeVisible(float lo, float hi) {
+    const float hair = 1e-2; // columns: what rounding may shift a place by
+    vec2 place = (vec2(max(lo, valueAxis.z), hi) * valueAxis.x + valueAxis.y) * valueAxis.w - 0.5;
+    place = clamp(place + vec2(-hair, hair), 0.0, valueAxis.w - 1.0);
+    uint before = texelFetch(visibleBefore, ivec2(int(floor(place.x)), 0), 0).r;
+    uint upTo = texelFetch(visibleBefore, ivec2(int(ceil(place.y)) + 1, 0), 0).r;
+    return hi >= valueAxis.z && lo <= hi && upTo > before;
+}

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "base/timer.h"
+#include "gpu/gl_test.h"
+#include "render/classification.h"
+#include "volume/phantom.h"
+
+#include <cmath>
+#include <cstdlib>
+#include <limits>
+#include <random>
+
+namespace vs::render {
+namespace {
+
+struct Answer {
+    glm::vec4 colour;
+    glm::vec4 segment;
+    glm::vec4 mayBeVisible;
+};
+
+class ClassificationTest : public test::GlTest {
+protected:
+    // Values from -1000 to 3000, half a millimetre apart.
+    static field::Field makeField() {
+        return field::uploadVolume(volume::makePhantom(
+            {17, 16, 16}, volume::ScalarType::Int16, [](glm::dvec3 p) { return -1000 + 250 * p.x; },
+            glm::dvec3(0.5, 0.75, 1)));
+    }
+
+    static std::vector<Answer> ask(const Classification& classification,
+                                   const std::vector<glm::vec2>& queries) {
+        setenv("VOLUME_STUDIO_SHADER_DIR", VS_TEST_SHADERS, 1);
+        gl::Program program("classify_values.comp", {{"TF_KIND", classification.kindDefine()}});
+        unsetenv("VOLUME_STUDIO_SHADER_DIR");
+        gl::Buffer in(queries.size() * sizeof(glm::vec2), "queries");
+        gl::Buffer out(queries.size() * sizeof(Answer), "answers");
+        in.write(std::span<const glm::vec2>(queries));
+        in.bindStorage(0);
+        out.bindStorage(1);
+        classification.bind();
+        program.set(0, int(queries.size()));
+        program.dispatchOver({int(queries.size()), 1, 1}, gl::Barrier::Storage);
+        return out.read<Answer>(queries.size());
+    }
+
+    std::vector<glm::vec2> pairs(int count, double lo, double hi, double lo2, double hi2) {
+        std::vector<glm::vec2> out;
+        std::uniform_real_distribution<double> x(lo, hi);
+        std::uniform_real_distribution<double> y(lo2, hi2);
+        for (int i = 0; i < count; ++i) {
+            out.emplace_back(x(random_), y(random_));
+        }
+        return out;
+    }
+
+    TransferFunction randomCurve(FunctionKind kind, double lo, double hi) {
+        std::uniform_real_distribution<double> position(lo, hi);
+        std::uniform_int_distribution<int> byte(0, 255);
+        TransferFunction f;
+        f.kind = kind;
+        for (int i = 0; i < 6; ++i) {
+            f.points.push_back({position(random_), i % 3 == 0 ? byte(random_) / 255.0 : 0,
+                                Colour(byte(random_), byte(random_), byte(random_))});
+        }
+        std::sort(f.points.begin(), f.points.end(),
+                  [](const auto& a, const auto& b) { return a.position < b.position; });
+        return f;
+    }
+
+    std::mt19937 random_{11};
+};
+
+double worstDifference(const glm::vec4& onDevice, const glm::dvec4& expected) {
+    const glm::dvec4 d = glm::abs(glm::dvec4(onDevice) - expected);
+    return std::max({d.x, d.y, d.z, d.w});
+}
+
+TEST_F(ClassificationTest, CurvesOnTheDeviceEqualTheFunction) {
+    const field::Field field = makeField();
+    for (const auto kind : {FunctionKind::Intensity, FunctionKind::Gradient}) {
+        TransferFunction f;
+        f.kind = kind;
+        f.points = {{-500, 0, {10, 20, 30}},
+                    {-100, 0.1, {200, 20, 30}},
+                    {300, 0, {90, 220, 30}},
+                    {900, 0.9, {0, 20, 230}},
+                    {1500, 1, {255, 255, 255}}};
+        Classification classification;
+        EXPECT_TRUE(classification.update(f, field));
+        const FunctionSampler sampler(f);
+        const auto queries = pairs(2000, -1000, 3000, -1000, 3000);
+        const auto answers = ask(classification, queries);
+        for (std::size_t i = 0; i < queries.size(); ++i) {
+            const auto expected = sampler.at(double(queries[i].x), double(queries[i].y));
+            EXPECT_LE(worstDifference(answers[i].colour, expected), 1e-3) << queries[i].x;
+        }
+    }
+}
+
+TEST_F(ClassificationTest, ShapesOnTheDeviceEqualTheFunction) {
+    const field::Field field = makeField();
+    TransferFunction f;
+    f.kind = FunctionKind::TwoD;
+    f.shapes = {{Trapezoid{{0, 1000}, {300, 700}, {100, 900}, {1, 1}}, {255, 0, 0}, 0.8},
+                {Trapezoid{{500, 2000}, {500, 2000}, {-200, 600}, {1, 1}}, {255, 0, 0}, 0.4}};
+    Classification classification;
+    classification.update(f, field);
+    const FunctionSampler sampler(f);
+    const auto queries = pairs(4000, -1000, 3000, 0, 2000);
+    const auto answers = ask(classification, queries);
+    for (std::size_t i = 0; i < queries.size(); ++i) {
+        const auto expected = sampler.at(double(queries[i].x), double(queries[i].y));
+        // 512 x 256 texels, between which the soft edges bend.
+        EXPECT_LE(worstDifference(answers[i].colour, expected), 0.01) << queries[i].x << ' ' << queries[i].y;
+    }
+}
+
+// Front to back over fine slices of a segment along which the value goes from front to back.
+glm::dvec4 integrate(const FunctionSampler& sampler, double front, double back, double steps) {
+    constexpr int slices = 4000;
+    glm::dvec4 sum(0);
+    for (int i = 0; i < slices; ++i) {
+        const auto c = sampler.at(front + (back - front) * (i + 0.5) / slices, 0);
+        const double opacity = opacityOver(std::min(c.w, 1 - 1e-6), steps / slices);
+        sum += (1 - sum.w) * opacity * glm::dvec4(glm::dvec3(c), 1);
+    }
+    return sum;
+}
+
+TEST_F(ClassificationTest, SegmentsEqualAFineIntegral) {
+    const field::Field field = makeField();
+    for (const double steps : {0.5, 1.0}) {
+        for (int i = 0; i < 4; ++i) {
+            TransferFunction f = randomCurve(FunctionKind::Intensity, -1000, 3000);
+            // The table's own resolution is not what is looked at: no steps in the function.
+            for (std::size_t k = 0; k < f.points.size(); ++k) {
+                f.points[k].position = -1000 + 800.0 * double(k);
+                f.points[k].opacity = std::min(f.points[k].opacity, 0.95);
+            }
+            Classification classification(steps);
+            classification.update(f, field);
+            const FunctionSampler sampler(f);
+            const auto queries = pairs(150, -1000, 3000, -1000, 3000);
+            const auto answers = ask(classification, queries);
+            for (std::size_t q = 0; q < queries.size(); ++q) {
+                const auto expected = integrate(sampler, double(queries[q].x), double(queries[q].y), steps);
+                EXPECT_LE(worstDifference(answers[q].segment, expected), 0.015)
+                    << queries[q].x << " to " << queries[q].y;
+            }
+        }
+    }
+}
+
+// A peak narrower than the step between two samples is not lost: what pre-integration is for.
+TEST_F(ClassificationTest, ASegmentSeesAPeakBetweenItsEnds) {
+    const field::Field field = makeField();
+    TransferFunction f;
+    f.points = {{-1000, 0}, {990, 0}, {1000, 0.9}, {1010, 0}, {3000, 0}};
+    Classification classification;
+    classification.update(f, field);
+    const auto answers = ask(classification, {{0, 2000}, {0, 900}, {2000, 0}});
+    EXPECT_EQ(answers[0].colour.w, 0);
+    EXPECT_NEAR(double(answers[0].segment.w), integrate(FunctionSampler(f), 0, 2000, 0.5).w, 1e-4);
+    EXPECT_GT(answers[0].segment.w, 0.001F);
+    EXPECT_EQ(answers[1].segment.w, 0);
+    EXPECT_NEAR(double(answers[2].segment.w), double(answers[0].segment.w), 1e-5);
+}
+
+TEST_F(ClassificationTest, NothingVisibleIsEverSkipped) {
+    const field::Field field = makeField();
+    int skipped = 0;
+    for (int i = 0; i < 40; ++i) {
+        const auto f = randomCurve(FunctionKind::Intensity, -1500, 3500);
+        const FunctionSampler sampler(f);
+        Classification classification;
+        classification.update(f, field);
+        auto queries = pairs(200, -1000, 3000, 0, 1);
+        for (glm::vec2& q : queries) {
+            q.y = q.x + 200 * q.y * q.y * q.y;
+        }
+        const auto answers = ask(classification, queries);
+        for (std::size_t q = 0; q < queries.size(); ++q) {
+            bool isVisible = false;
+            for (int k = 0; k <= 50; ++k) {
+                const double value = glm::mix(double(queries[q].x), double(queries[q].y), k / 50.0);
+                isVisible = isVisible || sampler.at(value, 0).w > 1e-9;
+            }
+            skipped += answers[q].mayBeVisible.x > 0 ? 0 : 1;
+            EXPECT_TRUE(!isVisible || answers[q].mayBeVisible.x > 0) << queries[q].x << ' ' << queries[q].y;
+        }
+    }
+    EXPECT_GT(skipped, 400) << "and something is";
+}
+
+TEST_F(ClassificationTest, GradientsAloneRuleOutNothingButTheEmptyFunction) {
+    const field::Field field = makeField();
+    TransferFunction f;
+    f.kind = FunctionKind::Gradient;
+    f.points = {{0, 0}, {100, 0.5}};
+    Classification classification;
+    classification.update(f, field);
+    EXPECT_EQ(ask(classification, {{5, 6}})[0].mayBeVisible.x, 1);
+    f.points[1].opacity = 0;
+    classification.update(f, field);
+    EXPECT_EQ(ask(classification, {{5, 6}})[0].mayBeVisible.x, 0);
+}
+
+TEST_F(ClassificationTest, NonFiniteVoxelsAreClear) {
+    auto volume = volume::makeBall({16, 16, 16}, glm::dvec3(8), 5, 1, 0, 2, volume::ScalarType::Float32);
+    reinterpret_cast<float*>(volume.bytes.data())[3] = std::numeric_limits<float>::quiet_NaN();
+    volume::computeRange(volume);
+    const field::Field field = field::uploadVolume(volume);
+    TransferFunction f;
+    f.points = {{0, 0.5}, {1, 0.5}};
+    Classification classification;
+    classification.update(f, field);
+    const auto answers = ask(classification, {{-1e30F, -1e30F}, {-1e27F, 0.5F}, {0, 0}});
+    EXPECT_EQ(answers[0].colour.w, 0);
+    EXPECT_EQ(answers[0].segment.w, 0);
+    EXPECT_EQ(answers[0].mayBeVisible.x, 0);
+    EXPECT_EQ(answers[1].colour.w, 0);
+    EXPECT_EQ(answers[1].segment.w, 0);
+    EXPECT_EQ(answers[1].mayBeVisible.x, 1);
+    EXPECT_NEAR(answers[2].colour.w, 0.5, 1e-6);
+}
+
+TEST_F(ClassificationTest, OnlyTablesAreUploadedAndOnlyWhenSomethingChanged) {
+    const field::Field field = makeField();
+    TransferFunction f = randomCurve(FunctionKind::Intensity, -1000, 3000);
+    Classification classification;
+    EXPECT_TRUE(classification.update(f, field));
+    const std::size_t once = classification.uploadedBytes();
+    EXPECT_LE(once, 160U << 10);
+    EXPECT_FALSE(classification.update(f, field));
+    EXPECT_EQ(classification.uploadedBytes(), once);
+    f.points[2].opacity += 0.01;
+    const int version = classification.version();
+    EXPECT_TRUE(classification.update(f, field));
+    EXPECT_EQ(classification.uploadedBytes(), 2 * once);
+    EXPECT_NE(classification.version(), version);
+    EXPECT_TRUE(classification.update(f, makeField()));
+}
+
+TEST_F(ClassificationTest, OpacityIsPerMillimetreWhenAsked) {
+    const field::Field field = makeField(); // a step is 0.5 mm
+    TransferFunction f;
+    f.points = {{0, 0.36}};
+    f.unitMm = 1;
+    Classification classification;
+    classification.update(f, field);
+    EXPECT_NEAR(ask(classification, {{0, 0}})[0].colour.w, 0.2, 1e-5);
+}
+
+TEST_F(ClassificationTest, RelativePositionsFollowTheVolume) {
+    const field::Field field = makeField();
+    TransferFunction f;
+    f.positions = Positions::Relative;
+    f.points = {{0, 0}, {0.5, 1}, {1, 0}};
+    Classification classification;
+    classification.update(f, field);
+    EXPECT_NEAR(classification.resolved().points[1].position, 1000, 1e-3); // of -1000 to 3000
+    f.positions = Positions::Robust;
+    classification.update(f, field);
+    EXPECT_NEAR(classification.resolved().points[1].position, 1000, 5);
+}
+
+TEST_F(ClassificationTest, AChangeTakesAFewMilliseconds) {
+    const field::Field field = makeField();
+    TransferFunction f = randomCurve(FunctionKind::Intensity, -1000, 3000);
+    Classification classification;
+    double best = 1e9;
+    for (int i = 0; i < 6; ++i) {
+        f.points[0].opacity = 0.1 * i;
+        const Timer timer;
+        classification.update(f, field);
+        gl::Context::finish();
+        best = std::min(best, timer.milliseconds());
+    }
+    RecordProperty("milliseconds", std::to_string(best));
+    EXPECT_LT(best, 60) << "10 ms on two idle cores of a software renderer";
+}
+
+} // namespace
+} // namespace vs::render

@@ -6,10 +6,14 @@
 #include "volume_argument.h"
 
 #include "base/atomic_file.h"
+#include "base/check.h"
 #include "base/error.h"
+#include "field/gradient.h"
+#include "gl/context.h"
 #include "image/axis.h"
 #include "image/chart.h"
 #include "image/image.h"
+#include "render/colour_map.h"
 #include "volume/volume.h"
 
 #include <CLI/CLI.hpp>
@@ -41,6 +45,12 @@ struct Counts {
 };
 
 constexpr int kBins = 512; // at most
+constexpr int kGradientBins = 320;
+constexpr const char* kGradientLabel = "gradient magnitude (intensity per mm)";
+
+// Axes need a width, whatever the values.
+Range around(double value) { return {value - 0.5, value + 0.5}; }
+Range notEmpty(const Range& gradients) { return gradients.width() > 0 ? gradients : Range{0, 1}; }
 
 // The distance that all occurring values of a volume are multiples of from its smallest: 4 where a scanner's
 // twelve bits were stretched to fourteen.
@@ -56,8 +66,7 @@ std::size_t pitchOf(const std::vector<std::uint64_t>& perValue) {
 // numbers of them the bins would look like a comb. Others have equal parts of the range.
 Counts countIntensities(const volume::Volume& volume) {
     if (volume.range.width() == 0) {
-        return {{volume.range.lo - 0.5, volume.range.lo + 0.5},
-                {double(volume.geometry.voxelCount() - volume.nonFiniteCount)}};
+        return {around(volume.range.lo), {double(volume.geometry.voxelCount() - volume.nonFiniteCount)}};
     }
     if (!hasFewValues(volume)) {
         const auto counts = volume::histogram(volume, kBins);
@@ -90,7 +99,7 @@ std::string describe(const volume::Volume& volume, double counted, const std::st
     return text + ", " + bins + " bins";
 }
 
-// "from,to,voxels", one line a bin.
+// One line a bin.
 std::string csvOf(const Counts& histogram) {
     std::string text = "from,to,voxels\n";
     const double width = histogram.range.width() / double(histogram.counts.size());
@@ -123,6 +132,77 @@ Result intensityHistogram(const volume::Volume& volume, const Range& shaded, glm
     return {image::drawChart(chart, size), csvOf(histogram)};
 }
 
+// The gradients of all voxels: their logarithmic counts leave room for the rare steep ones.
+Result gradientHistogram(const volume::Volume& volume, glm::ivec2 size, bool isLinear) {
+    const auto context = gl::Context::createHeadless();
+    const field::Field field = field::uploadVolume(volume);
+    const Range range = notEmpty(field::fullGradientRange(field));
+    const auto counts = field::gradientHistogram(field, range, kGradientBins);
+    context.requireNoErrors();
+    const Counts histogram{range, {counts.begin(), counts.end()}};
+    image::BarChart chart;
+    chart.title = volume.name;
+    chart.note = describe(volume, sum(histogram.counts), std::to_string(kGradientBins));
+    chart.across = {range, kGradientLabel};
+    chart.counts = histogram.counts;
+    chart.isLogarithmic = !isLinear;
+    return {image::drawChart(chart, size), csvOf(histogram)};
+}
+
+// Bins along the intensities: as for those alone, as far as equal parts of the range can be.
+int intensityBins(const volume::Volume& volume) {
+    const Counts alone = countIntensities(volume);
+    return std::clamp(int(alone.counts.size()) - (alone.pitch > 0 ? 1 : 0), 1, kBins);
+}
+
+// "value_from,value_to,gradient_from,gradient_to,voxels", one line a bin that is not empty.
+std::string csvOf(const field::JointHistogram& joint) {
+    std::string text = "value_from,value_to,gradient_from,gradient_to,voxels\n";
+    const double wide = joint.values.width() / joint.bins.x;
+    const double tall = joint.gradients.width() / joint.bins.y;
+    for (std::size_t i = 0; i < joint.counts.size(); ++i) {
+        if (joint.counts[i] > 0) {
+            const double x = double(i % std::size_t(joint.bins.x));
+            const double y = double(i / std::size_t(joint.bins.x));
+            text += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g},{}\n", joint.values.lo + x * wide,
+                                joint.values.lo + (x + 1) * wide, joint.gradients.lo + y * tall,
+                                joint.gradients.lo + (y + 1) * tall, joint.counts[i]);
+        }
+    }
+    return text;
+}
+
+std::vector<glm::u8vec3> densityColours() {
+    const render::ColourMap* map = render::findColourMap("ember");
+    VS_CHECK(map != nullptr);
+    std::vector<glm::u8vec3> colours;
+    for (const glm::dvec3 oklab : map->oklab) {
+        colours.push_back(render::colourFromLinear(render::linearFromOklab(oklab)));
+    }
+    return colours;
+}
+
+// The steepest thousandth is left out, or the rest would be squeezed into the lowest part of the chart.
+Result jointHistogram(const volume::Volume& volume, const Range& marked, glm::ivec2 size, bool isLinear) {
+    const auto context = gl::Context::createHeadless();
+    const field::Field field = field::uploadVolume(volume);
+    const auto joint = field::jointHistogram(field, notEmpty(field::gradientRange(field)),
+                                             {intensityBins(volume), kGradientBins});
+    context.requireNoErrors();
+    image::DensityChart chart;
+    chart.counts.assign(joint.counts.begin(), joint.counts.end());
+    chart.title = volume.name;
+    chart.note = describe(volume, sum(chart.counts), fmt::format("{} × {}", joint.bins.x, joint.bins.y));
+    chart.across = {volume.range.width() > 0 ? volume.range : around(volume.range.lo), "intensity"};
+    chart.up = {joint.gradients, kGradientLabel};
+    chart.bins = joint.bins;
+    chart.isLogarithmic = !isLinear;
+    chart.colours = densityColours();
+    chart.marked = marked;
+    chart.markedLabel = label("displayed range", marked);
+    return {image::drawChart(chart, size), csvOf(joint)};
+}
+
 // The range that the volume is shown in at first, as `info` suggests it.
 Range suggestedRange(const volume::Volume& volume) {
     const double lo = volume::otsuThreshold(volume::histogram(volume, 256), volume.range);
@@ -139,8 +219,11 @@ glm::ivec2 chartSize(const std::string& text) {
     return size;
 }
 
-// Both outputs are checked before anything is counted.
-void checkOutputs(const HistogramOptions& options) {
+// What can be wrong is said before the volume is read.
+void check(const HistogramOptions& options) {
+    if (options.kind == "gradient" && !options.range.empty()) {
+        throw UsageError("--range {}: marks intensities, and --kind gradient shows none", options.range);
+    }
     checkPictureName(options.output);
     outputFile(options.output);
     if (options.csv.empty()) {
@@ -153,15 +236,18 @@ void checkOutputs(const HistogramOptions& options) {
 }
 
 void runHistogram(const HistogramOptions& options) {
-    checkOutputs(options);
+    check(options);
     const glm::ivec2 size = chartSize(options.size);
     std::optional<Range> range;
     if (!options.range.empty()) {
         range = parseRange(options.range);
     }
     const auto volume = loadVolume(*options.volume).volume;
-    const Result result =
-        intensityHistogram(volume, range.value_or(suggestedRange(volume)), size, options.isLinear);
+    const Range displayed = range ? *range : suggestedRange(volume);
+    const Result result = options.kind == "2d" ? jointHistogram(volume, displayed, size, options.isLinear)
+                          : options.kind == "gradient"
+                              ? gradientHistogram(volume, size, options.isLinear)
+                              : intensityHistogram(volume, displayed, size, options.isLinear);
     if (!options.csv.empty()) {
         writeFileAtomically(options.csv, result.csv);
     }

@@ -38,7 +38,9 @@ struct DensityChart {
     glm::ivec2 bins{0};
     std::vector<double> counts; // bins.x * bins.y, along `across` first
     bool isLogarithmic = true;
-    std::optional<Range> marked; // of `across`
+    std::vector<glm::u8vec3> colours; // display colours, evenly spread from no voxels to the most
+    std::optional<Range> marked;      // of `across`
+    std::string markedLabel;          // above it
 };
 
 // Charts smaller than this have no room for their axes.

@@ -2,9 +2,9 @@
 #include "render/background.h"
 
 #include "base/error.h"
+#include "render/colour.h"
 
 #include <charconv>
-#include <cmath>
 #include <optional>
 
 namespace vs::render {
@@ -14,14 +14,6 @@ namespace {
 constexpr Background kWhite{glm::vec3(1), glm::vec3(1), false};
 constexpr Background kBlack{glm::vec3(0), glm::vec3(0), false};
 constexpr Background kTransparent{glm::vec3(0), glm::vec3(0), true};
-
-glm::vec3 linearFromDisplay(glm::vec3 colour) {
-    for (int i = 0; i < 3; ++i) {
-        const float c = colour[i];
-        colour[i] = c <= 0.04045F ? c / 12.92F : std::pow((c + 0.055F) / 1.055F, 2.4F);
-    }
-    return colour;
-}
 
 // "#RRGGBB"
 std::optional<glm::vec3> colourFrom(std::string_view text) {

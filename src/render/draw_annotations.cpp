@@ -3,6 +3,7 @@
 
 #include "base/check.h"
 #include "image/drawing.h"
+#include "render/colour.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,31 +12,25 @@ namespace vs::render {
 
 namespace {
 
-using image::Colour;
 using image::Drawing;
 
-constexpr Colour kLight{0.97, 0.97, 0.95};
-constexpr Colour kDark{0.06, 0.07, 0.08};
+constexpr image::Colour kLight{0.97, 0.97, 0.95};
+constexpr image::Colour kDark{0.06, 0.07, 0.08};
 
-Colour inkColour(Ink ink) { return ink == Ink::Light ? kLight : kDark; }
-Colour borderColour(Ink ink) { return ink == Ink::Light ? kDark.faded(0.75) : kLight.faded(0.8); }
-
-double displayFromLinear(double c) {
-    c = std::clamp(c, 0.0, 1.0);
-    return c <= 0.0031308 ? 12.92 * c : 1.055 * std::pow(c, 1 / 2.4) - 0.055;
-}
+image::Colour inkColour(Ink ink) { return ink == Ink::Light ? kLight : kDark; }
+image::Colour borderColour(Ink ink) { return ink == Ink::Light ? kDark.faded(0.75) : kLight.faded(0.8); }
 
 // The studio light of render/shaders/shading.glsl on an ivory cube, a little brighter in the shade so that
 // letters stay legible there. The normal is in the viewer's axes.
-Colour shade(glm::dvec3 normal) {
+image::Colour shade(glm::dvec3 normal) {
     const glm::dvec3 key = glm::normalize(glm::dvec3(-0.45, 0.65, 0.75));
     const glm::dvec3 fill = glm::normalize(glm::dvec3(0.8, 0.05, 0.5));
     const glm::dvec3 albedo{0.80, 0.785, 0.75};
     const glm::dvec3 sky = glm::mix(glm::dvec3(0.13), glm::dvec3(0.20, 0.21, 0.22), 0.5 + 0.5 * normal.y);
     const glm::dvec3 light = 0.80 * std::max(glm::dot(normal, key), 0.0) * glm::dvec3(1.0, 0.97, 0.92) +
                              0.24 * std::max(glm::dot(normal, fill), 0.0) * glm::dvec3(0.85, 0.92, 1.0) + sky;
-    const glm::dvec3 c = albedo * light;
-    return {displayFromLinear(c.x), displayFromLinear(c.y), displayFromLinear(c.z)};
+    const glm::dvec3 c = displayFromLinear(glm::min(albedo * light, 1.0));
+    return {c.x, c.y, c.z};
 }
 
 image::Text textOf(const DirectionLetter& letter) {
@@ -54,9 +49,9 @@ void drawOnFace(Drawing& drawing, const DirectionLetter& letter, double scale) {
     image::Text text = textOf(letter);
     const glm::dvec2 place = text.place;
     text.place = place + glm::dvec2(0.5, 1.0) * scale;
-    drawing.text(text, Colour{1, 1, 1, 0.5 * letter.opacity});
+    drawing.text(text, image::Colour{1, 1, 1, 0.5 * letter.opacity});
     text.place = place;
-    drawing.text(text, Colour{0.10, 0.11, 0.13, letter.opacity});
+    drawing.text(text, image::Colour{0.10, 0.11, 0.13, letter.opacity});
 }
 
 void drawBeside(Drawing& drawing, const DirectionLetter& letter, Ink ink, double scale) {
@@ -126,7 +121,7 @@ Annotation drawOrientationMarker(const OrientationMarker& marker, glm::ivec2 siz
     }
     drawing.border(outlines, 2.6 * scale, kDark.faded(ink == Ink::Light ? 0.75 : 0.6));
     for (const auto& facet : marker.facets) {
-        const Colour colour = shade(facet.normal);
+        const image::Colour colour = shade(facet.normal);
         // A hair of border closes the seam between smooth edges of neighbours.
         drawing.border({facet.corners}, 0.5, colour);
         drawing.fill(facet.corners, colour);

@@ -52,35 +52,24 @@ constexpr const char* kGradientLabel = "gradient magnitude (intensity per mm)";
 Range around(double value) { return {value - 0.5, value + 0.5}; }
 Range notEmpty(const Range& gradients) { return gradients.width() > 0 ? gradients : Range{0, 1}; }
 
-// The distance that all occurring values of a volume are multiples of from its smallest: 4 where a scanner's
-// twelve bits were stretched to fourteen.
-std::size_t pitchOf(const std::vector<std::uint64_t>& perValue) {
-    std::size_t pitch = 0;
-    for (std::size_t i = 0; i < perValue.size(); ++i) {
-        pitch = perValue[i] > 0 ? std::gcd(pitch, i) : pitch;
-    }
-    return pitch;
-}
-
-// Whole numbers have bins around as many of the possible values each as make few enough bins: with unequal
+// Values that come in steps have bins around as many of them each as make few enough bins: with unequal
 // numbers of them the bins would look like a comb. Others have equal parts of the range.
 Counts countIntensities(const volume::Volume& volume) {
     if (volume.range.width() == 0) {
         return {around(volume.range.lo), {double(volume.geometry.voxelCount() - volume.nonFiniteCount)}};
     }
-    if (!hasFewValues(volume)) {
+    const auto steps = countSteps(volume);
+    if (!steps) {
         const auto counts = volume::histogram(volume, kBins);
         return {volume.range, {counts.begin(), counts.end()}};
     }
-    const auto perValue = countsPerValue(volume);
-    const std::size_t pitch = pitchOf(perValue);
-    const std::size_t width = pitch * ((perValue.size() / pitch + kBins) / kBins);
-    std::vector<double> counts((perValue.size() + width - 1) / width);
-    for (std::size_t i = 0; i < perValue.size(); ++i) {
-        counts[i / width] += double(perValue[i]);
+    const std::size_t perBin = (steps->counts.size() + kBins - 1) / kBins;
+    std::vector<double> counts((steps->counts.size() + perBin - 1) / perBin);
+    for (std::size_t i = 0; i < steps->counts.size(); ++i) {
+        counts[i / perBin] += double(steps->counts[i]);
     }
-    const double lo = volume.range.lo - 0.5 * double(pitch);
-    return {{lo, lo + double(width * counts.size())}, counts, double(pitch)};
+    const double lo = volume.range.lo - 0.5 * steps->pitch;
+    return {{lo, lo + double(perBin * counts.size()) * steps->pitch}, counts, steps->pitch};
 }
 
 double sum(const std::vector<double>& counts) { return std::accumulate(counts.begin(), counts.end(), 0.0); }
@@ -116,7 +105,11 @@ struct Result {
 };
 
 std::string label(const std::string& what, const Range& range) {
-    return what + " " + image::tickLabel(range.lo) + " to " + image::tickLabel(range.hi);
+    // 32-bit floats have no more digits than that.
+    const auto rounded = [](double value) {
+        return image::tickLabel(std::stod(fmt::format("{:.6g}", value)));
+    };
+    return what + " " + rounded(range.lo) + " to " + rounded(range.hi);
 }
 
 Result intensityHistogram(const volume::Volume& volume, const Range& shaded, glm::ivec2 size, bool isLinear) {

@@ -28,7 +28,8 @@ struct BarChart {
     std::string shadedLabel; // above it: "displayed range 50 to 254"
 };
 
-// Counts over two axes, as colours from dark (none) to light, with the scale of colours beside them.
+// Counts over two axes, as colours from dark (none) to light, with the scale of colours beside them. The
+// scale ends in a point where a few counts go beyond it; they have its lightest colour.
 struct DensityChart {
     std::string title;
     std::string note;

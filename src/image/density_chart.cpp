@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace vs::image {
 
@@ -13,13 +14,27 @@ namespace {
 
 // Of how much of the scale of colours a count takes.
 struct DensityScale {
-    double greatest;
+    double greatest; // takes all of it, and so does more
     bool isLogarithmic;
 
     [[nodiscard]] double part(double count) const {
-        return isLogarithmic ? std::log1p(count) / std::log1p(greatest) : count / greatest;
+        return std::min(1.0, isLogarithmic ? std::log1p(count) / std::log1p(greatest) : count / greatest);
     }
 };
+
+// The count that only one in a thousand of the cells with any exceeds: a single cell, of the air around a
+// head, would leave all others dark.
+double commonGreatest(const std::vector<double>& counts) {
+    std::vector<double> some;
+    std::copy_if(counts.begin(), counts.end(), std::back_inserter(some),
+                 [](double count) { return count > 0; });
+    if (some.empty()) {
+        return 1;
+    }
+    const auto place = some.begin() + std::ptrdiff_t(0.999 * double(some.size() - 1));
+    std::nth_element(some.begin(), place, some.end());
+    return *place;
+}
 
 // Mean over the cells that a pixel covers: x from `from` to `to` and likewise y, in cells.
 double meanPart(const DensityChart& chart, const std::vector<double>& parts, glm::dvec2 from, glm::dvec2 to) {
@@ -63,9 +78,9 @@ void putColourBar(Image& image, const std::vector<glm::u8vec3>& colours, glm::iv
     }
 }
 
-// The bar's own name above it, its ticks at its right.
-void labelColourBar(Drawing& drawing, const Layout& layout, double left, double right,
-                    const std::vector<Tick>& ticks, const std::string& label) {
+// Its ticks and its name at its right, the name above.
+void labelColourBar(Drawing& drawing, const Layout& layout, double right, const std::vector<Tick>& ticks,
+                    const std::string& label) {
     const double hair = layout.hairline();
     for (const auto& tick : ticks) {
         const double y = std::round(layout.at({0, tick.part}).y - 0.5 * hair);
@@ -74,7 +89,15 @@ void labelColourBar(Drawing& drawing, const Layout& layout, double left, double 
                                layout.tickSize, Align::Left),
                      kText);
     }
-    drawing.text({label, {left, layout.lo.y - 0.7 * layout.gap()}, layout.tickSize}, kQuiet);
+    drawing.text({label, {right + 2 * layout.scale, layout.lo.y - 0.7 * layout.gap()}, layout.tickSize},
+                 kQuiet);
+}
+
+// Ends the bar in a point: some counts are beyond it.
+void pointUpward(Drawing& drawing, glm::dvec2 left, glm::dvec2 right, glm::u8vec3 colour) {
+    const glm::dvec3 c = glm::dvec3(colour) / 255.0;
+    const glm::dvec2 tip = 0.5 * (left + right) - glm::dvec2(0, 0.5 * (right.x - left.x));
+    drawing.fill({left, tip, right}, {c.x, c.y, c.z});
 }
 
 void drawMarks(Drawing& drawing, const Layout& layout, const Range& parts) {
@@ -93,14 +116,15 @@ Image drawChart(const DensityChart& chart, glm::ivec2 size) {
              chart.counts.size() == std::size_t(chart.bins.x) * std::size_t(chart.bins.y) &&
              chart.across.range.width() > 0 && chart.up.range.width() > 0);
     Layout layout(size);
-    const DensityScale scale{std::max(1.0, *std::max_element(chart.counts.begin(), chart.counts.end())),
-                             chart.isLogarithmic};
+    const DensityScale scale{commonGreatest(chart.counts), chart.isLogarithmic};
     const auto part = [&](double count) { return scale.part(count); };
     const auto up = linearTicks(chart.up.range, 0.8 * size.y, 60 * layout.scale);
     const auto counts =
         countTicks(scale.greatest, scale.isLogarithmic, 0.8 * size.y, 60 * layout.scale, part);
     const double barWidth = std::round(24 * layout.scale);
-    const double besideBar = widest(counts, layout.tickSize) + layout.gap() + 2 * layout.scale;
+    const double besideBar = std::max(widest(counts, layout.tickSize) + layout.gap(),
+                                      textWidth(chart.countLabel, layout.tickSize)) +
+                             2 * layout.scale;
     placePlot(layout, size, widest(up, layout.tickSize), barWidth + besideBar + 2.5 * layout.gap(),
               layout.labelRow(true));
     const auto across = linearTicks(chart.across.range, layout.plotSize().x, 95 * layout.scale);
@@ -117,7 +141,10 @@ Image drawChart(const DensityChart& chart, glm::ivec2 size) {
     }
     drawAcross(drawing, layout, across, chart.across.label);
     drawUp(drawing, layout, up, chart.up.label);
-    labelColourBar(drawing, layout, barLeft, barLeft + barWidth, counts, chart.countLabel);
+    if (*std::max_element(chart.counts.begin(), chart.counts.end()) > scale.greatest) {
+        pointUpward(drawing, {barLeft, layout.lo.y}, {barLeft + barWidth, layout.lo.y}, chart.colours.back());
+    }
+    labelColourBar(drawing, layout, barLeft + barWidth, counts, chart.countLabel);
     drawHeading(drawing, layout, chart.title, chart.note, size.x - layout.margin());
     return onPaper(drawing, std::move(image));
 }

@@ -47,9 +47,46 @@ void setFont(cairo_t* context, double size, bool isBold) {
     cairo_set_font_size(context, size);
 }
 
+// Length of the UTF-8 character at a place: 0 if there is none.
+std::size_t characterAt(const std::string& text, std::size_t place) {
+    const auto lead = std::uint8_t(text[place]);
+    const std::size_t length = lead < 0x80U   ? 1
+                               : lead < 0xC2U ? 0
+                               : lead < 0xE0U ? 2
+                               : lead < 0xF0U ? 3
+                               : lead < 0xF5U ? 4
+                                              : 0;
+    if (length == 0 || place + length > text.size()) {
+        return 0;
+    }
+    // Neither longer than need be, nor half of a pair of UTF-16, nor beyond Unicode.
+    const auto second = length > 1 ? std::uint8_t(text[place + 1]) : std::uint8_t(0x80);
+    if ((lead == 0xE0U && second < 0xA0U) || (lead == 0xEDU && second > 0x9FU) ||
+        (lead == 0xF0U && second < 0x90U) || (lead == 0xF4U && second > 0x8FU)) {
+        return 0;
+    }
+    for (std::size_t i = 1; i < length; ++i) {
+        if ((std::uint8_t(text[place + i]) & 0xC0U) != 0x80U) {
+            return 0;
+        }
+    }
+    return length;
+}
+
+// Names of files may be any bytes; Cairo draws nothing more after one that is not UTF-8.
+std::string legible(const std::string& text) {
+    std::string result;
+    for (std::size_t place = 0; place < text.size();) {
+        const std::size_t length = characterAt(text, place);
+        result += length > 0 ? text.substr(place, length) : "\uFFFD";
+        place += std::max<std::size_t>(length, 1);
+    }
+    return result;
+}
+
 cairo_text_extents_t extentsOf(cairo_t* context, const std::string& text) {
     cairo_text_extents_t extents{};
-    cairo_text_extents(context, text.c_str(), &extents);
+    cairo_text_extents(context, legible(text).c_str(), &extents);
     return extents;
 }
 
@@ -84,7 +121,7 @@ void addText(cairo_t* context, const Text& text) {
     setFont(context, text.size, text.isBold);
     cairo_new_path(context);
     cairo_move_to(context, startOf(context, text), 0);
-    cairo_text_path(context, text.text.c_str());
+    cairo_text_path(context, legible(text.text).c_str());
     cairo_restore(context); // the path stays where it is
 }
 
@@ -199,6 +236,10 @@ void Drawing::showOnly(glm::dvec2 lo, glm::dvec2 hi) {
 void Drawing::showAll() { cairo_reset_clip(impl_->context.get()); }
 
 Image Drawing::picture() const {
+    if (cairo_status(impl_->context.get()) != CAIRO_STATUS_SUCCESS) {
+        throw Error("a drawing failed ({}); is the package fonts-dejavu-core installed?",
+                    cairo_status_to_string(cairo_status(impl_->context.get())));
+    }
     cairo_surface_t* surface = impl_->surface.get();
     cairo_surface_flush(surface);
     const unsigned char* rows = cairo_image_surface_get_data(surface);

@@ -26,8 +26,9 @@ using Outline = std::vector<glm::dvec2>;
 
 enum class Align { Left, Centre, Right };
 
-// One line of text, UTF-8. It is set as if `place` were the origin and then carried over by `axes`: their
-// columns say where its reading direction and its downward direction go.
+// One line of text, UTF-8 (other bytes show as a replacement sign). It is set as if `place` were the origin
+// and then carried over by `axes`: their columns say where its reading direction and its downward direction
+// go.
 struct Text {
     std::string text;
     glm::dvec2 place{0}; // on the baseline; which part of the text lies there says `align`

@@ -143,6 +143,9 @@ class Commands(unittest.TestCase):
         floats = self.folder / "floats.raw"
         floats.write_bytes(struct.pack("<8f", 1, 2, 3, 4, 5, 6, float("nan"), float("inf")))
         self.assertEqual(sum(self.counts(floats, "--raw", "2x2x2:float32")), 6)
+        stepped = self.folder / "stepped.raw"
+        stepped.write_bytes(struct.pack("<8f", *(1.5 + 2.2 * i for i in (0, 1, 2, 3, 4, 5, 6, 9))))
+        self.assertEqual(self.counts(stepped, "--raw", "2x2x2:float32"), [1] * 7 + [0, 0, 1], "a bin for each step")
         flat = self.folder / "flat.raw"
         flat.write_bytes(bytes([7]) * 64)
         for kind in ("intensity", "gradient", "2d"):

@@ -78,6 +78,18 @@ TEST(Drawing, TextGrowsWithItsSize) {
     EXPECT_GT(textWidth("5 cm", 20, true), textWidth("5 cm", 20));
 }
 
+TEST(Drawing, BytesThatAreNoTextDoNotStopTheDrawing) {
+    for (const std::string bytes :
+         {"\xFF", "a\x80", "\xC3", "\xE2\x82", "\xED\xA0\x80", "\xC0\xAF", "\xF8\x88\x80\x80"}) {
+        Drawing drawing({60, 40});
+        EXPECT_GT(textWidth(bytes, 20), 0);
+        drawing.text({bytes, {2, 30}, 20}, {0, 0, 0, 1});
+        drawing.fillBox({50, 0}, {60, 10}, {0, 0, 0, 1});
+        EXPECT_EQ(drawing.picture().pixel(55, 5)[3], 255);
+    }
+    EXPECT_EQ(textWidth("\xC3\xA9", 20), textWidth("é", 20));
+}
+
 TEST(Drawing, WhereBordersOverlapTheColourCountsOnce) {
     Drawing drawing({20, 20});
     const Outline box{{5, 5}, {15, 5}, {15, 15}, {5, 15}};

@@ -72,6 +72,11 @@ Counts countIntensities(const volume::Volume& volume) {
     return {{lo, lo + double(perBin * counts.size()) * steps->pitch}, counts, steps->pitch};
 }
 
+// A range of values with the bins that they stand in.
+Range widened(const Range& range, const Counts& histogram) {
+    return {range.lo - 0.5 * histogram.pitch, range.hi + 0.5 * histogram.pitch};
+}
+
 double sum(const std::vector<double>& counts) { return std::accumulate(counts.begin(), counts.end(), 0.0); }
 
 // "7 221 032 voxels, 4 not finite, 256 bins"
@@ -120,7 +125,7 @@ Result intensityHistogram(const volume::Volume& volume, const Range& shaded, glm
     chart.across = {histogram.range, "intensity"};
     chart.counts = histogram.counts;
     chart.isLogarithmic = !isLinear;
-    chart.shaded = {{shaded.lo - 0.5 * histogram.pitch, shaded.hi + 0.5 * histogram.pitch}};
+    chart.shaded = widened(shaded, histogram);
     chart.shadedLabel = label("displayed range", shaded);
     return {image::drawChart(chart, size), csvOf(histogram)};
 }
@@ -140,12 +145,6 @@ Result gradientHistogram(const volume::Volume& volume, glm::ivec2 size, bool isL
     chart.counts = histogram.counts;
     chart.isLogarithmic = !isLinear;
     return {image::drawChart(chart, size), csvOf(histogram)};
-}
-
-// Bins along the intensities: as for those alone, as far as equal parts of the range can be.
-int intensityBins(const volume::Volume& volume) {
-    const Counts alone = countIntensities(volume);
-    return std::clamp(int(alone.counts.size()) - (alone.pitch > 0 ? 1 : 0), 1, kBins);
 }
 
 // "value_from,value_to,gradient_from,gradient_to,voxels", one line a bin that is not empty.
@@ -178,20 +177,24 @@ std::vector<glm::u8vec3> densityColours() {
 // The steepest thousandth is left out, or the rest would be squeezed into the lowest part of the chart.
 Result jointHistogram(const volume::Volume& volume, const Range& marked, glm::ivec2 size, bool isLinear) {
     const auto context = gl::Context::createHeadless();
-    const field::Field field = field::uploadVolume(volume);
-    const auto joint = field::jointHistogram(field, notEmpty(field::gradientRange(field)),
-                                             {intensityBins(volume), kGradientBins});
+    field::Field field = field::uploadVolume(volume);
+    const Range gradients = notEmpty(field::gradientRange(field));
+    // The bins along the intensities are those of the intensities alone: values lie inside them, not on their
+    // borders.
+    const Counts alone = countIntensities(volume);
+    field.range = alone.range;
+    const auto joint = field::jointHistogram(field, gradients, {int(alone.counts.size()), kGradientBins});
     context.requireNoErrors();
     image::DensityChart chart;
     chart.counts.assign(joint.counts.begin(), joint.counts.end());
     chart.title = volume.name;
     chart.note = describe(volume, sum(chart.counts), fmt::format("{} × {}", joint.bins.x, joint.bins.y));
-    chart.across = {volume.range.width() > 0 ? volume.range : around(volume.range.lo), "intensity"};
+    chart.across = {joint.values, "intensity"};
     chart.up = {joint.gradients, kGradientLabel};
     chart.bins = joint.bins;
     chart.isLogarithmic = !isLinear;
     chart.colours = densityColours();
-    chart.marked = marked;
+    chart.marked = widened(marked, alone);
     chart.markedLabel = label("displayed range", marked);
     return {image::drawChart(chart, size), csvOf(joint)};
 }

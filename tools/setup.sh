@@ -11,6 +11,7 @@ PACKAGES=(
   qt6-base-dev libqt6opengl6-dev qt6-svg-dev qt6-qpa-plugins
   libepoxy-dev libegl-dev libgl1-mesa-dri libegl-mesa0 libegl1 libgl1 libglx-mesa0
   libglm-dev libfmt-dev nlohmann-json3-dev libcli11-dev libzstd-dev libpng-dev
+  libcairo2-dev fonts-dejavu-core
   mricron-data
 )
 # To test: a display without a screen, a hand on the mouse, and the checkers.

@@ -11,6 +11,7 @@ void addInfoCommand(CLI::App& app);
 void addRenderCommand(CLI::App& app);
 void addRunCommand(CLI::App& app);
 void addGrowCommand(CLI::App& app);
+void addHistogramCommand(CLI::App& app);
 void addSweepCommand(CLI::App& app);
 void addDevicesCommand(CLI::App& app);
 void addCompareCommand(CLI::App& app);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // vstudio info: what a volume is, for people and as JSON.
 #include "commands.h"
+#include "value_counts.h"
 #include "volume_argument.h"
 
 #include "volume/volume.h"
@@ -31,18 +32,7 @@ struct Summary {
 
 // One bin for each value where integers are few enough, else as many bins as still tell percentiles well.
 std::vector<std::uint64_t> fineCounts(const Volume& volume) {
-    constexpr double most = 65536;
-    if (volume.type == volume::ScalarType::Float32 || volume.range.width() >= most) {
-        return volume::histogram(volume, int(most));
-    }
-    std::vector<std::uint64_t> counts(std::size_t(volume.range.width()) + 1);
-    volume::visit(volume, [&](const auto* values) {
-        const auto lowest = std::int64_t(volume.range.lo);
-        for (std::size_t i = 0; i < volume.geometry.voxelCount(); ++i) {
-            ++counts[std::size_t(std::int64_t(values[i]) - lowest)];
-        }
-    });
-    return counts;
+    return hasFewValues(volume) ? countsPerValue(volume) : volume::histogram(volume, 65536);
 }
 
 // The value that the given part of all finite voxels does not exceed.

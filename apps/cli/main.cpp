@@ -34,6 +34,7 @@ int run(int argc, char** argv) {
     vs::cli::addRenderCommand(app);
     vs::cli::addRunCommand(app);
     vs::cli::addGrowCommand(app);
+    vs::cli::addHistogramCommand(app);
     vs::cli::addSweepCommand(app);
     vs::cli::addDevicesCommand(app);
     vs::cli::addCompareCommand(app);

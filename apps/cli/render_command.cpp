@@ -6,6 +6,8 @@
 
 #include "gl/context.h"
 #include "image/image.h"
+#include "render/background.h"
+#include "render/draw_annotations.h"
 #include "studio/document.h"
 
 #include <CLI/CLI.hpp>
@@ -25,6 +27,8 @@ struct RenderOptions {
     std::string projection = "perspective";
     render::Camera camera;
     int samples = 8;
+    std::string background = "studio";
+    bool annotations = false;
 };
 
 void runRender(const RenderOptions& options) {
@@ -32,6 +36,7 @@ void runRender(const RenderOptions& options) {
     checkPictureName(options.output);
     const render::Mode mode = render::modeFromName(options.mode);
     const glm::ivec2 size = parseSize(options.size);
+    const render::Background background = render::backgroundFromName(options.background);
     std::optional<Range> range;
     if (!options.range.empty()) {
         range = parseRange(options.range);
@@ -48,6 +53,7 @@ void runRender(const RenderOptions& options) {
     document.look(view);
     render::Frame frame = document.frame(size);
     frame.samples = options.samples;
+    (void)background; // HAND OVER HERE: background to the frame.
     render::RayCaster caster;
     caster.start(frame);
     {
@@ -57,7 +63,11 @@ void runRender(const RenderOptions& options) {
         }
     }
     context.requireNoErrors();
-    image::writePng(options.output, caster.readPicture());
+    image::Image picture = caster.readPicture();
+    if (options.annotations) {
+        render::annotate(picture, frame.rays, document.volume().geometry);
+    }
+    image::writePng(options.output, picture);
     fmt::print("{}: {} x {} pixels, {} from {:g} to {:g}, on {}\n", options.output, size.x, size.y,
                options.mode, view.range.lo, view.range.hi, context.device().renderer);
 }
@@ -90,6 +100,11 @@ void addRenderCommand(CLI::App& app) {
     command->add_option("--samples", options->samples, "Rays per pixel")
         ->check(CLI::Range(1, 256))
         ->capture_default_str();
+    command
+        ->add_option("--background", options->background,
+                     "studio, white, black, transparent, #RRGGBB or #RRGGBB:#RRGGBB (top and bottom)")
+        ->capture_default_str();
+    command->add_flag("--annotations", options->annotations, "Draw a scale bar and an orientation marker");
     command->callback([options] { runRender(*options); });
 }
 

@@ -8,6 +8,7 @@
 #include "peel_tool.h"
 #include "seed_tool.h"
 #include "studio_controller.h"
+#include "view_widget.h"
 
 #include <QActionGroup>
 #include <QApplication>
@@ -97,6 +98,13 @@ void MainWindow::makeViewActions() {
               [this] { studio_.setSculptureView(SculptureView::Probe); });
     addChoice(views, {"viewWhole", "whole", tr("Whole"), tr("The whole volume, without cuts"), tr("8")},
               [this] { studio_.setSculptureView(SculptureView::Whole); });
+
+    QAction* annotations =
+        addAction({"annotations", nullptr, tr("Annotations"),
+                   tr("Scale bar and orientation marker over the view; saved pictures have none"), tr("A")},
+                  [this] { view_->setAnnotated(action("annotations")->isChecked()); });
+    annotations->setCheckable(true);
+    annotations->setChecked(true);
 }
 
 void MainWindow::makeToolActions() {
@@ -148,7 +156,7 @@ void MainWindow::makeMenus() {
     menu(tr("&File"), {"open", "openFolder", "-", "saveSession", "exportLabels", "screenshot", "-", "quit"});
     menu(tr("&Edit"), {"undo", "redo", "-", "unCut", "reSeed", "-", "clearSketch"});
     menu(tr("&View"), {"resetView", "-", "mode.surface", "mode.mip", "mode.xray", "mode.overlay",
-                       "mode.segment", "-", "viewCut", "viewProbe", "viewWhole"});
+                       "mode.segment", "-", "viewCut", "viewProbe", "viewWhole", "-", "annotations"});
     menu(tr("&Tools"), {"cameraTool", "peelTool", "drillTool", "seedTool", "-", "freeForm", "ellipse"});
     menu(tr("&Segmentation"), {"playPause", "growStepKey", "growBackKey", "growToEndKey"});
     menu(tr("&Help"), {"about"});

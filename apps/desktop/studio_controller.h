@@ -62,6 +62,10 @@ public:
     void setViewport(QSizeF logical, glm::ivec2 device);
     [[nodiscard]] glm::dvec2 devicePerLogical() const;
     [[nodiscard]] QPointF viewCentre() const;
+    // Of the volume that is shown; null before something was opened.
+    [[nodiscard]] const volume::GridGeometry* geometry() const {
+        return document_ ? &document_->volume().geometry : nullptr;
+    }
     // Of one logical pixel, in the middle of what is looked at.
     [[nodiscard]] double millimetresPerPixel();
     // What a sketch is drawn on now.

@@ -65,7 +65,16 @@ void ViewWidget::paintGL() {
     if (picture == nullptr) {
         painter.fillRect(rect(), Qt::black);
     }
+    const auto* geometry = studio_.geometry();
+    if (picture != nullptr && isAnnotated_ && geometry != nullptr) {
+        annotations_.paint(painter, studio_.view().camera, *geometry, deviceSize());
+    }
     paintOverlay(painter, studio_.tool().overlay(), QRectF(rect()));
+}
+
+void ViewWidget::setAnnotated(bool isAnnotated) {
+    isAnnotated_ = isAnnotated;
+    update();
 }
 
 Pen ViewWidget::penAt(QPointF inWindow) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "annotation_overlay.h"
 #include "present.h"
 
 #include <QElapsedTimer>
@@ -14,8 +15,8 @@ namespace vs::desktop {
 class StudioController;
 struct Pen;
 
-// Shows the picture with the tool's overlay on top, and hands mouse, pen and wheel to the controllers. Middle
-// button, right button, Shift+drag and the wheel look around whatever the tool is.
+// Shows the picture with annotations and the tool's overlay on top, and hands mouse, pen and wheel to the
+// controllers. Middle button, right button, Shift+drag and the wheel look around whatever the tool is.
 class ViewWidget : public QOpenGLWidget {
     Q_OBJECT
 
@@ -25,6 +26,8 @@ public:
 
     // Where the pen is, if it is over the view.
     [[nodiscard]] std::optional<QPointF> penPosition() const { return penPosition_; }
+    // Whether scale bar and orientation marker are shown; they are at first.
+    void setAnnotated(bool isAnnotated);
 
 signals:
     void penMoved();
@@ -51,6 +54,8 @@ private:
 
     StudioController& studio_;
     std::unique_ptr<Presenter> presenter_;
+    AnnotationOverlay annotations_;
+    bool isAnnotated_ = true;
     Drag drag_ = Drag::None;
     Qt::MouseButton button_ = Qt::NoButton; // that began the drag
     QPointF last_;

@@ -62,7 +62,7 @@ glm::dvec2 ViewRays::project(glm::dvec3 world) const {
 
 double ViewRays::pixelMm(glm::dvec3 world) const {
     const double perUnit = 2 * glm::length(up) / size.y;
-    return isOrthographic ? perUnit : perUnit * std::max(glm::dot(world - eye, forward), 1e-3);
+    return isOrthographic ? perUnit : perUnit * std::max(glm::dot(world - eye, forward), 1e-12);
 }
 
 } // namespace vs::render

@@ -2,6 +2,7 @@
 #include "studio/document_state.h"
 
 #include "base/error.h"
+#include "render/draw_annotations.h"
 #include "studio/sketch.h"
 #include "volume/write.h"
 
@@ -218,8 +219,13 @@ Outcome Document::Impl::run(SavePicture& op, const std::filesystem::path& folder
     }
     render::Frame picture = frame(view, op.size);
     picture.samples = op.samples;
+    // HAND OVER HERE: op.background to the frame.
     caster->render(picture);
-    image::writePng(folder / op.file, caster->readPicture());
+    image::Image pixels = caster->readPicture();
+    if (op.annotations) {
+        render::annotate(pixels, picture.rays, volume.geometry);
+    }
+    image::writePng(folder / op.file, pixels);
     return {{}, 0, 0, op.file};
 }
 

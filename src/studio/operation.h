@@ -2,6 +2,7 @@
 #pragma once
 
 #include "field/scene.h"
+#include "render/background.h"
 #include "render/ray_caster.h"
 #include "sculpt/stroke.h"
 
@@ -108,11 +109,14 @@ struct Redo {};
 struct UnCut {};  // clears all cuts
 struct ReSeed {}; // clears the segmentation
 
-// Writes the view as a PNG into the output folder. Does not change the document.
+// Writes the view as a PNG into the output folder, with a scale bar and an orientation marker if asked for.
+// Does not change the document.
 struct SavePicture {
     std::string file;
     glm::ivec2 size{1230, 870};
     int samples = 8;
+    render::Background background = {};
+    bool annotations = false;
 };
 
 // Writes the grown region as a label map (uint8, 1 = inside) into the output folder.

@@ -192,12 +192,22 @@ Operation readGrowthRange(const JsonReader& reader) {
     return SetGrowthRange{readRange(reader.member("range"))};
 }
 
+render::Background readBackground(const JsonReader& reader) {
+    try {
+        return render::backgroundFromName(reader.text());
+    } catch (const UsageError& error) {
+        reader.fail(error.what());
+    }
+}
+
 Operation readPicture(const JsonReader& reader) {
-    reader.allow({"op", "file", "size", "samples"});
+    reader.allow({"op", "file", "size", "samples", "background", "annotations"});
     SavePicture op;
     op.file = readFileName(reader.member("file"));
     reader.ifHas("size", [&](const JsonReader& r) { op.size = readSize(r); });
     reader.ifHas("samples", [&](const JsonReader& r) { op.samples = int(r.integerBetween(1, 256)); });
+    reader.ifHas("background", [&](const JsonReader& r) { op.background = readBackground(r); });
+    reader.ifHas("annotations", [&](const JsonReader& r) { op.annotations = r.boolean(); });
     return op;
 }
 

@@ -114,6 +114,8 @@ void write(Json& j, const SavePicture& op) {
     j["file"] = op.file;
     j["size"] = Json::array({op.size.x, op.size.y});
     j["samples"] = op.samples;
+    j["background"] = render::name(op.background);
+    j["annotations"] = op.annotations;
 }
 
 void write(Json& j, const SaveLabels& op) { j["file"] = op.file; }

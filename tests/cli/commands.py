@@ -61,7 +61,8 @@ class Commands(unittest.TestCase):
             self.assertIn(str(text), lines[0])
 
     def test_every_command_has_help(self):
-        for command in ([], ["info"], ["render"], ["run"], ["grow"], ["sweep"], ["devices"], ["compare"]):
+        for command in ([], ["info"], ["render"], ["run"], ["grow"], ["sweep"], ["devices"], ["compare"],
+                        ["histogram"]):
             result = call(*command, "--help")
             self.assertEqual(result.returncode, 0, command)
             self.assertIn("--help", result.stdout)
@@ -116,6 +117,73 @@ class Commands(unittest.TestCase):
         self.assertTrue((self.folder / "pipe.nrrd").is_fifo())
         self.expect_error(1, ["no.json"], "run", self.folder / "no.json", "-o", self.folder / "out")
         self.assertEqual([p.name for p in self.folder.iterdir() if p.name.startswith(".")], [], "no half-written files")
+
+    def counts(self, *arguments):
+        """Draws a histogram; the last column of its table."""
+        picture, table = self.folder / "h.png", self.folder / "h.csv"
+        result = call("histogram", *arguments, "-o", picture, "--csv", table)
+        self.assertEqual(result.returncode, 0, result)
+        width, height, rows = read_png(picture)
+        self.assertEqual((width, height), (1200, 800))
+        self.assertGreater(len(set(zip(rows[0::7], rows[1::7], rows[2::7]))), 10, "an empty picture")
+        lines = table.read_text().splitlines()
+        self.assertTrue(lines[0].endswith(",voxels"), lines[0])
+        return [int(line.split(",")[-1]) for line in lines[1:]]
+
+    def test_histogram_counts_every_voxel(self):
+        for kind in ("intensity", "gradient"):
+            self.assertEqual(sum(self.counts(self.raw, *self.layout, "--kind", kind)), 24 * 20 * 16, kind)
+        counts = self.counts(self.raw, *self.layout, "--linear", "--range", "10:200")
+        self.assertEqual(len(counts), 201, "a bin for each value")
+        self.assertEqual(counts[200], 12 * 10 * 8)
+        # What is steeper than nearly all of it is left out.
+        self.assertGreater(sum(self.counts(self.raw, *self.layout, "--kind", "2d")), 0.99 * 24 * 20 * 16)
+
+    def test_histogram_leaves_out_what_is_no_number_and_survives_one_value(self):
+        floats = self.folder / "floats.raw"
+        floats.write_bytes(struct.pack("<8f", 1, 2, 3, 4, 5, 6, float("nan"), float("inf")))
+        self.assertEqual(sum(self.counts(floats, "--raw", "2x2x2:float32")), 6)
+        stepped = self.folder / "stepped.raw"
+        stepped.write_bytes(struct.pack("<8f", *(1.5 + 2.2 * i for i in (0, 1, 2, 3, 4, 5, 6, 9))))
+        self.assertEqual(self.counts(stepped, "--raw", "2x2x2:float32"), [1] * 7 + [0, 0, 1], "a bin for each step")
+        flat = self.folder / "flat.raw"
+        flat.write_bytes(bytes([7]) * 64)
+        for kind in ("intensity", "gradient", "2d"):
+            self.assertEqual(sum(self.counts(flat, "--raw", "4x4x4:uint8", "--kind", kind)), 64, kind)
+
+    def test_histogram_has_the_size_asked_for_and_refuses_what_makes_no_sense(self):
+        picture = self.folder / "h.png"
+        command = ("histogram", self.raw, *self.layout, "-o", picture)
+        self.assertEqual(call(*command, "--size", "400x300").returncode, 0)
+        self.assertEqual(read_png(picture)[:2], (400, 300))
+        picture.unlink()
+        self.expect_error(2, ["--kind", "3d"], *command, "--kind", "3d")
+        self.expect_error(2, ["100x80", "240x180"], *command, "--size", "100x80")
+        self.expect_error(2, ["--range", "gradient"], *command, "--kind", "gradient", "--range", "1:2")
+        self.expect_error(2, ["t.txt", ".csv"], *command, "--csv", self.folder / "t.txt")
+        self.expect_error(2, ["h.jpg", "PNG"], "histogram", self.raw, *self.layout, "-o", self.folder / "h.jpg")
+        self.expect_error(1, ["nowhere"], *command, "--csv", self.folder / "nowhere" / "t.csv")
+        self.assertFalse(picture.exists(), "nothing is written when something is wrong")
+
+    def test_annotations_are_drawn_over_the_picture_and_nowhere_else(self):
+        plain, annotated = self.folder / "plain.png", self.folder / "annotated.png"
+        command = ("render", self.raw, *self.layout, "--size", "300x260", "--samples", "1", "-o")
+        self.assertEqual(call(*command, plain).returncode, 0)
+        self.assertEqual(call(*command, annotated, "--annotations").returncode, 0)
+        width, height, before = read_png(plain)
+        _, _, after = read_png(annotated)
+        stride = 1 + 4 * width
+        rows = [y for y in range(height) if before[y * stride:(y + 1) * stride] != after[y * stride:(y + 1) * stride]]
+        self.assertGreater(len(rows), 20)
+        self.assertGreater(min(rows), height // 2, "both stand in the lower corners")
+
+    def test_backgrounds_are_known_by_name(self):
+        picture = self.folder / "p.png"
+        command = ("render", self.raw, *self.layout, "--size", "40x30", "--samples", "1", "-o", picture)
+        self.expect_error(2, ["background 'pink'", "#RRGGBB"], *command, "--background", "pink")
+        self.assertFalse(picture.exists())
+        for background in ("studio", "white", "black", "transparent", "#102030", "#FFFFFF:#C0D0E0"):
+            self.assertEqual(call(*command, "--background", background).returncode, 0, background)
 
     def test_a_device_that_is_no_number_is_named(self):
         result = call("render", self.raw, *self.layout, "-o", self.folder / "p.png", VOLUME_STUDIO_DEVICE="abc")

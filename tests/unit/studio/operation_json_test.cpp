@@ -38,6 +38,7 @@ TEST(OperationJson, EveryKindComesBackAsItWas) {
         UnCut{},
         ReSeed{},
         SavePicture{"a/b.png", {320, 200}, 2},
+        SavePicture{"c.png", {320, 200}, 2, render::backgroundFromName("#FFFFFF:#C0D0E0"), true},
         SaveLabels{"l.nii.gz"},
         SaveSculpture{"s.nrrd"}};
     for (const Operation& operation : operations) {

@@ -14,5 +14,6 @@ void addGrowCommand(CLI::App& app);
 void addSweepCommand(CLI::App& app);
 void addDevicesCommand(CLI::App& app);
 void addCompareCommand(CLI::App& app);
+void addBenchCommand(CLI::App& app);
 
 } // namespace vs::cli

@@ -61,7 +61,7 @@ class Commands(unittest.TestCase):
             self.assertIn(str(text), lines[0])
 
     def test_every_command_has_help(self):
-        for command in ([], ["info"], ["render"], ["run"], ["grow"], ["sweep"], ["devices"], ["compare"]):
+        for command in ([], ["info"], ["render"], ["run"], ["grow"], ["sweep"], ["devices"], ["compare"], ["bench"]):
             result = call(*command, "--help")
             self.assertEqual(result.returncode, 0, command)
             self.assertIn("--help", result.stdout)

@@ -66,11 +66,10 @@ def opacity_of(mode, lo, hi, full, scene):
     return function
 
 
-def colour_of(mode, lo, hi, full, scene):
+def colour_of(mode, lo, hi, scene):
     function = vtk.vtkColorTransferFunction()
     if mode == "mip":
-        function.AddRGBPoint(full[0], 0, 0, 0)
-        function.AddRGBPoint(full[1], 1, 1, 1)
+        function.AddRGBPoint(lo, 1, 1, 1)  # the opacity makes the greys
     elif mode == "surface":
         function.AddRGBPoint(lo, 0.86, 0.80, 0.70)
     else:
@@ -83,7 +82,7 @@ def make_property(mode, info, lo, hi, scene):
     prop = vtk.vtkVolumeProperty()
     prop.SetInterpolationTypeToLinear()
     prop.SetScalarOpacity(opacity_of(mode, lo, hi, info["range"], scene))
-    prop.SetColor(colour_of(mode, lo, hi, info["range"], scene))
+    prop.SetColor(colour_of(mode, lo, hi, scene))
     prop.SetScalarOpacityUnitDistance(min(info["spacing"]))
     prop.SetShade(mode != "mip")
     prop.SetAmbient(0.2)

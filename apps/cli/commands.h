@@ -15,5 +15,6 @@ void addHistogramCommand(CLI::App& app);
 void addSweepCommand(CLI::App& app);
 void addDevicesCommand(CLI::App& app);
 void addCompareCommand(CLI::App& app);
+void addBenchCommand(CLI::App& app);
 
 } // namespace vs::cli

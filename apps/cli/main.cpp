@@ -38,6 +38,7 @@ int run(int argc, char** argv) {
     vs::cli::addSweepCommand(app);
     vs::cli::addDevicesCommand(app);
     vs::cli::addCompareCommand(app);
+    vs::cli::addBenchCommand(app);
     try {
         app.parse(argc, argv);
     } catch (const CLI::Success& asked) { // --help, --version

@@ -17,22 +17,34 @@ Timing& timing() {
     return table;
 }
 
+// Nanoseconds, once the device has come there.
+GLint64 stampOf(unsigned query) {
+    GLint64 nanoseconds = 0;
+    glGetQueryObjecti64v(query, GL_QUERY_RESULT, &nanoseconds);
+    return nanoseconds;
+}
+
 } // namespace
 
 Pass::Pass(const char* name) : name_(name) {
     glPushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, -1, name);
     if (timing().enabled) {
         glFinish();
+        glCreateQueries(GL_TIMESTAMP, int(stamps_.size()), stamps_.data());
+        glQueryCounter(stamps_[0], GL_TIMESTAMP);
         timer_ = Timer();
     }
 }
 
 Pass::~Pass() {
-    if (timing().enabled) {
+    if (stamps_[0] != 0) {
+        glQueryCounter(stamps_[1], GL_TIMESTAMP);
         glFinish();
         PassTimes& entry = timing().times[name_];
         entry.milliseconds += timer_.milliseconds();
+        entry.deviceMilliseconds += 1e-6 * double(stampOf(stamps_[1]) - stampOf(stamps_[0]));
         ++entry.count;
+        glDeleteQueries(int(stamps_.size()), stamps_.data());
     }
     glPopDebugGroup();
 }

@@ -3,14 +3,17 @@
 
 #include "base/timer.h"
 
+#include <array>
 #include <map>
 #include <string>
 
 namespace vs::gl {
 
-// Milliseconds of wall clock that each named pass has taken, while timing is on.
+// What each named pass has taken while timing is on: milliseconds of wall clock and of the device's own clock
+// (timer queries).
 struct PassTimes {
     double milliseconds = 0;
+    double deviceMilliseconds = 0;
     int count = 0;
 };
 
@@ -31,6 +34,7 @@ public:
 private:
     const char* name_;
     Timer timer_;
+    std::array<unsigned, 2> stamps_{}; // timer queries at both ends, while timing is on
 };
 
 } // namespace vs::gl

@@ -37,7 +37,7 @@ const char* name(Mode mode) {
 }
 
 Mode modeFromName(const std::string& text) {
-    for (const Mode mode : {Mode::Surface, Mode::Mip, Mode::XRay, Mode::Overlay, Mode::Segment}) {
+    for (const Mode mode : kModes) {
         if (text == name(mode)) {
             return mode;
         }

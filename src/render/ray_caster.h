@@ -12,6 +12,7 @@
 namespace vs::render {
 
 enum class Mode { Surface, Mip, XRay, Overlay, Segment };
+inline constexpr Mode kModes[] = {Mode::Surface, Mode::Mip, Mode::XRay, Mode::Overlay, Mode::Segment};
 // "surface", "mip", "xray", "overlay", "segment".
 const char* name(Mode mode);
 // Throws UsageError listing the modes.

@@ -4,12 +4,13 @@
 #include "field/cell_ranges.h"
 #include "field/scene.h"
 #include "gl/program.h"
+#include "render/classification.h"
 
 namespace vs::render {
 
 // What can be seen in which macrocell: per 4^3 cell the Chebyshev distance, in cells, to the nearest one that
-// may hold something visible (0: this one may; at most kFar). Knows displayed range, sculpture and
-// segmentation.
+// may hold something visible (0: this one may; at most kFar). Knows displayed range or transfer function,
+// sculpture and segmentation.
 class Macrocells {
 public:
     static constexpr int kFar = 24;
@@ -24,6 +25,8 @@ public:
         double valueTolerance = 0; // field::valueTolerance
         field::SculptureView view = field::SculptureView::Cut;
         bool drawsData = true; // false: only the segmentation counts
+        // Volume mode: its opacity says what can be seen, not the displayed range.
+        const Classification* classification = nullptr;
     };
     // Recomputes everything. The data's cells must outlive this.
     void rebuild(const Input& input);

@@ -1,6 +1,7 @@
 // The first visible surface along a ray: what is seen, picked and cut.
-// CONTENT chooses what counts as content: 0 data in the displayed range, 1 segmentation, 2 either of the two.
-// Include "render/shaders/rays.glsl" first.
+// CONTENT chooses what counts as content: 0 data in the displayed range, 1 segmentation, 2 either of the two, 3 what the
+// transfer function makes opaque enough to be touched. Include "render/shaders/rays.glsl" first, for 3 also
+// "render/shaders/classification.glsl".
 
 // >= 0 where there is content to see; continuous along each of its parts, so it can be bisected.
 float contentAt(vec3 p) {
@@ -8,6 +9,12 @@ float contentAt(vec3 p) {
     return insideRange(dataAt(p));
 #elif CONTENT == 1
     return segmentationAt(p) - 0.5;
+#elif CONTENT == 3
+#if TF_KIND == 0
+    return classify(dataAt(p), 0.0).a - lightingOfFunction.z;
+#else
+    return classify(dataAt(p), length(dataGradient(p))).a - lightingOfFunction.z;
+#endif
 #else
     return max(insideRange(dataAt(p)), segmentationAt(p) - 0.5);
 #endif
@@ -125,7 +132,7 @@ Hit findSurface(Ray ray, float jitter) {
     hit.t = bracket.y;
     hit.voxel = at(ray, hit.t);
     vec3 before = at(ray, bracket.x);
-#if CONTENT != 0
+#if CONTENT == 1 || CONTENT == 2
     // The data's surface and the segment's rarely agree to the voxel: what lies just behind is tinted too.
     // Seeds lie up to a voxel behind the surface that they were drawn on.
     float nearby = segmentationAt(hit.voxel);
@@ -136,7 +143,7 @@ Hit findSurface(Ray ray, float jitter) {
 #endif
     bool atBorder = bracket.y - ray.tNear < 1e-3 && ray.tNear > 0.0;
     vec3 gradient = atBorder ? boxNormal(hit.voxel) : dataGradient(hit.voxel);
-#if CONTENT != 0
+#if CONTENT == 1 || CONTENT == 2
     if (segmentationAt(hit.voxel) >= 0.5 && !atBorder) {
         gradient = segmentationGradient(hit.voxel);
     }

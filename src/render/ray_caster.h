@@ -7,8 +7,10 @@
 #include "render/camera.h"
 #include "render/classification.h"
 #include "render/macrocells.h"
+#include "render/placement.h"
 
 #include <map>
+#include <vector>
 
 namespace vs::render {
 
@@ -41,6 +43,9 @@ struct Frame {
     const Macrocells* macrocells = nullptr;
     // Colours all modes, and says what is opaque in volume mode, which needs one. Null: ivory surfaces, white rays.
     const Classification* classification = nullptr;
+    // Dual rendering (SPEC 3): what was cut out, drawn again at each of these places, with macrocells made for probe view.
+    std::vector<Placement> pasted;
+    const Macrocells* pastedMacrocells = nullptr;
     ViewRays rays;
     Mode mode = Mode::Surface;
     double xrayGain = 5; // brightness of a ray through one whole diagonal at full value

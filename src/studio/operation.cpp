@@ -6,7 +6,7 @@
 namespace vs::studio {
 
 SetView lookAs(const View& view) {
-    return {view.camera, view.mode, view.range, view.sculptureView, view.transferFunction};
+    return {view.camera, view.mode, view.range, view.sculptureView, view.transferFunction, view.pasted};
 }
 
 const char* name(const Operation& operation) { return kOperationNames[operation.index()]; }

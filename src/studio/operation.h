@@ -22,6 +22,8 @@ struct View {
     field::SculptureView sculptureView = field::SculptureView::Cut;
     // Colours every mode; nothing: ivory surfaces and white rays, and in volume mode one made from the displayed range.
     std::optional<render::TransferFunction> transferFunction = {};
+    // Where copies of what was cut out are drawn too. They can be looked at; pens go through them.
+    std::vector<render::Placement> pasted = {};
 
     bool operator==(const View&) const = default;
 };
@@ -57,6 +59,7 @@ struct SetView {
     std::optional<Range> range;
     std::optional<field::SculptureView> sculptureView;
     std::optional<std::optional<render::TransferFunction>> transferFunction; // set to nothing: without one
+    std::optional<std::vector<render::Placement>> pasted;
 };
 // The whole of a view.
 SetView lookAs(const View& view);

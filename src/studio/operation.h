@@ -20,7 +20,8 @@ struct View {
     render::Mode mode = render::Mode::Surface;
     Range range; // displayed range, in the volume's unit
     field::SculptureView sculptureView = field::SculptureView::Cut;
-    // Colours every mode; nothing: ivory surfaces and white rays, and in volume mode one made from the displayed range.
+    // Colours every mode; nothing: ivory surfaces and white rays, and in volume mode one made from the
+    // displayed range.
     std::optional<render::TransferFunction> transferFunction = {};
     // Where copies of what was cut out are drawn too. They can be looked at; pens go through them.
     std::vector<render::Placement> pasted = {};

@@ -3,11 +3,13 @@
 
 namespace vs::studio {
 
-Pipeline::Pipeline(const field::Field& field) : field_(&field), cellRanges_(field::computeCellRanges(field)) {}
+Pipeline::Pipeline(const field::Field& field)
+    : field_(&field), cellRanges_(field::computeCellRanges(field)) {}
 
 namespace {
 
-// What volume mode shows when no transfer function was chosen: the displayed range, denser from its lower end up.
+// What volume mode shows when no transfer function was chosen: the displayed range, denser from its lower end
+// up.
 render::TransferFunction functionOfRange(const Range& range) {
     render::TransferFunction function;
     function.name = "displayed range";
@@ -26,7 +28,8 @@ const render::Classification* Pipeline::classify(const View& view) {
     if (!classification_) {
         classification_.emplace();
     }
-    classification_->update(view.transferFunction ? *view.transferFunction : functionOfRange(view.range), *field_);
+    classification_->update(view.transferFunction ? *view.transferFunction : functionOfRange(view.range),
+                            *field_);
     return &*classification_;
 }
 
@@ -76,8 +79,9 @@ void Pipeline::refresh(Cells& cells, const Key& key, const State& state, const r
     const auto& old = cells.key;
     // In probe view a cut adds to what is seen, so there nothing can be kept.
     const bool mayKeep = state.cuttingSince && old && old->sculptureVersion == *state.cuttingSince &&
-                         old->view != field::SculptureView::Probe && key.view != field::SculptureView::Probe &&
-                         old->range == key.range && old->functionVersion == key.functionVersion &&
+                         old->view != field::SculptureView::Probe &&
+                         key.view != field::SculptureView::Probe && old->range == key.range &&
+                         old->functionVersion == key.functionVersion &&
                          old->drawsSegmentation == key.drawsSegmentation &&
                          old->segmentationVersion == key.segmentationVersion;
     if (mayKeep || old == key) {

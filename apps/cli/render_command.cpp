@@ -25,6 +25,7 @@ struct RenderOptions {
     std::string range;
     std::string size = "1230x870";
     std::string projection = "perspective";
+    std::string sampling = "linear";
     render::Camera camera;
     int samples = 8;
     std::string background = "studio";
@@ -49,6 +50,7 @@ void runRender(const RenderOptions& options) {
     view.camera.projection = options.projection == "perspective" ? render::Projection::Perspective
                                                                  : render::Projection::Orthographic;
     view.mode = mode;
+    view.sampling = options.sampling == "cubic" ? field::Sampling::Tricubic : field::Sampling::Trilinear;
     view.range = range.value_or(view.range);
     document.look(view);
     render::Frame frame = document.frame(size);
@@ -96,6 +98,11 @@ void addRenderCommand(CLI::App& app) {
         ->capture_default_str();
     command->add_option("--projection", options->projection, "perspective or orthographic")
         ->check(CLI::IsMember({"perspective", "orthographic"}))
+        ->capture_default_str();
+    command
+        ->add_option("--sampling", options->sampling,
+                     "linear, or cubic: smooth where the picture is enlarged, slower")
+        ->check(CLI::IsMember({"linear", "cubic"}))
         ->capture_default_str();
     command->add_option("--samples", options->samples, "Rays per pixel")
         ->check(CLI::Range(1, 256))

@@ -99,6 +99,16 @@ void MainWindow::makeViewActions() {
     addChoice(views, {"viewWhole", "whole", tr("Whole"), tr("The whole volume, without cuts"), tr("8")},
               [this] { studio_.setSculptureView(SculptureView::Whole); });
 
+    QAction* smooth =
+        addAction({"smoothSampling", nullptr, tr("Smooth sampling"),
+                   tr("Tricubic instead of trilinear: no facets where the picture is enlarged, but slower"),
+                   tr("Shift+S")},
+                  [this] {
+                      studio_.setSampling(action("smoothSampling")->isChecked() ? field::Sampling::Tricubic
+                                                                                : field::Sampling::Trilinear);
+                  });
+    smooth->setCheckable(true);
+
     QAction* annotations =
         addAction({"annotations", nullptr, tr("Annotations"),
                    tr("Scale bar and orientation marker over the view; saved pictures have none"), tr("A")},
@@ -156,7 +166,8 @@ void MainWindow::makeMenus() {
     menu(tr("&File"), {"open", "openFolder", "-", "saveSession", "exportLabels", "screenshot", "-", "quit"});
     menu(tr("&Edit"), {"undo", "redo", "-", "unCut", "reSeed", "-", "clearSketch"});
     menu(tr("&View"), {"resetView", "-", "mode.surface", "mode.mip", "mode.xray", "mode.overlay",
-                       "mode.segment", "-", "viewCut", "viewProbe", "viewWhole", "-", "annotations"});
+                       "mode.segment", "-", "viewCut", "viewProbe", "viewWhole", "-", "smoothSampling",
+                       "annotations"});
     menu(tr("&Tools"), {"cameraTool", "peelTool", "drillTool", "seedTool", "-", "freeForm", "ellipse"});
     menu(tr("&Segmentation"), {"playPause", "growStepKey", "growBackKey", "growToEndKey"});
     menu(tr("&Help"), {"about"});

@@ -59,6 +59,7 @@ public:
     void setMode(render::Mode mode);
     void setSculptureView(field::SculptureView view);
     void setRange(Range range);
+    void setSampling(field::Sampling sampling);
     void setViewport(QSizeF logical, glm::ivec2 device);
     [[nodiscard]] glm::dvec2 devicePerLogical() const;
     [[nodiscard]] QPointF viewCentre() const;

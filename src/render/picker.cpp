@@ -14,11 +14,16 @@ gl::Program& Picker::programFor(const Frame& frame) {
     // In overlay and segment mode a stroke lands on whatever surface is seen; in X-ray on the displayed
     // range's.
     const int content = frame.mode == Mode::Overlay || frame.mode == Mode::Segment ? 2 : 0;
-    auto& program = programs_[(isSculpted ? 1 : 0) + (picksMaximum ? 2 : 0) + 4 * content];
+    const bool isTricubic = frame.scene.sampling == field::Sampling::Tricubic;
+    auto& program =
+        programs_[(isSculpted ? 1 : 0) + (picksMaximum ? 2 : 0) + 4 * content + (isTricubic ? 16 : 0)];
     if (!program) {
         gl::Defines defines{{"CONTENT", std::to_string(content)}};
         if (isSculpted) {
             defines.emplace_back("SCULPTED", "1");
+        }
+        if (isTricubic) {
+            defines.emplace_back("TRICUBIC", "1");
         }
         if (picksMaximum) {
             defines.emplace_back("PICK_MAXIMUM", "1");

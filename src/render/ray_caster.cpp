@@ -73,7 +73,8 @@ RayCaster::RayCaster()
 gl::Program& RayCaster::programFor(const Frame& frame) {
     const bool isSculpted =
         frame.scene.sculpture != nullptr || frame.scene.view == field::SculptureView::Probe;
-    const int key = 2 * static_cast<int>(frame.mode) + (isSculpted ? 1 : 0);
+    const bool isTricubic = frame.scene.sampling == field::Sampling::Tricubic;
+    const int key = 4 * static_cast<int>(frame.mode) + (isSculpted ? 1 : 0) + (isTricubic ? 2 : 0);
     auto& program = programs_[key];
     if (!program) {
         const int content = frame.mode == Mode::Overlay ? 1 : frame.mode == Mode::Segment ? 2 : 0;
@@ -81,6 +82,9 @@ gl::Program& RayCaster::programFor(const Frame& frame) {
                             {"CONTENT", std::to_string(content)}};
         if (isSculpted) {
             defines.emplace_back("SCULPTED", "1");
+        }
+        if (isTricubic) {
+            defines.emplace_back("TRICUBIC", "1");
         }
         program = gl::Program("render/shaders/cast_rays.comp", defines);
     }

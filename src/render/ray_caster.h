@@ -69,7 +69,7 @@ private:
     gl::Program& programFor(const Frame& frame);
     void findBeams();
 
-    std::map<int, gl::Program> programs_; // by mode and whether there is a sculpture
+    std::map<int, gl::Program> programs_; // by mode, whether there is a sculpture, and sampling
     gl::Program resolve_;
     gl::Program findBeams_;
     gl::Texture beams_;

@@ -19,6 +19,7 @@ struct View {
     render::Mode mode = render::Mode::Surface;
     Range range; // displayed range, in the volume's unit
     field::SculptureView sculptureView = field::SculptureView::Cut;
+    field::Sampling sampling = field::Sampling::Trilinear;
 
     bool operator==(const View&) const = default;
 };
@@ -53,6 +54,7 @@ struct SetView {
     std::optional<render::Mode> mode;
     std::optional<Range> range;
     std::optional<field::SculptureView> sculptureView;
+    std::optional<field::Sampling> sampling = {};
 };
 
 // Peels layers (steps, fractions count) off the surface under the sketch, each element along its own normal.

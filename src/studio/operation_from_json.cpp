@@ -69,13 +69,16 @@ glm::ivec2 readSize(const JsonReader& reader) {
 }
 
 Canvas readCanvas(const JsonReader& reader) {
-    reader.allow({"viewport", "camera", "mode", "range", "sculptureView"});
+    reader.allow({"viewport", "camera", "mode", "range", "sculptureView", "sampling"});
     Canvas canvas;
     canvas.viewport = readSize(reader.member("viewport"));
     canvas.view.camera = readCamera(reader.member("camera"));
     canvas.view.mode = reader.member("mode").choice<render::Mode>(kModes);
     canvas.view.range = readRange(reader.member("range"));
     canvas.view.sculptureView = reader.member("sculptureView").choice<field::SculptureView>(kSculptureViews);
+    reader.ifHas("sampling", [&](const JsonReader& r) {
+        canvas.view.sampling = r.choice<field::Sampling>(kSamplings);
+    });
     return canvas;
 }
 
@@ -101,7 +104,7 @@ std::string readFileName(const JsonReader& reader) {
 // --- one reader per operation
 
 Operation readView(const JsonReader& reader) {
-    reader.allow({"op", "camera", "mode", "range", "sculptureView"});
+    reader.allow({"op", "camera", "mode", "range", "sculptureView", "sampling"});
     SetView op;
     reader.ifHas("camera", [&](const JsonReader& r) { op.camera = readCamera(r); });
     reader.ifHas("mode", [&](const JsonReader& r) { op.mode = r.choice<render::Mode>(kModes); });
@@ -109,6 +112,8 @@ Operation readView(const JsonReader& reader) {
     reader.ifHas("sculptureView", [&](const JsonReader& r) {
         op.sculptureView = r.choice<field::SculptureView>(kSculptureViews);
     });
+    reader.ifHas("sampling",
+                 [&](const JsonReader& r) { op.sampling = r.choice<field::Sampling>(kSamplings); });
     return op;
 }
 

@@ -35,7 +35,8 @@ Json toJson(const Canvas& canvas) {
             {"camera", toJson(canvas.view.camera)},
             {"mode", kModes[std::size_t(canvas.view.mode)]},
             {"range", toJson(canvas.view.range)},
-            {"sculptureView", kSculptureViews[std::size_t(canvas.view.sculptureView)]}};
+            {"sculptureView", kSculptureViews[std::size_t(canvas.view.sculptureView)]},
+            {"sampling", kSamplings[std::size_t(canvas.view.sampling)]}};
 }
 
 template <typename T>
@@ -55,6 +56,9 @@ void write(Json& j, const SetView& op) {
     addIfSet(j, "range", op.range);
     if (op.sculptureView) {
         j["sculptureView"] = kSculptureViews[std::size_t(*op.sculptureView)];
+    }
+    if (op.sampling) {
+        j["sampling"] = kSamplings[std::size_t(*op.sampling)];
     }
 }
 

@@ -25,16 +25,17 @@ render::Frame Pipeline::frame(const State& state, glm::ivec2 size) {
     frame.scene.displayedRange = view.range;
     frame.scene.greyWindow = state.greyWindow;
     frame.scene.view = isSculpted ? view.sculptureView : field::SculptureView::Whole;
+    frame.scene.sampling = view.sampling;
     frame.rays = render::viewRays(view.camera, field_->geometry, size);
     frame.mode = view.mode;
 
     const Key key{view.range, frame.scene.view, state.sculpture->version(),
-                  hasSegmentation ? segmentation_->version() : 0, hasSegmentation};
+                  hasSegmentation ? segmentation_->version() : 0, hasSegmentation, view.sampling};
     // In probe view a cut adds to what is seen, so there nothing can be kept.
     const bool mayKeep = state.cuttingSince && key_ && key_->sculptureVersion == *state.cuttingSince &&
                          key_->view != field::SculptureView::Probe &&
                          key.view != field::SculptureView::Probe && key_->range == key.range &&
-                         key_->drawsSegmentation == key.drawsSegmentation &&
+                         key_->drawsSegmentation == key.drawsSegmentation && key_->sampling == key.sampling &&
                          key_->segmentationVersion == key.segmentationVersion;
     if (!mayKeep && key_ != key) {
         render::Macrocells::Input input;
@@ -44,6 +45,7 @@ render::Frame Pipeline::frame(const State& state, glm::ivec2 size) {
         input.displayedRange = view.range;
         input.valueTolerance = field::valueTolerance(*field_);
         input.view = frame.scene.view;
+        input.sampling = view.sampling;
         macrocells_.rebuild(input);
         key_ = key;
     }

@@ -38,6 +38,7 @@ private:
         std::uint64_t sculptureVersion = 0;
         std::uint64_t segmentationVersion = 0;
         bool drawsSegmentation = false;
+        field::Sampling sampling = field::Sampling::Trilinear;
         bool operator==(const Key&) const = default;
     };
 

@@ -2,7 +2,7 @@
 // MODE: 0 surface, 1 MIP, 2 X-ray, 3 overlay (segmentation as surface, the rest as X-ray), 4 segment (both as surface).
 // CONTENT and SCULPTED: see surface.glsl.
 // In: the scene (field/shaders/scene.glsl), the view (rays.glsl). Out: image 0 (rgba32f) sum of display colours.
-// variants: MODE=0 CONTENT=0;MODE=0 CONTENT=0 SCULPTED=1;MODE=1 CONTENT=0;MODE=2 CONTENT=0 SCULPTED=1;MODE=3 CONTENT=1 SCULPTED=1;MODE=4 CONTENT=2
+// variants: MODE=0 CONTENT=0;MODE=0 CONTENT=0 SCULPTED=1;MODE=1 CONTENT=0;MODE=2 CONTENT=0 SCULPTED=1;MODE=3 CONTENT=1 SCULPTED=1;MODE=4 CONTENT=2;MODE=0 CONTENT=0 TRICUBIC=1
 layout(local_size_x = 8, local_size_y = 8) in;
 
 #include "field/shaders/scene.glsl"

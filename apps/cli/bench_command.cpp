@@ -11,6 +11,7 @@
 #include "base/log.h"
 #include "field/histogram.h"
 #include "gl/context.h"
+#include "render/transfer_function_json.h"
 #include "volume/phantom.h"
 
 #include <fmt/format.h>
@@ -34,6 +35,7 @@ struct BenchOptions {
     int frames = BenchSettings().frames;
     std::string size = "1230x870";
     std::string range;
+    std::string function;
     std::string modes;
     std::string parts = "data,modes,edits";
     std::string orbit;
@@ -43,6 +45,7 @@ struct BenchOptions {
 struct BenchRequest {
     BenchSettings settings;
     std::optional<Range> range;
+    std::optional<render::TransferFunction> function;
     std::vector<render::Mode> modes;
     std::vector<std::string> parts;
 
@@ -105,6 +108,9 @@ BenchRequest understand(const BenchOptions& options) {
     }
     if (!options.range.empty()) {
         request.range = parseRange(options.range);
+    }
+    if (!options.function.empty()) {
+        request.function = render::transferFunctionFromArgument(options.function);
     }
     request.modes = parseModes(options.modes);
     request.parts = parseParts(options.parts);
@@ -193,6 +199,7 @@ Json benchVolume(const BenchOptions& options, const BenchRequest& request, const
     studio::Document document(std::move(volume));
     studio::View view = document.view();
     view.range = request.range.value_or(view.range);
+    view.transferFunction = request.function;
     document.look(view);
     for (const render::Mode mode : request.modes) {
         if (request.wants("modes")) {
@@ -249,6 +256,8 @@ void addBenchCommand(CLI::App& app) {
     command->add_option("--size", options->size, "Pixels, WIDTHxHEIGHT")->capture_default_str();
     command->add_option("--range", options->range,
                         "Displayed range LO:HI; suggested from the histogram if not given");
+    command->add_option("--tf", options->function,
+                        "Transfer function that colours every mode: a preset's name or a JSON file");
     command->add_option("--modes", options->modes, "Render modes, separated by commas; all if not given");
     command->add_option("--parts", options->parts, "Which of data, modes and edits to time")
         ->capture_default_str();

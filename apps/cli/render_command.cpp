@@ -6,6 +6,7 @@
 
 #include "gl/context.h"
 #include "image/image.h"
+#include "render/transfer_function_json.h"
 #include "render/background.h"
 #include "render/draw_annotations.h"
 #include "studio/document.h"
@@ -26,6 +27,7 @@ struct RenderOptions {
     std::string size = "1230x870";
     std::string projection = "perspective";
     std::string sampling = "linear";
+    std::string function;
     render::Camera camera;
     int samples = 8;
     std::string background = "studio";
@@ -42,6 +44,10 @@ void runRender(const RenderOptions& options) {
     if (!options.range.empty()) {
         range = parseRange(options.range);
     }
+    std::optional<render::TransferFunction> function;
+    if (!options.function.empty()) {
+        function = render::transferFunctionFromArgument(options.function);
+    }
     auto volume = loadVolume(*options.volume).volume;
     const auto context = gl::Context::createHeadless();
     studio::Document document(std::move(volume));
@@ -52,6 +58,7 @@ void runRender(const RenderOptions& options) {
     view.mode = mode;
     view.sampling = options.sampling == "cubic" ? field::Sampling::Tricubic : field::Sampling::Trilinear;
     view.range = range.value_or(view.range);
+    view.transferFunction = function;
     document.look(view);
     render::Frame frame = document.frame(size);
     frame.samples = options.samples;
@@ -81,10 +88,12 @@ void addRenderCommand(CLI::App& app) {
     auto options = std::make_shared<RenderOptions>();
     options->volume = addVolumeArgument(*command);
     command->add_option("-o,--output", options->output, "Picture to write (PNG)")->required();
-    command->add_option("--mode", options->mode, "surface, mip or xray (overlay and segment need a session)")
+    command->add_option("--mode", options->mode, "surface, mip, xray or volume (overlay and segment need a session)")
         ->capture_default_str();
     command->add_option("--range", options->range,
                         "Displayed range LO:HI; suggested from the histogram if not given");
+    command->add_option("--tf", options->function,
+                        "Transfer function that colours every mode: a preset's name or a JSON file");
     command->add_option("--size", options->size, "Pixels, WIDTHxHEIGHT")->capture_default_str();
     command
         ->add_option("--azimuth", options->camera.azimuthDegrees,

@@ -56,6 +56,12 @@ public:
         }
     }
 
+    [[nodiscard]] bool isNull() const { return json_.is_null(); }
+    [[nodiscard]] bool isText() const { return json_.is_string(); }
+    // The value itself and what complaints about it begin with, for a reader of its own.
+    [[nodiscard]] const Json& json() const { return json_; }
+    [[nodiscard]] std::string place() const { return path_.empty() ? where_ : where_ + ": " + path_; }
+
     [[nodiscard]] std::size_t size() const {
         if (!json_.is_array()) {
             fail("must be a list");

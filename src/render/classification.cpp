@@ -97,6 +97,19 @@ void Classification::integrateSegments(const ClassificationTables& tables) {
     integrate_.dispatchOver(segments_.size(), gl::Barrier::Texture);
 }
 
+namespace {
+
+// Opacity per step from which a pen meets something: little, but never more than there is.
+float touchable(const ClassificationTables& tables) {
+    float greatest = 0;
+    for (const glm::vec4& texel : tables.main) {
+        greatest = std::max(greatest, texel.w);
+    }
+    return std::min(0.05F, std::max(0.5F * greatest, 1e-6F));
+}
+
+} // namespace
+
 void Classification::writeBlock(const ClassificationTables& tables, const field::Field& field) {
     const bool isGradient = resolved_.kind == FunctionKind::Gradient;
     const int columns = int(tables.visibleBefore.size()) - 1;
@@ -109,7 +122,7 @@ void Classification::writeBlock(const ClassificationTables& tables, const field:
     block.gradientAxis =
         glm::vec4(glm::dvec4(axisOf(tables.gradients, isGradient ? tables.size.x : tables.size.y), 0, 0));
     block.segment.x = float(segmentSteps_);
-    block.lighting = {float(resolved_.lighting.amount), float(resolved_.lighting.gloss), 0, 0};
+    block.lighting = {float(resolved_.lighting.amount), float(resolved_.lighting.gloss), touchable(tables), 0};
     block_.writeValue(block);
 }
 

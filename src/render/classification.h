@@ -15,7 +15,7 @@ struct ClassificationBlock {
         0}; // x scale, y offset to a table coordinate 0..1; z lowest value that counts, w columns
     glm::vec4 gradientAxis{0}; // x scale, y offset to a table coordinate 0..1
     glm::vec4 segment{0};      // x steps of a segment
-    glm::vec4 lighting{0};     // x amount, y gloss
+    glm::vec4 lighting{0};     // x amount, y gloss, z opacity per step that a pen meets
 };
 static_assert(sizeof(ClassificationBlock) == 64);
 

@@ -61,7 +61,11 @@ void Macrocells::rebuild(const Input& input) {
         .set(1, input.sculptureCells != nullptr || input.view == field::SculptureView::Probe ? int(input.view)
                                                                                              : 0)
         .set(2, (input.drawsData ? 1 : 0) | (input.segmentationCells != nullptr ? 2 : 0))
-        .set(3, kFar);
+        .set(3, kFar)
+        .set(4, input.classification != nullptr ? 1 : 0);
+    if (input.classification != nullptr) {
+        input.classification->bind();
+    }
     classify_.dispatchOver(cells, gl::Barrier::Texture);
 
     // Chebyshev distance separates: along x, then y, then z, each taking max(offset, distance so far).

@@ -4,14 +4,15 @@
 #include "field/cell_ranges.h"
 #include "field/scene.h"
 #include "gl/program.h"
+#include "render/classification.h"
 
 #include <memory>
 
 namespace vs::render {
 
 // What can be seen in which macrocell: per 4^3 cell the Chebyshev distance, in cells, to the nearest one that
-// may hold something visible (0: this one may; at most kFar). Knows displayed range, sculpture and
-// segmentation.
+// may hold something visible (0: this one may; at most kFar). Knows displayed range or transfer function,
+// sculpture and segmentation.
 class Macrocells {
 public:
     static constexpr int kFar = 24;
@@ -28,6 +29,8 @@ public:
         bool drawsData = true; // false: only the segmentation counts
         // The B-spline of tricubic sampling reaches a voxel further, into the cells around.
         field::Sampling sampling = field::Sampling::Trilinear;
+        // Volume mode: its opacity says what can be seen, not the displayed range.
+        const Classification* classification = nullptr;
     };
     // Recomputes everything. The data's cells must outlive this and stay as they are.
     void rebuild(const Input& input);

@@ -12,11 +12,13 @@ gl::Program& Picker::programFor(const Frame& frame) {
         frame.scene.sculpture != nullptr || frame.scene.view == field::SculptureView::Probe;
     const bool picksMaximum = frame.mode == Mode::Mip;
     // In overlay and segment mode a stroke lands on whatever surface is seen; in X-ray on the displayed
-    // range's.
-    const int content = frame.mode == Mode::Overlay || frame.mode == Mode::Segment ? 2 : 0;
+    // range's; in volume mode on what the transfer function makes opaque.
+    const bool byFunction = frame.mode == Mode::Volume;
+    const int content = frame.mode == Mode::Overlay || frame.mode == Mode::Segment ? 2 : byFunction ? 3 : 0;
+    const int kind = byFunction ? int(frame.classification->kind()) : 0;
     const bool isTricubic = frame.scene.sampling == field::Sampling::Tricubic;
-    auto& program =
-        programs_[(isSculpted ? 1 : 0) + (picksMaximum ? 2 : 0) + 4 * content + (isTricubic ? 16 : 0)];
+    auto& program = programs_[(isSculpted ? 1 : 0) + (picksMaximum ? 2 : 0) + 4 * content + 16 * kind +
+                              (isTricubic ? 64 : 0)];
     if (!program) {
         gl::Defines defines{{"CONTENT", std::to_string(content)}};
         if (isSculpted) {
@@ -24,6 +26,9 @@ gl::Program& Picker::programFor(const Frame& frame) {
         }
         if (isTricubic) {
             defines.emplace_back("TRICUBIC", "1");
+        }
+        if (byFunction) {
+            defines.emplace_back("TF_KIND", frame.classification->kindDefine());
         }
         if (picksMaximum) {
             defines.emplace_back("PICK_MAXIMUM", "1");
@@ -46,6 +51,9 @@ field::SurfacePoints Picker::pick(const Frame& frame, std::span<const glm::vec2>
     view_.writeValue(viewBlock(frame.rays, frame.scene.data->geometry));
     view_.bindUniform(1);
     frame.macrocells->bind();
+    if (frame.mode == Mode::Volume) {
+        frame.classification->bind();
+    }
     positions_.reserve(positions.size_bytes());
     positions_.write(positions);
     positions_.bindStorage(0);

@@ -32,7 +32,7 @@ glm::ivec2 tileCount(glm::ivec2 size) { return (size + kTile - 1) / kTile; }
 } // namespace
 
 const char* name(Mode mode) {
-    constexpr const char* names[] = {"surface", "mip", "xray", "overlay", "segment"};
+    constexpr const char* names[] = {"surface", "mip", "xray", "overlay", "segment", "volume"};
     return names[static_cast<int>(mode)];
 }
 
@@ -42,7 +42,7 @@ Mode modeFromName(const std::string& text) {
             return mode;
         }
     }
-    throw UsageError("mode '{}' does not exist; choose surface, mip, xray, overlay or segment", text);
+    throw UsageError("mode '{}' does not exist; choose surface, mip, xray, overlay, segment or volume", text);
 }
 
 ViewBlock viewBlock(const ViewRays& rays, const volume::GridGeometry& geometry) {
@@ -74,7 +74,8 @@ gl::Program& RayCaster::programFor(const Frame& frame) {
     const bool isSculpted =
         frame.scene.sculpture != nullptr || frame.scene.view == field::SculptureView::Probe;
     const bool isTricubic = frame.scene.sampling == field::Sampling::Tricubic;
-    const int key = 4 * static_cast<int>(frame.mode) + (isSculpted ? 1 : 0) + (isTricubic ? 2 : 0);
+    const int kind = frame.classification != nullptr ? 1 + int(frame.classification->kind()) : 0;
+    const int key = 16 * static_cast<int>(frame.mode) + 4 * kind + (isTricubic ? 2 : 0) + (isSculpted ? 1 : 0);
     auto& program = programs_[key];
     if (!program) {
         const int content = frame.mode == Mode::Overlay ? 1 : frame.mode == Mode::Segment ? 2 : 0;
@@ -86,6 +87,9 @@ gl::Program& RayCaster::programFor(const Frame& frame) {
         if (isTricubic) {
             defines.emplace_back("TRICUBIC", "1");
         }
+        if (frame.classification != nullptr) {
+            defines.emplace_back("TF_KIND", frame.classification->kindDefine());
+        }
         program = gl::Program("render/shaders/cast_rays.comp", defines);
     }
     return program;
@@ -93,6 +97,7 @@ gl::Program& RayCaster::programFor(const Frame& frame) {
 
 void RayCaster::start(const Frame& frame) {
     VS_CHECK(frame.macrocells != nullptr);
+    VS_CHECK(frame.mode != Mode::Volume || frame.classification != nullptr);
     frame_ = frame;
     sample_ = 0;
     tile_ = 0;
@@ -123,7 +128,10 @@ bool RayCaster::renderSome(double budgetMs) {
     if (sample_ == 0 && tile_ == 0) {
         findBeams();
     }
-    beams_.bindTexture(5);
+    beams_.bindTexture(8);
+    if (frame_.classification != nullptr) {
+        frame_.classification->bind();
+    }
     accumulation_.bindImage(0, gl::Access::ReadWrite);
     const auto& geometry = frame_.scene.data->geometry;
     program.set(3, glm::vec2(float(frame_.xrayGain), float(geometry.diagonalMm() / geometry.stepMm())))

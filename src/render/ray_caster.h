@@ -5,15 +5,17 @@
 #include "gl/program.h"
 #include "image/image.h"
 #include "render/camera.h"
+#include "render/classification.h"
 #include "render/macrocells.h"
 
 #include <map>
 
 namespace vs::render {
 
-enum class Mode { Surface, Mip, XRay, Overlay, Segment };
-inline constexpr Mode kModes[] = {Mode::Surface, Mode::Mip, Mode::XRay, Mode::Overlay, Mode::Segment};
-// "surface", "mip", "xray", "overlay", "segment".
+enum class Mode { Surface, Mip, XRay, Overlay, Segment, Volume };
+inline constexpr Mode kModes[] = {Mode::Surface, Mode::Mip,     Mode::XRay,
+                                  Mode::Overlay, Mode::Segment, Mode::Volume};
+// "surface", "mip", "xray", "overlay", "segment", "volume".
 const char* name(Mode mode);
 // Throws UsageError listing the modes.
 Mode modeFromName(const std::string& name);
@@ -37,11 +39,13 @@ ViewBlock viewBlock(const ViewRays& rays, const volume::GridGeometry& geometry);
 struct Frame {
     field::Scene scene;
     const Macrocells* macrocells = nullptr;
+    // Colours all modes, and says what is opaque in volume mode, which needs one. Null: ivory surfaces, white rays.
+    const Classification* classification = nullptr;
     ViewRays rays;
     Mode mode = Mode::Surface;
     double xrayGain = 5; // brightness of a ray through one whole diagonal at full value
     glm::vec3 segmentColour{0.70F, 0.17F, 0.04F}; // linear; near the vermilion of the Okabe-Ito palette
-    double sampleStep = 0.5;                      // steps between samples in MIP and X-ray; more for drafts
+    double sampleStep = 0.5;                      // steps between samples in MIP, X-ray and volume; more for drafts
     int samples = 1;                              // rays per pixel, evenly spread over it
 };
 

@@ -93,7 +93,7 @@ void Document::Impl::settle(std::optional<Canvas>& canvas) const {
 
 void Document::Impl::record(Operation operation) {
     if (!(view == loggedView)) {
-        log.emplace_back(SetView{view.camera, view.mode, view.range, view.sculptureView});
+        log.emplace_back(lookAs(view));
         loggedView = view;
     }
     log.push_back(std::move(operation));

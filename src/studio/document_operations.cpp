@@ -25,9 +25,10 @@ Outcome Document::Impl::run(SetView& op, const std::filesystem::path&) {
     view.mode = op.mode.value_or(view.mode);
     view.range = op.range.value_or(view.range);
     view.sculptureView = op.sculptureView.value_or(view.sculptureView);
+    view.transferFunction = op.transferFunction.value_or(view.transferFunction);
     view.sampling = op.sampling.value_or(view.sampling);
     // Logged whole: what was looked at before is part of it.
-    op = {view.camera, view.mode, view.range, view.sculptureView, view.sampling};
+    op = lookAs(view);
     loggedView = view;
     ++version;
     return {};

@@ -5,6 +5,10 @@
 
 namespace vs::studio {
 
+SetView lookAs(const View& view) {
+    return {view.camera, view.mode, view.range, view.sculptureView, view.transferFunction, view.sampling};
+}
+
 const char* name(const Operation& operation) { return kOperationNames[operation.index()]; }
 
 bool isOutput(const Operation& operation) {

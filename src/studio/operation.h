@@ -4,6 +4,7 @@
 #include "field/scene.h"
 #include "render/background.h"
 #include "render/ray_caster.h"
+#include "render/transfer_function.h"
 #include "sculpt/stroke.h"
 
 #include <optional>
@@ -19,6 +20,8 @@ struct View {
     render::Mode mode = render::Mode::Surface;
     Range range; // displayed range, in the volume's unit
     field::SculptureView sculptureView = field::SculptureView::Cut;
+    // Colours every mode; nothing: ivory surfaces and white rays, and in volume mode one made from the displayed range.
+    std::optional<render::TransferFunction> transferFunction = {};
     field::Sampling sampling = field::Sampling::Trilinear;
 
     bool operator==(const View&) const = default;
@@ -54,8 +57,11 @@ struct SetView {
     std::optional<render::Mode> mode;
     std::optional<Range> range;
     std::optional<field::SculptureView> sculptureView;
+    std::optional<std::optional<render::TransferFunction>> transferFunction; // set to nothing: without one
     std::optional<field::Sampling> sampling = {};
 };
+// The whole of a view.
+SetView lookAs(const View& view);
 
 // Peels layers (steps, fractions count) off the surface under the sketch, each element along its own normal.
 struct Peel {

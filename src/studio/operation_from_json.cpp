@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/json_reader.h"
+#include "render/transfer_function_json.h"
 #include "studio/operation_json.h"
 #include "studio/operation_names.h"
 
+#include <fmt/ranges.h>
 #include <nlohmann/json.hpp>
 
 #include <filesystem>
@@ -68,14 +70,31 @@ glm::ivec2 readSize(const JsonReader& reader) {
     return {int(reader.at(0).integerBetween(1, 16384)), int(reader.at(1).integerBetween(1, 16384))};
 }
 
+std::optional<render::TransferFunction> readTransferFunction(const JsonReader& reader) {
+    if (reader.isNull()) {
+        return std::nullopt;
+    }
+    if (!reader.isText()) {
+        return render::transferFunctionFromJson(reader.json(), reader.place());
+    }
+    const auto preset = render::findPreset(reader.text());
+    if (!preset) {
+        reader.fail(fmt::format("there is no preset of that name; there are {}",
+                                fmt::join(render::presetNames(), ", ")));
+    }
+    return preset;
+}
+
 Canvas readCanvas(const JsonReader& reader) {
-    reader.allow({"viewport", "camera", "mode", "range", "sculptureView", "sampling"});
+    reader.allow({"viewport", "camera", "mode", "range", "sculptureView", "transferFunction", "sampling"});
     Canvas canvas;
     canvas.viewport = readSize(reader.member("viewport"));
     canvas.view.camera = readCamera(reader.member("camera"));
     canvas.view.mode = reader.member("mode").choice<render::Mode>(kModes);
     canvas.view.range = readRange(reader.member("range"));
     canvas.view.sculptureView = reader.member("sculptureView").choice<field::SculptureView>(kSculptureViews);
+    reader.ifHas("transferFunction",
+                 [&](const JsonReader& r) { canvas.view.transferFunction = readTransferFunction(r); });
     reader.ifHas("sampling", [&](const JsonReader& r) {
         canvas.view.sampling = r.choice<field::Sampling>(kSamplings);
     });
@@ -104,7 +123,7 @@ std::string readFileName(const JsonReader& reader) {
 // --- one reader per operation
 
 Operation readView(const JsonReader& reader) {
-    reader.allow({"op", "camera", "mode", "range", "sculptureView", "sampling"});
+    reader.allow({"op", "camera", "mode", "range", "sculptureView", "transferFunction", "sampling"});
     SetView op;
     reader.ifHas("camera", [&](const JsonReader& r) { op.camera = readCamera(r); });
     reader.ifHas("mode", [&](const JsonReader& r) { op.mode = r.choice<render::Mode>(kModes); });
@@ -112,6 +131,8 @@ Operation readView(const JsonReader& reader) {
     reader.ifHas("sculptureView", [&](const JsonReader& r) {
         op.sculptureView = r.choice<field::SculptureView>(kSculptureViews);
     });
+    reader.ifHas("transferFunction",
+                 [&](const JsonReader& r) { op.transferFunction = readTransferFunction(r); });
     reader.ifHas("sampling",
                  [&](const JsonReader& r) { op.sampling = r.choice<field::Sampling>(kSamplings); });
     return op;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "render/transfer_function_json.h"
 #include "studio/operation_json.h"
 #include "studio/operation_names.h"
 
@@ -30,13 +31,30 @@ Json toJson(const Sketch& sketch) {
     return {{"shape", kShapes[std::size_t(sketch.shape)]}, {"points", points}};
 }
 
+// A preset by its name, another function whole, none as null.
+Json toJson(const std::optional<render::TransferFunction>& function) {
+    if (!function) {
+        return nullptr;
+    }
+    for (const std::string& name : render::presetNames()) {
+        if (render::findPreset(name) == function) {
+            return name;
+        }
+    }
+    return render::toJson(*function);
+}
+
 Json toJson(const Canvas& canvas) {
-    return {{"viewport", Json::array({canvas.viewport.x, canvas.viewport.y})},
+    Json json{{"viewport", Json::array({canvas.viewport.x, canvas.viewport.y})},
             {"camera", toJson(canvas.view.camera)},
             {"mode", kModes[std::size_t(canvas.view.mode)]},
             {"range", toJson(canvas.view.range)},
             {"sculptureView", kSculptureViews[std::size_t(canvas.view.sculptureView)]},
             {"sampling", kSamplings[std::size_t(canvas.view.sampling)]}};
+    if (canvas.view.transferFunction) {
+        json["transferFunction"] = toJson(canvas.view.transferFunction);
+    }
+    return json;
 }
 
 template <typename T>
@@ -57,6 +75,7 @@ void write(Json& j, const SetView& op) {
     if (op.sculptureView) {
         j["sculptureView"] = kSculptureViews[std::size_t(*op.sculptureView)];
     }
+    addIfSet(j, "transferFunction", op.transferFunction);
     if (op.sampling) {
         j["sampling"] = kSamplings[std::size_t(*op.sampling)];
     }

@@ -5,6 +5,31 @@ namespace vs::studio {
 
 Pipeline::Pipeline(const field::Field& field) : field_(&field), cells_(field::computeCellRanges(field)) {}
 
+namespace {
+
+// What volume mode shows when no transfer function was chosen: the displayed range, denser from its lower end up.
+render::TransferFunction functionOfRange(const Range& range) {
+    render::TransferFunction function;
+    function.name = "displayed range";
+    function.colours = render::SpreadColours{"ivory", range};
+    const double full = range.lo + 0.25 * (range.hi - range.lo);
+    function.points = {{range.lo, 0}, {full, 0.3}, {range.hi, 0.3}, {range.hi, 0}};
+    return function;
+}
+
+} // namespace
+
+const render::Classification* Pipeline::classify(const View& view) {
+    if (!view.transferFunction && view.mode != render::Mode::Volume) {
+        return nullptr;
+    }
+    if (!classification_) {
+        classification_.emplace();
+    }
+    classification_->update(view.transferFunction ? *view.transferFunction : functionOfRange(view.range), *field_);
+    return &*classification_;
+}
+
 render::Frame Pipeline::frame(const State& state, glm::ivec2 size) {
     const View& view = *state.view;
     const bool drawsSegmentation = view.mode == render::Mode::Overlay || view.mode == render::Mode::Segment;
@@ -28,14 +53,18 @@ render::Frame Pipeline::frame(const State& state, glm::ivec2 size) {
     frame.scene.sampling = view.sampling;
     frame.rays = render::viewRays(view.camera, field_->geometry, size);
     frame.mode = view.mode;
+    frame.classification = classify(view);
+    const bool byFunction = view.mode == render::Mode::Volume;
 
     const Key key{view.range, frame.scene.view, state.sculpture->version(),
-                  hasSegmentation ? segmentation_->version() : 0, hasSegmentation, view.sampling};
+                  hasSegmentation ? segmentation_->version() : 0, hasSegmentation,
+                  byFunction ? classification_->version() : 0, view.sampling};
     // In probe view a cut adds to what is seen, so there nothing can be kept.
     const bool mayKeep = state.cuttingSince && key_ && key_->sculptureVersion == *state.cuttingSince &&
                          key_->view != field::SculptureView::Probe &&
                          key.view != field::SculptureView::Probe && key_->range == key.range &&
-                         key_->drawsSegmentation == key.drawsSegmentation && key_->sampling == key.sampling &&
+                         key_->functionVersion == key.functionVersion && key_->sampling == key.sampling &&
+                         key_->drawsSegmentation == key.drawsSegmentation &&
                          key_->segmentationVersion == key.segmentationVersion;
     if (!mayKeep && key_ != key) {
         render::Macrocells::Input input;
@@ -46,6 +75,7 @@ render::Frame Pipeline::frame(const State& state, glm::ivec2 size) {
         input.valueTolerance = field::valueTolerance(*field_);
         input.view = frame.scene.view;
         input.sampling = view.sampling;
+        input.classification = byFunction ? frame.classification : nullptr;
         macrocells_.rebuild(input);
         key_ = key;
     }

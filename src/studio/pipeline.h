@@ -38,6 +38,7 @@ private:
         std::uint64_t sculptureVersion = 0;
         std::uint64_t segmentationVersion = 0;
         bool drawsSegmentation = false;
+        int functionVersion = 0; // of the transfer function, where it says what can be seen
         field::Sampling sampling = field::Sampling::Trilinear;
         bool operator==(const Key&) const = default;
     };
@@ -45,7 +46,11 @@ private:
     const field::Field* field_;
     field::CellRanges cells_;
     std::optional<segment::Segmentation> segmentation_; // made when first drawn
+    // Brings the tables of the view's transfer function up to date; null if it has none and needs none.
+    const render::Classification* classify(const View& view);
+
     render::Macrocells macrocells_;
+    std::optional<render::Classification> classification_; // made when first needed
     std::optional<Key> key_;
 };
 

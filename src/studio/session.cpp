@@ -110,7 +110,7 @@ Session sessionOf(const Document& document, const Session& source) {
     session.volumeChecksum = volume::checksum(document.volume());
     session.operations = document.log();
     const View& view = document.view();
-    session.operations.emplace_back(SetView{view.camera, view.mode, view.range, view.sculptureView});
+    session.operations.emplace_back(lookAs(view));
     return session;
 }
 

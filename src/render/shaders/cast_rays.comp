@@ -1,8 +1,9 @@
 // One sample per pixel of the picture: cast a ray, find what the mode asks for, colour it, add it to the accumulation.
-// MODE: 0 surface, 1 MIP, 2 X-ray, 3 overlay (segmentation as surface, the rest as X-ray), 4 segment (both as surface).
-// CONTENT and SCULPTED: see surface.glsl.
+// MODE: 0 surface, 1 MIP, 2 X-ray, 3 overlay (segmentation as surface, the rest as X-ray), 4 segment (both as surface),
+// 5 volume (compositing). CONTENT and SCULPTED: see surface.glsl. TF_KIND: what the transfer function goes by that colours
+// all modes (classification.glsl); not defined: none does.
 // In: the scene (field/shaders/scene.glsl), the view (rays.glsl). Out: image 0 (rgba32f) sum of display colours.
-// variants: MODE=0 CONTENT=0;MODE=0 CONTENT=0 SCULPTED=1;MODE=1 CONTENT=0;MODE=2 CONTENT=0 SCULPTED=1;MODE=3 CONTENT=1 SCULPTED=1;MODE=4 CONTENT=2;MODE=0 CONTENT=0 TRICUBIC=1
+// variants: MODE=0 CONTENT=0;MODE=0 CONTENT=0 SCULPTED=1;MODE=1 CONTENT=0;MODE=2 CONTENT=0 SCULPTED=1;MODE=3 CONTENT=1 SCULPTED=1;MODE=4 CONTENT=2;MODE=5 CONTENT=0 TF_KIND=0;MODE=5 CONTENT=0 SCULPTED=1 TF_KIND=2;MODE=0 CONTENT=0 TF_KIND=1;MODE=1 CONTENT=0 TF_KIND=0;MODE=2 CONTENT=0 TF_KIND=2;MODE=0 CONTENT=0 TRICUBIC=1
 layout(local_size_x = 8, local_size_y = 8) in;
 
 #include "field/shaders/scene.glsl"
@@ -10,9 +11,15 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "render/shaders/surface.glsl"
 #include "render/shaders/maximum.glsl"
 #include "render/shaders/shading.glsl"
+#ifdef TF_KIND
+#include "render/shaders/classification.glsl"
+#endif
+#if MODE == 5
+#include "render/shaders/composite.glsl"
+#endif
 
 layout(rgba32f, binding = 0) uniform image2D accumulation;
-layout(binding = 5) uniform sampler2D beams; // where along its rays each square of pixels may show something
+layout(binding = 8) uniform sampler2D beams; // where along its rays each square of pixels may show something
 
 layout(location = 0) uniform ivec2 tileOrigin;
 layout(location = 1) uniform vec2 pixelOffset; // where in the pixel this sample lies, 0..1
@@ -32,27 +39,54 @@ float startJitter(ivec2 pixel) {
     return fract(52.9829189 * fract(dot(vec2(pixel) + 64.0 * pixelOffset, vec2(0.06711056, 0.00583715))));
 }
 
+#ifdef TF_KIND
+// The transfer function's colour of a value at p, linear.
+vec3 functionColour(float value, vec3 p) {
+#if TF_KIND == 0
+    return classify(value, 0.0).rgb;
+#else
+    return classify(value, length(dataGradient(p))).rgb;
+#endif
+}
+#endif
+
+// The colour of the data's own surface. It shows one value, the displayed range's end, so a transfer function is asked for
+// what lies a step behind it.
+vec3 surfaceColour(Hit hit, Ray ray) {
+#ifdef TF_KIND
+    vec3 behind = hit.voxel + ray.direction;
+    return functionColour(dataAt(behind), behind);
+#else
+    return kSurfaceColour;
+#endif
+}
+
 float greyOf(float value) { return clamp((value - range.z) / max(range.w - range.z, 1e-20), 0.0, 1.0); }
 
 vec3 shadeHit(Hit hit, Ray ray) {
     vec3 right = viewRight.xyz;
     vec3 up = viewUp.xyz;
-    vec3 albedo = hit.isSegment ? segmentColour : kSurfaceColour;
+    vec3 albedo = hit.isSegment ? segmentColour : surfaceColour(hit, ray);
     if (!hit.isCut) {
         return displayFromLinear(lit(albedo, hit.normal, -ray.world, right, up, -viewForward.xyz, 0.12));
     }
     // A section shows the data's own values: grey, shaded just enough to tell its shape.
+#ifdef TF_KIND
+    vec3 section = functionColour(dataAt(hit.voxel), hit.voxel);
+#else
     vec3 section = linearFromDisplay(vec3(0.15 + 0.85 * greyOf(dataAt(hit.voxel))) * vec3(1.0, 0.985, 0.96));
+#endif
     section = hit.isSegment ? mix(section, segmentColour, 0.55) : section;
     vec3 key = normalize(-0.45 * right + 0.65 * up - 0.75 * viewForward.xyz);
     return displayFromLinear(section * (0.55 + 0.45 * max(dot(hit.normal, key), 0.0)));
 }
 
 #if MODE == 2 || MODE == 3
-// Integral of (value - lo) / (hi - lo) over the visible part of the ray up to tEnd, in steps.
-float integralAlong(Ray ray, float tEnd) {
+// Integral of (value - lo) / (hi - lo) over the visible part of the ray up to tEnd, in steps: a. The transfer function's
+// colours, each weighted by that: rgb.
+vec4 integralAlong(Ray ray, float tEnd) {
     vec3 inverseDirection = safeInverse(ray.direction);
-    float sum = 0.0;
+    vec4 sum = vec4(0.0);
     float t = nextSample(ray.tBegin, sampleStep, 0.5);
     while (t < tEnd) {
         float skip = emptyUntil(ray, t, inverseDirection);
@@ -62,11 +96,26 @@ float integralAlong(Ray ray, float tEnd) {
 #ifdef SCULPTED
         counts = counts && visibleSide(sculptureAt(p)) >= 0.0;
 #endif
-        sum += counts ? partOfRange(value) : 0.0;
+        float part = counts ? partOfRange(value) : 0.0;
+        sum.a += part;
+#ifdef TF_KIND
+        sum.rgb += part * functionColour(value, p);
+#endif
         // Whole steps only, so that the samples stay evenly spaced across a skip.
         t = skip > 0.0 ? nextSample(t + skip, sampleStep, 0.5) : t + sampleStep;
     }
     return sum * sampleStep;
+}
+#endif
+
+#if MODE == 2 || MODE == 3
+// The display colour of an integral: white, or what the transfer function says.
+vec3 integralColour(vec4 integral) {
+#ifdef TF_KIND
+    return displayFromLinear(integral.rgb / max(integral.a, 1e-6));
+#else
+    return vec3(1.0);
+#endif
 }
 #endif
 
@@ -75,17 +124,26 @@ vec3 colourOf(Ray ray, vec3 behind, float jitter) {
     Hit hit = findSurface(ray, jitter);
     return hit.found ? shadeHit(hit, ray) : behind;
 #elif MODE == 1
-    float greatest = findGreatest(ray, sampleStep).value;
-    float brightness = clamp(partOfRange(greatest), 0.0, 1.0);
-    return greatest > -1e29 ? mix(behind * 0.3, vec3(1.0), brightness) : behind;
-#elif MODE == 2
-    float brightness = integralAlong(ray, ray.tEnd) / exposure.y * exposure.x;
-    return mix(behind, vec3(1.0), clamp(brightness, 0.0, 1.0));
+    Greatest greatest = findGreatest(ray, sampleStep);
+    float brightness = clamp(partOfRange(greatest.value), 0.0, 1.0);
+#ifdef TF_KIND
+    vec3 shown = displayFromLinear(functionColour(greatest.value, at(ray, greatest.t)));
 #else
+    vec3 shown = mix(behind * 0.3, vec3(1.0), brightness);
+#endif
+    return greatest.value > -1e29 ? shown : behind;
+#elif MODE == 2
+    vec4 integral = integralAlong(ray, ray.tEnd);
+    return mix(behind, integralColour(integral), clamp(integral.a / exposure.y * exposure.x, 0.0, 1.0));
+#elif MODE == 3
     Hit hit = findSurface(ray, jitter);
-    float brightness = integralAlong(ray, hit.found ? hit.t : ray.tEnd) / exposure.y * exposure.x;
+    vec4 integral = integralAlong(ray, hit.found ? hit.t : ray.tEnd);
+    float brightness = clamp(integral.a / exposure.y * exposure.x, 0.0, 1.0);
     vec3 base = hit.found ? shadeHit(hit, ray) : behind;
-    return mix(base, vec3(0.86, 0.91, 1.0), clamp(brightness, 0.0, 1.0) * (hit.found ? 0.45 : 0.9));
+    return mix(base, vec3(0.86, 0.91, 1.0) * integralColour(integral), brightness * (hit.found ? 0.45 : 0.9));
+#else
+    vec4 seen = compositeAlong(ray, sampleStep, jitter);
+    return displayFromLinear(seen.rgb + (1.0 - seen.a) * linearFromDisplay(behind));
 #endif
 }
 

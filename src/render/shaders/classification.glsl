@@ -8,7 +8,8 @@ layout(std140, binding = 2) uniform ClassificationBlock {
     vec4 valueAxis;         // x scale, y offset to a table coordinate 0..1; z lowest value that counts, w columns
     vec4 gradientAxis;      // x scale, y offset to a table coordinate 0..1
     vec4 segmentOfFunction; // x steps of a segment
-    vec4 lightingOfFunction; // x amount: 0 glows by itself, 1 lit as a surface; y gloss
+    vec4 lightingOfFunction; // x amount: 0 glows by itself, 1 lit as a surface; y gloss; z opacity per
+    // step that a pen meets
 };
 
 layout(binding = 5) uniform sampler2D functionTable;

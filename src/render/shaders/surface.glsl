@@ -1,6 +1,7 @@
 // The first visible surface along a ray: what is seen, picked and cut.
-// CONTENT chooses what counts as content: 0 data in the displayed range, 1 segmentation, 2 either of the two.
-// Include "render/shaders/rays.glsl" first.
+// CONTENT chooses what counts as content: 0 data in the displayed range, 1 segmentation, 2 either of the two, 3 what the
+// transfer function makes opaque enough to be touched. Include "render/shaders/rays.glsl" first, for 3 also
+// "render/shaders/classification.glsl".
 
 // >= 0 where there is content to see; continuous along each of its parts, so it can be bisected.
 float contentAt(vec3 p) {
@@ -8,6 +9,12 @@ float contentAt(vec3 p) {
     return insideRange(dataAt(p));
 #elif CONTENT == 1
     return segmentationAt(p) - 0.5;
+#elif CONTENT == 3
+#if TF_KIND == 0
+    return classify(dataAt(p), 0.0).a - lightingOfFunction.z;
+#else
+    return classify(dataAt(p), length(dataGradient(p))).a - lightingOfFunction.z;
+#endif
 #else
     return max(insideRange(dataAt(p)), segmentationAt(p) - 0.5);
 #endif
@@ -18,7 +25,7 @@ float sideAt(vec3 p) {
 #ifdef SCULPTED
     return visibleSide(sculptureAt(p));
 #else
-    return 1.0;
+    return 1e30;
 #endif
 }
 
@@ -71,18 +78,22 @@ float firstVisible(Ray ray, float jitter) {
 }
 
 // Moves a visible t back to the surface: an invisible and a visible place, almost together, around it. False position,
-// kept off the ends so that a jump (the edge of non-finite voxels) is closed in on too.
+// kept off the ends so that a jump (the edge of non-finite voxels) is closed in on too. Content is in the volume's unit,
+// the side a part of one: scaled to be alike, or the smaller unit would bend what is straight.
 vec2 refine(Ray ray, float t) {
     float outside = max(t - kDt, ray.tNear);
     float inside = t;
-    float below = visibility(at(ray, outside));
-    float above = visibility(at(ray, inside));
+    float contentOutside = contentAt(at(ray, outside));
+    float contentInside = contentAt(at(ray, inside));
+    float scale = 1.0 / max(max(abs(contentOutside), abs(contentInside)), 1e-30);
+    float below = min(contentOutside * scale, sideAt(at(ray, outside)));
+    float above = min(contentInside * scale, sideAt(at(ray, inside)));
     if (below >= 0.0) {
         return vec2(outside, outside); // visible from the start: the ray enters the box inside
     }
     for (int i = 0; i < 3; ++i) {
         float middle = mix(outside, inside, clamp(below / (below - above), 0.05, 0.95));
-        float there = visibility(at(ray, middle));
+        float there = min(contentAt(at(ray, middle)) * scale, sideAt(at(ray, middle)));
         bool seen = there >= 0.0;
         inside = seen ? middle : inside;
         above = seen ? there : above;
@@ -125,7 +136,7 @@ Hit findSurface(Ray ray, float jitter) {
     hit.t = bracket.y;
     hit.voxel = at(ray, hit.t);
     vec3 before = at(ray, bracket.x);
-#if CONTENT != 0
+#if CONTENT == 1 || CONTENT == 2
     // The data's surface and the segment's rarely agree to the voxel: what lies just behind is tinted too.
     // Seeds lie up to a voxel behind the surface that they were drawn on.
     float nearby = segmentationAt(hit.voxel);
@@ -136,7 +147,7 @@ Hit findSurface(Ray ray, float jitter) {
 #endif
     bool atBorder = bracket.y - ray.tNear < 1e-3 && ray.tNear > 0.0;
     vec3 gradient = atBorder ? boxNormal(hit.voxel) : dataGradient(hit.voxel);
-#if CONTENT != 0
+#if CONTENT == 1 || CONTENT == 2
     if (segmentationAt(hit.voxel) >= 0.5 && !atBorder) {
         gradient = segmentationGradient(hit.voxel);
     }

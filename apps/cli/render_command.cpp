@@ -62,7 +62,7 @@ void runRender(const RenderOptions& options) {
     document.look(view);
     render::Frame frame = document.frame(size);
     frame.samples = options.samples;
-    (void)background; // HAND OVER HERE: background to the frame.
+    frame.background = background;
     render::RayCaster caster;
     caster.start(frame);
     {

@@ -137,7 +137,9 @@ bool RayCaster::renderSome(double budgetMs) {
     program.set(3, glm::vec2(float(frame_.xrayGain), float(geometry.diagonalMm() / geometry.stepMm())))
         .set(4, frame_.segmentColour)
         .set(5, float(frame_.sampleStep))
-        .set(6, kBeam);
+        .set(6, kBeam)
+        .set(7, glm::vec4(frame_.background.top, frame_.background.isTransparent ? 1.0F : 0.0F))
+        .set(8, glm::vec4(frame_.background.bottom, 0.0F));
     const glm::ivec2 tiles = tileCount(frame_.rays.size);
     while (!isComplete()) {
         const gl::Pass pass("cast rays");
@@ -167,6 +169,7 @@ const gl::Texture& RayCaster::picture() {
     const gl::Pass pass("resolve picture");
     accumulation_.bindImage(0, gl::Access::Read);
     picture_.bindImage(1, gl::Access::Write);
+    resolve_.set(0, glm::ivec3(sample_, tile_, kTile)).set(1, frame_.background.isTransparent ? 1 : 0);
     resolve_.dispatchOver(picture_.size(), gl::Barrier::All);
     return picture_;
 }

@@ -221,7 +221,7 @@ Outcome Document::Impl::run(SavePicture& op, const std::filesystem::path& folder
     }
     render::Frame picture = frame(view, op.size);
     picture.samples = op.samples;
-    // HAND OVER HERE: op.background to the frame.
+    picture.background = op.background;
     caster->render(picture);
     image::Image pixels = caster->readPicture();
     if (op.annotations) {

@@ -181,6 +181,7 @@ void MainWindow::refresh() {
     refreshColours();
     constexpr const char* kSculptureViews[] = {"viewWhole", "viewCut", "viewProbe"};
     action(kSculptureViews[static_cast<int>(view.sculptureView)])->setChecked(true);
+    action("smoothSampling")->setChecked(view.sampling == field::Sampling::Tricubic);
     action((studio_.tool().name().toStdString() + "Tool").c_str())->setChecked(true);
     action(studio_.shape() == studio::Shape::Ellipse ? "ellipse" : "freeForm")->setChecked(true);
     if (document != nullptr) {

@@ -101,6 +101,16 @@ void MainWindow::makeViewActions() {
     addChoice(views, {"viewWhole", "whole", tr("Whole"), tr("The whole volume, without cuts"), tr("8")},
               [this] { studio_.setSculptureView(SculptureView::Whole); });
 
+    QAction* smooth =
+        addAction({"smoothSampling", nullptr, tr("Smooth sampling"),
+                   tr("Tricubic instead of trilinear: no facets where the picture is enlarged, but slower"),
+                   tr("Shift+S")},
+                  [this] {
+                      studio_.setSampling(action("smoothSampling")->isChecked() ? field::Sampling::Tricubic
+                                                                                : field::Sampling::Trilinear);
+                  });
+    smooth->setCheckable(true);
+
     QAction* annotations =
         addAction({"annotations", nullptr, tr("Annotations"),
                    tr("Scale bar and orientation marker over the view; saved pictures have none"), tr("A")},
@@ -159,7 +169,7 @@ void MainWindow::makeMenus() {
     menu(tr("&Edit"), {"undo", "redo", "-", "unCut", "reSeed", "-", "clearSketch"});
     menu(tr("&View"),
          {"resetView", "-", "mode.surface", "mode.mip", "mode.xray", "mode.overlay", "mode.segment",
-          "mode.volume", "-", "viewCut", "viewProbe", "viewWhole", "-", "annotations"});
+          "mode.volume", "-", "viewCut", "viewProbe", "viewWhole", "-", "smoothSampling", "annotations"});
     makeColourMenu();
     menu(tr("&Tools"), {"cameraTool", "peelTool", "drillTool", "seedTool", "-", "freeForm", "ellipse"});
     menu(tr("&Segmentation"), {"playPause", "growStepKey", "growBackKey", "growToEndKey"});

@@ -154,6 +154,12 @@ void StudioController::setRange(Range range) {
     look(next);
 }
 
+void StudioController::setSampling(field::Sampling sampling) {
+    auto next = view_;
+    next.sampling = sampling;
+    look(next);
+}
+
 void StudioController::setViewport(QSizeF logical, glm::ivec2 device) {
     const bool isNew = device != picture_->viewport();
     logical_ = logical;

@@ -61,6 +61,7 @@ public:
     void setTransferFunction(const std::optional<render::TransferFunction>& function);
     void setSculptureView(field::SculptureView view);
     void setRange(Range range);
+    void setSampling(field::Sampling sampling);
     void setViewport(QSizeF logical, glm::ivec2 device);
     [[nodiscard]] glm::dvec2 devicePerLogical() const;
     [[nodiscard]] QPointF viewCentre() const;

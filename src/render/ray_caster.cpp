@@ -73,8 +73,10 @@ RayCaster::RayCaster()
 gl::Program& RayCaster::programFor(const Frame& frame) {
     const bool isSculpted =
         frame.scene.sculpture != nullptr || frame.scene.view == field::SculptureView::Probe;
+    const bool isTricubic = frame.scene.sampling == field::Sampling::Tricubic;
     const int kind = frame.classification != nullptr ? 1 + int(frame.classification->kind()) : 0;
-    const int key = (8 * static_cast<int>(frame.mode) + 2 * kind) + (isSculpted ? 1 : 0);
+    const int key =
+        16 * static_cast<int>(frame.mode) + 4 * kind + (isTricubic ? 2 : 0) + (isSculpted ? 1 : 0);
     auto& program = programs_[key];
     if (!program) {
         const int content = frame.mode == Mode::Overlay ? 1 : frame.mode == Mode::Segment ? 2 : 0;
@@ -82,6 +84,9 @@ gl::Program& RayCaster::programFor(const Frame& frame) {
                             {"CONTENT", std::to_string(content)}};
         if (isSculpted) {
             defines.emplace_back("SCULPTED", "1");
+        }
+        if (isTricubic) {
+            defines.emplace_back("TRICUBIC", "1");
         }
         if (frame.classification != nullptr) {
             defines.emplace_back("TF_KIND", frame.classification->kindDefine());
@@ -134,7 +139,9 @@ bool RayCaster::renderSome(double budgetMs) {
     program.set(3, glm::vec2(float(frame_.xrayGain), float(geometry.diagonalMm() / geometry.stepMm())))
         .set(4, frame_.segmentColour)
         .set(5, float(frame_.sampleStep))
-        .set(6, kBeam);
+        .set(6, kBeam)
+        .set(7, glm::vec4(frame_.background.top, frame_.background.isTransparent ? 1.0F : 0.0F))
+        .set(8, glm::vec4(frame_.background.bottom, 0.0F));
     const glm::ivec2 tiles = tileCount(frame_.rays.size);
     while (!isComplete()) {
         const gl::Pass pass("cast rays");
@@ -164,6 +171,7 @@ const gl::Texture& RayCaster::picture() {
     const gl::Pass pass("resolve picture");
     accumulation_.bindImage(0, gl::Access::Read);
     picture_.bindImage(1, gl::Access::Write);
+    resolve_.set(0, glm::ivec3(sample_, tile_, kTile)).set(1, frame_.background.isTransparent ? 1 : 0);
     resolve_.dispatchOver(picture_.size(), gl::Barrier::All);
     return picture_;
 }

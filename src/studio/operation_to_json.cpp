@@ -60,7 +60,8 @@ Json toJson(const Canvas& canvas) {
               {"camera", toJson(canvas.view.camera)},
               {"mode", kModes[std::size_t(canvas.view.mode)]},
               {"range", toJson(canvas.view.range)},
-              {"sculptureView", kSculptureViews[std::size_t(canvas.view.sculptureView)]}};
+              {"sculptureView", kSculptureViews[std::size_t(canvas.view.sculptureView)]},
+              {"sampling", kSamplings[std::size_t(canvas.view.sampling)]}};
     if (canvas.view.transferFunction) {
         json["transferFunction"] = toJson(canvas.view.transferFunction);
     }
@@ -90,6 +91,9 @@ void write(Json& j, const SetView& op) {
     }
     addIfSet(j, "transferFunction", op.transferFunction);
     addIfSet(j, "pasted", op.pasted);
+    if (op.sampling) {
+        j["sampling"] = kSamplings[std::size_t(*op.sampling)];
+    }
 }
 
 void write(Json& j, const Peel& op) {

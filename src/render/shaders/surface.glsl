@@ -25,7 +25,7 @@ float sideAt(vec3 p) {
 #ifdef SCULPTED
     return visibleSide(sculptureAt(p));
 #else
-    return 1.0;
+    return 1e30;
 #endif
 }
 
@@ -78,18 +78,22 @@ float firstVisible(Ray ray, float jitter) {
 }
 
 // Moves a visible t back to the surface: an invisible and a visible place, almost together, around it. False position,
-// kept off the ends so that a jump (the edge of non-finite voxels) is closed in on too.
+// kept off the ends so that a jump (the edge of non-finite voxels) is closed in on too. Content is in the volume's unit,
+// the side a part of one: scaled to be alike, or the smaller unit would bend what is straight.
 vec2 refine(Ray ray, float t) {
     float outside = max(t - kDt, ray.tNear);
     float inside = t;
-    float below = visibility(at(ray, outside));
-    float above = visibility(at(ray, inside));
+    float contentOutside = contentAt(at(ray, outside));
+    float contentInside = contentAt(at(ray, inside));
+    float scale = 1.0 / max(max(abs(contentOutside), abs(contentInside)), 1e-30);
+    float below = min(contentOutside * scale, sideAt(at(ray, outside)));
+    float above = min(contentInside * scale, sideAt(at(ray, inside)));
     if (below >= 0.0) {
         return vec2(outside, outside); // visible from the start: the ray enters the box inside
     }
     for (int i = 0; i < 3; ++i) {
         float middle = mix(outside, inside, clamp(below / (below - above), 0.05, 0.95));
-        float there = visibility(at(ray, middle));
+        float there = min(contentAt(at(ray, middle)) * scale, sideAt(at(ray, middle)));
         bool seen = there >= 0.0;
         inside = seen ? middle : inside;
         above = seen ? there : above;

@@ -52,7 +52,13 @@ vec3 litInVolume(vec4 colour, Ray ray, vec3 p, bool isCut) {
 #endif
     vec3 normal = facing(gradient, -ray.world);
     vec3 albedo = colour.rgb / max(colour.a, 1e-6);
-    vec3 light = lit(albedo, normal, -ray.world, viewRight.xyz, viewUp.xyz, -viewForward.xyz, lightingOfFunction.y);
+#ifdef LIT
+    vec2 reaching = cheapLight(p, normal);
+#else
+    vec2 reaching = vec2(1.0);
+#endif
+    vec3 light = lit(albedo, normal, -ray.world, viewRight.xyz, viewUp.xyz, -viewForward.xyz, lightingOfFunction.y,
+                     reaching);
     return mix(albedo, light, lightingOfFunction.x) * colour.a;
 }
 
@@ -91,10 +97,11 @@ void addPiece(inout Walk walk, Ray ray, float tAfter, float dt) {
 }
 
 // Premultiplied linear colour and opacity of everything along the ray. Samples `dt` steps apart, on the lattice that
-// `jitter` shifts; the grid's box is met exactly, its ends cut pieces short.
-vec4 compositeAlong(Ray ray, float dt, float jitter) {
+// `jitter` shifts; the grid's box is met exactly, its ends cut pieces short. `depth`: mean t of what is seen.
+vec4 compositeAlong(Ray ray, float dt, float jitter, out float depth) {
     vec3 inverseDirection = safeInverse(ray.direction);
     vec4 sum = vec4(0.0);
+    depth = 0.0;
     float stop = ray.tEnd;
     Walk walk;
     walk.t = nextSample(ray.tBegin, dt, jitter) - dt;
@@ -120,8 +127,10 @@ vec4 compositeAlong(Ray ray, float dt, float jitter) {
         if (walk.found.a * (1.0 - sum.a) > kUnseen) {
             walk.found.rgb = litInVolume(walk.found, ray, at(ray, walk.weightedT / walk.found.a), walk.isCut);
         }
+        depth += (1.0 - sum.a) * walk.weightedT;
         sum += (1.0 - sum.a) * walk.found;
         stop = sum.a > kOpaque ? -1.0 : stop;
     }
+    depth /= max(sum.a, 1e-6);
     return sum;
 }

@@ -28,6 +28,7 @@ struct RenderOptions {
     std::string projection = "perspective";
     std::string sampling = "linear";
     std::string function;
+    bool shadows = false;
     render::Camera camera;
     int samples = 8;
     std::string background = "studio";
@@ -59,6 +60,7 @@ void runRender(const RenderOptions& options) {
     view.sampling = options.sampling == "cubic" ? field::Sampling::Tricubic : field::Sampling::Trilinear;
     view.range = range.value_or(view.range);
     view.transferFunction = function;
+    view.shadows = options.shadows;
     document.look(view);
     render::Frame frame = document.frame(size);
     frame.samples = options.samples;
@@ -96,6 +98,7 @@ void addRenderCommand(CLI::App& app) {
                         "Displayed range LO:HI; suggested from the histogram if not given");
     command->add_option("--tf", options->function,
                         "Transfer function that colours every mode: a preset's name or a JSON file");
+    command->add_flag("--shadows", options->shadows, "Ambient occlusion and soft shadows");
     command->add_option("--size", options->size, "Pixels, WIDTHxHEIGHT")->capture_default_str();
     command
         ->add_option("--azimuth", options->camera.azimuthDegrees,

@@ -57,7 +57,11 @@ FormatInfo info(Format format) {
 std::size_t bytesPerTexel(Format format) { return info(format).bytes; }
 
 std::size_t Texture::bytes() const {
-    return std::size_t(size_.x) * std::size_t(size_.y) * std::size_t(size_.z) * bytesPerTexel(format_);
+    std::size_t texels = 0;
+    for (int level = 0; level < levels_; ++level) {
+        texels += Box3{glm::ivec3(0), size(level)}.volume();
+    }
+    return size_ == glm::ivec3(0) ? 0 : texels * bytesPerTexel(format_);
 }
 
 Texture::Texture(glm::ivec3 size, Format format, Filter filter, const std::string& label)
@@ -68,6 +72,19 @@ Texture::Texture(glm::ivec3 size, Format format, Filter filter, const std::strin
 Texture::Texture(glm::ivec2 size, Format format, Filter filter, const std::string& label)
     : size_(size, 1), format_(format), is3D_(false) {
     create(label, filter);
+}
+
+Texture Texture::pyramid(glm::ivec3 size, Format format, int levels, const std::string& label) {
+    Texture texture;
+    texture.size_ = size;
+    texture.format_ = format;
+    texture.levels_ = levels;
+    texture.create(label, Filter::Linear);
+    glTextureParameteri(texture.name(), GL_TEXTURE_MIN_FILTER, GL_LINEAR_MIPMAP_NEAREST);
+    for (const GLenum axis : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
+        glTextureParameteri(texture.name(), axis, GL_CLAMP_TO_BORDER);
+    }
+    return texture;
 }
 
 void Texture::create(const std::string& label, Filter filter) {
@@ -83,7 +100,7 @@ void Texture::create(const std::string& label, Filter filter) {
     const GLenum internal = info(format_).internal;
     const auto allocate = [&] {
         if (is3D_) {
-            glTextureStorage3D(name, 1, internal, size_.x, size_.y, size_.z);
+            glTextureStorage3D(name, levels_, internal, size_.x, size_.y, size_.z);
         } else {
             glTextureStorage2D(name, 1, internal, size_.x, size_.y);
         }
@@ -119,7 +136,7 @@ void Texture::upload(const Box3& box, std::span<const std::byte> texels) {
     }
 }
 
-std::vector<std::byte> Texture::download(const Box3& box) const {
+std::vector<std::byte> Texture::download(const Box3& box, int level) const {
     const FormatInfo f = info(format_);
     const glm::ivec3 s = box.size();
     std::vector<std::byte> texels(box.volume() * f.bytes);
@@ -129,7 +146,7 @@ std::vector<std::byte> Texture::download(const Box3& box) const {
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     // Image stores must be visible to the read-back.
     glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
-    glGetTextureSubImage(name(), 0, box.lo.x, box.lo.y, box.lo.z, s.x, s.y, s.z, f.layout, f.type,
+    glGetTextureSubImage(name(), level, box.lo.x, box.lo.y, box.lo.z, s.x, s.y, s.z, f.layout, f.type,
                          GLsizei(texels.size()), texels.data());
     return texels;
 }
@@ -146,7 +163,9 @@ void Texture::copyFrom(const Texture& source, const Box3& sourceBox, glm::ivec3 
 void Texture::clear() {
     const FormatInfo f = info(format_);
     glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
-    glClearTexImage(name(), 0, f.layout, f.type, nullptr);
+    for (int level = 0; level < levels_; ++level) {
+        glClearTexImage(name(), level, f.layout, f.type, nullptr);
+    }
 }
 
 void Texture::clear(const Box3& box) {
@@ -172,11 +191,11 @@ void Texture::clear(const Box3& box, unsigned int value) {
 
 void Texture::bindTexture(unsigned int unit) const { glBindTextureUnit(unit, name()); }
 
-void Texture::bindImage(unsigned int unit, Access access) const {
+void Texture::bindImage(unsigned int unit, Access access, int level) const {
     const GLenum mode = access == Access::Read    ? GL_READ_ONLY
                         : access == Access::Write ? GL_WRITE_ONLY
                                                   : GL_READ_WRITE;
-    glBindImageTexture(unit, name(), 0, is3D_ ? GL_TRUE : GL_FALSE, 0, mode, info(format_).internal);
+    glBindImageTexture(unit, name(), level, is3D_ ? GL_TRUE : GL_FALSE, 0, mode, info(format_).internal);
 }
 
 } // namespace vs::gl

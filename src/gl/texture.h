@@ -31,7 +31,14 @@ public:
     // 2D. Contents start as zeros.
     Texture(glm::ivec2 size, Format format, Filter filter, const std::string& label);
 
+    // 3D with `levels` levels, each half as wide as the one before (rounded down), for shaders to look up
+    // with textureLod(): linear within the nearest level. Coordinates outside give zero. Contents start as
+    // zeros.
+    static Texture pyramid(glm::ivec3 size, Format format, int levels, const std::string& label);
+
     [[nodiscard]] glm::ivec3 size() const { return size_; }
+    [[nodiscard]] glm::ivec3 size(int level) const { return glm::max(size_ >> level, glm::ivec3(1)); }
+    [[nodiscard]] int levels() const { return levels_; }
     [[nodiscard]] Format format() const { return format_; }
     [[nodiscard]] unsigned int name() const { return handle_.name(); }
     [[nodiscard]] std::size_t bytes() const;
@@ -39,7 +46,7 @@ public:
 
     // Texels of `box` (half open, must lie inside), x fastest, tightly packed in the texture's own format.
     void upload(const Box3& box, std::span<const std::byte> texels);
-    [[nodiscard]] std::vector<std::byte> download(const Box3& box) const;
+    [[nodiscard]] std::vector<std::byte> download(const Box3& box, int level = 0) const;
     template <typename T>
     [[nodiscard]] std::vector<T> downloadAll() const {
         const auto raw = download({glm::ivec3(0), size_});
@@ -55,7 +62,7 @@ public:
     void clear(const Box3& box, unsigned int value);
 
     void bindTexture(unsigned int unit) const;
-    void bindImage(unsigned int unit, Access access) const;
+    void bindImage(unsigned int unit, Access access, int level = 0) const;
 
 private:
     void create(const std::string& label, Filter filter);
@@ -64,6 +71,7 @@ private:
     glm::ivec3 size_{0};
     Format format_ = Format::R8;
     bool is3D_ = true;
+    int levels_ = 1;
 };
 
 } // namespace vs::gl

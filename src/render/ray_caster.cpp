@@ -67,16 +67,17 @@ ViewBlock viewBlock(const ViewRays& rays, const volume::GridGeometry& geometry) 
 }
 
 RayCaster::RayCaster()
-    : resolve_("render/shaders/resolve_picture.comp"), findBeams_("render/shaders/find_beams.comp"),
-      view_(sizeof(ViewBlock), "view") {}
+    : resolve_("render/shaders/resolve_picture.comp"), findBeams_("render/shaders/find_beams.comp") {}
 
 gl::Program& RayCaster::programFor(const Frame& frame) {
     const bool isSculpted =
         frame.scene.sculpture != nullptr || frame.scene.view == field::SculptureView::Probe;
     const bool isTricubic = frame.scene.sampling == field::Sampling::Tricubic;
     const int kind = frame.classification != nullptr ? 1 + int(frame.classification->kind()) : 0;
-    const int key =
-        16 * static_cast<int>(frame.mode) + 4 * kind + (isTricubic ? 2 : 0) + (isSculpted ? 1 : 0);
+    const bool isLit = frame.occlusion != nullptr;
+    const bool hasParts = !frame.pasted.empty();
+    const int key = 64 * static_cast<int>(frame.mode) + 16 * kind + (hasParts ? 8 : 0) + (isLit ? 4 : 0) +
+                    (isTricubic ? 2 : 0) + (isSculpted ? 1 : 0);
     auto& program = programs_[key];
     if (!program) {
         const int content = frame.mode == Mode::Overlay ? 1 : frame.mode == Mode::Segment ? 2 : 0;
@@ -84,6 +85,12 @@ gl::Program& RayCaster::programFor(const Frame& frame) {
                             {"CONTENT", std::to_string(content)}};
         if (isSculpted) {
             defines.emplace_back("SCULPTED", "1");
+        }
+        if (isLit) {
+            defines.emplace_back("LIT", "1");
+        }
+        if (hasParts) {
+            defines.emplace_back("PARTS", "1");
         }
         if (isTricubic) {
             defines.emplace_back("TRICUBIC", "1");
@@ -99,15 +106,54 @@ gl::Program& RayCaster::programFor(const Frame& frame) {
 void RayCaster::start(const Frame& frame) {
     VS_CHECK(frame.macrocells != nullptr);
     VS_CHECK(frame.mode != Mode::Volume || frame.classification != nullptr);
+    VS_CHECK(frame.pasted.empty() || frame.pastedMacrocells != nullptr);
     frame_ = frame;
     sample_ = 0;
     tile_ = 0;
-    if (glm::ivec2(accumulation_.size()) != frame.rays.size) {
-        accumulation_ =
-            gl::Texture(frame.rays.size, gl::Format::RGBA32F, gl::Filter::Nearest, "accumulation");
-        picture_ = gl::Texture(frame.rays.size, gl::Format::RGBA8, gl::Filter::Linear, "picture");
-        beams_ = gl::Texture((frame.rays.size + kBeam - 1) / kBeam, gl::Format::RG32F, gl::Filter::Nearest,
-                             "beams");
+    const glm::ivec2 size = frame.rays.size;
+    if (glm::ivec2(accumulation_.size()) != size) {
+        accumulation_ = gl::Texture(size, gl::Format::RGBA32F, gl::Filter::Nearest, "accumulation");
+        picture_ = gl::Texture(size, gl::Format::RGBA8, gl::Filter::Linear, "picture");
+    }
+    if (!frame.pasted.empty() && glm::ivec2(seenFront_.size()) != size) {
+        seenFront_ = gl::Texture(size, gl::Format::RGBA32F, gl::Filter::Nearest, "seen in front");
+        seenBehind_ = gl::Texture(size, gl::Format::RGBA32F, gl::Filter::Nearest, "seen behind");
+    }
+    arrangeParts();
+}
+
+void RayCaster::arrangeParts() {
+    parts_.resize(frame_.pasted.size() + 1);
+    const auto& geometry = frame_.scene.data->geometry;
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+        Part& part = parts_[i];
+        const bool isPasted = i < frame_.pasted.size();
+        part.scene = frame_.scene;
+        part.macrocells = isPasted ? frame_.pastedMacrocells : frame_.macrocells;
+        part.occlusion = isPasted ? frame_.pastedOcclusion : frame_.occlusion;
+        part.rays = frame_.rays;
+        part.scale = 1;
+        if (isPasted) {
+            part.scene.view = field::SculptureView::Probe;
+            part.rays = seenFromPart(frame_.rays, frame_.pasted[i], geometry);
+            part.scale = float(frame_.pasted[i].scale);
+        }
+        part.view.reserve(sizeof(ViewBlock));
+        part.view.writeValue(viewBlock(part.rays, geometry));
+        const glm::ivec2 squares = (frame_.rays.size + kBeam - 1) / kBeam;
+        if (glm::ivec2(part.beams.size()) != squares) {
+            part.beams = gl::Texture(squares, gl::Format::RG32F, gl::Filter::Nearest, "beams");
+        }
+    }
+}
+
+void RayCaster::bindPart(const Part& part) {
+    sceneBinding_.bind(part.scene);
+    part.view.bindUniform(1);
+    part.macrocells->bind();
+    part.beams.bindTexture(8);
+    if (part.occlusion != nullptr) {
+        part.occlusion->bind({.towardsKey = towardsKeyLight(part.rays)});
     }
 }
 
@@ -115,26 +161,28 @@ bool RayCaster::isComplete() const { return sample_ >= frame_.samples; }
 
 void RayCaster::findBeams() {
     const gl::Pass pass("find beams");
-    beams_.bindImage(0, gl::Access::Write);
-    findBeams_.set(0, kBeam);
-    findBeams_.dispatchOver(beams_.size(), gl::Barrier::Texture);
+    for (const Part& part : parts_) {
+        bindPart(part);
+        part.beams.bindImage(0, gl::Access::Write);
+        findBeams_.set(0, kBeam);
+        findBeams_.dispatchOver(part.beams.size(), gl::Barrier::Texture);
+    }
 }
 
 bool RayCaster::renderSome(double budgetMs) {
     const Timer timer;
     gl::Program& program = programFor(frame_);
-    sceneBinding_.bind(frame_.scene);
-    view_.writeValue(viewBlock(frame_.rays, frame_.scene.data->geometry));
-    view_.bindUniform(1);
-    frame_.macrocells->bind();
     if (sample_ == 0 && tile_ == 0) {
         findBeams();
     }
-    beams_.bindTexture(8);
     if (frame_.classification != nullptr) {
         frame_.classification->bind();
     }
     accumulation_.bindImage(0, gl::Access::ReadWrite);
+    if (parts_.size() > 1) {
+        seenFront_.bindImage(1, gl::Access::ReadWrite);
+        seenBehind_.bindImage(2, gl::Access::ReadWrite);
+    }
     const auto& geometry = frame_.scene.data->geometry;
     program.set(3, glm::vec2(float(frame_.xrayGain), float(geometry.diagonalMm() / geometry.stepMm())))
         .set(4, frame_.segmentColour)
@@ -143,13 +191,21 @@ bool RayCaster::renderSome(double budgetMs) {
         .set(7, glm::vec4(frame_.background.top, frame_.background.isTransparent ? 1.0F : 0.0F))
         .set(8, glm::vec4(frame_.background.bottom, 0.0F));
     const glm::ivec2 tiles = tileCount(frame_.rays.size);
+    bindPart(parts_.back());
     while (!isComplete()) {
         const gl::Pass pass("cast rays");
-        program.set(0, glm::ivec2(tile_ % tiles.x, tile_ / tiles.x) * kTile)
+        const glm::ivec2 origin = glm::ivec2(tile_ % tiles.x, tile_ / tiles.x) * kTile;
+        program.set(0, origin)
             .set(1, sample_ == 0 ? kCentre : placeInPixel(sample_))
             .set(2, sample_ > 0 ? 1 : 0);
-        const glm::ivec2 left = frame_.rays.size - glm::ivec2(tile_ % tiles.x, tile_ / tiles.x) * kTile;
-        program.dispatchOver(glm::ivec3(glm::min(left, glm::ivec2(kTile)), 1), gl::Barrier::Image);
+        const glm::ivec3 pixels(glm::min(frame_.rays.size - origin, glm::ivec2(kTile)), 1);
+        for (std::size_t i = 0; i < parts_.size(); ++i) {
+            if (parts_.size() > 1) {
+                bindPart(parts_[i]);
+                program.set(9, glm::ivec2(int(i), int(parts_.size()))).set(10, parts_[i].scale);
+            }
+            program.dispatchOver(pixels, gl::Barrier::Image);
+        }
         if (++tile_ == tiles.x * tiles.y) {
             tile_ = 0;
             ++sample_;

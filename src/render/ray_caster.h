@@ -8,6 +8,7 @@
 #include "render/camera.h"
 #include "render/classification.h"
 #include "render/macrocells.h"
+#include "render/occlusion.h"
 #include "render/placement.h"
 
 #include <map>
@@ -49,6 +50,9 @@ struct Frame {
     // for probe view.
     std::vector<Placement> pasted;
     const Macrocells* pastedMacrocells = nullptr;
+    // Ambient occlusion and soft shadows; null: plain light.
+    OcclusionVolume* occlusion = nullptr;
+    OcclusionVolume* pastedOcclusion = nullptr;
     ViewRays rays;
     Mode mode = Mode::Surface;
     // What is behind. A transparent picture has straight alpha: how much of the background each pixel hides.
@@ -80,14 +84,27 @@ public:
     image::Image readPicture();
 
 private:
+    // What is drawn where: the pasted parts, and last what remains.
+    struct Part {
+        field::Scene scene;
+        const Macrocells* macrocells = nullptr;
+        OcclusionVolume* occlusion = nullptr;
+        ViewRays rays;
+        float scale = 1;
+        gl::Buffer view;
+        gl::Texture beams;
+    };
     gl::Program& programFor(const Frame& frame);
+    void arrangeParts();
+    void bindPart(const Part& part);
     void findBeams();
 
+    std::vector<Part> parts_;
+    gl::Texture seenFront_; // what the parts before the one in hand show; only where there are several
+    gl::Texture seenBehind_;
     std::map<int, gl::Program> programs_; // by mode, whether there is a sculpture, and sampling
     gl::Program resolve_;
     gl::Program findBeams_;
-    gl::Texture beams_;
-    gl::Buffer view_;
     field::SceneBinding sceneBinding_;
     gl::Texture accumulation_;
     gl::Texture picture_;

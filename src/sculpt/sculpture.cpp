@@ -47,7 +47,28 @@ void Sculpture::clear() {
     cells_.clear();
     everTouched_ = {};
     isEmpty_ = true;
+    noteChange({glm::ivec3(0), dims()});
+}
+
+void Sculpture::noteChange(const Box3& box) {
+    constexpr std::size_t remembered = 64;
     ++version_;
+    changes_.push_back(box);
+    if (changes_.size() > remembered) {
+        changes_.pop_front();
+    }
+}
+
+Box3 Sculpture::changedSince(std::uint64_t version) const {
+    const std::uint64_t count = version_ - version;
+    if (count > changes_.size()) {
+        return {glm::ivec3(0), dims()};
+    }
+    Box3 all;
+    for (auto change = changes_.end() - std::ptrdiff_t(count); change != changes_.end(); ++change) {
+        all = unite(all, *change);
+    }
+    return all;
 }
 
 void Sculpture::upload(const Box3& box, std::span<const std::byte> texels) {
@@ -65,7 +86,7 @@ void Sculpture::refresh(const Box3& box) {
         updater_.update(texels_, box, cells_);
         everTouched_ = unite(everTouched_, box);
         isEmpty_.reset();
-        ++version_;
+        noteChange(box);
     }
 }
 

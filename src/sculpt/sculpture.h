@@ -10,6 +10,7 @@
 #include "sculpt/radiation.h"
 
 #include <cstdint>
+#include <deque>
 #include <optional>
 #include <span>
 #include <vector>
@@ -48,17 +49,22 @@ public:
     [[nodiscard]] glm::ivec3 dims() const { return texels_.size(); }
     // Counts every change.
     [[nodiscard]] std::uint64_t version() const { return version_; }
+    // Voxels that may differ from what they were at an earlier version(); all of them if that is long ago.
+    [[nodiscard]] Box3 changedSince(std::uint64_t version) const;
     // True when nothing is cut anywhere: a matter of content, so that undoing the first cut is as if it had
     // never been. May wait for the device.
     [[nodiscard]] bool isEmpty() const;
 
 private:
+    void noteChange(const Box3& box);
+
     gl::Texture texels_;
     gl::Texture cells_;
     gl::Program combine_;
     field::CellRangeUpdater updater_;
     gl::Buffer changed_;
     std::uint64_t version_ = 0;
+    std::deque<Box3> changes_;                   // the last ones, oldest first
     Box3 everTouched_;                           // since it was made or cleared
     mutable std::optional<bool> isEmpty_ = true; // nothing: not known
 };

@@ -28,6 +28,7 @@ Outcome Document::Impl::run(SetView& op, const std::filesystem::path&) {
     view.transferFunction = op.transferFunction.value_or(view.transferFunction);
     view.pasted = op.pasted.value_or(view.pasted);
     view.sampling = op.sampling.value_or(view.sampling);
+    view.shadows = op.shadows.value_or(view.shadows);
     // Logged whole: what was looked at before is part of it.
     op = lookAs(view);
     loggedView = view;

@@ -26,6 +26,7 @@ struct View {
     // Where copies of what was cut out are drawn too. They can be looked at; pens go through them.
     std::vector<render::Placement> pasted = {};
     field::Sampling sampling = field::Sampling::Trilinear;
+    bool shadows = false; // ambient occlusion and soft shadows
 
     bool operator==(const View&) const = default;
 };
@@ -64,6 +65,7 @@ struct SetView {
         {}; // set to nothing: without one
     std::optional<std::vector<render::Placement>> pasted = {};
     std::optional<field::Sampling> sampling = {};
+    std::optional<bool> shadows = {};
 };
 // The whole of a view.
 SetView lookAs(const View& view);

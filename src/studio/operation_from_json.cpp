@@ -149,8 +149,8 @@ std::string readFileName(const JsonReader& reader) {
 // --- one reader per operation
 
 Operation readView(const JsonReader& reader) {
-    reader.allow(
-        {"op", "camera", "mode", "range", "sculptureView", "transferFunction", "pasted", "sampling"});
+    reader.allow({"op", "camera", "mode", "range", "sculptureView", "transferFunction", "pasted", "sampling",
+                  "shadows"});
     SetView op;
     reader.ifHas("camera", [&](const JsonReader& r) { op.camera = readCamera(r); });
     reader.ifHas("mode", [&](const JsonReader& r) { op.mode = r.choice<render::Mode>(kModes); });
@@ -161,6 +161,7 @@ Operation readView(const JsonReader& reader) {
     reader.ifHas("transferFunction",
                  [&](const JsonReader& r) { op.transferFunction = readTransferFunction(r); });
     reader.ifHas("pasted", [&](const JsonReader& r) { op.pasted = readPlacements(r); });
+    reader.ifHas("shadows", [&](const JsonReader& r) { op.shadows = r.boolean(); });
     reader.ifHas("sampling",
                  [&](const JsonReader& r) { op.sampling = r.choice<field::Sampling>(kSamplings); });
     return op;

@@ -94,6 +94,9 @@ void write(Json& j, const SetView& op) {
     if (op.sampling) {
         j["sampling"] = kSamplings[std::size_t(*op.sampling)];
     }
+    if (op.shadows) {
+        j["shadows"] = *op.shadows;
+    }
 }
 
 void write(Json& j, const Peel& op) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/pipeline.h"
 
+#include <utility>
+
 namespace vs::studio {
 
 Pipeline::Pipeline(const field::Field& field)
@@ -64,15 +66,24 @@ render::Frame Pipeline::frame(const State& state, glm::ivec2 size) {
             state.sculpture->version(),
             hasSegmentation ? segmentation_->version() : 0,
             hasSegmentation,
+            true,
             byFunction ? classification_->version() : 0,
             view.sampling};
     refresh(cells_, key, state, frame);
     frame.macrocells = &cells_.macrocells;
+    if (view.shadows) {
+        refresh(light_, key, state, frame, cells_.macrocells);
+        frame.occlusion = &light_.occlusion;
+    }
     if (isSculpted && !view.pasted.empty()) {
         key.view = field::SculptureView::Probe;
         refresh(pastedCells_, key, state, frame);
         frame.pasted = view.pasted;
         frame.pastedMacrocells = &pastedCells_.macrocells;
+        if (view.shadows) {
+            refresh(pastedLight_, key, state, frame, pastedCells_.macrocells);
+            frame.pastedOcclusion = &pastedLight_.occlusion;
+        }
     }
     return frame;
 }
@@ -100,6 +111,29 @@ void Pipeline::refresh(Cells& cells, const Key& key, const State& state, const r
     input.classification = frame.mode == render::Mode::Volume ? frame.classification : nullptr;
     cells.macrocells.rebuild(input);
     cells.key = key;
+}
+
+void Pipeline::refresh(Light& light, Key key, const State& state, const render::Frame& frame,
+                       const render::Macrocells& macrocells) {
+    key.drawsData = frame.mode != render::Mode::Overlay;
+    if (light.key == key) {
+        return;
+    }
+    render::OcclusionVolume::Input input;
+    input.scene = frame.scene;
+    input.scene.view = key.view;
+    input.macrocells = &macrocells;
+    input.classification = frame.mode == render::Mode::Volume ? frame.classification : nullptr;
+    input.drawsData = key.drawsData;
+    input.drawsSegmentation = key.drawsSegmentation;
+    Key before = light.key.value_or(key);
+    const std::uint64_t version = std::exchange(before.sculptureVersion, key.sculptureVersion);
+    if (light.key && before == key) { // nothing but cuts since
+        light.occlusion.update(input, state.sculpture->changedSince(version));
+    } else {
+        light.occlusion.rebuild(input);
+    }
+    light.key = key;
 }
 
 } // namespace vs::studio

@@ -38,6 +38,7 @@ private:
         std::uint64_t sculptureVersion = 0;
         std::uint64_t segmentationVersion = 0;
         bool drawsSegmentation = false;
+        bool drawsData = true;   // as far as light is concerned
         int functionVersion = 0; // of the transfer function, where it says what can be seen
         field::Sampling sampling = field::Sampling::Trilinear;
         bool operator==(const Key&) const = default;
@@ -56,8 +57,18 @@ private:
     };
     void refresh(Cells& cells, const Key& key, const State& state, const render::Frame& frame);
 
+    // Likewise what blocks the light; made when shadows are first wanted.
+    struct Light {
+        render::OcclusionVolume occlusion;
+        std::optional<Key> key;
+    };
+    void refresh(Light& light, Key key, const State& state, const render::Frame& frame,
+                 const render::Macrocells& macrocells);
+
     Cells cells_;
     Cells pastedCells_;
+    Light light_;
+    Light pastedLight_;
     std::optional<render::Classification> classification_; // made when first needed
 };
 

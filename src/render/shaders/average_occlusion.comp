@@ -1,0 +1,28 @@
+// The next level of the occlusion volume: each texel the mean of 4^3 of the level before, weighted 1 3 3 1 along each axis,
+// which is smooth where the mean of 2^3 shows its blocks.
+// In: texture 9. Out: image 0 (r8), the next level, texels [texelLo, texelHi).
+layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
+
+layout(binding = 9) uniform sampler3D occlusion;
+layout(r8, binding = 0) uniform writeonly image3D averages;
+
+layout(location = 0) uniform ivec3 texelLo;
+layout(location = 1) uniform ivec3 texelHi;
+layout(location = 2) uniform int level; // the level before
+
+void main() {
+    ivec3 texel = texelLo + ivec3(gl_GlobalInvocationID);
+    if (any(greaterThanEqual(texel, texelHi))) {
+        return;
+    }
+    // Between a texel of weight 3 and one of weight 1, linear interpolation gives both, in that proportion.
+    vec3 size = vec3(textureSize(occlusion, level));
+    vec3 lower = (2.0 * vec3(texel) + 1.0 - 0.75) / size;
+    vec3 upper = (2.0 * vec3(texel) + 1.0 + 0.75) / size;
+    float sum = 0.0;
+    for (int i = 0; i < 8; ++i) {
+        vec3 place = mix(lower, upper, vec3(i & 1, (i >> 1) & 1, i >> 2));
+        sum += textureLod(occlusion, place, float(level)).r;
+    }
+    imageStore(averages, texel, vec4(0.125 * sum));
+}

@@ -1,0 +1,130 @@
+// How much of each texel of the occlusion volume blocks light: the part of it that is visible, or what its opacity holds back.
+// CONTENT: 0 data in the displayed range, 1 segmentation, 2 either of the two, 3 opacity of the transfer function (TF_KIND).
+// SCULPTED: there is a sculpture.
+// In: the scene (field/shaders/scene.glsl), texture 3 macrocell distances. Out: image 0 (r8), texels [texelLo, texelHi).
+// variants: CONTENT=0;CONTENT=1 SCULPTED=1;CONTENT=2;CONTENT=3 TF_KIND=0 SCULPTED=1;CONTENT=3 TF_KIND=2
+layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
+
+#include "field/shaders/scene.glsl"
+#if CONTENT == 3
+#include "render/shaders/classification.glsl"
+#endif
+
+layout(binding = 3) uniform usampler3D cellDistances;
+layout(r8, binding = 0) uniform writeonly image3D occlusion;
+
+layout(location = 0) uniform ivec3 texelLo;
+layout(location = 1) uniform ivec3 texelHi;
+layout(location = 2) uniform ivec3 blockSize; // voxels of a texel
+layout(location = 3) uniform int farEnough;   // a macrocell this far from all visible ones: nothing in the texel is visible
+layout(location = 4) uniform float texelSteps; // length of a texel in steps
+
+// Eight values in a texel, half its width apart.
+vec3 place(vec3 centre, int i) {
+    return centre + 0.25 * vec3(blockSize) * (2.0 * vec3(i & 1, (i >> 1) & 1, i >> 2) - 1.0);
+}
+
+// The part of a texel in which something is >= 0, as if it changed evenly across the texel. From the mean, the smallest and
+// the largest of the eight values.
+float coverage(float sum, float lo, float hi) {
+    return clamp(0.5 + 0.0625 * sum / max(hi - lo, 1e-20), 0.0, 1.0);
+}
+
+float dataCoverage(vec3 centre) {
+    float sum = 0.0;
+    float lo = 1e38;
+    float hi = -1e38;
+    for (int i = 0; i < 8; ++i) {
+        float inside = insideRange(dataAt(place(centre, i)));
+        sum += inside;
+        lo = min(lo, inside);
+        hi = max(hi, inside);
+    }
+    return coverage(sum, lo, hi);
+}
+
+float segmentationCoverage(vec3 centre) {
+    float sum = 0.0;
+    float lo = 1e38;
+    float hi = -1e38;
+    for (int i = 0; i < 8; ++i) {
+        float inside = segmentationAt(place(centre, i)) - 0.5;
+        sum += inside;
+        lo = min(lo, inside);
+        hi = max(hi, inside);
+    }
+    return coverage(sum, lo, hi);
+}
+
+float sideCoverage(vec3 centre) {
+    float sum = 0.0;
+    float lo = 1e38;
+    float hi = -1e38;
+    for (int i = 0; i < 8; ++i) {
+        float side = visibleSide(sculptureAt(place(centre, i)));
+        sum += side;
+        lo = min(lo, side);
+        hi = max(hi, side);
+    }
+    return coverage(sum, lo, hi);
+}
+
+#if CONTENT == 3
+// Light held back along the length of a texel.
+float opacityOf(vec3 centre) {
+    float values[8];
+    for (int i = 0; i < 8; ++i) {
+        values[i] = dataAt(place(centre, i));
+    }
+    float steepness = 0.0;
+#if TF_KIND != 0
+    vec3 difference = vec3(0.0);
+    for (int i = 0; i < 8; ++i) {
+        difference += values[i] * (2.0 * vec3(i & 1, (i >> 1) & 1, i >> 2) - 1.0);
+    }
+    steepness = length(worldGradient(difference / (2.0 * vec3(blockSize))));
+#endif
+    float sum = 0.0;
+    for (int i = 0; i < 8; ++i) {
+        sum += 1.0 - pow(1.0 - min(classify(values[i], steepness).a, 0.9999), texelSteps);
+    }
+    return 0.125 * sum;
+}
+#endif
+
+// The part of a texel that lies in the grid, which reaches half a voxel beyond the outermost centres.
+float partInGrid(vec3 centre) {
+    vec3 inside = clamp((vec3(dims.xyz) - 0.5 - centre) / vec3(blockSize) + 0.5, 0.0, 1.0);
+    return inside.x * inside.y * inside.z;
+}
+
+float blockedPart(vec3 centre) {
+#if CONTENT == 0
+    float part = dataCoverage(centre);
+#elif CONTENT == 1
+    float part = segmentationCoverage(centre);
+#elif CONTENT == 2
+    float part = max(dataCoverage(centre), segmentationCoverage(centre));
+#else
+    float part = opacityOf(centre);
+#endif
+#ifdef SCULPTED
+    part *= sideCoverage(centre);
+#endif
+    return part * partInGrid(centre);
+}
+
+void main() {
+    ivec3 texel = texelLo + ivec3(gl_GlobalInvocationID);
+    if (any(greaterThanEqual(texel, texelHi))) {
+        return;
+    }
+    vec3 centre = (vec3(texel) + 0.5) * vec3(blockSize) - 0.5;
+    ivec3 cell = clamp(ivec3(floor(centre * 0.25)), ivec3(0), textureSize(cellDistances, 0) - 1);
+    bool mayBlock = all(lessThan(texel * blockSize, dims.xyz)) && int(texelFetch(cellDistances, cell, 0).r) < farEnough;
+    float part = 0.0;
+    if (mayBlock) {
+        part = blockedPart(centre);
+    }
+    imageStore(occlusion, texel, vec4(part));
+}

@@ -7,13 +7,17 @@
 #include "gl/context.h"
 #include "gl/pass.h"
 
+#include <algorithm>
 #include <cmath>
+#include <thread>
 
 namespace vs::render {
 
 namespace {
 
-constexpr int kTile = 128; // pixels; about 3 ms on two cores of a software renderer
+constexpr int kSquare = 8;           // pixels; a work group's
+constexpr int kFewSquares = 256;     // no submission is shorter, but for what is left
+constexpr double kSubmissionMs = 25; // nor much longer than this
 constexpr glm::vec2 kCentre{0.5F, 0.5F};
 
 // Evenly spread places in a pixel: the R2 sequence (Roberts 2018, "The unreasonable effectiveness of
@@ -27,7 +31,12 @@ glm::vec2 placeInPixel(int sample) {
 // Side of the square of pixels whose rays share a beam.
 constexpr int kBeam = 8;
 
-glm::ivec2 tileCount(glm::ivec2 size) { return (size + kTile - 1) / kTile; }
+glm::ivec2 squareCount(glm::ivec2 size) { return (size + kSquare - 1) / kSquare; }
+
+// Pieces of a submission that take about as long each: see squares.glsl.
+int strandCount() { return std::clamp(int(std::thread::hardware_concurrency()), 1, 64); }
+
+int groupCount(int squares) { return (squares + strandCount() - 1) / strandCount() * strandCount(); }
 
 } // namespace
 
@@ -68,7 +77,9 @@ ViewBlock viewBlock(const ViewRays& rays, const volume::GridGeometry& geometry) 
 
 RayCaster::RayCaster()
     : resolve_("render/shaders/resolve_picture.comp"), findBeams_("render/shaders/find_beams.comp"),
-      view_(sizeof(ViewBlock), "view") {}
+      listSquares_("render/shaders/list_squares.comp"),
+      fillBackground_("render/shaders/fill_background.comp"),
+      squareCounts_(2 * sizeof(std::uint32_t), "square counts"), view_(sizeof(ViewBlock), "view") {}
 
 gl::Program& RayCaster::programFor(const Frame& frame) {
     const bool isSculpted =
@@ -96,12 +107,15 @@ void RayCaster::start(const Frame& frame) {
     VS_CHECK(frame.mode != Mode::Volume || frame.classification != nullptr);
     frame_ = frame;
     sample_ = 0;
-    tile_ = 0;
+    square_ = 0;
     if (glm::ivec2(accumulation_.size()) != frame.rays.size) {
         accumulation_ =
             gl::Texture(frame.rays.size, gl::Format::RGBA32F, gl::Filter::Nearest, "accumulation");
         picture_ = gl::Texture(frame.rays.size, gl::Format::RGBA8, gl::Filter::Linear, "picture");
-        beams_ = gl::Texture((frame.rays.size + kBeam - 1) / kBeam, gl::Format::RG32F, gl::Filter::Nearest, "beams");
+        beams_ = gl::Texture((frame.rays.size + kBeam - 1) / kBeam, gl::Format::RG32F, gl::Filter::Nearest,
+                             "beams");
+        const glm::ivec2 squares = squareCount(frame.rays.size);
+        squares_.reserve(std::size_t(squares.x * squares.y) * sizeof(std::uint32_t));
     }
 }
 
@@ -114,6 +128,33 @@ void RayCaster::findBeams() {
     findBeams_.dispatchOver(beams_.size(), gl::Barrier::Texture);
 }
 
+void RayCaster::listSquares() {
+    const gl::Pass pass("list squares");
+    const glm::ivec2 count = squareCount(frame_.rays.size);
+    beams_.bindTexture(8);
+    squares_.bindStorage(0);
+    squareCounts_.clear();
+    squareCounts_.bindStorage(1);
+    listSquares_.set(0, count).set(1, kBeam);
+    listSquares_.dispatchOver({count, 1}, gl::Barrier::Storage);
+    occupiedSquares_ = int(squareCounts_.readValue<std::uint32_t>());
+}
+
+void RayCaster::fillBackground() {
+    const gl::Pass pass("fill background");
+    const glm::ivec2 all = squareCount(frame_.rays.size);
+    const int empty = all.x * all.y - occupiedSquares_;
+    fillBackground_.set(0, glm::ivec3(occupiedSquares_, empty, strandCount()))
+        .set(1, sample_ == 0 ? kCentre : placeInPixel(sample_))
+        .set(2, sample_ > 0 ? 1 : 0);
+    fillBackground_.dispatch({groupCount(empty), 1, 1}, gl::Barrier::Image);
+}
+
+int RayCaster::squaresFor(double milliseconds) const {
+    const double squares = squaresPerMs_ * std::min(milliseconds, kSubmissionMs);
+    return std::min(std::max(int(squares), kFewSquares), occupiedSquares_ - square_);
+}
+
 bool RayCaster::renderSome(double budgetMs) {
     const Timer timer;
     gl::Program& program = programFor(frame_);
@@ -121,32 +162,39 @@ bool RayCaster::renderSome(double budgetMs) {
     view_.writeValue(viewBlock(frame_.rays, frame_.scene.data->geometry));
     view_.bindUniform(1);
     frame_.macrocells->bind();
-    if (sample_ == 0 && tile_ == 0) {
+    if (sample_ == 0 && square_ == 0) {
         findBeams();
+        listSquares();
     }
     beams_.bindTexture(8);
     if (frame_.classification != nullptr) {
         frame_.classification->bind();
     }
     accumulation_.bindImage(0, gl::Access::ReadWrite);
+    squares_.bindStorage(0);
     const auto& geometry = frame_.scene.data->geometry;
     program.set(3, glm::vec2(float(frame_.xrayGain), float(geometry.diagonalMm() / geometry.stepMm())))
         .set(4, frame_.segmentColour)
         .set(5, float(frame_.sampleStep))
         .set(6, kBeam);
-    const glm::ivec2 tiles = tileCount(frame_.rays.size);
     while (!isComplete()) {
+        if (square_ == 0) {
+            fillBackground();
+        }
         const gl::Pass pass("cast rays");
-        program.set(0, glm::ivec2(tile_ % tiles.x, tile_ / tiles.x) * kTile)
+        const Timer submission;
+        const int count = squaresFor(budgetMs - timer.milliseconds());
+        program.set(0, glm::ivec3(square_, count, strandCount()))
             .set(1, sample_ == 0 ? kCentre : placeInPixel(sample_))
             .set(2, sample_ > 0 ? 1 : 0);
-        const glm::ivec2 left = frame_.rays.size - glm::ivec2(tile_ % tiles.x, tile_ / tiles.x) * kTile;
-        program.dispatchOver(glm::ivec3(glm::min(left, glm::ivec2(kTile)), 1), gl::Barrier::Image);
-        if (++tile_ == tiles.x * tiles.y) {
-            tile_ = 0;
+        program.dispatch({groupCount(count), 1, 1}, gl::Barrier::Image);
+        gl::Context::finish(); // or the budget would count only submissions
+        squaresPerMs_ = count / std::max(submission.milliseconds(), 1e-3);
+        square_ += count;
+        if (square_ == occupiedSquares_) {
+            square_ = 0;
             ++sample_;
         }
-        gl::Context::finish(); // or the budget would count only submissions
         if (timer.milliseconds() >= budgetMs) {
             break;
         }

@@ -41,28 +41,31 @@ ViewBlock viewBlock(const ViewRays& rays, const volume::GridGeometry& geometry);
 struct Frame {
     field::Scene scene;
     const Macrocells* macrocells = nullptr;
-    // Colours all modes, and says what is opaque in volume mode, which needs one. Null: ivory surfaces, white rays.
+    // Colours all modes, and says what is opaque in volume mode, which needs one. Null: ivory surfaces, white
+    // rays.
     const Classification* classification = nullptr;
-    // Dual rendering (SPEC 3): what was cut out, drawn again at each of these places, with macrocells made for probe view.
+    // Dual rendering (SPEC 3): what was cut out, drawn again at each of these places, with macrocells made
+    // for probe view.
     std::vector<Placement> pasted;
     const Macrocells* pastedMacrocells = nullptr;
     ViewRays rays;
     Mode mode = Mode::Surface;
     double xrayGain = 5; // brightness of a ray through one whole diagonal at full value
     glm::vec3 segmentColour{0.70F, 0.17F, 0.04F}; // linear; near the vermilion of the Okabe-Ito palette
-    double sampleStep = 0.5;                      // steps between samples in MIP, X-ray and volume; more for drafts
-    int samples = 1;                              // rays per pixel, evenly spread over it
+    double sampleStep = 0.5; // steps between samples in MIP, X-ray and volume; more for drafts
+    int samples = 1;         // rays per pixel, evenly spread over it
 };
 
-// Casts rays (SPEC 3) in a compute shader, tile by tile so that no single submission is long. Start a frame,
-// then render tiles until it is complete; the picture can be looked at after every whole sample.
+// Casts rays (SPEC 3) in a compute shader, some squares of pixels at a time so that no single submission is
+// long. Start a frame, then render until it is complete; the picture can be looked at after every whole
+// sample. Squares where nothing can be seen are only filled.
 class RayCaster {
 public:
     RayCaster();
 
     // Starts over with a new picture.
     void start(const Frame& frame);
-    // Renders tiles for about `budgetMs`, at least one. True when all samples of the frame are done.
+    // Renders squares for about `budgetMs`, some at the least. True when all samples of the frame are done.
     bool renderSome(double budgetMs);
     // start() and everything at once.
     void render(const Frame& frame);
@@ -77,19 +80,27 @@ public:
 private:
     gl::Program& programFor(const Frame& frame);
     void findBeams();
+    void listSquares();
+    void fillBackground();
+    int squaresFor(double milliseconds) const;
 
     std::map<int, gl::Program> programs_; // by mode and whether there is a sculpture
     gl::Program resolve_;
     gl::Program findBeams_;
+    gl::Program listSquares_;
+    gl::Program fillBackground_;
     gl::Texture beams_;
+    gl::Buffer squares_; // those that may show something first
+    gl::Buffer squareCounts_;
     gl::Buffer view_;
     field::SceneBinding sceneBinding_;
     gl::Texture accumulation_;
     gl::Texture picture_;
     Frame frame_;
     int sample_ = 0;
-    int tile_ = 0;
-    double tileMs_ = 0; // running estimate of what one tile takes
+    int square_ = 0;          // how many of the list this sample has
+    int occupiedSquares_ = 0; // how many of the list may show something
+    double squaresPerMs_ = 0; // of the last submission
 };
 
 } // namespace vs::render

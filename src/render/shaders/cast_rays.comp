@@ -4,10 +4,11 @@
 // all modes (classification.glsl); not defined: none does.
 // In: the scene (field/shaders/scene.glsl), the view (rays.glsl). Out: image 0 (rgba32f) sum of display colours.
 // variants: MODE=0 CONTENT=0;MODE=0 CONTENT=0 SCULPTED=1;MODE=1 CONTENT=0;MODE=2 CONTENT=0 SCULPTED=1;MODE=3 CONTENT=1 SCULPTED=1;MODE=4 CONTENT=2;MODE=5 CONTENT=0 TF_KIND=0;MODE=5 CONTENT=0 SCULPTED=1 TF_KIND=2;MODE=0 CONTENT=0 TF_KIND=1;MODE=1 CONTENT=0 TF_KIND=0;MODE=2 CONTENT=0 TF_KIND=2
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 64) in;
 
 #include "field/shaders/scene.glsl"
 #include "render/shaders/rays.glsl"
+#include "render/shaders/squares.glsl"
 #include "render/shaders/surface.glsl"
 #include "render/shaders/maximum.glsl"
 #include "render/shaders/shading.glsl"
@@ -18,12 +19,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "render/shaders/composite.glsl"
 #endif
 
-layout(rgba32f, binding = 0) uniform image2D accumulation;
 layout(binding = 8) uniform sampler2D beams; // where along its rays each square of pixels may show something
 
-layout(location = 0) uniform ivec2 tileOrigin;
-layout(location = 1) uniform vec2 pixelOffset; // where in the pixel this sample lies, 0..1
-layout(location = 2) uniform int addToPrevious;
 layout(location = 3) uniform vec2 exposure;     // x: X-ray gain per diagonal; y: volume's diagonal in steps
 layout(location = 4) uniform vec3 segmentColour; // linear
 layout(location = 5) uniform float sampleStep;   // steps between samples in MIP and X-ray
@@ -148,7 +145,7 @@ vec3 colourOf(Ray ray, vec3 behind, float jitter) {
 }
 
 void main() {
-    ivec2 pixel = tileOrigin + ivec2(gl_GlobalInvocationID.xy);
+    ivec2 pixel = pixelOfInvocation();
     if (any(greaterThanEqual(pixel, ivec2(viewport.xy)))) {
         return;
     }
@@ -158,10 +155,5 @@ void main() {
     ray.tBegin = max(ray.tBegin, beam.x);
     ray.tEnd = min(ray.tEnd, beam.y);
     vec3 behind = background(position, viewport.xy);
-    vec3 colour = colourOf(ray, behind, startJitter(pixel));
-    vec4 sum = vec4(colour, 1.0);
-    if (addToPrevious != 0) {
-        sum += imageLoad(accumulation, pixel);
-    }
-    imageStore(accumulation, pixel, sum);
+    addToPicture(pixel, colourOf(ray, behind, startJitter(pixel)));
 }

@@ -25,7 +25,7 @@ float sideAt(vec3 p) {
 #ifdef SCULPTED
     return visibleSide(sculptureAt(p));
 #else
-    return 1.0;
+    return 1e30;
 #endif
 }
 
@@ -54,49 +54,108 @@ float sliverBetween(vec2 before, vec2 after) {
 }
 #endif
 
-// First t at which something is visible, or tEnd and beyond. The loop only looks; shading comes after it.
-// Several samples a turn: on a software renderer the turn itself costs as much as they do.
-float firstVisible(Ray ray, float jitter) {
-    const int batch = 4;
-    vec3 inverseDirection = safeInverse(ray.direction);
-    float t = nextSample(ray.tBegin, kDt, jitter);
-    bool found = false;
-    while (t < ray.tEnd && !found) {
-        float skip = emptyUntil(ray, t, inverseDirection);
-        while (skip > 0.0 && t < ray.tEnd) {
-            t = nextSample(t + skip, kDt, jitter);
-            skip = emptyUntil(ray, t, inverseDirection);
-        }
-        float first = float(batch);
-        for (int i = batch - 1; i >= 0; --i) {
-            first = visibility(at(ray, t + float(i) * kDt)) >= 0.0 ? float(i) : first;
-        }
-        found = first < float(batch);
-        t += first * kDt;
+// Where a ray first meets something visible: `t`, the visibility there, and `before`, a place without. Nothing when t is not
+// below the ray's tEnd.
+struct Crossing {
+    float before;
+    float t;
+    float value;
+};
+
+const int kBatch = 4; // samples a turn: on a software renderer the turn itself costs as much as they do
+
+// Looks at the samples of one turn, from crossing.t on, and moves t to the first that is visible or past them all. `last` is
+// the visibility's parts (content, side) at the sample before them.
+void lookAtBatch(Ray ray, inout Crossing crossing, inout vec2 last) {
+    float first = float(kBatch);
+#ifdef SCULPTED
+    vec2 before = last;
+    float sliver = -1.0;
+    float sliverSample = 0.0;
+    for (int i = 0; i < kBatch; ++i) {
+        vec3 p = at(ray, crossing.t + float(i) * kDt);
+        vec2 here = vec2(contentAt(p), sideAt(p));
+        float between = sliverBetween(before, here);
+        bool isOpen = first == float(kBatch) && sliver < 0.0;
+        sliverSample = isOpen ? float(i) - 1.0 + between : sliverSample;
+        sliver = isOpen ? between : sliver;
+        bool isFirst = first == float(kBatch) && min(here.x, here.y) >= 0.0;
+        first = isFirst ? float(i) : first;
+        crossing.value = isFirst ? min(here.x, here.y) : crossing.value;
+        before = here;
     }
-    return t;
+    last = before;
+    float inSliver = visibility(at(ray, crossing.t + sliverSample * kDt));
+    bool isInSliver = sliver >= 0.0 && inSliver >= 0.0;
+    first = isInSliver ? sliverSample : first;
+    crossing.value = isInSliver ? inSliver : crossing.value;
+#else
+    for (int i = kBatch - 1; i >= 0; --i) {
+        float value = visibility(at(ray, crossing.t + float(i) * kDt));
+        first = value >= 0.0 ? float(i) : first;
+        crossing.value = value >= 0.0 ? value : crossing.value;
+    }
+#endif
+    crossing.t += first * kDt;
 }
 
-// Moves a visible t back to the surface: an invisible and a visible place, almost together, around it. False position,
-// kept off the ends so that a jump (the edge of non-finite voxels) is closed in on too.
-vec2 refine(Ray ray, float t) {
-    float outside = max(t - kDt, ray.tNear);
-    float inside = t;
-    float below = visibility(at(ray, outside));
-    float above = visibility(at(ray, inside));
-    if (below >= 0.0) {
-        return vec2(outside, outside); // visible from the start: the ray enters the box inside
+// Looks at every sample that may be visible; shading comes after it. Loops end with their condition: a software renderer runs
+// a body to its end when no ray is left in it.
+Crossing firstVisible(Ray ray, float jitter) {
+    vec3 inverseDirection = safeInverse(ray.direction);
+    Crossing crossing;
+    crossing.t = nextSample(ray.tBegin, kDt, jitter);
+    crossing.value = -1.0;
+    vec2 last = vec2(-1.0);
+    do {
+        float start = crossing.t;
+        float skip;
+        do {
+            skip = emptyUntil(ray, crossing.t, inverseDirection);
+            crossing.t = skip > 0.0 ? nextSample(crossing.t + skip, kDt, jitter) : crossing.t;
+        } while (skip > 0.0 && crossing.t < ray.tEnd);
+#ifdef SCULPTED
+        // A sliver may lie between the last empty sample and the first that is not.
+        bool hasSkipped = crossing.t > start;
+        last = hasSkipped ? vec2(-1.0) : last;
+        crossing.t -= hasSkipped && crossing.t - kDt >= ray.tNear ? kDt : 0.0;
+#endif
+        lookAtBatch(ray, crossing, last);
+    } while (crossing.value < 0.0 && crossing.t < ray.tEnd);
+    crossing.before = max(crossing.t - kDt, ray.tNear);
+    return crossing;
+}
+
+// Where the visibility is 0 between an invisible place a and a visible one b, given a third place c close by (x place, y
+// visibility there): by inverse quadratic interpolation, or linearly where that leads out of the interval.
+float zeroBetween(vec2 a, vec2 b, vec2 c) {
+    float linear = mix(a.x, b.x, a.y / (a.y - b.y));
+    vec3 differences = vec3(a.y - b.y, b.y - c.y, c.y - a.y);
+    float quadratic = -(a.x * b.y * c.y * differences.y + b.x * a.y * c.y * differences.z + c.x * a.y * b.y * differences.x) /
+                      (differences.x * differences.y * differences.z);
+    return quadratic >= a.x && quadratic <= b.x ? quadratic : linear;
+}
+
+// Moves a crossing back to the surface: an invisible place just before it, and the surface. Two more samples, kept off the ends
+// of what they divide so that a jump (the edge of non-finite voxels) is closed in on too.
+vec2 refine(Ray ray, Crossing crossing) {
+    vec2 outside = vec2(crossing.before, visibility(at(ray, crossing.before)));
+    if (outside.y >= 0.0) {
+        return outside.xx; // visible from the start: the ray enters the box inside
     }
-    for (int i = 0; i < 3; ++i) {
-        float middle = mix(outside, inside, clamp(below / (below - above), 0.05, 0.95));
-        float there = visibility(at(ray, middle));
-        bool seen = there >= 0.0;
-        inside = seen ? middle : inside;
-        above = seen ? there : above;
-        outside = seen ? outside : middle;
-        below = seen ? below : there;
+    vec2 inside = vec2(crossing.t, crossing.value);
+    float guess = mix(outside.x, inside.x, outside.y / (outside.y - inside.y));
+    for (int i = 0; i < 2; ++i) {
+        float margin = 0.05 * (inside.x - outside.x);
+        float place = clamp(guess, outside.x + margin, inside.x - margin);
+        vec2 there = vec2(place, visibility(at(ray, place)));
+        bool seen = there.y >= 0.0;
+        vec2 replaced = seen ? inside : outside;
+        inside = seen ? there : inside;
+        outside = seen ? outside : there;
+        guess = zeroBetween(outside, inside, replaced);
     }
-    return vec2(outside, mix(outside, inside, below / (below - above)));
+    return vec2(outside.x, guess);
 }
 
 // Normal of the box face that the point is nearest to, facing out.
@@ -119,7 +178,8 @@ vec3 facing(vec3 gradient, vec3 towardsViewer) {
 // `jitter` in [0, 1) shifts the samples by that part of a step: what they all miss then differs from ray to ray.
 Hit findSurface(Ray ray, float jitter) {
     Hit hit;
-    hit.t = firstVisible(ray, jitter);
+    Crossing crossing = firstVisible(ray, jitter);
+    hit.t = crossing.t;
     hit.found = hit.t < ray.tEnd;
     hit.isCut = false;
     hit.isSegment = false;
@@ -128,7 +188,7 @@ Hit findSurface(Ray ray, float jitter) {
     if (!hit.found) {
         return hit;
     }
-    vec2 bracket = refine(ray, hit.t);
+    vec2 bracket = refine(ray, crossing);
     hit.t = bracket.y;
     hit.voxel = at(ray, hit.t);
     vec3 before = at(ray, bracket.x);

@@ -17,7 +17,7 @@ void Macrocells::bind() const {
 void Macrocells::copyFrom(const Macrocells& other) {
     const glm::ivec3 size = other.distances_.size();
     if (distances_.size() != size) {
-        distances_ = gl::Texture(size, gl::Format::R8UI, gl::Filter::Nearest, "cell distances");
+        distances_ = gl::Texture(size, gl::Format::R32UI, gl::Filter::Nearest, "cell distances");
         scratch_ = {};
     }
     dataCells_ = other.dataCells_;
@@ -47,8 +47,8 @@ void Macrocells::rebuild(const Input& input) {
     const glm::ivec3 cells = input.dataCells->size();
     dataCells_ = input.sampling == field::Sampling::Tricubic ? &dilated(*input.dataCells) : input.dataCells;
     if (distances_.size() != cells || scratch_.size() != cells) {
-        distances_ = gl::Texture(cells, gl::Format::R8UI, gl::Filter::Nearest, "cell distances");
-        scratch_ = gl::Texture(cells, gl::Format::R8UI, gl::Filter::Nearest, "cell distances scratch");
+        distances_ = gl::Texture(cells, gl::Format::R32UI, gl::Filter::Nearest, "cell distances");
+        scratch_ = gl::Texture(cells, gl::Format::R32UI, gl::Filter::Nearest, "cell distances scratch");
     }
     dataCells_->bindTexture(0);
     (input.sculptureCells != nullptr ? *input.sculptureCells : empty_).bindTexture(1);

@@ -7,13 +7,17 @@
 #include "gl/context.h"
 #include "gl/pass.h"
 
+#include <algorithm>
 #include <cmath>
+#include <thread>
 
 namespace vs::render {
 
 namespace {
 
-constexpr int kTile = 128; // pixels; about 3 ms on two cores of a software renderer
+constexpr int kSquare = 8;           // pixels; a work group's
+constexpr int kFewSquares = 256;     // no submission is shorter, but for what is left
+constexpr double kSubmissionMs = 25; // nor much longer than this
 constexpr glm::vec2 kCentre{0.5F, 0.5F};
 
 // Evenly spread places in a pixel: the R2 sequence (Roberts 2018, "The unreasonable effectiveness of
@@ -27,7 +31,12 @@ glm::vec2 placeInPixel(int sample) {
 // Side of the square of pixels whose rays share a beam.
 constexpr int kBeam = 8;
 
-glm::ivec2 tileCount(glm::ivec2 size) { return (size + kTile - 1) / kTile; }
+glm::ivec2 squareCount(glm::ivec2 size) { return (size + kSquare - 1) / kSquare; }
+
+// Pieces of a submission that take about as long each: see squares.glsl.
+int strandCount() { return std::clamp(int(std::thread::hardware_concurrency()), 1, 64); }
+
+int groupCount(int squares) { return (squares + strandCount() - 1) / strandCount() * strandCount(); }
 
 } // namespace
 
@@ -67,7 +76,10 @@ ViewBlock viewBlock(const ViewRays& rays, const volume::GridGeometry& geometry) 
 }
 
 RayCaster::RayCaster()
-    : resolve_("render/shaders/resolve_picture.comp"), findBeams_("render/shaders/find_beams.comp") {}
+    : resolve_("render/shaders/resolve_picture.comp"), findBeams_("render/shaders/find_beams.comp"),
+      listSquares_("render/shaders/list_squares.comp"),
+      fillBackground_("render/shaders/fill_background.comp"),
+      squareCounts_(2 * sizeof(std::uint32_t), "square counts") {}
 
 gl::Program& RayCaster::programFor(const Frame& frame) {
     const bool isSculpted =
@@ -109,11 +121,15 @@ void RayCaster::start(const Frame& frame) {
     VS_CHECK(frame.pasted.empty() || frame.pastedMacrocells != nullptr);
     frame_ = frame;
     sample_ = 0;
-    tile_ = 0;
+    square_ = 0;
     const glm::ivec2 size = frame.rays.size;
     if (glm::ivec2(accumulation_.size()) != size) {
         accumulation_ = gl::Texture(size, gl::Format::RGBA32F, gl::Filter::Nearest, "accumulation");
         picture_ = gl::Texture(size, gl::Format::RGBA8, gl::Filter::Linear, "picture");
+        const glm::ivec2 squares = squareCount(size);
+        const std::size_t bytes = std::size_t(squares.x * squares.y) * sizeof(std::uint32_t);
+        squares_.reserve(bytes);
+        placeOfSquare_.reserve(bytes);
     }
     if (!frame.pasted.empty() && glm::ivec2(seenFront_.size()) != size) {
         seenFront_ = gl::Texture(size, gl::Format::RGBA32F, gl::Filter::Nearest, "seen in front");
@@ -169,11 +185,46 @@ void RayCaster::findBeams() {
     }
 }
 
+void RayCaster::listSquares() {
+    const gl::Pass pass("list squares");
+    const glm::ivec2 count = squareCount(frame_.rays.size);
+    parts_.back().beams.bindTexture(8);
+    squares_.bindStorage(0);
+    placeOfSquare_.bindStorage(2);
+    squareCounts_.clear();
+    squareCounts_.bindStorage(1);
+    // Where parts are drawn beside one another, their beams differ.
+    listSquares_.set(0, count).set(1, kBeam).set(2, parts_.size() > 1 ? 1 : 0);
+    listSquares_.dispatchOver({count, 1}, gl::Barrier::Storage);
+    occupiedSquares_ = int(squareCounts_.readValue<std::uint32_t>());
+}
+
+void RayCaster::fillBackground() {
+    const gl::Pass pass("fill background");
+    const glm::ivec2 all = squareCount(frame_.rays.size);
+    const int empty = all.x * all.y - occupiedSquares_;
+    const bool hasFilm =
+        frame_.mode == Mode::Mip || frame_.mode == Mode::XRay || frame_.mode == Mode::Overlay;
+    fillBackground_.set(0, glm::ivec3(occupiedSquares_, empty, strandCount()))
+        .set(1, sample_ == 0 ? kCentre : placeInPixel(sample_))
+        .set(2, sample_ > 0 ? 1 : 0)
+        .set(7, glm::vec4(frame_.background.top, 0.0F))
+        .set(8, glm::vec4(frame_.background.bottom, 0.0F))
+        .set(9, hasFilm ? 1 : 0);
+    fillBackground_.dispatch({groupCount(empty), 1, 1}, gl::Barrier::Image);
+}
+
+int RayCaster::squaresFor(double milliseconds) const {
+    const double squares = squaresPerMs_ * std::min(milliseconds, kSubmissionMs);
+    return std::min(std::max(int(squares), kFewSquares), occupiedSquares_ - square_);
+}
+
 bool RayCaster::renderSome(double budgetMs) {
     const Timer timer;
     gl::Program& program = programFor(frame_);
-    if (sample_ == 0 && tile_ == 0) {
+    if (sample_ == 0 && square_ == 0) {
         findBeams();
+        listSquares();
     }
     if (frame_.classification != nullptr) {
         frame_.classification->bind();
@@ -183,6 +234,7 @@ bool RayCaster::renderSome(double budgetMs) {
         seenFront_.bindImage(1, gl::Access::ReadWrite);
         seenBehind_.bindImage(2, gl::Access::ReadWrite);
     }
+    squares_.bindStorage(0);
     const auto& geometry = frame_.scene.data->geometry;
     program.set(3, glm::vec2(float(frame_.xrayGain), float(geometry.diagonalMm() / geometry.stepMm())))
         .set(4, frame_.segmentColour)
@@ -190,27 +242,31 @@ bool RayCaster::renderSome(double budgetMs) {
         .set(6, kBeam)
         .set(7, glm::vec4(frame_.background.top, frame_.background.isTransparent ? 1.0F : 0.0F))
         .set(8, glm::vec4(frame_.background.bottom, 0.0F));
-    const glm::ivec2 tiles = tileCount(frame_.rays.size);
     bindPart(parts_.back());
     while (!isComplete()) {
+        if (square_ == 0) {
+            fillBackground();
+        }
         const gl::Pass pass("cast rays");
-        const glm::ivec2 origin = glm::ivec2(tile_ % tiles.x, tile_ / tiles.x) * kTile;
-        program.set(0, origin)
+        const Timer submission;
+        const int count = squaresFor(budgetMs - timer.milliseconds());
+        program.set(0, glm::ivec3(square_, count, strandCount()))
             .set(1, sample_ == 0 ? kCentre : placeInPixel(sample_))
             .set(2, sample_ > 0 ? 1 : 0);
-        const glm::ivec3 pixels(glm::min(frame_.rays.size - origin, glm::ivec2(kTile)), 1);
         for (std::size_t i = 0; i < parts_.size(); ++i) {
             if (parts_.size() > 1) {
                 bindPart(parts_[i]);
                 program.set(9, glm::ivec2(int(i), int(parts_.size()))).set(10, parts_[i].scale);
             }
-            program.dispatchOver(pixels, gl::Barrier::Image);
-        }
-        if (++tile_ == tiles.x * tiles.y) {
-            tile_ = 0;
-            ++sample_;
+            program.dispatch({groupCount(count), 1, 1}, gl::Barrier::Image);
         }
         gl::Context::finish(); // or the budget would count only submissions
+        squaresPerMs_ = count / std::max(submission.milliseconds(), 1e-3);
+        square_ += count;
+        if (square_ == occupiedSquares_) {
+            square_ = 0;
+            ++sample_;
+        }
         if (timer.milliseconds() >= budgetMs) {
             break;
         }
@@ -227,7 +283,9 @@ const gl::Texture& RayCaster::picture() {
     const gl::Pass pass("resolve picture");
     accumulation_.bindImage(0, gl::Access::Read);
     picture_.bindImage(1, gl::Access::Write);
-    resolve_.set(0, glm::ivec3(sample_, tile_, kTile)).set(1, frame_.background.isTransparent ? 1 : 0);
+    placeOfSquare_.bindStorage(2);
+    resolve_.set(0, glm::ivec3(sample_, square_, occupiedSquares_))
+        .set(1, frame_.background.isTransparent ? 1 : 0);
     resolve_.dispatchOver(picture_.size(), gl::Barrier::All);
     return picture_;
 }

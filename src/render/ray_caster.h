@@ -63,15 +63,16 @@ struct Frame {
     int samples = 1;         // rays per pixel, evenly spread over it
 };
 
-// Casts rays (SPEC 3) in a compute shader, tile by tile so that no single submission is long. Start a frame,
-// then render tiles until it is complete; the picture can be looked at after every whole sample.
+// Casts rays (SPEC 3) in a compute shader, some squares of pixels at a time so that no single submission is
+// long. Start a frame, then render until it is complete; the picture can be looked at after every whole
+// sample. Squares where nothing can be seen are only filled.
 class RayCaster {
 public:
     RayCaster();
 
     // Starts over with a new picture.
     void start(const Frame& frame);
-    // Renders tiles for about `budgetMs`, at least one. True when all samples of the frame are done.
+    // Renders squares for about `budgetMs`, some at the least. True when all samples of the frame are done.
     bool renderSome(double budgetMs);
     // start() and everything at once.
     void render(const Frame& frame);
@@ -98,6 +99,9 @@ private:
     void arrangeParts();
     void bindPart(const Part& part);
     void findBeams();
+    void listSquares();
+    void fillBackground();
+    int squaresFor(double milliseconds) const;
 
     std::vector<Part> parts_;
     gl::Texture seenFront_; // what the parts before the one in hand show; only where there are several
@@ -105,13 +109,19 @@ private:
     std::map<int, gl::Program> programs_; // by mode, whether there is a sculpture, and sampling
     gl::Program resolve_;
     gl::Program findBeams_;
+    gl::Program listSquares_;
+    gl::Program fillBackground_;
+    gl::Buffer squares_;       // those that may show something first
+    gl::Buffer placeOfSquare_; // in that list
+    gl::Buffer squareCounts_;
     field::SceneBinding sceneBinding_;
     gl::Texture accumulation_;
     gl::Texture picture_;
     Frame frame_;
     int sample_ = 0;
-    int tile_ = 0;
-    double tileMs_ = 0; // running estimate of what one tile takes
+    int square_ = 0;          // how many of the list this sample has
+    int occupiedSquares_ = 0; // how many of the list may show something
+    double squaresPerMs_ = 0; // of the last submission
 };
 
 } // namespace vs::render

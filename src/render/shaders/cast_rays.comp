@@ -6,10 +6,11 @@
 // In: the scene (field/shaders/scene.glsl), the view (rays.glsl). Out: image 0 (rgba32f) sum of display colours, and of
 // coverage: how much of the background they hide.
 // variants: MODE=0 CONTENT=0;MODE=0 CONTENT=0 SCULPTED=1;MODE=1 CONTENT=0;MODE=2 CONTENT=0 SCULPTED=1;MODE=3 CONTENT=1 SCULPTED=1;MODE=4 CONTENT=2;MODE=5 CONTENT=0 TF_KIND=0;MODE=5 CONTENT=0 SCULPTED=1 TF_KIND=2;MODE=0 CONTENT=0 TF_KIND=1;MODE=1 CONTENT=0 TF_KIND=0;MODE=2 CONTENT=0 TF_KIND=2;MODE=0 CONTENT=0 TRICUBIC=1;MODE=0 CONTENT=0 LIT=1;MODE=5 CONTENT=0 TF_KIND=0 LIT=1 PARTS=1;MODE=3 CONTENT=1 SCULPTED=1 PARTS=1;MODE=1 CONTENT=0 PARTS=1
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 64) in;
 
 #include "field/shaders/scene.glsl"
 #include "render/shaders/rays.glsl"
+#include "render/shaders/squares.glsl"
 #include "render/shaders/surface.glsl"
 #include "render/shaders/maximum.glsl"
 #include "render/shaders/shading.glsl"
@@ -23,12 +24,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "render/shaders/composite.glsl"
 #endif
 
-layout(rgba32f, binding = 0) uniform image2D accumulation;
 layout(binding = 8) uniform sampler2D beams; // where along its rays each square of pixels may show something
 
-layout(location = 0) uniform ivec2 tileOrigin;
-layout(location = 1) uniform vec2 pixelOffset; // where in the pixel this sample lies, 0..1
-layout(location = 2) uniform int addToPrevious;
 layout(location = 3) uniform vec2 exposure;     // x: X-ray gain per diagonal; y: volume's diagonal in steps
 layout(location = 4) uniform vec3 segmentColour; // linear
 layout(location = 5) uniform float sampleStep;   // steps between samples in MIP and X-ray
@@ -36,7 +33,7 @@ layout(location = 6) uniform int beamPixels;     // side of a beam's square
 layout(location = 7) uniform vec4 backgroundTop; // display colour; w 1: there is none, and it is black
 layout(location = 8) uniform vec4 backgroundBottom;
 #ifdef PARTS
-layout(location = 9) uniform ivec2 part;      // which one this is, how many there are
+layout(location = 9) uniform ivec2 partOfPicture;      // which one this is, how many there are
 layout(location = 10) uniform float partScale; // how large it is drawn
 layout(rgba32f, binding = 1) uniform image2D seenFront; // what the parts before this one show
 layout(rgba32f, binding = 2) uniform image2D seenBehind;
@@ -46,17 +43,13 @@ const float partScale = 1.0;
 
 #include "render/shaders/look.glsl"
 
-// The brightest that rays of light are seen against: the studio's background at its brightest. On a lighter one the grid's
-// box is as dark as this, as a film on a light table; white rays on white would show nothing.
-const vec3 kFilm = vec3(0.17, 0.19, 0.22);
-
 // Different for each pixel and sample, the same each time (interleaved gradient noise, Jimenez 2014).
 float startJitter(ivec2 pixel) {
     return fract(52.9829189 * fract(dot(vec2(pixel) + 64.0 * pixelOffset, vec2(0.06711056, 0.00583715))));
 }
 
 void main() {
-    ivec2 pixel = tileOrigin + ivec2(gl_GlobalInvocationID.xy);
+    ivec2 pixel = pixelOfInvocation();
     if (any(greaterThanEqual(pixel, ivec2(viewport.xy)))) {
         return;
     }
@@ -67,10 +60,10 @@ void main() {
     ray.tEnd = min(ray.tEnd, beam.y);
     Seen seen = look(ray, startJitter(pixel), partScale);
 #ifdef PARTS
-    if (part.x > 0) {
+    if (partOfPicture.x > 0) {
         seen = together(Seen(imageLoad(seenFront, pixel), imageLoad(seenBehind, pixel)), seen);
     }
-    if (part.x + 1 < part.y) {
+    if (partOfPicture.x + 1 < partOfPicture.y) {
         imageStore(seenFront, pixel, seen.front);
         imageStore(seenBehind, pixel, seen.behind);
         return;
@@ -78,11 +71,7 @@ void main() {
 #endif
     vec3 behind = background(position, viewport.xy, backgroundTop.xyz, backgroundBottom.xyz);
 #if MODE == 1 || MODE == 2 || MODE == 3
-    behind = ray.tNear < ray.tFar ? min(behind, kFilm) : behind;
+    behind = behindFilm(behind, ray.tNear < ray.tFar);
 #endif
-    vec4 sum = shown(seen, behind);
-    if (addToPrevious != 0) {
-        sum += imageLoad(accumulation, pixel);
-    }
-    imageStore(accumulation, pixel, sum);
+    addToPicture(pixel, shown(seen, behind));
 }

@@ -1,12 +1,12 @@
 // Marks the macrocells that may hold something visible.
 // In: textures 0 data ranges, 1 sculpture ranges, 2 segmentation ranges (rg: smallest, largest value in the cell).
-// Out: image 0 (r8ui): 0 may hold something, `far` holds nothing.
+// Out: image 0 (r32ui): 0 may hold something, `far` holds nothing.
 layout(local_size_x = 8, local_size_y = 4, local_size_z = 2) in;
 
 layout(binding = 0) uniform sampler3D dataCells;
 layout(binding = 1) uniform sampler3D sculptureCells;
 layout(binding = 2) uniform sampler3D segmentationCells;
-layout(r8ui, binding = 0) uniform writeonly uimage3D distances;
+layout(r32ui, binding = 0) uniform writeonly uimage3D distances;
 
 layout(location = 0) uniform vec2 displayedRange;
 layout(location = 1) uniform int view;  // 0 whole, 1 cut, 2 probe

@@ -5,13 +5,17 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(rgba32f, binding = 0) uniform readonly image2D accumulation;
 layout(rgba8, binding = 1) uniform writeonly image2D picture;
 
-layout(location = 0) uniform ivec3 progress;  // whole samples; tiles that have one more; side of a tile
+layout(std430, binding = 2) readonly buffer Places { uint places[]; }; // of squares of pixels, see list_squares.comp
+
+// Whole samples; squares that have one more; squares that may show something: the others have it with the first of them.
+layout(location = 0) uniform ivec3 progress;
 layout(location = 1) uniform int isTransparent;
 
 float samplesAt(ivec2 pixel) {
-    int tilesAcross = (imageSize(picture).x + progress.z - 1) / progress.z;
-    ivec2 tile = pixel / progress.z;
-    return float(progress.x + (tile.y * tilesAcross + tile.x < progress.y ? 1 : 0));
+    int squaresAcross = (imageSize(picture).x + 7) / 8;
+    int place = int(places[(pixel.y / 8) * squaresAcross + pixel.x / 8]);
+    bool hasMore = place < progress.z ? place < progress.y : progress.y > 0;
+    return float(progress.x + (hasMore ? 1 : 0));
 }
 
 // Half a step of the display's 8 bits either way, the same for each pixel each time: dark gradients do not band.

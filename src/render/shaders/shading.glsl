@@ -35,3 +35,7 @@ vec3 lit(vec3 albedo, vec3 normal, vec3 towardsViewer, vec3 right, vec3 up, vec3
 vec3 background(vec2 pixel, vec2 size, vec3 top, vec3 bottom) {
     return mix(top, bottom, smoothstep(0.0, 1.0, pixel.y / size.y));
 }
+
+// The brightest that rays of light are seen against: the studio's background at its brightest. On a lighter one the grid's
+// box is as dark as this, as a film on a light table; white rays on white would show nothing.
+vec3 behindFilm(vec3 behind, bool inBox) { return inBox ? min(behind, vec3(0.17, 0.19, 0.22)) : behind; }

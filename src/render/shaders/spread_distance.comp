@@ -1,9 +1,9 @@
 // One axis of the Chebyshev distance transform: the smallest of max(offset, distance there) along that axis.
-// In: texture 0 distances so far (r8ui). Out: image 0 (r8ui).
+// In: texture 0 distances so far (r32ui). Out: image 0 (r8ui).
 layout(local_size_x = 8, local_size_y = 4, local_size_z = 2) in;
 
 layout(binding = 0) uniform usampler3D distancesBefore;
-layout(r8ui, binding = 0) uniform writeonly uimage3D distances;
+layout(r32ui, binding = 0) uniform writeonly uimage3D distances;
 
 layout(location = 0) uniform ivec3 direction;
 layout(location = 1) uniform int far;

@@ -3,10 +3,16 @@
 // transfer function makes opaque enough to be touched. Include "render/shaders/rays.glsl" first, for 3 also
 // "render/shaders/classification.glsl".
 
+// How far a value is inside the displayed range, as a part of its width: of the same size as what the sculpture and the
+// segmentation say, or the least of them would bend what is straight.
+float partInside(float value) {
+    return insideRange(value) / (range.y > range.x ? range.y - range.x : 1.0);
+}
+
 // >= 0 where there is content to see; continuous along each of its parts, so it can be bisected.
 float contentAt(vec3 p) {
 #if CONTENT == 0
-    return insideRange(dataAt(p));
+    return partInside(dataAt(p));
 #elif CONTENT == 1
     return segmentationAt(p) - 0.5;
 #elif CONTENT == 3
@@ -16,7 +22,7 @@ float contentAt(vec3 p) {
     return classify(dataAt(p), length(dataGradient(p))).a - lightingOfFunction.z;
 #endif
 #else
-    return max(insideRange(dataAt(p)), segmentationAt(p) - 0.5);
+    return max(partInside(dataAt(p)), segmentationAt(p) - 0.5);
 #endif
 }
 
@@ -54,53 +60,144 @@ float sliverBetween(vec2 before, vec2 after) {
 }
 #endif
 
-// First t at which something is visible, or tEnd and beyond. The loop only looks; shading comes after it.
-// Several samples a turn: on a software renderer the turn itself costs as much as they do.
-float firstVisible(Ray ray, float jitter) {
-    const int batch = 4;
-    vec3 inverseDirection = safeInverse(ray.direction);
-    float t = nextSample(ray.tBegin, kDt, jitter);
-    bool found = false;
-    while (t < ray.tEnd && !found) {
-        float skip = emptyUntil(ray, t, inverseDirection);
-        while (skip > 0.0 && t < ray.tEnd) {
-            t = nextSample(t + skip, kDt, jitter);
-            skip = emptyUntil(ray, t, inverseDirection);
-        }
-        float first = float(batch);
-        for (int i = batch - 1; i >= 0; --i) {
-            first = visibility(at(ray, t + float(i) * kDt)) >= 0.0 ? float(i) : first;
-        }
-        found = first < float(batch);
-        t += first * kDt;
+// Where a ray first meets something visible: `t`, the visibility there, and `before`, a place without. Nothing when t is not
+// below the ray's tEnd.
+struct Crossing {
+    float before;
+    float t;
+    float value;
+};
+
+const int kBatch = 4; // samples a turn: on a software renderer the turn itself costs as much as they do
+
+// Looks at the samples of one turn, from crossing.t on, and moves t to the first that is visible or past them all. `last` is
+// the visibility's parts (content, side) at the sample before them.
+void lookAtBatch(Ray ray, inout Crossing crossing, inout vec2 last) {
+    float first = float(kBatch);
+#ifdef SCULPTED
+    vec2 before = last;
+    float sliver = -1.0;
+    float sliverSample = 0.0;
+    for (int i = 0; i < kBatch; ++i) {
+        vec3 p = at(ray, crossing.t + float(i) * kDt);
+        vec2 here = vec2(contentAt(p), sideAt(p));
+        float between = sliverBetween(before, here);
+        bool isOpen = first == float(kBatch) && sliver < 0.0;
+        sliverSample = isOpen ? float(i) - 1.0 + between : sliverSample;
+        sliver = isOpen ? between : sliver;
+        bool isFirst = first == float(kBatch) && min(here.x, here.y) >= 0.0;
+        first = isFirst ? float(i) : first;
+        crossing.value = isFirst ? min(here.x, here.y) : crossing.value;
+        before = here;
     }
-    return t;
+    last = before;
+    float inSliver = visibility(at(ray, crossing.t + sliverSample * kDt));
+    bool isInSliver = sliver >= 0.0 && inSliver >= 0.0;
+    first = isInSliver ? sliverSample : first;
+    crossing.value = isInSliver ? inSliver : crossing.value;
+#else
+    for (int i = kBatch - 1; i >= 0; --i) {
+        float value = visibility(at(ray, crossing.t + float(i) * kDt));
+        first = value >= 0.0 ? float(i) : first;
+        crossing.value = value >= 0.0 ? value : crossing.value;
+    }
+#endif
+    crossing.t += first * kDt;
 }
 
-// Moves a visible t back to the surface: an invisible and a visible place, almost together, around it. False position,
-// kept off the ends so that a jump (the edge of non-finite voxels) is closed in on too. Content is in the volume's unit,
-// the side a part of one: scaled to be alike, or the smaller unit would bend what is straight.
-vec2 refine(Ray ray, float t) {
-    float outside = max(t - kDt, ray.tNear);
-    float inside = t;
-    float contentOutside = contentAt(at(ray, outside));
-    float contentInside = contentAt(at(ray, inside));
-    float scale = 1.0 / max(max(abs(contentOutside), abs(contentInside)), 1e-30);
-    float below = min(contentOutside * scale, sideAt(at(ray, outside)));
-    float above = min(contentInside * scale, sideAt(at(ray, inside)));
-    if (below >= 0.0) {
-        return vec2(outside, outside); // visible from the start: the ray enters the box inside
+// Looks at every sample that may be visible; shading comes after it. Loops end with their condition: a software renderer runs
+// a body to its end when no ray is left in it.
+Crossing firstVisible(Ray ray, float jitter) {
+    vec3 inverseDirection = safeInverse(ray.direction);
+    Crossing crossing;
+    crossing.t = nextSample(ray.tBegin, kDt, jitter);
+    crossing.value = -1.0;
+    vec2 last = vec2(-1.0);
+    do {
+        float start = crossing.t;
+        float skip;
+        do {
+            skip = emptyUntil(ray, crossing.t, inverseDirection);
+            crossing.t = skip > 0.0 ? nextSample(crossing.t + skip, kDt, jitter) : crossing.t;
+        } while (skip > 0.0 && crossing.t < ray.tEnd);
+#ifdef SCULPTED
+        // A sliver may lie between the last empty sample and the first that is not.
+        bool hasSkipped = crossing.t > start;
+        last = hasSkipped ? vec2(-1.0) : last;
+        crossing.t -= hasSkipped && crossing.t - kDt >= ray.tNear ? kDt : 0.0;
+#endif
+        lookAtBatch(ray, crossing, last);
+    } while (crossing.value < 0.0 && crossing.t < ray.tEnd);
+    crossing.before = max(crossing.t - kDt, ray.tNear);
+    return crossing;
+}
+
+// What keeps a place from being seen: x the content, y the sculpture's side; a part that does not, 0.
+struct Obstacle {
+    bool isAbove; // the value is above the displayed range, not below
+    vec2 weight;
+};
+
+// Content and side at p as far as they are in the way there.
+vec2 partsAt(vec3 p, bool isAbove) {
+#if CONTENT == 0
+    float value = dataAt(p);
+    return vec2((isAbove ? range.y - value : value - range.x) + valueScale.w, sideAt(p));
+#else
+    return vec2(contentAt(p), sideAt(p));
+#endif
+}
+
+Obstacle obstacleAt(vec3 p) {
+    Obstacle obstacle;
+#if CONTENT == 0
+    obstacle.isAbove = dataAt(p) > range.y;
+#else
+    obstacle.isAbove = false;
+#endif
+    vec2 parts = partsAt(p, obstacle.isAbove);
+    obstacle.weight = mix(vec2(0.0), -1.0 / parts, lessThan(parts, vec2(0.0)));
+    return obstacle;
+}
+
+// -1 where the obstacle was found, 0 where it ends, and about straight between: what else bounds the visible, and would
+// bend it, is left out.
+float beyond(Obstacle obstacle, vec3 p) {
+    vec2 parts = partsAt(p, obstacle.isAbove) * obstacle.weight;
+    return obstacle.weight.x == 0.0 ? parts.y : obstacle.weight.y == 0.0 ? parts.x : min(parts.x, parts.y);
+}
+
+// The zero between an invisible place a and a visible one b, given a third place c close by (x place, y what is beyond
+// there): by inverse quadratic interpolation, or linearly where that leads out of the interval.
+float zeroBetween(vec2 a, vec2 b, vec2 c) {
+    float linear = mix(a.x, b.x, a.y / (a.y - b.y));
+    vec3 differences = vec3(a.y - b.y, b.y - c.y, c.y - a.y);
+    float quadratic = -(a.x * b.y * c.y * differences.y + b.x * a.y * c.y * differences.z + c.x * a.y * b.y * differences.x) /
+                      (differences.x * differences.y * differences.z);
+    return quadratic >= a.x && quadratic <= b.x ? quadratic : linear;
+}
+
+// Moves a crossing back to the surface: an invisible place just before it, and the surface. Two more samples, kept off the ends
+// of what they divide so that a jump (the edge of non-finite voxels) is closed in on too.
+vec2 refine(Ray ray, Crossing crossing) {
+    Obstacle obstacle = obstacleAt(at(ray, crossing.before));
+    if (obstacle.weight == vec2(0.0)) {
+        return vec2(crossing.before); // visible from the start: the ray enters the box inside
     }
-    for (int i = 0; i < 3; ++i) {
-        float middle = mix(outside, inside, clamp(below / (below - above), 0.05, 0.95));
-        float there = min(contentAt(at(ray, middle)) * scale, sideAt(at(ray, middle)));
-        bool seen = there >= 0.0;
-        inside = seen ? middle : inside;
-        above = seen ? there : above;
-        outside = seen ? outside : middle;
-        below = seen ? below : there;
+    vec2 outside = vec2(crossing.before, -1.0);
+    vec2 inside = vec2(crossing.t, beyond(obstacle, at(ray, crossing.t)));
+    float guess = mix(outside.x, inside.x, outside.y / (outside.y - inside.y));
+    for (int i = 0; i < 2; ++i) {
+        float margin = 0.05 * (inside.x - outside.x);
+        float place = clamp(guess, outside.x + margin, inside.x - margin);
+        vec2 there = vec2(place, beyond(obstacle, at(ray, place)));
+        bool seen = there.y >= 0.0;
+        vec2 replaced = seen ? inside : outside;
+        inside = seen ? there : inside;
+        outside = seen ? outside : there;
+        guess = zeroBetween(outside, inside, replaced);
     }
-    return vec2(outside, mix(outside, inside, below / (below - above)));
+    return vec2(outside.x, guess);
 }
 
 // Normal of the box face that the point is nearest to, facing out.
@@ -123,7 +220,8 @@ vec3 facing(vec3 gradient, vec3 towardsViewer) {
 // `jitter` in [0, 1) shifts the samples by that part of a step: what they all miss then differs from ray to ray.
 Hit findSurface(Ray ray, float jitter) {
     Hit hit;
-    hit.t = firstVisible(ray, jitter);
+    Crossing crossing = firstVisible(ray, jitter);
+    hit.t = crossing.t;
     hit.found = hit.t < ray.tEnd;
     hit.isCut = false;
     hit.isSegment = false;
@@ -132,7 +230,7 @@ Hit findSurface(Ray ray, float jitter) {
     if (!hit.found) {
         return hit;
     }
-    vec2 bracket = refine(ray, hit.t);
+    vec2 bracket = refine(ray, crossing);
     hit.t = bracket.y;
     hit.voxel = at(ray, hit.t);
     vec3 before = at(ray, bracket.x);

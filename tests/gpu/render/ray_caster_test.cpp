@@ -242,16 +242,16 @@ TEST_F(RayCasterTest, AScanFarFromTheWorldsOriginLooksTheSame) {
     EXPECT_LT(image::compare(here.picture(Mode::Surface), there.picture(Mode::Surface)).mean, 0.05);
 }
 
-TEST_F(RayCasterTest, TilesInSlicesGiveTheWholePicture) {
+TEST_F(RayCasterTest, PartsInSlicesGiveTheWholePicture) {
     Stage stage(volume::makeBall({48, 48, 48}, {24, 24, 24}, 15), {100, 200});
-    stage.look({}, {300, 200});
+    stage.look({}, {500, 400});
     const auto whole = stage.picture(Mode::Surface);
     stage.caster.start(stage.frame);
     int slices = 1;
     while (!stage.caster.renderSome(0)) {
         ++slices;
     }
-    EXPECT_EQ(slices, 6) << "one tile of 128 pixels a slice";
+    EXPECT_GT(slices, 3) << "no more than a few squares of pixels a slice";
     EXPECT_EQ(image::compare(whole, stage.caster.readPicture()).max, 0);
 }
 
@@ -272,7 +272,7 @@ TEST_F(RayCasterTest, UnknownModeNamesTheChoices) {
         FAIL();
     } catch (const UsageError& error) {
         EXPECT_STREQ(error.what(),
-                     "mode 'xry' does not exist; choose surface, mip, xray, overlay or segment");
+                     "mode 'xry' does not exist; choose surface, mip, xray, overlay, segment or volume");
     }
 }
 

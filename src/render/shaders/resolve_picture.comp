@@ -7,6 +7,7 @@ layout(rgba8, binding = 1) uniform writeonly image2D picture;
 
 layout(location = 0) uniform ivec3 progress;  // whole samples; tiles that have one more; side of a tile
 layout(location = 1) uniform int isTransparent;
+layout(location = 2) uniform int isFlat; // the background is of one colour, which stays exactly that
 
 float samplesAt(ivec2 pixel) {
     int tilesAcross = (imageSize(picture).x + progress.z - 1) / progress.z;
@@ -32,6 +33,7 @@ void main() {
         vec3 colour = sum.a > 0.0 ? sum.rgb / sum.a + dither(pixel) : vec3(0.0);
         imageStore(picture, pixel, vec4(colour, sum.a / samples));
     } else {
-        imageStore(picture, pixel, vec4(sum.rgb / samples + dither(pixel), 1.0));
+        float offset = isFlat != 0 && sum.a == 0.0 ? 0.0 : dither(pixel);
+        imageStore(picture, pixel, vec4(sum.rgb / samples + offset, 1.0));
     }
 }

@@ -165,9 +165,9 @@ void MainWindow::makeMenus() {
     };
     menu(tr("&File"), {"open", "openFolder", "-", "saveSession", "exportLabels", "screenshot", "-", "quit"});
     menu(tr("&Edit"), {"undo", "redo", "-", "unCut", "reSeed", "-", "clearSketch"});
-    menu(tr("&View"), {"resetView", "-", "mode.surface", "mode.mip", "mode.xray", "mode.overlay",
-                       "mode.segment", "-", "viewCut", "viewProbe", "viewWhole", "-", "smoothSampling",
-                       "annotations"});
+    menu(tr("&View"),
+         {"resetView", "-", "mode.surface", "mode.mip", "mode.xray", "mode.overlay", "mode.segment", "-",
+          "viewCut", "viewProbe", "viewWhole", "-", "smoothSampling", "annotations"});
     menu(tr("&Tools"), {"cameraTool", "peelTool", "drillTool", "seedTool", "-", "freeForm", "ellipse"});
     menu(tr("&Segmentation"), {"playPause", "growStepKey", "growBackKey", "growToEndKey"});
     menu(tr("&Help"), {"about"});

@@ -45,8 +45,7 @@ const gl::Texture& Macrocells::dilated(const gl::Texture& dataCells) {
 void Macrocells::rebuild(const Input& input) {
     const gl::Pass pass("macrocells");
     const glm::ivec3 cells = input.dataCells->size();
-    dataCells_ =
-        input.sampling == field::Sampling::Tricubic ? &dilated(*input.dataCells) : input.dataCells;
+    dataCells_ = input.sampling == field::Sampling::Tricubic ? &dilated(*input.dataCells) : input.dataCells;
     if (distances_.size() != cells || scratch_.size() != cells) {
         distances_ = gl::Texture(cells, gl::Format::R8UI, gl::Filter::Nearest, "cell distances");
         scratch_ = gl::Texture(cells, gl::Format::R8UI, gl::Filter::Nearest, "cell distances scratch");

@@ -75,7 +75,8 @@ gl::Program& RayCaster::programFor(const Frame& frame) {
         frame.scene.sculpture != nullptr || frame.scene.view == field::SculptureView::Probe;
     const bool isTricubic = frame.scene.sampling == field::Sampling::Tricubic;
     const int kind = frame.classification != nullptr ? 1 + int(frame.classification->kind()) : 0;
-    const int key = 16 * static_cast<int>(frame.mode) + 4 * kind + (isTricubic ? 2 : 0) + (isSculpted ? 1 : 0);
+    const int key =
+        16 * static_cast<int>(frame.mode) + 4 * kind + (isTricubic ? 2 : 0) + (isSculpted ? 1 : 0);
     auto& program = programs_[key];
     if (!program) {
         const int content = frame.mode == Mode::Overlay ? 1 : frame.mode == Mode::Segment ? 2 : 0;

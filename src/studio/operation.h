@@ -57,7 +57,8 @@ struct SetView {
     std::optional<render::Mode> mode;
     std::optional<Range> range;
     std::optional<field::SculptureView> sculptureView;
-    std::optional<std::optional<render::TransferFunction>> transferFunction = {}; // set to nothing: without one
+    std::optional<std::optional<render::TransferFunction>> transferFunction =
+        {}; // set to nothing: without one
     std::optional<field::Sampling> sampling = {};
 };
 // The whole of a view.

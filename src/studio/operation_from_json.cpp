@@ -95,9 +95,8 @@ Canvas readCanvas(const JsonReader& reader) {
     canvas.view.sculptureView = reader.member("sculptureView").choice<field::SculptureView>(kSculptureViews);
     reader.ifHas("transferFunction",
                  [&](const JsonReader& r) { canvas.view.transferFunction = readTransferFunction(r); });
-    reader.ifHas("sampling", [&](const JsonReader& r) {
-        canvas.view.sampling = r.choice<field::Sampling>(kSamplings);
-    });
+    reader.ifHas("sampling",
+                 [&](const JsonReader& r) { canvas.view.sampling = r.choice<field::Sampling>(kSamplings); });
     return canvas;
 }
 

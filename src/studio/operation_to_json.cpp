@@ -46,11 +46,11 @@ Json toJson(const std::optional<render::TransferFunction>& function) {
 
 Json toJson(const Canvas& canvas) {
     Json json{{"viewport", Json::array({canvas.viewport.x, canvas.viewport.y})},
-            {"camera", toJson(canvas.view.camera)},
-            {"mode", kModes[std::size_t(canvas.view.mode)]},
-            {"range", toJson(canvas.view.range)},
-            {"sculptureView", kSculptureViews[std::size_t(canvas.view.sculptureView)]},
-            {"sampling", kSamplings[std::size_t(canvas.view.sampling)]}};
+              {"camera", toJson(canvas.view.camera)},
+              {"mode", kModes[std::size_t(canvas.view.mode)]},
+              {"range", toJson(canvas.view.range)},
+              {"sculptureView", kSculptureViews[std::size_t(canvas.view.sculptureView)]},
+              {"sampling", kSamplings[std::size_t(canvas.view.sampling)]}};
     if (canvas.view.transferFunction) {
         json["transferFunction"] = toJson(canvas.view.transferFunction);
     }

@@ -56,9 +56,13 @@ render::Frame Pipeline::frame(const State& state, glm::ivec2 size) {
     frame.classification = classify(view);
     const bool byFunction = view.mode == render::Mode::Volume;
 
-    const Key key{view.range, frame.scene.view, state.sculpture->version(),
-                  hasSegmentation ? segmentation_->version() : 0, hasSegmentation,
-                  byFunction ? classification_->version() : 0, view.sampling};
+    const Key key{view.range,
+                  frame.scene.view,
+                  state.sculpture->version(),
+                  hasSegmentation ? segmentation_->version() : 0,
+                  hasSegmentation,
+                  byFunction ? classification_->version() : 0,
+                  view.sampling};
     // In probe view a cut adds to what is seen, so there nothing can be kept.
     const bool mayKeep = state.cuttingSince && key_ && key_->sculptureVersion == *state.cuttingSince &&
                          key_->view != field::SculptureView::Probe &&

@@ -32,7 +32,8 @@ SplineSample bsplineAt(const volume::Volume& volume, glm::dvec3 voxel) {
         const glm::dvec3 d = voxel - glm::dvec3(v);
         const glm::dvec3 b(basis(d.x), basis(d.y), basis(d.z));
         value += stored * b.x * b.y * b.z;
-        gradient += stored * glm::dvec3(slope(d.x) * b.y * b.z, b.x * slope(d.y) * b.z, b.x * b.y * slope(d.z));
+        gradient +=
+            stored * glm::dvec3(slope(d.x) * b.y * b.z, b.x * slope(d.y) * b.z, b.x * b.y * slope(d.z));
     }
     return {value, glm::transpose(glm::dmat3(volume.geometry.voxelFromWorld())) * gradient};
 }

@@ -21,9 +21,8 @@ protected:
         SceneBinding binding;
         binding.bind({.data = &field, .displayedRange = field.range, .greyWindow = field.range});
         setenv("VOLUME_STUDIO_SHADER_DIR", VS_TEST_SHADERS, 1);
-        gl::Program program("sample_data.comp", sampling == Sampling::Tricubic
-                                                    ? gl::Defines{{"TRICUBIC", "1"}}
-                                                    : gl::Defines{});
+        gl::Program program("sample_data.comp",
+                            sampling == Sampling::Tricubic ? gl::Defines{{"TRICUBIC", "1"}} : gl::Defines{});
         unsetenv("VOLUME_STUDIO_SHADER_DIR");
         gl::Buffer in(places.size() * sizeof(glm::vec4), "places");
         gl::Buffer out(places.size() * sizeof(glm::vec4), "answers");
@@ -46,11 +45,11 @@ protected:
         return places;
     }
 
-    // What the device's filter makes of a step of height 1: hardware has only 8 bits for the place between two
-    // texels, software all of them.
+    // What the device's filter makes of a step of height 1: hardware has only 8 bits for the place between
+    // two texels, software all of them.
     double filterError() {
-        const auto step = volume::makePhantom({2, 1, 1}, volume::ScalarType::Float32,
-                                              [](glm::dvec3 p) { return p.x; });
+        const auto step =
+            volume::makePhantom({2, 1, 1}, volume::ScalarType::Float32, [](glm::dvec3 p) { return p.x; });
         double worst = 0;
         std::vector<glm::vec4> places;
         for (int i = 0; i < 1000; ++i) {
@@ -83,8 +82,9 @@ TEST_F(SamplingTest, TricubicEqualsTheBSplineOnTheCpu) {
         Range range;
     };
     const double filter = filterError();
-    for (const auto& [type, range] : {Case{UInt8, {0, 255}}, Case{Int8, {-128, 127}}, Case{UInt16, {0, 65535}},
-                                      Case{Int16, {-32768, 32767}}, Case{Float32, {-3, 5}}}) {
+    for (const auto& [type, range] :
+         {Case{UInt8, {0, 255}}, Case{Int8, {-128, 127}}, Case{UInt16, {0, 65535}},
+          Case{Int16, {-32768, 32767}}, Case{Float32, {-3, 5}}}) {
         const auto volume = makeNoise(type, range.lo, range.hi);
         const auto places = placesIn(volume.geometry.dims, 4000);
         const auto samples = sample(volume, places);

@@ -40,8 +40,8 @@ TEST_F(TricubicTest, SkippingChangesNoPicture) {
 
 TEST_F(TricubicTest, ABallLiesWhereTheBSplinePutsIt) {
     constexpr double radius = 20;
-    // The B-spline blurs with a variance of 1/3 along each axis. Across a ramp that is straight along the radius
-    // only the surface's curvature counts: it moves inward by variance / radius.
+    // The B-spline blurs with a variance of 1/3 along each axis. Across a ramp that is straight along the
+    // radius only the surface's curvature counts: it moves inward by variance / radius.
     constexpr double expected = radius - 1.0 / 3.0 / radius;
     const glm::dvec3 centre{31.3, 29.7, 33.1};
     Camera camera{25, 15, 1.8};

@@ -6,9 +6,9 @@
 
 #include "gl/context.h"
 #include "image/image.h"
-#include "render/transfer_function_json.h"
 #include "render/background.h"
 #include "render/draw_annotations.h"
+#include "render/transfer_function_json.h"
 #include "studio/document.h"
 
 #include <CLI/CLI.hpp>
@@ -88,7 +88,9 @@ void addRenderCommand(CLI::App& app) {
     auto options = std::make_shared<RenderOptions>();
     options->volume = addVolumeArgument(*command);
     command->add_option("-o,--output", options->output, "Picture to write (PNG)")->required();
-    command->add_option("--mode", options->mode, "surface, mip, xray or volume (overlay and segment need a session)")
+    command
+        ->add_option("--mode", options->mode,
+                     "surface, mip, xray or volume (overlay and segment need a session)")
         ->capture_default_str();
     command->add_option("--range", options->range,
                         "Displayed range LO:HI; suggested from the histogram if not given");

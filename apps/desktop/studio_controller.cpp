@@ -136,6 +136,12 @@ void StudioController::setMode(render::Mode mode) {
     look(next);
 }
 
+void StudioController::setTransferFunction(const std::optional<render::TransferFunction>& function) {
+    auto next = view_;
+    next.transferFunction = function;
+    look(next);
+}
+
 void StudioController::setSculptureView(field::SculptureView sculptureView) {
     auto next = view_;
     next.sculptureView = sculptureView;

@@ -8,8 +8,10 @@
 #include "render/camera.h"
 #include "render/classification.h"
 #include "render/macrocells.h"
+#include "render/placement.h"
 
 #include <map>
+#include <vector>
 
 namespace vs::render {
 
@@ -40,16 +42,21 @@ ViewBlock viewBlock(const ViewRays& rays, const volume::GridGeometry& geometry);
 struct Frame {
     field::Scene scene;
     const Macrocells* macrocells = nullptr;
-    // Colours all modes, and says what is opaque in volume mode, which needs one. Null: ivory surfaces, white rays.
+    // Colours all modes, and says what is opaque in volume mode, which needs one. Null: ivory surfaces, white
+    // rays.
     const Classification* classification = nullptr;
+    // Dual rendering (SPEC 3): what was cut out, drawn again at each of these places, with macrocells made
+    // for probe view.
+    std::vector<Placement> pasted;
+    const Macrocells* pastedMacrocells = nullptr;
     ViewRays rays;
     Mode mode = Mode::Surface;
     // What is behind. A transparent picture has straight alpha: how much of the background each pixel hides.
     Background background = {};
     double xrayGain = 5; // brightness of a ray through one whole diagonal at full value
     glm::vec3 segmentColour{0.70F, 0.17F, 0.04F}; // linear; near the vermilion of the Okabe-Ito palette
-    double sampleStep = 0.5;                      // steps between samples in MIP, X-ray and volume; more for drafts
-    int samples = 1;                              // rays per pixel, evenly spread over it
+    double sampleStep = 0.5; // steps between samples in MIP, X-ray and volume; more for drafts
+    int samples = 1;         // rays per pixel, evenly spread over it
 };
 
 // Casts rays (SPEC 3) in a compute shader, tile by tile so that no single submission is long. Start a frame,

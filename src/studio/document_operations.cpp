@@ -26,6 +26,7 @@ Outcome Document::Impl::run(SetView& op, const std::filesystem::path&) {
     view.range = op.range.value_or(view.range);
     view.sculptureView = op.sculptureView.value_or(view.sculptureView);
     view.transferFunction = op.transferFunction.value_or(view.transferFunction);
+    view.pasted = op.pasted.value_or(view.pasted);
     view.sampling = op.sampling.value_or(view.sampling);
     // Logged whole: what was looked at before is part of it.
     op = lookAs(view);

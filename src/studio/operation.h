@@ -20,8 +20,11 @@ struct View {
     render::Mode mode = render::Mode::Surface;
     Range range; // displayed range, in the volume's unit
     field::SculptureView sculptureView = field::SculptureView::Cut;
-    // Colours every mode; nothing: ivory surfaces and white rays, and in volume mode one made from the displayed range.
+    // Colours every mode; nothing: ivory surfaces and white rays, and in volume mode one made from the
+    // displayed range.
     std::optional<render::TransferFunction> transferFunction = {};
+    // Where copies of what was cut out are drawn too. They can be looked at; pens go through them.
+    std::vector<render::Placement> pasted = {};
     field::Sampling sampling = field::Sampling::Trilinear;
 
     bool operator==(const View&) const = default;
@@ -59,6 +62,7 @@ struct SetView {
     std::optional<field::SculptureView> sculptureView;
     std::optional<std::optional<render::TransferFunction>> transferFunction =
         {}; // set to nothing: without one
+    std::optional<std::vector<render::Placement>> pasted = {};
     std::optional<field::Sampling> sampling = {};
 };
 // The whole of a view.

@@ -70,6 +70,31 @@ glm::ivec2 readSize(const JsonReader& reader) {
     return {int(reader.at(0).integerBetween(1, 16384)), int(reader.at(1).integerBetween(1, 16384))};
 }
 
+glm::dvec3 readVector(const JsonReader& reader, double largest) {
+    reader.expectSize(3);
+    glm::dvec3 v;
+    for (int i = 0; i < 3; ++i) {
+        v[i] = reader.at(std::size_t(i)).numberBetween(-largest, largest);
+    }
+    return v;
+}
+
+std::vector<render::Placement> readPlacements(const JsonReader& reader) {
+    constexpr std::size_t most = 16;
+    if (reader.size() > most) {
+        reader.fail(fmt::format("at most {} parts can be drawn", most));
+    }
+    std::vector<render::Placement> places(reader.size());
+    for (std::size_t i = 0; i < places.size(); ++i) {
+        const JsonReader place = reader.at(i);
+        place.allow({"move", "turn", "scale"});
+        place.ifHas("move", [&](const JsonReader& r) { places[i].moveMm = readVector(r, 1e6); });
+        place.ifHas("turn", [&](const JsonReader& r) { places[i].turnDegrees = readVector(r, 360); });
+        place.ifHas("scale", [&](const JsonReader& r) { places[i].scale = r.numberBetween(0.01, 100); });
+    }
+    return places;
+}
+
 std::optional<render::TransferFunction> readTransferFunction(const JsonReader& reader) {
     if (reader.isNull()) {
         return std::nullopt;
@@ -86,7 +111,8 @@ std::optional<render::TransferFunction> readTransferFunction(const JsonReader& r
 }
 
 Canvas readCanvas(const JsonReader& reader) {
-    reader.allow({"viewport", "camera", "mode", "range", "sculptureView", "transferFunction", "sampling"});
+    reader.allow(
+        {"viewport", "camera", "mode", "range", "sculptureView", "transferFunction", "pasted", "sampling"});
     Canvas canvas;
     canvas.viewport = readSize(reader.member("viewport"));
     canvas.view.camera = readCamera(reader.member("camera"));
@@ -95,6 +121,7 @@ Canvas readCanvas(const JsonReader& reader) {
     canvas.view.sculptureView = reader.member("sculptureView").choice<field::SculptureView>(kSculptureViews);
     reader.ifHas("transferFunction",
                  [&](const JsonReader& r) { canvas.view.transferFunction = readTransferFunction(r); });
+    reader.ifHas("pasted", [&](const JsonReader& r) { canvas.view.pasted = readPlacements(r); });
     reader.ifHas("sampling",
                  [&](const JsonReader& r) { canvas.view.sampling = r.choice<field::Sampling>(kSamplings); });
     return canvas;
@@ -122,7 +149,8 @@ std::string readFileName(const JsonReader& reader) {
 // --- one reader per operation
 
 Operation readView(const JsonReader& reader) {
-    reader.allow({"op", "camera", "mode", "range", "sculptureView", "transferFunction", "sampling"});
+    reader.allow(
+        {"op", "camera", "mode", "range", "sculptureView", "transferFunction", "pasted", "sampling"});
     SetView op;
     reader.ifHas("camera", [&](const JsonReader& r) { op.camera = readCamera(r); });
     reader.ifHas("mode", [&](const JsonReader& r) { op.mode = r.choice<render::Mode>(kModes); });
@@ -132,6 +160,7 @@ Operation readView(const JsonReader& reader) {
     });
     reader.ifHas("transferFunction",
                  [&](const JsonReader& r) { op.transferFunction = readTransferFunction(r); });
+    reader.ifHas("pasted", [&](const JsonReader& r) { op.pasted = readPlacements(r); });
     reader.ifHas("sampling",
                  [&](const JsonReader& r) { op.sampling = r.choice<field::Sampling>(kSamplings); });
     return op;

@@ -23,6 +23,17 @@ Json toJson(const render::Camera& camera) {
             {"projection", kProjections[std::size_t(camera.projection)]}};
 }
 
+Json toJson(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
+
+Json toJson(const std::vector<render::Placement>& places) {
+    Json json = Json::array();
+    for (const auto& place : places) {
+        json.push_back(
+            {{"move", toJson(place.moveMm)}, {"turn", toJson(place.turnDegrees)}, {"scale", place.scale}});
+    }
+    return json;
+}
+
 Json toJson(const Sketch& sketch) {
     Json points = Json::array();
     for (const auto& p : sketch.points) {
@@ -54,6 +65,9 @@ Json toJson(const Canvas& canvas) {
     if (canvas.view.transferFunction) {
         json["transferFunction"] = toJson(canvas.view.transferFunction);
     }
+    if (!canvas.view.pasted.empty()) {
+        json["pasted"] = toJson(canvas.view.pasted);
+    }
     return json;
 }
 
@@ -76,6 +90,7 @@ void write(Json& j, const SetView& op) {
         j["sculptureView"] = kSculptureViews[std::size_t(*op.sculptureView)];
     }
     addIfSet(j, "transferFunction", op.transferFunction);
+    addIfSet(j, "pasted", op.pasted);
     if (op.sampling) {
         j["sampling"] = kSamplings[std::size_t(*op.sampling)];
     }

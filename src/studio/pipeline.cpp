@@ -3,11 +3,13 @@
 
 namespace vs::studio {
 
-Pipeline::Pipeline(const field::Field& field) : field_(&field), cells_(field::computeCellRanges(field)) {}
+Pipeline::Pipeline(const field::Field& field)
+    : field_(&field), cellRanges_(field::computeCellRanges(field)) {}
 
 namespace {
 
-// What volume mode shows when no transfer function was chosen: the displayed range, denser from its lower end up.
+// What volume mode shows when no transfer function was chosen: the displayed range, denser from its lower end
+// up.
 render::TransferFunction functionOfRange(const Range& range) {
     render::TransferFunction function;
     function.name = "displayed range";
@@ -26,7 +28,8 @@ const render::Classification* Pipeline::classify(const View& view) {
     if (!classification_) {
         classification_.emplace();
     }
-    classification_->update(view.transferFunction ? *view.transferFunction : functionOfRange(view.range), *field_);
+    classification_->update(view.transferFunction ? *view.transferFunction : functionOfRange(view.range),
+                            *field_);
     return &*classification_;
 }
 
@@ -56,35 +59,47 @@ render::Frame Pipeline::frame(const State& state, glm::ivec2 size) {
     frame.classification = classify(view);
     const bool byFunction = view.mode == render::Mode::Volume;
 
-    const Key key{view.range,
-                  frame.scene.view,
-                  state.sculpture->version(),
-                  hasSegmentation ? segmentation_->version() : 0,
-                  hasSegmentation,
-                  byFunction ? classification_->version() : 0,
-                  view.sampling};
-    // In probe view a cut adds to what is seen, so there nothing can be kept.
-    const bool mayKeep = state.cuttingSince && key_ && key_->sculptureVersion == *state.cuttingSince &&
-                         key_->view != field::SculptureView::Probe &&
-                         key.view != field::SculptureView::Probe && key_->range == key.range &&
-                         key_->functionVersion == key.functionVersion && key_->sampling == key.sampling &&
-                         key_->drawsSegmentation == key.drawsSegmentation &&
-                         key_->segmentationVersion == key.segmentationVersion;
-    if (!mayKeep && key_ != key) {
-        render::Macrocells::Input input;
-        input.dataCells = &cells_.cells;
-        input.sculptureCells = isSculpted ? &state.sculpture->cells() : nullptr;
-        input.segmentationCells = hasSegmentation ? &segmentation_->cells() : nullptr;
-        input.displayedRange = view.range;
-        input.valueTolerance = field::valueTolerance(*field_);
-        input.view = frame.scene.view;
-        input.sampling = view.sampling;
-        input.classification = byFunction ? frame.classification : nullptr;
-        macrocells_.rebuild(input);
-        key_ = key;
+    Key key{view.range,
+            frame.scene.view,
+            state.sculpture->version(),
+            hasSegmentation ? segmentation_->version() : 0,
+            hasSegmentation,
+            byFunction ? classification_->version() : 0,
+            view.sampling};
+    refresh(cells_, key, state, frame);
+    frame.macrocells = &cells_.macrocells;
+    if (isSculpted && !view.pasted.empty()) {
+        key.view = field::SculptureView::Probe;
+        refresh(pastedCells_, key, state, frame);
+        frame.pasted = view.pasted;
+        frame.pastedMacrocells = &pastedCells_.macrocells;
     }
-    frame.macrocells = &macrocells_;
     return frame;
+}
+
+void Pipeline::refresh(Cells& cells, const Key& key, const State& state, const render::Frame& frame) {
+    const auto& old = cells.key;
+    // In probe view a cut adds to what is seen, so there nothing can be kept.
+    const bool mayKeep = state.cuttingSince && old && old->sculptureVersion == *state.cuttingSince &&
+                         old->view != field::SculptureView::Probe &&
+                         key.view != field::SculptureView::Probe && old->range == key.range &&
+                         old->functionVersion == key.functionVersion && old->sampling == key.sampling &&
+                         old->drawsSegmentation == key.drawsSegmentation &&
+                         old->segmentationVersion == key.segmentationVersion;
+    if (mayKeep || old == key) {
+        return;
+    }
+    render::Macrocells::Input input;
+    input.dataCells = &cellRanges_.cells;
+    input.sculptureCells = frame.scene.sculpture != nullptr ? &state.sculpture->cells() : nullptr;
+    input.segmentationCells = key.drawsSegmentation ? &segmentation_->cells() : nullptr;
+    input.displayedRange = key.range;
+    input.valueTolerance = field::valueTolerance(*field_);
+    input.view = key.view;
+    input.sampling = key.sampling;
+    input.classification = frame.mode == render::Mode::Volume ? frame.classification : nullptr;
+    cells.macrocells.rebuild(input);
+    cells.key = key;
 }
 
 } // namespace vs::studio

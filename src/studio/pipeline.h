@@ -28,7 +28,7 @@ public:
     };
     render::Frame frame(const State& state, glm::ivec2 size);
 
-    [[nodiscard]] const field::CellRanges& cellRanges() const { return cells_; }
+    [[nodiscard]] const field::CellRanges& cellRanges() const { return cellRanges_; }
 
 private:
     // What the macrocells were last made from.
@@ -44,14 +44,21 @@ private:
     };
 
     const field::Field* field_;
-    field::CellRanges cells_;
+    field::CellRanges cellRanges_;
     std::optional<segment::Segmentation> segmentation_; // made when first drawn
     // Brings the tables of the view's transfer function up to date; null if it has none and needs none.
     const render::Classification* classify(const View& view);
 
-    render::Macrocells macrocells_;
+    // Macrocells and what they were made from.
+    struct Cells {
+        render::Macrocells macrocells;
+        std::optional<Key> key;
+    };
+    void refresh(Cells& cells, const Key& key, const State& state, const render::Frame& frame);
+
+    Cells cells_;
+    Cells pastedCells_;
     std::optional<render::Classification> classification_; // made when first needed
-    std::optional<Key> key_;
 };
 
 } // namespace vs::studio

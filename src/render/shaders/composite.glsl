@@ -1,12 +1,14 @@
 // Volume mode: front-to-back compositing of what the transfer function shows (SPEC 3; Max 1995, "Optical models for direct
-// volume rendering"). A ray is cut into pieces between neighbouring samples; a piece's colour and opacity come from the
-// values at both of its ends (pre-integrated: Engel, Kraus, Ertl 2001, "High-quality pre-integrated volume rendering").
+// volume rendering"). A ray is cut into pieces between neighbouring samples. The transfer function is looked up more often
+// than the data, so that what is thin in it is not missed between two samples.
 // Include "render/shaders/surface.glsl", "classification.glsl" and "shading.glsl" first. Defines: TF_KIND, SCULPTED.
 
-const float kOpaque = 0.995;     // nothing behind this much opacity is looked at
-const float kLitPiece = 0.12;    // one look at the light for pieces of together this opacity,
-const int kLitPieces = 4;        // or for this many of them
-const float kUnseen = 1.0 / 4096.0; // pieces below this opacity are not lit, only coloured
+const float kOpaque = 0.99;         // nothing behind this much opacity is looked at
+const float kLitShare = 0.06;       // one look at the light for pieces that together make this much of the pixel,
+const int kLitTurns = 2;            // or for this many turns of kPieces pieces
+const int kPieces = 4;              // several a turn: on a software renderer the turn itself costs as much as they do
+const int kLooks = 2;               // at the transfer function, for each piece
+const float kUnseen = 1.0 / 2048.0; // pieces that make less of the pixel than this are not lit, only coloured
 
 // The part of the way from one place to the next that lies on the visible side: x where it begins, y where it ends.
 vec2 visiblePart(float sideBefore, float sideAfter) {
@@ -17,87 +19,118 @@ vec2 visiblePart(float sideBefore, float sideAfter) {
     return max(sideBefore, sideAfter) < 0.0 ? vec2(0.0) : part;
 }
 
-// Colour and opacity of a length of `steps` along which the value goes evenly from front to back.
-vec4 colourOfPiece(float front, float back, vec3 middle, float steps) {
+// Opacity of `part` of a length whose opacity is `a`: 1 - (1 - a)^part to the third order, exact at both ends.
+float opacityOfPart(float a, float part) {
+    return a * part * (1.0 + (1.0 - part) * a * (0.5 + (2.0 - part) * a / 6.0));
+}
+
+// Colour and opacity of a length of `steps`, at most `dt`, along which the value goes evenly from front to back.
+vec4 colourOfPiece(float front, float back, vec3 middle, float steps, float dt) {
 #if TF_KIND == 0
-    vec4 c = classifySegment(front, back);
-    float opacity = 1.0 - pow(1.0 - c.a, steps / segmentOfFunction.x);
-    return vec4(c.rgb * (opacity / max(c.a, 1e-6)), opacity);
+    float gradient = 0.0;
 #else
-    // Four looks along the piece: thin features of the function do not band.
     float gradient = length(dataGradient(middle));
+#endif
     vec4 sum = vec4(0.0);
-    for (int i = 0; i < 4; ++i) {
-        vec4 c = classify(mix(front, back, (float(i) + 0.5) * 0.25), gradient);
-        float a = 1.0 - pow(1.0 - c.a, 0.25 * steps);
-        sum += (1.0 - sum.a) * vec4(c.rgb * a, a);
+    for (int look = 0; look < kLooks; ++look) {
+        vec4 c = classify(mix(front, back, (float(look) + 0.5) / float(kLooks)), gradient);
+        // Opacities are per step; here for half a step or, in drafts, a whole one, shared by the looks.
+        float a = dt > 0.75 ? c.a : 1.0 - sqrt(1.0 - c.a);
+        a = opacityOfPart(a, steps / (dt * float(kLooks)));
+        sum += (1.0 - sum.a) * a * vec4(c.rgb, 1.0);
     }
     return sum;
-#endif
 }
 
 // What the light makes of an unlit colour at p.
 vec3 litInVolume(vec4 colour, Ray ray, vec3 p, bool isCut) {
     vec3 gradient = dataGradient(p);
 #ifdef SCULPTED
-    for (bool turn = isCut; turn; turn = false) { // once, or never: lanes without a cut skip it together
+    if (isCut) {
         gradient = sculptureGradient(p);
     }
 #endif
     vec3 normal = facing(gradient, -ray.world);
     vec3 albedo = colour.rgb / max(colour.a, 1e-6);
-    vec3 light = lit(albedo, normal, -ray.world, viewRight.xyz, viewUp.xyz, -viewForward.xyz, lightingOfFunction.y);
+#ifdef LIT
+    vec2 reaching = cheapLight(p, normal);
+#else
+    vec2 reaching = vec2(1.0);
+#endif
+    vec3 light = lit(albedo, normal, -ray.world, viewRight.xyz, viewUp.xyz, -viewForward.xyz, lightingOfFunction.y,
+                     reaching);
     return mix(albedo, light, lightingOfFunction.x) * colour.a;
 }
 
+// How far a ray has come, and what it has found since the light was last looked at.
+struct Walk {
+    float t;     // where the next piece begins
+    float from;  // the same within the grid's box
+    float front; // the value there
+    float side;  // and whether it is on the visible side
+    vec4 found;  // premultiplied, unlit
+    float weightedT;
+    bool isCut; // something found begins where the sculpture was cut
+};
+
+// One piece, up to `tAfter`.
+void addPiece(inout Walk walk, Ray ray, float tAfter, float dt) {
+    bool isPiece = tAfter < walk.t + 1.5 * dt; // else a way over nothing
+    float to = clamp(tAfter, ray.tNear, ray.tFar);
+    vec3 after = at(ray, to);
+    float back = dataAt(after);
+    vec2 part = vec2(0.0, 1.0);
+#ifdef SCULPTED
+    float sideAfter = sideAt(after);
+    part = visiblePart(walk.side, sideAfter);
+    walk.side = sideAfter;
+#endif
+    float steps = isPiece ? (part.y - part.x) * (to - walk.from) : 0.0;
+    float middle = mix(walk.from, to, 0.5 * (part.x + part.y));
+    vec4 c = colourOfPiece(mix(walk.front, back, part.x), mix(walk.front, back, part.y), at(ray, middle), steps, dt);
+    walk.isCut = walk.isCut || (c.a > 0.0 && part.x > 0.0);
+    walk.weightedT += (1.0 - walk.found.a) * c.a * middle;
+    walk.found += (1.0 - walk.found.a) * c;
+    walk.t = tAfter;
+    walk.from = to;
+    walk.front = back;
+}
+
 // Premultiplied linear colour and opacity of everything along the ray. Samples `dt` steps apart, on the lattice that
-// `jitter` shifts; the grid's box is met exactly, its ends cut pieces short.
-vec4 compositeAlong(Ray ray, float dt, float jitter) {
+// `jitter` shifts; the grid's box is met exactly, its ends cut pieces short. `depth`: mean t of what is seen.
+vec4 compositeAlong(Ray ray, float dt, float jitter, out float depth) {
     vec3 inverseDirection = safeInverse(ray.direction);
     vec4 sum = vec4(0.0);
+    depth = 0.0;
     float stop = ray.tEnd;
-    float t = nextSample(ray.tBegin, dt, jitter) - dt; // where the next piece begins
-    float from = clamp(t, ray.tNear, ray.tFar);
-    float front = dataAt(at(ray, from));
-#ifdef SCULPTED
-    float sideBefore = sideAt(at(ray, from));
-#endif
-    while (t < stop) {
+    Walk walk;
+    walk.t = nextSample(ray.tBegin, dt, jitter) - dt;
+    walk.from = clamp(walk.t, ray.tNear, ray.tFar);
+    walk.front = dataAt(at(ray, walk.from));
+    walk.side = sideAt(at(ray, walk.from));
+    while (walk.t < stop) {
         // Look for the next pieces that show something; they are lit together.
-        vec4 found = vec4(0.0);
-        float weightedT = 0.0;
-        bool isCut = false;
-        int pieces = 0;
-        while (t < stop && pieces < kLitPieces && found.a < kLitPiece) {
+        walk.found = vec4(0.0);
+        walk.weightedT = 0.0;
+        walk.isCut = false;
+        int turns = 0;
+        float enough = kLitShare / (1.0 - sum.a);
+        while (walk.t < stop && turns < kLitTurns && walk.found.a < enough) {
             // Over what is empty, to the last sample before its end: the piece that begins there leads out of it.
-            float skip = emptyUntil(ray, from, inverseDirection);
-            float tAfter = max(t + dt, nextSample(t + skip, dt, jitter) - dt);
-            bool isPiece = tAfter < t + 1.5 * dt;
-            float to = clamp(tAfter, ray.tNear, ray.tFar);
-            vec3 after = at(ray, to);
-            float back = dataAt(after);
-            vec2 part = vec2(0.0, 1.0);
-#ifdef SCULPTED
-            float sideAfter = sideAt(after);
-            part = visiblePart(sideBefore, sideAfter);
-            sideBefore = sideAfter;
-#endif
-            float steps = isPiece ? (part.y - part.x) * (to - from) : 0.0;
-            float middle = mix(from, to, 0.5 * (part.x + part.y));
-            vec4 c = colourOfPiece(mix(front, back, part.x), mix(front, back, part.y), at(ray, middle), steps);
-            isCut = isCut || (c.a > 0.0 && part.x > 0.0);
-            weightedT += (1.0 - found.a) * c.a * middle;
-            found += (1.0 - found.a) * c;
-            pieces += found.a > 0.0 ? 1 : 0;
-            t = tAfter;
-            from = to;
-            front = back;
+            float skip = emptyUntil(ray, walk.from, inverseDirection);
+            addPiece(walk, ray, max(walk.t + dt, nextSample(walk.t + skip, dt, jitter) - dt), dt);
+            for (int i = 1; i < kPieces; ++i) {
+                addPiece(walk, ray, walk.t + dt, dt);
+            }
+            turns += walk.found.a > 0.0 ? 1 : 0;
         }
-        for (bool turn = found.a > kUnseen; turn; turn = false) {
-            found.rgb = litInVolume(found, ray, at(ray, weightedT / found.a), isCut);
+        if (walk.found.a * (1.0 - sum.a) > kUnseen) {
+            walk.found.rgb = litInVolume(walk.found, ray, at(ray, walk.weightedT / walk.found.a), walk.isCut);
         }
-        sum += (1.0 - sum.a) * found;
+        depth += (1.0 - sum.a) * walk.weightedT;
+        sum += (1.0 - sum.a) * walk.found;
         stop = sum.a > kOpaque ? -1.0 : stop;
     }
+    depth /= max(sum.a, 1e-6);
     return sum;
 }

@@ -1,0 +1,182 @@
+// What one ray sees, mode by mode, what several parts' rays see together, and the display colour of that.
+// MODE, CONTENT, SCULPTED, TF_KIND: see cast_rays.comp, which includes this. LIT: ambient occlusion and soft shadows.
+
+const vec3 kSurfaceColour = vec3(0.72, 0.57, 0.45); // linear: the ivory of anatomical plates
+
+// Where a value lies in the displayed range, 0 to 1; a range of one value counts in full.
+float partOfRange(float value) { return range.y > range.x ? (value - range.x) / (range.y - range.x) : 1.0; }
+
+#ifdef TF_KIND
+// The transfer function's colour of a value at p, linear.
+vec3 functionColour(float value, vec3 p) {
+#if TF_KIND == 0
+    return classify(value, 0.0).rgb;
+#else
+    return classify(value, length(dataGradient(p))).rgb;
+#endif
+}
+#endif
+
+// The colour of the data's own surface. It shows one value, the displayed range's end, so a transfer function is asked for
+// what lies a step behind it.
+vec3 surfaceColour(Hit hit, Ray ray) {
+#ifdef TF_KIND
+    vec3 behind = hit.voxel + ray.direction;
+    return functionColour(dataAt(behind), behind);
+#else
+    return kSurfaceColour;
+#endif
+}
+
+// How much of the key light (x) and of the light from all around (y) reaches a hit.
+vec2 lightAt(Hit hit) {
+#ifdef LIT
+    return vec2(lightReaching(hit.voxel, hit.normal), ambientAt(hit.voxel, hit.normal));
+#else
+    return vec2(1.0);
+#endif
+}
+
+float greyOf(float value) { return clamp((value - range.z) / max(range.w - range.z, 1e-20), 0.0, 1.0); }
+
+vec3 shadeHit(Hit hit, Ray ray) {
+    vec3 right = viewRight.xyz;
+    vec3 up = viewUp.xyz;
+    vec2 reaching = lightAt(hit);
+    vec3 albedo = hit.isSegment ? segmentColour : surfaceColour(hit, ray);
+    if (!hit.isCut) {
+        return displayFromLinear(lit(albedo, hit.normal, -ray.world, right, up, -viewForward.xyz, 0.12, reaching));
+    }
+    // A section shows the data's own values: grey, shaded just enough to tell its shape.
+#ifdef TF_KIND
+    vec3 section = functionColour(dataAt(hit.voxel), hit.voxel);
+#else
+    vec3 section = linearFromDisplay(vec3(0.15 + 0.85 * greyOf(dataAt(hit.voxel))) * vec3(1.0, 0.985, 0.96));
+#endif
+    section = hit.isSegment ? mix(section, segmentColour, 0.55) : section;
+    vec3 key = normalize(-0.45 * right + 0.65 * up - 0.75 * viewForward.xyz);
+    return displayFromLinear(section * (0.55 * reaching.y + 0.45 * reaching.x * max(dot(hit.normal, key), 0.0)));
+}
+
+#if MODE == 2 || MODE == 3
+// Integral of (value - lo) / (hi - lo) over the visible part of the ray up to tEnd, in steps: a. The transfer function's
+// colours, each weighted by that: rgb.
+vec4 integralAlong(Ray ray, float tEnd) {
+    vec3 inverseDirection = safeInverse(ray.direction);
+    vec4 sum = vec4(0.0);
+    float t = nextSample(ray.tBegin, sampleStep, 0.5);
+    while (t < tEnd) {
+        float skip = emptyUntil(ray, t, inverseDirection);
+        vec3 p = at(ray, t);
+        float value = dataAt(p);
+        bool counts = skip == 0.0 && insideRange(value) >= 0.0;
+#ifdef SCULPTED
+        counts = counts && visibleSide(sculptureAt(p)) >= 0.0;
+#endif
+        float part = counts ? partOfRange(value) : 0.0;
+        sum.a += part;
+#ifdef TF_KIND
+        sum.rgb += part * functionColour(value, p);
+#endif
+        // Whole steps only, so that the samples stay evenly spaced across a skip.
+        t = skip > 0.0 ? nextSample(t + skip, sampleStep, 0.5) : t + sampleStep;
+    }
+    return sum * sampleStep;
+}
+#endif
+
+#if MODE == 2 || MODE == 3
+// The display colour of an integral: white, or what the transfer function says.
+vec3 integralColour(vec4 integral) {
+#ifdef TF_KIND
+    return displayFromLinear(integral.rgb / max(integral.a, 1e-6));
+#else
+    return vec3(1.0);
+#endif
+}
+#endif
+
+// What a ray sees, before the background is put behind it.
+struct Seen {
+    // Surface, segment, overlay: display colour, depth in steps of the whole picture. MIP: colour, value.
+    // X-ray: an integral. Volume: premultiplied linear colour, opacity.
+    vec4 front;
+    // Overlay: an integral. Volume: x depth.
+    vec4 behind;
+};
+
+const float kNothing = 1e30; // a depth
+
+// `scale`: steps of the whole picture in one of the ray's own.
+Seen look(Ray ray, float jitter, float scale) {
+    Seen seen = Seen(vec4(0.0), vec4(0.0));
+#if MODE == 0 || MODE == 3 || MODE == 4
+    Hit hit = findSurface(ray, jitter);
+    seen.front = hit.found ? vec4(shadeHit(hit, ray), hit.t * scale) : vec4(vec3(0.0), kNothing);
+#if MODE == 3
+    seen.behind = scale * integralAlong(ray, hit.found ? hit.t : ray.tEnd);
+#endif
+#elif MODE == 1
+    Greatest greatest = findGreatest(ray, sampleStep);
+#ifdef TF_KIND
+    seen.front.rgb = displayFromLinear(functionColour(greatest.value, at(ray, greatest.t)));
+#endif
+    seen.front.a = greatest.value;
+#elif MODE == 2
+    seen.front = scale * integralAlong(ray, ray.tEnd);
+#else
+    seen.front = compositeAlong(ray, sampleStep, jitter, seen.behind.x);
+    seen.behind.x *= scale;
+#endif
+    return seen;
+}
+
+// Two parts in one picture: what is nearer hides what is farther, integrals add up, the greater value wins.
+Seen together(Seen one, Seen other) {
+#if MODE == 0 || MODE == 4
+    one.front = other.front.a < one.front.a ? other.front : one.front;
+#elif MODE == 1
+    one.front = other.front.a > one.front.a ? other.front : one.front;
+#elif MODE == 2
+    one.front += other.front;
+#elif MODE == 3
+    one.front = other.front.a < one.front.a ? other.front : one.front;
+    one.behind += other.behind;
+#else
+    bool swapped = other.front.a > 0.0 && (one.front.a == 0.0 || other.behind.x < one.behind.x);
+    vec4 near = swapped ? other.front : one.front;
+    vec4 far = swapped ? one.front : other.front;
+    one.front = near + (1.0 - near.a) * far;
+    one.behind.x = swapped ? other.behind.x : one.behind.x;
+#endif
+    return one;
+}
+
+// Display colour over what is behind, and coverage: that colour is linear in `behind`, and 1 - coverage its slope.
+vec4 shown(Seen seen, vec3 behind) {
+#if MODE == 0 || MODE == 4
+    return seen.front.a < kNothing ? vec4(seen.front.rgb, 1.0) : vec4(behind, 0.0);
+#elif MODE == 1
+    float brightness = clamp(partOfRange(seen.front.a), 0.0, 1.0);
+#ifdef TF_KIND
+    vec4 ramp = vec4(seen.front.rgb, 1.0);
+#else
+    vec4 ramp = vec4(mix(behind * 0.3, vec3(1.0), brightness), 1.0 - 0.3 * (1.0 - brightness));
+#endif
+    return seen.front.a > -1e29 ? ramp : vec4(behind, 0.0);
+#elif MODE == 2
+    float brightness = clamp(seen.front.a / exposure.y * exposure.x, 0.0, 1.0);
+    return vec4(mix(behind, integralColour(seen.front), brightness), brightness);
+#elif MODE == 3
+    bool found = seen.front.a < kNothing;
+    float brightness = clamp(seen.behind.a / exposure.y * exposure.x, 0.0, 1.0);
+    float veil = brightness * (found ? 0.45 : 0.9);
+    vec3 base = found ? seen.front.rgb : behind;
+    return vec4(mix(base, vec3(0.86, 0.91, 1.0) * integralColour(seen.behind), veil), found ? 1.0 : veil);
+#else
+    if (backgroundTop.w > 0.5) { // light is mixed here, not display colours: what programs that do so make of it
+        return vec4(displayFromLinear(seen.front.rgb / max(seen.front.a, 1e-6)) * seen.front.a, seen.front.a);
+    }
+    return vec4(displayFromLinear(seen.front.rgb + (1.0 - seen.front.a) * linearFromDisplay(behind)), seen.front.a);
+#endif
+}

@@ -283,9 +283,11 @@ const gl::Texture& RayCaster::picture() {
     const gl::Pass pass("resolve picture");
     accumulation_.bindImage(0, gl::Access::Read);
     picture_.bindImage(1, gl::Access::Write);
+    const Background& background = frame_.background;
     placeOfSquare_.bindStorage(2);
     resolve_.set(0, glm::ivec3(sample_, square_, occupiedSquares_))
-        .set(1, frame_.background.isTransparent ? 1 : 0);
+        .set(1, background.isTransparent ? 1 : 0)
+        .set(2, background.top == background.bottom ? 1 : 0);
     resolve_.dispatchOver(picture_.size(), gl::Barrier::All);
     return picture_;
 }

@@ -192,8 +192,11 @@ class Commands(unittest.TestCase):
         command = ("render", self.raw, *self.layout, "--size", "40x30", "--samples", "1", "-o", picture)
         self.expect_error(2, ["background 'pink'", "#RRGGBB"], *command, "--background", "pink")
         self.assertFalse(picture.exists())
+        corner = {"white": "ffffffff", "black": "000000ff", "transparent": "00000000", "#102030": "102030ff"}
         for background in ("studio", "white", "black", "transparent", "#102030", "#FFFFFF:#C0D0E0"):
             self.assertEqual(call(*command, "--background", background).returncode, 0, background)
+            if background in corner:
+                self.assertEqual(read_png(picture)[2][1:5].hex(), corner[background])
 
     def test_a_device_that_is_no_number_is_named(self):
         result = call("render", self.raw, *self.layout, "-o", self.folder / "p.png", VOLUME_STUDIO_DEVICE="abc")

@@ -10,6 +10,7 @@ layout(std430, binding = 2) readonly buffer Places { uint places[]; }; // of squ
 // Whole samples; squares that have one more; squares that may show something: the others have it with the first of them.
 layout(location = 0) uniform ivec3 progress;
 layout(location = 1) uniform int isTransparent;
+layout(location = 2) uniform int isFlat; // the background is of one colour, which stays exactly that
 
 float samplesAt(ivec2 pixel) {
     int squaresAcross = (imageSize(picture).x + 7) / 8;
@@ -36,6 +37,7 @@ void main() {
         vec3 colour = sum.a > 0.0 ? sum.rgb / sum.a + dither(pixel) : vec3(0.0);
         imageStore(picture, pixel, vec4(colour, sum.a / samples));
     } else {
-        imageStore(picture, pixel, vec4(sum.rgb / samples + dither(pixel), 1.0));
+        float offset = isFlat != 0 && sum.a == 0.0 ? 0.0 : dither(pixel);
+        imageStore(picture, pixel, vec4(sum.rgb / samples + offset, 1.0));
     }
 }

@@ -30,6 +30,7 @@ TEST(OperationJson, EveryKindComesBackAsItWas) {
                 Range{1, 2},
                 field::SculptureView::Whole,
                 {},
+                {},
                 field::Sampling::Tricubic},
         SetView{},
         Peel{ellipse, 12.75, 4, someCanvas()},

@@ -6,9 +6,9 @@
 
 #include "gl/context.h"
 #include "image/image.h"
-#include "render/transfer_function_json.h"
 #include "render/background.h"
 #include "render/draw_annotations.h"
+#include "render/transfer_function_json.h"
 #include "studio/document.h"
 
 #include <CLI/CLI.hpp>
@@ -26,6 +26,7 @@ struct RenderOptions {
     std::string range;
     std::string size = "1230x870";
     std::string projection = "perspective";
+    std::string sampling = "linear";
     std::string function;
     render::Camera camera;
     int samples = 8;
@@ -55,12 +56,13 @@ void runRender(const RenderOptions& options) {
     view.camera.projection = options.projection == "perspective" ? render::Projection::Perspective
                                                                  : render::Projection::Orthographic;
     view.mode = mode;
+    view.sampling = options.sampling == "cubic" ? field::Sampling::Tricubic : field::Sampling::Trilinear;
     view.range = range.value_or(view.range);
     view.transferFunction = function;
     document.look(view);
     render::Frame frame = document.frame(size);
     frame.samples = options.samples;
-    (void)background; // HAND OVER HERE: background to the frame.
+    frame.background = background;
     render::RayCaster caster;
     caster.start(frame);
     {
@@ -86,7 +88,9 @@ void addRenderCommand(CLI::App& app) {
     auto options = std::make_shared<RenderOptions>();
     options->volume = addVolumeArgument(*command);
     command->add_option("-o,--output", options->output, "Picture to write (PNG)")->required();
-    command->add_option("--mode", options->mode, "surface, mip, xray or volume (overlay and segment need a session)")
+    command
+        ->add_option("--mode", options->mode,
+                     "surface, mip, xray or volume (overlay and segment need a session)")
         ->capture_default_str();
     command->add_option("--range", options->range,
                         "Displayed range LO:HI; suggested from the histogram if not given");
@@ -105,6 +109,11 @@ void addRenderCommand(CLI::App& app) {
         ->capture_default_str();
     command->add_option("--projection", options->projection, "perspective or orthographic")
         ->check(CLI::IsMember({"perspective", "orthographic"}))
+        ->capture_default_str();
+    command
+        ->add_option("--sampling", options->sampling,
+                     "linear, or cubic: smooth where the picture is enlarged, slower")
+        ->check(CLI::IsMember({"linear", "cubic"}))
         ->capture_default_str();
     command->add_option("--samples", options->samples, "Rays per pixel")
         ->check(CLI::Range(1, 256))

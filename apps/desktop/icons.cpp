@@ -40,6 +40,8 @@ const std::map<std::string, const char*> kShapes{
      R"(<circle cx="12" cy="12" r="8.500" stroke-dasharray="2.500 2.500"/><circle cx="12" cy="12" r="4" stroke="C" fill="C"/>)"},
     {"segment",
      R"(<circle cx="12" cy="12" r="8.500"/><path stroke="C" fill="C" d="M12 12V3.500A8.500 8.500 0 0 1 20.500 12z"/>)"},
+    {"volume",
+     R"(<path d="M12 3l8 4.500v9L12 21l-8-4.500v-9z"/><path stroke="C" d="M4 7.500l8 4.500 8-4.500M12 12v9"/>)"},
     {"cut", R"(<path d="M12 20.500a8.500 8.500 0 1 1 8.500-8.500H12z"/>)"},
     {"probe",
      R"(<path d="M12 20.500a8.500 8.500 0 1 1 8.500-8.500" stroke-dasharray="1.500 3"/><path stroke="C" d="M12 12h8.500a8.500 8.500 0 0 1-8.500 8.500z"/>)"},

@@ -178,8 +178,10 @@ void MainWindow::refresh() {
     }
     const auto& view = studio_.view();
     action(std::string("mode." + std::string(render::name(view.mode))).c_str())->setChecked(true);
+    refreshColours();
     constexpr const char* kSculptureViews[] = {"viewWhole", "viewCut", "viewProbe"};
     action(kSculptureViews[static_cast<int>(view.sculptureView)])->setChecked(true);
+    action("smoothSampling")->setChecked(view.sampling == field::Sampling::Tricubic);
     action((studio_.tool().name().toStdString() + "Tool").c_str())->setChecked(true);
     action(studio_.shape() == studio::Shape::Ellipse ? "ellipse" : "freeForm")->setChecked(true);
     if (document != nullptr) {

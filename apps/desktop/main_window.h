@@ -62,6 +62,9 @@ private:
     void makeToolActions();
     void makeGrowthActions();
     void makeMenus();
+    void makeColourMenu();
+    void openTransferFunction();
+    void refreshColours();
     void makeToolBars();
     void addButtons(QToolBar* bar, std::initializer_list<const char*> names);
     [[nodiscard]] QAction* action(const char* name) const { return actions_.at(name); }

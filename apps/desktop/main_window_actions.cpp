@@ -89,6 +89,8 @@ void MainWindow::makeViewActions() {
          tr("The segmentation in an X-ray of the rest"), "4");
     mode(Mode::Segment, "mode.segment", "segment", tr("Segment"),
          tr("The segmentation and the surface around it"), "5");
+    mode(Mode::Volume, "mode.volume", "volume", tr("Volume"),
+         tr("Everything that the transfer function shows, seen through"), "9");
 
     using field::SculptureView;
     auto* views = new QActionGroup(this);
@@ -98,6 +100,16 @@ void MainWindow::makeViewActions() {
               [this] { studio_.setSculptureView(SculptureView::Probe); });
     addChoice(views, {"viewWhole", "whole", tr("Whole"), tr("The whole volume, without cuts"), tr("8")},
               [this] { studio_.setSculptureView(SculptureView::Whole); });
+
+    QAction* smooth =
+        addAction({"smoothSampling", nullptr, tr("Smooth sampling"),
+                   tr("Tricubic instead of trilinear: no facets where the picture is enlarged, but slower"),
+                   tr("Shift+S")},
+                  [this] {
+                      studio_.setSampling(action("smoothSampling")->isChecked() ? field::Sampling::Tricubic
+                                                                                : field::Sampling::Trilinear);
+                  });
+    smooth->setCheckable(true);
 
     QAction* annotations =
         addAction({"annotations", nullptr, tr("Annotations"),
@@ -155,8 +167,10 @@ void MainWindow::makeMenus() {
     };
     menu(tr("&File"), {"open", "openFolder", "-", "saveSession", "exportLabels", "screenshot", "-", "quit"});
     menu(tr("&Edit"), {"undo", "redo", "-", "unCut", "reSeed", "-", "clearSketch"});
-    menu(tr("&View"), {"resetView", "-", "mode.surface", "mode.mip", "mode.xray", "mode.overlay",
-                       "mode.segment", "-", "viewCut", "viewProbe", "viewWhole", "-", "annotations"});
+    menu(tr("&View"),
+         {"resetView", "-", "mode.surface", "mode.mip", "mode.xray", "mode.overlay", "mode.segment",
+          "mode.volume", "-", "viewCut", "viewProbe", "viewWhole", "-", "smoothSampling", "annotations"});
+    makeColourMenu();
     menu(tr("&Tools"), {"cameraTool", "peelTool", "drillTool", "seedTool", "-", "freeForm", "ellipse"});
     menu(tr("&Segmentation"), {"playPause", "growStepKey", "growBackKey", "growToEndKey"});
     menu(tr("&Help"), {"about"});
@@ -191,13 +205,13 @@ void MainWindow::makeToolBars() {
         return made;
     };
     addButtons(bar(Qt::TopToolBarArea, "mainBar", tr("File, view and mode")),
-               {"open",         "openFolder", "saveSession",
-                "exportLabels", "screenshot", "-",
-                "undo",         "redo",       "-",
-                "resetView",    "-",          "mode.surface",
-                "mode.mip",     "mode.xray",  "mode.overlay",
-                "mode.segment", "-",          "viewCut",
-                "viewProbe",    "viewWhole"});
+               {"open",         "openFolder",  "saveSession",
+                "exportLabels", "screenshot",  "-",
+                "undo",         "redo",        "-",
+                "resetView",    "-",           "mode.surface",
+                "mode.mip",     "mode.xray",   "mode.overlay",
+                "mode.segment", "mode.volume", "-",
+                "viewCut",      "viewProbe",   "viewWhole"});
     addButtons(bar(Qt::RightToolBarArea, "toolBar", tr("Tools and shapes")),
                {"cameraTool", "peelTool", "drillTool", "seedTool", "-", "freeForm", "ellipse", "clearSketch",
                 "-", "unCut", "reSeed"});

@@ -103,6 +103,8 @@ void PictureLoop::begin(Pass pass) {
     frame.samples = pass == Pass::Full ? kFullSamples : 1;
     if (pass != Pass::Full) {
         frame.sampleStep = 1; // pixels of a draft are wider than that
+        frame.scene.sampling =
+            field::Sampling::Trilinear; // many times faster; the difference is seen at rest
     }
     caster_.start(frame);
     pass_ = pass;

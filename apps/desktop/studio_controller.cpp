@@ -136,6 +136,12 @@ void StudioController::setMode(render::Mode mode) {
     look(next);
 }
 
+void StudioController::setTransferFunction(const std::optional<render::TransferFunction>& function) {
+    auto next = view_;
+    next.transferFunction = function;
+    look(next);
+}
+
 void StudioController::setSculptureView(field::SculptureView sculptureView) {
     auto next = view_;
     next.sculptureView = sculptureView;
@@ -145,6 +151,12 @@ void StudioController::setSculptureView(field::SculptureView sculptureView) {
 void StudioController::setRange(Range range) {
     auto next = view_;
     next.range = range;
+    look(next);
+}
+
+void StudioController::setSampling(field::Sampling sampling) {
+    auto next = view_;
+    next.sampling = sampling;
     look(next);
 }
 

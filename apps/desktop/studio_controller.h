@@ -57,8 +57,11 @@ public:
     [[nodiscard]] const studio::View& view() const { return view_; }
     void look(const studio::View& view);
     void setMode(render::Mode mode);
+    // Colours every mode; nothing: the modes' own colours.
+    void setTransferFunction(const std::optional<render::TransferFunction>& function);
     void setSculptureView(field::SculptureView view);
     void setRange(Range range);
+    void setSampling(field::Sampling sampling);
     void setViewport(QSizeF logical, glm::ivec2 device);
     [[nodiscard]] glm::dvec2 devicePerLogical() const;
     [[nodiscard]] QPointF viewCentre() const;

@@ -8,6 +8,11 @@ namespace vs::field {
 
 enum class SculptureView { Whole, Cut, Probe };
 
+// What the data is between voxel centres. Tricubic is the cubic B-spline of the stored values, not
+// prefiltered: smooth without the facets of trilinear interpolation, and a little softer than the data (a
+// voxel counts with 8/27 at its own centre). Shaders sample that way with TRICUBIC defined.
+enum class Sampling { Trilinear, Tricubic };
+
 // What every shader that samples the document needs to know; mirrors SceneBlock in field/shaders/scene.glsl
 // (std140).
 struct SceneBlock {
@@ -30,6 +35,7 @@ struct Scene {
     Range displayedRange;
     Range greyWindow;
     SculptureView view = SculptureView::Cut;
+    Sampling sampling = Sampling::Trilinear; // of the data; sculpture and segmentation are always trilinear
 };
 
 // Binds a scene: uniform block 0, textures 0 (data), 1 (sculpture), 2 (segmentation). Shaders include

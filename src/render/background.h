@@ -13,7 +13,7 @@ namespace vs::render {
 struct Background {
     glm::vec3 top{0.055F, 0.065F, 0.08F};
     glm::vec3 bottom{0.17F, 0.19F, 0.22F};
-    bool isTransparent = false; // then the colours mean nothing
+    bool isTransparent = false; // then the colours are black
 
     bool operator==(const Background&) const = default;
 };

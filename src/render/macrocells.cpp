@@ -21,18 +21,36 @@ void Macrocells::copyFrom(const Macrocells& other) {
         scratch_ = {};
     }
     dataCells_ = other.dataCells_;
+    dilated_ = other.dilated_;
+    dilatedFrom_ = other.dilatedFrom_;
     distances_.copyFrom(other.distances_, {glm::ivec3(0), size}, glm::ivec3(0));
+}
+
+const gl::Texture& Macrocells::dilated(const gl::Texture& dataCells) {
+    if (dilatedFrom_ == &dataCells && dilated_->size() == dataCells.size()) {
+        return *dilated_;
+    }
+    if (!dilate_) {
+        dilate_ = gl::Program("render/shaders/dilate_ranges.comp");
+    }
+    dilated_ = std::make_shared<gl::Texture>(dataCells.size(), gl::Format::RG32F, gl::Filter::Nearest,
+                                             "dilated cell ranges");
+    dilatedFrom_ = &dataCells;
+    dataCells.bindTexture(0);
+    dilated_->bindImage(0, gl::Access::Write);
+    dilate_.dispatchOver(dilated_->size(), gl::Barrier::Texture);
+    return *dilated_;
 }
 
 void Macrocells::rebuild(const Input& input) {
     const gl::Pass pass("macrocells");
     const glm::ivec3 cells = input.dataCells->size();
-    dataCells_ = input.dataCells;
+    dataCells_ = input.sampling == field::Sampling::Tricubic ? &dilated(*input.dataCells) : input.dataCells;
     if (distances_.size() != cells || scratch_.size() != cells) {
         distances_ = gl::Texture(cells, gl::Format::R32UI, gl::Filter::Nearest, "cell distances");
         scratch_ = gl::Texture(cells, gl::Format::R32UI, gl::Filter::Nearest, "cell distances scratch");
     }
-    input.dataCells->bindTexture(0);
+    dataCells_->bindTexture(0);
     (input.sculptureCells != nullptr ? *input.sculptureCells : empty_).bindTexture(1);
     (input.segmentationCells != nullptr ? *input.segmentationCells : empty_).bindTexture(2);
     distances_.bindImage(0, gl::Access::Write);

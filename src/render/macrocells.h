@@ -6,6 +6,8 @@
 #include "gl/program.h"
 #include "render/classification.h"
 
+#include <memory>
+
 namespace vs::render {
 
 // What can be seen in which macrocell: per 4^3 cell the Chebyshev distance, in cells, to the nearest one that
@@ -25,25 +27,33 @@ public:
         double valueTolerance = 0; // field::valueTolerance
         field::SculptureView view = field::SculptureView::Cut;
         bool drawsData = true; // false: only the segmentation counts
+        // The B-spline of tricubic sampling reaches a voxel further, into the cells around.
+        field::Sampling sampling = field::Sampling::Trilinear;
         // Volume mode: its opacity says what can be seen, not the displayed range.
         const Classification* classification = nullptr;
     };
-    // Recomputes everything. The data's cells must outlive this.
+    // Recomputes everything. The data's cells must outlive this and stay as they are.
     void rebuild(const Input& input);
 
     // Becomes what `other` is now.
     void copyFrom(const Macrocells& other);
 
-    // Binds the distances as texture 3 and the data's cell ranges as texture 4 (render/shaders/rays.glsl,
-    // maximum.glsl).
+    // Binds the distances as texture 3 and as texture 4 what samples in each cell can give: the data's cell
+    // ranges, with tricubic sampling those of the cells around too (render/shaders/rays.glsl, maximum.glsl).
     void bind() const;
 
 private:
+    // Those of `dataCells` for tricubic sampling, made when first asked for.
+    const gl::Texture& dilated(const gl::Texture& dataCells);
+
     gl::Program classify_;
     gl::Program spread_;
     gl::Texture distances_;
     gl::Texture scratch_;
-    const gl::Texture* dataCells_ = nullptr;
+    const gl::Texture* dataCells_ = nullptr; // what samples can give: the data's, or dilated_
+    gl::Program dilate_;                     // made when first used
+    const gl::Texture* dilatedFrom_ = nullptr;
+    std::shared_ptr<gl::Texture> dilated_; // shared with copies
     gl::Texture empty_;
 };
 

@@ -16,11 +16,16 @@ gl::Program& Picker::programFor(const Frame& frame) {
     const bool byFunction = frame.mode == Mode::Volume;
     const int content = frame.mode == Mode::Overlay || frame.mode == Mode::Segment ? 2 : byFunction ? 3 : 0;
     const int kind = byFunction ? int(frame.classification->kind()) : 0;
-    auto& program = programs_[(isSculpted ? 1 : 0) + (picksMaximum ? 2 : 0) + 4 * content + 16 * kind];
+    const bool isTricubic = frame.scene.sampling == field::Sampling::Tricubic;
+    auto& program = programs_[(isSculpted ? 1 : 0) + (picksMaximum ? 2 : 0) + 4 * content + 16 * kind +
+                              (isTricubic ? 64 : 0)];
     if (!program) {
         gl::Defines defines{{"CONTENT", std::to_string(content)}};
         if (isSculpted) {
             defines.emplace_back("SCULPTED", "1");
+        }
+        if (isTricubic) {
+            defines.emplace_back("TRICUBIC", "1");
         }
         if (byFunction) {
             defines.emplace_back("TF_KIND", frame.classification->kindDefine());

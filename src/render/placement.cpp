@@ -9,7 +9,8 @@ namespace {
 
 glm::dmat3 turned(const glm::dvec3& degrees) {
     const double angle = glm::length(degrees);
-    return angle > 0 ? glm::dmat3(glm::rotate(glm::dmat4(1), glm::radians(angle), degrees / angle)) : glm::dmat3(1);
+    return angle > 0 ? glm::dmat3(glm::rotate(glm::dmat4(1), glm::radians(angle), degrees / angle))
+                     : glm::dmat3(1);
 }
 
 } // namespace
@@ -21,7 +22,8 @@ glm::dmat4 worldFromPart(const Placement& placement, const volume::GridGeometry&
     return there * glm::dmat4(turned(placement.turnDegrees) * placement.scale) * back;
 }
 
-ViewRays seenFromPart(const ViewRays& rays, const Placement& placement, const volume::GridGeometry& geometry) {
+ViewRays seenFromPart(const ViewRays& rays, const Placement& placement,
+                      const volume::GridGeometry& geometry) {
     const glm::dmat3 unturned = glm::transpose(turned(placement.turnDegrees));
     ViewRays out = rays;
     out.eye = glm::dvec3(glm::inverse(worldFromPart(placement, geometry)) * glm::dvec4(rays.eye, 1));

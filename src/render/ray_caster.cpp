@@ -84,8 +84,10 @@ RayCaster::RayCaster()
 gl::Program& RayCaster::programFor(const Frame& frame) {
     const bool isSculpted =
         frame.scene.sculpture != nullptr || frame.scene.view == field::SculptureView::Probe;
+    const bool isTricubic = frame.scene.sampling == field::Sampling::Tricubic;
     const int kind = frame.classification != nullptr ? 1 + int(frame.classification->kind()) : 0;
-    const int key = (8 * static_cast<int>(frame.mode) + 2 * kind) + (isSculpted ? 1 : 0);
+    const int key =
+        16 * static_cast<int>(frame.mode) + 4 * kind + (isTricubic ? 2 : 0) + (isSculpted ? 1 : 0);
     auto& program = programs_[key];
     if (!program) {
         const int content = frame.mode == Mode::Overlay ? 1 : frame.mode == Mode::Segment ? 2 : 0;
@@ -93,6 +95,9 @@ gl::Program& RayCaster::programFor(const Frame& frame) {
                             {"CONTENT", std::to_string(content)}};
         if (isSculpted) {
             defines.emplace_back("SCULPTED", "1");
+        }
+        if (isTricubic) {
+            defines.emplace_back("TRICUBIC", "1");
         }
         if (frame.classification != nullptr) {
             defines.emplace_back("TF_KIND", frame.classification->kindDefine());
@@ -144,9 +149,14 @@ void RayCaster::fillBackground() {
     const gl::Pass pass("fill background");
     const glm::ivec2 all = squareCount(frame_.rays.size);
     const int empty = all.x * all.y - occupiedSquares_;
+    const bool showsFilm =
+        frame_.mode == Mode::Mip || frame_.mode == Mode::XRay || frame_.mode == Mode::Overlay;
     fillBackground_.set(0, glm::ivec3(occupiedSquares_, empty, strandCount()))
         .set(1, sample_ == 0 ? kCentre : placeInPixel(sample_))
-        .set(2, sample_ > 0 ? 1 : 0);
+        .set(2, sample_ > 0 ? 1 : 0)
+        .set(3, showsFilm ? 1 : 0)
+        .set(7, glm::vec4(frame_.background.top, 0.0F))
+        .set(8, glm::vec4(frame_.background.bottom, 0.0F));
     fillBackground_.dispatch({groupCount(empty), 1, 1}, gl::Barrier::Image);
 }
 
@@ -176,7 +186,9 @@ bool RayCaster::renderSome(double budgetMs) {
     program.set(3, glm::vec2(float(frame_.xrayGain), float(geometry.diagonalMm() / geometry.stepMm())))
         .set(4, frame_.segmentColour)
         .set(5, float(frame_.sampleStep))
-        .set(6, kBeam);
+        .set(6, kBeam)
+        .set(7, glm::vec4(frame_.background.top, frame_.background.isTransparent ? 1.0F : 0.0F))
+        .set(8, glm::vec4(frame_.background.bottom, 0.0F));
     while (!isComplete()) {
         if (square_ == 0) {
             fillBackground();
@@ -211,6 +223,7 @@ const gl::Texture& RayCaster::picture() {
     const gl::Pass pass("resolve picture");
     accumulation_.bindImage(0, gl::Access::Read);
     picture_.bindImage(1, gl::Access::Write);
+    resolve_.set(1, frame_.background.isTransparent ? 1 : 0);
     resolve_.dispatchOver(picture_.size(), gl::Barrier::All);
     return picture_;
 }

@@ -4,6 +4,7 @@
 #include "field/scene.h"
 #include "gl/program.h"
 #include "image/image.h"
+#include "render/background.h"
 #include "render/camera.h"
 #include "render/classification.h"
 #include "render/macrocells.h"
@@ -50,6 +51,8 @@ struct Frame {
     const Macrocells* pastedMacrocells = nullptr;
     ViewRays rays;
     Mode mode = Mode::Surface;
+    // What is behind. A transparent picture has straight alpha: how much of the background each pixel hides.
+    Background background = {};
     double xrayGain = 5; // brightness of a ray through one whole diagonal at full value
     glm::vec3 segmentColour{0.70F, 0.17F, 0.04F}; // linear; near the vermilion of the Okabe-Ito palette
     double sampleStep = 0.5; // steps between samples in MIP, X-ray and volume; more for drafts
@@ -84,7 +87,7 @@ private:
     void fillBackground();
     int squaresFor(double milliseconds) const;
 
-    std::map<int, gl::Program> programs_; // by mode and whether there is a sculpture
+    std::map<int, gl::Program> programs_; // by mode, whether there is a sculpture, and sampling
     gl::Program resolve_;
     gl::Program findBeams_;
     gl::Program listSquares_;

@@ -6,6 +6,7 @@
 #include "render/transfer_function_json.h"
 
 #include <algorithm>
+#include <map>
 
 namespace vs::render {
 
@@ -57,12 +58,16 @@ std::vector<std::string> presetNames() {
 }
 
 std::optional<TransferFunction> findPreset(const std::string& name) {
-    for (const EmbeddedPreset& preset : embeddedPresets()) {
-        if (preset.name == name) {
-            return transferFunctionFromJson(Json::parse(preset.text), "preset " + name);
+    static const auto presets = [] {
+        std::map<std::string, TransferFunction> all;
+        for (const EmbeddedPreset& preset : embeddedPresets()) {
+            const std::string key(preset.name);
+            all[key] = transferFunctionFromJson(Json::parse(preset.text), "preset " + key);
         }
-    }
-    return std::nullopt;
+        return all;
+    }();
+    const auto found = presets.find(name);
+    return found == presets.end() ? std::nullopt : std::optional(found->second);
 }
 
 TransferFunction transferFunctionFromArgument(const std::string& text) {

@@ -27,6 +27,7 @@ Outcome Document::Impl::run(SetView& op, const std::filesystem::path&) {
     view.sculptureView = op.sculptureView.value_or(view.sculptureView);
     view.transferFunction = op.transferFunction.value_or(view.transferFunction);
     view.pasted = op.pasted.value_or(view.pasted);
+    view.sampling = op.sampling.value_or(view.sampling);
     // Logged whole: what was looked at before is part of it.
     op = lookAs(view);
     loggedView = view;
@@ -221,7 +222,7 @@ Outcome Document::Impl::run(SavePicture& op, const std::filesystem::path& folder
     }
     render::Frame picture = frame(view, op.size);
     picture.samples = op.samples;
-    // HAND OVER HERE: op.background to the frame.
+    picture.background = op.background;
     caster->render(picture);
     image::Image pixels = caster->readPicture();
     if (op.annotations) {

@@ -6,7 +6,8 @@
 namespace vs::studio {
 
 SetView lookAs(const View& view) {
-    return {view.camera, view.mode, view.range, view.sculptureView, view.transferFunction, view.pasted};
+    return {view.camera,           view.mode,   view.range,   view.sculptureView,
+            view.transferFunction, view.pasted, view.sampling};
 }
 
 const char* name(const Operation& operation) { return kOperationNames[operation.index()]; }

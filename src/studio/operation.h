@@ -20,10 +20,12 @@ struct View {
     render::Mode mode = render::Mode::Surface;
     Range range; // displayed range, in the volume's unit
     field::SculptureView sculptureView = field::SculptureView::Cut;
-    // Colours every mode; nothing: ivory surfaces and white rays, and in volume mode one made from the displayed range.
+    // Colours every mode; nothing: ivory surfaces and white rays, and in volume mode one made from the
+    // displayed range.
     std::optional<render::TransferFunction> transferFunction = {};
     // Where copies of what was cut out are drawn too. They can be looked at; pens go through them.
     std::vector<render::Placement> pasted = {};
+    field::Sampling sampling = field::Sampling::Trilinear;
 
     bool operator==(const View&) const = default;
 };
@@ -58,8 +60,10 @@ struct SetView {
     std::optional<render::Mode> mode;
     std::optional<Range> range;
     std::optional<field::SculptureView> sculptureView;
-    std::optional<std::optional<render::TransferFunction>> transferFunction; // set to nothing: without one
-    std::optional<std::vector<render::Placement>> pasted;
+    std::optional<std::optional<render::TransferFunction>> transferFunction =
+        {}; // set to nothing: without one
+    std::optional<std::vector<render::Placement>> pasted = {};
+    std::optional<field::Sampling> sampling = {};
 };
 // The whole of a view.
 SetView lookAs(const View& view);

@@ -111,7 +111,8 @@ std::optional<render::TransferFunction> readTransferFunction(const JsonReader& r
 }
 
 Canvas readCanvas(const JsonReader& reader) {
-    reader.allow({"viewport", "camera", "mode", "range", "sculptureView", "transferFunction", "pasted"});
+    reader.allow(
+        {"viewport", "camera", "mode", "range", "sculptureView", "transferFunction", "pasted", "sampling"});
     Canvas canvas;
     canvas.viewport = readSize(reader.member("viewport"));
     canvas.view.camera = readCamera(reader.member("camera"));
@@ -121,6 +122,8 @@ Canvas readCanvas(const JsonReader& reader) {
     reader.ifHas("transferFunction",
                  [&](const JsonReader& r) { canvas.view.transferFunction = readTransferFunction(r); });
     reader.ifHas("pasted", [&](const JsonReader& r) { canvas.view.pasted = readPlacements(r); });
+    reader.ifHas("sampling",
+                 [&](const JsonReader& r) { canvas.view.sampling = r.choice<field::Sampling>(kSamplings); });
     return canvas;
 }
 
@@ -146,7 +149,8 @@ std::string readFileName(const JsonReader& reader) {
 // --- one reader per operation
 
 Operation readView(const JsonReader& reader) {
-    reader.allow({"op", "camera", "mode", "range", "sculptureView", "transferFunction", "pasted"});
+    reader.allow(
+        {"op", "camera", "mode", "range", "sculptureView", "transferFunction", "pasted", "sampling"});
     SetView op;
     reader.ifHas("camera", [&](const JsonReader& r) { op.camera = readCamera(r); });
     reader.ifHas("mode", [&](const JsonReader& r) { op.mode = r.choice<render::Mode>(kModes); });
@@ -157,6 +161,8 @@ Operation readView(const JsonReader& reader) {
     reader.ifHas("transferFunction",
                  [&](const JsonReader& r) { op.transferFunction = readTransferFunction(r); });
     reader.ifHas("pasted", [&](const JsonReader& r) { op.pasted = readPlacements(r); });
+    reader.ifHas("sampling",
+                 [&](const JsonReader& r) { op.sampling = r.choice<field::Sampling>(kSamplings); });
     return op;
 }
 

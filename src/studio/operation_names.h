@@ -11,9 +11,9 @@ namespace vs::studio {
 inline constexpr std::array<const char*, 5> kShapes{"free-form", "ellipse", "circle", "rectangle",
                                                     "polyline"};
 inline constexpr std::array<const char*, 3> kSculptureViews{"whole", "cut", "probe"};
+inline constexpr std::array<const char*, 2> kSamplings{"linear", "cubic"};
 inline constexpr std::array<const char*, 2> kProjections{"perspective", "orthographic"};
-inline constexpr std::array<const char*, 6> kModes{"surface", "mip",     "xray",
-                                                   "overlay", "segment", "volume"};
+inline constexpr std::array<const char*, 6> kModes{"surface", "mip", "xray", "overlay", "segment", "volume"};
 
 // The operations' names, in the order of the variant's alternatives.
 inline constexpr std::array<const char*, std::variant_size_v<Operation>> kOperationNames{

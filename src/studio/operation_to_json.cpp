@@ -28,7 +28,8 @@ Json toJson(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
 Json toJson(const std::vector<render::Placement>& places) {
     Json json = Json::array();
     for (const auto& place : places) {
-        json.push_back({{"move", toJson(place.moveMm)}, {"turn", toJson(place.turnDegrees)}, {"scale", place.scale}});
+        json.push_back(
+            {{"move", toJson(place.moveMm)}, {"turn", toJson(place.turnDegrees)}, {"scale", place.scale}});
     }
     return json;
 }
@@ -56,10 +57,11 @@ Json toJson(const std::optional<render::TransferFunction>& function) {
 
 Json toJson(const Canvas& canvas) {
     Json json{{"viewport", Json::array({canvas.viewport.x, canvas.viewport.y})},
-            {"camera", toJson(canvas.view.camera)},
-            {"mode", kModes[std::size_t(canvas.view.mode)]},
-            {"range", toJson(canvas.view.range)},
-            {"sculptureView", kSculptureViews[std::size_t(canvas.view.sculptureView)]}};
+              {"camera", toJson(canvas.view.camera)},
+              {"mode", kModes[std::size_t(canvas.view.mode)]},
+              {"range", toJson(canvas.view.range)},
+              {"sculptureView", kSculptureViews[std::size_t(canvas.view.sculptureView)]},
+              {"sampling", kSamplings[std::size_t(canvas.view.sampling)]}};
     if (canvas.view.transferFunction) {
         json["transferFunction"] = toJson(canvas.view.transferFunction);
     }
@@ -89,6 +91,9 @@ void write(Json& j, const SetView& op) {
     }
     addIfSet(j, "transferFunction", op.transferFunction);
     addIfSet(j, "pasted", op.pasted);
+    if (op.sampling) {
+        j["sampling"] = kSamplings[std::size_t(*op.sampling)];
+    }
 }
 
 void write(Json& j, const Peel& op) {

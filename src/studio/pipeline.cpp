@@ -3,11 +3,13 @@
 
 namespace vs::studio {
 
-Pipeline::Pipeline(const field::Field& field) : field_(&field), cellRanges_(field::computeCellRanges(field)) {}
+Pipeline::Pipeline(const field::Field& field)
+    : field_(&field), cellRanges_(field::computeCellRanges(field)) {}
 
 namespace {
 
-// What volume mode shows when no transfer function was chosen: the displayed range, denser from its lower end up.
+// What volume mode shows when no transfer function was chosen: the displayed range, denser from its lower end
+// up.
 render::TransferFunction functionOfRange(const Range& range) {
     render::TransferFunction function;
     function.name = "displayed range";
@@ -26,7 +28,8 @@ const render::Classification* Pipeline::classify(const View& view) {
     if (!classification_) {
         classification_.emplace();
     }
-    classification_->update(view.transferFunction ? *view.transferFunction : functionOfRange(view.range), *field_);
+    classification_->update(view.transferFunction ? *view.transferFunction : functionOfRange(view.range),
+                            *field_);
     return &*classification_;
 }
 
@@ -50,6 +53,7 @@ render::Frame Pipeline::frame(const State& state, glm::ivec2 size) {
     frame.scene.displayedRange = view.range;
     frame.scene.greyWindow = state.greyWindow;
     frame.scene.view = isSculpted ? view.sculptureView : field::SculptureView::Whole;
+    frame.scene.sampling = view.sampling;
     frame.rays = render::viewRays(view.camera, field_->geometry, size);
     frame.mode = view.mode;
     frame.classification = classify(view);
@@ -60,7 +64,8 @@ render::Frame Pipeline::frame(const State& state, glm::ivec2 size) {
             state.sculpture->version(),
             hasSegmentation ? segmentation_->version() : 0,
             hasSegmentation,
-            byFunction ? classification_->version() : 0};
+            byFunction ? classification_->version() : 0,
+            view.sampling};
     refresh(cells_, key, state, frame);
     frame.macrocells = &cells_.macrocells;
     if (isSculpted && !view.pasted.empty()) {
@@ -76,8 +81,9 @@ void Pipeline::refresh(Cells& cells, const Key& key, const State& state, const r
     const auto& old = cells.key;
     // In probe view a cut adds to what is seen, so there nothing can be kept.
     const bool mayKeep = state.cuttingSince && old && old->sculptureVersion == *state.cuttingSince &&
-                         old->view != field::SculptureView::Probe && key.view != field::SculptureView::Probe &&
-                         old->range == key.range && old->functionVersion == key.functionVersion &&
+                         old->view != field::SculptureView::Probe &&
+                         key.view != field::SculptureView::Probe && old->range == key.range &&
+                         old->functionVersion == key.functionVersion && old->sampling == key.sampling &&
                          old->drawsSegmentation == key.drawsSegmentation &&
                          old->segmentationVersion == key.segmentationVersion;
     if (mayKeep || old == key) {
@@ -90,6 +96,7 @@ void Pipeline::refresh(Cells& cells, const Key& key, const State& state, const r
     input.displayedRange = key.range;
     input.valueTolerance = field::valueTolerance(*field_);
     input.view = key.view;
+    input.sampling = key.sampling;
     input.classification = frame.mode == render::Mode::Volume ? frame.classification : nullptr;
     cells.macrocells.rebuild(input);
     cells.key = key;

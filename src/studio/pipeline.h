@@ -39,6 +39,7 @@ private:
         std::uint64_t segmentationVersion = 0;
         bool drawsSegmentation = false;
         int functionVersion = 0; // of the transfer function, where it says what can be seen
+        field::Sampling sampling = field::Sampling::Trilinear;
         bool operator==(const Key&) const = default;
     };
 

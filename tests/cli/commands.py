@@ -177,6 +177,16 @@ class Commands(unittest.TestCase):
         self.assertGreater(len(rows), 20)
         self.assertGreater(min(rows), height // 2, "both stand in the lower corners")
 
+    def test_sampling_is_linear_or_cubic(self):
+        linear, cubic = self.folder / "linear.png", self.folder / "cubic.png"
+        command = ("render", self.raw, *self.layout, "--size", "120x90", "--samples", "1", "--range", "100:255", "-o")
+        self.expect_error(2, ["--sampling", "cubic"], *command, cubic, "--sampling", "quintic")
+        self.assertEqual(call(*command, linear).returncode, 0)
+        self.assertEqual(call(*command, cubic, "--sampling", "linear").returncode, 0)
+        self.assertEqual(call("compare", linear, cubic, "--max", "0").returncode, 0, "linear is the default")
+        self.assertEqual(call(*command, cubic, "--sampling", "cubic").returncode, 0)
+        self.assertEqual(call("compare", linear, cubic, "--mean", "0.1").returncode, 1)
+
     def test_backgrounds_are_known_by_name(self):
         picture = self.folder / "p.png"
         command = ("render", self.raw, *self.layout, "--size", "40x30", "--samples", "1", "-o", picture)

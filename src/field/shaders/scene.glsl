@@ -27,7 +27,11 @@ struct SceneSample {
 
 vec3 textureFromVoxel(vec3 p) { return (p + 0.5) / vec3(dims.xyz); }
 
+#ifdef TRICUBIC
+#include "field/shaders/tricubic.glsl"
+#else
 float dataAt(vec3 p) { return textureLod(dataTexture, textureFromVoxel(p), 0.0).r * valueScale.x + valueScale.y; }
+#endif
 
 // The stored value of one voxel, exact.
 float voxelValue(ivec3 v) {
@@ -58,14 +62,19 @@ SceneSample sampleScene(vec3 p) {
 
 bool isVisible(SceneSample s) { return s.dataInside >= 0.0 && s.uncut >= 0.0; }
 
-// Gradient in value per mm along the patient's axes (world), from central differences one voxel wide.
+// Gradient in value per mm along the patient's axes (world), from central differences one voxel wide; with TRICUBIC the
+// data's own derivative.
 vec3 worldGradient(vec3 voxelGradient) { return transpose(mat3(voxelFromWorld)) * voxelGradient; }
 
+#ifdef TRICUBIC
+vec3 dataGradient(vec3 p) { return worldGradient(voxelGradientAt(p)); }
+#else
 vec3 dataGradient(vec3 p) {
     const vec3 e = vec3(1.0, 0.0, 0.0);
     return worldGradient(0.5 * vec3(dataAt(p + e.xyy) - dataAt(p - e.xyy), dataAt(p + e.yxy) - dataAt(p - e.yxy),
                                     dataAt(p + e.yyx) - dataAt(p - e.yyx)));
 }
+#endif
 
 vec3 sculptureGradient(vec3 p) {
     const vec3 e = vec3(1.0, 0.0, 0.0);

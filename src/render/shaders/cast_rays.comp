@@ -2,8 +2,9 @@
 // MODE: 0 surface, 1 MIP, 2 X-ray, 3 overlay (segmentation as surface, the rest as X-ray), 4 segment (both as surface),
 // 5 volume (compositing). CONTENT and SCULPTED: see surface.glsl. TF_KIND: what the transfer function goes by that colours
 // all modes (classification.glsl); not defined: none does.
-// In: the scene (field/shaders/scene.glsl), the view (rays.glsl). Out: image 0 (rgba32f) sum of display colours.
-// variants: MODE=0 CONTENT=0;MODE=0 CONTENT=0 SCULPTED=1;MODE=1 CONTENT=0;MODE=2 CONTENT=0 SCULPTED=1;MODE=3 CONTENT=1 SCULPTED=1;MODE=4 CONTENT=2;MODE=5 CONTENT=0 TF_KIND=0;MODE=5 CONTENT=0 SCULPTED=1 TF_KIND=2;MODE=0 CONTENT=0 TF_KIND=1;MODE=1 CONTENT=0 TF_KIND=0;MODE=2 CONTENT=0 TF_KIND=2
+// In: the scene (field/shaders/scene.glsl), the view (rays.glsl). Out: image 0 (rgba32f) sum of display colours, and of
+// coverage: how much of the background they hide.
+// variants: MODE=0 CONTENT=0;MODE=0 CONTENT=0 SCULPTED=1;MODE=1 CONTENT=0;MODE=2 CONTENT=0 SCULPTED=1;MODE=3 CONTENT=1 SCULPTED=1;MODE=4 CONTENT=2;MODE=5 CONTENT=0 TF_KIND=0;MODE=5 CONTENT=0 SCULPTED=1 TF_KIND=2;MODE=0 CONTENT=0 TF_KIND=1;MODE=1 CONTENT=0 TF_KIND=0;MODE=2 CONTENT=0 TF_KIND=2;MODE=0 CONTENT=0 TRICUBIC=1
 layout(local_size_x = 64) in;
 
 #include "field/shaders/scene.glsl"
@@ -25,6 +26,8 @@ layout(location = 3) uniform vec2 exposure;     // x: X-ray gain per diagonal; y
 layout(location = 4) uniform vec3 segmentColour; // linear
 layout(location = 5) uniform float sampleStep;   // steps between samples in MIP and X-ray
 layout(location = 6) uniform int beamPixels;     // side of a beam's square
+layout(location = 7) uniform vec4 backgroundTop; // display colour; w 1: there is none, and it is black
+layout(location = 8) uniform vec4 backgroundBottom;
 
 const vec3 kSurfaceColour = vec3(0.72, 0.57, 0.45); // linear: the ivory of anatomical plates
 
@@ -116,31 +119,37 @@ vec3 integralColour(vec4 integral) {
 }
 #endif
 
-vec3 colourOf(Ray ray, vec3 behind, float jitter) {
+// Display colour over what is behind, and coverage: that colour is linear in `behind`, and 1 - coverage its slope.
+vec4 colourOf(Ray ray, vec3 behind, float jitter) {
 #if MODE == 0 || MODE == 4
     Hit hit = findSurface(ray, jitter);
-    return hit.found ? shadeHit(hit, ray) : behind;
+    return hit.found ? vec4(shadeHit(hit, ray), 1.0) : vec4(behind, 0.0);
 #elif MODE == 1
     Greatest greatest = findGreatest(ray, sampleStep);
     float brightness = clamp(partOfRange(greatest.value), 0.0, 1.0);
 #ifdef TF_KIND
-    vec3 shown = displayFromLinear(functionColour(greatest.value, at(ray, greatest.t)));
+    vec4 shown = vec4(displayFromLinear(functionColour(greatest.value, at(ray, greatest.t))), 1.0);
 #else
-    vec3 shown = mix(behind * 0.3, vec3(1.0), brightness);
+    vec4 shown = vec4(mix(behind * 0.3, vec3(1.0), brightness), 1.0 - 0.3 * (1.0 - brightness));
 #endif
-    return greatest.value > -1e29 ? shown : behind;
+    return greatest.value > -1e29 ? shown : vec4(behind, 0.0);
 #elif MODE == 2
     vec4 integral = integralAlong(ray, ray.tEnd);
-    return mix(behind, integralColour(integral), clamp(integral.a / exposure.y * exposure.x, 0.0, 1.0));
+    float brightness = clamp(integral.a / exposure.y * exposure.x, 0.0, 1.0);
+    return vec4(mix(behind, integralColour(integral), brightness), brightness);
 #elif MODE == 3
     Hit hit = findSurface(ray, jitter);
     vec4 integral = integralAlong(ray, hit.found ? hit.t : ray.tEnd);
     float brightness = clamp(integral.a / exposure.y * exposure.x, 0.0, 1.0);
     vec3 base = hit.found ? shadeHit(hit, ray) : behind;
-    return mix(base, vec3(0.86, 0.91, 1.0) * integralColour(integral), brightness * (hit.found ? 0.45 : 0.9));
+    float veil = brightness * (hit.found ? 0.45 : 0.9);
+    return vec4(mix(base, vec3(0.86, 0.91, 1.0) * integralColour(integral), veil), hit.found ? 1.0 : veil);
 #else
     vec4 seen = compositeAlong(ray, sampleStep, jitter);
-    return displayFromLinear(seen.rgb + (1.0 - seen.a) * linearFromDisplay(behind));
+    if (backgroundTop.w > 0.5) { // light is mixed here, not display colours: what programs that do so make of it
+        return vec4(displayFromLinear(seen.rgb / max(seen.a, 1e-6)) * seen.a, seen.a);
+    }
+    return vec4(displayFromLinear(seen.rgb + (1.0 - seen.a) * linearFromDisplay(behind)), seen.a);
 #endif
 }
 
@@ -154,6 +163,9 @@ void main() {
     vec2 beam = texelFetch(beams, pixel / beamPixels, 0).rg;
     ray.tBegin = max(ray.tBegin, beam.x);
     ray.tEnd = min(ray.tEnd, beam.y);
-    vec3 behind = background(position, viewport.xy);
+    vec3 behind = background(position, viewport.xy, backgroundTop.xyz, backgroundBottom.xyz);
+#if MODE == 1 || MODE == 2 || MODE == 3
+    behind = ray.tNear < ray.tFar ? min(behind, kFilm) : behind;
+#endif
     addToPicture(pixel, colourOf(ray, behind, startJitter(pixel)));
 }

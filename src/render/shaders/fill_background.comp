@@ -7,10 +7,18 @@ layout(local_size_x = 64) in;
 #include "render/shaders/squares.glsl"
 #include "render/shaders/shading.glsl"
 
+layout(location = 3) uniform int showsFilm;      // 1: the grid's box has a film
+layout(location = 7) uniform vec4 backgroundTop; // display colours
+layout(location = 8) uniform vec4 backgroundBottom;
+
 void main() {
     ivec2 pixel = pixelOfInvocation();
     if (any(greaterThanEqual(pixel, ivec2(viewport.xy)))) {
         return;
     }
-    addToPicture(pixel, background(vec2(pixel) + pixelOffset, viewport.xy));
+    vec2 position = vec2(pixel) + pixelOffset;
+    Ray ray = rayThrough(position);
+    vec3 behind = background(position, viewport.xy, backgroundTop.xyz, backgroundBottom.xyz);
+    bool isFilm = showsFilm != 0 && ray.tNear < ray.tFar;
+    addToPicture(pixel, vec4(isFilm ? min(behind, kFilm) : behind, 0.0));
 }

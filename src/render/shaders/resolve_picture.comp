@@ -1,8 +1,13 @@
-// Divides the accumulated samples by their number. In: image 0 (rgba32f) sums. Out: image 1 (rgba8) the picture.
+// Divides the accumulated samples by their number. In: image 0 (rgba32f) sums of display colours, and of coverage and samples (a).
+// Out: image 1 (rgba8) the picture; a 1, or on nothing the coverage, with colours that are not multiplied by it.
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(rgba32f, binding = 0) uniform readonly image2D accumulation;
 layout(rgba8, binding = 1) uniform writeonly image2D picture;
+
+layout(location = 1) uniform int isTransparent;
+
+const float kSampleCount = 1024.0; // for each sample, in the sum of coverages: see squares.glsl
 
 // Half a step of the display's 8 bits either way, the same for each pixel each time: dark gradients do not band.
 float dither(ivec2 pixel) {
@@ -17,5 +22,12 @@ void main() {
         return;
     }
     vec4 sum = imageLoad(accumulation, pixel);
-    imageStore(picture, pixel, vec4(sum.rgb / max(sum.a, 1.0) + dither(pixel), 1.0));
+    float samples = max(floor(sum.a / kSampleCount), 1.0);
+    sum.a = max(sum.a - samples * kSampleCount, 0.0);
+    if (isTransparent != 0) {
+        vec3 colour = sum.a > 0.0 ? sum.rgb / sum.a + dither(pixel) : vec3(0.0);
+        imageStore(picture, pixel, vec4(colour, sum.a / samples));
+    } else {
+        imageStore(picture, pixel, vec4(sum.rgb / samples + dither(pixel), 1.0));
+    }
 }

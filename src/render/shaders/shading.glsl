@@ -23,7 +23,11 @@ vec3 lit(vec3 albedo, vec3 normal, vec3 towardsViewer, vec3 right, vec3 up, vec3
     return albedo * light + gloss * highlight * vec3(1.0, 0.98, 0.95);
 }
 
-vec3 background(vec2 pixel, vec2 size) {
-    // Display colours: a calm dark slate, lighter below, that neither bone nor vessels blend into.
-    return mix(vec3(0.055, 0.065, 0.08), vec3(0.17, 0.19, 0.22), smoothstep(0.0, 1.0, pixel.y / size.y));
+// What is behind the volume (render::Background): display colours.
+vec3 background(vec2 pixel, vec2 size, vec3 top, vec3 bottom) {
+    return mix(top, bottom, smoothstep(0.0, 1.0, pixel.y / size.y));
 }
+
+// The brightest that rays of light are seen against: the studio's background at its brightest. On a lighter one the grid's
+// box is as dark as this, as a film on a light table; white rays on white would show nothing.
+const vec3 kFilm = vec3(0.17, 0.19, 0.22);

@@ -1,5 +1,5 @@
 // Squares of 8 x 8 pixels, those that may show something first: one work group of 64 invocations each.
-// Bindings: storage 0 the squares (list_squares.comp), image 0 (rgba32f) sum of display colours; uniforms 0 to 2. Include
+// Bindings: storage 0 the squares (list_squares.comp), image 0 (rgba32f) sum of display colours and coverage; uniforms 0 to 2. Include
 // "render/shaders/rays.glsl" first.
 
 layout(std430, binding = 0) readonly buffer Squares { uint squares[]; }; // column, row << 16
@@ -10,6 +10,7 @@ layout(location = 0) uniform ivec3 part;       // of the list: x first square, y
 layout(location = 1) uniform vec2 pixelOffset; // where in the pixel this sample lies, 0..1
 layout(location = 2) uniform int addToPrevious;
 
+const float kSampleCount = 1024.0; // for each sample, in the sum of coverages: see resolve_picture.comp
 const ivec2 kNowhere = ivec2(1 << 30);
 
 // Eight invocations after one another are 4 x 2 pixels, 16 are 4 x 4: their rays stay together. Work groups take turns in as
@@ -26,8 +27,9 @@ ivec2 pixelOfInvocation() {
     return index < part.y ? pixel : kNowhere;
 }
 
-void addToPicture(ivec2 pixel, vec3 colour) {
-    vec4 sum = vec4(colour, 1.0);
+// Display colour, and coverage (at most 1), which is counted along with the samples.
+void addToPicture(ivec2 pixel, vec4 shown) {
+    vec4 sum = shown + vec4(0.0, 0.0, 0.0, kSampleCount);
     if (addToPrevious != 0) {
         sum += imageLoad(accumulation, pixel);
     }

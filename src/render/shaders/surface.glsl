@@ -54,46 +54,47 @@ float sliverBetween(vec2 before, vec2 after) {
 }
 #endif
 
-// Where a ray first meets something visible: `t`, the visibility there, and `before`, a place without. Nothing when t is not
+// Where a ray first meets something visible: `t`, what is there, and `before`, a place where nothing is. None when t is not
 // below the ray's tEnd.
 struct Crossing {
     float before;
     float t;
-    float value;
+    vec2 parts; // of the visibility: content, side
 };
+
+vec2 partsAt(vec3 p) { return vec2(contentAt(p), sideAt(p)); }
+
+bool isVisible(vec2 parts) { return min(parts.x, parts.y) >= 0.0; }
 
 const int kBatch = 4; // samples a turn: on a software renderer the turn itself costs as much as they do
 
 // Looks at the samples of one turn, from crossing.t on, and moves t to the first that is visible or past them all. `last` is
-// the visibility's parts (content, side) at the sample before them.
+// the visibility's parts at the sample before them.
 void lookAtBatch(Ray ray, inout Crossing crossing, inout vec2 last) {
     float first = float(kBatch);
 #ifdef SCULPTED
-    vec2 before = last;
     float sliver = -1.0;
     float sliverSample = 0.0;
     for (int i = 0; i < kBatch; ++i) {
-        vec3 p = at(ray, crossing.t + float(i) * kDt);
-        vec2 here = vec2(contentAt(p), sideAt(p));
-        float between = sliverBetween(before, here);
+        vec2 here = partsAt(at(ray, crossing.t + float(i) * kDt));
+        float between = sliverBetween(last, here);
         bool isOpen = first == float(kBatch) && sliver < 0.0;
         sliverSample = isOpen ? float(i) - 1.0 + between : sliverSample;
         sliver = isOpen ? between : sliver;
-        bool isFirst = first == float(kBatch) && min(here.x, here.y) >= 0.0;
+        bool isFirst = first == float(kBatch) && isVisible(here);
         first = isFirst ? float(i) : first;
-        crossing.value = isFirst ? min(here.x, here.y) : crossing.value;
-        before = here;
+        crossing.parts = isFirst ? here : crossing.parts;
+        last = here;
     }
-    last = before;
-    float inSliver = visibility(at(ray, crossing.t + sliverSample * kDt));
-    bool isInSliver = sliver >= 0.0 && inSliver >= 0.0;
+    vec2 inSliver = partsAt(at(ray, crossing.t + sliverSample * kDt));
+    bool isInSliver = sliver >= 0.0 && isVisible(inSliver);
     first = isInSliver ? sliverSample : first;
-    crossing.value = isInSliver ? inSliver : crossing.value;
+    crossing.parts = isInSliver ? inSliver : crossing.parts;
 #else
     for (int i = kBatch - 1; i >= 0; --i) {
-        float value = visibility(at(ray, crossing.t + float(i) * kDt));
-        first = value >= 0.0 ? float(i) : first;
-        crossing.value = value >= 0.0 ? value : crossing.value;
+        vec2 here = partsAt(at(ray, crossing.t + float(i) * kDt));
+        first = isVisible(here) ? float(i) : first;
+        crossing.parts = isVisible(here) ? here : crossing.parts;
     }
 #endif
     crossing.t += first * kDt;
@@ -105,7 +106,7 @@ Crossing firstVisible(Ray ray, float jitter) {
     vec3 inverseDirection = safeInverse(ray.direction);
     Crossing crossing;
     crossing.t = nextSample(ray.tBegin, kDt, jitter);
-    crossing.value = -1.0;
+    crossing.parts = vec2(-1.0);
     vec2 last = vec2(-1.0);
     do {
         float start = crossing.t;
@@ -121,7 +122,7 @@ Crossing firstVisible(Ray ray, float jitter) {
         crossing.t -= hasSkipped && crossing.t - kDt >= ray.tNear ? kDt : 0.0;
 #endif
         lookAtBatch(ray, crossing, last);
-    } while (crossing.value < 0.0 && crossing.t < ray.tEnd);
+    } while (!isVisible(crossing.parts) && crossing.t < ray.tEnd);
     crossing.before = max(crossing.t - kDt, ray.tNear);
     return crossing;
 }
@@ -137,18 +138,22 @@ float zeroBetween(vec2 a, vec2 b, vec2 c) {
 }
 
 // Moves a crossing back to the surface: an invisible place just before it, and the surface. Two more samples, kept off the ends
-// of what they divide so that a jump (the edge of non-finite voxels) is closed in on too.
+// of what they divide so that a jump (the edge of non-finite voxels) is closed in on too. Content is in the volume's unit, the
+// side a part of one: scaled to be alike, or the smaller unit would bend what is straight.
 vec2 refine(Ray ray, Crossing crossing) {
-    vec2 outside = vec2(crossing.before, visibility(at(ray, crossing.before)));
+    vec2 partsBefore = partsAt(at(ray, crossing.before));
+    float scale = 1.0 / max(max(abs(partsBefore.x), abs(crossing.parts.x)), 1e-30);
+    vec2 outside = vec2(crossing.before, min(partsBefore.x * scale, partsBefore.y));
+    vec2 inside = vec2(crossing.t, min(crossing.parts.x * scale, crossing.parts.y));
     if (outside.y >= 0.0) {
         return outside.xx; // visible from the start: the ray enters the box inside
     }
-    vec2 inside = vec2(crossing.t, crossing.value);
     float guess = mix(outside.x, inside.x, outside.y / (outside.y - inside.y));
     for (int i = 0; i < 2; ++i) {
         float margin = 0.05 * (inside.x - outside.x);
         float place = clamp(guess, outside.x + margin, inside.x - margin);
-        vec2 there = vec2(place, visibility(at(ray, place)));
+        vec2 parts = partsAt(at(ray, place));
+        vec2 there = vec2(place, min(parts.x * scale, parts.y));
         bool seen = there.y >= 0.0;
         vec2 replaced = seen ? inside : outside;
         inside = seen ? there : inside;

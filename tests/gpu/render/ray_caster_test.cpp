@@ -272,7 +272,7 @@ TEST_F(RayCasterTest, UnknownModeNamesTheChoices) {
         FAIL();
     } catch (const UsageError& error) {
         EXPECT_STREQ(error.what(),
-                     "mode 'xry' does not exist; choose surface, mip, xray, overlay or segment");
+                     "mode 'xry' does not exist; choose surface, mip, xray, overlay, segment or volume");
     }
 }
 

@@ -47,6 +47,22 @@ TEST_F(DocumentTest, APeelOpensTheSkullAndUndoPutsBackEveryByte) {
     EXPECT_EQ(document.sculptureBytes(), drilled);
 }
 
+TEST_F(DocumentTest, SamplingIsPartOfTheView) {
+    Document document(testHead());
+    SetView cubic;
+    cubic.sampling = field::Sampling::Tricubic;
+    const auto surface = [&] { return document.probe({200, 150}, {400, 300}).value().voxel; };
+    const glm::dvec3 linearly = surface();
+    document.apply(cubic);
+    EXPECT_EQ(document.view().sampling, field::Sampling::Tricubic);
+    EXPECT_EQ(document.frame({40, 30}).scene.sampling, field::Sampling::Tricubic);
+    const double moved = glm::length(surface() - linearly);
+    EXPECT_GT(moved, 1e-3) << "another surface is picked";
+    EXPECT_LT(moved, 0.5);
+    document.apply(SetView{});
+    EXPECT_EQ(document.view().sampling, field::Sampling::Tricubic) << "what is not given stays";
+}
+
 TEST_F(DocumentTest, TheSurfaceUnderAPeelLiesAsManyStepsDeeper) {
     Document document(testHead());
     document.look(testCanvas().view);

@@ -17,6 +17,7 @@ Canvas someCanvas() {
     canvas.view.mode = render::Mode::Mip;
     canvas.view.range = {-200.5, 1200};
     canvas.view.sculptureView = field::SculptureView::Probe;
+    canvas.view.sampling = field::Sampling::Tricubic;
     return canvas;
 }
 
@@ -24,7 +25,12 @@ TEST(OperationJson, EveryKindComesBackAsItWas) {
     const Sketch ellipse{Shape::Ellipse, {{10.25, 20}, {30, 40.125}}};
     const Sketch line{Shape::FreeForm, {{1, 2}, {3, 4}, {5.5, 6.5}}};
     const std::vector<Operation> operations{
-        SetView{someCanvas().view.camera, render::Mode::XRay, Range{1, 2}, field::SculptureView::Whole},
+        SetView{someCanvas().view.camera,
+                render::Mode::XRay,
+                Range{1, 2},
+                field::SculptureView::Whole,
+                {},
+                field::Sampling::Tricubic},
         SetView{},
         Peel{ellipse, 12.75, 4, someCanvas()},
         Drill{line, {{{1.5, 2.5}, 0.25}, {{3, 4}, 1}}, 9, 2, someCanvas()},

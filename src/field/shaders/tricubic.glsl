@@ -1,0 +1,75 @@
+// The data as the cubic B-spline of its stored values (field::Sampling::Tricubic), not prefiltered, and its derivative.
+// Each axis has four weights, those of two neighbours joined in one linearly filtered fetch between them: eight trilinear
+// fetches stand for 64 voxels (Sigg and Hadwiger 2005, "Fast third-order texture filtering", GPU Gems 2, chapter 20).
+// Voxel space. Beyond the grid values are those at its border. Included by scene.glsl.
+
+// Where two neighbours are joined, along each axis, and with what weights: `lower` and `upper` in texture space.
+struct Taps {
+    vec3 lower;
+    vec3 upper;
+    vec3 weightLower;
+    vec3 weightUpper;
+};
+
+// Texture space from voxel space; values outside are those at the border, which a mirrored texture would not give.
+vec3 tapAt(vec3 p) { return textureFromVoxel(clamp(p, vec3(0.0), vec3(dims.xyz - 1))); }
+
+Taps valueTaps(vec3 p) {
+    vec3 first = floor(p);
+    vec3 f = p - first;
+    vec3 g = 1.0 - f;
+    vec3 farthest = f * f * f / 6.0;                // of voxel first + 2
+    vec3 before = g * g * g / 6.0;                  // of voxel first - 1
+    vec3 next = 2.0 / 3.0 - 0.5 * g * g * (2.0 - g); // of voxel first + 1
+    Taps taps;
+    taps.weightUpper = next + farthest;
+    taps.weightLower = 1.0 - taps.weightUpper;
+    taps.lower = tapAt(first - before / taps.weightLower);
+    taps.upper = tapAt(first + 1.0 + farthest / taps.weightUpper);
+    return taps;
+}
+
+// The derivatives of those weights; they are negative for the lower two voxels, positive for the upper two.
+Taps slopeTaps(vec3 p) {
+    vec3 first = floor(p);
+    vec3 f = p - first;
+    vec3 g = 1.0 - f;
+    Taps taps;
+    taps.weightUpper = 0.5 + f * g;
+    taps.weightLower = -taps.weightUpper;
+    taps.lower = tapAt(first - 0.5 * g * g / taps.weightUpper);
+    taps.upper = tapAt(first + 1.0 + 0.5 * f * f / taps.weightUpper);
+    return taps;
+}
+
+float tap(float x, float y, float z) { return textureLod(dataTexture, vec3(x, y, z), 0.0).r; }
+
+// Two of the eight fetches, along x.
+float tapsAlongX(Taps t, float y, float z) {
+    return t.weightLower.x * tap(t.lower.x, y, z) + t.weightUpper.x * tap(t.upper.x, y, z);
+}
+
+float tapsInPlane(Taps t, float z) {
+    return t.weightLower.y * tapsAlongX(t, t.lower.y, z) + t.weightUpper.y * tapsAlongX(t, t.upper.y, z);
+}
+
+float eightTaps(Taps t) {
+    return t.weightLower.z * tapsInPlane(t, t.lower.z) + t.weightUpper.z * tapsInPlane(t, t.upper.z);
+}
+
+// The taps of `values`, along one axis (a unit vector) those of `slopes`.
+Taps tapsAlong(vec3 axis, Taps values, Taps slopes) {
+    return Taps(mix(values.lower, slopes.lower, axis), mix(values.upper, slopes.upper, axis),
+                mix(values.weightLower, slopes.weightLower, axis), mix(values.weightUpper, slopes.weightUpper, axis));
+}
+
+float dataAt(vec3 p) { return eightTaps(valueTaps(p)) * valueScale.x + valueScale.y; }
+
+// Value per voxel along each axis.
+vec3 voxelGradientAt(vec3 p) {
+    Taps values = valueTaps(p);
+    Taps slopes = slopeTaps(p);
+    const vec3 e = vec3(1.0, 0.0, 0.0);
+    return valueScale.x * vec3(eightTaps(tapsAlong(e.xyy, values, slopes)), eightTaps(tapsAlong(e.yxy, values, slopes)),
+                               eightTaps(tapsAlong(e.yyx, values, slopes)));
+}

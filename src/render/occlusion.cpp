@@ -90,9 +90,8 @@ void OcclusionVolume::fill(const Input& input, const Box3& texels) {
     if (input.macrocells != nullptr) {
         input.macrocells->bind();
     }
-    // Texels of up to four voxels lie in one macrocell, larger ones reach into the next.
-    const bool isWithinCell = glm::all(glm::lessThanEqual(blockSize_, glm::ivec3(field::kCell)));
-    const int farEnough = input.macrocells == nullptr ? 256 : isWithinCell ? 1 : 2;
+    // Texels look half a voxel beyond their own, so the cells around must be empty too.
+    const int farEnough = input.macrocells == nullptr ? 256 : 2;
     texels_.bindImage(0, gl::Access::Write, 0);
     program.set(0, texels.lo)
         .set(1, texels.hi)
@@ -117,7 +116,6 @@ void OcclusionVolume::update(const Input& input, const Box3& voxels) {
     const volume::GridGeometry& geometry = input.scene.data->geometry;
     const bool isNew = !texels_ || geometry_ != geometry;
     allocate(geometry);
-    isTransparent_ = input.classification != nullptr;
     Box3 box = texelsOf(isNew ? geometry.box() : voxels, blockSize_, texels_.size());
     if (box.isEmpty()) {
         return;
@@ -144,7 +142,8 @@ void OcclusionVolume::bind(const Light& light) {
         data.texelAxes[axis] = glm::vec4(worldFromVoxel[axis] * block[axis] / unit, 0.0);
     }
     data.towardsKey = glm::vec4(glm::normalize(light.towardsKey), 0.0);
-    data.strengths = glm::vec4(glm::dvec4(light.ambientOcclusion, light.shadows, isTransparent_ ? 1 : 0, 0));
+    data.strengths = glm::vec4(glm::dvec4(light.ambientOcclusion, light.shadows, 0, 0));
+    data.levels = glm::ivec4(kLevels, kLevels - 1, 0, 0);
     block_.writeValue(data);
     block_.bindUniform(3);
     texels_.bindTexture(9);

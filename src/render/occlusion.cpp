@@ -70,11 +70,15 @@ gl::Program& OcclusionVolume::programFor(const Input& input) {
                         : input.drawsData               ? 2
                                                         : 1;
     const int kind = input.classification != nullptr ? static_cast<int>(input.classification->kind()) : 0;
-    auto& program = programs_[2 * (4 * kind + content) + (isSculpted ? 1 : 0)];
+    const bool isOnVoxels = blockSize_ == glm::ivec3(2);
+    auto& program = programs_[4 * (4 * kind + content) + (isSculpted ? 2 : 0) + (isOnVoxels ? 1 : 0)];
     if (!program) {
         gl::Defines defines{{"CONTENT", std::to_string(content)}, {"TF_KIND", std::to_string(kind)}};
         if (isSculpted) {
             defines.emplace_back("SCULPTED", "1");
+        }
+        if (isOnVoxels) {
+            defines.emplace_back("ON_VOXELS", "1");
         }
         program = gl::Program("render/shaders/fill_occlusion.comp", defines);
     }
@@ -97,7 +101,8 @@ void OcclusionVolume::fill(const Input& input, const Box3& texels) {
         .set(1, texels.hi)
         .set(2, blockSize_)
         .set(3, farEnough)
-        .set(4, float(texelMm(geometry_, blockSize_) / geometry_.stepMm()));
+        .set(4, float(texelMm(geometry_, blockSize_) / geometry_.stepMm()))
+        .set(5, 8);
     program.dispatchOver(texels.size(), gl::Barrier::Texture);
 }
 

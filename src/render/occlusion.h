@@ -70,7 +70,7 @@ private:
     void fill(const Input& input, const Box3& texels);
     void average(int level, const Box3& texels);
 
-    std::map<int, gl::Program> programs_; // by what blocks light and whether there is a sculpture
+    std::map<int, gl::Program> programs_; // by what blocks light, sculpture, block size
     gl::Program average_;
     std::optional<field::SceneBinding> scene_;
     gl::Buffer block_;

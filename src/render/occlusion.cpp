@@ -70,11 +70,15 @@ gl::Program& OcclusionVolume::programFor(const Input& input) {
                         : input.drawsData               ? 2
                                                         : 1;
     const int kind = input.classification != nullptr ? static_cast<int>(input.classification->kind()) : 0;
-    auto& program = programs_[2 * (4 * kind + content) + (isSculpted ? 1 : 0)];
+    const bool isOnVoxels = blockSize_ == glm::ivec3(2);
+    auto& program = programs_[4 * (4 * kind + content) + (isSculpted ? 2 : 0) + (isOnVoxels ? 1 : 0)];
     if (!program) {
         gl::Defines defines{{"CONTENT", std::to_string(content)}, {"TF_KIND", std::to_string(kind)}};
         if (isSculpted) {
             defines.emplace_back("SCULPTED", "1");
+        }
+        if (isOnVoxels) {
+            defines.emplace_back("ON_VOXELS", "1");
         }
         program = gl::Program("render/shaders/fill_occlusion.comp", defines);
     }
@@ -90,15 +94,17 @@ void OcclusionVolume::fill(const Input& input, const Box3& texels) {
     if (input.macrocells != nullptr) {
         input.macrocells->bind();
     }
-    // Texels of up to four voxels lie in one macrocell, larger ones reach into the next.
-    const bool isWithinCell = glm::all(glm::lessThanEqual(blockSize_, glm::ivec3(field::kCell)));
-    const int farEnough = input.macrocells == nullptr ? 256 : isWithinCell ? 1 : 2;
+    // Texels look half a voxel beyond their own, so the cells around theirs must be empty too; eight voxels take
+    // two cells.
+    const bool isInOneCell = glm::all(glm::lessThanEqual(blockSize_, glm::ivec3(field::kCell)));
+    const int farEnough = input.macrocells == nullptr ? 256 : isInOneCell ? 2 : 3;
     texels_.bindImage(0, gl::Access::Write, 0);
     program.set(0, texels.lo)
         .set(1, texels.hi)
         .set(2, blockSize_)
         .set(3, farEnough)
-        .set(4, float(texelMm(geometry_, blockSize_) / geometry_.stepMm()));
+        .set(4, float(texelMm(geometry_, blockSize_) / geometry_.stepMm()))
+        .set(5, 8);
     program.dispatchOver(texels.size(), gl::Barrier::Texture);
 }
 
@@ -117,7 +123,6 @@ void OcclusionVolume::update(const Input& input, const Box3& voxels) {
     const volume::GridGeometry& geometry = input.scene.data->geometry;
     const bool isNew = !texels_ || geometry_ != geometry;
     allocate(geometry);
-    isTransparent_ = input.classification != nullptr;
     Box3 box = texelsOf(isNew ? geometry.box() : voxels, blockSize_, texels_.size());
     if (box.isEmpty()) {
         return;
@@ -144,7 +149,8 @@ void OcclusionVolume::bind(const Light& light) {
         data.texelAxes[axis] = glm::vec4(worldFromVoxel[axis] * block[axis] / unit, 0.0);
     }
     data.towardsKey = glm::vec4(glm::normalize(light.towardsKey), 0.0);
-    data.strengths = glm::vec4(glm::dvec4(light.ambientOcclusion, light.shadows, isTransparent_ ? 1 : 0, 0));
+    data.strengths = glm::vec4(glm::dvec4(light.ambientOcclusion, light.shadows, 0, 0));
+    data.levels = glm::ivec4(kLevels, kLevels - 1, 0, 0);
     block_.writeValue(data);
     block_.bindUniform(3);
     texels_.bindTexture(9);

@@ -19,9 +19,10 @@ struct OcclusionBlock {
     glm::vec4 textureFromWorld[3]; // texture coordinates per texel length along the world's x, y, z
     glm::vec4 texelAxes[3];        // xyz: edges of a texel, in the world, in texel lengths
     glm::vec4 towardsKey{0};       // world, unit
-    glm::vec4 strengths{0}; // x ambient occlusion, y shadow, z absorption of what is behind one another
+    glm::vec4 strengths{0};        // x ambient occlusion, y shadow
+    glm::ivec4 levels{0};          // x that ambient cones reach, y shadows
 };
-static_assert(sizeof(OcclusionBlock) == 160);
+static_assert(sizeof(OcclusionBlock) == 176);
 
 // Where the light comes from and how strongly what blocks it is seen; 0: as if nothing blocked it.
 struct Light {
@@ -69,14 +70,13 @@ private:
     void fill(const Input& input, const Box3& texels);
     void average(int level, const Box3& texels);
 
-    std::map<int, gl::Program> programs_; // by what blocks light and whether there is a sculpture
+    std::map<int, gl::Program> programs_; // by what blocks light, sculpture, block size
     gl::Program average_;
     std::optional<field::SceneBinding> scene_;
     gl::Buffer block_;
     gl::Texture texels_;
     volume::GridGeometry geometry_; // that texels_ were made for
     glm::ivec3 blockSize_{1};
-    bool isTransparent_ = false; // filled from a transfer function
 };
 
 } // namespace vs::render

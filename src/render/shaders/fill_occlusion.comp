@@ -1,8 +1,8 @@
 // How much of each texel of the occlusion volume blocks light: the part of it that is visible, or what its opacity holds back.
 // CONTENT: 0 data in the displayed range, 1 segmentation, 2 either of the two, 3 opacity of the transfer function (TF_KIND).
-// SCULPTED: there is a sculpture.
+// SCULPTED: there is a sculpture. ON_VOXELS: blockSize is 2 along each axis, so that what is looked up are the voxels.
 // In: the scene (field/shaders/scene.glsl), texture 3 macrocell distances. Out: image 0 (r8), texels [texelLo, texelHi).
-// variants: CONTENT=0;CONTENT=1 SCULPTED=1;CONTENT=2;CONTENT=3 TF_KIND=0 SCULPTED=1;CONTENT=3 TF_KIND=2
+// variants: CONTENT=0 ON_VOXELS=1;CONTENT=0;CONTENT=1 SCULPTED=1;CONTENT=2;CONTENT=3 TF_KIND=0 SCULPTED=1 ON_VOXELS=1;CONTENT=3 TF_KIND=2
 layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 
 #include "field/shaders/scene.glsl"
@@ -18,11 +18,24 @@ layout(location = 1) uniform ivec3 texelHi;
 layout(location = 2) uniform ivec3 blockSize; // voxels of a texel
 layout(location = 3) uniform int farEnough;   // a macrocell this far from all visible ones: nothing in the texel is visible
 layout(location = 4) uniform float texelSteps; // length of a texel in steps
+layout(location = 5) uniform int places;       // 8. Loops over a number that the compiler does not know stay loops, which a
+                                               // software renderer leaves after one turn where nothing is visible
 
 // Eight values in a texel, half its width apart.
 vec3 place(vec3 centre, int i) {
     return centre + 0.25 * vec3(blockSize) * (2.0 * vec3(i & 1, (i >> 1) & 1, i >> 2) - 1.0);
 }
+
+#ifdef ON_VOXELS
+ivec3 voxelAt(vec3 p) { return min(ivec3(p + 0.5), dims.xyz - 1); }
+float dataIn(vec3 p) { return voxelValue(voxelAt(p)); }
+float sculptureIn(vec3 p) { return texelFetch(sculptureTexture, voxelAt(p), 0).r; }
+float segmentationIn(vec3 p) { return texelFetch(segmentationTexture, voxelAt(p), 0).r; }
+#else
+float dataIn(vec3 p) { return dataAt(p); }
+float sculptureIn(vec3 p) { return sculptureAt(p); }
+float segmentationIn(vec3 p) { return segmentationAt(p); }
+#endif
 
 // The part of a texel in which something is >= 0, as if it changed evenly across the texel. From the mean, the smallest and
 // the largest of the eight values.
@@ -34,8 +47,8 @@ float dataCoverage(vec3 centre) {
     float sum = 0.0;
     float lo = 1e38;
     float hi = -1e38;
-    for (int i = 0; i < 8; ++i) {
-        float inside = insideRange(dataAt(place(centre, i)));
+    for (int i = 0; i < places; ++i) {
+        float inside = insideRange(dataIn(place(centre, i)));
         sum += inside;
         lo = min(lo, inside);
         hi = max(hi, inside);
@@ -47,8 +60,8 @@ float segmentationCoverage(vec3 centre) {
     float sum = 0.0;
     float lo = 1e38;
     float hi = -1e38;
-    for (int i = 0; i < 8; ++i) {
-        float inside = segmentationAt(place(centre, i)) - 0.5;
+    for (int i = 0; i < places; ++i) {
+        float inside = segmentationIn(place(centre, i)) - 0.5;
         sum += inside;
         lo = min(lo, inside);
         hi = max(hi, inside);
@@ -60,8 +73,8 @@ float sideCoverage(vec3 centre) {
     float sum = 0.0;
     float lo = 1e38;
     float hi = -1e38;
-    for (int i = 0; i < 8; ++i) {
-        float side = visibleSide(sculptureAt(place(centre, i)));
+    for (int i = 0; i < places; ++i) {
+        float side = visibleSide(sculptureIn(place(centre, i)));
         sum += side;
         lo = min(lo, side);
         hi = max(hi, side);
@@ -72,21 +85,18 @@ float sideCoverage(vec3 centre) {
 #if CONTENT == 3
 // Light held back along the length of a texel.
 float opacityOf(vec3 centre) {
-    float values[8];
-    for (int i = 0; i < 8; ++i) {
-        values[i] = dataAt(place(centre, i));
-    }
     float steepness = 0.0;
 #if TF_KIND != 0
     vec3 difference = vec3(0.0);
-    for (int i = 0; i < 8; ++i) {
-        difference += values[i] * (2.0 * vec3(i & 1, (i >> 1) & 1, i >> 2) - 1.0);
+    for (int i = 0; i < places; ++i) {
+        difference += dataIn(place(centre, i)) * (2.0 * vec3(i & 1, (i >> 1) & 1, i >> 2) - 1.0);
     }
     steepness = length(worldGradient(difference / (2.0 * vec3(blockSize))));
 #endif
     float sum = 0.0;
-    for (int i = 0; i < 8; ++i) {
-        sum += 1.0 - pow(1.0 - min(classify(values[i], steepness).a, 0.9999), texelSteps);
+    for (int i = 0; i < places; ++i) {
+        float opacity = classify(dataIn(place(centre, i)), steepness).a;
+        sum += 1.0 - pow(1.0 - min(opacity, 0.9999), texelSteps);
     }
     return 0.125 * sum;
 }

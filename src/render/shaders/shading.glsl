@@ -18,7 +18,8 @@ vec3 skyLight(float open, vec3 albedo) { return vec3(open) / (1.0 - albedo * (1.
 vec3 lit(vec3 albedo, vec3 normal, vec3 towardsViewer, vec3 right, vec3 up, vec3 back, float gloss, vec2 reaching) {
     vec3 key = normalize(-0.45 * right + 0.65 * up + 0.75 * back);
     vec3 fill = normalize(0.8 * right + 0.05 * up + 0.5 * back);
-    float keyLight = max(dot(normal, key), 0.0) * reaching.x;
+    // The key is a broad lamp too: some of what hides the sky hides a part of it.
+    float keyLight = max(dot(normal, key), 0.0) * reaching.x * (0.45 + 0.55 * reaching.y);
     float fillLight = max(dot(normal, fill), 0.0);
     float sky = 0.5 + 0.5 * dot(normal, up);
     vec3 around = 0.20 * fillLight * vec3(0.85, 0.92, 1.0) + mix(vec3(0.07, 0.065, 0.06), vec3(0.16, 0.17, 0.18), sky);

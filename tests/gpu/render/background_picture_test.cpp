@@ -102,15 +102,16 @@ TEST_F(BackgroundPictureTest, RaysOfLightStayBrightOnWhite) {
 }
 
 TEST_F(BackgroundPictureTest, UnfinishedSamplesDoNotChangeThePicture) {
-    // Some tiles have one sample more than the others while a picture is under way.
-    Still still(volume::makeBall({48, 48, 48}, {23.5, 23.5, 23.5}, 12), {60, 200}, {30, 20}, {300, 200});
+    // Some squares of pixels have one sample more than the others while a picture is under way.
+    Still still(volume::makeBall({48, 48, 48}, {23.5, 23.5, 23.5}, 12), {60, 200}, {30, 20}, {900, 700});
     still.frame.background = backgroundFromName("white");
     still.frame.samples = 3;
     still.caster.start(still.frame);
-    for (int tile = 0; tile < 8; ++tile) { // 6 tiles a sample
+    while (still.caster.completedSamples() < 1) {
         still.caster.renderSome(0);
     }
-    EXPECT_EQ(still.caster.completedSamples(), 1);
+    still.caster.renderSome(0);
+    ASSERT_EQ(still.caster.completedSamples(), 1) << "the picture is too small to be half done";
     const auto early = still.caster.readPicture();
     still.caster.render(still.frame);
     EXPECT_LT(image::compare(early, still.caster.readPicture()).mean, 2);

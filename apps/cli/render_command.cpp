@@ -12,6 +12,7 @@
 #include "studio/document.h"
 
 #include <CLI/CLI.hpp>
+#include <fmt/ranges.h>
 
 #include <memory>
 
@@ -97,7 +98,8 @@ void addRenderCommand(CLI::App& app) {
     command->add_option("--range", options->range,
                         "Displayed range LO:HI; suggested from the histogram if not given");
     command->add_option("--tf", options->function,
-                        "Transfer function that colours every mode: a preset's name or a JSON file");
+                        fmt::format("Transfer function that colours every mode: a JSON file, or a preset: {}",
+                                    fmt::join(render::presetNames(), ", ")));
     command->add_flag("--shadows", options->shadows, "Ambient occlusion and soft shadows");
     command->add_option("--size", options->size, "Pixels, WIDTHxHEIGHT")->capture_default_str();
     command

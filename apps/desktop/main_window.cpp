@@ -179,6 +179,7 @@ void MainWindow::refresh() {
     const auto& view = studio_.view();
     action(std::string("mode." + std::string(render::name(view.mode))).c_str())->setChecked(true);
     refreshColours();
+    action("shadows")->setChecked(view.shadows);
     constexpr const char* kSculptureViews[] = {"viewWhole", "viewCut", "viewProbe"};
     action(kSculptureViews[static_cast<int>(view.sculptureView)])->setChecked(true);
     action("smoothSampling")->setChecked(view.sampling == field::Sampling::Tricubic);

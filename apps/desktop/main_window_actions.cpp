@@ -111,6 +111,10 @@ void MainWindow::makeViewActions() {
                   });
     smooth->setCheckable(true);
 
+    addAction({"shadows", nullptr, tr("Shadows"), tr("Ambient occlusion and soft shadows"), tr("L")}, [this] {
+        studio_.setShadows(action("shadows")->isChecked());
+    })->setCheckable(true);
+
     QAction* annotations =
         addAction({"annotations", nullptr, tr("Annotations"),
                    tr("Scale bar and orientation marker over the view; saved pictures have none"), tr("A")},
@@ -167,9 +171,9 @@ void MainWindow::makeMenus() {
     };
     menu(tr("&File"), {"open", "openFolder", "-", "saveSession", "exportLabels", "screenshot", "-", "quit"});
     menu(tr("&Edit"), {"undo", "redo", "-", "unCut", "reSeed", "-", "clearSketch"});
-    menu(tr("&View"),
-         {"resetView", "-", "mode.surface", "mode.mip", "mode.xray", "mode.overlay", "mode.segment",
-          "mode.volume", "-", "viewCut", "viewProbe", "viewWhole", "-", "smoothSampling", "annotations"});
+    menu(tr("&View"), {"resetView", "-", "mode.surface", "mode.mip", "mode.xray", "mode.overlay",
+                       "mode.segment", "mode.volume", "-", "viewCut", "viewProbe", "viewWhole", "-",
+                       "smoothSampling", "shadows", "annotations"});
     makeColourMenu();
     menu(tr("&Tools"), {"cameraTool", "peelTool", "drillTool", "seedTool", "-", "freeForm", "ellipse"});
     menu(tr("&Segmentation"), {"playPause", "growStepKey", "growBackKey", "growToEndKey"});

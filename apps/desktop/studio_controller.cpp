@@ -148,6 +148,12 @@ void StudioController::setSculptureView(field::SculptureView sculptureView) {
     look(next);
 }
 
+void StudioController::setShadows(bool shadows) {
+    auto next = view_;
+    next.shadows = shadows;
+    look(next);
+}
+
 void StudioController::setRange(Range range) {
     auto next = view_;
     next.range = range;

@@ -60,6 +60,8 @@ public:
     // Colours every mode; nothing: the modes' own colours.
     void setTransferFunction(const std::optional<render::TransferFunction>& function);
     void setSculptureView(field::SculptureView view);
+    // Ambient occlusion and soft shadows.
+    void setShadows(bool shadows);
     void setRange(Range range);
     void setSampling(field::Sampling sampling);
     void setViewport(QSizeF logical, glm::ivec2 device);

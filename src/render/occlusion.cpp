@@ -94,8 +94,8 @@ void OcclusionVolume::fill(const Input& input, const Box3& texels) {
     if (input.macrocells != nullptr) {
         input.macrocells->bind();
     }
-    // Texels look half a voxel beyond their own, so the cells around theirs must be empty too; eight voxels take
-    // two cells.
+    // Texels look half a voxel beyond their own, so the cells around theirs must be empty too; eight voxels
+    // take two cells.
     const bool isInOneCell = glm::all(glm::lessThanEqual(blockSize_, glm::ivec3(field::kCell)));
     const int farEnough = input.macrocells == nullptr ? 256 : isInOneCell ? 2 : 3;
     texels_.bindImage(0, gl::Access::Write, 0);

@@ -28,8 +28,12 @@ glm::vec2 placeInPixel(int sample) {
     return glm::vec2(glm::fract(glm::dvec2(0.5 + n / g, 0.5 + n / (g * g))));
 }
 
-// Side of the square of pixels whose rays share a beam.
-constexpr int kBeam = 8;
+// Side of the square of pixels whose rays share a beam; narrower ones bound values better, but each takes
+// memory.
+int beamPixels(Mode mode, glm::ivec2 size) {
+    constexpr std::int64_t manyPixels = std::int64_t(1) << 22;
+    return mode == Mode::Mip && std::int64_t(size.x) * size.y <= manyPixels ? 4 : 8;
+}
 
 glm::ivec2 squareCount(glm::ivec2 size) { return (size + kSquare - 1) / kSquare; }
 
@@ -117,10 +121,13 @@ void RayCaster::start(const Frame& frame) {
         accumulation_ =
             gl::Texture(frame.rays.size, gl::Format::RGBA32F, gl::Filter::Nearest, "accumulation");
         picture_ = gl::Texture(frame.rays.size, gl::Format::RGBA8, gl::Filter::Linear, "picture");
-        beams_ = gl::Texture((frame.rays.size + kBeam - 1) / kBeam, gl::Format::RG32F, gl::Filter::Nearest,
-                             "beams");
         const glm::ivec2 squares = squareCount(frame.rays.size);
         squares_.reserve(std::size_t(squares.x * squares.y) * sizeof(std::uint32_t));
+    }
+    const int side = beamPixels(frame.mode, frame.rays.size);
+    const glm::ivec2 beams = (frame.rays.size + side - 1) / side;
+    if (glm::ivec2(beams_.size()) != beams) {
+        beams_ = gl::Texture(beams, gl::Format::RG32F, gl::Filter::Nearest, "beams");
     }
 }
 
@@ -129,20 +136,27 @@ bool RayCaster::isComplete() const { return sample_ >= frame_.samples; }
 void RayCaster::findBeams() {
     const gl::Pass pass("find beams");
     beams_.bindImage(0, gl::Access::Write);
-    findBeams_.set(0, kBeam);
+    findBeams_.set(0, beamPixels(frame_.mode, frame_.rays.size));
     findBeams_.dispatchOver(beams_.size(), gl::Barrier::Texture);
+    beams_.bindTexture(8);
 }
 
 void RayCaster::listSquares() {
     const gl::Pass pass("list squares");
     const glm::ivec2 count = squareCount(frame_.rays.size);
-    beams_.bindTexture(8);
     squares_.bindStorage(0);
     squareCounts_.clear();
     squareCounts_.bindStorage(1);
-    listSquares_.set(0, count).set(1, kBeam);
+    listSquares_.set(0, count).set(1, beamPixels(frame_.mode, frame_.rays.size));
     listSquares_.dispatchOver({count, 1}, gl::Barrier::Storage);
     occupiedSquares_ = int(squareCounts_.readValue<std::uint32_t>());
+}
+
+void RayCaster::boundSlabs() {
+    if (frame_.mode == Mode::Mip) {
+        slabBounds_.update(*frame_.macrocells, beams_, beamPixels(frame_.mode, frame_.rays.size),
+                           float(frame_.sampleStep));
+    }
 }
 
 void RayCaster::fillBackground() {
@@ -175,8 +189,12 @@ bool RayCaster::renderSome(double budgetMs) {
     if (sample_ == 0 && square_ == 0) {
         findBeams();
         listSquares();
+        boundSlabs();
     }
     beams_.bindTexture(8);
+    if (frame_.mode == Mode::Mip) {
+        slabBounds_.bind();
+    }
     if (frame_.classification != nullptr) {
         frame_.classification->bind();
     }
@@ -186,7 +204,7 @@ bool RayCaster::renderSome(double budgetMs) {
     program.set(3, glm::vec2(float(frame_.xrayGain), float(geometry.diagonalMm() / geometry.stepMm())))
         .set(4, frame_.segmentColour)
         .set(5, float(frame_.sampleStep))
-        .set(6, kBeam)
+        .set(6, beamPixels(frame_.mode, frame_.rays.size))
         .set(7, glm::vec4(frame_.background.top, frame_.background.isTransparent ? 1.0F : 0.0F))
         .set(8, glm::vec4(frame_.background.bottom, 0.0F));
     while (!isComplete()) {

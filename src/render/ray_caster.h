@@ -9,6 +9,7 @@
 #include "render/classification.h"
 #include "render/macrocells.h"
 #include "render/placement.h"
+#include "render/slab_bounds.h"
 
 #include <map>
 #include <vector>
@@ -84,6 +85,7 @@ private:
     gl::Program& programFor(const Frame& frame);
     void findBeams();
     void listSquares();
+    void boundSlabs();
     void fillBackground();
     int squaresFor(double milliseconds) const;
 
@@ -93,7 +95,8 @@ private:
     gl::Program listSquares_;
     gl::Program fillBackground_;
     gl::Texture beams_;
-    gl::Buffer squares_; // those that may show something first
+    SlabBounds slabBounds_; // in MIP
+    gl::Buffer squares_;    // those that may show something first
     gl::Buffer squareCounts_;
     gl::Buffer view_;
     field::SceneBinding sceneBinding_;

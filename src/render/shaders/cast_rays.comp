@@ -11,6 +11,10 @@ layout(local_size_x = 64) in;
 #include "render/shaders/rays.glsl"
 #include "render/shaders/squares.glsl"
 #include "render/shaders/surface.glsl"
+#if MODE == 1
+#define SLABS
+#include "render/shaders/slabs.glsl"
+#endif
 #include "render/shaders/maximum.glsl"
 #include "render/shaders/shading.glsl"
 #ifdef TF_KIND
@@ -130,7 +134,7 @@ vec4 colourOf(Ray ray, vec3 behind, float jitter) {
     Hit hit = findSurface(ray, jitter);
     return hit.found ? vec4(shadeHit(hit, ray), 1.0) : vec4(behind, 0.0);
 #elif MODE == 1
-    Greatest greatest = findGreatest(ray, sampleStep);
+    Greatest greatest = findGreatestInSlabs(ray, sampleStep);
     float brightness = clamp(partOfRange(greatest.value), 0.0, 1.0);
 #ifdef TF_KIND
     vec4 shown = vec4(displayFromLinear(functionColour(greatest.value, at(ray, greatest.t))), 1.0);
@@ -165,9 +169,10 @@ void main() {
     }
     vec2 position = vec2(pixel) + pixelOffset;
     Ray ray = rayThrough(position);
-    vec2 beam = texelFetch(beams, pixel / beamPixels, 0).rg;
-    ray.tBegin = max(ray.tBegin, beam.x);
-    ray.tEnd = min(ray.tEnd, beam.y);
+    ray.beam = pixel / beamPixels;
+    ray.beamEnds = texelFetch(beams, ray.beam, 0).rg;
+    ray.tBegin = max(ray.tBegin, ray.beamEnds.x);
+    ray.tEnd = min(ray.tEnd, ray.beamEnds.y);
     vec3 behind = background(position, viewport.xy, backgroundTop.xyz, backgroundBottom.xyz);
 #if MODE == 1 || MODE == 2 || MODE == 3
     behind = ray.tNear < ray.tFar ? min(behind, kFilm) : behind;

@@ -30,10 +30,12 @@ float rootInRange(float value) {
     return sqrt(clamp(part, 0.0, 1.0));
 }
 
-// Never too small: 0 for nothing to see, else at least 2.
+// Never too small: 0 for nothing to see, 1 for the range's lower end, 255 for its upper.
 uint codeOfBound(float bound) {
     const float hair = 0.01; // more than rounding may make of 253 steps
-    return bound < range.x - 2.0 * valueScale.w ? 0u : uint(min(1.0 + ceil(253.0 * rootInRange(bound) + hair), 255.0));
+    float root = rootInRange(bound);
+    uint code = root > 0.0 ? uint(min(1.0 + ceil(253.0 * root + hair), 255.0)) : 1u;
+    return bound < range.x - 2.0 * valueScale.w ? 0u : code;
 }
 
 // What bounds must exceed to be of interest, once this value has been met. -1e30 for nothing yet.

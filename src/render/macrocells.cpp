@@ -3,7 +3,18 @@
 
 #include "gl/pass.h"
 
+#include <atomic>
+
 namespace vs::render {
+
+namespace {
+
+std::uint64_t nextVersion() {
+    static std::atomic<std::uint64_t> last = 0;
+    return ++last;
+}
+
+} // namespace
 
 Macrocells::Macrocells()
     : classify_("render/shaders/classify_cells.comp"), spread_("render/shaders/spread_distance.comp"),
@@ -24,6 +35,7 @@ void Macrocells::copyFrom(const Macrocells& other) {
     dilated_ = other.dilated_;
     dilatedFrom_ = other.dilatedFrom_;
     distances_.copyFrom(other.distances_, {glm::ivec3(0), size}, glm::ivec3(0));
+    version_ = nextVersion();
 }
 
 const gl::Texture& Macrocells::dilated(const gl::Texture& dataCells) {
@@ -77,6 +89,7 @@ void Macrocells::rebuild(const Input& input) {
         spread_.dispatchOver(cells, gl::Barrier::Texture);
         std::swap(distances_, scratch_);
     }
+    version_ = nextVersion();
 }
 
 } // namespace vs::render

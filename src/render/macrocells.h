@@ -38,6 +38,11 @@ public:
     // Becomes what `other` is now.
     void copyFrom(const Macrocells& other);
 
+    // How many cells there are along each axis.
+    [[nodiscard]] glm::ivec3 size() const { return distances_.size(); }
+    // Moves on with every change and is no other object's.
+    [[nodiscard]] std::uint64_t version() const { return version_; }
+
     // Binds the distances as texture 3 and as texture 4 what samples in each cell can give: the data's cell
     // ranges, with tricubic sampling those of the cells around too (render/shaders/rays.glsl, maximum.glsl).
     void bind() const;
@@ -55,6 +60,7 @@ private:
     const gl::Texture* dilatedFrom_ = nullptr;
     std::shared_ptr<gl::Texture> dilated_; // shared with copies
     gl::Texture empty_;
+    std::uint64_t version_ = 0;
 };
 
 } // namespace vs::render

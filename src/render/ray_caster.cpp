@@ -28,8 +28,12 @@ glm::vec2 placeInPixel(int sample) {
     return glm::vec2(glm::fract(glm::dvec2(0.5 + n / g, 0.5 + n / (g * g))));
 }
 
-// Side of the square of pixels whose rays share a beam.
-constexpr int kBeam = 8;
+// Side of the square of pixels whose rays share a beam; narrower ones bound values better, but each takes
+// memory.
+int beamPixels(Mode mode, glm::ivec2 size) {
+    constexpr std::int64_t manyPixels = std::int64_t(1) << 22;
+    return mode == Mode::Mip && std::int64_t(size.x) * size.y <= manyPixels ? 4 : 8;
+}
 
 glm::ivec2 squareCount(glm::ivec2 size) { return (size + kSquare - 1) / kSquare; }
 
@@ -156,9 +160,10 @@ void RayCaster::arrangeParts() {
         }
         part.view.reserve(sizeof(ViewBlock));
         part.view.writeValue(viewBlock(part.rays, geometry));
-        const glm::ivec2 squares = (frame_.rays.size + kBeam - 1) / kBeam;
-        if (glm::ivec2(part.beams.size()) != squares) {
-            part.beams = gl::Texture(squares, gl::Format::RG32F, gl::Filter::Nearest, "beams");
+        const int side = beamPixels(frame_.mode, frame_.rays.size);
+        const glm::ivec2 beams = (frame_.rays.size + side - 1) / side;
+        if (glm::ivec2(part.beams.size()) != beams) {
+            part.beams = gl::Texture(beams, gl::Format::RG32F, gl::Filter::Nearest, "beams");
         }
     }
 }
@@ -168,6 +173,9 @@ void RayCaster::bindPart(const Part& part) {
     part.view.bindUniform(1);
     part.macrocells->bind();
     part.beams.bindTexture(8);
+    if (frame_.mode == Mode::Mip) {
+        part.slabs.bind();
+    }
     if (part.occlusion != nullptr) {
         part.occlusion->bind({.towardsKey = towardsKeyLight(part.rays)});
     }
@@ -180,7 +188,7 @@ void RayCaster::findBeams() {
     for (const Part& part : parts_) {
         bindPart(part);
         part.beams.bindImage(0, gl::Access::Write);
-        findBeams_.set(0, kBeam);
+        findBeams_.set(0, beamPixels(frame_.mode, frame_.rays.size));
         findBeams_.dispatchOver(part.beams.size(), gl::Barrier::Texture);
     }
 }
@@ -194,9 +202,22 @@ void RayCaster::listSquares() {
     squareCounts_.clear();
     squareCounts_.bindStorage(1);
     // Where parts are drawn beside one another, their beams differ.
-    listSquares_.set(0, count).set(1, kBeam).set(2, parts_.size() > 1 ? 1 : 0);
+    listSquares_.set(0, count)
+        .set(1, beamPixels(frame_.mode, frame_.rays.size))
+        .set(2, parts_.size() > 1 ? 1 : 0);
     listSquares_.dispatchOver({count, 1}, gl::Barrier::Storage);
     occupiedSquares_ = int(squareCounts_.readValue<std::uint32_t>());
+}
+
+void RayCaster::boundSlabs() {
+    if (frame_.mode != Mode::Mip) {
+        return;
+    }
+    for (Part& part : parts_) {
+        bindPart(part);
+        part.slabs.update(*part.macrocells, part.beams, beamPixels(frame_.mode, frame_.rays.size),
+                          float(frame_.sampleStep));
+    }
 }
 
 void RayCaster::fillBackground() {
@@ -225,6 +246,7 @@ bool RayCaster::renderSome(double budgetMs) {
     if (sample_ == 0 && square_ == 0) {
         findBeams();
         listSquares();
+        boundSlabs();
     }
     if (frame_.classification != nullptr) {
         frame_.classification->bind();
@@ -239,7 +261,7 @@ bool RayCaster::renderSome(double budgetMs) {
     program.set(3, glm::vec2(float(frame_.xrayGain), float(geometry.diagonalMm() / geometry.stepMm())))
         .set(4, frame_.segmentColour)
         .set(5, float(frame_.sampleStep))
-        .set(6, kBeam)
+        .set(6, beamPixels(frame_.mode, frame_.rays.size))
         .set(7, glm::vec4(frame_.background.top, frame_.background.isTransparent ? 1.0F : 0.0F))
         .set(8, glm::vec4(frame_.background.bottom, 0.0F));
     bindPart(parts_.back());

@@ -10,6 +10,7 @@
 #include "render/macrocells.h"
 #include "render/occlusion.h"
 #include "render/placement.h"
+#include "render/slab_bounds.h"
 
 #include <map>
 #include <vector>
@@ -94,12 +95,14 @@ private:
         float scale = 1;
         gl::Buffer view;
         gl::Texture beams;
+        SlabBounds slabs; // in MIP
     };
     gl::Program& programFor(const Frame& frame);
     void arrangeParts();
     void bindPart(const Part& part);
     void findBeams();
     void listSquares();
+    void boundSlabs();
     void fillBackground();
     int squaresFor(double milliseconds) const;
 

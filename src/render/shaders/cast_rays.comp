@@ -12,6 +12,10 @@ layout(local_size_x = 64) in;
 #include "render/shaders/rays.glsl"
 #include "render/shaders/squares.glsl"
 #include "render/shaders/surface.glsl"
+#if MODE == 1
+#define SLABS
+#include "render/shaders/slabs.glsl"
+#endif
 #include "render/shaders/maximum.glsl"
 #include "render/shaders/shading.glsl"
 #ifdef TF_KIND
@@ -55,9 +59,10 @@ void main() {
     }
     vec2 position = vec2(pixel) + pixelOffset;
     Ray ray = rayThrough(position);
-    vec2 beam = texelFetch(beams, pixel / beamPixels, 0).rg;
-    ray.tBegin = max(ray.tBegin, beam.x);
-    ray.tEnd = min(ray.tEnd, beam.y);
+    ray.beam = pixel / beamPixels;
+    ray.beamEnds = texelFetch(beams, ray.beam, 0).rg;
+    ray.tBegin = max(ray.tBegin, ray.beamEnds.x);
+    ray.tEnd = min(ray.tEnd, ray.beamEnds.y);
     Seen seen = look(ray, startJitter(pixel), partScale);
 #ifdef PARTS
     if (partOfPicture.x > 0) {

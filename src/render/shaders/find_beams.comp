@@ -5,33 +5,11 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 #include "field/shaders/scene.glsl"
 #include "render/shaders/rays.glsl"
+#include "render/shaders/beam.glsl"
 
 layout(rg32f, binding = 0) uniform writeonly image2D beams;
 
 layout(location = 0) uniform int beamPixels; // side of a square
-
-// All rays of the square: at t they lie within `reach + t * spread` (voxels, each axis) of the central one.
-struct Beam {
-    Ray central;
-    vec3 reach;
-    vec3 spread;
-};
-
-Beam beamThrough(vec2 lower, vec2 upper) {
-    Beam beam;
-    beam.central = rayThrough(0.5 * (lower + upper));
-    // Directions are normalised, so the corners are not quite the extremes.
-    beam.reach = vec3(0.02);
-    beam.spread = vec3(0.0);
-    vec3 reach = vec3(0.0);
-    for (int corner = 0; corner < 4; ++corner) {
-        Ray ray = rayThrough(vec2((corner & 1) == 0 ? lower.x : upper.x, (corner & 2) == 0 ? lower.y : upper.y));
-        reach = max(reach, abs(ray.origin - beam.central.origin));
-        beam.spread = max(beam.spread, abs(ray.direction - beam.central.direction));
-    }
-    beam.reach += reach;
-    return beam;
-}
 
 // From t, where nothing before it (walking forward) or after it (backward) can be seen, to the farthest such t that the
 // distances around the central ray vouch for; `limit` at the most.

@@ -122,7 +122,7 @@ Seen look(Ray ray, float jitter, float scale) {
     seen.behind = scale * integralAlong(ray, hit.found ? hit.t : ray.tEnd);
 #endif
 #elif MODE == 1
-    Greatest greatest = findGreatest(ray, sampleStep);
+    Greatest greatest = findGreatestInSlabs(ray, sampleStep);
 #ifdef TF_KIND
     seen.front.rgb = displayFromLinear(functionColour(greatest.value, at(ray, greatest.t)));
 #endif

@@ -36,3 +36,60 @@ Greatest findGreatest(Ray ray, float dt) {
     }
     return best;
 }
+
+#ifdef SLABS
+layout(binding = 11) uniform usampler2D slabWords;
+
+// Looks at the samples of one slab.
+void lookAtSlab(Ray ray, Slabs slabs, int slab, float dt, inout Greatest best) {
+    float number = slabs.first + float(slab * slabs.samples) + 0.5;
+    float end = number + float(slabs.samples);
+    do {
+        for (int i = 0; i < kSlabBatch; ++i) {
+            float t = (number + float(i)) * dt;
+            vec3 p = at(ray, t);
+            float value = dataAt(p);
+            bool counts = t >= ray.tBegin && t < ray.tEnd && insideRange(value) >= 0.0 && sideAt(p) >= 0.0;
+            bool better = counts && value > best.value;
+            best.value = better ? value : best.value;
+            best.t = better ? t : best.t;
+        }
+        number += float(kSlabBatch);
+    } while (number < end);
+}
+
+// The first of four bounds that is above `code`; 4 if none is.
+int firstAbove(uint bounds, uint code) {
+    int i = (bounds >> 24) > code ? 3 : 4;
+    i = ((bounds >> 16) & 0xffu) > code ? 2 : i;
+    i = ((bounds >> 8) & 0xffu) > code ? 1 : i;
+    return (bounds & 0xffu) > code ? 0 : i;
+}
+
+// As findGreatest, for the ray of a pixel: its beam's best slab first, then all that may hold more.
+Greatest findGreatestInSlabs(Ray ray, float dt) {
+    Slabs slabs = slabsAlong(ray.beamEnds, dt);
+    Greatest best = Greatest(-1e30, ray.tNear);
+    int bestSlab = int(texelFetch(slabWords, placeOfWord(ray.beam, 0), 0).r);
+    int words = (slabs.count + 3) / 4;
+    int word = -1;
+    uint bounds = 0u;
+    int slab = bestSlab;
+    do {
+        lookAtSlab(ray, slabs, slab, dt, best);
+        uint code = codeOfGreatest(best.value);
+        int next = firstAbove(bounds, code);
+        do {
+            bool goesOn = next == 4;
+            word += goesOn ? 1 : 0;
+            uint fetched = texelFetch(slabWords, placeOfWord(ray.beam, 1 + min(word, words)), 0).r;
+            fetched &= word == bestSlab / 4 ? ~(0xffu << (8 * (bestSlab & 3))) : 0xffffffffu;
+            bounds = goesOn ? fetched : bounds;
+            next = firstAbove(bounds, code);
+        } while (next == 4 && word < words);
+        bounds &= ~(0xffu << (8 * next)); // shifted by 32 after the last one, where it does not matter
+        slab = 4 * word + next;
+    } while (word < words);
+    return best;
+}
+#endif

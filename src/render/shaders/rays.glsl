@@ -26,6 +26,8 @@ struct Ray {
     float tFar;
     float tBegin; // nothing visible lies before tBegin or after tEnd; within tNear and tFar
     float tEnd;
+    ivec2 beam;    // which beam it belongs to, if it is a pixel's
+    vec2 beamEnds; // where that one may show something
 };
 
 const float kDt = 0.5; // steps between samples of a surface
@@ -50,6 +52,8 @@ Ray rayThrough(vec2 pixel) {
     ray.tFar = min(min(hi.x, hi.y), hi.z);
     ray.tBegin = ray.tNear;
     ray.tEnd = ray.tFar;
+    ray.beam = ivec2(0);
+    ray.beamEnds = vec2(ray.tNear, ray.tFar);
     return ray;
 }
 

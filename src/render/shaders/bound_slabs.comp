@@ -1,0 +1,69 @@
+// Bounds of the values in every slab of every beam (slabs.glsl), so that in MIP a ray visits the best first, and then only those
+// that may hold more.
+// In: the scene and the view, texture 8 beams, texture 12 the greatest values in windows of 2^3 macrocells (widen_tops.comp).
+// Out: image 0 (r32ui) words of slabs.
+layout(local_size_x = 8, local_size_y = 8) in;
+
+#include "field/shaders/scene.glsl"
+#include "render/shaders/rays.glsl"
+#include "render/shaders/beam.glsl"
+#include "render/shaders/slabs.glsl"
+
+layout(binding = 8) uniform sampler2D beams;
+layout(binding = 12) uniform sampler3D windowTops;
+layout(r32ui, binding = 0) uniform writeonly uimage2D words;
+
+layout(location = 0) uniform int beamPixels; // side of a square
+layout(location = 1) uniform float dt;       // steps between samples
+
+// The greatest value that the beam can show from t0 to t1.
+float topBetween(Beam beam, float t0, float t1) {
+    vec3 p0 = at(beam.central, t0);
+    vec3 p1 = at(beam.central, t1);
+    vec3 extent = beam.reach + t1 * beam.spread;
+    vec3 lastVoxel = vec3(dims.xyz - 1);
+    vec3 lower = clamp(min(p0, p1) - extent, vec3(0.0), lastVoxel);
+    vec3 upper = clamp(max(p0, p1) + extent, vec3(0.0), lastVoxel);
+    // Windows are two cells wide, so every other one is enough.
+    ivec3 first = ivec3(floor(lower * 0.25));
+    ivec3 count = max(ivec3(ceil(upper * 0.125 - 0.5 * vec3(first))), ivec3(1));
+    ivec3 last = textureSize(windowTops, 0) - 1;
+    int all = count.x * count.y * count.z;
+    ivec3 i = ivec3(0);
+    float top = -1e38;
+    do {
+        top = max(top, texelFetch(windowTops, min(first + 2 * i, last), 0).r);
+        --all;
+        i.x += 1;
+        i.y += i.x == count.x ? 1 : 0;
+        i.x = i.x == count.x ? 0 : i.x;
+        i.z += i.y == count.y ? 1 : 0;
+        i.y = i.y == count.y ? 0 : i.y;
+    } while (all > 0);
+    return top;
+}
+
+void main() {
+    ivec2 square = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(square, textureSize(beams, 0)))) {
+        return;
+    }
+    vec2 lower = vec2(square * beamPixels);
+    Beam beam = beamThrough(lower, min(lower + float(beamPixels), viewport.xy));
+    Slabs slabs = slabsAlong(texelFetch(beams, square, 0).rg, dt);
+    uint word = 0u;
+    uint best = 0u; // code, slab
+    int slab = 0;
+    do {
+        float t = (slabs.first + float(slab * slabs.samples) + 0.5) * dt;
+        uint code = codeOfBound(topBetween(beam, t, t + float(slabs.samples - 1) * dt));
+        best = slab < slabs.count ? max(best, code << 16 | uint(kMostSlabs - slab)) : best;
+        word |= slab < slabs.count ? code << (8 * (slab & 3)) : 0u;
+        if ((slab & 3) == 3) {
+            imageStore(words, placeOfWord(square, 1 + slab / 4), uvec4(word));
+        }
+        word = (slab & 3) == 3 ? 0u : word;
+        ++slab;
+    } while (slab < (slabs.count + 3) / 4 * 4);
+    imageStore(words, placeOfWord(square, 0), uvec4(uint(kMostSlabs) - (best & 0xffffu)));
+}

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/slab_bounds.h"
+
+#include "gl/pass.h"
+
+namespace vs::render {
+
+namespace {
+constexpr int kWordsAcross = 8; // as in slabs.glsl
+}
+
+SlabBounds::SlabBounds()
+    : widen_("render/shaders/widen_tops.comp"), bound_("render/shaders/bound_slabs.comp") {}
+
+void SlabBounds::widenTops(const Macrocells& macrocells) {
+    if (topsVersion_ == macrocells.version()) {
+        return;
+    }
+    const gl::Pass pass("widen tops");
+    if (tops_.size() != macrocells.size()) {
+        tops_ = gl::Texture(macrocells.size(), gl::Format::R32F, gl::Filter::Nearest, "tops of windows");
+    }
+    tops_.bindImage(0, gl::Access::Write);
+    widen_.dispatchOver(tops_.size(), gl::Barrier::Texture);
+    topsVersion_ = macrocells.version();
+}
+
+void SlabBounds::update(const Macrocells& macrocells, const gl::Texture& beams, int beamPixels,
+                        float sampleStep) {
+    widenTops(macrocells);
+    const gl::Pass pass("bound slabs");
+    const glm::ivec2 size = kWordsAcross * glm::ivec2(beams.size());
+    if (glm::ivec2(words_.size()) != size) {
+        words_ = gl::Texture(size, gl::Format::R32UI, gl::Filter::Nearest, "slabs");
+    }
+    tops_.bindTexture(12);
+    words_.bindImage(0, gl::Access::Write);
+    bound_.set(0, beamPixels).set(1, sampleStep);
+    bound_.dispatchOver(beams.size(), gl::Barrier::Texture);
+}
+
+} // namespace vs::render

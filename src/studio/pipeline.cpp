@@ -10,14 +10,14 @@ Pipeline::Pipeline(const field::Field& field)
 
 namespace {
 
-// What volume mode shows when no transfer function was chosen: the displayed range, denser from its lower end
-// up.
+// What volume mode shows when no transfer function was chosen: the displayed range, thin at its lower end.
 render::TransferFunction functionOfRange(const Range& range) {
+    const double width = range.hi - range.lo;
     render::TransferFunction function;
     function.name = "displayed range";
-    function.colours = render::SpreadColours{"ivory", range};
-    const double full = range.lo + 0.25 * (range.hi - range.lo);
-    function.points = {{range.lo, 0}, {full, 0.3}, {range.hi, 0.3}, {range.hi, 0}};
+    // From the middle of the map on: its dark colours would not tell from shade.
+    function.colours = render::SpreadColours{"ivory", {range.lo - width, range.hi}};
+    function.points = {{range.lo, 0}, {range.lo + 0.1 * width, 0.2}, {range.hi, 0.6}, {range.hi, 0}};
     return function;
 }
 

@@ -176,10 +176,12 @@ TEST_F(RayCasterTest, PartsInSlicesGiveTheWholePicture) {
 
 TEST_F(RayCasterTest, ASegmentsSurfaceHasItsOwnNormals) {
     // A segmented ball in a haze that rises to the left, whose gradient must not be taken for the ball's.
-    Stage stage(volume::makePhantom({48, 48, 48}, volume::ScalarType::UInt8, [](glm::dvec3 p) { return p.x; }),
-                {100, 200});
+    Stage stage(
+        volume::makePhantom({48, 48, 48}, volume::ScalarType::UInt8, [](glm::dvec3 p) { return p.x; }),
+        {100, 200});
     const glm::dvec3 centre(23.5);
-    stage.segment([=](glm::dvec3 p) { return std::clamp(0.5 + (14 - glm::length(p - centre)) / 6, 0.0, 1.0); });
+    stage.segment(
+        [=](glm::dvec3 p) { return std::clamp(0.5 + (14 - glm::length(p - centre)) / 6, 0.0, 1.0); });
     stage.look({30, 20}, {160, 120});
     for (const Mode mode : {Mode::Overlay, Mode::Segment}) {
         stage.frame.mode = mode;

@@ -128,8 +128,9 @@ public:
 
 private:
     [[nodiscard]] render::Macrocells::Input cellsInput() const {
-        const bool drawsSegmentation = frame.scene.segmentation != nullptr &&
-                                       (frame.mode == render::Mode::Overlay || frame.mode == render::Mode::Segment);
+        const bool drawsSegmentation =
+            frame.scene.segmentation != nullptr &&
+            (frame.mode == render::Mode::Overlay || frame.mode == render::Mode::Segment);
         render::Macrocells::Input input;
         input.dataCells = &cells.cells;
         input.sculptureCells = frame.scene.sculpture != nullptr ? &sculptureCells : nullptr;

@@ -246,7 +246,9 @@ Hit findSurface(Ray ray, float jitter) {
     bool atBorder = bracket.y - ray.tNear < 1e-3 && ray.tNear > 0.0;
     vec3 gradient = atBorder ? boxNormal(hit.voxel) : dataGradient(hit.voxel);
 #if CONTENT == 1 || CONTENT == 2
-    if (segmentationAt(hit.voxel) >= 0.5 && !atBorder) {
+    // Whichever of the two begins here: at its own surface each is zero but for rounding.
+    bool isSegmentsOwn = CONTENT == 1 || segmentationAt(hit.voxel) - 0.5 >= partInside(dataAt(hit.voxel));
+    if (isSegmentsOwn && !atBorder) {
         gradient = segmentationGradient(hit.voxel);
     }
 #endif

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "field/cell_ranges.h"
 #include "gpu/gl_test.h"
+#include "gpu/render/stage.h"
 #include "image/compare.h"
-#include "render/picker.h"
-#include "render/ray_caster.h"
 #include "volume/phantom.h"
 
 #include <cmath>
@@ -11,78 +9,9 @@
 namespace vs::render {
 namespace {
 
-// A document's worth of state for one volume: enough to render and pick.
-struct Stage {
-    explicit Stage(volume::Volume v, Range range) : volume(std::move(v)), field(field::uploadVolume(volume)) {
-        cells = field::computeCellRanges(field);
-        frame.scene.data = &field;
-        frame.scene.displayedRange = range;
-        frame.scene.greyWindow = field.range;
-        frame.macrocells = &macrocells;
-        look({}, {200, 160});
-        rebuild();
-    }
-
-    void look(const Camera& camera, glm::ivec2 size) { frame.rays = viewRays(camera, volume.geometry, size); }
-
-    void rebuild() {
-        Macrocells::Input input;
-        input.dataCells = &cells.cells;
-        input.displayedRange = frame.scene.displayedRange;
-        input.valueTolerance = field::valueTolerance(field);
-        input.view = frame.scene.view;
-        if (frame.scene.sculpture != nullptr) {
-            sculptureCells = gl::Texture(cells.cells.size(), gl::Format::RG32F, gl::Filter::Nearest, "cells");
-            field::CellRangeUpdater().update(*frame.scene.sculpture, volume.geometry.box(), sculptureCells);
-            input.sculptureCells = &sculptureCells;
-        }
-        macrocells.rebuild(input);
-    }
-
-    // Cuts away everything with voxel x above `x`: a linear ramp whose 0.5 level is that plane.
-    void cutAbove(double x) {
-        sculpture = gl::Texture(volume.geometry.dims, gl::Format::R32F, gl::Filter::Linear, "sculpture");
-        std::vector<float> values;
-        for (int k = 0; k < volume.geometry.dims.z; ++k) {
-            for (int j = 0; j < volume.geometry.dims.y; ++j) {
-                for (int i = 0; i < volume.geometry.dims.x; ++i) {
-                    values.push_back(float(std::clamp(0.5 + (i - x) / 4, 0.0, 1.0)));
-                }
-            }
-        }
-        sculpture.upload(volume.geometry.box(), std::as_bytes(std::span(values)));
-        frame.scene.sculpture = &sculpture;
-        rebuild();
-    }
-
-    image::Image picture(Mode mode) {
-        frame.mode = mode;
-        caster.render(frame);
-        return caster.readPicture();
-    }
-
-    volume::Volume volume;
-    field::Field field;
-    field::CellRanges cells;
-    gl::Texture sculpture;
-    gl::Texture sculptureCells;
-    Macrocells macrocells;
-    RayCaster caster;
-    Picker picker;
-    Frame frame;
-};
-
-std::vector<glm::vec2> allPixels(glm::ivec2 size, int every) {
-    std::vector<glm::vec2> pixels;
-    for (int y = 0; y < size.y; y += every) {
-        for (int x = 0; x < size.x; x += every) {
-            pixels.emplace_back(float(x) + 0.5F, float(y) + 0.5F);
-        }
-    }
-    return pixels;
-}
-
 using RayCasterTest = test::GlTest;
+using test::allPixels;
+using test::Stage;
 
 TEST_F(RayCasterTest, ASphereIsFoundWhereItIs) {
     const glm::dvec3 centre{31.3, 29.7, 33.1};
@@ -131,18 +60,8 @@ TEST_F(RayCasterTest, SkippingChangesNoPicture) {
         }
         for (const Mode mode : {Mode::Surface, Mode::Mip, Mode::XRay}) {
             stage.look({40, 30, 1.2}, {160, 120});
-            stage.rebuild();
             const auto skipping = stage.picture(mode);
-            // Every macrocell counted as occupied: plain marching.
-            Macrocells all;
-            Macrocells::Input input;
-            input.dataCells = &stage.cells.cells;
-            input.displayedRange = {-1e9, 1e9};
-            input.view = field::SculptureView::Whole;
-            all.rebuild(input);
-            stage.frame.macrocells = &all;
-            const auto marching = stage.picture(mode);
-            stage.frame.macrocells = &stage.macrocells;
+            const auto marching = stage.marchedPicture(mode);
             const auto difference = image::compare(skipping, marching);
             // Samples fall elsewhere after a skip: grazing hits and sampled maxima may differ a little.
             EXPECT_LT(difference.mean, 0.35) << name(mode) << " cut " << cut;
@@ -253,6 +172,30 @@ TEST_F(RayCasterTest, PartsInSlicesGiveTheWholePicture) {
     }
     EXPECT_GT(slices, 3) << "no more than a few squares of pixels a slice";
     EXPECT_EQ(image::compare(whole, stage.caster.readPicture()).max, 0);
+}
+
+TEST_F(RayCasterTest, ASegmentsSurfaceHasItsOwnNormals) {
+    // A segmented ball in a haze that rises to the left, whose gradient must not be taken for the ball's.
+    Stage stage(
+        volume::makePhantom({48, 48, 48}, volume::ScalarType::UInt8, [](glm::dvec3 p) { return p.x; }),
+        {100, 200});
+    const glm::dvec3 centre(23.5);
+    stage.segment(
+        [=](glm::dvec3 p) { return std::clamp(0.5 + (14 - glm::length(p - centre)) / 6, 0.0, 1.0); });
+    stage.look({30, 20}, {160, 120});
+    for (const Mode mode : {Mode::Overlay, Mode::Segment}) {
+        stage.frame.mode = mode;
+        stage.rebuild();
+        int hits = 0;
+        for (const auto& point : stage.points(allPixels({160, 120}, 2))) {
+            if (point.voxel.w > 0.5F) {
+                const glm::dvec3 expected = glm::normalize(glm::dvec3(point.voxel) - centre);
+                EXPECT_GT(glm::dot(expected, glm::dvec3(point.normal)), 0.99) << name(mode);
+                ++hits;
+            }
+        }
+        EXPECT_GT(hits, 300) << name(mode);
+    }
 }
 
 TEST_F(RayCasterTest, NonFiniteVoxelsAreNeverSeen) {

@@ -1,0 +1,183 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "field/cell_ranges.h"
+#include "render/picker.h"
+#include "render/ray_caster.h"
+
+#include <algorithm>
+#include <functional>
+#include <limits>
+#include <vector>
+
+namespace vs::test {
+
+// A document's worth of state for one volume: enough to render and pick in every mode. Sculpture and
+// segmentation are functions of voxel coordinates, 0 to 1.
+class Stage {
+public:
+    using VoxelFunction = std::function<double(glm::dvec3 voxel)>;
+
+    explicit Stage(volume::Volume v, Range range)
+        : volume(std::move(v)), field(field::uploadVolume(volume)), cells(field::computeCellRanges(field)) {
+        frame.scene.data = &field;
+        frame.scene.displayedRange = range;
+        frame.scene.greyWindow = field.range;
+        frame.macrocells = &macrocells;
+        look({}, {200, 160});
+        rebuild();
+    }
+    Stage(const Stage&) = delete;
+    Stage& operator=(const Stage&) = delete;
+
+    void look(const render::Camera& camera, glm::ivec2 size) {
+        frame.rays = render::viewRays(camera, volume.geometry, size);
+    }
+
+    // Black, so that a pixel's brightness is what its ray has seen and nothing else.
+    void darken() { frame.background = render::backgroundFromName("black"); }
+
+    void sculpt(const VoxelFunction& part) {
+        sculpture = textureOf(part, "sculpture");
+        frame.scene.sculpture = &sculpture;
+        sculptureCells = rangesOf(sculpture);
+        rebuild();
+    }
+
+    // Cuts away everything with voxel coordinate above `place` along `axis`: a linear ramp whose 0.5 level is
+    // that plane.
+    void cutAbove(double place, int axis = 0) {
+        sculpt([=](glm::dvec3 p) { return std::clamp(0.5 + (p[axis] - place) / 4, 0.0, 1.0); });
+    }
+
+    void segment(const VoxelFunction& part) {
+        segmentation = textureOf(part, "segmentation");
+        frame.scene.segmentation = &segmentation;
+        segmentationCells = rangesOf(segmentation);
+        rebuild();
+    }
+
+    void view(field::SculptureView seen) {
+        frame.scene.view = seen;
+        rebuild();
+    }
+
+    void classify(const render::TransferFunction& function) {
+        classification.update(function, field);
+        frame.classification = &classification;
+        rebuild();
+    }
+
+    void paste(const std::vector<render::Placement>& placements) {
+        frame.pasted = placements;
+        frame.pastedMacrocells = &pastedMacrocells;
+        rebuild();
+    }
+
+    void rebuild() {
+        auto input = cellsInput();
+        macrocells.rebuild(input);
+        if (!frame.pasted.empty()) {
+            input.view = field::SculptureView::Probe;
+            pastedMacrocells.rebuild(input);
+        }
+    }
+
+    image::Image picture(render::Mode mode) {
+        frame.mode = mode;
+        rebuild();
+        return draw();
+    }
+
+    // The same with every macrocell counted as occupied, by any value: plain marching.
+    image::Image marchedPicture(render::Mode mode) {
+        frame.mode = mode;
+        constexpr float much = 1e9F;
+        gl::Texture anything(cells.cells.size(), gl::Format::RG32F, gl::Filter::Nearest, "any value");
+        const std::vector<glm::vec2> ranges(std::size_t(anything.size().x) * std::size_t(anything.size().y) *
+                                                std::size_t(anything.size().z),
+                                            glm::vec2(-much, much));
+        anything.upload({glm::ivec3(0), anything.size()}, std::as_bytes(std::span(ranges)));
+        render::Macrocells::Input input;
+        input.dataCells = &anything;
+        input.displayedRange = {-much, much};
+        input.view = field::SculptureView::Whole;
+        macrocells.rebuild(input);
+        const auto picture = draw();
+        rebuild();
+        return picture;
+    }
+
+    std::vector<field::SurfacePoint> points(const std::vector<glm::vec2>& pixels) {
+        return picker.pickPoints(frame, pixels);
+    }
+
+    volume::Volume volume;
+    field::Field field;
+    field::CellRanges cells;
+    gl::Texture sculpture;
+    gl::Texture sculptureCells;
+    gl::Texture segmentation;
+    gl::Texture segmentationCells;
+    render::Classification classification;
+    render::Macrocells macrocells;
+    render::Macrocells pastedMacrocells;
+    render::RayCaster caster;
+    render::Picker picker;
+    render::Frame frame;
+
+private:
+    [[nodiscard]] render::Macrocells::Input cellsInput() const {
+        const bool drawsSegmentation =
+            frame.scene.segmentation != nullptr &&
+            (frame.mode == render::Mode::Overlay || frame.mode == render::Mode::Segment);
+        render::Macrocells::Input input;
+        input.dataCells = &cells.cells;
+        input.sculptureCells = frame.scene.sculpture != nullptr ? &sculptureCells : nullptr;
+        input.segmentationCells = drawsSegmentation ? &segmentationCells : nullptr;
+        input.displayedRange = frame.scene.displayedRange;
+        input.valueTolerance = field::valueTolerance(field);
+        input.view = frame.scene.view;
+        input.sampling = frame.scene.sampling;
+        input.classification = frame.mode == render::Mode::Volume ? frame.classification : nullptr;
+        return input;
+    }
+
+    image::Image draw() {
+        caster.render(frame);
+        return caster.readPicture();
+    }
+
+    gl::Texture textureOf(const VoxelFunction& part, const char* label) const {
+        const glm::ivec3 dims = volume.geometry.dims;
+        gl::Texture texture(dims, gl::Format::R32F, gl::Filter::Linear, label);
+        std::vector<float> values;
+        for (int k = 0; k < dims.z; ++k) {
+            for (int j = 0; j < dims.y; ++j) {
+                for (int i = 0; i < dims.x; ++i) {
+                    values.push_back(float(part({i, j, k})));
+                }
+            }
+        }
+        texture.upload(volume.geometry.box(), std::as_bytes(std::span(values)));
+        return texture;
+    }
+
+    gl::Texture rangesOf(const gl::Texture& texture) const {
+        gl::Texture ranges(cells.cells.size(), gl::Format::RG32F, gl::Filter::Nearest, "cells");
+        field::CellRangeUpdater().update(texture, volume.geometry.box(), ranges);
+        return ranges;
+    }
+};
+
+inline std::vector<glm::vec2> allPixels(glm::ivec2 size, int every) {
+    std::vector<glm::vec2> pixels;
+    for (int y = 0; y < size.y; y += every) {
+        for (int x = 0; x < size.x; x += every) {
+            pixels.emplace_back(float(x) + 0.5F, float(y) + 0.5F);
+        }
+    }
+    return pixels;
+}
+
+} // namespace vs::test

@@ -2,7 +2,7 @@
 // that may hold more.
 // In: the scene and the view, texture 8 beams, texture 12 the greatest values in windows of 2^3 macrocells (widen_tops.comp).
 // Out: image 0 (r32ui) words of slabs.
-layout(local_size_x = 8, local_size_y = 8) in;
+layout(local_size_x = 8, local_size_y = 4) in;
 
 #include "field/shaders/scene.glsl"
 #include "render/shaders/rays.glsl"
@@ -11,10 +11,15 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(binding = 8) uniform sampler2D beams;
 layout(binding = 12) uniform sampler3D windowTops;
-layout(r32ui, binding = 0) uniform writeonly uimage2D words;
+layout(r32ui, binding = 0) uniform uimage2D words;
 
 layout(location = 0) uniform int beamPixels; // side of a square
 layout(location = 1) uniform float dt;       // steps between samples
+
+// Each invocation's own: no other reads it.
+const int kBuckets = 32;
+shared uint places[32][kBuckets];
+shared uint order[32][kOrderWords];
 
 // The greatest value that the beam can show from t0 to t1.
 float topBetween(Beam beam, float t0, float t1) {
@@ -26,8 +31,8 @@ float topBetween(Beam beam, float t0, float t1) {
     vec3 upper = clamp(max(p0, p1) + extent, vec3(0.0), lastVoxel);
     // Windows are two cells wide, so every other one is enough.
     ivec3 first = ivec3(floor(lower * 0.25));
-    ivec3 count = max(ivec3(ceil(upper * 0.125 - 0.5 * vec3(first))), ivec3(1));
     ivec3 last = textureSize(windowTops, 0) - 1;
+    ivec3 count = clamp(ivec3(ceil(upper * 0.125 - 0.5 * vec3(first))), ivec3(1), last + 1);
     int all = count.x * count.y * count.z;
     ivec3 i = ivec3(0);
     float top = -1e38;
@@ -43,6 +48,50 @@ float topBetween(Beam beam, float t0, float t1) {
     return top;
 }
 
+// Words of the beam's bounds; how many there are in each bucket.
+void boundWords(ivec2 square, Slabs slabs, Beam beam) {
+    int slab = 0;
+    do {
+        uint word = 0u;
+        int i = 0;
+        do {
+            float t = (slabs.first + float(slab * slabs.samples) + 0.5) * dt;
+            uint code = codeOfBound(topBetween(beam, t, t + float(slabs.samples - 1) * dt));
+            word |= slab < slabs.count ? code << (8 * i) : 0u;
+            ++slab;
+            ++i;
+        } while (i < 4);
+        imageStore(words, placeOfWord(square, kOrderWords + slab / 4 - 1), uvec4(word));
+        places[gl_LocalInvocationIndex][bucketOf(greatestCode(word))] += 1u;
+    } while (slab < slabs.count);
+}
+
+// Counts become the places where each bucket begins, the highest bucket first.
+void placeBuckets() {
+    uint place = 0u;
+    int bucket = kBuckets - 1;
+    do {
+        uint count = places[gl_LocalInvocationIndex][bucket];
+        places[gl_LocalInvocationIndex][bucket] = place;
+        place += count;
+        --bucket;
+    } while (bucket >= 0);
+}
+
+void orderWords(ivec2 square, Slabs slabs) {
+    int word = 0;
+    do {
+        uint bucket = bucketOf(greatestCode(imageLoad(words, placeOfWord(square, kOrderWords + word)).r));
+        uint place = places[gl_LocalInvocationIndex][bucket];
+        places[gl_LocalInvocationIndex][bucket] = place + 1u;
+        order[gl_LocalInvocationIndex][place / 4u] |= uint(word) << (8u * (place & 3u));
+        ++word;
+    } while (word < wordCount(slabs));
+    for (int i = 0; i < kOrderWords; ++i) {
+        imageStore(words, placeOfWord(square, i), uvec4(order[gl_LocalInvocationIndex][i]));
+    }
+}
+
 void main() {
     ivec2 square = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(square, textureSize(beams, 0)))) {
@@ -51,19 +100,13 @@ void main() {
     vec2 lower = vec2(square * beamPixels);
     Beam beam = beamThrough(lower, min(lower + float(beamPixels), viewport.xy));
     Slabs slabs = slabsAlong(texelFetch(beams, square, 0).rg, dt);
-    uint word = 0u;
-    uint best = 0u; // code, slab
-    int slab = 0;
-    do {
-        float t = (slabs.first + float(slab * slabs.samples) + 0.5) * dt;
-        uint code = codeOfBound(topBetween(beam, t, t + float(slabs.samples - 1) * dt));
-        best = slab < slabs.count ? max(best, code << 16 | uint(kMostSlabs - slab)) : best;
-        word |= slab < slabs.count ? code << (8 * (slab & 3)) : 0u;
-        if ((slab & 3) == 3) {
-            imageStore(words, placeOfWord(square, 1 + slab / 4), uvec4(word));
-        }
-        word = (slab & 3) == 3 ? 0u : word;
-        ++slab;
-    } while (slab < (slabs.count + 3) / 4 * 4);
-    imageStore(words, placeOfWord(square, 0), uvec4(uint(kMostSlabs) - (best & 0xffffu)));
+    for (int i = 0; i < kBuckets; ++i) {
+        places[gl_LocalInvocationIndex][i] = 0u;
+    }
+    for (int i = 0; i < kOrderWords; ++i) {
+        order[gl_LocalInvocationIndex][i] = 0u;
+    }
+    boundWords(square, slabs, beam);
+    placeBuckets();
+    orderWords(square, slabs);
 }

@@ -2,7 +2,7 @@
 // Samples lie at (k + 0.5) * dt; a slab holds `samples` of them, from `first` on. A bound is a code of one byte, four in a word.
 // Words (r32ui, texture 11), kWordsAcross^2 a beam: first an order of its words of bounds, one byte each, those with the greatest
 // bound first, as far as bucketOf() tells them apart; then the words of bounds.
-// Include "render/shaders/rays.glsl" first.
+// Include "field/shaders/scene.glsl" first.
 
 const int kWordsAcross = 8;
 const int kMostWords = 48; // of bounds, in a beam

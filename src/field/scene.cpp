@@ -27,7 +27,8 @@ void SceneBinding::bind(const Scene& scene) {
         data.isIntegral ? scene.displayedRange.lo : std::max(scene.displayedRange.lo, data.range.lo);
     block.range = {float(lo), float(scene.displayedRange.hi), float(scene.greyWindow.lo),
                    float(scene.greyWindow.hi)};
-    block.flags.x = scene.segmentation != nullptr ? 1.0F : 0.0F;
+    block.flags =
+        glm::vec4(scene.segmentation != nullptr ? 1.0F : 0.0F, 1.0F / glm::vec3(data.geometry.dims));
     block_.writeValue(block);
     block_.bindUniform(0);
     data.texels.bindTexture(0);

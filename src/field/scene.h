@@ -22,7 +22,7 @@ struct SceneBlock {
     glm::vec4 spacing{1};    // xyz: mm, w: step in mm
     glm::vec4 valueScale{1}; // x scale, y offset, z 1 if values are whole numbers, w tolerance
     glm::vec4 range{0};      // xy displayed range, zw grey window of cut faces, in the field's unit
-    glm::vec4 flags{0};      // x: 1 if there is a segmentation
+    glm::vec4 flags{0};      // x: 1 if there is a segmentation, yzw: 1 / dims
 };
 static_assert(sizeof(SceneBlock) == 208);
 

@@ -28,19 +28,22 @@ glm::vec2 placeInPixel(int sample) {
     return glm::vec2(glm::fract(glm::dvec2(0.5 + n / g, 0.5 + n / (g * g))));
 }
 
-// Side of the square of pixels whose rays share a beam; narrower ones bound values better, but each takes
-// memory.
-int beamPixels(Mode mode, glm::ivec2 size) {
+// Side of the square of pixels whose rays share a beam, as a power of 2; narrower ones bound values better,
+// but each takes memory.
+int beamShift(Mode mode, glm::ivec2 size) {
     constexpr std::int64_t manyPixels = std::int64_t(1) << 22;
-    return mode == Mode::Mip && std::int64_t(size.x) * size.y <= manyPixels ? 4 : 8;
+    return mode == Mode::Mip && std::int64_t(size.x) * size.y <= manyPixels ? 2 : 3;
 }
+
+int beamPixels(Mode mode, glm::ivec2 size) { return 1 << beamShift(mode, size); }
 
 glm::ivec2 squareCount(glm::ivec2 size) { return (size + kSquare - 1) / kSquare; }
 
-// Pieces of a submission that take about as long each: see squares.glsl.
-int strandCount() { return std::clamp(int(std::thread::hardware_concurrency()), 1, 64); }
-
-int groupCount(int squares) { return (squares + strandCount() - 1) / strandCount() * strandCount(); }
+// Work groups for so many squares: as many rows as a software renderer has threads; see squares.glsl.
+glm::ivec3 groupsFor(int squares) {
+    const int rows = std::clamp(int(std::thread::hardware_concurrency()), 1, 64);
+    return {(squares + rows - 1) / rows, rows, 1};
+}
 
 } // namespace
 
@@ -226,13 +229,13 @@ void RayCaster::fillBackground() {
     const int empty = all.x * all.y - occupiedSquares_;
     const bool hasFilm =
         frame_.mode == Mode::Mip || frame_.mode == Mode::XRay || frame_.mode == Mode::Overlay;
-    fillBackground_.set(0, glm::ivec3(occupiedSquares_, empty, strandCount()))
+    fillBackground_.set(0, glm::ivec2(occupiedSquares_, empty))
         .set(1, sample_ == 0 ? kCentre : placeInPixel(sample_))
         .set(2, sample_ > 0 ? 1 : 0)
         .set(7, glm::vec4(frame_.background.top, 0.0F))
         .set(8, glm::vec4(frame_.background.bottom, 0.0F))
         .set(9, hasFilm ? 1 : 0);
-    fillBackground_.dispatch({groupCount(empty), 1, 1}, gl::Barrier::Image);
+    fillBackground_.dispatch(groupsFor(empty), gl::Barrier::Image);
 }
 
 int RayCaster::squaresFor(double milliseconds) const {
@@ -261,7 +264,7 @@ bool RayCaster::renderSome(double budgetMs) {
     program.set(3, glm::vec2(float(frame_.xrayGain), float(geometry.diagonalMm() / geometry.stepMm())))
         .set(4, frame_.segmentColour)
         .set(5, float(frame_.sampleStep))
-        .set(6, beamPixels(frame_.mode, frame_.rays.size))
+        .set(6, beamShift(frame_.mode, frame_.rays.size))
         .set(7, glm::vec4(frame_.background.top, frame_.background.isTransparent ? 1.0F : 0.0F))
         .set(8, glm::vec4(frame_.background.bottom, 0.0F));
     bindPart(parts_.back());
@@ -272,7 +275,7 @@ bool RayCaster::renderSome(double budgetMs) {
         const gl::Pass pass("cast rays");
         const Timer submission;
         const int count = squaresFor(budgetMs - timer.milliseconds());
-        program.set(0, glm::ivec3(square_, count, strandCount()))
+        program.set(0, glm::ivec2(square_, count))
             .set(1, sample_ == 0 ? kCentre : placeInPixel(sample_))
             .set(2, sample_ > 0 ? 1 : 0);
         for (std::size_t i = 0; i < parts_.size(); ++i) {
@@ -280,7 +283,7 @@ bool RayCaster::renderSome(double budgetMs) {
                 bindPart(parts_[i]);
                 program.set(9, glm::ivec2(int(i), int(parts_.size()))).set(10, parts_[i].scale);
             }
-            program.dispatch({groupCount(count), 1, 1}, gl::Barrier::Image);
+            program.dispatch(groupsFor(count), gl::Barrier::Image);
         }
         gl::Context::finish(); // or the budget would count only submissions
         squaresPerMs_ = count / std::max(submission.milliseconds(), 1e-3);

@@ -17,11 +17,12 @@ void SlabBounds::widenTops(const Macrocells& macrocells) {
         return;
     }
     const gl::Pass pass("widen tops");
-    if (tops_.size() != macrocells.size()) {
-        tops_ = gl::Texture(macrocells.size(), gl::Format::R32F, gl::Filter::Nearest, "tops of windows");
+    const glm::ivec3 size = macrocells.size() * glm::ivec3(1, 1, 2);
+    if (tops_.size() != size) {
+        tops_ = gl::Texture(size, gl::Format::R32UI, gl::Filter::Nearest, "tops of cells");
     }
     tops_.bindImage(0, gl::Access::Write);
-    widen_.dispatchOver(tops_.size(), gl::Barrier::Texture);
+    widen_.dispatchOver(macrocells.size(), gl::Barrier::Texture);
     topsVersion_ = macrocells.version();
 }
 

@@ -26,7 +26,7 @@ private:
 
     gl::Program widen_;
     gl::Program bound_;
-    gl::Texture tops_; // of windows of 2^3 macrocells
+    gl::Texture tops_; // of macrocells
     std::uint64_t topsVersion_ = 0;
     gl::Texture words_;
 };

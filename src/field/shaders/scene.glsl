@@ -11,7 +11,7 @@ layout(std140, binding = 0) uniform SceneBlock {
     vec4 spacing;    // xyz mm, w step mm
     vec4 valueScale; // x scale, y offset, z 1 if values are whole numbers, w tolerance of comparisons
     vec4 range;      // xy displayed range, zw grey window
-    vec4 sceneFlags; // x 1 if there is a segmentation
+    vec4 sceneFlags; // x 1 if there is a segmentation, yzw 1 / dims
 };
 
 layout(binding = 0) uniform sampler3D dataTexture;
@@ -25,7 +25,7 @@ struct SceneSample {
     float uncut;        // >= 0 on the visible side of the sculpture; continuous, 0.5 level at 0
 };
 
-vec3 textureFromVoxel(vec3 p) { return (p + 0.5) / vec3(dims.xyz); }
+vec3 textureFromVoxel(vec3 p) { return (p + 0.5) * sceneFlags.yzw; }
 
 #ifdef TRICUBIC
 #include "field/shaders/tricubic.glsl"

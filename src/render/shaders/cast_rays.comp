@@ -33,7 +33,7 @@ layout(binding = 8) uniform sampler2D beams; // where along its rays each square
 layout(location = 3) uniform vec2 exposure;     // x: X-ray gain per diagonal; y: volume's diagonal in steps
 layout(location = 4) uniform vec3 segmentColour; // linear
 layout(location = 5) uniform float sampleStep;   // steps between samples in MIP and X-ray
-layout(location = 6) uniform int beamPixels;     // side of a beam's square
+layout(location = 6) uniform int beamShift;      // side of a beam's square: 1 << this; division is slow
 layout(location = 7) uniform vec4 backgroundTop; // display colour; w 1: there is none, and it is black
 layout(location = 8) uniform vec4 backgroundBottom;
 #ifdef PARTS
@@ -59,7 +59,7 @@ void main() {
     }
     vec2 position = vec2(pixel) + pixelOffset;
     Ray ray = rayThrough(position);
-    ray.beam = pixel / beamPixels;
+    ray.beam = pixel >> beamShift;
     ray.beamEnds = texelFetch(beams, ray.beam, 0).rg;
     ray.tBegin = max(ray.tBegin, ray.beamEnds.x);
     ray.tEnd = min(ray.tEnd, ray.beamEnds.y);

@@ -6,7 +6,9 @@
 const float kOpaque = 0.99;         // nothing behind this much opacity is looked at
 const float kLitShare = 0.06;       // one look at the light for pieces that together make this much of the pixel,
 const int kLitTurns = 2;            // or for this many turns of kPieces pieces
-const int kPieces = 4;              // several a turn: on a software renderer the turn itself costs as much as they do
+const int kPieces = 4;              // several a turn: on a software renderer the turn itself costs as much as they do.
+                                    // Turns begin at every fourth sample, so that what is lit together does not depend on
+                                    // what was skipped
 const int kLooks = 2;               // at the transfer function, for each piece
 const float kUnseen = 1.0 / 2048.0; // pieces that make less of the pixel than this are not lit, only coloured
 
@@ -64,7 +66,7 @@ vec3 litInVolume(vec4 colour, Ray ray, vec3 p, bool isCut) {
 
 // How far a ray has come, and what it has found since the light was last looked at.
 struct Walk {
-    float t;     // where the next piece begins
+    float number; // of the sample where the next piece begins, counted from the eye
     float from;  // the same within the grid's box
     float front; // the value there
     float side;  // and whether it is on the visible side
@@ -73,10 +75,10 @@ struct Walk {
     bool isCut; // something found begins where the sculpture was cut
 };
 
-// One piece, up to `tAfter`.
-void addPiece(inout Walk walk, Ray ray, float tAfter, float dt) {
-    bool isPiece = tAfter < walk.t + 1.5 * dt; // else a way over nothing
-    float to = clamp(tAfter, ray.tNear, ray.tFar);
+// One piece, up to the sample of that number.
+void addPiece(inout Walk walk, Ray ray, float numberAfter, float dt, float jitter) {
+    bool isPiece = numberAfter < walk.number + 1.5; // else a way over nothing
+    float to = clamp((numberAfter + jitter) * dt, ray.tNear, ray.tFar);
     vec3 after = at(ray, to);
     float back = dataAt(after);
     vec2 part = vec2(0.0, 1.0);
@@ -91,7 +93,7 @@ void addPiece(inout Walk walk, Ray ray, float tAfter, float dt) {
     walk.isCut = walk.isCut || (c.a > 0.0 && part.x > 0.0);
     walk.weightedT += (1.0 - walk.found.a) * c.a * middle;
     walk.found += (1.0 - walk.found.a) * c;
-    walk.t = tAfter;
+    walk.number = numberAfter;
     walk.from = to;
     walk.front = back;
 }
@@ -102,25 +104,27 @@ vec4 compositeAlong(Ray ray, float dt, float jitter, out float depth) {
     vec3 inverseDirection = safeInverse(ray.direction);
     vec4 sum = vec4(0.0);
     depth = 0.0;
-    float stop = ray.tEnd;
+    const float pieces = float(kPieces);
+    float stop = ray.tEnd / dt - jitter; // the number of a sample that is too far
     Walk walk;
-    walk.t = nextSample(ray.tBegin, dt, jitter) - dt;
-    walk.from = clamp(walk.t, ray.tNear, ray.tFar);
+    walk.number = pieces * floor((ray.tBegin / dt - jitter) / pieces) - 1.0;
+    walk.from = clamp((walk.number + jitter) * dt, ray.tNear, ray.tFar);
     walk.front = dataAt(at(ray, walk.from));
     walk.side = sideAt(at(ray, walk.from));
-    while (walk.t < stop) {
+    while (walk.number < stop) {
         // Look for the next pieces that show something; they are lit together.
         walk.found = vec4(0.0);
         walk.weightedT = 0.0;
         walk.isCut = false;
         int turns = 0;
         float enough = kLitShare / (1.0 - sum.a);
-        while (walk.t < stop && turns < kLitTurns && walk.found.a < enough) {
-            // Over what is empty, to the last sample before its end: the piece that begins there leads out of it.
-            float skip = emptyUntil(ray, walk.from, inverseDirection);
-            addPiece(walk, ray, max(walk.t + dt, nextSample(walk.t + skip, dt, jitter) - dt), dt);
+        while (walk.number < stop && turns < kLitTurns && walk.found.a < enough) {
+            // Over what is empty, to the last fourth sample before its end; a turn's first piece leads there.
+            float skip = walk.found.a > 0.0 ? 0.0 : emptyUntil(ray, walk.from, inverseDirection);
+            float last = ceil((walk.from + skip) / dt - jitter) - 1.0;
+            addPiece(walk, ray, max(walk.number + 1.0, pieces * floor(last / pieces)), dt, jitter);
             for (int i = 1; i < kPieces; ++i) {
-                addPiece(walk, ray, walk.t + dt, dt);
+                addPiece(walk, ray, walk.number + 1.0, dt, jitter);
             }
             turns += walk.found.a > 0.0 ? 1 : 0;
         }
@@ -129,7 +133,7 @@ vec4 compositeAlong(Ray ray, float dt, float jitter, out float depth) {
         }
         depth += (1.0 - sum.a) * walk.weightedT;
         sum += (1.0 - sum.a) * walk.found;
-        stop = sum.a > kOpaque ? -1.0 : stop;
+        stop = sum.a > kOpaque ? -1e30 : stop;
     }
     depth /= max(sum.a, 1e-6);
     return sum;

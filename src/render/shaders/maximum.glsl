@@ -66,30 +66,32 @@ int firstAbove(uint bounds, uint code) {
     return (bounds & 0xffu) > code ? 0 : i;
 }
 
-// As findGreatest, for the ray of a pixel: its beam's best slab first, then all that may hold more.
+// As findGreatest, for the ray of a pixel: its beam's slabs in order, and only those that may hold more.
 Greatest findGreatestInSlabs(Ray ray, float dt) {
     Slabs slabs = slabsAlong(ray.beamEnds, dt);
     Greatest best = Greatest(-1e30, ray.tNear);
-    int bestSlab = int(texelFetch(slabWords, placeOfWord(ray.beam, 0), 0).r);
-    int words = (slabs.count + 3) / 4;
-    int word = -1;
-    uint bounds = 0u;
-    int slab = bestSlab;
+    int words = wordCount(slabs);
+    int place = 0; // in the order
+    int word = int(texelFetch(slabWords, placeOfWord(ray.beam, 0), 0).r & 0xffu);
+    uint bounds = texelFetch(slabWords, placeOfWord(ray.beam, kOrderWords + word), 0).r;
+    int next = firstAbove(bounds, max(greatestCode(bounds), 1u) - 1u);
+    bool isOver = false;
     do {
-        lookAtSlab(ray, slabs, slab, dt, best);
+        lookAtSlab(ray, slabs, 4 * word + next, dt, best);
+        bounds &= ~(0xffu << (8 * next));
         uint code = codeOfGreatest(best.value);
-        int next = firstAbove(bounds, code);
+        next = firstAbove(bounds, code);
         do {
             bool goesOn = next == 4;
-            word += goesOn ? 1 : 0;
-            uint fetched = texelFetch(slabWords, placeOfWord(ray.beam, 1 + min(word, words)), 0).r;
-            fetched &= word == bestSlab / 4 ? ~(0xffu << (8 * (bestSlab & 3))) : 0xffffffffu;
+            place += goesOn ? 1 : 0;
+            uint order = texelFetch(slabWords, placeOfWord(ray.beam, min(place / 4, kOrderWords - 1)), 0).r;
+            word = int((order >> (8 * (place & 3))) & 0xffu);
+            uint fetched = texelFetch(slabWords, placeOfWord(ray.beam, kOrderWords + word), 0).r;
             bounds = goesOn ? fetched : bounds;
+            isOver = goesOn && (place >= words || bucketOf(greatestCode(fetched)) < bucketOf(code + 1u));
             next = firstAbove(bounds, code);
-        } while (next == 4 && word < words);
-        bounds &= ~(0xffu << (8 * next)); // shifted by 32 after the last one, where it does not matter
-        slab = 4 * word + next;
-    } while (word < words);
+        } while (next == 4 && !isOver);
+    } while (!isOver);
     return best;
 }
 #endif

@@ -1,10 +1,13 @@
 // Slabs of beams: pieces of all rays of a square of pixels, each with a bound of the values that they can meet in it (MIP).
-// Samples lie at (k + 0.5) * dt; a slab holds `samples` of them, from `first` on. Bounds are bytes, four in a word; see codes.
-// Words of slabs (r32ui, texture 11): kWordsAcross^2 a beam, of which the first says which slab has the greatest bound.
-// Include "render/shaders/rays.glsl" first.
+// Samples lie at (k + 0.5) * dt; a slab holds `samples` of them, from `first` on. A bound is a code of one byte, four in a word.
+// Words (r32ui, texture 11), kWordsAcross^2 a beam: first an order of its words of bounds, one byte each, those with the greatest
+// bound first, as far as bucketOf() tells them apart; then the words of bounds.
+// Include "field/shaders/scene.glsl" first.
 
 const int kWordsAcross = 8;
-const int kMostSlabs = 4 * (kWordsAcross * kWordsAcross - 1);
+const int kMostWords = 48; // of bounds, in a beam
+const int kOrderWords = kMostWords / 4;
+const int kMostSlabs = 4 * kMostWords;
 const int kSlabBatch = 4; // samples in a slab, or a multiple of that for a long beam
 
 struct Slabs {
@@ -21,6 +24,8 @@ Slabs slabsAlong(vec2 ends, float dt) {
     slabs.count = min(int(ceil(samples / float(slabs.samples))), kMostSlabs);
     return slabs;
 }
+
+int wordCount(Slabs slabs) { return (slabs.count + 3) / 4; }
 
 ivec2 placeOfWord(ivec2 beam, int word) { return kWordsAcross * beam + ivec2(word % kWordsAcross, word / kWordsAcross); }
 
@@ -42,4 +47,10 @@ uint codeOfBound(float bound) {
 uint codeOfGreatest(float value) {
     uint code = value >= range.y ? 255u : 1u + uint(253.0 * rootInRange(value));
     return value > -1e29 ? code : 0u;
+}
+
+uint bucketOf(uint code) { return code >> 3; }
+
+uint greatestCode(uint bounds) {
+    return max(max(bounds & 0xffu, (bounds >> 8) & 0xffu), max((bounds >> 16) & 0xffu, bounds >> 24));
 }

@@ -52,6 +52,12 @@ vec3 litInVolume(vec4 colour, Ray ray, vec3 p, bool isCut) {
         gradient = sculptureGradient(p);
     }
 #endif
+    // Where values hardly change there is no surface, only noise: it glows by itself.
+    float surface = 1.0;
+#if TF_KIND != 1
+    surface = smoothstep(0.002, 0.012, length(gradient) * spacing.w * valueAxis.x);
+#endif
+    surface = isCut ? 1.0 : surface;
     vec3 normal = facing(gradient, -ray.world);
     vec3 albedo = colour.rgb / max(colour.a, 1e-6);
 #ifdef LIT
@@ -61,7 +67,7 @@ vec3 litInVolume(vec4 colour, Ray ray, vec3 p, bool isCut) {
 #endif
     vec3 light = lit(albedo, normal, -ray.world, viewRight.xyz, viewUp.xyz, -viewForward.xyz, lightingOfFunction.y,
                      reaching);
-    return mix(albedo, light, lightingOfFunction.x) * colour.a;
+    return mix(albedo, light, lightingOfFunction.x * surface) * colour.a;
 }
 
 // How far a ray has come, and what it has found since the light was last looked at.

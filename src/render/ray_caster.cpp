@@ -86,6 +86,7 @@ RayCaster::RayCaster()
     : resolve_("render/shaders/resolve_picture.comp"), findBeams_("render/shaders/find_beams.comp"),
       listSquares_("render/shaders/list_squares.comp"),
       fillBackground_("render/shaders/fill_background.comp"),
+      fillFilm_("render/shaders/fill_background.comp", {{"FILM", "1"}}),
       squareCounts_(2 * sizeof(std::uint32_t), "square counts") {}
 
 gl::Program& RayCaster::programFor(const Frame& frame) {
@@ -229,13 +230,13 @@ void RayCaster::fillBackground() {
     const int empty = all.x * all.y - occupiedSquares_;
     const bool hasFilm =
         frame_.mode == Mode::Mip || frame_.mode == Mode::XRay || frame_.mode == Mode::Overlay;
-    fillBackground_.set(0, glm::ivec2(occupiedSquares_, empty))
+    gl::Program& fill = hasFilm ? fillFilm_ : fillBackground_;
+    fill.set(0, glm::ivec2(occupiedSquares_, empty))
         .set(1, sample_ == 0 ? kCentre : placeInPixel(sample_))
         .set(2, sample_ > 0 ? 1 : 0)
         .set(7, glm::vec4(frame_.background.top, 0.0F))
-        .set(8, glm::vec4(frame_.background.bottom, 0.0F))
-        .set(9, hasFilm ? 1 : 0);
-    fillBackground_.dispatch(groupsFor(empty), gl::Barrier::Image);
+        .set(8, glm::vec4(frame_.background.bottom, 0.0F));
+    fill.dispatch(groupsFor(empty), gl::Barrier::Image);
 }
 
 int RayCaster::squaresFor(double milliseconds) const {

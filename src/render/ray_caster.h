@@ -114,6 +114,7 @@ private:
     gl::Program findBeams_;
     gl::Program listSquares_;
     gl::Program fillBackground_;
+    gl::Program fillFilm_;
     gl::Buffer squares_;       // those that may show something first
     gl::Buffer placeOfSquare_; // in that list
     gl::Buffer squareCounts_;

@@ -1,5 +1,7 @@
 // The background's colour in squares of pixels where nothing can be seen.
+// FILM: with a film in the grid's box, see behindFilm().
 // In: the view (rays.glsl), the list of squares. Out: image 0 (rgba32f) sums of display colours and coverage.
+// variants: ;FILM=1
 layout(local_size_x = 64) in;
 
 #include "field/shaders/scene.glsl"
@@ -9,7 +11,6 @@ layout(local_size_x = 64) in;
 
 layout(location = 7) uniform vec4 backgroundTop; // display colour
 layout(location = 8) uniform vec4 backgroundBottom;
-layout(location = 9) uniform int hasFilm; // 1: see behindFilm()
 
 void main() {
     ivec2 pixel = pixelOfInvocation();
@@ -18,9 +19,9 @@ void main() {
     }
     vec2 position = vec2(pixel) + pixelOffset;
     vec3 colour = background(position, viewport.xy, backgroundTop.xyz, backgroundBottom.xyz);
-    if (hasFilm != 0) {
-        Ray ray = rayThrough(position);
-        colour = behindFilm(colour, ray.tNear < ray.tFar);
-    }
+#ifdef FILM
+    Ray ray = rayThrough(position);
+    colour = behindFilm(colour, ray.tNear < ray.tFar);
+#endif
     addToPicture(pixel, vec4(colour, 0.0));
 }

@@ -116,7 +116,11 @@ const float kNothing = 1e30; // a depth
 Seen look(Ray ray, float jitter, float scale) {
     Seen seen = Seen(vec4(0.0), vec4(0.0));
 #if MODE == 0 || MODE == 3 || MODE == 4
-    Hit hit = findSurface(ray, jitter);
+    Ray searched = ray;
+#if MODE == 3
+    searched.tEnd = sceneFlags.x > 0.5 ? ray.tEnd : ray.tBegin; // no segmentation, no surface
+#endif
+    Hit hit = findSurface(searched, jitter);
     seen.front = hit.found ? vec4(shadeHit(hit, ray), hit.t * scale) : vec4(vec3(0.0), kNothing);
 #if MODE == 3
     seen.behind = scale * integralAlong(ray, hit.found ? hit.t : ray.tEnd);

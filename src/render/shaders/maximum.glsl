@@ -58,12 +58,14 @@ void lookAtSlab(Ray ray, Slabs slabs, int slab, float dt, inout Greatest best) {
     } while (number < end);
 }
 
-// The first of four bounds that is above `code`; 4 if none is.
-int firstAbove(uint bounds, uint code) {
-    int i = (bounds >> 24) > code ? 3 : 4;
-    i = ((bounds >> 16) & 0xffu) > code ? 2 : i;
-    i = ((bounds >> 8) & 0xffu) > code ? 1 : i;
-    return (bounds & 0xffu) > code ? 0 : i;
+// Which of four bounds is the greatest and above `code`; 4 if none is.
+int greatestAbove(uint bounds, uint code) {
+    uint greatest = greatestCode(bounds);
+    int i = (bounds & 0xffu) == greatest           ? 0
+            : ((bounds >> 8) & 0xffu) == greatest  ? 1
+            : ((bounds >> 16) & 0xffu) == greatest ? 2
+                                                   : 3;
+    return greatest > code ? i : 4;
 }
 
 // As findGreatest, for the ray of a pixel: its beam's slabs in order, and only those that may hold more.
@@ -74,13 +76,13 @@ Greatest findGreatestInSlabs(Ray ray, float dt) {
     int place = 0; // in the order
     int word = int(texelFetch(slabWords, placeOfWord(ray.beam, 0), 0).r & 0xffu);
     uint bounds = texelFetch(slabWords, placeOfWord(ray.beam, kOrderWords + word), 0).r;
-    int next = firstAbove(bounds, max(greatestCode(bounds), 1u) - 1u);
+    int next = greatestAbove(bounds, 0u);
     bool isOver = false;
     do {
         lookAtSlab(ray, slabs, 4 * word + next, dt, best);
         bounds &= ~(0xffu << (8 * next));
         uint code = codeOfGreatest(best.value);
-        next = firstAbove(bounds, code);
+        next = greatestAbove(bounds, code);
         do {
             bool goesOn = next == 4;
             place += goesOn ? 1 : 0;
@@ -89,7 +91,7 @@ Greatest findGreatestInSlabs(Ray ray, float dt) {
             uint fetched = texelFetch(slabWords, placeOfWord(ray.beam, kOrderWords + word), 0).r;
             bounds = goesOn ? fetched : bounds;
             isOver = goesOn && (place >= words || bucketOf(greatestCode(fetched)) < bucketOf(code + 1u));
-            next = firstAbove(bounds, code);
+            next = greatestAbove(bounds, code);
         } while (next == 4 && !isOver);
     } while (!isOver);
     return best;

@@ -8,7 +8,7 @@ const int kWordsAcross = 8;
 const int kMostWords = 48; // of bounds, in a beam
 const int kOrderWords = kMostWords / 4;
 const int kMostSlabs = 4 * kMostWords;
-const int kSlabBatch = 4; // samples in a slab, or a multiple of that for a long beam
+const int kSlabBatch = 8; // samples in a slab, or a multiple of that for a long beam
 
 struct Slabs {
     float first; // number of the first sample

@@ -26,11 +26,7 @@ Range robustRange(const field::Field& field) {
 
 } // namespace
 
-Classification::Classification(double segmentSteps)
-    : segmentSteps_(segmentSteps), integrate_("render/shaders/integrate_segments.comp"),
-      block_(sizeof(ClassificationBlock), "classification"),
-      integrals_(std::size_t(kCurveTexels) * sizeof(glm::uvec4), "integrals of the transfer function"),
-      segments_(glm::ivec2(kSegmentTexels), gl::Format::RGBA16F, gl::Filter::Linear, "segments") {}
+Classification::Classification() : block_(sizeof(ClassificationBlock), "classification") {}
 
 Anchors Classification::anchorsFor(const TransferFunction& function, const field::Field& field) {
     if (anchorsSerial_ != field.serial) {
@@ -59,9 +55,6 @@ bool Classification::update(const TransferFunction& function, const field::Field
     resolved_ = resolve(function, anchorsFor(function, field));
     const auto tables = makeTables(resolved_, field.range, field.geometry.stepMm());
     uploadTables(tables);
-    if (function.kind == FunctionKind::Intensity) {
-        integrateSegments(tables);
-    }
     writeBlock(tables, field);
     ++version_;
     return true;
@@ -84,17 +77,6 @@ void Classification::uploadTables(const ClassificationTables& tables) {
            std::as_bytes(std::span(tables.main)));
     upload(visibleBefore_, {int(tables.visibleBefore.size()), 1}, gl::Format::R32UI, gl::Filter::Nearest,
            "visible values", std::as_bytes(std::span(tables.visibleBefore)));
-    integrals_.write(std::as_bytes(std::span(tables.integrals)));
-    uploadedBytes_ += tables.integrals.size() * sizeof(glm::uvec4);
-}
-
-void Classification::integrateSegments(const ClassificationTables& tables) {
-    const gl::Pass pass("integrate segments");
-    integrals_.bindStorage(0);
-    main_.bindTexture(0);
-    segments_.bindImage(0, gl::Access::Write);
-    integrate_.set(0, glm::vec2(float(segmentSteps_), float(tables.quantum)));
-    integrate_.dispatchOver(segments_.size(), gl::Barrier::Texture);
 }
 
 namespace {
@@ -121,7 +103,6 @@ void Classification::writeBlock(const ClassificationTables& tables, const field:
     block.valueAxis = glm::vec4(glm::dvec4(axisOf(tables.values, columns), lowest, columns));
     block.gradientAxis =
         glm::vec4(glm::dvec4(axisOf(tables.gradients, isGradient ? tables.size.x : tables.size.y), 0, 0));
-    block.segment.x = float(segmentSteps_);
     block.lighting = {float(resolved_.lighting.amount), float(resolved_.lighting.gloss), touchable(tables),
                       0};
     block_.writeValue(block);
@@ -129,7 +110,6 @@ void Classification::writeBlock(const ClassificationTables& tables, const field:
 
 void Classification::bind() const {
     main_.bindTexture(5);
-    segments_.bindTexture(6);
     visibleBefore_.bindTexture(7);
     block_.bindUniform(2);
 }

@@ -14,18 +14,16 @@ struct ClassificationBlock {
     glm::vec4 valueAxis{
         0}; // x scale, y offset to a table coordinate 0..1; z lowest value that counts, w columns
     glm::vec4 gradientAxis{0}; // x scale, y offset to a table coordinate 0..1
-    glm::vec4 segment{0};      // x steps of a segment
     glm::vec4 lighting{0};     // x amount, y gloss, z opacity per step that a pen meets
 };
-static_assert(sizeof(ClassificationBlock) == 64);
+static_assert(sizeof(ClassificationBlock) == 48);
 
 // The tables of one transfer function on the device, resolved against one field. Shaders include
-// "render/shaders/classification.glsl" with TF_KIND defined as kindDefine() says. Textures 5 to 7 and uniform
-// block 2 are taken while it is bound.
+// "render/shaders/classification.glsl" with TF_KIND defined as kindDefine() says. Textures 5 and 7 and
+// uniform block 2 are taken while it is bound.
 class Classification {
 public:
-    // classifySegment() answers for pieces of a ray that are `segmentSteps` long.
-    explicit Classification(double segmentSteps = 0.5);
+    Classification();
 
     // Uploads the tables if function or field are others than last time; true if so. Relative positions are
     // measured on the device, once for each field.
@@ -36,7 +34,6 @@ public:
     [[nodiscard]] FunctionKind kind() const { return function_.kind; }
     // "0", "1", "2" for Intensity, Gradient, TwoD.
     [[nodiscard]] const char* kindDefine() const;
-    [[nodiscard]] double segmentSteps() const { return segmentSteps_; }
     // Moves whenever update() changed something: what was derived from the tables is stale.
     [[nodiscard]] int version() const { return version_; }
     // The function with absolute positions, as the tables hold it.
@@ -49,15 +46,10 @@ private:
     void upload(gl::Texture& texture, glm::ivec2 size, gl::Format format, gl::Filter filter,
                 const char* label, std::span<const std::byte> texels);
     void uploadTables(const ClassificationTables& tables);
-    void integrateSegments(const ClassificationTables& tables);
     void writeBlock(const ClassificationTables& tables, const field::Field& field);
 
-    double segmentSteps_;
-    gl::Program integrate_;
     gl::Buffer block_;
-    gl::Buffer integrals_;
     gl::Texture main_;
-    gl::Texture segments_;
     gl::Texture visibleBefore_;
 
     TransferFunction function_;

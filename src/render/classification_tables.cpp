@@ -6,8 +6,6 @@
 
 namespace vs::render {
 
-double extinction(double opacityPerStep) { return -std::log(1 - std::min(opacityPerStep, 1 - 1e-6)); }
-
 namespace {
 
 // The part of `span` where there are values; a single place when there are none in it.
@@ -74,24 +72,6 @@ void fillMain(ClassificationTables& tables, const TransferFunction& function, do
     }
 }
 
-void fillIntegrals(ClassificationTables& tables) {
-    std::vector<glm::dvec4> sums{glm::dvec4(0)};
-    glm::dvec4 before(0);
-    for (std::size_t i = 0; i < tables.main.size(); ++i) {
-        const glm::dvec4 here =
-            extinction(double(tables.main[i].w)) * glm::dvec4(glm::vec3(tables.main[i]), 1);
-        if (i > 0) {
-            sums.push_back(sums.back() + 0.5 * (before + here));
-        }
-        before = here;
-    }
-    constexpr double most = 4e9; // just below what 32 bits hold
-    tables.quantum = std::max(sums.back().w, 1e-6) / most;
-    for (const glm::dvec4& sum : sums) {
-        tables.integrals.emplace_back(sum / tables.quantum);
-    }
-}
-
 void countVisible(ClassificationTables& tables, bool valuesTell) {
     const int columns = valuesTell ? tables.size.x : 1;
     std::vector<bool> isVisible(std::size_t(columns), false);
@@ -121,9 +101,6 @@ ClassificationTables makeTables(const TransferFunction& absolute, const Range& d
             absolute.kind == FunctionKind::Gradient ? span : clampedTo(span, dataValues);
     }
     fillMain(tables, absolute, absolute.unitMm ? *absolute.unitMm / stepMm : 1);
-    if (absolute.kind == FunctionKind::Intensity) {
-        fillIntegrals(tables);
-    }
     countVisible(tables, absolute.kind != FunctionKind::Gradient);
     return tables;
 }

@@ -2,12 +2,11 @@
 // TF_KIND: 0 over intensity, 1 over gradient magnitude, 2 over both. Gradient magnitudes that the kind does not use may be
 // passed as 0 and need not be computed; mayBeVisible() is the same for all kinds. Values in the volume's unit, gradient
 // magnitudes in that unit per mm (length of dataGradient()).
-// Bindings: uniform block 2; textures 5 the function, 6 segments (TF_KIND 0), 7 counts of visible values.
+// Bindings: uniform block 2; textures 5 the function, 7 counts of visible values.
 
 layout(std140, binding = 2) uniform ClassificationBlock {
     vec4 valueAxis;         // x scale, y offset to a table coordinate 0..1; z lowest value that counts, w columns
     vec4 gradientAxis;      // x scale, y offset to a table coordinate 0..1
-    vec4 segmentOfFunction; // x steps of a segment
     vec4 lightingOfFunction; // x amount: 0 glows by itself, 1 lit as a surface; y gloss; z opacity per
     // step that a pen meets
 };
@@ -28,21 +27,6 @@ vec4 classify(float value, float gradientMagnitude) {
     c.a = value >= valueAxis.z ? c.a : 0.0;
     return c;
 }
-
-#if TF_KIND == 0
-layout(binding = 6) uniform sampler2D segmentTable;
-
-// A piece of a ray segmentOfFunction.x steps long along which the value goes evenly from `front` to `back`: premultiplied
-// linear colour and opacity.
-vec4 classifySegment(float front, float back) {
-    const float size = float(textureSize(segmentTable, 0).x);
-    // The same ends as the function's table, which has other texels.
-    vec2 place = (vec2(front, back) * valueAxis.x + valueAxis.y) * valueAxis.w - 0.5;
-    place = clamp(place / (valueAxis.w - 1.0), 0.0, 1.0);
-    vec4 c = textureLod(segmentTable, (place * (size - 1.0) + 0.5) / size, 0.0);
-    return min(front, back) >= valueAxis.z ? c : vec4(0.0);
-}
-#endif
 
 // Whether any value from lo to hi may have opacity (with some gradient magnitude). Never false for one that has.
 bool mayBeVisible(float lo, float hi) {

@@ -14,7 +14,6 @@ namespace {
 
 struct Answer {
     glm::vec4 colour;
-    glm::vec4 segment;
     glm::vec4 mayBeVisible;
 };
 
@@ -116,57 +115,6 @@ TEST_F(ClassificationTest, ShapesOnTheDeviceEqualTheFunction) {
     }
 }
 
-// Front to back over fine slices of a segment along which the value goes from front to back.
-glm::dvec4 integrate(const FunctionSampler& sampler, double front, double back, double steps) {
-    constexpr int slices = 4000;
-    glm::dvec4 sum(0);
-    for (int i = 0; i < slices; ++i) {
-        const auto c = sampler.at(front + (back - front) * (i + 0.5) / slices, 0);
-        const double opacity = opacityOver(std::min(c.w, 1 - 1e-6), steps / slices);
-        sum += (1 - sum.w) * opacity * glm::dvec4(glm::dvec3(c), 1);
-    }
-    return sum;
-}
-
-TEST_F(ClassificationTest, SegmentsEqualAFineIntegral) {
-    const field::Field field = makeField();
-    for (const double steps : {0.5, 1.0}) {
-        for (int i = 0; i < 4; ++i) {
-            TransferFunction f = randomCurve(FunctionKind::Intensity, -1000, 3000);
-            // The table's own resolution is not what is looked at: no steps in the function.
-            for (std::size_t k = 0; k < f.points.size(); ++k) {
-                f.points[k].position = -1000 + 800.0 * double(k);
-                f.points[k].opacity = std::min(f.points[k].opacity, 0.95);
-            }
-            Classification classification(steps);
-            classification.update(f, field);
-            const FunctionSampler sampler(f);
-            const auto queries = pairs(150, -1000, 3000, -1000, 3000);
-            const auto answers = ask(classification, queries);
-            for (std::size_t q = 0; q < queries.size(); ++q) {
-                const auto expected = integrate(sampler, double(queries[q].x), double(queries[q].y), steps);
-                EXPECT_LE(worstDifference(answers[q].segment, expected), 0.015)
-                    << queries[q].x << " to " << queries[q].y;
-            }
-        }
-    }
-}
-
-// A peak narrower than the step between two samples is not lost: what pre-integration is for.
-TEST_F(ClassificationTest, ASegmentSeesAPeakBetweenItsEnds) {
-    const field::Field field = makeField();
-    TransferFunction f;
-    f.points = {{-1000, 0}, {990, 0}, {1000, 0.9}, {1010, 0}, {3000, 0}};
-    Classification classification;
-    classification.update(f, field);
-    const auto answers = ask(classification, {{0, 2000}, {0, 900}, {2000, 0}});
-    EXPECT_EQ(answers[0].colour.w, 0);
-    EXPECT_NEAR(double(answers[0].segment.w), integrate(FunctionSampler(f), 0, 2000, 0.5).w, 1e-4);
-    EXPECT_GT(answers[0].segment.w, 0.001F);
-    EXPECT_EQ(answers[1].segment.w, 0);
-    EXPECT_NEAR(double(answers[2].segment.w), double(answers[0].segment.w), 1e-5);
-}
-
 TEST_F(ClassificationTest, NothingVisibleIsEverSkipped) {
     const field::Field field = makeField();
     int skipped = 0;
@@ -217,10 +165,8 @@ TEST_F(ClassificationTest, NonFiniteVoxelsAreClear) {
     classification.update(f, field);
     const auto answers = ask(classification, {{-1e30F, -1e30F}, {-1e27F, 0.5F}, {0, 0}});
     EXPECT_EQ(answers[0].colour.w, 0);
-    EXPECT_EQ(answers[0].segment.w, 0);
     EXPECT_EQ(answers[0].mayBeVisible.x, 0);
     EXPECT_EQ(answers[1].colour.w, 0);
-    EXPECT_EQ(answers[1].segment.w, 0);
     EXPECT_EQ(answers[1].mayBeVisible.x, 1);
     EXPECT_NEAR(answers[2].colour.w, 0.5, 1e-6);
 }

@@ -16,17 +16,6 @@ TEST(ClassificationTables, ResolutionIsSpentWhereTheFunctionAndTheDataAre) {
     EXPECT_EQ(beyond.main.front().w, 1.0F) << "all of the data lies above the last point";
 }
 
-TEST(ClassificationTables, IntegralsKeepSmallOpacitiesBesideLargeOnes) {
-    TransferFunction f;
-    f.points = {{0, 1}, {50, 1}, {50, 1e-4}, {100, 1e-4}};
-    const auto tables = makeTables(f, {0, 100}, 1);
-    const auto& integrals = tables.integrals;
-    ASSERT_EQ(integrals.size(), tables.main.size());
-    const std::size_t last = integrals.size() - 1;
-    const double faint = double(integrals[last].w - integrals[last - 100].w) * tables.quantum / 100;
-    EXPECT_NEAR(faint, extinction(1e-4), 2e-6);
-}
-
 TEST(ClassificationTables, OpacityIsPerStep) {
     TransferFunction f;
     f.points = {{0, 0.75}};

@@ -216,6 +216,8 @@ void Context::requireNoErrors() const {
     }
 }
 
+bool Context::isSoftware() { return describeCurrent().isSoftware; }
+
 void Context::finish() {
     glFinish();
     collectErrors();

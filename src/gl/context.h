@@ -39,6 +39,8 @@ public:
     [[nodiscard]] int errorCount() const;
     // Throws GlError if there are any: what was computed cannot be relied on.
     void requireNoErrors() const;
+    // Whether the current context renders on the CPU.
+    static bool isSoftware();
     // Waits until the device has done everything submitted so far.
     static void finish();
 

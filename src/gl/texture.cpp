@@ -44,6 +44,8 @@ FormatInfo info(Format format) {
         return {GL_RG32F, GL_RG, GL_FLOAT, 8};
     case Format::RGBA8:
         return {GL_RGBA8, GL_RGBA, GL_UNSIGNED_BYTE, 4};
+    case Format::RGBA16:
+        return {GL_RGBA16, GL_RGBA, GL_UNSIGNED_SHORT, 8};
     case Format::RGBA16F:
         return {GL_RGBA16F, GL_RGBA, GL_HALF_FLOAT, 8};
     case Format::RGBA32F:
@@ -55,6 +57,8 @@ FormatInfo info(Format format) {
 } // namespace
 
 std::size_t bytesPerTexel(Format format) { return info(format).bytes; }
+
+unsigned int internalFormat(Format format) { return info(format).internal; }
 
 std::size_t Texture::bytes() const {
     std::size_t texels = 0;

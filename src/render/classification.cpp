@@ -75,6 +75,14 @@ void Classification::uploadTables(const ClassificationTables& tables) {
     const auto filter = tables.size.y > 1 ? gl::Filter::Linear : gl::Filter::Nearest;
     upload(main_, tables.size, gl::Format::RGBA32F, filter, "transfer function",
            std::as_bytes(std::span(tables.main)));
+    if (!tables.spans.empty()) {
+        if (spans_.texels() != tables.spans.size()) {
+            spans_ =
+                gl::TexelBuffer(tables.spans.size(), gl::Format::RGBA32F, "transfer function over spans");
+        }
+        spans_.write(std::as_bytes(std::span(tables.spans)), 0);
+        uploadedBytes_ += std::as_bytes(std::span(tables.spans)).size();
+    }
     upload(visibleBefore_, {int(tables.visibleBefore.size()), 1}, gl::Format::R32UI, gl::Filter::Nearest,
            "visible values", std::as_bytes(std::span(tables.visibleBefore)));
 }
@@ -102,7 +110,8 @@ void Classification::writeBlock(const ClassificationTables& tables, const field:
         field.isIntegral ? double(field::kNonFinite) : field.range.lo - double(field::valueTolerance(field));
     block.valueAxis = glm::vec4(glm::dvec4(axisOf(tables.values, columns), lowest, columns));
     block.gradientAxis =
-        glm::vec4(glm::dvec4(axisOf(tables.gradients, isGradient ? tables.size.x : tables.size.y), 0, 0));
+        glm::vec4(glm::dvec4(axisOf(tables.gradients, isGradient ? tables.size.x : tables.size.y),
+                             double(columns) * axisOf(tables.values, columns)));
     block.lighting = {float(resolved_.lighting.amount), float(resolved_.lighting.gloss), touchable(tables),
                       0};
     block_.writeValue(block);
@@ -110,6 +119,9 @@ void Classification::writeBlock(const ClassificationTables& tables, const field:
 
 void Classification::bind() const {
     main_.bindTexture(5);
+    if (spans_) {
+        spans_.bindTexture(10);
+    }
     visibleBefore_.bindTexture(7);
     block_.bindUniform(2);
 }

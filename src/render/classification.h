@@ -4,6 +4,7 @@
 #include "field/field.h"
 #include "gl/buffer.h"
 #include "gl/program.h"
+#include "gl/texel_buffer.h"
 #include "render/classification_tables.h"
 
 namespace vs::render {
@@ -13,13 +14,14 @@ namespace vs::render {
 struct ClassificationBlock {
     glm::vec4 valueAxis{
         0}; // x scale, y offset to a table coordinate 0..1; z lowest value that counts, w columns
-    glm::vec4 gradientAxis{0}; // x scale, y offset to a table coordinate 0..1
-    glm::vec4 lighting{0};     // x amount, y gloss, z opacity per step that a pen meets
+    glm::vec4 gradientAxis{
+        0};                // x scale, y offset to a table coordinate 0..1; zw the same for values, to columns
+    glm::vec4 lighting{0}; // x amount, y gloss, z opacity per step that a pen meets
 };
 static_assert(sizeof(ClassificationBlock) == 48);
 
 // The tables of one transfer function on the device, resolved against one field. Shaders include
-// "render/shaders/classification.glsl" with TF_KIND defined as kindDefine() says. Textures 5 and 7 and
+// "render/shaders/classification.glsl" with TF_KIND defined as kindDefine() says. Textures 5, 7 and 10 and
 // uniform block 2 are taken while it is bound.
 class Classification {
 public:
@@ -50,6 +52,7 @@ private:
 
     gl::Buffer block_;
     gl::Texture main_;
+    gl::TexelBuffer spans_;
     gl::Texture visibleBefore_;
 
     TransferFunction function_;

@@ -72,6 +72,50 @@ void fillMain(ClassificationTables& tables, const TransferFunction& function, do
     }
 }
 
+// Optical depth per step; what is opaque still lets a millionth through.
+double depthOf(double opacity) { return -std::log(1 - std::min(opacity, 1 - 1e-6)); }
+
+// Optical depths per step and colours weighted by them, summed over all columns before each and after the
+// last.
+std::vector<glm::dvec4> sumsOf(const std::vector<glm::vec4>& columns) {
+    std::vector<glm::dvec4> sums{glm::dvec4(0)};
+    for (const glm::vec4& c : columns) {
+        sums.push_back(sums.back() + depthOf(double(c.w)) * glm::dvec4(glm::dvec3(c), 1.0));
+    }
+    return sums;
+}
+
+// The sum up to a place between columns; the outermost go on outside.
+glm::dvec4 sumUpTo(double x, const std::vector<glm::dvec4>& sums) {
+    const double column = std::clamp(std::floor(x), 0.0, double(sums.size()) - 2);
+    const auto i = std::size_t(column);
+    return sums[i] + (x - column) * (sums[i + 1] - sums[i]);
+}
+
+glm::vec4 meanOfSpan(double from, double to, const std::vector<glm::dvec4>& sums) {
+    const glm::dvec4 sum = sumUpTo(to, sums) - sumUpTo(from, sums);
+    // Differences of sums may leave a trace of what is not there.
+    if (sum.w <= 1e-12 * sums.back().w) {
+        return glm::vec4(0);
+    }
+    return {glm::vec3(glm::dvec3(sum) / sum.w), float(1 - std::exp(-0.5 * sum.w / (to - from)))};
+}
+
+void fillSpans(ClassificationTables& tables) {
+    const auto sums = sumsOf(tables.main);
+    const int texels = int(tables.main.size()) + 2 * kSpanMargin;
+    tables.spans.reserve(std::size_t(texels) * kSpanRows);
+    for (int row = 0; row < kSpanRows; ++row) {
+        const int octave = row / 4;
+        const int pitch = 1 << std::max(octave - 3, 0); // columns of `main` for each
+        const double width = double(1 << octave) * (1 + 0.25 * (row % 4)) - (pitch - 1);
+        for (int i = -kSpanMargin; i < texels - kSpanMargin; ++i) {
+            const double middle = (i + 0.5) * pitch;
+            tables.spans.push_back(meanOfSpan(middle - 0.5 * width, middle + 0.5 * width, sums));
+        }
+    }
+}
+
 void countVisible(ClassificationTables& tables, bool valuesTell) {
     const int columns = valuesTell ? tables.size.x : 1;
     std::vector<bool> isVisible(std::size_t(columns), false);
@@ -101,6 +145,9 @@ ClassificationTables makeTables(const TransferFunction& absolute, const Range& d
             absolute.kind == FunctionKind::Gradient ? span : clampedTo(span, dataValues);
     }
     fillMain(tables, absolute, absolute.unitMm ? *absolute.unitMm / stepMm : 1);
+    if (absolute.kind == FunctionKind::Intensity) {
+        fillSpans(tables);
+    }
     countVisible(tables, absolute.kind != FunctionKind::Gradient);
     return tables;
 }

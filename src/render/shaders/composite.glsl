@@ -1,6 +1,6 @@
 // Volume mode: front-to-back compositing of what the transfer function shows (SPEC 3; Max 1995, "Optical models for direct
-// volume rendering"). A ray is cut into pieces between neighbouring samples. The transfer function is looked up more often
-// than the data, so that what is thin in it is not missed between two samples.
+// volume rendering"). A ray is cut into pieces between neighbouring samples, along which the value is taken to go evenly; the
+// transfer function counts with all that it has between their ends, so that what is thin in it is not missed.
 // Include "render/shaders/surface.glsl", "classification.glsl" and "shading.glsl" first. Defines: TF_KIND, SCULPTED.
 
 const float kOpaque = 0.99;         // nothing behind this much opacity is looked at
@@ -9,7 +9,7 @@ const int kLitTurns = 2;            // or for this many turns of kPieces pieces
 const int kPieces = 4;              // several a turn: on a software renderer the turn itself costs as much as they do.
                                     // Turns begin at every fourth sample, so that what is lit together does not depend on
                                     // what was skipped
-const int kLooks = 2;               // at the transfer function, for each piece
+const int kLooks = 2;               // at a transfer function of gradients, for each piece
 const float kUnseen = 1.0 / 2048.0; // pieces that make less of the pixel than this are not lit, only coloured
 
 // The part of the way from one place to the next that lies on the visible side: x where it begins, y where it ends.
@@ -21,18 +21,28 @@ vec2 visiblePart(float sideBefore, float sideAfter) {
     return max(sideBefore, sideAfter) < 0.0 ? vec2(0.0) : part;
 }
 
-// Opacity of `part` of a length whose opacity is `a`: 1 - (1 - a)^part to the third order, exact at both ends.
+// Opacity of `part` of a length whose opacity is `a`: 1 - (1 - a)^part to the third order, exact for 0, 1 and 2.
 float opacityOfPart(float a, float part) {
     return a * part * (1.0 + (1.0 - part) * a * (0.5 + (2.0 - part) * a / 6.0));
 }
 
-// Colour and opacity of a length of `steps`, at most `dt`, along which the value goes evenly from front to back.
+// What the function goes by at p: the value, or where that lies in the function's tables.
+float seenValue(vec3 p) {
+#if TF_KIND == 0
+    return columnOf(dataAt(p));
+#else
+    return dataAt(p);
+#endif
+}
+
+// Colour (premultiplied) and opacity of a length of `steps`, at most `dt`, along which the value goes evenly from front to
+// back.
 vec4 colourOfPiece(float front, float back, vec3 middle, float steps, float dt) {
 #if TF_KIND == 0
-    float gradient = 0.0;
+    vec4 c = classifySpan(front, back);
+    return opacityOfPart(c.a, 2.0 * steps) * vec4(c.rgb, 1.0);
 #else
     float gradient = length(dataGradient(middle));
-#endif
     vec4 sum = vec4(0.0);
     for (int look = 0; look < kLooks; ++look) {
         vec4 c = classify(mix(front, back, (float(look) + 0.5) / float(kLooks)), gradient);
@@ -42,6 +52,7 @@ vec4 colourOfPiece(float front, float back, vec3 middle, float steps, float dt) 
         sum += (1.0 - sum.a) * a * vec4(c.rgb, 1.0);
     }
     return sum;
+#endif
 }
 
 // What the light makes of an unlit colour at p.
@@ -74,7 +85,7 @@ vec3 litInVolume(vec4 colour, Ray ray, vec3 p, bool isCut) {
 struct Walk {
     float number; // of the sample where the next piece begins, counted from the eye
     float from;  // the same within the grid's box
-    float front; // the value there
+    float front; // what the function goes by there
     float side;  // and whether it is on the visible side
     vec4 found;  // premultiplied, unlit
     float weightedT;
@@ -86,7 +97,7 @@ void addPiece(inout Walk walk, Ray ray, float numberAfter, float dt, float jitte
     bool isPiece = numberAfter < walk.number + 1.5; // else a way over nothing
     float to = clamp((numberAfter + jitter) * dt, ray.tNear, ray.tFar);
     vec3 after = at(ray, to);
-    float back = dataAt(after);
+    float back = seenValue(after);
     vec2 part = vec2(0.0, 1.0);
 #ifdef SCULPTED
     float sideAfter = sideAt(after);
@@ -115,7 +126,7 @@ vec4 compositeAlong(Ray ray, float dt, float jitter, out float depth) {
     Walk walk;
     walk.number = pieces * floor((ray.tBegin / dt - jitter) / pieces) - 1.0;
     walk.from = clamp((walk.number + jitter) * dt, ray.tNear, ray.tFar);
-    walk.front = dataAt(at(ray, walk.from));
+    walk.front = seenValue(at(ray, walk.from));
     walk.side = sideAt(at(ray, walk.from));
     while (walk.number < stop) {
         // Look for the next pieces that show something; they are lit together.

@@ -15,6 +15,7 @@ namespace {
 struct Answer {
     glm::vec4 colour;
     glm::vec4 mayBeVisible;
+    glm::vec4 span;
 };
 
 class ClassificationTest : public test::GlTest {
@@ -115,6 +116,68 @@ TEST_F(ClassificationTest, ShapesOnTheDeviceEqualTheFunction) {
     }
 }
 
+// A piece of a ray along which the value goes from one to another shows a mean of the function between them.
+TEST_F(ClassificationTest, SpansShowWhatLiesBetweenTheirEndsAndNothingElse) {
+    const field::Field field = makeField();
+    int empty = 0;
+    for (int i = 0; i < 20; ++i) {
+        const auto f = randomCurve(FunctionKind::Intensity, -1200, 3200);
+        const FunctionSampler sampler(f);
+        Classification classification;
+        classification.update(f, field);
+        auto queries = pairs(400, -1000, 3000, -1, 1);
+        for (glm::vec2& q : queries) {
+            q.y = q.x + 1500 * q.y * q.y * q.y;
+        }
+        const auto answers = ask(classification, queries);
+        for (std::size_t q = 0; q < queries.size(); ++q) {
+            double least = 1;
+            double greatest = 0;
+            const double column = 4400.0 / 4089; // at the most: places are rounded to whole ones
+            const double lo = std::min(double(queries[q].x), double(queries[q].y)) - column;
+            const double hi = std::max(double(queries[q].x), double(queries[q].y)) + column;
+            for (int k = 0; k <= 500; ++k) {
+                const double value = glm::mix(lo, hi, k / 500.0);
+                const double opacity = opacityOver(sampler.at(value, 0).w, 0.5);
+                least = std::min(least, opacity);
+                greatest = std::max(greatest, opacity);
+            }
+            const double opacity = double(answers[q].span.w);
+            const double hair = 1e-3;
+            EXPECT_GE(opacity, least - hair) << queries[q].x << ' ' << queries[q].y;
+            EXPECT_LE(opacity, greatest + hair) << queries[q].x << ' ' << queries[q].y;
+            if (answers[q].mayBeVisible.x == 0 && queries[q].x < queries[q].y) {
+                EXPECT_EQ(opacity, 0) << "or skipping it would change the picture";
+                ++empty;
+            }
+        }
+    }
+    EXPECT_GT(empty, 200);
+}
+
+// However wide its pieces are, a ray along which the value rises meets as much of a thin peak.
+TEST_F(ClassificationTest, ThinPeaksCountWhateverTheWidthOfThePieces) {
+    const field::Field field = makeField();
+    TransferFunction f;
+    f.points = {{-1000, 0}, {990, 0}, {1000, 0.4}, {1010, 0}, {3000, 0, {255, 255, 255}}};
+    Classification classification;
+    classification.update(f, field);
+    const double across = -std::log(1 - 0.4) * 10 * 0.9; // about the integral of the peak's depth
+    for (const double width : {3.0, 20.0, 77.0, 150.0, 400.0}) {
+        std::vector<glm::vec2> queries;
+        for (int phase = 0; phase < 64; ++phase) {
+            for (double value = -1000 - width * phase / 64.0; value < 3000; value += width) {
+                queries.emplace_back(value, value + width);
+            }
+        }
+        double sum = 0;
+        for (const Answer& answer : ask(classification, queries)) {
+            sum += -2 * std::log(1 - double(answer.span.w)) * width;
+        }
+        EXPECT_NEAR(sum / 64 / across, 1, 0.06) << width;
+    }
+}
+
 TEST_F(ClassificationTest, NothingVisibleIsEverSkipped) {
     const field::Field field = makeField();
     int skipped = 0;
@@ -169,6 +232,9 @@ TEST_F(ClassificationTest, NonFiniteVoxelsAreClear) {
     EXPECT_EQ(answers[1].colour.w, 0);
     EXPECT_EQ(answers[1].mayBeVisible.x, 1);
     EXPECT_NEAR(answers[2].colour.w, 0.5, 1e-6);
+    EXPECT_EQ(answers[0].span.w, 0);
+    EXPECT_EQ(answers[1].span.w, 0);
+    EXPECT_NEAR(answers[2].span.w, 1 - std::sqrt(0.5), 1e-6);
 }
 
 TEST_F(ClassificationTest, OnlyTablesAreUploadedAndOnlyWhenSomethingChanged) {
@@ -177,7 +243,7 @@ TEST_F(ClassificationTest, OnlyTablesAreUploadedAndOnlyWhenSomethingChanged) {
     Classification classification;
     EXPECT_TRUE(classification.update(f, field));
     const std::size_t once = classification.uploadedBytes();
-    EXPECT_LE(once, 160U << 10);
+    EXPECT_LE(once, 4U << 20);
     EXPECT_FALSE(classification.update(f, field));
     EXPECT_EQ(classification.uploadedBytes(), once);
     f.points[2].opacity += 0.01;

@@ -1,5 +1,5 @@
 // Asks the transfer function's tables. In: storage 0 queries (value, gradient magnitude or second value).
-// Out: storage 1 per query classify(), and in x of a second whether it may be visible.
+// Out: storage 1 per query classify(), in x of a second whether it may be visible, and third classifySpan().
 layout(local_size_x = 64) in;
 
 #include "render/shaders/classification.glsl"
@@ -15,6 +15,11 @@ void main() {
         return;
     }
     vec2 query = queries[i];
-    answers[2 * i] = classify(query.x, query.y);
-    answers[2 * i + 1] = vec4(mayBeVisible(query.x, query.y) ? 1.0 : 0.0);
+    answers[3 * i] = classify(query.x, query.y);
+    answers[3 * i + 1] = vec4(mayBeVisible(query.x, query.y) ? 1.0 : 0.0);
+#if TF_KIND == 0
+    answers[3 * i + 2] = classifySpan(columnOf(query.x), columnOf(query.y));
+#else
+    answers[3 * i + 2] = vec4(0.0);
+#endif
 }

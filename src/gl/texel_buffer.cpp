@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gl/texel_buffer.h"
+
+#include "base/check.h"
+
+#include <epoxy/gl.h>
+
+namespace vs::gl {
+
+TexelBuffer::TexelBuffer(std::size_t texels, Format format, const std::string& label)
+    : buffer_(texels * bytesPerTexel(format), label), texels_(texels), format_(format) {
+    VS_CHECK(texels <= mostTexels());
+    GLuint name = 0;
+    glCreateTextures(GL_TEXTURE_BUFFER, 1, &name);
+    view_ = Handle<detail::deleteTexture>(name);
+    glTextureBuffer(name, internalFormat(format), buffer_.name());
+    glObjectLabel(GL_TEXTURE, name, -1, label.c_str());
+}
+
+std::size_t TexelBuffer::mostTexels() {
+    GLint most = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &most);
+    return std::size_t(most);
+}
+
+void TexelBuffer::write(std::span<const std::byte> bytes, std::size_t first) {
+    buffer_.write(bytes, first * bytesPerTexel(format_));
+}
+
+void TexelBuffer::bindTexture(unsigned int unit) const { glBindTextureUnit(unit, view_.name()); }
+
+} // namespace vs::gl

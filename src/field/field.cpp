@@ -11,11 +11,22 @@ namespace vs::field {
 
 namespace {
 
+template <typename Texel>
+void uploadSlab(Field& field, const Box3& box, std::span<const Texel> texels) {
+    field.texels.upload(box, std::as_bytes(texels));
+    if (field.quads) {
+        const glm::ivec2 slice(box.size());
+        const auto quads = quadsOfSlices(texels, slice);
+        field.quads.write(std::as_bytes(std::span(quads)),
+                          std::size_t(slice.x) * std::size_t(slice.y) * std::size_t(box.lo.z));
+    }
+}
+
 // Uploads in slabs so that no copy of the whole volume is made. `convert` turns one stored value into one
 // texel.
 template <typename Texel, typename Stored, typename Convert>
-void uploadSlabs(gl::Texture& texture, const Stored* values, Convert convert) {
-    const glm::ivec3 dims = texture.size();
+void uploadSlabs(Field& field, const Stored* values, Convert convert) {
+    const glm::ivec3 dims = field.texels.size();
     const std::size_t slice = std::size_t(dims.x) * std::size_t(dims.y);
     const int slab = std::max(1, int((std::size_t(8) << 20) / slice));
     std::vector<Texel> texels;
@@ -25,11 +36,11 @@ void uploadSlabs(gl::Texture& texture, const Stored* values, Convert convert) {
         const Stored* source = values + slice * std::size_t(z);
         const Box3 box{{0, 0, z}, {dims.x, dims.y, end}};
         if constexpr (std::is_same_v<Texel, Stored>) {
-            texture.upload(box, std::as_bytes(std::span(source, count)));
+            uploadSlab(field, box, std::span(source, count));
         } else {
             texels.resize(count);
             std::transform(source, source + count, texels.begin(), convert);
-            texture.upload(box, std::as_bytes(std::span(texels)));
+            uploadSlab(field, box, std::span<const Texel>(texels));
         }
     }
 }
@@ -55,25 +66,24 @@ Field uploadVolume(const volume::Volume& volume) {
         const auto make = [&](gl::Format format) {
             field.texels =
                 gl::Texture(volume.geometry.dims, format, gl::Filter::Linear, "data " + volume.name);
+            field.quads = makeQuads(volume.geometry.dims, format);
         };
         field.isIntegral = std::is_integral_v<T>;
         if constexpr (sizeof(T) == 1) {
             make(gl::Format::R8);
             field.valueScale = 255;
             field.valueOffset = std::is_signed_v<T> ? -128 : 0;
-            uploadSlabs<std::uint8_t>(field.texels, values, [](T v) {
-                return std::uint8_t(int(v) + (std::is_signed_v<T> ? 128 : 0));
-            });
+            uploadSlabs<std::uint8_t>(
+                field, values, [](T v) { return std::uint8_t(int(v) + (std::is_signed_v<T> ? 128 : 0)); });
         } else if constexpr (sizeof(T) == 2) {
             make(gl::Format::R16);
             field.valueScale = 65535;
             field.valueOffset = std::is_signed_v<T> ? -32768 : 0;
-            uploadSlabs<std::uint16_t>(field.texels, values, [](T v) {
-                return std::uint16_t(int(v) + (std::is_signed_v<T> ? 32768 : 0));
-            });
+            uploadSlabs<std::uint16_t>(
+                field, values, [](T v) { return std::uint16_t(int(v) + (std::is_signed_v<T> ? 32768 : 0)); });
         } else {
             make(gl::Format::R32F);
-            uploadSlabs<float>(field.texels, values, [](T v) {
+            uploadSlabs<float>(field, values, [](T v) {
                 const float f = float(v);
                 return std::isfinite(f) ? f : kNonFinite;
             });
@@ -82,7 +92,7 @@ Field uploadVolume(const volume::Volume& volume) {
                     std::vector<float> clean(values, values + volume.geometry.voxelCount());
                     std::replace_if(
                         clean.begin(), clean.end(), [](float f) { return !std::isfinite(f); }, kNonFinite);
-                    uploadSlabs<float>(field.texels, clean.data(), [](float f) { return f; });
+                    uploadSlabs<float>(field, clean.data(), [](float f) { return f; });
                 }
             }
         }

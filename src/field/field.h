@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "field/quads.h"
 #include "gl/texture.h"
 #include "volume/volume.h"
 
@@ -13,6 +14,7 @@ namespace vs::field {
 // (isIntegral). Non-finite voxels hold kNonFinite, which no range contains.
 struct Field {
     gl::Texture texels;
+    gl::TexelBuffer quads; // on software renderers: the same again, for faster sampling
     volume::GridGeometry geometry;
     float valueScale = 1;
     float valueOffset = 0;

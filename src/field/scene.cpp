@@ -32,6 +32,9 @@ void SceneBinding::bind(const Scene& scene) {
     block_.writeValue(block);
     block_.bindUniform(0);
     data.texels.bindTexture(0);
+    if (data.quads) {
+        data.quads.bindTexture(6);
+    }
     (scene.sculpture != nullptr ? *scene.sculpture : empty_).bindTexture(1);
     (scene.segmentation != nullptr ? *scene.segmentation : empty_).bindTexture(2);
 }

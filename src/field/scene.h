@@ -38,9 +38,9 @@ struct Scene {
     Sampling sampling = Sampling::Trilinear; // of the data; sculpture and segmentation are always trilinear
 };
 
-// Binds a scene: uniform block 0, textures 0 (data), 1 (sculpture), 2 (segmentation). Shaders include
-// "field/shaders/scene.glsl" and call sampleScene(). Units 0 to 2 and uniform block 0 are taken while it is
-// bound.
+// Binds a scene: uniform block 0, textures 0 (data), 1 (sculpture), 2 (segmentation), 6 (the data's quads,
+// where it has them). Shaders include "field/shaders/scene.glsl" and call sampleScene(); with QUADS defined
+// they sample the quads. Those units and uniform block 0 are taken while it is bound.
 class SceneBinding {
 public:
     SceneBinding();

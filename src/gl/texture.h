@@ -23,7 +23,8 @@ enum class Filter { Nearest, Linear };
 enum class Access { Read, Write, ReadWrite };
 
 // A grid of texels on the device, three- or two-dimensional (a 2D texture has size.z == 1 and is a
-// GL_TEXTURE_2D). Coordinates outside give the nearest texel. All calls need a current context.
+// GL_TEXTURE_2D). Coordinates above the upper border give the nearest texel, those below the lower one are
+// mirrored there; so up to half a texel outside it is the nearest one too. All calls need a current context.
 class Texture {
 public:
     Texture() = default;

@@ -96,8 +96,9 @@ gl::Program& RayCaster::programFor(const Frame& frame) {
     const int kind = frame.classification != nullptr ? 1 + int(frame.classification->kind()) : 0;
     const bool isLit = frame.occlusion != nullptr;
     const bool hasParts = !frame.pasted.empty();
-    const int key = 64 * static_cast<int>(frame.mode) + 16 * kind + (hasParts ? 8 : 0) + (isLit ? 4 : 0) +
-                    (isTricubic ? 2 : 0) + (isSculpted ? 1 : 0);
+    const bool hasQuads = bool(frame.scene.data->quads);
+    const int key = 128 * static_cast<int>(frame.mode) + (hasQuads ? 64 : 0) + 16 * kind +
+                    (hasParts ? 8 : 0) + (isLit ? 4 : 0) + (isTricubic ? 2 : 0) + (isSculpted ? 1 : 0);
     auto& program = programs_[key];
     if (!program) {
         const int content = frame.mode == Mode::Overlay ? 1 : frame.mode == Mode::Segment ? 2 : 0;
@@ -111,6 +112,9 @@ gl::Program& RayCaster::programFor(const Frame& frame) {
         }
         if (hasParts) {
             defines.emplace_back("PARTS", "1");
+        }
+        if (hasQuads) {
+            defines.emplace_back("QUADS", "1");
         }
         if (isTricubic) {
             defines.emplace_back("TRICUBIC", "1");

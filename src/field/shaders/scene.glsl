@@ -2,7 +2,7 @@
 // displacement, bricked storage) go in here and nowhere else.
 //
 // Spaces: voxel space has voxel centres at integers; texture space is (p + 0.5) / dims; world is LPS millimetres.
-// Bindings: uniform block 0; textures 0 data, 1 sculpture, 2 segmentation (field::SceneBinding).
+// Bindings: uniform block 0; textures 0 data, 1 sculpture, 2 segmentation, with QUADS 6 (field::SceneBinding).
 
 layout(std140, binding = 0) uniform SceneBlock {
     mat4 worldFromVoxel;
@@ -27,10 +27,16 @@ struct SceneSample {
 
 vec3 textureFromVoxel(vec3 p) { return (p + 0.5) * sceneFlags.yzw; }
 
+#ifdef QUADS
+#include "field/shaders/quads.glsl"
+#else
+float storedAt(vec3 p) { return textureLod(dataTexture, textureFromVoxel(p), 0.0).r; }
+#endif
+
 #ifdef TRICUBIC
 #include "field/shaders/tricubic.glsl"
 #else
-float dataAt(vec3 p) { return textureLod(dataTexture, textureFromVoxel(p), 0.0).r * valueScale.x + valueScale.y; }
+float dataAt(vec3 p) { return storedAt(p) * valueScale.x + valueScale.y; }
 #endif
 
 // The stored value of one voxel, exact.
@@ -66,26 +72,33 @@ bool isVisible(SceneSample s) { return s.dataInside >= 0.0 && s.uncut >= 0.0; }
 // data's own derivative.
 vec3 worldGradient(vec3 voxelGradient) { return transpose(mat3(voxelFromWorld)) * voxelGradient; }
 
+// One voxel before p along each axis, but not beyond the grid's box, where textures are mirrored.
+vec3 placesBefore(vec3 p) { return max(p - 1.0, vec3(-0.5)); }
+
 #ifdef TRICUBIC
 vec3 dataGradient(vec3 p) { return worldGradient(voxelGradientAt(p)); }
 #else
 vec3 dataGradient(vec3 p) {
-    const vec3 e = vec3(1.0, 0.0, 0.0);
-    return worldGradient(0.5 * vec3(dataAt(p + e.xyy) - dataAt(p - e.xyy), dataAt(p + e.yxy) - dataAt(p - e.yxy),
-                                    dataAt(p + e.yyx) - dataAt(p - e.yyx)));
+    vec3 before = placesBefore(p);
+    vec3 after = p + 1.0;
+    return worldGradient(0.5 * vec3(dataAt(vec3(after.x, p.yz)) - dataAt(vec3(before.x, p.yz)),
+                                    dataAt(vec3(p.x, after.y, p.z)) - dataAt(vec3(p.x, before.y, p.z)),
+                                    dataAt(vec3(p.xy, after.z)) - dataAt(vec3(p.xy, before.z))));
 }
 #endif
 
 vec3 sculptureGradient(vec3 p) {
-    const vec3 e = vec3(1.0, 0.0, 0.0);
-    return worldGradient(0.5 * vec3(sculptureAt(p + e.xyy) - sculptureAt(p - e.xyy),
-                                    sculptureAt(p + e.yxy) - sculptureAt(p - e.yxy),
-                                    sculptureAt(p + e.yyx) - sculptureAt(p - e.yyx)));
+    vec3 before = placesBefore(p);
+    vec3 after = p + 1.0;
+    return worldGradient(0.5 * vec3(sculptureAt(vec3(after.x, p.yz)) - sculptureAt(vec3(before.x, p.yz)),
+                                    sculptureAt(vec3(p.x, after.y, p.z)) - sculptureAt(vec3(p.x, before.y, p.z)),
+                                    sculptureAt(vec3(p.xy, after.z)) - sculptureAt(vec3(p.xy, before.z))));
 }
 
 vec3 segmentationGradient(vec3 p) {
-    const vec3 e = vec3(1.0, 0.0, 0.0);
-    return worldGradient(0.5 * vec3(segmentationAt(p + e.xyy) - segmentationAt(p - e.xyy),
-                                    segmentationAt(p + e.yxy) - segmentationAt(p - e.yxy),
-                                    segmentationAt(p + e.yyx) - segmentationAt(p - e.yyx)));
+    vec3 before = placesBefore(p);
+    vec3 after = p + 1.0;
+    return worldGradient(0.5 * vec3(segmentationAt(vec3(after.x, p.yz)) - segmentationAt(vec3(before.x, p.yz)),
+                                    segmentationAt(vec3(p.x, after.y, p.z)) - segmentationAt(vec3(p.x, before.y, p.z)),
+                                    segmentationAt(vec3(p.xy, after.z)) - segmentationAt(vec3(p.xy, before.z))));
 }

@@ -3,7 +3,7 @@
 // fetches stand for 64 voxels (Sigg and Hadwiger 2005, "Fast third-order texture filtering", GPU Gems 2, chapter 20).
 // Voxel space. Beyond the grid values are those at its border. Included by scene.glsl.
 
-// Where two neighbours are joined, along each axis, and with what weights: `lower` and `upper` in texture space.
+// Where two neighbours are joined, along each axis, and with what weights.
 struct Taps {
     vec3 lower;
     vec3 upper;
@@ -11,8 +11,8 @@ struct Taps {
     vec3 weightUpper;
 };
 
-// Texture space from voxel space; values outside are those at the border, which a mirrored texture would not give.
-vec3 tapAt(vec3 p) { return textureFromVoxel(clamp(p, vec3(0.0), vec3(dims.xyz - 1))); }
+// Values outside are those at the border, which a mirrored texture would not give.
+vec3 tapAt(vec3 p) { return clamp(p, vec3(0.0), vec3(dims.xyz - 1)); }
 
 Taps valueTaps(vec3 p) {
     vec3 first = floor(p);
@@ -42,7 +42,7 @@ Taps slopeTaps(vec3 p) {
     return taps;
 }
 
-float tap(float x, float y, float z) { return textureLod(dataTexture, vec3(x, y, z), 0.0).r; }
+float tap(float x, float y, float z) { return storedAt(vec3(x, y, z)); }
 
 // Two of the eight fetches, along x.
 float tapsAlongX(Taps t, float y, float z) {

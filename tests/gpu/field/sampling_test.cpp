@@ -17,12 +17,22 @@ protected:
     // Gradients (xyz) and values (w) at places of the volume.
     static std::vector<glm::vec4> sample(const volume::Volume& volume, const std::vector<glm::vec4>& places,
                                          Sampling sampling = Sampling::Tricubic) {
-        const Field field = uploadVolume(volume);
+        return sample(uploadVolume(volume), places, sampling, false);
+    }
+
+    static std::vector<glm::vec4> sample(const Field& field, const std::vector<glm::vec4>& places,
+                                         Sampling sampling, bool fromQuads) {
         SceneBinding binding;
         binding.bind({.data = &field, .displayedRange = field.range, .greyWindow = field.range});
         setenv("VOLUME_STUDIO_SHADER_DIR", VS_TEST_SHADERS, 1);
-        gl::Program program("sample_data.comp",
-                            sampling == Sampling::Tricubic ? gl::Defines{{"TRICUBIC", "1"}} : gl::Defines{});
+        gl::Defines defines;
+        if (sampling == Sampling::Tricubic) {
+            defines.emplace_back("TRICUBIC", "1");
+        }
+        if (fromQuads) {
+            defines.emplace_back("QUADS", "1");
+        }
+        gl::Program program("sample_data.comp", defines);
         unsetenv("VOLUME_STUDIO_SHADER_DIR");
         gl::Buffer in(places.size() * sizeof(glm::vec4), "places");
         gl::Buffer out(places.size() * sizeof(glm::vec4), "answers");
@@ -73,6 +83,36 @@ volume::Volume makeNoise(volume::ScalarType type, double lo, double hi, glm::ive
     volume.geometry.worldFromVoxel =
         glm::dmat4({0.6, 0.3, 0, 0}, {-0.4, 0.9, 0.1, 0}, {0.2, 0, 2.5, 0}, {10, -20, 30, 1});
     return volume;
+}
+
+TEST_F(SamplingTest, QuadsGiveWhatTheFilterGives) {
+    using enum volume::ScalarType;
+    int compared = 0;
+    for (const auto type : {UInt8, Int8, UInt16, Int16, Int32, Float32}) {
+        for (const glm::ivec3 dims : {glm::ivec3(23, 17, 11), glm::ivec3(1, 5, 9), glm::ivec3(7, 1, 1)}) {
+            const Field field = uploadVolume(makeNoise(type, -100, 100, dims));
+            if (!field.quads) {
+                GTEST_SKIP() << "this device has a texture unit";
+            }
+            auto places = placesIn(dims, 2000);
+            for (const Sampling sampling : {Sampling::Trilinear, Sampling::Tricubic}) {
+                const auto filtered = sample(field, places, sampling, false);
+                const auto fromQuads = sample(field, places, sampling, true);
+                for (std::size_t i = 0; i < places.size(); ++i) {
+                    // Single precision, on the way from 0 to valueScale.
+                    const double hair = 2e-6 * std::max(100.0, double(field.valueScale));
+                    EXPECT_NEAR(fromQuads[i].w, filtered[i].w, hair);
+                    ++compared;
+                }
+            }
+        }
+    }
+    EXPECT_EQ(compared, 6 * 3 * 2 * 2000);
+}
+
+TEST_F(SamplingTest, LargeVolumesHaveNoQuads) {
+    EXPECT_FALSE(makeQuads({2048, 2048, 16}, gl::Format::R16));
+    EXPECT_FALSE(makeQuads({2048, 2048, 5}, gl::Format::R32F));
 }
 
 TEST_F(SamplingTest, TricubicEqualsTheBSplineOnTheCpu) {

@@ -68,11 +68,10 @@ public:
                 {way.lo / step, way.hi / step}};
     }
 
-    // Trilinear; beyond the grid's box as the device's textures have it: mirrored at the lower borders, at
-    // the upper ones as at the outermost centres.
+    // Trilinear; beyond the outermost centres as there.
     [[nodiscard]] double valueAt(glm::dvec3 voxel) const {
         const glm::dvec3 last(volume_.geometry.dims - 1);
-        const glm::dvec3 p = glm::clamp(glm::max(voxel, -1.0 - voxel), glm::dvec3(0), last);
+        const glm::dvec3 p = glm::clamp(voxel, glm::dvec3(0), last);
         const glm::dvec3 first = glm::min(glm::floor(p), glm::max(last - 1.0, glm::dvec3(0)));
         const glm::dvec3 f = p - first;
         double sum = 0;

@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "field/quads.h"
+
+#include "base/check.h"
+#include "gl/context.h"
+
+namespace vs::field {
+
+namespace {
+
+gl::Format fourOf(gl::Format format) {
+    VS_CHECK(format == gl::Format::R8 || format == gl::Format::R16 || format == gl::Format::R32F);
+    return format == gl::Format::R8    ? gl::Format::RGBA8
+           : format == gl::Format::R16 ? gl::Format::RGBA16
+                                       : gl::Format::RGBA32F;
+}
+
+} // namespace
+
+gl::TexelBuffer makeQuads(glm::ivec3 dims, gl::Format ofTexels) {
+    const std::size_t voxels = Box3{glm::ivec3(0), dims}.volume();
+    const gl::Format format = fourOf(ofTexels);
+    if (!gl::Context::isSoftware() || voxels * gl::bytesPerTexel(format) > kMostQuadBytes ||
+        voxels > gl::TexelBuffer::mostTexels()) {
+        return {};
+    }
+    return {voxels, format, "data in quads"};
+}
+
+} // namespace vs::field

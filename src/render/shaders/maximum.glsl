@@ -44,15 +44,19 @@ layout(binding = 11) uniform usampler2D slabWords;
 void lookAtSlab(Ray ray, Slabs slabs, int slab, float dt, inout Greatest best) {
     float number = slabs.first + float(slab * slabs.samples) + 0.5;
     float end = number + float(slabs.samples);
+    float highest = range.y + valueScale.w;
     do {
         for (int i = 0; i < kSlabBatch; ++i) {
             float t = (number + float(i)) * dt;
             vec3 p = at(ray, t);
             float value = dataAt(p);
-            bool counts = t >= ray.tBegin && t < ray.tEnd && insideRange(value) >= 0.0 && sideAt(p) >= 0.0;
+            // Values below the range never are: the search begins there.
+            bool counts = t >= ray.tBegin && t < ray.tEnd && value <= highest && sideAt(p) >= 0.0;
             bool better = counts && value > best.value;
             best.value = better ? value : best.value;
+#ifdef TF_KIND
             best.t = better ? t : best.t;
+#endif
         }
         number += float(kSlabBatch);
     } while (number < end);
@@ -71,7 +75,8 @@ int greatestAbove(uint bounds, uint code) {
 // As findGreatest, for the ray of a pixel: its beam's slabs in order, and only those that may hold more.
 Greatest findGreatestInSlabs(Ray ray, float dt) {
     Slabs slabs = slabsAlong(ray.beamEnds, dt);
-    Greatest best = Greatest(-1e30, ray.tNear);
+    float lowest = range.x - 2.0 * valueScale.w; // of what counts, and a little
+    Greatest best = Greatest(lowest, ray.tNear);
     int words = wordCount(slabs);
     int place = 0; // in the order
     int word = int(texelFetch(slabWords, placeOfWord(ray.beam, 0), 0).r & 0xffu);
@@ -81,7 +86,7 @@ Greatest findGreatestInSlabs(Ray ray, float dt) {
     do {
         lookAtSlab(ray, slabs, 4 * word + next, dt, best);
         bounds &= ~(0xffu << (8 * next));
-        uint code = codeOfGreatest(best.value);
+        uint code = best.value > lowest ? codeOfGreatest(best.value) : 0u;
         next = greatestAbove(bounds, code);
         do {
             bool goesOn = next == 4;
@@ -94,6 +99,7 @@ Greatest findGreatestInSlabs(Ray ray, float dt) {
             next = greatestAbove(bounds, code);
         } while (next == 4 && !isOver);
     } while (!isOver);
+    best.value = best.value > lowest ? best.value : -1e30;
     return best;
 }
 #endif

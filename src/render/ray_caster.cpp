@@ -84,9 +84,7 @@ ViewBlock viewBlock(const ViewRays& rays, const volume::GridGeometry& geometry) 
 
 RayCaster::RayCaster()
     : resolve_("render/shaders/resolve_picture.comp"), findBeams_("render/shaders/find_beams.comp"),
-      listSquares_("render/shaders/list_squares.comp"),
-      fillBackground_("render/shaders/fill_background.comp"),
-      fillFilm_("render/shaders/fill_background.comp", {{"FILM", "1"}}),
+      listSquares_("render/shaders/list_squares.comp"), fillFilm_("render/shaders/fill_film.comp"),
       squareCounts_(2 * sizeof(std::uint32_t), "square counts") {}
 
 gl::Program& RayCaster::programFor(const Frame& frame) {
@@ -228,19 +226,24 @@ void RayCaster::boundSlabs() {
     }
 }
 
-void RayCaster::fillBackground() {
-    const gl::Pass pass("fill background");
+// Whether squares where nothing can be seen show more than the background: see behindFilm() in shading.glsl.
+bool RayCaster::hasFilm() const {
+    const bool isSeenAgainstFilm =
+        frame_.mode == Mode::Mip || frame_.mode == Mode::XRay || frame_.mode == Mode::Overlay;
+    const glm::vec3 brightest = glm::max(frame_.background.top, frame_.background.bottom);
+    return isSeenAgainstFilm && glm::any(glm::greaterThan(brightest, Background{}.bottom));
+}
+
+void RayCaster::fillFilm() {
+    const gl::Pass pass("fill film");
     const glm::ivec2 all = squareCount(frame_.rays.size);
     const int empty = all.x * all.y - occupiedSquares_;
-    const bool hasFilm =
-        frame_.mode == Mode::Mip || frame_.mode == Mode::XRay || frame_.mode == Mode::Overlay;
-    gl::Program& fill = hasFilm ? fillFilm_ : fillBackground_;
-    fill.set(0, glm::ivec2(occupiedSquares_, empty))
+    fillFilm_.set(0, glm::ivec2(occupiedSquares_, empty))
         .set(1, sample_ == 0 ? kCentre : placeInPixel(sample_))
         .set(2, sample_ > 0 ? 1 : 0)
         .set(7, glm::vec4(frame_.background.top, 0.0F))
         .set(8, glm::vec4(frame_.background.bottom, 0.0F));
-    fill.dispatch(groupsFor(empty), gl::Barrier::Image);
+    fillFilm_.dispatch(groupsFor(empty), gl::Barrier::Image);
 }
 
 int RayCaster::squaresFor(double milliseconds) const {
@@ -274,8 +277,8 @@ bool RayCaster::renderSome(double budgetMs) {
         .set(8, glm::vec4(frame_.background.bottom, 0.0F));
     bindPart(parts_.back());
     while (!isComplete()) {
-        if (square_ == 0) {
-            fillBackground();
+        if (square_ == 0 && hasFilm()) {
+            fillFilm();
         }
         const gl::Pass pass("cast rays");
         const Timer submission;
@@ -317,7 +320,10 @@ const gl::Texture& RayCaster::picture() {
     placeOfSquare_.bindStorage(2);
     resolve_.set(0, glm::ivec3(sample_, square_, occupiedSquares_))
         .set(1, background.isTransparent ? 1 : 0)
-        .set(2, background.top == background.bottom ? 1 : 0);
+        .set(2, background.top == background.bottom ? 1 : 0)
+        .set(3, hasFilm() ? 0 : 1)
+        .set(7, glm::vec4(background.top, 0.0F))
+        .set(8, glm::vec4(background.bottom, 0.0F));
     resolve_.dispatchOver(picture_.size(), gl::Barrier::All);
     return picture_;
 }

@@ -103,7 +103,8 @@ private:
     void findBeams();
     void listSquares();
     void boundSlabs();
-    void fillBackground();
+    [[nodiscard]] bool hasFilm() const;
+    void fillFilm();
     int squaresFor(double milliseconds) const;
 
     std::vector<Part> parts_;
@@ -113,7 +114,6 @@ private:
     gl::Program resolve_;
     gl::Program findBeams_;
     gl::Program listSquares_;
-    gl::Program fillBackground_;
     gl::Program fillFilm_;
     gl::Buffer squares_;       // those that may show something first
     gl::Buffer placeOfSquare_; // in that list

@@ -2,6 +2,8 @@
 // Out: image 1 (rgba8) the picture; a 1, or on nothing the coverage, with colours that are not multiplied by it.
 layout(local_size_x = 8, local_size_y = 8) in;
 
+#include "render/shaders/shading.glsl"
+
 layout(rgba32f, binding = 0) uniform readonly image2D accumulation;
 layout(rgba8, binding = 1) uniform writeonly image2D picture;
 
@@ -11,10 +13,16 @@ layout(std430, binding = 2) readonly buffer Places { uint places[]; }; // of squ
 layout(location = 0) uniform ivec3 progress;
 layout(location = 1) uniform int isTransparent;
 layout(location = 2) uniform int isFlat; // the background is of one colour, which stays exactly that
+layout(location = 3) uniform int isBare;  // no samples are taken of squares where nothing can be seen: there is the background
+layout(location = 7) uniform vec4 backgroundTop; // display colour
+layout(location = 8) uniform vec4 backgroundBottom;
 
-float samplesAt(ivec2 pixel) {
+int placeOfSquareAt(ivec2 pixel) {
     int squaresAcross = (imageSize(picture).x + 7) / 8;
-    int place = int(places[(pixel.y / 8) * squaresAcross + pixel.x / 8]);
+    return int(places[(pixel.y / 8) * squaresAcross + pixel.x / 8]);
+}
+
+float samplesAt(int place) {
     bool hasMore = place < progress.z ? place < progress.y : progress.y > 0;
     return float(progress.x + (hasMore ? 1 : 0));
 }
@@ -31,8 +39,14 @@ void main() {
     if (any(greaterThanEqual(pixel, imageSize(picture)))) {
         return;
     }
+    int place = placeOfSquareAt(pixel);
     vec4 sum = imageLoad(accumulation, pixel);
-    float samples = max(samplesAt(pixel), 1.0);
+    float samples = max(samplesAt(place), 1.0);
+    if (isBare != 0 && place >= progress.z) {
+        vec2 size = vec2(imageSize(picture));
+        sum = vec4(background(vec2(pixel) + 0.5, size, backgroundTop.xyz, backgroundBottom.xyz), 0.0);
+        samples = 1.0;
+    }
     if (isTransparent != 0) {
         vec3 colour = sum.a > 0.0 ? sum.rgb / sum.a + dither(pixel) : vec3(0.0);
         imageStore(picture, pixel, vec4(colour, sum.a / samples));

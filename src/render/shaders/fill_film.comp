@@ -1,7 +1,5 @@
-// The background's colour in squares of pixels where nothing can be seen.
-// FILM: with a film in the grid's box, see behindFilm().
+// The background with a film in the grid's box (behindFilm()) in squares of pixels where nothing can be seen.
 // In: the view (rays.glsl), the list of squares. Out: image 0 (rgba32f) sums of display colours and coverage.
-// variants: ;FILM=1
 layout(local_size_x = 64) in;
 
 #include "field/shaders/scene.glsl"
@@ -18,10 +16,7 @@ void main() {
         return;
     }
     vec2 position = vec2(pixel) + pixelOffset;
-    vec3 colour = background(position, viewport.xy, backgroundTop.xyz, backgroundBottom.xyz);
-#ifdef FILM
+    vec3 behind = background(position, viewport.xy, backgroundTop.xyz, backgroundBottom.xyz);
     Ray ray = rayThrough(position);
-    colour = behindFilm(colour, ray.tNear < ray.tFar);
-#endif
-    addToPicture(pixel, vec4(colour, 0.0));
+    addToPicture(pixel, vec4(behindFilm(behind, ray.tNear < ray.tFar), 0.0));
 }

@@ -27,6 +27,10 @@ void TexelBuffer::write(std::span<const std::byte> bytes, std::size_t first) {
     buffer_.write(bytes, first * bytesPerTexel(format_));
 }
 
+void TexelBuffer::bindImage(unsigned int unit, Access access) const {
+    glBindImageTexture(unit, view_.name(), 0, GL_FALSE, 0, glAccess(access), internalFormat(format_));
+}
+
 void TexelBuffer::bindTexture(unsigned int unit) const { glBindTextureUnit(unit, view_.name()); }
 
 } // namespace vs::gl

@@ -21,6 +21,7 @@ public:
     // Tightly packed texels, from the one with number `first` on.
     void write(std::span<const std::byte> bytes, std::size_t first);
     void bindTexture(unsigned int unit) const;
+    void bindImage(unsigned int unit, Access access) const; // imageBuffer
 
 private:
     Buffer buffer_;

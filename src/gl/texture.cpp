@@ -60,6 +60,10 @@ std::size_t bytesPerTexel(Format format) { return info(format).bytes; }
 
 unsigned int internalFormat(Format format) { return info(format).internal; }
 
+unsigned int glAccess(Access access) {
+    return access == Access::Read ? GL_READ_ONLY : access == Access::Write ? GL_WRITE_ONLY : GL_READ_WRITE;
+}
+
 std::size_t Texture::bytes() const {
     std::size_t texels = 0;
     for (int level = 0; level < levels_; ++level) {
@@ -196,10 +200,8 @@ void Texture::clear(const Box3& box, unsigned int value) {
 void Texture::bindTexture(unsigned int unit) const { glBindTextureUnit(unit, name()); }
 
 void Texture::bindImage(unsigned int unit, Access access, int level) const {
-    const GLenum mode = access == Access::Read    ? GL_READ_ONLY
-                        : access == Access::Write ? GL_WRITE_ONLY
-                                                  : GL_READ_WRITE;
-    glBindImageTexture(unit, name(), level, is3D_ ? GL_TRUE : GL_FALSE, 0, mode, info(format_).internal);
+    glBindImageTexture(unit, name(), level, is3D_ ? GL_TRUE : GL_FALSE, 0, glAccess(access),
+                       info(format_).internal);
 }
 
 } // namespace vs::gl

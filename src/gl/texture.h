@@ -21,6 +21,7 @@ unsigned int internalFormat(Format format); // OpenGL's name for it
 
 enum class Filter { Nearest, Linear };
 enum class Access { Read, Write, ReadWrite };
+unsigned int glAccess(Access access); // OpenGL's name for it
 
 // A grid of texels on the device, three- or two-dimensional (a 2D texture has size.z == 1 and is a
 // GL_TEXTURE_2D). Coordinates above the upper border give the nearest texel, those below the lower one are

@@ -259,6 +259,9 @@ bool RayCaster::renderSome(double budgetMs) {
         listSquares();
         boundSlabs();
     }
+    if (frame_.mode == Mode::Mip) {
+        program.set(11, parts_.back().beams.size().x);
+    }
     if (frame_.classification != nullptr) {
         frame_.classification->bind();
     }

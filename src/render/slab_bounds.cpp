@@ -6,7 +6,7 @@
 namespace vs::render {
 
 namespace {
-constexpr int kWordsAcross = 8; // as in slabs.glsl
+constexpr int kWordsOfBeam = 97; // as in slabs.glsl
 }
 
 SlabBounds::SlabBounds()
@@ -30,13 +30,13 @@ void SlabBounds::update(const Macrocells& macrocells, const gl::Texture& beams, 
                         float sampleStep) {
     widenTops(macrocells);
     const gl::Pass pass("bound slabs");
-    const glm::ivec2 size = kWordsAcross * glm::ivec2(beams.size());
-    if (glm::ivec2(words_.size()) != size) {
-        words_ = gl::Texture(size, gl::Format::R32UI, gl::Filter::Nearest, "slabs");
+    const std::size_t words = std::size_t(beams.size().x) * std::size_t(beams.size().y) * kWordsOfBeam;
+    if (lists_.texels() < words) {
+        lists_ = gl::TexelBuffer(words, gl::Format::R32UI, "lists of slabs");
     }
     tops_.bindTexture(12);
-    words_.bindImage(0, gl::Access::Write);
-    bound_.set(0, beamPixels).set(1, sampleStep);
+    lists_.bindImage(0, gl::Access::Write);
+    bound_.set(0, beamPixels).set(1, sampleStep).set(11, beams.size().x);
     bound_.dispatchOver(beams.size(), gl::Barrier::Texture);
 }
 

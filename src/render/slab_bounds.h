@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gl/program.h"
+#include "gl/texel_buffer.h"
 #include "gl/texture.h"
 #include "render/macrocells.h"
 
@@ -19,7 +20,7 @@ public:
     void update(const Macrocells& macrocells, const gl::Texture& beams, int beamPixels, float sampleStep);
 
     // Binds them as texture 11.
-    void bind() const { words_.bindTexture(11); }
+    void bind() const { lists_.bindTexture(11); }
 
 private:
     void widenTops(const Macrocells& macrocells);
@@ -28,7 +29,7 @@ private:
     gl::Program bound_;
     gl::Texture tops_; // of macrocells
     std::uint64_t topsVersion_ = 0;
-    gl::Texture words_;
+    gl::TexelBuffer lists_;
 };
 
 } // namespace vs::render

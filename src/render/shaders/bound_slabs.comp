@@ -1,7 +1,7 @@
 // Bounds of the values in every slab of every beam (slabs.glsl), so that in MIP a ray visits the best first, and then only those
 // that may hold more.
 // In: the scene and the view, texture 8 beams, texture 12 the greatest values in boxes of macrocells (widen_tops.comp).
-// Out: image 0 (r32ui) words of slabs.
+// Out: image 0 (r32ui) lists of slabs.
 layout(local_size_x = 8, local_size_y = 4) in;
 
 #include "field/shaders/scene.glsl"
@@ -11,7 +11,7 @@ layout(local_size_x = 8, local_size_y = 4) in;
 
 layout(binding = 8) uniform sampler2D beams;
 layout(binding = 12) uniform usampler3D cellTops;
-layout(r32ui, binding = 0) uniform uimage2D words;
+layout(r32ui, binding = 0) uniform writeonly uimageBuffer lists;
 
 layout(location = 0) uniform int beamPixels; // side of a square
 layout(location = 1) uniform float dt;       // steps between samples
@@ -19,7 +19,8 @@ layout(location = 1) uniform float dt;       // steps between samples
 // Each invocation's own: no other reads it.
 const int kBuckets = 32;
 shared uint places[32][kBuckets];
-shared uint order[32][kOrderWords];
+shared uint codes[32][kMostSlabs / 4];
+shared uint list[32][kWordsOfBeam];
 
 // The code of the greatest value that the beam can show from t0 to t1.
 uint topBetween(Beam beam, float t0, float t1) {
@@ -48,21 +49,19 @@ uint topBetween(Beam beam, float t0, float t1) {
     return top;
 }
 
-// Words of the beam's bounds; how many there are in each bucket.
-void boundWords(ivec2 square, Slabs slabs, Beam beam) {
+// The slabs' codes, four in a word; how many there are in each bucket.
+void boundSlabs(Slabs slabs, Beam beam) {
     int slab = 0;
+    uint word = 0u;
     do {
-        uint word = 0u;
-        int i = 0;
-        do {
-            float t = (slabs.first + float(slab * slabs.samples) + 0.5) * dt;
-            uint code = topBetween(beam, t, t + float(slabs.samples - 1) * dt);
-            word |= slab < slabs.count ? code << (8 * i) : 0u;
-            ++slab;
-            ++i;
-        } while (i < 4);
-        imageStore(words, placeOfWord(square, kOrderWords + slab / 4 - 1), uvec4(word));
-        places[gl_LocalInvocationIndex][bucketOf(greatestCode(word))] += 1u;
+        float t = (slabs.first + float(slab * slabs.samples) + 0.5) * dt;
+        uint code = topBetween(beam, t, t + float(slabs.samples - 1) * dt);
+        code = slab < slabs.count ? code : 0u;
+        int byte = slab & 3;
+        word = (byte == 0 ? 0u : word) | code << (8 * byte);
+        codes[gl_LocalInvocationIndex][slab >> 2] = word;
+        places[gl_LocalInvocationIndex][bucketOf(code)] += 1u;
+        ++slab;
     } while (slab < slabs.count);
 }
 
@@ -78,18 +77,24 @@ void placeBuckets() {
     } while (bucket >= 0);
 }
 
-void orderWords(ivec2 square, Slabs slabs) {
+void listSlabs(Slabs slabs) {
+    int slab = 0;
+    do {
+        uint code = codes[gl_LocalInvocationIndex][slab >> 2] >> (8 * (slab & 3)) & 0xffu;
+        uint place = places[gl_LocalInvocationIndex][bucketOf(code)];
+        places[gl_LocalInvocationIndex][bucketOf(code)] = place + 1u;
+        uint entry = code > 0u ? uint(slab) << 8 | code : 0u;
+        list[gl_LocalInvocationIndex][place >> 1] |= entry << (16u * (place & 1u));
+        ++slab;
+    } while (slab < slabs.count);
+}
+
+void storeList(ivec2 square, Slabs slabs) {
     int word = 0;
     do {
-        uint bucket = bucketOf(greatestCode(imageLoad(words, placeOfWord(square, kOrderWords + word)).r));
-        uint place = places[gl_LocalInvocationIndex][bucket];
-        places[gl_LocalInvocationIndex][bucket] = place + 1u;
-        order[gl_LocalInvocationIndex][place / 4u] |= uint(word) << (8u * (place & 3u));
+        imageStore(lists, placeOfList(square) + word, uvec4(list[gl_LocalInvocationIndex][word]));
         ++word;
-    } while (word < wordCount(slabs));
-    for (int i = 0; i < kOrderWords; ++i) {
-        imageStore(words, placeOfWord(square, i), uvec4(order[gl_LocalInvocationIndex][i]));
-    }
+    } while (word <= slabs.count / 2);
 }
 
 void main() {
@@ -103,10 +108,13 @@ void main() {
     for (int i = 0; i < kBuckets; ++i) {
         places[gl_LocalInvocationIndex][i] = 0u;
     }
-    for (int i = 0; i < kOrderWords; ++i) {
-        order[gl_LocalInvocationIndex][i] = 0u;
-    }
-    boundWords(square, slabs, beam);
+    int word = 0;
+    do {
+        list[gl_LocalInvocationIndex][word] = 0u;
+        ++word;
+    } while (word <= slabs.count / 2);
+    boundSlabs(slabs, beam);
     placeBuckets();
-    orderWords(square, slabs);
+    listSlabs(slabs);
+    storeList(square, slabs);
 }

@@ -38,7 +38,7 @@ Greatest findGreatest(Ray ray, float dt) {
 }
 
 #ifdef SLABS
-layout(binding = 11) uniform usampler2D slabWords;
+layout(binding = 11) uniform usamplerBuffer slabLists;
 
 // Looks at the samples of one slab.
 void lookAtSlab(Ray ray, Slabs slabs, int slab, float dt, inout Greatest best) {
@@ -62,42 +62,24 @@ void lookAtSlab(Ray ray, Slabs slabs, int slab, float dt, inout Greatest best) {
     } while (number < end);
 }
 
-// Which of four bounds is the greatest and above `code`; 4 if none is.
-int greatestAbove(uint bounds, uint code) {
-    uint greatest = greatestCode(bounds);
-    int i = (bounds & 0xffu) == greatest           ? 0
-            : ((bounds >> 8) & 0xffu) == greatest  ? 1
-            : ((bounds >> 16) & 0xffu) == greatest ? 2
-                                                   : 3;
-    return greatest > code ? i : 4;
-}
-
 // As findGreatest, for the ray of a pixel: its beam's slabs in order, and only those that may hold more.
 Greatest findGreatestInSlabs(Ray ray, float dt) {
     Slabs slabs = slabsAlong(ray.beamEnds, dt);
     float lowest = range.x - 2.0 * valueScale.w; // of what counts, and a little
     Greatest best = Greatest(lowest, ray.tNear);
-    int words = wordCount(slabs);
-    int place = 0; // in the order
-    int word = int(texelFetch(slabWords, placeOfWord(ray.beam, 0), 0).r & 0xffu);
-    uint bounds = texelFetch(slabWords, placeOfWord(ray.beam, kOrderWords + word), 0).r;
-    int next = greatestAbove(bounds, 0u);
-    bool isOver = false;
+    int list = placeOfList(ray.beam);
+    int place = 0;
+    uint entry = texelFetch(slabLists, list).r & 0xffffu;
+    bool isOver;
     do {
-        lookAtSlab(ray, slabs, 4 * word + next, dt, best);
-        bounds &= ~(0xffu << (8 * next));
+        lookAtSlab(ray, slabs, int(entry >> 8), dt, best);
         uint code = best.value > lowest ? codeOfGreatest(best.value) : 0u;
-        next = greatestAbove(bounds, code);
+        uint bucket = bucketOf(code + 1u);
         do {
-            bool goesOn = next == 4;
-            place += goesOn ? 1 : 0;
-            uint order = texelFetch(slabWords, placeOfWord(ray.beam, min(place / 4, kOrderWords - 1)), 0).r;
-            word = int((order >> (8 * (place & 3))) & 0xffu);
-            uint fetched = texelFetch(slabWords, placeOfWord(ray.beam, kOrderWords + word), 0).r;
-            bounds = goesOn ? fetched : bounds;
-            isOver = goesOn && (place >= words || bucketOf(greatestCode(fetched)) < bucketOf(code + 1u));
-            next = greatestAbove(bounds, code);
-        } while (next == 4 && !isOver);
+            ++place;
+            entry = texelFetch(slabLists, list + (place >> 1)).r >> (16 * (place & 1)) & 0xffffu;
+            isOver = entry == 0u || bucketOf(entry & 0xffu) < bucket;
+        } while ((entry & 0xffu) <= code && !isOver);
     } while (!isOver);
     best.value = best.value > lowest ? best.value : -1e30;
     return best;

@@ -1,14 +1,14 @@
 // Slabs of beams: pieces of all rays of a square of pixels, each with a bound of the values that they can meet in it (MIP).
 // Samples lie at (k + 0.5) * dt; a slab holds `samples` of them, from `first` on. A bound is a code of one byte, four in a word.
-// Words (r32ui, texture 11), kWordsAcross^2 a beam: first an order of its words of bounds, one byte each, those with the greatest
-// bound first, as far as bucketOf() tells them apart; then the words of bounds.
+// Lists of slabs (r32ui, texture 11), kWordsOfBeam for each beam: those that may show something as entries of 16 bits, two in a
+// word, the number times 256 plus the code; those with the greatest bounds first, as far as bucketOf() tells them apart; then 0.
 // Include "field/shaders/scene.glsl" first.
 
-const int kWordsAcross = 8;
-const int kMostWords = 48; // of bounds, in a beam
-const int kOrderWords = kMostWords / 4;
-const int kMostSlabs = 4 * kMostWords;
+const int kMostSlabs = 192;  // in a beam
+const int kWordsOfBeam = kMostSlabs / 2 + 1;
 const int kSlabBatch = 8; // samples in a slab, or a multiple of that for a long beam
+
+layout(location = 11) uniform int beamsAcross;
 
 struct Slabs {
     float first; // number of the first sample
@@ -25,9 +25,7 @@ Slabs slabsAlong(vec2 ends, float dt) {
     return slabs;
 }
 
-int wordCount(Slabs slabs) { return (slabs.count + 3) / 4; }
-
-ivec2 placeOfWord(ivec2 beam, int word) { return kWordsAcross * beam + ivec2(word % kWordsAcross, word / kWordsAcross); }
+int placeOfList(ivec2 beam) { return (beam.y * beamsAcross + beam.x) * kWordsOfBeam; }
 
 // Codes of values: finer for small ones, where noise would make many slabs look alike.
 float rootInRange(float value) {
@@ -50,7 +48,3 @@ uint codeOfGreatest(float value) {
 }
 
 uint bucketOf(uint code) { return code >> 3; }
-
-uint greatestCode(uint bounds) {
-    return max(max(bounds & 0xffu, (bounds >> 8) & 0xffu), max((bounds >> 16) & 0xffu, bounds >> 24));
-}

@@ -6,7 +6,7 @@
 namespace vs::render {
 
 namespace {
-constexpr int kWordsOfBeam = 97; // as in slabs.glsl
+constexpr int kEntriesOfBeam = 193; // as in slabs.glsl
 }
 
 SlabBounds::SlabBounds()
@@ -30,9 +30,9 @@ void SlabBounds::update(const Macrocells& macrocells, const gl::Texture& beams, 
                         float sampleStep) {
     widenTops(macrocells);
     const gl::Pass pass("bound slabs");
-    const std::size_t words = std::size_t(beams.size().x) * std::size_t(beams.size().y) * kWordsOfBeam;
-    if (lists_.texels() < words) {
-        lists_ = gl::TexelBuffer(words, gl::Format::R32UI, "lists of slabs");
+    const std::size_t entries = std::size_t(beams.size().x) * std::size_t(beams.size().y) * kEntriesOfBeam;
+    if (lists_.texels() < entries) {
+        lists_ = gl::TexelBuffer(entries, gl::Format::R16UI, "lists of slabs");
     }
     tops_.bindTexture(12);
     lists_.bindImage(0, gl::Access::Write);

@@ -1,7 +1,7 @@
 // Bounds of the values in every slab of every beam (slabs.glsl), so that in MIP a ray visits the best first, and then only those
 // that may hold more.
 // In: the scene and the view, texture 8 beams, texture 12 the greatest values in boxes of macrocells (widen_tops.comp).
-// Out: image 0 (r32ui) lists of slabs.
+// Out: image 0 (r16ui) lists of slabs.
 layout(local_size_x = 8, local_size_y = 4) in;
 
 #include "field/shaders/scene.glsl"
@@ -11,16 +11,15 @@ layout(local_size_x = 8, local_size_y = 4) in;
 
 layout(binding = 8) uniform sampler2D beams;
 layout(binding = 12) uniform usampler3D cellTops;
-layout(r32ui, binding = 0) uniform writeonly uimageBuffer lists;
+layout(r16ui, binding = 0) uniform writeonly uimageBuffer lists;
 
 layout(location = 0) uniform int beamPixels; // side of a square
 layout(location = 1) uniform float dt;       // steps between samples
 
 // Each invocation's own: no other reads it.
-const int kBuckets = 32;
+const int kBuckets = 33;
 shared uint places[32][kBuckets];
 shared uint codes[32][kMostSlabs / 4];
-shared uint list[32][kWordsOfBeam];
 
 // The code of the greatest value that the beam can show from t0 to t1.
 uint topBetween(Beam beam, float t0, float t1) {
@@ -77,24 +76,17 @@ void placeBuckets() {
     } while (bucket >= 0);
 }
 
-void listSlabs(Slabs slabs) {
+void listSlabs(ivec2 square, Slabs slabs) {
+    int list = placeOfList(square);
     int slab = 0;
     do {
         uint code = codes[gl_LocalInvocationIndex][slab >> 2] >> (8 * (slab & 3)) & 0xffu;
         uint place = places[gl_LocalInvocationIndex][bucketOf(code)];
         places[gl_LocalInvocationIndex][bucketOf(code)] = place + 1u;
-        uint entry = code > 0u ? uint(slab) << 8 | code : 0u;
-        list[gl_LocalInvocationIndex][place >> 1] |= entry << (16u * (place & 1u));
+        imageStore(lists, list + int(place), uvec4(uint(slab) << 8 | code));
         ++slab;
     } while (slab < slabs.count);
-}
-
-void storeList(ivec2 square, Slabs slabs) {
-    int word = 0;
-    do {
-        imageStore(lists, placeOfList(square) + word, uvec4(list[gl_LocalInvocationIndex][word]));
-        ++word;
-    } while (word <= slabs.count / 2);
+    imageStore(lists, list + slab, uvec4(0u));
 }
 
 void main() {
@@ -108,13 +100,7 @@ void main() {
     for (int i = 0; i < kBuckets; ++i) {
         places[gl_LocalInvocationIndex][i] = 0u;
     }
-    int word = 0;
-    do {
-        list[gl_LocalInvocationIndex][word] = 0u;
-        ++word;
-    } while (word <= slabs.count / 2);
     boundSlabs(slabs, beam);
     placeBuckets();
-    listSlabs(slabs);
-    storeList(square, slabs);
+    listSlabs(square, slabs);
 }

@@ -69,7 +69,7 @@ Greatest findGreatestInSlabs(Ray ray, float dt) {
     Greatest best = Greatest(lowest, ray.tNear);
     int list = placeOfList(ray.beam);
     int place = 0;
-    uint entry = texelFetch(slabLists, list).r & 0xffffu;
+    uint entry = texelFetch(slabLists, list).r;
     bool isOver;
     do {
         lookAtSlab(ray, slabs, int(entry >> 8), dt, best);
@@ -77,8 +77,8 @@ Greatest findGreatestInSlabs(Ray ray, float dt) {
         uint bucket = bucketOf(code + 1u);
         do {
             ++place;
-            entry = texelFetch(slabLists, list + (place >> 1)).r >> (16 * (place & 1)) & 0xffffu;
-            isOver = entry == 0u || bucketOf(entry & 0xffu) < bucket;
+            entry = texelFetch(slabLists, list + place).r;
+            isOver = (entry & 0xffu) == 0u || bucketOf(entry & 0xffu) < bucket;
         } while ((entry & 0xffu) <= code && !isOver);
     } while (!isOver);
     best.value = best.value > lowest ? best.value : -1e30;

@@ -1,11 +1,11 @@
 // Slabs of beams: pieces of all rays of a square of pixels, each with a bound of the values that they can meet in it (MIP).
 // Samples lie at (k + 0.5) * dt; a slab holds `samples` of them, from `first` on. A bound is a code of one byte, four in a word.
-// Lists of slabs (r32ui, texture 11), kWordsOfBeam for each beam: those that may show something as entries of 16 bits, two in a
-// word, the number times 256 plus the code; those with the greatest bounds first, as far as bucketOf() tells them apart; then 0.
+// Lists of slabs (r16ui, texture 11), kEntriesOfBeam for each beam: of each that may show something the number times 256 plus the
+// code, those with the greatest bounds first, as far as bucketOf() tells them apart; then 0.
 // Include "field/shaders/scene.glsl" first.
 
-const int kMostSlabs = 192;  // in a beam
-const int kWordsOfBeam = kMostSlabs / 2 + 1;
+const int kMostSlabs = 192; // in a beam
+const int kEntriesOfBeam = kMostSlabs + 1;
 const int kSlabBatch = 8; // samples in a slab, or a multiple of that for a long beam
 
 layout(location = 11) uniform int beamsAcross;
@@ -25,7 +25,7 @@ Slabs slabsAlong(vec2 ends, float dt) {
     return slabs;
 }
 
-int placeOfList(ivec2 beam) { return (beam.y * beamsAcross + beam.x) * kWordsOfBeam; }
+int placeOfList(ivec2 beam) { return (beam.y * beamsAcross + beam.x) * kEntriesOfBeam; }
 
 // Codes of values: finer for small ones, where noise would make many slabs look alike.
 float rootInRange(float value) {
@@ -47,4 +47,5 @@ uint codeOfGreatest(float value) {
     return value > -1e29 ? code : 0u;
 }
 
-uint bucketOf(uint code) { return code >> 3; }
+// 0 for nothing to see.
+uint bucketOf(uint code) { return (code + 7u) >> 3; }

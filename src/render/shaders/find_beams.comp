@@ -46,26 +46,34 @@ float walk(Beam beam, float t, float limit, bool forward) {
     return t;
 }
 
+// Between which t any of the rays can be in the grid's box. How far a plane is along a ray has its extremes in the square's
+// corners, but for a hair, as directions are normalised; how far the box is need not: one of its corners may point at us.
+vec2 wayInBox(vec2 lower, vec2 upper) {
+    const float hair = 0.02;
+    vec3 nearest = vec3(1e30);
+    vec3 farthest = vec3(-1e30);
+    for (int corner = 0; corner < 4; ++corner) {
+        Ray ray = rayThrough(vec2((corner & 1) == 0 ? lower.x : upper.x, (corner & 2) == 0 ? lower.y : upper.y));
+        vec3 inverse = safeInverse(ray.direction);
+        vec3 a = (vec3(-0.5) - ray.origin) * inverse;
+        vec3 b = (vec3(dims.xyz) - 0.5 - ray.origin) * inverse;
+        nearest = min(nearest, min(a, b));
+        farthest = max(farthest, max(a, b));
+    }
+    return vec2(max(max(max(nearest.x, nearest.y), nearest.z) - hair, 0.0),
+                min(min(farthest.x, farthest.y), farthest.z) + hair);
+}
+
 void main() {
     ivec2 square = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(square, imageSize(beams)))) {
         return;
     }
     vec2 lower = vec2(square * beamPixels);
-    Beam beam = beamThrough(lower, min(lower + float(beamPixels), viewport.xy));
-
-    // The grid's box, grown by what the beam reaches beside its central ray anywhere near it.
-    vec3 inverse = safeInverse(beam.central.direction);
-    float farthest = length(beam.central.origin - 0.5 * vec3(dims.xyz)) * 2.0 + 2.0 * length(vec3(dims.xyz));
-    farthest /= max(length(beam.central.direction), 1e-20);
-    vec3 extent = beam.reach + farthest * beam.spread + 0.5;
-    vec3 a = (-extent - beam.central.origin) * inverse;
-    vec3 b = (vec3(dims.xyz) - 1.0 + extent - beam.central.origin) * inverse;
-    vec3 lo = min(a, b);
-    vec3 hi = max(a, b);
-    float tNear = max(max(max(lo.x, lo.y), lo.z), 0.0);
-    float tFar = min(min(hi.x, hi.y), hi.z);
-    float begin = walk(beam, tNear, tFar, true);
-    float end = begin < tFar ? walk(beam, tFar, begin, false) : begin;
+    vec2 upper = min(lower + float(beamPixels), viewport.xy);
+    Beam beam = beamThrough(lower, upper);
+    vec2 way = wayInBox(lower, upper);
+    float begin = walk(beam, way.x, way.y, true);
+    float end = begin < way.y ? walk(beam, way.y, begin, false) : begin;
     imageStore(beams, square, begin < end ? vec4(begin, end, 0.0, 0.0) : vec4(1e30, -1e30, 0.0, 0.0));
 }

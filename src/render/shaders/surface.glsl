@@ -150,7 +150,7 @@ vec2 partsAt(vec3 p, bool isAbove) {
 
 Obstacle obstacleAt(vec3 p) {
     Obstacle obstacle;
-#if CONTENT == 0
+#if CONTENT == 0 || CONTENT == 2
     obstacle.isAbove = dataAt(p) > range.y;
 #else
     obstacle.isAbove = false;
@@ -179,8 +179,7 @@ float zeroBetween(vec2 a, vec2 b, vec2 c) {
 
 // Moves a crossing back to the surface: an invisible place just before it, and the surface. Two more samples, kept off the ends
 // of what they divide so that a jump (the edge of non-finite voxels) is closed in on too.
-vec2 refine(Ray ray, Crossing crossing) {
-    Obstacle obstacle = obstacleAt(at(ray, crossing.before));
+vec2 refine(Ray ray, Crossing crossing, Obstacle obstacle) {
     if (obstacle.weight == vec2(0.0)) {
         return vec2(crossing.before); // visible from the start: the ray enters the box inside
     }
@@ -217,6 +216,18 @@ vec3 facing(vec3 gradient, vec3 towardsViewer) {
     return dot(n, towardsViewer) < 0.0 ? -n : n;
 }
 
+// A unit normal from a vector that points out of what has been met. Gradients are taken over two voxels and may disagree with
+// what the ray met: by little where it grazes the surface, which is then seen edge on, or wholly at a wall so thin that its far
+// side outweighs the near one, which is parallel to it.
+vec3 outwards(vec3 outward, vec3 towardsViewer) {
+    const float grazing = 0.4; // cosine
+    float l = length(outward);
+    vec3 n = l > 1e-12 ? outward / l : towardsViewer;
+    float c = dot(n, towardsViewer);
+    vec3 edgeOn = (n - c * towardsViewer) * inversesqrt(max(1.0 - c * c, 1e-6));
+    return c >= 0.0 ? n : c > -grazing ? edgeOn : -n;
+}
+
 // `jitter` in [0, 1) shifts the samples by that part of a step: what they all miss then differs from ray to ray.
 Hit findSurface(Ray ray, float jitter) {
     Hit hit;
@@ -230,7 +241,8 @@ Hit findSurface(Ray ray, float jitter) {
     if (!hit.found) {
         return hit;
     }
-    vec2 bracket = refine(ray, crossing);
+    Obstacle obstacle = obstacleAt(at(ray, crossing.before));
+    vec2 bracket = refine(ray, crossing, obstacle);
     hit.t = bracket.y;
     hit.voxel = at(ray, hit.t);
     vec3 before = at(ray, bracket.x);
@@ -244,21 +256,22 @@ Hit findSurface(Ray ray, float jitter) {
     hit.isSegment = nearby >= 0.5;
 #endif
     bool atBorder = bracket.y - ray.tNear < 1e-3 && ray.tNear > 0.0;
-    vec3 gradient = atBorder ? boxNormal(hit.voxel) : dataGradient(hit.voxel);
+    vec3 outward = dataGradient(hit.voxel) * (obstacle.isAbove ? 1.0 : -1.0);
+#if CONTENT == 3
+    outward = facing(outward, -ray.world); // a transfer function has no inside
+#endif
 #if CONTENT == 1 || CONTENT == 2
     // Whichever of the two begins here: at its own surface each is zero but for rounding.
     bool isSegmentsOwn = CONTENT == 1 || segmentationAt(hit.voxel) - 0.5 >= partInside(dataAt(hit.voxel));
-    if (isSegmentsOwn && !atBorder) {
-        gradient = segmentationGradient(hit.voxel);
-    }
+    outward = isSegmentsOwn ? -segmentationGradient(hit.voxel) : outward;
 #endif
     hit.isCut = atBorder;
 #ifdef SCULPTED
     if (visibleSide(sculptureAt(before)) < 0.0 && !atBorder) {
         hit.isCut = true;
-        gradient = sculptureGradient(hit.voxel);
+        outward = sculptureGradient(hit.voxel) * (dims.w == 1 ? 1.0 : -1.0);
     }
 #endif
-    hit.normal = facing(gradient, -ray.world);
+    hit.normal = outwards(atBorder ? boxNormal(hit.voxel) : outward, -ray.world);
     return hit;
 }

@@ -46,6 +46,29 @@ TEST_F(RayCasterTest, ASphereIsFoundWhereItIs) {
     EXPECT_GT(hits, 200);
 }
 
+// A ray that grazes a coarse surface may meet a gradient that points a little away from it. Turned round,
+// such a normal points into the object: a black speck on its outline.
+TEST_F(RayCasterTest, NormalsOnOutlinesPointOutOfTheObject) {
+    const glm::dvec3 centre{12.3, 11.7, 12.1};
+    for (const Range shown : {Range{100, 255}, Range{-1, 100}}) { // above 100 it is inside, below it outside
+        const bool isHollow = shown.lo < 0;
+        Stage stage(volume::makeBall({24, 24, 24}, centre, 7.3, isHollow ? 0 : 200, isHollow ? 200 : 0, 1),
+                    shown);
+        stage.look({35, 25, 1.5}, {300, 240});
+        int hits = 0;
+        for (const auto& point : stage.picker.pickPoints(stage.frame, allPixels({300, 240}, 1))) {
+            const glm::dvec3 fromCentre = glm::dvec3(point.voxel) - centre;
+            if (point.voxel.w < 0.5F || glm::length(fromCentre) > 9) {
+                continue;
+            }
+            const double along = glm::dot(glm::normalize(fromCentre), glm::dvec3(point.normal));
+            EXPECT_GT(along, 0.3) << fromCentre.x << ' ' << fromCentre.y << ' ' << fromCentre.z;
+            ++hits;
+        }
+        EXPECT_GT(hits, 1000);
+    }
+}
+
 TEST_F(RayCasterTest, SkippingChangesNoPicture) {
     Stage stage(volume::makePhantom({70, 50, 60}, volume::ScalarType::UInt8,
                                     [](glm::dvec3 p) {

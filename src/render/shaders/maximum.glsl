@@ -65,7 +65,7 @@ void lookAtSlab(Ray ray, Slabs slabs, int slab, float dt, inout Greatest best) {
 // As findGreatest, for the ray of a pixel: its beam's slabs in order, and only those that may hold more.
 Greatest findGreatestInSlabs(Ray ray, float dt) {
     Slabs slabs = slabsAlong(ray.beamEnds, dt);
-    float lowest = range.x - 2.0 * valueScale.w; // of what counts, and a little
+    float lowest = range.x - max(2.0 * valueScale.w, 1e-30); // a little below what counts
     Greatest best = Greatest(lowest, ray.tNear);
     int list = placeOfList(ray.beam);
     int place = 0;

@@ -53,6 +53,16 @@ protected:
         return out;
     }
 
+    // From any value to one at most `widest` away, more often near; with `direction` -1 either way, with 0
+    // upwards.
+    std::vector<glm::vec2> spans(int count, double direction, float widest) {
+        auto out = pairs(count, -1000, 3000, direction, 1);
+        for (glm::vec2& q : out) {
+            q.y = q.x + widest * q.y * q.y * q.y;
+        }
+        return out;
+    }
+
     TransferFunction randomCurve(FunctionKind kind, double lo, double hi) {
         std::uniform_real_distribution<double> position(lo, hi);
         std::uniform_int_distribution<int> byte(0, 255);
@@ -125,10 +135,7 @@ TEST_F(ClassificationTest, SpansShowWhatLiesBetweenTheirEndsAndNothingElse) {
         const FunctionSampler sampler(f);
         Classification classification;
         classification.update(f, field);
-        auto queries = pairs(400, -1000, 3000, -1, 1);
-        for (glm::vec2& q : queries) {
-            q.y = q.x + 1500 * q.y * q.y * q.y;
-        }
+        const auto queries = spans(400, -1, 1500);
         const auto answers = ask(classification, queries);
         for (std::size_t q = 0; q < queries.size(); ++q) {
             double least = 1;
@@ -186,10 +193,7 @@ TEST_F(ClassificationTest, NothingVisibleIsEverSkipped) {
         const FunctionSampler sampler(f);
         Classification classification;
         classification.update(f, field);
-        auto queries = pairs(200, -1000, 3000, 0, 1);
-        for (glm::vec2& q : queries) {
-            q.y = q.x + 200 * q.y * q.y * q.y;
-        }
+        const auto queries = spans(200, 0, 200);
         const auto answers = ask(classification, queries);
         for (std::size_t q = 0; q < queries.size(); ++q) {
             bool isVisible = false;

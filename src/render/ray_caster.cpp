@@ -128,7 +128,6 @@ gl::Program& RayCaster::programFor(const Frame& frame) {
 void RayCaster::start(const Frame& frame) {
     VS_CHECK(frame.macrocells != nullptr);
     VS_CHECK(frame.mode != Mode::Volume || frame.classification != nullptr);
-    VS_CHECK(frame.pasted.empty() || frame.pastedMacrocells != nullptr);
     frame_ = frame;
     sample_ = 0;
     square_ = 0;
@@ -153,16 +152,20 @@ void RayCaster::arrangeParts() {
     const auto& geometry = frame_.scene.data->geometry;
     for (std::size_t i = 0; i < parts_.size(); ++i) {
         Part& part = parts_[i];
-        const bool isPasted = i < frame_.pasted.size();
         part.scene = frame_.scene;
-        part.macrocells = isPasted ? frame_.pastedMacrocells : frame_.macrocells;
-        part.occlusion = isPasted ? frame_.pastedOcclusion : frame_.occlusion;
+        part.macrocells = frame_.macrocells;
+        part.occlusion = frame_.occlusion;
         part.rays = frame_.rays;
         part.scale = 1;
-        if (isPasted) {
+        if (i < frame_.pasted.size()) {
+            const PastedPart& pasted = frame_.pasted[i];
+            VS_CHECK(pasted.macrocells != nullptr);
+            part.scene.sculpture = pasted.sculpture;
             part.scene.view = field::SculptureView::Probe;
-            part.rays = seenFromPart(frame_.rays, frame_.pasted[i], geometry);
-            part.scale = float(frame_.pasted[i].scale);
+            part.macrocells = pasted.macrocells;
+            part.occlusion = pasted.occlusion;
+            part.rays = seenFromPart(frame_.rays, pasted.place, geometry);
+            part.scale = float(pasted.place.scale);
         }
         part.view.reserve(sizeof(ViewBlock));
         part.view.writeValue(viewBlock(part.rays, geometry));

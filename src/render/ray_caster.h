@@ -40,6 +40,14 @@ static_assert(sizeof(ViewBlock) == 128);
 
 ViewBlock viewBlock(const ViewRays& rays, const volume::GridGeometry& geometry);
 
+// A part that was cut out, drawn again elsewhere (dual rendering, SPEC 3).
+struct PastedPart {
+    Placement place;
+    const gl::Texture* sculpture = nullptr;   // the part is where this is at least 0.5
+    const Macrocells* macrocells = nullptr;   // made for it in probe view
+    OcclusionVolume* occlusion = nullptr;     // where the frame has one
+};
+
 // Everything one picture depends on. The pointers must stay alive until the picture is finished.
 struct Frame {
     field::Scene scene;
@@ -47,13 +55,9 @@ struct Frame {
     // Colours all modes, and says what is opaque in volume mode, which needs one. Null: ivory surfaces, white
     // rays.
     const Classification* classification = nullptr;
-    // Dual rendering (SPEC 3): what was cut out, drawn again at each of these places, with macrocells made
-    // for probe view.
-    std::vector<Placement> pasted;
-    const Macrocells* pastedMacrocells = nullptr;
+    std::vector<PastedPart> pasted;
     // Ambient occlusion and soft shadows; null: plain light.
     OcclusionVolume* occlusion = nullptr;
-    OcclusionVolume* pastedOcclusion = nullptr;
     ViewRays rays;
     Mode mode = Mode::Surface;
     // What is behind. A transparent picture has straight alpha: how much of the background each pixel hides.

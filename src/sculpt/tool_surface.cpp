@@ -3,6 +3,7 @@
 
 #include "base/check.h"
 #include "sculpt/raster_blur.h"
+#include "sculpt/surface_skirt.h"
 
 #include <algorithm>
 #include <cmath>
@@ -16,6 +17,8 @@ constexpr double kMinPeak = 0.6;        // thin masks are raised until their rad
 constexpr double kSmallestGapSteps = 3; // neighbours closer than this always belong together
 constexpr double kGapElements = 4;      // ... and those closer than this many elements
 constexpr int kMaxBlock = 32;           // cells of a block along each axis
+constexpr int kMaxSkirt = 64;           // elements
+constexpr std::uint32_t kNoCorner = 0xFFFFFFFFU;
 
 // Builds the patches of one sweep; the members are what its steps share.
 class SurfaceSweeper {
@@ -26,7 +29,7 @@ public:
           stepsFromVoxel_(glm::mat3(geometry.worldFromVoxel) / float(geometry.stepMm())),
           voxelFromSteps_(glm::inverse(stepsFromVoxel_)),
           outside_(sweep.outsideSteps < 0 ? sweep.radius : sweep.outsideSteps),
-          out_(float(-outside_), float(sweep.depthSteps), 0) {
+          out_(restores() ? 0.0F : float(-outside_), restores() ? 1.0F : float(sweep.depthSteps), 0) {
         // A point farther outside the grid reaches no voxel of it (Footprint::reachVoxels() <= radius + 2).
         const glm::vec3 reach(float(sweep.radius + 3));
         out_.clipTo(-reach, glm::vec3(geometry.dims - 1) + reach);
@@ -35,17 +38,26 @@ public:
                          SweptPatches::densityFor(sigma.z)});
     }
 
+    // Leaves them in unit length, in steps along the world's axes.
+    void findDirections() {
+        chooseDirections();
+        measureSpacing();
+        if (sweep_.directions.empty() && sweep_.direction == ToolDirection::OwnNormal) {
+            smoothDirections();
+        }
+    }
+    [[nodiscard]] std::vector<glm::vec3> takeDirections() { return std::move(directions_); }
+
     SweptPatches run() {
         if (!(sweep_.depthSteps > 0) || size_.x < 1 || size_.y < 1 || !anyHitUnderMask()) {
             return std::move(out_);
         }
-        chooseDirections();
-        measureSpacing();
-        if (sweep_.direction == ToolDirection::OwnNormal) {
-            smoothDirections();
-        }
+        findDirections();
         addCorners(thinMaskGain());
         findCells();
+        if (!restores() && sweep_.direction == ToolDirection::Common) {
+            addSkirt();
+        }
         const int block = std::clamp(int(SweptPatches::kSpacing / spacing_), 1, kMaxBlock);
         for (int j = -1; j < size_.y; j = j < 0 ? 0 : j + block) {
             for (int i = -1; i < size_.x; i = i < 0 ? 0 : i + block) {
@@ -68,9 +80,17 @@ private:
     // Offset in steps (world axes) between two places in voxel space.
     [[nodiscard]] glm::vec3 inSteps(const glm::vec3& voxels) const { return stepsFromVoxel_ * voxels; }
 
+    [[nodiscard]] bool restores() const { return !sweep_.outwardSteps.empty(); }
+
+    // The mask where there is something to sweep from.
+    [[nodiscard]] float maskAt(std::size_t n) const {
+        const bool isSwept = points_[n].voxel.w > 0.5F && (!restores() || sweep_.outwardSteps[n] > 0);
+        return isSwept ? mask_.values[n] : 0.0F;
+    }
+
     [[nodiscard]] bool anyHitUnderMask() const {
         for (std::size_t n = 0; n < points_.size(); ++n) {
-            if (points_[n].voxel.w > 0.5F && mask_.values[n] > 0) {
+            if (maskAt(n) > 0) {
                 return true;
             }
         }
@@ -79,6 +99,10 @@ private:
 
     // Unit directions in steps along the world's axes.
     void chooseDirections() {
+        if (!sweep_.directions.empty()) {
+            directions_.assign(sweep_.directions.begin(), sweep_.directions.end());
+            return;
+        }
         const glm::vec3 common(glm::normalize(sweep_.directionWorld));
         directions_.resize(points_.size());
         for (std::size_t n = 0; n < points_.size(); ++n) {
@@ -137,7 +161,7 @@ private:
     [[nodiscard]] float thinMaskGain() const {
         std::vector<float> spread(points_.size());
         for (std::size_t n = 0; n < spread.size(); ++n) {
-            spread[n] = points_[n].voxel.w > 0.5F ? mask_.values[n] : 0.0F;
+            spread[n] = maskAt(n);
         }
         blurRaster(spread, size_, sweep_.radius / 3.0 / spacing_);
         const float peak = *std::max_element(spread.begin(), spread.end());
@@ -147,10 +171,17 @@ private:
     void addCorners(float gain) {
         out_.reserve(points_.size(), points_.size());
         for (std::size_t n = 0; n < points_.size(); ++n) {
-            const bool hit = points_[n].voxel.w > 0.5F;
-            out_.addCorner(glm::vec3(points_[n].voxel), voxelFromSteps_ * directions_[n],
-                           hit ? gain * mask_.values[n] : 0.0F);
+            const glm::vec3 way = voxelFromSteps_ * directions_[n];
+            const glm::vec3 place(points_[n].voxel);
+            if (restores()) {
+                const float inside = float(sweep_.radius);
+                out_.addCorner(place + inside * way, -(inside + sweep_.outwardSteps[n]) * way,
+                               gain * maskAt(n));
+            } else {
+                out_.addCorner(place, way, gain * maskAt(n));
+            }
         }
+        gain_ = gain;
     }
 
     // Whether two neighbouring elements lie on one piece of surface.
@@ -192,6 +223,84 @@ private:
                 }
             }
         }
+    }
+
+    // Pieces of the surface in front go on beyond their silhouettes.
+    void addSkirt() {
+        SkirtInput input;
+        input.size = size_;
+        input.isHit = [this](int i, int j) { return isHit(i, j); };
+        input.place = [this](int i, int j) { return stepsFromVoxel_ * place(i, j); };
+        input.isJoined = [this](glm::ivec2 a, glm::ivec2 b) { return isJoined(a, b); };
+        input.direction = directions_.front();
+        input.alongX = meanStep({1, 0});
+        input.alongY = meanStep({0, 1});
+        input.gap = gap_;
+        input.reach = std::clamp(int(std::ceil(sweep_.radius / spacing_)), 1, kMaxSkirt);
+        const std::vector<glm::vec4> skirt = surfaceSkirt(input);
+        if (skirt.empty()) {
+            return;
+        }
+        isCovered_.assign(points_.size() * 4, false);
+        std::vector<std::uint32_t> corners(points_.size(), kNoCorner);
+        for (int j = 0; j + 1 < size_.y; ++j) {
+            for (int i = 0; i + 1 < size_.x; ++i) {
+                addSkirtCell({i, j}, skirt, corners);
+            }
+        }
+    }
+
+    // A cell whose corners are all of the skirt, or of the silhouette that it continues.
+    void addSkirtCell(glm::ivec2 c, const std::vector<glm::vec4>& skirt, std::vector<std::uint32_t>& corners) {
+        std::array<std::uint32_t, 4> cellCorners{};
+        std::array<glm::vec3, 4> places{};
+        int ofSkirt = 0;
+        for (std::size_t n = 0; n < 4; ++n) {
+            const glm::ivec2 e(c.x + int(n & 1U), c.y + int(n >> 1U));
+            const std::size_t element = at(e.x, e.y);
+            if (skirt[element].w > 0) {
+                ++ofSkirt;
+                places[n] = glm::vec3(skirt[element]);
+                if (corners[element] == kNoCorner) {
+                    corners[element] = out_.addCorner(voxelFromSteps_ * places[n],
+                                                      voxelFromSteps_ * directions_[element],
+                                                      gain_ * mask_.values[element]);
+                }
+                cellCorners[n] = corners[element];
+            } else if (isHit(e.x, e.y)) {
+                places[n] = stepsFromVoxel_ * place(e.x, e.y);
+                cellCorners[n] = std::uint32_t(element);
+            } else {
+                return;
+            }
+        }
+        const auto isFar = [&](std::size_t a, std::size_t b) { return glm::distance(places[a], places[b]) > gap_; };
+        if (ofSkirt == 0 || isFar(0, 1) || isFar(2, 3) || isFar(0, 2) || isFar(1, 3)) {
+            return;
+        }
+        out_.addCell(cellCorners);
+        for (std::size_t n = 0; n < 4; ++n) { // these hits need no column of their own in this cell
+            if (cellCorners[n] < points_.size()) {
+                isCovered_[cellCorners[n] * 4 + (3 - n)] = true;
+            }
+        }
+    }
+
+    // From one element to the next along an axis of the raster, in steps, across the tool's direction.
+    [[nodiscard]] glm::vec3 meanStep(glm::ivec2 axis) const {
+        glm::vec3 sum(0);
+        int count = 0;
+        for (int j = 0; j + axis.y < size_.y; ++j) {
+            for (int i = 0; i + axis.x < size_.x; ++i) {
+                if (isJoined({i, j}, glm::ivec2(i, j) + axis)) {
+                    sum += inSteps(place(i + axis.x, j + axis.y) - place(i, j));
+                    ++count;
+                }
+            }
+        }
+        const glm::vec3 mean = count > 0 ? sum / float(count) : glm::vec3(0);
+        const glm::vec3 direction = directions_.front();
+        return mean - direction * glm::dot(mean, direction);
     }
 
     // Cells [first, first + count): as one patch where they are whole, else in quarters, down to single
@@ -273,7 +382,7 @@ private:
             const glm::ivec2 side(n & 1, n >> 1);
             const glm::ivec2 e = c + side;
             const float mask = cornerMask(e.x, e.y);
-            if (!(mask > 0)) {
+            if (!(mask > 0) || (!isCovered_.empty() && isCovered_[at(e.x, e.y) * 4 + std::size_t(3 - n)])) {
                 continue;
             }
             auto u = tangent(e, {1, 0});
@@ -308,10 +417,20 @@ private:
     float gap_ = 0;      // steps; neighbours farther apart are not joined
     std::vector<glm::vec3> directions_;
     std::vector<Cell> cells_;
+    float gain_ = 1;
+    std::vector<bool> isCovered_; // four cells around each element: the skirt covers it there; empty: nowhere
     SweptPatches out_;
 };
 
 } // namespace
+
+std::vector<glm::vec3> toolDirections(std::span<const field::SurfacePoint> points, const MaskRaster& mask,
+                                      const volume::GridGeometry& geometry, const ToolSweep& sweep) {
+    VS_CHECK_EQ(points.size(), mask.values.size());
+    SurfaceSweeper sweeper(points, mask, geometry, sweep);
+    sweeper.findDirections();
+    return sweeper.takeDirections();
+}
 
 SweptPatches sweepSurface(std::span<const field::SurfacePoint> points, const MaskRaster& mask,
                           const volume::GridGeometry& geometry, const ToolSweep& sweep) {

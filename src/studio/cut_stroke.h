@@ -1,72 +1,61 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "render/picker.h"
-#include "sculpt/tool_cut.h"
+#include "sculpt/brick_backup.h"
+#include "studio/cutter.h"
 #include "studio/operation.h"
+
+#include <functional>
+#include <memory>
 
 namespace vs::studio {
 
-// What cut strokes need and share, for as long as the document lives.
-class Cutter {
-public:
-    Cutter(const field::Field& field, sculpt::Sculpture& target)
-        : tools(field.geometry), sculpture(&target), geometry(&field.geometry) {}
+// What a stroke is drawn on, as it is now: the frame of the operation's canvas.
+using LookAgain = std::function<render::Frame()>;
 
-    // The sculpture as it is now, as a texture that stays so: a stroke keeps seeing the surface it began on.
-    const gl::Texture& snapshot();
-    // The macrocells as they are now, likewise: pictures drawn during the stroke may rebuild the shared ones.
-    const render::Macrocells& snapshot(const render::Macrocells& macrocells);
-    // The sculpture's values, x fastest.
-    [[nodiscard]] std::vector<float> sculptureAsFloats() const;
-
-    sculpt::ToolCutter tools;
-    sculpt::Sculpture* sculpture;
-    const volume::GridGeometry* geometry;
-
-private:
-    gl::Texture snapshot_;
-    render::Macrocells macrocells_;
-};
-
-// One stroke of the peel or the drill, from pen-down to pen-up. Whatever is drawn is in the sculpture at
-// once; finish() gives the delta that undoes it, discard() puts everything back. Surfaces are those seen at
-// pen-down (SPEC 7): going slower, or over the same place again, cuts no deeper.
+// One edit of the sculpture on its way. Whatever is done is in the sculpture at once; finish() gives the delta
+// that undoes it, discard() puts everything back.
 class CutStroke {
 public:
-    // `frame` is what the pen was drawn on; `operation` is a Peel or a Drill with its canvas set.
-    CutStroke(Cutter& cutter, render::Picker& picker, const render::Frame& frame, const Peel& operation);
-    CutStroke(Cutter& cutter, render::Picker& picker, const render::Frame& frame, const Drill& operation);
+    virtual ~CutStroke() = default;
+    CutStroke(const CutStroke&) = delete;
+    CutStroke& operator=(const CutStroke&) = delete;
 
-    // Peels down to this many layers in all; fewer than before puts layers back.
-    void peelTo(double layers);
-    // The pen has come here: stamps along the way from where it was, as deep as the pressure says.
-    void drillAt(const sculpt::PenPoint& pen);
-    // One stamp at full pressure where the mask was drawn.
-    void stampWhereDrawn();
+    // All that the operation says, at once.
+    virtual void replay() = 0;
 
     // The operation as it has become: with the layers, or the pen points, so far.
     [[nodiscard]] const Operation& operation() const { return operation_; }
-    // The sculpture's version at pen-down.
+    // The sculpture's version at the beginning.
     [[nodiscard]] std::uint64_t sculptureVersion() const { return sculptureVersion_; }
+    // Whether it only takes away: then all that can be seen could be seen at the beginning.
+    [[nodiscard]] bool onlyCuts() const { return how_ == sculpt::Combine::Cut; }
     sculpt::BrickDelta finish() { return backup_.finish(); }
     void discard();
 
-private:
-    void prepare(const Sketch& sketch);
-    std::vector<glm::vec2> elementPixels(glm::dvec2 centre) const;
-    void stamp(glm::dvec2 centre, double pressure);
+protected:
+    CutStroke(Cutter& cutter, Operation operation, bool restores)
+        : cutter_(&cutter), operation_(std::move(operation)),
+          how_(restores ? sculpt::Combine::Restore : sculpt::Combine::Cut),
+          sculptureVersion_(cutter.sculpture->version()), backup_(cutter.sculpture->texels()) {}
 
     Cutter* cutter_;
-    render::Picker* picker_;
-    render::Frame frame_;
     Operation operation_;
+    sculpt::Combine how_;
     std::uint64_t sculptureVersion_;
     sculpt::BrickBackup backup_;
-    sculpt::MaskRaster mask_; // centred on the origin, in pixels
-    glm::dvec2 drawnAt_{0};
-    glm::dvec2 extent_{0};
-    std::vector<field::SurfacePoint> peelSurface_;
+};
+
+// A sketch as a tool uses it: its mask, centred on the origin, in pixels.
+struct ToolMask {
+    ToolMask(const Sketch& sketch, const render::Frame& frame, const volume::GridGeometry& geometry);
+
+    // Where its elements are in the picture when its centre is at a pixel.
+    [[nodiscard]] std::vector<glm::vec2> pixels(glm::dvec2 centre) const;
+
+    sculpt::MaskRaster raster;
+    glm::dvec2 drawnAt{0}; // the centre, where it was drawn
+    glm::dvec2 extent{0};  // width and height
 };
 
 } // namespace vs::studio

@@ -4,6 +4,7 @@
 #include "base/check.h"
 #include "field/histogram.h"
 #include "studio/document_state.h"
+#include "studio/sketch.h"
 
 #include <cmath>
 
@@ -77,9 +78,10 @@ render::Frame Document::Impl::frame(const View& from, glm::ivec2 size) {
     Pipeline::State state;
     state.view = &from;
     state.sculpture = &sculpture;
+    state.pasted = &pasted;
     state.growth = region.growth();
     state.greyWindow = grey;
-    if (stroke) {
+    if (stroke && stroke->onlyCuts()) {
         state.cuttingSince = stroke->sculptureVersion();
     }
     return pipeline.frame(state, size);
@@ -148,36 +150,37 @@ render::Frame Document::frame(glm::ivec2 size) { return impl_->frame(impl_->view
 
 // --- live strokes
 
-void Document::beginPeel(const Sketch& mask, const Canvas& canvas) {
+void Document::beginStroke(Operation operation) {
     VS_CHECK(!isStrokeOpen() && !isGrowing());
-    Peel op;
-    op.mask = mask;
-    op.canvas = canvas;
-    impl_->beginStroke(op);
+    std::visit(
+        [&](auto& op) {
+            if constexpr (requires { op.canvas; }) {
+                impl_->settle(op.canvas);
+            }
+        },
+        operation);
+    impl_->beginStroke(operation);
 }
 
 void Document::updatePeel(double layers) {
     VS_CHECK(isStrokeOpen());
-    impl_->stroke->peelTo(layers);
+    dynamic_cast<PeelStroke&>(*impl_->stroke).peelTo(layers);
     ++impl_->version;
 }
 
-void Document::beginDrill(const Sketch& mask, const Canvas& canvas, double depthMax) {
-    VS_CHECK(!isStrokeOpen() && !isGrowing());
-    Drill op;
-    op.mask = mask;
-    op.canvas = canvas;
-    op.depthMax = depthMax;
-    impl_->beginStroke(op);
-}
-
-void Document::updateDrill(const sculpt::PenPoint& pen) {
+void Document::updatePen(const sculpt::PenPoint& pen) {
     VS_CHECK(isStrokeOpen());
-    impl_->stroke->drillAt(pen);
+    dynamic_cast<PenStroke&>(*impl_->stroke).drawAt(pen);
     ++impl_->version;
 }
 
-bool Document::isStrokeOpen() const { return impl_->stroke.has_value(); }
+void Document::updateClip(const Clip& clip) {
+    VS_CHECK(isStrokeOpen());
+    dynamic_cast<ClipStroke&>(*impl_->stroke).clipTo(clip);
+    ++impl_->version;
+}
+
+bool Document::isStrokeOpen() const { return impl_->stroke != nullptr; }
 
 Outcome Document::commitStroke() {
     VS_CHECK(isStrokeOpen());
@@ -268,7 +271,7 @@ Document::GrowthStatus Document::growth() const {
 std::optional<Document::Probe> Document::probe(glm::dvec2 pixel, glm::ivec2 viewport) {
     const glm::vec2 position(pixel);
     const auto points =
-        impl_->picker.pickPoints(impl_->frame(impl_->view, viewport), std::span(&position, 1));
+        impl_->cutter.picker.pickPoints(impl_->frame(impl_->view, viewport), std::span(&position, 1));
     if (points.front().voxel.w < 0.5F) {
         return std::nullopt;
     }
@@ -279,6 +282,27 @@ std::optional<Document::Probe> Document::probe(glm::dvec2 pixel, glm::ivec2 view
     probe.value = interpolate(impl_->volume, probe.voxel);
     return probe;
 }
+
+std::vector<glm::dvec2> Document::outlineOnSurface(const Sketch& mask, glm::dvec2 pixel, glm::ivec2 viewport) {
+    const render::Frame frame = impl_->frame(impl_->view, viewport);
+    const ToolMask toolMask(mask, frame, impl_->volume.geometry);
+    const auto plane = layOnSurface(impl_->cutter.picker, frame, toolMask, pixel);
+    std::vector<glm::dvec2> outline;
+    if (plane) {
+        for (const glm::dvec2 point : outlineOf(mask)) {
+            outline.push_back(frame.rays.project(plane->place(point - toolMask.drawnAt)));
+        }
+    }
+    return outline;
+}
+
+std::vector<std::vector<glm::dvec2>> Document::outlinesAlongPath(const Sweep& sweep) {
+    Sweep op = sweep;
+    impl_->settle(op.canvas);
+    return sweptOutlines(impl_->cutter, impl_->frame(op.canvas->view, op.canvas->viewport), op);
+}
+
+std::size_t Document::pastedParts() const { return impl_->pasted.sculptures.size(); }
 
 std::vector<std::byte> Document::sculptureBytes() const {
     return impl_->sculpture.download(impl_->volume.geometry.box());

@@ -63,10 +63,11 @@ public:
     // Live strokes: what the pen does now is seen at once; commit() appends one operation and one undo step,
     // the same as apply() of that operation would have given; discard() leaves no trace. One at a time;
     // apply() must not be called before it ends.
-    void beginPeel(const Sketch& mask, const Canvas& canvas);
+    // A Peel, Drill, Laser or Clip; what it says of layers, pen points and planes is done already.
+    void beginStroke(Operation operation);
     void updatePeel(double layers); // the total so far; fewer than before puts layers back
-    void beginDrill(const Sketch& mask, const Canvas& canvas, double depthMax);
-    void updateDrill(const sculpt::PenPoint& pen);
+    void updatePen(const sculpt::PenPoint& pen); // drill and laser
+    void updateClip(const Clip& clip);           // instead of the one before
     [[nodiscard]] bool isStrokeOpen() const;
     Outcome commitStroke();
     void discardStroke();
@@ -99,6 +100,14 @@ public:
         double value = 0;
     };
     std::optional<Probe> probe(glm::dvec2 pixel, glm::ivec2 viewport);
+
+    // How a mask drawn on a canvas of the present view lies on the surface under a pixel: its outline there, in
+    // pixels. Empty if nothing is under the pixel. For the laser's preview.
+    std::vector<glm::dvec2> outlineOnSurface(const Sketch& mask, glm::dvec2 pixel, glm::ivec2 viewport);
+    // The outlines of a sweep's mask here and there along its path, in pixels of its canvas.
+    std::vector<std::vector<glm::dvec2>> outlinesAlongPath(const Sweep& sweep);
+    // Parts pasted so far (by Paste); the view's places may be more or fewer.
+    [[nodiscard]] std::size_t pastedParts() const;
 
     // Bytes of the states that undo must restore, for tests and checks.
     [[nodiscard]] std::vector<std::byte> sculptureBytes() const;

@@ -36,48 +36,6 @@ Outcome Document::Impl::run(SetView& op, const std::filesystem::path&) {
     return {};
 }
 
-// --- cutting
-
-Outcome Document::Impl::endStroke() {
-    sculpt::BrickDelta delta = stroke->finish();
-    Outcome outcome;
-    outcome.voxelsTouched = delta.changedVoxels();
-    outcome.message = delta.isEmpty() ? "nothing was cut: the sketch does not lie on a visible surface"
-                                      : fmt::format("{} voxels changed", delta.changedVoxels());
-    if (!delta.isEmpty()) {
-        remember(stroke->operation(), std::move(delta), {});
-    }
-    stroke.reset();
-    return outcome;
-}
-
-Outcome Document::Impl::run(Peel& op, const std::filesystem::path&) {
-    settle(op.canvas);
-    return cutAtOnce(op, [&] { stroke->peelTo(op.layers); });
-}
-
-Outcome Document::Impl::run(Drill& op, const std::filesystem::path&) {
-    settle(op.canvas);
-    return cutAtOnce(op, [&] {
-        if (op.stroke.empty()) {
-            stroke->stampWhereDrawn();
-        }
-        for (const auto& pen : op.stroke) {
-            stroke->drillAt(pen);
-        }
-    });
-}
-
-Outcome Document::Impl::run(UnCut& op, const std::filesystem::path&) {
-    sculpt::BrickBackup backup(sculpture.texels());
-    backup.protect(volume.geometry.box());
-    sculpture.clear();
-    sculpt::BrickDelta delta = backup.finish();
-    const std::size_t changed = delta.changedVoxels();
-    remember(op, std::move(delta), {});
-    return {{}, 0, changed, "all cuts cleared"};
-}
-
 // --- growing
 
 std::size_t Document::Impl::grownVoxels() const {
@@ -106,7 +64,7 @@ Outcome Document::Impl::run(Seed& op, const std::filesystem::path&) {
     }
     if (op.voxels.empty()) {
         const auto pixels = pixelsUnder(op.strokes, op.widthPixels, op.canvas->viewport);
-        const auto points = picker.pick(frame(op.canvas->view, op.canvas->viewport), pixels);
+        const auto points = cutter.picker.pick(frame(op.canvas->view, op.canvas->viewport), pixels);
         op.voxels = region.findSeeds(
             points, region.constraints(*op.range, op.canvas->view.sculptureView, connectivityOf(op)));
     }
@@ -192,6 +150,9 @@ Outcome Document::Impl::travel(Step& step, bool isUndo) {
             step.growth = repeat(step.operation);
         }
         outcome.voxelsTouched = describeGrowth(0, before).voxelsTouched;
+    }
+    if (const auto& parts = isUndo ? step.partsBefore : step.partsAfter) {
+        showParts(*parts);
     }
     outcome.message = fmt::format("{}: {}", isUndo ? "undone" : "redone", name(step.operation));
     ++version;

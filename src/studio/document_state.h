@@ -2,11 +2,14 @@
 #pragma once
 
 #include "base/timer.h"
-#include "studio/cut_stroke.h"
 #include "studio/document.h"
 #include "studio/history.h"
+#include "studio/peel_stroke.h"
+#include "studio/pen_stroke.h"
 #include "studio/pipeline.h"
 #include "studio/region.h"
+#include "studio/solid_strokes.h"
+#include "studio/sweep_stroke.h"
 
 #include <optional>
 
@@ -21,6 +24,13 @@ struct Document::Impl {
     Outcome run(SetView& op, const std::filesystem::path& folder);
     Outcome run(Peel& op, const std::filesystem::path& folder);
     Outcome run(Drill& op, const std::filesystem::path& folder);
+    Outcome run(Laser& op, const std::filesystem::path& folder);
+    Outcome run(Sweep& op, const std::filesystem::path& folder);
+    Outcome run(Scissors& op, const std::filesystem::path& folder);
+    Outcome run(Clip& op, const std::filesystem::path& folder);
+    Outcome run(KeepConnected& op, const std::filesystem::path& folder);
+    Outcome run(Paste& op, const std::filesystem::path& folder);
+    Outcome run(MovePart& op, const std::filesystem::path& folder);
     Outcome run(Seed& op, const std::filesystem::path& folder);
     Outcome run(Grow& op, const std::filesystem::path& folder);
     Outcome run(Rewind& op, const std::filesystem::path& folder);
@@ -39,26 +49,16 @@ struct Document::Impl {
     // Appends to the log, after the view that it happened in.
     void record(Operation operation);
 
-    // Opens a stroke of a Peel or Drill whose canvas is set.
-    template <typename Cut>
-    void beginStroke(const Cut& op) {
-        strokeTimer = Timer();
-        stroke.emplace(cutter, picker, frame(op.canvas->view, op.canvas->viewport), op);
-    }
+    // Opens the stroke of an operation that cuts, whose canvas is set.
+    void beginStroke(const Operation& operation);
     Outcome endStroke();
     // A whole stroke; if something is thrown in its midst (a device without room), everything is as before.
-    template <typename Cut, typename Draw>
-    Outcome cutAtOnce(const Cut& op, Draw draw) {
-        beginStroke(op);
-        try {
-            draw();
-        } catch (...) {
-            stroke->discard();
-            stroke.reset();
-            throw;
-        }
-        return endStroke();
-    }
+    // Fills in what the stroke has found.
+    template <typename Cut>
+    Outcome cutAtOnce(Cut& op);
+    // Sets which parts are pasted where, in the view too, as one undoable step.
+    void arrangeParts(const Operation& operation, PastedState state);
+    void showParts(const PastedState& state);
     segment::SeedCounts plant(const Seed& op, Region::Records& records);
     [[nodiscard]] std::size_t grownVoxels() const;
     [[nodiscard]] Outcome describeGrowth(int generations, std::size_t voxelsBefore) const;
@@ -73,7 +73,6 @@ struct Document::Impl {
     Pipeline pipeline;
     Region region;
     Cutter cutter;
-    render::Picker picker;
     std::optional<render::RayCaster> caster; // for SavePicture; made when first used
     History history;
     std::vector<Operation> log;
@@ -82,7 +81,8 @@ struct Document::Impl {
     Range grey;
     std::uint64_t version = 0;
 
-    std::optional<CutStroke> stroke; // the live peel or drill
+    std::unique_ptr<CutStroke> stroke; // the live one
+    PastedState pasted;
     struct LiveGrowth {
         Region::Records records;
         int generations = 0;

@@ -4,6 +4,7 @@
 #include "sculpt/brick_backup.h"
 #include "segment/growth_undo.h"
 #include "studio/operation.h"
+#include "studio/pasted_parts.h"
 
 #include <optional>
 #include <vector>
@@ -16,6 +17,9 @@ struct Step {
     Operation operation;
     std::optional<sculpt::BrickDelta> cut;
     std::vector<segment::GrowthUndo> growth;
+    // Pasted parts before and after, where the operation changed them.
+    std::optional<PastedState> partsBefore = {};
+    std::optional<PastedState> partsAfter = {};
 };
 
 // Undo and redo without limit. A new step forgets what could be redone.

@@ -6,6 +6,7 @@
 #include "render/ray_caster.h"
 #include "render/transfer_function.h"
 #include "sculpt/stroke.h"
+#include "sculpt/sweep.h"
 
 #include <optional>
 #include <string>
@@ -74,19 +75,115 @@ SetView lookAs(const View& view);
 struct Peel {
     Sketch mask;
     double layers = 0;
-    int radius = 3; // voxels: the radiation's R
+    int radius = 3; // steps: the radiation's R
+    bool restores = false; // the sign reversed: puts layers of what was cut back on, never past the uncut surface
     std::optional<Canvas> canvas;
 };
 
-// Drills along the view through the sketch's shape, carried along by the pen: each pen point stamps the mask,
-// centred on it, as deep as depthMax * pressure (steps). Without pen points, one stamp where the mask was
-// drawn, at full pressure.
-struct Drill {
+// What the tools that follow the pen have in common: the sketch's shape is carried along, each pen point
+// stamps it, centred on the point, as deep as depthMax * pressure (steps). Without pen points, one stamp where
+// the mask was drawn, at full pressure. Surfaces are those seen at pen-down, and seen again where pressure
+// rises after having been zero; with keepsDigging at every change of place or pressure, so that the pen works
+// its way in.
+struct PenCut {
     Sketch mask;
     sculpt::Stroke stroke;
     double depthMax = 10;
     int radius = 3;
+    bool restores = false; // as of a Peel
+    bool keepsDigging = false;
     std::optional<Canvas> canvas;
+};
+
+// Drills along the view's ray through the mask's centre, or along the pen's tilt.
+struct Drill : PenCut {
+    bool followsTilt = false;
+};
+
+// Burns down from the surface along its own normal: the mask lies on the surface, turned to its normal.
+struct Laser : PenCut {
+    Laser() { depthMax = 20; }
+};
+
+// Cuts through the whole volume along the view's rays: all that is seen inside the closed stroke, or outside
+// it. With a depth (steps), only so deep below the surface seen.
+struct Scissors {
+    Sketch outline;
+    bool cutsOutside = false;
+    std::optional<double> depth = {};
+    int radius = 3;
+    bool restores = false;
+    std::optional<Canvas> canvas = {};
+};
+
+// Where a sweep goes. Drawn paths are in viewport pixels, on the surface seen or in the plane across the view
+// through the surface at its beginning; all others are in voxel space.
+struct SweepPath {
+    enum class Kind { Surface, ViewPlane, Polyline, Spline, Helix, Standing };
+    Kind kind = Kind::Polyline;
+    std::vector<glm::dvec2> stroke; // Surface, ViewPlane
+    // Polyline, Spline: the corners. Helix: the ends of its axis. Standing: where the mask stands, and a point
+    // that it faces.
+    std::vector<glm::dvec3> points;
+    double helixRadius = 0; // steps
+    double turns = 1;
+
+    [[nodiscard]] bool isDrawn() const { return kind == Kind::Surface || kind == Kind::ViewPlane; }
+};
+
+// Sweeps a mask along a path and cuts what it covers. For drawn paths the mask is a sketch in viewport pixels,
+// carried along by its centre; for others it is in steps, the path running through (0, 0).
+struct Sweep {
+    enum class Method { Radiation, Projection };
+    Sketch mask;
+    SweepPath path;
+    sculpt::FrameKind frame = sculpt::FrameKind::ParallelTransport;
+    sculpt::MaskFilter filter = {};
+    double pitch = sculpt::kSweepPitch; // steps between the mask's elements
+    int radius = 3;
+    bool isRaw = false; // the thesis' uncalibrated energy
+    Method method = Method::Radiation;
+    bool restores = false;
+    std::optional<Canvas> canvas = {};
+};
+
+// Cuts what lies outside a box, or inside it, in voxel space; and what lies beyond each of a list of planes
+// (on the side that the normal points to), in the patient's millimetres.
+struct Clip {
+    struct Box {
+        glm::dvec3 lo{0};
+        glm::dvec3 hi{0};
+    };
+    struct Plane {
+        glm::dvec3 point{0};
+        glm::dvec3 normal{0, 0, 1};
+    };
+    std::optional<Box> box;
+    std::vector<Plane> planes;
+    bool cutsInside = false; // what lies in the box and behind all planes, instead of the rest
+    int radius = 3;
+    bool restores = false;
+};
+
+// Cuts everything visible that is not connected to what is under a pixel: the table below a patient. `voxel`
+// is what was found there; when set it is used instead of casting a ray again.
+struct KeepConnected {
+    glm::dvec2 pixel{0};
+    std::optional<glm::ivec3> voxel = {};
+    int connectivity = 26;
+    std::optional<Canvas> canvas = {};
+};
+
+// Pastes what was cut since the last paste as a part of its own at a place. Until the next paste it takes in
+// what is cut further.
+struct Paste {
+    render::Placement place;
+};
+
+// Moves, turns and scales a pasted part (counted from 0).
+struct MovePart {
+    int part = 0;
+    render::Placement place;
 };
 
 // Puts seeds on the surface under the strokes: free-form and polyline sketches are open lines of the given
@@ -144,11 +241,11 @@ struct SaveSculpture {
     std::string file;
 };
 
-using Operation = std::variant<SetView, Peel, Drill, Seed, Grow, Rewind, SetGrowthRange, Undo, Redo, UnCut,
-                               ReSeed, SavePicture, SaveLabels, SaveSculpture>;
+using Operation = std::variant<SetView, Peel, Drill, Laser, Sweep, Scissors, Clip, KeepConnected, Paste, MovePart,
+                               Seed, Grow, Rewind, SetGrowthRange, Undo, Redo, UnCut, ReSeed, SavePicture,
+                               SaveLabels, SaveSculpture>;
 
-// "view", "peel", "drill", "seed", "grow", "rewind", "growth range", "undo", "redo", "un-cut", "re-seed",
-// "picture", "labels", "sculpture": the names in sessions, reports and the history.
+// The name in sessions, reports and the history: "view", "peel", ... (kOperationNames).
 const char* name(const Operation& operation);
 
 // Whether an operation only writes a file and leaves the document as it is.

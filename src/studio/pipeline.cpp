@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/pipeline.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace vs::studio {
@@ -65,30 +66,59 @@ render::Frame Pipeline::frame(const State& state, glm::ivec2 size) {
             frame.scene.view,
             state.sculpture->version(),
             hasSegmentation ? segmentation_->version() : 0,
+            nullptr,
+            0,
             hasSegmentation,
             true,
             byFunction ? classification_->version() : 0,
             view.sampling};
-    refresh(cells_, key, state, frame);
+    refresh(cells_, key, state, frame, isSculpted ? &state.sculpture->cells() : nullptr);
     frame.macrocells = &cells_.macrocells;
     if (view.shadows) {
         refresh(light_, key, state, frame, cells_.macrocells);
         frame.occlusion = &light_.occlusion;
     }
     if (isSculpted && !view.pasted.empty()) {
-        key.view = field::SculptureView::Probe;
-        refresh(pastedCells_, key, state, frame);
-        frame.pasted = view.pasted;
-        frame.pastedMacrocells = &pastedCells_.macrocells;
-        if (view.shadows) {
-            refresh(pastedLight_, key, state, frame, pastedCells_.macrocells);
-            frame.pastedOcclusion = &pastedLight_.occlusion;
-        }
+        addParts(frame, key, state);
     }
     return frame;
 }
 
-void Pipeline::refresh(Cells& cells, const Key& key, const State& state, const render::Frame& frame) {
+Pipeline::PartStages& Pipeline::stagesOf(const gl::Texture* texels) {
+    for (const auto& stages : partStages_) {
+        if (stages->texels == texels) {
+            return *stages;
+        }
+    }
+    partStages_.push_back(std::make_unique<PartStages>());
+    partStages_.back()->texels = texels;
+    return *partStages_.back();
+}
+
+void Pipeline::addParts(render::Frame& frame, Key key, const State& state) {
+    const View& view = *state.view;
+    const auto parts = pastedParts_.parts(*state.sculpture, *state.pasted, view.pasted.size());
+    std::erase_if(partStages_, [&](const auto& stages) {
+        return std::none_of(parts.begin(), parts.end(),
+                            [&](const auto& part) { return part.texels == stages->texels; });
+    });
+    key.view = field::SculptureView::Probe;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        PartStages& stages = stagesOf(parts[i].texels);
+        key.part = parts[i].texels;
+        key.partMaking = parts[i].making;
+        refresh(stages.cells, key, state, frame, parts[i].cells);
+        render::PastedPart part{view.pasted[i], parts[i].texels, &stages.cells.macrocells};
+        if (view.shadows) {
+            refresh(stages.light, key, state, frame, stages.cells.macrocells);
+            part.occlusion = &stages.light.occlusion;
+        }
+        frame.pasted.push_back(part);
+    }
+}
+
+void Pipeline::refresh(Cells& cells, const Key& key, const State& state, const render::Frame& frame,
+                       const gl::Texture* sculptureCells) {
     const auto& old = cells.key;
     // In probe view a cut adds to what is seen, so there nothing can be kept.
     const bool mayKeep = state.cuttingSince && old && old->sculptureVersion == *state.cuttingSince &&
@@ -102,7 +132,7 @@ void Pipeline::refresh(Cells& cells, const Key& key, const State& state, const r
     }
     render::Macrocells::Input input;
     input.dataCells = &cellRanges_.cells;
-    input.sculptureCells = frame.scene.sculpture != nullptr ? &state.sculpture->cells() : nullptr;
+    input.sculptureCells = sculptureCells;
     input.segmentationCells = key.drawsSegmentation ? &segmentation_->cells() : nullptr;
     input.displayedRange = key.range;
     input.valueTolerance = field::valueTolerance(*field_);
@@ -121,6 +151,7 @@ void Pipeline::refresh(Light& light, Key key, const State& state, const render::
     }
     render::OcclusionVolume::Input input;
     input.scene = frame.scene;
+    input.scene.sculpture = key.part != nullptr ? key.part : frame.scene.sculpture;
     input.scene.view = key.view;
     input.macrocells = &macrocells;
     input.classification = frame.mode == render::Mode::Volume ? frame.classification : nullptr;

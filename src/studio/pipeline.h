@@ -8,6 +8,9 @@
 #include "segment/growth.h"
 #include "segment/segmentation.h"
 #include "studio/operation.h"
+#include "studio/pasted_parts.h"
+
+#include <memory>
 
 namespace vs::studio {
 
@@ -20,6 +23,7 @@ public:
     struct State {
         const View* view = nullptr;
         const sculpt::Sculpture* sculpture = nullptr;
+        const PastedState* pasted = nullptr; // whose part is drawn at which of the view's places
         const segment::Growth* growth = nullptr; // null: nothing seeded yet
         Range greyWindow;
         // The sculpture's version when the stroke in hand began. While it cuts, the macrocells of that moment
@@ -37,6 +41,8 @@ private:
         field::SculptureView view = field::SculptureView::Cut;
         std::uint64_t sculptureVersion = 0;
         std::uint64_t segmentationVersion = 0;
+        const gl::Texture* part = nullptr; // instead of the sculpture
+        std::uint64_t partMaking = 0;
         bool drawsSegmentation = false;
         bool drawsData = true;   // as far as light is concerned
         int functionVersion = 0; // of the transfer function, where it says what can be seen
@@ -55,7 +61,8 @@ private:
         render::Macrocells macrocells;
         std::optional<Key> key;
     };
-    void refresh(Cells& cells, const Key& key, const State& state, const render::Frame& frame);
+    void refresh(Cells& cells, const Key& key, const State& state, const render::Frame& frame,
+                 const gl::Texture* sculptureCells);
 
     // Likewise what blocks the light; made when shadows are first wanted.
     struct Light {
@@ -65,10 +72,19 @@ private:
     void refresh(Light& light, Key key, const State& state, const render::Frame& frame,
                  const render::Macrocells& macrocells);
 
+    // One for each texture that parts are drawn from: places that show the same share them.
+    struct PartStages {
+        const gl::Texture* texels = nullptr;
+        Cells cells;
+        Light light;
+    };
+    PartStages& stagesOf(const gl::Texture* texels);
+    void addParts(render::Frame& frame, Key key, const State& state);
+
     Cells cells_;
-    Cells pastedCells_;
     Light light_;
-    Light pastedLight_;
+    PastedParts pastedParts_;
+    std::vector<std::unique_ptr<PartStages>> partStages_;
     std::optional<render::Classification> classification_; // made when first needed
 };
 

@@ -69,8 +69,10 @@ public:
     }
 
     void paste(const std::vector<render::Placement>& placements) {
-        frame.pasted = placements;
-        frame.pastedMacrocells = &pastedMacrocells;
+        frame.pasted.clear();
+        for (const auto& place : placements) {
+            frame.pasted.push_back({place, &sculpture, &pastedMacrocells});
+        }
         rebuild();
     }
 

@@ -1,0 +1,35 @@
+// Cutting voxel by voxel by an energy that is known for each: the includer defines `float energyAt(vec3 voxel)` after this,
+// and may skip tiles whose energy is 0. Work groups are tiles of 8^3 voxels, one invocation a line along x.
+layout(local_size_x = 8, local_size_y = 8) in;
+
+layout(r16f, binding = 0) uniform image3D sculpture;
+
+layout(location = 0) uniform ivec3 firstVoxel;
+layout(location = 1) uniform ivec3 dims;
+layout(location = 2) uniform int isRestore;
+layout(location = 3) uniform mat4 worldFromVoxel;
+layout(location = 4) uniform float sigma; // of the edge, mm
+
+// Energies below half a step of a 16-bit float at 1 count as nothing, as in combine_sculpture.comp.
+const float negligible = 1.0 / 2048.0;
+// The next 16-bit float below 0.5.
+const float justVisible = 0.499755859375;
+
+// Half the Gaussian's integral: the energy at a distance (mm, positive inside) from a plane. To 1.5e-4 (Bowling et al.
+// 2009, a logistic approximation).
+float energyBehind(float distance) {
+    float x = clamp(distance / sigma, -6.0, 6.0);
+    return 1.0 / (1.0 + exp(-x * (1.5976 + 0.070566 * x * x)));
+}
+
+void combineVoxel(ivec3 voxel, float energy) {
+    if (energy > negligible) {
+        float before = imageLoad(sculpture, voxel).r;
+        float e = energy > 1.0 - negligible ? 1.0 : energy;
+        float remains = e >= 0.5 ? min(1.0 - e, justVisible) : 1.0 - e;
+        float wanted = isRestore != 0 ? min(before, remains) : max(before, e);
+        if (wanted != before) {
+            imageStore(sculpture, voxel, vec4(wanted));
+        }
+    }
+}

@@ -1,0 +1,23 @@
+// What of the sculpture belongs to one pasted part: min(S, S at its own paste, 1 - S at the paste before).
+// In: textures 0 sculpture, 1 at its own paste, 2 at the paste before. Out: image 0 the part.
+layout(local_size_x = 8, local_size_y = 4, local_size_z = 2) in;
+
+layout(binding = 0) uniform sampler3D sculpture;
+layout(binding = 1) uniform sampler3D upTo;
+layout(binding = 2) uniform sampler3D from;
+layout(r16f, binding = 0) uniform writeonly image3D part;
+
+layout(location = 0) uniform ivec3 first;
+layout(location = 1) uniform ivec3 last; // exclusive
+layout(location = 2) uniform ivec2 has;  // x: there is an end, y: there is a beginning
+
+void main() {
+    ivec3 voxel = first + ivec3(gl_GlobalInvocationID);
+    if (any(greaterThanEqual(voxel, last))) {
+        return;
+    }
+    float value = texelFetch(sculpture, voxel, 0).r;
+    value = has.x != 0 ? min(value, texelFetch(upTo, voxel, 0).r) : value;
+    value = has.y != 0 ? min(value, 1.0 - texelFetch(from, voxel, 0).r) : value;
+    imageStore(part, voxel, vec4(value));
+}

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/cutter.h"
+
+#include "gl/pass.h"
+
+#include <glm/gtc/packing.hpp>
+
+namespace vs::studio {
+
+const gl::Texture& Cutter::snapshot() {
+    const gl::Pass pass("sculpture snapshot");
+    const gl::Texture& texels = sculpture->texels();
+    if (!snapshot_) {
+        snapshot_ = gl::Texture(texels.size(), texels.format(), gl::Filter::Linear, "sculpture at pen-down");
+    }
+    snapshot_.copyFrom(texels, geometry->box(), glm::ivec3(0));
+    return snapshot_;
+}
+
+const render::Macrocells& Cutter::snapshot(const render::Macrocells& macrocells) {
+    macrocells_.copyFrom(macrocells);
+    return macrocells_;
+}
+
+std::vector<float> Cutter::sculptureAsFloats() const {
+    const auto bytes = sculpture->download(geometry->box());
+    const auto* halves = reinterpret_cast<const std::uint16_t*>(bytes.data());
+    std::vector<float> values(bytes.size() / 2);
+    std::transform(halves, halves + values.size(), values.begin(),
+                   [](std::uint16_t h) { return glm::unpackHalf1x16(h); });
+    return values;
+}
+
+} // namespace vs::studio

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "render/picker.h"
+#include "sculpt/island_cut.h"
+#include "sculpt/restore_reach.h"
+#include "sculpt/solid_cut.h"
+#include "sculpt/tool_cut.h"
+
+namespace vs::studio {
+
+// What cut strokes need and share, for as long as the document lives.
+class Cutter {
+public:
+    Cutter(const field::Field& field, sculpt::Sculpture& target)
+        : tools(field.geometry), solids(field.geometry), sculpture(&target), geometry(&field.geometry) {}
+
+    // The sculpture as it is now, as a texture that stays so: a stroke keeps seeing the surface it began on.
+    const gl::Texture& snapshot();
+    // The macrocells as they are now, likewise: pictures drawn during the stroke may rebuild the shared ones.
+    const render::Macrocells& snapshot(const render::Macrocells& macrocells);
+    // The sculpture's values, x fastest.
+    [[nodiscard]] std::vector<float> sculptureAsFloats() const;
+
+    sculpt::ToolCutter tools;
+    sculpt::SolidCutter solids;
+    sculpt::IslandCutter islands;
+    sculpt::RestoreReach restoreReach;
+    render::Picker picker;
+    sculpt::Sculpture* sculpture;
+    const volume::GridGeometry* geometry;
+
+private:
+    gl::Texture snapshot_;
+    render::Macrocells macrocells_;
+};
+
+} // namespace vs::studio

@@ -68,7 +68,7 @@ void benchDrill(const BenchSettings& settings, studio::Document& document, glm::
     const Work stamps{
         .run =
             [&](int run) {
-                document.updateDrill({place + glm::dvec2(kStampWay * run, 0), 1.0});
+                document.updatePen({place + glm::dvec2(kStampWay * run, 0), 1.0});
             },
         .prepare =
             [&](int run) {
@@ -76,7 +76,10 @@ void benchDrill(const BenchSettings& settings, studio::Document& document, glm::
                     if (document.isStrokeOpen()) {
                         document.discardStroke();
                     }
-                    document.beginDrill(circle(place, kMaskRadius), canvas, 10);
+                    studio::Drill drill;
+                    drill.mask = circle(place, kMaskRadius);
+                    drill.canvas = canvas;
+                    document.beginStroke(drill);
                 }
             },
     };
@@ -95,7 +98,7 @@ void benchPeel(const BenchSettings& settings, studio::Document& document, glm::d
                     if (document.isStrokeOpen()) {
                         document.discardStroke();
                     }
-                    document.beginPeel(circle(place, 2 * kMaskRadius), canvas);
+                    document.beginStroke(studio::Peel{circle(place, 2 * kMaskRadius), 0, 3, false, canvas});
                 }
             },
     };

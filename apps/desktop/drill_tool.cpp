@@ -53,8 +53,13 @@ void DrillTool::press(const Pen& pen) {
         return;
     }
     const auto mask = pad_.sketch(studio_.devicePerLogical());
-    const bool begun = studio_.beginStroke(
-        [&](auto& document, const auto& canvas) { document.beginDrill(mask, canvas, depth_); });
+    const bool begun = studio_.beginStroke([&](auto& document, const auto& canvas) {
+        studio::Drill drill;
+        drill.mask = mask;
+        drill.canvas = canvas;
+        drill.depthMax = depth_;
+        document.beginStroke(drill);
+    });
     if (begun) {
         waiting_.clear();
         last_ = {glm::dvec2(-1e9), 0};
@@ -152,7 +157,7 @@ void DrillTool::drill(double budgetMs) {
     while (state_ == State::Drilling && !waiting_.empty()) {
         const auto point = waiting_.front();
         waiting_.pop_front();
-        if (!studio_.guard([&] { studio_.document()->updateDrill(point); })) {
+        if (!studio_.guard([&] { studio_.document()->updatePen(point); })) {
             waiting_.clear();
             studio_.endStroke(false);
             setState(State::Ready);

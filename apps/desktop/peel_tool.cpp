@@ -57,8 +57,9 @@ void PeelTool::press(const Pen& pen) {
         pressed_ = pen.position;
         wanted_ = applied_ = 0;
         const auto mask = pad_.sketch(studio_.devicePerLogical());
-        if (studio_.beginStroke(
-                [&](auto& document, const auto& canvas) { document.beginPeel(mask, canvas); })) {
+        if (studio_.beginStroke([&](auto& document, const auto& canvas) {
+                document.beginStroke(studio::Peel{mask, 0, 3, false, canvas});
+            })) {
             setState(State::Peeling);
         }
         return;

@@ -54,7 +54,8 @@ std::vector<glm::vec2> nearestAround(std::vector<glm::vec2> spans, glm::ivec2 si
 }
 
 // Whole bricks that may be seen through the outline's raster.
-Box3 boxSeenThrough(const OutlineDistances& outline, const Projector& view, const volume::GridGeometry& geometry) {
+Box3 boxSeenThrough(const OutlineDistances& outline, const Projector& view,
+                    const volume::GridGeometry& geometry) {
     const glm::dmat4 pixelFromVoxel = view.pixelFromWorld * geometry.worldFromVoxel;
     const glm::dvec2 last = outline.origin + glm::dvec2(outline.size);
     const glm::ivec3 grid = divideUp(geometry.dims, field::kBrick);
@@ -103,9 +104,9 @@ Box3 SolidCutter::extrude(Sculpture& sculpture, const Extrusion& solid, Combine 
     const Projector& view = solid.projector;
     const double step = geometry_.stepMm();
     // As wide as the edge is where the volume is nearest to the eye, about.
-    const double distance =
-        view.isOrthographic ? 1.0
-                            : glm::dot(geometry_.centreWorld() - view.eye, view.forward) - geometry_.diagonalMm() / 2;
+    const double distance = view.isOrthographic ? 1.0
+                                                : glm::dot(geometry_.centreWorld() - view.eye, view.forward) -
+                                                      geometry_.diagonalMm() / 2;
     const double pixelMm = view.pixelMm * std::max(distance, 1.0);
     const double band = std::clamp(solid.radius * step / pixelMm + 2, 3.0, kMostBand);
     const OutlineDistances distances = outlineDistances(solid.outline, band);
@@ -150,8 +151,8 @@ Box3 SolidCutter::clip(Sculpture& sculpture, const HalfSpaces& solid, Combine ho
     }
     VS_CHECK(solid.planes.size() <= kMaxPlanes);
     if (!clip_) {
-        clip_ = gl::Program("sculpt/shaders/cut_half_spaces.comp",
-                            {{"MAX_PLANES", std::to_string(kMaxPlanes)}});
+        clip_ =
+            gl::Program("sculpt/shaders/cut_half_spaces.comp", {{"MAX_PLANES", std::to_string(kMaxPlanes)}});
     }
     clip_.set(5, glm::ivec2(int(solid.planes.size()), solid.cutsInside ? 1 : 0));
     for (std::size_t n = 0; n < solid.planes.size(); ++n) {

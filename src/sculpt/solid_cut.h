@@ -16,9 +16,9 @@ namespace vs::sculpt {
 // From the world (mm) to a picture, as far as cutting along its rays needs to know.
 struct Projector {
     glm::dmat4 pixelFromWorld{1}; // (x w, y w, any, w): w is the distance along `forward`, 1 if orthographic
-    glm::dvec3 eye{0};            // distances along rays are counted from here, or from the plane through here
-    glm::dvec3 forward{0, 0, 1};  // unit
-    double pixelMm = 1;           // width of a pixel in mm where w is 1
+    glm::dvec3 eye{0};           // distances along rays are counted from here, or from the plane through here
+    glm::dvec3 forward{0, 0, 1}; // unit
+    double pixelMm = 1;          // width of a pixel in mm where w is 1
     bool isOrthographic = false;
     glm::ivec2 viewport{1};
 };
@@ -65,8 +65,8 @@ private:
     gl::Program clip_;
 };
 
-// Distances in pixels from an outline, positive inside (even-odd rule), clamped to +-band; element (i, j) lies
-// at origin + (i, j). Outside the raster is -band.
+// Distances in pixels from an outline, positive inside (even-odd rule), clamped to +-band; element (i, j)
+// lies at origin + (i, j). Outside the raster is -band.
 struct OutlineDistances {
     glm::ivec2 size{0};
     glm::dvec2 origin{0};

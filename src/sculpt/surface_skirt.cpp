@@ -9,9 +9,7 @@ namespace {
 
 constexpr std::array<glm::ivec2, 4> kNeighbours{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
 
-bool contains(glm::ivec2 size, glm::ivec2 e) {
-    return e.x >= 0 && e.y >= 0 && e.x < size.x && e.y < size.y;
-}
+bool contains(glm::ivec2 size, glm::ivec2 e) { return e.x >= 0 && e.y >= 0 && e.x < size.x && e.y < size.y; }
 
 // An element of the skirt on its way: which hit it continues.
 struct Growing {
@@ -27,8 +25,7 @@ std::vector<glm::vec4> surfaceSkirt(const SkirtInput& input) {
     };
     // Nothing there, or something behind the place.
     const auto isOpen = [&](glm::ivec2 e, const glm::vec3& place) {
-        return !input.isHit(e.x, e.y) ||
-               glm::dot(input.place(e.x, e.y) - place, input.direction) > input.gap;
+        return !input.isHit(e.x, e.y) || glm::dot(input.place(e.x, e.y) - place, input.direction) > input.gap;
     };
     std::vector<glm::vec4> places;
     std::vector<Growing> rim;
@@ -55,7 +52,7 @@ std::vector<glm::vec4> surfaceSkirt(const SkirtInput& input) {
                 const glm::ivec2 e = growing.element + step;
                 const glm::ivec2 offset = e - growing.from;
                 if (!contains(input.size, e) || places[at(e)].w > 0 ||
-                    glm::dot(offset, offset) > input.reach * input.reach) {
+                    offset.x * offset.x + offset.y * offset.y > input.reach * input.reach) {
                     continue;
                 }
                 const glm::vec3 place = input.place(growing.from.x, growing.from.y) +

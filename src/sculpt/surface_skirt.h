@@ -14,9 +14,9 @@ namespace vs::sculpt {
 struct SkirtInput {
     glm::ivec2 size{0};
     std::function<bool(int, int)> isHit;
-    std::function<glm::vec3(int, int)> place;                      // of a hit, in steps
-    std::function<bool(glm::ivec2, glm::ivec2)> isJoined;          // two neighbours are on one piece
-    glm::vec3 direction{0, 0, 1};                                  // the tool's, unit
+    std::function<glm::vec3(int, int)> place;             // of a hit, in steps
+    std::function<bool(glm::ivec2, glm::ivec2)> isJoined; // two neighbours are on one piece
+    glm::vec3 direction{0, 0, 1};                         // the tool's, unit
     glm::vec3 alongX{1, 0, 0}; // in steps, from one element to the next, across the direction
     glm::vec3 alongY{0, 1, 0};
     float gap = 1; // steps; what lies farther behind than this is another piece

@@ -1,17 +1,45 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sculpt/sweep.h"
 
+#include <algorithm>
+
 namespace vs::sculpt {
 
-SweptPatches sweepPiece(const MaskRaster& mask, const PathPiece& piece) {
+namespace {
+
+bool staysInItsPlane(const PathPiece& piece) {
+    const glm::dvec3 normal = glm::cross(piece.from.x, piece.from.y);
+    const auto isAcross = [&](const glm::dvec3& v) { return std::abs(glm::dot(v, normal)) < 1e-9; };
+    return isAcross(piece.to.origin - piece.from.origin) && isAcross(piece.to.x) && isAcross(piece.to.y);
+}
+
+glm::vec3 densityOf(const Footprint& footprint) {
+    const glm::vec3 sigma(footprint.sigmaVoxels);
+    return {SweptPatches::densityFor(sigma.x), SweptPatches::densityFor(sigma.y),
+            SweptPatches::densityFor(sigma.z)};
+}
+
+} // namespace
+
+glm::dvec3 voxelFromSteps(const glm::dvec3& spacing) {
+    return std::min({spacing.x, spacing.y, spacing.z}) / spacing;
+}
+
+SweptPatches sweepPiece(const MaskRaster& mask, const PathPiece& piece, const glm::dvec3& voxelFromSteps,
+                        const glm::vec3& density) {
     // Depth 0 is the piece's start, 1 its end. Elements that move backwards, on the inner side of a turn,
     // count nothing.
     SweptPatches out(0, 1, 1);
+    if (staysInItsPlane(piece)) {
+        return out;
+    }
+    out.setDensity(density);
     for (int j = 0; j < mask.size.y; ++j) {
         for (int i = 0; i < mask.size.x; ++i) {
             const glm::dvec2 element = mask.origin + mask.pitch * glm::dvec2(i, j);
-            const glm::dvec3 start = piece.from.place(element);
-            out.addCorner(glm::vec3(start), glm::vec3(piece.to.place(element) - start), mask.at(i, j));
+            const glm::dvec3 start = voxelFromSteps * piece.from.place(element);
+            const glm::dvec3 end = voxelFromSteps * piece.to.place(element);
+            out.addCorner(glm::vec3(start), glm::vec3(end - start), mask.at(i, j));
         }
     }
     const auto row = std::uint32_t(mask.size.x);
@@ -25,16 +53,18 @@ SweptPatches sweepPiece(const MaskRaster& mask, const PathPiece& piece) {
 }
 
 Box3 sweepMask(Radiator& radiator, PointGenerator& generator, const MaskRaster& mask,
-               std::span<const PathPiece> path, glm::ivec3 dims, const Footprint& footprint) {
+               std::span<const PathPiece> path, glm::ivec3 dims, const Footprint& footprint,
+               const glm::dvec3& voxelFromSteps) {
+    const glm::vec3 density = densityOf(footprint);
     Box3 box;
     for (const PathPiece& piece : path) {
-        box = unite(box, sweepPiece(mask, piece).pointBox());
+        box = unite(box, sweepPiece(mask, piece, voxelFromSteps, density).pointBox());
     }
     radiator.begin(box, dims, footprint);
     for (const PathPiece& piece : path) {
-        generator.generate(sweepPiece(mask, piece), [&](const gl::Buffer& points, std::size_t count) {
-            radiator.deposit(points, count);
-        });
+        generator.generate(
+            sweepPiece(mask, piece, voxelFromSteps, density),
+            [&](const gl::Buffer& points, std::size_t count) { radiator.deposit(points, count); });
     }
     return radiator.finish();
 }

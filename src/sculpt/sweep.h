@@ -10,17 +10,25 @@
 
 namespace vs::sculpt {
 
-// The pitch, in voxels, at which masks for sweeping are best rasterized: fine enough for the samples between
+// The pitch, in steps, at which masks for sweeping are best rasterized: fine enough for the samples between
 // elements.
 inline constexpr double kSweepPitch = 0.5;
 
-// The solid that a mask (in voxels) sweeps along one piece of a path in voxel space: density 1 inside, its
-// ends exactly at the piece's ends.
-SweptPatches sweepPiece(const MaskRaster& mask, const PathPiece& piece);
+// Voxels per step along each axis of a grid of this spacing (mm): takes paths and masks from the space of
+// steps to voxel space.
+glm::dvec3 voxelFromSteps(const glm::dvec3& spacing);
 
-// Radiates a mask swept along a path into a volume built from nothing (SPEC 6). Afterwards `radiator` holds
-// the result. Returns the box of voxels that may have energy.
+// The solid that a mask (in steps) sweeps along one piece of a path in the space of steps, as patches in
+// voxel space: density 1 inside, its ends exactly at the piece's ends. Nothing for pieces that move the mask
+// within its own plane. `density` is what SweptPatches::setDensity() takes.
+SweptPatches sweepPiece(const MaskRaster& mask, const PathPiece& piece,
+                        const glm::dvec3& voxelFromSteps = glm::dvec3(1),
+                        const glm::vec3& density = glm::vec3(1));
+
+// Radiates a mask (in steps) swept along a path in the space of steps into a volume built from nothing (SPEC
+// 6). Afterwards `radiator` holds the result. Returns the box of voxels that may have energy.
 Box3 sweepMask(Radiator& radiator, PointGenerator& generator, const MaskRaster& mask,
-               std::span<const PathPiece> path, glm::ivec3 dims, const Footprint& footprint);
+               std::span<const PathPiece> path, glm::ivec3 dims, const Footprint& footprint,
+               const glm::dvec3& voxelFromSteps = glm::dvec3(1));
 
 } // namespace vs::sculpt

@@ -251,7 +251,8 @@ private:
     }
 
     // A cell whose corners are all of the skirt, or of the silhouette that it continues.
-    void addSkirtCell(glm::ivec2 c, const std::vector<glm::vec4>& skirt, std::vector<std::uint32_t>& corners) {
+    void addSkirtCell(glm::ivec2 c, const std::vector<glm::vec4>& skirt,
+                      std::vector<std::uint32_t>& corners) {
         std::array<std::uint32_t, 4> cellCorners{};
         std::array<glm::vec3, 4> places{};
         int ofSkirt = 0;
@@ -262,9 +263,9 @@ private:
                 ++ofSkirt;
                 places[n] = glm::vec3(skirt[element]);
                 if (corners[element] == kNoCorner) {
-                    corners[element] = out_.addCorner(voxelFromSteps_ * places[n],
-                                                      voxelFromSteps_ * directions_[element],
-                                                      gain_ * mask_.values[element]);
+                    corners[element] =
+                        out_.addCorner(voxelFromSteps_ * places[n], voxelFromSteps_ * directions_[element],
+                                       gain_ * mask_.values[element]);
                 }
                 cellCorners[n] = corners[element];
             } else if (isHit(e.x, e.y)) {
@@ -274,7 +275,9 @@ private:
                 return;
             }
         }
-        const auto isFar = [&](std::size_t a, std::size_t b) { return glm::distance(places[a], places[b]) > gap_; };
+        const auto isFar = [&](std::size_t a, std::size_t b) {
+            return glm::distance(places[a], places[b]) > gap_;
+        };
         if (ofSkirt == 0 || isFar(0, 1) || isFar(2, 3) || isFar(0, 2) || isFar(1, 3)) {
             return;
         }

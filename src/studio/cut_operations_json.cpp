@@ -6,9 +6,9 @@ namespace vs::studio {
 
 namespace {
 
-constexpr double kMostSteps = 4096;   // of a depth
-constexpr double kFarthest = 1e5;     // voxels or millimetres
-constexpr double kMostTilt = 60;      // degrees
+constexpr double kMostSteps = 4096; // of a depth
+constexpr double kFarthest = 1e5;   // voxels or millimetres
+constexpr double kMostTilt = 60;    // degrees
 
 int readRadius(const JsonReader& reader) { return int(reader.integerBetween(2, 4)); }
 
@@ -111,7 +111,7 @@ SweepPath readPath(const JsonReader& reader) {
     return path;
 }
 
-Json toJson(const SweepPath& path) {
+Json pathJson(const SweepPath& path) {
     Json json{{"kind", kPathKinds[std::size_t(path.kind)]}};
     if (path.isDrawn()) {
         Json stroke = Json::array();
@@ -151,7 +151,8 @@ void write(Json& j, const Peel& op) {
 }
 
 Operation readDrill(const JsonReader& reader) {
-    reader.allow({"op", "depthMax", "radius", "restore", "keepDigging", "followTilt", "mask", "stroke", "canvas"});
+    reader.allow(
+        {"op", "depthMax", "radius", "restore", "keepDigging", "followTilt", "mask", "stroke", "canvas"});
     Drill op;
     readPenCut(reader, op);
     reader.ifHas("followTilt", [&](const JsonReader& r) { op.followsTilt = r.boolean(); });
@@ -175,7 +176,8 @@ Operation readLaser(const JsonReader& reader) {
 void write(Json& j, const Laser& op) { writePenCut(j, op); }
 
 Operation readSweep(const JsonReader& reader) {
-    reader.allow({"op", "mask", "path", "frame", "filter", "pitch", "radius", "energy", "method", "restore", "canvas"});
+    reader.allow({"op", "mask", "path", "frame", "filter", "pitch", "radius", "energy", "method", "restore",
+                  "canvas"});
     Sweep op;
     op.mask = readSketch(reader.member("mask"));
     op.path = readPath(reader.member("path"));
@@ -192,7 +194,7 @@ Operation readSweep(const JsonReader& reader) {
 
 void write(Json& j, const Sweep& op) {
     j["mask"] = toJson(op.mask);
-    j["path"] = toJson(op.path);
+    j["path"] = pathJson(op.path);
     j["frame"] = kFrames[std::size_t(op.frame)];
     j["pitch"] = op.pitch;
     j["energy"] = kEnergies[op.isRaw ? 1 : 0];

@@ -29,8 +29,8 @@ ToolMask::ToolMask(const Sketch& sketch, const render::Frame& frame, const volum
         extent = glm::max(extent, 2.0 * glm::abs(point));
     }
     const double pixelMm = frame.rays.pixelMm(geometry.centreWorld());
-    const double pitch = std::max(kElementSteps * geometry.stepMm() / pixelMm,
-                                  std::max(extent.x, extent.y) / kMaxElements);
+    const double pitch =
+        std::max(kElementSteps * geometry.stepMm() / pixelMm, std::max(extent.x, extent.y) / kMaxElements);
     raster = sculpt::rasterize(outline, pitch);
 }
 

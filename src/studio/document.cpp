@@ -283,7 +283,8 @@ std::optional<Document::Probe> Document::probe(glm::dvec2 pixel, glm::ivec2 view
     return probe;
 }
 
-std::vector<glm::dvec2> Document::outlineOnSurface(const Sketch& mask, glm::dvec2 pixel, glm::ivec2 viewport) {
+std::vector<glm::dvec2> Document::outlineOnSurface(const Sketch& mask, glm::dvec2 pixel,
+                                                   glm::ivec2 viewport) {
     const render::Frame frame = impl_->frame(impl_->view, viewport);
     const ToolMask toolMask(mask, frame, impl_->volume.geometry);
     const auto plane = layOnSurface(impl_->cutter.picker, frame, toolMask, pixel);

@@ -65,7 +65,7 @@ public:
     // apply() must not be called before it ends.
     // A Peel, Drill, Laser or Clip; what it says of layers, pen points and planes is done already.
     void beginStroke(Operation operation);
-    void updatePeel(double layers); // the total so far; fewer than before puts layers back
+    void updatePeel(double layers);              // the total so far; fewer than before puts layers back
     void updatePen(const sculpt::PenPoint& pen); // drill and laser
     void updateClip(const Clip& clip);           // instead of the one before
     [[nodiscard]] bool isStrokeOpen() const;
@@ -101,8 +101,8 @@ public:
     };
     std::optional<Probe> probe(glm::dvec2 pixel, glm::ivec2 viewport);
 
-    // How a mask drawn on a canvas of the present view lies on the surface under a pixel: its outline there, in
-    // pixels. Empty if nothing is under the pixel. For the laser's preview.
+    // How a mask drawn on a canvas of the present view lies on the surface under a pixel: its outline there,
+    // in pixels. Empty if nothing is under the pixel. For the laser's preview.
     std::vector<glm::dvec2> outlineOnSurface(const Sketch& mask, glm::dvec2 pixel, glm::ivec2 viewport);
     // The outlines of a sweep's mask here and there along its path, in pixels of its canvas.
     std::vector<std::vector<glm::dvec2>> outlinesAlongPath(const Sweep& sweep);

@@ -76,15 +76,16 @@ struct Peel {
     Sketch mask;
     double layers = 0;
     int radius = 3; // steps: the radiation's R
-    bool restores = false; // the sign reversed: puts layers of what was cut back on, never past the uncut surface
+    bool restores =
+        false; // the sign reversed: puts layers of what was cut back on, never past the uncut surface
     std::optional<Canvas> canvas;
 };
 
 // What the tools that follow the pen have in common: the sketch's shape is carried along, each pen point
-// stamps it, centred on the point, as deep as depthMax * pressure (steps). Without pen points, one stamp where
-// the mask was drawn, at full pressure. Surfaces are those seen at pen-down, and seen again where pressure
-// rises after having been zero; with keepsDigging at every change of place or pressure, so that the pen works
-// its way in.
+// stamps it, centred on the point, as deep as depthMax * pressure (steps). Without pen points, one stamp
+// where the mask was drawn, at full pressure. Surfaces are those seen at pen-down, and seen again where
+// pressure rises after having been zero; with keepsDigging at every change of place or pressure, so that the
+// pen works its way in.
 struct PenCut {
     Sketch mask;
     sculpt::Stroke stroke;
@@ -122,8 +123,8 @@ struct SweepPath {
     enum class Kind { Surface, ViewPlane, Polyline, Spline, Helix, Standing };
     Kind kind = Kind::Polyline;
     std::vector<glm::dvec2> stroke; // Surface, ViewPlane
-    // Polyline, Spline: the corners. Helix: the ends of its axis. Standing: where the mask stands, and a point
-    // that it faces.
+    // Polyline, Spline: the corners. Helix: the ends of its axis. Standing: where the mask stands, and a
+    // point that it faces.
     std::vector<glm::dvec3> points;
     double helixRadius = 0; // steps
     double turns = 1;
@@ -131,8 +132,8 @@ struct SweepPath {
     [[nodiscard]] bool isDrawn() const { return kind == Kind::Surface || kind == Kind::ViewPlane; }
 };
 
-// Sweeps a mask along a path and cuts what it covers. For drawn paths the mask is a sketch in viewport pixels,
-// carried along by its centre; for others it is in steps, the path running through (0, 0).
+// Sweeps a mask along a path and cuts what it covers. For drawn paths the mask is a sketch in viewport
+// pixels, carried along by its centre; for others it is in steps, the path running through (0, 0).
 struct Sweep {
     enum class Method { Radiation, Projection };
     Sketch mask;
@@ -241,9 +242,9 @@ struct SaveSculpture {
     std::string file;
 };
 
-using Operation = std::variant<SetView, Peel, Drill, Laser, Sweep, Scissors, Clip, KeepConnected, Paste, MovePart,
-                               Seed, Grow, Rewind, SetGrowthRange, Undo, Redo, UnCut, ReSeed, SavePicture,
-                               SaveLabels, SaveSculpture>;
+using Operation = std::variant<SetView, Peel, Drill, Laser, Sweep, Scissors, Clip, KeepConnected, Paste,
+                               MovePart, Seed, Grow, Rewind, SetGrowthRange, Undo, Redo, UnCut, ReSeed,
+                               SavePicture, SaveLabels, SaveSculpture>;
 
 // The name in sessions, reports and the history: "view", "peel", ... (kOperationNames).
 const char* name(const Operation& operation);

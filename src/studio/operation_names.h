@@ -17,9 +17,11 @@ inline constexpr std::array<const char*, 6> kModes{"surface", "mip", "xray", "ov
 
 // The operations' names, in the order of the variant's alternatives.
 inline constexpr std::array<const char*, std::variant_size_v<Operation>> kOperationNames{
-    "view", "peel", "drill", "laser", "sweep", "scissors", "clip", "keep connected", "paste", "move part",
-    "seed", "grow", "rewind", "growth range", "undo", "redo", "un-cut", "re-seed", "picture", "labels", "sculpture"};
-inline constexpr std::array<const char*, 6> kPathKinds{"surface", "view plane", "polyline", "spline", "helix", "standing"};
+    "view",           "peel",  "drill",     "laser",   "sweep",   "scissors", "clip",
+    "keep connected", "paste", "move part", "seed",    "grow",    "rewind",   "growth range",
+    "undo",           "redo",  "un-cut",    "re-seed", "picture", "labels",   "sculpture"};
+inline constexpr std::array<const char*, 6> kPathKinds{"surface", "view plane", "polyline",
+                                                       "spline",  "helix",      "standing"};
 inline constexpr std::array<const char*, 2> kFrames{"parallel", "frenet"};
 inline constexpr std::array<const char*, 2> kMethods{"radiation", "projection"};
 inline constexpr std::array<const char*, 2> kEnergies{"calibrated", "raw"};

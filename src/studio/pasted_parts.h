@@ -20,8 +20,9 @@ struct PastedState {
 };
 
 // Which part of what was cut belongs to which paste. Part k is what was cut between paste k - 1 and paste k;
-// the last one takes in what is cut after it too. So part k is where min(S, S_k, 1 - S_(k-1)) is at least 0.5,
-// S being the sculpture now and S_k that at paste k: live, with cut faces as smooth as the sculpture's own.
+// the last one takes in what is cut after it too. So part k is where min(S, S_k, 1 - S_(k-1)) is at least
+// 0.5, S being the sculpture now and S_k that at paste k: live, with cut faces as smooth as the sculpture's
+// own.
 class PastedParts {
 public:
     // The sculpture as it is now, for the state of a paste.
@@ -30,7 +31,7 @@ public:
     struct Part {
         const gl::Texture* texels = nullptr; // in 0..1, the part from 0.5 up
         const gl::Texture* cells = nullptr;  // RG32F, range per macrocell
-        std::uint64_t making = 0;            // another number: it may differ even where the sculpture is the same
+        std::uint64_t making = 0; // another number: it may differ even where the sculpture is the same
     };
     // What is drawn at `places` (of a view): part k at place k while there are that many parts; at all other
     // places everything that was cut. Valid until the next call. Costs what has changed since the last.

@@ -132,9 +132,8 @@ void PenStroke::drawAt(const sculpt::PenPoint& pen) {
 
 void PenStroke::stamp(const sculpt::PenPoint& pen) {
     // Beside the picture there is nothing to cut, however long the stroke.
-    const bool isInPicture =
-        glm::all(glm::greaterThan(pen.pixel + mask_.extent, glm::dvec2(0))) &&
-        glm::all(glm::lessThan(pen.pixel - mask_.extent, glm::dvec2(frame_.rays.size)));
+    const bool isInPicture = glm::all(glm::greaterThan(pen.pixel + mask_.extent, glm::dvec2(0))) &&
+                             glm::all(glm::lessThan(pen.pixel - mask_.extent, glm::dvec2(frame_.rays.size)));
     const double depth = cut().depthMax * std::min(pen.pressure, 1.0);
     if (mask_.raster.values.empty() || !(depth > 0) || !isInPicture) {
         return;

@@ -23,7 +23,7 @@ public:
     struct State {
         const View* view = nullptr;
         const sculpt::Sculpture* sculpture = nullptr;
-        const PastedState* pasted = nullptr; // whose part is drawn at which of the view's places
+        const PastedState* pasted = nullptr;     // whose part is drawn at which of the view's places
         const segment::Growth* growth = nullptr; // null: nothing seeded yet
         Range greyWindow;
         // The sculpture's version when the stroke in hand began. While it cuts, the macrocells of that moment

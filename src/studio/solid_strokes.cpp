@@ -11,7 +11,9 @@ namespace {
 
 sculpt::Projector projectorOf(const render::ViewRays& rays) {
     // x w = size / 2 (dot(d, right) / |right|^2 + w), d from the eye: what ViewRays::project() does.
-    const auto row = [&](glm::dvec3 v, double offset) { return glm::dvec4(v, offset - glm::dot(v, rays.eye)); };
+    const auto row = [&](glm::dvec3 v, double offset) {
+        return glm::dvec4(v, offset - glm::dot(v, rays.eye));
+    };
     const glm::dvec4 w = rays.isOrthographic ? glm::dvec4(0, 0, 0, 1) : row(rays.forward, 0);
     const glm::dvec4 x = 0.5 * rays.size.x * (row(rays.right / glm::dot(rays.right, rays.right), 0) + w);
     const glm::dvec4 y = 0.5 * rays.size.y * (w - row(rays.up / glm::dot(rays.up, rays.up), 0));
@@ -126,16 +128,16 @@ KeepConnectedStroke::KeepConnectedStroke(Cutter& cutter, const LookAgain& look, 
 
 void KeepConnectedStroke::replay() {
     KeepConnected& op = std::get<KeepConnected>(operation_);
-    const auto constraints = region_->constraints(
-        op.canvas->view.range, frame_.scene.view,
-        op.connectivity == 26 ? segment::Connectivity::TwentySix : segment::Connectivity::Six);
+    const auto constraints = region_->constraints(op.canvas->view.range, frame_.scene.view,
+                                                  op.connectivity == 26 ? segment::Connectivity::TwentySix
+                                                                        : segment::Connectivity::Six);
     if (!op.voxel) {
         const glm::vec2 pixel(op.pixel);
         const auto voxels =
             region_->findSeeds(cutter_->picker.pick(frame_, std::span(&pixel, 1)), constraints);
         if (voxels.empty()) {
-            throw Error("keep connected: nothing in the displayed range lies under pixel {:g}, {:g}", op.pixel.x,
-                        op.pixel.y);
+            throw Error("keep connected: nothing in the displayed range lies under pixel {:g}, {:g}",
+                        op.pixel.x, op.pixel.y);
         }
         op.voxel = voxels.front();
     }

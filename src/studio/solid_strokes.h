@@ -24,8 +24,7 @@ private:
 // A clip box and clip planes. Live: clipTo() shows another clip, in place of the one before.
 class ClipStroke : public CutStroke {
 public:
-    ClipStroke(Cutter& cutter, const Clip& operation)
-        : CutStroke(cutter, operation, operation.restores) {}
+    ClipStroke(Cutter& cutter, const Clip& operation) : CutStroke(cutter, operation, operation.restores) {}
     // `clip` must restore or cut as the first one does.
     void clipTo(const Clip& clip);
     void replay() override { clipTo(std::get<Clip>(operation_)); }
@@ -36,7 +35,8 @@ class KeepConnectedStroke : public CutStroke {
 public:
     // `operation` has its canvas set. Throws Error when nothing in range is under the pixel, or in probe view
     // of something cut, where there is nothing left to cut.
-    KeepConnectedStroke(Cutter& cutter, const LookAgain& look, Region& region, const KeepConnected& operation);
+    KeepConnectedStroke(Cutter& cutter, const LookAgain& look, Region& region,
+                        const KeepConnected& operation);
     void replay() override;
 
 private:

@@ -111,9 +111,8 @@ private:
         const glm::vec2 begin(stroke.front());
         const auto hit = picker_.pickPoints(frame_, std::span(&begin, 1)).front();
         const glm::dvec3 anchor =
-            hit.voxel.w > 0.5F
-                ? glm::dvec3(geometry_.worldFromVoxel * glm::dvec4(glm::dvec3(hit.voxel), 1.0))
-                : geometry_.centreWorld();
+            hit.voxel.w > 0.5F ? glm::dvec3(geometry_.worldFromVoxel * glm::dvec4(glm::dvec3(hit.voxel), 1.0))
+                               : geometry_.centreWorld();
         path.stepsPerPixel = frame_.rays.pixelMm(anchor) / geometry_.stepMm();
         path.up = wayInSteps(-frame_.rays.forward);
         for (const glm::dvec2 pixel : stroke) {
@@ -155,14 +154,16 @@ std::vector<std::vector<glm::dvec2>> sweptOutlines(Cutter& cutter, const render:
     const Track track = TrackMaker(cutter.picker, frame, geometry).make(operation);
     const glm::dvec3 voxelFromSteps = sculpt::voxelFromSteps(geometry.spacing());
     std::vector<std::vector<glm::dvec2>> outlines;
-    const std::size_t stride = std::max<std::size_t>(1, (track.pieces.size() + kMostPreviews - 1) / kMostPreviews);
+    const std::size_t stride =
+        std::max<std::size_t>(1, (track.pieces.size() + kMostPreviews - 1) / kMostPreviews);
     for (std::size_t n = 0; n <= track.pieces.size() && !track.pieces.empty(); n += stride) {
         const std::size_t last = track.pieces.size() - 1;
         const sculpt::MaskFrame& place = n > last ? track.pieces[last].to : track.pieces[n].from;
         std::vector<glm::dvec2>& outline = outlines.emplace_back();
         for (const glm::dvec2 element : track.outline) {
             const glm::dvec3 voxel = voxelFromSteps * place.place(element);
-            outline.push_back(frame.rays.project(glm::dvec3(geometry.worldFromVoxel * glm::dvec4(voxel, 1.0))));
+            outline.push_back(
+                frame.rays.project(glm::dvec3(geometry.worldFromVoxel * glm::dvec4(voxel, 1.0))));
         }
     }
     return outlines;

@@ -77,14 +77,14 @@ TEST_F(DocumentTest, TheSurfaceUnderAPeelLiesAsManyStepsDeeper) {
 
 TEST_F(DocumentTest, ALiveStrokeEndsAsTheSameOperationWould) {
     Document live(testHead());
-    live.beginPeel(somePeel().mask, testCanvas());
+    live.beginStroke(Peel{somePeel().mask, 0, 3, false, testCanvas()});
     for (const double layers : {1.0, 4.5, 9.0, 8.0}) {
         live.updatePeel(layers);
     }
     live.commitStroke();
-    live.beginDrill(ellipseAt(200, 180, 12, 12), testCanvas(), 10);
-    live.updateDrill({{200, 180}, 0.5});
-    live.updateDrill({{230, 185}, 1});
+    live.beginStroke(test::drillOf(ellipseAt(200, 180, 12, 12), testCanvas()));
+    live.updatePen({{200, 180}, 0.5});
+    live.updatePen({{230, 185}, 1});
     live.commitStroke();
 
     Document replayed(testHead());
@@ -98,16 +98,16 @@ TEST_F(DocumentTest, ALiveStrokeEndsAsTheSameOperationWould) {
 TEST_F(DocumentTest, ADiscardedOrFruitlessStrokeLeavesNoTrace) {
     Document document(testHead());
     const auto untouched = document.sculptureBytes();
-    document.beginPeel(somePeel().mask, testCanvas());
+    document.beginStroke(Peel{somePeel().mask, 0, 3, false, testCanvas()});
     document.updatePeel(6);
     EXPECT_NE(document.sculptureBytes(), untouched);
     document.discardStroke();
     EXPECT_EQ(document.sculptureBytes(), untouched);
-    document.beginPeel(ellipseAt(5, 5, 4, 4), testCanvas()); // beside the head
+    document.beginStroke(Peel{ellipseAt(5, 5, 4, 4), 0, 3, false, testCanvas()}); // beside the head
     document.updatePeel(6);
     EXPECT_EQ(document.commitStroke().voxelsTouched, 0U);
-    document.beginDrill(ellipseAt(200, 150, 9, 9), testCanvas(), 10);
-    document.updateDrill({{200, 150}, 0}); // the pen hovers
+    document.beginStroke(test::drillOf(ellipseAt(200, 150, 9, 9), testCanvas()));
+    document.updatePen({{200, 150}, 0}); // the pen hovers
     EXPECT_EQ(document.commitStroke().voxelsTouched, 0U);
     EXPECT_TRUE(document.log().empty());
     EXPECT_FALSE(document.canUndo());
@@ -115,11 +115,11 @@ TEST_F(DocumentTest, ADiscardedOrFruitlessStrokeLeavesNoTrace) {
 
 TEST_F(DocumentTest, HoldingThePenStillChangesNothingAfterTheFirstStamp) {
     Document document(testHead());
-    document.beginDrill(ellipseAt(200, 150, 9, 9), testCanvas(), 10);
-    document.updateDrill({{200, 150}, 0.8});
+    document.beginStroke(test::drillOf(ellipseAt(200, 150, 9, 9), testCanvas()));
+    document.updatePen({{200, 150}, 0.8});
     const auto once = document.sculptureBytes();
     for (int i = 0; i < 5; ++i) {
-        document.updateDrill({{200, 150}, 0.8});
+        document.updatePen({{200, 150}, 0.8});
     }
     EXPECT_EQ(document.sculptureBytes(), once);
     document.commitStroke();
@@ -187,7 +187,7 @@ TEST_F(DocumentTest, UndoingTheFirstCutIsAsIfNothingHadBeenCut) {
     document.apply(UnCut{});
     document.apply(Undo{});
     EXPECT_EQ(picture(), whole);
-    document.beginPeel(somePeel().mask, testCanvas());
+    document.beginStroke(Peel{somePeel().mask, 0, 3, false, testCanvas()});
     document.updatePeel(5);
     document.discardStroke();
     EXPECT_EQ(picture(), whole);
@@ -197,9 +197,9 @@ TEST_F(DocumentTest, PicturesDrawnDuringAStrokeDoNotChangeIt) {
     const auto drilled = [](bool drawsFrames) {
         Document document(testHead());
         document.look(probeView());
-        document.beginDrill(drillInProbeView().mask, *drillInProbeView().canvas, 10);
+        document.beginStroke(drillInProbeView());
         for (const double x : {150.0, 180.0, 210.0, 240.0}) {
-            document.updateDrill({{x, 150}, 1});
+            document.updatePen({{x, 150}, 1});
             if (drawsFrames) {
                 render::RayCaster().render(document.frame({80, 60}));
             }

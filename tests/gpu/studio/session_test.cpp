@@ -43,7 +43,7 @@ TEST_F(SessionTest, AReplayGivesTheSameMasksLabelsAndPicture) {
     Document original(openVolume(source(), folder_ / "s.json", {}, notices));
     View view = test::testCanvas().view;
     original.look(view);
-    original.beginPeel(test::ellipseAt(200, 110, 40, 30), test::testCanvas());
+    original.beginStroke(Peel{test::ellipseAt(200, 110, 40, 30), 0, 3, false, test::testCanvas()});
     original.updatePeel(9.3);
     original.commitStroke();
     Seed seed;

@@ -38,6 +38,13 @@ inline studio::Peel somePeel(double layers = 8) {
     return op;
 }
 
+inline studio::Drill drillOf(const studio::Sketch& mask, const studio::Canvas& canvas) {
+    studio::Drill op;
+    op.mask = mask;
+    op.canvas = canvas;
+    return op;
+}
+
 inline studio::Seed brainSeed() {
     studio::Seed op;
     op.voxels = {{35, 20, 29}};

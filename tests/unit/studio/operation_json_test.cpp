@@ -21,6 +21,46 @@ Canvas someCanvas() {
     return canvas;
 }
 
+Drill someDrill() {
+    Drill drill;
+    drill.mask = {Shape::FreeForm, {{1, 2}, {3, 4}, {5.5, 6.5}}};
+    drill.stroke = {{{1.5, 2.5}, 0.25}, {{3, 4}, 1, {12, -30}}};
+    drill.depthMax = 9;
+    drill.radius = 2;
+    drill.restores = true;
+    drill.followsTilt = true;
+    drill.canvas = someCanvas();
+    return drill;
+}
+
+Laser someLaser() {
+    Laser laser;
+    laser.mask = {Shape::Circle, {{1, 2}, {3, 4}}};
+    laser.stroke = {{{1.5, 2.5}, 0.25}};
+    laser.keepsDigging = true;
+    return laser;
+}
+
+Sweep someSweep(SweepPath::Kind kind) {
+    Sweep sweep;
+    sweep.mask = {Shape::Ellipse, {{-3, -2}, {3, 2}}};
+    sweep.path.kind = kind;
+    if (sweep.path.isDrawn()) {
+        sweep.path.stroke = {{1, 2}, {3, 4}};
+        sweep.canvas = someCanvas();
+    } else {
+        sweep.path.points = {{1, 2, 3}, {4, 5, 6.5}};
+    }
+    if (kind == SweepPath::Kind::Helix) {
+        sweep.path.helixRadius = 12;
+        sweep.path.turns = -2.5;
+    }
+    sweep.frame = sculpt::FrameKind::Frenet;
+    sweep.isRaw = true;
+    sweep.method = Sweep::Method::Projection;
+    return sweep;
+}
+
 TEST(OperationJson, EveryKindComesBackAsItWas) {
     const Sketch ellipse{Shape::Ellipse, {{10.25, 20}, {30, 40.125}}};
     const Sketch line{Shape::FreeForm, {{1, 2}, {3, 4}, {5.5, 6.5}}};
@@ -33,8 +73,20 @@ TEST(OperationJson, EveryKindComesBackAsItWas) {
                 {},
                 field::Sampling::Tricubic},
         SetView{},
-        Peel{ellipse, 12.75, 4, someCanvas()},
-        Drill{line, {{{1.5, 2.5}, 0.25}, {{3, 4}, 1}}, 9, 2, someCanvas()},
+        Peel{ellipse, 12.75, 4, false, someCanvas()},
+        Peel{ellipse, 2, 2, true, {}},
+        someDrill(),
+        someLaser(),
+        someSweep(SweepPath::Kind::Surface),
+        someSweep(SweepPath::Kind::Spline),
+        someSweep(SweepPath::Kind::Helix),
+        Scissors{line, true, 12.5, 2, true, someCanvas()},
+        Scissors{ellipse},
+        Clip{Clip::Box{{1, 2, 3}, {40, 50.5, 60}}, {{{1, 2, 3}, {0, 0, -1}}}, true, 4, true},
+        Clip{{}, {{{1, 2, 3}, {0.5, 0, -1}}}},
+        KeepConnected{{12.5, 40}, glm::ivec3(3, 4, 5), 6, someCanvas()},
+        Paste{{{1, 2, 3}, {0, 90, 0}, 1.5}},
+        MovePart{3, {{4, 5, 6}, {}, 1}},
         Seed{{line, ellipse}, 7, Range{30, 90.5}, 26, {{1, 2, 3}, {4, 5, 6}}, someCanvas()},
         Grow{17, field::SculptureView::Probe},
         Grow{},

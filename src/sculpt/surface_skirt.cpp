@@ -19,7 +19,7 @@ struct Growing {
 
 } // namespace
 
-std::vector<glm::vec4> surfaceSkirt(const SkirtInput& input) {
+std::vector<SkirtElement> surfaceSkirt(const SkirtInput& input) {
     const auto at = [&](glm::ivec2 e) {
         return std::size_t(e.y) * std::size_t(input.size.x) + std::size_t(e.x);
     };
@@ -27,7 +27,7 @@ std::vector<glm::vec4> surfaceSkirt(const SkirtInput& input) {
     const auto isOpen = [&](glm::ivec2 e, const glm::vec3& place) {
         return !input.isHit(e.x, e.y) || glm::dot(input.place(e.x, e.y) - place, input.direction) > input.gap;
     };
-    std::vector<glm::vec4> places;
+    std::vector<SkirtElement> skirt;
     std::vector<Growing> rim;
     for (int y = 0; y < input.size.y; ++y) {
         for (int x = 0; x < input.size.x; ++x) {
@@ -42,30 +42,30 @@ std::vector<glm::vec4> surfaceSkirt(const SkirtInput& input) {
         }
     }
     if (rim.empty()) {
-        return places;
+        return skirt;
     }
-    places.assign(std::size_t(input.size.x) * std::size_t(input.size.y), glm::vec4(0));
+    skirt.resize(std::size_t(input.size.x) * std::size_t(input.size.y));
     for (int ring = 0; ring < input.reach; ++ring) {
         std::vector<Growing> next;
         for (const Growing& growing : rim) {
             for (const glm::ivec2 step : kNeighbours) {
                 const glm::ivec2 e = growing.element + step;
                 const glm::ivec2 offset = e - growing.from;
-                if (!contains(input.size, e) || places[at(e)].w > 0 ||
+                if (!contains(input.size, e) || skirt[at(e)].exists() ||
                     offset.x * offset.x + offset.y * offset.y > input.reach * input.reach) {
                     continue;
                 }
                 const glm::vec3 place = input.place(growing.from.x, growing.from.y) +
                                         float(offset.x) * input.alongX + float(offset.y) * input.alongY;
                 if (isOpen(e, place)) {
-                    places[at(e)] = glm::vec4(place, 1);
+                    skirt[at(e)] = {growing.from, place};
                     next.push_back({e, growing.from});
                 }
             }
         }
         rim = std::move(next);
     }
-    return places;
+    return skirt;
 }
 
 } // namespace vs::sculpt

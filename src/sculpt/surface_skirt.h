@@ -23,9 +23,17 @@ struct SkirtInput {
     int reach = 1; // elements
 };
 
-// Places (xyz in steps, w 1) where pieces of a surface would go on beyond their silhouettes: level with the
-// nearest hit on the silhouette, up to `reach` elements from it, where there is nothing or only something
-// behind. w 0 elsewhere. Empty when no piece ends within the raster.
-std::vector<glm::vec4> surfaceSkirt(const SkirtInput& input);
+// One element of the raster: which hit it continues (x, y; -1: none), and where, in steps.
+struct SkirtElement {
+    glm::ivec2 from{-1};
+    glm::vec3 place{0};
+
+    [[nodiscard]] bool exists() const { return from.x >= 0; }
+};
+
+// Where pieces of a surface would go on beyond their silhouettes: level with the nearest hit on the
+// silhouette, up to `reach` elements from it, where there is nothing or only something behind. Empty when no
+// piece ends within the raster.
+std::vector<SkirtElement> surfaceSkirt(const SkirtInput& input);
 
 } // namespace vs::sculpt

@@ -55,7 +55,7 @@ public:
         findDirections();
         addCorners(thinMaskGain());
         findCells();
-        if (!restores() && sweep_.direction == ToolDirection::Common) {
+        if (restores() || sweep_.direction == ToolDirection::Common) {
             addSkirt();
         }
         const int block = std::clamp(int(SweptPatches::kSpacing / spacing_), 1, kMaxBlock);
@@ -74,7 +74,7 @@ private:
         return std::size_t(j) * std::size_t(size_.x) + std::size_t(i);
     }
     [[nodiscard]] bool isHit(int i, int j) const {
-        return i >= 0 && j >= 0 && i < size_.x && j < size_.y && points_[at(i, j)].voxel.w > 0.5F;
+        return i >= 0 && j >= 0 && i < size_.x && j < size_.y && isSweptFrom(at(i, j));
     }
     [[nodiscard]] glm::vec3 place(int i, int j) const { return glm::vec3(points_[at(i, j)].voxel); }
     // Offset in steps (world axes) between two places in voxel space.
@@ -82,11 +82,10 @@ private:
 
     [[nodiscard]] bool restores() const { return !sweep_.outwardSteps.empty(); }
 
-    // The mask where there is something to sweep from.
-    [[nodiscard]] float maskAt(std::size_t n) const {
-        const bool isSwept = points_[n].voxel.w > 0.5F && (!restores() || sweep_.outwardSteps[n] > 0);
-        return isSwept ? mask_.values[n] : 0.0F;
+    [[nodiscard]] bool isSweptFrom(std::size_t n) const {
+        return points_[n].voxel.w > 0.5F && (!restores() || sweep_.outwardSteps[n] > 0);
     }
+    [[nodiscard]] float maskAt(std::size_t n) const { return isSweptFrom(n) ? mask_.values[n] : 0.0F; }
 
     [[nodiscard]] bool anyHitUnderMask() const {
         for (std::size_t n = 0; n < points_.size(); ++n) {
@@ -169,19 +168,22 @@ private:
     }
 
     void addCorners(float gain) {
+        gain_ = gain;
         out_.reserve(points_.size(), points_.size());
         for (std::size_t n = 0; n < points_.size(); ++n) {
-            const glm::vec3 way = voxelFromSteps_ * directions_[n];
-            const glm::vec3 place(points_[n].voxel);
-            if (restores()) {
-                const float inside = float(sweep_.radius);
-                out_.addCorner(place + inside * way, -(inside + sweep_.outwardSteps[n]) * way,
-                               gain * maskAt(n));
-            } else {
-                out_.addCorner(place, way, gain * maskAt(n));
-            }
+            addCorner(glm::vec3(points_[n].voxel), n, maskAt(n));
         }
-        gain_ = gain;
+    }
+
+    // A corner at a place in voxel space that moves as element `from` does.
+    std::uint32_t addCorner(const glm::vec3& place, std::size_t from, float mask) {
+        const glm::vec3 inwards = voxelFromSteps_ * directions_[from];
+        if (restores()) {
+            const float inside = float(sweep_.radius);
+            return out_.addCorner(place + inside * inwards, -(inside + sweep_.outwardSteps[from]) * inwards,
+                                  gain_ * mask);
+        }
+        return out_.addCorner(place, inwards, gain_ * mask);
     }
 
     // Whether two neighbouring elements lie on one piece of surface.
@@ -232,12 +234,14 @@ private:
         input.isHit = [this](int i, int j) { return isHit(i, j); };
         input.place = [this](int i, int j) { return stepsFromVoxel_ * place(i, j); };
         input.isJoined = [this](glm::ivec2 a, glm::ivec2 b) { return isJoined(a, b); };
-        input.direction = directions_.front();
+        input.direction = meanDirection();
         input.alongX = meanStep({1, 0});
         input.alongY = meanStep({0, 1});
         input.gap = gap_;
-        input.reach = std::clamp(int(std::ceil(sweep_.radius / spacing_)), 1, kMaxSkirt);
-        const std::vector<glm::vec4> skirt = surfaceSkirt(input);
+        // What is put back must also cover what was cut beside what is seen.
+        const double steps = restores() ? 2.0 * sweep_.radius : sweep_.radius;
+        input.reach = std::clamp(int(std::ceil(steps / spacing_)), 1, kMaxSkirt);
+        const std::vector<SkirtElement> skirt = surfaceSkirt(input);
         if (skirt.empty()) {
             return;
         }
@@ -251,7 +255,7 @@ private:
     }
 
     // A cell whose corners are all of the skirt, or of the silhouette that it continues.
-    void addSkirtCell(glm::ivec2 c, const std::vector<glm::vec4>& skirt,
+    void addSkirtCell(glm::ivec2 c, const std::vector<SkirtElement>& skirt,
                       std::vector<std::uint32_t>& corners) {
         std::array<std::uint32_t, 4> cellCorners{};
         std::array<glm::vec3, 4> places{};
@@ -259,13 +263,13 @@ private:
         for (std::size_t n = 0; n < 4; ++n) {
             const glm::ivec2 e(c.x + int(n & 1U), c.y + int(n >> 1U));
             const std::size_t element = at(e.x, e.y);
-            if (skirt[element].w > 0) {
+            if (skirt[element].exists()) {
                 ++ofSkirt;
-                places[n] = glm::vec3(skirt[element]);
+                places[n] = skirt[element].place;
                 if (corners[element] == kNoCorner) {
+                    const glm::ivec2 from = skirt[element].from;
                     corners[element] =
-                        out_.addCorner(voxelFromSteps_ * places[n], voxelFromSteps_ * directions_[element],
-                                       gain_ * mask_.values[element]);
+                        addCorner(voxelFromSteps_ * places[n], at(from.x, from.y), mask_.values[element]);
                 }
                 cellCorners[n] = corners[element];
             } else if (isHit(e.x, e.y)) {
@@ -289,6 +293,17 @@ private:
         }
     }
 
+    [[nodiscard]] glm::vec3 meanDirection() const {
+        if (sweep_.direction == ToolDirection::Common) {
+            return glm::vec3(glm::normalize(sweep_.directionWorld));
+        }
+        glm::vec3 sum(0);
+        for (std::size_t n = 0; n < points_.size(); ++n) {
+            sum += isSweptFrom(n) ? directions_[n] : glm::vec3(0);
+        }
+        return glm::length(sum) > 1e-6F ? glm::normalize(sum) : directions_.front();
+    }
+
     // From one element to the next along an axis of the raster, in steps, across the tool's direction.
     [[nodiscard]] glm::vec3 meanStep(glm::ivec2 axis) const {
         glm::vec3 sum(0);
@@ -302,7 +317,7 @@ private:
             }
         }
         const glm::vec3 mean = count > 0 ? sum / float(count) : glm::vec3(0);
-        const glm::vec3 direction = directions_.front();
+        const glm::vec3 direction = meanDirection();
         return mean - direction * glm::dot(mean, direction);
     }
 
@@ -403,7 +418,7 @@ private:
             std::array<std::uint32_t, 4> corners{};
             for (std::size_t k = 0; k < 4; ++k) {
                 const glm::vec3 start = place(e.x, e.y) + float(k & 1U) * halfU + float(k >> 1U) * halfV;
-                corners[k] = out_.addCorner(start, voxelFromSteps_ * direction, mask);
+                corners[k] = addCorner(start, at(e.x, e.y), mask_.values[at(e.x, e.y)]);
             }
             out_.addCell(corners);
         }

@@ -12,9 +12,10 @@ RestoreReach::RestoreReach()
 
 std::vector<float> RestoreReach::measure(const field::Scene& scene,
                                          std::span<const field::SurfacePoint> points,
-                                         std::span<const glm::vec3> directions, double depthSteps,
+                                         std::span<const glm::vec3> directions, std::span<const float> depths,
                                          int radius) {
     VS_CHECK_EQ(points.size(), directions.size());
+    VS_CHECK_EQ(points.size(), depths.size());
     if (points.empty() || scene.sculpture == nullptr) {
         return std::vector<float>(points.size(), 0.0F);
     }
@@ -23,8 +24,8 @@ std::vector<float> RestoreReach::measure(const field::Scene& scene,
     const glm::dmat3 voxelFromSteps(geometry.voxelFromWorld() * geometry.stepMm());
     std::vector<glm::vec4> ways;
     ways.reserve(directions.size());
-    for (const glm::vec3& direction : directions) {
-        ways.emplace_back(-glm::vec3(voxelFromSteps * glm::dvec3(direction)), 0.0F);
+    for (std::size_t n = 0; n < directions.size(); ++n) {
+        ways.emplace_back(-glm::vec3(voxelFromSteps * glm::dvec3(directions[n])), depths[n]);
     }
     points_.reserve(points.size_bytes());
     points_.write(points);
@@ -35,7 +36,7 @@ std::vector<float> RestoreReach::measure(const field::Scene& scene,
     points_.bindStorage(0);
     directions_.bindStorage(1);
     reach_.bindStorage(2);
-    program_.set(0, int(points.size())).set(1, float(depthSteps)).set(2, float(radius));
+    program_.set(0, int(points.size())).set(1, float(radius));
     program_.dispatchOverList(points.size(), gl::Barrier::Storage);
     return reach_.read<float>(points.size());
 }

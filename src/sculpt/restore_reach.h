@@ -17,11 +17,12 @@ public:
     RestoreReach();
 
     // For each point: how far, in steps, to restore outwards from it (against its unit direction, world), at
-    // most `depthSteps`, through what `scene`'s sculpture has cut away. Where the uncut surface comes before
+    // most its `depths`, through what `scene`'s sculpture has cut away. Where the uncut surface comes before
     // that, its last place in the displayed range and `radius` more, so that its first layer comes back too;
     // 0 where nothing was cut away in front of the point.
     std::vector<float> measure(const field::Scene& scene, std::span<const field::SurfacePoint> points,
-                               std::span<const glm::vec3> directions, double depthSteps, int radius);
+                               std::span<const glm::vec3> directions, std::span<const float> depths,
+                               int radius);
 
 private:
     gl::Program program_;

@@ -16,7 +16,6 @@ namespace {
 constexpr double kMinPeak = 0.6;        // thin masks are raised until their radiation reaches this somewhere
 constexpr double kSmallestGapSteps = 3; // neighbours closer than this always belong together
 constexpr double kGapElements = 4;      // ... and those closer than this many elements
-constexpr int kMaxBlock = 32;           // cells of a block along each axis
 constexpr int kMaxSkirt = 64;           // elements
 constexpr std::uint32_t kNoCorner = 0xFFFFFFFFU;
 
@@ -29,7 +28,7 @@ public:
           stepsFromVoxel_(glm::mat3(geometry.worldFromVoxel) / float(geometry.stepMm())),
           voxelFromSteps_(glm::inverse(stepsFromVoxel_)),
           outside_(sweep.outsideSteps < 0 ? sweep.radius : sweep.outsideSteps),
-          out_(restores() ? 0.0F : float(-outside_), restores() ? 1.0F : float(sweep.depthSteps), 0) {
+          out_(hasOwnDepths() ? 0.0F : float(-outside_), hasOwnDepths() ? 1.0F : float(sweep.depthSteps), 0) {
         // A point farther outside the grid reaches no voxel of it (Footprint::reachVoxels() <= radius + 2).
         const glm::vec3 reach(float(sweep.radius + 3));
         out_.clipTo(-reach, glm::vec3(geometry.dims - 1) + reach);
@@ -49,7 +48,7 @@ public:
     [[nodiscard]] std::vector<glm::vec3> takeDirections() { return std::move(directions_); }
 
     SweptPatches run() {
-        if (!(sweep_.depthSteps > 0) || size_.x < 1 || size_.y < 1 || !anyHitUnderMask()) {
+        if (!(hasOwnDepths() || sweep_.depthSteps > 0) || size_.x < 1 || size_.y < 1 || !anyHitUnderMask()) {
             return std::move(out_);
         }
         findDirections();
@@ -58,7 +57,7 @@ public:
         if (restores() || sweep_.direction == ToolDirection::Common) {
             addSkirt();
         }
-        const int block = std::clamp(int(SweptPatches::kSpacing / spacing_), 1, kMaxBlock);
+        const int block = blockSize();
         for (int j = -1; j < size_.y; j = j < 0 ? 0 : j + block) {
             for (int i = -1; i < size_.x; i = i < 0 ? 0 : i + block) {
                 addBlock({i, j}, {i < 0 ? 1 : block, j < 0 ? 1 : block});
@@ -80,10 +79,22 @@ private:
     // Offset in steps (world axes) between two places in voxel space.
     [[nodiscard]] glm::vec3 inSteps(const glm::vec3& voxels) const { return stepsFromVoxel_ * voxels; }
 
+    // Cells along a side that one sample stands for: a power of two, so that a part of a raster that begins
+    // at a multiple of kMaxBlock gives the same samples as the whole.
+    [[nodiscard]] int blockSize() const {
+        int block = 1;
+        while (2 * block <= kMaxBlock && 2 * block * spacing_ <= SweptPatches::kSpacing) {
+            block *= 2;
+        }
+        return block;
+    }
     [[nodiscard]] bool restores() const { return !sweep_.outwardSteps.empty(); }
+    // Then depths are fractions of each element's own.
+    [[nodiscard]] bool hasOwnDepths() const { return restores() || !sweep_.depths.empty(); }
 
     [[nodiscard]] bool isSweptFrom(std::size_t n) const {
-        return points_[n].voxel.w > 0.5F && (!restores() || sweep_.outwardSteps[n] > 0);
+        return points_[n].voxel.w > 0.5F && (!restores() || sweep_.outwardSteps[n] > 0) &&
+               (sweep_.depths.empty() || sweep_.depths[n] > 0);
     }
     [[nodiscard]] float maskAt(std::size_t n) const { return isSweptFrom(n) ? mask_.values[n] : 0.0F; }
 
@@ -181,6 +192,11 @@ private:
         if (restores()) {
             const float inside = float(sweep_.radius);
             return out_.addCorner(place + inside * inwards, -(inside + sweep_.outwardSteps[from]) * inwards,
+                                  gain_ * mask);
+        }
+        if (hasOwnDepths()) {
+            const float outside(outside_);
+            return out_.addCorner(place - outside * inwards, (outside + sweep_.depths[from]) * inwards,
                                   gain_ * mask);
         }
         return out_.addCorner(place, inwards, gain_ * mask);

@@ -10,6 +10,10 @@
 
 namespace vs::sculpt {
 
+// Rasters that are parts of one larger one should begin at multiples of so many of its elements: then their
+// samples are the larger one's.
+inline constexpr int kMaxBlock = 32;
+
 // Which way each element of a mask moves from its own surface point.
 enum class ToolDirection {
     Common,    // drill, laser: one direction for all
@@ -21,6 +25,8 @@ struct ToolSweep {
     ToolDirection direction = ToolDirection::Common;
     glm::dvec3 directionWorld{0, 0, 1}; // for Common; of any length but 0
     double depthSteps = 10;
+    // One depth per element instead (0: nothing there).
+    std::span<const float> depths = {};
     // The sweep begins this far outside the surface, so that the first layer goes too; negative: the radius.
     double outsideSteps = -1;
     int radius = 3; // of the radiation, in steps: 2, 3 or 4

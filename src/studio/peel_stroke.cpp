@@ -9,7 +9,7 @@ PeelStroke::PeelStroke(Cutter& cutter, const LookAgain& look, const Peel& operat
     if (mask_.raster.values.empty()) {
         return;
     }
-    surface_ = cutter.picker.pickPoints(frame_, mask_.pixels(mask_.drawnAt));
+    surface_ = cutter.picker.pickPoints(frame_, mask_.at(mask_.drawnAt, 1).pixels());
     if (operation.restores) {
         sculpt::ToolSweep sweep;
         sweep.direction = sculpt::ToolDirection::OwnNormal;
@@ -33,7 +33,8 @@ void PeelStroke::peelTo(double layers) {
     cut.sweep.radius = op.radius;
     std::vector<float> reach;
     if (op.restores) {
-        reach = cutter_->restoreReach.measure(frame_.scene, surface_, directions_, op.layers, op.radius);
+        const std::vector<float> depths(surface_.size(), float(op.layers));
+        reach = cutter_->restoreReach.measure(frame_.scene, surface_, directions_, depths, op.radius);
         cut.sweep.directions = directions_;
         cut.sweep.outwardSteps = reach;
     }

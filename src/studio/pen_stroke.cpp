@@ -77,14 +77,14 @@ std::optional<MaskPlane> layOnSurface(render::Picker& picker, const render::Fram
 
 PenStroke::PenStroke(Cutter& cutter, LookAgain look, const Drill& operation)
     : CutStroke(cutter, operation, operation.restores), look_(std::move(look)), frame_(look_()),
-      mask_(operation.mask, frame_, *cutter.geometry) {
+      mask_(operation.mask, frame_, *cutter.geometry), covered_(mask_.raster.pitch) {
     toReplay_ = std::exchange(cut().stroke, {}); // filled again as the pen moves
     lookAgain();
 }
 
 PenStroke::PenStroke(Cutter& cutter, LookAgain look, const Laser& operation)
     : CutStroke(cutter, operation, operation.restores), look_(std::move(look)), frame_(look_()),
-      mask_(operation.mask, frame_, *cutter.geometry) {
+      mask_(operation.mask, frame_, *cutter.geometry), covered_(mask_.raster.pitch) {
     toReplay_ = std::exchange(cut().stroke, {});
     lookAgain();
 }
@@ -96,6 +96,7 @@ PenCut& PenStroke::cut() {
 
 void PenStroke::lookAgain() {
     frame_ = look_();
+    covered_ = StrokeRaster(mask_.raster.pitch);
     if (!cut().keepsDigging) { // else what it sees may change under it
         if (frame_.scene.sculpture != nullptr) {
             frame_.scene.sculpture = &cutter_->snapshot();
@@ -106,7 +107,7 @@ void PenStroke::lookAgain() {
 
 void PenStroke::replay() {
     if (toReplay_.empty()) {
-        stamp({mask_.drawnAt, 1});
+        goTo({mask_.drawnAt, 1}, {mask_.drawnAt, 1});
     }
     for (const auto& pen : toReplay_) {
         drawAt(pen);
@@ -120,104 +121,134 @@ void PenStroke::drawAt(const sculpt::PenPoint& pen) {
     if (from.pressure <= 0 && pen.pressure > 0) {
         lookAgain();
     }
-    // Stamps a quarter of the mask apart leave no scallops along the stroke's sides.
-    const double spacing = std::max(0.25 * std::min(mask_.extent.x, mask_.extent.y), 2.0);
-    const int stamps = std::max(1, int(std::ceil(glm::length(pen.pixel - from.pixel) / spacing)));
-    for (int i = 1; i <= stamps; ++i) {
-        const double s = double(i) / stamps;
-        stamp({glm::mix(from.pixel, pen.pixel, s), glm::mix(from.pressure, pen.pressure, s),
-               glm::mix(from.tiltDegrees, pen.tiltDegrees, s)});
+    // In pieces of a quarter of the mask, each with its own direction.
+    const double longest = std::max(0.25 * std::min(mask_.extent.x, mask_.extent.y), 2.0);
+    const int pieces = std::max(1, int(std::ceil(glm::length(pen.pixel - from.pixel) / longest)));
+    const auto at = [&](double s) {
+        return sculpt::PenPoint{glm::mix(from.pixel, pen.pixel, s), glm::mix(from.pressure, pen.pressure, s),
+                                glm::mix(from.tiltDegrees, pen.tiltDegrees, s)};
+    };
+    for (int i = 0; i < pieces; ++i) {
+        goTo(at(double(i) / pieces), at(double(i + 1) / pieces));
     }
 }
 
-void PenStroke::stamp(const sculpt::PenPoint& pen) {
+void PenStroke::goTo(const sculpt::PenPoint& from, const sculpt::PenPoint& to) {
+    const auto isBeside = [&](glm::dvec2 pixel) {
+        return glm::any(glm::lessThan(pixel + mask_.extent, glm::dvec2(0))) ||
+               glm::any(glm::greaterThan(pixel - mask_.extent, glm::dvec2(frame_.rays.size)));
+    };
     // Beside the picture there is nothing to cut, however long the stroke.
-    const bool isInPicture = glm::all(glm::greaterThan(pen.pixel + mask_.extent, glm::dvec2(0))) &&
-                             glm::all(glm::lessThan(pen.pixel - mask_.extent, glm::dvec2(frame_.rays.size)));
-    const double depth = cut().depthMax * std::min(pen.pressure, 1.0);
-    if (mask_.raster.values.empty() || !(depth > 0) || !isInPicture) {
+    if (mask_.raster.values.empty() || !(std::max(depthOf(from), depthOf(to)) > 0) ||
+        (isBeside(from.pixel) && isBeside(to.pixel))) {
         return;
     }
     if (cut().keepsDigging) {
         lookAgain();
     }
     if (std::holds_alternative<Drill>(operation_)) {
-        drill(pen, depth);
+        drill(from, to);
     } else {
-        burn(pen, depth);
+        burn(mask_.along(from.pixel, to.pixel, depthOf(from), depthOf(to)));
     }
 }
 
-glm::dvec3 PenStroke::drillDirection(const sculpt::PenPoint& pen) const {
-    const glm::dvec3 ray = frame_.rays.through(pen.pixel).direction;
+double PenStroke::depthOf(const sculpt::PenPoint& pen) {
+    return cut().depthMax * std::clamp(pen.pressure, 0.0, 1.0);
+}
+
+glm::dvec3 PenStroke::drillDirection(glm::dvec2 pixel, glm::dvec2 tiltDegrees) const {
+    const glm::dvec3 ray = frame_.rays.through(pixel).direction;
     if (!std::get<Drill>(operation_).followsTilt) {
         return ray;
     }
     // Where the pen leans, its point comes from: leaning right it points to the left.
-    const glm::dvec2 slope = glm::tan(glm::radians(glm::clamp(pen.tiltDegrees, -60.0, 60.0)));
+    const glm::dvec2 slope = glm::tan(glm::radians(glm::clamp(tiltDegrees, -60.0, 60.0)));
     return glm::normalize(ray - slope.x * glm::normalize(frame_.rays.right) +
                           slope.y * glm::normalize(frame_.rays.up));
 }
 
-void PenStroke::drill(const sculpt::PenPoint& pen, double depth) {
-    const auto surface = cutter_->picker.pickPoints(frame_, mask_.pixels(pen.pixel));
+// What this piece of the way changes is computed again with all that the stroke has covered around it, so
+// that the result is that of the whole stroke at once.
+void PenStroke::drill(const sculpt::PenPoint& from, const sculpt::PenPoint& to) {
+    const auto place = [&](const sculpt::PenPoint& pen) {
+        return StrokeRaster::Place{pen.pixel, depthOf(pen), drillDirection(pen.pixel, pen.tiltDegrees)};
+    };
+    const ElementBox changed = covered_.cover(mask_.raster, place(from), place(to));
+    const glm::dvec3 direction = place(to).direction;
+    if (changed.isEmpty()) {
+        return;
+    }
+    // Twice the radius: a voxel that a changed element reaches is reached by elements as far beyond it.
+    const double stepPixels =
+        cutter_->geometry->stepMm() / frame_.rays.pixelMm(cutter_->geometry->centreWorld());
+    const int margin = 2 + int(std::ceil(2 * cut().radius * stepPixels / mask_.raster.pitch));
+    static_assert((sculpt::kMaxBlock & (sculpt::kMaxBlock - 1)) == 0);
+    const ElementBox box{(changed.lo - margin) & ~(sculpt::kMaxBlock - 1), changed.hi + margin};
+    auto part = covered_.part(box, changed,
+                              [&](const auto& pixels) { return cutter_->picker.pickPoints(frame_, pixels); });
     sculpt::ToolCut tool{{}, how_};
-    tool.sweep.directionWorld = drillDirection(pen);
-    tool.sweep.depthSteps = depth;
-    sweep(surface, tool);
+    for (std::size_t n = 0; n < part.directions.size(); ++n) {
+        if (!(part.mask.values[n] > 0)) { // nothing there, but its neighbours' cells end at it
+            part.directions[n] = glm::vec3(direction);
+        }
+    }
+    tool.sweep.directionWorld = direction;
+    tool.sweep.directions = part.directions;
+    sweep(part.surface, part.mask, part.depths, tool);
 }
 
-void PenStroke::burn(const sculpt::PenPoint& pen, double depth) {
-    const auto plane = layOnSurface(cutter_->picker, frame_, mask_, pen.pixel);
+void PenStroke::burn(const MaskSweep& mask) {
+    const auto plane = layOnSurface(cutter_->picker, frame_, mask_, mask.centre);
     if (!plane) {
         return;
     }
-    const volume::GridGeometry& geometry = *cutter_->geometry;
-    const glm::dmat4 voxelFromWorld = geometry.voxelFromWorld();
     std::vector<glm::dvec3> places;
     std::vector<glm::vec2> pixels; // where the mask's elements are seen once it lies on the surface
-    for (int j = 0; j < mask_.raster.size.y; ++j) {
-        for (int i = 0; i < mask_.raster.size.x; ++i) {
-            places.push_back(plane->place(mask_.raster.origin + mask_.raster.pitch * glm::dvec2(i, j)));
+    for (int j = 0; j < mask.raster.size.y; ++j) {
+        for (int i = 0; i < mask.raster.size.x; ++i) {
+            places.push_back(plane->place(mask.raster.origin + mask.raster.pitch * glm::dvec2(i, j)));
             pixels.emplace_back(frame_.rays.project(places.back()));
         }
     }
     sculpt::ToolCut tool{{}, how_};
     tool.sweep.directionWorld = -plane->normal;
-    tool.sweep.depthSteps = depth;
     const auto seen = cutter_->picker.pickPoints(frame_, pixels);
     if (how_ == sculpt::Combine::Restore) {
-        sweep(seen, tool); // put back from each place of the floor
+        sweep(seen, mask.raster, mask.depths, tool); // put back from each place of the floor
         return;
     }
     // The mask is flat: all its elements begin in the plane, and burn away what stands above it there too.
-    double above = 0;
+    const volume::GridGeometry& geometry = *cutter_->geometry;
+    const glm::dmat4 voxelFromWorld = geometry.voxelFromWorld();
     const double limit = std::max(mask_.extent.x, mask_.extent.y) * glm::length(plane->right);
+    double above = 0;
     std::vector<field::SurfacePoint> surface(places.size());
     for (std::size_t n = 0; n < places.size(); ++n) {
         surface[n].voxel = glm::vec4(glm::vec3(voxelFromWorld * glm::dvec4(places[n], 1.0)), 1.0F);
         surface[n].normal = glm::vec4(plane->normal, 0.0);
-        if (seen[n].voxel.w > 0.5F && mask_.raster.values[n] > 0) {
+        if (seen[n].voxel.w > 0.5F && mask.raster.values[n] > 0) {
             const double height = glm::dot(worldOf(seen[n], geometry) - plane->centre, plane->normal);
             above = std::max(above, std::min(height, limit));
         }
     }
     tool.sweep.outsideSteps = cut().radius + above / geometry.stepMm();
-    sweep(surface, tool);
+    sweep(surface, mask.raster, mask.depths, tool);
 }
 
-void PenStroke::sweep(std::span<const field::SurfacePoint> surface, sculpt::ToolCut& tool) {
+void PenStroke::sweep(std::span<const field::SurfacePoint> surface, const sculpt::MaskRaster& mask,
+                      std::span<const float> depths, sculpt::ToolCut& tool) {
     tool.sweep.radius = cut().radius;
+    tool.sweep.depths = depths;
     std::vector<glm::vec3> directions;
     std::vector<float> reach;
     if (how_ == sculpt::Combine::Restore) {
-        directions = sculpt::toolDirections(surface, mask_.raster, *cutter_->geometry, tool.sweep);
-        reach = cutter_->restoreReach.measure(frame_.scene, surface, directions, tool.sweep.depthSteps,
-                                              tool.sweep.radius);
+        directions = sculpt::toolDirections(surface, mask, *cutter_->geometry, tool.sweep);
+        reach = cutter_->restoreReach.measure(frame_.scene, surface, directions, depths, tool.sweep.radius);
         tool.sweep.directions = directions;
         tool.sweep.outwardSteps = reach;
     }
-    cutter_->tools.cut(*cutter_->sculpture, surface, mask_.raster, tool, &backup_);
+    cutter_->tools.cut(*cutter_->sculpture, surface, mask, tool, &backup_);
 }
 
 } // namespace vs::studio

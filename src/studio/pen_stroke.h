@@ -2,6 +2,7 @@
 #pragma once
 
 #include "studio/cut_stroke.h"
+#include "studio/stroke_raster.h"
 
 #include <optional>
 
@@ -33,22 +34,25 @@ public:
     PenStroke(Cutter& cutter, LookAgain look, const Drill& operation);
     PenStroke(Cutter& cutter, LookAgain look, const Laser& operation);
 
-    // The pen has come here: stamps along the way from where it was, as deep as the pressure says.
+    // The pen has come here: cuts all along the way from where it was, as deep as the pressure says.
     void drawAt(const sculpt::PenPoint& pen);
     void replay() override;
 
 private:
     [[nodiscard]] PenCut& cut();
     void lookAgain();
-    void stamp(const sculpt::PenPoint& pen);
-    void drill(const sculpt::PenPoint& pen, double depth);
-    void burn(const sculpt::PenPoint& pen, double depth);
-    void sweep(std::span<const field::SurfacePoint> surface, sculpt::ToolCut& tool);
-    [[nodiscard]] glm::dvec3 drillDirection(const sculpt::PenPoint& pen) const;
+    void goTo(const sculpt::PenPoint& from, const sculpt::PenPoint& to);
+    void drill(const sculpt::PenPoint& from, const sculpt::PenPoint& to);
+    void burn(const MaskSweep& mask);
+    void sweep(std::span<const field::SurfacePoint> surface, const sculpt::MaskRaster& mask,
+               std::span<const float> depths, sculpt::ToolCut& tool);
+    [[nodiscard]] double depthOf(const sculpt::PenPoint& pen);
+    [[nodiscard]] glm::dvec3 drillDirection(glm::dvec2 pixel, glm::dvec2 tiltDegrees) const;
 
     LookAgain look_;
     render::Frame frame_;
     ToolMask mask_;
+    StrokeRaster covered_; // by the drill, since it last looked at the surface
     sculpt::Stroke toReplay_;
 };
 

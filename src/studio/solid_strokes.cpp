@@ -95,7 +95,9 @@ void ScissorsStroke::limitDepth(sculpt::Extrusion& solid, double depthSteps) {
         for (const glm::vec2 pixel : pixels) {
             directions.emplace_back(frame_.rays.through(pixel).direction);
         }
-        reach = cutter_->restoreReach.measure(frame_.scene, points, directions, depthSteps, solid.radius);
+        reach =
+            cutter_->restoreReach.measure(frame_.scene, points, directions,
+                                          std::vector<float>(points.size(), float(depthSteps)), solid.radius);
     }
     beginMm_.assign(points.size(), -1.0F);
     endMm_.assign(points.size(), -1.0F);

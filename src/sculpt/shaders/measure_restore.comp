@@ -1,6 +1,6 @@
 // How far outwards from surface points that were laid bare by cutting what was cut away can be put back: up to the uncut
 // surface, which is the last place in the displayed range before what was cut away ends.
-// In: storage 0 field::SurfacePoint, storage 1 outward directions (voxels a step). Out: storage 2 steps, one each.
+// In: storage 0 field::SurfacePoint, storage 1 outward directions (voxels a step, w the depth in steps). Out: storage 2 steps, one each.
 layout(local_size_x = 64) in;
 
 #include "field/shaders/scene.glsl"
@@ -16,8 +16,7 @@ layout(std430, binding = 1) readonly buffer Ways { vec4 ways[]; };
 layout(std430, binding = 2) writeonly buffer Reach { float reach[]; };
 
 layout(location = 0) uniform int count;
-layout(location = 1) uniform float depth;  // steps
-layout(location = 2) uniform float radius; // steps
+layout(location = 1) uniform float radius; // steps
 
 const float stride = 0.5; // steps
 const float near = 1.0;   // within this of the point the cut face's own blur may say anything
@@ -29,6 +28,7 @@ void main() {
     }
     vec3 from = points[i].voxel.xyz;
     vec3 way = ways[i].xyz;
+    float depth = ways[i].w;
     bool isMarching = points[i].voxel.w > 0.5 && depth > 0.0;
     float last = -1.0; // where the data was last in range
     float t = 0.5 * stride;

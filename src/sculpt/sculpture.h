@@ -32,8 +32,11 @@ public:
     // Voxels whose value the last combine() changed; waits for the device.
     [[nodiscard]] std::uint64_t changedVoxels() const;
 
-    // Everything untouched again (Un-Cut). Undoable when the whole box was protected before.
+    // Everything untouched again (Un-Cut). Costs what was touched, and so does its undo: touchedBricks() are
+    // what must be protected before.
     void clear();
+    // The bricks (32^3) written to since the sculpture was made or cleared; elsewhere it is 0.
+    [[nodiscard]] std::vector<Box3> touchedBricks() const;
     // Texels as they are stored (half floats, x fastest). upload() refreshes the macrocells.
     [[nodiscard]] std::vector<std::byte> download(const Box3& box) const { return texels_.download(box); }
     void upload(const Box3& box, std::span<const std::byte> texels);
@@ -49,7 +52,8 @@ public:
     [[nodiscard]] glm::ivec3 dims() const { return texels_.size(); }
     // Counts every change.
     [[nodiscard]] std::uint64_t version() const { return version_; }
-    // Voxels that may differ from what they were at an earlier version(); all of them if that is long ago.
+    // Voxels that may differ from what they were at an earlier version(). The longer ago, the more there may
+    // be that do not; at version 0 everything was 0.
     [[nodiscard]] Box3 changedSince(std::uint64_t version) const;
     // True when nothing is cut anywhere: a matter of content, so that undoing the first cut is as if it had
     // never been. May wait for the device.
@@ -57,6 +61,7 @@ public:
 
 private:
     void noteChange(const Box3& box);
+    void markTouched(const Box3& box);
 
     gl::Texture texels_;
     gl::Texture cells_;
@@ -64,8 +69,12 @@ private:
     field::CellRangeUpdater updater_;
     gl::Buffer changed_;
     std::uint64_t version_ = 0;
-    std::deque<Box3> changes_;                   // the last ones, oldest first
-    Box3 everTouched_;                           // since it was made or cleared
+    struct Change {
+        std::uint64_t version = 0; // the one it led to
+        Box3 box;
+    };
+    std::deque<Change> changes_;                 // oldest first; the first holds all that came before it
+    std::vector<bool> touched_;                  // by brick, since it was made or cleared
     mutable std::optional<bool> isEmpty_ = true; // nothing: not known
 };
 

@@ -70,7 +70,9 @@ Outcome Document::Impl::run(Drill& op, const std::filesystem::path&) {
 
 Outcome Document::Impl::run(UnCut& op, const std::filesystem::path&) {
     sculpt::BrickBackup backup(sculpture.texels());
-    backup.protect(volume.geometry.box());
+    for (const Box3& brick : sculpture.touchedBricks()) {
+        backup.protect(brick);
+    }
     sculpture.clear();
     sculpt::BrickDelta delta = backup.finish();
     const std::size_t changed = delta.changedVoxels();

@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "bench_strokes.h"
+
+#include "volume/phantom.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace vs::cli {
+
+namespace {
+
+constexpr double kElementSteps = 0.5; // from one mask element to the next (studio::CutStroke)
+
+studio::Sketch circle(glm::dvec2 centre, double radius) {
+    return {studio::Shape::Circle, {centre, centre + glm::dvec2(radius, 0)}};
+}
+
+// The radius in pixels of a circle whose mask is so many elements wide.
+double radiusOf(double elements, const studio::Document& document, glm::ivec2 size) {
+    const auto& geometry = document.volume().geometry;
+    const auto rays = render::viewRays(document.view().camera, geometry, size);
+    return 0.5 * elements * kElementSteps * geometry.stepMm() / rays.pixelMm(geometry.centreWorld());
+}
+
+// Several strokes of two stamps side by side: what pen-down costs, and what each stamp after it.
+void benchDrillStrokes(const BenchSettings& settings, studio::Document& document, glm::dvec2 place,
+                       std::vector<Measurement>& results) {
+    const studio::Canvas canvas{document.view(), settings.size};
+    const double radius = radiusOf(100, document, settings.size);
+    int strokes = 0;
+    const auto begin = [&] { document.beginDrill(circle(place, radius), canvas, 10); };
+    const auto end = [&] {
+        document.commitStroke();
+        document.frame(settings.size); // the picture after it, as far as it is not drawing
+        ++strokes;
+    };
+    const auto stamp = [&](int run) {
+        document.updateDrill({place + glm::dvec2(0.5 * radius * (run % 4), 0), 1.0});
+    };
+    const Work penDown{.run =
+                           [&](int) {
+                               begin();
+                               stamp(0);
+                           },
+                       .prepare =
+                           [&](int) {
+                               if (document.isStrokeOpen()) {
+                                   end();
+                               }
+                           }};
+    results.push_back(measure("stroke", "drill pen-down", settings.frames, penDown));
+    end();
+    const Work stamps{.run = stamp, .prepare = [&](int run) {
+                          if (run % 4 == 0) {
+                              if (document.isStrokeOpen()) {
+                                  end();
+                              }
+                              begin();
+                          }
+                      }};
+    results.push_back(measure("stroke", "drill stamp", settings.frames, stamps));
+    end();
+    const Work penUp{.run = [&](int) { document.commitStroke(); },
+                     .prepare =
+                         [&](int run) {
+                             begin();
+                             stamp(run);
+                             ++strokes;
+                         }};
+    for (; strokes > 0 && document.canUndo(); --strokes) {
+        document.apply(studio::Undo{});
+    }
+    results.push_back(measure("stroke", "drill pen-up", 3, penUp));
+    for (; strokes > 0 && document.canUndo(); --strokes) {
+        document.apply(studio::Undo{});
+    }
+}
+
+void benchPeelLayer(const BenchSettings& settings, studio::Document& document, glm::dvec2 place,
+                    std::vector<Measurement>& results) {
+    const studio::Canvas canvas{document.view(), settings.size};
+    const double radius = radiusOf(300, document, settings.size);
+    const Work layer{.run =
+                         [&](int) {
+                             document.beginPeel(circle(place, radius), canvas);
+                             document.updatePeel(1);
+                         },
+                     .prepare =
+                         [&](int) {
+                             if (document.isStrokeOpen()) {
+                                 document.discardStroke();
+                             }
+                         }};
+    results.push_back(measure("stroke", "peel, first layer", settings.frames, layer));
+    document.discardStroke();
+}
+
+void benchPeelDrag(const BenchSettings& settings, studio::Document& document, glm::dvec2 place,
+                   std::vector<Measurement>& results) {
+    const studio::Canvas canvas{document.view(), settings.size};
+    constexpr int updates = 40;
+    document.beginPeel(circle(place, 150), canvas);
+    const Work down{.run = [&](int run) { document.updatePeel(0.1 + 0.5 * run); }};
+    results.push_back(measure("stroke", "peel, drawn down", updates, down));
+    const Work up{.run = [&](int run) { document.updatePeel(0.1 + 0.5 * (updates - 1 - run)); }};
+    results.push_back(measure("stroke", "peel, drawn up", updates, up));
+    document.discardStroke();
+}
+
+} // namespace
+
+volume::Volume ballIn(int side) {
+    auto volume = volume::makePhantom(glm::ivec3(side), volume::ScalarType::UInt8, [&](glm::dvec3 p) {
+        const double inBall = 54 - glm::distance(p, glm::dvec3(0.5 * (side - 1)));
+        return 200 * std::clamp(inBall / 4 + 0.5, 0.0, 1.0);
+    });
+    volume.name = fmt::format("ball in {}", side);
+    return volume;
+}
+
+bool benchStrokes(const BenchSettings& settings, studio::Document& document,
+                  std::vector<Measurement>& results) {
+    studio::View view = document.view();
+    view.mode = render::Mode::Surface;
+    view.camera = settings.orbit.camera(0);
+    document.look(view);
+    const auto place = findSurface(document, settings.size);
+    if (!place) {
+        return false;
+    }
+    benchDrillStrokes(settings, document, *place, results);
+    benchPeelLayer(settings, document, *place, results);
+    benchPeelDrag(settings, document, *place, results);
+    return true;
+}
+
+} // namespace vs::cli

@@ -23,10 +23,19 @@ Box3 cellsOf(const Box3& voxels, glm::ivec3 cellCount) {
 Sculpture::Sculpture(glm::ivec3 dims)
     : texels_(dims, gl::Format::R16F, gl::Filter::Linear, "sculpture"),
       cells_(field::cellDims(dims), gl::Format::RG32F, gl::Filter::Nearest, "sculpture cells"),
-      combine_("sculpt/shaders/combine_sculpture.comp"), changed_(sizeof(std::uint32_t), "changed voxels"),
+      combine_("sculpt/shaders/combine_sculpture.comp"), summarize_("sculpt/shaders/summarize_tiles.comp"),
+      changed_(sizeof(std::uint32_t), "changed voxels"),
       touched_(Box3{glm::ivec3(0), brickGrid(dims)}.volume(), false) {}
 
 Box3 Sculpture::combine(const Radiator& radiation, Combine how) {
+    return combine(radiation, how, Base::Itself, nullptr);
+}
+
+Box3 Sculpture::combineWith(const gl::Texture* before, const Radiator& radiation) {
+    return combine(radiation, Combine::Cut, before != nullptr ? Base::Texture : Base::Nothing, before);
+}
+
+Box3 Sculpture::combine(const Radiator& radiation, Combine how, Base base, const gl::Texture* before) {
     changed_.clear();
     const Box3 box = radiation.resultBox();
     if (box.isEmpty() || (how == Combine::Restore && isEmpty())) {
@@ -38,19 +47,37 @@ Box3 Sculpture::combine(const Radiator& radiation, Combine how) {
         changed_.bindStorage(1);
         radiation.energy().bindImage(0, gl::Access::Read);
         texels_.bindImage(1, gl::Access::ReadWrite);
+        (before != nullptr ? *before : texels_).bindImage(2, gl::Access::Read);
         combine_.set(0, radiation.tileDims())
             .set(1, radiation.originVoxel())
             .set(2, dims())
-            .set(3, how == Combine::Restore ? 1 : 0);
+            .set(3, how == Combine::Restore ? 1 : 0)
+            .set(4, int(base));
         combine_.dispatchIndirect(radiation.tileArguments(), 0, gl::Barrier::Texture);
     }
     // A cut only adds: what was not empty stays so.
-    const bool staysNonEmpty = how == Combine::Cut && isEmpty_ == false;
-    refresh(box);
+    const bool staysNonEmpty = how == Combine::Cut && base == Base::Itself && isEmpty_ == false;
+    summarizeTiles(radiation, box);
+    noteWritten(box);
     if (staysNonEmpty) {
         isEmpty_ = false;
     }
     return box;
+}
+
+// The macrocells that have a corner in the radiation's tiles; `box` holds those tiles.
+void Sculpture::summarizeTiles(const Radiator& radiation, const Box3& box) {
+    const gl::Pass pass("update cell ranges");
+    const Box3 cells = cellsOf(box, cells_.size());
+    texels_.bindTexture(0);
+    cells_.bindImage(0, gl::Access::Write);
+    radiation.bindStages(0);
+    summarize_.set(0, dims())
+        .set(1, cells.lo)
+        .set(2, cells.hi)
+        .set(3, radiation.originVoxel() / kTile)
+        .set(4, radiation.tileDims());
+    summarize_.dispatchOver(cells.size(), gl::Barrier::Texture);
 }
 
 std::uint64_t Sculpture::changedVoxels() const { return changed_.readValue<std::uint32_t>(); }
@@ -124,10 +151,14 @@ void Sculpture::swap(BrickDelta& delta) {
 void Sculpture::refresh(const Box3& box) {
     if (!box.isEmpty()) {
         updater_.update(texels_, box, cells_);
-        markTouched(box);
-        isEmpty_.reset();
-        noteChange(box);
+        noteWritten(box);
     }
+}
+
+void Sculpture::noteWritten(const Box3& box) {
+    markTouched(box);
+    isEmpty_.reset();
+    noteChange(box);
 }
 
 bool Sculpture::isEmpty() const {

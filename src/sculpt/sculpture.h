@@ -29,6 +29,9 @@ public:
     // (SPEC 4). Where a restore has E >= 0.5 the result stays below 0.5, so nothing of the same stroke's cut
     // remains visible. Returns the box of voxels that may have changed (tile-tight).
     Box3 combine(const Radiator& radiation, Combine how);
+    // As a cut, but united with what the sculpture was in `before` (null: untouched) instead of what it is:
+    // in the tiles of the radiation it becomes that union. Puts back what an earlier such call cut too far.
+    Box3 combineWith(const gl::Texture* before, const Radiator& radiation);
     // Voxels whose value the last combine() changed; waits for the device.
     [[nodiscard]] std::uint64_t changedVoxels() const;
 
@@ -60,12 +63,17 @@ public:
     [[nodiscard]] bool isEmpty() const;
 
 private:
+    enum class Base { Itself, Texture, Nothing };
+    Box3 combine(const Radiator& radiation, Combine how, Base base, const gl::Texture* before);
+    void summarizeTiles(const Radiator& radiation, const Box3& box);
+    void noteWritten(const Box3& box);
     void noteChange(const Box3& box);
     void markTouched(const Box3& box);
 
     gl::Texture texels_;
     gl::Texture cells_;
     gl::Program combine_;
+    gl::Program summarize_; // cells of the radiation's tiles
     field::CellRangeUpdater updater_;
     gl::Buffer changed_;
     std::uint64_t version_ = 0;

@@ -60,11 +60,32 @@ void SweptPatches::reserve(std::size_t corners, std::size_t patches) {
 }
 
 void SweptPatches::addCell(const std::array<std::uint32_t, 4>& corners) {
-    addPart({corners, {depthLo_, depthHi_}, 0, glm::vec2(0.5F), true, 0});
+    add({corners, {depthLo_, depthHi_}, 0, glm::vec2(0.5F), true, 0});
 }
 
 void SweptPatches::addBlock(const std::array<std::uint32_t, 4>& corners, float mask, glm::vec2 centroid) {
-    addPart({corners, {depthLo_, depthHi_}, mask, centroid, false, 0});
+    add({corners, {depthLo_, depthHi_}, mask, centroid, false, 0});
+}
+
+void SweptPatches::add(const Part& part) {
+    if (inPieces_) {
+        noted_.push_back(part);
+        ownCorners_ = corners_.size();
+    } else {
+        addPart(part);
+    }
+}
+
+void SweptPatches::sweepPiece(float depthLo, float depthHi) {
+    corners_.resize(ownCorners_);
+    patches_.clear();
+    pointCount_ = 0;
+    lo_ = glm::vec3(1e30F);
+    hi_ = glm::vec3(-1e30F);
+    for (Part part : noted_) {
+        part.depths = {depthLo, depthHi};
+        addPart(part);
+    }
 }
 
 SweptPatches::Quad SweptPatches::quad(const std::array<std::uint32_t, 4>& corners) const {

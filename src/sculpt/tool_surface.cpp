@@ -29,6 +29,9 @@ public:
           out_(float(-outside_), float(sweep.depthSteps), 0) {
         // A point farther outside the grid reaches no voxel of it (Footprint::reachVoxels() <= radius + 2).
         const glm::vec3 reach(float(sweep.radius + 3));
+        if (sweep.inPieces) {
+            out_.sweepInPieces();
+        }
         out_.clipTo(-reach, glm::vec3(geometry.dims - 1) + reach);
         const glm::dvec3 sigma = sweep.radius / 3.0 * geometry.stepMm() / geometry.spacing();
         out_.setDensity({SweptPatches::densityFor(sigma.x), SweptPatches::densityFor(sigma.y),

@@ -24,6 +24,8 @@ struct ToolSweep {
     // The sweep begins this far outside the surface, so that the first layer goes too; negative: the radius.
     double outsideSteps = -1;
     int radius = 3; // of the radiation, in steps: 2, 3 or 4
+    // Nothing is swept yet, only noted for SweptPatches::sweepPiece().
+    bool inPieces = false;
 };
 
 // The solid that the mask sweeps from the surface points under it (one per mask element, in the same order).

@@ -26,7 +26,11 @@ const gl::Texture& Cutter::snapshot() {
     if (!snapshot_) {
         snapshot_ = gl::Texture(texels.size(), texels.format(), gl::Filter::Linear, "sculpture at pen-down");
     }
-    snapshot_.copyFrom(texels, geometry->box(), glm::ivec3(0));
+    const Box3 changed = sculpture->changedSince(snapshotVersion_);
+    if (!changed.isEmpty()) {
+        snapshot_.copyFrom(texels, changed, changed.lo);
+    }
+    snapshotVersion_ = sculpture->version();
     return snapshot_;
 }
 
@@ -51,7 +55,11 @@ CutStroke::CutStroke(Cutter& cutter, render::Picker& picker, const render::Frame
     prepare(operation.mask);
     // The peel stays where it was drawn, so its surface is cast once.
     if (mask_.size.x > 0) {
-        peelSurface_ = picker_->pickPoints(frame_, elementPixels(drawnAt_));
+        sculpt::ToolSweep sweep;
+        sweep.direction = sculpt::ToolDirection::OwnNormal;
+        sweep.radius = operation.radius;
+        peel_.emplace(picker_->pickPoints(frame_, elementPixels(drawnAt_)), mask_, sweep, *cutter.geometry,
+                      cutter.sculpture->isEmpty() ? nullptr : &cutter.snapshot());
     }
 }
 
@@ -94,17 +102,10 @@ std::vector<glm::vec2> CutStroke::elementPixels(glm::dvec2 centre) const {
 void CutStroke::peelTo(double layers) {
     Peel& op = std::get<Peel>(operation_);
     op.layers = std::max(layers, 0.0);
-    if (!backup_.isEmpty()) {
-        cutter_->sculpture->refresh(backup_.restore());
+    if (peel_) {
+        auto& tools = cutter_->tools;
+        peel_->cutTo(op.layers, tools.radiator(), tools.generator(), *cutter_->sculpture, &backup_);
     }
-    if (peelSurface_.empty() || op.layers <= 0) {
-        return;
-    }
-    sculpt::ToolCut cut;
-    cut.sweep.direction = sculpt::ToolDirection::OwnNormal;
-    cut.sweep.depthSteps = op.layers;
-    cut.sweep.radius = op.radius;
-    cutter_->tools.cut(*cutter_->sculpture, peelSurface_, mask_, cut, &backup_);
 }
 
 void CutStroke::drillAt(const sculpt::PenPoint& pen) {

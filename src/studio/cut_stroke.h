@@ -2,6 +2,7 @@
 #pragma once
 
 #include "render/picker.h"
+#include "sculpt/layered_cut.h"
 #include "sculpt/tool_cut.h"
 #include "studio/operation.h"
 
@@ -26,6 +27,7 @@ public:
 
 private:
     gl::Texture snapshot_;
+    std::uint64_t snapshotVersion_ = 0;
     render::Macrocells macrocells_;
 };
 
@@ -66,7 +68,7 @@ private:
     sculpt::MaskRaster mask_; // centred on the origin, in pixels
     glm::dvec2 drawnAt_{0};
     glm::dvec2 extent_{0};
-    std::vector<field::SurfacePoint> peelSurface_;
+    std::optional<sculpt::LayeredCut> peel_; // nothing: the sketch is empty
 };
 
 } // namespace vs::studio

@@ -24,58 +24,57 @@ double radiusOf(double elements, const studio::Document& document, glm::ivec2 si
     return 0.5 * elements * kElementSteps * geometry.stepMm() / rays.pixelMm(geometry.centreWorld());
 }
 
-// Several strokes of two stamps side by side: what pen-down costs, and what each stamp after it.
+// Whatever was drawn is gone, and what a picture needs is up to date again.
+void clearStroke(studio::Document& document, glm::ivec2 size) {
+    if (document.isStrokeOpen()) {
+        document.discardStroke();
+        document.frame(size);
+    }
+}
+
+// Beside a stroke made before: what pen-down with the first stamp costs, each stamp after it, and pen-up.
 void benchDrillStrokes(const BenchSettings& settings, studio::Document& document, glm::dvec2 place,
                        std::vector<Measurement>& results) {
     const studio::Canvas canvas{document.view(), settings.size};
     const double radius = radiusOf(100, document, settings.size);
-    int strokes = 0;
     const auto begin = [&] { document.beginDrill(circle(place, radius), canvas, 10); };
-    const auto end = [&] {
-        document.commitStroke();
-        document.frame(settings.size); // the picture after it, as far as it is not drawing
-        ++strokes;
+    const auto stamp = [&](int n) {
+        document.updateDrill({place + glm::dvec2(0.25 * radius * (4 + n % 4), 0), 1.0});
     };
-    const auto stamp = [&](int run) {
-        document.updateDrill({place + glm::dvec2(0.5 * radius * (run % 4), 0), 1.0});
-    };
+    begin();
+    document.updateDrill({place, 1.0});
+    document.commitStroke();
+    document.frame(settings.size);
+
     const Work penDown{.run =
                            [&](int) {
                                begin();
                                stamp(0);
                            },
-                       .prepare =
-                           [&](int) {
-                               if (document.isStrokeOpen()) {
-                                   end();
-                               }
-                           }};
+                       .prepare = [&](int) { clearStroke(document, settings.size); }};
     results.push_back(measure("stroke", "drill pen-down", settings.frames, penDown));
-    end();
-    const Work stamps{.run = stamp, .prepare = [&](int run) {
-                          if (run % 4 == 0) {
-                              if (document.isStrokeOpen()) {
-                                  end();
+    const Work stamps{.run = [&](int run) { stamp(1 + run); },
+                      .prepare =
+                          [&](int run) {
+                              if (run % 3 == 0) {
+                                  clearStroke(document, settings.size);
+                                  begin();
+                                  stamp(0);
                               }
-                              begin();
-                          }
-                      }};
+                          }};
     results.push_back(measure("stroke", "drill stamp", settings.frames, stamps));
-    end();
+    clearStroke(document, settings.size);
     const Work penUp{.run = [&](int) { document.commitStroke(); },
                      .prepare =
                          [&](int run) {
+                             if (document.canUndo()) { // the stroke beside, or the last one
+                                 document.apply(studio::Undo{});
+                             }
                              begin();
                              stamp(run);
-                             ++strokes;
                          }};
-    for (; strokes > 0 && document.canUndo(); --strokes) {
-        document.apply(studio::Undo{});
-    }
-    results.push_back(measure("stroke", "drill pen-up", 3, penUp));
-    for (; strokes > 0 && document.canUndo(); --strokes) {
-        document.apply(studio::Undo{});
-    }
+    results.push_back(measure("stroke", "drill pen-up", settings.frames, penUp));
+    document.apply(studio::Undo{});
 }
 
 void benchPeelLayer(const BenchSettings& settings, studio::Document& document, glm::dvec2 place,
@@ -87,12 +86,7 @@ void benchPeelLayer(const BenchSettings& settings, studio::Document& document, g
                              document.beginPeel(circle(place, radius), canvas);
                              document.updatePeel(1);
                          },
-                     .prepare =
-                         [&](int) {
-                             if (document.isStrokeOpen()) {
-                                 document.discardStroke();
-                             }
-                         }};
+                     .prepare = [&](int) { clearStroke(document, settings.size); }};
     results.push_back(measure("stroke", "peel, first layer", settings.frames, layer));
     document.discardStroke();
 }

@@ -19,8 +19,6 @@ SweptPatches inPieces(std::span<const field::SurfacePoint> surface, const MaskRa
     return sweepSurface(surface, mask, geometry, sweep);
 }
 
-bool contains(const Box3& outer, const Box3& inner) { return intersect(outer, inner) == inner; }
-
 } // namespace
 
 LayeredCut::LayeredCut(std::span<const field::SurfacePoint> surface, const MaskRaster& mask,
@@ -28,7 +26,7 @@ LayeredCut::LayeredCut(std::span<const field::SurfacePoint> surface, const MaskR
                        const gl::Texture* before)
     : swept_(inPieces(surface, mask, geometry, sweep)), dims_(geometry.dims),
       footprint_(fitFootprint(sweep.radius, geometry.spacing())), outside_(-swept_.depthLo()),
-      before_(before) {}
+      before_(before), state_(stateAt(0)) {}
 
 // Where a whole layer begins, in steps: the first outside the surface, the second on it.
 float LayeredCut::edge(int layer) const {
@@ -58,13 +56,10 @@ Box3 LayeredCut::cutTo(double depthSteps, Radiator& radiator, PointGenerator& ge
                        BrickBackup* backup) {
     pointsMoved_ = 0;
     const State wanted = stateAt(depthSteps);
-    if (room_.isEmpty()) {
-        state_ = stateAt(0);
-    }
     if (wanted == state_) {
         return {};
     }
-    makeRoom(wanted, radiator, generator);
+    makeRoom(wanted.partial.hi, radiator, generator);
     put(state_.partial, true, radiator, generator);
     while (state_.layers > wanted.layers) {
         --state_.layers;
@@ -82,21 +77,15 @@ Box3 LayeredCut::cutTo(double depthSteps, Radiator& radiator, PointGenerator& ge
     return sculpture.combineWith(before_, radiator);
 }
 
-// The radiation keeps its deposits in a box of fixed size: if what is wanted does not fit, it begins again
-// with twice the depth, and what was there is deposited again.
-void LayeredCut::makeRoom(const State& wanted, Radiator& radiator, PointGenerator& generator) {
-    Box3 needed = room_;
-    if (wanted.partial.hi > 0) {
-        swept_.sweepPiece(edge(0), wanted.partial.hi);
-        needed = unite(needed, swept_.pointBox());
-    }
-    const glm::ivec3 reach = footprint_.reachVoxels() + 1; // what Radiator::begin() makes use of
-    needed = intersect(needed, {-reach, dims_ + reach});
-    if (contains(room_, needed)) {
+// The radiation keeps its deposits in a box of fixed size, which has room for a certain depth. For more it
+// begins again with twice the depth, and what was there is deposited again.
+void LayeredCut::makeRoom(float depth, Radiator& radiator, PointGenerator& generator) {
+    if (depth <= roomDepth_) {
         return;
     }
-    swept_.sweepPiece(edge(0), std::max(2 * wanted.partial.hi, kFirstRoom));
-    room_ = grow(unite(needed, swept_.pointBox()), 1);
+    roomDepth_ = std::max(2 * depth, kFirstRoom);
+    swept_.sweepPiece(edge(0), roomDepth_);
+    room_ = unite(room_, grow(swept_.pointBox(), 1));
     radiator.beginRunning(room_, dims_, footprint_);
     for (int layer = 0; layer < state_.layers; ++layer) {
         put({edge(layer), edge(layer + 1)}, false, radiator, generator);

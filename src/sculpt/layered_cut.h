@@ -46,7 +46,7 @@ private:
     [[nodiscard]] float edge(int layer) const;
     [[nodiscard]] State stateAt(double depthSteps) const;
     [[nodiscard]] bool isBeyondAll(const Piece& piece) const { return piece.lo >= emptyFrom_; }
-    void makeRoom(const State& wanted, Radiator& radiator, PointGenerator& generator);
+    void makeRoom(float depth, Radiator& radiator, PointGenerator& generator);
     void put(const Piece& piece, bool takesBack, Radiator& radiator, PointGenerator& generator);
 
     SweptPatches swept_;
@@ -54,7 +54,8 @@ private:
     Footprint footprint_;
     float outside_;
     const gl::Texture* before_;
-    Box3 room_; // of points, that the radiation has now; empty: not begun
+    Box3 room_;           // of points, that the radiation has now
+    float roomDepth_ = 0; // as deep as it reaches
     State state_;
     float emptyFrom_ = 1e30F; // no point lies deeper
     std::size_t pointsMoved_ = 0;

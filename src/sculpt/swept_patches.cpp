@@ -94,6 +94,15 @@ SweptPatches::Quad SweptPatches::quad(const std::array<std::uint32_t, 4>& corner
 
 // At any depth a patch lies within the hull of its four corners: it is beyond a plane when all four are.
 std::optional<SweptPatches::Interval> SweptPatches::clipped(const Quad& quad, Interval depths) const {
+    const bool isInside = std::all_of(quad.begin(), quad.end(), [&](const SweptCorner& corner) {
+        const glm::vec3 begin(corner.start + depths.lo * corner.direction);
+        const glm::vec3 end(corner.start + depths.hi * corner.direction);
+        return glm::all(glm::lessThanEqual(clipLo_, glm::min(begin, end))) &&
+               glm::all(glm::lessThanEqual(glm::max(begin, end), clipHi_));
+    });
+    if (isInside) {
+        return depths;
+    }
     for (int axis = 0; axis < 3; ++axis) {
         for (const float side : {1.0F, -1.0F}) {
             const float limit = side > 0 ? clipHi_[axis] : -clipLo_[axis];

@@ -271,12 +271,20 @@ private:
         return across;
     }
 
+    // Whether all four cells around an element are broken: then its quarters of them are one patch.
+    [[nodiscard]] bool isBrokenAround(glm::ivec2 e) {
+        return cell(e.x - 1, e.y - 1) == Cell::Broken && cell(e.x, e.y - 1) == Cell::Broken &&
+               cell(e.x - 1, e.y) == Cell::Broken && cell(e.x, e.y) == Cell::Broken;
+    }
+
     void addQuarters(glm::ivec2 c) {
         for (int n = 0; n < 4; ++n) {
             const glm::ivec2 side(n & 1, n >> 1);
             const glm::ivec2 e = c + side;
             const float mask = cornerMask(e.x, e.y);
-            if (!(mask > 0)) {
+            const bool allFour = isBrokenAround(e);
+            if (!(mask > 0) ||
+                (allFour && n != 3)) { // the four together are the first of the cells' business
                 continue;
             }
             auto u = tangent(e, {1, 0});
@@ -289,11 +297,12 @@ private:
             } else if (!u) { // alone: nothing tells how large it is
                 continue;
             }
-            const glm::vec3 halfU = (side.x == 0 ? 0.5F : -0.5F) * *u;
-            const glm::vec3 halfV = (side.y == 0 ? 0.5F : -0.5F) * *v;
+            const glm::vec3 alongU = (allFour ? 1.0F : side.x == 0 ? 0.5F : -0.5F) * *u;
+            const glm::vec3 alongV = (allFour ? 1.0F : side.y == 0 ? 0.5F : -0.5F) * *v;
+            const glm::vec3 first = place(e.x, e.y) - (allFour ? 0.5F * (*u + *v) : glm::vec3(0));
             std::array<std::uint32_t, 4> corners{};
             for (std::size_t k = 0; k < 4; ++k) {
-                const glm::vec3 start = place(e.x, e.y) + float(k & 1U) * halfU + float(k >> 1U) * halfV;
+                const glm::vec3 start = first + float(k & 1U) * alongU + float(k >> 1U) * alongV;
                 corners[k] = out_.addCorner(start, voxelFromSteps_ * direction, mask);
             }
             out_.addCell(corners);

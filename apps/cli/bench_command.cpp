@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // vstudio bench: how long reading, preparing, rendering and editing take on this device.
 #include "bench_scenarios.h"
+#include "bench_strokes.h"
 #include "commands.h"
 #include "parse.h"
 #include "progress.h"
@@ -92,8 +93,9 @@ std::vector<render::Mode> parseModes(const std::string& text) {
 std::vector<std::string> parseParts(const std::string& text) {
     auto parts = split(text, ',');
     for (const auto& part : parts) {
-        if (part != "data" && part != "modes" && part != "edits") {
-            throw UsageError("--parts: there is no part '{}'; choose among data, modes and edits", part);
+        if (part != "data" && part != "modes" && part != "edits" && part != "strokes") {
+            throw UsageError("--parts: there is no part '{}'; choose among data, modes, edits and strokes",
+                             part);
         }
     }
     return parts;
@@ -186,9 +188,8 @@ Json toJson(const volume::Volume& volume, const Range& range, const std::vector<
 
 // Measures what is asked for, prints a table and returns it as JSON.
 Json benchVolume(const BenchOptions& options, const BenchRequest& request, const std::string& path,
-                 const gl::Context& context) {
+                 volume::Volume volume, const gl::Context& context) {
     std::vector<Measurement> results;
-    auto volume = path.empty() ? makePhantom() : loadVolume(argumentFor(options, path)).volume;
     if (request.wants("data") && !path.empty()) {
         const auto read = [&] { volume::readVolume(path, readOptions(options.reading)); };
         benchReading(request.settings, read, results);
@@ -209,6 +210,9 @@ Json benchVolume(const BenchOptions& options, const BenchRequest& request, const
     if (request.wants("edits") && !benchEdits(request.settings, document, results)) {
         logNotice(fmt::format("{}: no surface is met, so nothing was edited", document.volume().name));
     }
+    if (request.wants("strokes") && !benchStrokes(request.settings, document, results)) {
+        logNotice(fmt::format("{}: no surface is met, so no stroke was made", document.volume().name));
+    }
     context.requireNoErrors();
     printTable(document.volume(), request, context.device().renderer, results);
     return toJson(document.volume(), view.range, results);
@@ -218,9 +222,16 @@ void runBench(const BenchOptions& options) {
     const BenchRequest request = understand(options);
     const auto context = gl::Context::createHeadless();
     Json volumes = Json::array();
-    const auto paths = options.volumes.empty() ? std::vector<std::string>{""} : options.volumes;
-    for (const auto& path : paths) {
-        volumes.push_back(benchVolume(options, request, path, context));
+    for (const auto& path : options.volumes) {
+        auto volume = loadVolume(argumentFor(options, path)).volume;
+        volumes.push_back(benchVolume(options, request, path, std::move(volume), context));
+    }
+    if (options.volumes.empty() && request.parts == std::vector<std::string>{"strokes"}) {
+        for (const int side : {128, 256, 512}) {
+            volumes.push_back(benchVolume(options, request, "", ballIn(side), context));
+        }
+    } else if (options.volumes.empty()) {
+        volumes.push_back(benchVolume(options, request, "", makePhantom(), context));
     }
     if (!options.json.empty()) {
         const auto& settings = request.settings;
@@ -259,7 +270,10 @@ void addBenchCommand(CLI::App& app) {
     command->add_option("--tf", options->function,
                         "Transfer function that colours every mode: a preset's name or a JSON file");
     command->add_option("--modes", options->modes, "Render modes, separated by commas; all if not given");
-    command->add_option("--parts", options->parts, "Which of data, modes and edits to time")
+    command
+        ->add_option("--parts", options->parts,
+                     "Which of data, modes, edits and strokes to time; strokes without a "
+                     "VOLUME are timed in balls of one size in volumes of 128, 256 and 512")
         ->capture_default_str();
     command->add_option("--orbit", options->orbit,
                         "Cameras AZIMUTH,AZIMUTH,...:ELEVATION in degrees; eight around at 15 if not given");

@@ -18,21 +18,6 @@ constexpr double kMaskRadius = 24;
 constexpr double kStampWay = 6;     // pixels between drill stamps
 constexpr double kLayersEach = 0.5; // of peel
 
-// The place nearest to the picture's middle, on a coarse grid, where a surface is met.
-std::optional<glm::dvec2> findSurface(studio::Document& document, glm::ivec2 size) {
-    constexpr int cells = 9;
-    std::vector<glm::dvec2> places;
-    for (int i = 0; i < cells * cells; ++i) {
-        places.push_back((glm::dvec2(i % cells, i / cells) + 0.5) / double(cells) * glm::dvec2(size));
-    }
-    const auto fromMiddle = [&](glm::dvec2 p) { return glm::distance(p, 0.5 * glm::dvec2(size)); };
-    std::stable_sort(places.begin(), places.end(),
-                     [&](glm::dvec2 a, glm::dvec2 b) { return fromMiddle(a) < fromMiddle(b); });
-    const auto found = std::find_if(places.begin(), places.end(),
-                                    [&](glm::dvec2 p) { return document.probe(p, size).has_value(); });
-    return found == places.end() ? std::nullopt : std::optional(*found);
-}
-
 studio::Sketch circle(glm::dvec2 centre, double radius) {
     return {studio::Shape::Circle, {centre, centre + glm::dvec2(radius, 0)}};
 }
@@ -107,6 +92,20 @@ void benchPeel(const BenchSettings& settings, studio::Document& document, glm::d
 }
 
 } // namespace
+
+std::optional<glm::dvec2> findSurface(studio::Document& document, glm::ivec2 size) {
+    constexpr int cells = 9;
+    std::vector<glm::dvec2> places;
+    for (int i = 0; i < cells * cells; ++i) {
+        places.push_back((glm::dvec2(i % cells, i / cells) + 0.5) / double(cells) * glm::dvec2(size));
+    }
+    const auto fromMiddle = [&](glm::dvec2 p) { return glm::distance(p, 0.5 * glm::dvec2(size)); };
+    std::stable_sort(places.begin(), places.end(),
+                     [&](glm::dvec2 a, glm::dvec2 b) { return fromMiddle(a) < fromMiddle(b); });
+    const auto found = std::find_if(places.begin(), places.end(),
+                                    [&](glm::dvec2 p) { return document.probe(p, size).has_value(); });
+    return found == places.end() ? std::nullopt : std::optional(*found);
+}
 
 render::Camera Orbit::camera(int frame) const {
     render::Camera camera;

@@ -6,6 +6,7 @@
 #include "studio/document.h"
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,9 @@ struct BenchSettings {
     int frames = 16;
     Orbit orbit;
 };
+
+// The place nearest to the picture's middle, on a coarse grid, where a surface is met; pixels.
+std::optional<glm::dvec2> findSurface(studio::Document& document, glm::ivec2 size);
 
 // Each appends what it measured, in the order in which a session would need it.
 

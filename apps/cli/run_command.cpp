@@ -75,7 +75,12 @@ public:
     void add(const studio::Outcome& outcome) {
         json_["operations"].push_back(entryOf(outcome, json_["operations"].size()));
     }
-    void complete() {
+    void complete(const studio::UndoStatistics& undo) {
+        json_["undo"] = {{"steps", undo.steps},
+                         {"bytesInMemory", undo.bytesInMemory},
+                         {"bytesInFile", undo.bytesInFile},
+                         {"changedVoxels", undo.changedVoxels},
+                         {"bytesPerChangedVoxel", undo.bytesPerChangedVoxel()}};
         json_["complete"] = true;
         write();
     }
@@ -154,7 +159,7 @@ void runSession(const RunOptions& options) {
         report.fail(error.what());
         throw;
     }
-    report.complete();
+    report.complete(document.undoStatistics());
     fmt::print("{}: {} operations on {}; results in {}\n", options.session, session.operations.size(),
                volumeName, folder.string());
 }

@@ -2,76 +2,63 @@
 #include "sculpt/brick_backup.h"
 
 #include "base/check.h"
-#include "base/error.h"
 #include "field/field.h"
 #include "gl/pass.h"
-
-#include <zstd.h>
+#include "sculpt/brick_codec.h"
 
 #include <algorithm>
-#include <cstring>
 
 namespace vs::sculpt {
 
 namespace {
 
-// Fast rather than small: undo must not be felt, and bricks of a sculpture are mostly runs of equal values.
-constexpr int kCompressionLevel = 1;
-
-std::vector<std::byte> compress(const std::vector<std::byte>& bytes) {
-    std::vector<std::byte> out(ZSTD_compressBound(bytes.size()));
-    const std::size_t size =
-        ZSTD_compress(out.data(), out.size(), bytes.data(), bytes.size(), kCompressionLevel);
-    if (ZSTD_isError(size) != 0U) {
-        throw Error("undo data could not be compressed: {}; free some memory", ZSTD_getErrorName(size));
-    }
-    out.resize(size);
-    out.shrink_to_fit();
-    return out;
-}
-
-std::vector<std::byte> decompress(const std::vector<std::byte>& compressed, std::size_t expected) {
-    std::vector<std::byte> out(expected);
-    const std::size_t size = ZSTD_decompress(out.data(), out.size(), compressed.data(), compressed.size());
-    VS_CHECK_EQ(size, expected);
-    return out;
-}
-
-std::size_t countDifferences(const std::vector<std::byte>& a, const std::vector<std::byte>& b,
-                             std::size_t texel) {
-    std::size_t count = 0;
-    for (std::size_t n = 0; n < a.size(); n += texel) {
-        count += std::memcmp(&a[n], &b[n], texel) != 0 ? 1 : 0;
-    }
-    return count;
-}
+constexpr std::size_t kBricksTogether = 16; // in one encoding
 
 } // namespace
 
 void BrickDelta::swap(gl::Texture& texture) {
     const gl::Pass pass("swap bricks");
-    for (Brick& brick : bricks_) {
-        auto current = texture.download(brick.box);
-        auto held = compress(current);
-        texture.upload(brick.box, decompress(brick.compressed, current.size()));
-        brick.compressed = std::move(held);
+    const std::size_t texelBytes = gl::bytesPerTexel(texture.format());
+    std::vector<std::byte> other;
+    std::vector<std::size_t> otherEnds;
+    for (std::size_t first = 0; first < bricks_.size(); first += kBricksTogether) {
+        const std::size_t group = first / kBricksTogether;
+        const std::size_t begin = group == 0 ? 0 : ends_[group - 1];
+        VS_CHECK(ends_[group] <= held_.size()); // else they were never given back
+        BrickDecoder decoder(texelBytes, std::span(held_).subspan(begin, ends_[group] - begin));
+        BrickEncoder encoder(texelBytes);
+        for (std::size_t n = first; n < std::min(first + kBricksTogether, bricks_.size()); ++n) {
+            const auto current = texture.download(bricks_[n]);
+            auto wanted = current;
+            decoder.next(bricks_[n].size(), wanted);
+            encoder.add(bricks_[n].size(), current, wanted);
+            texture.upload(bricks_[n], wanted);
+        }
+        const auto encoded = encoder.finish();
+        other.insert(other.end(), encoded.begin(), encoded.end());
+        otherEnds.push_back(other.size());
     }
+    other.shrink_to_fit();
+    held_ = std::move(other);
+    ends_ = std::move(otherEnds);
 }
 
 Box3 BrickDelta::box() const {
     Box3 all;
-    for (const Brick& brick : bricks_) {
-        all = unite(all, brick.box);
+    for (const Box3& brick : bricks_) {
+        all = unite(all, brick);
     }
     return all;
 }
 
 std::size_t BrickDelta::memoryBytes() const {
-    std::size_t bytes = sizeof(*this);
-    for (const Brick& brick : bricks_) {
-        bytes += sizeof(brick) + brick.compressed.capacity();
-    }
-    return bytes;
+    return sizeof(*this) + held_.capacity() + bricks_.capacity() * sizeof(Box3) +
+           ends_.capacity() * sizeof(std::size_t);
+}
+
+void BrickDelta::drop() {
+    held_.clear();
+    held_.shrink_to_fit();
 }
 
 void BrickBackup::protect(const Box3& voxels) {
@@ -112,15 +99,30 @@ Box3 BrickBackup::restore() {
 
 BrickDelta BrickBackup::finish() {
     const gl::Pass pass("finish bricks");
+    const std::size_t texelBytes = gl::bytesPerTexel(texture_->format());
     BrickDelta delta;
+    BrickEncoder encoder(texelBytes);
+    const auto endGroup = [&] {
+        const auto encoded = encoder.finish();
+        delta.held_.insert(delta.held_.end(), encoded.begin(), encoded.end());
+        delta.ends_.push_back(delta.held_.size());
+        encoder = BrickEncoder(texelBytes);
+    };
     for (const auto& [number, original] : originals_) {
         const auto current = texture_->download(original.box);
-        if (current != original.bytes) {
-            delta.changedVoxels_ +=
-                countDifferences(current, original.bytes, gl::bytesPerTexel(texture_->format()));
-            delta.bricks_.push_back({original.box, compress(original.bytes)});
+        if (current == original.bytes) {
+            continue;
+        }
+        delta.changedVoxels_ += encoder.add(original.box.size(), original.bytes, current);
+        delta.bricks_.push_back(original.box);
+        if (delta.bricks_.size() % kBricksTogether == 0) {
+            endGroup();
         }
     }
+    if (delta.bricks_.size() % kBricksTogether != 0) {
+        endGroup();
+    }
+    delta.held_.shrink_to_fit();
     originals_.clear();
     return delta;
 }

@@ -6,31 +6,38 @@
 
 #include <cstddef>
 #include <map>
+#include <span>
 #include <vector>
 
 namespace vs::sculpt {
 
 // One change of a texture as the contents that certain bricks have on the other side of it. swap() goes there
-// and, called again, back: undo and redo, byte for byte. Held compressed.
+// and, called again, back: undo and redo, byte for byte. Held as differences from what the texture has now
+// (BrickEncoder); those may be kept elsewhere while they are not needed.
 class BrickDelta {
 public:
     // Exchanges the texture's contents with the ones held here; `texture` must be the one the delta was made
-    // of. Throws Error when there is no memory to hold them.
+    // of, as it was then or as the last swap() left it. Throws Error when there is no memory to hold them.
     void swap(gl::Texture& texture);
 
     [[nodiscard]] bool isEmpty() const { return bricks_.empty(); }
-    // Smallest box of voxels that holds every brick in which something changed.
+    // The bricks in which something changed, as boxes of voxels, and the smallest box that holds them all.
+    [[nodiscard]] const std::vector<Box3>& bricks() const { return bricks_; }
     [[nodiscard]] Box3 box() const;
     [[nodiscard]] std::size_t changedVoxels() const { return changedVoxels_; }
     [[nodiscard]] std::size_t memoryBytes() const;
 
+    // The contents held, encoded: all that takes room. Whoever has copied them to a safe place may drop()
+    // them and must giveBack() the same bytes before the next swap().
+    [[nodiscard]] std::span<const std::byte> held() const { return held_; }
+    void drop();
+    void giveBack(std::vector<std::byte> held) { held_ = std::move(held); }
+
 private:
     friend class BrickBackup;
-    struct Brick {
-        Box3 box;
-        std::vector<std::byte> compressed;
-    };
-    std::vector<Brick> bricks_;
+    std::vector<Box3> bricks_;
+    std::vector<std::byte> held_;   // one encoding after the other, for kBricksTogether bricks each
+    std::vector<std::size_t> ends_; // of those encodings in held_
     std::size_t changedVoxels_ = 0;
 };
 

@@ -67,6 +67,7 @@ void Radiator::growScratch(glm::ivec3 texels) {
     deposited_ = gl::Texture(); // freed first, so that old and new need not fit together
     scratchA_ = gl::Texture();
     scratchB_ = gl::Texture();
+    scratchC_ = gl::Texture();
     deposited_ = gl::Texture(texels, gl::Format::R32UI, gl::Filter::Nearest, "radiation deposits");
     scratchA_ = gl::Texture(texels, gl::Format::R32F, gl::Filter::Nearest, "radiation a");
     scratchB_ = gl::Texture(texels, gl::Format::R32F, gl::Filter::Nearest, "radiation b");
@@ -74,9 +75,11 @@ void Radiator::growScratch(glm::ivec3 texels) {
 
 void Radiator::begin(const Box3& points, glm::ivec3 dims, const Footprint& footprint) {
     const gl::Pass pass("begin radiation");
-    if (open_) {
-        deposited_.clear(); // the last use never came to its finish()
+    if (open_ || running_) {
+        deposited_.clear(); // the last use never came to its finish(), or kept its deposits
     }
+    running_ = false;
+    round_ = 0;
     footprint_ = footprint;
     dims_ = dims;
     result_ = {};
@@ -100,12 +103,39 @@ void Radiator::begin(const Box3& points, glm::ivec3 dims, const Footprint& footp
     stages_.reserve(tiles * sizeof(std::uint32_t));
     for (gl::Buffer& list : lists_) {
         list.reserve(kListHeader + tiles * sizeof(std::uint32_t));
+    }
+    beginRound();
+}
+
+void Radiator::beginRunning(const Box3& points, glm::ivec3 dims, const Footprint& footprint) {
+    begin(points, dims, footprint);
+    running_ = open_;
+    if (running_ && scratchC_.size() != scratchA_.size()) {
+        scratchC_ = gl::Texture(scratchA_.size(), gl::Format::R32F, gl::Filter::Nearest, "radiation c");
+    }
+}
+
+void Radiator::beginRound() {
+    ++round_;
+    result_ = {};
+    for (gl::Buffer& list : lists_) {
         list.write(std::span<const std::uint32_t>(std::array<std::uint32_t, 4>{0, 0, 1, 0}));
     }
     bounds_.write(std::span<const int>(std::array<int, 6>{1 << 30, 1 << 30, 1 << 30, -1, -1, -1}));
 }
 
-void Radiator::deposit(const gl::Buffer& points, std::size_t count) {
+void Radiator::deposit(const gl::Buffer& points, std::size_t count) { add(points, count, false); }
+
+void Radiator::takeBack(const gl::Buffer& points, std::size_t count) {
+    VS_CHECK(running_ || !open_);
+    add(points, count, true);
+}
+
+void Radiator::add(const gl::Buffer& points, std::size_t count, bool takesBack) {
+    if (running_ && !open_) {
+        open_ = true;
+        beginRound();
+    }
     if (!open_ || count == 0) {
         return;
     }
@@ -118,7 +148,12 @@ void Radiator::deposit(const gl::Buffer& points, std::size_t count) {
     const glm::ivec3 degrees(axes[0].degree, axes[1].degree, axes[2].degree);
     const bool isCubic = glm::any(glm::equal(degrees, glm::ivec3(3)));
     gl::Program& program = deposits_[isCubic ? 1 : 0];
-    program.set(0, int(count)).set(1, origin_).set(2, tileDims_).set(3, degrees);
+    program.set(0, int(count))
+        .set(1, origin_)
+        .set(2, tileDims_)
+        .set(3, degrees)
+        .set(4, round_)
+        .set(5, running_ ? (takesBack ? -1 : 1) : 0);
     // Further deposits and the convolution read both images and marks.
     program.dispatchOver({int(count), 1, 1}, gl::Barrier::All);
 }
@@ -131,7 +166,7 @@ void Radiator::convolve(int axis, const gl::Texture& from, const gl::Texture& to
     deposited_.bindImage(0, gl::Access::ReadWrite);
     from.bindImage(1, gl::Access::Read);
     to.bindImage(2, gl::Access::Write);
-    program.set(0, tileDims_);
+    program.set(0, tileDims_).set(6, running_ ? 1 : 0);
     for (int k = 0; k <= shape.reach; ++k) {
         program.set(1 + k, shape.taps[std::size_t(k)]);
     }
@@ -140,6 +175,7 @@ void Radiator::convolve(int axis, const gl::Texture& from, const gl::Texture& to
 
 Box3 Radiator::finish() {
     if (!open_) {
+        result_ = {};
         return {};
     }
     open_ = false;
@@ -150,10 +186,11 @@ Box3 Radiator::finish() {
         lists_[axis].bindStorage(2 + axis);
     }
     bounds_.bindStorage(5);
-    list_.set(0, tileDims_).set(1, tileOf(-origin_)).set(2, tileOf(dims_ - 1 - origin_) + 1);
+    list_.set(0, tileDims_).set(1, tileOf(-origin_)).set(2, tileOf(dims_ - 1 - origin_) + 1).set(3, round_);
     list_.dispatchOver(tileDims_, gl::Barrier::All); // lists are read as arguments, by shaders and below
-    convolve(0, scratchB_, scratchA_);
-    convolve(1, scratchA_, scratchB_);
+    const gl::Texture& alongX = running_ ? scratchC_ : scratchA_;
+    convolve(0, scratchB_, alongX);
+    convolve(1, alongX, scratchB_);
     convolve(2, scratchB_, scratchA_);
     const auto bounds = bounds_.read<glm::ivec3>(2);
     if (bounds[1].x >= 0) {

@@ -22,8 +22,13 @@ inline constexpr int kTile = 8;
 // the result does not depend on the order of execution. Use: begin(), deposit() any number of times,
 // finish(), then read energy() until the next begin().
 //
+// A running radiation (beginRunning) keeps its deposits and what was convolved before: after each finish()
+// points may be deposited further, or taken back to the last bit, and the next finish() convolves only the
+// tiles that this reaches.
+//
 // Bounds: energies from 0 to kMaxPointEnergy a point (others are clamped), and a voxel's own deposit
-// saturates at kMaxVoxelEnergy; calibrated solids (density 1) stay near 1.
+// saturates at kMaxVoxelEnergy; calibrated solids (density 1) stay near 1. In a running radiation it must
+// stay below four times that.
 class Radiator {
 public:
     static constexpr float kMaxPointEnergy = 16;
@@ -40,6 +45,13 @@ public:
     // Convolves. Returns the box of voxels that may have energy: touched tiles, clipped to the grid.
     Box3 finish();
 
+    // As begin(), for rounds of deposit(), takeBack() and finish() until the next begin of either kind.
+    // Results and their lists are those of the last round's tiles; resultBox() is where energies may have
+    // changed.
+    void beginRunning(const Box3& points, glm::ivec3 dims, const Footprint& footprint);
+    // Undoes a deposit() of the very same points.
+    void takeBack(const gl::Buffer& points, std::size_t count);
+
     // The result (R32F, valid only in the tiles listed): texel t holds voxel originVoxel() + t.
     [[nodiscard]] const gl::Texture& energy() const { return scratchA_; }
     [[nodiscard]] glm::ivec3 originVoxel() const { return origin_; }
@@ -47,6 +59,8 @@ public:
     // tileOffset()) of one 8 x 8 work group a tile; shaders include "sculpt/shaders/tiles.glsl".
     void bindResultTiles(unsigned int binding) const { lists_[2].bindStorage(binding); }
     [[nodiscard]] const gl::Buffer& tileArguments() const { return lists_[2]; }
+    // Binds one uint a tile, of which bit 4 is set for those listed.
+    void bindStages(unsigned int binding) const { stages_.bindStorage(binding); }
     [[nodiscard]] glm::ivec3 tileDims() const { return tileDims_; }
     [[nodiscard]] Box3 resultBox() const { return result_; }
     // Energies of a box of voxels, x fastest, zero where nothing was touched.
@@ -55,17 +69,21 @@ public:
 private:
     gl::Program& convolution(int axis, int reach);
     void growScratch(glm::ivec3 texels);
+    void beginRound();
+    void add(const gl::Buffer& points, std::size_t count, bool takesBack);
     void convolve(int axis, const gl::Texture& from, const gl::Texture& to);
 
     std::array<gl::Program, 2> deposits_; // into 3^3 and 4^3 voxels
     gl::Program list_;
     std::array<std::array<gl::Program, AxisFootprint::kMaxReach + 1>, 3>
         convolutions_;      // by axis and reach, when needed
-    gl::Texture deposited_; // R32UI, zero between finish() and begin()
+    gl::Texture deposited_; // R32UI, zero between finish() and begin() unless running
     gl::Texture scratchA_;
     gl::Texture scratchB_;
-    gl::Buffer marks_;  // one uint a tile: has deposits
-    gl::Buffer stages_; // one uint a tile: bit 0 deposits, bits 1 to 3 valid after the pass along x, y, z
+    gl::Texture scratchC_; // along x, while running: made when first needed
+    gl::Buffer marks_;     // one uint a tile: the last round that deposited there
+    // One uint a tile: bit 0 deposits, bits 1 to 3 valid after the pass along x, y, z, bit 4 a result.
+    gl::Buffer stages_;
     std::array<gl::Buffer, 3> lists_; // indirect arguments, then the tiles of the pass along x, y, z
     gl::Buffer bounds_;               // lowest and highest result tile
     Footprint footprint_;
@@ -74,6 +92,8 @@ private:
     glm::ivec3 tileDims_{0};
     Box3 result_;
     bool open_ = false;
+    bool running_ = false;
+    int round_ = 0;
 };
 
 } // namespace vs::sculpt

@@ -29,11 +29,17 @@ public:
     // (SPEC 4). Where a restore has E >= 0.5 the result stays below 0.5, so nothing of the same stroke's cut
     // remains visible. Returns the box of voxels that may have changed (tile-tight).
     Box3 combine(const Radiator& radiation, Combine how);
+    // As a cut, but united with what the sculpture was in `before` (null: untouched) instead of what it is:
+    // in the tiles of the radiation it becomes that union. Puts back what an earlier such call cut too far.
+    Box3 combineWith(const gl::Texture* before, const Radiator& radiation);
     // Voxels whose value the last combine() changed; waits for the device.
     [[nodiscard]] std::uint64_t changedVoxels() const;
 
-    // Everything untouched again (Un-Cut). Undoable when the whole box was protected before.
+    // Everything untouched again (Un-Cut). Costs what was touched, and so does its undo: touchedBricks() are
+    // what must be protected before.
     void clear();
+    // The bricks (32^3) written to since the sculpture was made or cleared; elsewhere it is 0.
+    [[nodiscard]] std::vector<Box3> touchedBricks() const;
     // Texels as they are stored (half floats, x fastest). upload() refreshes the macrocells.
     [[nodiscard]] std::vector<std::byte> download(const Box3& box) const { return texels_.download(box); }
     void upload(const Box3& box, std::span<const std::byte> texels);
@@ -49,23 +55,34 @@ public:
     [[nodiscard]] glm::ivec3 dims() const { return texels_.size(); }
     // Counts every change.
     [[nodiscard]] std::uint64_t version() const { return version_; }
-    // Voxels that may differ from what they were at an earlier version(); all of them if that is long ago.
+    // Voxels that may differ from what they were at an earlier version(). The longer ago, the more there may
+    // be that do not; at version 0 everything was 0.
     [[nodiscard]] Box3 changedSince(std::uint64_t version) const;
     // True when nothing is cut anywhere: a matter of content, so that undoing the first cut is as if it had
     // never been. May wait for the device.
     [[nodiscard]] bool isEmpty() const;
 
 private:
+    enum class Base { Itself, Texture, Nothing };
+    Box3 combine(const Radiator& radiation, Combine how, Base base, const gl::Texture* before);
+    void summarizeTiles(const Radiator& radiation, const Box3& box);
+    void noteWritten(const Box3& box);
     void noteChange(const Box3& box);
+    void markTouched(const Box3& box);
 
     gl::Texture texels_;
     gl::Texture cells_;
     gl::Program combine_;
+    gl::Program summarize_; // cells of the radiation's tiles
     field::CellRangeUpdater updater_;
     gl::Buffer changed_;
     std::uint64_t version_ = 0;
-    std::deque<Box3> changes_;                   // the last ones, oldest first
-    Box3 everTouched_;                           // since it was made or cleared
+    struct Change {
+        std::uint64_t version = 0; // the one it led to
+        Box3 box;
+    };
+    std::deque<Change> changes_;                 // oldest first; the first holds all that came before it
+    std::vector<bool> touched_;                  // by brick, since it was made or cleared
     mutable std::optional<bool> isEmpty_ = true; // nothing: not known
 };
 

@@ -60,11 +60,32 @@ void SweptPatches::reserve(std::size_t corners, std::size_t patches) {
 }
 
 void SweptPatches::addCell(const std::array<std::uint32_t, 4>& corners) {
-    addPart({corners, {depthLo_, depthHi_}, 0, glm::vec2(0.5F), true, 0});
+    add({corners, {depthLo_, depthHi_}, 0, glm::vec2(0.5F), true, 0});
 }
 
 void SweptPatches::addBlock(const std::array<std::uint32_t, 4>& corners, float mask, glm::vec2 centroid) {
-    addPart({corners, {depthLo_, depthHi_}, mask, centroid, false, 0});
+    add({corners, {depthLo_, depthHi_}, mask, centroid, false, 0});
+}
+
+void SweptPatches::add(const Part& part) {
+    if (inPieces_) {
+        noted_.push_back(part);
+        ownCorners_ = corners_.size();
+    } else {
+        addPart(part);
+    }
+}
+
+void SweptPatches::sweepPiece(float depthLo, float depthHi) {
+    corners_.resize(ownCorners_);
+    patches_.clear();
+    pointCount_ = 0;
+    lo_ = glm::vec3(1e30F);
+    hi_ = glm::vec3(-1e30F);
+    for (Part part : noted_) {
+        part.depths = {depthLo, depthHi};
+        addPart(part);
+    }
 }
 
 SweptPatches::Quad SweptPatches::quad(const std::array<std::uint32_t, 4>& corners) const {
@@ -73,6 +94,15 @@ SweptPatches::Quad SweptPatches::quad(const std::array<std::uint32_t, 4>& corner
 
 // At any depth a patch lies within the hull of its four corners: it is beyond a plane when all four are.
 std::optional<SweptPatches::Interval> SweptPatches::clipped(const Quad& quad, Interval depths) const {
+    const bool isInside = std::all_of(quad.begin(), quad.end(), [&](const SweptCorner& corner) {
+        const glm::vec3 begin(corner.start + depths.lo * corner.direction);
+        const glm::vec3 end(corner.start + depths.hi * corner.direction);
+        return glm::all(glm::lessThanEqual(clipLo_, glm::min(begin, end))) &&
+               glm::all(glm::lessThanEqual(glm::max(begin, end), clipHi_));
+    });
+    if (isInside) {
+        return depths;
+    }
     for (int axis = 0; axis < 3; ++axis) {
         for (const float side : {1.0F, -1.0F}) {
             const float limit = side > 0 ? clipHi_[axis] : -clipLo_[axis];

@@ -76,6 +76,13 @@ public:
     void addBlock(const std::array<std::uint32_t, 4>& corners, float mask, glm::vec2 centroid);
     void reserve(std::size_t corners, std::size_t patches);
 
+    // From now on what is added is only noted, and sweepPiece() makes the patches.
+    void sweepInPieces() { inPieces_ = true; }
+    // The patches become those of everything added, between these depths of the whole sweep. A piece's
+    // samples do not depend on other pieces: whoever adds up adjoining ones has the whole, and can take one
+    // away again.
+    void sweepPiece(float depthLo, float depthHi);
+
     [[nodiscard]] const std::vector<SweptCorner>& corners() const { return corners_; }
     [[nodiscard]] const std::vector<SweptPatch>& patches() const { return patches_; }
     [[nodiscard]] float depthLo() const { return depthLo_; }
@@ -106,6 +113,7 @@ private:
     [[nodiscard]] std::optional<Interval> usefulDepths(const Quad& quad, Interval depths) const;
     [[nodiscard]] std::optional<Interval> clipped(const Quad& quad, Interval depths) const;
     [[nodiscard]] Interval beforeCrossing(const Quad& quad, Interval depths) const;
+    void add(const Part& part);
     void addPart(Part part);
     void splitAlongDepth(const Part& part);
     void splitAcross(const Part& part, int axis);
@@ -121,6 +129,9 @@ private:
     float depthHi_;
     int orientation_;
     std::size_t pointCount_ = 0;
+    bool inPieces_ = false;
+    std::vector<Part> noted_;    // what was added, while sweeping in pieces
+    std::size_t ownCorners_ = 0; // of those: later ones come from splitting
 };
 
 } // namespace vs::sculpt

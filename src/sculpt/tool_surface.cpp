@@ -31,6 +31,9 @@ public:
           out_(hasOwnDepths() ? 0.0F : float(-outside_), hasOwnDepths() ? 1.0F : float(sweep.depthSteps), 0) {
         // A point farther outside the grid reaches no voxel of it (Footprint::reachVoxels() <= radius + 2).
         const glm::vec3 reach(float(sweep.radius + 3));
+        if (sweep.inPieces) {
+            out_.sweepInPieces();
+        }
         out_.clipTo(-reach, glm::vec3(geometry.dims - 1) + reach);
         const glm::dvec3 sigma = sweep.radius / 3.0 * geometry.stepMm() / geometry.spacing();
         out_.setDensity({SweptPatches::densityFor(sigma.x), SweptPatches::densityFor(sigma.y),
@@ -411,12 +414,26 @@ private:
         return across;
     }
 
+    // Whether all four cells around an element are broken: then its quarters of them are one patch.
+    [[nodiscard]] bool isBrokenAround(glm::ivec2 e) {
+        return cell(e.x - 1, e.y - 1) == Cell::Broken && cell(e.x, e.y - 1) == Cell::Broken &&
+               cell(e.x - 1, e.y) == Cell::Broken && cell(e.x, e.y) == Cell::Broken;
+    }
+
+    // Whether the skirt covers one of the four cells around an element.
+    [[nodiscard]] bool isCovered(glm::ivec2 e, int corner) const {
+        return !isCovered_.empty() && isCovered_[at(e.x, e.y) * 4 + std::size_t(corner)];
+    }
+
     void addQuarters(glm::ivec2 c) {
         for (int n = 0; n < 4; ++n) {
             const glm::ivec2 side(n & 1, n >> 1);
             const glm::ivec2 e = c + side;
             const float mask = cornerMask(e.x, e.y);
-            if (!(mask > 0) || (!isCovered_.empty() && isCovered_[at(e.x, e.y) * 4 + std::size_t(3 - n)])) {
+            const bool allFour = isBrokenAround(e) && !isCovered(e, 0) && !isCovered(e, 1) &&
+                                 !isCovered(e, 2) && !isCovered(e, 3);
+            if (!(mask > 0) || isCovered(e, 3 - n) ||
+                (allFour && n != 3)) { // the four together are the first of the cells' business
                 continue;
             }
             auto u = tangent(e, {1, 0});
@@ -429,11 +446,12 @@ private:
             } else if (!u) { // alone: nothing tells how large it is
                 continue;
             }
-            const glm::vec3 halfU = (side.x == 0 ? 0.5F : -0.5F) * *u;
-            const glm::vec3 halfV = (side.y == 0 ? 0.5F : -0.5F) * *v;
+            const glm::vec3 alongU = (allFour ? 1.0F : side.x == 0 ? 0.5F : -0.5F) * *u;
+            const glm::vec3 alongV = (allFour ? 1.0F : side.y == 0 ? 0.5F : -0.5F) * *v;
+            const glm::vec3 first = place(e.x, e.y) - (allFour ? 0.5F * (*u + *v) : glm::vec3(0));
             std::array<std::uint32_t, 4> corners{};
             for (std::size_t k = 0; k < 4; ++k) {
-                const glm::vec3 start = place(e.x, e.y) + float(k & 1U) * halfU + float(k >> 1U) * halfV;
+                const glm::vec3 start = first + float(k & 1U) * alongU + float(k >> 1U) * alongV;
                 corners[k] = addCorner(start, at(e.x, e.y), mask_.values[at(e.x, e.y)]);
             }
             out_.addCell(corners);

@@ -35,6 +35,8 @@ struct ToolSweep {
     // For restoring: the sweep goes the other way, from the radius inside the surface to so many steps
     // outside it, one number per element (0: nothing there). See RestoreReach.
     std::span<const float> outwardSteps = {};
+    // Nothing is swept yet, only noted for SweptPatches::sweepPiece().
+    bool inPieces = false;
 };
 
 // Which way the tool moves from each point: unit directions (world), normals smoothed over the mask's scale.

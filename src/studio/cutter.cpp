@@ -13,7 +13,11 @@ const gl::Texture& Cutter::snapshot() {
     if (!snapshot_) {
         snapshot_ = gl::Texture(texels.size(), texels.format(), gl::Filter::Linear, "sculpture at pen-down");
     }
-    snapshot_.copyFrom(texels, geometry->box(), glm::ivec3(0));
+    const Box3 changed = sculpture->changedSince(snapshotVersion_);
+    if (!changed.isEmpty()) {
+        snapshot_.copyFrom(texels, changed, changed.lo);
+    }
+    snapshotVersion_ = sculpture->version();
     return snapshot_;
 }
 

@@ -32,6 +32,7 @@ public:
 
 private:
     gl::Texture snapshot_;
+    std::uint64_t snapshotVersion_ = 0;
     render::Macrocells macrocells_;
 };
 

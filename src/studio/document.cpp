@@ -118,6 +118,8 @@ const std::vector<Operation>& Document::log() const { return impl_->log; }
 bool Document::canUndo() const { return impl_->history.canUndo(); }
 bool Document::canRedo() const { return impl_->history.canRedo(); }
 std::uint64_t Document::version() const { return impl_->version; }
+void Document::setUndoMemory(std::size_t bytes) { impl_->history.setMemoryLimit(bytes); }
+UndoStatistics Document::undoStatistics() const { return impl_->history.statistics(); }
 
 Outcome Document::apply(const Operation& operation, const std::filesystem::path& outputFolder) {
     VS_CHECK(!isStrokeOpen() && !isGrowing());
@@ -206,13 +208,13 @@ void Document::discardStroke() {
 Outcome Document::rewindFurther(int generations) {
     const bool continues = !impl_->log.empty() && std::holds_alternative<Rewind>(impl_->log.back()) &&
                            impl_->view == impl_->loggedView && !canRedo() && canUndo() &&
-                           std::holds_alternative<Rewind>(impl_->history.toUndo().operation);
+                           std::holds_alternative<Rewind>(impl_->history.lastOperation());
     Outcome outcome = apply(Rewind{generations});
     if (continues) {
         impl_->history.mergeLastTwo();
         impl_->log.pop_back();
         std::get<Rewind>(impl_->log.back()).generations += generations;
-        impl_->history.toUndo().operation = impl_->log.back();
+        impl_->history.lastOperation() = impl_->log.back();
     }
     return outcome;
 }

@@ -5,6 +5,7 @@
 #include "field/field.h"
 #include "render/picker.h"
 #include "render/ray_caster.h"
+#include "studio/history.h"
 #include "studio/operation.h"
 #include "volume/volume.h"
 
@@ -52,6 +53,10 @@ public:
 
     [[nodiscard]] bool canUndo() const;
     [[nodiscard]] bool canRedo() const;
+    // Undo has no end, but what it keeps of cuts takes no more than so many bytes of memory; the rest is in a
+    // temporary file.
+    void setUndoMemory(std::size_t bytes);
+    [[nodiscard]] UndoStatistics undoStatistics() const;
 
     // A frame of the current view, ready for a RayCaster or Picker. Brings macrocells up to date first. Valid
     // until the document is changed or another frame is made.

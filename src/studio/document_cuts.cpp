@@ -82,13 +82,15 @@ Outcome Document::Impl::run(KeepConnected& op, const std::filesystem::path&) { r
 
 Outcome Document::Impl::run(UnCut& op, const std::filesystem::path&) {
     sculpt::BrickBackup backup(sculpture.texels());
-    backup.protect(volume.geometry.box());
+    for (const Box3& brick : sculpture.touchedBricks()) {
+        backup.protect(brick);
+    }
     sculpture.clear();
     sculpt::BrickDelta delta = backup.finish();
     const std::size_t changed = delta.changedVoxels();
     // Parts that were pasted are gone with what they were cut from.
-    arrangeParts(op, pasted.sculptures.empty() ? PastedState{view.pasted, {}} : PastedState{});
-    history.toUndo().cut = std::move(delta);
+    arrangeParts(op, pasted.sculptures.empty() ? PastedState{view.pasted, {}} : PastedState{},
+                 std::move(delta));
     return {{}, 0, changed, "all cuts cleared"};
 }
 
@@ -100,12 +102,11 @@ void Document::Impl::showParts(const PastedState& state) {
     loggedView.pasted = state.places;
 }
 
-void Document::Impl::arrangeParts(const Operation& operation, PastedState state) {
-    const PastedState before{view.pasted, pasted.sculptures};
-    remember(operation, {}, {});
-    history.toUndo().partsBefore = before;
-    history.toUndo().partsAfter = state;
+void Document::Impl::arrangeParts(const Operation& operation, const PastedState& state,
+                                  std::optional<sculpt::BrickDelta> cut) {
+    history.push({operation, std::move(cut), {}, PastedState{view.pasted, pasted.sculptures}, state});
     showParts(state);
+    ++version;
 }
 
 Outcome Document::Impl::run(Paste& op, const std::filesystem::path&) {
@@ -121,7 +122,7 @@ Outcome Document::Impl::run(Paste& op, const std::filesystem::path&) {
     }
     state.sculptures.push_back(PastedParts::remember(sculpture));
     state.places.push_back(op.place);
-    arrangeParts(op, std::move(state));
+    arrangeParts(op, state);
     return {{}, 0, 0, fmt::format("part {} pasted", pasted.sculptures.size())};
 }
 
@@ -131,7 +132,7 @@ Outcome Document::Impl::run(MovePart& op, const std::filesystem::path&) {
     }
     PastedState state{view.pasted, pasted.sculptures};
     state.places[std::size_t(op.part)] = op.place;
-    arrangeParts(op, std::move(state));
+    arrangeParts(op, state);
     return {{}, 0, 0, fmt::format("part {} moved", op.part + 1)};
 }
 

@@ -57,7 +57,8 @@ struct Document::Impl {
     template <typename Cut>
     Outcome cutAtOnce(Cut& op);
     // Sets which parts are pasted where, in the view too, as one undoable step.
-    void arrangeParts(const Operation& operation, PastedState state);
+    void arrangeParts(const Operation& operation, const PastedState& state,
+                      std::optional<sculpt::BrickDelta> cut = {});
     void showParts(const PastedState& state);
     segment::SeedCounts plant(const Seed& op, Region::Records& records);
     [[nodiscard]] std::size_t grownVoxels() const;

@@ -5,6 +5,7 @@
 #include "segment/growth_undo.h"
 #include "studio/operation.h"
 #include "studio/pasted_parts.h"
+#include "studio/spill_file.h"
 
 #include <optional>
 #include <vector>
@@ -20,41 +21,67 @@ struct Step {
     // Pasted parts before and after, where the operation changed them.
     std::optional<PastedState> partsBefore = {};
     std::optional<PastedState> partsAfter = {};
+    // Where the cut's contents are while they are not in memory; History's own business.
+    std::optional<SpillFile::Block> spilled = {};
 };
 
-// Undo and redo without limit. A new step forgets what could be redone.
+// What undo and redo of cuts hold: their contents, without the lists of bricks (some 30 bytes a brick).
+struct UndoStatistics {
+    std::size_t steps = 0;         // that can be undone or redone
+    std::size_t bytesInMemory = 0; // of the cuts among them
+    std::uint64_t bytesInFile = 0;
+    std::uint64_t fileBytes = 0; // length of the temporary file, with gaps
+    std::size_t changedVoxels = 0;
+
+    [[nodiscard]] double bytesPerChangedVoxel() const {
+        return changedVoxels == 0 ? 0 : double(bytesInMemory + bytesInFile) / double(changedVoxels);
+    }
+};
+
+// Undo and redo without limit. A new step forgets what could be redone. When the cuts' contents come to more
+// than memoryLimit() bytes, those farthest from being needed go to a temporary file. If that cannot be
+// written, everything stays in memory and a notice says so once.
 class History {
 public:
-    void push(Step step) {
-        done_.push_back(std::move(step));
-        undone_.clear();
-    }
+    static constexpr std::size_t kUsualMemoryLimit = std::size_t(512) << 20;
+
+    History() = default;
+    // The temporary file lies in `folder`.
+    explicit History(const std::filesystem::path& folder) : file_(folder) {}
+
+    [[nodiscard]] std::size_t memoryLimit() const { return memoryLimit_; }
+    void setMemoryLimit(std::size_t bytes);
+
+    void push(Step step);
     // The last two steps (both changes of the region alone) become one.
-    void mergeLastTwo() {
-        Step last = std::move(done_.back());
-        done_.pop_back();
-        for (auto& record : last.growth) {
-            done_.back().growth.push_back(std::move(record));
-        }
-    }
+    void mergeLastTwo();
     [[nodiscard]] bool canUndo() const { return !done_.empty(); }
     [[nodiscard]] bool canRedo() const { return !undone_.empty(); }
+    [[nodiscard]] UndoStatistics statistics() const;
 
-    // The step to take back; once that is done, tookBack() makes it the one to redo.
-    Step& toUndo() { return done_.back(); }
+    // The operation of the step that undo would take back; there must be one.
+    [[nodiscard]] Operation& lastOperation() { return done_.back().operation; }
+
+    // The step to take back, in memory; once that is done, tookBack() makes it the one to redo. Throws
+    // ReadError when it cannot be read back from the file.
+    Step& toUndo() { return inMemory(done_.back()); }
     void tookBack() { move(done_, undone_); }
-    // The step to apply again; once that is done, appliedAgain() makes it the one to undo.
-    Step& toRedo() { return undone_.back(); }
+    // The step to apply again, likewise; once that is done, appliedAgain() makes it the one to undo.
+    Step& toRedo() { return inMemory(undone_.back()); }
     void appliedAgain() { move(undone_, done_); }
 
 private:
-    static void move(std::vector<Step>& from, std::vector<Step>& to) {
-        to.push_back(std::move(from.back()));
-        from.pop_back();
-    }
+    void move(std::vector<Step>& from, std::vector<Step>& to);
+    Step& inMemory(Step& step);
+    void forget(std::vector<Step>& steps);
+    void keepToLimit();
+    void spill(Step& step);
 
     std::vector<Step> done_;
-    std::vector<Step> undone_;
+    std::vector<Step> undone_; // the next to redo last
+    SpillFile file_;
+    std::size_t memoryLimit_ = kUsualMemoryLimit;
+    bool hasComplained_ = false;
 };
 
 } // namespace vs::studio

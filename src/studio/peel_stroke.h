@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "sculpt/layered_cut.h"
 #include "studio/cut_stroke.h"
+
+#include <optional>
 
 namespace vs::studio {
 
@@ -16,10 +19,13 @@ public:
     void replay() override { peelTo(std::get<Peel>(operation_).layers); }
 
 private:
+    void restoreTo(const Peel& op);
+
     render::Frame frame_;
     ToolMask mask_;
     std::vector<field::SurfacePoint> surface_;
-    std::vector<glm::vec3> directions_; // of a restore
+    std::optional<sculpt::LayeredCut> layers_; // of a cut
+    std::vector<glm::vec3> directions_;        // of a restore
 };
 
 } // namespace vs::studio

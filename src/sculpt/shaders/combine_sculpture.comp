@@ -1,5 +1,6 @@
 // Combines radiation with the sculpture in the radiation's tiles: one work group a tile, one invocation a line along x.
-// In: storage 0 tile list, image 0 energy (texel t is voxel originVoxel + t). In/out: image 1 sculpture. Out: storage 1
+// In: storage 0 tile list, image 0 energy (texel t is voxel originVoxel + t). image 2 an earlier
+// sculpture. In/out: image 1 sculpture. Out: storage 1
 // number of voxels changed.
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -7,11 +8,13 @@ layout(std430, binding = 0) readonly buffer TileList { uint tileList[]; };
 layout(std430, binding = 1) buffer Changed { uint changed; };
 layout(r32f, binding = 0) uniform readonly image3D energy;
 layout(r16f, binding = 1) uniform image3D sculpture;
+layout(r16f, binding = 2) uniform readonly image3D earlier;
 
 layout(location = 0) uniform ivec3 tileDims;
 layout(location = 1) uniform ivec3 originVoxel;
 layout(location = 2) uniform ivec3 dims;
 layout(location = 3) uniform int isRestore;
+layout(location = 4) uniform int base; // united with: 0 the sculpture as it is, 1 the earlier one, 2 nothing
 
 #include "sculpt/shaders/tiles.glsl"
 
@@ -31,12 +34,13 @@ void main() {
         ivec3 voxel = texel + originVoxel;
         if (all(greaterThanEqual(voxel, ivec3(0))) && all(lessThan(voxel, dims))) {
             float e = clamp(imageLoad(energy, texel).r, 0.0, 1.0);
-            float before = imageLoad(sculpture, voxel).r;
+            float stored = imageLoad(sculpture, voxel).r;
+            float before = base == 0 ? stored : (base == 1 ? imageLoad(earlier, voxel).r : 0.0);
             float remains = e >= 0.5 ? min(1.0 - e, justVisible) : 1.0 - e;
             float wanted = isRestore != 0 ? min(before, remains) : max(before, e);
             // Rounded here, so that what is counted as changed is what is stored.
             float after = e > negligible ? unpackHalf2x16(packHalf2x16(vec2(wanted, 0.0))).x : before;
-            if (after != before) {
+            if (after != stored) {
                 imageStore(sculpture, voxel, vec4(after));
                 ++count;
             }

@@ -1,6 +1,7 @@
 // Convolves tiles along AXIS with symmetric taps of REACH voxels on either side. One work group a tile, one invocation a
 // line of 8 voxels, which it loads once with what the taps reach of the two neighbouring tiles.
-// AXIS 0 turns fixed-point deposits into energy; AXIS 2, the last, also sets the deposits back to zero for the next use.
+// AXIS 0 turns fixed-point deposits into energy; AXIS 2, the last, also sets the deposits back to zero for the next use, unless they
+// are to be kept.
 // variants: AXIS=0 REACH=2 FIXED_ONE=4194304.0 FIXED_LIMIT=1073741824u;AXIS=1 REACH=0 FIXED_ONE=4194304.0 FIXED_LIMIT=1073741824u;AXIS=2 REACH=4 FIXED_ONE=4194304.0 FIXED_LIMIT=1073741824u
 // In: storage 0 tile list, storage 1 stages (list_tiles.comp), image 0 deposits, image 1 source (AXIS 1 and 2).
 // Out: image 2 result. Texels of tiles that the pass before has not computed are stale and count as zero.
@@ -14,6 +15,7 @@ layout(r32f, binding = 2) uniform writeonly image3D result;
 
 layout(location = 0) uniform ivec3 tileDims;
 layout(location = 1) uniform float taps[5];
+layout(location = 6) uniform int keepsDeposits;
 
 #include "sculpt/shaders/tiles.glsl"
 
@@ -66,7 +68,7 @@ void main() {
         imageStore(result, start + n * along, vec4(sum));
     }
 #if AXIS == 2
-    if ((stages[(tile.z * tileDims.y + tile.y) * tileDims.x + tile.x] & 1u) != 0u) {
+    if (keepsDeposits == 0 && (stages[(tile.z * tileDims.y + tile.y) * tileDims.x + tile.x] & 1u) != 0u) {
         for (int n = 0; n < 8; ++n) {
             imageStore(deposits, start + n * along, uvec4(0u));
         }

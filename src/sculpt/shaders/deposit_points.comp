@@ -1,7 +1,7 @@
 // Deposits points into the WIDTH^3 voxels around each with B-spline weights, as fixed-point integers, so that the sum does
 // not depend on the order. Marks the tiles it writes to. WIDTH 3: quadratic or, per axis, linear; 4: cubic or lower.
 // variants: WIDTH=3 FIXED_ONE=4194304.0 FIXED_LIMIT=1073741824u MAX_POINT_ENERGY=16.0;WIDTH=4 FIXED_ONE=4194304.0 FIXED_LIMIT=1073741824u MAX_POINT_ENERGY=16.0
-// In: storage 0 points (xyz voxel space, w energy). In/out: image 0 deposits, storage 1 one mark a tile.
+// In: storage 0 points (xyz voxel space, w energy). In/out: image 0 deposits, storage 1 one mark a tile: the round.
 layout(local_size_x = 64) in;
 
 layout(std430, binding = 0) readonly buffer Points { vec4 points[]; };
@@ -12,6 +12,8 @@ layout(location = 0) uniform int count;
 layout(location = 1) uniform ivec3 originVoxel; // of texel 0
 layout(location = 2) uniform ivec3 tileDims;
 layout(location = 3) uniform ivec3 degrees;
+layout(location = 4) uniform int round; // what is marked
+layout(location = 5) uniform int running; // 0: sums are held to the limit; else 1 adds, -1 takes back, to the last bit
 
 // Weights of the WIDTH voxels from the first on, along one axis; x: where the point lies beyond that first voxel.
 #if WIDTH == 3
@@ -58,12 +60,13 @@ void main() {
             float row = energy * wz[z] * wy[y];
             for (int x = 0; x < WIDTH; ++x) {
                 uint amount = uint(row * wx[x] + 0.5);
+                amount = running < 0 ? 0u - amount : amount;
                 highest = max(highest, imageAtomicAdd(deposits, texel + ivec3(x, y, z), amount));
             }
         }
     }
     // A full voxel is brought back to the limit, far below the wrap: what is read later is min(sum, limit) in any order.
-    if (highest >= FIXED_LIMIT) {
+    if (running == 0 && highest >= FIXED_LIMIT) {
         for (int n = 0; n < WIDTH * WIDTH * WIDTH; ++n) {
             imageAtomicMin(deposits, texel + ivec3(n % WIDTH, (n / WIDTH) % WIDTH, n / (WIDTH * WIDTH)), FIXED_LIMIT);
         }
@@ -72,6 +75,6 @@ void main() {
     ivec3 high = (texel + WIDTH - 1) >> 3;
     for (int n = 0; n < 8; ++n) {
         ivec3 tile = ivec3((n & 1) != 0 ? high.x : low.x, (n & 2) != 0 ? high.y : low.y, (n & 4) != 0 ? high.z : low.z);
-        marks[(tile.z * tileDims.y + tile.y) * tileDims.x + tile.x] = 1u;
+        marks[(tile.z * tileDims.y + tile.y) * tileDims.x + tile.x] = uint(round);
     }
 }

@@ -163,8 +163,10 @@ std::vector<float> sweep(const Sweeping& sweeping) {
         }
         context.requireNoErrors();
     }
-    std::transform(values.begin(), values.end(), values.begin(),
-                   [](float e) { return std::clamp(e, 0.0F, 1.0F); });
+    if (sweeping.energy == Energy::Calibrated) {
+        std::transform(values.begin(), values.end(), values.begin(),
+                       [](float e) { return std::clamp(e, 0.0F, 1.0F); });
+    }
     sculpt::roundTo(sweeping.precision, values);
     return values;
 }

@@ -294,6 +294,7 @@ sculpt::FootprintShape parseFootprint(const std::string& text, int radius) {
     const auto [name, sizes] = partAtColon(text);
     sculpt::FootprintShape shape;
     shape.radius = radius;
+    shape.isSmoothWhereCoarse = true;
     shape.kind = choose<sculpt::FootprintKind>(name, sculpt::kFootprintKinds, "--footprint");
     if (shape.kind == sculpt::FootprintKind::Ellipsoid) {
         const auto n = parseNumbers(sizes, ',', 3, "--footprint " + text, "ellipsoid:1,1,0.6");

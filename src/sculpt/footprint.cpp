@@ -101,10 +101,10 @@ std::array<double, AxisFootprint::kMaxReach> fitTaps(double sigma, int degree, i
     return solve(rows, reach);
 }
 
-AxisFootprint fitAxis(double sigma) {
+AxisFootprint fitAxis(double sigma, bool isSmoothWhereCoarse) {
     AxisFootprint axis;
     if (sigma * sigma < kQuadraticVariance) {
-        axis.degree = 1;
+        axis.degree = isSmoothWhereCoarse ? 2 : 1;
         return axis;
     }
     // Around radius 2 a quadratic deposit leaves errors of 8e-3 where edges meet, a cubic one half of that.
@@ -187,13 +187,15 @@ Footprint fitFootprint(const FootprintShape& shape, glm::dvec3 spacing) {
             shape.kind == FootprintKind::Ellipsoid ? shape.sigmaSteps[axis] : shape.radius / 3.0;
         VS_CHECK(sigma > 0 && sigma <= FootprintShape::kMaxSigmaVoxels + 1e-9);
         footprint.sigmaVoxels[axis] = sigma * voxels;
-        footprint.axes[std::size_t(axis)] = fitAxis(footprint.sigmaVoxels[axis]);
+        footprint.axes[std::size_t(axis)] = fitAxis(footprint.sigmaVoxels[axis], shape.isSmoothWhereCoarse);
     }
     return footprint;
 }
 
 Footprint fitFootprint(int radius, glm::dvec3 spacing) {
-    return fitFootprint(FootprintShape{FootprintKind::Gaussian, radius, glm::dvec3(1)}, spacing);
+    FootprintShape shape;
+    shape.radius = radius;
+    return fitFootprint(shape, spacing);
 }
 
 } // namespace vs::sculpt

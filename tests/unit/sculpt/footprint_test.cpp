@@ -46,6 +46,14 @@ TEST(Footprint, FollowsTheSpacingOfEachAxis) {
     EXPECT_EQ(fitFootprint(2, {1, 1, 5}).reachVoxels().z, 1);
 }
 
+TEST(Footprint, CoarseAxesAreSmoothWhereAskedFor) {
+    FootprintShape shape;
+    shape.isSmoothWhereCoarse = true;
+    EXPECT_EQ(fitFootprint(shape, {1, 1, 3}).axes[2].degree, 2);
+    EXPECT_EQ(fitFootprint(shape, {1, 1, 3}).axes[2].reach, 0);
+    EXPECT_EQ(fitFootprint(shape, {1, 1, 3}).axes[0].taps, fitFootprint(3).axes[0].taps);
+}
+
 TEST(Footprint, ReferenceWeightsAreANormalisedGaussian) {
     const ReferenceWeights weights = referenceWeights(1, 0.25);
     EXPECT_EQ(weights.halfWidth, 3);
@@ -68,7 +76,9 @@ TEST(Footprint, EllipsoidsHaveTheirOwnWidthAlongEachAxis) {
 
 TEST(Footprint, CubesAreFlatInsideAndHalfAtTheirFaces) {
     for (const int radius : {2, 3, 4}) {
-        const FootprintShape shape{FootprintKind::Cube, radius, glm::dvec3(1)};
+        FootprintShape shape;
+        shape.kind = FootprintKind::Cube;
+        shape.radius = radius;
         const Footprint footprint = fitFootprint(shape);
         EXPECT_NEAR(sumOf(footprint.axes[0]), 1, 1e-6);
         EXPECT_EQ(footprint.axes[0].reach, radius);

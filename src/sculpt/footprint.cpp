@@ -101,10 +101,10 @@ std::array<double, AxisFootprint::kMaxReach> fitTaps(double sigma, int degree, i
     return solve(rows, reach);
 }
 
-AxisFootprint fitAxis(double sigma) {
+AxisFootprint fitAxis(double sigma, bool isSmoothWhereCoarse) {
     AxisFootprint axis;
     if (sigma * sigma < kQuadraticVariance) {
-        axis.degree = 1;
+        axis.degree = isSmoothWhereCoarse ? 2 : 1;
         return axis;
     }
     // Around radius 2 a quadratic deposit leaves errors of 8e-3 where edges meet, a cubic one half of that.
@@ -120,6 +120,21 @@ AxisFootprint fitAxis(double sigma) {
         sides += 2 * axis.taps[k];
     }
     axis.taps[0] = 1.0F - sides;
+    return axis;
+}
+
+// How much of voxel k's cell a box of this half-width around voxel 0 covers, of the whole box.
+double cubeShare(double halfWidth, int k) {
+    return std::max(0.0, std::min(k + 0.5, halfWidth) - std::max(k - 0.5, -halfWidth)) / (2 * halfWidth);
+}
+
+AxisFootprint cubeAxis(double halfWidth) {
+    AxisFootprint axis;
+    axis.degree = 1;
+    axis.reach = int(std::ceil(halfWidth - 0.5 - 1e-6));
+    for (int k = 0; k <= axis.reach; ++k) {
+        axis.taps[std::size_t(k)] = float(cubeShare(halfWidth, k));
+    }
     return axis;
 }
 
@@ -145,16 +160,42 @@ ReferenceWeights referenceWeights(double sigma, double offset) {
     return out;
 }
 
-Footprint fitFootprint(int radius, glm::dvec3 spacing) {
-    VS_CHECK(radius >= 2 && radius <= 4);
+ReferenceWeights cubeReferenceWeights(double halfWidthVoxels, double offset) {
+    ReferenceWeights out;
+    out.halfWidth = int(out.weights.size()) / 2;
+    for (int n = 0; n < 2 * out.halfWidth; ++n) {
+        const int voxel = n + 1 - out.halfWidth;
+        out.weights[std::size_t(n)] =
+            (1 - offset) * cubeShare(halfWidthVoxels, voxel) + offset * cubeShare(halfWidthVoxels, voxel - 1);
+    }
+    return out;
+}
+
+Footprint fitFootprint(const FootprintShape& shape, glm::dvec3 spacing) {
+    VS_CHECK(shape.kind == FootprintKind::Ellipsoid || (shape.radius >= 2 && shape.radius <= 4));
     const double step = std::min({spacing.x, spacing.y, spacing.z});
     Footprint footprint;
-    footprint.radius = radius;
+    footprint.radius = shape.radius;
     for (int axis = 0; axis < 3; ++axis) {
-        footprint.sigmaVoxels[axis] = radius / 3.0 * step / spacing[axis];
-        footprint.axes[axis] = fitAxis(footprint.sigmaVoxels[axis]);
+        const double voxels = step / spacing[axis]; // per step
+        if (shape.kind == FootprintKind::Cube) {
+            footprint.axes[std::size_t(axis)] = cubeAxis(shape.radius * voxels);
+            footprint.sigmaVoxels[axis] = shape.radius * voxels / std::sqrt(3.0);
+            continue;
+        }
+        const double sigma =
+            shape.kind == FootprintKind::Ellipsoid ? shape.sigmaSteps[axis] : shape.radius / 3.0;
+        VS_CHECK(sigma > 0 && sigma <= FootprintShape::kMaxSigmaVoxels + 1e-9);
+        footprint.sigmaVoxels[axis] = sigma * voxels;
+        footprint.axes[std::size_t(axis)] = fitAxis(footprint.sigmaVoxels[axis], shape.isSmoothWhereCoarse);
     }
     return footprint;
+}
+
+Footprint fitFootprint(int radius, glm::dvec3 spacing) {
+    FootprintShape shape;
+    shape.radius = radius;
+    return fitFootprint(shape, spacing);
 }
 
 } // namespace vs::sculpt

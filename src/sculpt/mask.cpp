@@ -2,10 +2,11 @@
 #include "sculpt/mask.h"
 
 #include "base/error.h"
+#include "sculpt/polygon_coverage.h"
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <utility>
 
 namespace vs::sculpt {
 
@@ -116,22 +117,6 @@ std::vector<Edge> edgesOf(const Outline& outline, glm::dvec2 corner, double cell
     return edges;
 }
 
-std::vector<float> filterWeights(const MaskFilter& filter) {
-    std::vector<float> weights(std::size_t(std::max(filter.width, 1)));
-    double sum = 0;
-    const auto value = [&](std::size_t n) {
-        const double x = (double(n) + 0.5) / double(weights.size()) * 4 - 2;
-        return filter.reconstruction == Reconstruction::Box ? 1.0 : cubicBSpline(x);
-    };
-    for (std::size_t n = 0; n < weights.size(); ++n) {
-        sum += value(n);
-    }
-    for (std::size_t n = 0; n < weights.size(); ++n) {
-        weights[n] = float(value(n) / sum);
-    }
-    return weights;
-}
-
 // Filters one row of sub-samples into elements: value i is the weighted sum of cells [first + i * kSub, +
 // width).
 void filterRow(const std::vector<std::uint8_t>& inside, const std::vector<float>& weights, int first,
@@ -171,7 +156,7 @@ void fillBinary(const Outline& outline, MaskRaster& mask) {
 }
 
 void fillFiltered(const Outline& outline, const MaskFilter& filter, MaskRaster& mask) {
-    const auto weights = filterWeights(filter);
+    const auto weights = reconstructionWeights(filter.reconstruction, filter.width);
     const int width = int(weights.size());
     const int first = kSub / 2 - width / 2; // of element 0: its support is centred on its centre
     RowSampler sampler(edgesOf(outline, mask.origin - 0.5 * mask.pitch, mask.pitch / kSub),
@@ -190,44 +175,21 @@ void fillFiltered(const Outline& outline, const MaskFilter& filter, MaskRaster& 
             }
         }
     }
+    for (float& value : mask.values) {
+        value = std::clamp(value, 0.0F, 1.0F);
+    }
+}
+
+// Each element's square, exactly.
+void fillCoverage(const Outline& outline, MaskRaster& mask) {
+    Outline inElements;
+    for (const glm::dvec2& point : outline) {
+        inElements.push_back((point - mask.origin) / mask.pitch + 0.5);
+    }
+    mask.values = polygonCoverage(inElements, mask.size);
 }
 
 } // namespace
-
-Outline freeFormOutline(std::span<const glm::dvec2> points) {
-    Outline outline;
-    for (const glm::dvec2& point : points) {
-        if (outline.empty() || outline.back() != point) {
-            outline.push_back(point);
-        }
-    }
-    return outline;
-}
-
-Outline ellipseOutline(glm::dvec2 centre, glm::dvec2 radii) {
-    // 256 corners stay within 7.5e-5 of the radius of the true curve.
-    constexpr int kCorners = 256;
-    Outline outline;
-    for (int n = 0; n < kCorners; ++n) {
-        const double angle = 2 * std::numbers::pi * n / kCorners;
-        outline.push_back(centre + radii * glm::dvec2(std::cos(angle), std::sin(angle)));
-    }
-    return outline;
-}
-
-Outline circleOutline(glm::dvec2 centre, double radius) { return ellipseOutline(centre, glm::dvec2(radius)); }
-
-Outline rectangleOutline(glm::dvec2 a, glm::dvec2 b) { return {a, {b.x, a.y}, b, {a.x, b.y}}; }
-
-Outline polylineOutline(std::span<const glm::dvec2> corners) { return freeFormOutline(corners); }
-
-double cubicBSpline(double x) {
-    x = std::abs(x);
-    if (x < 1) {
-        return (3 * x * x * x - 6 * x * x + 4) / 6;
-    }
-    return x < 2 ? (-x * x * x + 6 * x * x - 12 * x + 8) / 6 : 0;
-}
 
 MaskRaster rasterize(const Outline& outline, double pitch, const MaskFilter& filter) {
     MaskRaster mask;
@@ -243,7 +205,8 @@ MaskRaster rasterize(const Outline& outline, double pitch, const MaskFilter& fil
     }
     // Elements farther from the outline than half the filter's support are zero; one more closes the raster
     // with zeros.
-    const double reach = filter.sampling == Sampling::None ? 0.0 : 0.5 * filter.width / kSub;
+    const bool isFiltered = filter.sampling == Sampling::Uniform || filter.sampling == Sampling::Jittered;
+    const double reach = isFiltered ? 0.5 * filter.width / kSub : 0.5;
     const glm::dvec2 first = glm::floor(lo / pitch - reach) - 1.0;
     const glm::dvec2 count = glm::ceil(hi / pitch + reach) + 2.0 - first;
     if (!(count.x * count.y <= 64e6)) {
@@ -255,6 +218,8 @@ MaskRaster rasterize(const Outline& outline, double pitch, const MaskFilter& fil
     mask.values.assign(std::size_t(mask.size.x) * std::size_t(mask.size.y), 0.0F);
     if (filter.sampling == Sampling::None) {
         fillBinary(outline, mask);
+    } else if (filter.sampling == Sampling::PolygonSmooth) {
+        fillCoverage(outline, mask);
     } else {
         fillFiltered(outline, filter, mask);
     }

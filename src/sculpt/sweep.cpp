@@ -25,6 +25,13 @@ glm::dvec3 voxelFromSteps(const glm::dvec3& spacing) {
     return std::min({spacing.x, spacing.y, spacing.z}) / spacing;
 }
 
+Footprint sweepFootprint(int radius, const glm::dvec3& spacing) {
+    FootprintShape shape;
+    shape.radius = radius;
+    shape.isSmoothWhereCoarse = true;
+    return fitFootprint(shape, spacing);
+}
+
 SweptPatches sweepPiece(const MaskRaster& mask, const PathPiece& piece, const glm::dvec3& voxelFromSteps,
                         const glm::vec3& density) {
     // Depth 0 is the piece's start, 1 its end. Elements that move backwards, on the inner side of a turn,

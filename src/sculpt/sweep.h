@@ -18,6 +18,10 @@ inline constexpr double kSweepPitch = 0.5;
 // steps to voxel space.
 glm::dvec3 voxelFromSteps(const glm::dvec3& spacing);
 
+// The footprint that solids made from nothing are radiated with on a grid of this spacing: the Gaussian of
+// `radius` (2, 3 or 4), smooth where slices are coarse.
+Footprint sweepFootprint(int radius, const glm::dvec3& spacing);
+
 // The solid that a mask (in steps) sweeps along one piece of a path in the space of steps, as patches in
 // voxel space: density 1 inside, its ends exactly at the piece's ends. Nothing for pieces that move the mask
 // within its own plane. `density` is what SweptPatches::setDensity() takes.

@@ -133,6 +133,36 @@ Json pathJson(const SweepPath& path) {
     return json;
 }
 
+void readFilter(const JsonReader& reader, Sweep& op) {
+    reader.allow({"sampling", "reconstruction", "width", "seed", "subdivision", "levels"});
+    reader.ifHas("sampling", [&](const JsonReader& r) {
+        op.filter.sampling = r.choice<sculpt::Sampling>(sculpt::kMaskSamplings);
+    });
+    reader.ifHas("reconstruction", [&](const JsonReader& r) {
+        op.filter.reconstruction = r.choice<sculpt::Reconstruction>(sculpt::kReconstructions);
+    });
+    reader.ifHas("width", [&](const JsonReader& r) { op.filter.width = int(r.integerBetween(4, 400)); });
+    reader.ifHas("seed", [&](const JsonReader& r) {
+        op.filter.seed = std::uint32_t(r.integerBetween(0, 0xFFFFFFFFL));
+    });
+    reader.ifHas("subdivision", [&](const JsonReader& r) {
+        op.subdivision = r.choice<sculpt::Subdivision>(sculpt::kSubdivisions);
+    });
+    reader.ifHas("levels", [&](const JsonReader& r) { op.subdivisionLevels = int(r.integerBetween(0, 8)); });
+}
+
+Json filterJson(const Sweep& op) {
+    Json json{{"sampling", sculpt::kMaskSamplings[std::size_t(op.filter.sampling)]},
+              {"reconstruction", sculpt::kReconstructions[std::size_t(op.filter.reconstruction)]},
+              {"width", op.filter.width},
+              {"seed", op.filter.seed}};
+    if (op.subdivisionLevels > 0) {
+        json["subdivision"] = sculpt::kSubdivisions[std::size_t(op.subdivision)];
+        json["levels"] = op.subdivisionLevels;
+    }
+    return json;
+}
+
 } // namespace
 
 Operation readPeel(const JsonReader& reader) {
@@ -182,6 +212,7 @@ Operation readSweep(const JsonReader& reader) {
     op.mask = readSketch(reader.member("mask"));
     op.path = readPath(reader.member("path"));
     reader.ifHas("frame", [&](const JsonReader& r) { op.frame = r.choice<sculpt::FrameKind>(kFrames); });
+    reader.ifHas("filter", [&](const JsonReader& r) { readFilter(r, op); });
     reader.ifHas("pitch", [&](const JsonReader& r) { op.pitch = r.numberBetween(0.05, 64); });
     reader.ifHas("energy", [&](const JsonReader& r) {
         enum class Energy { Calibrated, Raw };
@@ -196,6 +227,7 @@ void write(Json& j, const Sweep& op) {
     j["mask"] = toJson(op.mask);
     j["path"] = pathJson(op.path);
     j["frame"] = kFrames[std::size_t(op.frame)];
+    j["filter"] = filterJson(op);
     j["pitch"] = op.pitch;
     j["energy"] = kEnergies[op.isRaw ? 1 : 0];
     j["method"] = kMethods[std::size_t(op.method)];

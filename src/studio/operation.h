@@ -140,6 +140,8 @@ struct Sweep {
     SweepPath path;
     sculpt::FrameKind frame = sculpt::FrameKind::ParallelTransport;
     sculpt::MaskFilter filter = {};
+    sculpt::Subdivision subdivision = sculpt::Subdivision::CubicBSpline; // of the outline, so many times
+    int subdivisionLevels = 0;
     double pitch = sculpt::kSweepPitch; // steps between the mask's elements
     int radius = 3;
     bool isRaw = false; // the thesis' uncalibrated energy

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/sweep_stroke.h"
 
+#include "base/error.h"
+#include "sculpt/projection.h"
+#include "sculpt/raw_radiation.h"
 #include "sculpt/sweep.h"
 #include "studio/sketch.h"
 
@@ -50,6 +53,11 @@ public:
             track.pieces =
                 sculpt::helixPath({points.at(0), points.at(1), op.path.helixRadius, op.path.turns}, op.frame);
             break;
+        case SweepPath::Kind::Standing: {
+            const sculpt::MaskFrame frame = sculpt::frameFacing(points.at(0), points.at(1) - points.at(0));
+            track.pieces = {{frame, frame}};
+            break;
+        }
         default:
             track.pieces = sculpt::polylinePath(points, op.frame);
         }
@@ -130,20 +138,38 @@ private:
     glm::dvec3 voxelFromSteps_;
 };
 
+// Where a mask of raw energy stands.
+std::vector<sculpt::MaskFrame> framesOf(const Sweep& op, const Track& track) {
+    return op.path.kind == SweepPath::Kind::Standing ? std::vector{track.pieces.front().from}
+                                                     : sculpt::framesEachStep(track.pieces);
+}
+
 } // namespace
 
 void SweepStroke::replay() {
     const Sweep& op = std::get<Sweep>(operation_);
+    if (op.path.kind == SweepPath::Kind::Standing && !op.isRaw) {
+        throw Error("sweep: a mask that stands still sweeps nothing; give it a path, or raw energy");
+    }
     const volume::GridGeometry& geometry = *cutter_->geometry;
     const Track track = TrackMaker(cutter_->picker, frame_, geometry).make(op);
-    const auto mask = sculpt::rasterize(track.outline, op.pitch, op.filter);
+    const auto outline = sculpt::subdivide(track.outline, op.subdivision, op.subdivisionLevels);
+    const auto mask = sculpt::rasterize(outline, op.pitch, op.filter);
     if (track.pieces.empty() || mask.values.empty()) {
         return;
     }
+    const glm::dvec3 scale = sculpt::voxelFromSteps(geometry.spacing());
+    if (op.method == Sweep::Method::Projection) {
+        backup_.protect(geometry.box());
+        cutter_->sculpture->combine(sculpt::projectSweep(mask, track.pieces, geometry.dims, scale), how_);
+        return;
+    }
+    const sculpt::Footprint footprint = sculpt::sweepFootprint(op.radius, geometry.spacing());
     sculpt::Radiator& radiator = cutter_->tools.radiator();
-    const Box3 touched = sculpt::sweepMask(radiator, cutter_->tools.generator(), mask, track.pieces,
-                                           geometry.dims, sculpt::fitFootprint(op.radius, geometry.spacing()),
-                                           sculpt::voxelFromSteps(geometry.spacing()));
+    const Box3 touched =
+        op.isRaw ? sculpt::radiateRaw(radiator, mask, framesOf(op, track), geometry.dims, footprint, scale)
+                 : sculpt::sweepMask(radiator, cutter_->tools.generator(), mask, track.pieces, geometry.dims,
+                                     footprint, scale);
     backup_.protect(touched);
     cutter_->sculpture->combine(radiator, how_);
 }

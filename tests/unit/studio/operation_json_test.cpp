@@ -56,6 +56,9 @@ Sweep someSweep(SweepPath::Kind kind) {
         sweep.path.turns = -2.5;
     }
     sweep.frame = sculpt::FrameKind::Frenet;
+    sweep.filter = {sculpt::Sampling::Uniform, sculpt::Reconstruction::MitchellNetravali, 50, 7};
+    sweep.subdivision = sculpt::Subdivision::Chaikin;
+    sweep.subdivisionLevels = 2;
     sweep.isRaw = true;
     sweep.method = Sweep::Method::Projection;
     return sweep;

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <array>
+#include <span>
+#include <vector>
+
+namespace vs::sculpt {
+
+// A closed polygon (the last point joins the first), in pixels for drawn masks and in steps for sweeps.
+using Outline = std::vector<glm::dvec2>;
+
+// A drawn closed curve as it is; consecutive equal points are dropped.
+Outline freeFormOutline(std::span<const glm::dvec2> points);
+Outline ellipseOutline(glm::dvec2 centre, glm::dvec2 radii);
+Outline circleOutline(glm::dvec2 centre, double radius);
+// `a` and `b` are opposite corners.
+Outline rectangleOutline(glm::dvec2 a, glm::dvec2 b);
+// Corners joined by straight lines, closed.
+Outline polylineOutline(std::span<const glm::dvec2> corners);
+// A star of `points` tips at distance `outer` from the centre, the first in the direction of +y, and as many
+// inner corners at distance `inner`, halfway between them.
+Outline starOutline(glm::dvec2 centre, double outer, double inner, int points);
+
+// Schemes that round an outline's corners.
+enum class Subdivision { CubicBSpline, Chaikin };
+// Their names on command lines, in the order of the enumeration.
+inline constexpr std::array<const char*, 2> kSubdivisions{"bspline", "chaikin"};
+
+// Subdivides a closed outline `levels` times, each of which doubles its points: towards the uniform cubic
+// B-spline curve (Lane and Riesenfeld 1980) or the quadratic one (Chaikin 1974) that has the outline as its
+// control polygon. Throws Error if it would have more than 4 million points.
+Outline subdivide(Outline outline, Subdivision scheme, int levels);
+
+} // namespace vs::sculpt

@@ -112,9 +112,7 @@ void replay(const studio::Session& session, const RunOptions& options, const gl:
             context.requireNoErrors();
             report.add(outcome);
             const auto& operation = session.operations[i];
-            const bool isDrawn = std::holds_alternative<studio::Peel>(operation) ||
-                                 std::holds_alternative<studio::Drill>(operation) ||
-                                 std::holds_alternative<studio::Seed>(operation);
+            const bool isDrawn = studio::cuts(operation) || std::holds_alternative<studio::Seed>(operation);
             if (isDrawn && outcome.voxelsTouched == 0) {
                 logNotice(fmt::format("operation {} ({}): {}", i + 1, outcome.name, outcome.message));
             }

@@ -124,7 +124,9 @@ bool StudioController::saveSession(const std::filesystem::path& path) {
     return guard([&] {
         flushView();
         studio::Session source;
-        source.volumePath = std::filesystem::absolute(document_->volume().path);
+        if (!document_->volume().path.empty()) { // else it was made from nothing
+            source.volumePath = std::filesystem::absolute(document_->volume().path);
+        }
         source.rawLayout = source_.rawLayout;
         source.series = source_.series;
         source.frame = source_.frame;

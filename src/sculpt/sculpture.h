@@ -32,8 +32,6 @@ public:
     // As a cut, but united with what the sculpture was in `before` (null: untouched) instead of what it is:
     // in the tiles of the radiation it becomes that union. Puts back what an earlier such call cut too far.
     Box3 combineWith(const gl::Texture* before, const Radiator& radiation);
-    // The same with energies from the host (one a voxel, x fastest), in the whole grid.
-    Box3 combine(const std::vector<float>& energies, Combine how);
     // Voxels whose value the last combine() changed; waits for the device.
     [[nodiscard]] std::uint64_t changedVoxels() const;
 

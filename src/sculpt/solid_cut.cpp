@@ -161,4 +161,17 @@ Box3 SolidCutter::clip(Sculpture& sculpture, const HalfSpaces& solid, Combine ho
     return run(clip_, sculpture, geometry_.box(), solid.radius, how, backup);
 }
 
+Box3 SolidCutter::cutValues(Sculpture& sculpture, std::span<const float> energies, Combine how,
+                            BrickBackup& backup) {
+    const Box3 grid = geometry_.box();
+    VS_CHECK_EQ(energies.size(), grid.volume());
+    if (!cutValues_) {
+        cutValues_ = gl::Program("sculpt/shaders/cut_values.comp");
+    }
+    gl::Texture texels(geometry_.dims, gl::Format::R32F, gl::Filter::Nearest, "energies");
+    texels.upload(grid, std::as_bytes(energies));
+    texels.bindImage(1, gl::Access::Read);
+    return run(cutValues_, sculpture, grid, 3, how, backup);
+}
+
 } // namespace vs::sculpt

@@ -55,6 +55,8 @@ public:
     // fewer than three points and empty lists of planes change nothing.
     Box3 extrude(Sculpture& sculpture, const Extrusion& solid, Combine how, BrickBackup& backup);
     Box3 clip(Sculpture& sculpture, const HalfSpaces& solid, Combine how, BrickBackup& backup);
+    // The same with energies from elsewhere, one for each voxel of the grid, x fastest.
+    Box3 cutValues(Sculpture& sculpture, std::span<const float> energies, Combine how, BrickBackup& backup);
 
 private:
     Box3 run(gl::Program& program, Sculpture& sculpture, const Box3& box, int radius, Combine how,
@@ -63,6 +65,7 @@ private:
     volume::GridGeometry geometry_;
     gl::Program extrude_; // made when first used
     gl::Program clip_;
+    gl::Program cutValues_;
 };
 
 // Distances in pixels from an outline, positive inside (even-odd rule), clamped to +-band; element (i, j)

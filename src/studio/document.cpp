@@ -67,10 +67,13 @@ Document::Impl::Impl(volume::Volume v)
       histogram(field::intensityHistogram(field, histogramBins(field))), sculpture(volume.geometry.dims),
       pipeline(field), region(field, sculpture), cutter(field, sculpture) {
     view.range = field::suggestRange(histogram, volume.range);
-    if (field.isIntegral) {
+    if (volume.range.width() <= 0) { // one value all over: all of it is the object
+        view.range = {volume.range.lo - 0.5, volume.range.hi + 0.5};
+    } else if (field.isIntegral) {
         view.range.lo = std::ceil(view.range.lo);
     }
-    grey = greyWindow(histogram, volume.range, view.range.lo);
+    grey = volume.range.width() > 0 ? greyWindow(histogram, volume.range, view.range.lo)
+                                    : Range{volume.range.lo - 3, volume.range.hi + 1};
     loggedView = view;
 }
 

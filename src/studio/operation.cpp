@@ -12,6 +12,13 @@ SetView lookAs(const View& view) {
 
 const char* name(const Operation& operation) { return kOperationNames[operation.index()]; }
 
+bool cuts(const Operation& operation) {
+    return std::holds_alternative<Peel>(operation) || std::holds_alternative<Drill>(operation) ||
+           std::holds_alternative<Laser>(operation) || std::holds_alternative<Sweep>(operation) ||
+           std::holds_alternative<Scissors>(operation) || std::holds_alternative<Clip>(operation) ||
+           std::holds_alternative<KeepConnected>(operation);
+}
+
 bool isOutput(const Operation& operation) {
     return std::holds_alternative<SavePicture>(operation) || std::holds_alternative<SaveLabels>(operation) ||
            std::holds_alternative<SaveSculpture>(operation);

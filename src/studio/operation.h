@@ -251,6 +251,9 @@ using Operation = std::variant<SetView, Peel, Drill, Laser, Sweep, Scissors, Cli
 // The name in sessions, reports and the history: "view", "peel", ... (kOperationNames).
 const char* name(const Operation& operation);
 
+// Whether an operation is a stroke or another cut of the sculpture (or restores some of it).
+bool cuts(const Operation& operation);
+
 // Whether an operation only writes a file and leaves the document as it is.
 bool isOutput(const Operation& operation);
 

@@ -6,6 +6,7 @@
 #include "base/json_file.h"
 #include "base/json_reader.h"
 #include "studio/operation_json.h"
+#include "volume/phantom.h"
 
 #include <nlohmann/json.hpp>
 
@@ -23,7 +24,29 @@ void checkRawLayout(const JsonReader& reader) {
     }
 }
 
+Session::Block readBlock(const JsonReader& reader) {
+    Session::Block block;
+    const JsonReader dims = reader.member("block");
+    dims.expectSize(3);
+    for (int axis = 0; axis < 3; ++axis) {
+        block.dims[axis] = int(dims.at(std::size_t(axis)).integerBetween(1, 1024));
+    }
+    reader.ifHas("spacing", [&](const JsonReader& r) {
+        r.expectSize(3);
+        for (int axis = 0; axis < 3; ++axis) {
+            block.spacingMm[axis] = r.at(std::size_t(axis)).numberBetween(1e-3, 1e3);
+        }
+    });
+    return block;
+}
+
 void readVolumeMember(const JsonReader& reader, Session& session) {
+    if (reader.json().contains("block")) {
+        reader.allow({"block", "spacing", "checksum"});
+        session.block = readBlock(reader);
+        reader.ifHas("checksum", [&](const JsonReader& r) { session.volumeChecksum = r.text(); });
+        return;
+    }
     reader.allow({"path", "checksum", "raw", "series", "frame"});
     session.volumePath = reader.member("path").fileName();
     reader.ifHas("checksum", [&](const JsonReader& r) { session.volumeChecksum = r.text(); });
@@ -68,7 +91,13 @@ Session loadSession(const std::filesystem::path& path) {
 namespace {
 
 std::string textOf(const std::filesystem::path& path, const Session& session) {
-    Json volume{{"path", storedPath(session.volumePath, path).string()}};
+    Json volume;
+    if (session.block) {
+        const auto list = [](const auto& v) { return Json::array({v.x, v.y, v.z}); };
+        volume = {{"block", list(session.block->dims)}, {"spacing", list(session.block->spacingMm)}};
+    } else {
+        volume = {{"path", storedPath(session.volumePath, path).string()}};
+    }
     const auto addText = [&volume](const char* key, const std::string& value) {
         if (!value.empty()) {
             volume[key] = value;
@@ -107,6 +136,10 @@ void saveSession(const std::filesystem::path& path, const Session& session) {
 
 Session sessionOf(const Document& document, const Session& source) {
     Session session = source;
+    if (source.volumePath.empty()) {
+        const volume::GridGeometry& geometry = document.volume().geometry;
+        session.block = Session::Block{geometry.dims, geometry.spacing()};
+    }
     session.volumeChecksum = volume::checksum(document.volume());
     session.operations = document.log();
     const View& view = document.view();
@@ -139,6 +172,13 @@ volume::ReadResult readInstead(const std::filesystem::path& path, const volume::
     return result;
 }
 
+volume::Volume blockOf(const Session::Block& block) {
+    auto volume = volume::makePhantom(
+        block.dims, volume::ScalarType::UInt8, [](glm::dvec3) { return 1.0; }, block.spacingMm);
+    volume.name = fmt::format("block of {} x {} x {}", block.dims.x, block.dims.y, block.dims.z);
+    return volume;
+}
+
 } // namespace
 
 volume::Volume openVolume(const Session& session, const std::filesystem::path& sessionPath,
@@ -158,7 +198,9 @@ volume::Volume openVolume(const Session& session, const std::filesystem::path& s
     if (!options.frame) {
         options.frame = session.frame;
     }
-    auto result = replacement ? readInstead(path, options, overrides) : volume::readVolume(path, options);
+    auto result = replacement     ? readInstead(path, options, overrides)
+                  : session.block ? volume::ReadResult{blockOf(*session.block), {}}
+                                  : volume::readVolume(path, options);
     notices.insert(notices.end(), result.notices.begin(), result.notices.end());
     if (!session.volumeChecksum.empty() && volume::checksum(result.volume) != session.volumeChecksum) {
         if (!replacement && !overrides.raw && !overrides.series && !overrides.frame) {

@@ -13,6 +13,12 @@ namespace vs::studio {
 struct Session {
     static constexpr int kVersion = 1;
 
+    // A volume made from nothing: every voxel 1. What is cut from it is built, and seen in probe view.
+    struct Block {
+        glm::ivec3 dims{128};
+        glm::dvec3 spacingMm{1};
+    };
+    std::optional<Block> block;       // else the volume is a file:
     std::filesystem::path volumePath; // absolute, or relative to the session file
     std::string volumeChecksum;       // empty: not checked
     std::string rawLayout;            // set for headerless files

@@ -160,8 +160,9 @@ void SweepStroke::replay() {
     }
     const glm::dvec3 scale = sculpt::voxelFromSteps(geometry.spacing());
     if (op.method == Sweep::Method::Projection) {
-        backup_.protect(geometry.box());
-        cutter_->sculpture->combine(sculpt::projectSweep(mask, track.pieces, geometry.dims, scale), how_);
+        cutter_->solids.cutValues(*cutter_->sculpture,
+                                  sculpt::projectSweep(mask, track.pieces, geometry.dims, scale), how_,
+                                  backup_);
         return;
     }
     const sculpt::Footprint footprint = sculpt::sweepFootprint(op.radius, geometry.spacing());

@@ -1,0 +1,16 @@
+// Cuts by energies given for each voxel.
+// In: image 1 energies. In/out: image 0 sculpture.
+#include "sculpt/shaders/cut_solid.glsl"
+
+layout(r32f, binding = 1) uniform readonly image3D energies;
+
+void main() {
+    ivec3 voxel = firstVoxel + ivec3(gl_WorkGroupID) * 8 + ivec3(0, gl_LocalInvocationID.xy);
+    if (any(greaterThanEqual(voxel, dims))) {
+        return;
+    }
+    for (int n = 0; n < 8 && voxel.x < dims.x; ++n) {
+        combineVoxel(voxel, clamp(imageLoad(energies, voxel).r, 0.0, 1.0));
+        ++voxel.x;
+    }
+}

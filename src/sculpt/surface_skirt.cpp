@@ -25,7 +25,8 @@ std::vector<SkirtElement> surfaceSkirt(const SkirtInput& input) {
     };
     // Nothing there, or something behind the place.
     const auto isOpen = [&](glm::ivec2 e, const glm::vec3& place) {
-        return !input.isHit(e.x, e.y) || glm::dot(input.place(e.x, e.y) - place, input.direction) > input.gap;
+        return !input.isHit(e.x, e.y) ||
+               (input.coversOthers && glm::dot(input.place(e.x, e.y) - place, input.direction) > input.gap);
     };
     std::vector<SkirtElement> skirt;
     std::vector<Growing> rim;

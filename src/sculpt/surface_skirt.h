@@ -19,8 +19,9 @@ struct SkirtInput {
     glm::vec3 direction{0, 0, 1};                         // the tool's, unit
     glm::vec3 alongX{1, 0, 0}; // in steps, from one element to the next, across the direction
     glm::vec3 alongY{0, 1, 0};
-    float gap = 1; // steps; what lies farther behind than this is another piece
-    int reach = 1; // elements
+    float gap = 1;            // steps; what lies farther behind than this is another piece
+    bool coversOthers = true; // goes on in front of pieces behind too, else only where there is nothing
+    int reach = 1;            // elements
 };
 
 // One element of the raster: which hit it continues (x, y; -1: none), and where, in steps.

@@ -257,6 +257,7 @@ private:
         input.alongX = meanStep({1, 0});
         input.alongY = meanStep({0, 1});
         input.gap = gap_;
+        input.coversOthers = !restores(); // what is put back over a hole would close it
         // What is put back must also cover what was cut beside what is seen.
         const double steps = restores() ? 2.0 * sweep_.radius : sweep_.radius;
         input.reach = std::clamp(int(std::ceil(steps / spacing_)), 1, kMaxSkirt);

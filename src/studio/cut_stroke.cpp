@@ -51,9 +51,9 @@ MaskSweep ToolMask::along(glm::dvec2 from, glm::dvec2 to, double depthFrom, doub
     sweep.raster.values.assign(std::size_t(size.x) * std::size_t(size.y), 0.0F);
     sweep.depths.assign(sweep.raster.values.size(), 0.0F);
     // Half an element apart, the mask's edge (two elements wide) shows no steps.
-    const int places = 1 + int(std::ceil(2 * glm::length(way)));
+    const int places = 2 + int(std::ceil(2 * glm::length(way))); // both ends
     for (int n = 0; n < places; ++n) {
-        const double s = places > 1 ? double(n) / (places - 1) : 0.0;
+        const double s = double(n) / (places - 1);
         sweep.cover(raster, glm::dvec2(margin) + (s - 0.5) * way, float(glm::mix(depthFrom, depthTo, s)));
     }
     return sweep;

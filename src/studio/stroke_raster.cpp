@@ -40,9 +40,9 @@ ElementBox StrokeRaster::cover(const sculpt::MaskRaster& mask, const Place& from
     };
     // A quarter of an element apart, steps in the mask's edge (two elements wide) and in the floor are below
     // 0.01.
-    const int places = 1 + int(std::ceil(4 * glm::length(to.pixel - from.pixel) / pitch_));
+    const int places = 2 + int(std::ceil(4 * glm::length(to.pixel - from.pixel) / pitch_)); // both ends
     for (int n = 0; n < places; ++n) {
-        const double s = places > 1 ? double(n) / (places - 1) : 0.0;
+        const double s = double(n) / (places - 1);
         const auto depth = float(glm::mix(from.depth, to.depth, s));
         if (!(depth > 0)) {
             continue;

@@ -12,7 +12,8 @@ namespace vs::sculpt {
 
 namespace {
 
-constexpr double kMostBand = 256; // pixels: beyond it an edge is as sharp as a pixel can show
+constexpr double kMostBand = 256; // pixels
+constexpr double kLeaning = 0.9;  // cosine of the steepest ray to the picture's middle
 
 template <typename T>
 gl::Texture asTexture(glm::ivec2 size, std::span<const T> values, gl::Format format, gl::Filter filter,
@@ -79,25 +80,107 @@ Box3 boxSeenThrough(const OutlineDistances& outline, const Projector& view,
     return intersect(all, geometry.box());
 }
 
+// How far (mm) a place lies inside the outline's cone of rays; near the eye, where the picture tells little,
+// it may be on either side.
+double depthInOutline(const OutlineDistances& outline, const Projector& view, const glm::dvec3& world,
+                      double nearMm) {
+    const glm::dvec4 p = view.pixelFromWorld * glm::dvec4(world, 1.0);
+    if (!view.isOrthographic && p.w < 0.05 * nearMm) {
+        return p.w < -0.05 * nearMm ? -1e30 : 0;
+    }
+    const glm::ivec2 texel(glm::round(glm::clamp(glm::dvec2(p) / p.w - outline.origin, -1.0, 1e6)));
+    const bool isInside =
+        texel.x >= 0 && texel.y >= 0 && texel.x < outline.size.x && texel.y < outline.size.y;
+    const double pixels =
+        isInside
+            ? double(
+                  outline.values[std::size_t(texel.y) * std::size_t(outline.size.x) + std::size_t(texel.x)])
+            : -outline.band;
+    // Half a pixel of rounding, and rays lean: distances across them are a little shorter than in the
+    // picture.
+    const double mm = (std::abs(pixels) - 1) * view.pixelMm * p.w * kLeaning;
+    return std::copysign(std::max(mm, 0.0), pixels);
+}
+
 } // namespace
 
-Box3 SolidCutter::run(gl::Program& program, Sculpture& sculpture, const Box3& box, int radius, Combine how,
+// Farther than this (mm) from the centre of a tile, a boundary leaves all its voxels whole, or takes them
+// whole.
+double SolidCutter::tileReach(int radius) const {
+    constexpr double kSigmas = 4;
+    return kSigmas * radius / 3.0 * geometry_.stepMm() + 0.5 * kTile * glm::length(geometry_.spacing());
+}
+
+SolidCutter::Tiles SolidCutter::find(const Box3& box, int radius, const DepthOfTile& depth) const {
+    Tiles tiles;
+    const double reach = tileReach(radius);
+    const glm::ivec3 grid = divideUp(geometry_.dims, kTile);
+    const Box3 range{box.lo / kTile, divideUp(box.hi, kTile)};
+    for (int z = range.lo.z; z < range.hi.z; ++z) {
+        for (int y = range.lo.y; y < range.hi.y; ++y) {
+            for (int x = range.lo.x; x < range.hi.x; ++x) {
+                const glm::dvec3 centre = double(kTile) * glm::dvec3(x, y, z) + 0.5 * (kTile - 1);
+                const double d = depth(glm::dvec3(geometry_.worldFromVoxel * glm::dvec4(centre, 1.0)));
+                const auto number = std::uint32_t((z * grid.y + y) * grid.x + x);
+                if (d > reach) {
+                    tiles.wholly.push_back(number);
+                } else if (d > -reach) {
+                    tiles.partly.push_back(number);
+                }
+            }
+        }
+    }
+    return tiles;
+}
+
+Box3 SolidCutter::run(gl::Program& program, const Tiles& tiles, Sculpture& sculpture, int radius, Combine how,
                       BrickBackup& backup) {
-    if (box.isEmpty() || (how == Combine::Restore && sculpture.isEmpty())) {
+    if (how == Combine::Restore && sculpture.isEmpty()) {
         return {};
     }
-    backup.protect(box);
+    const glm::ivec3 grid = divideUp(geometry_.dims, kTile);
+    Box3 all;
+    for (const auto* list : {&tiles.partly, &tiles.wholly}) {
+        for (const std::uint32_t number : *list) {
+            const int n = int(number);
+            const glm::ivec3 lo = kTile * glm::ivec3(n % grid.x, n / grid.x % grid.y, n / (grid.x * grid.y));
+            const Box3 tile = intersect({lo, lo + kTile}, geometry_.box());
+            backup.protect(tile);
+            all = unite(all, tile);
+        }
+    }
+    if (all.isEmpty()) {
+        return {};
+    }
+    if (!fill_) {
+        fill_ = gl::Program("sculpt/shaders/cut_all.comp");
+    }
     const gl::Pass pass("cut solid");
     sculpture.texels().bindImage(0, gl::Access::ReadWrite);
-    program.set(0, box.lo)
-        .set(1, sculpture.dims())
+    dispatch(program, tiles.partly, radius, how);
+    dispatch(fill_, tiles.wholly, radius, how);
+    sculpture.refresh(all);
+    return all;
+}
+
+void SolidCutter::dispatch(gl::Program& program, const std::vector<std::uint32_t>& tiles, int radius,
+                           Combine how) {
+    constexpr std::size_t row = 32768; // as in tiles.glsl
+    if (tiles.empty()) {
+        return;
+    }
+    std::vector<std::uint32_t> list{0, 0, 1, std::uint32_t(tiles.size())};
+    list.insert(list.end(), tiles.begin(), tiles.end());
+    list_.reserve(list.size() * sizeof(std::uint32_t));
+    list_.write(std::span<const std::uint32_t>(list));
+    list_.bindStorage(0);
+    program.set(0, divideUp(geometry_.dims, kTile))
+        .set(1, geometry_.dims)
         .set(2, how == Combine::Restore ? 1 : 0)
         .set(3, glm::mat4(geometry_.worldFromVoxel))
         .set(4, float(radius / 3.0 * geometry_.stepMm()));
-    const glm::ivec3 size = box.size();
-    program.dispatch({divideUp(size.x, 8), divideUp(size.y, 8), divideUp(size.z, 8)}, gl::Barrier::Texture);
-    sculpture.refresh(box);
-    return box;
+    const std::size_t rows = (tiles.size() + row - 1) / row;
+    program.dispatch({int(std::min(tiles.size(), row)), int(rows), 1}, gl::Barrier::Texture);
 }
 
 Box3 SolidCutter::extrude(Sculpture& sculpture, const Extrusion& solid, Combine how, BrickBackup& backup) {
@@ -108,7 +191,8 @@ Box3 SolidCutter::extrude(Sculpture& sculpture, const Extrusion& solid, Combine 
                                                 : glm::dot(geometry_.centreWorld() - view.eye, view.forward) -
                                                       geometry_.diagonalMm() / 2;
     const double pixelMm = view.pixelMm * std::max(distance, 1.0);
-    const double band = std::clamp(solid.radius * step / pixelMm + 2, 3.0, kMostBand);
+    // Wide enough to tell tiles that are cut whole, or not at all.
+    const double band = std::clamp(tileReach(solid.radius) / (pixelMm * kLeaning) + 2, 3.0, kMostBand);
     const OutlineDistances distances = outlineDistances(solid.outline, band);
     if (distances.values.empty()) {
         return {};
@@ -126,7 +210,8 @@ Box3 SolidCutter::extrude(Sculpture& sculpture, const Extrusion& solid, Combine 
         VS_CHECK_EQ(solid.beginMm.size(), std::size_t(view.viewport.x) * std::size_t(view.viewport.y));
         VS_CHECK_EQ(solid.beginMm.size(), solid.endMm.size());
         const auto spans = spansOf(solid);
-        const auto nearest = nearestAround(spans, view.viewport, int(std::ceil(band)) - 2);
+        const auto nearest =
+            nearestAround(spans, view.viewport, int(std::ceil(solid.radius * step / pixelMm)));
         const auto upload = [&](const std::vector<glm::vec2>& values, const char* label) {
             return asTexture(view.viewport, std::span<const glm::vec2>(values), gl::Format::RG32F,
                              gl::Filter::Nearest, label);
@@ -142,7 +227,15 @@ Box3 SolidCutter::extrude(Sculpture& sculpture, const Extrusion& solid, Combine 
         .set(8, glm::vec3(view.forward))
         .set(9, glm::vec3(solid.cutsOutside ? 1.0 : 0.0, hasDepth ? 1.0 : 0.0, solid.radius * step));
     const Box3 box = solid.cutsOutside ? geometry_.box() : boxSeenThrough(distances, view, geometry_);
-    return run(extrude_, sculpture, box, solid.radius, how, backup);
+    Tiles tiles = find(box, solid.radius, [&](const glm::dvec3& centre) {
+        const double depth = depthInOutline(distances, view, centre, geometry_.diagonalMm());
+        return solid.cutsOutside ? -depth : depth;
+    });
+    if (hasDepth) { // then no tile is known to be cut whole
+        tiles.partly.insert(tiles.partly.end(), tiles.wholly.begin(), tiles.wholly.end());
+        tiles.wholly.clear();
+    }
+    return run(extrude_, tiles, sculpture, solid.radius, how, backup);
 }
 
 Box3 SolidCutter::clip(Sculpture& sculpture, const HalfSpaces& solid, Combine how, BrickBackup& backup) {
@@ -158,7 +251,14 @@ Box3 SolidCutter::clip(Sculpture& sculpture, const HalfSpaces& solid, Combine ho
     for (std::size_t n = 0; n < solid.planes.size(); ++n) {
         clip_.set(6 + int(n), glm::vec4(solid.planes[n]));
     }
-    return run(clip_, sculpture, geometry_.box(), solid.radius, how, backup);
+    const Tiles tiles = find(geometry_.box(), solid.radius, [&](const glm::dvec3& centre) {
+        double outside = -1e30;
+        for (const glm::dvec4& plane : solid.planes) {
+            outside = std::max(outside, glm::dot(plane, glm::dvec4(centre, 1.0)));
+        }
+        return solid.cutsInside ? -outside : outside;
+    });
+    return run(clip_, tiles, sculpture, solid.radius, how, backup);
 }
 
 Box3 SolidCutter::cutValues(Sculpture& sculpture, std::span<const float> energies, Combine how,
@@ -171,7 +271,8 @@ Box3 SolidCutter::cutValues(Sculpture& sculpture, std::span<const float> energie
     gl::Texture texels(geometry_.dims, gl::Format::R32F, gl::Filter::Nearest, "energies");
     texels.upload(grid, std::as_bytes(energies));
     texels.bindImage(1, gl::Access::Read);
-    return run(cutValues_, sculpture, grid, 3, how, backup);
+    const Tiles tiles = find(grid, 3, [](const glm::dvec3&) { return 0.0; });
+    return run(cutValues_, tiles, sculpture, 3, how, backup);
 }
 
 } // namespace vs::sculpt

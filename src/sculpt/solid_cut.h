@@ -7,7 +7,8 @@
 #include "sculpt/sculpture.h"
 #include "volume/geometry.h"
 
-#include <optional>
+#include <cstdint>
+#include <functional>
 #include <span>
 #include <vector>
 
@@ -59,11 +60,23 @@ public:
     Box3 cutValues(Sculpture& sculpture, std::span<const float> energies, Combine how, BrickBackup& backup);
 
 private:
-    Box3 run(gl::Program& program, Sculpture& sculpture, const Box3& box, int radius, Combine how,
+    // How much of a tile of 8^3 voxels a solid takes, judged by how deep (mm, negative outside) its centre
+    // lies.
+    using DepthOfTile = std::function<double(const glm::dvec3& centreWorld)>;
+    struct Tiles {
+        std::vector<std::uint32_t> partly; // by number in a grid of tiles, x fastest
+        std::vector<std::uint32_t> wholly;
+    };
+    [[nodiscard]] double tileReach(int radius) const;
+    [[nodiscard]] Tiles find(const Box3& box, int radius, const DepthOfTile& depth) const;
+    Box3 run(gl::Program& program, const Tiles& tiles, Sculpture& sculpture, int radius, Combine how,
              BrickBackup& backup);
+    void dispatch(gl::Program& program, const std::vector<std::uint32_t>& tiles, int radius, Combine how);
 
     volume::GridGeometry geometry_;
-    gl::Program extrude_; // made when first used
+    gl::Buffer list_;
+    gl::Program fill_; // made when first used, like the others
+    gl::Program extrude_;
     gl::Program clip_;
     gl::Program cutValues_;
 };

@@ -16,8 +16,8 @@ float energyAt(vec3 voxel) {
 }
 
 void main() {
-    ivec3 voxel = firstVoxel + ivec3(gl_WorkGroupID) * 8 + ivec3(0, gl_LocalInvocationID.xy);
-    if (any(greaterThanEqual(voxel, dims))) {
+    ivec3 voxel;
+    if (!lineStart(voxel)) {
         return;
     }
     for (int n = 0; n < 8 && voxel.x < dims.x; ++n) {

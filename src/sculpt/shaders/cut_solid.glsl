@@ -1,14 +1,26 @@
-// Cutting voxel by voxel by an energy that is known for each: the includer defines `float energyAt(vec3 voxel)` after this,
-// and may skip tiles whose energy is 0. Work groups are tiles of 8^3 voxels, one invocation a line along x.
+// Cutting voxel by voxel by an energy that is known for each: the includer's main() goes along lineStart() and calls
+// combineVoxel(). Work groups are the tiles of 8^3 voxels in a list, one invocation a line along x.
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(r16f, binding = 0) uniform image3D sculpture;
 
-layout(location = 0) uniform ivec3 firstVoxel;
+layout(std430, binding = 0) readonly buffer TileList { uint tileList[]; };
+
+layout(location = 0) uniform ivec3 tileDims;
 layout(location = 1) uniform ivec3 dims;
 layout(location = 2) uniform int isRestore;
 layout(location = 3) uniform mat4 worldFromVoxel;
 layout(location = 4) uniform float sigma; // of the edge, mm
+
+#include "sculpt/shaders/tiles.glsl"
+
+// The first voxel of this invocation's line; false when there is none.
+bool lineStart(out ivec3 voxel) {
+    ivec3 tile;
+    bool exists = tileOfGroup(tileDims, tile);
+    voxel = tile * 8 + ivec3(0, gl_LocalInvocationID.xy);
+    return exists && all(lessThan(voxel, dims));
+}
 
 // Energies below half a step of a 16-bit float at 1 count as nothing, as in combine_sculpture.comp.
 const float negligible = 1.0 / 2048.0;

@@ -20,6 +20,7 @@ namespace {
 
 const glm::ivec3 kDims(128);
 const glm::dvec2 kRadii(16, 10);
+const glm::dvec2 kCentre(0.37, 0.41); // of the ellipse: no symmetry with the mask's elements
 const Helix kHelix{{64, 64, 30}, {64, 64, 98}, 34, 1.4};
 constexpr double kPitch = 1;   // one element a voxel
 constexpr double kAway = 4;    // from the ends' rims
@@ -39,11 +40,19 @@ void clampToUnit(std::vector<float>& values) {
     }
 }
 
+std::vector<glm::dvec2> exactOutline() {
+    auto outline = reference::ellipse(kRadii);
+    for (glm::dvec2& p : outline) {
+        p += kCentre;
+    }
+    return outline;
+}
+
 // The helix of an elliptical mask.
 class HelixBench {
 public:
     HelixBench()
-        : path_(helixPath(kHelix)), outline_(reference::ellipse(kRadii)),
+        : path_(helixPath(kHelix)), outline_(exactOutline()),
           curve_(
               [](double t) {
                   return reference::helixAt(kHelix.from, kHelix.to, {1, 0, 0}, kHelix.radius, kHelix.turns, t);
@@ -122,7 +131,7 @@ private:
 };
 
 MaskRaster maskWith(const MaskFilter& filter) {
-    return rasterize(ellipseOutline({0, 0}, kRadii), kPitch, filter);
+    return rasterize(ellipseOutline(kCentre, kRadii), kPitch, filter);
 }
 
 int naturalWidth(Reconstruction kind) {
@@ -158,7 +167,7 @@ void measureSubdivision(HelixBench& bench) {
     Outline drawn;
     for (int n = 0; n < 24; ++n) {
         const double angle = 2 * 3.14159265358979 * n / 24;
-        drawn.push_back(kRadii * glm::dvec2(std::cos(angle), std::sin(angle)));
+        drawn.push_back(kCentre + kRadii * glm::dvec2(std::cos(angle), std::sin(angle)));
     }
     const MaskFilter box{Sampling::Uniform, Reconstruction::Box, 10, 1};
     const MaskFilter spline{Sampling::Jittered, Reconstruction::BSpline, 40, 1};
@@ -204,7 +213,7 @@ public:
           first_([&](double t) { return glm::mix(ends_[0], ends_[1], t); }, reference::SweptCurve::Turning::Least),
           second_([&](double t) { return glm::mix(ends_[1], ends_[2], t); },
                   reference::SweptCurve::Turning::Least),
-          outline_(reference::ellipse(kRadii)) {}
+          outline_(exactOutline()) {}
 
     std::vector<float> radiated(double pitch) {
         std::vector<float> all(Box3{glm::ivec3(0), kDims}.volume(), 0.0F);
@@ -254,7 +263,7 @@ private:
     [[nodiscard]] std::array<std::vector<PathPiece>, 2> paths() const {
         return {polylinePath(std::span(ends_).subspan(0, 2)), polylinePath(std::span(ends_).subspan(1, 2))};
     }
-    static MaskRaster mask(double pitch) { return rasterize(ellipseOutline({0, 0}, kRadii), pitch); }
+    static MaskRaster mask(double pitch) { return rasterize(ellipseOutline(kCentre, kRadii), pitch); }
     static void unite(std::vector<float>& all, const std::vector<float>& one) {
         std::transform(all.begin(), all.end(), one.begin(), all.begin(),
                        [](float a, float b) { return std::max(a, b); });

@@ -135,6 +135,24 @@ TEST_F(SweepMethods, RawEnergyAlongAPathComesOnceAStep) {
     EXPECT_LT(at(wide, dims, {20, 10 + 8, 20}), 0.01F);
 }
 
+TEST_F(SweepMethods, OnlyWhatReachesTheGridIsSampled) {
+    const glm::ivec3 dims(32);
+    const MaskRaster mask = rasterize(circleOutline({0, 0}, 9), kSweepPitch);
+    SweepGrid grid;
+    grid.lo = glm::vec3(-4);
+    grid.hi = glm::vec3(36);
+    EXPECT_LT(sweepPiece(mask, line({16, 16, -50000}, {16, 16, 50000})[0], grid).pointCount(),
+              2 * sweepPiece(mask, line({16, 16, -4}, {16, 16, 36})[0]).pointCount());
+    EXPECT_EQ(sweepPiece(mask, line({16, 16, 50}, {16, 16, 90})[0], grid).pointCount(), 0U);
+    Radiator radiator;
+    PointGenerator generator;
+    const auto sweep = [&](double reach) {
+        sweepMask(radiator, generator, mask, line({16, 16, -reach}, {16, 16, reach}), dims, fitFootprint(3));
+        return radiator.download({glm::ivec3(0), dims});
+    };
+    EXPECT_LT(largestDifference(sweep(50000), sweep(60)), 0.02F);
+}
+
 TEST_F(SweepMethods, ProjectionKeepsTheMaskAlongAnObliqueLine) {
     const glm::ivec3 dims(48);
     const glm::dvec3 from(14, 15, 10);

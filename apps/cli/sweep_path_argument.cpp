@@ -76,6 +76,19 @@ sculpt::Helix parseHelix(const std::string& rest, const std::string& text, const
     return helix;
 }
 
+// Curves are cut into chords everywhere, so theirs must be a length that one could see.
+void checkLength(const std::string& text, const std::vector<glm::dvec3>& places) {
+    constexpr double kLongest = 1e5; // steps
+    double length = 0;
+    for (std::size_t n = 1; n < places.size(); ++n) {
+        length += glm::length(places[n] - places[n - 1]);
+    }
+    if (length > kLongest) {
+        throw UsageError("--path {}: {:.0f} steps from place to place; a curve is at most {:.0f} long", text,
+                         length, kLongest);
+    }
+}
+
 } // namespace
 
 SweepPath parseSweepPath(const std::string& text, sculpt::FrameKind kind, const glm::dvec3& spacing) {
@@ -108,6 +121,9 @@ SweepPath parseSweepPath(const std::string& text, sculpt::FrameKind kind, const 
     auto places = isRecorded ? readPlaces(rest) : parsePlaces(rest, text, example);
     for (glm::dvec3& place : places) {
         place *= steps;
+    }
+    if (form != "line" && form != "polyline") {
+        checkLength(text, places);
     }
     path.pieces = isRecorded         ? sculpt::recordedPath(places, kind)
                   : form == "spline" ? sculpt::splinePath(places, kind)

@@ -13,6 +13,22 @@ bool staysInItsPlane(const PathPiece& piece) {
     return isAcross(piece.to.origin - piece.from.origin) && isAcross(piece.to.x) && isAcross(piece.to.y);
 }
 
+// Whether any of the mask may pass between the grid's corners: it stays within the hull of its own.
+bool mayReach(const MaskRaster& mask, const PathPiece& piece, const SweepGrid& grid) {
+    glm::dvec3 lo(1e30);
+    glm::dvec3 hi(-1e30);
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec2 size(mask.size - 1);
+        const glm::dvec2 element =
+            mask.origin + mask.pitch * size * glm::dvec2(corner & 1, (corner >> 1) & 1);
+        const glm::dvec3 p = grid.voxelFromSteps * ((corner & 4) != 0 ? piece.to : piece.from).place(element);
+        lo = glm::min(lo, p);
+        hi = glm::max(hi, p);
+    }
+    return glm::all(glm::lessThanEqual(lo, glm::dvec3(grid.hi))) &&
+           glm::all(glm::greaterThanEqual(hi, glm::dvec3(grid.lo)));
+}
+
 SweepGrid gridOf(const glm::ivec3& dims, const Footprint& footprint, const glm::dvec3& voxelFromSteps) {
     const glm::vec3 sigma(footprint.sigmaVoxels);
     const glm::vec3 reach(footprint.reachVoxels() + 1);
@@ -42,7 +58,7 @@ SweptPatches sweepPiece(const MaskRaster& mask, const PathPiece& piece, const Sw
     // Depth 0 is the piece's start, 1 its end. Elements that move backwards, on the inner side of a turn,
     // count nothing.
     SweptPatches out(0, 1, 1);
-    if (staysInItsPlane(piece)) {
+    if (staysInItsPlane(piece) || !mayReach(mask, piece, grid)) {
         return out;
     }
     out.setDensity(grid.density);

@@ -477,7 +477,7 @@ class Commands(unittest.TestCase):
         for path, mention in {"curve:1,1,1:2,2,2": "spline", "spline:1,1,1": "two different", "at:1,1,1": "direction",
                               "at:1,1,1:0,0,0": "direction", "helix:1,1,1:2,2,2": "RADIUS,TURNS",
                               "helix:1,1,1:1,1,1:0,1": "no length", "helix:1,1,1:1,1,9:-2,1": "radius",
-                              "line:0,0,0:1,1,1e9": "at most"}.items():
+                              "line:0,0,0:1,1,1e9": "at most", "spline:0,0,0:1,1,9e4:0,0,0": "steps"}.items():
             refused([path, mention], path=path)
         refused(["none.txt"], path="recorded:none.txt", code=1)
         bad = self.folder / "bad.txt"

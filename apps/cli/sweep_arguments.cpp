@@ -5,41 +5,16 @@
 #include "image/image.h"
 #include "parse.h"
 #include "sculpt/mask_image.h"
-#include "sculpt/sweep.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <sstream>
 
 namespace vs::cli {
 
 namespace {
-
-constexpr double kFarthest = 1e5; // voxels
-
-// "HEAD:REST".
-struct Parted {
-    std::string head;
-    std::string rest;
-};
-Parted partAtColon(const std::string& text) {
-    const auto split = text.find(':');
-    return {text.substr(0, split), split == std::string::npos ? "" : text.substr(split + 1)};
-}
-
-std::vector<std::string> splitAt(const std::string& text, char separator) {
-    std::vector<std::string> parts;
-    std::istringstream stream(text);
-    for (std::string part; std::getline(stream, part, separator);) {
-        parts.push_back(part);
-    }
-    return parts;
-}
-
-double length(const glm::dvec3& v) { return glm::length(v); }
 
 // Sizes of a mask, each above 0 and at most 4096.
 std::vector<double> maskSizes(const std::string& text, const std::string& sizes, std::size_t count,
@@ -85,68 +60,21 @@ sculpt::MaskRaster imageMask(const std::string& text, const std::string& rest, d
     return sculpt::maskFromImage(image::readPng(rest.substr(0, comma)), width[0], pitch);
 }
 
-glm::dvec3 parsePlace(const std::string& text, const std::string& path, const std::string& example) {
-    const auto n = parseNumbers(text, ',', 3, "--path " + path, example);
-    if (std::max({std::abs(n[0]), std::abs(n[1]), std::abs(n[2])}) > kFarthest) {
-        throw UsageError("--path {}: coordinates are voxels, at most {:g}", path, kFarthest);
-    }
-    return {n[0], n[1], n[2]};
-}
-
-std::vector<glm::dvec3> parsePlaces(const std::string& text, const std::string& path,
-                                    const std::string& example) {
-    std::vector<glm::dvec3> places;
-    for (const std::string& part : splitAt(text, ':')) {
-        places.push_back(parsePlace(part, path, example));
-    }
-    return places;
-}
-
-// A text file of one place a line, "X Y Z" or "X,Y,Z"; what follows # is a comment.
-std::vector<glm::dvec3> readPlaces(const std::string& file) {
-    std::ifstream stream(file);
-    if (!stream) {
-        throw ReadError("{}: cannot be opened; a recorded path is a text file of lines X Y Z, in voxels",
-                        file);
-    }
-    std::vector<glm::dvec3> places;
-    int number = 0;
-    for (std::string line; std::getline(stream, line);) {
-        ++number;
-        line = line.substr(0, line.find('#'));
-        std::replace(line.begin(), line.end(), ',', ' ');
-        std::istringstream words(line);
-        glm::dvec3 p(0);
-        std::string rest;
-        if (words >> std::ws; words.eof()) {
-            continue;
-        }
-        const bool isPlace = bool(words >> p.x >> p.y >> p.z) && !(words >> rest);
-        if (!isPlace || !(std::max({std::abs(p.x), std::abs(p.y), std::abs(p.z)}) <= kFarthest)) {
-            throw ReadError("{}: line {} is not three numbers X Y Z, in voxels, of at most {:g}", file,
-                            number, kFarthest);
-        }
-        places.push_back(p);
-    }
-    return places;
-}
-
-sculpt::Helix parseHelix(const std::string& rest, const std::string& text, const glm::dvec3& steps) {
-    const std::string example = "helix:32,32,8:32,32,56:16,2.5";
-    const auto parts = splitAt(rest, ':');
-    if (parts.size() != 3) {
-        throw UsageError("--path {}: needs both ends of its axis and RADIUS,TURNS, as in {}", text, example);
-    }
-    const auto n = parseNumbers(parts[2], ',', 2, "--path " + text, example);
-    const sculpt::Helix helix{steps * parsePlace(parts[0], text, example),
-                              steps * parsePlace(parts[1], text, example), n[0], n[1]};
-    if (!(n[0] >= 0) || n[0] > 4096 || std::abs(n[1]) > 1000) {
-        throw UsageError("--path {}: the radius is 0 to 4096 steps and the turns are at most 1000", text);
-    }
-    return helix;
-}
-
 } // namespace
+
+Parted partAtColon(const std::string& text) {
+    const auto split = text.find(':');
+    return {text.substr(0, split), split == std::string::npos ? "" : text.substr(split + 1)};
+}
+
+std::vector<std::string> splitAt(const std::string& text, char separator) {
+    std::vector<std::string> parts;
+    std::istringstream stream(text);
+    for (std::string part; std::getline(stream, part, separator);) {
+        parts.push_back(part);
+    }
+    return parts;
+}
 
 std::size_t chooseName(const std::string& text, const char* const* names, std::size_t count,
                        const std::string& option) {
@@ -244,47 +172,6 @@ sculpt::MaskRaster parseMask(const std::string& text, const MaskMaking& making) 
         outline = sculpt::subdivide(std::move(outline), *making.subdivision, making.levels);
     }
     return sculpt::rasterize(outline, making.pitch, making.filter);
-}
-
-SweepPath parseSweepPath(const std::string& text, sculpt::FrameKind kind, const glm::dvec3& spacing) {
-    const auto [form, rest] = partAtColon(text);
-    const glm::dvec3 steps = 1.0 / sculpt::voxelFromSteps(spacing); // steps per voxel
-    SweepPath path;
-    if (form == "at") {
-        const std::string example = "at:32,32,32:0,0,1";
-        const auto places = parsePlaces(rest, text, example);
-        if (places.size() != 2 || length(places[1]) < 1e-9) {
-            throw UsageError("--path {}: needs a place and the direction that the mask faces, as in {}", text,
-                             example);
-        }
-        path.standing = sculpt::frameFacing(steps * places[0], places[1]);
-        return path;
-    }
-    if (form == "helix") {
-        path.pieces = sculpt::helixPath(parseHelix(rest, text, steps), kind);
-        if (path.pieces.empty()) {
-            throw UsageError("--path {}: a helix of no length; move its ends apart or give it a radius",
-                             text);
-        }
-        return path;
-    }
-    const bool isRecorded = form == "recorded";
-    if (!isRecorded && form != "line" && form != "polyline" && form != "spline") {
-        throw UsageError("--path {}: use {}", text, kPathForms);
-    }
-    const std::string example = form + ":64,64,20:64,64,108";
-    auto places = isRecorded ? readPlaces(rest) : parsePlaces(rest, text, example);
-    for (glm::dvec3& place : places) {
-        place *= steps;
-    }
-    path.pieces = isRecorded         ? sculpt::recordedPath(places, kind)
-                  : form == "spline" ? sculpt::splinePath(places, kind)
-                                     : sculpt::polylinePath(places, kind);
-    if (path.pieces.empty()) {
-        throw UsageError("--path {}: needs at least two different points{}", text,
-                         isRecorded ? "" : ", as in " + example);
-    }
-    return path;
 }
 
 sculpt::FootprintShape parseFootprint(const std::string& text, int radius) {

@@ -51,6 +51,15 @@ inline constexpr const char* kPathForms =
 // "gaussian", "cube" or "ellipsoid:SX,SY,SZ".
 sculpt::FootprintShape parseFootprint(const std::string& text, int radius);
 
+// "HEAD:REST" in two; REST is empty without a colon.
+struct Parted {
+    std::string head;
+    std::string rest;
+};
+Parted partAtColon(const std::string& text);
+// The parts of a text between separators.
+std::vector<std::string> splitAt(const std::string& text, char separator);
+
 // The place of `text` among names such as kPrecisions; `option` begins the complaint.
 std::size_t chooseName(const std::string& text, const char* const* names, std::size_t count,
                        const std::string& option);

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
+#include <utility>
 
 namespace vs::sculpt {
 
@@ -103,7 +103,8 @@ std::vector<glm::dvec3> atEqualDistances(std::span<const glm::dvec3> points) {
     for (std::size_t n = 1; n < points.size(); ++n) {
         length += glm::length(points[n] - points[n - 1]);
     }
-    const int count = std::max(int(std::lround(length)), 1);
+    constexpr double kMost = 1 << 18; // points: longer ways have longer steps
+    const int count = int(std::clamp(std::round(length), 1.0, kMost));
     std::vector<glm::dvec3> out{points.front()};
     double passed = 0;
     for (std::size_t n = 1; n < points.size(); ++n) {
@@ -142,23 +143,36 @@ std::vector<glm::dvec3> smoothed(std::span<const glm::dvec3> points, double sigm
     return out;
 }
 
-// Douglas and Peucker: marks the points between `first` and `last` that keep the way within `tolerance`.
-void markKept(std::span<const glm::dvec3> points, std::size_t first, std::size_t last, double tolerance,
-              std::vector<bool>& kept) {
-    std::size_t farthest = first;
-    double most = tolerance;
-    for (std::size_t n = first + 1; n < last; ++n) {
-        const double distance = distanceToChord(points[n], points[first], points[last]);
-        if (distance > most) {
-            most = distance;
-            farthest = n;
+// Douglas and Peucker: the points that keep the way within `tolerance`, both ends among them.
+std::vector<glm::dvec3> thinned(std::span<const glm::dvec3> points, double tolerance) {
+    std::vector<bool> kept(points.size(), false);
+    kept.front() = kept.back() = true;
+    std::vector<std::pair<std::size_t, std::size_t>> parts{{0, points.size() - 1}};
+    while (!parts.empty()) {
+        const auto [first, last] = parts.back();
+        parts.pop_back();
+        std::size_t farthest = first;
+        double most = tolerance;
+        for (std::size_t n = first + 1; n < last; ++n) {
+            const double distance = distanceToChord(points[n], points[first], points[last]);
+            if (distance > most) {
+                most = distance;
+                farthest = n;
+            }
+        }
+        if (farthest != first) {
+            kept[farthest] = true;
+            parts.emplace_back(first, farthest);
+            parts.emplace_back(farthest, last);
         }
     }
-    if (farthest != first) {
-        kept[farthest] = true;
-        markKept(points, first, farthest, tolerance, kept);
-        markKept(points, farthest, last, tolerance, kept);
+    std::vector<glm::dvec3> out;
+    for (std::size_t n = 0; n < points.size(); ++n) {
+        if (kept[n]) {
+            out.push_back(points[n]);
+        }
     }
+    return out;
 }
 
 } // namespace
@@ -204,16 +218,7 @@ std::vector<PathPiece> recordedPath(std::span<const glm::dvec3> all, FrameKind k
         return {};
     }
     const auto way = smoothed(atEqualDistances(points), kSmoothing);
-    std::vector<bool> kept(way.size(), false);
-    kept.front() = kept.back() = true;
-    markKept(way, 0, way.size() - 1, kTolerance, kept);
-    std::vector<glm::dvec3> knots;
-    for (std::size_t n = 0; n < way.size(); ++n) {
-        if (kept[n]) {
-            knots.push_back(way[n]);
-        }
-    }
-    return splinePath(knots, kind);
+    return splinePath(thinned(way, kTolerance), kind);
 }
 
 } // namespace vs::sculpt

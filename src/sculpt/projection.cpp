@@ -43,11 +43,12 @@ public:
 
     // The value at a point (in steps) of the slab or outside it.
     [[nodiscard]] double at(const glm::dvec3& p) const {
-        const double above = from_.height(p);
-        const double below = -to_.height(p);
-        if (above < 0 || below < 0) {
+        constexpr double kOnPlane = 1e-9; // steps: what lies on a plane belongs to both sides
+        if (from_.height(p) < -kOnPlane || to_.height(p) > kOnPlane) {
             return 0;
         }
+        const double above = std::max(from_.height(p), 0.0);
+        const double below = std::max(-to_.height(p), 0.0);
         // The direction in which the element at the foot of the point moves.
         const glm::dvec2 foot = from_.inPlane(p);
         const glm::dvec3 way = to_.frame.place(foot) - from_.frame.place(foot);

@@ -13,10 +13,32 @@ bool staysInItsPlane(const PathPiece& piece) {
     return isAcross(piece.to.origin - piece.from.origin) && isAcross(piece.to.x) && isAcross(piece.to.y);
 }
 
-glm::vec3 densityOf(const Footprint& footprint) {
+// Whether any of the mask may pass between the grid's corners: it stays within the hull of its own.
+bool mayReach(const MaskRaster& mask, const PathPiece& piece, const SweepGrid& grid) {
+    glm::dvec3 lo(1e30);
+    glm::dvec3 hi(-1e30);
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec2 size(mask.size - 1);
+        const glm::dvec2 element =
+            mask.origin + mask.pitch * size * glm::dvec2(corner & 1, (corner >> 1) & 1);
+        const glm::dvec3 p = grid.voxelFromSteps * ((corner & 4) != 0 ? piece.to : piece.from).place(element);
+        lo = glm::min(lo, p);
+        hi = glm::max(hi, p);
+    }
+    return glm::all(glm::lessThanEqual(lo, glm::dvec3(grid.hi))) &&
+           glm::all(glm::greaterThanEqual(hi, glm::dvec3(grid.lo)));
+}
+
+SweepGrid gridOf(const glm::ivec3& dims, const Footprint& footprint, const glm::dvec3& voxelFromSteps) {
     const glm::vec3 sigma(footprint.sigmaVoxels);
-    return {SweptPatches::densityFor(sigma.x), SweptPatches::densityFor(sigma.y),
-            SweptPatches::densityFor(sigma.z)};
+    const glm::vec3 reach(footprint.reachVoxels() + 1);
+    SweepGrid grid;
+    grid.voxelFromSteps = voxelFromSteps;
+    grid.density = {SweptPatches::densityFor(sigma.x), SweptPatches::densityFor(sigma.y),
+                    SweptPatches::densityFor(sigma.z)};
+    grid.lo = -reach;
+    grid.hi = glm::vec3(dims) + reach;
+    return grid;
 }
 
 } // namespace
@@ -32,20 +54,20 @@ Footprint sweepFootprint(int radius, const glm::dvec3& spacing) {
     return fitFootprint(shape, spacing);
 }
 
-SweptPatches sweepPiece(const MaskRaster& mask, const PathPiece& piece, const glm::dvec3& voxelFromSteps,
-                        const glm::vec3& density) {
+SweptPatches sweepPiece(const MaskRaster& mask, const PathPiece& piece, const SweepGrid& grid) {
     // Depth 0 is the piece's start, 1 its end. Elements that move backwards, on the inner side of a turn,
     // count nothing.
     SweptPatches out(0, 1, 1);
-    if (staysInItsPlane(piece)) {
+    if (staysInItsPlane(piece) || !mayReach(mask, piece, grid)) {
         return out;
     }
-    out.setDensity(density);
+    out.setDensity(grid.density);
+    out.clipTo(grid.lo, grid.hi);
     for (int j = 0; j < mask.size.y; ++j) {
         for (int i = 0; i < mask.size.x; ++i) {
             const glm::dvec2 element = mask.origin + mask.pitch * glm::dvec2(i, j);
-            const glm::dvec3 start = voxelFromSteps * piece.from.place(element);
-            const glm::dvec3 end = voxelFromSteps * piece.to.place(element);
+            const glm::dvec3 start = grid.voxelFromSteps * piece.from.place(element);
+            const glm::dvec3 end = grid.voxelFromSteps * piece.to.place(element);
             out.addCorner(glm::vec3(start), glm::vec3(end - start), mask.at(i, j));
         }
     }
@@ -62,16 +84,16 @@ SweptPatches sweepPiece(const MaskRaster& mask, const PathPiece& piece, const gl
 Box3 sweepMask(Radiator& radiator, PointGenerator& generator, const MaskRaster& mask,
                std::span<const PathPiece> path, glm::ivec3 dims, const Footprint& footprint,
                const glm::dvec3& voxelFromSteps) {
-    const glm::vec3 density = densityOf(footprint);
+    const SweepGrid grid = gridOf(dims, footprint, voxelFromSteps);
     Box3 box;
     for (const PathPiece& piece : path) {
-        box = unite(box, sweepPiece(mask, piece, voxelFromSteps, density).pointBox());
+        box = unite(box, sweepPiece(mask, piece, grid).pointBox());
     }
     radiator.begin(box, dims, footprint);
     for (const PathPiece& piece : path) {
-        generator.generate(
-            sweepPiece(mask, piece, voxelFromSteps, density),
-            [&](const gl::Buffer& points, std::size_t count) { radiator.deposit(points, count); });
+        generator.generate(sweepPiece(mask, piece, grid), [&](const gl::Buffer& points, std::size_t count) {
+            radiator.deposit(points, count);
+        });
     }
     return radiator.finish();
 }

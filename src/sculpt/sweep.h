@@ -22,12 +22,19 @@ glm::dvec3 voxelFromSteps(const glm::dvec3& spacing);
 // `radius` (2, 3 or 4), smooth where slices are coarse.
 Footprint sweepFootprint(int radius, const glm::dvec3& spacing);
 
+// The grid that a sweep goes into.
+struct SweepGrid {
+    glm::dvec3 voxelFromSteps{1};
+    glm::vec3 density{1}; // as SweptPatches::setDensity() takes it
+    // What lies beyond these corners, in voxel space, may be left out.
+    glm::vec3 lo{-1e30F};
+    glm::vec3 hi{1e30F};
+};
+
 // The solid that a mask (in steps) sweeps along one piece of a path in the space of steps, as patches in
 // voxel space: density 1 inside, its ends exactly at the piece's ends. Nothing for pieces that move the mask
-// within its own plane. `density` is what SweptPatches::setDensity() takes.
-SweptPatches sweepPiece(const MaskRaster& mask, const PathPiece& piece,
-                        const glm::dvec3& voxelFromSteps = glm::dvec3(1),
-                        const glm::vec3& density = glm::vec3(1));
+// within its own plane.
+SweptPatches sweepPiece(const MaskRaster& mask, const PathPiece& piece, const SweepGrid& grid = {});
 
 // Radiates a mask (in steps) swept along a path in the space of steps into a volume built from nothing (SPEC
 // 6). Afterwards `radiator` holds the result. Returns the box of voxels that may have energy.

@@ -5,12 +5,15 @@
 #include "gl/pass.h"
 
 #include <algorithm>
+#include <string>
 
 namespace vs::sculpt {
 
 namespace {
 
 glm::ivec3 brickGrid(glm::ivec3 dims) { return divideUp(dims, field::kBrick); }
+
+std::string bitsOf(Precision precision) { return std::to_string(8 * gl::bytesPerTexel(formatOf(precision))); }
 
 // The cells that have corners among these voxels.
 Box3 cellsOf(const Box3& voxels, glm::ivec3 cellCount) {
@@ -20,11 +23,11 @@ Box3 cellsOf(const Box3& voxels, glm::ivec3 cellCount) {
 
 } // namespace
 
-Sculpture::Sculpture(glm::ivec3 dims)
-    : texels_(dims, gl::Format::R16F, gl::Filter::Linear, "sculpture"),
+Sculpture::Sculpture(glm::ivec3 dims, Precision precision)
+    : precision_(precision), texels_(dims, formatOf(precision), gl::Filter::Linear, "sculpture"),
       cells_(field::cellDims(dims), gl::Format::RG32F, gl::Filter::Nearest, "sculpture cells"),
-      combine_("sculpt/shaders/combine_sculpture.comp"), summarize_("sculpt/shaders/summarize_tiles.comp"),
-      changed_(sizeof(std::uint32_t), "changed voxels"),
+      combine_("sculpt/shaders/combine_sculpture.comp", {{"SCULPTURE_BITS", bitsOf(precision)}}),
+      summarize_("sculpt/shaders/summarize_tiles.comp"), changed_(sizeof(std::uint32_t), "changed voxels"),
       touched_(Box3{glm::ivec3(0), brickGrid(dims)}.volume(), false) {}
 
 Box3 Sculpture::combine(const Radiator& radiation, Combine how) {
@@ -52,7 +55,8 @@ Box3 Sculpture::combine(const Radiator& radiation, Combine how, Base base, const
             .set(1, radiation.originVoxel())
             .set(2, dims())
             .set(3, how == Combine::Restore ? 1 : 0)
-            .set(4, int(base));
+            .set(4, int(base))
+            .set(5, justVisible(precision_));
         combine_.dispatchIndirect(radiation.tileArguments(), 0, gl::Barrier::Texture);
     }
     // A cut only adds: what was not empty stays so.

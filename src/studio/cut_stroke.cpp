@@ -4,8 +4,6 @@
 #include "gl/pass.h"
 #include "studio/sketch.h"
 
-#include <glm/gtc/packing.hpp>
-
 #include <cmath>
 
 namespace vs::studio {
@@ -39,14 +37,7 @@ const render::Macrocells& Cutter::snapshot(const render::Macrocells& macrocells)
     return macrocells_;
 }
 
-std::vector<float> Cutter::sculptureAsFloats() const {
-    const auto bytes = sculpture->download(geometry->box());
-    const auto* halves = reinterpret_cast<const std::uint16_t*>(bytes.data());
-    std::vector<float> values(bytes.size() / 2);
-    std::transform(halves, halves + values.size(), values.begin(),
-                   [](std::uint16_t h) { return glm::unpackHalf1x16(h); });
-    return values;
-}
+std::vector<float> Cutter::sculptureAsFloats() const { return sculpture->values(geometry->box()); }
 
 CutStroke::CutStroke(Cutter& cutter, render::Picker& picker, const render::Frame& frame,
                      const Peel& operation)

@@ -61,10 +61,11 @@ double interpolate(const volume::Volume& volume, glm::dvec3 voxel) {
 
 } // namespace
 
-Document::Impl::Impl(volume::Volume v)
+Document::Impl::Impl(volume::Volume v, sculpt::Precision precision)
     : volume(std::move(v)), field(field::uploadVolume(volume)),
-      histogram(field::intensityHistogram(field, histogramBins(field))), sculpture(volume.geometry.dims),
-      pipeline(field), region(field, sculpture), cutter(field, sculpture) {
+      histogram(field::intensityHistogram(field, histogramBins(field))),
+      sculpture(volume.geometry.dims, precision), pipeline(field), region(field, sculpture),
+      cutter(field, sculpture) {
     view.range = field::suggestRange(histogram, volume.range);
     if (field.isIntegral) {
         view.range.lo = std::ceil(view.range.lo);
@@ -105,7 +106,8 @@ void Document::Impl::remember(Operation operation, std::optional<sculpt::BrickDe
     ++version;
 }
 
-Document::Document(volume::Volume volume) : impl_(std::make_unique<Impl>(std::move(volume))) {}
+Document::Document(volume::Volume volume, sculpt::Precision precision)
+    : impl_(std::make_unique<Impl>(std::move(volume), precision)) {}
 Document::~Document() = default;
 
 const volume::Volume& Document::volume() const { return impl_->volume; }

@@ -2,13 +2,21 @@
 // In: storage 0 tile list, image 0 energy (texel t is voxel originVoxel + t). image 2 an earlier
 // sculpture. In/out: image 1 sculpture. Out: storage 1
 // number of voxels changed.
+// variants: SCULPTURE_BITS=8;SCULPTURE_BITS=16;SCULPTURE_BITS=32
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(std430, binding = 0) readonly buffer TileList { uint tileList[]; };
 layout(std430, binding = 1) buffer Changed { uint changed; };
 layout(r32f, binding = 0) uniform readonly image3D energy;
-layout(r16f, binding = 1) uniform image3D sculpture;
-layout(r16f, binding = 2) uniform readonly image3D earlier;
+#if SCULPTURE_BITS == 8
+#define SCULPTURE_FORMAT r8
+#elif SCULPTURE_BITS == 16
+#define SCULPTURE_FORMAT r16f
+#else
+#define SCULPTURE_FORMAT r32f
+#endif
+layout(SCULPTURE_FORMAT, binding = 1) uniform image3D sculpture;
+layout(SCULPTURE_FORMAT, binding = 2) uniform readonly image3D earlier;
 
 layout(location = 0) uniform ivec3 tileDims;
 layout(location = 1) uniform ivec3 originVoxel;
@@ -18,10 +26,23 @@ layout(location = 4) uniform int base; // united with: 0 the sculpture as it is,
 
 #include "sculpt/shaders/tiles.glsl"
 
-// Energies below half a step of a 16-bit float at 1 are no more than the Gaussian's cut-off and rounding.
+layout(location = 5) uniform float justVisible; // sculpt::justVisible()
+
+// The stored form of a value, so that what is counted as changed is what changes. Energies that would be stored as 0, or in
+// floats are below half a step of 16 bits at 1, are no more than the Gaussian's cut-off and rounding.
+#if SCULPTURE_BITS == 8
+const float negligible = 0.5 / 255.0;
+uint codeOf(float value) { return uint(value * 255.0 + 0.5); }
+float valueOf(uint code) { return float(code) / 255.0; }
+#elif SCULPTURE_BITS == 16
 const float negligible = 1.0 / 2048.0;
-// The next 16-bit float below 0.5.
-const float justVisible = 0.499755859375;
+uint codeOf(float value) { return packHalf2x16(vec2(value, 0.0)); }
+float valueOf(uint code) { return unpackHalf2x16(code).x; }
+#else
+const float negligible = 1.0 / 2048.0;
+uint codeOf(float value) { return floatBitsToUint(value); }
+float valueOf(uint code) { return uintBitsToFloat(code); }
+#endif
 
 void main() {
     ivec3 tile;
@@ -38,10 +59,9 @@ void main() {
             float before = base == 0 ? stored : (base == 1 ? imageLoad(earlier, voxel).r : 0.0);
             float remains = e >= 0.5 ? min(1.0 - e, justVisible) : 1.0 - e;
             float wanted = isRestore != 0 ? min(before, remains) : max(before, e);
-            // Rounded here, so that what is counted as changed is what is stored.
-            float after = e > negligible ? unpackHalf2x16(packHalf2x16(vec2(wanted, 0.0))).x : before;
-            if (after != stored) {
-                imageStore(sculpture, voxel, vec4(after));
+            uint after = codeOf(e > negligible ? wanted : before);
+            if (after != codeOf(stored)) {
+                imageStore(sculpture, voxel, vec4(valueOf(after)));
                 ++count;
             }
         }

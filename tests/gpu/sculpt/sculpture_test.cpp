@@ -15,7 +15,7 @@ const glm::ivec3 kDims(75, 61, 50); // no multiple of a tile, a cell or a brick
 
 // Every cell's range must be the one of its 5^3 corner voxels.
 void expectCellsRight(const Sculpture& sculpture) {
-    const auto values = test::floatsFromHalves(sculpture.download({glm::ivec3(0), sculpture.dims()}));
+    const auto values = sculpture.values({glm::ivec3(0), sculpture.dims()});
     const auto cells = sculpture.cells().downloadAll<glm::vec2>();
     const glm::ivec3 dims = sculpture.dims();
     const glm::ivec3 count = field::cellDims(dims);

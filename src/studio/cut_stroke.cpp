@@ -29,6 +29,7 @@ const gl::Texture& Cutter::snapshot() {
         snapshot_.copyFrom(texels, changed, changed.lo);
     }
     snapshotVersion_ = sculpture->version();
+    copiedVoxels_ = changed.volume();
     return snapshot_;
 }
 

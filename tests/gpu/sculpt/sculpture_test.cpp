@@ -61,6 +61,42 @@ TEST_F(SculptureTest, CellsFollowEveryChange) {
     expectCellsRight(piece.sculpture);
 }
 
+TEST_F(SculptureTest, ChangesAndTouchedBricksAreKnownForEver) {
+    Sculpture sculpture({200, 40, 40});
+    const auto write = [&](int x) {
+        const Box3 box{{x, 1, 1}, {x + 2, 3, 3}};
+        sculpture.upload(box, std::vector<std::byte>(box.volume() * 2, std::byte(0x3b)));
+        return box;
+    };
+    EXPECT_TRUE(sculpture.touchedBricks().empty());
+    const Box3 first = write(100);
+    const auto afterFirst = sculpture.version();
+    for (int n = 0; n < 100; ++n) {
+        write(10 + n % 7);
+    }
+    const auto afterMany = sculpture.version();
+    const Box3 last = write(180);
+    EXPECT_EQ(sculpture.changedSince(afterMany), last);
+    EXPECT_TRUE(sculpture.changedSince(sculpture.version()).isEmpty());
+    const Box3 most = sculpture.changedSince(afterFirst);
+    EXPECT_EQ(intersect(most, last), last);
+    EXPECT_LE(most.lo.x, 10);
+    EXPECT_EQ(intersect(sculpture.changedSince(0), first), first);
+    const auto bricks = sculpture.touchedBricks();
+    ASSERT_EQ(bricks.size(), 3U);
+    EXPECT_EQ(bricks[1], (Box3{{96, 0, 0}, {128, 32, 32}}));
+    EXPECT_EQ(bricks[2], (Box3{{160, 0, 0}, {192, 32, 32}}));
+    const auto before = sculpture.version();
+    sculpture.clear();
+    EXPECT_EQ(intersect(sculpture.changedSince(before), first), first) << "clearing is a change too";
+    EXPECT_TRUE(sculpture.touchedBricks().empty());
+    EXPECT_TRUE(sculpture.isEmpty());
+    expectCellsRight(sculpture);
+    for (const float value : sculpture.values({glm::ivec3(0), sculpture.dims()})) {
+        ASSERT_EQ(value, 0.0F);
+    }
+}
+
 TEST_F(SculptureTest, OnlyTheReturnedBoxChangesAndItIsTight) {
     Workpiece piece(kDims);
     const auto mask = rasterize(circleOutline({40, 30}, 6), 0.5);

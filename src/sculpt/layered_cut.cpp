@@ -84,8 +84,12 @@ void LayeredCut::makeRoom(float depth, Radiator& radiator, PointGenerator& gener
         return;
     }
     roomDepth_ = std::max(2 * depth, kFirstRoom);
-    swept_.sweepPiece(edge(0), roomDepth_);
-    room_ = unite(room_, grow(swept_.pointBox(), 1));
+    if (roomDepth_ > kFirstRoom) {
+        swept_.sweepPiece(edge(0), roomDepth_);
+        room_ = unite(room_, grow(swept_.pointBox(), 1));
+    } else {
+        room_ = grow(swept_.hullBox(edge(0), roomDepth_), 1);
+    }
     radiator.beginRunning(room_, dims_, footprint_);
     for (int layer = 0; layer < state_.layers; ++layer) {
         put({edge(layer), edge(layer + 1)}, false, radiator, generator);

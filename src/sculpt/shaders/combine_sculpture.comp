@@ -28,20 +28,20 @@ layout(location = 4) uniform int base; // united with: 0 the sculpture as it is,
 
 layout(location = 5) uniform float justVisible; // sculpt::justVisible()
 
-// The stored form of a value, so that what is counted as changed is what changes. Energies that would be stored as 0, or in
+// A value as it is stored, so that what is counted as changed is what changes. Energies that would be stored as 0, or in
 // floats are below half a step of 16 bits at 1, are no more than the Gaussian's cut-off and rounding.
 #if SCULPTURE_BITS == 8
 const float negligible = 0.5 / 255.0;
-uint codeOf(float value) { return uint(value * 255.0 + 0.5); }
-float valueOf(uint code) { return float(code) / 255.0; }
+float asStored(float value) { return floor(value * 255.0 + 0.5) / 255.0; }
+bool differ(float a, float b) { return abs(a - b) > 0.25 / 255.0; }
 #elif SCULPTURE_BITS == 16
 const float negligible = 1.0 / 2048.0;
-uint codeOf(float value) { return packHalf2x16(vec2(value, 0.0)); }
-float valueOf(uint code) { return unpackHalf2x16(code).x; }
+float asStored(float value) { return unpackHalf2x16(packHalf2x16(vec2(value, 0.0))).x; }
+bool differ(float a, float b) { return a != b; }
 #else
 const float negligible = 1.0 / 2048.0;
-uint codeOf(float value) { return floatBitsToUint(value); }
-float valueOf(uint code) { return uintBitsToFloat(code); }
+float asStored(float value) { return value; }
+bool differ(float a, float b) { return a != b; }
 #endif
 
 void main() {
@@ -59,9 +59,9 @@ void main() {
             float before = base == 0 ? stored : (base == 1 ? imageLoad(earlier, voxel).r : 0.0);
             float remains = e >= 0.5 ? min(1.0 - e, justVisible) : 1.0 - e;
             float wanted = isRestore != 0 ? min(before, remains) : max(before, e);
-            uint after = codeOf(e > negligible ? wanted : before);
-            if (after != codeOf(stored)) {
-                imageStore(sculpture, voxel, vec4(valueOf(after)));
+            float after = e > negligible ? asStored(wanted) : before;
+            if (differ(after, stored)) {
+                imageStore(sculpture, voxel, vec4(after));
                 ++count;
             }
         }

@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kUnitLayers = 32;   // so many of one step each, then
 constexpr int kOctaveLayers = 16; // so many until the depth has doubled
-constexpr float kFirstRoom = 8;   // steps for which there is room from the beginning
+constexpr float kFirstRoom = 24;  // steps for which there is room from the beginning
 
 SweptPatches inPieces(std::span<const field::SurfacePoint> surface, const MaskRaster& mask,
                       const volume::GridGeometry& geometry, ToolSweep sweep) {

@@ -141,7 +141,7 @@ void runSession(const RunOptions& options) {
     }
     const auto context = gl::Context::createHeadless();
     const std::string volumeName = volume.name;
-    studio::Document document(std::move(volume));
+    studio::Document document(std::move(volume), session.precision);
     gl::Context::finish();
     makeFolders(folder, session.operations);
     Report report(folder, {{"session", options.session},

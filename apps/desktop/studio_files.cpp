@@ -44,7 +44,9 @@ void StudioController::open(const OpenRequest& request) {
 void StudioController::finishOpening(const std::shared_ptr<Loaded>& loaded) {
     host_.makeCurrent();
     const bool done = guard([&] {
-        auto fresh = std::make_unique<studio::Document>(std::move(loaded->volume));
+        auto fresh = std::make_unique<studio::Document>(std::move(loaded->volume),
+                                                        loaded->session ? loaded->session->precision
+                                                                        : sculpt::Precision::Bits16);
         picture_->setDocument(nullptr); // before the old document goes
         document_ = std::move(fresh);
     });

@@ -81,10 +81,26 @@ private:
     std::vector<std::uint32_t> codes_;
 };
 
-std::uint32_t load(std::span<const std::byte> texels, std::size_t index, std::size_t texelBytes) {
-    std::uint32_t code = 0;
-    std::memcpy(&code, &texels[index * texelBytes], texelBytes);
-    return code;
+// Reads texels of one, two or four bytes as integers, a row at a time.
+template <typename Texel>
+void loadRow(const std::byte* from, std::uint32_t* to, std::size_t count) {
+    for (std::size_t n = 0; n < count; ++n) {
+        Texel texel = 0;
+        std::memcpy(&texel, from + n * sizeof(Texel), sizeof(Texel));
+        to[n] = texel;
+    }
+}
+
+void loadRow(std::span<const std::byte> texels, std::size_t first, std::size_t texelBytes, std::uint32_t* to,
+             std::size_t count) {
+    const std::byte* from = texels.data() + first * texelBytes;
+    if (texelBytes == 1) {
+        loadRow<std::uint8_t>(from, to, count);
+    } else if (texelBytes == 2) {
+        loadRow<std::uint16_t>(from, to, count);
+    } else {
+        loadRow<std::uint32_t>(from, to, count);
+    }
 }
 
 // Differences of either sign, modulo the texel's size, as small numbers: 0, -1, 1, -2, ...
@@ -115,20 +131,23 @@ std::size_t BrickEncoder::add(glm::ivec3 size, std::span<const std::byte> held,
     const auto shift = unsigned(32 - 8 * texelBytes_);
     const std::uint32_t most = 0xffffffffU >> shift;
     const std::size_t before = planes_[0].size();
+    const auto width = std::size_t(size.x);
     Codes codes(size);
+    std::vector<std::uint32_t> other(width);
     std::size_t n = 0;
     for (int z = 0; z < size.z; ++z) {
-        for (int y = 0; y < size.y; ++y) {
+        for (int y = 0; y < size.y; ++y, n += width) {
             const std::size_t row = changed_.size();
             changed_.resize(row + rowBytes(size), std::byte(0));
-            for (int x = 0; x < size.x; ++x, ++n) {
-                const std::uint32_t code = load(held, n, texelBytes_);
-                codes.at(x, y, z) = code;
-                if (code == load(current, n, texelBytes_)) {
+            std::uint32_t* own = &codes.at(0, y, z);
+            loadRow(held, n, texelBytes_, own, width);
+            loadRow(current, n, texelBytes_, other.data(), width);
+            for (std::size_t x = 0; x < width; ++x) {
+                if (own[x] == other[x]) {
                     continue;
                 }
-                changed_[row + std::size_t(x) / 8] |= std::byte(1U << (unsigned(x) % 8));
-                const std::uint32_t missed = folded((code - codes.predict(x, y, z)) & most, shift);
+                changed_[row + x / 8] |= std::byte(1U << (x % 8));
+                const std::uint32_t missed = folded((own[x] - codes.predict(int(x), y, z)) & most, shift);
                 for (std::size_t plane = 0; plane < texelBytes_; ++plane) {
                     planes_[plane].push_back(std::byte((missed >> (8 * plane)) & 0xffU));
                 }
@@ -157,15 +176,17 @@ BrickDecoder::BrickDecoder(std::size_t texelBytes, std::span<const std::byte> en
 void BrickDecoder::next(glm::ivec3 size, std::span<std::byte> texels) {
     VS_CHECK_EQ(texels.size(), texelsOf(size) * texelBytes_);
     const std::uint32_t most = 0xffffffffU >> unsigned(32 - 8 * texelBytes_);
+    const auto width = std::size_t(size.x);
     Codes codes(size);
     std::size_t n = 0;
     for (int z = 0; z < size.z; ++z) {
-        for (int y = 0; y < size.y; ++y) {
+        for (int y = 0; y < size.y; ++y, n += width) {
             const std::byte* row = &changed_.at(changedAt_);
             changedAt_ += rowBytes(size);
-            for (int x = 0; x < size.x; ++x, ++n) {
-                if ((row[std::size_t(x) / 8] & std::byte(1U << (unsigned(x) % 8))) == std::byte(0)) {
-                    codes.at(x, y, z) = load(texels, n, texelBytes_);
+            std::uint32_t* own = &codes.at(0, y, z);
+            loadRow(texels, n, texelBytes_, own, width);
+            for (std::size_t x = 0; x < width; ++x) {
+                if ((row[x / 8] & std::byte(1U << (x % 8))) == std::byte(0)) {
                     continue;
                 }
                 std::uint32_t missed = 0;
@@ -173,9 +194,8 @@ void BrickDecoder::next(glm::ivec3 size, std::span<std::byte> texels) {
                     missed |= std::uint32_t(planes_[plane].at(planeAt_)) << (8 * plane);
                 }
                 ++planeAt_;
-                const std::uint32_t code = (codes.predict(x, y, z) + unfolded(missed)) & most;
-                codes.at(x, y, z) = code;
-                std::memcpy(&texels[n * texelBytes_], &code, texelBytes_);
+                own[x] = (codes.predict(int(x), y, z) + unfolded(missed)) & most;
+                std::memcpy(&texels[(n + x) * texelBytes_], &own[x], texelBytes_);
             }
         }
     }

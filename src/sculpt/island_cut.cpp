@@ -21,7 +21,7 @@ Box3 IslandCutter::cut(Sculpture& sculpture, const field::Scene& scene, const gl
     VS_CHECK(region.size() == dims);
     if (!pack_) {
         pack_ = gl::Program("sculpt/shaders/pack_islands.comp");
-        cut_ = gl::Program("sculpt/shaders/cut_islands.comp");
+        cut_ = gl::Program("sculpt/shaders/cut_islands.comp", storedDefines(sculpture.precision()));
         bounds_ = gl::Buffer(6 * sizeof(int), "island bounds");
     }
     const glm::ivec3 words(divideUp(dims.x, kWord), dims.y, dims.z);

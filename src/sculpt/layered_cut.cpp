@@ -10,7 +10,7 @@ namespace {
 
 constexpr int kUnitLayers = 32;   // so many of one step each, then
 constexpr int kOctaveLayers = 16; // so many until the depth has doubled
-constexpr float kFirstRoom = 8;   // steps for which there is room from the beginning
+constexpr float kFirstRoom = 24;  // steps for which there is room from the beginning
 
 SweptPatches inPieces(std::span<const field::SurfacePoint> surface, const MaskRaster& mask,
                       const volume::GridGeometry& geometry, ToolSweep sweep) {
@@ -84,8 +84,12 @@ void LayeredCut::makeRoom(float depth, Radiator& radiator, PointGenerator& gener
         return;
     }
     roomDepth_ = std::max(2 * depth, kFirstRoom);
-    swept_.sweepPiece(edge(0), roomDepth_);
-    room_ = unite(room_, grow(swept_.pointBox(), 1));
+    if (roomDepth_ > kFirstRoom) {
+        swept_.sweepPiece(edge(0), roomDepth_);
+        room_ = unite(room_, grow(swept_.pointBox(), 1));
+    } else {
+        room_ = grow(swept_.hullBox(edge(0), roomDepth_), 1);
+    }
     radiator.beginRunning(room_, dims_, footprint_);
     for (int layer = 0; layer < state_.layers; ++layer) {
         put({edge(layer), edge(layer + 1)}, false, radiator, generator);

@@ -1,16 +1,28 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "gl/shader_source.h"
+#include "gl/texture.h"
+
 #include <array>
+#include <cstddef>
 #include <span>
+#include <vector>
 
 namespace vs::sculpt {
 
-// What the texture that records a radiation volume holds a value in (thesis 3.6.3): 8-bit unsigned
-// normalised, 16-bit or 32-bit floating point.
+// How radiation, from 0 to 1, is recorded (thesis 3.6.3): whole steps of 1/255, 16-bit floats, 32-bit floats.
 enum class Precision { Bits8, Bits16, Bits32 };
 // Their names on command lines, in the order of the enumeration.
 inline constexpr std::array<const char*, 3> kPrecisions{"8", "16", "32"};
+
+gl::Format formatOf(Precision precision);
+// For shaders that include sculpt/shaders/stored_values.glsl.
+gl::Defines storedDefines(Precision precision);
+// The greatest value that can be stored and is still visible in cut view: the last one below 0.5.
+float justVisible(Precision precision);
+// What texels of a sculpture of this precision mean, one value each. The only place that knows.
+std::vector<float> valuesOf(std::span<const std::byte> texels, Precision precision);
 
 // Rounds radiation (0 and above) to what such a texture stores; 8-bit ones hold 0 to 1. The thesis blended
 // splat by splat into the texture itself, so 8 bits also lost every contribution below half a grey level.

@@ -5,6 +5,7 @@
 #include "gl/pass.h"
 
 #include <algorithm>
+#include <string>
 
 namespace vs::sculpt {
 
@@ -20,11 +21,11 @@ Box3 cellsOf(const Box3& voxels, glm::ivec3 cellCount) {
 
 } // namespace
 
-Sculpture::Sculpture(glm::ivec3 dims)
-    : texels_(dims, gl::Format::R16F, gl::Filter::Linear, "sculpture"),
+Sculpture::Sculpture(glm::ivec3 dims, Precision precision)
+    : precision_(precision), texels_(dims, formatOf(precision), gl::Filter::Linear, "sculpture"),
       cells_(field::cellDims(dims), gl::Format::RG32F, gl::Filter::Nearest, "sculpture cells"),
-      combine_("sculpt/shaders/combine_sculpture.comp"), summarize_("sculpt/shaders/summarize_tiles.comp"),
-      changed_(sizeof(std::uint32_t), "changed voxels"),
+      combine_("sculpt/shaders/combine_sculpture.comp", storedDefines(precision)),
+      summarize_("sculpt/shaders/summarize_tiles.comp"), changed_(sizeof(std::uint32_t), "changed voxels"),
       touched_(Box3{glm::ivec3(0), brickGrid(dims)}.volume(), false) {}
 
 Box3 Sculpture::combine(const Radiator& radiation, Combine how) {

@@ -7,6 +7,7 @@
 #include "gl/program.h"
 #include "gl/texture.h"
 #include "sculpt/brick_backup.h"
+#include "sculpt/precision.h"
 #include "sculpt/radiation.h"
 
 #include <cstdint>
@@ -20,10 +21,10 @@ namespace vs::sculpt {
 enum class Combine { Cut, Restore };
 
 // What has been cut away: a scalar from 0 (untouched) to 1 (cut) on the volume's grid, the cut face at 0.5.
-// Kept as 16-bit floats on the device, together with the range of each macrocell for skipping empty space.
+// Kept on the device, together with the range of each macrocell for skipping empty space.
 class Sculpture {
 public:
-    explicit Sculpture(glm::ivec3 dims);
+    explicit Sculpture(glm::ivec3 dims, Precision precision = Precision::Bits16);
 
     // Union with a radiation E, clamped to [0, 1]: S = max(S, E) for a cut, S = min(S, 1 - E) for a restore
     // (SPEC 4). Where a restore has E >= 0.5 the result stays below 0.5, so nothing of the same stroke's cut
@@ -40,8 +41,11 @@ public:
     void clear();
     // The bricks (32^3) written to since the sculpture was made or cleared; elsewhere it is 0.
     [[nodiscard]] std::vector<Box3> touchedBricks() const;
-    // Texels as they are stored (half floats, x fastest). upload() refreshes the macrocells.
+    // Texels as they are stored (x fastest), and what they mean. upload() refreshes the macrocells.
     [[nodiscard]] std::vector<std::byte> download(const Box3& box) const { return texels_.download(box); }
+    [[nodiscard]] std::vector<float> values(const Box3& box) const {
+        return valuesOf(download(box), precision_);
+    }
     void upload(const Box3& box, std::span<const std::byte> texels);
     // Undo or redo, with the macrocells.
     void swap(BrickDelta& delta);
@@ -53,6 +57,7 @@ public:
     // RG32F, field::cellDims(dims) texels: smallest and largest value per macrocell.
     [[nodiscard]] const gl::Texture& cells() const { return cells_; }
     [[nodiscard]] glm::ivec3 dims() const { return texels_.size(); }
+    [[nodiscard]] Precision precision() const { return precision_; }
     // Counts every change.
     [[nodiscard]] std::uint64_t version() const { return version_; }
     // Voxels that may differ from what they were at an earlier version(). The longer ago, the more there may
@@ -70,6 +75,7 @@ private:
     void noteChange(const Box3& box);
     void markTouched(const Box3& box);
 
+    Precision precision_;
     gl::Texture texels_;
     gl::Texture cells_;
     gl::Program combine_;

@@ -153,7 +153,7 @@ Box3 SolidCutter::run(gl::Program& program, const Tiles& tiles, Sculpture& sculp
         return {};
     }
     if (!fill_) {
-        fill_ = gl::Program("sculpt/shaders/cut_all.comp");
+        fill_ = gl::Program("sculpt/shaders/cut_all.comp", storedDefines(sculpture.precision()));
     }
     const gl::Pass pass("cut solid");
     sculpture.texels().bindImage(0, gl::Access::ReadWrite);
@@ -198,7 +198,7 @@ Box3 SolidCutter::extrude(Sculpture& sculpture, const Extrusion& solid, Combine 
         return {};
     }
     if (!extrude_) {
-        extrude_ = gl::Program("sculpt/shaders/cut_extrusion.comp");
+        extrude_ = gl::Program("sculpt/shaders/cut_extrusion.comp", storedDefines(sculpture.precision()));
     }
     const auto outline = asTexture(distances.size, std::span<const float>(distances.values), gl::Format::R32F,
                                    gl::Filter::Linear, "outline distances");
@@ -266,7 +266,7 @@ Box3 SolidCutter::cutValues(Sculpture& sculpture, std::span<const float> energie
     const Box3 grid = geometry_.box();
     VS_CHECK_EQ(energies.size(), grid.volume());
     if (!cutValues_) {
-        cutValues_ = gl::Program("sculpt/shaders/cut_values.comp");
+        cutValues_ = gl::Program("sculpt/shaders/cut_values.comp", storedDefines(sculpture.precision()));
     }
     gl::Texture texels(geometry_.dims, gl::Format::R32F, gl::Filter::Nearest, "energies");
     texels.upload(grid, std::as_bytes(energies));

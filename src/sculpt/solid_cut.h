@@ -45,7 +45,8 @@ struct HalfSpaces {
 
 // Cuts solids whose shape is known exactly, voxel by voxel, with the edge that radiation would give a plane:
 // the Gaussian's integral over the distance from the boundary. So the 0.5 level lies on the boundary, at any
-// size, without any points. Where two boundaries meet, the smaller energy counts: corners stay sharp.
+// size, without any points. One serves one sculpture, or several of the same precision. Where two boundaries
+// meet, the smaller energy counts: corners stay sharp.
 class SolidCutter {
 public:
     static constexpr int kMaxPlanes = 32;

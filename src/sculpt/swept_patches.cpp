@@ -284,14 +284,27 @@ void SweptPatches::splitAcross(const Part& part, int axis) {
     addPart(half);
 }
 
-Box3 SweptPatches::pointBox() const {
-    if (patches_.empty()) {
-        return {};
+Box3 SweptPatches::pointBox() const { return patches_.empty() ? Box3{} : voxelsBetween(lo_, hi_); }
+
+Box3 SweptPatches::hullBox(float depthLo, float depthHi) const {
+    glm::vec3 lo(1e30F);
+    glm::vec3 hi(-1e30F);
+    for (const Part& part : noted_) {
+        for (const std::uint32_t corner : part.corners) {
+            const glm::vec3 begin(corners_[corner].start + depthLo * corners_[corner].direction);
+            const glm::vec3 end(corners_[corner].start + depthHi * corners_[corner].direction);
+            lo = glm::min(lo, glm::min(begin, end));
+            hi = glm::max(hi, glm::max(begin, end));
+        }
     }
+    return noted_.empty() ? Box3{} : voxelsBetween(lo, hi);
+}
+
+Box3 SweptPatches::voxelsBetween(const glm::vec3& lo, const glm::vec3& hi) {
     // Far outside every grid is as good as infinitely far, and safe to convert.
-    const glm::vec3 lo = glm::clamp(lo_, glm::vec3(-1e6F), glm::vec3(1e6F));
-    const glm::vec3 hi = glm::clamp(hi_, glm::vec3(-1e6F), glm::vec3(1e6F));
-    return {glm::ivec3(glm::floor(lo + 0.5F)), glm::ivec3(glm::floor(hi + 0.5F)) + 1};
+    const glm::vec3 first = glm::clamp(lo, glm::vec3(-1e6F), glm::vec3(1e6F));
+    const glm::vec3 last = glm::clamp(hi, glm::vec3(-1e6F), glm::vec3(1e6F));
+    return {glm::ivec3(glm::floor(first + 0.5F)), glm::ivec3(glm::floor(last + 0.5F)) + 1};
 }
 
 } // namespace vs::sculpt

@@ -83,6 +83,10 @@ public:
     // away again.
     void sweepPiece(float depthLo, float depthHi);
 
+    // A box that holds the points of any piece between these depths, as pointBox() says it; quick, and for
+    // deep pieces larger than need be.
+    [[nodiscard]] Box3 hullBox(float depthLo, float depthHi) const;
+
     [[nodiscard]] const std::vector<SweptCorner>& corners() const { return corners_; }
     [[nodiscard]] const std::vector<SweptPatch>& patches() const { return patches_; }
     [[nodiscard]] float depthLo() const { return depthLo_; }
@@ -114,6 +118,7 @@ private:
     [[nodiscard]] std::optional<Interval> clipped(const Quad& quad, Interval depths) const;
     [[nodiscard]] Interval beforeCrossing(const Quad& quad, Interval depths) const;
     void add(const Part& part);
+    [[nodiscard]] static Box3 voxelsBetween(const glm::vec3& lo, const glm::vec3& hi);
     void addPart(Part part);
     void splitAlongDepth(const Part& part);
     void splitAcross(const Part& part, int axis);

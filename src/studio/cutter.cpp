@@ -3,8 +3,6 @@
 
 #include "gl/pass.h"
 
-#include <glm/gtc/packing.hpp>
-
 namespace vs::studio {
 
 const gl::Texture& Cutter::snapshot() {
@@ -18,6 +16,7 @@ const gl::Texture& Cutter::snapshot() {
         snapshot_.copyFrom(texels, changed, changed.lo);
     }
     snapshotVersion_ = sculpture->version();
+    copiedVoxels_ = changed.volume();
     return snapshot_;
 }
 
@@ -26,13 +25,6 @@ const render::Macrocells& Cutter::snapshot(const render::Macrocells& macrocells)
     return macrocells_;
 }
 
-std::vector<float> Cutter::sculptureAsFloats() const {
-    const auto bytes = sculpture->download(geometry->box());
-    const auto* halves = reinterpret_cast<const std::uint16_t*>(bytes.data());
-    std::vector<float> values(bytes.size() / 2);
-    std::transform(halves, halves + values.size(), values.begin(),
-                   [](std::uint16_t h) { return glm::unpackHalf1x16(h); });
-    return values;
-}
+std::vector<float> Cutter::sculptureAsFloats() const { return sculpture->values(geometry->box()); }
 
 } // namespace vs::studio

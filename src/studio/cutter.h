@@ -16,7 +16,10 @@ public:
         : tools(field.geometry), solids(field.geometry), sculpture(&target), geometry(&field.geometry) {}
 
     // The sculpture as it is now, as a texture that stays so: a stroke keeps seeing the surface it began on.
+    // Only what has changed since the last one is copied.
     const gl::Texture& snapshot();
+    // Voxels that the last snapshot() copied.
+    [[nodiscard]] std::size_t copiedVoxels() const { return copiedVoxels_; }
     // The macrocells as they are now, likewise: pictures drawn during the stroke may rebuild the shared ones.
     const render::Macrocells& snapshot(const render::Macrocells& macrocells);
     // The sculpture's values, x fastest.
@@ -33,6 +36,7 @@ public:
 private:
     gl::Texture snapshot_;
     std::uint64_t snapshotVersion_ = 0;
+    std::size_t copiedVoxels_ = 0;
     render::Macrocells macrocells_;
 };
 

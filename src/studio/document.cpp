@@ -62,10 +62,11 @@ double interpolate(const volume::Volume& volume, glm::dvec3 voxel) {
 
 } // namespace
 
-Document::Impl::Impl(volume::Volume v)
+Document::Impl::Impl(volume::Volume v, sculpt::Precision precision)
     : volume(std::move(v)), field(field::uploadVolume(volume)),
-      histogram(field::intensityHistogram(field, histogramBins(field))), sculpture(volume.geometry.dims),
-      pipeline(field), region(field, sculpture), cutter(field, sculpture) {
+      histogram(field::intensityHistogram(field, histogramBins(field))),
+      sculpture(volume.geometry.dims, precision), pipeline(field), region(field, sculpture),
+      cutter(field, sculpture) {
     view.range = field::suggestRange(histogram, volume.range);
     if (volume.range.width() <= 0) { // one value all over: all of it is the object
         view.range = {volume.range.lo - 0.5, volume.range.hi + 0.5};
@@ -110,10 +111,12 @@ void Document::Impl::remember(Operation operation, std::optional<sculpt::BrickDe
     ++version;
 }
 
-Document::Document(volume::Volume volume) : impl_(std::make_unique<Impl>(std::move(volume))) {}
+Document::Document(volume::Volume volume, sculpt::Precision precision)
+    : impl_(std::make_unique<Impl>(std::move(volume), precision)) {}
 Document::~Document() = default;
 
 const volume::Volume& Document::volume() const { return impl_->volume; }
+sculpt::Precision Document::precision() const { return impl_->sculpture.precision(); }
 const field::Field& Document::field() const { return impl_->field; }
 const std::vector<std::uint32_t>& Document::histogram() const { return impl_->histogram; }
 const View& Document::view() const { return impl_->view; }

@@ -5,6 +5,7 @@
 #include "field/field.h"
 #include "render/picker.h"
 #include "render/ray_caster.h"
+#include "sculpt/precision.h"
 #include "studio/history.h"
 #include "studio/operation.h"
 #include "volume/volume.h"
@@ -26,14 +27,16 @@ struct Outcome {
 // strokes below, which end as one operation. Needs a current GL context for its whole life; one thread.
 class Document {
 public:
-    // Takes the volume and uploads it. The first displayed range is the suggested one.
-    explicit Document(volume::Volume volume);
+    // Takes the volume and uploads it. The first displayed range is the suggested one. `precision` is that of
+    // what has been cut.
+    explicit Document(volume::Volume volume, sculpt::Precision precision = sculpt::Precision::Bits16);
     ~Document();
     Document(const Document&) = delete;
     Document& operator=(const Document&) = delete;
 
     [[nodiscard]] const volume::Volume& volume() const;
     [[nodiscard]] const field::Field& field() const;
+    [[nodiscard]] sculpt::Precision precision() const; // of the sculpture
     // Voxel counts in equal bins over volume().range, at most 256.
     [[nodiscard]] const std::vector<std::uint32_t>& histogram() const;
     [[nodiscard]] const View& view() const;

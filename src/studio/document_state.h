@@ -17,7 +17,7 @@ namespace vs::studio {
 
 // What a Document holds, and one function per operation. Private to the document's own files.
 struct Document::Impl {
-    explicit Impl(volume::Volume v);
+    Impl(volume::Volume v, sculpt::Precision precision);
 
     // Each carries out one operation, fills in what it found (canvas, seed voxels), and remembers how to undo
     // it. Throws Error before anything has changed. `folder` is where files go.

@@ -51,10 +51,12 @@ void PastedParts::derive(Derived& part, const sculpt::Sculpture& sculpture, cons
     }
     const gl::Pass pass("derive pasted part");
     if (!program_) {
-        program_ = gl::Program("sculpt/shaders/derive_part.comp");
+        program_ =
+            gl::Program("sculpt/shaders/derive_part.comp", sculpt::storedDefines(sculpture.precision()));
     }
     if (!part.texels) {
-        part.texels = gl::Texture(sculpture.dims(), gl::Format::R16F, gl::Filter::Linear, "pasted part");
+        part.texels =
+            gl::Texture(sculpture.dims(), sculpture.texels().format(), gl::Filter::Linear, "pasted part");
         part.cells = gl::Texture(sculpture.cells().size(), gl::Format::RG32F, gl::Filter::Nearest,
                                  "pasted part cells");
     }

@@ -71,7 +71,7 @@ std::filesystem::path storedPath(const std::filesystem::path& volume, const std:
 Session loadSession(const std::filesystem::path& path) {
     const Json json = readJsonFile(path, "a session file", "doc/session.md");
     const JsonReader root(json, path.string());
-    root.allow({"volumeStudioSession", "volume", "operations"});
+    root.allow({"volumeStudioSession", "volume", "precision", "operations"});
     const long version = root.member("volumeStudioSession").integerBetween(1, 1 << 20);
     if (version > Session::kVersion) {
         throw SessionError(
@@ -80,6 +80,13 @@ Session loadSession(const std::filesystem::path& path) {
     }
     Session session;
     readVolumeMember(root.member("volume"), session);
+    root.ifHas("precision", [&](const JsonReader& r) {
+        const long bits = r.integerBetween(8, 32);
+        if (bits != 8 && bits != 16 && bits != 32) {
+            r.fail("must be 8, 16 or 32 bits");
+        }
+        session.precision = sculpt::Precision(bits == 8 ? 0 : bits == 16 ? 1 : 2);
+    });
     const JsonReader operations = root.member("operations");
     for (std::size_t i = 0; i < operations.size(); ++i) {
         session.operations.push_back(operationFromJson(
@@ -110,9 +117,9 @@ std::string textOf(const std::filesystem::path& path, const Session& session) {
         volume["frame"] = *session.frame;
     }
     // One operation a line: sessions are read and compared by people too.
-    std::string text =
-        fmt::format("{{\n  \"volumeStudioSession\": {},\n  \"volume\": {},\n  \"operations\": [",
-                    Session::kVersion, volume.dump());
+    std::string text = fmt::format(
+        "{{\n  \"volumeStudioSession\": {},\n  \"volume\": {},\n  \"precision\": {},\n  \"operations\": [",
+        Session::kVersion, volume.dump(), sculpt::kPrecisions[std::size_t(session.precision)]);
     for (std::size_t i = 0; i < session.operations.size(); ++i) {
         text += fmt::format("{}\n    {}", i == 0 ? "" : ",", toJson(session.operations[i]).dump());
     }
@@ -141,6 +148,7 @@ Session sessionOf(const Document& document, const Session& source) {
         session.block = Session::Block{geometry.dims, geometry.spacing()};
     }
     session.volumeChecksum = volume::checksum(document.volume());
+    session.precision = document.precision();
     session.operations = document.log();
     const View& view = document.view();
     session.operations.emplace_back(lookAs(view));

@@ -24,6 +24,7 @@ struct Session {
     std::string rawLayout;            // set for headerless files
     std::string series;               // set when a DICOM series was chosen
     std::optional<int> frame;
+    sculpt::Precision precision = sculpt::Precision::Bits16; // of the sculpture
     std::vector<Operation> operations;
 };
 

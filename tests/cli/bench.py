@@ -92,6 +92,12 @@ class Bench(unittest.TestCase):
         _, data = self.measure("--parts", "edits")
         self.assertEqual(data["volumes"][0]["entries"], [])
 
+    def test_live_strokes_are_timed(self):
+        _, data = self.measure("--parts", "strokes,edits")
+        names = [entry["name"] for entry in data["volumes"][0]["entries"]]
+        self.assertEqual(names[-6:], ["drill pen-down", "drill stamp", "drill pen-up", "peel, first layer",
+                                      "peel, drawn down", "peel, drawn up"])
+
     def test_bad_options_are_refused_in_one_line(self):
         self.refused("mode 'volumetric'", "--modes", "surface,volumetric")
         self.refused("--parts", "--parts", "data,pictures")

@@ -24,6 +24,9 @@ def replay(folder):
     result = subprocess.run([vstudio, "run", folder / "session.json", "-o", folder / "out"], capture_output=True, text=True)
     assert result.returncode == 0, result.stderr
     report = json.loads((folder / "out" / "report.json").read_text())
+    undo = report["undo"]
+    assert undo["changedVoxels"] > 100000 and 0 < undo["bytesPerChangedVoxel"] <= 1.6, undo
+    assert undo["bytesInFile"] == 0 and undo["bytesInMemory"] > 0, undo
     return report["operations"], gzip.decompress((folder / "out" / "brain.nii.gz").read_bytes())[352:]
 
 

@@ -1,14 +1,15 @@
 // Combines radiation with the sculpture in the radiation's tiles: one work group a tile, one invocation a line along x.
-// In: storage 0 tile list, image 0 energy (texel t is voxel originVoxel + t). image 2 an earlier
-// sculpture. In/out: image 1 sculpture. Out: storage 1
-// number of voxels changed.
+// In: storage 0 tile list, image 0 energy (texel t is voxel originVoxel + t), image 2 an earlier sculpture. In/out: image 1
+// sculpture. Out: storage 1 number of voxels changed.
+// variants: SCULPTURE_BITS=8;SCULPTURE_BITS=16;SCULPTURE_BITS=32
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(std430, binding = 0) readonly buffer TileList { uint tileList[]; };
 layout(std430, binding = 1) buffer Changed { uint changed; };
 layout(r32f, binding = 0) uniform readonly image3D energy;
-layout(r16f, binding = 1) uniform image3D sculpture;
-layout(r16f, binding = 2) uniform readonly image3D earlier;
+#include "sculpt/shaders/stored_values.glsl"
+layout(SCULPTURE_FORMAT, binding = 1) uniform image3D sculpture;
+layout(SCULPTURE_FORMAT, binding = 2) uniform readonly image3D earlier;
 
 layout(location = 0) uniform ivec3 tileDims;
 layout(location = 1) uniform ivec3 originVoxel;
@@ -17,11 +18,6 @@ layout(location = 3) uniform int isRestore;
 layout(location = 4) uniform int base; // united with: 0 the sculpture as it is, 1 the earlier one, 2 nothing
 
 #include "sculpt/shaders/tiles.glsl"
-
-// Energies below half a step of a 16-bit float at 1 are no more than the Gaussian's cut-off and rounding.
-const float negligible = 1.0 / 2048.0;
-// The next 16-bit float below 0.5.
-const float justVisible = 0.499755859375;
 
 void main() {
     ivec3 tile;
@@ -38,9 +34,8 @@ void main() {
             float before = base == 0 ? stored : (base == 1 ? imageLoad(earlier, voxel).r : 0.0);
             float remains = e >= 0.5 ? min(1.0 - e, justVisible) : 1.0 - e;
             float wanted = isRestore != 0 ? min(before, remains) : max(before, e);
-            // Rounded here, so that what is counted as changed is what is stored.
-            float after = e > negligible ? unpackHalf2x16(packHalf2x16(vec2(wanted, 0.0))).x : before;
-            if (after != stored) {
+            float after = e > negligible ? asStored(wanted) : before;
+            if (differ(after, stored)) {
                 imageStore(sculpture, voxel, vec4(after));
                 ++count;
             }

@@ -3,6 +3,7 @@
 // In: texture 0 distances from the outline (pixels, positive inside), with a depth texture 1 where along its ray the solid
 // begins and ends under each pixel (mm, negative: nowhere), and texture 2 the same of what begins nearest around it.
 // In/out: image 0 sculpture.
+// variants: SCULPTURE_BITS=16
 #include "sculpt/shaders/cut_solid.glsl"
 
 layout(binding = 0) uniform sampler2D outlineDistances;

@@ -1,9 +1,12 @@
 // Cuts islands (pack_islands.comp) and two voxels around each, but nothing within one voxel of what is kept. One invocation
 // a word of 32 voxels along x.
+// variants: SCULPTURE_BITS=16
 // In: storage 0 islands, 1 kept. Out: image 1 sculpture.
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(r16f, binding = 1) uniform writeonly image3D sculpture;
+#include "sculpt/shaders/stored_values.glsl"
+
+layout(SCULPTURE_FORMAT, binding = 1) uniform writeonly image3D sculpture;
 layout(std430, binding = 0) readonly buffer Islands { uint islands[]; };
 layout(std430, binding = 1) readonly buffer Kept { uint kept[]; };
 

@@ -2,7 +2,9 @@
 // combineVoxel(). Work groups are the tiles of 8^3 voxels in a list, one invocation a line along x.
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(r16f, binding = 0) uniform image3D sculpture;
+#include "sculpt/shaders/stored_values.glsl"
+
+layout(SCULPTURE_FORMAT, binding = 0) uniform image3D sculpture;
 
 layout(std430, binding = 0) readonly buffer TileList { uint tileList[]; };
 
@@ -22,11 +24,6 @@ bool lineStart(out ivec3 voxel) {
     return exists && all(lessThan(voxel, dims));
 }
 
-// Energies below half a step of a 16-bit float at 1 count as nothing, as in combine_sculpture.comp.
-const float negligible = 1.0 / 2048.0;
-// The next 16-bit float below 0.5.
-const float justVisible = 0.499755859375;
-
 // Half the Gaussian's integral: the energy at a distance (mm, positive inside) from a plane. To 1.5e-4 (Bowling et al.
 // 2009, a logistic approximation).
 float energyBehind(float distance) {
@@ -39,8 +36,8 @@ void combineVoxel(ivec3 voxel, float energy) {
         float before = imageLoad(sculpture, voxel).r;
         float e = energy > 1.0 - negligible ? 1.0 : energy;
         float remains = e >= 0.5 ? min(1.0 - e, justVisible) : 1.0 - e;
-        float wanted = isRestore != 0 ? min(before, remains) : max(before, e);
-        if (wanted != before) {
+        float wanted = asStored(isRestore != 0 ? min(before, remains) : max(before, e));
+        if (differ(wanted, before)) {
             imageStore(sculpture, voxel, vec4(wanted));
         }
     }

@@ -1,5 +1,6 @@
 // Cuts by energies given for each voxel.
 // In: image 1 energies. In/out: image 0 sculpture.
+// variants: SCULPTURE_BITS=16
 #include "sculpt/shaders/cut_solid.glsl"
 
 layout(r32f, binding = 1) uniform readonly image3D energies;

@@ -1,11 +1,14 @@
 // What of the sculpture belongs to one pasted part: min(S, S at its own paste, 1 - S at the paste before).
+// variants: SCULPTURE_BITS=16
 // In: textures 0 sculpture, 1 at its own paste, 2 at the paste before. Out: image 0 the part.
 layout(local_size_x = 8, local_size_y = 4, local_size_z = 2) in;
 
 layout(binding = 0) uniform sampler3D sculpture;
 layout(binding = 1) uniform sampler3D upTo;
 layout(binding = 2) uniform sampler3D from;
-layout(r16f, binding = 0) uniform writeonly image3D part;
+#include "sculpt/shaders/stored_values.glsl"
+
+layout(SCULPTURE_FORMAT, binding = 0) uniform writeonly image3D part;
 
 layout(location = 0) uniform ivec3 first;
 layout(location = 1) uniform ivec3 last; // exclusive

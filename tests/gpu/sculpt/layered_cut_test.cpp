@@ -54,7 +54,7 @@ Bytes atOnce(double depth, bool isCutBefore) {
 TEST_F(LayeredCutTest, WhateverTheWayADepthIsTheSameToTheLastByte) {
     for (const bool isCutBefore : {false, true}) {
         Peeling peeling(isCutBefore);
-        // Down, back, beyond the room of the beginning (8 steps, then 24 and 80) and up again.
+        // Down, back, beyond the room of the beginning (24 steps, then 81) and up again.
         for (const double depth : {0.1, 0.7, 3.0, 2.4, 2.4, 7.9, 12.2, 40.5, 41.0, 39.0, 20.0, 5.3, 0.2}) {
             peeling.to(depth);
             ASSERT_TRUE(peeling.piece.bytes() == atOnce(depth, isCutBefore)) << depth << " " << isCutBefore;

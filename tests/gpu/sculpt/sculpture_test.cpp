@@ -15,7 +15,7 @@ const glm::ivec3 kDims(75, 61, 50); // no multiple of a tile, a cell or a brick
 
 // Every cell's range must be the one of its 5^3 corner voxels.
 void expectCellsRight(const Sculpture& sculpture) {
-    const auto values = test::floatsFromHalves(sculpture.download({glm::ivec3(0), sculpture.dims()}));
+    const auto values = sculpture.values({glm::ivec3(0), sculpture.dims()});
     const auto cells = sculpture.cells().downloadAll<glm::vec2>();
     const glm::ivec3 dims = sculpture.dims();
     const glm::ivec3 count = field::cellDims(dims);
@@ -59,6 +59,42 @@ TEST_F(SculptureTest, CellsFollowEveryChange) {
     expectCellsRight(piece.sculpture);
     piece.sculpture.upload(box, bytes);
     expectCellsRight(piece.sculpture);
+}
+
+TEST_F(SculptureTest, ChangesAndTouchedBricksAreKnownForEver) {
+    Sculpture sculpture({200, 40, 40});
+    const auto write = [&](int x) {
+        const Box3 box{{x, 1, 1}, {x + 2, 3, 3}};
+        sculpture.upload(box, std::vector<std::byte>(box.volume() * 2, std::byte(0x3b)));
+        return box;
+    };
+    EXPECT_TRUE(sculpture.touchedBricks().empty());
+    const Box3 first = write(100);
+    const auto afterFirst = sculpture.version();
+    for (int n = 0; n < 100; ++n) {
+        write(10 + n % 7);
+    }
+    const auto afterMany = sculpture.version();
+    const Box3 last = write(180);
+    EXPECT_EQ(sculpture.changedSince(afterMany), last);
+    EXPECT_TRUE(sculpture.changedSince(sculpture.version()).isEmpty());
+    const Box3 most = sculpture.changedSince(afterFirst);
+    EXPECT_EQ(intersect(most, last), last);
+    EXPECT_LE(most.lo.x, 10);
+    EXPECT_EQ(intersect(sculpture.changedSince(0), first), first);
+    const auto bricks = sculpture.touchedBricks();
+    ASSERT_EQ(bricks.size(), 3U);
+    EXPECT_EQ(bricks[1], (Box3{{96, 0, 0}, {128, 32, 32}}));
+    EXPECT_EQ(bricks[2], (Box3{{160, 0, 0}, {192, 32, 32}}));
+    const auto before = sculpture.version();
+    sculpture.clear();
+    EXPECT_EQ(intersect(sculpture.changedSince(before), first), first) << "clearing is a change too";
+    EXPECT_TRUE(sculpture.touchedBricks().empty());
+    EXPECT_TRUE(sculpture.isEmpty());
+    expectCellsRight(sculpture);
+    for (const float value : sculpture.values({glm::ivec3(0), sculpture.dims()})) {
+        ASSERT_EQ(value, 0.0F);
+    }
 }
 
 TEST_F(SculptureTest, OnlyTheReturnedBoxChangesAndItIsTight) {

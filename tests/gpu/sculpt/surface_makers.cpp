@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "surface_makers.h"
 
-#include <glm/gtc/packing.hpp>
-
-#include <cstring>
-
 namespace vs::test {
 
 std::vector<field::SurfacePoint>
@@ -47,17 +43,6 @@ std::vector<field::SurfacePoint> hollowSphereUnder(const sculpt::MaskRaster& mas
         const glm::dvec3 way = glm::normalize(glm::dvec3(e, 1));
         return SurfaceHit{centre + radius * way, -way};
     });
-}
-
-std::vector<float> floatsFromHalves(const std::vector<std::byte>& bytes) {
-    std::vector<glm::uint16> halves(bytes.size() / 2);
-    std::memcpy(halves.data(), bytes.data(), bytes.size());
-    std::vector<float> values;
-    values.reserve(halves.size());
-    for (const glm::uint16 half : halves) {
-        values.push_back(glm::unpackHalf1x16(half));
-    }
-    return values;
 }
 
 float sampleGrid(const std::vector<float>& values, glm::ivec3 dims, glm::dvec3 p) {

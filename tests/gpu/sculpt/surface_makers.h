@@ -31,9 +31,6 @@ std::vector<field::SurfacePoint> sphereUnder(const sculpt::MaskRaster& mask, glm
 std::vector<field::SurfacePoint> hollowSphereUnder(const sculpt::MaskRaster& mask, glm::dvec3 centre,
                                                    double radius);
 
-// Half floats as floats.
-std::vector<float> floatsFromHalves(const std::vector<std::byte>& bytes);
-
 // Trilinear samples of dims values (x fastest), and where along a ray they fall through 0.5 (they must be
 // above at 0 and below at `reach`).
 float sampleGrid(const std::vector<float>& values, glm::ivec3 dims, glm::dvec3 p);

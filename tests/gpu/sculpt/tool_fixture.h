@@ -11,15 +11,16 @@ namespace vs::test {
 
 // A grid with a sculpture and the means to cut it.
 struct Workpiece {
-    explicit Workpiece(glm::ivec3 dims, glm::dvec3 spacing = glm::dvec3(1))
-        : geometry(volume::makeGeometry(dims, spacing)), sculpture(dims), cutter(geometry) {}
+    explicit Workpiece(glm::ivec3 dims, glm::dvec3 spacing = glm::dvec3(1),
+                       sculpt::Precision precision = sculpt::Precision::Bits16)
+        : geometry(volume::makeGeometry(dims, spacing)), sculpture(dims, precision), cutter(geometry) {}
 
     Box3 cut(const std::vector<field::SurfacePoint>& surface, const sculpt::MaskRaster& mask,
              const sculpt::ToolCut& how, sculpt::BrickBackup* backup = nullptr) {
         return cutter.cut(sculpture, std::span(surface), mask, how, backup);
     }
     [[nodiscard]] std::vector<std::byte> bytes() const { return sculpture.download(geometry.box()); }
-    [[nodiscard]] std::vector<float> values() const { return floatsFromHalves(bytes()); }
+    [[nodiscard]] std::vector<float> values() const { return sculpture.values(geometry.box()); }
     [[nodiscard]] glm::ivec3 dims() const { return geometry.dims; }
 
     volume::GridGeometry geometry;

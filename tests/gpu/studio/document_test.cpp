@@ -95,6 +95,24 @@ TEST_F(DocumentTest, ALiveStrokeEndsAsTheSameOperationWould) {
     EXPECT_EQ(replayed.sculptureBytes(), live.sculptureBytes());
 }
 
+TEST_F(DocumentTest, ThePrecisionOfCutsCanBeChosen) {
+    const std::size_t voxels = testHead().geometry.voxelCount();
+    std::size_t changed = 0;
+    for (const auto& [precision, bytes] : {std::pair(sculpt::Precision::Bits8, 1U),
+                                           {sculpt::Precision::Bits16, 2U},
+                                           {sculpt::Precision::Bits32, 4U}}) {
+        Document document(testHead(), precision);
+        const auto untouched = document.sculptureBytes();
+        EXPECT_EQ(untouched.size(), voxels * bytes);
+        const std::size_t touched = document.apply(somePeel()).voxelsTouched;
+        EXPECT_GE(touched, changed) << "finer steps, more of the edge";
+        EXPECT_GT(touched, 500U);
+        changed = touched;
+        document.apply(Undo{});
+        EXPECT_EQ(document.sculptureBytes(), untouched);
+    }
+}
+
 TEST_F(DocumentTest, ADiscardedOrFruitlessStrokeLeavesNoTrace) {
     Document document(testHead());
     const auto untouched = document.sculptureBytes();

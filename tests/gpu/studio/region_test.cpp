@@ -42,11 +42,10 @@ TEST_F(RegionTest, GrowthNeverEntersWhatWasCutAway) {
     document.apply(brainSeed());
     document.apply(Grow{});
     const auto labels = document.labels();
-    const auto bytes = document.sculptureBytes();
-    const auto* halves = reinterpret_cast<const std::uint16_t*>(bytes.data());
+    const auto cuts = sculpt::valuesOf(document.sculptureBytes(), sculpt::Precision::Bits16);
     std::size_t fenced = 0;
     for (std::size_t i = 0; i < labels.size(); ++i) {
-        const bool isCut = halves[i] >= 0x3800; // 0.5 as a half float
+        const bool isCut = cuts[i] >= 0.5F;
         EXPECT_FALSE(isCut && labels[i] == 1);
         fenced += isCut && std::uint8_t(document.volume().bytes[i]) == 100 ? 1 : 0;
     }

@@ -32,8 +32,8 @@ Canvas canvasOf(glm::ivec2 viewport, double azimuth, double elevation, double zo
 // The sculpture of a document, to be sampled in millimetres.
 struct Cut {
     Cut(const Document& document, glm::dvec3 gridSpacing)
-        : values(test::floatsFromHalves(document.sculptureBytes())), dims(document.volume().geometry.dims),
-          spacing(gridSpacing) {}
+        : values(sculpt::valuesOf(document.sculptureBytes(), sculpt::Precision::Bits16)),
+          dims(document.volume().geometry.dims), spacing(gridSpacing) {}
 
     [[nodiscard]] double at(glm::dvec3 world) const {
         return test::sampleGrid(values, dims, world / spacing);
@@ -209,8 +209,8 @@ TEST_F(ToolExactness, LayersComeOffAHollowBallFromInside) {
 }
 
 double largestDifference(const Document& a, const Document& b) {
-    const auto x = test::floatsFromHalves(a.sculptureBytes());
-    const auto y = test::floatsFromHalves(b.sculptureBytes());
+    const auto x = sculpt::valuesOf(a.sculptureBytes(), sculpt::Precision::Bits16);
+    const auto y = sculpt::valuesOf(b.sculptureBytes(), sculpt::Precision::Bits16);
     double worst = 0;
     for (std::size_t n = 0; n < x.size(); ++n) {
         worst = std::max(worst, std::abs(double(x[n]) - y[n]));

@@ -73,7 +73,7 @@ Operation restoring(Operation operation) {
 }
 
 std::vector<float> sculptureOf(const Document& document) {
-    return test::floatsFromHalves(document.sculptureBytes());
+    return sculpt::valuesOf(document.sculptureBytes(), sculpt::Precision::Bits16);
 }
 
 TEST_F(ToolsTest, UndoAndRedoGiveEveryByteBack) {
@@ -420,7 +420,7 @@ TEST_F(ToolsTest, EachPasteIsAPartOfItsOwn) {
     const auto part = [&](std::size_t k) {
         const auto frame = document.frame({400, 300});
         const auto bytes = frame.pasted.at(k).sculpture->download(grid);
-        return test::floatsFromHalves(bytes);
+        return sculpt::valuesOf(bytes, sculpt::Precision::Bits16);
     };
     const auto first = part(0);
     EXPECT_TRUE(first == sculptureOf(document));

@@ -80,6 +80,23 @@ class Commands(unittest.TestCase):
         for text in mentions:
             self.assertIn(str(text), lines[0])
 
+    def test_a_picture_becomes_a_sketch(self):
+        with tempfile.TemporaryDirectory() as folder:
+            picture = pathlib.Path(folder) / "disc.png"
+            write_grey_png(picture, 64, 64, lambda x, y: 255 if (x - 31.5) ** 2 + (y - 40.5) ** 2 < 400 else 0)
+            result = call("sketch", picture, "--centre", "600,400", "--width", "128")
+            self.assertEqual(result.returncode, 0, result.stderr)
+            sketch = json.loads(result.stdout)
+            self.assertEqual(sketch["shape"], "polyline")
+            xs, ys = zip(*sketch["points"])
+            self.assertAlmostEqual(min(xs), 560, delta=1.5)
+            self.assertAlmostEqual(max(ys), 458, delta=1.5)  # below the middle in the picture, and on the viewport
+            write_grey_png(picture, 8, 8, lambda x, y: 0)
+            empty = call("sketch", picture, "--centre", "600,400")
+            self.assertEqual((empty.returncode, empty.stderr.count("\n")), (1, 1))
+            self.assertIn("nothing to cut out", empty.stderr)
+            self.assertEqual(call("sketch", picture, "--centre", "nowhere").returncode, 2)
+
     def test_every_command_has_help(self):
         for command in ([], ["info"], ["render"], ["run"], ["grow"], ["sweep"], ["devices"], ["compare"],
                         ["histogram"], ["bench"]):

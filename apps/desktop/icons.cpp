@@ -18,7 +18,7 @@ namespace vs::desktop {
 namespace {
 
 // Content of a 24 x 24 SVG drawn with a line 1.7 wide; "C" as a colour is replaced by the icon's accent.
-const std::map<std::string, const char*> kShapes{
+const std::map<std::string, const char*> kShapes {
     {"open", R"(<path d="M3 19V6h6l2 2.5h10V19z"/>)"},
     {"folder", R"(<path d="M3 19V6h6l2 2.5h10V19z"/><path d="M7 12h10M7 15.5h10"/>)"},
     {"session",
@@ -52,6 +52,22 @@ const std::map<std::string, const char*> kShapes{
      R"(<path d="M4 17c4-7 12-7 16 0"/><path stroke="C" d="M6 11c3-5 9-5 12 0"/><path stroke="C" d="M12 3v5M9.800 6L12 8.200 14.200 6"/>)"},
     {"drill",
      R"(<path d="M8 3h8v5H8z"/><path d="M9.500 8h5v4h-5z"/><path stroke="C" d="M10.500 12h3L12 21z"/>)"},
+    {"laser",
+     R"(<path d="M3.500 17.500c4-3.500 13-3.500 17 0"/><path stroke="C" d="M15.500 3.500L11 14"/><path d="M14 3l3.500 1.500"/><path stroke="C" d="M8 10.500l1.500 1.500M14.500 14l-1-1.500M6.500 13.500l2 .500"/>)"},
+    {"sweep",
+     R"(<path d="M4.500 19.500C4.500 9 12 14 12 8.500" stroke-dasharray="2 2.600"/><ellipse cx="15.500" cy="6" rx="5" ry="3" stroke="C"/><ellipse cx="5.500" cy="18.500" rx="3" ry="2"/>)"},
+    {"scissors",
+     R"(<circle cx="6.500" cy="17.500" r="2.800"/><circle cx="17.500" cy="17.500" r="2.800"/><path d="M8 15L16.500 3.500M16 15L7.500 3.500"/><circle cx="12" cy="9.700" r=".500" stroke="C"/>)"},
+    {"keep",
+     R"(<circle cx="10.500" cy="9.500" r="6" stroke="C" fill="C" fill-opacity=".350"/><path d="M7.800 9.500l2 2 3.600-3.800"/><path d="M3.500 20.500h17" stroke-dasharray="1.500 3"/>)"},
+    {"clip",
+     R"(<path d="M6.500 2.500v15h15"/><path d="M2.500 6.500h15v15"/><path stroke="C" d="M9.500 14.500l5-5M9.500 10.500l1-1M13.500 14.500l1-1"/>)"},
+    {"move",
+     R"(<path d="M12 3v18M3 12h18"/><path d="M9.500 5.500L12 3l2.500 2.500M9.500 18.500L12 21l2.500-2.500M5.500 9.500L3 12l2.500 2.500M18.500 9.500L21 12l-2.500 2.500"/><circle cx="12" cy="12" r="2.500" stroke="C" fill="C"/>)"},
+    {"paste",
+     R"(<path d="M11.500 20H4.500V5h3"/><path d="M12.500 5h3v4"/><path d="M7.500 3.500h5v3h-5z"/><path stroke="C" d="M11 10.500h9v10h-9zM13.500 14h4M13.500 17h4"/>)"},
+    {"restore",
+     R"(<path d="M12 20.500a8.500 8.500 0 1 1 8.500-8.500"/><path stroke="C" fill="C" fill-opacity=".350" d="M12 12h8.500a8.500 8.500 0 0 1-8.500 8.500z"/><path stroke="C" d="M21 2.500l-6 6M15 4.500v4h4"/>)"},
     {"seed",
      R"(<path d="M12 21v-9"/><path stroke="C" d="M12 12c0-5 3.500-7.500 8-7.500 0 5-3 7.500-8 7.500zM12 15c0-4-2.500-6-7-6 0 4 2.500 6 7 6z"/>)"},
     {"freeform", R"(<path d="M5 15C3 9 8 4 12 7s6-2 8 3-4 10-8 9-6 1-7-4z"/>)"},
@@ -71,36 +87,36 @@ const std::map<std::string, const char*> kShapes{
     {"about", R"(<circle cx="12" cy="12" r="8.500"/><path d="M12 11v5.500M12 7.500v.500"/>)"},
 };
 
-class LineIcon : public QIconEngine {
-public:
-    explicit LineIcon(std::string name) : name_(std::move(name)) {}
+    class LineIcon : public QIconEngine {
+    public:
+        explicit LineIcon(std::string name) : name_(std::move(name)) {}
 
-    void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State) override {
-        const bool isDisabled = mode == QIcon::Disabled;
-        const QString line = (isDisabled ? theme::kDisabled : theme::kText).name();
-        QString shape = kShapes.at(name_);
-        shape.replace("\"C\"", "\"" + (isDisabled ? theme::kDisabled : theme::kAccent).name() + "\"");
-        const QString svg =
-            "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 24 24'><g fill='none' stroke='" + line +
-            "' stroke-width='1.7' stroke-linecap='round' stroke-linejoin='round'>" + shape + "</g></svg>";
-        QSvgRenderer renderer(svg.toUtf8());
-        painter->setRenderHint(QPainter::Antialiasing);
-        renderer.render(painter, rect);
-    }
+        void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State) override {
+            const bool isDisabled = mode == QIcon::Disabled;
+            const QString line = (isDisabled ? theme::kDisabled : theme::kText).name();
+            QString shape = kShapes.at(name_);
+            shape.replace("\"C\"", "\"" + (isDisabled ? theme::kDisabled : theme::kAccent).name() + "\"");
+            const QString svg =
+                "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 24 24'><g fill='none' stroke='" + line +
+                "' stroke-width='1.7' stroke-linecap='round' stroke-linejoin='round'>" + shape + "</g></svg>";
+            QSvgRenderer renderer(svg.toUtf8());
+            painter->setRenderHint(QPainter::Antialiasing);
+            renderer.render(painter, rect);
+        }
 
-    QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
-        QPixmap pixmap(size);
-        pixmap.fill(Qt::transparent);
-        QPainter painter(&pixmap);
-        paint(&painter, QRect(QPoint(0, 0), size), mode, state);
-        return pixmap;
-    }
+        QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
+            QPixmap pixmap(size);
+            pixmap.fill(Qt::transparent);
+            QPainter painter(&pixmap);
+            paint(&painter, QRect(QPoint(0, 0), size), mode, state);
+            return pixmap;
+        }
 
-    [[nodiscard]] QIconEngine* clone() const override { return new LineIcon(*this); }
+        [[nodiscard]] QIconEngine* clone() const override { return new LineIcon(*this); }
 
-private:
-    std::string name_;
-};
+    private:
+        std::string name_;
+    };
 
 } // namespace
 

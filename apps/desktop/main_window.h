@@ -40,6 +40,7 @@ protected:
     void closeEvent(QCloseEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
 
 private:
     // Asks before work that no file holds is lost; false: the person wants to keep it.
@@ -59,15 +60,23 @@ private:
     void makeFileActions();
     void makeEditActions();
     void makeViewActions();
-    void makeToolActions();
     void makeGrowthActions();
-    void makeMenus();
+    [[nodiscard]] QAction* action(const char* name) const { return actions_.at(name); }
+
+    // main_window_tools.cpp
+    void makeToolActions();
+    void refreshToolActions(bool hasDocument);
+
+    // main_window_colours.cpp
     void makeColourMenu();
     void openTransferFunction();
     void refreshColours();
+
+    // main_window_bars.cpp
+    void makeMenus();
     void makeToolBars();
-    void addButtons(QToolBar* bar, std::initializer_list<const char*> names);
-    [[nodiscard]] QAction* action(const char* name) const { return actions_.at(name); }
+    void fitToolBar(int width);
+    void makeToolColumn();
 
     // main_window_files.cpp
     void openFile();
@@ -90,6 +99,7 @@ private:
 
     StudioController& studio_;
     std::map<std::string, QAction*> actions_;
+    QToolBar* bar_ = nullptr;
     QStackedWidget* centre_ = nullptr;
     ViewWidget* view_ = nullptr;
     QLabel* hint_ = nullptr;

@@ -7,6 +7,7 @@
 #include "studio/sketch.h"
 
 #include <cmath>
+#include <utility>
 
 namespace vs::studio {
 
@@ -117,6 +118,9 @@ const View& Document::view() const { return impl_->view; }
 const std::vector<Operation>& Document::log() const { return impl_->log; }
 bool Document::canUndo() const { return impl_->history.canUndo(); }
 bool Document::canRedo() const { return impl_->history.canRedo(); }
+const Operation* Document::lastStep() const {
+    return canUndo() ? &std::as_const(impl_->history).toUndo().operation : nullptr;
+}
 std::uint64_t Document::version() const { return impl_->version; }
 
 Outcome Document::apply(const Operation& operation, const std::filesystem::path& outputFolder) {
@@ -304,6 +308,28 @@ std::vector<std::vector<glm::dvec2>> Document::outlinesAlongPath(const Sweep& sw
 }
 
 std::size_t Document::pastedParts() const { return impl_->pasted.sculptures.size(); }
+
+Box3 Document::partBox(std::size_t part) {
+    const auto parts = impl_->frame(impl_->view, glm::ivec2(1)).pasted;
+    if (part >= parts.size()) {
+        return {};
+    }
+    const glm::ivec3 dims = impl_->volume.geometry.dims;
+    const glm::ivec3 cellDims = field::cellDims(dims);
+    gl::Texture cells(cellDims, gl::Format::RG32F, gl::Filter::Nearest, "cells of a pasted part");
+    field::CellRangeUpdater().update(*parts[part].sculpture, impl_->volume.geometry.box(), cells);
+    const auto cut = cells.downloadAll<glm::vec2>();
+    const auto values = impl_->pipeline.cellRanges().cells.downloadAll<glm::vec2>();
+    Box3 box;
+    for (std::size_t n = 0; n < cut.size(); ++n) {
+        if (cut[n].y >= 0.5F && values[n].y >= impl_->view.range.lo && values[n].x <= impl_->view.range.hi) {
+            const auto i = int(n);
+            const glm::ivec3 cell(i % cellDims.x, i / cellDims.x % cellDims.y, i / cellDims.x / cellDims.y);
+            box = unite(box, {field::kCell * cell, field::kCell * (cell + 1)});
+        }
+    }
+    return intersect(box, {glm::ivec3(0), dims});
+}
 
 std::vector<std::byte> Document::sculptureBytes() const {
     return impl_->sculpture.download(impl_->volume.geometry.box());

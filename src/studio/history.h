@@ -42,6 +42,7 @@ public:
 
     // The step to take back; once that is done, tookBack() makes it the one to redo.
     Step& toUndo() { return done_.back(); }
+    [[nodiscard]] const Step& toUndo() const { return done_.back(); }
     void tookBack() { move(done_, undone_); }
     // The step to apply again; once that is done, appliedAgain() makes it the one to undo.
     Step& toRedo() { return undone_.back(); }

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "placement_by_hand.h"
+
+#include <glm/gtc/quaternion.hpp>
+
+#include <algorithm>
+
+namespace vs::desktop {
+
+namespace {
+
+constexpr double kLeastScale = 0.1;
+constexpr double kMostScale = 10;
+
+glm::dquat turnOf(const glm::dvec3& degrees) {
+    const double angle = glm::length(degrees);
+    return angle > 0 ? glm::angleAxis(glm::radians(angle), degrees / angle) : glm::dquat(1, 0, 0, 0);
+}
+
+// By the shorter way round.
+glm::dvec3 degreesOf(glm::dquat turn) {
+    if (turn.w < 0) {
+        turn = -turn;
+    }
+    const double angle = glm::degrees(glm::angle(turn));
+    return angle > 1e-9 ? angle * glm::axis(turn) : glm::dvec3(0);
+}
+
+} // namespace
+
+glm::dvec3 HeldPart::centre() const {
+    return glm::dvec3(render::worldFromPart(place_, *geometry_) * glm::dvec4(centre_, 1.0));
+}
+
+void HeldPart::turn(glm::dvec3 axis, double degrees) {
+    const glm::dvec3 held = centre();
+    place_.turnDegrees = degreesOf(glm::angleAxis(glm::radians(degrees), axis) * turnOf(place_.turnDegrees));
+    keepCentreAt(held);
+}
+
+void HeldPart::scale(double factor) {
+    const glm::dvec3 held = centre();
+    place_.scale = std::clamp(place_.scale * factor, kLeastScale, kMostScale);
+    keepCentreAt(held);
+}
+
+void HeldPart::keepCentreAt(glm::dvec3 world) { place_.moveMm += world - centre(); }
+
+} // namespace vs::desktop

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "render/placement.h"
+
+namespace vs::desktop {
+
+// A pasted part as it is held in the hand: about its own centre (world, where it was cut out) instead of the
+// grid's.
+class HeldPart {
+public:
+    HeldPart(const render::Placement& place, glm::dvec3 centre, const volume::GridGeometry& geometry)
+        : place_(place), centre_(centre), geometry_(&geometry) {}
+
+    [[nodiscard]] const render::Placement& place() const { return place_; }
+    // Where its centre is now.
+    [[nodiscard]] glm::dvec3 centre() const;
+
+    void move(glm::dvec3 mm) { place_.moveMm += mm; }
+    // About an axis of the world (unit length) through its centre.
+    void turn(glm::dvec3 axis, double degrees);
+    void scale(double factor);
+
+private:
+    void keepCentreAt(glm::dvec3 world);
+
+    render::Placement place_;
+    glm::dvec3 centre_;
+    const volume::GridGeometry* geometry_;
+};
+
+} // namespace vs::desktop

@@ -18,7 +18,7 @@ namespace vs::desktop {
 namespace {
 
 // Content of a 24 x 24 SVG drawn with a line 1.7 wide; "C" as a colour is replaced by the icon's accent.
-const std::map<std::string, const char*> kShapes {
+const std::map<std::string, const char*> kShapes{
     {"open", R"(<path d="M3 19V6h6l2 2.5h10V19z"/>)"},
     {"folder", R"(<path d="M3 19V6h6l2 2.5h10V19z"/><path d="M7 12h10M7 15.5h10"/>)"},
     {"session",
@@ -87,36 +87,36 @@ const std::map<std::string, const char*> kShapes {
     {"about", R"(<circle cx="12" cy="12" r="8.500"/><path d="M12 11v5.500M12 7.500v.500"/>)"},
 };
 
-    class LineIcon : public QIconEngine {
-    public:
-        explicit LineIcon(std::string name) : name_(std::move(name)) {}
+class LineIcon : public QIconEngine {
+public:
+    explicit LineIcon(std::string name) : name_(std::move(name)) {}
 
-        void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State) override {
-            const bool isDisabled = mode == QIcon::Disabled;
-            const QString line = (isDisabled ? theme::kDisabled : theme::kText).name();
-            QString shape = kShapes.at(name_);
-            shape.replace("\"C\"", "\"" + (isDisabled ? theme::kDisabled : theme::kAccent).name() + "\"");
-            const QString svg =
-                "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 24 24'><g fill='none' stroke='" + line +
-                "' stroke-width='1.7' stroke-linecap='round' stroke-linejoin='round'>" + shape + "</g></svg>";
-            QSvgRenderer renderer(svg.toUtf8());
-            painter->setRenderHint(QPainter::Antialiasing);
-            renderer.render(painter, rect);
-        }
+    void paint(QPainter* painter, const QRect& rect, QIcon::Mode mode, QIcon::State) override {
+        const bool isDisabled = mode == QIcon::Disabled;
+        const QString line = (isDisabled ? theme::kDisabled : theme::kText).name();
+        QString shape = kShapes.at(name_);
+        shape.replace("\"C\"", "\"" + (isDisabled ? theme::kDisabled : theme::kAccent).name() + "\"");
+        const QString svg =
+            "<svg xmlns='http://www.w3.org/2000/svg' viewBox='0 0 24 24'><g fill='none' stroke='" + line +
+            "' stroke-width='1.7' stroke-linecap='round' stroke-linejoin='round'>" + shape + "</g></svg>";
+        QSvgRenderer renderer(svg.toUtf8());
+        painter->setRenderHint(QPainter::Antialiasing);
+        renderer.render(painter, rect);
+    }
 
-        QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
-            QPixmap pixmap(size);
-            pixmap.fill(Qt::transparent);
-            QPainter painter(&pixmap);
-            paint(&painter, QRect(QPoint(0, 0), size), mode, state);
-            return pixmap;
-        }
+    QPixmap pixmap(const QSize& size, QIcon::Mode mode, QIcon::State state) override {
+        QPixmap pixmap(size);
+        pixmap.fill(Qt::transparent);
+        QPainter painter(&pixmap);
+        paint(&painter, QRect(QPoint(0, 0), size), mode, state);
+        return pixmap;
+    }
 
-        [[nodiscard]] QIconEngine* clone() const override { return new LineIcon(*this); }
+    [[nodiscard]] QIconEngine* clone() const override { return new LineIcon(*this); }
 
-    private:
-        std::string name_;
-    };
+private:
+    std::string name_;
+};
 
 } // namespace
 

@@ -39,10 +39,9 @@ QString MoveTool::hint() const {
     if (isTurningView_) {
         return tr("Turning the view. Press on the part to move that.");
     }
-    const QString text = tr("Drag the part to move it, with Shift to turn it, with Ctrl to turn it like a "
-                            "wheel; the wheel scales "
-                            "it. Beside it, drag turns the view.");
-    return count() > 1 ? text + tr(" Tab goes to the next.") : text;
+    const QString text =
+        tr("Drag the part to move it, with Shift to turn it, with Ctrl to roll it; the wheel scales it.");
+    return count() > 1 ? text + tr(" Tab: the next part.") : text;
 }
 
 Qt::CursorShape MoveTool::cursor() const {
@@ -120,6 +119,14 @@ Overlays MoveTool::overlays() const {
         overlays.push_back({text, Overlay::Tint::Pen, 1, 0.1});
     }
     return overlays;
+}
+
+std::vector<QPointF> MoveTool::handles() const {
+    std::vector<QPointF> places;
+    for (int part = 0; part < count(); ++part) {
+        places.push_back(studio_.seenAt(held(part).centre()));
+    }
+    return places;
 }
 
 std::optional<int> MoveTool::handleAt(QPointF position) const {

@@ -41,6 +41,8 @@ public:
     [[nodiscard]] int chosen() const { return chosen_; }
     void choose(int part);
     [[nodiscard]] int count() const;
+    // Where the parts' handles are, in logical pixels of the view.
+    [[nodiscard]] std::vector<QPointF> handles() const;
     // The chosen part's place as it is shown; nothing if there is none.
     [[nodiscard]] std::optional<render::Placement> place() const;
     // Back where it was pasted from, upright and at its own size.

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "placement_by_hand.h"
 
+#include "world_lines.h"
+
 #include <glm/gtc/quaternion.hpp>
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 
 namespace vs::desktop {
 
@@ -45,5 +49,27 @@ void HeldPart::scale(double factor) {
 }
 
 void HeldPart::keepCentreAt(glm::dvec3 world) { place_.moveMm += world - centre(); }
+
+glm::dvec3 placeBeside(const Box3& part, const volume::GridGeometry& geometry, const render::ViewRays& rays) {
+    constexpr double kMargin = 0.03; // of the picture's width
+    const glm::dvec3 right = glm::normalize(rays.right);
+    double width = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        const glm::dvec3 side = glm::dvec3(geometry.worldFromVoxel[axis]) * double(geometry.dims[axis]);
+        width += std::abs(glm::dot(side, right));
+    }
+    if (!part.isEmpty()) {
+        double rightmost = 0;                                // pixels
+        double pixelMm = std::numeric_limits<double>::max(); // of the nearest corner, which moves farthest
+        for (const auto& corner :
+             boxCorners(glm::dvec3(part.lo), glm::dvec3(part.hi), geometry.worldFromVoxel)) {
+            rightmost = std::max(rightmost, rays.project(corner).x);
+            pixelMm = std::min(pixelMm, rays.pixelMm(corner));
+        }
+        const double room = (1 - kMargin) * rays.size.x - rightmost;
+        width = std::min(width, std::max(room, kMargin * rays.size.x) * pixelMm);
+    }
+    return width * right;
+}
 
 } // namespace vs::desktop

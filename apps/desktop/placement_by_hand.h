@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "base/math.h"
 #include "render/placement.h"
 
 namespace vs::desktop {
@@ -28,5 +29,9 @@ private:
     glm::dvec3 centre_;
     const volume::GridGeometry* geometry_;
 };
+
+// How far (world, mm) a new part is moved from where it was cut out (voxels): to the right as it is seen, as
+// far as the grid is wide, but so that it stays in the picture.
+glm::dvec3 placeBeside(const Box3& part, const volume::GridGeometry& geometry, const render::ViewRays& rays);
 
 } // namespace vs::desktop

@@ -9,6 +9,7 @@
 #include "laser_tool.h"
 #include "move_tool.h"
 #include "peel_tool.h"
+#include "placement_by_hand.h"
 #include "scissors_tool.h"
 #include "seed_tool.h"
 #include "sweep_tool.h"
@@ -192,15 +193,12 @@ bool StudioController::paste() {
     if (document_ == nullptr || isLoading()) {
         return false;
     }
-    // As far as the grid is wide, seen from here.
-    const glm::dvec3 right = glm::normalize(rays().right);
-    const auto& grid = *geometry();
-    double width = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-        width += std::abs(glm::dot(glm::dvec3(grid.worldFromVoxel[axis]) * double(grid.dims[axis]), right));
-    }
-    render::Placement place;
-    place.moveMm = width * right;
+    Box3 box;
+    guard([&] {
+        flushView();
+        box = document_->partBox(document_->pastedParts());
+    });
+    const render::Placement place{placeBeside(box, *geometry(), rays())};
     if (!apply(studio::Paste{place})) {
         return false;
     }

@@ -38,7 +38,7 @@ QDockWidget { color: #e3e6ea; }
 QFrame#card { background: #262a2f; border: 1px solid #31363c; border-radius: 7px; }
 QLabel#cardTitle { color: #e3e6ea; font-weight: 600; }
 QFrame[separator="true"] { color: #3a4047; }
-QLabel[restores="true"] { color: #56b4e9; }
+QLabel#cardTitle[restores="true"] { color: #56b4e9; }
 QLabel[quiet="true"] { color: #9aa3ad; }
 QLabel#hint { background: #262a2f; color: #e3e6ea; padding: 6px 12px; border-top: 1px solid #31363c; }
 QPushButton { background: #333940; border: 1px solid #434a52; border-radius: 5px; padding: 5px 12px; }

@@ -154,7 +154,8 @@ void ViewWidget::mouseReleaseEvent(QMouseEvent* event) {
 
 void ViewWidget::wheelEvent(QWheelEvent* event) {
     const double notches = event->angleDelta().y() / 120.0;
-    const Pen pen = penAt(event->scenePosition(), event->modifiers());
+    // A wheel's place in the window is wrong where Qt passes the event on to a child.
+    const Pen pen = penAt(mapTo(window(), event->position()), event->modifiers());
     if (drag_ == Drag::None && !studio_.tool().wheel(notches, pen)) {
         constexpr double kPerNotch = 1.2;
         studio_.cameraTool().zoom(std::pow(kPerNotch, notches), pen.position);

@@ -310,20 +310,37 @@ std::vector<std::vector<glm::dvec2>> Document::outlinesAlongPath(const Sweep& sw
 std::size_t Document::pastedParts() const { return impl_->pasted.sculptures.size(); }
 
 Box3 Document::partBox(std::size_t part) {
-    const auto parts = impl_->frame(impl_->view, glm::ivec2(1)).pasted;
-    if (part >= parts.size()) {
-        return {};
-    }
     const glm::ivec3 dims = impl_->volume.geometry.dims;
     const glm::ivec3 cellDims = field::cellDims(dims);
-    gl::Texture cells(cellDims, gl::Format::RG32F, gl::Filter::Nearest, "cells of a pasted part");
-    field::CellRangeUpdater().update(*parts[part].sculpture, impl_->volume.geometry.box(), cells);
-    const auto cut = cells.downloadAll<glm::vec2>();
+    const auto rangesOf = [&](const gl::Texture& texels) {
+        gl::Texture cells(cellDims, gl::Format::RG32F, gl::Filter::Nearest, "cells of a pasted part");
+        field::CellRangeUpdater().update(texels, {glm::ivec3(0), dims}, cells);
+        return cells.downloadAll<glm::vec2>();
+    };
+    const auto& pastes = impl_->pasted.sculptures;
+    std::vector<glm::vec2> cut;
+    std::vector<glm::vec2> before; // cells that are still the same do not count
+    if (part == pastes.size()) {
+        cut = impl_->sculpture.cells().downloadAll<glm::vec2>();
+        if (!pastes.empty()) {
+            before = rangesOf(*pastes.back());
+        }
+    } else {
+        const auto parts = impl_->frame(impl_->view, glm::ivec2(1)).pasted;
+        if (part >= parts.size()) {
+            return {};
+        }
+        cut = rangesOf(*parts[part].sculpture);
+    }
     const auto values = impl_->pipeline.cellRanges().cells.downloadAll<glm::vec2>();
+    const Range& shown = impl_->view.range;
+    // More than half, because between two parts that touch both are half there.
+    constexpr float kSurely = 0.6F;
     Box3 box;
     for (std::size_t n = 0; n < cut.size(); ++n) {
-        if (cut[n].y >= 0.5F && values[n].y >= impl_->view.range.lo && values[n].x <= impl_->view.range.hi) {
-            const auto i = int(n);
+        const bool isCut = cut[n].y >= kSurely && (before.empty() || cut[n] != before[n]);
+        if (isCut && values[n].y >= shown.lo && values[n].x <= shown.hi) {
+            const int i = int(n);
             const glm::ivec3 cell(i % cellDims.x, i / cellDims.x % cellDims.y, i / cellDims.x / cellDims.y);
             box = unite(box, {field::kCell * cell, field::kCell * (cell + 1)});
         }

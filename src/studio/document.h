@@ -111,6 +111,7 @@ public:
     // Parts pasted so far (by Paste); the view's places may be more or fewer.
     [[nodiscard]] std::size_t pastedParts() const;
     // Voxels around what can be seen of a pasted part, where it was cut out; empty when that is nothing.
+    // partBox(pastedParts()): around what the next paste would take, all that was cut since the last one.
     Box3 partBox(std::size_t part);
 
     // Bytes of the states that undo must restore, for tests and checks.

@@ -111,12 +111,12 @@ Overlays MoveTool::overlays() const {
         const QPointF at = studio_.seenAt(held(part).centre());
         QPainterPath disc;
         disc.addEllipse(at, kHandle, kHandle);
-        overlays.push_back({disc, tint, isChosen ? 0.55 : 0.25});
+        overlays.push_back({disc, tint, isChosen ? 0.6 : 0.2});
         const QString number = QString::number(part + 1);
         QPainterPath text;
         text.addText(QPointF(0, 0), font, number);
         text.translate(at - text.boundingRect().center());
-        overlays.push_back({text, Overlay::Tint::Pen, 1, 0.1});
+        overlays.push_back({text, Overlay::Tint::Pen, 1, 0});
     }
     return overlays;
 }
@@ -148,14 +148,10 @@ bool MoveTool::isOverChosen(QPointF position) const {
     if (chosen_ >= count() || n >= boxes_.size() || boxes_[n].isEmpty()) {
         return false;
     }
-    const auto& geometry = *studio_.geometry();
-    const glm::dmat4 place =
-        render::worldFromPart(studio_.view().pasted[n], geometry) * geometry.worldFromVoxel;
-    QPolygonF seen;
-    for (const glm::dvec3& corner : boxCorners(glm::dvec3(boxes_[n].lo), glm::dvec3(boxes_[n].hi), place)) {
-        seen.append(studio_.seenAt(corner));
-    }
-    return seen.boundingRect().adjusted(-kMargin, -kMargin, kMargin, kMargin).contains(position);
+    const glm::dvec2 scale = studio_.devicePerLogical();
+    const QRectF seen = seenBox(boxes_[n], studio_.view().pasted[n], *studio_.geometry(), studio_.rays());
+    return seen.adjusted(-kMargin, -kMargin, kMargin, kMargin)
+        .contains(QPointF(position.x() * scale.x, position.y() * scale.y));
 }
 
 void MoveTool::choose(int part) {

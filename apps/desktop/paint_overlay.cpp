@@ -58,12 +58,14 @@ void paintOverlay(QPainter& painter, const Overlay& overlay, QRectF area) {
         fill.setAlphaF(float(overlay.fill));
         onImage.fillPath(overlay.path, fill);
     }
-    QColor edge = Qt::black;
-    edge.setAlphaF(0.65F);
-    onImage.setPen(QPen(edge, outer, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    onImage.drawPath(overlay.path);
-    onImage.setPen(QPen(colour, overlay.width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    onImage.drawPath(overlay.path);
+    if (overlay.width > 0) {
+        QColor edge = Qt::black;
+        edge.setAlphaF(0.65F);
+        onImage.setPen(QPen(edge, outer, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        onImage.drawPath(overlay.path);
+        onImage.setPen(QPen(colour, overlay.width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        onImage.drawPath(overlay.path);
+    }
     onImage.end();
     painter.drawImage(box.topLeft(), image);
 }

@@ -3,6 +3,8 @@
 
 #include "world_lines.h"
 
+#include <QPolygonF>
+
 #include <glm/gtc/quaternion.hpp>
 
 #include <algorithm>
@@ -50,26 +52,48 @@ void HeldPart::scale(double factor) {
 
 void HeldPart::keepCentreAt(glm::dvec3 world) { place_.moveMm += world - centre(); }
 
-glm::dvec3 placeBeside(const Box3& part, const volume::GridGeometry& geometry, const render::ViewRays& rays) {
+QRectF seenBox(const Box3& part, const render::Placement& place, const volume::GridGeometry& geometry,
+               const render::ViewRays& rays) {
+    QPolygonF seen;
+    const glm::dmat4 worldFromVoxel = render::worldFromPart(place, geometry) * geometry.worldFromVoxel;
+    for (const auto& corner : boxCorners(glm::dvec3(part.lo), glm::dvec3(part.hi), worldFromVoxel)) {
+        const glm::dvec2 pixel = rays.project(corner);
+        seen.append(QPointF(pixel.x, pixel.y));
+    }
+    return seen.boundingRect();
+}
+
+render::Placement placeBeside(const Box3& part, const std::vector<QRectF>& taken,
+                              const volume::GridGeometry& geometry, const render::ViewRays& rays) {
     constexpr double kMargin = 0.03; // of the picture's width
+    render::Placement place;
     const glm::dvec3 right = glm::normalize(rays.right);
     double width = 0;
     for (int axis = 0; axis < 3; ++axis) {
         const glm::dvec3 side = glm::dvec3(geometry.worldFromVoxel[axis]) * double(geometry.dims[axis]);
         width += std::abs(glm::dot(side, right));
     }
-    if (!part.isEmpty()) {
-        double rightmost = 0;                                // pixels
-        double pixelMm = std::numeric_limits<double>::max(); // of the nearest corner, which moves farthest
-        for (const auto& corner :
-             boxCorners(glm::dvec3(part.lo), glm::dvec3(part.hi), geometry.worldFromVoxel)) {
-            rightmost = std::max(rightmost, rays.project(corner).x);
-            pixelMm = std::min(pixelMm, rays.pixelMm(corner));
-        }
-        const double room = (1 - kMargin) * rays.size.x - rightmost;
-        width = std::min(width, std::max(room, kMargin * rays.size.x) * pixelMm);
+    place.moveMm = width * right;
+    if (part.isEmpty()) {
+        return place;
     }
-    return width * right;
+    double pixelMm = std::numeric_limits<double>::max(); // of the nearest corner, which moves farthest
+    for (const auto& corner : boxCorners(glm::dvec3(part.lo), glm::dvec3(part.hi), geometry.worldFromVoxel)) {
+        pixelMm = std::min(pixelMm, rays.pixelMm(corner));
+    }
+    const double room = (1 - kMargin) * rays.size.x - seenBox(part, {}, geometry, rays).right();
+    place.moveMm = std::min(width, std::max(room, kMargin * rays.size.x) * pixelMm) * right;
+    const glm::dvec3 down = -glm::normalize(rays.up);
+    for (std::size_t tries = 0; tries < taken.size(); ++tries) {
+        const QRectF seen = seenBox(part, place, geometry, rays);
+        const auto hit = std::find_if(taken.begin(), taken.end(),
+                                      [&](const QRectF& other) { return other.intersects(seen); });
+        if (hit == taken.end() || hit->bottom() + seen.height() > rays.size.y) {
+            break;
+        }
+        place.moveMm += (hit->bottom() - seen.top()) * pixelMm * down;
+    }
+    return place;
 }
 
 } // namespace vs::desktop

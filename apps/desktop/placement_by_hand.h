@@ -4,6 +4,10 @@
 #include "base/math.h"
 #include "render/placement.h"
 
+#include <QRectF>
+
+#include <vector>
+
 namespace vs::desktop {
 
 // A pasted part as it is held in the hand: about its own centre (world, where it was cut out) instead of the
@@ -30,8 +34,14 @@ private:
     const volume::GridGeometry* geometry_;
 };
 
-// How far (world, mm) a new part is moved from where it was cut out (voxels): to the right as it is seen, as
-// far as the grid is wide, but so that it stays in the picture.
-glm::dvec3 placeBeside(const Box3& part, const volume::GridGeometry& geometry, const render::ViewRays& rays);
+// The box around a part (voxels, where it was cut out) as it is seen at a place, in pixels.
+QRectF seenBox(const Box3& part, const render::Placement& place, const volume::GridGeometry& geometry,
+               const render::ViewRays& rays);
+
+// Where a new part is put: moved from where it was cut out to the right as it is seen, as far as the grid is
+// wide, but so that it stays in the picture; and down, beside what is `taken` (pixels) by others, while there
+// is room.
+render::Placement placeBeside(const Box3& part, const std::vector<QRectF>& taken,
+                              const volume::GridGeometry& geometry, const render::ViewRays& rays);
 
 } // namespace vs::desktop

@@ -193,13 +193,16 @@ bool StudioController::paste() {
     if (document_ == nullptr || isLoading()) {
         return false;
     }
-    Box3 box;
-    guard([&] {
+    render::Placement place;
+    const bool isPlaced = guard([&] {
         flushView();
-        box = document_->partBox(document_->pastedParts());
+        std::vector<QRectF> taken;
+        for (std::size_t part = 0; part < view_.pasted.size(); ++part) {
+            taken.push_back(seenBox(document_->partBox(part), view_.pasted[part], *geometry(), rays()));
+        }
+        place = placeBeside(document_->partBox(document_->pastedParts()), taken, *geometry(), rays());
     });
-    const render::Placement place{placeBeside(box, *geometry(), rays())};
-    if (!apply(studio::Paste{place})) {
+    if (!isPlaced || !apply(studio::Paste{place})) {
         return false;
     }
     setTool(*moveTool_);

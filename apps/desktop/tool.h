@@ -27,8 +27,8 @@ struct Overlay {
 
     QPainterPath path;
     Tint tint = Tint::Pen;
-    double fill = 0; // its inside's opacity
-    double width = 2;
+    double fill = 0;  // its inside's opacity
+    double width = 2; // 0: no line
 };
 using Overlays = std::vector<Overlay>;
 

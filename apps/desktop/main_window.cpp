@@ -89,6 +89,7 @@ void MainWindow::makeCentre() {
     auto* welcome = named(new WelcomePage, "welcome", tr("Welcome"));
     connect(welcome, &WelcomePage::openRequested, this, &MainWindow::openFile);
     connect(welcome, &WelcomePage::openFolderRequested, this, &MainWindow::openFolder);
+    welcome->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // its width is not the view's least
     centre_->addWidget(welcome);
 
     auto* page = new QWidget;

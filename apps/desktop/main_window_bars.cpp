@@ -4,6 +4,7 @@
 #include "tool_column.h"
 
 #include <QDockWidget>
+#include <QLabel>
 #include <QMenuBar>
 #include <QResizeEvent>
 #include <QScrollArea>
@@ -67,7 +68,7 @@ void MainWindow::makeToolBars() {
     fitToolBar(width());
 }
 
-// A narrow window shows the icons alone, so that no button is lost.
+// A narrow window shows the icons alone, so that no button is lost, and has two lines for hints.
 void MainWindow::fitToolBar(int width) {
     const bool hasTexts = width >= kRoomForTexts;
     bar_->setToolButtonStyle(hasTexts ? Qt::ToolButtonTextUnderIcon : Qt::ToolButtonIconOnly);
@@ -76,6 +77,9 @@ void MainWindow::fitToolBar(int width) {
             button->setMinimumWidth(hasTexts ? 58 : 34);
         }
     }
+    constexpr int kPadding = 13; // of the hint's style
+    hint_->setWordWrap(!hasTexts);
+    hint_->setFixedHeight(hint_->fontMetrics().lineSpacing() * (hasTexts ? 1 : 2) + kPadding);
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {

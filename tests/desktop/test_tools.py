@@ -54,11 +54,11 @@ def redo(studio):
 
 def narrow(studio):
     """A small window has all its buttons too, and small pictures are soon finished."""
-    studio.resize(1000, 700)
-    state = studio.wait_idle("the small window", lambda s: s["viewport"][0] < 600 and s["pictureComplete"])
+    studio.resize(900, 700)
+    state = studio.wait_idle("the small window", lambda s: s["viewport"][0] < 500 and s["pictureComplete"])
     right = state["widgets"]["mainWindow"][0] + state["widgets"]["mainWindow"][2]
     for name in ("open", "viewWhole", "cameraTool", "moveTool", "reSeed"):
-        need(name in state["widgets"], f"a window 1000 pixels wide has no button {name}")
+        need(name in state["widgets"], f"a window 900 pixels wide has no button {name}")
         x, _, width, _ = state["widgets"][name]
         need(x + width <= right, f"the button {name} lies outside the window")
 

@@ -3,6 +3,8 @@
 
 #include "volume_loader.h"
 
+#include "base/timer.h"
+
 #include <QMainWindow>
 #include <QTimer>
 
@@ -41,6 +43,7 @@ protected:
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
     void resizeEvent(QResizeEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
 
 private:
     // Asks before work that no file holds is lost; false: the person wants to keep it.
@@ -66,6 +69,7 @@ private:
     // main_window_tools.cpp
     void makeToolActions();
     void refreshToolActions(bool hasDocument);
+    void reverseSign();
 
     // main_window_colours.cpp
     void makeColourMenu();
@@ -112,6 +116,7 @@ private:
     QTimer probeTimer_;
     QTimer rateTimer_;
     bool isBusyCursor_ = false;
+    Timer sinceReversed_; // the tool's sign: cut or restore
 };
 
 } // namespace vs::desktop

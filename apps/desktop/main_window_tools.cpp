@@ -13,6 +13,7 @@
 #include "sweep_tool.h"
 
 #include <QActionGroup>
+#include <QKeyEvent>
 
 namespace vs::desktop {
 
@@ -38,18 +39,18 @@ void MainWindow::makeToolActions() {
     add(studio_.seedTool(), "seedTool", "seed", tr("Seed"), tr("Mark what should be segmented"), "S");
     add(studio_.moveTool(), "moveTool", "move", tr("Move"), tr("Move, turn and scale pasted parts"), "G");
 
-    addAction({"restore", "restore", tr("Restore"), tr("The tool puts back what was cut, instead of cutting"),
-               tr("R")},
-              [this] {
-                  if (auto* tool = studio_.cutTool()) {
-                      tool->setRestores(!tool->restores());
-                  }
-              })
-        ->setCheckable(true);
+    QAction* restore = addAction(
+        {"restore", "restore", tr("Restore"),
+         tr("The tool puts back what was cut, instead of cutting; hold the key for as long as you want it"),
+         tr("R")},
+        [this] { reverseSign(); });
+    restore->setCheckable(true);
+    restore->setAutoRepeat(false);
     addAction({"paste", "paste", tr("Paste"),
                tr("Paste what was cut since the last paste beside the object, to be moved by hand"),
                tr("Shift+V")},
-              [this] { studio_.paste(); });
+              [this] { studio_.paste(); })
+        ->setAutoRepeat(false);
 
     auto* shapes = new QActionGroup(this);
     addChoice(shapes, {"freeForm", "freeform", tr("Free-form"), tr("Draw the outline by hand"), tr("F")},
@@ -59,6 +60,22 @@ void MainWindow::makeToolActions() {
               [this] { studio_.setShape(studio::Shape::Ellipse); });
     addAction({"clearSketch", "clear", tr("Clear"), tr("Drop the stroke in hand, or the mask"), tr("Esc")},
               [this] { studio_.tool().clear(); });
+}
+
+void MainWindow::reverseSign() {
+    sinceReversed_ = Timer();
+    if (auto* tool = studio_.cutTool()) {
+        tool->setRestores(!tool->restores());
+    }
+}
+
+// A key that was held, and not only struck, lets go of what it did.
+void MainWindow::keyReleaseEvent(QKeyEvent* event) {
+    constexpr double kHeldMs = 500;
+    if (event->key() == Qt::Key_R && !event->isAutoRepeat() && sinceReversed_.milliseconds() > kHeldMs) {
+        reverseSign();
+    }
+    QMainWindow::keyReleaseEvent(event);
 }
 
 void MainWindow::refreshToolActions(bool hasDocument) {

@@ -28,6 +28,7 @@ MoveTool::MoveTool(StudioController& studio) : Tool(&studio), studio_(studio) {
     calm_.setInterval(kCalmMs);
     connect(&calm_, &QTimer::timeout, this, &MoveTool::commit);
     connect(&studio, &StudioController::changed, this, &MoveTool::lookForParts);
+    connect(&studio, &StudioController::opened, this, [this] { boxes_.clear(); });
 }
 
 int MoveTool::count() const { return int(studio_.view().pasted.size()); }
@@ -295,14 +296,12 @@ void MoveTool::drop() {
 }
 
 void MoveTool::settle() {
-    if (calm_.isActive()) {
-        commit();
-    }
+    calm_.isActive() ? commit() : drop(); // what the wheel did was meant
 }
 
 void MoveTool::clear() {
     isTurningView_ = false;
-    calm_.isActive() ? commit() : drop(); // what the wheel did was meant
+    settle();
 }
 
 } // namespace vs::desktop

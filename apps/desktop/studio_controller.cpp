@@ -194,14 +194,21 @@ bool StudioController::paste() {
         return false;
     }
     render::Placement place;
+    bool isSomething = false;
     const bool isPlaced = guard([&] {
         flushView();
+        const Box3 box = document_->partBox(document_->pastedParts());
+        isSomething = !box.isEmpty();
         std::vector<QRectF> taken;
         for (std::size_t part = 0; part < view_.pasted.size(); ++part) {
             taken.push_back(seenBox(document_->partBox(part), view_.pasted[part], *geometry(), rays()));
         }
-        place = placeBeside(document_->partBox(document_->pastedParts()), taken, *geometry(), rays());
+        place = placeBeside(box, taken, *geometry(), rays());
     });
+    if (isPlaced && !isSomething) {
+        say(tr("Nothing to paste: nothing visible was cut since the last paste"));
+        return false;
+    }
     if (!isPlaced || !apply(studio::Paste{place})) {
         return false;
     }

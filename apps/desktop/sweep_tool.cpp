@@ -29,8 +29,9 @@ QString SweepTool::hint() const {
     case State::Ready:
         break;
     }
-    return restores() ? tr("Enter restores what is shown. Draw again for another way. Esc drops it.")
-                      : tr("Enter cuts what is shown. Draw again for another way. Esc drops it.");
+    const QString what = restores() ? tr("Enter restores what is shown. ") : tr("Enter cuts what is shown. ");
+    return what + (isDrawn() ? tr("Draw again for another way. Esc drops it.")
+                             : tr("Draw again for another shape. Esc drops it."));
 }
 
 Overlays SweepTool::overlays() const {

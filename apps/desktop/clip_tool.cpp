@@ -173,8 +173,7 @@ bool ClipTool::open() {
     if (document == nullptr || studio_.isLoading()) {
         return false;
     }
-    const auto* last = document->lastStep();
-    replaces_ = last != nullptr && std::holds_alternative<studio::Clip>(*last);
+    replaces_ = standing() != nullptr;
     isReplacing_ = true; // it is not somebody else who takes it back
     const bool isBack = !replaces_ || studio_.apply(studio::Undo{});
     isReplacing_ = false;
@@ -235,15 +234,21 @@ void ClipTool::clear() {
     }
 }
 
+// The last thing done, if it was a clip that cuts, or restores, as the next one will.
+const studio::Clip* ClipTool::standing() const {
+    const auto* last = studio_.document()->lastStep();
+    const auto* clip = last != nullptr ? std::get_if<studio::Clip>(last) : nullptr;
+    return clip != nullptr && clip->restores == restores() ? clip : nullptr;
+}
+
 // The panel shows the clip that a further change would take the place of, or none.
 void ClipTool::takeStanding() {
     auto* document = studio_.document();
     if (isOpen_ || isReplacing_ || document == nullptr || studio_.isLoading()) {
         return;
     }
-    const auto* last = document->lastStep();
-    const auto* standing = last != nullptr ? std::get_if<studio::Clip>(last) : nullptr;
-    clip_ = standing != nullptr ? *standing : studio::Clip{};
+    const auto* shown = standing();
+    clip_ = shown != nullptr ? *shown : studio::Clip{};
     emit clipChanged();
 }
 

@@ -62,6 +62,7 @@ private:
     void show(const studio::Clip& clip, bool isDragged);
     bool open();
     void drop();
+    [[nodiscard]] const studio::Clip* standing() const;
     void takeStanding();
     [[nodiscard]] studio::Clip operation() const;
 

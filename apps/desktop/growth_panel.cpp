@@ -87,8 +87,8 @@ QWidget* GrowthPanel::makePlayback() {
     row->setSpacing(4);
     back_ = makeIconButton("back", "growBack", tr("Backward"),
                            tr("One generation back; hold to play backward ( , )"));
-    play_ = makeIconButton("play", "growPlay", tr("Play"), tr("Let the region grow (Space)"));
-    pause_ = makeIconButton("pause", "growPause", tr("Pause"), tr("Pause growing (Space)"));
+    play_ = makeIconButton("play", "growPlay", tr("Play"), tr("Let the region grow (Shift+G)"));
+    pause_ = makeIconButton("pause", "growPause", tr("Pause"), tr("Pause growing (Shift+G)"));
     step_ = makeIconButton("step", "growStep", tr("Step"), tr("One generation further ( . )"));
     end_ = makeIconButton("end", "growEnd", tr("To the end"), tr("Grow until nothing grows any more"));
     back_->setAutoRepeat(true);

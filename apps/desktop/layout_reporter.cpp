@@ -3,6 +3,7 @@
 
 #include "growth_controller.h"
 #include "main_window.h"
+#include "move_tool.h"
 #include "studio_controller.h"
 #include "tool.h"
 #include "view_widget.h"
@@ -25,7 +26,18 @@ namespace {
 
 constexpr int kPollMs = 40;
 
-// Scripts point in the screen's own pixels, Qt thinks in scaled ones.
+// Scripts point in the screen's own pixels, Qt thinks in scaled ones. Where the handles of pasted parts are
+// on the screen.
+nlohmann::json handlesOnScreen(const QWidget& view, const MoveTool& tool) {
+    const double scale = view.devicePixelRatioF();
+    nlohmann::json places = nlohmann::json::array();
+    for (const QPointF place : tool.handles()) {
+        const QPointF onScreen = (QPointF(view.mapToGlobal(QPoint(0, 0))) + place) * scale;
+        places.push_back({std::lround(onScreen.x()), std::lround(onScreen.y())});
+    }
+    return places;
+}
+
 nlohmann::json screenRect(const QWidget& widget) {
     const double scale = widget.devicePixelRatioF();
     const QPointF corner = QPointF(widget.mapToGlobal(QPoint(0, 0))) * scale;
@@ -87,6 +99,7 @@ void LayoutReporter::write() {
         {"pictureComplete", studio_.picture().isComplete()},
         {"viewRect", window_.view().isVisible() ? screenRect(window_.view()) : nlohmann::json::array()},
         {"viewport", {studio_.picture().viewport().x, studio_.picture().viewport().y}},
+        {"handles", handlesOnScreen(window_.view(), studio_.moveTool())},
         {"glErrors", studio_.host().errorCount()},
         {"inputs", inputs_},
         {"widgets", widgets}};

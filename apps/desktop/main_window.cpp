@@ -55,6 +55,7 @@ MainWindow::MainWindow(StudioController& studio, QWidget* parent) : QMainWindow(
     makeGrowthActions();
     makeMenus();
     makeToolBars();
+    makeToolColumn();
 
     connect(&studio_, &StudioController::changed, this, &MainWindow::refresh);
     connect(&studio_, &StudioController::overlayChanged, this, &MainWindow::refreshHint);
@@ -88,6 +89,7 @@ void MainWindow::makeCentre() {
     auto* welcome = named(new WelcomePage, "welcome", tr("Welcome"));
     connect(welcome, &WelcomePage::openRequested, this, &MainWindow::openFile);
     connect(welcome, &WelcomePage::openFolderRequested, this, &MainWindow::openFolder);
+    welcome->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // its width is not the view's least
     centre_->addWidget(welcome);
 
     auto* page = new QWidget;
@@ -183,8 +185,7 @@ void MainWindow::refresh() {
     constexpr const char* kSculptureViews[] = {"viewWhole", "viewCut", "viewProbe"};
     action(kSculptureViews[static_cast<int>(view.sculptureView)])->setChecked(true);
     action("smoothSampling")->setChecked(view.sampling == field::Sampling::Tricubic);
-    action((studio_.tool().name().toStdString() + "Tool").c_str())->setChecked(true);
-    action(studio_.shape() == studio::Shape::Ellipse ? "ellipse" : "freeForm")->setChecked(true);
+    refreshToolActions(hasDocument);
     if (document != nullptr) {
         const auto& volume = document->volume();
         setWindowTitle(QString::fromStdString(volume.name) + tr(" – Volume Studio"));

@@ -3,6 +3,8 @@
 
 #include "volume_loader.h"
 
+#include "base/timer.h"
+
 #include <QMainWindow>
 #include <QTimer>
 
@@ -40,6 +42,8 @@ protected:
     void closeEvent(QCloseEvent* event) override;
     void dragEnterEvent(QDragEnterEvent* event) override;
     void dropEvent(QDropEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
 
 private:
     // Asks before work that no file holds is lost; false: the person wants to keep it.
@@ -59,15 +63,24 @@ private:
     void makeFileActions();
     void makeEditActions();
     void makeViewActions();
-    void makeToolActions();
     void makeGrowthActions();
-    void makeMenus();
+    [[nodiscard]] QAction* action(const char* name) const { return actions_.at(name); }
+
+    // main_window_tools.cpp
+    void makeToolActions();
+    void refreshToolActions(bool hasDocument);
+    void reverseSign();
+
+    // main_window_colours.cpp
     void makeColourMenu();
     void openTransferFunction();
     void refreshColours();
+
+    // main_window_bars.cpp
+    void makeMenus();
     void makeToolBars();
-    void addButtons(QToolBar* bar, std::initializer_list<const char*> names);
-    [[nodiscard]] QAction* action(const char* name) const { return actions_.at(name); }
+    void fitToolBar(int width);
+    void makeToolColumn();
 
     // main_window_files.cpp
     void openFile();
@@ -90,6 +103,7 @@ private:
 
     StudioController& studio_;
     std::map<std::string, QAction*> actions_;
+    QToolBar* bar_ = nullptr;
     QStackedWidget* centre_ = nullptr;
     ViewWidget* view_ = nullptr;
     QLabel* hint_ = nullptr;
@@ -102,6 +116,7 @@ private:
     QTimer probeTimer_;
     QTimer rateTimer_;
     bool isBusyCursor_ = false;
+    Timer sinceReversed_; // the tool's sign: cut or restore
 };
 
 } // namespace vs::desktop

@@ -2,19 +2,13 @@
 #include "main_window.h"
 
 #include "camera_tool.h"
-#include "drill_tool.h"
 #include "growth_controller.h"
 #include "icons.h"
-#include "peel_tool.h"
-#include "seed_tool.h"
 #include "studio_controller.h"
 #include "view_widget.h"
 
 #include <QActionGroup>
 #include <QApplication>
-#include <QMenuBar>
-#include <QToolBar>
-#include <QToolButton>
 
 namespace vs::desktop {
 
@@ -123,32 +117,11 @@ void MainWindow::makeViewActions() {
     annotations->setChecked(true);
 }
 
-void MainWindow::makeToolActions() {
-    auto* tools = new QActionGroup(this);
-    const auto add = [&](Tool& tool, const char* name, const char* iconName, const QString& text,
-                         const QString& tip, const char* key) {
-        addChoice(tools, {name, iconName, text, tip, QKeySequence(key)},
-                  [this, &tool] { studio_.setTool(tool); });
-    };
-    add(studio_.cameraTool(), "cameraTool", "camera", tr("Camera"), tr("Turn the volume"), "V");
-    add(studio_.peelTool(), "peelTool", "peel", tr("Peel"), tr("Peel layers off the surface"), "P");
-    add(studio_.drillTool(), "drillTool", "drill", tr("Drill"), tr("Drill along the view"), "D");
-    add(studio_.seedTool(), "seedTool", "seed", tr("Seed"), tr("Mark what should be segmented"), "S");
-
-    auto* shapes = new QActionGroup(this);
-    addChoice(shapes, {"freeForm", "freeform", tr("Free-form"), tr("Draw the outline by hand"), tr("F")},
-              [this] { studio_.setShape(studio::Shape::FreeForm); });
-    addChoice(shapes,
-              {"ellipse", "ellipse", tr("Ellipse"), tr("Drag an ellipse from corner to corner"), tr("E")},
-              [this] { studio_.setShape(studio::Shape::Ellipse); });
-    addAction({"clearSketch", "clear", tr("Clear"), tr("Drop the stroke in hand, or the mask"), tr("Esc")},
-              [this] { studio_.tool().clear(); });
-}
-
 void MainWindow::makeGrowthActions() {
     auto& growth = studio_.growth();
-    addAction({"playPause", "play", tr("Play or pause"), tr("Let the region grow, or pause it"), tr("G")},
-              [&growth] { growth.isPlaying() ? growth.pause() : growth.play(); });
+    addAction(
+        {"playPause", "play", tr("Play or pause"), tr("Let the region grow, or pause it"), tr("Shift+G")},
+        [&growth] { growth.isPlaying() ? growth.pause() : growth.play(); });
     addAction({"growStepKey", "step", tr("Step"), tr("One generation further"), tr(".")},
               [&growth] { growth.step(); });
     addAction({"growBackKey", "back", tr("Backward"), tr("One generation back"), tr(",")},
@@ -156,69 +129,6 @@ void MainWindow::makeGrowthActions() {
     addAction(
         {"growToEndKey", "end", tr("To the end"), tr("Grow until nothing grows any more"), tr("Ctrl+G")},
         [&growth] { growth.toEnd(); });
-}
-
-void MainWindow::makeMenus() {
-    const auto menu = [this](const QString& title, std::initializer_list<const char*> names) {
-        auto* list = menuBar()->addMenu(title);
-        for (const char* name : names) {
-            if (*name == '-') {
-                list->addSeparator();
-            } else {
-                list->QWidget::addAction(action(name));
-            }
-        }
-    };
-    menu(tr("&File"), {"open", "openFolder", "-", "saveSession", "exportLabels", "screenshot", "-", "quit"});
-    menu(tr("&Edit"), {"undo", "redo", "-", "unCut", "reSeed", "-", "clearSketch"});
-    menu(tr("&View"), {"resetView", "-", "mode.surface", "mode.mip", "mode.xray", "mode.overlay",
-                       "mode.segment", "mode.volume", "-", "viewCut", "viewProbe", "viewWhole", "-",
-                       "smoothSampling", "shadows", "annotations"});
-    makeColourMenu();
-    menu(tr("&Tools"), {"cameraTool", "peelTool", "drillTool", "seedTool", "-", "freeForm", "ellipse"});
-    menu(tr("&Segmentation"), {"playPause", "growStepKey", "growBackKey", "growToEndKey"});
-    menu(tr("&Help"), {"about"});
-}
-
-void MainWindow::addButtons(QToolBar* bar, std::initializer_list<const char*> names) {
-    for (const char* name : names) {
-        if (*name == '-') {
-            bar->addSeparator();
-            continue;
-        }
-        QAction* const shown = action(name);
-        bar->QWidget::addAction(shown);
-        auto* button = qobject_cast<QToolButton*>(bar->widgetForAction(shown));
-        button->setObjectName(name);
-        button->setAccessibleName(shown->text());
-        button->setFocusPolicy(Qt::TabFocus);
-        button->setMinimumWidth(bar->orientation() == Qt::Horizontal ? 58 : 112);
-    }
-}
-
-void MainWindow::makeToolBars() {
-    const auto bar = [this](Qt::ToolBarArea area, const char* name, const QString& title) {
-        auto* made = new QToolBar(title);
-        made->setObjectName(name);
-        made->setAccessibleName(title);
-        made->setMovable(false);
-        made->setIconSize(QSize(22, 22));
-        made->setToolButtonStyle(area == Qt::TopToolBarArea ? Qt::ToolButtonTextUnderIcon
-                                                            : Qt::ToolButtonTextBesideIcon);
-        QMainWindow::addToolBar(area, made);
-        return made;
-    };
-    addButtons(bar(Qt::TopToolBarArea, "mainBar", tr("File, view and mode")),
-               {"open",         "openFolder",  "saveSession",
-                "exportLabels", "screenshot",  "-",
-                "undo",         "redo",        "-",
-                "resetView",    "-",           "mode.surface",
-                "mode.mip",     "mode.xray",   "mode.overlay",
-                "mode.segment", "mode.volume", "-",
-                "viewCut",      "viewProbe",   "viewWhole"});
-    addButtons(bar(Qt::RightToolBarArea, "toolBar", tr("Tools and shapes")),
-               {"cameraTool", "peelTool", "drillTool", "seedTool", "-", "freeForm", "ellipse", "clearSketch",
-                "-", "unCut", "reSeed"});
 }
 
 } // namespace vs::desktop

@@ -19,6 +19,10 @@ QColor colourOf(Overlay::Tint tint) {
         return theme::kIdle;
     case Overlay::Tint::Cutting:
         return theme::kCutting;
+    case Overlay::Tint::ReadyToRestore:
+        return theme::kRestore;
+    case Overlay::Tint::Restoring:
+        return theme::kRestoring;
     case Overlay::Tint::Seed:
         break;
     }
@@ -49,17 +53,19 @@ void paintOverlay(QPainter& painter, const Overlay& overlay, QRectF area) {
     onImage.setRenderHint(QPainter::Antialiasing);
     onImage.translate(-box.topLeft());
     const QColor colour = colourOf(overlay.tint);
-    if (overlay.isFilled) {
+    if (overlay.fill > 0) {
         QColor fill = colour;
-        fill.setAlphaF(0.14F); // what is cut must be seen through it, in its own colours
+        fill.setAlphaF(float(overlay.fill));
         onImage.fillPath(overlay.path, fill);
     }
-    QColor edge = Qt::black;
-    edge.setAlphaF(0.65F);
-    onImage.setPen(QPen(edge, outer, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    onImage.drawPath(overlay.path);
-    onImage.setPen(QPen(colour, overlay.width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
-    onImage.drawPath(overlay.path);
+    if (overlay.width > 0) {
+        QColor edge = Qt::black;
+        edge.setAlphaF(0.65F);
+        onImage.setPen(QPen(edge, outer, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        onImage.drawPath(overlay.path);
+        onImage.setPen(QPen(colour, overlay.width, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+        onImage.drawPath(overlay.path);
+    }
     onImage.end();
     painter.drawImage(box.topLeft(), image);
 }

@@ -3,6 +3,9 @@
 
 #include "icons.h"
 
+#include <QButtonGroup>
+#include <QCheckBox>
+#include <QFormLayout>
 #include <QLocale>
 #include <QVBoxLayout>
 
@@ -35,6 +38,66 @@ QToolButton* makeIconButton(const char* iconName, const char* objectName, const 
     button->setToolTip(tip);
     button->setFocusPolicy(Qt::TabFocus);
     return button;
+}
+
+QFormLayout* makeForm(QWidget* page) {
+    auto* form = new QFormLayout(page);
+    form->setContentsMargins(0, 0, 0, 0);
+    form->setVerticalSpacing(8);
+    form->setHorizontalSpacing(12);
+    form->setFieldGrowthPolicy(QFormLayout::AllNonFixedFieldsGrow);
+    return form;
+}
+
+QSlider* makeSlider(const char* objectName, const QString& accessibleName, int lo, int hi, int value) {
+    auto* slider = named(new QSlider(Qt::Horizontal), objectName, accessibleName);
+    slider->setRange(lo, hi);
+    slider->setValue(value);
+    return slider;
+}
+
+QWidget* withValue(QSlider* slider, const std::function<QString(int)>& format) {
+    auto* holder = new QWidget;
+    auto* row = new QHBoxLayout(holder);
+    row->setContentsMargins(0, 0, 0, 0);
+    auto* value = new QLabel(format(slider->value()));
+    value->setMinimumWidth(46);
+    value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    row->addWidget(slider, 1);
+    row->addWidget(value);
+    QObject::connect(slider, &QSlider::valueChanged, value,
+                     [value, format](int v) { value->setText(format(v)); });
+    return holder;
+}
+
+QCheckBox* makeCheckBox(const char* objectName, const QString& text, const QString& tip, bool isOn) {
+    auto* box = named(new QCheckBox(text), objectName, text);
+    box->setToolTip(tip);
+    box->setChecked(isOn);
+    box->setFocusPolicy(Qt::TabFocus);
+    return box;
+}
+
+ChoiceRow::ChoiceRow(const std::vector<Choice>& choices, int chosenAtFirst, int perRow) {
+    auto* grid = new QGridLayout(this);
+    grid->setContentsMargins(0, 0, 0, 0);
+    grid->setSpacing(3);
+    auto* group = new QButtonGroup(this);
+    for (int n = 0; n < int(choices.size()); ++n) {
+        const Choice& choice = choices[std::size_t(n)];
+        auto* button = named(new QToolButton, choice.objectName, choice.text);
+        button->setText(choice.text);
+        button->setToolTip(choice.tip);
+        button->setCheckable(true);
+        button->setProperty("choice", true);
+        button->setFocusPolicy(Qt::TabFocus);
+        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+        group->addButton(button, n);
+        grid->addWidget(button, n / perRow, n % perRow);
+        buttons_.push_back(button);
+    }
+    choose(chosenAtFirst);
+    connect(group, &QButtonGroup::idClicked, this, &ChoiceRow::chosen);
 }
 
 QDoubleSpinBox* makeSpinBox(const char* objectName, const QString& accessibleName) {

@@ -4,9 +4,15 @@
 #include <QDoubleSpinBox>
 #include <QFrame>
 #include <QLabel>
+#include <QSlider>
 #include <QString>
 #include <QToolButton>
 
+#include <functional>
+#include <vector>
+
+class QCheckBox;
+class QFormLayout;
 class QVBoxLayout;
 
 namespace vs::desktop {
@@ -28,6 +34,36 @@ W* named(W* widget, const char* objectName, const QString& accessibleName) {
 // An icon button with a tooltip.
 QToolButton* makeIconButton(const char* iconName, const char* objectName, const QString& text,
                             const QString& tip);
+
+// Rows of settings, each with its name.
+QFormLayout* makeForm(QWidget* page);
+
+QSlider* makeSlider(const char* objectName, const QString& accessibleName, int lo, int hi, int value);
+
+// A slider with its value beside it.
+QWidget* withValue(QSlider* slider, const std::function<QString(int)>& format);
+
+QCheckBox* makeCheckBox(const char* objectName, const QString& text, const QString& tip, bool isOn);
+
+// A few things of which one holds, as buttons side by side, `perRow` in a row.
+class ChoiceRow : public QWidget {
+    Q_OBJECT
+
+public:
+    struct Choice {
+        const char* objectName;
+        QString text;
+        QString tip;
+    };
+    ChoiceRow(const std::vector<Choice>& choices, int chosen, int perRow = 4);
+    void choose(int choice) { buttons_.at(std::size_t(choice))->setChecked(true); }
+
+signals:
+    void chosen(int choice); // by the person
+
+private:
+    std::vector<QToolButton*> buttons_;
+};
 
 // A number that is taken over when typing is finished, not at every digit.
 QDoubleSpinBox* makeSpinBox(const char* objectName, const QString& accessibleName);

@@ -11,7 +11,7 @@ namespace {
 constexpr double kLayersPerPixel = 0.1; // SPEC 7: 10 logical pixels are one layer
 }
 
-PeelTool::PeelTool(StudioController& studio) : Tool(&studio), studio_(studio) {}
+PeelTool::PeelTool(StudioController& studio) : CutTool(studio) {}
 
 QString PeelTool::hint() const {
     switch (state_) {
@@ -20,26 +20,33 @@ QString PeelTool::hint() const {
     case State::Sketching:
         return tr("Let go to close the mask. Esc drops it.");
     case State::Ready:
-        return tr(
-            "Press inside the mask and drag down to peel. Draw outside it for a new mask. Esc clears it.");
+        return restores()
+                   ? tr("Press inside the mask and drag down to put layers back on. Draw outside it for a "
+                        "new "
+                        "mask. Esc clears it.")
+                   : tr("Press inside the mask and drag down to peel. Draw outside it for a new mask. Esc "
+                        "clears it.");
     case State::Peeling:
         break;
     }
-    return tr("Down peels, up puts back: %1 layers. Let go to keep, Esc to undo.").arg(wanted_, 0, 'f', 1);
+    const QString text = restores()
+                             ? tr("Down puts back, up takes off: %1 layers. Let go to keep, Esc to undo.")
+                             : tr("Down peels, up puts back: %1 layers. Let go to keep, Esc to undo.");
+    return text.arg(wanted_, 0, 'f', 1);
 }
 
-Overlay PeelTool::overlay() const {
+Overlays PeelTool::overlays() const {
     switch (state_) {
     case State::Empty:
         return {};
     case State::Sketching:
-        return {pad_.outline(), Overlay::Tint::Pen, false, 2};
+        return {{pad_.outline(), Overlay::Tint::Pen}};
     case State::Ready:
-        return {pad_.area(), Overlay::Tint::Idle, true, 2};
+        return {{pad_.area(), idleTint(), Overlay::kMaskFill}};
     case State::Peeling:
         break;
     }
-    return {pad_.area(), Overlay::Tint::Cutting, true, 2};
+    return {{pad_.area(), cuttingTint(), Overlay::kMaskFill}};
 }
 
 Qt::CursorShape PeelTool::cursor() const {
@@ -58,7 +65,7 @@ void PeelTool::press(const Pen& pen) {
         wanted_ = applied_ = 0;
         const auto mask = pad_.sketch(studio_.devicePerLogical());
         if (studio_.beginStroke([&](auto& document, const auto& canvas) {
-                document.beginStroke(studio::Peel{mask, 0, 3, false, canvas});
+                document.beginStroke(studio::Peel{mask, 0, radius(), restores(), canvas});
             })) {
             setState(State::Peeling);
         }

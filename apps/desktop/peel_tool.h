@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "cut_tool.h"
 #include "sketch_pad.h"
-#include "tool.h"
 
 namespace vs::desktop {
-
-class StudioController;
 
 // First a mask is sketched; then dragging down inside it peels layers off, and dragging up puts them back.
 // The mask stays after a peel, so a further drag goes on from the new surface; drawing outside it makes a new
 // mask.
-class PeelTool : public Tool {
+class PeelTool : public CutTool {
     Q_OBJECT
 
 public:
@@ -19,7 +17,7 @@ public:
 
     [[nodiscard]] QString name() const override { return "peel"; }
     [[nodiscard]] QString hint() const override;
-    [[nodiscard]] Overlay overlay() const override;
+    [[nodiscard]] Overlays overlays() const override;
     [[nodiscard]] Qt::CursorShape cursor() const override;
     void press(const Pen& pen) override;
     void move(const Pen& pen) override;
@@ -46,7 +44,6 @@ private:
     void peelTo(const Pen& pen);
     void stop();
 
-    StudioController& studio_;
     SketchPad pad_;
     State state_ = State::Empty;
     bool isInside_ = false; // the pen hovers over the mask

@@ -18,14 +18,14 @@ QString SeedTool::hint() const {
                : tr("Draw on what should be segmented, then press Play. More strokes add to it.");
 }
 
-Overlay SeedTool::overlay() const {
+Overlays SeedTool::overlays() const {
     if (!isDown_) {
         return {};
     }
     if (studio_.shape() == studio::Shape::FreeForm) {
-        return {pad_.outline(), Overlay::Tint::Seed, false, width_};
+        return {{pad_.outline(), Overlay::Tint::Seed, 0, width_}};
     }
-    return {pad_.area(), Overlay::Tint::Seed, true, 2};
+    return {{pad_.area(), Overlay::Tint::Seed, Overlay::kMaskFill}};
 }
 
 void SeedTool::press(const Pen& pen) {

@@ -18,7 +18,7 @@ public:
 
     [[nodiscard]] QString name() const override { return "seed"; }
     [[nodiscard]] QString hint() const override;
-    [[nodiscard]] Overlay overlay() const override;
+    [[nodiscard]] Overlays overlays() const override;
     void press(const Pen& pen) override;
     void move(const Pen& pen) override;
     void release(const Pen& pen) override;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sketch_pad.h"
 
+#include <QPolygonF>
+
 #include <algorithm>
 
 namespace vs::desktop {
@@ -66,6 +68,21 @@ studio::Sketch SketchPad::sketch(glm::dvec2 devicePerLogical) const {
         sketch.points.emplace_back(glm::dvec2(point.x(), point.y()) * devicePerLogical);
     }
     return sketch;
+}
+
+QPainterPath closedPath(const std::vector<glm::dvec2>& pixels, glm::dvec2 devicePerLogical) {
+    QPolygonF polygon;
+    for (const glm::dvec2 pixel : pixels) {
+        const glm::dvec2 logical = pixel / devicePerLogical;
+        polygon.append(QPointF(logical.x, logical.y));
+    }
+    QPainterPath path;
+    if (!polygon.isEmpty()) {
+        path.addPolygon(polygon);
+        path.closeSubpath();
+    }
+    path.setFillRule(Qt::OddEvenFill);
+    return path;
 }
 
 } // namespace vs::desktop

@@ -36,4 +36,7 @@ private:
     std::vector<QPointF> points_;
 };
 
+// A closed line through places in device pixels, in logical ones.
+QPainterPath closedPath(const std::vector<glm::dvec2>& pixels, glm::dvec2 devicePerLogical);
+
 } // namespace vs::desktop

@@ -2,14 +2,22 @@
 #include "studio_controller.h"
 
 #include "camera_tool.h"
+#include "clip_tool.h"
 #include "drill_tool.h"
 #include "growth_controller.h"
+#include "keep_tool.h"
+#include "laser_tool.h"
+#include "move_tool.h"
 #include "peel_tool.h"
+#include "placement_by_hand.h"
+#include "scissors_tool.h"
 #include "seed_tool.h"
+#include "sweep_tool.h"
 
 #include "base/error.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace vs::desktop {
 
@@ -20,13 +28,20 @@ constexpr int kCalmPollMs = 40; // until the picture may refine
 
 StudioController::StudioController()
     : picture_(std::make_unique<PictureLoop>(host_.device().isSoftware)), cameraTool_(new CameraTool(*this)),
-      peelTool_(new PeelTool(*this)), drillTool_(new DrillTool(*this)), seedTool_(new SeedTool(*this)),
-      growth_(new GrowthController(*this)), tool_(cameraTool_) {
+      peelTool_(new PeelTool(*this)), drillTool_(new DrillTool(*this)), laserTool_(new LaserTool(*this)),
+      sweepTool_(new SweepTool(*this)), scissorsTool_(new ScissorsTool(*this)),
+      keepTool_(new KeepTool(*this)), clipTool_(new ClipTool(*this)), seedTool_(new SeedTool(*this)),
+      moveTool_(new MoveTool(*this)), growth_(new GrowthController(*this)), tool_(cameraTool_) {
     timer_.setSingleShot(true);
     connect(&timer_, &QTimer::timeout, this, &StudioController::tick);
     connect(growth_, &GrowthController::changed, this, &StudioController::changed);
-    for (Tool* tool : std::initializer_list<Tool*>{cameraTool_, peelTool_, drillTool_, seedTool_}) {
+    for (Tool* tool :
+         std::initializer_list<Tool*>{cameraTool_, peelTool_, drillTool_, laserTool_, sweepTool_,
+                                      scissorsTool_, keepTool_, clipTool_, seedTool_, moveTool_}) {
         connect(tool, &Tool::overlayChanged, this, &StudioController::overlayChanged);
+        if (auto* cutTool = qobject_cast<CutTool*>(tool)) {
+            connect(cutTool, &CutTool::settingsChanged, this, &StudioController::changed);
+        }
     }
     connect(&loader_, &VolumeLoader::loaded, this, &StudioController::finishOpening);
     connect(&loader_, &VolumeLoader::failed, this, [this](const QString& message) {
@@ -130,67 +145,6 @@ void StudioController::flushView() {
     }
 }
 
-void StudioController::setMode(render::Mode mode) {
-    auto next = view_;
-    next.mode = mode;
-    look(next);
-}
-
-void StudioController::setTransferFunction(const std::optional<render::TransferFunction>& function) {
-    auto next = view_;
-    next.transferFunction = function;
-    look(next);
-}
-
-void StudioController::setSculptureView(field::SculptureView sculptureView) {
-    auto next = view_;
-    next.sculptureView = sculptureView;
-    look(next);
-}
-
-void StudioController::setShadows(bool shadows) {
-    auto next = view_;
-    next.shadows = shadows;
-    look(next);
-}
-
-void StudioController::setRange(Range range) {
-    auto next = view_;
-    next.range = range;
-    look(next);
-}
-
-void StudioController::setSampling(field::Sampling sampling) {
-    auto next = view_;
-    next.sampling = sampling;
-    look(next);
-}
-
-void StudioController::setViewport(QSizeF logical, glm::ivec2 device) {
-    const bool isNew = device != picture_->viewport();
-    logical_ = logical;
-    picture_->setViewport(device);
-    if (isNew) {
-        tool_->viewResized();
-        wake();
-    }
-}
-
-glm::dvec2 StudioController::devicePerLogical() const {
-    return glm::dvec2(picture_->viewport()) / glm::dvec2(logical_.width(), logical_.height());
-}
-
-QPointF StudioController::viewCentre() const { return {0.5 * logical_.width(), 0.5 * logical_.height()}; }
-
-double StudioController::millimetresPerPixel() {
-    if (document_ == nullptr) {
-        return 1;
-    }
-    const auto& geometry = document_->volume().geometry;
-    const auto rays = render::viewRays(view_.camera, geometry, glm::max(picture_->viewport(), glm::ivec2(1)));
-    return rays.pixelMm(geometry.centreWorld()) * devicePerLogical().y;
-}
-
 studio::Canvas StudioController::canvas() {
     host_.makeCurrent();
     flushView();
@@ -217,7 +171,11 @@ bool StudioController::rewind(int generations) {
 }
 
 bool StudioController::change(const std::function<studio::Outcome()>& edit) {
-    if (document_ == nullptr || isLoading() || document_->isStrokeOpen()) {
+    if (document_ == nullptr || isLoading()) {
+        return false;
+    }
+    tool_->settle();
+    if (document_->isStrokeOpen()) {
         return false;
     }
     growth_->pause(); // what has grown so far is an operation of its own
@@ -229,6 +187,34 @@ bool StudioController::change(const std::function<studio::Outcome()>& edit) {
     wake();
     emit changed();
     return done;
+}
+
+bool StudioController::paste() {
+    if (document_ == nullptr || isLoading()) {
+        return false;
+    }
+    render::Placement place;
+    bool isSomething = false;
+    const bool isPlaced = guard([&] {
+        flushView();
+        const Box3 box = document_->partBox(document_->pastedParts());
+        isSomething = !box.isEmpty();
+        std::vector<QRectF> taken;
+        for (std::size_t part = 0; part < view_.pasted.size(); ++part) {
+            taken.push_back(seenBox(document_->partBox(part), view_.pasted[part], *geometry(), rays()));
+        }
+        place = placeBeside(box, taken, *geometry(), rays());
+    });
+    if (isPlaced && !isSomething) {
+        say(tr("Nothing to paste: nothing visible was cut since the last paste"));
+        return false;
+    }
+    if (!isPlaced || !apply(studio::Paste{place})) {
+        return false;
+    }
+    setTool(*moveTool_);
+    moveTool_->choose(moveTool_->count() - 1);
+    return true;
 }
 
 bool StudioController::beginStroke(
@@ -275,6 +261,8 @@ void StudioController::setTool(Tool& tool) {
     }
 }
 
+CutTool* StudioController::cutTool() const { return qobject_cast<CutTool*>(tool_); }
+
 void StudioController::setShape(studio::Shape shape) {
     shape_ = shape;
     emit changed();
@@ -289,6 +277,11 @@ std::optional<studio::Document::Probe> StudioController::probe(QPointF position)
         guard([&] { found = document_->probe(pixel, picture_->viewport()); });
     }
     return found;
+}
+
+bool StudioController::isSettled() {
+    return document_ != nullptr && !isLoading() && !isViewPending_ && !picture_->isDrafting() &&
+           !growth_->isPlaying() && !document_->isStrokeOpen();
 }
 
 bool StudioController::isIdle() {

@@ -18,10 +18,17 @@
 namespace vs::desktop {
 
 class CameraTool;
+class ClipTool;
+class CutTool;
 class DrillTool;
 class GrowthController;
+class KeepTool;
+class LaserTool;
+class MoveTool;
 class PeelTool;
+class ScissorsTool;
 class SeedTool;
+class SweepTool;
 class Tool;
 
 // The model of the window: the document, its picture, the current tool, and the one timer that does all work
@@ -41,7 +48,13 @@ public:
     CameraTool& cameraTool() { return *cameraTool_; }
     PeelTool& peelTool() { return *peelTool_; }
     DrillTool& drillTool() { return *drillTool_; }
+    LaserTool& laserTool() { return *laserTool_; }
+    SweepTool& sweepTool() { return *sweepTool_; }
+    ScissorsTool& scissorsTool() { return *scissorsTool_; }
+    KeepTool& keepTool() { return *keepTool_; }
+    ClipTool& clipTool() { return *clipTool_; }
     SeedTool& seedTool() { return *seedTool_; }
+    MoveTool& moveTool() { return *moveTool_; }
     // Null before something was opened. With the engine's context current.
     studio::Document* document();
 
@@ -71,6 +84,10 @@ public:
     [[nodiscard]] const volume::GridGeometry* geometry() const {
         return document_ ? &document_->volume().geometry : nullptr;
     }
+    // Of the view as the person sees it, on the viewport. There must be a volume.
+    [[nodiscard]] render::ViewRays rays() const;
+    // Where a place in the world appears, in logical pixels of the view.
+    [[nodiscard]] QPointF seenAt(glm::dvec3 world) const;
     // Of one logical pixel, in the middle of what is looked at.
     [[nodiscard]] double millimetresPerPixel();
     // What a sketch is drawn on now.
@@ -80,6 +97,9 @@ public:
     bool apply(const studio::Operation& operation, const std::filesystem::path& outputFolder = ".");
     // Plays the region backward; one undo step with the rewinding before it.
     bool rewind(int generations);
+    // Pastes what was cut since the last paste beside the object, to the right as it is seen, and takes it in
+    // hand.
+    bool paste();
     // Whether there are edits that no session file holds.
     [[nodiscard]] bool hasUnsavedEdits() const;
     // Runs `begin`, which opens a live stroke on canvas(); what is growing is paused first.
@@ -92,11 +112,16 @@ public:
     // Tools.
     [[nodiscard]] Tool& tool() const { return *tool_; }
     void setTool(Tool& tool);
+    // The current tool if it cuts, else null.
+    [[nodiscard]] CutTool* cutTool() const;
     [[nodiscard]] studio::Shape shape() const { return shape_; }
     void setShape(studio::Shape shape);
     // For a mouse; a tablet's own pressure overrides it.
     [[nodiscard]] double mousePressure() const { return mousePressure_; }
     void setMousePressure(double pressure) { mousePressure_ = pressure; }
+    // Press and hold: a mouse that is held down presses harder and harder.
+    [[nodiscard]] bool rampsPressure() const { return rampsPressure_; }
+    void setRampsPressure(bool on) { rampsPressure_ = on; }
     void setTabletPressure(double pressure);
 
     // What lies under a place of the view. Nothing while things move.
@@ -108,6 +133,9 @@ public:
     void wake();
     [[nodiscard]] bool isLoading() const { return loader_.isLoading() || isReplaying(); }
     [[nodiscard]] bool isReplaying() const { return !replay_.empty(); }
+    // The picture shows the document, though perhaps as a draft, and nothing is changing it: the time to look
+    // at what is under the pen.
+    [[nodiscard]] bool isSettled();
     // Nothing is under way and nothing is waiting; the picture is at full quality.
     [[nodiscard]] bool isIdle();
 
@@ -142,13 +170,20 @@ private:
     CameraTool* cameraTool_;
     PeelTool* peelTool_;
     DrillTool* drillTool_;
+    LaserTool* laserTool_;
+    SweepTool* sweepTool_;
+    ScissorsTool* scissorsTool_;
+    KeepTool* keepTool_;
+    ClipTool* clipTool_;
     SeedTool* seedTool_;
+    MoveTool* moveTool_;
     GrowthController* growth_;
     Tool* tool_;
     studio::View view_;
     bool isViewPending_ = false;
     studio::Shape shape_ = studio::Shape::FreeForm;
     double mousePressure_ = 1;
+    bool rampsPressure_ = false;
     QSizeF logical_{1, 1};
     QString message_;
     QTimer timer_;

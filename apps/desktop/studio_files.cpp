@@ -119,7 +119,11 @@ bool StudioController::hasUnsavedEdits() const {
 }
 
 bool StudioController::saveSession(const std::filesystem::path& path) {
-    if (document_ == nullptr || isLoading() || document_->isStrokeOpen()) {
+    if (document_ == nullptr || isLoading()) {
+        return false;
+    }
+    tool_->settle();
+    if (document_->isStrokeOpen()) {
         return false;
     }
     growth_->pause();

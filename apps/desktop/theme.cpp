@@ -19,6 +19,10 @@ QToolButton:hover { background: #333940; }
 QToolButton:pressed { background: #1b3a4d; }
 QToolButton:checked { background: #1d4259; border-color: #56b4e9; color: #ffffff; }
 QToolButton:focus { border-color: #56b4e9; }
+QToolButton[choice="true"] { background: #1f2327; border: 1px solid #3a4047; padding: 3px 4px; }
+QToolButton[choice="true"]:hover { background: #333940; }
+QToolButton[choice="true"]:checked { background: #1d4259; border-color: #56b4e9; }
+QToolButton[column="true"] { padding: 3px 1px 2px 1px; font-size: 11px; }
 QToolButton:disabled { color: #5f6770; }
 QToolButton:checked:disabled { color: #5f6770; background: #2b3036; border-color: #3a4047; }
 QMenuBar { background: #1f2226; padding: 1px 4px; }
@@ -33,6 +37,8 @@ QMenu::icon { padding-left: 8px; }
 QDockWidget { color: #e3e6ea; }
 QFrame#card { background: #262a2f; border: 1px solid #31363c; border-radius: 7px; }
 QLabel#cardTitle { color: #e3e6ea; font-weight: 600; }
+QFrame[separator="true"] { color: #3a4047; }
+QLabel#cardTitle[restores="true"] { color: #56b4e9; }
 QLabel[quiet="true"] { color: #9aa3ad; }
 QLabel#hint { background: #262a2f; color: #e3e6ea; padding: 6px 12px; border-top: 1px solid #31363c; }
 QPushButton { background: #333940; border: 1px solid #434a52; border-radius: 5px; padding: 5px 12px; }

@@ -21,8 +21,10 @@ inline const QColor kDisabled{0x5f, 0x67, 0x70};
 inline const QColor kAccent{0x56, 0xb4, 0xe9}; // sky blue
 inline const QColor kIdle{0x2f, 0xc9,
                           0x8f}; // bluish green, lighter than the palette's to show on dark pictures
-inline const QColor kCutting{0xe6, 0x4b, 0x1e}; // vermilion
-inline const QColor kSeed{0xf0, 0xe4, 0x42};    // yellow
+inline const QColor kCutting{0xe6, 0x4b, 0x1e};   // vermilion
+inline const QColor kRestore{0x56, 0xb4, 0xe9};   // sky blue
+inline const QColor kRestoring{0x1f, 0x86, 0xff}; // a deeper blue than the palette's sky blue
+inline const QColor kSeed{0xf0, 0xe4, 0x42};      // yellow
 inline const QColor kPen{0xff, 0xff, 0xff};
 
 } // namespace theme

@@ -5,22 +5,32 @@
 #include <QPainterPath>
 #include <QPointF>
 
+#include <vector>
+
 namespace vs::desktop {
 
 // One report of mouse or pen: where in the view (logical pixels, centres of pixels) and how hard.
 struct Pen {
     QPointF position;
-    double pressure = 1; // the tablet's, or what the pressure slider says for a mouse
+    double pressure = 1;      // the tablet's, or what the pressure slider says for a mouse
+    QPointF tiltDegrees = {}; // to the right and towards the person; a mouse stands upright
+    bool isMouse = true;
+    Qt::KeyboardModifiers modifiers = {};
 };
 
-// What a tool wants painted over the picture, in logical pixels of the view.
+// A line that a tool wants painted over the picture, in logical pixels of the view.
 struct Overlay {
-    enum class Tint { Pen, Idle, Cutting, Seed };
+    // Idle and Cutting are what a mask looks like before and while it cuts, ReadyToRestore and Restoring what
+    // it looks like with the sign reversed.
+    enum class Tint { Pen, Idle, Cutting, ReadyToRestore, Restoring, Seed };
+    static constexpr double kMaskFill = 0.14; // what is cut must be seen through it, in its own colours
+
     QPainterPath path;
     Tint tint = Tint::Pen;
-    bool isFilled = false;
-    double width = 2;
+    double fill = 0;  // its inside's opacity
+    double width = 2; // 0: no line
 };
+using Overlays = std::vector<Overlay>;
 
 // What the left button or the pen does. Models, not widgets: the view reports to the current tool, asks it
 // for overlay, hint and cursor, and knows nothing else about it.
@@ -33,7 +43,7 @@ public:
     [[nodiscard]] virtual QString name() const = 0;
     // What to do next, for the line below the picture.
     [[nodiscard]] virtual QString hint() const = 0;
-    [[nodiscard]] virtual Overlay overlay() const { return {}; }
+    [[nodiscard]] virtual Overlays overlays() const { return {}; }
     [[nodiscard]] virtual Qt::CursorShape cursor() const { return Qt::CrossCursor; }
 
     virtual void press(const Pen& pen) = 0;
@@ -41,8 +51,18 @@ public:
     virtual void release(const Pen& pen) = 0;
     virtual void hover(const Pen&) {}
     virtual void leave() {}
+    // True: it has taken a turn of the wheel (notches away from the person), which else zooms.
+    virtual bool wheel(double, const Pen&) { return false; }
+    // True: Shift+drag is the tool's own, and does not move the picture.
+    [[nodiscard]] virtual bool takesShift() const { return false; }
+    // Enter: does what has been prepared. False: nothing was.
+    virtual bool accept() { return false; }
+    // Tab: goes to the next thing that can be worked on, or to the one before. False: there is no other.
+    virtual bool next(bool) { return false; }
     // Escape or Clear: drops what is in hand, or else the sketch.
     virtual void clear() {}
+    // Something else is about to be done: what waits only for a moment of calm is done first.
+    virtual void settle() {}
     // The view's size changed, so places in it mean something else.
     virtual void viewResized() {}
     // Called between pictures: the time to change the document with what the pen has done since.

@@ -3,14 +3,15 @@
 
 #include <QWidget>
 
+#include <map>
+
 class QLabel;
-class QProgressBar;
-class QSlider;
 class QStackedWidget;
 
 namespace vs::desktop {
 
 class StudioController;
+class Tool;
 
 // Settings of the current tool.
 class ToolPanel : public QWidget {
@@ -20,16 +21,20 @@ public:
     explicit ToolPanel(StudioController& studio, QWidget* parent = nullptr);
 
 private:
-    QWidget* makePeelPage();
-    QWidget* makeDrillPage();
-    QWidget* makeSeedPage();
+    struct Page {
+        QString title;
+        QWidget* widget = nullptr;
+    };
+
+    void add(const Tool& tool, const QString& title, QWidget* page);
     void refresh();
 
     StudioController& studio_;
-    QStackedWidget* pages_;
+    QStackedWidget* stack_;
+    std::map<const Tool*, Page> pages_;
+    QWidget* shown_ = nullptr;
+    QWidget* pressure_;
     QLabel* title_;
-    QLabel* layers_ = nullptr;
-    QProgressBar* pressure_ = nullptr;
 };
 
 } // namespace vs::desktop

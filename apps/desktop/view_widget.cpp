@@ -69,7 +69,9 @@ void ViewWidget::paintGL() {
     if (picture != nullptr && isAnnotated_ && geometry != nullptr) {
         annotations_.paint(painter, studio_.view().camera, *geometry, deviceSize());
     }
-    paintOverlay(painter, studio_.tool().overlay(), QRectF(rect()));
+    for (const Overlay& overlay : studio_.tool().overlays()) {
+        paintOverlay(painter, overlay, QRectF(rect()));
+    }
 }
 
 void ViewWidget::setAnnotated(bool isAnnotated) {
@@ -77,11 +79,11 @@ void ViewWidget::setAnnotated(bool isAnnotated) {
     update();
 }
 
-Pen ViewWidget::penAt(QPointF inWindow) const {
+Pen ViewWidget::penAt(QPointF inWindow, Qt::KeyboardModifiers modifiers) const {
     // From the place in the window, because Qt rounds a mouse's place in the widget to whole logical pixels.
     // A mouse reports a pixel's corner; what the person points with is its middle.
     const double half = 0.5 / devicePixelRatioF();
-    return {mapFrom(window(), inWindow) + QPointF(half, half), studio_.mousePressure()};
+    return {mapFrom(window(), inWindow) + QPointF(half, half), studio_.mousePressure(), {}, true, modifiers};
 }
 
 void ViewWidget::press(const Pen& pen, Drag drag) {
@@ -129,9 +131,10 @@ void ViewWidget::mousePressEvent(QMouseEvent* event) {
         return; // a second button changes nothing
     }
     button_ = event->button();
-    const Pen pen = penAt(event->scenePosition());
+    const Pen pen = penAt(event->scenePosition(), event->modifiers());
     if (button_ == Qt::LeftButton) {
-        press(pen, event->modifiers().testFlag(Qt::ShiftModifier) ? Drag::Pan : Drag::Tool);
+        const bool isPan = pen.modifiers.testFlag(Qt::ShiftModifier) && !studio_.tool().takesShift();
+        press(pen, isPan ? Drag::Pan : Drag::Tool);
     } else if (button_ == Qt::MiddleButton) {
         press(pen, Drag::Pan);
     } else if (button_ == Qt::RightButton) {
@@ -139,25 +142,30 @@ void ViewWidget::mousePressEvent(QMouseEvent* event) {
     }
 }
 
-void ViewWidget::mouseMoveEvent(QMouseEvent* event) { move(penAt(event->scenePosition())); }
+void ViewWidget::mouseMoveEvent(QMouseEvent* event) {
+    move(penAt(event->scenePosition(), event->modifiers()));
+}
 
 void ViewWidget::mouseReleaseEvent(QMouseEvent* event) {
     if (event->button() == button_) {
-        release(penAt(event->scenePosition()));
+        release(penAt(event->scenePosition(), event->modifiers()));
     }
 }
 
 void ViewWidget::wheelEvent(QWheelEvent* event) {
-    if (drag_ == Drag::None) {
-        constexpr double kPerNotch = 1.2; // one notch is 120
-        studio_.cameraTool().zoom(std::pow(kPerNotch, event->angleDelta().y() / 120.0),
-                                  penAt(event->scenePosition()).position);
+    const double notches = event->angleDelta().y() / 120.0;
+    // A wheel's place in the window is wrong where Qt passes the event on to a child.
+    const Pen pen = penAt(mapTo(window(), event->position()), event->modifiers());
+    if (drag_ == Drag::None && !studio_.tool().wheel(notches, pen)) {
+        constexpr double kPerNotch = 1.2;
+        studio_.cameraTool().zoom(std::pow(kPerNotch, notches), pen.position);
     }
     event->accept();
 }
 
 void ViewWidget::tabletEvent(QTabletEvent* event) {
-    const Pen pen{event->position(), event->pressure()}; // already finer than pixels
+    const Pen pen{event->position(), // already finer than pixels
+                  event->pressure(), QPointF(event->xTilt(), event->yTilt()), false, event->modifiers()};
     studio_.setTabletPressure(event->pressure());
     switch (event->type()) {
     case QEvent::TabletPress:
@@ -175,6 +183,17 @@ void ViewWidget::tabletEvent(QTabletEvent* event) {
         move(pen);
     }
     event->accept(); // or Qt would make a mouse event of it too
+}
+
+void ViewWidget::keyPressEvent(QKeyEvent* event) {
+    const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (!isEnter || !studio_.tool().accept()) {
+        QOpenGLWidget::keyPressEvent(event);
+    }
+}
+
+bool ViewWidget::focusNextPrevChild(bool next) {
+    return studio_.tool().next(next) || QOpenGLWidget::focusNextPrevChild(next);
 }
 
 void ViewWidget::leaveEvent(QEvent*) {

@@ -42,12 +42,14 @@ protected:
     void wheelEvent(QWheelEvent* event) override;
     void tabletEvent(QTabletEvent* event) override;
     void leaveEvent(QEvent* event) override;
+    void keyPressEvent(QKeyEvent* event) override;
+    bool focusNextPrevChild(bool next) override;
 
 private:
     enum class Drag { None, Tool, Pan, Zoom };
 
     [[nodiscard]] glm::ivec2 deviceSize() const;
-    [[nodiscard]] Pen penAt(QPointF inWindow) const;
+    [[nodiscard]] Pen penAt(QPointF inWindow, Qt::KeyboardModifiers modifiers) const;
     void press(const Pen& pen, Drag drag);
     void move(const Pen& pen);
     void release(const Pen& pen);

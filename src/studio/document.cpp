@@ -46,20 +46,6 @@ int histogramBins(const field::Field& field) {
     return field.isIntegral ? std::clamp(int(std::min(field.range.width(), 256.0)), 1, 256) : 256;
 }
 
-// The value between voxels, as the picture shows it: on a surface it is the displayed range's end.
-double interpolate(const volume::Volume& volume, glm::dvec3 voxel) {
-    const glm::ivec3 base(glm::floor(voxel));
-    const glm::dvec3 part = voxel - glm::dvec3(base);
-    double value = 0;
-    for (int corner = 0; corner < 8; ++corner) {
-        const glm::ivec3 offset(corner & 1, (corner >> 1) & 1, corner >> 2);
-        const glm::dvec3 weight = glm::mix(1.0 - part, part, glm::equal(offset, glm::ivec3(1)));
-        value += weight.x * weight.y * weight.z *
-                 volume.at(glm::clamp(base + offset, glm::ivec3(0), volume.geometry.dims - 1));
-    }
-    return value;
-}
-
 } // namespace
 
 Document::Impl::Impl(volume::Volume v, sculpt::Precision precision)
@@ -123,6 +109,7 @@ const View& Document::view() const { return impl_->view; }
 const std::vector<Operation>& Document::log() const { return impl_->log; }
 bool Document::canUndo() const { return impl_->history.canUndo(); }
 bool Document::canRedo() const { return impl_->history.canRedo(); }
+const Operation* Document::lastStep() const { return canUndo() ? &impl_->history.lastOperation() : nullptr; }
 std::uint64_t Document::version() const { return impl_->version; }
 void Document::setUndoMemory(std::size_t bytes) { impl_->history.setMemoryLimit(bytes); }
 UndoStatistics Document::undoStatistics() const { return impl_->history.statistics(); }
@@ -272,59 +259,6 @@ Document::GrowthStatus Document::growth() const {
         status.hasSeeds = impl_->region.hasSeeds();
     }
     return status;
-}
-
-// --- asking
-
-std::optional<Document::Probe> Document::probe(glm::dvec2 pixel, glm::ivec2 viewport) {
-    const glm::vec2 position(pixel);
-    const auto points =
-        impl_->cutter.picker.pickPoints(impl_->frame(impl_->view, viewport), std::span(&position, 1));
-    if (points.front().voxel.w < 0.5F) {
-        return std::nullopt;
-    }
-    const auto& geometry = impl_->volume.geometry;
-    Probe probe;
-    probe.voxel = glm::dvec3(points.front().voxel);
-    probe.world = glm::dvec3(geometry.worldFromVoxel * glm::dvec4(probe.voxel, 1.0));
-    probe.value = interpolate(impl_->volume, probe.voxel);
-    return probe;
-}
-
-std::vector<glm::dvec2> Document::outlineOnSurface(const Sketch& mask, glm::dvec2 pixel,
-                                                   glm::ivec2 viewport) {
-    const render::Frame frame = impl_->frame(impl_->view, viewport);
-    const ToolMask toolMask(mask, frame, impl_->volume.geometry);
-    const auto plane = layOnSurface(impl_->cutter.picker, frame, toolMask, pixel);
-    std::vector<glm::dvec2> outline;
-    if (plane) {
-        for (const glm::dvec2 point : outlineOf(mask)) {
-            outline.push_back(frame.rays.project(plane->place(point - toolMask.drawnAt)));
-        }
-    }
-    return outline;
-}
-
-std::vector<std::vector<glm::dvec2>> Document::outlinesAlongPath(const Sweep& sweep) {
-    Sweep op = sweep;
-    impl_->settle(op.canvas);
-    return sweptOutlines(impl_->cutter, impl_->frame(op.canvas->view, op.canvas->viewport), op);
-}
-
-std::size_t Document::pastedParts() const { return impl_->pasted.sculptures.size(); }
-
-std::vector<std::byte> Document::sculptureBytes() const {
-    return impl_->sculpture.download(impl_->volume.geometry.box());
-}
-
-std::vector<std::uint32_t> Document::generations() const {
-    return impl_->region.exists() ? impl_->region.growth()->generations(true)
-                                  : std::vector<std::uint32_t>(impl_->volume.geometry.voxelCount(), 0);
-}
-
-std::vector<std::uint8_t> Document::labels() const {
-    return impl_->region.exists() ? impl_->region.growth()->labels()
-                                  : std::vector<std::uint8_t>(impl_->volume.geometry.voxelCount(), 0);
 }
 
 } // namespace vs::studio

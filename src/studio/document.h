@@ -60,6 +60,8 @@ public:
     // temporary file.
     void setUndoMemory(std::size_t bytes);
     [[nodiscard]] UndoStatistics undoStatistics() const;
+    // What undo would take back; null: nothing.
+    [[nodiscard]] const Operation* lastStep() const;
 
     // A frame of the current view, ready for a RayCaster or Picker. Brings macrocells up to date first. Valid
     // until the document is changed or another frame is made.
@@ -116,6 +118,9 @@ public:
     std::vector<std::vector<glm::dvec2>> outlinesAlongPath(const Sweep& sweep);
     // Parts pasted so far (by Paste); the view's places may be more or fewer.
     [[nodiscard]] std::size_t pastedParts() const;
+    // Voxels around what can be seen of a pasted part, where it was cut out; empty when that is nothing.
+    // partBox(pastedParts()): around what the next paste would take, all that was cut since the last one.
+    Box3 partBox(std::size_t part);
 
     // Bytes of the states that undo must restore, for tests and checks.
     [[nodiscard]] std::vector<std::byte> sculptureBytes() const;

@@ -61,6 +61,7 @@ public:
 
     // The operation of the step that undo would take back; there must be one.
     [[nodiscard]] Operation& lastOperation() { return done_.back().operation; }
+    [[nodiscard]] const Operation& lastOperation() const { return done_.back().operation; }
 
     // The step to take back, in memory; once that is done, tookBack() makes it the one to redo. Throws
     // ReadError when it cannot be read back from the file.

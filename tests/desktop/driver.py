@@ -127,11 +127,16 @@ class Studio:
         self.wait(f"{dialog} to close", lambda state: dialog not in state["widgets"])
         self.focus()
 
+    def main_window(self):
+        return subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "Volume Studio"],
+                              env=self.environment, check=True, capture_output=True, text=True).stdout.split()[0]
+
     def focus(self):
         """Gives the main window the keyboard: there is no window manager here to do it when a dialog closes."""
-        found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "Volume Studio"],
-                               env=self.environment, check=True, capture_output=True, text=True).stdout.split()
-        self.xdotool("windowfocus", "--sync", found[0])
+        self.xdotool("windowfocus", "--sync", self.main_window())
+
+    def resize(self, width, height):
+        self.xdotool("windowsize", self.main_window(), width, height)
 
     def quit(self):
         self.xdotool("mousemove", *self.view_point(0.5, 0.5))

@@ -47,6 +47,50 @@ TEST_F(DocumentTest, APeelOpensTheSkullAndUndoPutsBackEveryByte) {
     EXPECT_EQ(document.sculptureBytes(), drilled);
 }
 
+TEST_F(DocumentTest, WhatUndoWouldTakeBackIsTold) {
+    Document document(testHead());
+    EXPECT_EQ(document.lastStep(), nullptr);
+    document.apply(somePeel());
+    EXPECT_STREQ(name(*document.lastStep()), "peel");
+    document.apply(Paste{});
+    EXPECT_STREQ(name(*document.lastStep()), "paste");
+    document.apply(Undo{});
+    EXPECT_STREQ(name(*document.lastStep()), "peel");
+    document.apply(Undo{});
+    EXPECT_EQ(document.lastStep(), nullptr);
+}
+
+TEST_F(DocumentTest, TheBoxOfAPastedPartLiesAroundWhatWasCutSinceTheLastPaste) {
+    Document document(testHead());
+    document.look(testCanvas().view);
+    EXPECT_TRUE(document.partBox(0).isEmpty());
+    const auto drillAt = [&](glm::dvec2 place) {
+        Drill drill;
+        drill.mask = ellipseAt(place.x, place.y, 12, 12);
+        drill.canvas = testCanvas();
+        const glm::dvec3 surface = document.probe(place, testCanvas().viewport).value().voxel;
+        EXPECT_GT(document.apply(drill).voxelsTouched, 100U);
+        return surface;
+    };
+    const auto isIn = [](const Box3& box, glm::dvec3 voxel) {
+        return glm::all(glm::lessThanEqual(glm::dvec3(box.lo), voxel)) &&
+               glm::all(glm::lessThan(voxel, glm::dvec3(box.hi)));
+    };
+    const glm::dvec3 first = drillAt({170, 150});
+    const Box3 next = document.partBox(0);
+    EXPECT_TRUE(isIn(next, first));
+    document.apply(Paste{});
+    EXPECT_EQ(document.partBox(0), next);
+    EXPECT_TRUE(document.partBox(1).isEmpty()) << "nothing was cut since";
+    const glm::dvec3 second = drillAt({235, 150});
+    EXPECT_TRUE(isIn(document.partBox(1), second));
+    document.apply(Paste{});
+    EXPECT_TRUE(isIn(document.partBox(0), first));
+    EXPECT_FALSE(isIn(document.partBox(0), second));
+    EXPECT_TRUE(isIn(document.partBox(1), second));
+    EXPECT_FALSE(isIn(document.partBox(1), first));
+}
+
 TEST_F(DocumentTest, SamplingIsPartOfTheView) {
     Document document(testHead());
     SetView cubic;

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "tool.h"
+
+namespace vs::desktop {
+
+class StudioController;
+
+// A tool that cuts or, with its sign reversed, puts back what was cut. It remembers what was set for it.
+class CutTool : public Tool {
+    Q_OBJECT
+
+public:
+    static constexpr int kLeastRadius = 2;
+    static constexpr int kMostRadius = 4;
+
+    explicit CutTool(StudioController& studio);
+
+    [[nodiscard]] virtual bool canRestore() const { return true; }
+    [[nodiscard]] bool restores() const { return restores_; }
+    void setRestores(bool restores);
+    // Steps: the radiation's R. The larger, the rounder are a cut's edges.
+    [[nodiscard]] int radius() const { return radius_; }
+    void setRadius(int steps);
+
+signals:
+    void settingsChanged();
+
+protected:
+    [[nodiscard]] Overlay::Tint idleTint() const {
+        return restores_ ? Overlay::Tint::ReadyToRestore : Overlay::Tint::Idle;
+    }
+    [[nodiscard]] Overlay::Tint cuttingTint() const {
+        return restores_ ? Overlay::Tint::Restoring : Overlay::Tint::Cutting;
+    }
+    // Tells everybody that something was set.
+    void tell();
+
+    StudioController& studio_;
+
+private:
+    bool restores_ = false;
+    int radius_ = 3;
+};
+
+} // namespace vs::desktop

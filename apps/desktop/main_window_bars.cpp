@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "main_window.h"
+#include "panel_parts.h"
+#include "tool_column.h"
+
+#include <QDockWidget>
+#include <QLabel>
+#include <QMenuBar>
+#include <QResizeEvent>
+#include <QScrollArea>
+#include <QToolBar>
+#include <QToolButton>
+
+namespace vs::desktop {
+
+namespace {
+constexpr int kRoomForTexts = 1260; // logical pixels: a window as wide has all buttons with their texts
+} // namespace
+
+void MainWindow::makeMenus() {
+    const auto menu = [this](const QString& title, std::initializer_list<const char*> names) {
+        auto* list = menuBar()->addMenu(title);
+        for (const char* name : names) {
+            if (*name == '-') {
+                list->addSeparator();
+            } else {
+                list->QWidget::addAction(action(name));
+            }
+        }
+    };
+    menu(tr("&File"), {"open", "openFolder", "-", "saveSession", "exportLabels", "screenshot", "-", "quit"});
+    menu(tr("&Edit"), {"undo", "redo", "-", "paste", "moveTool", "-", "unCut", "reSeed", "-", "clearSketch"});
+    menu(tr("&View"), {"resetView", "-", "mode.surface", "mode.mip", "mode.xray", "mode.overlay",
+                       "mode.segment", "mode.volume", "-", "viewCut", "viewProbe", "viewWhole", "-",
+                       "smoothSampling", "shadows", "annotations"});
+    makeColourMenu();
+    menu(tr("&Tools"),
+         {"cameraTool", "-", "peelTool", "drillTool", "laserTool", "sweepTool", "scissorsTool", "keepTool",
+          "clipTool", "restore", "-", "seedTool", "moveTool", "-", "freeForm", "ellipse"});
+    menu(tr("&Segmentation"), {"playPause", "growStepKey", "growBackKey", "growToEndKey"});
+    menu(tr("&Help"), {"about"});
+}
+
+void MainWindow::makeToolBars() {
+    bar_ = addToolBar(tr("File, view and mode"));
+    bar_->setObjectName("mainBar");
+    bar_->setAccessibleName(bar_->windowTitle());
+    bar_->setMovable(false);
+    bar_->setIconSize(QSize(22, 22));
+    for (const char* name : {"open",         "openFolder",  "saveSession",
+                             "exportLabels", "screenshot",  "-",
+                             "undo",         "redo",        "-",
+                             "resetView",    "-",           "mode.surface",
+                             "mode.mip",     "mode.xray",   "mode.overlay",
+                             "mode.segment", "mode.volume", "-",
+                             "viewCut",      "viewProbe",   "viewWhole"}) {
+        if (*name == '-') {
+            bar_->addSeparator();
+            continue;
+        }
+        QAction* const shown = action(name);
+        bar_->QWidget::addAction(shown);
+        auto* button = qobject_cast<QToolButton*>(bar_->widgetForAction(shown));
+        button->setObjectName(name);
+        button->setAccessibleName(shown->text());
+        button->setFocusPolicy(Qt::TabFocus);
+    }
+    fitToolBar(width());
+}
+
+// A narrow window shows the icons alone, so that no button is lost, and has two lines for hints.
+void MainWindow::fitToolBar(int width) {
+    const bool hasTexts = width >= kRoomForTexts;
+    bar_->setToolButtonStyle(hasTexts ? Qt::ToolButtonTextUnderIcon : Qt::ToolButtonIconOnly);
+    for (auto* button : bar_->findChildren<QToolButton*>()) {
+        if (button->defaultAction() != nullptr) {
+            button->setMinimumWidth(hasTexts ? 58 : 34);
+        }
+    }
+    constexpr int kPadding = 13; // of the hint's style
+    hint_->setWordWrap(!hasTexts);
+    hint_->setFixedHeight(hint_->fontMetrics().lineSpacing() * (hasTexts ? 1 : 2) + kPadding);
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+    QMainWindow::resizeEvent(event);
+    fitToolBar(event->size().width());
+}
+
+void MainWindow::makeToolColumn() {
+    auto* dock = named(new QDockWidget(tr("Tools and shapes")), "toolColumn", tr("Tools and shapes"));
+    dock->setFeatures(QDockWidget::NoDockWidgetFeatures);
+    dock->setTitleBarWidget(new QWidget(dock)); // none
+    auto* column = new ToolColumn;
+    for (const char* name :
+         {"cameraTool", "seedTool", "peelTool", "drillTool", "laserTool", "sweepTool", "scissorsTool",
+          "clipTool",   "keepTool", "restore",  "-",         "freeForm",  "ellipse",   "clearSketch",
+          "-",          "paste",    "moveTool", "-",         "unCut",     "reSeed"}) {
+        if (*name == '-') {
+            column->addSeparator();
+        } else {
+            column->add(action(name));
+        }
+    }
+    auto* scroll = new QScrollArea; // small screens
+    scroll->setWidget(column);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setFixedWidth(column->sizeHint().width() + 6);
+    dock->setWidget(scroll);
+    addDockWidget(Qt::RightDockWidgetArea, dock);
+}
+
+} // namespace vs::desktop

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "camera_tool.h"
+#include "clip_tool.h"
+#include "drill_tool.h"
+#include "keep_tool.h"
+#include "laser_tool.h"
+#include "main_window.h"
+#include "move_tool.h"
+#include "peel_tool.h"
+#include "scissors_tool.h"
+#include "seed_tool.h"
+#include "studio_controller.h"
+#include "sweep_tool.h"
+
+#include <QActionGroup>
+#include <QKeyEvent>
+
+namespace vs::desktop {
+
+// One for each tool, the sign of those that cut, pasting, and the shapes that are sketched.
+void MainWindow::makeToolActions() {
+    auto* tools = new QActionGroup(this);
+    const auto add = [&](Tool& tool, const char* name, const char* iconName, const QString& text,
+                         const QString& tip, const char* key) {
+        addChoice(tools, {name, iconName, text, tip, QKeySequence(key)},
+                  [this, &tool] { studio_.setTool(tool); });
+    };
+    add(studio_.cameraTool(), "cameraTool", "camera", tr("Camera"), tr("Turn the volume"), "V");
+    add(studio_.peelTool(), "peelTool", "peel", tr("Peel"), tr("Peel layers off the surface"), "P");
+    add(studio_.drillTool(), "drillTool", "drill", tr("Drill"), tr("Drill along the view"), "D");
+    add(studio_.laserTool(), "laserTool", "laser", tr("Laser"),
+        tr("Burn down from the surface along its normal"), "B");
+    add(studio_.sweepTool(), "sweepTool", "sweep", tr("Sweep"), tr("Sweep a shape along a way"), "W");
+    add(studio_.scissorsTool(), "scissorsTool", "scissors", tr("Scissors"),
+        tr("Cut through everything inside a stroke, or outside it"), "X");
+    add(studio_.keepTool(), "keepTool", "keep", tr("Keep"),
+        tr("Keep what is connected to the place clicked, cut all else"), "K");
+    add(studio_.clipTool(), "clipTool", "clip", tr("Clip"), tr("Clip by a box and a plane"), "C");
+    add(studio_.seedTool(), "seedTool", "seed", tr("Seed"), tr("Mark what should be segmented"), "S");
+    add(studio_.moveTool(), "moveTool", "move", tr("Move"), tr("Move, turn and scale pasted parts"), "G");
+
+    QAction* restore = addAction(
+        {"restore", "restore", tr("Restore"),
+         tr("The tool puts back what was cut, instead of cutting; hold the key for as long as you want it"),
+         tr("R")},
+        [this] { reverseSign(); });
+    restore->setCheckable(true);
+    restore->setAutoRepeat(false);
+    addAction({"paste", "paste", tr("Paste"),
+               tr("Paste what was cut since the last paste beside the object, to be moved by hand"),
+               tr("Shift+V")},
+              [this] { studio_.paste(); })
+        ->setAutoRepeat(false);
+
+    auto* shapes = new QActionGroup(this);
+    addChoice(shapes, {"freeForm", "freeform", tr("Free-form"), tr("Draw the outline by hand"), tr("F")},
+              [this] { studio_.setShape(studio::Shape::FreeForm); });
+    addChoice(shapes,
+              {"ellipse", "ellipse", tr("Ellipse"), tr("Drag an ellipse from corner to corner"), tr("E")},
+              [this] { studio_.setShape(studio::Shape::Ellipse); });
+    addAction({"clearSketch", "clear", tr("Clear"), tr("Drop the stroke in hand, or the mask"), tr("Esc")},
+              [this] { studio_.tool().clear(); });
+}
+
+void MainWindow::reverseSign() {
+    sinceReversed_ = Timer();
+    if (auto* tool = studio_.cutTool()) {
+        tool->setRestores(!tool->restores());
+    }
+}
+
+// A key that was held, and not only struck, lets go of what it did.
+void MainWindow::keyReleaseEvent(QKeyEvent* event) {
+    constexpr double kHeldMs = 500;
+    if (event->key() == Qt::Key_R && !event->isAutoRepeat() && sinceReversed_.milliseconds() > kHeldMs) {
+        reverseSign();
+    }
+    QMainWindow::keyReleaseEvent(event);
+}
+
+void MainWindow::refreshToolActions(bool hasDocument) {
+    action((studio_.tool().name().toStdString() + "Tool").c_str())->setChecked(true);
+    action(studio_.shape() == studio::Shape::Ellipse ? "ellipse" : "freeForm")->setChecked(true);
+    const auto* cutTool = studio_.cutTool();
+    action("restore")->setEnabled(hasDocument && cutTool != nullptr);
+    action("restore")->setChecked(cutTool != nullptr && cutTool->restores());
+}
+
+} // namespace vs::desktop

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "cut_tool.h"
+#include "sketch_pad.h"
+
+#include <optional>
+
+namespace vs::desktop {
+
+// A closed stroke cuts along the view through everything inside it, or outside it, as soon as the pen is
+// lifted.
+class ScissorsTool : public CutTool {
+    Q_OBJECT
+
+public:
+    explicit ScissorsTool(StudioController& studio) : CutTool(studio) {}
+
+    [[nodiscard]] QString name() const override { return "scissors"; }
+    [[nodiscard]] QString hint() const override;
+    [[nodiscard]] Overlays overlays() const override;
+    void press(const Pen& pen) override;
+    void move(const Pen& pen) override;
+    void release(const Pen& pen) override;
+    void clear() override;
+    void viewResized() override { clear(); }
+    [[nodiscard]] bool isBusy() const override { return isDown_; }
+    [[nodiscard]] bool isSketching() const override { return isDown_; }
+
+    [[nodiscard]] bool cutsOutside() const { return cutsOutside_; }
+    void setCutsOutside(bool outside);
+    // Steps below the surface; nothing: through everything.
+    [[nodiscard]] std::optional<double> depth() const { return depth_; }
+    void setDepth(std::optional<double> steps);
+
+private:
+    bool cutsOutside_ = false;
+    std::optional<double> depth_;
+    SketchPad pad_;
+    bool isDown_ = false;
+};
+
+} // namespace vs::desktop

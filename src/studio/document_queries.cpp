@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/document_state.h"
+#include "studio/sketch.h"
+
+#include <cmath>
+
+namespace vs::studio {
+
+namespace {
+
+// The value between voxels, as the picture shows it: on a surface it is the displayed range's end.
+double interpolate(const volume::Volume& volume, glm::dvec3 voxel) {
+    const glm::ivec3 base(glm::floor(voxel));
+    const glm::dvec3 part = voxel - glm::dvec3(base);
+    double value = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::ivec3 offset(corner & 1, (corner >> 1) & 1, corner >> 2);
+        const glm::dvec3 weight = glm::mix(1.0 - part, part, glm::equal(offset, glm::ivec3(1)));
+        value += weight.x * weight.y * weight.z *
+                 volume.at(glm::clamp(base + offset, glm::ivec3(0), volume.geometry.dims - 1));
+    }
+    return value;
+}
+
+} // namespace
+
+std::optional<Document::Probe> Document::probe(glm::dvec2 pixel, glm::ivec2 viewport) {
+    const glm::vec2 position(pixel);
+    const auto points =
+        impl_->cutter.picker.pickPoints(impl_->frame(impl_->view, viewport), std::span(&position, 1));
+    if (points.front().voxel.w < 0.5F) {
+        return std::nullopt;
+    }
+    const auto& geometry = impl_->volume.geometry;
+    Probe probe;
+    probe.voxel = glm::dvec3(points.front().voxel);
+    probe.world = glm::dvec3(geometry.worldFromVoxel * glm::dvec4(probe.voxel, 1.0));
+    probe.value = interpolate(impl_->volume, probe.voxel);
+    return probe;
+}
+
+std::vector<glm::dvec2> Document::outlineOnSurface(const Sketch& mask, glm::dvec2 pixel,
+                                                   glm::ivec2 viewport) {
+    const render::Frame frame = impl_->frame(impl_->view, viewport);
+    const ToolMask toolMask(mask, frame, impl_->volume.geometry);
+    const auto plane = layOnSurface(impl_->cutter.picker, frame, toolMask, pixel);
+    std::vector<glm::dvec2> outline;
+    if (plane) {
+        for (const glm::dvec2 point : outlineOf(mask)) {
+            outline.push_back(frame.rays.project(plane->place(point - toolMask.drawnAt)));
+        }
+    }
+    return outline;
+}
+
+std::vector<std::vector<glm::dvec2>> Document::outlinesAlongPath(const Sweep& sweep) {
+    Sweep op = sweep;
+    impl_->settle(op.canvas);
+    return sweptOutlines(impl_->cutter, impl_->frame(op.canvas->view, op.canvas->viewport), op);
+}
+
+std::size_t Document::pastedParts() const { return impl_->pasted.sculptures.size(); }
+
+Box3 Document::partBox(std::size_t part) {
+    const glm::ivec3 dims = impl_->volume.geometry.dims;
+    const glm::ivec3 cellDims = field::cellDims(dims);
+    const auto rangesOf = [&](const gl::Texture& texels) {
+        gl::Texture cells(cellDims, gl::Format::RG32F, gl::Filter::Nearest, "cells of a pasted part");
+        field::CellRangeUpdater().update(texels, {glm::ivec3(0), dims}, cells);
+        return cells.downloadAll<glm::vec2>();
+    };
+    const auto& pastes = impl_->pasted.sculptures;
+    std::vector<glm::vec2> cut;
+    std::vector<glm::vec2> before; // cells that are still the same do not count
+    if (part == pastes.size()) {
+        cut = impl_->sculpture.cells().downloadAll<glm::vec2>();
+        if (!pastes.empty()) {
+            before = rangesOf(*pastes.back());
+        }
+    } else {
+        const auto parts = impl_->frame(impl_->view, glm::ivec2(1)).pasted;
+        if (part >= parts.size()) {
+            return {};
+        }
+        cut = rangesOf(*parts[part].sculpture);
+    }
+    const auto values = impl_->pipeline.cellRanges().cells.downloadAll<glm::vec2>();
+    const Range& shown = impl_->view.range;
+    // More than half, because between two parts that touch both are half there.
+    constexpr float kSurely = 0.6F;
+    Box3 box;
+    for (std::size_t n = 0; n < cut.size(); ++n) {
+        const bool isCut = cut[n].y >= kSurely && (before.empty() || cut[n] != before[n]);
+        if (isCut && values[n].y >= shown.lo && values[n].x <= shown.hi) {
+            const int i = int(n);
+            const glm::ivec3 cell(i % cellDims.x, i / cellDims.x % cellDims.y, i / cellDims.x / cellDims.y);
+            box = unite(box, {field::kCell * cell, field::kCell * (cell + 1)});
+        }
+    }
+    return intersect(box, {glm::ivec3(0), dims});
+}
+
+std::vector<std::byte> Document::sculptureBytes() const {
+    return impl_->sculpture.download(impl_->volume.geometry.box());
+}
+
+std::vector<std::uint32_t> Document::generations() const {
+    return impl_->region.exists() ? impl_->region.growth()->generations(true)
+                                  : std::vector<std::uint32_t>(impl_->volume.geometry.voxelCount(), 0);
+}
+
+std::vector<std::uint8_t> Document::labels() const {
+    return impl_->region.exists() ? impl_->region.growth()->labels()
+                                  : std::vector<std::uint8_t>(impl_->volume.geometry.voxelCount(), 0);
+}
+
+} // namespace vs::studio

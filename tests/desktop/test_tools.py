@@ -1,0 +1,214 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Every tool that cuts, by hand: laser, sweep, scissors, keep connected, clip, restore; pasting and moving what was cut."""
+
+import argparse
+import math
+import sys
+
+from driver import need, run_test, start
+from phantom import head
+from replay import compare_with_replay, operations
+
+
+def ellipse(studio, centre, radii, count=12):
+    return [studio.view_point(centre[0] + radii[0] * math.cos(2 * math.pi * i / count),
+                              centre[1] + radii[1] * math.sin(2 * math.pi * i / count)) for i in range(count)]
+
+
+def line(studio, begin, end, count=6):
+    return [studio.view_point(begin[0] + (end[0] - begin[0]) * i / count, begin[1] + (end[1] - begin[1]) * i / count)
+            for i in range(count + 1)]
+
+
+def choose(studio, key, tool):
+    """By its key, as a person's other hand does."""
+    studio.move(studio.view_point(0.5, 0.9))
+    studio.key(key)
+    studio.wait(f"the tool {tool}", lambda s: s["tool"] == tool)
+
+
+class Done:
+    """Waits for one more operation than before, of one kind."""
+
+    def __init__(self, studio):
+        self.studio = studio
+        self.before = studio.state()["operations"]
+
+    def wait(self, name):
+        # The picture too: the next stroke is drawn on what is seen.
+        return self.studio.wait_idle(name, lambda s: s["operations"] > self.before and s["message"].startswith(name)
+                                     and s["pictureComplete"])
+
+
+def undo(studio):
+    before = studio.state()["operations"]
+    studio.key("ctrl+z")
+    return studio.wait_idle("undo", lambda s: s["operations"] > before and s["message"].startswith("Undo"))
+
+
+def redo(studio):
+    before = studio.state()["operations"]
+    studio.key("ctrl+shift+z")
+    return studio.wait_idle("redo", lambda s: s["operations"] > before and s["message"].startswith("Redo"))
+
+
+def narrow(studio):
+    """A small window has all its buttons too, and small pictures are soon finished."""
+    studio.resize(900, 700)
+    state = studio.wait_idle("the small window", lambda s: s["viewport"][0] < 500 and s["pictureComplete"])
+    right = state["widgets"]["mainWindow"][0] + state["widgets"]["mainWindow"][2]
+    for name in ("open", "viewWhole", "cameraTool", "moveTool", "reSeed"):
+        need(name in state["widgets"], f"a window 900 pixels wide has no button {name}")
+        x, _, width, _ = state["widgets"][name]
+        need(x + width <= right, f"the button {name} lies outside the window")
+
+
+def laser(studio):
+    choose(studio, "b", "laser")
+    studio.drag(ellipse(studio, (0.42, 0.4), (0.03, 0.04)))
+    studio.wait("the laser's mask", lambda s: s["hint"].startswith("The mask lies on the surface"))
+    done = Done(studio)
+    studio.drag(line(studio, (0.42, 0.4), (0.47, 0.36)))
+    done.wait("Laser")
+    undo(studio)
+    redo(studio)
+
+
+def sweep(studio):
+    """A mask, then its way on the surface; shown first, cut by Enter."""
+    choose(studio, "w", "sweep")
+    studio.drag(ellipse(studio, (0.55, 0.4), (0.02, 0.03)))
+    studio.wait("the sweep's mask", lambda s: s["hint"].startswith("Draw the way"))
+    before = studio.state()["operations"]
+    studio.drag(line(studio, (0.55, 0.4), (0.62, 0.5), 10))
+    state = studio.wait_idle("the way", lambda s: s["hint"].startswith("Enter cuts"))
+    need(state["operations"] == before, "a way that is only shown made an operation")
+    done = Done(studio)
+    studio.key("Return")
+    done.wait("Sweep")
+
+
+def restore_by_drill(studio):
+    """What the laser burned is partly filled in again."""
+    choose(studio, "d", "drill")
+    studio.drag(ellipse(studio, (0.44, 0.38), (0.03, 0.04)))
+    studio.wait("the drill's mask", lambda s: s["hint"].startswith("The mask follows"))
+    studio.key("r")
+    studio.wait("restore", lambda s: "fill in" in s["hint"])
+    done = Done(studio)
+    studio.drag(line(studio, (0.42, 0.4), (0.44, 0.38), 3))
+    done.wait("Drill")
+    studio.key("r")
+    studio.wait("cutting again", lambda s: "to drill" in s["hint"])
+
+
+def scissors(studio):
+    """Outside a stroke and back, then a piece inside one, which is pasted."""
+    choose(studio, "x", "scissors")
+    studio.click("scissorsOutside")
+    done = Done(studio)
+    studio.drag(ellipse(studio, (0.5, 0.45), (0.3, 0.3)))
+    done.wait("Scissors")
+    undo(studio)
+    studio.click("scissorsInside")
+    done = Done(studio)
+    studio.drag(ellipse(studio, (0.5, 0.6), (0.05, 0.05)))
+    done.wait("Scissors")
+
+
+def paste_and_move(studio):
+    """Beside the object, then dragged, turned with Shift, scaled by the wheel; two undos."""
+    done = Done(studio)
+    studio.move(studio.view_point(0.5, 0.9))
+    studio.key("shift+v")
+    state = done.wait("Paste")
+    need(state["tool"] == "move" and len(state["handles"]) == 1, "a part that was pasted is not in hand")
+
+    def drag(way):
+        x, y = studio.state()["handles"][0]
+        more = Done(studio)
+        studio.drag([(x + way[0] * i // 8, y + way[1] * i // 8) for i in range(9)])
+        return more.wait("Move part")["handles"][0]
+
+    pasted = studio.state()["handles"][0]
+    moved = drag((-40, 60))
+    need(math.dist(moved, (pasted[0] - 40, pasted[1] + 60)) < 4, f"the part is at {moved}, dragged from {pasted}")
+    studio.xdotool("keydown", "shift")
+    turned = drag((40, 0))
+    studio.xdotool("keyup", "shift")
+    need(math.dist(moved, turned) < 3, f"turning moved the part from {moved} to {turned}")
+    done = Done(studio)
+    studio.move(turned)
+    studio.xdotool("click", "--repeat", 3, "--delay", 30, 4)
+    state = done.wait("Move part")
+    need(state["operations"] == done.before + 1, "turning the wheel thrice made more than one operation")
+    undo(studio)
+    state = undo(studio)
+    need(math.dist(state["handles"][0], moved) < 2, "undo did not bring the part back")
+    redo(studio)
+
+
+def clip(studio):
+    """A face of the box by its slider: one operation for a drag, which the next one takes the place of."""
+    choose(studio, "c", "clip")
+    x, y, width, height = studio.wait("the box", lambda s: "clipHi0Slider" in s["widgets"])["widgets"]["clipHi0Slider"]
+    right, middle = x + width - 7, y + height // 2
+
+    def slide(begin, end):
+        done = Done(studio)
+        studio.drag([(begin + (end - begin) * i // 5, middle) for i in range(6)])
+        return done.wait("Clip")["operations"] - done.before
+
+    need(slide(right, right - 40) == 1, "one drag of a slider made more than one operation")
+    need(slide(right - 40, right - 25) == 2, "a further clip did not take the place of the first (undo, clip)")
+    undo(studio)
+    redo(studio)
+
+
+def keep_connected(studio):
+    """The head is cut in two by a stroke through it; one click keeps the larger piece."""
+    choose(studio, "x", "scissors")
+    done = Done(studio)
+    studio.drag([studio.view_point(*place) for place in ((0.2, 0.5), (0.8, 0.5), (0.8, 0.53), (0.2, 0.53))])
+    done.wait("Scissors")
+    choose(studio, "k", "keep")
+    done = Done(studio)
+    studio.move(studio.view_point(0.5, 0.3))
+    studio.xdotool("click", 1)
+    done.wait("Keep connected")
+
+
+def check_session(session):
+    names = [operation["op"] for operation in operations(session)]
+    for name in ("laser", "sweep", "drill", "scissors", "paste", "move part", "clip", "keep connected", "undo", "redo"):
+        need(name in names, f"the session has no {name}: {names}")
+    drill = next(operation for operation in operations(session) if operation["op"] == "drill")
+    need(drill.get("restore") is True, f"the drill does not restore: {drill}")
+
+
+def main(display, arguments, folder):
+    volume = head(folder, arguments.generated)
+    studio = start(display, arguments.program, folder, [volume])
+    studio.wait_idle("the volume", lambda s: s["pictureComplete"])
+    narrow(studio)
+    for step in (laser, sweep, restore_by_drill, scissors, paste_and_move, clip, keep_connected):
+        step(studio)
+    studio.key("F12")
+    studio.type_path("screenshotDialog", folder / "window.png")
+    studio.wait_idle("the picture", lambda s: s["message"].startswith("Saved picture"))
+    studio.key("ctrl+s")
+    studio.type_path("saveDialog", folder / "session.json")
+    state = studio.wait_idle("the session", lambda s: "session.json" in s["message"])
+    need(state["glErrors"] == 0, f"{state['glErrors']} OpenGL errors")
+    studio.quit()
+    check_session(folder / "session.json")
+    compare_with_replay(arguments.vstudio, folder / "session.json", folder / "window.png", state["viewport"], folder)
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--program", required=True)
+    parser.add_argument("--vstudio", required=True)
+    parser.add_argument("--work", required=True, help="folder to work in; emptied first")
+    parser.add_argument("--generated", action="store_true", help="use the made head even where a real one is installed")
+    sys.exit(run_test(main, parser.parse_args()))

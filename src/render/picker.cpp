@@ -17,8 +17,9 @@ gl::Program& Picker::programFor(const Frame& frame) {
     const int content = frame.mode == Mode::Overlay || frame.mode == Mode::Segment ? 2 : byFunction ? 3 : 0;
     const int kind = byFunction ? int(frame.classification->kind()) : 0;
     const bool isTricubic = frame.scene.sampling == field::Sampling::Tricubic;
+    const bool hasQuads = bool(frame.scene.data->quads);
     auto& program = programs_[(isSculpted ? 1 : 0) + (picksMaximum ? 2 : 0) + 4 * content + 16 * kind +
-                              (isTricubic ? 64 : 0)];
+                              (isTricubic ? 64 : 0) + (hasQuads ? 128 : 0)];
     if (!program) {
         gl::Defines defines{{"CONTENT", std::to_string(content)}};
         if (isSculpted) {
@@ -26,6 +27,9 @@ gl::Program& Picker::programFor(const Frame& frame) {
         }
         if (isTricubic) {
             defines.emplace_back("TRICUBIC", "1");
+        }
+        if (hasQuads) {
+            defines.emplace_back("QUADS", "1");
         }
         if (byFunction) {
             defines.emplace_back("TF_KIND", frame.classification->kindDefine());

@@ -33,47 +33,46 @@ struct Edge {
     [[nodiscard]] bool crosses(double y) const { return y >= top.y && y < bottom.y; }
 };
 
-// Which sub-sample cells of one row are inside. Cells that an edge passes through are tested at their
-// (jittered) sample, the runs between them by one test each.
+// Cells [begin, end) of a row.
+struct Run {
+    int begin = 0;
+    int end = 0;
+};
+
+// Which sub-sample cells of one row are inside, as runs. Cells that an edge passes through are tested at
+// their (jittered) sample, the runs between them by one test each.
 class RowSampler {
 public:
     RowSampler(std::vector<Edge> edges, int width, const MaskFilter& filter)
-        : edges_(std::move(edges)), filter_(filter), isEdge_(std::size_t(width)),
-          inside_(std::size_t(width)) {
+        : edges_(std::move(edges)), width_(width), filter_(filter) {
         std::sort(edges_.begin(), edges_.end(),
                   [](const Edge& a, const Edge& b) { return a.top.y < b.top.y; });
     }
 
     // Rows must be asked for in ascending order.
-    const std::vector<std::uint8_t>& row(int y) {
+    const std::vector<Run>& row(int y) {
         collectActive(y);
-        const int width = int(inside_.size());
-        std::fill(isEdge_.begin(), isEdge_.end(), std::uint8_t(0));
+        inside_.clear();
+        touched_.clear();
         for (const Edge& edge : active_) {
             const double x0 = edge.xAt(y);
             const double x1 = edge.xAt(y + 1.0);
-            const int first = std::clamp(int(std::floor(std::min(x0, x1) - 1e-9)), 0, width - 1);
-            const int last = std::clamp(int(std::floor(std::max(x0, x1) + 1e-9)), 0, width - 1);
-            std::fill(isEdge_.begin() + first, isEdge_.begin() + last + 1, std::uint8_t(1));
+            touched_.push_back({std::clamp(int(std::floor(std::min(x0, x1) - 1e-9)), 0, width_ - 1),
+                                std::clamp(int(std::floor(std::max(x0, x1) + 1e-9)), 0, width_ - 1) + 1});
         }
-        for (int x = 0; x < width;) {
-            if (isEdge_[std::size_t(x)] != 0) {
-                const bool jittered = filter_.sampling == Sampling::Jittered;
-                const auto ux = std::uint32_t(x);
-                const auto uy = std::uint32_t(y);
-                const double dx = jittered ? jitterAt(ux, uy, filter_.seed * 2) : 0.5;
-                const double dy = jittered ? jitterAt(ux, uy, filter_.seed * 2 + 1) : 0.5;
-                inside_[std::size_t(x)] = isInside(x + dx, y + dy);
-                ++x;
-            } else {
-                int end = x;
-                while (end < width && isEdge_[std::size_t(end)] == 0) {
-                    ++end;
-                }
-                const std::uint8_t value = isInside(x + 0.5, y + 0.5);
-                std::fill(inside_.begin() + x, inside_.begin() + end, value);
-                x = end;
+        std::sort(touched_.begin(), touched_.end(), [](Run a, Run b) { return a.begin < b.begin; });
+        int x = 0;
+        for (const Run& run : touched_) {
+            if (run.begin > x) {
+                addIf(isInside(x + 0.5, y + 0.5), {x, run.begin});
+                x = run.begin;
             }
+            for (; x < run.end; ++x) {
+                addIf(isSampleInside(x, y), {x, x + 1});
+            }
+        }
+        if (x < width_ && !active_.empty()) {
+            addIf(isInside(x + 0.5, y + 0.5), {x, width_});
         }
         return inside_;
     }
@@ -89,20 +88,37 @@ private:
         }
     }
 
-    [[nodiscard]] std::uint8_t isInside(double x, double y) const {
-        std::uint8_t parity = 0;
+    [[nodiscard]] bool isInside(double x, double y) const {
+        bool parity = false;
         for (const Edge& edge : active_) {
-            parity ^= std::uint8_t(edge.crosses(y) && edge.xAt(y) <= x);
+            parity = parity != (edge.crosses(y) && edge.xAt(y) <= x);
         }
         return parity;
+    }
+
+    [[nodiscard]] bool isSampleInside(int x, int y) const {
+        const bool jittered = filter_.sampling == Sampling::Jittered;
+        const auto ux = std::uint32_t(x);
+        const auto uy = std::uint32_t(y);
+        return isInside(x + (jittered ? jitterAt(ux, uy, filter_.seed * 2) : 0.5),
+                        y + (jittered ? jitterAt(ux, uy, filter_.seed * 2 + 1) : 0.5));
+    }
+
+    void addIf(bool isIn, Run run) {
+        if (isIn && !inside_.empty() && inside_.back().end == run.begin) {
+            inside_.back().end = run.end;
+        } else if (isIn) {
+            inside_.push_back(run);
+        }
     }
 
     std::vector<Edge> edges_;
     std::vector<Edge> active_;
     std::size_t next_ = 0;
+    int width_;
     MaskFilter filter_;
-    std::vector<std::uint8_t> isEdge_;
-    std::vector<std::uint8_t> inside_;
+    std::vector<Run> touched_; // by edges
+    std::vector<Run> inside_;
 };
 
 std::vector<Edge> edgesOf(const Outline& outline, glm::dvec2 corner, double cell) {
@@ -117,32 +133,44 @@ std::vector<Edge> edgesOf(const Outline& outline, glm::dvec2 corner, double cell
     return edges;
 }
 
-// Filters one row of sub-samples into elements: value i is the weighted sum of cells [first + i * kSub, +
+// Filters rows of sub-samples into elements: value i is the weighted sum of cells [first + i * kSub, +
 // width).
-void filterRow(const std::vector<std::uint8_t>& inside, const std::vector<float>& weights, int first,
-               std::vector<int>& prefix, std::vector<float>& out) {
-    prefix.resize(inside.size() + 1);
-    prefix[0] = 0;
-    for (std::size_t x = 0; x < inside.size(); ++x) {
-        prefix[x + 1] = prefix[x] + inside[x];
-    }
-    const int width = int(weights.size());
-    for (std::size_t i = 0; i < out.size(); ++i) {
-        const int begin = first + int(i) * kSub;
-        const int lo = std::max(begin, 0);
-        const int hi = std::min(begin + width, int(inside.size()));
-        const int filled = hi > lo ? prefix[std::size_t(hi)] - prefix[std::size_t(lo)] : 0;
-        if (filled == 0 || filled == width) { // away from edges
-            out[i] = filled == 0 ? 0.0F : 1.0F;
-            continue;
+class RowFilter {
+public:
+    RowFilter(const std::vector<float>& weights, int first)
+        : width_(int(weights.size())), first_(first), upTo_(weights.size() + 1, 0.0F) {
+        double sum = 0;
+        for (std::size_t n = 0; n < weights.size(); ++n) {
+            sum += weights[n];
+            upTo_[n + 1] = float(sum);
         }
-        float sum = 0;
-        for (int x = lo; x < hi; ++x) {
-            sum += weights[std::size_t(x - begin)] * float(inside[std::size_t(x)]);
-        }
-        out[i] = sum;
+        upTo_.back() = 1;
     }
-}
+
+    // Returns the elements that are not zero.
+    Run filter(const std::vector<Run>& inside, std::vector<float>& out) const {
+        const int count = int(out.size());
+        std::fill(out.begin(), out.end(), 0.0F);
+        Run all{count, 0};
+        for (const Run& run : inside) {
+            const int lo = std::max((run.begin - first_ - width_) / kSub, 0);
+            const int hi = std::min((run.end - 1 - first_) / kSub + 1, count);
+            for (int i = lo; i < hi; ++i) {
+                const int begin = first_ + i * kSub;
+                const int from = std::clamp(run.begin - begin, 0, width_);
+                const int to = std::clamp(run.end - begin, 0, width_);
+                out[std::size_t(i)] += upTo_[std::size_t(to)] - upTo_[std::size_t(from)];
+            }
+            all = {std::min(all.begin, lo), std::max(all.end, hi)};
+        }
+        return all;
+    }
+
+private:
+    int width_;
+    int first_;
+    std::vector<float> upTo_; // sum of the first n weights
+};
 
 // One test at each element's centre.
 void fillBinary(const Outline& outline, MaskRaster& mask) {
@@ -150,8 +178,10 @@ void fillBinary(const Outline& outline, MaskRaster& mask) {
     centres.sampling = Sampling::Uniform;
     RowSampler sampler(edgesOf(outline, mask.origin - 0.5 * mask.pitch, mask.pitch), mask.size.x, centres);
     for (int j = 0; j < mask.size.y; ++j) {
-        const auto& inside = sampler.row(j);
-        std::copy(inside.begin(), inside.end(), mask.values.begin() + std::ptrdiff_t(j) * mask.size.x);
+        const auto row = mask.values.begin() + std::ptrdiff_t(j) * mask.size.x;
+        for (const Run& run : sampler.row(j)) {
+            std::fill(row + run.begin, row + run.end, 1.0F);
+        }
     }
 }
 
@@ -161,17 +191,17 @@ void fillFiltered(const Outline& outline, const MaskFilter& filter, MaskRaster& 
     const int first = kSub / 2 - width / 2; // of element 0: its support is centred on its centre
     RowSampler sampler(edgesOf(outline, mask.origin - 0.5 * mask.pitch, mask.pitch / kSub),
                        mask.size.x * kSub, filter);
-    std::vector<int> prefix;
+    const RowFilter rowFilter(weights, first);
     std::vector<float> row(std::size_t(mask.size.x));
     for (int y = 0; y < mask.size.y * kSub; ++y) {
-        filterRow(sampler.row(y), weights, first, prefix, row);
+        const Run run = rowFilter.filter(sampler.row(y), row);
         // This row of sub-samples is row (y - first - j * kSub) of the support of element row j.
         const int top = y - first;
         for (int j = std::max(0, (top - width + kSub) / kSub); j < mask.size.y && top - j * kSub >= 0; ++j) {
             const float weight = weights[std::size_t(top - j * kSub)];
             float* target = &mask.values[std::size_t(j) * std::size_t(mask.size.x)];
-            for (std::size_t i = 0; i < row.size(); ++i) {
-                target[i] += weight * row[i];
+            for (int i = run.begin; i < run.end; ++i) {
+                target[i] += weight * row[std::size_t(i)];
             }
         }
     }

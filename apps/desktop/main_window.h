@@ -68,6 +68,8 @@ private:
 
     // main_window_tools.cpp
     void makeToolActions();
+    void makeShapeActions();
+    void chooseStencil();
     void refreshToolActions(bool hasDocument);
     void reverseSign();
 

@@ -15,7 +15,14 @@
 #include <QActionGroup>
 #include <QKeyEvent>
 
+#include <array>
+
 namespace vs::desktop {
+
+namespace {
+// In the order of studio::Shape.
+constexpr std::array<const char*, 5> kShapeActions{"freeForm", "ellipse", "circle", "rectangle", "polyline"};
+} // namespace
 
 // One for each tool, the sign of those that cut, pasting, and the shapes that are sketched.
 void MainWindow::makeToolActions() {
@@ -52,14 +59,36 @@ void MainWindow::makeToolActions() {
               [this] { studio_.paste(); })
         ->setAutoRepeat(false);
 
-    auto* shapes = new QActionGroup(this);
-    addChoice(shapes, {"freeForm", "freeform", tr("Free-form"), tr("Draw the outline by hand"), tr("F")},
-              [this] { studio_.setShape(studio::Shape::FreeForm); });
-    addChoice(shapes,
-              {"ellipse", "ellipse", tr("Ellipse"), tr("Drag an ellipse from corner to corner"), tr("E")},
-              [this] { studio_.setShape(studio::Shape::Ellipse); });
+    makeShapeActions();
     addAction({"clearSketch", "clear", tr("Clear"), tr("Drop the stroke in hand, or the mask"), tr("Esc")},
               [this] { studio_.tool().clear(); });
+}
+
+void MainWindow::makeShapeActions() {
+    auto* shapes = new QActionGroup(this);
+    const auto add = [&](studio::Shape shape, const char* iconName, const QString& text, const QString& tip,
+                         const QString& key) {
+        addChoice(shapes, {kShapeActions.at(std::size_t(shape)), iconName, text, tip, key},
+                  [this, shape] { studio_.setShape(shape); });
+    };
+    using studio::Shape;
+    add(Shape::FreeForm, "freeform", tr("Free-form"), tr("Draw the outline by hand"), tr("F"));
+    add(Shape::Ellipse, "ellipse", tr("Ellipse"), tr("Drag an ellipse from corner to corner"), tr("E"));
+    add(Shape::Circle, "circle", tr("Circle"), tr("Drag a circle from its centre"), tr("O"));
+    add(Shape::Rectangle, "rectangle", tr("Rectangle"), tr("Drag a rectangle from corner to corner"),
+        tr("N"));
+    add(Shape::Polyline, "polyline", tr("Polyline"),
+        tr("Click corner after corner; click the first one, or twice, to close it"), tr("Y"));
+    addChoice(shapes,
+              {"stencil", "stencil", tr("Picture"),
+               tr("The shape that a PNG shows, bright or opaque: drag the box that it fills"), tr("I")},
+              [this] { chooseStencil(); });
+}
+
+void MainWindow::chooseStencil() {
+    refreshToolActions(studio_.document() != nullptr); // until there is one, the shape is what it was
+    choose("stencilDialog", tr("A picture for the mask's shape"), false, tr("Pictures (*.png)"), {},
+           [this](const QString& path) { studio_.setStencil(std::filesystem::path(path.toStdString())); });
 }
 
 void MainWindow::reverseSign() {
@@ -80,7 +109,8 @@ void MainWindow::keyReleaseEvent(QKeyEvent* event) {
 
 void MainWindow::refreshToolActions(bool hasDocument) {
     action((studio_.tool().name().toStdString() + "Tool").c_str())->setChecked(true);
-    action(studio_.shape() == studio::Shape::Ellipse ? "ellipse" : "freeForm")->setChecked(true);
+    action(studio_.stencil().empty() ? kShapeActions.at(std::size_t(studio_.shape())) : "stencil")
+        ->setChecked(true);
     const auto* cutTool = studio_.cutTool();
     action("restore")->setEnabled(hasDocument && cutTool != nullptr);
     action("restore")->setChecked(cutTool != nullptr && cutTool->restores());

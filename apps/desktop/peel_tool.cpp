@@ -71,7 +71,9 @@ void PeelTool::press(const Pen& pen) {
         }
         return;
     }
-    pad_.begin(studio_.shape(), pen.position);
+    if (state_ != State::Sketching) { // else the next corner of a polyline
+        pad_.begin(studio_.shape(), pen.position, studio_.stencil());
+    }
     setState(State::Sketching);
 }
 
@@ -93,7 +95,9 @@ void PeelTool::peelTo(const Pen& pen) {
 
 void PeelTool::release(const Pen& pen) {
     if (state_ == State::Sketching) {
-        pad_.extend(pen.position);
+        if (!pad_.end(pen.position)) {
+            return;
+        }
         if (pad_.hasArea()) {
             isInside_ = pad_.area().contains(pen.position);
             setState(State::Ready);
@@ -111,6 +115,11 @@ void PeelTool::release(const Pen& pen) {
 }
 
 void PeelTool::hover(const Pen& pen) {
+    if (state_ == State::Sketching) {
+        pad_.extend(pen.position);
+        emit overlayChanged();
+        return;
+    }
     const bool isInside = state_ == State::Ready && pad_.area().contains(pen.position);
     if (isInside != isInside_) {
         isInside_ = isInside;

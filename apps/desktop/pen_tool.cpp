@@ -74,7 +74,9 @@ void PenTool::press(const Pen& pen) {
     if (state_ == State::Ready) {
         beginCut(pen);
     } else {
-        pad_.begin(studio_.shape(), pen.position);
+        if (state_ != State::Sketching) { // else the next corner of a polyline
+            pad_.begin(studio_.shape(), pen.position, studio_.stencil());
+        }
         setState(State::Sketching);
     }
 }
@@ -115,7 +117,9 @@ void PenTool::move(const Pen& pen) {
 
 void PenTool::release(const Pen& pen) {
     if (state_ == State::Sketching) {
-        pad_.extend(pen.position);
+        if (!pad_.end(pen.position)) {
+            return;
+        }
         isPenOver_ = false; // stays where it was drawn until the pen moves
         if (pad_.hasArea()) {
             setState(State::Ready);
@@ -135,7 +139,10 @@ void PenTool::release(const Pen& pen) {
 void PenTool::hover(const Pen& pen) {
     pen_ = pen.position;
     isPenOver_ = true;
-    if (state_ == State::Ready) {
+    if (state_ == State::Sketching) {
+        pad_.extend(pen.position);
+    }
+    if (state_ != State::Empty) {
         emit overlayChanged();
     }
 }

@@ -39,7 +39,9 @@ void ScissorsTool::setDepth(std::optional<double> steps) {
 }
 
 void ScissorsTool::press(const Pen& pen) {
-    pad_.begin(studio_.shape(), pen.position);
+    if (!isDown_) { // else the next corner of a polyline
+        pad_.begin(studio_.shape(), pen.position, studio_.stencil());
+    }
     isDown_ = true;
     emit overlayChanged();
 }
@@ -55,7 +57,9 @@ void ScissorsTool::release(const Pen& pen) {
     if (!isDown_) {
         return;
     }
-    pad_.extend(pen.position);
+    if (!pad_.end(pen.position)) {
+        return;
+    }
     isDown_ = false;
     emit overlayChanged();
     if (!pad_.hasArea()) {

@@ -29,7 +29,9 @@ Overlays SeedTool::overlays() const {
 }
 
 void SeedTool::press(const Pen& pen) {
-    pad_.begin(studio_.shape(), pen.position);
+    if (!isDown_) { // else the next corner of a polyline
+        pad_.begin(studio_.shape(), pen.position, studio_.stencil());
+    }
     isDown_ = true;
     emit overlayChanged();
 }
@@ -45,7 +47,9 @@ void SeedTool::release(const Pen& pen) {
     if (!isDown_) {
         return;
     }
-    pad_.extend(pen.position);
+    if (!pad_.end(pen.position)) {
+        return;
+    }
     isDown_ = false;
     emit overlayChanged();
     if (studio_.shape() != studio::Shape::FreeForm && !pad_.hasArea()) {

@@ -22,6 +22,7 @@ public:
     void press(const Pen& pen) override;
     void move(const Pen& pen) override;
     void release(const Pen& pen) override;
+    void hover(const Pen& pen) override { move(pen); } // between a polyline's corners
     void clear() override;
     void viewResized() override { clear(); }
     [[nodiscard]] bool isBusy() const override { return isDown_; }

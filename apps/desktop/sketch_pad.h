@@ -11,16 +11,22 @@
 namespace vs::desktop {
 
 // What a person draws on the picture, in logical pixels of the view. The raw pen points are kept unfiltered.
+// Most shapes are one drag from press to release; a polyline is a click, or the end of a drag, for each
+// corner, and ends with a click on its first corner, or twice on its last.
 class SketchPad {
 public:
-    void begin(studio::Shape shape, QPointF at);
+    // With a stencil (any closed outline, y down) the drag says the box that it is fitted into.
+    void begin(studio::Shape shape, QPointF at, const std::vector<glm::dvec2>& stencil = {});
+    // The pen is here, pressed or, between a polyline's corners, above.
     void extend(QPointF to);
+    // The pen was lifted here. False: it is a polyline, which goes on.
+    bool end(QPointF at);
     void clear() { points_.clear(); }
 
     [[nodiscard]] bool isEmpty() const { return points_.empty(); }
     // Encloses something: at least a few pixels wide and high.
     [[nodiscard]] bool hasArea() const;
-    // As drawn: an open line, or the ellipse in its box.
+    // As drawn: an open line, or the shape in its box.
     [[nodiscard]] QPainterPath outline() const;
     // Closed; filled by the even-odd rule.
     [[nodiscard]] QPainterPath area() const;
@@ -31,9 +37,12 @@ public:
 
 private:
     [[nodiscard]] QRectF box() const;
+    [[nodiscard]] bool isDrawnByPoints() const;
+    [[nodiscard]] std::vector<QPointF> fittedStencil() const;
 
     studio::Shape shape_ = studio::Shape::FreeForm;
     std::vector<QPointF> points_;
+    std::vector<glm::dvec2> stencil_;
 };
 
 // A closed line through places in device pixels, in logical ones.

@@ -265,6 +265,7 @@ CutTool* StudioController::cutTool() const { return qobject_cast<CutTool*>(tool_
 
 void StudioController::setShape(studio::Shape shape) {
     shape_ = shape;
+    stencil_.clear();
     emit changed();
 }
 

@@ -116,6 +116,11 @@ public:
     [[nodiscard]] CutTool* cutTool() const;
     [[nodiscard]] studio::Shape shape() const { return shape_; }
     void setShape(studio::Shape shape);
+    // What is sketched instead of a shape: an outline (y down) fitted into the box that is dragged. Empty:
+    // none.
+    [[nodiscard]] const std::vector<glm::dvec2>& stencil() const { return stencil_; }
+    // A picture's bright or opaque part as the stencil. False: it has none, and the message says why.
+    bool setStencil(const std::filesystem::path& picture);
     // For a mouse; a tablet's own pressure overrides it.
     [[nodiscard]] double mousePressure() const { return mousePressure_; }
     void setMousePressure(double pressure) { mousePressure_ = pressure; }
@@ -182,6 +187,7 @@ private:
     studio::View view_;
     bool isViewPending_ = false;
     studio::Shape shape_ = studio::Shape::FreeForm;
+    std::vector<glm::dvec2> stencil_;
     double mousePressure_ = 1;
     bool rampsPressure_ = false;
     QSizeF logical_{1, 1};

@@ -5,6 +5,7 @@
 #include "tool.h"
 
 #include "base/error.h"
+#include "sculpt/outline_image.h"
 
 #include <algorithm>
 #include <variant>
@@ -177,6 +178,21 @@ void StudioController::writeScreenshot() {
         say(tr("Saved picture %1").arg(text(path)));
     });
     emit changed();
+}
+
+bool StudioController::setStencil(const std::filesystem::path& picture) {
+    const bool isRead = guard([&] {
+        stencil_.clear();
+        for (const glm::dvec2 point : sculpt::outlineFromImage(image::readPng(picture), 1)) {
+            stencil_.emplace_back(point.x, -point.y);
+        }
+    });
+    shape_ = isRead ? studio::Shape::Polyline : shape_;
+    if (isRead) {
+        say(tr("Drag a box for the shape of %1").arg(text(picture.filename())));
+    }
+    emit changed();
+    return isRead;
 }
 
 } // namespace vs::desktop

@@ -69,7 +69,9 @@ void SweepTool::set(const Settings& settings) {
 }
 
 void SweepTool::press(const Pen& pen) {
-    if (state_ == State::Empty || !isDrawn()) {
+    if (state_ == State::SketchingMask) {
+        mask_.extend(pen.position); // the next corner of a polyline
+    } else if (state_ == State::Empty || !isDrawn()) {
         beginMask(pen);
     } else {
         way_.begin(studio::Shape::FreeForm, pen.position);
@@ -79,7 +81,7 @@ void SweepTool::press(const Pen& pen) {
 
 void SweepTool::beginMask(const Pen& pen) {
     abandon();
-    mask_.begin(studio_.shape(), pen.position);
+    mask_.begin(studio_.shape(), pen.position, studio_.stencil());
     setState(State::SketchingMask);
 }
 
@@ -94,6 +96,9 @@ void SweepTool::move(const Pen& pen) {
 
 void SweepTool::release(const Pen& pen) {
     move(pen);
+    if (state_ == State::SketchingMask && !mask_.end(pen.position)) {
+        return;
+    }
     if (state_ == State::SketchingMask && !mask_.hasArea()) {
         abandon();
     } else if (isSketching()) {

@@ -38,6 +38,7 @@ public:
     void press(const Pen& pen) override;
     void move(const Pen& pen) override;
     void release(const Pen& pen) override;
+    void hover(const Pen& pen) override { move(pen); } // between a polyline's corners
     void clear() override;
     bool accept() override;
     void viewResized() override { abandon(); }

@@ -2,31 +2,25 @@
 #include "sculpt/tool_surface.h"
 
 #include "base/check.h"
-#include "sculpt/raster_blur.h"
+#include "sculpt/surface_raster.h"
 #include "sculpt/surface_skirt.h"
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
 namespace vs::sculpt {
 
 namespace {
 
-constexpr double kMinPeak = 0.6;        // thin masks are raised until their radiation reaches this somewhere
-constexpr double kSmallestGapSteps = 3; // neighbours closer than this always belong together
-constexpr double kGapElements = 4;      // ... and those closer than this many elements
-constexpr int kMaxSkirt = 64;           // elements
+constexpr int kMaxSkirt = 64; // elements
 constexpr std::uint32_t kNoCorner = 0xFFFFFFFFU;
 
-// Builds the patches of one sweep; the members are what its steps share.
-class SurfaceSweeper {
+// Builds the patches of one sweep.
+class SurfaceSweeper : public SurfaceRaster {
 public:
     SurfaceSweeper(std::span<const field::SurfacePoint> points, const MaskRaster& mask,
                    const volume::GridGeometry& geometry, const ToolSweep& sweep)
-        : points_(points), mask_(mask), sweep_(sweep), size_(mask.size),
-          stepsFromVoxel_(glm::mat3(geometry.worldFromVoxel) / float(geometry.stepMm())),
-          voxelFromSteps_(glm::inverse(stepsFromVoxel_)),
+        : SurfaceRaster(points, mask, geometry, sweep),
           outside_(sweep.outsideSteps < 0 ? sweep.radius : sweep.outsideSteps),
           out_(hasOwnDepths() ? 0.0F : float(-outside_), hasOwnDepths() ? 1.0F : float(sweep.depthSteps), 0) {
         // A point farther outside the grid reaches no voxel of it (Footprint::reachVoxels() <= radius + 2).
@@ -39,16 +33,6 @@ public:
         out_.setDensity({SweptPatches::densityFor(sigma.x), SweptPatches::densityFor(sigma.y),
                          SweptPatches::densityFor(sigma.z)});
     }
-
-    // Leaves them in unit length, in steps along the world's axes.
-    void findDirections() {
-        chooseDirections();
-        measureSpacing();
-        if (sweep_.directions.empty() && sweep_.direction == ToolDirection::OwnNormal) {
-            smoothDirections();
-        }
-    }
-    [[nodiscard]] std::vector<glm::vec3> takeDirections() { return std::move(directions_); }
 
     SweptPatches run() {
         if (!(hasOwnDepths() || sweep_.depthSteps > 0) || size_.x < 1 || size_.y < 1 || !anyHitUnderMask()) {
@@ -72,16 +56,6 @@ public:
 private:
     enum class Cell : std::uint8_t { Nothing, Whole, Broken };
 
-    [[nodiscard]] std::size_t at(int i, int j) const {
-        return std::size_t(j) * std::size_t(size_.x) + std::size_t(i);
-    }
-    [[nodiscard]] bool isHit(int i, int j) const {
-        return i >= 0 && j >= 0 && i < size_.x && j < size_.y && isSweptFrom(at(i, j));
-    }
-    [[nodiscard]] glm::vec3 place(int i, int j) const { return glm::vec3(points_[at(i, j)].voxel); }
-    // Offset in steps (world axes) between two places in voxel space.
-    [[nodiscard]] glm::vec3 inSteps(const glm::vec3& voxels) const { return stepsFromVoxel_ * voxels; }
-
     // Cells along a side that one sample stands for: a power of two, so that a part of a raster that begins
     // at a multiple of kMaxBlock gives the same samples as the whole.
     [[nodiscard]] int blockSize() const {
@@ -90,95 +64,6 @@ private:
             block *= 2;
         }
         return block;
-    }
-    [[nodiscard]] bool restores() const { return !sweep_.outwardSteps.empty(); }
-    // Then depths are fractions of each element's own.
-    [[nodiscard]] bool hasOwnDepths() const { return restores() || !sweep_.depths.empty(); }
-
-    [[nodiscard]] bool isSweptFrom(std::size_t n) const {
-        return points_[n].voxel.w > 0.5F && (!restores() || sweep_.outwardSteps[n] > 0) &&
-               (sweep_.depths.empty() || sweep_.depths[n] > 0);
-    }
-    [[nodiscard]] float maskAt(std::size_t n) const { return isSweptFrom(n) ? mask_.values[n] : 0.0F; }
-
-    [[nodiscard]] bool anyHitUnderMask() const {
-        for (std::size_t n = 0; n < points_.size(); ++n) {
-            if (maskAt(n) > 0) {
-                return true;
-            }
-        }
-        return false;
-    }
-
-    // Unit directions in steps along the world's axes.
-    void chooseDirections() {
-        if (!sweep_.directions.empty()) {
-            directions_.assign(sweep_.directions.begin(), sweep_.directions.end());
-            return;
-        }
-        const glm::vec3 common(glm::normalize(sweep_.directionWorld));
-        directions_.resize(points_.size());
-        for (std::size_t n = 0; n < points_.size(); ++n) {
-            directions_[n] =
-                sweep_.direction == ToolDirection::Common ? common : -glm::vec3(points_[n].normal);
-        }
-    }
-
-    // The median distance, in steps, between the paths of neighbouring hits.
-    void measureSpacing() {
-        std::vector<float> distances;
-        const int stride = std::max(1, int(std::sqrt(double(points_.size()) / 2000)));
-        for (int j = 0; j < size_.y; j += stride) {
-            for (int i = 0; i < size_.x; i += stride) {
-                for (const glm::ivec2 next : {glm::ivec2(i + 1, j), glm::ivec2(i, j + 1)}) {
-                    if (isHit(i, j) && isHit(next.x, next.y)) {
-                        const glm::vec3 between = inSteps(place(next.x, next.y) - place(i, j));
-                        const float along = glm::dot(between, directions_[at(i, j)]);
-                        distances.push_back(
-                            std::sqrt(std::max(glm::dot(between, between) - along * along, 0.0F)));
-                    }
-                }
-            }
-        }
-        if (!distances.empty()) {
-            const auto middle = distances.begin() + std::ptrdiff_t(distances.size() / 2);
-            std::nth_element(distances.begin(), middle, distances.end());
-            spacing_ = std::max(double(*middle), 1e-3);
-        }
-        gap_ = float(std::max(kGapElements * spacing_, kSmallestGapSteps));
-    }
-
-    // Normals over an eighth of the mask's size, so that a rough surface does not scatter its paths; at least
-    // over what the radiation cannot resolve, and never so far that the shape of an organ is lost.
-    void smoothDirections() {
-        const auto filled =
-            std::count_if(mask_.values.begin(), mask_.values.end(), [](float m) { return m >= 0.5F; });
-        const double sigma = std::clamp(std::sqrt(double(filled)) / 8, 1.5 / spacing_, 8.0 / spacing_);
-        std::vector<glm::vec3> smooth(directions_.size(), glm::vec3(0));
-        for (std::size_t n = 0; n < smooth.size(); ++n) {
-            if (points_[n].voxel.w > 0.5F) {
-                smooth[n] = directions_[n];
-            }
-        }
-        blurRaster(smooth, size_, sigma);
-        for (std::size_t n = 0; n < smooth.size(); ++n) {
-            const float length = glm::length(smooth[n]);
-            if (length > 1e-6F && glm::dot(smooth[n], directions_[n]) > 0) {
-                directions_[n] = smooth[n] / length;
-            }
-        }
-    }
-
-    // How much more energy the mask needs so that its radiation reaches kMinPeak somewhere; 1 for all but
-    // thin masks.
-    [[nodiscard]] float thinMaskGain() const {
-        std::vector<float> spread(points_.size());
-        for (std::size_t n = 0; n < spread.size(); ++n) {
-            spread[n] = maskAt(n);
-        }
-        blurRaster(spread, size_, sweep_.radius / 3.0 / spacing_);
-        const float peak = *std::max_element(spread.begin(), spread.end());
-        return peak < kMinPeak && peak > 0 ? float(std::min(kMinPeak / double(peak), 1000.0)) : 1.0F;
     }
 
     void addCorners(float gain) {
@@ -203,15 +88,6 @@ private:
                                   gain_ * mask);
         }
         return out_.addCorner(place, inwards, gain_ * mask);
-    }
-
-    // Whether two neighbouring elements lie on one piece of surface.
-    [[nodiscard]] bool isJoined(glm::ivec2 a, glm::ivec2 b) const {
-        if (!isHit(a.x, a.y) || !isHit(b.x, b.y)) {
-            return false;
-        }
-        const glm::vec3 between = inSteps(place(b.x, b.y) - place(a.x, a.y));
-        return glm::dot(between, between) <= gap_ * gap_;
     }
 
     [[nodiscard]] float cornerMask(int i, int j) const {
@@ -313,34 +189,6 @@ private:
         }
     }
 
-    [[nodiscard]] glm::vec3 meanDirection() const {
-        if (sweep_.direction == ToolDirection::Common) {
-            return glm::vec3(glm::normalize(sweep_.directionWorld));
-        }
-        glm::vec3 sum(0);
-        for (std::size_t n = 0; n < points_.size(); ++n) {
-            sum += isSweptFrom(n) ? directions_[n] : glm::vec3(0);
-        }
-        return glm::length(sum) > 1e-6F ? glm::normalize(sum) : directions_.front();
-    }
-
-    // From one element to the next along an axis of the raster, in steps, across the tool's direction.
-    [[nodiscard]] glm::vec3 meanStep(glm::ivec2 axis) const {
-        glm::vec3 sum(0);
-        int count = 0;
-        for (int j = 0; j + axis.y < size_.y; ++j) {
-            for (int i = 0; i + axis.x < size_.x; ++i) {
-                if (isJoined({i, j}, glm::ivec2(i, j) + axis)) {
-                    sum += inSteps(place(i + axis.x, j + axis.y) - place(i, j));
-                    ++count;
-                }
-            }
-        }
-        const glm::vec3 mean = count > 0 ? sum / float(count) : glm::vec3(0);
-        const glm::vec3 direction = meanDirection();
-        return mean - direction * glm::dot(mean, direction);
-    }
-
     // Cells [first, first + count): as one patch where they are whole, else in quarters, down to single
     // cells.
     void addBlock(glm::ivec2 first, glm::ivec2 count) {
@@ -396,25 +244,6 @@ private:
                 std::uint32_t(at(d.x, d.y))};
     }
 
-    // The step in voxel space from one element to the next along an axis of the raster, as a hit's neighbours
-    // tell it: along the surface where they belong together, else only across the element's own path.
-    [[nodiscard]] std::optional<glm::vec3> tangent(glm::ivec2 e, glm::ivec2 axis) const {
-        std::optional<glm::vec3> across;
-        for (const int side : {1, -1}) {
-            const glm::ivec2 next = e + side * axis;
-            if (isJoined(e, next)) {
-                return float(side) * (place(next.x, next.y) - place(e.x, e.y));
-            }
-            if (isHit(next.x, next.y) && !across) {
-                const glm::vec3 direction = directions_[at(e.x, e.y)];
-                const glm::vec3 between = inSteps(place(next.x, next.y) - place(e.x, e.y));
-                across =
-                    voxelFromSteps_ * (float(side) * (between - direction * glm::dot(between, direction)));
-            }
-        }
-        return across;
-    }
-
     // Whether all four cells around an element are broken: then its quarters of them are one patch.
     [[nodiscard]] bool isBrokenAround(glm::ivec2 e) {
         return cell(e.x - 1, e.y - 1) == Cell::Broken && cell(e.x, e.y - 1) == Cell::Broken &&
@@ -458,17 +287,7 @@ private:
             out_.addCell(corners);
         }
     }
-
-    std::span<const field::SurfacePoint> points_;
-    const MaskRaster& mask_;
-    const ToolSweep& sweep_;
-    glm::ivec2 size_;
-    glm::mat3 stepsFromVoxel_;
-    glm::mat3 voxelFromSteps_;
     double outside_;
-    double spacing_ = 1; // steps between neighbouring elements
-    float gap_ = 0;      // steps; neighbours farther apart are not joined
-    std::vector<glm::vec3> directions_;
     std::vector<Cell> cells_;
     float gain_ = 1;
     std::vector<bool> isCovered_; // four cells around each element: the skirt covers it there; empty: nowhere
@@ -480,9 +299,9 @@ private:
 std::vector<glm::vec3> toolDirections(std::span<const field::SurfacePoint> points, const MaskRaster& mask,
                                       const volume::GridGeometry& geometry, const ToolSweep& sweep) {
     VS_CHECK_EQ(points.size(), mask.values.size());
-    SurfaceSweeper sweeper(points, mask, geometry, sweep);
-    sweeper.findDirections();
-    return sweeper.takeDirections();
+    SurfaceRaster raster(points, mask, geometry, sweep);
+    raster.findDirections();
+    return raster.takeDirections();
 }
 
 SweptPatches sweepSurface(std::span<const field::SurfacePoint> points, const MaskRaster& mask,

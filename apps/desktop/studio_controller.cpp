@@ -39,6 +39,12 @@ StudioController::StudioController()
          std::initializer_list<Tool*>{cameraTool_, peelTool_, drillTool_, laserTool_, sweepTool_,
                                       scissorsTool_, keepTool_, clipTool_, seedTool_, moveTool_}) {
         connect(tool, &Tool::overlayChanged, this, &StudioController::overlayChanged);
+        // The picture held still while a sketch was drawn on it; what it still lacks goes on now.
+        connect(tool, &Tool::overlayChanged, this, [this] {
+            if (!tool_->isSketching() && document_ != nullptr && !picture_->isComplete()) {
+                schedule(0);
+            }
+        });
         if (auto* cutTool = qobject_cast<CutTool*>(tool)) {
             connect(cutTool, &CutTool::settingsChanged, this, &StudioController::changed);
         }

@@ -73,4 +73,26 @@ Outline subdivide(Outline outline, Subdivision scheme, int levels) {
     return outline;
 }
 
+Outline clipToBox(Outline outline, glm::dvec2 lo, glm::dvec2 hi) {
+    for (int side = 0; side < 4; ++side) {
+        const int axis = side % 2;
+        const double sign = side < 2 ? 1 : -1;
+        const double limit = side < 2 ? hi[axis] : -lo[axis];
+        const auto depth = [&](glm::dvec2 p) { return limit - sign * p[axis]; };
+        Outline inside;
+        for (std::size_t n = 0; n < outline.size(); ++n) {
+            const glm::dvec2 a = outline[n];
+            const glm::dvec2 b = outline[(n + 1) % outline.size()];
+            if (depth(a) >= 0) {
+                inside.push_back(a);
+            }
+            if ((depth(a) >= 0) != (depth(b) >= 0)) {
+                inside.push_back(glm::mix(a, b, depth(a) / (depth(a) - depth(b))));
+            }
+        }
+        outline = std::move(inside);
+    }
+    return outline;
+}
+
 } // namespace vs::sculpt

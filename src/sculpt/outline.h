@@ -24,6 +24,10 @@ Outline polylineOutline(std::span<const glm::dvec2> corners);
 // inner corners at distance `inner`, halfway between them.
 Outline starOutline(glm::dvec2 centre, double outer, double inner, int points);
 
+// The part of an outline within a box (Sutherland and Hodgman 1974, "Reentrant polygon clipping"); an outline
+// that lies within it stays as it is.
+Outline clipToBox(Outline outline, glm::dvec2 lo, glm::dvec2 hi);
+
 // Schemes that round an outline's corners.
 enum class Subdivision { CubicBSpline, Chaikin };
 // Their names on command lines, in the order of the enumeration.

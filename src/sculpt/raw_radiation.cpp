@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sculpt/raw_radiation.h"
 
+#include "base/error.h"
+
 #include <algorithm>
 
 namespace vs::sculpt {
 
 namespace {
+
+constexpr int kMostFrames = 4096;
 
 struct Element {
     glm::dvec2 place;
@@ -42,6 +46,13 @@ Box3 boxAround(const MaskRaster& mask, std::span<const MaskFrame> frames, const 
 } // namespace
 
 std::vector<MaskFrame> framesEachStep(std::span<const PathPiece> path) {
+    double total = 0;
+    for (const PathPiece& piece : path) {
+        total += glm::length(piece.to.origin - piece.from.origin);
+    }
+    if (!(total <= kMostFrames)) {
+        throw Error("a path of {:.0f} steps is too long for raw energy; {} is the most", total, kMostFrames);
+    }
     std::vector<MaskFrame> frames;
     double next = 0; // from the start of the piece to the next frame
     for (const PathPiece& piece : path) {

@@ -17,7 +17,8 @@ namespace vs::sculpt {
 inline constexpr float kRawStrength = 0.1F;
 
 // The frames of a mask moved along a path (in steps) by one step at a time: at its start, and wherever its
-// origin has gone another whole step. Turns on the spot count none.
+// origin has gone another whole step. Turns on the spot count none. Throws Error for paths of more than 4096
+// steps.
 std::vector<MaskFrame> framesEachStep(std::span<const PathPiece> path);
 
 // Radiates a mask (in steps) standing in each of the frames, with raw energy, into a grid of `dims` voxels.

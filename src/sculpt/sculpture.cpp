@@ -98,6 +98,7 @@ void Sculpture::clear() {
 void Sculpture::noteChange(const Box3& box) {
     constexpr std::size_t remembered = 64;
     changes_.push_back({++version_, box});
+    contentVersion_ = version_;
     if (changes_.size() > remembered) { // the oldest two become one
         changes_[1].box = unite(changes_[0].box, changes_[1].box);
         changes_.pop_front();

@@ -60,6 +60,10 @@ public:
     [[nodiscard]] Precision precision() const { return precision_; }
     // Counts every change.
     [[nodiscard]] std::uint64_t version() const { return version_; }
+    // Numbers the contents: as version(), but what has been put back as it was can have its number again.
+    [[nodiscard]] std::uint64_t contentVersion() const { return contentVersion_; }
+    // The contents are what they were when contentVersion() was this.
+    void contentIsAsAt(std::uint64_t contentVersion) { contentVersion_ = contentVersion; }
     // Voxels that may differ from what they were at an earlier version(). The longer ago, the more there may
     // be that do not; at version 0 everything was 0.
     [[nodiscard]] Box3 changedSince(std::uint64_t version) const;
@@ -83,6 +87,7 @@ private:
     field::CellRangeUpdater updater_;
     gl::Buffer changed_;
     std::uint64_t version_ = 0;
+    std::uint64_t contentVersion_ = 0;
     struct Change {
         std::uint64_t version = 0; // the one it led to
         Box3 box;

@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 
 namespace vs::sculpt {
 
@@ -33,23 +34,43 @@ std::vector<glm::vec2> spansOf(const Extrusion& solid) {
     return spans;
 }
 
+bool isNearer(glm::vec2 a, glm::vec2 b) { return a.x >= 0 && (b.x < 0 || a.x < b.x); }
+
+// Each of `count` spans, `stride` apart, becomes the nearest among those within `reach`, by a queue of those
+// that may still be the nearest (Lemire 2006, "Streaming maximum-minimum filter"): the cost does not depend
+// on reach.
+void takeNearest(glm::vec2* spans, int count, std::ptrdiff_t stride, int reach) {
+    std::vector<glm::vec2> source(std::size_t(count), glm::vec2(0));
+    for (int n = 0; n < count; ++n) {
+        source[std::size_t(n)] = spans[n * stride];
+    }
+    std::deque<int> candidates;
+    for (int n = 0; n < count + reach; ++n) {
+        if (n < count) {
+            while (!candidates.empty() &&
+                   !isNearer(source[std::size_t(candidates.back())], source[std::size_t(n)])) {
+                candidates.pop_back();
+            }
+            candidates.push_back(n);
+        }
+        const int centre = n - reach;
+        if (centre >= 0) {
+            while (candidates.front() < centre - reach) {
+                candidates.pop_front();
+            }
+            spans[centre * stride] = source[std::size_t(candidates.front())];
+        }
+    }
+}
+
 // The span that begins nearest to the eye among those within `reach` pixels: what a surface in front covers,
 // and a little more, so that it is cut up to its silhouette and beyond.
 std::vector<glm::vec2> nearestAround(std::vector<glm::vec2> spans, glm::ivec2 size, int reach) {
-    const auto isNearer = [](glm::vec2 a, glm::vec2 b) { return a.x >= 0 && (b.x < 0 || a.x < b.x); };
-    std::vector<glm::vec2> source;
-    for (const glm::ivec2 axis : {glm::ivec2(1, 0), glm::ivec2(0, 1)}) {
-        source = spans;
-        for (int y = 0; y < size.y; ++y) {
-            for (int x = 0; x < size.x; ++x) {
-                glm::vec2& nearest = spans[std::size_t(y) * std::size_t(size.x) + std::size_t(x)];
-                for (int n = -reach; n <= reach; ++n) {
-                    const glm::ivec2 e = glm::clamp(glm::ivec2(x, y) + n * axis, glm::ivec2(0), size - 1);
-                    const glm::vec2 other = source[std::size_t(e.y) * std::size_t(size.x) + std::size_t(e.x)];
-                    nearest = isNearer(other, nearest) ? other : nearest;
-                }
-            }
-        }
+    for (int y = 0; y < size.y; ++y) {
+        takeNearest(&spans[std::size_t(y) * std::size_t(size.x)], size.x, 1, std::min(reach, size.x));
+    }
+    for (int x = 0; x < size.x; ++x) {
+        takeNearest(&spans[std::size_t(x)], size.y, size.x, std::min(reach, size.y));
     }
     return spans;
 }
@@ -210,8 +231,8 @@ Box3 SolidCutter::extrude(Sculpture& sculpture, const Extrusion& solid, Combine 
         VS_CHECK_EQ(solid.beginMm.size(), std::size_t(view.viewport.x) * std::size_t(view.viewport.y));
         VS_CHECK_EQ(solid.beginMm.size(), solid.endMm.size());
         const auto spans = spansOf(solid);
-        const auto nearest =
-            nearestAround(spans, view.viewport, int(std::ceil(solid.radius * step / pixelMm)));
+        const auto nearest = nearestAround(
+            spans, view.viewport, int(std::min(std::ceil(solid.radius * step / pixelMm), kMostBand)));
         const auto upload = [&](const std::vector<glm::vec2>& values, const char* label) {
             return asTexture(view.viewport, std::span<const glm::vec2>(values), gl::Format::RG32F,
                              gl::Filter::Nearest, label);
@@ -244,8 +265,9 @@ Box3 SolidCutter::clip(Sculpture& sculpture, const HalfSpaces& solid, Combine ho
     }
     VS_CHECK(solid.planes.size() <= kMaxPlanes);
     if (!clip_) {
-        clip_ =
-            gl::Program("sculpt/shaders/cut_half_spaces.comp", {{"MAX_PLANES", std::to_string(kMaxPlanes)}});
+        gl::Defines defines = storedDefines(sculpture.precision());
+        defines.emplace_back("MAX_PLANES", std::to_string(kMaxPlanes));
+        clip_ = gl::Program("sculpt/shaders/cut_half_spaces.comp", defines);
     }
     clip_.set(5, glm::ivec2(int(solid.planes.size()), solid.cutsInside ? 1 : 0));
     for (std::size_t n = 0; n < solid.planes.size(); ++n) {

@@ -104,6 +104,9 @@ SweepPath readPath(const JsonReader& reader) {
     if (isOpen ? path.points.size() < 2 : path.points.size() != 2) {
         points.fail(isOpen ? "at least two places are wanted" : "exactly two places are wanted");
     }
+    if (path.kind == SweepPath::Kind::Standing && path.points[0] == path.points[1]) {
+        points.fail("the mask must face another place than it stands on");
+    }
     if (path.kind == SweepPath::Kind::Helix) {
         path.helixRadius = reader.member("radius").numberBetween(0, kMostSteps);
         path.turns = reader.member("turns").numberBetween(-1000, 1000);

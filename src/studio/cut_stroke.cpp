@@ -17,9 +17,18 @@ constexpr double kMaxElements = 1500;
 
 } // namespace
 
+sculpt::BrickDelta CutStroke::finish() {
+    sculpt::BrickDelta delta = backup_.finish();
+    if (delta.isEmpty()) {
+        cutter_->sculpture->contentIsAsAt(contentVersion_);
+    }
+    return delta;
+}
+
 void CutStroke::discard() {
     if (!backup_.isEmpty()) {
         cutter_->sculpture->refresh(backup_.restore());
+        cutter_->sculpture->contentIsAsAt(contentVersion_);
     }
 }
 

@@ -30,19 +30,22 @@ public:
     [[nodiscard]] std::uint64_t sculptureVersion() const { return sculptureVersion_; }
     // Whether it only takes away: then all that can be seen could be seen at the beginning.
     [[nodiscard]] bool onlyCuts() const { return how_ == sculpt::Combine::Cut; }
-    sculpt::BrickDelta finish() { return backup_.finish(); }
+    // When nothing has changed after all, the sculpture counts as untouched.
+    sculpt::BrickDelta finish();
     void discard();
 
 protected:
     CutStroke(Cutter& cutter, Operation operation, bool restores)
         : cutter_(&cutter), operation_(std::move(operation)),
           how_(restores ? sculpt::Combine::Restore : sculpt::Combine::Cut),
-          sculptureVersion_(cutter.sculpture->version()), backup_(cutter.sculpture->texels()) {}
+          sculptureVersion_(cutter.sculpture->version()), contentVersion_(cutter.sculpture->contentVersion()),
+          backup_(cutter.sculpture->texels()) {}
 
     Cutter* cutter_;
     Operation operation_;
     sculpt::Combine how_;
     std::uint64_t sculptureVersion_;
+    std::uint64_t contentVersion_;
     sculpt::BrickBackup backup_;
 };
 

@@ -25,6 +25,15 @@ const render::Macrocells& Cutter::snapshot(const render::Macrocells& macrocells)
     return macrocells_;
 }
 
+field::Scene Cutter::restoreScene(const render::Frame& frame) {
+    constexpr double everything = 1e29;
+    field::Scene scene = frame.scene;
+    if (frame.mode == render::Mode::Volume) {
+        scene.displayedRange = {-everything, everything};
+    }
+    return scene;
+}
+
 std::vector<float> Cutter::sculptureAsFloats() const { return sculpture->values(geometry->box()); }
 
 } // namespace vs::studio

@@ -22,6 +22,9 @@ public:
     [[nodiscard]] std::size_t copiedVoxels() const { return copiedVoxels_; }
     // The macrocells as they are now, likewise: pictures drawn during the stroke may rebuild the shared ones.
     const render::Macrocells& snapshot(const render::Macrocells& macrocells);
+    // The scene in which restoring looks for the uncut surface. In volume mode opacity says what is visible,
+    // not the displayed range: there everything that was cut away counts.
+    [[nodiscard]] static field::Scene restoreScene(const render::Frame& frame);
     // The sculpture's values, x fastest.
     [[nodiscard]] std::vector<float> sculptureAsFloats() const;
 

@@ -118,12 +118,18 @@ Outcome Document::apply(const Operation& operation, const std::filesystem::path&
     VS_CHECK(!isStrokeOpen() && !isGrowing());
     const Timer timer;
     Operation resolved = operation;
+    const View before = impl_->view; // an operation may change where parts are pasted
+    const bool hasLooked = !(before == impl_->loggedView);
     Outcome outcome = std::visit([&](auto& op) { return impl_->run(op, outputFolder); }, resolved);
     outcome.name = name(operation);
     if (std::holds_alternative<SetView>(resolved)) {
         impl_->log.push_back(std::move(resolved));
     } else {
-        impl_->record(std::move(resolved));
+        if (hasLooked) {
+            impl_->log.emplace_back(lookAs(before));
+        }
+        impl_->log.push_back(std::move(resolved));
+        impl_->loggedView = impl_->view;
     }
     outcome.milliseconds = timer.milliseconds();
     return outcome;
@@ -191,9 +197,7 @@ Outcome Document::commitStroke() {
 
 void Document::discardStroke() {
     VS_CHECK(isStrokeOpen());
-    impl_->stroke->discard();
-    impl_->stroke.reset();
-    ++impl_->version;
+    impl_->discardStroke();
 }
 
 // --- live growth

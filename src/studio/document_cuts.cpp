@@ -40,8 +40,20 @@ void Document::Impl::beginStroke(const Operation& operation) {
     VS_CHECK(stroke != nullptr);
 }
 
+void Document::Impl::discardStroke() {
+    stroke->discard();
+    stroke.reset();
+    ++version;
+}
+
 Outcome Document::Impl::endStroke() {
-    sculpt::BrickDelta delta = stroke->finish();
+    sculpt::BrickDelta delta;
+    try {
+        delta = stroke->finish();
+    } catch (...) { // no memory to hold what would undo it
+        discardStroke();
+        throw;
+    }
     Outcome outcome;
     outcome.voxelsTouched = delta.changedVoxels();
     outcome.message = !delta.isEmpty() ? fmt::format("{} voxels changed", delta.changedVoxels())
@@ -64,8 +76,7 @@ Outcome Document::Impl::cutAtOnce(Cut& op) {
     try {
         stroke->replay();
     } catch (...) {
-        stroke->discard();
-        stroke.reset();
+        discardStroke();
         throw;
     }
     op = std::get<Cut>(stroke->operation());

@@ -51,6 +51,7 @@ struct Document::Impl {
 
     // Opens the stroke of an operation that cuts, whose canvas is set.
     void beginStroke(const Operation& operation);
+    void discardStroke();
     Outcome endStroke();
     // A whole stroke; if something is thrown in its midst (a device without room), everything is as before.
     // Fills in what the stroke has found.

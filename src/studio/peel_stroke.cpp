@@ -48,7 +48,8 @@ void PeelStroke::restoreTo(const Peel& op) {
         return;
     }
     const std::vector<float> depths(surface_.size(), float(op.layers));
-    const auto reach = cutter_->restoreReach.measure(frame_.scene, surface_, directions_, depths, op.radius);
+    const auto reach =
+        cutter_->restoreReach.measure(Cutter::restoreScene(frame_), surface_, directions_, depths, op.radius);
     sculpt::ToolCut cut{sweepOf(op), how_};
     cut.sweep.depthSteps = op.layers;
     cut.sweep.directions = directions_;

@@ -244,7 +244,8 @@ void PenStroke::sweep(std::span<const field::SurfacePoint> surface, const sculpt
     std::vector<float> reach;
     if (how_ == sculpt::Combine::Restore) {
         directions = sculpt::toolDirections(surface, mask, *cutter_->geometry, tool.sweep);
-        reach = cutter_->restoreReach.measure(frame_.scene, surface, directions, depths, tool.sweep.radius);
+        reach = cutter_->restoreReach.measure(Cutter::restoreScene(frame_), surface, directions, depths,
+                                              tool.sweep.radius);
         tool.sweep.directions = directions;
         tool.sweep.outwardSteps = reach;
     }

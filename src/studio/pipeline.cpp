@@ -123,9 +123,10 @@ void Pipeline::refresh(Cells& cells, const Key& key, const State& state, const r
     // In probe view a cut adds to what is seen, so there nothing can be kept.
     const bool mayKeep = state.cuttingSince && old && old->sculptureVersion == *state.cuttingSince &&
                          old->view != field::SculptureView::Probe &&
-                         key.view != field::SculptureView::Probe && old->range == key.range &&
-                         old->functionVersion == key.functionVersion && old->sampling == key.sampling &&
-                         old->drawsSegmentation == key.drawsSegmentation &&
+                         key.view != field::SculptureView::Probe &&
+                         (old->view == key.view || old->view == field::SculptureView::Whole) &&
+                         old->range == key.range && old->functionVersion == key.functionVersion &&
+                         old->sampling == key.sampling && old->drawsSegmentation == key.drawsSegmentation &&
                          old->segmentationVersion == key.segmentationVersion;
     if (mayKeep || old == key) {
         return;

@@ -19,7 +19,7 @@ segment::Constraints Region::constraints(const Range& range, field::SculptureVie
     constraints.connectivity = connectivity;
     if (!sculpture_->isEmpty() && view != field::SculptureView::Whole) {
         constraints.sculpture = &sculpture_->texels();
-        constraints.sculptureVersion = sculpture_->version();
+        constraints.sculptureVersion = sculpture_->contentVersion();
         constraints.view = view;
     }
     return constraints;

@@ -68,7 +68,9 @@ ScissorsStroke::ScissorsStroke(Cutter& cutter, const LookAgain& look, const Scis
 void ScissorsStroke::replay() {
     const Scissors& op = std::get<Scissors>(operation_);
     sculpt::Extrusion solid;
-    solid.outline = outlineOf(op.outline);
+    // Far beside the picture the stroke's own corners do not matter.
+    const glm::dvec2 size(frame_.rays.size);
+    solid.outline = sculpt::clipToBox(outlineOf(op.outline), -size, 2.0 * size);
     if (solid.outline.size() < 3) {
         return;
     }
@@ -96,7 +98,7 @@ void ScissorsStroke::limitDepth(sculpt::Extrusion& solid, double depthSteps) {
             directions.emplace_back(frame_.rays.through(pixel).direction);
         }
         reach =
-            cutter_->restoreReach.measure(frame_.scene, points, directions,
+            cutter_->restoreReach.measure(Cutter::restoreScene(frame_), points, directions,
                                           std::vector<float>(points.size(), float(depthSteps)), solid.radius);
     }
     beginMm_.assign(points.size(), -1.0F);

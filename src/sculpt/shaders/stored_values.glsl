@@ -1,5 +1,9 @@
 // How a sculpture's values are stored (sculpt::Precision): SCULPTURE_BITS is 8, 16 or 32; SCULPTURE_FORMAT is its image format.
 
+#ifndef SCULPTURE_BITS
+#error "SCULPTURE_BITS is not defined: give the program sculpt::storedDefines()"
+#endif
+
 #if SCULPTURE_BITS == 8
 #define SCULPTURE_FORMAT r8
 #elif SCULPTURE_BITS == 16

@@ -478,5 +478,57 @@ TEST_F(ToolsTest, LiveStrokesEndAsTheirOperationsWould) {
     }
 }
 
+// What a discarded stroke did is as if it had not been, for growth too.
+TEST_F(ToolsTest, ADiscardedStrokeDoesNotChangeGrowth) {
+    const auto grown = [](bool draws) {
+        Head document;
+        document.apply(test::brainSeed());
+        document.apply(Grow{6, {}});
+        Clip clip;
+        clip.box = Clip::Box{{-1, -1, -1}, {80, 90, 33}};
+        document.apply(clip);
+        document.apply(Grow{5, {}});
+        document.apply(Rewind{7});
+        if (draws) {
+            Peel peel = test::somePeel();
+            peel.layers = 0;
+            document.beginStroke(peel);
+            document.updatePeel(3);
+            document.discardStroke();
+        }
+        document.apply(Grow{7, {}});
+        return document.generations();
+    };
+    EXPECT_TRUE(grown(true) == grown(false));
+}
+
+// The window looks about between edits without logging it.
+TEST_F(ToolsTest, ALogReplaysToTheSamePartsAfterUndo) {
+    Head document;
+    document.apply(scissorsAt(170, 130, 15));
+    View view = document.view();
+    view.camera.azimuthDegrees = 30;
+    document.look(view);
+    document.apply(Paste{{{90, 0, 0}, {}, 1}});
+    document.apply(Undo{});
+    Head again;
+    for (const Operation& operation : document.log()) {
+        again.apply(operation);
+    }
+    EXPECT_EQ(again.view().pasted.size(), 0U);
+    EXPECT_EQ(again.view(), document.view());
+}
+
+TEST_F(ToolsTest, SketchesFarBeyondThePictureCutAsTheirPartInIt) {
+    Head near;
+    Scissors op = scissorsAt(200, 130, 15);
+    op.outline = {Shape::Rectangle, {{-200, 100}, {500, 140}}};
+    near.apply(op);
+    Head far;
+    op.outline = {Shape::Rectangle, {{-9e5, 100}, {9e5, 140}}};
+    far.apply(op);
+    EXPECT_TRUE(near.sculptureBytes() == far.sculptureBytes());
+}
+
 } // namespace
 } // namespace vs::studio

@@ -242,6 +242,33 @@ TEST_F(ToolExactness, ThePicturesSizeDoesNotMatter) {
     }
 }
 
+// Orthographic, so that the same solid is drawn: about the picture's middle, twice as near and twice as
+// large.
+TEST_F(ToolExactness, TheZoomDoesNotMatter) {
+    const Slab slab({1, 1, 1});
+    const auto drilled = [&](double zoom) {
+        Document document(slab.volume());
+        Drill drill;
+        drill.canvas = canvasOf({400, 300}, 25, 15, zoom);
+        drill.canvas->view.camera.projection = render::Projection::Orthographic;
+        const glm::dvec2 middle(200, 150);
+        drill.mask = {Shape::Ellipse,
+                      {middle - zoom * glm::dvec2(20, 15), middle + zoom * glm::dvec2(20, 15)}};
+        drill.stroke = {{middle - zoom * glm::dvec2(20, 5), 1}, {middle + zoom * glm::dvec2(15, 5), 1}};
+        document.apply(drill);
+        return sculpt::valuesOf(document.sculptureBytes(), sculpt::Precision::Bits16);
+    };
+    const auto once = drilled(1);
+    for (const double zoom : {0.6, 2.5}) {
+        const auto other = drilled(zoom);
+        double worst = 0;
+        for (std::size_t n = 0; n < once.size(); ++n) {
+            worst = std::max(worst, std::abs(double(once[n]) - other[n]));
+        }
+        EXPECT_LE(worst, 0.02) << zoom;
+    }
+}
+
 TEST_F(ToolExactness, ThePensSpeedDoesNotMatter) {
     const Slab slab({1, 1, 1});
     Document fast(slab.volume());

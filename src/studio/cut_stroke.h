@@ -49,29 +49,12 @@ protected:
     sculpt::BrickBackup backup_;
 };
 
-// What a mask covers on a piece of the pen's way, and how deep it goes there: elements in pixels around
-// `centre`, depths in steps, one per element.
-struct MaskSweep {
-    sculpt::MaskRaster raster;
-    std::vector<float> depths;
-    glm::dvec2 centre{0};
-
-    // Where its elements are in the picture.
-    [[nodiscard]] std::vector<glm::vec2> pixels() const;
-    void cover(const sculpt::MaskRaster& mask, glm::dvec2 shift, float depth);
-};
+// Where a raster's elements are in the picture when its origin is at a pixel.
+std::vector<glm::vec2> pixelsOf(const sculpt::MaskRaster& raster, glm::dvec2 centre);
 
 // A sketch as a tool uses it: its mask, centred on the origin, in pixels.
 struct ToolMask {
     ToolMask(const Sketch& sketch, const render::Frame& frame, const volume::GridGeometry& geometry);
-
-    // What it covers on its way from one pixel to another, the depth changing evenly from one to the other:
-    // at each place the greatest depth that passes there. So it does not matter in how many pieces a way is
-    // gone.
-    [[nodiscard]] MaskSweep along(glm::dvec2 from, glm::dvec2 to, double depthFrom, double depthTo) const;
-    [[nodiscard]] MaskSweep at(glm::dvec2 centre, double depth) const {
-        return along(centre, centre, depth, depth);
-    }
 
     sculpt::MaskRaster raster;
     glm::dvec2 drawnAt{0}; // the centre, where it was drawn

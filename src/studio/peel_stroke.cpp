@@ -21,7 +21,7 @@ PeelStroke::PeelStroke(Cutter& cutter, const LookAgain& look, const Peel& operat
         return;
     }
     const gl::Texture* before = cutter.sculpture->isEmpty() ? nullptr : &cutter.snapshot();
-    surface_ = cutter.picker.pickPoints(frame_, mask_.at(mask_.drawnAt, 1).pixels());
+    surface_ = cutter.picker.pickPoints(frame_, pixelsOf(mask_.raster, mask_.drawnAt));
     if (onlyCuts()) {
         layers_.emplace(surface_, mask_.raster, sweepOf(operation), *cutter.geometry, before);
     } else {

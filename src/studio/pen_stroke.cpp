@@ -149,7 +149,7 @@ void PenStroke::goTo(const sculpt::PenPoint& from, const sculpt::PenPoint& to) {
     if (std::holds_alternative<Drill>(operation_)) {
         drill(from, to);
     } else {
-        burn(mask_.along(from.pixel, to.pixel, depthOf(from), depthOf(to)));
+        burn(from, to);
     }
 }
 
@@ -185,8 +185,9 @@ void PenStroke::drill(const sculpt::PenPoint& from, const sculpt::PenPoint& to) 
     const int margin = 2 + int(std::ceil(2 * cut().radius * stepPixels / mask_.raster.pitch));
     static_assert((sculpt::kMaxBlock & (sculpt::kMaxBlock - 1)) == 0);
     const ElementBox box{(changed.lo - margin) & ~(sculpt::kMaxBlock - 1), changed.hi + margin};
-    auto part = covered_.part(box, changed,
-                              [&](const auto& pixels) { return cutter_->picker.pickPoints(frame_, pixels); });
+    covered_.lookUnder(changed,
+                       [&](const auto& pixels) { return cutter_->picker.pickPoints(frame_, pixels); });
+    auto part = covered_.part(box);
     sculpt::ToolCut tool{{}, how_};
     for (std::size_t n = 0; n < part.directions.size(); ++n) {
         if (!(part.mask.values[n] > 0)) { // nothing there, but its neighbours' cells end at it
@@ -198,16 +199,21 @@ void PenStroke::drill(const sculpt::PenPoint& from, const sculpt::PenPoint& to) 
     sweep(part.surface, part.mask, part.depths, tool);
 }
 
-void PenStroke::burn(const MaskSweep& mask) {
-    const auto plane = layOnSurface(cutter_->picker, frame_, mask_, mask.centre);
+// Each piece of the way has a plane of its own, so what it covers is collected about the piece's middle.
+void PenStroke::burn(const sculpt::PenPoint& from, const sculpt::PenPoint& to) {
+    const glm::dvec2 centre = 0.5 * (from.pixel + to.pixel);
+    const auto plane = layOnSurface(cutter_->picker, frame_, mask_, centre);
     if (!plane) {
         return;
     }
+    StrokeRaster piece(mask_.raster.pitch);
+    const auto mask = piece.part(
+        piece.cover(mask_.raster, {from.pixel - centre, depthOf(from)}, {to.pixel - centre, depthOf(to)}));
     std::vector<glm::dvec3> places;
     std::vector<glm::vec2> pixels; // where the mask's elements are seen once it lies on the surface
-    for (int j = 0; j < mask.raster.size.y; ++j) {
-        for (int i = 0; i < mask.raster.size.x; ++i) {
-            places.push_back(plane->place(mask.raster.origin + mask.raster.pitch * glm::dvec2(i, j)));
+    for (int j = 0; j < mask.mask.size.y; ++j) {
+        for (int i = 0; i < mask.mask.size.x; ++i) {
+            places.push_back(plane->place(mask.mask.origin + mask.mask.pitch * glm::dvec2(i, j)));
             pixels.emplace_back(frame_.rays.project(places.back()));
         }
     }
@@ -215,7 +221,7 @@ void PenStroke::burn(const MaskSweep& mask) {
     tool.sweep.directionWorld = -plane->normal;
     const auto seen = cutter_->picker.pickPoints(frame_, pixels);
     if (how_ == sculpt::Combine::Restore) {
-        sweep(seen, mask.raster, mask.depths, tool); // put back from each place of the floor
+        sweep(seen, mask.mask, mask.depths, tool); // put back from each place of the floor
         return;
     }
     // The mask is flat: all its elements begin in the plane, and burn away what stands above it there too.
@@ -227,13 +233,13 @@ void PenStroke::burn(const MaskSweep& mask) {
     for (std::size_t n = 0; n < places.size(); ++n) {
         surface[n].voxel = glm::vec4(glm::vec3(voxelFromWorld * glm::dvec4(places[n], 1.0)), 1.0F);
         surface[n].normal = glm::vec4(plane->normal, 0.0);
-        if (seen[n].voxel.w > 0.5F && mask.raster.values[n] > 0) {
+        if (seen[n].voxel.w > 0.5F && mask.mask.values[n] > 0) {
             const double height = glm::dot(worldOf(seen[n], geometry) - plane->centre, plane->normal);
             above = std::max(above, std::min(height, limit));
         }
     }
     tool.sweep.outsideSteps = cut().radius + above / geometry.stepMm();
-    sweep(surface, mask.raster, mask.depths, tool);
+    sweep(surface, mask.mask, mask.depths, tool);
 }
 
 void PenStroke::sweep(std::span<const field::SurfacePoint> surface, const sculpt::MaskRaster& mask,

@@ -43,7 +43,7 @@ private:
     void lookAgain();
     void goTo(const sculpt::PenPoint& from, const sculpt::PenPoint& to);
     void drill(const sculpt::PenPoint& from, const sculpt::PenPoint& to);
-    void burn(const MaskSweep& mask);
+    void burn(const sculpt::PenPoint& from, const sculpt::PenPoint& to);
     void sweep(std::span<const field::SurfacePoint> surface, const sculpt::MaskRaster& mask,
                std::span<const float> depths, sculpt::ToolCut& tool);
     [[nodiscard]] double depthOf(const sculpt::PenPoint& pen);

@@ -66,15 +66,11 @@ ElementBox StrokeRaster::cover(const sculpt::MaskRaster& mask, const Place& from
     return changed;
 }
 
-StrokeRaster::Part StrokeRaster::part(const ElementBox& box, const ElementBox& changed, const Pick& pick) {
-    Part part;
-    part.mask.pitch = pitch_;
-    part.mask.size = box.size();
-    part.mask.origin = pitch_ * glm::dvec2(box.lo);
+void StrokeRaster::lookUnder(const ElementBox& box, const Pick& pick) {
     std::vector<glm::vec2> pixels;
     std::vector<Element*> unknown;
-    for (int y = changed.lo.y - 1; y <= changed.hi.y; ++y) {
-        for (int x = changed.lo.x - 1; x <= changed.hi.x; ++x) {
+    for (int y = box.lo.y - 1; y <= box.hi.y; ++y) {
+        for (int x = box.lo.x - 1; x <= box.hi.x; ++x) {
             Element& element = at({x, y});
             if (!element.isPicked) {
                 pixels.emplace_back(pitch_ * glm::dvec2(x, y));
@@ -87,6 +83,13 @@ StrokeRaster::Part StrokeRaster::part(const ElementBox& box, const ElementBox& c
         unknown[n]->surface = points[n];
         unknown[n]->isPicked = true;
     }
+}
+
+StrokeRaster::Part StrokeRaster::part(const ElementBox& box) {
+    Part part;
+    part.mask.pitch = pitch_;
+    part.mask.size = box.size();
+    part.mask.origin = pitch_ * glm::dvec2(box.lo);
     const std::size_t count = std::size_t(part.mask.size.x) * std::size_t(part.mask.size.y);
     part.mask.values.reserve(count);
     for (int y = box.lo.y; y < box.hi.y; ++y) {

@@ -38,16 +38,17 @@ public:
     // direction changing evenly. Returns the elements that changed.
     ElementBox cover(const sculpt::MaskRaster& mask, const Place& from, const Place& to);
 
-    // The part in a box of elements, all in the same order. Surface points that are not known yet in
-    // `changed` and next to it are asked for: pixels to points.
+    // Asks for the surface points in `box` and next to it that are not known yet: pixels to points.
+    using Pick = std::function<std::vector<field::SurfacePoint>(const std::vector<glm::vec2>& pixels)>;
+    void lookUnder(const ElementBox& box, const Pick& pick);
+    // The part in a box of elements, all in the same order.
     struct Part {
         sculpt::MaskRaster mask;
         std::vector<float> depths;
         std::vector<glm::vec3> directions;
         std::vector<field::SurfacePoint> surface;
     };
-    using Pick = std::function<std::vector<field::SurfacePoint>(const std::vector<glm::vec2>& pixels)>;
-    Part part(const ElementBox& box, const ElementBox& changed, const Pick& pick);
+    Part part(const ElementBox& box);
 
 private:
     static constexpr int kChunk = 32; // elements along a side

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <string>
 #include <utility>
 
@@ -39,6 +40,15 @@ int digitsFor(const std::vector<MeasuredSegment>& segments, const F& value) {
     return largest > 0 ? std::clamp(4 - int(std::ceil(std::log10(largest))), 1, 9) : 1;
 }
 
+// Digits behind the point that tell the smallest segment's volume well.
+int placesFor(const std::vector<MeasuredSegment>& segments) {
+    double smallest = std::numeric_limits<double>::infinity();
+    for (const MeasuredSegment& segment : segments) {
+        smallest = std::min(smallest, segment.statistics.millilitres);
+    }
+    return smallest < 1 ? 3 : smallest < 10 ? 2 : 1;
+}
+
 // Columns as people count: a character's bytes behind the first take no room.
 std::size_t widthOf(const std::string& text) {
     return std::size_t(std::count_if(text.begin(), text.end(), [](char c) { return (c & 0xC0) != 0x80; }));
@@ -66,9 +76,8 @@ std::vector<Column> columnsOf(const std::vector<MeasuredSegment>& segments) {
         columns.back().isText = true;
     }
     add(columns, "voxels", [](Segment, Statistics s) { return std::to_string(s.voxels); });
-    const bool hasSmall =
-        std::any_of(segments.begin(), segments.end(), [](Segment s) { return s.statistics.millilitres < 1; });
-    add(columns, "volume ml", [&](Segment, Statistics s) { return number(s.millilitres, hasSmall ? 3 : 1); });
+    const int places = placesFor(segments);
+    add(columns, "volume ml", [&](Segment, Statistics s) { return number(s.millilitres, places); });
     add(columns, "surface mm²", [](Segment, Statistics s) { return number(s.surfaceMm2, 0); });
     const int digits = digitsFor(segments, [](Statistics s) { return s.intensities.mean; });
     add(columns, "mean", [&](Segment, Statistics s) { return number(s.intensities.mean, digits); });
@@ -77,7 +86,7 @@ std::vector<Column> columnsOf(const std::vector<MeasuredSegment>& segments) {
     add(columns, "median", [](Segment, Statistics s) { return intensity(s.intensities.median); });
     add(columns, "max", [](Segment, Statistics s) { return intensity(s.intensities.largest); });
     add(columns, "box mm", [](Segment, Statistics s) {
-        return fmt::format("{:.0f} x {:.0f} x {:.0f}", s.boxMm.x, s.boxMm.y, s.boxMm.z);
+        return fmt::format("{:.4g} x {:.4g} x {:.4g}", s.boxMm.x, s.boxMm.y, s.boxMm.z);
     });
     add(columns, "centroid mm (LPS)", [](Segment, Statistics s) {
         return fmt::format("{:.1f} {:.1f} {:.1f}", s.centroid.x, s.centroid.y, s.centroid.z);

@@ -45,6 +45,11 @@ std::string sizeText(glm::ivec3 dims) { return fmt::format("{} x {} x {}", dims.
 } // namespace
 
 LabelMap readLabelMap(const std::filesystem::path& path) {
+    if (volume::isHeaderless(path)) { // --raw is there for volumes
+        throw ReadError("{}: is of no known format; label maps are read from NIfTI, NRRD, MetaImage, VTK and "
+                        "DICOM files",
+                        path.string());
+    }
     VolumeArgument argument;
     argument.path = path.string();
     const volume::Volume volume = loadVolume(argument).volume;

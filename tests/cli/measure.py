@@ -119,6 +119,9 @@ class Measure(unittest.TestCase):
         self.refused(1, ["half.nrrd", "0.5", "whole numbers"], "stats", half, *stats)
         many = self.labels("many.nrrd", lambda v: v[0] + 24 * v[1], "uint16", "H")
         self.refused(1, ["many.nrrd", "255"], "stats", many, *stats)
+        raw = self.folder / "labels.raw"
+        raw.write_bytes(bytes(24 * 20 * 16))
+        self.refused(1, ["labels.raw", "NRRD"], "stats", raw, *stats)  # --raw describes the volume
         none = self.labels("none.nrrd", lambda v: 0)
         self.refused(1, ["none.nrrd", "no label"], "stats", none, *stats)
         small = self.labels("small.nrrd", lambda v: 1, dims=(24, 20, 15))

@@ -38,6 +38,7 @@ int run(int argc, char** argv) {
     vs::cli::addSketchCommand(app);
     vs::cli::addSweepCommand(app);
     vs::cli::addDevicesCommand(app);
+    vs::cli::addStatsCommand(app);
     vs::cli::addCompareCommand(app);
     vs::cli::addBenchCommand(app);
     try {

@@ -99,7 +99,7 @@ class Commands(unittest.TestCase):
 
     def test_every_command_has_help(self):
         for command in ([], ["info"], ["render"], ["run"], ["grow"], ["sweep"], ["devices"], ["compare"],
-                        ["histogram"], ["bench"]):
+                        ["histogram"], ["stats"], ["bench"]):
             result = call(*command, "--help")
             self.assertEqual(result.returncode, 0, command)
             self.assertIn("--help", result.stdout)

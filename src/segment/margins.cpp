@@ -43,8 +43,8 @@ VoxelSet shrunk(const VoxelSet& set, const volume::GridGeometry& geometry, doubl
     if (tight.isEmpty()) {
         return {};
     }
-    // All of the outside that is near enough to matter. (Where axes are perpendicular one layer would do.)
-    const Box3 box = padded(tight, glm::max(reachOf(geometry, mm), 1));
+    // What is nearest outside of the box lies in the layer around it, except where axes are sheared.
+    const Box3 box = padded(tight, isSheared(geometry) ? glm::max(reachOf(geometry, mm), 1) : glm::ivec3(1));
     return complement(nearby(complement(set.within(box)), geometry, mm)).tight();
 }
 

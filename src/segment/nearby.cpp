@@ -17,12 +17,6 @@ glm::dmat3 metricOf(const volume::GridGeometry& geometry) {
     return glm::transpose(steps) * steps;
 }
 
-// Headers store directions with few digits: less than this cosine between axes is rounding.
-bool isSheared(const glm::dmat3& metric) {
-    const auto cosine = [&](int a, int b) { return metric[a][b] / std::sqrt(metric[a][a] * metric[b][b]); };
-    return std::max({std::abs(cosine(0, 1)), std::abs(cosine(0, 2)), std::abs(cosine(1, 2))}) > 1e-4;
-}
-
 VoxelSet nearbyPerpendicular(const VoxelSet& set, const volume::GridGeometry& geometry, double mm) {
     const auto size = set.box.size();
     std::vector<float> squared(set.inside.size());
@@ -120,6 +114,13 @@ VoxelSet nearbySheared(const VoxelSet& set, const volume::GridGeometry& geometry
 
 } // namespace
 
+bool isSheared(const volume::GridGeometry& geometry) {
+    const glm::dmat3 metric = metricOf(geometry);
+    const auto cosine = [&](int a, int b) { return metric[a][b] / std::sqrt(metric[a][a] * metric[b][b]); };
+    // Headers store directions with few digits: less than this between axes is rounding.
+    return std::max({std::abs(cosine(0, 1)), std::abs(cosine(0, 2)), std::abs(cosine(1, 2))}) > 1e-4;
+}
+
 glm::ivec3 reachOf(const volume::GridGeometry& geometry, double mm) {
     const glm::dmat3 voxelFromMm = glm::transpose(glm::inverse(glm::dmat3(geometry.worldFromVoxel)));
     const glm::dvec3 perMm(glm::length(voxelFromMm[0]), glm::length(voxelFromMm[1]),
@@ -131,8 +132,7 @@ VoxelSet nearby(const VoxelSet& set, const volume::GridGeometry& geometry, doubl
     if (set.box.isEmpty()) {
         return set;
     }
-    return isSheared(metricOf(geometry)) ? nearbySheared(set, geometry, mm)
-                                         : nearbyPerpendicular(set, geometry, mm);
+    return isSheared(geometry) ? nearbySheared(set, geometry, mm) : nearbyPerpendicular(set, geometry, mm);
 }
 
 } // namespace vs::segment

@@ -10,6 +10,9 @@ namespace vs::segment {
 // its radius over the spacing.
 glm::ivec3 reachOf(const volume::GridGeometry& geometry, double mm);
 
+// Whether some index axes are not perpendicular.
+bool isSheared(const volume::GridGeometry& geometry);
+
 // The voxels of the set's box with a voxel of the set at most `mm` away, from centre to centre. Exact:
 // distances that differ from `mm` by less than a millionth of it count as equal to it, so that rounding does
 // not decide. On grids with perpendicular axes by separable minima of parabolas (Saito and Toriwaki 1994,

@@ -10,6 +10,7 @@ namespace vs::segment {
 namespace {
 
 constexpr double kTie = 1 + 1e-6;
+constexpr std::uint16_t kNever = std::numeric_limits<std::uint16_t>::max();
 
 // Inner products of the steps along the index axes: the squared length in mm of an offset d is d . (G d).
 glm::dmat3 metricOf(const volume::GridGeometry& geometry) {
@@ -63,7 +64,7 @@ std::vector<BallRow> ballRows(const glm::dmat3& metric, glm::ivec3 reach, double
             const int first = int(std::ceil((-b - std::sqrt(discriminant)) / a));
             const int last = int(std::floor((-b + std::sqrt(discriminant)) / a));
             if (first <= last) {
-                rows.push_back({y, z, first, std::uint16_t(last - first)});
+                rows.push_back({y, z, first, std::uint16_t(std::min(last - first, kNever - 1))});
             }
         }
     }
@@ -72,11 +73,11 @@ std::vector<BallRow> ballRows(const glm::dmat3& metric, glm::ivec3 reach, double
 
 VoxelSet nearbySheared(const VoxelSet& set, const volume::GridGeometry& geometry, double mm) {
     const auto size = set.box.size();
-    const auto reach =
-        glm::min(reachOf(geometry, mm), glm::ivec3(4 * glm::max(size.x, glm::max(size.y, size.z))));
+    auto reach = reachOf(geometry, mm);
+    reach.y = std::min(reach.y, size.y - 1);
+    reach.z = std::min(reach.z, size.z - 1);
     const auto ball = ballRows(metricOf(geometry), reach, mm);
     // For each voxel of each row, padded by the reach: steps along x since the last voxel of the set.
-    constexpr std::uint16_t kNever = std::numeric_limits<std::uint16_t>::max();
     const std::size_t padded(size.x + 2 * reach.x);
     std::vector<std::uint16_t> since(padded * std::size_t(size.y) * std::size_t(size.z), kNever);
     const auto rowAt = [&](int y, int z) { return std::size_t(y) + std::size_t(size.y) * std::size_t(z); };

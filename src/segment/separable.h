@@ -10,7 +10,7 @@
 
 namespace vs::segment {
 
-// Calls f(0) ... f(count - 1), on all processors.
+// Calls f(0) ... f(count - 1), on all processors. Throws what one of them throws, after all have ended.
 void inParallel(int count, const std::function<void(int)>& f);
 
 // One pass of a separable filter over a block of values (x fastest): each value becomes the sum, or whatever

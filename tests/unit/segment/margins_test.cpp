@@ -140,6 +140,16 @@ TEST(Margin, SingleSlicesGrowWithinTheirGrid) {
     EXPECT_EQ(changeMargin(boxSet(grid.box()), grid, -4), boxSet({{4, 4, 0}, {8, 8, 1}}));
 }
 
+TEST(Margin, ReachesFarBeyondSmallShearedGrids) {
+    auto grid = volume::makeGeometry({10, 6, 6}, {0.1, 0.1, 10});
+    grid.worldFromVoxel[2] += 50.0 * grid.worldFromVoxel[0];
+    const VoxelSet voxel = boxSet({{3, 2, 1}, {4, 3, 2}});
+    for (const double mm : {0.25, 11.2, 30.0, 60.0}) {
+        EXPECT_EQ(changeMargin(voxel, grid, mm), ball(grid, {3, 2, 1}, mm)) << mm << " mm";
+    }
+    EXPECT_EQ(changeMargin(boxSet(grid.box()), grid, -0.25), boxSet({{2, 2, 0}, {8, 4, 6}}));
+}
+
 TEST(Margin, DistancesThatMakeNoSenseAreRefused) {
     const auto grid = volume::makeGeometry({10, 10, 10});
     const VoxelSet set = boxSet({{2, 2, 2}, {8, 8, 8}});

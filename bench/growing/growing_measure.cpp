@@ -69,16 +69,16 @@ private:
     segment::Growth growth_;
 };
 
-// The case's range with its lower end lowered, by whole values, to where the region is 1 % larger.
-Range onePercentWider(Grower& grower, const Range& range, double lowest) {
-    const auto wanted = std::uint64_t(1.01 * double(grower.sizeWithin(range)));
-    double large = lowest;
-    double small = range.lo;
-    while (small - large > 1) {
-        const double middle = std::floor(0.5 * (large + small));
-        (grower.sizeWithin({middle, range.hi}) < wanted ? small : large) = middle;
+// The case's range with its lower end raised, by whole values, to where the region loses 1 %.
+Range onePercentNarrower(Grower& grower, const Range& range) {
+    const auto wanted = std::uint64_t(double(grower.sizeWithin(range)) / 1.01);
+    double wide = range.lo;
+    double narrow = range.hi;
+    while (narrow - wide > 1) {
+        const double middle = std::floor(0.5 * (wide + narrow));
+        (grower.sizeWithin({middle, range.hi}) > wanted ? wide : narrow) = middle;
     }
-    return {large, range.hi};
+    return {narrow, range.hi};
 }
 
 } // namespace
@@ -115,11 +115,11 @@ ChangeCost measureChange(const GrowingCase& task, int runs) {
     Grower grower(task);
     ChangeCost result;
     result.name = task.name;
-    result.range = task.range;
-    result.wider = task.wider ? *task.wider : onePercentWider(grower, task.range, task.volume.range.lo);
+    result.range = task.wider ? task.range : onePercentNarrower(grower, task.range);
+    result.wider = task.wider ? *task.wider : task.range;
     for (int run = 0; run <= runs; ++run) {
         grower.reset();
-        grower.restrict(task.range);
+        grower.restrict(result.range);
         const double fresh = grower.grow();
         result.voxels = grower.growth().voxelCount();
         const double change = grower.widen(result.wider);

@@ -38,7 +38,8 @@ struct ScrubCost {
 // Each needs a current context. One run that does not count comes first. Throws Error when the two regions
 // have different sizes.
 Comparison compareWithItk(const GrowingCase& task, int runs);
-// Without a wider range of its own, the case's lower end is lowered until 1 % more voxels come.
+// Without a wider range of its own, the case's is the wider one, and growth starts within one whose lower end
+// is raised until the region loses 1 %.
 ChangeCost measureChange(const GrowingCase& task, int runs);
 // Generations are picked at random, the same ones each time.
 ScrubCost measureScrubbing(const GrowingCase& task, int moves);

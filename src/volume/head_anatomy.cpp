@@ -189,7 +189,7 @@ void Head::paintBridges() {
 }
 
 TissuePainter Head::paint() {
-    constexpr double kMargin = 4; // beyond what a voxel spreads, for grids of up to 8 mm
+    constexpr double kMargin = 4; // beyond what a voxel spreads, for grids of up to 5 mm
     if (skin_ > kMargin) {
         return painter_;
     }

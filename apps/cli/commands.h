@@ -12,6 +12,7 @@ void addRenderCommand(CLI::App& app);
 void addRunCommand(CLI::App& app);
 void addGrowCommand(CLI::App& app);
 void addHistogramCommand(CLI::App& app);
+void addPhantomCommand(CLI::App& app);
 void addSketchCommand(CLI::App& app);
 void addSweepCommand(CLI::App& app);
 void addDevicesCommand(CLI::App& app);

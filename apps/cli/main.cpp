@@ -35,6 +35,7 @@ int run(int argc, char** argv) {
     vs::cli::addRunCommand(app);
     vs::cli::addGrowCommand(app);
     vs::cli::addHistogramCommand(app);
+    vs::cli::addPhantomCommand(app);
     vs::cli::addSketchCommand(app);
     vs::cli::addSweepCommand(app);
     vs::cli::addDevicesCommand(app);

@@ -268,7 +268,6 @@ Hit findSurface(Ray ray, float jitter) {
         hit.inSegment = nearby < 0.5 && there >= 0.5 ? behind : hit.inSegment;
         nearby = max(nearby, there);
     }
-    hit.isSegment = nearby >= 0.5;
 #endif
     bool atBorder = bracket.y - ray.tNear < 1e-3 && ray.tNear > 0.0;
     vec3 outward = dataGradient(hit.voxel) * (obstacle.isAbove ? 1.0 : -1.0);
@@ -283,6 +282,8 @@ Hit findSurface(Ray ray, float jitter) {
     outward = endsAtGlass ? translucentGradient(hit.voxel) : outward;
 #endif
     outward = isSegmentsOwn ? -segmentationGradient(hit.voxel) : outward;
+    hit.isSegment = isSegmentsOwn || nearby >= 0.5;
+    hit.inSegment = isSegmentsOwn ? hit.voxel : hit.inSegment;
 #endif
     hit.isCut = atBorder;
 #ifdef SCULPTED

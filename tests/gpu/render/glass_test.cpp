@@ -59,7 +59,7 @@ TEST_F(GlassTest, GlassLiesOverWhatIsBehindIt) {
 
 TEST_F(GlassTest, GlassHidesItsOpacityOfTheBackground) {
     SegmentStage stage;
-    stage.nest({glm::vec3(kRed), 0.4F}, {glm::vec3(kBlue), 0});
+    stage.colour(1, {glm::vec3(kRed), 0.4F});
     stage.segments(
         nothing, [](glm::dvec3 p) { return membership(p, kCentre, kOuter); }, [](glm::dvec3) { return 1; });
     stage.frame.background = backgroundFromName("transparent");

@@ -45,6 +45,12 @@ public:
     // each.
     std::vector<std::uint64_t> expand(SeedMap& seedMap, const Rules& rules, int generation, int steps);
 
+    // What it takes on the device.
+    [[nodiscard]] std::size_t deviceBytes() const {
+        return allowed_.buffer().size() + newest_.buffer().size() + work_.size() + steps_.size() +
+               list_.size();
+    }
+
     // Spreads a set through a region, both planes of bits: from `seeds`, which become part of it, by at most
     // so many expansions. Only the connectivity and the rules for pairs of the constraints count. Returns how
     // many expansions found something. Invalidates.

@@ -27,6 +27,30 @@ void storeGenerations(uint word, uint bits, uint generation) {
 #endif
 }
 
+// The same for a slab, pair by pair of whichever word still has one.
+void storeGenerationsOfSlab(uint slab, uvec4 bits, uint generation) {
+#ifdef VS_WIDE
+    for (uint i = 0u; i < 4u; ++i) {
+        storeGenerations(4u * slab + i, bits[i], generation);
+    }
+#else
+    uint both = (generation & 0xffffu) | generation << 16;
+    if (bits != uvec4(0u)) {
+        do {
+            uint inPlane = bits.x | bits.y;
+            uint i = inPlane != 0u ? uint(bits.x == 0u) : 2u + uint(bits.z == 0u);
+            uint left = inPlane != 0u ? (bits.x != 0u ? bits.x : bits.y) : (bits.z != 0u ? bits.z : bits.w);
+            uint pair = uint(findLSB(left)) >> 1;
+            uint chosen = 3u << (2u * pair);
+            uint mask = halves(left >> (2u * pair));
+            uint at = slab * 64u + i * 16u + pair;
+            generations[at] = (generations[at] & ~mask) | (both & mask);
+            bits &= ~(uvec4(equal(uvec4(i), uvec4(0u, 1u, 2u, 3u))) * chosen);
+        } while (bits != uvec4(0u));
+    }
+#endif
+}
+
 uint generationIn(uint word, uint bit) {
     uint generation = generations[word * 16u + (bit >> 1)] >> (16u * (bit & 1u)) & 0xffffu;
 #ifdef VS_WIDE

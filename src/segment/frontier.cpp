@@ -51,6 +51,7 @@ void Frontier::invalidate() {
 void Frontier::add(std::span<const std::uint32_t> voxels) {
     if (isValid_) { // else all grown voxels are collected anyway
         added_.insert(added_.end(), voxels.begin(), voxels.end());
+        newestIsLast_ = false; // unless they entered beside it
     }
 }
 
@@ -83,6 +84,7 @@ void Frontier::collect(SeedMap& seedMap, const Rules& rules) {
     prepareToNote(program, 0, now_, stamp_);
     program.set(10, planeStart(now_)).set(11, std::uint32_t(rules.frozen));
     seedMap.dispatchOverBricks(program, seedMap.bricks().touched(), gl::Barrier::All);
+    newestIsLast_ = false;
 }
 
 void Frontier::push(const SeedMap& seedMap, std::span<const std::uint32_t> voxels,
@@ -135,13 +137,15 @@ std::vector<std::uint64_t> Frontier::run(const SeedMap& seedMap, gl::Program& pr
         program.set(10, i)
             .set(11, std::uint32_t(generation + i))
             .set(13, planeStart(now_))
-            .set(14, planeStart(next));
+            .set(14, planeStart(next))
+            .set(15, newestIsLast_ ? 1 : 0);
         program.dispatchIndirect(steps_, std::size_t(i) * sizeof(Step), gl::Barrier::Storage);
         prepareToNote(note, i + 1, next, stamp_);
         note.set(10, i).set(11, std::uint32_t(generation + i));
         // Each expansion takes its tiles, and the newest voxels as texels, from the one before.
         note.dispatchIndirect(steps_, std::size_t(i) * sizeof(Step), gl::Barrier::All);
         now_ = next;
+        newestIsLast_ = true;
     }
     const auto table = steps_.read<Step>(std::size_t(steps) + 1);
     carried_ = table.back().tiles.w;

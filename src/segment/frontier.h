@@ -80,6 +80,7 @@ private:
     std::uint32_t carried_ = 0; // tiles in it
     std::uint32_t carriedUnmade_ = 0;
     bool isValid_ = false;
+    bool newestIsLast_ = false; // the newest voxels have the generation before the next; else any
 
     ConstrainedProgram allow_{"segment/shaders/allow_tiles.comp"};
     ConstrainedProgram expand_{"segment/shaders/expand_tiles.comp"};

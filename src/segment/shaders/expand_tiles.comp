@@ -19,6 +19,7 @@ layout(binding = 5) uniform usamplerBuffer allowedTexels;
 
 layout(location = 10) uniform int stepIndex;
 layout(location = 11) uniform uint generation;
+layout(location = 15) uniform int isBefore;     // 1: the newest voxels have the generation before this one; 0: any
 layout(location = 13) uniform uint newestAt;    // the slab that begins the plane which is read
 layout(location = 14) uniform uint nextAt;      // and the one which is written
 
@@ -80,10 +81,12 @@ uint expandSlab(uint slab) {
 #endif
     newest[nextAt + slab] = fresh;
     if (fresh != uvec4(0u)) {
-        grown[slab] |= fresh;
+        uvec4 grownBefore = grown[slab];
+        grown[slab] = grownBefore | fresh;
 #ifndef VS_FLOOD
         allowed[slab] = open & ~fresh;
-        storeGenerationsOfSlab(slab, fresh, generation);
+        uvec4 before = isBefore != 0 ? bitsOf(slab) : uvec4(0u);
+        storeGenerationsOfSlab(slab, fresh, before, grownBefore & ~before, generation);
 #endif
     }
     ivec4 counts = bitCount(fresh);

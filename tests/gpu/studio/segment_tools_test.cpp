@@ -82,10 +82,12 @@ TEST_F(SegmentToolsTest, BrushesTakeWhatTheStrokeWouldCut) {
         document.apply(Redo{});
         EXPECT_TRUE(stateOf(document) == brushed);
 
+        document.apply(ReSeed{});
         document.apply(UseSegment{"All"});
         document.apply(seedAt({35, 20, 29}, {5, 255}));
         document.apply(Grow{});
         const VoxelSet all = setOf(document, 3);
+        EXPECT_GT(segment::intersect(all, crossing).count(), 50U);
         document.apply(BrushSegment{false, stroke});
         EXPECT_TRUE(setOf(document, 3) == segment::subtract(all, crossing));
         EXPECT_TRUE(document.sculptureBytes() == untouched.sculpture);
@@ -126,17 +128,17 @@ TEST_F(SegmentToolsTest, CutsFollowTheSegmentExactly) {
 Operation someOperation(std::mt19937& random) {
     const auto below = [&](unsigned n) { return int(random() % n); };
     const std::string names[] = {"Segment 1", "B", "C"};
-    const std::string name = names[below(3)];
+    const std::string& who = names[below(3)];
     const auto brainVoxel = [&] { return glm::ivec3(30 + below(12), 16 + below(6), 24 + below(12)); };
     switch (below(14)) {
     case 0: {
-        UseSegment use{name};
+        UseSegment use{who};
         use.isLocked = below(4) == 0;
         use.opacity = 0.25 * (1 + below(4));
         return use;
     }
     case 1:
-        return UseSegment{name};
+        return UseSegment{who};
     case 2:
     case 3:
         return seedAt(brainVoxel());
@@ -162,9 +164,9 @@ Operation someOperation(std::mt19937& random) {
         return absorb;
     }
     case 10:
-        return below(3) == 0 ? Operation(RemoveSegment{name}) : Operation(somePeel(1 + below(4)));
+        return below(3) == 0 ? Operation(RemoveSegment{who}) : Operation(somePeel(1 + below(4)));
     case 11: {
-        EditSegment edit = editOf(EditSegment::Kind(below(13)), 0.5 + below(3), name);
+        EditSegment edit = editOf(EditSegment::Kind(below(13)), 0.5 + below(3), who);
         edit.voxel = brainVoxel();
         return edit;
     }

@@ -191,17 +191,18 @@ TEST_F(SegmentsTest, AbsorbedVoxelsStayAwayUntilSeededAgain) {
     grownBrain(document, 12);
     const auto generations = document.generations();
     Absorb absorb;
-    absorb.voxels = {{35, 20, 29}}; // the seed: expansions and generations are the same layers
+    absorb.voxels = {{35, 20, 29}}; // the seed, generation 1: each expansion takes one generation more
     absorb.expansions = 4;
+    constexpr std::uint32_t kLast = 5;
     document.apply(absorb);
     const auto labels = document.labels();
     for (std::size_t i = 0; i < labels.size(); ++i) {
-        ASSERT_EQ(labels[i] == 1, generations[i] > 4) << i;
+        ASSERT_EQ(labels[i] == 1, generations[i] > kLast) << i;
     }
     document.apply(Grow{});
     const auto grown = document.labels();
     for (std::size_t i = 0; i < grown.size(); ++i) {
-        ASSERT_FALSE(grown[i] == 1 && generations[i] > 0 && generations[i] <= 4) << i;
+        ASSERT_FALSE(grown[i] == 1 && generations[i] > 0 && generations[i] <= kLast) << i;
     }
     document.apply(seedAt({35, 20, 29}));
     EXPECT_EQ(setOf(document, 1).contains({35, 20, 29}), true);

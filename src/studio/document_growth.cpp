@@ -81,7 +81,7 @@ Outcome Document::Impl::run(Grow& op, const std::filesystem::path&) {
 }
 
 int Document::Impl::perform(const Rewind& op, Region::Records& records) {
-    region.workOn(segments.atWork, records);
+    workUnlocked(records);
     return region.rewind(op.generations, records);
 }
 
@@ -91,7 +91,7 @@ Outcome Document::Impl::run(Rewind& op, const std::filesystem::path&) {
 }
 
 void Document::Impl::perform(const ShowGeneration& op, Region::Records& records) {
-    region.workOn(segments.atWork, records);
+    workUnlocked(records);
     region.showGeneration(op.generation, records);
 }
 
@@ -140,8 +140,10 @@ Outcome Document::Impl::run(Absorb& op, const std::filesystem::path&) {
 
 void Document::Impl::perform(const ReSeed&, Region::Records& records) {
     for (const SegmentInfo& segment : segments.segments) {
-        region.workOn(segment.label, records);
-        region.clear(records);
+        if (!segment.isLocked) {
+            region.workOn(segment.label, records);
+            region.clear(records);
+        }
     }
     region.workOn(segments.atWork, records);
 }
@@ -149,7 +151,7 @@ void Document::Impl::perform(const ReSeed&, Region::Records& records) {
 Outcome Document::Impl::run(ReSeed& op, const std::filesystem::path&) {
     const std::size_t before = grownVoxels();
     change(op);
-    return {{}, 0, before, "segmentation cleared"};
+    return {{}, 0, before - grownVoxels(), "segmentation cleared"};
 }
 
 } // namespace vs::studio

@@ -100,6 +100,7 @@ void Document::Impl::perform(const RemoveSegment& op, Region::Records& records) 
     }
     region.workOn(segment->label, records);
     region.clear(records);
+    region.forgetRules(records);
     segments.remove(segment->label);
     region.workOn(segments.atWork, records);
 }

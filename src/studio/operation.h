@@ -297,7 +297,7 @@ struct CutSegment {
 struct Undo {};
 struct Redo {};
 struct UnCut {};  // clears all cuts
-struct ReSeed {}; // clears all segments
+struct ReSeed {}; // clears all segments that are not locked
 
 // Writes the view as a PNG into the output folder, with a scale bar and an orientation marker if asked for.
 // Does not change the document.

@@ -129,6 +129,13 @@ void Region::clear(Records& records) {
     }
 }
 
+void Region::forgetRules(Records& records) {
+    if (growth_) {
+        growth_->setLive(false, &records.emplace_back());
+        growth_->setConstraints({}, &records.emplace_back());
+    }
+}
+
 void Region::undo(const Records& records) {
     for (auto record = records.rbegin(); record != records.rend(); ++record) {
         record->undo(*growth_);

@@ -51,6 +51,8 @@ public:
     void workOn(std::uint8_t label, Records& records);
     // Erases the segment at work.
     void clear(Records& records);
+    // It follows no rules any more, as one that has just been made.
+    void forgetRules(Records& records);
     void undo(const Records& records);
 
     // Live growth: begin, any number of slices, end. The records of begin() undo all of it.

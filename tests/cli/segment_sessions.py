@@ -17,6 +17,7 @@ data = root / ".." / "shared" / "data"
 
 # Of each label map: millilitres that a region must lie between, and why.
 VOLUMES = {
+    "brain/brain": (1500, 1800, "grey and white matter of this head are 1651 ml"),
     "ventricles/ventricles": (15, 35, "lateral ventricles of an adult, about 7 to 17 ml each"),
     "skull/skull": (450, 750, "a skull without its jaw, all bone from 226 HU weighs about a kilogram"),
     "tooth/molar": (0.6, 1.4, "a lower molar; less is a crown alone, more its neighbours too"),
@@ -27,7 +28,9 @@ VOLUMES = {
     "lungs/lungs": (2200, 3000, "air of both lungs, one of them small under a high diaphragm"),
 }
 # Truths: file, its labels, what is asked of Dice.
-TRUTHS = {}
+TRUTHS = {
+    "brain/brain": ("colin27_tissue_labels.nii.gz", {4, 5}, 0.95),
+}
 
 
 def read_labels(path):

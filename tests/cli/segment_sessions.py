@@ -19,15 +19,18 @@ data = root / ".." / "shared" / "data"
 VOLUMES = {
     "brain/brain": (1500, 1800, "grey and white matter of this head are 1651 ml"),
     "ventricles/ventricles": (15, 35, "lateral ventricles of an adult, about 7 to 17 ml each"),
-    "skull/skull": (450, 750, "a skull without its jaw, all bone from 226 HU weighs about a kilogram"),
-    "tooth/molar": (0.6, 1.4, "a lower molar; less is a crown alone, more its neighbours too"),
+    "skull/skull": (570, 620, "a skull without its jaw; the head rest, as bright, would add 58 ml"),
+    "tooth/molar": (0.6, 1.4, "one lower molar; without the cut of the laser its whole row, 4.0 ml"),
     "aneurysm/arteries": (85, 95, "what is at least 40 in one piece is 88600 to 91900 voxels of 1 mm3"),
-    "malformation/sinuses": (18, 30, "at least 300 and connected to the sagittal sinus: neither one sinus nor all vessels (110 ml)"),
+    "malformation/sinuses": (27, 33, "the sinuses and the veins that join them; all vessels are 110 ml"),
+    "malformation/nidus": (1.5, 2.5, "one piece of 6774 voxels that is brighter than 260, apart from the sinuses"),
     "stent/lumen": (80, 100, "the lumen and its branches in 200 to 450 are 92233 voxels in one piece"),
+    "stent/stent": (11, 15, "of what is brighter than 600, without bone, 13 ml are wire"),
+    "chest/thorax": (500, 700, "thorax without shoulder blades and arms; with them 783 ml of bone"),
     "colon/colon": (1000, 1600, "what the labels call colon are 1619 ml; strokes on six sections leave out its hidden loops"),
     "pelvis/bones": (1300, 1800, "all labelled bones are 1576 ml"),
-    "chest/thorax": (500, 700, "thorax without shoulder blades; with them 840 ml of bone"),
-    "lungs/lungs": (2200, 3000, "air of both lungs, one of them small under a high diaphragm"),
+    "lungs/airways": (20, 45, "windpipe and main branches; 20 HU more and the lungs begin (479 ml)"),
+    "lungs/lungs": (2200, 3000, "air of both lungs, one of them small above a high diaphragm"),
 }
 # Truths: file, its labels, what is asked of Dice.
 TRUTHS = {

@@ -100,8 +100,10 @@ with tempfile.TemporaryDirectory() as name:
             ml = (len(labels) - labels.count(0)) * voxel_ml
             least, most, reason = VOLUMES[key]
             row = f"{key}: {ml:.1f} ml, {strokes} strokes, {seconds:.1f} s"
-            if key in TRUTHS:
-                truth_file, values, least_dice = TRUTHS[key]
+            truth_file, values, least_dice = TRUTHS.get(key, (None, None, None))
+            if truth_file and not (data / truth_file).exists():
+                row += f", {truth_file} is not there"
+            elif truth_file:
                 truth, _ = read_labels(data / truth_file)
                 overlap = dice(mask(labels, {1}), mask(truth, values))
                 row += f", Dice {overlap:.3f}"

@@ -27,7 +27,7 @@ VOLUMES = {
     "stent/lumen": (80, 100, "the lumen and its branches in 200 to 450 are 92233 voxels in one piece"),
     "stent/stent": (11, 15, "of what is brighter than 600, without bone, 13 ml are wire"),
     "chest/thorax": (500, 700, "thorax without shoulder blades and arms; with them 783 ml of bone"),
-    "colon/colon": (1000, 1600, "what the labels call colon are 1619 ml; strokes on six sections leave out its hidden loops"),
+    "colon/colon": (1300, 1800, "what the labels call colon are 1619 ml"),
     "pelvis/bones": (1300, 1800, "all labelled bones are 1576 ml"),
     "lungs/airways": (20, 45, "windpipe and main branches; 20 HU more and the lungs begin (479 ml)"),
     "lungs/lungs": (2200, 3000, "air of both lungs, one of them small above a high diaphragm"),
@@ -35,7 +35,7 @@ VOLUMES = {
 # Truths: file, its labels, what is asked of Dice.
 TRUTHS = {
     "brain/brain": ("colin27_tissue_labels.nii.gz", {4, 5}, 0.95),
-    "colon/colon": ("ct_torso_3mm_labels.nii.gz", {20}, 0.69),
+    "colon/colon": ("ct_torso_3mm_labels.nii.gz", {20}, 0.73),
     "pelvis/bones": ("ct_torso_3mm_labels.nii.gz", {*range(25, 34), 75, 76, 77, 78, *range(92, 116)}, 0.81),
 }
 

@@ -12,9 +12,11 @@ void addRenderCommand(CLI::App& app);
 void addRunCommand(CLI::App& app);
 void addGrowCommand(CLI::App& app);
 void addHistogramCommand(CLI::App& app);
+void addPhantomCommand(CLI::App& app);
 void addSketchCommand(CLI::App& app);
 void addSweepCommand(CLI::App& app);
 void addDevicesCommand(CLI::App& app);
+void addStatsCommand(CLI::App& app);
 void addCompareCommand(CLI::App& app);
 void addBenchCommand(CLI::App& app);
 

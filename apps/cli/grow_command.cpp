@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // vstudio grow: region growing from given voxels, labels and generations written as volumes.
 #include "commands.h"
+#include "measurements.h"
 #include "parse.h"
 #include "progress.h"
+#include "truth_argument.h"
 #include "volume_argument.h"
 
 #include "base/error.h"
 #include "base/timer.h"
 #include "gl/context.h"
+#include "segment/agreement.h"
 #include "segment/growth.h"
 #include "volume/write.h"
 
@@ -17,6 +20,7 @@
 #include <filesystem>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -30,6 +34,7 @@ struct GrowOptions {
     std::string steps;
     std::string labels;
     std::string generations;
+    std::string compare;
 };
 
 // Everything on the command line, understood before anything is read.
@@ -37,6 +42,7 @@ struct GrowRequest {
     std::vector<glm::ivec3> seeds;
     segment::Constraints constraints;
     int steps = std::numeric_limits<int>::max();
+    std::optional<TruthArgument> truth;
 };
 
 glm::ivec3 parseSeed(const std::string& text) {
@@ -85,6 +91,9 @@ GrowRequest understand(const GrowOptions& options) {
                              options.steps);
         }
         request.steps = int(steps);
+    }
+    if (!options.compare.empty()) {
+        request.truth = parseTruth(options.compare);
     }
     checkOutputs(options);
     return request;
@@ -140,6 +149,7 @@ void run(const GrowOptions& options, const VolumeArgument& argument) {
     const auto loaded = loadVolume(argument);
     const volume::Volume& volume = loaded.volume;
     checkSeeds(request, volume);
+    const auto truth = request.truth ? readTruth(*request.truth, volume) : std::vector<std::uint8_t>();
     const auto context = gl::Context::createHeadless();
     const field::Field field = field::uploadVolume(volume);
     segment::Growth growth(field);
@@ -158,6 +168,9 @@ void run(const GrowOptions& options, const VolumeArgument& argument) {
     fmt::print("volume       {:.6g} ml\n", double(voxels) * volume.geometry.voxelMm3() / 1000.0);
     fmt::print("milliseconds {:.1f}\n", milliseconds);
     fmt::print("voxels/s     {:.0f}\n", double(voxels) / std::max(milliseconds, 1e-3) * 1000.0);
+    if (request.truth) {
+        printAgreement(segment::compare(volume.geometry, labels, truth));
+    }
 }
 
 } // namespace
@@ -179,6 +192,9 @@ void addGrowCommand(CLI::App& app) {
         ->required();
     command->add_option("--generations", options->generations,
                         "Volume to write with each voxel's generation (seeds 1, outside 0)");
+    command->add_option(
+        "--compare", options->compare,
+        "Label map to compare with, FILE[:LABEL[,LABEL...]]; without labels all but 0 counts");
     command->callback([argument, options] { run(*options, *argument); });
 }
 

@@ -35,9 +35,11 @@ int run(int argc, char** argv) {
     vs::cli::addRunCommand(app);
     vs::cli::addGrowCommand(app);
     vs::cli::addHistogramCommand(app);
+    vs::cli::addPhantomCommand(app);
     vs::cli::addSketchCommand(app);
     vs::cli::addSweepCommand(app);
     vs::cli::addDevicesCommand(app);
+    vs::cli::addStatsCommand(app);
     vs::cli::addCompareCommand(app);
     vs::cli::addBenchCommand(app);
     try {

@@ -9,7 +9,10 @@ namespace vs::field {
 
 SceneBinding::SceneBinding()
     : block_(sizeof(SceneBlock), "scene"),
-      empty_(glm::ivec3(1), gl::Format::R8, gl::Filter::Nearest, "empty") {}
+      empty_(glm::ivec3(1), gl::Format::R8, gl::Filter::Nearest, "empty"),
+      segment1_(glm::ivec3(1), gl::Format::R8UI, gl::Filter::Nearest, "segment 1") {
+    segment1_.clear(1);
+}
 
 void SceneBinding::bind(const Scene& scene) {
     VS_CHECK(scene.data != nullptr);
@@ -37,6 +40,7 @@ void SceneBinding::bind(const Scene& scene) {
     }
     (scene.sculpture != nullptr ? *scene.sculpture : empty_).bindTexture(1);
     (scene.segmentation != nullptr ? *scene.segmentation : empty_).bindTexture(2);
+    (scene.segmentLabels != nullptr ? *scene.segmentLabels : segment1_).bindTexture(13);
 }
 
 } // namespace vs::field

@@ -27,20 +27,24 @@ struct SceneBlock {
 static_assert(sizeof(SceneBlock) == 208);
 
 // The document as shaders see it: data, sculpture (null: nothing cut), segmentation (null: none), displayed
-// range, view.
+// range, view. How segments look is not part of it: render::SegmentColours.
 struct Scene {
     const Field* data = nullptr;
     const gl::Texture* sculpture = nullptr;
+    // Anti-aliased membership, 0 to 1, surfaces at 0.5: red of all visible opaque segments together, green of
+    // all visible translucent ones (a texture of one channel has none). Hidden segments are in neither.
     const gl::Texture* segmentation = nullptr;
+    // R8UI, nearest: which segment a voxel belongs to, 0 none. Null: everything segmented is of segment 1.
+    const gl::Texture* segmentLabels = nullptr;
     Range displayedRange;
     Range greyWindow;
     SculptureView view = SculptureView::Cut;
     Sampling sampling = Sampling::Trilinear; // of the data; sculpture and segmentation are always trilinear
 };
 
-// Binds a scene: uniform block 0, textures 0 (data), 1 (sculpture), 2 (segmentation), 6 (the data's quads,
-// where it has them). Shaders include "field/shaders/scene.glsl" and call sampleScene(); with QUADS defined
-// they sample the quads. Those units and uniform block 0 are taken while it is bound.
+// Binds a scene: uniform block 0, textures 0 (data), 1 (sculpture), 2 (segmentation), 13 (labels), 6 (the
+// data's quads, where it has them). Shaders include "field/shaders/scene.glsl" and call sampleScene(); with
+// QUADS defined they sample the quads. Those units and uniform block 0 are taken while it is bound.
 class SceneBinding {
 public:
     SceneBinding();
@@ -48,7 +52,8 @@ public:
 
 private:
     gl::Buffer block_;
-    gl::Texture empty_; // stands in for what a scene does not have: one texel of zero
+    gl::Texture empty_;    // stands in for what a scene does not have: one texel of zero
+    gl::Texture segment1_; // the labels of a scene without: one texel of 1
 };
 
 } // namespace vs::field

@@ -125,4 +125,12 @@ void Program::dispatchIndirect(const Buffer& arguments, std::size_t offset, Barr
     addBarrier(after);
 }
 
+Program& ProgramVariants::with(const Defines& defines) {
+    Program& program = variants_[defines];
+    if (!program) {
+        program = Program(path_, defines);
+    }
+    return program;
+}
+
 } // namespace vs::gl

@@ -6,6 +6,7 @@
 #include "gl/handle.h"
 #include "gl/shader_source.h"
 
+#include <map>
 #include <string>
 
 namespace vs::gl {
@@ -53,6 +54,17 @@ public:
 private:
     Handle<detail::deleteProgram> handle_;
     glm::ivec3 localSize_{1};
+};
+
+// One shader compiled for each set of defines when that is first needed.
+class ProgramVariants {
+public:
+    explicit ProgramVariants(std::string path) : path_(std::move(path)) {}
+    Program& with(const Defines& defines);
+
+private:
+    std::string path_;
+    std::map<Defines, Program> variants_;
 };
 
 } // namespace vs::gl

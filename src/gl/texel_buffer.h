@@ -20,6 +20,10 @@ public:
 
     // Tightly packed texels, from the one with number `first` on.
     void write(std::span<const std::byte> bytes, std::size_t first);
+    // The same memory as shaders write it.
+    [[nodiscard]] Buffer& buffer() { return buffer_; }
+    [[nodiscard]] const Buffer& buffer() const { return buffer_; }
+
     void bindTexture(unsigned int unit) const;
     void bindImage(unsigned int unit, Access access) const; // imageBuffer
 

@@ -15,7 +15,22 @@ namespace detail {
 void deleteTexture(unsigned int name);
 }
 
-enum class Format { R8, R16, R16F, R32F, R8UI, R16UI, R32UI, RG32F, RGBA8, RGBA16, RGBA16F, RGBA32F };
+enum class Format {
+    R8,
+    R16,
+    R16F,
+    R32F,
+    R8UI,
+    R16UI,
+    R32UI,
+    RG8,
+    RG16,
+    RG32F,
+    RGBA8,
+    RGBA16,
+    RGBA16F,
+    RGBA32F
+};
 std::size_t bytesPerTexel(Format format);
 unsigned int internalFormat(Format format); // OpenGL's name for it
 

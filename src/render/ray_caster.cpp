@@ -85,45 +85,8 @@ ViewBlock viewBlock(const ViewRays& rays, const volume::GridGeometry& geometry) 
 RayCaster::RayCaster()
     : resolve_("render/shaders/resolve_picture.comp"), findBeams_("render/shaders/find_beams.comp"),
       listSquares_("render/shaders/list_squares.comp"), fillFilm_("render/shaders/fill_film.comp"),
-      squareCounts_(2 * sizeof(std::uint32_t), "square counts") {}
-
-gl::Program& RayCaster::programFor(const Frame& frame) {
-    const bool isSculpted =
-        frame.scene.sculpture != nullptr || frame.scene.view == field::SculptureView::Probe;
-    const bool isTricubic = frame.scene.sampling == field::Sampling::Tricubic;
-    const int kind = frame.classification != nullptr ? 1 + int(frame.classification->kind()) : 0;
-    const bool isLit = frame.occlusion != nullptr;
-    const bool hasParts = !frame.pasted.empty();
-    const bool hasQuads = bool(frame.scene.data->quads);
-    const int key = 128 * static_cast<int>(frame.mode) + (hasQuads ? 64 : 0) + 16 * kind +
-                    (hasParts ? 8 : 0) + (isLit ? 4 : 0) + (isTricubic ? 2 : 0) + (isSculpted ? 1 : 0);
-    auto& program = programs_[key];
-    if (!program) {
-        const int content = frame.mode == Mode::Overlay ? 1 : frame.mode == Mode::Segment ? 2 : 0;
-        gl::Defines defines{{"MODE", std::to_string(static_cast<int>(frame.mode))},
-                            {"CONTENT", std::to_string(content)}};
-        if (isSculpted) {
-            defines.emplace_back("SCULPTED", "1");
-        }
-        if (isLit) {
-            defines.emplace_back("LIT", "1");
-        }
-        if (hasParts) {
-            defines.emplace_back("PARTS", "1");
-        }
-        if (hasQuads) {
-            defines.emplace_back("QUADS", "1");
-        }
-        if (isTricubic) {
-            defines.emplace_back("TRICUBIC", "1");
-        }
-        if (frame.classification != nullptr) {
-            defines.emplace_back("TF_KIND", frame.classification->kindDefine());
-        }
-        program = gl::Program("render/shaders/cast_rays.comp", defines);
-    }
-    return program;
-}
+      squareCounts_(2 * sizeof(std::uint32_t), "square counts"),
+      segmentColours_(glm::ivec2(256, 1), gl::Format::RGBA32F, gl::Filter::Nearest, "segment colours") {}
 
 void RayCaster::start(const Frame& frame) {
     VS_CHECK(frame.macrocells != nullptr);
@@ -144,6 +107,12 @@ void RayCaster::start(const Frame& frame) {
         seenFront_ = gl::Texture(size, gl::Format::RGBA32F, gl::Filter::Nearest, "seen in front");
         seenBehind_ = gl::Texture(size, gl::Format::RGBA32F, gl::Filter::Nearest, "seen behind");
     }
+    if (!frame.pasted.empty() && drawsTranslucent(frame) && glm::ivec2(seenGlass_.size()) != size) {
+        seenGlass_ = gl::Texture(size, gl::Format::RGBA32F, gl::Filter::Nearest, "seen glass");
+        seenGlassDepth_ = gl::Texture(size, gl::Format::R32F, gl::Filter::Nearest, "depth of seen glass");
+    }
+    segmentColours_.upload({glm::ivec3(0), segmentColours_.size()},
+                           std::as_bytes(std::span(frame.segmentColours.entries)));
     arrangeParts();
 }
 
@@ -273,10 +242,15 @@ bool RayCaster::renderSome(double budgetMs) {
         seenFront_.bindImage(1, gl::Access::ReadWrite);
         seenBehind_.bindImage(2, gl::Access::ReadWrite);
     }
+    if (parts_.size() > 1 && drawsTranslucent(frame_)) {
+        seenGlass_.bindImage(3, gl::Access::ReadWrite);
+        seenGlassDepth_.bindImage(4, gl::Access::ReadWrite);
+    }
+    segmentColours_.bindTexture(14);
     squares_.bindStorage(0);
     const auto& geometry = frame_.scene.data->geometry;
     program.set(3, glm::vec2(float(frame_.xrayGain), float(geometry.diagonalMm() / geometry.stepMm())))
-        .set(4, frame_.segmentColour)
+        .set(4, 8)
         .set(5, float(frame_.sampleStep))
         .set(6, beamShift(frame_.mode, frame_.rays.size))
         .set(7, glm::vec4(frame_.background.top, frame_.background.isTransparent ? 1.0F : 0.0F))

@@ -10,6 +10,7 @@
 #include "render/macrocells.h"
 #include "render/occlusion.h"
 #include "render/placement.h"
+#include "render/segment_colours.h"
 #include "render/slab_bounds.h"
 
 #include <map>
@@ -62,10 +63,10 @@ struct Frame {
     Mode mode = Mode::Surface;
     // What is behind. A transparent picture has straight alpha: how much of the background each pixel hides.
     Background background = {};
-    double xrayGain = 5; // brightness of a ray through one whole diagonal at full value
-    glm::vec3 segmentColour{0.70F, 0.17F, 0.04F}; // linear; near the vermilion of the Okabe-Ito palette
-    double sampleStep = 0.5; // steps between samples in MIP, X-ray and volume; more for drafts
-    int samples = 1;         // rays per pixel, evenly spread over it
+    double xrayGain = 5;           // brightness of a ray through one whole diagonal at full value
+    SegmentColours segmentColours; // overlay and segment mode
+    double sampleStep = 0.5;       // steps between samples in MIP, X-ray and volume; more for drafts
+    int samples = 1;               // rays per pixel, evenly spread over it
 };
 
 // Casts rays (SPEC 3) in a compute shader, some squares of pixels at a time so that no single submission is
@@ -101,6 +102,8 @@ private:
         gl::Texture beams;
         SlabBounds slabs; // in MIP
     };
+    // Whether the picture may show surfaces of translucent segments.
+    static bool drawsTranslucent(const Frame& frame);
     gl::Program& programFor(const Frame& frame);
     void arrangeParts();
     void bindPart(const Part& part);
@@ -114,6 +117,8 @@ private:
     std::vector<Part> parts_;
     gl::Texture seenFront_; // what the parts before the one in hand show; only where there are several
     gl::Texture seenBehind_;
+    gl::Texture seenGlass_; // and where some segment is translucent
+    gl::Texture seenGlassDepth_;
     std::map<int, gl::Program> programs_; // by mode, whether there is a sculpture, and sampling
     gl::Program resolve_;
     gl::Program findBeams_;
@@ -122,6 +127,7 @@ private:
     gl::Buffer squares_;       // those that may show something first
     gl::Buffer placeOfSquare_; // in that list
     gl::Buffer squareCounts_;
+    gl::Texture segmentColours_; // of the frame
     field::SceneBinding sceneBinding_;
     gl::Texture accumulation_;
     gl::Texture picture_;

@@ -11,7 +11,7 @@ namespace vs::sculpt {
 // Cuts what is visible but does not belong to a region: the table below a patient (SPEC 7).
 class IslandCutter {
 public:
-    // Cuts every voxel of `scene` that is in the displayed range, visible, and not in `region` (R32UI, 0 =
+    // Cuts every voxel of `scene` that is in the displayed range, visible, and not in `region` (R8UI, 0 =
     // outside), and two voxels around each, so that nothing of their surface remains; but never within one
     // voxel of the region, whose surface stays as it is. Bricks are protected in `backup` before they change.
     // Returns the box that may have changed.

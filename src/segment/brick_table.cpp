@@ -3,6 +3,8 @@
 
 #include "field/field.h"
 
+#include <limits>
+
 namespace vs::segment {
 
 BrickTable::BrickTable(glm::ivec3 dims) : dims_(dims), brickDims_(divideUp(dims, field::kBrick)) {
@@ -10,6 +12,7 @@ BrickTable::BrickTable(glm::ivec3 dims) : dims_(dims), brickDims_(divideUp(dims,
     onDevice_ = gl::Buffer(count * sizeof(GenerationSpan), "growth bricks");
     spans_.resize(count);
     changedAt_.resize(count);
+    isOccupied_.resize(count, false);
 }
 
 glm::ivec3 BrickTable::brickAt(std::uint32_t brick) const {
@@ -42,10 +45,23 @@ void BrickTable::download() { spans_ = onDevice_.read<GenerationSpan>(spans_.siz
 
 void BrickTable::upload() { onDevice_.write(std::span<const GenerationSpan>(spans_)); }
 
-void BrickTable::add(glm::ivec3 voxel, int generation) {
-    GenerationSpan& span = spans_[brickOf(voxel)];
-    span.first = span.first == 0 ? std::uint32_t(generation) : span.first;
-    span.last = std::uint32_t(generation);
+void BrickTable::add(glm::ivec3 voxel, int generation) { widen({brickOf(voxel)}, generation); }
+
+void BrickTable::widen(const std::vector<std::uint32_t>& bricks, int generation) {
+    for (const std::uint32_t brick : bricks) {
+        GenerationSpan& span = spans_[brick];
+        span.first = span.first == 0 ? std::uint32_t(generation) : span.first;
+        span.last = std::uint32_t(generation);
+    }
+}
+
+std::vector<GenerationSpan> BrickTable::exchangeSpans(std::vector<GenerationSpan> spans) {
+    for (std::size_t i = 0; i < spans_.size(); ++i) {
+        isOccupied_[i] = isOccupied_[i] || spans_[i].first != 0;
+    }
+    spans.resize(spans_.size());
+    spans_.swap(spans);
+    return spans;
 }
 
 void BrickTable::truncate(int last) {
@@ -55,11 +71,13 @@ void BrickTable::truncate(int last) {
     }
 }
 
-std::vector<glm::ivec3> BrickTable::changedSince(std::uint64_t revision) const {
-    std::vector<glm::ivec3> bricks;
+std::vector<std::uint32_t> BrickTable::touched() const { return holding(0, std::numeric_limits<int>::max()); }
+
+std::vector<std::uint32_t> BrickTable::changedSince(std::uint64_t revision) const {
+    std::vector<std::uint32_t> bricks;
     for (std::uint32_t i = 0; i < changedAt_.size(); ++i) {
         if (changedAt_[i] > revision) {
-            bricks.push_back(brickAt(i));
+            bricks.push_back(i);
         }
     }
     return bricks;

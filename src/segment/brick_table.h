@@ -25,27 +25,37 @@ public:
     explicit BrickTable(glm::ivec3 dims);
 
     [[nodiscard]] glm::ivec3 brickDims() const { return brickDims_; }
+    [[nodiscard]] std::size_t count() const { return spans_.size(); }
     [[nodiscard]] const gl::Buffer& onDevice() const { return onDevice_; }
     // Voxels of one brick, clipped to the grid.
     [[nodiscard]] Box3 box(std::uint32_t brick) const;
     [[nodiscard]] glm::ivec3 brickAt(std::uint32_t brick) const;
     [[nodiscard]] std::uint32_t brickOf(glm::ivec3 voxel) const;
     [[nodiscard]] GenerationSpan span(std::uint32_t brick) const { return spans_[brick]; }
+    // Whether the brick may hold voxels of any segment.
+    [[nodiscard]] bool isOccupied(std::uint32_t brick) const {
+        return isOccupied_[brick] || spans_[brick].first != 0;
+    }
     void setSpan(std::uint32_t brick, GenerationSpan span) { spans_[brick] = span; }
-    // Bricks that may hold a generation in (after, upTo].
+    // Bricks that may hold a generation in (after, upTo]; all that hold anything.
     [[nodiscard]] std::vector<std::uint32_t> holding(int after, int upTo) const;
+    [[nodiscard]] std::vector<std::uint32_t> touched() const;
 
     // Reads what the device has written; the other way round after changes made here.
     void download();
     void upload();
     // Widens a brick's span by a voxel of this generation, which must not be older than any in it.
     void add(glm::ivec3 voxel, int generation);
+    // The same for whole bricks.
+    void widen(const std::vector<std::uint32_t>& bricks, int generation);
+    // Takes another segment's spans (empty: it has none yet) for those there are, which it returns.
+    std::vector<GenerationSpan> exchangeSpans(std::vector<GenerationSpan> spans);
     // Takes note that generations after `last` were erased.
     void truncate(int last);
 
     // Counts changes of what is shown; bricks changed since an earlier count.
     [[nodiscard]] std::uint64_t revision() const { return revision_; }
-    [[nodiscard]] std::vector<glm::ivec3> changedSince(std::uint64_t revision) const;
+    [[nodiscard]] std::vector<std::uint32_t> changedSince(std::uint64_t revision) const;
     void markChanged(const std::vector<std::uint32_t>& bricks);
 
 private:
@@ -53,6 +63,7 @@ private:
     glm::ivec3 brickDims_;
     gl::Buffer onDevice_;
     std::vector<GenerationSpan> spans_;
+    std::vector<bool> isOccupied_; // by a segment that is not at work
     std::vector<std::uint64_t> changedAt_;
     std::uint64_t revision_ = 0;
 };

@@ -6,15 +6,26 @@
 #include "gl/program.h"
 
 #include <cstdint>
+#include <optional>
+#include <string>
 
 namespace vs::segment {
 
 // Neighbours across faces, or across faces, edges and corners.
 enum class Connectivity { Six, TwentySix };
 
-// Which voxels growth may enter.
+// Which voxels growth may enter, and from where (SPEC 8). Every rule given must be kept; all ranges are
+// closed.
 struct Constraints {
-    Range range; // closed, in the volume's unit; float volumes are compared with its ends rounded to float
+    Range range; // of intensity, in the volume's unit; float volumes are compared with its ends rounded to
+                 // float
+    // Of child - parent, where the child is the voxel entered and the parent the one it is entered from.
+    std::optional<Range> difference = {};
+    // Of the gradient's magnitude at the child, in the volume's unit per mm: central differences, beyond the
+    // grid the values at its border.
+    std::optional<Range> gradient = {};
+    // Of the gradient's magnitude, child - parent.
+    std::optional<Range> gradientDifference = {};
     // Null: no fence. Must live on the volume's grid for as long as these constraints are in use.
     const gl::Texture* sculpture = nullptr;
     // Tells one content of the sculpture from another: growth tests refused voxels again when this changes.
@@ -29,6 +40,9 @@ struct Constraints {
     bool operator==(const Constraints&) const = default;
 };
 
+// Whether everything that `narrow` lets in may be entered under `wide` too.
+bool includes(const Constraints& wide, const Constraints& narrow);
+
 // The ends of a range as the shaders compare them: whole numbers for integral volumes (40.5:130 means
 // 41:130), rounded to float, and clipped to the data so that the stand-in for non-finite voxels is outside.
 glm::vec2 comparableRange(const field::Field& field, const Range& range);
@@ -36,10 +50,19 @@ glm::vec2 comparableRange(const field::Field& field, const Range& range);
 // Whether a stored value passes `range`: what the shaders do, on the CPU.
 bool isInRange(const field::Field& field, const Range& range, double value);
 
-// Compiles a shader that includes "segment/shaders/constraints.glsl", with or without the fence.
-gl::Program constrainedProgram(const std::string& path, bool hasFence);
+// One shader that includes "segment/shaders/constraints.glsl", compiled for each combination of rules when it
+// is first needed.
+class ConstrainedProgram {
+public:
+    explicit ConstrainedProgram(std::string path) : variants_(std::move(path)) {}
 
-// Sets what constraints.glsl reads: texture 0 (data), texture 1 (sculpture, when fenced), uniforms 20 to 23.
-void bindConstraints(gl::Program& program, const field::Field& field, const Constraints& constraints);
+    // Ready to run under these constraints, as far as constraints.glsl is concerned: texture 0 (data),
+    // texture 1 (sculpture, when fenced), uniforms 20 to 29.
+    gl::Program& prepare(const field::Field& field, const Constraints& constraints,
+                         const gl::Defines& more = {});
+
+private:
+    gl::ProgramVariants variants_;
+};
 
 } // namespace vs::segment

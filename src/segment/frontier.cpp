@@ -2,43 +2,48 @@
 #include "segment/frontier.h"
 
 #include "base/check.h"
-#include "base/error.h"
 #include "gl/pass.h"
 
+#include <algorithm>
 #include <cstddef>
-#include <iterator>
-#include <limits>
 
 namespace vs::segment {
 
 namespace {
 
-constexpr glm::ivec3 kWordSize(4, 4, 2);
-constexpr std::uint32_t kGroupSize = 64;
+constexpr std::uint32_t kTilesPerBrick = 64;
+constexpr std::uint32_t kTilesPerGroup = 8;
 constexpr std::uint32_t kMaxGroups = 65535;
-constexpr int kGroupsPerBrick = 16;
 
-// Mirrors Step in shaders/words.glsl (std430).
-struct Step {
-    glm::uvec4 parents{0, 1, 1, 0};
-    glm::uvec4 candidates{0, 1, 1, 0};
-    glm::uvec4 grown{0};
-};
-static_assert(sizeof(Step) == 48);
+gl::Defines definesFor(Connectivity connectivity, gl::Defines more = {}) {
+    if (connectivity == Connectivity::TwentySix) {
+        more.emplace_back("VS_NEIGHBOURS_26", "1");
+    }
+    return more;
+}
 
 } // namespace
 
-Frontier::Frontier(glm::ivec3 dims)
-    : dims_(dims), wordDims_((dims + kWordSize - 1) / kWordSize),
-      steps_((kMaxSteps + 1) * sizeof(Step), "growth steps"), list_(4, "growth list"),
-      collectGrown_("segment/shaders/collect_grown.comp"), pushSeeds_("segment/shaders/push_seeds.comp") {
-    const auto bytes = std::size_t(wordDims_.x) * std::size_t(wordDims_.y) * std::size_t(wordDims_.z) *
-                       sizeof(std::uint32_t);
-    decided_ = gl::Buffer(bytes, "growth decided");
-    frontier_ = gl::Buffer(bytes, "growth frontier");
-    offers_ = gl::Buffer(bytes, "growth offers");
-    parents_ = gl::Buffer(bytes, "growth parent words");
-    candidates_ = gl::Buffer(bytes, "growth candidate words");
+// Mirrors Step in shaders/active_tiles.glsl (std430).
+struct Frontier::Step {
+    glm::uvec4 tiles{0, 1, 1, 0};
+    glm::uvec4 unmade{0, 1, 1, 0};
+    glm::uvec4 grown{0};
+
+    [[nodiscard]] std::uint64_t total() const { return std::uint64_t(grown.x) + grown.y + grown.z + grown.w; }
+};
+
+Frontier::Frontier(const SeedMap& seedMap)
+    : tileCount_(std::uint32_t(seedMap.bricks().count()) * kTilesPerBrick),
+      planeWords_(seedMap.planeBytes() / sizeof(std::uint32_t)),
+      allowed_(planeWords_, gl::Format::R32UI, "growth allowed"),
+      newest_(2 * planeWords_, gl::Format::R32UI, "growth newest"),
+      work_(std::size_t(tileCount_) * 14 * sizeof(std::uint32_t), "growth work"),
+      steps_((kMaxSteps + 1) * sizeof(Step), "growth steps"), list_(4, "growth seeds") {}
+
+void Frontier::forgetRules() {
+    ++rulesNumber_;
+    invalidate();
 }
 
 void Frontier::invalidate() {
@@ -52,88 +57,165 @@ void Frontier::add(std::span<const std::uint32_t> voxels) {
     }
 }
 
-void Frontier::collect(const gl::Texture& seedMap, const BrickTable& bricks) {
-    decided_.clear();
-    frontier_.clear();
-    const std::vector<std::uint32_t> touched = bricks.holding(0, std::numeric_limits<int>::max());
-    list_.reserve(touched.size() * sizeof(std::uint32_t));
-    list_.write(std::span<const std::uint32_t>(touched));
-    list_.bindStorage(7);
-    seedMap.bindTexture(0);
-    collectGrown_.set(0, dims_).set(1, bricks.brickDims());
-    for (std::size_t first = 0; first < touched.size(); first += kMaxGroups) {
-        collectGrown_.set(2, int(first));
-        const int rows = int(std::min<std::size_t>(kMaxGroups, touched.size() - first));
-        collectGrown_.dispatch({kGroupsPerBrick, rows, 1}, gl::Barrier::Indirect);
+// Both planes are zero wherever no tile is at work.
+void Frontier::clearNewest() {
+    if (carried_ > 0) {
+        newest_.buffer().clear();
     }
-    isValid_ = true;
+    carried_ = 0;
+    if (carriedUnmade_ > 0) {
+        ++rulesNumber_; // they count as made
+    }
+    carriedUnmade_ = 0;
+    ++stamp_; // no tile is noted any more
 }
 
-void Frontier::pushAdded() {
-    if (added_.empty()) {
+void Frontier::prepareToNote(gl::Program& program, int step, int list, std::uint32_t stamp) const {
+    program.set(5, stamp).set(6, step).set(7, tileCount_).set(8, list).set(12, rulesNumber_);
+}
+
+void Frontier::collect(SeedMap& seedMap, const Rules& rules) {
+    gl::Program& program = collect_.with(definesFor(rules.constraints->connectivity, seedMap.widthDefines()));
+    seedMap.bind(program);
+    seedMap.bindOwner(program, rules.owner);
+    prepareToNote(program, 0, now_, stamp_);
+    program.set(10, std::uint32_t(std::size_t(now_) * planeWords_)).set(11, std::uint32_t(rules.frozen));
+    seedMap.dispatchOverBricks(program, seedMap.bricks().touched(), gl::Barrier::Indirect);
+}
+
+void Frontier::push(const SeedMap& seedMap, std::span<const std::uint32_t> voxels,
+                    const Constraints& constraints, Into into) {
+    if (voxels.empty()) {
         return;
     }
-    list_.reserve(added_.size() * sizeof(std::uint32_t));
-    list_.write(std::span<const std::uint32_t>(added_));
+    gl::Program& program = push_.with(definesFor(constraints.connectivity));
+    list_.reserve(voxels.size() * sizeof(std::uint32_t));
+    list_.write(voxels);
     list_.bindStorage(7);
-    pushSeeds_.set(0, dims_).set(1, int(added_.size()));
-    pushSeeds_.dispatchOverList(added_.size(), gl::Barrier::Indirect);
-    added_.clear();
+    program.set(0, seedMap.dims()).set(1, seedMap.bricks().brickDims()).set(9, int(voxels.size()));
+    prepareToNote(program, 0, now_, stamp_);
+    program.set(10, into == Into::PlaneWithin ? 0U : std::uint32_t(std::size_t(now_) * planeWords_))
+        .set(11, into == Into::Newest ? 0 : 1);
+    program.dispatchOverList(voxels.size(), gl::Barrier::Indirect);
 }
 
-std::vector<std::uint64_t> Frontier::expand(gl::Texture& seedMap, BrickTable& bricks,
-                                            const field::Field& field, const Constraints& constraints,
-                                            int generation, int steps) {
-    VS_CHECK(steps >= 1 && steps <= kMaxSteps);
-    const gl::Pass pass("expand region");
+// Opens a submission: the tiles to begin with are those carried over, and what is pushed or collected now.
+void Frontier::begin(int steps) {
     std::vector<Step> table(std::size_t(steps) + 1);
-    const std::uint32_t carried = isValid_ ? parentCount_ : 0;
-    table[0].parents = {std::min((carried + kGroupSize - 1) / kGroupSize, kMaxGroups), 1, 1, carried};
+    const auto arguments = [](std::uint32_t tiles) {
+        return glm::uvec4(std::min((tiles + kTilesPerGroup - 1) / kTilesPerGroup, kMaxGroups), 1, 1, tiles);
+    };
+    table[0].tiles = arguments(carried_);
+    table[0].unmade = arguments(carriedUnmade_);
     steps_.write(std::span<const Step>(table));
-    const gl::Buffer* storage[] = {&decided_,    &frontier_, &offers_,          &parents_,
-                                   &candidates_, &steps_,    &bricks.onDevice()};
-    for (unsigned int i = 0; i < std::size(storage); ++i) {
-        storage[i]->bindStorage(i);
-    }
-    if (isValid_) {
-        pushAdded();
-    } else {
-        collect(seedMap, bricks);
-    }
+    steps_.bindStorage(5);
+    work_.bindStorage(6);
+    newest_.buffer().bindStorage(2);
+}
 
-    const bool wide = constraints.connectivity == Connectivity::TwentySix;
-    gl::Program& spread = spread_[wide ? 1 : 0];
-    if (!spread) {
-        spread = gl::Program("segment/shaders/spread_frontier.comp",
-                             wide ? gl::Defines{{"VS_NEIGHBOURS_26", "1"}} : gl::Defines{});
-    }
-    gl::Program& commit = commit_[constraints.hasFence() ? 1 : 0];
-    if (!commit) {
-        commit = constrainedProgram("segment/shaders/commit_offers.comp", constraints.hasFence());
-    }
-    bindConstraints(commit, field, constraints);
-    seedMap.bindImage(0, gl::Access::Write);
-    spread.set(1, wordDims_);
-    commit.set(1, wordDims_).set(2, bricks.brickDims());
+// Expands so many times, giving `generation` and those after it. Returns the voxels that joined each time.
+std::vector<std::uint64_t> Frontier::run(const SeedMap& seedMap, gl::Program& program, gl::Program* allow,
+                                         const Constraints& constraints, int generation, int steps) {
+    gl::Program& note = note_.with(definesFor(
+        constraints.connectivity, allow == nullptr ? gl::Defines{{"VS_FLOOD", "1"}} : gl::Defines{}));
+    note.set(0, seedMap.dims()).set(1, seedMap.bricks().brickDims());
+    seedMap.bricks().onDevice().bindStorage(8);
+    newest_.bindTexture(4);
     for (int i = 0; i < steps; ++i) {
-        const std::size_t offset = std::size_t(i) * sizeof(Step);
-        spread.set(0, i);
-        // The second half takes its group count and its words from the first, and the next expansion from the
-        // second.
-        spread.dispatchIndirect(steps_, offset + offsetof(Step, parents), gl::Barrier::Indirect);
-        commit.set(0, i).set(3, generation + i);
-        // After the last one the seed map is read as a texture or downloaded.
-        commit.dispatchIndirect(steps_, offset + offsetof(Step, candidates),
-                                i + 1 < steps ? gl::Barrier::Indirect : gl::Barrier::All);
+        const int next = 1 - now_;
+        if (allow != nullptr) {
+            prepareToNote(*allow, i + 1, next, stamp_);
+            allow->set(10, i);
+            allow->dispatchIndirect(steps_, std::size_t(i) * sizeof(Step) + offsetof(Step, unmade),
+                                    gl::Barrier::Storage);
+        }
+        prepareToNote(program, i + 1, next, ++stamp_);
+        program.set(10, i)
+            .set(11, std::uint32_t(generation + i))
+            .set(13, std::uint32_t(std::size_t(now_) * planeWords_))
+            .set(14, std::uint32_t(std::size_t(next) * planeWords_));
+        program.dispatchIndirect(steps_, std::size_t(i) * sizeof(Step), gl::Barrier::Storage);
+        prepareToNote(note, i + 1, next, stamp_);
+        note.set(10, i).set(11, std::uint32_t(generation + i));
+        // Each expansion takes its tiles, and the newest voxels as texels, from the one before.
+        note.dispatchIndirect(steps_, std::size_t(i) * sizeof(Step), gl::Barrier::All);
+        now_ = next;
     }
-
-    table = steps_.read<Step>(table.size());
-    parentCount_ = table.back().parents.w;
-    std::vector<std::uint64_t> grown(std::size_t(steps), 0);
-    for (std::size_t i = 0; i < grown.size(); ++i) {
-        grown[i] = table[i].grown.x;
+    const auto table = steps_.read<Step>(std::size_t(steps) + 1);
+    carried_ = table.back().tiles.w;
+    carriedUnmade_ = table.back().unmade.w;
+    std::vector<std::uint64_t> grown;
+    for (int i = 0; i < steps; ++i) {
+        grown.push_back(table[std::size_t(i)].total());
     }
     return grown;
+}
+
+std::vector<std::uint64_t> Frontier::expand(SeedMap& seedMap, const Rules& rules, int generation, int steps) {
+    VS_CHECK(steps >= 1 && steps <= kMaxSteps);
+    const gl::Pass pass("expand region");
+    if (generation + steps - 1 > SeedMap::kLongest16) {
+        seedMap.widen();
+    }
+    if (!isValid_) {
+        clearNewest();
+    }
+    begin(steps);
+    if (isValid_) {
+        push(seedMap, added_, *rules.constraints);
+        added_.clear();
+    } else {
+        collect(seedMap, rules);
+        isValid_ = true;
+    }
+
+    gl::Program& allow =
+        allow_.prepare(*rules.field, *rules.constraints,
+                       rules.forbidden != nullptr ? gl::Defines{{"VS_FORBIDDEN", "1"}} : gl::Defines{});
+    allow.set(0, seedMap.dims()).set(1, seedMap.bricks().brickDims());
+    gl::Program& program = expand_.prepare(*rules.field, *rules.constraints, seedMap.widthDefines());
+    seedMap.bind(program);
+    allowed_.buffer().bindStorage(1);
+    allowed_.bindTexture(5);
+    if (rules.forbidden != nullptr) {
+        rules.forbidden->bindStorage(7);
+    }
+    return run(seedMap, program, &allow, *rules.constraints, generation, steps);
+}
+
+int Frontier::flood(const SeedMap& seedMap, const Rules& rules, std::span<const std::uint32_t> seeds,
+                    const gl::TexelBuffer& region, const gl::Buffer& reached, int steps) {
+    const gl::Pass pass("flood region");
+    invalidate();
+    clearNewest();
+    const int atOnce = std::min(kMaxSteps, std::max(steps, 1));
+    begin(atOnce);
+    region.buffer().bindStorage(1);
+    push(seedMap, seeds, *rules.constraints, Into::NewestWithin);
+    reached.bindStorage(2); // and once more, into the set itself; the tiles are noted already
+    push(seedMap, seeds, *rules.constraints, Into::PlaneWithin);
+    newest_.buffer().bindStorage(2);
+
+    gl::Program& program = expand_.prepare(*rules.field, *rules.constraints, {{"VS_FLOOD", "1"}});
+    int found = 0;
+    for (bool goesOn = steps > 0; goesOn;) {
+        const int batch = std::min(atOnce, steps - found);
+        seedMap.bind(program);
+        reached.bindStorage(0);
+        region.bindTexture(5);
+        for (const std::uint64_t voxels : run(seedMap, program, nullptr, *rules.constraints, 0, batch)) {
+            found += voxels > 0 ? 1 : 0;
+            goesOn = voxels > 0;
+        }
+        goesOn = goesOn && found < steps;
+        if (goesOn) {
+            begin(std::min(atOnce, steps - found));
+        }
+    }
+    carried_ = std::max(carried_, 1U); // the planes are not clean
+    clearNewest();
+    forgetRules(); // tiles that the seeds lie in count as made
+    return found;
 }
 
 } // namespace vs::segment

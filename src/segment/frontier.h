@@ -3,61 +3,88 @@
 
 #include "gl/buffer.h"
 #include "gl/program.h"
-#include "gl/texture.h"
-#include "segment/brick_table.h"
+#include "gl/texel_buffer.h"
 #include "segment/constraints.h"
+#include "segment/seed_map.h"
 
-#include <array>
 #include <cstdint>
 #include <span>
 #include <vector>
 
 namespace vs::segment {
 
-// Expands a region by whole generations on the device. Beside the seed map it keeps one bit a voxel (in words
-// of 4 x 4 x 2 voxels) for what is decided, what is newest and what is on offer, and lists of the words at
-// work; the lists have room for every word, so no frontier is too large for them. All of it can be made anew
-// from the seed map. Internal to this folder.
+// Expands a set of voxels by whole generations on the device, 32 voxels at a time: only tiles of 32 x 8 x 8
+// voxels that something may happen in are looked at, and a voxel's value only when the set first comes near
+// its row. Beside the seed map it keeps three bits a voxel: which voxels the rules let in, and the newest of
+// two generations. All of it can be made anew from the seed map. Internal to this folder.
 class Frontier {
 public:
     // At most this many expansions in one submission.
     static constexpr int kMaxSteps = 128;
 
-    // Throws GlError when there are more voxels than its lists can name, or no room on the device.
-    explicit Frontier(glm::ivec3 dims);
+    // Throws GlError when there is no room on the device.
+    explicit Frontier(const SeedMap& seedMap);
 
-    // The rules or the seed map have changed: the next expansion tries the neighbours of every grown voxel
-    // again.
+    // What a run's expansions go by.
+    struct Rules {
+        const field::Field* field = nullptr;
+        const Constraints* constraints = nullptr;
+        const gl::Buffer* forbidden = nullptr; // a plane of voxels that may not be entered; null: none
+        Owner owner;
+        int frozen = 0; // generations up to this one do not grow any more
+    };
+
+    // The rules have changed: voxels that were refused are tested again.
+    void forgetRules();
+    // The seed map has changed: the next expansion tries the neighbours of every grown voxel.
     void invalidate();
     // Voxels (linear indices) that were given the newest generation.
     void add(std::span<const std::uint32_t> voxels);
 
     // Tries `steps` (at most kMaxSteps) expansions; the first gives `generation`. Returns the voxels grown by
     // each.
-    std::vector<std::uint64_t> expand(gl::Texture& seedMap, BrickTable& bricks, const field::Field& field,
-                                      const Constraints& constraints, int generation, int steps);
+    std::vector<std::uint64_t> expand(SeedMap& seedMap, const Rules& rules, int generation, int steps);
+
+    // Spreads a set through a region, both planes of bits: from `seeds`, which become part of it, by at most
+    // so many expansions. Only the connectivity and the rules for pairs of the constraints count. Returns how
+    // many expansions found something. Invalidates.
+    int flood(const SeedMap& seedMap, const Rules& rules, std::span<const std::uint32_t> seeds,
+              const gl::TexelBuffer& region, const gl::Buffer& reached, int steps);
 
 private:
-    void collect(const gl::Texture& seedMap, const BrickTable& bricks);
-    void pushAdded();
+    struct Step;
 
-    glm::ivec3 dims_;
-    glm::ivec3 wordDims_;
-    gl::Buffer decided_;
-    gl::Buffer frontier_;
-    gl::Buffer offers_;
-    gl::Buffer parents_;
-    gl::Buffer candidates_;
+    void clearNewest();
+    void collect(SeedMap& seedMap, const Rules& rules);
+    // Into the newest; into the newest or a plane in storage 2, but only what lies in the plane in storage 1.
+    enum class Into { Newest, NewestWithin, PlaneWithin };
+    void push(const SeedMap& seedMap, std::span<const std::uint32_t> voxels, const Constraints& constraints,
+              Into into = Into::Newest);
+    void prepareToNote(gl::Program& program, int step, int list, std::uint32_t stamp) const;
+    void begin(int steps);
+    std::vector<std::uint64_t> run(const SeedMap& seedMap, gl::Program& program, gl::Program* allow,
+                                   const Constraints& constraints, int generation, int steps);
+
+    std::uint32_t tileCount_;
+    std::size_t planeWords_;
+    gl::TexelBuffer allowed_;
+    gl::TexelBuffer newest_; // two planes
+    gl::Buffer work_;        // see shaders/active_tiles.glsl
     gl::Buffer steps_;
-    gl::Buffer list_; // brick or voxel indices on their way to the device
+    gl::Buffer list_; // voxel numbers on their way to the device
     std::vector<std::uint32_t> added_;
-    std::uint32_t parentCount_ = 0;
+    std::uint32_t rulesNumber_ = 1;
+    std::uint32_t stamp_ = 0;   // of the last expansion
+    int now_ = 0;               // which plane holds the newest voxels, and which list their tiles
+    std::uint32_t carried_ = 0; // tiles in it
+    std::uint32_t carriedUnmade_ = 0;
     bool isValid_ = false;
 
-    gl::Program collectGrown_;
-    gl::Program pushSeeds_;
-    std::array<gl::Program, 2> spread_; // by connectivity, compiled when first needed
-    std::array<gl::Program, 2> commit_; // without and with a fence
+    ConstrainedProgram allow_{"segment/shaders/allow_tiles.comp"};
+    ConstrainedProgram expand_{"segment/shaders/expand_tiles.comp"};
+    gl::ProgramVariants collect_{"segment/shaders/collect_boundary.comp"};
+    gl::ProgramVariants push_{"segment/shaders/push_voxels.comp"};
+    gl::ProgramVariants note_{"segment/shaders/note_tiles.comp"};
 };
 
 } // namespace vs::segment

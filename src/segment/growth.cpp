@@ -13,16 +13,22 @@ namespace vs::segment {
 
 namespace {
 
-constexpr int kGroupsPerBrick = 16;
-constexpr std::size_t kMaxGroups = 65535;
+constexpr int kNever = std::numeric_limits<int>::max();
+
+// What shaders/test_seeds.comp answers.
+enum Answer : std::uint32_t { Refused, Present, Admitted, AdmittedAgain };
 
 } // namespace
 
 Growth::Growth(const field::Field& field)
-    : field_(&field), seedMap_(field.geometry.dims, gl::Format::R32UI, gl::Filter::Nearest, "seed map"),
-      bricks_(field.geometry.dims), frontier_(field.geometry.dims), list_(4, "growth voxels"),
-      answers_(4, "seed answers"), storeGeneration_("segment/shaders/store_generation.comp"),
-      eraseGenerations_("segment/shaders/erase_generations.comp") {}
+    : field_(&field), seedMap_(field.geometry.dims), frontier_(seedMap_), answers_(4, "seed answers"),
+      kinds_(4, "kinds of segments") {}
+
+Frontier::Rules Growth::rules() const {
+    return {field_, &state_.constraints, forbidden_ ? &forbidden_ : nullptr, owner_, state_.frozen};
+}
+
+// --- rules
 
 void Growth::setConstraints(const Constraints& constraints, GrowthUndo* undo) {
     if (undo != nullptr) {
@@ -30,13 +36,65 @@ void Growth::setConstraints(const Constraints& constraints, GrowthUndo* undo) {
     }
     if (constraints != state_.constraints) {
         truncate(state_.playhead, undo);
+        const bool isWider = includes(constraints, state_.constraints);
         state_.constraints = constraints;
+        frontier_.forgetRules();
+        if (state_.isLive && !(state_.isConsistent && isWider)) {
+            retract(undo);
+        }
+        state_.isConsistent = state_.isLive || state_.extent == 0 || (state_.isConsistent && isWider);
         state_.isFinished = false;
-        frontier_.invalidate();
+        reinstateSeeds(undo);
     }
     if (undo != nullptr) {
         undo->end(*this);
     }
+}
+
+void Growth::setLive(bool isLive, GrowthUndo* undo) {
+    if (undo != nullptr) {
+        undo->begin(*this);
+    }
+    state_.isLive = isLive;
+    if (undo != nullptr) {
+        undo->end(*this);
+    }
+}
+
+// --- seeds
+
+std::vector<std::uint32_t> Growth::voxelsInGrid(std::span<const glm::ivec3> voxels) const {
+    std::vector<std::uint32_t> indices;
+    for (const glm::ivec3 v : voxels) {
+        if (glm::all(glm::greaterThanEqual(v, glm::ivec3(0))) &&
+            glm::all(glm::lessThan(v, field_->geometry.dims))) {
+            indices.push_back(seedMap_.indexOf(v));
+        }
+    }
+    return indices;
+}
+
+std::vector<std::uint32_t> Growth::testSeeds(const std::vector<std::uint32_t>& voxels) {
+    gl::Defines defines = seedMap_.widthDefines();
+    if (forbidden_) {
+        defines.emplace_back("VS_FORBIDDEN", "1");
+    }
+    gl::Program& test = testSeeds_.prepare(*field_, state_.constraints, defines);
+    answers_.reserve(voxels.size() * sizeof(std::uint32_t));
+    seedMap_.bind(test);
+    seedMap_.bindOwner(test, owner_);
+    seedMap_.bindList(voxels);
+    answers_.bindStorage(1);
+    if (forbidden_) {
+        forbidden_.bindStorage(2);
+    }
+    test.set(9, int(voxels.size())).set(10, std::uint32_t(state_.playhead));
+    test.dispatchOverList(voxels.size(), gl::Barrier::Storage);
+    return answers_.read<std::uint32_t>(voxels.size());
+}
+
+int Growth::enteringGeneration() const {
+    return std::max({1, state_.playhead, std::min(state_.frozen, state_.playhead) + 1});
 }
 
 SeedCounts Growth::addSeeds(std::span<const glm::ivec3> seeds, GrowthUndo* undo) {
@@ -44,67 +102,58 @@ SeedCounts Growth::addSeeds(std::span<const glm::ivec3> seeds, GrowthUndo* undo)
     if (undo != nullptr) {
         undo->begin(*this);
     }
-    const glm::ivec3 dims = field_->geometry.dims;
-    std::vector<std::uint32_t> voxels;
+    std::vector<std::uint32_t> voxels = voxelsInGrid(seeds);
     SeedCounts counts;
-    for (const glm::ivec3 seed : seeds) {
-        if (glm::all(glm::greaterThanEqual(seed, glm::ivec3(0))) && glm::all(glm::lessThan(seed, dims))) {
-            voxels.push_back((std::uint32_t(seed.z) * std::uint32_t(dims.y) + std::uint32_t(seed.y)) *
-                                 std::uint32_t(dims.x) +
-                             std::uint32_t(seed.x));
-        } else {
-            ++counts.refused;
-        }
-    }
+    counts.refused = int(seeds.size() - voxels.size());
     const std::size_t offered = voxels.size();
     std::sort(voxels.begin(), voxels.end());
     voxels.erase(std::unique(voxels.begin(), voxels.end()), voxels.end());
     counts.present = int(offered - voxels.size());
 
-    gl::Program& test = testSeeds_[state_.constraints.hasFence() ? 1 : 0];
-    if (!test) {
-        test = constrainedProgram("segment/shaders/test_seeds.comp", state_.constraints.hasFence());
-    }
-    list_.reserve(voxels.size() * sizeof(std::uint32_t));
-    list_.write(std::span<const std::uint32_t>(voxels));
-    answers_.reserve(voxels.size() * sizeof(std::uint32_t));
-    list_.bindStorage(0);
-    answers_.bindStorage(1);
-    bindConstraints(test, *field_, state_.constraints);
-    seedMap_.bindTexture(2);
-    test.set(0, int(voxels.size())).set(1, state_.playhead);
-    test.dispatchOverList(voxels.size(), gl::Barrier::Storage);
-    const auto answers = answers_.read<std::uint32_t>(voxels.size());
+    const auto answers = testSeeds(voxels);
     std::vector<std::uint32_t> added;
+    std::vector<std::uint32_t> allowedAgain;
     for (std::size_t i = 0; i < voxels.size(); ++i) {
-        if (answers[i] == 2) {
+        if (answers[i] >= Admitted) {
             added.push_back(voxels[i]);
+            if (answers[i] == AdmittedAgain) {
+                allowedAgain.push_back(voxels[i]);
+            }
         } else {
-            ++(answers[i] == 1 ? counts.present : counts.refused);
+            ++(answers[i] == Present ? counts.present : counts.refused);
         }
     }
     counts.added = int(added.size());
     if (!added.empty()) {
         truncate(state_.playhead, undo);
+        if (!allowedAgain.empty()) {
+            passes_.setBits(seedMap_, forbidden_, allowedAgain, false);
+        }
         enterSeeds(added);
+        auto remembered = *state_.seeds;
+        for (const std::uint32_t voxel : voxels) {
+            remembered.push_back({voxel, state_.extent});
+        }
+        state_.seeds = std::make_shared<const std::vector<Seed>>(std::move(remembered));
     }
     if (undo != nullptr) {
         undo->addedSeeds_ = std::move(added);
+        undo->allowedAgain_ = std::move(allowedAgain);
         undo->end(*this);
     }
     return counts;
 }
 
 void Growth::enterSeeds(std::span<const std::uint32_t> voxels) {
-    const int generation = std::max(1, state_.playhead);
-    storeGeneration(voxels, generation);
+    const int generation = enteringGeneration();
+    seedMap_.store(voxels, generation);
     std::vector<std::uint32_t> touched;
     for (const std::uint32_t voxel : voxels) {
-        bricks_.add(voxelAt(voxel), generation);
-        touched.push_back(bricks_.brickOf(voxelAt(voxel)));
+        seedMap_.bricks().add(seedMap_.voxelAt(voxel), generation);
+        touched.push_back(seedMap_.bricks().brickOf(seedMap_.voxelAt(voxel)));
     }
-    bricks_.upload();
-    bricks_.markChanged(touched);
+    seedMap_.bricks().upload();
+    seedMap_.bricks().markChanged(touched);
     frontier_.add(voxels);
     state_.voxels.resize(std::size_t(generation));
     state_.voxels.back() += voxels.size();
@@ -113,10 +162,31 @@ void Growth::enterSeeds(std::span<const std::uint32_t> voxels) {
     state_.isFinished = false;
 }
 
-glm::ivec3 Growth::voxelAt(std::uint32_t index) const {
-    const glm::uvec3 dims(field_->geometry.dims);
-    return {int(index % dims.x), int(index / dims.x % dims.y), int(index / (dims.x * dims.y))};
+// Seeds that the rules refused, or that were retracted, enter at the playhead where the present ones let them
+// in.
+void Growth::reinstateSeeds(GrowthUndo* undo) {
+    std::vector<std::uint32_t> voxels;
+    for (const Seed& seed : *state_.seeds) {
+        voxels.push_back(seed.voxel);
+    }
+    std::sort(voxels.begin(), voxels.end());
+    voxels.erase(std::unique(voxels.begin(), voxels.end()), voxels.end());
+    const auto answers = testSeeds(voxels);
+    std::vector<std::uint32_t> entering;
+    for (std::size_t i = 0; i < voxels.size(); ++i) {
+        if (answers[i] == Admitted) { // what was absorbed must be seeded anew
+            entering.push_back(voxels[i]);
+        }
+    }
+    if (!entering.empty()) {
+        enterSeeds(entering);
+        if (undo != nullptr) {
+            undo->addedSeeds_ = std::move(entering);
+        }
+    }
 }
+
+// --- playback
 
 int Growth::advance(int generations, GrowthUndo* undo) {
     return advanceFor(std::numeric_limits<double>::infinity(), generations, undo);
@@ -153,17 +223,21 @@ int Growth::reveal(int generations) {
 }
 
 int Growth::compute(int generations) {
-    const auto grown =
-        frontier_.expand(seedMap_, bricks_, *field_, state_.constraints, state_.extent + 1, generations);
+    const int steps = std::min(generations, SeedMap::kLongest - state_.extent);
+    if (steps <= 0) {
+        state_.isFinished = true;
+        return 0;
+    }
+    const auto grown = frontier_.expand(seedMap_, rules(), state_.extent + 1, steps);
     int added = 0;
-    while (added < generations && grown[std::size_t(added)] > 0) {
+    while (added < steps && grown[std::size_t(added)] > 0) {
         ++added;
     }
     state_.voxels.insert(state_.voxels.end(), grown.begin(), grown.begin() + added);
     state_.extent += added;
-    state_.isFinished = added < generations;
+    state_.isFinished = added < steps;
     if (added > 0) {
-        bricks_.download();
+        seedMap_.bricks().download();
     }
     movePlayhead(state_.extent);
     return added;
@@ -186,62 +260,59 @@ void Growth::setPlayhead(int generation, GrowthUndo* undo) {
 }
 
 void Growth::movePlayhead(int generation) {
-    bricks_.markChanged(
-        bricks_.holding(std::min(generation, state_.playhead), std::max(generation, state_.playhead)));
+    BrickTable& bricks = seedMap_.bricks();
+    bricks.markChanged(
+        bricks.holding(std::min(generation, state_.playhead), std::max(generation, state_.playhead)));
     state_.playhead = generation;
 }
 
-void Growth::reset(GrowthUndo* undo) {
-    if (undo != nullptr) {
-        undo->begin(*this);
-    }
-    movePlayhead(0);
-    truncate(0, undo);
-    if (undo != nullptr) {
-        undo->end(*this);
-    }
-}
+// --- erasing
 
 void Growth::truncate(int last, GrowthUndo* undo) {
     if (last >= state_.extent) {
         return;
     }
     if (undo != nullptr) {
-        undo->save(*this, last);
+        undo->save(*this, passes_.holding(seedMap_, owner_, {last, nullptr, true},
+                                          seedMap_.bricks().holding(last, kNever)));
     }
     eraseAfter(last);
     state_.extent = last;
+    state_.frozen = std::min(state_.frozen, last);
     state_.voxels.resize(std::size_t(last));
     state_.isFinished = false;
+    state_.isConsistent = last == 0; // what stays may have been reached by what went
+    auto seeds = *state_.seeds;
+    std::erase_if(seeds, [&](const Seed& seed) { return seed.generation > last; });
+    state_.seeds = std::make_shared<const std::vector<Seed>>(std::move(seeds));
 }
 
 void Growth::eraseAfter(int last) {
     const gl::Pass pass("erase generations");
-    const auto bricks = bricks_.holding(last, std::numeric_limits<int>::max());
-    list_.reserve(bricks.size() * sizeof(std::uint32_t));
-    list_.write(std::span<const std::uint32_t>(bricks));
-    list_.bindStorage(0);
-    seedMap_.bindImage(0, gl::Access::ReadWrite);
-    eraseGenerations_.set(0, bricks_.brickDims()).set(1, last);
-    for (std::size_t first = 0; first < bricks.size(); first += kMaxGroups) {
-        eraseGenerations_.set(2, int(first));
-        const int rows = int(std::min(kMaxGroups, bricks.size() - first));
-        // Read next by whatever comes: downloads, scans, the smoothing.
-        eraseGenerations_.dispatch({kGroupsPerBrick, rows, 1}, gl::Barrier::All);
-    }
-    bricks_.truncate(last);
-    bricks_.upload();
+    BrickTable& bricks = seedMap_.bricks();
+    passes_.erase(seedMap_, owner_, {last, nullptr, true}, bricks.holding(last, kNever), 0);
+    bricks.truncate(last);
+    bricks.upload();
     frontier_.invalidate();
 }
 
-void Growth::storeGeneration(std::span<const std::uint32_t> voxels, int generation) {
-    list_.reserve(voxels.size() * sizeof(std::uint32_t));
-    list_.write(voxels);
-    list_.bindStorage(0);
-    seedMap_.bindImage(0, gl::Access::Write);
-    storeGeneration_.set(0, int(voxels.size())).set(1, generation);
-    storeGeneration_.dispatchOverList(voxels.size(), gl::Barrier::All);
+void Growth::reset(GrowthUndo* undo) {
+    if (undo != nullptr) {
+        undo->begin(*this);
+        undo->keepForbidden(*this);
+    }
+    movePlayhead(0);
+    truncate(0, undo);
+    state_.seeds = std::make_shared<const std::vector<Seed>>();
+    state_.isConsistent = true;
+    forbidden_ = {};
+    frontier_.forgetRules();
+    if (undo != nullptr) {
+        undo->end(*this);
+    }
 }
+
+// --- asking
 
 std::uint64_t Growth::voxelCount() const {
     return std::accumulate(state_.voxels.begin(), state_.voxels.begin() + state_.playhead, std::uint64_t(0));
@@ -249,36 +320,40 @@ std::uint64_t Growth::voxelCount() const {
 
 Box3 Growth::touchedBox() const {
     Box3 box;
-    for (const std::uint32_t brick : bricks_.holding(0, std::numeric_limits<int>::max())) {
-        box = unite(box, bricks_.box(brick));
+    for (const std::uint32_t brick : seedMap_.bricks().touched()) {
+        box = unite(box, seedMap_.bricks().box(brick));
     }
     return box;
 }
 
-std::vector<std::uint32_t> Growth::generations(bool upToPlayhead) const {
-    auto values = seedMap_.downloadAll<std::uint32_t>();
-    if (upToPlayhead) {
-        std::replace_if(
-            values.begin(), values.end(), [&](std::uint32_t g) { return g > std::uint32_t(state_.playhead); },
-            0U);
-    }
-    return values;
+void Growth::show(const gl::Buffer& plane, const std::vector<std::uint32_t>& bricks,
+                  std::span<const std::uint32_t> kinds, std::uint32_t wanted) const {
+    gl::Program& show = show_.with(seedMap_.widthDefines());
+    kinds_.reserve(kinds.size_bytes());
+    kinds_.write(kinds);
+    seedMap_.bind(show);
+    seedMap_.bindOwner(show, owner_);
+    kinds_.bindStorage(1);
+    plane.bindStorage(2);
+    show.set(10, std::uint32_t(state_.playhead))
+        .set(11, state_.playhead < state_.extent ? 1 : 0)
+        .set(12, wanted);
+    seedMap_.dispatchOverBricks(show, bricks, gl::Barrier::Storage);
 }
 
-std::vector<std::uint8_t> Growth::labels() const {
+std::vector<std::uint32_t> Growth::generations(bool upToPlayhead) const {
     const glm::ivec3 dims = field_->geometry.dims;
-    const std::size_t slice = std::size_t(dims.x) * std::size_t(dims.y);
-    std::vector<std::uint8_t> labels(slice * std::size_t(dims.z), 0);
-    // Slice by slice over what was touched, so that no second copy of the whole seed map is made.
-    const Box3 box = touchedBox();
-    for (int z = box.lo.z; z < box.hi.z; ++z) {
-        const auto bytes = seedMap_.download({{0, 0, z}, {dims.x, dims.y, z + 1}});
-        const auto* values = reinterpret_cast<const std::uint32_t*>(bytes.data());
-        std::transform(
-            values, values + slice, labels.begin() + std::ptrdiff_t(slice * std::size_t(z)),
-            [&](std::uint32_t g) { return g != 0 && g <= std::uint32_t(state_.playhead) ? 1 : 0; });
+    auto values = seedMap_.downloadGenerations({glm::ivec3(0), dims});
+    const auto last = std::uint32_t(upToPlayhead ? state_.playhead : state_.extent);
+    std::replace_if(
+        values.begin(), values.end(), [&](std::uint32_t g) { return g > last; }, 0U);
+    if (owner_.hasOthers) {
+        syncLabels();
+        const auto labels = seedMap_.labels().downloadAll<std::uint8_t>();
+        std::transform(values.begin(), values.end(), labels.begin(), values.begin(),
+                       [&](std::uint32_t g, std::uint8_t label) { return label == owner_.label ? g : 0; });
     }
-    return labels;
+    return values;
 }
 
 } // namespace vs::segment

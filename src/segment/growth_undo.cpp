@@ -6,7 +6,6 @@
 #include <zstd.h>
 
 #include <algorithm>
-#include <limits>
 
 namespace vs::segment {
 
@@ -33,56 +32,82 @@ std::vector<std::byte> decompress(const std::vector<std::byte>& compressed, std:
 } // namespace
 
 void GrowthUndo::begin(const Growth& growth) {
+    *this = {};
     before_ = growth.state_;
-    addedSeeds_.clear();
-    saved_.clear();
+    labelBefore_ = growth.owner_.label;
 }
 
-void GrowthUndo::save(const Growth& growth, int last) {
-    for (const std::uint32_t brick : growth.bricks_.holding(last, std::numeric_limits<int>::max())) {
-        const auto bytes = growth.seedMap_.download(growth.bricks_.box(brick));
-        const auto* values = reinterpret_cast<const std::uint32_t*>(bytes.data());
-        const bool loses = std::any_of(values, values + bytes.size() / sizeof(std::uint32_t),
-                                       [&](std::uint32_t g) { return g > std::uint32_t(last); });
-        // A brick that loses nothing may still have too wide a span, which is harmless.
-        if (loses) {
-            saved_.push_back({brick, growth.bricks_.span(brick), compress(bytes)});
-        }
+void GrowthUndo::save(const Growth& growth, const std::vector<std::uint32_t>& bricks) {
+    for (const std::uint32_t brick : bricks) {
+        const auto bytes = growth.seedMap_.saveBrick(brick);
+        saved_.push_back({brick, growth.seedMap_.bricks().span(brick), bytes.size(), compress(bytes)});
     }
+}
+
+void GrowthUndo::keepForbidden(const Growth& growth) {
+    changesForbidden_ = true;
+    if (growth.forbidden_) {
+        forbidden_ = compress(growth.forbidden_.read<std::byte>(growth.seedMap_.planeBytes()));
+    }
+}
+
+void GrowthUndo::end(const Growth& growth) {
+    extentAfter_ = growth.extent();
+    labelAfter_ = growth.owner_.label;
 }
 
 void GrowthUndo::undo(Growth& growth) const {
     VS_CHECK_EQ(growth.extent(), extentAfter_);
-    // First what the call added: hidden, then erased.
-    const int last = std::min(before_.extent, extentAfter_);
-    growth.movePlayhead(std::min({growth.playhead(), before_.playhead, last}));
-    if (extentAfter_ > last) {
-        growth.eraseAfter(last);
-    }
-    if (!addedSeeds_.empty() && last > 0) {
-        growth.storeGeneration(addedSeeds_, 0);
-        std::vector<std::uint32_t> touched;
-        for (const std::uint32_t voxel : addedSeeds_) {
-            touched.push_back(growth.bricks_.brickOf(growth.voxelAt(voxel)));
+    VS_CHECK_EQ(int(growth.owner_.label), int(labelAfter_));
+    SeedMap& seedMap = growth.seedMap_;
+    BrickTable& bricks = seedMap.bricks();
+    if (labelBefore_ != labelAfter_) {
+        growth.exchangeRun(labelBefore_);
+    } else {
+        // First what the call added: hidden, then erased.
+        const int last = std::min(before_.extent, extentAfter_);
+        growth.movePlayhead(std::min({growth.playhead(), before_.playhead, last}));
+        if (extentAfter_ > last) {
+            growth.eraseAfter(last);
         }
-        growth.bricks_.markChanged(touched);
+        if (!addedSeeds_.empty()) {
+            seedMap.store(addedSeeds_, 0);
+            std::vector<std::uint32_t> touched;
+            for (const std::uint32_t voxel : addedSeeds_) {
+                touched.push_back(bricks.brickOf(seedMap.voxelAt(voxel)));
+            }
+            bricks.markChanged(touched);
+        }
+        if (!allowedAgain_.empty()) {
+            growth.passes_.setBits(seedMap, growth.forbidden_, allowedAgain_, true);
+        }
     }
-    // Then what it erased. The saved bricks are whole, so order among them does not matter.
-    for (const SavedBrick& saved : saved_) {
-        const Box3 box = growth.bricks_.box(saved.brick);
-        growth.seedMap_.upload(box, decompress(saved.compressed, box.volume() * sizeof(std::uint32_t)));
-        growth.bricks_.setSpan(saved.brick, saved.span);
+    // Then what it erased; bricks that were changed twice are last as they were first.
+    std::vector<std::uint32_t> restored;
+    for (auto saved = saved_.rbegin(); saved != saved_.rend(); ++saved) {
+        seedMap.restoreBrick(saved->brick, decompress(saved->compressed, saved->size));
+        bricks.setSpan(saved->brick, saved->span);
+        restored.push_back(saved->brick);
     }
-    growth.bricks_.upload();
+    bricks.upload();
+    bricks.markChanged(restored);
+    if (changesForbidden_) {
+        growth.forbidden_ = {};
+        if (!forbidden_.empty()) {
+            growth.forbidden_ = gl::Buffer(seedMap.planeBytes(), "forbidden voxels");
+            growth.forbidden_.write(std::span<const std::byte>(decompress(forbidden_, seedMap.planeBytes())));
+        }
+    }
     growth.state_.extent = before_.extent;
     growth.movePlayhead(before_.playhead);
     growth.state_ = before_;
-    growth.frontier_.invalidate();
+    growth.frontier_.forgetRules();
 }
 
 std::size_t GrowthUndo::bytes() const {
-    std::size_t total = sizeof(*this) + addedSeeds_.size() * sizeof(std::uint32_t) +
-                        before_.voxels.size() * sizeof(std::uint64_t) + saved_.size() * sizeof(SavedBrick);
+    std::size_t total = sizeof(*this) + (addedSeeds_.size() + allowedAgain_.size()) * sizeof(std::uint32_t) +
+                        before_.voxels.size() * sizeof(std::uint64_t) + saved_.size() * sizeof(SavedBrick) +
+                        forbidden_.size();
     for (const SavedBrick& saved : saved_) {
         total += saved.compressed.size();
     }

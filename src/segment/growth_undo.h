@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace vs::segment {
@@ -31,18 +32,27 @@ private:
     struct SavedBrick {
         std::uint32_t brick = 0;
         GenerationSpan span;
+        std::size_t size = 0; // uncompressed
         std::vector<std::byte> compressed;
     };
 
     void begin(const Growth& growth);
-    // Saves the bricks that hold generations after `last`, as they are.
-    void save(const Growth& growth, int last);
-    void end(const Growth& growth) { extentAfter_ = growth.extent(); }
+    // Saves bricks as they are.
+    void save(const Growth& growth, const std::vector<std::uint32_t>& bricks);
+    // Saves what is forbidden.
+    void keepForbidden(const Growth& growth);
+    void end(const Growth& growth);
 
+    std::uint8_t labelBefore_ = 0;
+    std::uint8_t labelAfter_ = 0;
     GrowthState before_;
     int extentAfter_ = 0;
     std::vector<std::uint32_t> addedSeeds_;
-    std::vector<SavedBrick> saved_;
+    std::vector<std::uint32_t> allowedAgain_; // those of them that were forbidden
+    std::vector<SavedBrick> saved_;           // in the order in which they were changed
+    // Whether the call changed what is forbidden, and the plane before it (compressed; empty: nothing was).
+    bool changesForbidden_ = false;
+    std::vector<std::byte> forbidden_;
 };
 
 } // namespace vs::segment

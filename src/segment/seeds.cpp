@@ -16,10 +16,7 @@ std::vector<glm::ivec3> SeedFinder::find(const field::SurfacePoints& points, con
         return {};
     }
     const gl::Pass pass("find seeds");
-    gl::Program& program = programs_[constraints.hasFence() ? 1 : 0];
-    if (!program) {
-        program = constrainedProgram("segment/shaders/find_seeds.comp", constraints.hasFence());
-    }
+    gl::Program& program = find_.prepare(field, constraints);
     // At most half full, so that probing stays short.
     const std::size_t slots = std::bit_ceil(2 * count);
     table_.reserve(slots * sizeof(std::uint32_t));
@@ -30,7 +27,6 @@ std::vector<glm::ivec3> SeedFinder::find(const field::SurfacePoints& points, con
     points.points.bindStorage(0);
     table_.bindStorage(1);
     found_.bindStorage(2);
-    bindConstraints(program, field, constraints);
     program.set(0, int(count))
         .set(1, std::uint32_t(slots - 1))
         .set(2, glm::mat4(field.geometry.worldFromVoxel));

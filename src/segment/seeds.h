@@ -6,7 +6,6 @@
 #include "gl/program.h"
 #include "segment/constraints.h"
 
-#include <array>
 #include <vector>
 
 namespace vs::segment {
@@ -22,7 +21,7 @@ public:
                                  const Constraints& constraints);
 
 private:
-    std::array<gl::Program, 2> programs_; // without and with a fence, compiled when first needed
+    ConstrainedProgram find_{"segment/shaders/find_seeds.comp"};
     gl::Buffer table_;
     gl::Buffer found_;
 };

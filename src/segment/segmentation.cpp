@@ -21,6 +21,13 @@ constexpr double kRadiusSteps = 3.0;
 constexpr std::uint32_t kTilesAtOnce = 512;
 constexpr std::uint32_t kMaxGroups = 65535;
 
+// Of one bit a voxel, laid out as in shaders/words.glsl.
+std::size_t planeBytes(glm::ivec3 dims) {
+    const glm::ivec3 bricks = divideUp(dims, field::kBrick);
+    constexpr std::size_t brickBytes = 4096;
+    return (std::size_t(bricks.x) * std::size_t(bricks.y) * std::size_t(bricks.z) + 1) * brickBytes;
+}
+
 // The Gaussian at 0..3 voxels along an axis, normalised. The spacing is at least one step, so sigma is at
 // most a voxel and 3 voxels hold all of it that 16 bits show.
 glm::vec4 kernel(double stepMm, double spacingMm) {
@@ -37,7 +44,8 @@ glm::vec4 kernel(double stepMm, double spacingMm) {
 } // namespace
 
 Segmentation::Segmentation(const volume::GridGeometry& geometry)
-    : dims_(geometry.dims), tileDims_(divideUp(geometry.dims, kTile)),
+    : dims_(geometry.dims), brickDims_(divideUp(geometry.dims, field::kBrick)),
+      tileDims_(divideUp(geometry.dims, kTile)), shown_(planeBytes(geometry.dims), "shown voxels"),
       texels_(geometry.dims, gl::Format::R16, gl::Filter::Linear, "segmentation"),
       cells_(field::cellDims(geometry.dims), gl::Format::RG32F, gl::Filter::Nearest, "segmentation cells"),
       pending_(std::size_t(tileDims_.x) * std::size_t(tileDims_.y) * std::size_t(tileDims_.z), 0),
@@ -59,11 +67,19 @@ glm::ivec3 Segmentation::tileAt(std::uint32_t tile) const {
     return {i % tileDims_.x, i / tileDims_.x % tileDims_.y, i / (tileDims_.x * tileDims_.y)};
 }
 
-std::vector<std::uint32_t> Segmentation::candidateTiles(const Growth& growth) const {
+// Brings the plane of what is shown up to date; returns the tiles of the bricks in which it may have changed.
+std::vector<std::uint32_t> Segmentation::show(const Growth& growth) {
+    const auto bricks = growth.bricksChangedSince(seenRevision_);
+    seenRevision_ = growth.revision();
+    if (bricks.empty()) {
+        return {};
+    }
+    growth.show(shown_, bricks, std::vector<std::uint32_t>(256, 1), 1);
     std::vector<std::uint32_t> tiles;
-    for (const glm::ivec3 brick : growth.bricksChangedSince(seenRevision_)) {
-        const glm::ivec3 lo = brick * kTilesPerBrick;
-        const glm::ivec3 hi = glm::min(lo + kTilesPerBrick, tileDims_);
+    for (const std::uint32_t brick : bricks) {
+        const Box3 box = growth.seedMap().bricks().box(brick);
+        const glm::ivec3 lo = box.lo / kTile;
+        const glm::ivec3 hi = divideUp(box.hi, kTile);
         for (int z = lo.z; z < hi.z; ++z) {
             for (int y = lo.y; y < hi.y; ++y) {
                 for (int x = lo.x; x < hi.x; ++x) {
@@ -76,16 +92,16 @@ std::vector<std::uint32_t> Segmentation::candidateTiles(const Growth& growth) co
 }
 
 // Compares membership with what the volume holds, and notes in pending_ where changes reach.
-void Segmentation::findChanges(const Growth& growth, const std::vector<std::uint32_t>& tiles) {
+void Segmentation::findChanges(const std::vector<std::uint32_t>& tiles) {
     tiles_.reserve(tiles.size() * sizeof(std::uint32_t));
     tiles_.write(std::span<const std::uint32_t>(tiles));
     reach_.reserve(tiles.size() * sizeof(std::uint32_t));
     reach_.clear();
     tiles_.bindStorage(0);
     reach_.bindStorage(1);
-    growth.seedMap().bindTexture(0);
+    shown_.bindStorage(3);
     texels_.bindTexture(1);
-    findChanges_.set(0, dims_).set(1, tileDims_).set(2, growth.playhead());
+    findChanges_.set(0, dims_).set(1, brickDims_).set(2, tileDims_);
     for (std::uint32_t first = 0; first < tiles.size(); first += kMaxGroups) {
         findChanges_.set(3, int(first));
         findChanges_.dispatch({int(std::min<std::size_t>(kMaxGroups, tiles.size() - first)), 1, 1},
@@ -115,16 +131,12 @@ std::vector<std::uint32_t> Segmentation::tilesToSmooth() {
 }
 
 // Smooths tiles [first, first + count) of the list on the device.
-void Segmentation::smooth(const Growth& growth, std::uint32_t first, std::uint32_t count) {
-    growth.seedMap().bindTexture(0);
+void Segmentation::smooth(std::uint32_t first, std::uint32_t count) {
+    shown_.bindStorage(3);
     rows_.bindStorage(1);
     alongXY_.bindStorage(2);
     const auto prepare = [&](gl::Program& program, int axis) {
-        program.set(0, dims_)
-            .set(1, tileDims_)
-            .set(2, growth.playhead())
-            .set(3, int(first))
-            .set(4, weights_[axis]);
+        program.set(0, dims_).set(1, brickDims_).set(2, tileDims_).set(3, int(first)).set(4, weights_[axis]);
     };
     prepare(packRows_, 0);
     prepare(smoothXY_, 1);
@@ -139,11 +151,10 @@ void Segmentation::smooth(const Growth& growth, std::uint32_t first, std::uint32
 
 Box3 Segmentation::update(const Growth& growth, Smoothing smoothing) {
     const gl::Pass pass("update segmentation");
-    const auto candidates = candidateTiles(growth);
+    const auto candidates = show(growth);
     if (!candidates.empty()) {
-        findChanges(growth, candidates);
+        findChanges(candidates);
     }
-    seenRevision_ = growth.revision();
     std::vector<std::uint32_t> tiles;
     if (smoothing == Smoothing::Smooth) {
         tiles = tilesToSmooth();
@@ -167,18 +178,22 @@ Box3 Segmentation::update(const Growth& growth, Smoothing smoothing) {
     for (std::uint32_t first = 0; first < total; first += kTilesAtOnce) {
         const std::uint32_t count = std::min(kTilesAtOnce, total - first);
         if (smoothing == Smoothing::Smooth) {
-            smooth(growth, first, count);
+            smooth(first, count);
         } else {
-            growth.seedMap().bindTexture(0);
+            shown_.bindStorage(3);
             texels_.bindImage(0, gl::Access::Write);
-            writePlain_.set(0, dims_).set(1, tileDims_).set(2, growth.playhead()).set(3, int(first));
+            writePlain_.set(0, dims_).set(1, brickDims_).set(2, tileDims_).set(3, int(first));
             writePlain_.dispatchOver({kTile * kTile, int(count), 1}, gl::Barrier::Texture);
         }
     }
     texels_.bindTexture(1);
     cells_.bindImage(1, gl::Access::Write);
     for (std::uint32_t first = 0; first < total; first += kMaxGroups) {
-        summarize_.set(0, dims_).set(1, tileDims_).set(3, int(first)).set(5, cells_.size());
+        summarize_.set(0, dims_)
+            .set(1, brickDims_)
+            .set(2, tileDims_)
+            .set(3, int(first))
+            .set(5, cells_.size());
         summarize_.dispatch({1, int(std::min(kMaxGroups, total - first)), 1}, gl::Barrier::Texture);
     }
     return box;

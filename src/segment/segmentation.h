@@ -36,14 +36,16 @@ public:
     [[nodiscard]] std::uint64_t version() const { return version_; }
 
 private:
-    std::vector<std::uint32_t> candidateTiles(const Growth& growth) const;
-    void findChanges(const Growth& growth, const std::vector<std::uint32_t>& tiles);
+    std::vector<std::uint32_t> show(const Growth& growth);
+    void findChanges(const std::vector<std::uint32_t>& tiles);
     std::vector<std::uint32_t> tilesToSmooth();
-    void smooth(const Growth& growth, std::uint32_t first, std::uint32_t count);
+    void smooth(std::uint32_t first, std::uint32_t count);
     [[nodiscard]] glm::ivec3 tileAt(std::uint32_t tile) const;
 
     glm::ivec3 dims_;
+    glm::ivec3 brickDims_;
     glm::ivec3 tileDims_;
+    gl::Buffer shown_;     // one bit a voxel, laid out as in shaders/words.glsl
     glm::vec4 weights_[3]; // per axis: the kernel at 0, 1, 2 and 3 voxels
     gl::Texture texels_;
     gl::Texture cells_;

@@ -152,7 +152,8 @@ void KeepConnectedStroke::replay() {
                     op.voxel->x, op.voxel->y, op.voxel->z);
     }
     growth.advance(Region::kEndless);
-    cutter_->islands.cut(*cutter_->sculpture, frame_.scene, growth.seedMap(), backup_);
+    growth.syncLabels();
+    cutter_->islands.cut(*cutter_->sculpture, frame_.scene, growth.seedMap().labels(), backup_);
 }
 
 } // namespace vs::studio

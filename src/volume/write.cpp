@@ -100,6 +100,7 @@ template <typename T>
 constexpr itk::IOComponentEnum componentOf() {
     return std::is_same_v<T, float>          ? itk::IOComponentEnum::FLOAT
            : std::is_same_v<T, std::uint8_t> ? itk::IOComponentEnum::UCHAR
+           : std::is_same_v<T, std::int16_t> ? itk::IOComponentEnum::SHORT
                                              : itk::IOComponentEnum::UINT;
 }
 
@@ -224,6 +225,11 @@ void checkGridName(const std::filesystem::path& path) { formatOf(path); }
 
 void writeGrid(const std::filesystem::path& path, const GridGeometry& geometry,
                std::span<const std::uint8_t> values) {
+    writeTyped(path, geometry, values);
+}
+
+void writeGrid(const std::filesystem::path& path, const GridGeometry& geometry,
+               std::span<const std::int16_t> values) {
     writeTyped(path, geometry, values);
 }
 

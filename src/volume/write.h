@@ -18,6 +18,8 @@ void checkGridName(const std::filesystem::path& path);
 void writeGrid(const std::filesystem::path& path, const GridGeometry& geometry,
                std::span<const std::uint8_t> values);
 void writeGrid(const std::filesystem::path& path, const GridGeometry& geometry,
+               std::span<const std::int16_t> values);
+void writeGrid(const std::filesystem::path& path, const GridGeometry& geometry,
                std::span<const std::uint32_t> values);
 void writeGrid(const std::filesystem::path& path, const GridGeometry& geometry,
                std::span<const float> values);

@@ -97,9 +97,27 @@ class Commands(unittest.TestCase):
             self.assertIn("nothing to cut out", empty.stderr)
             self.assertEqual(call("sketch", picture, "--centre", "nowhere").returncode, 2)
 
+    def test_phantom_makes_labelled_volumes(self):
+        head, labels, again = (self.folder / name for name in ("head.nii", "labels.nii", "again.nii"))
+        result = call("phantom", "head", "-o", head, "--labels", labels, "--size", "54", "--noise", "3", "--bias", "20")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("45 x 54 x 45 voxels", result.stdout)
+        self.assertIn("5 white", result.stdout)
+        self.assertEqual(json.loads(call("info", labels, "--json").stdout)["range"], [0, 6])
+        call("phantom", "head", "-o", again, "--size", "45x54x45", "--noise", "3", "--bias", "20")
+        self.assertEqual(again.read_bytes(), head.read_bytes())
+        call("phantom", "head", "-o", again, "--size", "54", "--noise", "3", "--bias", "20", "--seed", "2")
+        self.assertNotEqual(again.read_bytes(), head.read_bytes())
+        body = self.folder / "body.nrrd"
+        self.assertEqual(call("phantom", "body", "-o", body, "--size", "40").returncode, 0)
+        self.assertIn("int16", call("info", body).stdout)
+        self.expect_error(2, ["size '4'"], "phantom", "head", "-o", head, "--size", "4")
+        self.expect_error(2, ["--bias 5", "CT"], "phantom", "body", "-o", body, "--bias", "5")
+        self.expect_error(2, ["KIND", "foot"], "phantom", "foot", "-o", body)
+
     def test_every_command_has_help(self):
-        for command in ([], ["info"], ["render"], ["run"], ["grow"], ["sweep"], ["devices"], ["compare"],
-                        ["histogram"], ["bench"]):
+        for command in ([], ["info"], ["render"], ["run"], ["grow"], ["sweep"], ["devices"], ["compare"], ["phantom"],
+                        ["histogram"], ["stats"], ["bench"]):
             result = call(*command, "--help")
             self.assertEqual(result.returncode, 0, command)
             self.assertIn("--help", result.stdout)

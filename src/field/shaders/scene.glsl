@@ -2,7 +2,8 @@
 // displacement, bricked storage) go in here and nowhere else.
 //
 // Spaces: voxel space has voxel centres at integers; texture space is (p + 0.5) / dims; world is LPS millimetres.
-// Bindings: uniform block 0; textures 0 data, 1 sculpture, 2 segmentation, with QUADS 6 (field::SceneBinding).
+// Bindings: uniform block 0; textures 0 data, 1 sculpture, 2 segmentation, 13 labels, with QUADS 6
+// (field::SceneBinding). ALL_SEGMENTS: translucent segments count as opaque ones do.
 
 layout(std140, binding = 0) uniform SceneBlock {
     mat4 worldFromVoxel;
@@ -16,7 +17,8 @@ layout(std140, binding = 0) uniform SceneBlock {
 
 layout(binding = 0) uniform sampler3D dataTexture;
 layout(binding = 1) uniform sampler3D sculptureTexture;
-layout(binding = 2) uniform sampler3D segmentationTexture;
+layout(binding = 2) uniform sampler3D segmentationTexture; // r opaque segments, g translucent ones
+layout(binding = 13) uniform usampler3D segmentLabels;     // or one texel for all voxels
 
 struct SceneSample {
     float value;        // in the volume's unit
@@ -47,7 +49,28 @@ float voxelValue(ivec3 v) {
 
 float sculptureAt(vec3 p) { return textureLod(sculptureTexture, textureFromVoxel(p), 0.0).r; }
 
-float segmentationAt(vec3 p) { return textureLod(segmentationTexture, textureFromVoxel(p), 0.0).r; }
+// How much p belongs to opaque segments (x) and to translucent ones (y); surfaces are at 0.5.
+vec2 membershipsAt(vec3 p) { return textureLod(segmentationTexture, textureFromVoxel(p), 0.0).rg; }
+
+#ifdef ALL_SEGMENTS
+float segmentationAt(vec3 p) {
+    vec2 memberships = membershipsAt(p);
+    return max(memberships.x, memberships.y);
+}
+#else
+float segmentationAt(vec3 p) { return membershipsAt(p).x; }
+#endif
+
+// >= 0 where the data may be seen beside translucent segments: about a voxel away from them. They rarely begin to the voxel
+// where the data would be seen, and a crust of it would hide them.
+float clearOfGlass(vec2 memberships) { return 0.16 - memberships.y; }
+
+float translucentAt(vec3 p) { return membershipsAt(p).y; }
+
+// The segment that a voxel belongs to, 0 none; of places outside the grid, that of the nearest voxel.
+uint segmentOf(ivec3 voxel) {
+    return texelFetch(segmentLabels, clamp(voxel, ivec3(0), textureSize(segmentLabels, 0) - 1), 0).r;
+}
 
 // How far a value is inside the displayed range.
 float insideRange(float value) { return min(value - range.x, range.y - value) + valueScale.w; }
@@ -101,4 +124,12 @@ vec3 segmentationGradient(vec3 p) {
     return worldGradient(0.5 * vec3(segmentationAt(vec3(after.x, p.yz)) - segmentationAt(vec3(before.x, p.yz)),
                                     segmentationAt(vec3(p.x, after.y, p.z)) - segmentationAt(vec3(p.x, before.y, p.z)),
                                     segmentationAt(vec3(p.xy, after.z)) - segmentationAt(vec3(p.xy, before.z))));
+}
+
+vec3 translucentGradient(vec3 p) {
+    vec3 before = placesBefore(p);
+    vec3 after = p + 1.0;
+    return worldGradient(0.5 * vec3(translucentAt(vec3(after.x, p.yz)) - translucentAt(vec3(before.x, p.yz)),
+                                    translucentAt(vec3(p.x, after.y, p.z)) - translucentAt(vec3(p.x, before.y, p.z)),
+                                    translucentAt(vec3(p.xy, after.z)) - translucentAt(vec3(p.xy, before.z))));
 }

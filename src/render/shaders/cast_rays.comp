@@ -2,10 +2,11 @@
 // MODE: 0 surface, 1 MIP, 2 X-ray, 3 overlay (segmentation as surface, the rest as X-ray), 4 segment (both as surface),
 // 5 volume (compositing). CONTENT and SCULPTED: see surface.glsl. TF_KIND: what the transfer function goes by that colours
 // all modes (classification.glsl); not defined: none does.
+// TRANSLUCENT: overlay and segment modes with translucent segments.
 // LIT: with ambient occlusion and soft shadows. PARTS: several parts in one picture, one dispatch each, the last one shows it.
 // In: the scene (field/shaders/scene.glsl), the view (rays.glsl). Out: image 0 (rgba32f) sum of display colours, and of
 // coverage: how much of the background they hide.
-// variants: MODE=0 CONTENT=0;MODE=0 CONTENT=0 SCULPTED=1;MODE=1 CONTENT=0;MODE=2 CONTENT=0 SCULPTED=1;MODE=3 CONTENT=1 SCULPTED=1;MODE=4 CONTENT=2;MODE=5 CONTENT=0 TF_KIND=0;MODE=5 CONTENT=0 SCULPTED=1 TF_KIND=2;MODE=0 CONTENT=0 TF_KIND=1;MODE=1 CONTENT=0 TF_KIND=0;MODE=2 CONTENT=0 TF_KIND=2;MODE=0 CONTENT=0 TRICUBIC=1;MODE=0 CONTENT=0 LIT=1;MODE=5 CONTENT=0 TF_KIND=0 LIT=1 PARTS=1;MODE=3 CONTENT=1 SCULPTED=1 PARTS=1;MODE=1 CONTENT=0 PARTS=1;MODE=0 CONTENT=0 QUADS=1;MODE=5 CONTENT=0 SCULPTED=1 TF_KIND=0 QUADS=1 TRICUBIC=1
+// variants: MODE=0 CONTENT=0;MODE=0 CONTENT=0 SCULPTED=1;MODE=1 CONTENT=0;MODE=2 CONTENT=0 SCULPTED=1;MODE=3 CONTENT=1 SCULPTED=1;MODE=4 CONTENT=2;MODE=3 CONTENT=1 SCULPTED=1 TRANSLUCENT=1 PARTS=1;MODE=4 CONTENT=2 TRANSLUCENT=1 LIT=1;MODE=5 CONTENT=0 TF_KIND=0;MODE=5 CONTENT=0 SCULPTED=1 TF_KIND=2;MODE=0 CONTENT=0 TF_KIND=1;MODE=1 CONTENT=0 TF_KIND=0;MODE=2 CONTENT=0 TF_KIND=2;MODE=0 CONTENT=0 TRICUBIC=1;MODE=0 CONTENT=0 LIT=1;MODE=5 CONTENT=0 TF_KIND=0 LIT=1 PARTS=1;MODE=3 CONTENT=1 SCULPTED=1 PARTS=1;MODE=1 CONTENT=0 PARTS=1;MODE=0 CONTENT=0 QUADS=1;MODE=5 CONTENT=0 SCULPTED=1 TF_KIND=0 QUADS=1 TRICUBIC=1
 layout(local_size_x = 64) in;
 
 #include "field/shaders/scene.glsl"
@@ -31,7 +32,9 @@ layout(local_size_x = 64) in;
 layout(binding = 8) uniform sampler2D beams; // where along its rays each square of pixels may show something
 
 layout(location = 3) uniform vec2 exposure;     // x: X-ray gain per diagonal; y: volume's diagonal in steps
-layout(location = 4) uniform vec3 segmentColour; // linear
+// 8, of a voxel. Loops over a number that the compiler does not know stay loops, which a software renderer leaves after one
+// turn where nothing was met.
+layout(location = 4) uniform int corners;
 layout(location = 5) uniform float sampleStep;   // steps between samples in MIP and X-ray
 layout(location = 6) uniform int beamShift;      // side of a beam's square: 1 << this; division is slow
 layout(location = 7) uniform vec4 backgroundTop; // display colour; w 1: there is none, and it is black
@@ -41,10 +44,20 @@ layout(location = 9) uniform ivec2 partOfPicture;      // which one this is, how
 layout(location = 10) uniform float partScale; // how large it is drawn
 layout(rgba32f, binding = 1) uniform image2D seenFront; // what the parts before this one show
 layout(rgba32f, binding = 2) uniform image2D seenBehind;
+#ifdef TRANSLUCENT
+layout(rgba32f, binding = 3) uniform image2D seenGlass;
+layout(r32f, binding = 4) uniform image2D seenGlassDepth;
+#endif
 #else
 const float partScale = 1.0;
 #endif
 
+#if MODE == 3 || MODE == 4
+#include "render/shaders/segments.glsl"
+#endif
+#ifdef TRANSLUCENT
+#include "render/shaders/glass.glsl"
+#endif
 #include "render/shaders/look.glsl"
 
 // Different for each pixel and sample, the same each time (interleaved gradient noise, Jimenez 2014).
@@ -66,11 +79,22 @@ void main() {
     Seen seen = look(ray, startJitter(pixel), partScale);
 #ifdef PARTS
     if (partOfPicture.x > 0) {
-        seen = together(Seen(imageLoad(seenFront, pixel), imageLoad(seenBehind, pixel)), seen);
+        Seen before;
+        before.front = imageLoad(seenFront, pixel);
+        before.behind = imageLoad(seenBehind, pixel);
+#ifdef TRANSLUCENT
+        before.glass = imageLoad(seenGlass, pixel);
+        before.glassDepth = imageLoad(seenGlassDepth, pixel).r;
+#endif
+        seen = together(before, seen);
     }
     if (partOfPicture.x + 1 < partOfPicture.y) {
         imageStore(seenFront, pixel, seen.front);
         imageStore(seenBehind, pixel, seen.behind);
+#ifdef TRANSLUCENT
+        imageStore(seenGlass, pixel, seen.glass);
+        imageStore(seenGlassDepth, pixel, vec4(seen.glassDepth));
+#endif
         return;
     }
 #endif

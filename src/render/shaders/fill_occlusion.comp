@@ -30,11 +30,11 @@ vec3 place(vec3 centre, int i) {
 ivec3 voxelAt(vec3 p) { return min(ivec3(p + 0.5), dims.xyz - 1); }
 float dataIn(vec3 p) { return voxelValue(voxelAt(p)); }
 float sculptureIn(vec3 p) { return texelFetch(sculptureTexture, voxelAt(p), 0).r; }
-float segmentationIn(vec3 p) { return texelFetch(segmentationTexture, voxelAt(p), 0).r; }
+vec2 membershipsIn(vec3 p) { return texelFetch(segmentationTexture, voxelAt(p), 0).rg; }
 #else
 float dataIn(vec3 p) { return dataAt(p); }
 float sculptureIn(vec3 p) { return sculptureAt(p); }
-float segmentationIn(vec3 p) { return segmentationAt(p); }
+vec2 membershipsIn(vec3 p) { return membershipsAt(p); }
 #endif
 
 // The part of a texel in which something is >= 0, as if it changed evenly across the texel. From the mean, the smallest and
@@ -42,6 +42,8 @@ float segmentationIn(vec3 p) { return segmentationAt(p); }
 float coverage(float sum, float lo, float hi) {
     return clamp(0.5 + 0.0625 * sum / max(hi - lo, 1e-20), 0.0, 1.0);
 }
+
+vec2 coverage(vec2 sum, vec2 lo, vec2 hi) { return vec2(coverage(sum.x, lo.x, hi.x), coverage(sum.y, lo.y, hi.y)); }
 
 float dataCoverage(vec3 centre) {
     float sum = 0.0;
@@ -56,12 +58,14 @@ float dataCoverage(vec3 centre) {
     return coverage(sum, lo, hi);
 }
 
-float segmentationCoverage(vec3 centre) {
-    float sum = 0.0;
-    float lo = 1e38;
-    float hi = -1e38;
+// In opaque segments (x), and clear of translucent ones (y): they block no light, nor does the data in them.
+vec2 segmentationCoverage(vec3 centre) {
+    vec2 sum = vec2(0.0);
+    vec2 lo = vec2(1e38);
+    vec2 hi = vec2(-1e38);
     for (int i = 0; i < places; ++i) {
-        float inside = segmentationIn(place(centre, i)) - 0.5;
+        vec2 memberships = membershipsIn(place(centre, i));
+        vec2 inside = vec2(memberships.x - 0.5, clearOfGlass(memberships));
         sum += inside;
         lo = min(lo, inside);
         hi = max(hi, inside);
@@ -112,9 +116,10 @@ float blockedPart(vec3 centre) {
 #if CONTENT == 0
     float part = dataCoverage(centre);
 #elif CONTENT == 1
-    float part = segmentationCoverage(centre);
+    float part = segmentationCoverage(centre).x;
 #elif CONTENT == 2
-    float part = max(dataCoverage(centre), segmentationCoverage(centre));
+    vec2 segments = segmentationCoverage(centre);
+    float part = max(dataCoverage(centre) * segments.y, segments.x);
 #else
     float part = opacityOf(centre);
 #endif

@@ -39,7 +39,8 @@ vec2 lightAt(Hit hit) {
 
 float greyOf(float value) { return clamp((value - range.z) / max(range.w - range.z, 1e-20), 0.0, 1.0); }
 
-vec3 shadeHit(Hit hit, Ray ray) {
+// The display colour of a hit; `segmentColour` is its segment's, if it has one.
+vec3 shadeHit(Hit hit, Ray ray, vec3 segmentColour) {
     vec3 right = viewRight.xyz;
     vec3 up = viewUp.xyz;
     vec2 reaching = lightAt(hit);
@@ -57,6 +58,27 @@ vec3 shadeHit(Hit hit, Ray ray) {
     vec3 key = normalize(-0.45 * right + 0.65 * up - 0.75 * viewForward.xyz);
     return displayFromLinear(section * (0.55 * reaching.y + 0.45 * reaching.x * max(dot(hit.normal, key), 0.0)));
 }
+
+#if MODE == 3 || MODE == 4
+// The colour of the segment that was hit.
+vec4 segmentColourOf(Hit hit, bool translucent) {
+    return segmentColourAt(hit.inSegment, -hit.normal, translucent, hit.found && hit.isSegment);
+}
+
+// Display colour of a hit in a picture with segments.
+vec3 shadeOpaque(Hit hit, Ray ray) { return shadeHit(hit, ray, segmentColourOf(hit, false).rgb); }
+#elif MODE == 0
+vec3 shadeOpaque(Hit hit, Ray ray) { return shadeHit(hit, ray, vec3(0.0)); }
+#endif
+
+#ifdef TRANSLUCENT
+// Premultiplied display colour and opacity of glass; nothing where there is none.
+vec4 shadeGlass(Hit hit, Ray ray) {
+    vec4 colour = segmentColourOf(hit, true);
+    float opacity = opacityOfGlass(colour.a, dot(hit.normal, -ray.world), hit.isCut);
+    return hit.found ? opacity * vec4(shadeHit(hit, ray, colour.rgb), 1.0) : vec4(0.0);
+}
+#endif
 
 #if MODE == 2 || MODE == 3
 // Integral of (value - lo) / (hi - lo) over the visible part of the ray up to tEnd, in steps: a. The transfer function's
@@ -108,20 +130,31 @@ struct Seen {
     vec4 front;
     // Overlay: an integral. Volume: x depth.
     vec4 behind;
+#ifdef TRANSLUCENT
+    vec4 glass; // in front of that surface: premultiplied display colour, opacity
+    float glassDepth;
+#endif
 };
 
 const float kNothing = 1e30; // a depth
 
 // `scale`: steps of the whole picture in one of the ray's own.
 Seen look(Ray ray, float jitter, float scale) {
-    Seen seen = Seen(vec4(0.0), vec4(0.0));
+    Seen seen;
+    seen.front = vec4(0.0);
+    seen.behind = vec4(0.0);
 #if MODE == 0 || MODE == 3 || MODE == 4
     Ray searched = ray;
 #if MODE == 3
     searched.tEnd = sceneFlags.x > 0.5 ? ray.tEnd : ray.tBegin; // no segmentation, no surface
 #endif
     Hit hit = findSurface(searched, jitter);
-    seen.front = hit.found ? vec4(shadeHit(hit, ray), hit.t * scale) : vec4(vec3(0.0), kNothing);
+    seen.front = hit.found ? vec4(shadeOpaque(hit, ray), hit.t * scale) : vec4(vec3(0.0), kNothing);
+#ifdef TRANSLUCENT
+    Hit glass = findGlass(searched, hit.found ? hit.t : ray.tEnd, jitter);
+    seen.glass = shadeGlass(glass, ray);
+    seen.glassDepth = glass.found ? glass.t * scale : kNothing;
+#endif
 #if MODE == 3
     seen.behind = scale * integralAlong(ray, hit.found ? hit.t : ray.tEnd);
 #endif
@@ -140,8 +173,21 @@ Seen look(Ray ray, float jitter, float scale) {
     return seen;
 }
 
+#ifdef TRANSLUCENT
+// Glass of two parts, of which a surface as far as `depth` hides what is behind it; as if of one from then on.
+void mergeGlass(inout Seen one, Seen other, float depth) {
+    vec4 a = one.glassDepth < depth ? one.glass : vec4(0.0);
+    vec4 b = other.glassDepth < depth ? other.glass : vec4(0.0);
+    one.glass = one.glassDepth < other.glassDepth ? a + (1.0 - a.a) * b : b + (1.0 - b.a) * a;
+    one.glassDepth = min(one.glassDepth, other.glassDepth);
+}
+#endif
+
 // Two parts in one picture: what is nearer hides what is farther, integrals add up, the greater value wins.
 Seen together(Seen one, Seen other) {
+#ifdef TRANSLUCENT
+    mergeGlass(one, other, min(one.front.a, other.front.a));
+#endif
 #if MODE == 0 || MODE == 4
     one.front = other.front.a < one.front.a ? other.front : one.front;
 #elif MODE == 1
@@ -161,10 +207,29 @@ Seen together(Seen one, Seen other) {
     return one;
 }
 
+// What is seen through the glass in front of it.
+vec3 throughGlass(Seen seen, vec3 colour) {
+#ifdef TRANSLUCENT
+    return seen.glass.rgb + (1.0 - seen.glass.a) * colour;
+#else
+    return colour;
+#endif
+}
+
+// How much of the background the glass hides.
+float hiddenByGlass(Seen seen) {
+#ifdef TRANSLUCENT
+    return seen.glass.a;
+#else
+    return 0.0;
+#endif
+}
+
 // Display colour over what is behind, and coverage: that colour is linear in `behind`, and 1 - coverage its slope.
 vec4 shown(Seen seen, vec3 behind) {
 #if MODE == 0 || MODE == 4
-    return seen.front.a < kNothing ? vec4(seen.front.rgb, 1.0) : vec4(behind, 0.0);
+    bool found = seen.front.a < kNothing;
+    return vec4(throughGlass(seen, found ? seen.front.rgb : behind), found ? 1.0 : hiddenByGlass(seen));
 #elif MODE == 1
     float brightness = clamp(partOfRange(seen.front.a), 0.0, 1.0);
 #ifdef TF_KIND
@@ -179,9 +244,10 @@ vec4 shown(Seen seen, vec3 behind) {
 #elif MODE == 3
     bool found = seen.front.a < kNothing;
     float brightness = clamp(seen.behind.a / exposure.y * exposure.x, 0.0, 1.0);
-    float veil = brightness * (found ? 0.45 : 0.9);
-    vec3 base = found ? seen.front.rgb : behind;
-    return vec4(mix(base, vec3(0.86, 0.91, 1.0) * integralColour(seen.behind), veil), found ? 1.0 : veil);
+    float hidden = found ? 1.0 : hiddenByGlass(seen);
+    float veil = brightness * mix(0.9, 0.45, hidden);
+    vec3 base = throughGlass(seen, found ? seen.front.rgb : behind);
+    return vec4(mix(base, vec3(0.86, 0.91, 1.0) * integralColour(seen.behind), veil), 1.0 - (1.0 - hidden) * (1.0 - veil));
 #else
     if (backgroundTop.w > 0.5) { // light is mixed here, not display colours: what programs that do so make of it
         return vec4(displayFromLinear(seen.front.rgb / max(seen.front.a, 1e-6)) * seen.front.a, seen.front.a);

@@ -1,12 +1,21 @@
 // The first visible surface along a ray: what is seen, picked and cut.
 // CONTENT chooses what counts as content: 0 data in the displayed range, 1 segmentation, 2 either of the two, 3 what the
 // transfer function makes opaque enough to be touched. Include "render/shaders/rays.glsl" first, for 3 also
-// "render/shaders/classification.glsl".
+// "render/shaders/classification.glsl". TRANSLUCENT: some segments are translucent: nothing of the data is seen in them.
 
 // How far a value is inside the displayed range, as a part of its width: of the same size as what the sculpture and the
 // segmentation say, or the least of them would bend what is straight.
 float partInside(float value) {
     return insideRange(value) / (range.y > range.x ? range.y - range.x : 1.0);
+}
+
+// >= 0 where the data is to be seen beside segments.
+float dataShownAt(vec3 p) {
+#ifdef TRANSLUCENT
+    return min(partInside(dataAt(p)), clearOfGlass(membershipsAt(p)));
+#else
+    return partInside(dataAt(p));
+#endif
 }
 
 // >= 0 where there is content to see; continuous along each of its parts, so it can be bisected.
@@ -22,7 +31,7 @@ float contentAt(vec3 p) {
     return classify(dataAt(p), length(dataGradient(p))).a - lightingOfFunction.z;
 #endif
 #else
-    return max(partInside(dataAt(p)), segmentationAt(p) - 0.5);
+    return max(dataShownAt(p), segmentationAt(p) - 0.5);
 #endif
 }
 
@@ -45,6 +54,7 @@ struct Hit {
     vec3 normal;  // world, unit, facing the viewer
     bool isCut;   // on a cut face: the sculpture's 0.5 level, or the grid's border
     bool isSegment;
+    vec3 inSegment; // where that segment is
 };
 
 #ifdef SCULPTED
@@ -238,6 +248,7 @@ Hit findSurface(Ray ray, float jitter) {
     hit.isSegment = false;
     hit.normal = -ray.world;
     hit.voxel = vec3(0.0);
+    hit.inSegment = vec3(0.0);
     if (!hit.found) {
         return hit;
     }
@@ -250,10 +261,13 @@ Hit findSurface(Ray ray, float jitter) {
     // The data's surface and the segment's rarely agree to the voxel: what lies just behind is tinted too.
     // Seeds lie up to a voxel behind the surface that they were drawn on.
     float nearby = segmentationAt(hit.voxel);
+    hit.inSegment = hit.voxel;
     for (int i = 1; i <= 3; ++i) {
-        nearby = max(nearby, segmentationAt(at(ray, hit.t + 0.5 * float(i))));
+        vec3 behind = at(ray, hit.t + 0.5 * float(i));
+        float there = segmentationAt(behind);
+        hit.inSegment = nearby < 0.5 && there >= 0.5 ? behind : hit.inSegment;
+        nearby = max(nearby, there);
     }
-    hit.isSegment = nearby >= 0.5;
 #endif
     bool atBorder = bracket.y - ray.tNear < 1e-3 && ray.tNear > 0.0;
     vec3 outward = dataGradient(hit.voxel) * (obstacle.isAbove ? 1.0 : -1.0);
@@ -262,8 +276,14 @@ Hit findSurface(Ray ray, float jitter) {
 #endif
 #if CONTENT == 1 || CONTENT == 2
     // Whichever of the two begins here: at its own surface each is zero but for rounding.
-    bool isSegmentsOwn = CONTENT == 1 || segmentationAt(hit.voxel) - 0.5 >= partInside(dataAt(hit.voxel));
+    bool isSegmentsOwn = CONTENT == 1 || segmentationAt(hit.voxel) - 0.5 >= dataShownAt(hit.voxel);
+#ifdef TRANSLUCENT
+    bool endsAtGlass = clearOfGlass(membershipsAt(hit.voxel)) <= partInside(dataAt(hit.voxel));
+    outward = endsAtGlass ? translucentGradient(hit.voxel) : outward;
+#endif
     outward = isSegmentsOwn ? -segmentationGradient(hit.voxel) : outward;
+    hit.isSegment = isSegmentsOwn || nearby >= 0.5;
+    hit.inSegment = isSegmentsOwn ? hit.voxel : hit.inSegment;
 #endif
     hit.isCut = atBorder;
 #ifdef SCULPTED

@@ -1,34 +1,88 @@
-// Whether growth may enter a voxel. Set by segment::bindConstraints.
-// Spaces: voxel indices. Bindings: texture 0 data, texture 1 sculpture (with VS_FENCED), uniforms 20 to 23.
+// Whether growth may enter a voxel. Set by segment::bindConstraints. Which rules there are is said by VS_FENCED (the sculpture),
+// VS_GRADIENT, VS_DIFFERENCE and VS_GRADIENT_DIFFERENCE.
+// Spaces: voxel indices. Bindings: texture 0 data, texture 1 sculpture, uniforms 20 to 29.
+#if defined(VS_DIFFERENCE) || defined(VS_GRADIENT_DIFFERENCE)
+#define VS_PAIRED // rules that ask for the parent too
+#endif
 
 layout(binding = 0) uniform sampler3D dataTexture;
-layout(location = 20) uniform ivec3 dims;
+layout(location = 20) uniform ivec3 gridDims;
 layout(location = 21) uniform vec3 valueScale; // x scale, y offset, z 1 if values are whole numbers
-layout(location = 22) uniform vec2 valueRange; // closed, in the volume's unit
+layout(location = 22) uniform vec2 valueRange; // all ranges are closed; in the volume's unit
 #ifdef VS_FENCED
 layout(binding = 1) uniform sampler3D sculptureTexture;
 layout(location = 23) uniform int keepsCutPart; // 1: only where the sculpture is >= 0.5; 0: only where it is < 0.5
 #endif
+layout(location = 24) uniform vec3 gradientAlongX; // of a difference of 1 across two voxels: 1 / mm, in world axes
+layout(location = 25) uniform vec3 gradientAlongY;
+layout(location = 26) uniform vec3 gradientAlongZ;
+layout(location = 27) uniform vec2 gradientRange;   // the volume's unit per mm
+layout(location = 28) uniform vec2 differenceRange; // child - parent
+layout(location = 29) uniform vec2 gradientDifferenceRange;
 
 bool isInside(ivec3 voxel) {
     // As unsigned numbers, negative coordinates are too large as well.
-    return all(lessThan(uvec3(voxel), uvec3(dims)));
+    return all(lessThan(uvec3(voxel), uvec3(gridDims)));
 }
 
-// The voxel must be inside the grid.
+bool isWithin(float value, vec2 range) { return value >= range.x && value <= range.y; }
+
+// Products and sums below are rounded one by one, so that every device gives what a plain program gives.
+float valueOf(ivec3 voxel) {
+    precise float scaled = texelFetch(dataTexture, voxel, 0).r * valueScale.x;
+    precise float value = scaled + valueScale.y;
+    return valueScale.z > 0.5 ? round(value) : value;
+}
+
+// Central differences; beyond the grid values are those at its border.
+float gradientMagnitude(ivec3 voxel) {
+    ivec3 before = max(voxel - 1, 0);
+    ivec3 after = min(voxel + 1, gridDims - 1);
+    precise vec3 along = vec3(valueOf(ivec3(after.x, voxel.yz)) - valueOf(ivec3(before.x, voxel.yz)),
+                              valueOf(ivec3(voxel.x, after.y, voxel.z)) - valueOf(ivec3(voxel.x, before.y, voxel.z)),
+                              valueOf(ivec3(voxel.xy, after.z)) - valueOf(ivec3(voxel.xy, before.z)));
+    precise vec3 x = gradientAlongX * along.x;
+    precise vec3 y = gradientAlongY * along.y;
+    precise vec3 z = gradientAlongZ * along.z;
+    precise vec3 xy = x + y;
+    precise vec3 gradient = xy + z;
+    precise vec3 squares = gradient * gradient;
+    precise float sum = squares.x + squares.y;
+    precise float squared = sum + squares.z;
+    return sqrt(squared);
+}
+
+// What the voxel alone decides. It must be inside the grid.
 bool isAdmissible(ivec3 voxel) {
-    float value = texelFetch(dataTexture, voxel, 0).r * valueScale.x + valueScale.y;
-    value = valueScale.z > 0.5 ? round(value) : value;
-    bool admissible = value >= valueRange.x && value <= valueRange.y;
+    bool admissible = isWithin(valueOf(voxel), valueRange);
 #ifdef VS_FENCED
     admissible = admissible && (texelFetch(sculptureTexture, voxel, 0).r >= 0.5) == (keepsCutPart == 1);
+#endif
+#ifdef VS_GRADIENT
+    admissible = admissible && isWithin(gradientMagnitude(voxel), gradientRange);
 #endif
     return admissible;
 }
 
+#ifdef VS_PAIRED
+// What it decides together with the voxel that it would be entered from.
+bool isAdmissibleFrom(ivec3 parent, ivec3 child) {
+    bool admissible = true;
+#ifdef VS_DIFFERENCE
+    precise float difference = valueOf(child) - valueOf(parent);
+    admissible = isWithin(difference, differenceRange);
+#endif
+#ifdef VS_GRADIENT_DIFFERENCE
+    precise float steeper = gradientMagnitude(child) - gradientMagnitude(parent);
+    admissible = admissible && isWithin(steeper, gradientDifferenceRange);
+#endif
+    return admissible;
+}
+#endif
+
 ivec3 voxelOf(uint index) {
-    uvec3 size = uvec3(dims);
+    uvec3 size = uvec3(gridDims);
     return ivec3(index % size.x, index / size.x % size.y, index / (size.x * size.y));
 }
 
-uint indexOf(ivec3 voxel) { return (uint(voxel.z) * uint(dims.y) + uint(voxel.y)) * uint(dims.x) + uint(voxel.x); }
+uint indexOf(ivec3 voxel) { return (uint(voxel.z) * uint(gridDims.y) + uint(voxel.y)) * uint(gridDims.x) + uint(voxel.x); }

@@ -1,6 +1,6 @@
 // Finds where membership differs from what the segmentation volume holds, and which of a tile's 27 neighbours (itself
 // included) lie within the kernel's reach of such voxels. One group a tile; an invocation walks four rows along x.
-// In: texture 0 seed map, 1 segmentation; storage 0 tiles. Out: storage 1 neighbour bits of each tile, zeros at first.
+// In: texture 1 segmentation; storage 0 tiles, 3 voxels shown. Out: storage 1 neighbour bits of each tile, zeros at first.
 #include "segment/shaders/tiles.glsl"
 
 layout(local_size_x = 64) in;
@@ -18,10 +18,11 @@ void main() {
         int y = row & (kTile - 1);
         int z = row >> 4;
         uint alongX = 0u;
+        uint members = membersFrom(origin + ivec3(0, y, z));
         for (int x = 0; x < kTile; ++x) {
             ivec3 voxel = origin + ivec3(x, y, z);
             ivec3 inside = min(voxel, dims - 1);
-            bool differs = isMember(inside) != (texelFetch(segmentation, inside, 0).r >= 0.5);
+            bool differs = (members >> x & 1u) != uint(texelFetch(segmentation, inside, 0).r >= 0.5);
             alongX |= differs && voxel == inside ? sides(x) : 0u;
         }
         uint sidesY = sides(y);

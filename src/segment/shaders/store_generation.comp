@@ -1,21 +1,39 @@
-// Writes one generation (0 erases) at each listed voxel.
-// In: storage 0 voxel indices. Out: image 0 seed map.
+// Gives listed voxels one generation; 0 takes it away. Several of them may share a word.
+// In: storage 7 voxel indices. In and out: storage 0 grown, 3 and 4 generations. Out: image 0 labels (0).
+#include "segment/shaders/words.glsl"
+#include "segment/shaders/generations.glsl"
+
 layout(local_size_x = 64) in;
 
 #include "gl/shaders/items.glsl"
 
-layout(r32ui, binding = 0) uniform writeonly uimage3D seedMap;
-layout(std430, binding = 0) readonly buffer Voxels { uint voxels[]; };
+layout(std430, binding = 0) buffer Grown { uint grown[]; };
+layout(std430, binding = 7) readonly buffer Voxels { uint voxels[]; };
+layout(r8ui, binding = 0) uniform writeonly uimage3D labels;
 
-layout(location = 0) uniform int count;
-layout(location = 1) uniform int generation;
+layout(location = 9) uniform int count;
+layout(location = 10) uniform uint generation;
 
 void main() {
     uint i = itemIndex();
-    if (i < uint(count)) {
-        uint index = voxels[i];
-        uvec3 size = uvec3(imageSize(seedMap));
-        ivec3 voxel = ivec3(index % size.x, index / size.x % size.y, index / (size.x * size.y));
-        imageStore(seedMap, voxel, uvec4(generation));
+    if (i >= uint(count)) {
+        return;
     }
+    ivec3 voxel = placeIn(voxels[i], dims);
+    uint word = wordAt(wordPlaceOf(voxel));
+    uint bit = bitOf(voxel);
+    uint shift = 16u * (bit & 1u);
+    atomicAnd(generations[word * 16u + (bit >> 1)], ~(0xffffu << shift));
+    atomicOr(generations[word * 16u + (bit >> 1)], (generation & 0xffffu) << shift);
+#ifdef VS_WIDE
+    shift = 8u * (bit & 3u);
+    atomicAnd(lateBits[word * 8u + (bit >> 2)], ~(0xffu << shift));
+    atomicOr(lateBits[word * 8u + (bit >> 2)], (generation >> 16 & 0xffu) << shift);
+#endif
+    if (generation != 0u) {
+        atomicOr(grown[word], 1u << bit);
+    } else {
+        atomicAnd(grown[word], ~(1u << bit));
+    }
+    imageStore(labels, voxel, uvec4(0u));
 }

@@ -1,25 +1,41 @@
-// Answers for each listed voxel whether it can be a seed now: 0 refused by the constraints, 1 grown already, 2 yes.
-// Generations after the playhead count as not grown.
-// In: texture 0 data, 1 sculpture, 2 seed map; storage 0 voxel indices. Out: storage 1 answers.
+// Answers for each listed voxel whether it can be a seed now: 0 refused by the constraints or another segment's, 1 grown
+// already, 2 yes, 3 yes but it was forbidden (with VS_FORBIDDEN). Generations after the playhead count as not grown.
+// In: the constraints, texture 0 data, 1 sculpture, 3 labels; storage 0 grown, 3 and 4 generations, 7 voxel indices. Out:
+// storage 1 answers. Storage 2: what is forbidden.
 #include "segment/shaders/constraints.glsl"
+#include "segment/shaders/words.glsl"
+#include "segment/shaders/generations.glsl"
+#include "segment/shaders/owners.glsl"
 
 layout(local_size_x = 64) in;
 
 #include "gl/shaders/items.glsl"
 
-layout(binding = 2) uniform usampler3D seedMap;
-layout(std430, binding = 0) readonly buffer Voxels { uint voxels[]; };
+layout(std430, binding = 0) readonly buffer Grown { uint grown[]; };
 layout(std430, binding = 1) writeonly buffer Answers { uint answers[]; };
+#ifdef VS_FORBIDDEN
+layout(std430, binding = 2) readonly buffer Forbidden { uint forbidden[]; };
+#endif
+layout(std430, binding = 7) readonly buffer Voxels { uint voxels[]; };
 
-layout(location = 0) uniform int count;
-layout(location = 1) uniform int playhead;
+layout(location = 9) uniform int count;
+layout(location = 10) uniform uint playhead;
 
 void main() {
     uint i = itemIndex();
     if (i < uint(count)) {
         ivec3 voxel = voxelOf(voxels[i]);
-        uint generation = texelFetch(seedMap, voxel, 0).r;
-        bool isGrown = generation != 0u && generation <= uint(playhead);
-        answers[i] = isGrown ? 1u : (isAdmissible(voxel) ? 2u : 0u);
+        ivec3 place = wordPlaceOf(voxel);
+        uint word = wordAt(place);
+        uint bit = 1u << bitOf(voxel);
+        bool isGrown = (grown[word] & bit) != 0u;
+        bool isOwn = ownVoxels(place, grown[word] & bit) != 0u;
+        bool isHidden = isOwn && laterThan(word, bit, playhead) != 0u;
+        bool isFree = !isGrown || isHidden;
+        uint free = 2u;
+#ifdef VS_FORBIDDEN
+        free = (forbidden[word] & bit) != 0u ? 3u : 2u;
+#endif
+        answers[i] = isFree ? (isAdmissible(voxel) ? free : 0u) : (isOwn ? 1u : 0u);
     }
 }

@@ -1,17 +1,16 @@
 // Segmentation is updated in tiles of 16^3 voxels; smoothing looks 3 voxels beyond. Two scratch blocks hold, for each tile
 // at work, membership in 22 x 22 rows of 22 bits, and values smoothed along x and y (16 x 16 x 22, x fastest).
-// Spaces: voxel indices. Bindings: texture 0 seed map; storage 0 tile indices; uniforms 0 to 4.
+// Spaces: voxel indices. Bindings: storage 0 tile indices, 3 the voxels shown, one bit each; uniforms 0 to 4.
+#include "segment/shaders/words.glsl"
 
 const int kTile = 16;
 const int kReach = 3;
 const int kPadded = kTile + 2 * kReach;
 
-layout(binding = 0) uniform usampler3D seedMap;
 layout(std430, binding = 0) readonly buffer Tiles { uint tiles[]; };
+layout(std430, binding = 3) readonly buffer Shown { uint shown[]; };
 
-layout(location = 0) uniform ivec3 dims;
-layout(location = 1) uniform ivec3 tileDims;
-layout(location = 2) uniform int playhead;
+layout(location = 2) uniform ivec3 tileDims;
 layout(location = 3) uniform int firstTile;
 layout(location = 4) uniform vec4 weights; // along the axis at work, of voxels at distance 0, 1, 2, 3
 
@@ -21,10 +20,17 @@ ivec3 tileOrigin(uint place) {
     return ivec3(index % size.x, index / size.x % size.y, index / (size.x * size.y)) * kTile;
 }
 
-// The voxel must be inside the grid.
-bool isMember(ivec3 voxel) {
-    uint generation = texelFetch(seedMap, voxel, 0).r;
-    return generation != 0u && generation <= uint(playhead);
+// kPadded voxels along x from this one on, bit by bit; nothing lies outside the grid.
+uint membersFrom(ivec3 first) {
+    uint members = 0u;
+    uint shift = uint(first.y & 3) << 2 | uint(first.z & 1) << 4;
+    for (int word = 0; word < 7; ++word) {
+        int x = (first.x & ~3) + 4 * word;
+        uint four = shown[wordAt(wordPlaceOf(ivec3(x, first.yz)))] >> shift & 15u;
+        int to = x - first.x;
+        members |= to >= 0 ? four << to : four >> -to;
+    }
+    return members & (1u << kPadded) - 1u;
 }
 
 // Seven values in a row, of which the middle one is smoothed. One order of terms for every voxel, whatever tile it is

@@ -1,5 +1,5 @@
 // Writes the region without smoothing: 1 at its voxels, 0 at all others. One invocation a row of 16 voxels along x.
-// In: texture 0 seed map; storage 0 tiles. Out: image 0 segmentation (r16).
+// In: storage 0 tiles, 3 voxels shown. Out: image 0 segmentation (r16).
 #include "segment/shaders/tiles.glsl"
 
 layout(local_size_x = 64) in;
@@ -13,7 +13,8 @@ void main() {
         return;
     }
     int width = min(kTile, dims.x - voxel.x);
+    uint members = membersFrom(voxel);
     for (int x = 0; x < width; ++x, ++voxel.x) {
-        imageStore(segmentation, voxel, vec4(isMember(voxel) ? 1.0 : 0.0));
+        imageStore(segmentation, voxel, vec4(float(members >> x & 1u)));
     }
 }

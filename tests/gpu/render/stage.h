@@ -6,6 +6,7 @@
 #include "render/ray_caster.h"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <limits>
 #include <vector>
@@ -54,6 +55,29 @@ public:
         segmentation = textureOf(part, "segmentation");
         frame.scene.segmentation = &segmentation;
         segmentationCells = rangesOf(segmentation);
+        rebuild();
+    }
+
+    // Several segments: the memberships of opaque and of translucent ones, and which segment each voxel is
+    // of.
+    void segments(const VoxelFunction& opaque, const VoxelFunction& translucent, const VoxelFunction& label) {
+        const auto memberships = valuesOf(opaque);
+        const auto others = valuesOf(translucent);
+        const auto numbers = valuesOf(label);
+        std::vector<std::uint16_t> texels;
+        std::vector<float> greater;
+        for (std::size_t i = 0; i < memberships.size(); ++i) {
+            texels.push_back(std::uint16_t(std::lround(65535 * memberships[i])));
+            texels.push_back(std::uint16_t(std::lround(65535 * others[i])));
+            greater.push_back(std::max(memberships[i], others[i]));
+        }
+        const std::vector<std::uint8_t> ofVoxels(numbers.begin(), numbers.end());
+        segmentation = textureOf(std::span(texels), gl::Format::RG16, gl::Filter::Linear, "segmentation");
+        segmentLabels = textureOf(std::span(ofVoxels), gl::Format::R8UI, gl::Filter::Nearest, "labels");
+        segmentationCells = rangesOf(
+            textureOf(std::span(greater), gl::Format::R32F, gl::Filter::Nearest, "greater membership"));
+        frame.scene.segmentation = &segmentation;
+        frame.scene.segmentLabels = &segmentLabels;
         rebuild();
     }
 
@@ -121,6 +145,7 @@ public:
     gl::Texture sculptureCells;
     gl::Texture segmentation;
     gl::Texture segmentationCells;
+    gl::Texture segmentLabels;
     render::Classification classification;
     render::Macrocells macrocells;
     render::Macrocells pastedMacrocells;
@@ -150,9 +175,8 @@ private:
         return caster.readPicture();
     }
 
-    gl::Texture textureOf(const VoxelFunction& part, const char* label) const {
+    std::vector<float> valuesOf(const VoxelFunction& part) const {
         const glm::ivec3 dims = volume.geometry.dims;
-        gl::Texture texture(dims, gl::Format::R32F, gl::Filter::Linear, label);
         std::vector<float> values;
         for (int k = 0; k < dims.z; ++k) {
             for (int j = 0; j < dims.y; ++j) {
@@ -161,8 +185,20 @@ private:
                 }
             }
         }
-        texture.upload(volume.geometry.box(), std::as_bytes(std::span(values)));
+        return values;
+    }
+
+    template <typename T>
+    gl::Texture textureOf(std::span<T> values, gl::Format format, gl::Filter filter,
+                          const char* label) const {
+        gl::Texture texture(volume.geometry.dims, format, filter, label);
+        texture.upload(volume.geometry.box(), std::as_bytes(values));
         return texture;
+    }
+
+    gl::Texture textureOf(const VoxelFunction& part, const char* label) const {
+        const auto values = valuesOf(part);
+        return textureOf(std::span(values), gl::Format::R32F, gl::Filter::Linear, label);
     }
 
     gl::Texture rangesOf(const gl::Texture& texture) const {

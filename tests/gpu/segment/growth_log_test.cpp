@@ -163,15 +163,49 @@ TEST_F(GrowthLogTest, AdvanceForStopsInTimeAndGoesOnExactly) {
 // One random call on the device (recorded in `undo`) and on the reference.
 void randomCall(std::mt19937& random, const volume::Volume& volume, Growth& growth,
                 reference::QueueGrowth& queue, GrowthUndo& undo) {
-    switch (random() % 8) {
+    switch (random() % 14) {
+    case 8:
     case 0: {
         Constraints constraints;
         constraints.range = {double(random() % 30), double(40 + random() % 60)};
         constraints.connectivity = random() % 2 == 0 ? Connectivity::Six : Connectivity::TwentySix;
+        if (random() % 3 == 0) {
+            constraints.difference = {-double(random() % 40), double(random() % 40)};
+        }
+        if (random() % 4 == 0) {
+            constraints.gradient = {double(random() % 10), double(30 + random() % 40)};
+        }
+        if (random() % 4 == 0) {
+            constraints.gradientDifference = {-double(random() % 30), double(random() % 30)};
+        }
         growth.setConstraints(constraints, &undo);
-        queue.setRules(admits(volume, constraints), constraints.connectivity == Connectivity::TwentySix);
+        queue.setRules(admits(volume, constraints), constraints.connectivity == Connectivity::TwentySix,
+                       admitsFrom(volume, constraints));
         break;
     }
+    case 9: {
+        const bool isLive = random() % 2 == 0;
+        growth.setLive(isLive, &undo);
+        queue.setLive(isLive);
+        break;
+    }
+    case 10: {
+        const std::vector<glm::ivec3> stroke{{20, 20, 20}, {random() % 45, random() % 35, random() % 40}};
+        const int expansions = int(random() % 6);
+        EXPECT_EQ(growth.absorb(stroke, expansions, &undo), queue.absorb(stroke, expansions));
+        break;
+    }
+    case 11:
+        if (random() % 3 == 0) {
+            std::vector<std::uint8_t> inside = growth.labels();
+            for (std::uint8_t& value : inside) {
+                value = random() % 8 == 0 ? 1 - value : value;
+            }
+            growth.replace(volume.geometry.box(), inside, &undo);
+            queue.replace(inside);
+            break;
+        }
+        [[fallthrough]];
     case 1:
     case 2: {
         std::vector<glm::ivec3> seeds;
@@ -211,7 +245,7 @@ void randomCall(std::mt19937& random, const volume::Volume& volume, Growth& grow
 TEST_F(GrowthLogTest, RandomLogsEqualTheQueueAndUndoRestoresEveryByte) {
     const auto volume = randomVolume({45, 35, 40}, volume::ScalarType::UInt8, 0, 100);
     const field::Field field = field::uploadVolume(volume);
-    for (unsigned int seed = 1; seed <= 6; ++seed) {
+    for (unsigned int seed = 1; seed <= 12; ++seed) {
         std::mt19937 random(seed);
         Pair pair(volume, field);
         pair.setRange({0, 60});
@@ -221,7 +255,7 @@ TEST_F(GrowthLogTest, RandomLogsEqualTheQueueAndUndoRestoresEveryByte) {
             GrowthUndo undo;
         };
         std::vector<Moment> moments;
-        for (int call = 0; call < 30; ++call) {
+        for (int call = 0; call < 40; ++call) {
             moments.push_back({pair.growth.state(), pair.growth.generations(false), {}});
             randomCall(random, volume, pair.growth, pair.queue, moments.back().undo);
             pair.expectEqual(fmt::format("log {}, call {}", seed, call));

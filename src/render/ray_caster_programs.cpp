@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: Apache-2.0
+// Which of cast_rays.comp's variants a frame needs.
+#include "render/ray_caster.h"
+
+namespace vs::render {
+
+bool RayCaster::drawsTranslucent(const Frame& frame) {
+    return (frame.mode == Mode::Overlay || frame.mode == Mode::Segment) &&
+           frame.scene.segmentation != nullptr && frame.segmentColours.haveTranslucent();
+}
+
+gl::Program& RayCaster::programFor(const Frame& frame) {
+    const bool isSculpted =
+        frame.scene.sculpture != nullptr || frame.scene.view == field::SculptureView::Probe;
+    const bool isTricubic = frame.scene.sampling == field::Sampling::Tricubic;
+    const int kind = frame.classification != nullptr ? 1 + int(frame.classification->kind()) : 0;
+    const bool isLit = frame.occlusion != nullptr;
+    const bool hasParts = !frame.pasted.empty();
+    const bool hasQuads = bool(frame.scene.data->quads);
+    const bool hasTranslucent = drawsTranslucent(frame);
+    const int key = 256 * static_cast<int>(frame.mode) + (hasTranslucent ? 128 : 0) + (hasQuads ? 64 : 0) +
+                    16 * kind + (hasParts ? 8 : 0) + (isLit ? 4 : 0) + (isTricubic ? 2 : 0) +
+                    (isSculpted ? 1 : 0);
+    auto& program = programs_[key];
+    if (!program) {
+        const int content = frame.mode == Mode::Overlay ? 1 : frame.mode == Mode::Segment ? 2 : 0;
+        gl::Defines defines{{"MODE", std::to_string(static_cast<int>(frame.mode))},
+                            {"CONTENT", std::to_string(content)}};
+        if (isSculpted) {
+            defines.emplace_back("SCULPTED", "1");
+        }
+        if (isLit) {
+            defines.emplace_back("LIT", "1");
+        }
+        if (hasParts) {
+            defines.emplace_back("PARTS", "1");
+        }
+        if (hasQuads) {
+            defines.emplace_back("QUADS", "1");
+        }
+        if (isTricubic) {
+            defines.emplace_back("TRICUBIC", "1");
+        }
+        if (hasTranslucent) {
+            defines.emplace_back("TRANSLUCENT", "1");
+        }
+        if (frame.classification != nullptr) {
+            defines.emplace_back("TF_KIND", frame.classification->kindDefine());
+        }
+        program = gl::Program("render/shaders/cast_rays.comp", defines);
+    }
+    return program;
+}
+
+} // namespace vs::render

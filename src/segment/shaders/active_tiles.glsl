@@ -1,0 +1,87 @@
+// The tiles that the next expansion has to look at, each once. Include after words.glsl.
+// Bindings: storage 5 (steps), 6 (work), uniforms 5 to 8.
+
+const uint kTilesPerGroup = 8u;
+const uint kMaxGroups = 65535u; // per dispatch; the lists are walked with a stride, so fewer groups lose nothing
+
+// One expansion: arguments of its two indirect dispatches, whose w counts the tiles.
+struct Step {
+    uvec4 tiles;  // x groups, y = z = 1, w tiles
+    uvec4 unmade; // likewise, those of them that are near for the first time
+    uvec4 grown;  // x + y + z + w: voxels grown
+};
+layout(std430, binding = 5) buffer Steps { Step steps[]; };
+// Six parts, a number for each tile: the last expansion that was to look at it; the rules under which its words of the plane
+// `allowed` are made; two lists of tiles, and two of such that are not made. And eight for what an expansion found in each tile
+// of its list: from bit 8 on voxels that joined, bit 6 whether there were newest ones, below the sides that some touch.
+layout(std430, binding = 6) buffer Work { uint work[]; };
+
+layout(location = 5) uniform uint stamp;    // of the expansion that tiles are noted for
+layout(location = 6) uniform int stepNoted; // its place in `steps`
+layout(location = 7) uniform uint tileCount;
+layout(location = 8) uniform int listNoted;     // 0 or 1: which of the lists it takes
+layout(location = 12) uniform uint rulesNumber; // of the present rules
+
+uint listStart(int list) { return (2u + uint(list)) * tileCount; }
+uint unmadeStart(int list) { return (4u + uint(list)) * tileCount; }
+
+uint findingsStart() { return 6u * tileCount; }
+
+uint groupsFor(uint place) { return min(place / kTilesPerGroup + 1u, kMaxGroups); }
+
+// Loops of one turn stand for ifs: software renderers run both sides of an if, but leave a loop that no invocation needs.
+void activate(uint tile) {
+    for (bool isNew = tile < tileCount && work[tile] != stamp; isNew; isNew = false) {
+        for (isNew = atomicExchange(work[tile], stamp) != stamp; isNew; isNew = false) {
+            uint place = atomicAdd(steps[stepNoted].tiles.w, 1u);
+            work[listStart(listNoted) + place] = tile;
+            for (isNew = place % kTilesPerGroup == 0u; isNew; isNew = false) {
+                atomicMax(steps[stepNoted].tiles.x, groupsFor(place));
+            }
+#ifndef VS_FLOOD
+            // Only one invocation comes here for a tile at a time.
+            for (isNew = work[tileCount + tile] != rulesNumber; isNew; isNew = false) {
+                work[tileCount + tile] = rulesNumber;
+                place = atomicAdd(steps[stepNoted].unmade.w, 1u);
+                work[unmadeStart(listNoted) + place] = tile;
+                atomicMax(steps[stepNoted].unmade.x, groupsFor(place));
+            }
+#endif
+        }
+    }
+}
+
+// Bit x + 3 y + 9 z of `around` (13: the tile itself) stands for a tile next to the one at this place.
+void activateAround(ivec3 place, uint around) {
+    for (uint left = around; left != 0u; left &= left - 1u) {
+        int n = findLSB(left);
+        activate(tileAt(place + ivec3(n % 3, n / 3 % 3, n / 9) - 1));
+    }
+}
+
+// The tiles that neighbours of new voxels lie in. `sides`: which sides of the tile some of them touch: bits 0 and 1 lower and
+// upper x, 2 and 3 y, 4 and 5 z.
+uint tilesTouched(uint sides) {
+    uint around = 1u << 13;
+#ifdef VS_NEIGHBOURS_26
+    uint alongX = 2u | (sides & 1u) | (sides & 2u) << 1;
+    uint alongY = 2u | (sides >> 2 & 1u) | (sides >> 2 & 2u) << 1;
+    uint alongZ = 2u | (sides >> 4 & 1u) | (sides >> 4 & 2u) << 1;
+    uint plane = (alongY & 1u) * alongX | ((alongY >> 1 & 1u) * alongX) << 3 | ((alongY >> 2 & 1u) * alongX) << 6;
+    around |= (alongZ & 1u) * plane | ((alongZ >> 1 & 1u) * plane) << 9 | ((alongZ >> 2 & 1u) * plane) << 18;
+#else
+    around |= (sides & 1u) << 12 | (sides >> 1 & 1u) << 14 | (sides >> 2 & 1u) << 10 | (sides >> 3 & 1u) << 16 |
+              (sides >> 4 & 1u) << 4 | (sides >> 5 & 1u) << 22;
+#endif
+    return around;
+}
+
+// The sides that new voxels of one word touch.
+uint sidesOf(uint bits, uint word) {
+    uint x = word & 1u;
+    uint y = word >> 1 & 1u;
+    uint z = word >> 2 & 3u;
+    return uint(x == 0u && (bits & 0x11111111u) != 0u) | uint(x == 1u && (bits & 0x88888888u) != 0u) << 1 |
+           uint(y == 0u && (bits & 0x000f000fu) != 0u) << 2 | uint(y == 1u && (bits & 0xf000f000u) != 0u) << 3 |
+           uint(z == 0u && (bits & 0xffffu) != 0u) << 4 | uint(z == 3u && bits >> 16 != 0u) << 5;
+}

@@ -1,0 +1,16 @@
+// Adds a plane to another, word by word. In: storage 1. In and out: storage 2.
+layout(local_size_x = 64) in;
+
+#include "gl/shaders/items.glsl"
+
+layout(std430, binding = 1) readonly buffer Added { uint added[]; };
+layout(std430, binding = 2) buffer Plane { uint plane[]; };
+
+layout(location = 9) uniform int count;
+
+void main() {
+    uint i = itemIndex();
+    if (i < uint(count)) {
+        plane[i] |= added[i];
+    }
+}

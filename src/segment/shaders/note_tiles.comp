@@ -1,0 +1,45 @@
+// After an expansion: counts what has joined, and notes which tiles the next one has to look at. One invocation a tile that was
+// at work.
+// In and out: storage 5 steps, 6 work, 8 first and last generation of each brick.
+#include "segment/shaders/words.glsl"
+#include "segment/shaders/active_tiles.glsl"
+
+layout(local_size_x = 8) in;
+
+layout(std430, binding = 8) buffer Bricks { uvec2 bricks[]; };
+
+layout(location = 10) uniform int stepIndex;
+layout(location = 11) uniform uint generation;
+
+// Generations only rise, and all of this dispatch write the same one.
+void noteInBrick(uint brick) {
+    for (bool isOld = bricks[brick].y != generation; isOld; isOld = false) {
+        uint first = bricks[brick].x;
+        bricks[brick] = uvec2(first == 0u ? generation : first, generation);
+    }
+}
+
+void main() {
+    uint count = steps[stepIndex].tiles.w;
+    uint grown = 0u;
+    for (uint i = gl_GlobalInvocationID.x; i < count; i += gl_NumWorkGroups.x * kTilesPerGroup) {
+        uint tile = work[listStart(1 - listNoted) + i];
+        uint sides = 0u;
+        uint total = 0u;
+        for (uint lane = 0u; lane < 8u; ++lane) {
+            uint found = work[findingsStart() + 8u * i + lane];
+            sides |= found & 0xffu;
+            total += found >> 8;
+        }
+        grown += total;
+#ifndef VS_FLOOD
+        for (bool hasGrown = total != 0u; hasGrown; hasGrown = false) {
+            noteInBrick(tile / kTilesPerBrick);
+        }
+#endif
+        // A tile whose newest voxels nobody follows is looked at once more, so that both planes are left without them.
+        uint around = total != 0u ? tilesTouched(sides) : (sides >> 6 & 1u) << 13;
+        activateAround(placeOfTile(tile), around);
+    }
+    atomicAdd(steps[stepIndex].grown[gl_WorkGroupID.x & 3u], grown);
+}

@@ -1,0 +1,31 @@
+// Puts listed voxels among the newest; if asked to, only those in a region.
+// In: storage 7 voxel indices, 1 the region. In and out: storage 2 newest. Out: storage 5 steps[0], 6 work.
+#include "segment/shaders/words.glsl"
+#include "segment/shaders/active_tiles.glsl"
+
+layout(local_size_x = 64) in;
+
+#include "gl/shaders/items.glsl"
+
+layout(std430, binding = 1) readonly buffer Region { uint region[]; };
+layout(std430, binding = 2) buffer Newest { uint newest[]; };
+layout(std430, binding = 7) readonly buffer Voxels { uint voxels[]; };
+
+layout(location = 9) uniform int count;
+layout(location = 10) uniform uint newestAt;
+layout(location = 11) uniform int isWithin;
+
+void main() {
+    uint i = itemIndex();
+    if (i >= uint(count)) {
+        return;
+    }
+    ivec3 voxel = placeIn(voxels[i], dims);
+    uint word = wordAt(wordPlaceOf(voxel));
+    uint bit = 1u << bitOf(voxel);
+    if (isWithin != 0 && (region[word] & bit) == 0u) {
+        return;
+    }
+    atomicOr(newest[newestAt + word], bit);
+    activateAround(placeOfTile(word / kWordsPerTile), tilesTouched(sidesOf(bit, word)));
+}

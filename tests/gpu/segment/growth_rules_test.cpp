@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+// Rules about differences and gradients: every voxel and every generation as a plain queue gives them.
+#include "gpu/gl_test.h"
+#include "gpu/segment/growth_cases.h"
+
+#include <limits>
+
+namespace vs::segment {
+namespace {
+
+using GrowthRulesTest = test::GlTest;
+constexpr int kAll = std::numeric_limits<int>::max();
+
+// A blurred random volume: neighbours differ little enough for growth to get somewhere.
+volume::Volume softVolume(volume::ScalarType type, glm::dvec3 spacing) {
+    const glm::ivec3 dims(45, 38, 27);
+    std::mt19937 random(11);
+    std::uniform_real_distribution<double> phase(0, 6.28);
+    std::uniform_real_distribution<double> noise(-6, 6);
+    const glm::dvec3 a(phase(random), phase(random), phase(random));
+    return volume::makePhantom(
+        dims, type,
+        [&](glm::dvec3 p) {
+            return 100 + 35 * std::sin(0.31 * p.x + a.x) + 30 * std::cos(0.23 * p.y + a.y) +
+                   25 * std::sin(0.4 * p.z + 0.2 * p.x + a.z) + noise(random);
+        },
+        spacing);
+}
+
+void expectSameAsQueue(const volume::Volume& volume, const Constraints& constraints,
+                       const std::string& what) {
+    const field::Field field = field::uploadVolume(volume);
+    const std::vector<glm::ivec3> seeds{{22, 19, 13}, {3, 3, 3}, {40, 30, 20}, {10, 30, 5}};
+    std::vector<std::uint32_t> first;
+    for (int run = 0; run < 2; ++run) {
+        Growth growth(field);
+        growth.setConstraints(constraints);
+        reference::QueueGrowth queue(volume.geometry.dims);
+        queue.setRules(admits(volume, constraints), constraints.connectivity == Connectivity::TwentySix,
+                       admitsFrom(volume, constraints));
+        growth.addSeeds(seeds);
+        queue.addSeeds(seeds);
+        EXPECT_EQ(growth.advance(kAll), queue.advance(kAll)) << what;
+        EXPECT_TRUE(growth.generations(false) == queue.generations()) << what;
+        EXPECT_GT(growth.voxelCount(), 200U) << what << ": there must be something to compare";
+        EXPECT_LT(growth.voxelCount(), volume.geometry.voxelCount()) << what;
+    }
+}
+
+TEST_F(GrowthRulesTest, EveryRuleEqualsAPlainQueue) {
+    for (const auto type :
+         {volume::ScalarType::UInt8, volume::ScalarType::Int16, volume::ScalarType::Float32}) {
+        for (const glm::dvec3 spacing : {glm::dvec3(1), glm::dvec3(0.7, 0.9, 2.5)}) {
+            const auto volume = softVolume(type, spacing);
+            for (const auto connectivity : {Connectivity::Six, Connectivity::TwentySix}) {
+                Constraints plain;
+                plain.range = {20, 180};
+                plain.connectivity = connectivity;
+                Constraints difference = plain;
+                difference.difference = {-4, 7};
+                Constraints gradient = plain;
+                gradient.gradient = {3, 11};
+                Constraints steeper = plain;
+                steeper.gradientDifference = {-2.5, 2};
+                Constraints all = difference;
+                all.difference = {-9, 11};
+                all.gradient = {1, 14};
+                all.gradientDifference = {-6, 5};
+                const std::string where = fmt::format("type {}, spacing {}, {} neighbours", int(type),
+                                                      spacing.z, connectivity == Connectivity::Six ? 6 : 26);
+                expectSameAsQueue(volume, difference, where + ", difference");
+                expectSameAsQueue(volume, gradient, where + ", gradient");
+                expectSameAsQueue(volume, steeper, where + ", gradient difference");
+                expectSameAsQueue(volume, all, where + ", all");
+            }
+        }
+    }
+}
+
+} // namespace
+} // namespace vs::segment

@@ -132,7 +132,7 @@ void GrowthController::setRange(Range range) {
     if (canPlay() && !(status().range == range)) {
         const bool wasPlaying = isPlaying_;
         const bool wasToEnd = isToEnd_;
-        studio_.apply(studio::SetGrowthRange{range});
+        studio_.apply(studio::SetGrowthRules{range});
         if (wasPlaying) {
             run(wasToEnd);
         }

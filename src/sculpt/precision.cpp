@@ -56,6 +56,22 @@ std::vector<float> valuesOf(std::span<const std::byte> texels, Precision precisi
     return values;
 }
 
+std::vector<std::byte> texelsOf(std::span<const float> values, Precision precision) {
+    const std::size_t bytes = gl::bytesPerTexel(formatOf(precision));
+    std::vector<std::byte> texels(values.size() * bytes);
+    for (std::size_t n = 0; n < values.size(); ++n) {
+        if (precision == Precision::Bits32) {
+            std::memcpy(&texels[n * bytes], &values[n], bytes);
+        } else {
+            const auto code = precision == Precision::Bits8
+                                  ? std::uint16_t(std::round(std::clamp(values[n], 0.0F, 1.0F) * 255.0F))
+                                  : glm::packHalf1x16(values[n]);
+            std::memcpy(&texels[n * bytes], &code, bytes);
+        }
+    }
+    return texels;
+}
+
 void roundTo(Precision precision, std::span<float> values) {
     if (precision == Precision::Bits8) {
         for (float& value : values) {

@@ -23,6 +23,8 @@ gl::Defines storedDefines(Precision precision);
 float justVisible(Precision precision);
 // What texels of a sculpture of this precision mean, one value each. The only place that knows.
 std::vector<float> valuesOf(std::span<const std::byte> texels, Precision precision);
+// And the other way round.
+std::vector<std::byte> texelsOf(std::span<const float> values, Precision precision);
 
 // Rounds radiation (0 and above) to what such a texture stores; 8-bit ones hold 0 to 1. The thesis blended
 // splat by splat into the texture itself, so 8 bits also lost every contribution below half a grey level.

@@ -73,6 +73,16 @@ void BrickTable::truncate(int last) {
 
 std::vector<std::uint32_t> BrickTable::touched() const { return holding(0, std::numeric_limits<int>::max()); }
 
+std::vector<std::uint32_t> BrickTable::occupied() const {
+    std::vector<std::uint32_t> bricks;
+    for (std::uint32_t i = 0; i < spans_.size(); ++i) {
+        if (isOccupied(i)) {
+            bricks.push_back(i);
+        }
+    }
+    return bricks;
+}
+
 std::vector<std::uint32_t> BrickTable::changedSince(std::uint64_t revision) const {
     std::vector<std::uint32_t> bricks;
     for (std::uint32_t i = 0; i < changedAt_.size(); ++i) {

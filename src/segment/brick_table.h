@@ -40,6 +40,8 @@ public:
     // Bricks that may hold a generation in (after, upTo]; all that hold anything.
     [[nodiscard]] std::vector<std::uint32_t> holding(int after, int upTo) const;
     [[nodiscard]] std::vector<std::uint32_t> touched() const;
+    // The same for all segments.
+    [[nodiscard]] std::vector<std::uint32_t> occupied() const;
 
     // Reads what the device has written; the other way round after changes made here.
     void download();

@@ -43,23 +43,51 @@ glm::vec4 kernel(double stepMm, double spacingMm) {
 
 } // namespace
 
+Looks allOpaque() {
+    Looks looks;
+    looks.fill(Look::Opaque);
+    return looks;
+}
+
 Segmentation::Segmentation(const volume::GridGeometry& geometry)
     : dims_(geometry.dims), brickDims_(divideUp(geometry.dims, field::kBrick)),
-      tileDims_(divideUp(geometry.dims, kTile)), shown_(planeBytes(geometry.dims), "shown voxels"),
-      texels_(geometry.dims, gl::Format::R16, gl::Filter::Linear, "segmentation"),
+      tileDims_(divideUp(geometry.dims, kTile)),
       cells_(field::cellDims(geometry.dims), gl::Format::RG32F, gl::Filter::Nearest, "segmentation cells"),
-      pending_(std::size_t(tileDims_.x) * std::size_t(tileDims_.y) * std::size_t(tileDims_.z), 0),
       tiles_(4, "segmentation tiles"), reach_(4, "segmentation reach"),
       rows_(kTilesAtOnce * kPadded * kPadded * sizeof(std::uint32_t), "membership rows"),
       alongXY_(kTilesAtOnce * kPadded * kTile * kTile * sizeof(float), "smoothed along x and y"),
       findChanges_("segment/shaders/find_changed_tiles.comp"), packRows_("segment/shaders/pack_rows.comp"),
-      smoothXY_("segment/shaders/smooth_xy.comp"), smoothZ_("segment/shaders/smooth_z.comp"),
-      writePlain_("segment/shaders/write_membership.comp"),
-      summarize_("segment/shaders/summarize_tiles.comp") {
+      smoothXY_("segment/shaders/smooth_xy.comp"), summarize_("segment/shaders/summarize_tiles.comp") {
     const glm::dvec3 spacing = geometry.spacing();
     for (int axis = 0; axis < 3; ++axis) {
         weights_[axis] = kernel(geometry.stepMm(), spacing[axis]);
     }
+    takeLooks(allOpaque());
+}
+
+// Makes the channels anew when there is to be another number of them.
+void Segmentation::takeLooks(const Looks& looks) {
+    const bool isGlass = std::find(looks.begin(), looks.end(), Look::Translucent) != looks.end();
+    const std::size_t channels = isGlass ? 2 : 1;
+    haveLooksChanged_ = haveLooksChanged_ || looks != looks_;
+    looks_ = looks;
+    if (channels == channels_.size()) {
+        return;
+    }
+    channels_.clear();
+    texels_ = {}; // first, so that there is never room for both
+    texels_ =
+        gl::Texture(dims_, isGlass ? gl::Format::RG8 : gl::Format::R8, gl::Filter::Linear, "segmentation");
+    for (std::size_t i = 0; i < channels; ++i) {
+        const auto tiles = std::size_t(tileDims_.x) * std::size_t(tileDims_.y) * std::size_t(tileDims_.z);
+        channels_.push_back(
+            {gl::Buffer(planeBytes(dims_), "shown voxels"), std::vector<std::uint32_t>(tiles, 0)});
+    }
+    haveLooksChanged_ = true;
+}
+
+gl::Defines Segmentation::defines() const {
+    return channels_.size() > 1 ? gl::Defines{{"VS_GLASS", "1"}} : gl::Defines{};
 }
 
 glm::ivec3 Segmentation::tileAt(std::uint32_t tile) const {
@@ -67,14 +95,23 @@ glm::ivec3 Segmentation::tileAt(std::uint32_t tile) const {
     return {i % tileDims_.x, i / tileDims_.x % tileDims_.y, i / (tileDims_.x * tileDims_.y)};
 }
 
-// Brings the plane of what is shown up to date; returns the tiles of the bricks in which it may have changed.
+// Brings the planes of what is shown up to date; returns the tiles of the bricks in which they may have
+// changed.
 std::vector<std::uint32_t> Segmentation::show(const Growth& growth) {
-    const auto bricks = growth.bricksChangedSince(seenRevision_);
+    const BrickTable& table = growth.seedMap().bricks();
+    const auto bricks = haveLooksChanged_ ? table.occupied() : table.changedSince(seenRevision_);
     seenRevision_ = growth.revision();
+    haveLooksChanged_ = false;
     if (bricks.empty()) {
         return {};
     }
-    growth.show(shown_, bricks, std::vector<std::uint32_t>(256, 1), 1);
+    std::vector<std::uint32_t> kinds;
+    for (const Look look : looks_) {
+        kinds.push_back(std::uint32_t(look));
+    }
+    for (std::size_t i = 0; i < channels_.size(); ++i) {
+        growth.show(channels_[i].shown, bricks, kinds, std::uint32_t(i + 1));
+    }
     std::vector<std::uint32_t> tiles;
     for (const std::uint32_t brick : bricks) {
         const Box3 box = growth.seedMap().bricks().box(brick);
@@ -91,17 +128,21 @@ std::vector<std::uint32_t> Segmentation::show(const Growth& growth) {
     return tiles;
 }
 
-// Compares membership with what the volume holds, and notes in pending_ where changes reach.
-void Segmentation::findChanges(const std::vector<std::uint32_t>& tiles) {
+void Segmentation::listTiles(const std::vector<std::uint32_t>& tiles) {
     tiles_.reserve(tiles.size() * sizeof(std::uint32_t));
     tiles_.write(std::span<const std::uint32_t>(tiles));
+    tiles_.bindStorage(0);
+}
+
+// Compares membership with what the volume holds, and notes as pending where changes reach.
+void Segmentation::findChanges(int channel, const std::vector<std::uint32_t>& tiles) {
+    listTiles(tiles);
     reach_.reserve(tiles.size() * sizeof(std::uint32_t));
     reach_.clear();
-    tiles_.bindStorage(0);
     reach_.bindStorage(1);
-    shown_.bindStorage(3);
+    channels_[std::size_t(channel)].shown.bindStorage(3);
     texels_.bindTexture(1);
-    findChanges_.set(0, dims_).set(1, brickDims_).set(2, tileDims_);
+    findChanges_.set(0, dims_).set(1, brickDims_).set(2, tileDims_).set(6, channel);
     for (std::uint32_t first = 0; first < tiles.size(); first += kMaxGroups) {
         findChanges_.set(3, int(first));
         findChanges_.dispatch({int(std::min<std::size_t>(kMaxGroups, tiles.size() - first)), 1, 1},
@@ -109,21 +150,22 @@ void Segmentation::findChanges(const std::vector<std::uint32_t>& tiles) {
     }
     const auto reach = reach_.read<std::uint32_t>(tiles.size());
     for (std::size_t i = 0; i < tiles.size(); ++i) {
-        pending_[tiles[i]] |= reach[i];
+        channels_[std::size_t(channel)].pending[tiles[i]] |= reach[i];
     }
 }
 
-std::vector<std::uint32_t> Segmentation::tilesToSmooth() {
+std::vector<std::uint32_t> Segmentation::tilesToSmooth(Channel& channel) const {
     std::vector<std::uint32_t> tiles;
-    for (std::uint32_t i = 0; i < pending_.size(); ++i) {
-        for (int n = 0; n < 27 && pending_[i] != 0; ++n) {
+    for (std::uint32_t i = 0; i < channel.pending.size(); ++i) {
+        std::uint32_t& pending = channel.pending[i];
+        for (int n = 0; n < 27 && pending != 0; ++n) {
             const glm::ivec3 tile = tileAt(i) + glm::ivec3(n % 3, n / 3 % 3, n / 9) - 1;
-            if ((pending_[i] >> n & 1U) != 0 && glm::all(glm::greaterThanEqual(tile, glm::ivec3(0))) &&
+            if ((pending >> n & 1U) != 0 && glm::all(glm::greaterThanEqual(tile, glm::ivec3(0))) &&
                 glm::all(glm::lessThan(tile, tileDims_))) {
                 tiles.push_back(std::uint32_t((tile.z * tileDims_.y + tile.y) * tileDims_.x + tile.x));
             }
         }
-        pending_[i] = 0;
+        pending = 0;
     }
     std::sort(tiles.begin(), tiles.end());
     tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());
@@ -131,63 +173,67 @@ std::vector<std::uint32_t> Segmentation::tilesToSmooth() {
 }
 
 // Smooths tiles [first, first + count) of the list on the device.
-void Segmentation::smooth(std::uint32_t first, std::uint32_t count) {
-    shown_.bindStorage(3);
+void Segmentation::smooth(int channel, std::uint32_t first, std::uint32_t count) {
+    channels_[std::size_t(channel)].shown.bindStorage(3);
     rows_.bindStorage(1);
     alongXY_.bindStorage(2);
     const auto prepare = [&](gl::Program& program, int axis) {
         program.set(0, dims_).set(1, brickDims_).set(2, tileDims_).set(3, int(first)).set(4, weights_[axis]);
     };
+    gl::Program& smoothZ = smoothZ_.with(defines());
     prepare(packRows_, 0);
     prepare(smoothXY_, 1);
     smoothXY_.set(5, weights_[0]);
-    prepare(smoothZ_, 2);
+    prepare(smoothZ, 2);
+    if (channels_.size() > 1) {
+        smoothZ.set(6, channel);
+    }
     // Each pass reads what the one before it has written.
     packRows_.dispatchOver({kPadded * kPadded, int(count), 1}, gl::Barrier::Storage);
     smoothXY_.dispatchOver({kPadded * kTile, int(count), 1}, gl::Barrier::Storage);
-    texels_.bindImage(0, gl::Access::Write);
-    smoothZ_.dispatchOver({kTile * kTile, int(count), 1}, gl::Barrier::Texture);
+    texels_.bindImage(0, gl::Access::ReadWrite);
+    smoothZ.dispatchOver({kTile * kTile, int(count), 1}, gl::Barrier::Texture);
 }
 
-Box3 Segmentation::update(const Growth& growth, Smoothing smoothing) {
-    const gl::Pass pass("update segmentation");
-    const auto candidates = show(growth);
+// Rewrites a channel where it has changed; returns the tiles.
+std::vector<std::uint32_t> Segmentation::write(int channel, const std::vector<std::uint32_t>& candidates,
+                                               Smoothing smoothing) {
+    Channel& own = channels_[std::size_t(channel)];
     if (!candidates.empty()) {
-        findChanges(candidates);
+        findChanges(channel, candidates);
     }
     std::vector<std::uint32_t> tiles;
     if (smoothing == Smoothing::Smooth) {
-        tiles = tilesToSmooth();
+        tiles = tilesToSmooth(own);
     } else {
         std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(tiles),
-                     [&](std::uint32_t tile) { return pending_[tile] != 0; });
+                     [&](std::uint32_t tile) { return own.pending[tile] != 0; });
     }
-    Box3 box;
-    for (const std::uint32_t tile : tiles) {
-        const glm::ivec3 lo = tileAt(tile) * kTile;
-        box = unite(box, {lo, glm::min(lo + kTile, dims_)});
-    }
-    if (tiles.empty()) {
-        return box;
-    }
-    ++version_;
-    tiles_.reserve(tiles.size() * sizeof(std::uint32_t));
-    tiles_.write(std::span<const std::uint32_t>(tiles));
-    tiles_.bindStorage(0);
+    listTiles(tiles);
     const auto total = std::uint32_t(tiles.size());
     for (std::uint32_t first = 0; first < total; first += kTilesAtOnce) {
         const std::uint32_t count = std::min(kTilesAtOnce, total - first);
         if (smoothing == Smoothing::Smooth) {
-            smooth(first, count);
+            smooth(channel, first, count);
         } else {
-            shown_.bindStorage(3);
-            texels_.bindImage(0, gl::Access::Write);
-            writePlain_.set(0, dims_).set(1, brickDims_).set(2, tileDims_).set(3, int(first));
-            writePlain_.dispatchOver({kTile * kTile, int(count), 1}, gl::Barrier::Texture);
+            gl::Program& writePlain = writePlain_.with(defines());
+            own.shown.bindStorage(3);
+            texels_.bindImage(0, gl::Access::ReadWrite);
+            writePlain.set(0, dims_).set(1, brickDims_).set(2, tileDims_).set(3, int(first));
+            if (channels_.size() > 1) {
+                writePlain.set(6, channel);
+            }
+            writePlain.dispatchOver({kTile * kTile, int(count), 1}, gl::Barrier::Texture);
         }
     }
+    return tiles;
+}
+
+void Segmentation::summarize(const std::vector<std::uint32_t>& tiles) {
+    listTiles(tiles);
     texels_.bindTexture(1);
     cells_.bindImage(1, gl::Access::Write);
+    const auto total = std::uint32_t(tiles.size());
     for (std::uint32_t first = 0; first < total; first += kMaxGroups) {
         summarize_.set(0, dims_)
             .set(1, brickDims_)
@@ -196,7 +242,39 @@ Box3 Segmentation::update(const Growth& growth, Smoothing smoothing) {
             .set(5, cells_.size());
         summarize_.dispatch({1, int(std::min(kMaxGroups, total - first)), 1}, gl::Barrier::Texture);
     }
+}
+
+Box3 Segmentation::update(const Growth& growth, Smoothing smoothing, const Looks& looks) {
+    const gl::Pass pass("update segmentation");
+    takeLooks(looks);
+    const auto candidates = show(growth);
+    std::vector<std::uint32_t> changed;
+    for (int channel = 0; channel < int(channels_.size()); ++channel) {
+        const auto tiles = write(channel, candidates, smoothing);
+        changed.insert(changed.end(), tiles.begin(), tiles.end());
+    }
+    std::sort(changed.begin(), changed.end());
+    changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+    Box3 box;
+    for (const std::uint32_t tile : changed) {
+        const glm::ivec3 lo = tileAt(tile) * kTile;
+        box = unite(box, {lo, glm::min(lo + kTile, dims_)});
+    }
+    if (!changed.empty()) {
+        ++version_;
+        summarize(changed);
+    }
     return box;
+}
+
+std::vector<float> Segmentation::values() const {
+    const auto texels = texels_.downloadAll<std::uint8_t>();
+    const std::size_t stride = channels_.size();
+    std::vector<float> values(texels.size() / stride);
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        values[i] = float(texels[stride * i]) / 255.0F;
+    }
+    return values;
 }
 
 } // namespace vs::segment

@@ -6,54 +6,79 @@
 #include "gl/texture.h"
 #include "segment/growth.h"
 
+#include <array>
 #include <cstdint>
 #include <vector>
 
 namespace vs::segment {
 
+// How a segment is to be seen: what is translucent is drawn with glass (render/segment_colours.h).
+enum class Look : std::uint8_t { Hidden = 0, Opaque = 1, Translucent = 2 };
+using Looks = std::array<Look, 256>; // by label
+Looks allOpaque();
+
 // Smooth: the region radiated by a Gaussian. Plain: 1 inside and 0 outside, for scrubbing; what was updated
 // so is smoothed by the next smooth update.
 enum class Smoothing { Plain, Smooth };
 
-// The anti-aliased region as renderer and surface extraction see it: the voxels shown by a Growth, convolved
-// with a separable Gaussian (sigma R/3 steps with R = 3, the same in mm along all axes; nothing lies outside
-// the grid), then held to the truth by mirroring at 0.5: at least 0.5 at each shown voxel's centre, below 0.5
-// at every other. The surface is its 0.5 level.
+// The anti-aliased segments as renderer and surface extraction see them: the voxels shown by a Growth,
+// convolved with a separable Gaussian (sigma R/3 steps with R = 3, the same in mm along all axes; nothing
+// lies outside the grid), then held to the truth by mirroring at 0.5: at least 0.5 at each shown voxel's
+// centre, below 0.5 at every other. The surface is its 0.5 level.
 class Segmentation {
 public:
-    // Throws GlError when the device has no room (2 bytes a voxel, and 12 MiB of scratch).
+    // Throws GlError when the device has no room: 1 byte and 1 bit a voxel, as much again while there are
+    // translucent segments, and 12 MiB of scratch.
     explicit Segmentation(const volume::GridGeometry& geometry);
 
-    // Brings the volume up to date with what `growth` shows, always the same one. Cost follows the number of
+    // Brings the volume up to date with what `growth` shows of segments that are not hidden, always the same
+    // growth. Cost follows the number of
     // tiles of 16^3 voxels around which membership changed. Returns the box of voxels rewritten.
-    Box3 update(const Growth& growth, Smoothing smoothing = Smoothing::Smooth);
+    Box3 update(const Growth& growth, Smoothing smoothing = Smoothing::Smooth,
+                const Looks& looks = allOpaque());
 
-    // R16, linear filter, values in [0, 1].
+    // R8, linear filter, values in [0, 1]: the opaque segments together. RG8 while there are translucent
+    // ones: those together in g.
     [[nodiscard]] const gl::Texture& texels() const { return texels_; }
     // RG32F, smallest and largest value of each macrocell, as field::CellRangeUpdater makes them.
     [[nodiscard]] const gl::Texture& cells() const { return cells_; }
+    // The same, downloaded, x fastest.
+    [[nodiscard]] std::vector<float> values() const;
     // Counts the updates that changed something.
     [[nodiscard]] std::uint64_t version() const { return version_; }
 
 private:
+    // One for the opaque segments, one for the translucent ones.
+    struct Channel {
+        gl::Buffer shown; // one bit a voxel, laid out as in shaders/words.glsl
+        // Per tile: which of its 27 neighbours (itself included) changes there reach and that are not
+        // smoothed yet, bit (dx + 1) + 3 (dy + 1) + 9 (dz + 1).
+        std::vector<std::uint32_t> pending;
+    };
+
+    void takeLooks(const Looks& looks);
     std::vector<std::uint32_t> show(const Growth& growth);
-    void findChanges(const std::vector<std::uint32_t>& tiles);
-    std::vector<std::uint32_t> tilesToSmooth();
-    void smooth(std::uint32_t first, std::uint32_t count);
+    void findChanges(int channel, const std::vector<std::uint32_t>& tiles);
+    std::vector<std::uint32_t> tilesToSmooth(Channel& channel) const;
+    std::vector<std::uint32_t> write(int channel, const std::vector<std::uint32_t>& candidates,
+                                     Smoothing smoothing);
+    void smooth(int channel, std::uint32_t first, std::uint32_t count);
+    void summarize(const std::vector<std::uint32_t>& tiles);
+    void listTiles(const std::vector<std::uint32_t>& tiles);
+    [[nodiscard]] gl::Defines defines() const;
     [[nodiscard]] glm::ivec3 tileAt(std::uint32_t tile) const;
 
     glm::ivec3 dims_;
     glm::ivec3 brickDims_;
     glm::ivec3 tileDims_;
-    gl::Buffer shown_;     // one bit a voxel, laid out as in shaders/words.glsl
     glm::vec4 weights_[3]; // per axis: the kernel at 0, 1, 2 and 3 voxels
     gl::Texture texels_;
     gl::Texture cells_;
     std::uint64_t seenRevision_ = 0;
     std::uint64_t version_ = 0;
-    // Per tile: which of its 27 neighbours (itself included) changes there reach and that are not smoothed
-    // yet, bit (dx + 1) + 3 (dy + 1) + 9 (dz + 1).
-    std::vector<std::uint32_t> pending_;
+    std::vector<Channel> channels_;
+    Looks looks_ = allOpaque();
+    bool haveLooksChanged_ = false;
 
     gl::Buffer tiles_;
     gl::Buffer reach_;
@@ -62,8 +87,8 @@ private:
     gl::Program findChanges_;
     gl::Program packRows_;
     gl::Program smoothXY_;
-    gl::Program smoothZ_;
-    gl::Program writePlain_;
+    gl::ProgramVariants smoothZ_{"segment/shaders/smooth_z.comp"};
+    gl::ProgramVariants writePlain_{"segment/shaders/write_membership.comp"};
     gl::Program summarize_;
 };
 

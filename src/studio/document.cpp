@@ -70,6 +70,7 @@ render::Frame Document::Impl::frame(const View& from, glm::ivec2 size) {
     state.sculpture = &sculpture;
     state.pasted = &pasted;
     state.growth = region.growth();
+    state.segments = &segments;
     state.greyWindow = grey;
     if (stroke && stroke->onlyCuts()) {
         state.cuttingSince = stroke->sculptureVersion();
@@ -221,6 +222,7 @@ void Document::beginGrowth() {
     Impl::LiveGrowth live;
     live.voxelsBefore = impl_->grownVoxels();
     live.sculptureView = impl_->view.sculptureView;
+    impl_->workUnlocked(live.records);
     impl_->region.beginLive(live.sculptureView, live.records);
     impl_->live = std::move(live);
 }

@@ -10,14 +10,6 @@
 
 namespace vs::studio {
 
-namespace {
-
-segment::Connectivity connectivityOf(const Seed& op) {
-    return op.connectivity == 26 ? segment::Connectivity::TwentySix : segment::Connectivity::Six;
-}
-
-} // namespace
-
 // --- looking
 
 Outcome Document::Impl::run(SetView& op, const std::filesystem::path&) {
@@ -34,86 +26,6 @@ Outcome Document::Impl::run(SetView& op, const std::filesystem::path&) {
     loggedView = view;
     ++version;
     return {};
-}
-
-// --- growing
-
-std::size_t Document::Impl::grownVoxels() const {
-    return region.exists() ? std::size_t(region.growth()->voxelCount()) : 0;
-}
-
-Outcome Document::Impl::describeGrowth(int generations, std::size_t voxelsBefore) const {
-    const std::size_t now = grownVoxels();
-    return {{},
-            0,
-            now > voxelsBefore ? now - voxelsBefore : voxelsBefore - now,
-            fmt::format("{} generation{}{}; {} voxels, {:.1f} ml", std::abs(generations),
-                        std::abs(generations) == 1 ? "" : "s", generations < 0 ? " back" : "", now,
-                        double(now) * volume.geometry.voxelMm3() / 1000)};
-}
-
-segment::SeedCounts Document::Impl::plant(const Seed& op, Region::Records& records) {
-    return region.seed(
-        op.voxels, region.constraints(*op.range, op.canvas->view.sculptureView, connectivityOf(op)), records);
-}
-
-Outcome Document::Impl::run(Seed& op, const std::filesystem::path&) {
-    settle(op.canvas);
-    if (!op.range) {
-        op.range = op.canvas->view.range;
-    }
-    if (op.voxels.empty()) {
-        const auto pixels = pixelsUnder(op.strokes, op.widthPixels, op.canvas->viewport);
-        const auto points = cutter.picker.pick(frame(op.canvas->view, op.canvas->viewport), pixels);
-        op.voxels = region.findSeeds(
-            points, region.constraints(*op.range, op.canvas->view.sculptureView, connectivityOf(op)));
-    }
-    if (op.voxels.empty()) {
-        return {{}, 0, 0, "nothing seeded: no voxel in range lies under the stroke"};
-    }
-    Region::Records records;
-    const auto counts = plant(op, records);
-    remember(op, {}, std::move(records));
-    return {{},
-            0,
-            std::size_t(counts.added),
-            counts.refused > 0
-                ? fmt::format("{} voxels seeded, {} refused (outside the grid or the range, or cut away)",
-                              counts.added, counts.refused)
-                : fmt::format("{} voxels seeded", counts.added)};
-}
-
-Outcome Document::Impl::run(Grow& op, const std::filesystem::path&) {
-    const std::size_t before = grownVoxels();
-    op.sculptureView = op.sculptureView.value_or(view.sculptureView);
-    Region::Records records;
-    const int generations =
-        region.grow(op.generations.value_or(Region::kEndless), *op.sculptureView, records);
-    remember(op, {}, std::move(records));
-    return describeGrowth(generations, before);
-}
-
-Outcome Document::Impl::run(Rewind& op, const std::filesystem::path&) {
-    const std::size_t before = grownVoxels();
-    Region::Records records;
-    const int generations = region.rewind(op.generations, records);
-    remember(op, {}, std::move(records));
-    return describeGrowth(-generations, before);
-}
-
-Outcome Document::Impl::run(SetGrowthRange& op, const std::filesystem::path&) {
-    Region::Records records;
-    region.setRange(op.range, records);
-    remember(op, {}, std::move(records));
-    return {{}, 0, 0, fmt::format("growing in {:g} to {:g}", op.range.lo, op.range.hi)};
-}
-
-Outcome Document::Impl::run(ReSeed& op, const std::filesystem::path&) {
-    const std::size_t before = grownVoxels();
-    Region::Records records;
-    region.clear(records);
-    remember(op, {}, std::move(records));
-    return {{}, 0, before, "segmentation cleared"};
 }
 
 // --- undo and redo
@@ -143,9 +55,10 @@ Outcome Document::Impl::travel(Step& step, bool isUndo) {
         sculpture.swap(*step.cut);
         outcome.voxelsTouched = step.cut->changedVoxels();
     }
-    if (!step.growth.empty()) {
+    if (!step.growth.empty() || step.segmentsAfter) {
         if (isUndo) {
             region.undo(step.growth);
+            segments = step.segmentsBefore.value_or(segments);
         } else {
             step.growth = repeat(step.operation);
         }
@@ -159,20 +72,17 @@ Outcome Document::Impl::travel(Step& step, bool isUndo) {
     return outcome;
 }
 
-// Applies a region operation again. Growth gives the same result each time, so its redo needs no memory.
+// Applies an operation on segments again. Growth gives the same result each time, so its redo needs no
+// memory.
 Region::Records Document::Impl::repeat(const Operation& operation) {
     Region::Records records;
-    if (const auto* seed = std::get_if<Seed>(&operation)) {
-        plant(*seed, records);
-    } else if (const auto* grow = std::get_if<Grow>(&operation)) {
-        region.grow(grow->generations.value_or(Region::kEndless), *grow->sculptureView, records);
-    } else if (const auto* rewind = std::get_if<Rewind>(&operation)) {
-        region.rewind(rewind->generations, records);
-    } else if (const auto* range = std::get_if<SetGrowthRange>(&operation)) {
-        region.setRange(range->range, records);
-    } else {
-        region.clear(records);
-    }
+    std::visit(
+        [&](const auto& op) {
+            if constexpr (requires { perform(op, records); }) {
+                perform(op, records);
+            }
+        },
+        operation);
     return records;
 }
 
@@ -195,7 +105,7 @@ Outcome Document::Impl::run(SavePicture& op, const std::filesystem::path& folder
 }
 
 Outcome Document::Impl::run(SaveLabels& op, const std::filesystem::path& folder) {
-    const auto labels = region.exists() ? region.growth()->labels()
+    const auto labels = region.exists() ? region.growth()->labelMap()
                                         : std::vector<std::uint8_t>(volume.geometry.voxelCount(), 0);
     volume::writeGrid(folder / op.file, volume.geometry, std::span<const std::uint8_t>(labels));
     return {{}, 0, grownVoxels(), op.file};

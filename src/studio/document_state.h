@@ -8,6 +8,7 @@
 #include "studio/pen_stroke.h"
 #include "studio/pipeline.h"
 #include "studio/region.h"
+#include "studio/segment_list.h"
 #include "studio/solid_strokes.h"
 #include "studio/sweep_stroke.h"
 
@@ -34,7 +35,14 @@ struct Document::Impl {
     Outcome run(Seed& op, const std::filesystem::path& folder);
     Outcome run(Grow& op, const std::filesystem::path& folder);
     Outcome run(Rewind& op, const std::filesystem::path& folder);
-    Outcome run(SetGrowthRange& op, const std::filesystem::path& folder);
+    Outcome run(ShowGeneration& op, const std::filesystem::path& folder);
+    Outcome run(SetGrowthRules& op, const std::filesystem::path& folder);
+    Outcome run(Absorb& op, const std::filesystem::path& folder);
+    Outcome run(UseSegment& op, const std::filesystem::path& folder);
+    Outcome run(RemoveSegment& op, const std::filesystem::path& folder);
+    Outcome run(EditSegment& op, const std::filesystem::path& folder);
+    Outcome run(BrushSegment& op, const std::filesystem::path& folder);
+    Outcome run(CutSegment& op, const std::filesystem::path& folder);
     Outcome run(Undo& op, const std::filesystem::path& folder);
     Outcome run(Redo& op, const std::filesystem::path& folder);
     Outcome run(UnCut& op, const std::filesystem::path& folder);
@@ -61,7 +69,26 @@ struct Document::Impl {
     void arrangeParts(const Operation& operation, const PastedState& state,
                       std::optional<sculpt::BrickDelta> cut = {});
     void showParts(const PastedState& state);
-    segment::SeedCounts plant(const Seed& op, Region::Records& records);
+    // What an operation does to segments, once all it needs has been found; also done again by redo.
+    segment::SeedCounts perform(const Seed& op, Region::Records& records);
+    int perform(const Grow& op, Region::Records& records);
+    int perform(const Rewind& op, Region::Records& records);
+    void perform(const ShowGeneration& op, Region::Records& records);
+    void perform(const SetGrowthRules& op, Region::Records& records);
+    int perform(const Absorb& op, Region::Records& records);
+    void perform(const UseSegment& op, Region::Records& records);
+    void perform(const RemoveSegment& op, Region::Records& records);
+    void perform(const EditSegment& op, Region::Records& records);
+    void perform(const BrushSegment& op, Region::Records& records);
+    void perform(const ReSeed& op, Region::Records& records);
+    // Performs and remembers; when it throws midway, everything is as before.
+    template <typename Op>
+    auto change(const Op& op);
+    // Goes to work on the segment at work; throws Error when it is locked.
+    void workUnlocked(Region::Records& records);
+    segment::VoxelSet brushed(const BrushSegment& op);
+    std::vector<glm::ivec3> voxelsUnder(const std::vector<Sketch>& strokes, double widthPixels,
+                                        const Canvas& canvas, const segment::Constraints& constraints);
     [[nodiscard]] std::size_t grownVoxels() const;
     [[nodiscard]] Outcome describeGrowth(int generations, std::size_t voxelsBefore) const;
     Region::Records repeat(const Operation& operation);
@@ -74,6 +101,7 @@ struct Document::Impl {
     sculpt::Sculpture sculpture;
     Pipeline pipeline;
     Region region;
+    SegmentList segments;
     Cutter cutter;
     std::optional<render::RayCaster> caster; // for SavePicture; made when first used
     History history;

@@ -5,6 +5,7 @@
 #include "segment/growth_undo.h"
 #include "studio/operation.h"
 #include "studio/pasted_parts.h"
+#include "studio/segment_list.h"
 #include "studio/spill_file.h"
 
 #include <optional>
@@ -21,6 +22,9 @@ struct Step {
     // Pasted parts before and after, where the operation changed them.
     std::optional<PastedState> partsBefore = {};
     std::optional<PastedState> partsAfter = {};
+    // The segments' names and looks, likewise.
+    std::optional<SegmentList> segmentsBefore = {};
+    std::optional<SegmentList> segmentsAfter = {};
     // Where the cut's contents are while they are not in memory; History's own business.
     std::optional<SpillFile::Block> spilled = {};
 };
@@ -60,6 +64,7 @@ public:
     [[nodiscard]] UndoStatistics statistics() const;
 
     // The operation of the step that undo would take back; there must be one.
+    [[nodiscard]] Step& last() { return done_.back(); }
     [[nodiscard]] Operation& lastOperation() { return done_.back().operation; }
     [[nodiscard]] const Operation& lastOperation() const { return done_.back().operation; }
 

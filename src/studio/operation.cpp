@@ -16,7 +16,7 @@ bool cuts(const Operation& operation) {
     return std::holds_alternative<Peel>(operation) || std::holds_alternative<Drill>(operation) ||
            std::holds_alternative<Laser>(operation) || std::holds_alternative<Sweep>(operation) ||
            std::holds_alternative<Scissors>(operation) || std::holds_alternative<Clip>(operation) ||
-           std::holds_alternative<KeepConnected>(operation);
+           std::holds_alternative<KeepConnected>(operation) || std::holds_alternative<CutSegment>(operation);
 }
 
 bool isOutput(const Operation& operation) {

@@ -214,15 +214,90 @@ struct Rewind {
     int generations = 1;
 };
 
-// Changes the running growth's intensity range, in the volume's unit.
-struct SetGrowthRange {
-    Range range;
+// Shows the region up to a generation: scrubbing. Growing goes on from there.
+struct ShowGeneration {
+    int generation = 0;
+};
+
+// Changes what the segment at work may grow into, in the volume's unit (gradients per mm). What is not set
+// stays; a rule set to nothing is dropped.
+struct SetGrowthRules {
+    std::optional<Range> range = {};
+    std::optional<std::optional<Range>> difference = {};         // child - parent
+    std::optional<std::optional<Range>> gradient = {};           // magnitude at the child
+    std::optional<std::optional<Range>> gradientDifference = {}; // child - parent
+    std::optional<int> connectivity = {};                        // 6 or 26
+    std::optional<bool> isLive = {}; // from now on new rules also take away what they do not reach
+};
+
+// Targeted shrink: takes away the segment at work from under the strokes outward, by so many expansions or
+// until nothing is left. What was taken away does not grow again until it is seeded. `voxels` as in Seed.
+struct Absorb {
+    std::vector<Sketch> strokes;
+    double widthPixels = 5;
+    std::optional<int> expansions = {};
+    std::vector<glm::ivec3> voxels = {};
+    std::optional<Canvas> canvas = {};
+};
+
+// Goes to work on the segment of that name, which is made if there is none, and changes what is set: its
+// name, its colour (sRGB, 0 to 1), its opacity, whether it is seen, and whether it is locked.
+struct UseSegment {
+    std::string segment;
+    std::optional<std::string> name = {};
+    std::optional<glm::dvec3> colour = {};
+    std::optional<double> opacity = {};
+    std::optional<bool> isVisible = {};
+    std::optional<bool> isLocked = {};
+};
+
+// Erases a segment and forgets its name.
+struct RemoveSegment {
+    std::string segment;
+};
+
+// One edit of a finished segment: of the one at work. Afterwards only new seeds grow.
+struct EditSegment {
+    enum class Kind {
+        KeepIsland, // under a pixel, or at `voxel`
+        DropIsland,
+        KeepLargest,
+        DropSmall, // islands below `amount` ml
+        FillHoles, // up to `amount` ml; 0: all
+        Margin,    // grows (or shrinks, below zero) by `amount` mm
+        Open,      // shrinks and grows by `amount` mm: cuts thin bridges and spikes
+        Close,     // grows and shrinks by `amount` mm: closes gaps
+        Smooth,    // over `amount` mm
+        Hollow,    // leaves a wall of `amount` mm inside the surface
+        Unite,     // takes in all of `other`, which is left empty
+        Subtract,  // what lies within `amount` mm of `other`
+        Intersect, // keeps only that
+    };
+    Kind kind = Kind::KeepLargest;
+    double amount = 0;
+    std::string other = {};
+    std::optional<glm::dvec2> pixel = {};
+    std::optional<glm::ivec3> voxel = {}; // what was found under the pixel
+    std::optional<Canvas> canvas = {};
+};
+
+// Adds to the segment at work, or removes from it, what a stroke of a sculpting tool would have cut. Adds
+// only voxels in the displayed range.
+struct BrushSegment {
+    bool isToAdd = false;
+    std::variant<Peel, Drill, Laser, Scissors> stroke;
+};
+
+// Cuts away the segment at work, or all but it, with a margin in mm around it.
+struct CutSegment {
+    bool keeps = false;
+    double marginMm = 0;
 };
 
 struct Undo {};
 struct Redo {};
 struct UnCut {};  // clears all cuts
-struct ReSeed {}; // clears the segmentation
+struct ReSeed {}; // clears all segments
 
 // Writes the view as a PNG into the output folder, with a scale bar and an orientation marker if asked for.
 // Does not change the document.
@@ -234,7 +309,8 @@ struct SavePicture {
     bool annotations = false;
 };
 
-// Writes the grown region as a label map (uint8, 1 = inside) into the output folder.
+// Writes the segments as a label map (uint8, numbered in the order they were made, 0 = none) into the output
+// folder.
 struct SaveLabels {
     std::string file;
 };
@@ -244,9 +320,10 @@ struct SaveSculpture {
     std::string file;
 };
 
-using Operation = std::variant<SetView, Peel, Drill, Laser, Sweep, Scissors, Clip, KeepConnected, Paste,
-                               MovePart, Seed, Grow, Rewind, SetGrowthRange, Undo, Redo, UnCut, ReSeed,
-                               SavePicture, SaveLabels, SaveSculpture>;
+using Operation =
+    std::variant<SetView, Peel, Drill, Laser, Sweep, Scissors, Clip, KeepConnected, Paste, MovePart, Seed,
+                 Grow, Rewind, ShowGeneration, SetGrowthRules, Absorb, UseSegment, RemoveSegment, EditSegment,
+                 BrushSegment, CutSegment, Undo, Redo, UnCut, ReSeed, SavePicture, SaveLabels, SaveSculpture>;
 
 // The name in sessions, reports and the history: "view", "peel", ... (kOperationNames).
 const char* name(const Operation& operation);

@@ -54,58 +54,6 @@ Operation readView(const JsonReader& reader) {
     return op;
 }
 
-Operation readSeed(const JsonReader& reader) {
-    reader.allow({"op", "width", "connectivity", "range", "strokes", "voxels", "canvas"});
-    Seed op;
-    reader.ifHas("width", [&](const JsonReader& r) { op.widthPixels = r.numberBetween(0.1, 1000); });
-    reader.ifHas("connectivity", [&](const JsonReader& r) {
-        op.connectivity = int(r.integerBetween(6, 26));
-        if (op.connectivity != 6 && op.connectivity != 26) {
-            r.fail("must be 6 or 26");
-        }
-    });
-    reader.ifHas("range", [&](const JsonReader& r) { op.range = readRange(r); });
-    reader.ifHas("strokes", [&](const JsonReader& r) {
-        for (std::size_t i = 0; i < r.size(); ++i) {
-            op.strokes.push_back(readSketch(r.at(i)));
-        }
-    });
-    reader.ifHas("voxels", [&](const JsonReader& r) {
-        for (std::size_t i = 0; i < r.size(); ++i) {
-            const JsonReader v = r.at(i);
-            v.expectSize(3);
-            op.voxels.emplace_back(v.at(0).integerBetween(0, 1 << 20), v.at(1).integerBetween(0, 1 << 20),
-                                   v.at(2).integerBetween(0, 1 << 20));
-        }
-    });
-    if (op.strokes.empty() && op.voxels.empty()) {
-        reader.fail("needs 'strokes' or 'voxels'");
-    }
-    reader.ifHas("canvas", [&](const JsonReader& r) { op.canvas = readCanvas(r); });
-    return op;
-}
-
-Operation readGrow(const JsonReader& reader) {
-    reader.allow({"op", "generations", "sculptureView"});
-    Grow op;
-    reader.ifHas("generations",
-                 [&](const JsonReader& r) { op.generations = int(r.integerBetween(0, 1 << 30)); });
-    reader.ifHas("sculptureView", [&](const JsonReader& r) {
-        op.sculptureView = r.choice<field::SculptureView>(kSculptureViews);
-    });
-    return op;
-}
-
-Operation readRewind(const JsonReader& reader) {
-    reader.allow({"op", "generations"});
-    return Rewind{int(reader.member("generations").integerBetween(0, 1 << 30))};
-}
-
-Operation readGrowthRange(const JsonReader& reader) {
-    reader.allow({"op", "range"});
-    return SetGrowthRange{readRange(reader.member("range"))};
-}
-
 render::Background readBackground(const JsonReader& reader) {
     try {
         return render::backgroundFromName(reader.text());
@@ -153,7 +101,14 @@ constexpr std::array<OperationReader, std::variant_size_v<Operation>> kReaders{
     readSeed,
     readGrow,
     readRewind,
-    readGrowthRange,
+    readShowGeneration,
+    readGrowthRules,
+    readAbsorb,
+    readUseSegment,
+    readRemoveSegment,
+    readEditSegment,
+    readBrushSegment,
+    readCutSegment,
     readBare<Undo>,
     readBare<Redo>,
     readBare<UnCut>,

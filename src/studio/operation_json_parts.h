@@ -56,6 +56,19 @@ Operation readKeepConnected(const JsonReader& reader);
 Operation readPaste(const JsonReader& reader);
 Operation readMovePart(const JsonReader& reader);
 
+// The operations on segments (segment_operations_json.cpp).
+Operation readSeed(const JsonReader& reader);
+Operation readGrow(const JsonReader& reader);
+Operation readRewind(const JsonReader& reader);
+Operation readShowGeneration(const JsonReader& reader);
+Operation readGrowthRules(const JsonReader& reader);
+Operation readAbsorb(const JsonReader& reader);
+Operation readUseSegment(const JsonReader& reader);
+Operation readRemoveSegment(const JsonReader& reader);
+Operation readEditSegment(const JsonReader& reader);
+Operation readBrushSegment(const JsonReader& reader);
+Operation readCutSegment(const JsonReader& reader);
+
 // Into an object that already has "op".
 void write(Json& j, const Peel& op);
 void write(Json& j, const Drill& op);
@@ -66,5 +79,16 @@ void write(Json& j, const Clip& op);
 void write(Json& j, const KeepConnected& op);
 void write(Json& j, const Paste& op);
 void write(Json& j, const MovePart& op);
+void write(Json& j, const Seed& op);
+void write(Json& j, const Grow& op);
+void write(Json& j, const Rewind& op);
+void write(Json& j, const ShowGeneration& op);
+void write(Json& j, const SetGrowthRules& op);
+void write(Json& j, const Absorb& op);
+void write(Json& j, const UseSegment& op);
+void write(Json& j, const RemoveSegment& op);
+void write(Json& j, const EditSegment& op);
+void write(Json& j, const BrushSegment& op);
+void write(Json& j, const CutSegment& op);
 
 } // namespace vs::studio

@@ -32,34 +32,6 @@ void write(Json& j, const SetView& op) {
     }
 }
 
-void write(Json& j, const Seed& op) {
-    j["width"] = op.widthPixels;
-    j["connectivity"] = op.connectivity;
-    addIfSet(j, "range", op.range);
-    Json strokes = Json::array();
-    for (const auto& stroke : op.strokes) {
-        strokes.push_back(toJson(stroke));
-    }
-    j["strokes"] = strokes;
-    Json voxels = Json::array();
-    for (const auto& v : op.voxels) {
-        voxels.push_back(Json::array({v.x, v.y, v.z}));
-    }
-    j["voxels"] = voxels;
-    addIfSet(j, "canvas", op.canvas);
-}
-
-void write(Json& j, const Grow& op) {
-    if (op.generations) {
-        j["generations"] = *op.generations;
-    }
-    if (op.sculptureView) {
-        j["sculptureView"] = kSculptureViews[std::size_t(*op.sculptureView)];
-    }
-}
-
-void write(Json& j, const Rewind& op) { j["generations"] = op.generations; }
-void write(Json& j, const SetGrowthRange& op) { j["range"] = toJson(op.range); }
 void write(Json&, const Undo&) {}
 void write(Json&, const Redo&) {}
 void write(Json&, const UnCut&) {}

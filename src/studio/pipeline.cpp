@@ -22,6 +22,16 @@ render::TransferFunction functionOfRange(const Range& range) {
     return function;
 }
 
+segment::Looks looksOf(const SegmentList& list) {
+    segment::Looks looks = segment::allOpaque();
+    for (const SegmentInfo& segment : list.segments) {
+        looks[segment.label] = !segment.isVisible    ? segment::Look::Hidden
+                               : segment.opacity < 1 ? segment::Look::Translucent
+                                                     : segment::Look::Opaque;
+    }
+    return looks;
+}
+
 } // namespace
 
 const render::Classification* Pipeline::classify(const View& view) {
@@ -43,7 +53,7 @@ render::Frame Pipeline::frame(const State& state, glm::ivec2 size) {
         if (!segmentation_) {
             segmentation_.emplace(field_->geometry);
         }
-        segmentation_->update(*state.growth);
+        segmentation_->update(*state.growth, segment::Smoothing::Smooth, looksOf(*state.segments));
     }
     const bool hasSegmentation = drawsSegmentation && segmentation_ && state.growth != nullptr;
     const bool isSculpted = !state.sculpture->isEmpty();
@@ -53,6 +63,15 @@ render::Frame Pipeline::frame(const State& state, glm::ivec2 size) {
     frame.scene.data = field_;
     frame.scene.sculpture = isSculpted ? &state.sculpture->texels() : nullptr;
     frame.scene.segmentation = hasSegmentation ? &segmentation_->texels() : nullptr;
+    if (hasSegmentation) {
+        frame.segmentColours = state.segments->colours();
+        if (state.growth->hasOthers()) {
+            state.growth->syncLabels();
+            frame.scene.segmentLabels = &state.growth->seedMap().labels();
+        } else { // labels may lag behind, but there is only one
+            frame.segmentColours.entries[1] = frame.segmentColours.entries[state.growth->activeLabel()];
+        }
+    }
     frame.scene.displayedRange = view.range;
     frame.scene.greyWindow = state.greyWindow;
     frame.scene.view = isSculpted ? view.sculptureView : field::SculptureView::Whole;

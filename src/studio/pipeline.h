@@ -9,6 +9,7 @@
 #include "segment/segmentation.h"
 #include "studio/operation.h"
 #include "studio/pasted_parts.h"
+#include "studio/segment_list.h"
 
 #include <memory>
 
@@ -25,6 +26,7 @@ public:
         const sculpt::Sculpture* sculpture = nullptr;
         const PastedState* pasted = nullptr;     // whose part is drawn at which of the view's places
         const segment::Growth* growth = nullptr; // null: nothing seeded yet
+        const SegmentList* segments = nullptr;   // how they look
         Range greyWindow;
         // The sculpture's version when the stroke in hand began. While it cuts, the macrocells of that moment
         // hold everything that can be seen, and are kept so that a stamp costs only what it touches.

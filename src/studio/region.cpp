@@ -5,6 +5,10 @@
 
 namespace vs::studio {
 
+segment::Connectivity connectivityOf(int neighbours) {
+    return neighbours == 26 ? segment::Connectivity::TwentySix : segment::Connectivity::Six;
+}
+
 segment::Growth& Region::madeGrowth() {
     if (!growth_) {
         growth_ = std::make_unique<segment::Growth>(*field_);
@@ -14,9 +18,12 @@ segment::Growth& Region::madeGrowth() {
 
 segment::Constraints Region::constraints(const Range& range, field::SculptureView view,
                                          segment::Connectivity connectivity) const {
-    segment::Constraints constraints;
+    segment::Constraints constraints = rules();
     constraints.range = range;
     constraints.connectivity = connectivity;
+    constraints.sculpture = nullptr;
+    constraints.sculptureVersion = 0;
+    constraints.view = field::SculptureView::Whole;
     if (!sculpture_->isEmpty() && view != field::SculptureView::Whole) {
         constraints.sculpture = &sculpture_->texels();
         constraints.sculptureVersion = sculpture_->contentVersion();
@@ -57,13 +64,61 @@ int Region::rewind(int generations, Records& records) {
     return growth_->stepBack(generations, &records.emplace_back());
 }
 
-void Region::setRange(const Range& range, Records& records) {
+void Region::showGeneration(int generation, Records& records) {
     if (!hasSeeds()) {
-        throw Error("no region to change the range of: draw seeds first");
+        throw Error("nothing to show: no region has been grown");
     }
-    segment::Constraints changed = growth_->constraints();
-    changed.range = range;
-    growth_->setConstraints(changed, &records.emplace_back());
+    growth_->setPlayhead(generation, &records.emplace_back());
+}
+
+const segment::Constraints& Region::rules() const {
+    static const segment::Constraints none;
+    return growth_ ? growth_->constraints() : none;
+}
+
+void Region::setRules(const SetGrowthRules& rules, Records& records) {
+    segment::Growth& growth = madeGrowth();
+    if (rules.isLive) {
+        growth.setLive(*rules.isLive, &records.emplace_back());
+    }
+    segment::Constraints changed = growth.constraints();
+    changed.range = rules.range.value_or(changed.range);
+    changed.difference = rules.difference.value_or(changed.difference);
+    changed.gradient = rules.gradient.value_or(changed.gradient);
+    changed.gradientDifference = rules.gradientDifference.value_or(changed.gradientDifference);
+    if (rules.connectivity) {
+        changed.connectivity = connectivityOf(*rules.connectivity);
+    }
+    growth.setConstraints(changed, &records.emplace_back());
+}
+
+int Region::absorb(const std::vector<glm::ivec3>& voxels, int expansions, Records& records) {
+    if (!hasSeeds()) {
+        throw Error("nothing to absorb: the segment is empty");
+    }
+    return growth_->absorb(voxels, expansions, &records.emplace_back());
+}
+
+segment::VoxelSet Region::voxels(std::uint8_t label, Records& records) {
+    if (!growth_) {
+        return {};
+    }
+    const std::uint8_t before = growth_->activeLabel();
+    workOn(label, records);
+    const Box3 box = growth_->touchedBox();
+    segment::VoxelSet set{box, growth_->labels(box)};
+    workOn(before, records);
+    return set.tight();
+}
+
+void Region::replace(const segment::VoxelSet& set, Records& records) {
+    madeGrowth().replace(set.box, set.inside, &records.emplace_back());
+}
+
+void Region::workOn(std::uint8_t label, Records& records) {
+    if ((growth_ || label != 1) && madeGrowth().activeLabel() != label) {
+        growth_->activate(label, &records.emplace_back());
+    }
 }
 
 void Region::clear(Records& records) {

@@ -4,14 +4,20 @@
 #include "sculpt/sculpture.h"
 #include "segment/growth_undo.h"
 #include "segment/seeds.h"
+#include "segment/voxel_set.h"
 #include "studio/history.h"
+#include "studio/operation.h"
 
 #include <memory>
 
 namespace vs::studio {
 
-// The growing region of a document: made with the first seeds, since it needs memory in proportion to the
-// volume. Each call returns or appends the records that undo it, in the order in which they were made.
+// 6 or 26 neighbours.
+segment::Connectivity connectivityOf(int neighbours);
+
+// The segments of a document: made with the first seeds, since they need memory in proportion to the volume.
+// Everything happens to the segment at work. Each call returns or appends the records that undo it, in the
+// order in which they were made.
 class Region {
 public:
     Region(const field::Field& field, const sculpt::Sculpture& sculpture)
@@ -32,7 +38,16 @@ public:
     // Generations really added. Takes in first what has happened to the sculpture since the last call.
     int grow(int generations, field::SculptureView view, Records& records);
     int rewind(int generations, Records& records);
-    void setRange(const Range& range, Records& records);
+    void showGeneration(int generation, Records& records);
+    void setRules(const SetGrowthRules& rules, Records& records);
+    // Targeted shrink; returns how many expansions found something.
+    int absorb(const std::vector<glm::ivec3>& voxels, int expansions, Records& records);
+    // Voxels shown of any segment, and making the segment at work a set of them (as segment::Growth does).
+    segment::VoxelSet voxels(std::uint8_t label, Records& records);
+    void replace(const segment::VoxelSet& set, Records& records);
+    // Goes to work on a segment.
+    void workOn(std::uint8_t label, Records& records);
+    // Erases the segment at work.
     void clear(Records& records);
     void undo(const Records& records);
 
@@ -44,6 +59,8 @@ public:
 
     [[nodiscard]] bool exists() const { return growth_ != nullptr; }
     [[nodiscard]] bool hasSeeds() const { return growth_ != nullptr && growth_->extent() > 0; }
+    // Rules of the segment at work; before the first seeds, those that were set so far.
+    [[nodiscard]] const segment::Constraints& rules() const;
     [[nodiscard]] const segment::Growth* growth() const { return growth_.get(); }
 
 private:

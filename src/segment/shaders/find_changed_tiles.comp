@@ -6,6 +6,8 @@
 layout(local_size_x = 64) in;
 
 layout(binding = 1) uniform sampler3D segmentation;
+layout(location = 6) uniform int channel; // of the segmentation
+
 layout(std430, binding = 1) buffer Reach { uint reach[]; };
 
 // Three bits: whether something within reach of the previous tile, in this tile, or within reach of the next.
@@ -22,7 +24,7 @@ void main() {
         for (int x = 0; x < kTile; ++x) {
             ivec3 voxel = origin + ivec3(x, y, z);
             ivec3 inside = min(voxel, dims - 1);
-            bool differs = (members >> x & 1u) != uint(texelFetch(segmentation, inside, 0).r >= 0.5);
+            bool differs = (members >> x & 1u) != uint(texelFetch(segmentation, inside, 0)[channel] >= 0.5);
             alongX |= differs && voxel == inside ? sides(x) : 0u;
         }
         uint sidesY = sides(y);

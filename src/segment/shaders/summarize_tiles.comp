@@ -27,7 +27,8 @@ void main() {
     for (int z = first.z; z <= last.z; ++z) {
         for (int y = first.y; y <= last.y; ++y) {
             for (int x = first.x; x <= last.x; ++x) {
-                float value = texelFetch(segmentation, ivec3(x, y, z), 0).r;
+                vec2 both = texelFetch(segmentation, ivec3(x, y, z), 0).rg;
+                float value = max(both.r, both.g);
                 lo = min(lo, value);
                 hi = max(hi, value);
             }

@@ -1,10 +1,10 @@
 // Writes the region without smoothing: 1 at its voxels, 0 at all others. One invocation a row of 16 voxels along x.
-// In: storage 0 tiles, 3 voxels shown. Out: image 0 segmentation (r16).
+// In: storage 0 tiles, 3 voxels shown. Out: image 0 segmentation.
 #include "segment/shaders/tiles.glsl"
 
 layout(local_size_x = 64) in;
 
-layout(r16, binding = 0) uniform writeonly image3D segmentation;
+#include "segment/shaders/segmentation_image.glsl"
 
 void main() {
     int row = int(gl_GlobalInvocationID.x);
@@ -15,6 +15,6 @@ void main() {
     int width = min(kTile, dims.x - voxel.x);
     uint members = membersFrom(voxel);
     for (int x = 0; x < width; ++x, ++voxel.x) {
-        imageStore(segmentation, voxel, vec4(float(members >> x & 1u)));
+        storeMembership(voxel, float(members >> x & 1u));
     }
 }

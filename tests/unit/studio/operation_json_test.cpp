@@ -94,7 +94,7 @@ TEST(OperationJson, EveryKindComesBackAsItWas) {
         Grow{17, field::SculptureView::Probe},
         Grow{},
         Rewind{4},
-        SetGrowthRange{{-5, 5}},
+        SetGrowthRules{Range{-5, 5}},
         Undo{},
         Redo{},
         UnCut{},

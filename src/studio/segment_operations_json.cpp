@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: Apache-2.0
+// Seeding, growing and the editing of segments in session files.
+#include "studio/operation_json.h"
+#include "studio/operation_json_parts.h"
+#include "studio/operation_names.h"
+
+namespace vs::studio {
+
+namespace {
+
+constexpr int kMostGenerations = 1 << 30;
+constexpr double kMostMm = 1e4;
+
+int readConnectivity(const JsonReader& reader) {
+    const int connectivity = int(reader.integerBetween(6, 26));
+    if (connectivity != 6 && connectivity != 26) {
+        reader.fail("must be 6 or 26");
+    }
+    return connectivity;
+}
+
+glm::ivec3 readVoxel(const JsonReader& reader) {
+    reader.expectSize(3);
+    return {reader.at(0).integerBetween(0, 1 << 20), reader.at(1).integerBetween(0, 1 << 20),
+            reader.at(2).integerBetween(0, 1 << 20)};
+}
+
+std::string readName(const JsonReader& reader) {
+    const std::string name = reader.text();
+    if (name.empty() || name.size() > 200) {
+        reader.fail("must be a name of 1 to 200 characters");
+    }
+    return name;
+}
+
+// The members of operations that are drawn and find voxels.
+template <typename Op>
+void readStrokes(const JsonReader& reader, Op& op) {
+    reader.ifHas("width", [&](const JsonReader& r) { op.widthPixels = r.numberBetween(0.1, 1000); });
+    reader.ifHas("strokes", [&](const JsonReader& r) {
+        for (std::size_t i = 0; i < r.size(); ++i) {
+            op.strokes.push_back(readSketch(r.at(i)));
+        }
+    });
+    reader.ifHas("voxels", [&](const JsonReader& r) {
+        for (std::size_t i = 0; i < r.size(); ++i) {
+            op.voxels.push_back(readVoxel(r.at(i)));
+        }
+    });
+    if (op.strokes.empty() && op.voxels.empty()) {
+        reader.fail("needs 'strokes' or 'voxels'");
+    }
+    reader.ifHas("canvas", [&](const JsonReader& r) { op.canvas = readCanvas(r); });
+}
+
+Json toJson(const glm::ivec3& v) { return Json::array({v.x, v.y, v.z}); }
+
+template <typename Op>
+void writeStrokes(Json& j, const Op& op) {
+    Json strokes = Json::array();
+    for (const auto& stroke : op.strokes) {
+        strokes.push_back(studio::toJson(stroke));
+    }
+    j["strokes"] = strokes;
+    Json voxels = Json::array();
+    for (const auto& voxel : op.voxels) {
+        voxels.push_back(toJson(voxel));
+    }
+    j["voxels"] = voxels;
+    addIfSet(j, "canvas", op.canvas);
+}
+
+} // namespace
+
+Operation readSeed(const JsonReader& reader) {
+    reader.allow({"op", "strokes", "width", "range", "connectivity", "voxels", "canvas"});
+    Seed op;
+    reader.ifHas("connectivity", [&](const JsonReader& r) { op.connectivity = readConnectivity(r); });
+    reader.ifHas("range", [&](const JsonReader& r) { op.range = readRange(r); });
+    readStrokes(reader, op);
+    return op;
+}
+
+void write(Json& j, const Seed& op) {
+    j["width"] = op.widthPixels;
+    j["connectivity"] = op.connectivity;
+    addIfSet(j, "range", op.range);
+    writeStrokes(j, op);
+}
+
+Operation readGrow(const JsonReader& reader) {
+    reader.allow({"op", "generations", "sculptureView"});
+    Grow op;
+    reader.ifHas("generations",
+                 [&](const JsonReader& r) { op.generations = int(r.integerBetween(0, kMostGenerations)); });
+    reader.ifHas("sculptureView", [&](const JsonReader& r) {
+        op.sculptureView = r.choice<field::SculptureView>(kSculptureViews);
+    });
+    return op;
+}
+
+void write(Json& j, const Grow& op) {
+    if (op.generations) {
+        j["generations"] = *op.generations;
+    }
+    if (op.sculptureView) {
+        j["sculptureView"] = kSculptureViews[std::size_t(*op.sculptureView)];
+    }
+}
+
+Operation readRewind(const JsonReader& reader) {
+    reader.allow({"op", "generations"});
+    return Rewind{int(reader.member("generations").integerBetween(0, kMostGenerations))};
+}
+
+void write(Json& j, const Rewind& op) { j["generations"] = op.generations; }
+
+Operation readShowGeneration(const JsonReader& reader) {
+    reader.allow({"op", "generation"});
+    return ShowGeneration{int(reader.member("generation").integerBetween(0, kMostGenerations))};
+}
+
+void write(Json& j, const ShowGeneration& op) { j["generation"] = op.generation; }
+
+Operation readGrowthRules(const JsonReader& reader) {
+    reader.allow({"op", "range", "difference", "gradient", "gradientDifference", "connectivity", "live"});
+    SetGrowthRules op;
+    const auto rule = [&](const char* key, std::optional<std::optional<Range>>& into) {
+        reader.ifHas(key, [&](const JsonReader& r) {
+            into = r.isNull() ? std::optional<Range>() : std::optional<Range>(readRange(r));
+        });
+    };
+    reader.ifHas("range", [&](const JsonReader& r) { op.range = readRange(r); });
+    rule("difference", op.difference);
+    rule("gradient", op.gradient);
+    rule("gradientDifference", op.gradientDifference);
+    reader.ifHas("connectivity", [&](const JsonReader& r) { op.connectivity = readConnectivity(r); });
+    reader.ifHas("live", [&](const JsonReader& r) { op.isLive = r.boolean(); });
+    return op;
+}
+
+void write(Json& j, const SetGrowthRules& op) {
+    const auto rule = [&](const char* key, const std::optional<std::optional<Range>>& value) {
+        if (value) {
+            j[key] = *value ? studio::toJson(**value) : Json();
+        }
+    };
+    addIfSet(j, "range", op.range);
+    rule("difference", op.difference);
+    rule("gradient", op.gradient);
+    rule("gradientDifference", op.gradientDifference);
+    if (op.connectivity) {
+        j["connectivity"] = *op.connectivity;
+    }
+    if (op.isLive) {
+        j["live"] = *op.isLive;
+    }
+}
+
+Operation readAbsorb(const JsonReader& reader) {
+    reader.allow({"op", "strokes", "width", "expansions", "voxels", "canvas"});
+    Absorb op;
+    reader.ifHas("expansions",
+                 [&](const JsonReader& r) { op.expansions = int(r.integerBetween(0, kMostGenerations)); });
+    readStrokes(reader, op);
+    return op;
+}
+
+void write(Json& j, const Absorb& op) {
+    j["width"] = op.widthPixels;
+    if (op.expansions) {
+        j["expansions"] = *op.expansions;
+    }
+    writeStrokes(j, op);
+}
+
+Operation readUseSegment(const JsonReader& reader) {
+    reader.allow({"op", "segment", "name", "colour", "opacity", "visible", "locked"});
+    UseSegment op;
+    op.segment = readName(reader.member("segment"));
+    reader.ifHas("name", [&](const JsonReader& r) { op.name = readName(r); });
+    reader.ifHas("colour", [&](const JsonReader& r) {
+        r.expectSize(3);
+        op.colour =
+            glm::dvec3(r.at(0).numberBetween(0, 1), r.at(1).numberBetween(0, 1), r.at(2).numberBetween(0, 1));
+    });
+    reader.ifHas("opacity", [&](const JsonReader& r) { op.opacity = r.numberBetween(0.01, 1); });
+    reader.ifHas("visible", [&](const JsonReader& r) { op.isVisible = r.boolean(); });
+    reader.ifHas("locked", [&](const JsonReader& r) { op.isLocked = r.boolean(); });
+    return op;
+}
+
+void write(Json& j, const UseSegment& op) {
+    j["segment"] = op.segment;
+    if (op.name) {
+        j["name"] = *op.name;
+    }
+    addIfSet(j, "colour", op.colour);
+    if (op.opacity) {
+        j["opacity"] = *op.opacity;
+    }
+    if (op.isVisible) {
+        j["visible"] = *op.isVisible;
+    }
+    if (op.isLocked) {
+        j["locked"] = *op.isLocked;
+    }
+}
+
+Operation readRemoveSegment(const JsonReader& reader) {
+    reader.allow({"op", "segment"});
+    return RemoveSegment{readName(reader.member("segment"))};
+}
+
+void write(Json& j, const RemoveSegment& op) { j["segment"] = op.segment; }
+
+Operation readEditSegment(const JsonReader& reader) {
+    reader.allow({"op", "edit", "amount", "other", "pixel", "voxel", "canvas"});
+    EditSegment op;
+    op.kind = reader.member("edit").choice<EditSegment::Kind>(kSegmentEdits);
+    reader.ifHas("amount", [&](const JsonReader& r) { op.amount = r.numberBetween(-kMostMm, kMostMm); });
+    reader.ifHas("other", [&](const JsonReader& r) { op.other = readName(r); });
+    reader.ifHas("pixel", [&](const JsonReader& r) { op.pixel = readPoint(r); });
+    reader.ifHas("voxel", [&](const JsonReader& r) { op.voxel = readVoxel(r); });
+    reader.ifHas("canvas", [&](const JsonReader& r) { op.canvas = readCanvas(r); });
+    return op;
+}
+
+void write(Json& j, const EditSegment& op) {
+    j["edit"] = kSegmentEdits[std::size_t(op.kind)];
+    j["amount"] = op.amount;
+    if (!op.other.empty()) {
+        j["other"] = op.other;
+    }
+    if (op.pixel) {
+        j["pixel"] = pair(op.pixel->x, op.pixel->y);
+    }
+    if (op.voxel) {
+        j["voxel"] = toJson(*op.voxel);
+    }
+    addIfSet(j, "canvas", op.canvas);
+}
+
+Operation readBrushSegment(const JsonReader& reader) {
+    reader.allow({"op", "adds", "stroke"});
+    BrushSegment op;
+    op.isToAdd = reader.member("adds").boolean();
+    const JsonReader stroke = reader.member("stroke");
+    const Operation drawn = operationFromJson(stroke.json(), stroke.place());
+    const bool isKnown = std::visit(
+        [&](const auto& one) {
+            if constexpr (std::is_constructible_v<decltype(op.stroke), decltype(one)>) {
+                op.stroke = one;
+                return true;
+            } else {
+                return false;
+            }
+        },
+        drawn);
+    if (!isKnown) {
+        stroke.fail("must be a peel, drill, laser or scissors");
+    }
+    return op;
+}
+
+void write(Json& j, const BrushSegment& op) {
+    j["adds"] = op.isToAdd;
+    j["stroke"] = std::visit([](const auto& stroke) { return toJson(Operation(stroke)); }, op.stroke);
+}
+
+Operation readCutSegment(const JsonReader& reader) {
+    reader.allow({"op", "keeps", "margin"});
+    CutSegment op;
+    reader.ifHas("keeps", [&](const JsonReader& r) { op.keeps = r.boolean(); });
+    reader.ifHas("margin", [&](const JsonReader& r) { op.marginMm = r.numberBetween(-kMostMm, kMostMm); });
+    return op;
+}
+
+void write(Json& j, const CutSegment& op) {
+    j["keeps"] = op.keeps;
+    j["margin"] = op.marginMm;
+}
+
+} // namespace vs::studio

@@ -40,6 +40,8 @@ FormatInfo info(Format format) {
         return {GL_R16UI, GL_RED_INTEGER, GL_UNSIGNED_SHORT, 2};
     case Format::R32UI:
         return {GL_R32UI, GL_RED_INTEGER, GL_UNSIGNED_INT, 4};
+    case Format::RGBA32UI:
+        return {GL_RGBA32UI, GL_RGBA_INTEGER, GL_UNSIGNED_INT, 16};
     case Format::RG8:
         return {GL_RG8, GL_RG, GL_UNSIGNED_BYTE, 2};
     case Format::RG16:

@@ -23,6 +23,7 @@ enum class Format {
     R8UI,
     R16UI,
     R32UI,
+    RGBA32UI,
     RG8,
     RG16,
     RG32F,

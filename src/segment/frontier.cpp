@@ -12,7 +12,8 @@ namespace vs::segment {
 namespace {
 
 constexpr std::uint32_t kTilesPerBrick = 64;
-constexpr std::uint32_t kTilesPerGroup = 8;
+constexpr std::uint32_t kTilesPerGroup = 16;
+constexpr std::size_t kWordsPerSlab = 4; // see shaders/words.glsl
 constexpr std::uint32_t kMaxGroups = 65535;
 
 gl::Defines definesFor(Connectivity connectivity, gl::Defines more = {}) {
@@ -36,17 +37,13 @@ struct Frontier::Step {
 Frontier::Frontier(const SeedMap& seedMap)
     : tileCount_(std::uint32_t(seedMap.bricks().count()) * kTilesPerBrick),
       planeWords_(seedMap.planeBytes() / sizeof(std::uint32_t)),
-      allowed_(planeWords_, gl::Format::R32UI, "growth allowed"),
-      newest_(2 * planeWords_, gl::Format::R32UI, "growth newest"),
-      work_(std::size_t(tileCount_) * 14 * sizeof(std::uint32_t), "growth work"),
+      allowed_(planeWords_ / kWordsPerSlab, gl::Format::RGBA32UI, "growth allowed"),
+      newest_(2 * planeWords_ / kWordsPerSlab, gl::Format::RGBA32UI, "growth newest"),
+      work_(std::size_t(tileCount_) * 10 * sizeof(std::uint32_t), "growth work"),
       steps_((kMaxSteps + 1) * sizeof(Step), "growth steps"), list_(4, "growth seeds") {}
 
-void Frontier::forgetRules() {
-    ++rulesNumber_;
-    invalidate();
-}
-
 void Frontier::invalidate() {
+    ++rulesNumber_; // what may be entered has changed
     isValid_ = false;
     added_.clear();
 }
@@ -54,6 +51,7 @@ void Frontier::invalidate() {
 void Frontier::add(std::span<const std::uint32_t> voxels) {
     if (isValid_) { // else all grown voxels are collected anyway
         added_.insert(added_.end(), voxels.begin(), voxels.end());
+        newestIsLast_ = false; // unless they entered beside it
     }
 }
 
@@ -70,6 +68,11 @@ void Frontier::clearNewest() {
     ++stamp_; // no tile is noted any more
 }
 
+// The slab that one of the planes of newest voxels begins with.
+std::uint32_t Frontier::planeStart(int plane) const {
+    return std::uint32_t(std::size_t(plane) * planeWords_ / kWordsPerSlab);
+}
+
 void Frontier::prepareToNote(gl::Program& program, int step, int list, std::uint32_t stamp) const {
     program.set(5, stamp).set(6, step).set(7, tileCount_).set(8, list).set(12, rulesNumber_);
 }
@@ -79,8 +82,9 @@ void Frontier::collect(SeedMap& seedMap, const Rules& rules) {
     seedMap.bind(program);
     seedMap.bindOwner(program, rules.owner);
     prepareToNote(program, 0, now_, stamp_);
-    program.set(10, std::uint32_t(std::size_t(now_) * planeWords_)).set(11, std::uint32_t(rules.frozen));
-    seedMap.dispatchOverBricks(program, seedMap.bricks().touched(), gl::Barrier::Indirect);
+    program.set(10, planeStart(now_)).set(11, std::uint32_t(rules.frozen));
+    seedMap.dispatchOverBricks(program, seedMap.bricks().touched(), gl::Barrier::All);
+    newestIsLast_ = false;
 }
 
 void Frontier::push(const SeedMap& seedMap, std::span<const std::uint32_t> voxels,
@@ -94,9 +98,9 @@ void Frontier::push(const SeedMap& seedMap, std::span<const std::uint32_t> voxel
     list_.bindStorage(7);
     program.set(0, seedMap.dims()).set(1, seedMap.bricks().brickDims()).set(9, int(voxels.size()));
     prepareToNote(program, 0, now_, stamp_);
-    program.set(10, into == Into::PlaneWithin ? 0U : std::uint32_t(std::size_t(now_) * planeWords_))
+    program.set(10, into == Into::PlaneWithin ? 0U : planeStart(now_) * std::uint32_t(kWordsPerSlab))
         .set(11, into == Into::Newest ? 0 : 1);
-    program.dispatchOverList(voxels.size(), gl::Barrier::Indirect);
+    program.dispatchOverList(voxels.size(), gl::Barrier::All);
 }
 
 // Opens a submission: the tiles to begin with are those carried over, and what is pushed or collected now.
@@ -127,19 +131,21 @@ std::vector<std::uint64_t> Frontier::run(const SeedMap& seedMap, gl::Program& pr
             prepareToNote(*allow, i + 1, next, stamp_);
             allow->set(10, i);
             allow->dispatchIndirect(steps_, std::size_t(i) * sizeof(Step) + offsetof(Step, unmade),
-                                    gl::Barrier::Storage);
+                                    gl::Barrier::All);
         }
         prepareToNote(program, i + 1, next, ++stamp_);
         program.set(10, i)
             .set(11, std::uint32_t(generation + i))
-            .set(13, std::uint32_t(std::size_t(now_) * planeWords_))
-            .set(14, std::uint32_t(std::size_t(next) * planeWords_));
+            .set(13, planeStart(now_))
+            .set(14, planeStart(next))
+            .set(15, newestIsLast_ ? 1 : 0);
         program.dispatchIndirect(steps_, std::size_t(i) * sizeof(Step), gl::Barrier::Storage);
         prepareToNote(note, i + 1, next, stamp_);
         note.set(10, i).set(11, std::uint32_t(generation + i));
         // Each expansion takes its tiles, and the newest voxels as texels, from the one before.
         note.dispatchIndirect(steps_, std::size_t(i) * sizeof(Step), gl::Barrier::All);
         now_ = next;
+        newestIsLast_ = true;
     }
     const auto table = steps_.read<Step>(std::size_t(steps) + 1);
     carried_ = table.back().tiles.w;
@@ -161,6 +167,7 @@ std::vector<std::uint64_t> Frontier::expand(SeedMap& seedMap, const Rules& rules
         clearNewest();
     }
     begin(steps);
+    allowed_.buffer().bindStorage(1);
     if (isValid_) {
         push(seedMap, added_, *rules.constraints);
         added_.clear();
@@ -175,7 +182,6 @@ std::vector<std::uint64_t> Frontier::expand(SeedMap& seedMap, const Rules& rules
     allow.set(0, seedMap.dims()).set(1, seedMap.bricks().brickDims());
     gl::Program& program = expand_.prepare(*rules.field, *rules.constraints, seedMap.widthDefines());
     seedMap.bind(program);
-    allowed_.buffer().bindStorage(1);
     allowed_.bindTexture(5);
     if (rules.forbidden != nullptr) {
         rules.forbidden->bindStorage(7);
@@ -214,7 +220,7 @@ int Frontier::flood(const SeedMap& seedMap, const Rules& rules, std::span<const 
     }
     carried_ = std::max(carried_, 1U); // the planes are not clean
     clearNewest();
-    forgetRules(); // tiles that the seeds lie in count as made
+    invalidate(); // tiles that the seeds lie in count as made
     return found;
 }
 

@@ -34,16 +34,22 @@ public:
         int frozen = 0; // generations up to this one do not grow any more
     };
 
-    // The rules have changed: voxels that were refused are tested again.
-    void forgetRules();
-    // The seed map has changed: the next expansion tries the neighbours of every grown voxel.
+    // The rules or the seed map have changed: the next expansion tests voxels that were refused again, and
+    // tries the neighbours of every grown voxel.
     void invalidate();
+    void forgetRules() { invalidate(); }
     // Voxels (linear indices) that were given the newest generation.
     void add(std::span<const std::uint32_t> voxels);
 
     // Tries `steps` (at most kMaxSteps) expansions; the first gives `generation`. Returns the voxels grown by
     // each.
     std::vector<std::uint64_t> expand(SeedMap& seedMap, const Rules& rules, int generation, int steps);
+
+    // What it takes on the device.
+    [[nodiscard]] std::size_t deviceBytes() const {
+        return allowed_.buffer().size() + newest_.buffer().size() + work_.size() + steps_.size() +
+               list_.size();
+    }
 
     // Spreads a set through a region, both planes of bits: from `seeds`, which become part of it, by at most
     // so many expansions. Only the connectivity and the rules for pairs of the constraints count. Returns how
@@ -55,6 +61,7 @@ private:
     struct Step;
 
     void clearNewest();
+    [[nodiscard]] std::uint32_t planeStart(int plane) const;
     void collect(SeedMap& seedMap, const Rules& rules);
     // Into the newest; into the newest or a plane in storage 2, but only what lies in the plane in storage 1.
     enum class Into { Newest, NewestWithin, PlaneWithin };
@@ -79,6 +86,7 @@ private:
     std::uint32_t carried_ = 0; // tiles in it
     std::uint32_t carriedUnmade_ = 0;
     bool isValid_ = false;
+    bool newestIsLast_ = false; // the newest voxels have the generation before the next; else any
 
     ConstrainedProgram allow_{"segment/shaders/allow_tiles.comp"};
     ConstrainedProgram expand_{"segment/shaders/expand_tiles.comp"};

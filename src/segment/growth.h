@@ -123,6 +123,11 @@ public:
     // not. After undoing it may be larger.
     [[nodiscard]] Box3 touchedBox() const;
 
+    // What growth takes on the device at the moment, volume and sculpture aside.
+    [[nodiscard]] std::size_t deviceBytes() const {
+        return seedMap_.deviceBytes() + frontier_.deviceBytes() + forbidden_.size() + answers_.size();
+    }
+
     // Counts changes of what is shown. Bricks of 32^3 voxels whose shown voxels may differ from those at an
     // earlier count.
     [[nodiscard]] std::uint64_t revision() const { return seedMap_.bricks().revision(); }

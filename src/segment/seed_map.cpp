@@ -200,6 +200,12 @@ std::vector<std::uint32_t> SeedMap::downloadGenerations(const Box3& box) const {
     return values;
 }
 
+std::size_t SeedMap::deviceBytes() const {
+    const glm::i64vec3 dims(dims_);
+    return grown_.size() + generations_.size() + late_.size() + bricks_.onDevice().size() + list_.size() +
+           std::size_t(dims.x * dims.y * dims.z);
+}
+
 std::uint32_t SeedMap::indexOf(glm::ivec3 v) const {
     return (std::uint32_t(v.z) * std::uint32_t(dims_.y) + std::uint32_t(v.y)) * std::uint32_t(dims_.x) +
            std::uint32_t(v.x);

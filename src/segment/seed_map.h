@@ -72,6 +72,9 @@ public:
     // Downloads the generations of a box; 0 where nothing has grown.
     [[nodiscard]] std::vector<std::uint32_t> downloadGenerations(const Box3& box) const;
 
+    // What it takes on the device.
+    [[nodiscard]] std::size_t deviceBytes() const;
+
     [[nodiscard]] std::uint32_t indexOf(glm::ivec3 voxel) const;
     [[nodiscard]] glm::ivec3 voxelAt(std::uint32_t index) const;
 

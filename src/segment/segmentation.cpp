@@ -267,6 +267,19 @@ Box3 Segmentation::update(const Growth& growth, Smoothing smoothing, const Looks
     return box;
 }
 
+std::size_t Segmentation::deviceBytes() const {
+    const auto texels = [](const gl::Texture& texture) {
+        const glm::i64vec3 size(texture.size());
+        return std::size_t(size.x * size.y * size.z) * gl::bytesPerTexel(texture.format());
+    };
+    std::size_t bytes =
+        texels(texels_) + texels(cells_) + tiles_.size() + reach_.size() + rows_.size() + alongXY_.size();
+    for (const Channel& channel : channels_) {
+        bytes += channel.shown.size();
+    }
+    return bytes;
+}
+
 std::vector<float> Segmentation::values() const {
     const auto texels = texels_.downloadAll<std::uint8_t>();
     const std::size_t stride = channels_.size();

@@ -44,6 +44,8 @@ public:
     [[nodiscard]] const gl::Texture& cells() const { return cells_; }
     // The same, downloaded, x fastest.
     [[nodiscard]] std::vector<float> values() const;
+    // What it takes on the device at the moment.
+    [[nodiscard]] std::size_t deviceBytes() const;
     // Counts the updates that changed something.
     [[nodiscard]] std::uint64_t version() const { return version_; }
 

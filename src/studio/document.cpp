@@ -71,6 +71,7 @@ render::Frame Document::Impl::frame(const View& from, glm::ivec2 size) {
     state.pasted = &pasted;
     state.growth = region.growth();
     state.segments = &segments;
+    state.smoothing = scrubbedFrom ? segment::Smoothing::Plain : segment::Smoothing::Smooth;
     state.greyWindow = grey;
     if (stroke && stroke->onlyCuts()) {
         state.cuttingSince = stroke->sculptureVersion();
@@ -116,7 +117,7 @@ void Document::setUndoMemory(std::size_t bytes) { impl_->history.setMemoryLimit(
 UndoStatistics Document::undoStatistics() const { return impl_->history.statistics(); }
 
 Outcome Document::apply(const Operation& operation, const std::filesystem::path& outputFolder) {
-    VS_CHECK(!isStrokeOpen() && !isGrowing());
+    VS_CHECK(!isStrokeOpen() && !isGrowing() && !isScrubbing());
     const Timer timer;
     Operation resolved = operation;
     const View before = impl_->view; // an operation may change where parts are pasted
@@ -217,8 +218,27 @@ Outcome Document::rewindFurther(int generations) {
     return outcome;
 }
 
+void Document::scrub(int generation) {
+    VS_CHECK(!isStrokeOpen() && !isGrowing() && impl_->region.hasSeeds());
+    if (!isScrubbing()) {
+        impl_->scrubbedFrom = impl_->region.growth()->playhead();
+    }
+    impl_->region.scrub(generation);
+    ++impl_->version;
+}
+
+bool Document::isScrubbing() const { return impl_->scrubbedFrom.has_value(); }
+
+Outcome Document::endScrub() {
+    VS_CHECK(isScrubbing());
+    const int generation = impl_->region.growth()->playhead();
+    impl_->region.scrub(*impl_->scrubbedFrom);
+    impl_->scrubbedFrom.reset();
+    return apply(ShowGeneration{generation});
+}
+
 void Document::beginGrowth() {
-    VS_CHECK(!isStrokeOpen() && !isGrowing());
+    VS_CHECK(!isStrokeOpen() && !isGrowing() && !isScrubbing());
     Impl::LiveGrowth live;
     live.voxelsBefore = impl_->grownVoxels();
     live.sculptureView = impl_->view.sculptureView;

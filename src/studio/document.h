@@ -86,6 +86,12 @@ public:
     // that a button held down leaves one.
     Outcome rewindFurther(int generations);
 
+    // Live scrubbing over generations: shows one at once, unsmoothed; endScrub() appends one ShowGeneration
+    // operation for all of it. There must be seeds.
+    void scrub(int generation);
+    [[nodiscard]] bool isScrubbing() const;
+    Outcome endScrub();
+
     // Live growth: play in slices of about `budgetMs`; endGrowth() appends one Grow operation for all of
     // them. Returns false when nothing grows any more.
     void beginGrowth();

@@ -49,6 +49,9 @@ void Document::Impl::discardStroke() {
 Outcome Document::Impl::endStroke() {
     sculpt::BrickDelta delta;
     try {
+        if (const auto isLocked = lockedVoxels()) {
+            stroke->spare(isLocked);
+        }
         delta = stroke->finish();
     } catch (...) { // no memory to hold what would undo it
         discardStroke();

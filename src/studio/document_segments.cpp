@@ -109,6 +109,34 @@ Outcome Document::Impl::run(RemoveSegment& op, const std::filesystem::path&) {
     return {{}, 0, 0, fmt::format("'{}' removed", op.segment)};
 }
 
+std::function<bool(glm::ivec3)> Document::Impl::lockedVoxels() const {
+    std::array<bool, 256> isLocked{};
+    for (const SegmentInfo& segment : segments.segments) {
+        isLocked[segment.label] = segment.isLocked;
+    }
+    const bool any = std::find(isLocked.begin(), isLocked.end(), true) != isLocked.end();
+    if (!any || !region.exists()) {
+        return {};
+    }
+    return [isLocked, labels = region.growth()->labelMap(), dims = volume.geometry.dims](glm::ivec3 voxel) {
+        const glm::ivec3 lo = glm::max(voxel - 1, 0);
+        const glm::ivec3 hi = glm::min(voxel + 1, dims - 1);
+        for (int z = lo.z; z <= hi.z; ++z) {
+            for (int y = lo.y; y <= hi.y; ++y) {
+                for (int x = lo.x; x <= hi.x; ++x) {
+                    const auto i =
+                        (std::size_t(z) * std::size_t(dims.y) + std::size_t(y)) * std::size_t(dims.x) +
+                        std::size_t(x);
+                    if (isLocked[labels[i]]) {
+                        return true;
+                    }
+                }
+            }
+        }
+        return false;
+    };
+}
+
 // --- edits
 
 void Document::Impl::perform(const EditSegment& op, Region::Records& records) {
@@ -236,6 +264,12 @@ Outcome Document::Impl::run(CutSegment& op, const std::filesystem::path&) {
     sculpt::BrickBackup backup(sculpture.texels());
     backup.protect(box);
     sculpture.upload(box, sculpt::texelsOf(values, sculpture.precision()));
+    if (const auto isLocked = lockedVoxels()) {
+        const Box3 spared = backup.spare(isLocked);
+        if (!spared.isEmpty()) {
+            sculpture.refresh(spared);
+        }
+    }
     sculpt::BrickDelta delta = backup.finish();
     const std::size_t changed = delta.changedVoxels();
     if (!delta.isEmpty()) {

@@ -87,6 +87,9 @@ struct Document::Impl {
     // Goes to work on the segment at work; throws Error when it is locked.
     void workUnlocked(Region::Records& records);
     segment::VoxelSet brushed(const BrushSegment& op);
+    // Whether a voxel, or one next to it, is of a locked segment, so that cutting it would cut that; empty
+    // when nothing is locked.
+    [[nodiscard]] std::function<bool(glm::ivec3)> lockedVoxels() const;
     std::vector<glm::ivec3> voxelsUnder(const std::vector<Sketch>& strokes, double widthPixels,
                                         const Canvas& canvas, const segment::Constraints& constraints);
     [[nodiscard]] std::size_t grownVoxels() const;
@@ -102,6 +105,7 @@ struct Document::Impl {
     Pipeline pipeline;
     Region region;
     SegmentList segments;
+    std::optional<int> scrubbedFrom; // the generation shown before
     Cutter cutter;
     std::optional<render::RayCaster> caster; // for SavePicture; made when first used
     History history;

@@ -53,7 +53,7 @@ render::Frame Pipeline::frame(const State& state, glm::ivec2 size) {
         if (!segmentation_) {
             segmentation_.emplace(field_->geometry);
         }
-        segmentation_->update(*state.growth, segment::Smoothing::Smooth, looksOf(*state.segments));
+        segmentation_->update(*state.growth, state.smoothing, looksOf(*state.segments));
     }
     const bool hasSegmentation = drawsSegmentation && segmentation_ && state.growth != nullptr;
     const bool isSculpted = !state.sculpture->isEmpty();

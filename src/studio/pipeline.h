@@ -27,6 +27,7 @@ public:
         const PastedState* pasted = nullptr;     // whose part is drawn at which of the view's places
         const segment::Growth* growth = nullptr; // null: nothing seeded yet
         const SegmentList* segments = nullptr;   // how they look
+        segment::Smoothing smoothing = segment::Smoothing::Smooth;
         Range greyWindow;
         // The sculpture's version when the stroke in hand began. While it cuts, the macrocells of that moment
         // hold everything that can be seen, and are kept so that a stamp costs only what it touches.

@@ -71,6 +71,8 @@ void Region::showGeneration(int generation, Records& records) {
     growth_->setPlayhead(generation, &records.emplace_back());
 }
 
+void Region::scrub(int generation) { growth_->setPlayhead(generation); }
+
 const segment::Constraints& Region::rules() const {
     static const segment::Constraints none;
     return growth_ ? growth_->constraints() : none;

@@ -39,6 +39,8 @@ public:
     int grow(int generations, field::SculptureView view, Records& records);
     int rewind(int generations, Records& records);
     void showGeneration(int generation, Records& records);
+    // The same without a record; for scrubbing, which ends where it began.
+    void scrub(int generation);
     void setRules(const SetGrowthRules& rules, Records& records);
     // Targeted shrink; returns how many expansions found something.
     int absorb(const std::vector<glm::ivec3>& voxels, int expansions, Records& records);

@@ -13,7 +13,7 @@ namespace {
 
 // Okabe and Ito's palette, which people of all kinds of colour vision can tell apart, without black; the one
 // that stands out from ivory first.
-const std::array<glm::dvec3, 7> kPalette{{{0.835, 0.369, 0.0},
+const std::array<glm::dvec3, 7> kPalette{{{0.855, 0.450, 0.221},
                                           {0.0, 0.447, 0.698},
                                           {0.0, 0.620, 0.451},
                                           {0.902, 0.624, 0.0},

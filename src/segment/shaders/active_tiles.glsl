@@ -1,7 +1,7 @@
 // The tiles that the next expansion has to look at, each once. Include after words.glsl.
 // Bindings: storage 5 (steps), 6 (work), uniforms 5 to 8.
 
-const uint kTilesPerGroup = 8u;
+const uint kTilesPerGroup = 16u;
 const uint kMaxGroups = 65535u; // per dispatch; the lists are walked with a stride, so fewer groups lose nothing
 
 // One expansion: arguments of its two indirect dispatches, whose w counts the tiles.
@@ -12,7 +12,7 @@ struct Step {
 };
 layout(std430, binding = 5) buffer Steps { Step steps[]; };
 // Six parts, a number for each tile: the last expansion that was to look at it; the rules under which its words of the plane
-// `allowed` are made; two lists of tiles, and two of such that are not made. And eight for what an expansion found in each tile
+// `allowed` are made; two lists of tiles, and two of such that are not made. And four for what an expansion found in each tile
 // of its list: from bit 8 on voxels that joined, bit 6 whether there were newest ones, below the sides that some touch.
 layout(std430, binding = 6) buffer Work { uint work[]; };
 
@@ -29,33 +29,33 @@ uint findingsStart() { return 6u * tileCount; }
 
 uint groupsFor(uint place) { return min(place / kTilesPerGroup + 1u, kMaxGroups); }
 
-// Loops of one turn stand for ifs: software renderers run both sides of an if, but leave a loop that no invocation needs.
 void activate(uint tile) {
-    for (bool isNew = tile < tileCount && work[tile] != stamp; isNew; isNew = false) {
-        for (isNew = atomicExchange(work[tile], stamp) != stamp; isNew; isNew = false) {
-            uint place = atomicAdd(steps[stepNoted].tiles.w, 1u);
-            work[listStart(listNoted) + place] = tile;
-            for (isNew = place % kTilesPerGroup == 0u; isNew; isNew = false) {
-                atomicMax(steps[stepNoted].tiles.x, groupsFor(place));
-            }
-#ifndef VS_FLOOD
-            // Only one invocation comes here for a tile at a time.
-            for (isNew = work[tileCount + tile] != rulesNumber; isNew; isNew = false) {
-                work[tileCount + tile] = rulesNumber;
-                place = atomicAdd(steps[stepNoted].unmade.w, 1u);
-                work[unmadeStart(listNoted) + place] = tile;
-                atomicMax(steps[stepNoted].unmade.x, groupsFor(place));
-            }
-#endif
+    if (tile < tileCount && work[tile] != stamp && atomicExchange(work[tile], stamp) != stamp) {
+        uint place = atomicAdd(steps[stepNoted].tiles.w, 1u);
+        work[listStart(listNoted) + place] = tile;
+        if (place % kTilesPerGroup == 0u) {
+            atomicMax(steps[stepNoted].tiles.x, groupsFor(place));
         }
+#ifndef VS_FLOOD
+        // Only one invocation comes here for a tile at a time.
+        if (work[tileCount + tile] != rulesNumber) {
+            work[tileCount + tile] = rulesNumber;
+            place = atomicAdd(steps[stepNoted].unmade.w, 1u);
+            work[unmadeStart(listNoted) + place] = tile;
+            atomicMax(steps[stepNoted].unmade.x, groupsFor(place));
+        }
+#endif
     }
 }
 
 // Bit x + 3 y + 9 z of `around` (13: the tile itself) stands for a tile next to the one at this place.
 void activateAround(ivec3 place, uint around) {
-    for (uint left = around; left != 0u; left &= left - 1u) {
-        int n = findLSB(left);
-        activate(tileAt(place + ivec3(n % 3, n / 3 % 3, n / 9) - 1));
+    if (around != 0u) {
+        do {
+            int n = findLSB(around);
+            activate(tileAt(place + ivec3(n % 3, n / 3 % 3, n / 9) - 1));
+            around &= around - 1u;
+        } while (around != 0u);
     }
 }
 
@@ -84,4 +84,12 @@ uint sidesOf(uint bits, uint word) {
     return uint(x == 0u && (bits & 0x11111111u) != 0u) | uint(x == 1u && (bits & 0x88888888u) != 0u) << 1 |
            uint(y == 0u && (bits & 0x000f000fu) != 0u) << 2 | uint(y == 1u && (bits & 0xf000f000u) != 0u) << 3 |
            uint(z == 0u && (bits & 0xffffu) != 0u) << 4 | uint(z == 3u && bits >> 16 != 0u) << 5;
+}
+// The same for a slab.
+uint sidesOfSlab(uvec4 bits, uint slab) {
+    uint all = bits.x | bits.y | bits.z | bits.w;
+    uint z = slab & 3u;
+    return uint(((bits.x | bits.z) & 0x11111111u) != 0u) | uint(((bits.y | bits.w) & 0x88888888u) != 0u) << 1 |
+           uint(((bits.x | bits.y) & 0x000f000fu) != 0u) << 2 | uint(((bits.z | bits.w) & 0xf000f000u) != 0u) << 3 |
+           uint(z == 0u && (all & 0xffffu) != 0u) << 4 | uint(z == 3u && all >> 16 != 0u) << 5;
 }

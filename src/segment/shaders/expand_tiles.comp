@@ -1,8 +1,8 @@
 // One generation: in the tiles at work, every voxel that may be entered and lies next to one of the newest joins, and becomes
-// one of the newest itself. A tile is eight invocations' work; each word belongs to one of them, so nothing but the lists of tiles
+// one of the newest itself. A tile is four invocations' work; each slab belongs to one of them, so nothing but the lists of tiles
 // needs atomics.
 // In: the constraints, texture 0 data, 4 newest voxels in two planes, of which one is read and the other written (storage 2),
-// 5 allowed. In and out: storage 0 grown, 3 and 4 generations, 5 steps, 6 work.
+// 5 and storage 1 allowed: what may be entered and has not been. In and out: storage 0 grown, 3 and 4 generations, 5 steps, 6 work.
 // With VS_FLOOD a set spreads through another, and there are no generations.
 #include "segment/shaders/constraints.glsl"
 #include "segment/shaders/words.glsl"
@@ -11,18 +11,32 @@
 
 layout(local_size_x = 64) in;
 
-layout(std430, binding = 0) buffer Grown { uint grown[]; };
-layout(std430, binding = 2) writeonly buffer Newest { uint newest[]; };
+layout(std430, binding = 0) buffer Grown { uvec4 grown[]; };
+layout(std430, binding = 1) writeonly buffer Allowed { uvec4 allowed[]; };
+layout(std430, binding = 2) writeonly buffer Newest { uvec4 newest[]; };
 layout(binding = 4) uniform usamplerBuffer newestTexels;
 layout(binding = 5) uniform usamplerBuffer allowedTexels;
 
 layout(location = 10) uniform int stepIndex;
 layout(location = 11) uniform uint generation;
-layout(location = 13) uniform uint newestAt;    // where the plane begins that is read
-layout(location = 14) uniform uint nextAt;      // and the one that is written
+layout(location = 15) uniform int isBefore;     // 1: the newest voxels have the generation before this one; 0: any
+layout(location = 13) uniform uint newestAt;    // the slab that begins the plane which is read
+layout(location = 14) uniform uint nextAt;      // and the one which is written
 
 // Read as texels, which is many times faster on software renderers.
-uint bitsOf(uint word) { return texelFetch(newestTexels, int(newestAt + word)).r; }
+uvec4 bitsOf(uint slab) { return texelFetch(newestTexels, int(newestAt + slab)); }
+#ifdef VS_FLOOD
+// The region is a plane of single words.
+uvec4 allowedIn(uint slab) {
+    uvec4 region;
+    for (uint i = 0u; i < 4u; ++i) {
+        region[i] = texelFetch(allowedTexels, int(4u * slab + i)).r;
+    }
+    return region & ~grown[slab];
+}
+#else
+uvec4 allowedIn(uint slab) { return texelFetch(allowedTexels, int(slab)); }
+#endif
 #include "segment/shaders/neighbours.glsl"
 
 #ifdef VS_PAIRED
@@ -42,7 +56,8 @@ uint acceptedPairs(ivec3 place, uint offered) {
 #endif
             ivec3 parent = child + offset;
             for (isNeighbour = isNeighbour && !isAccepted && isInside(parent); isNeighbour; isNeighbour = false) {
-                bool isParent = (bitsOf(wordAt(wordPlaceOf(parent))) >> bitOf(parent) & 1u) != 0u;
+                uint word = wordAt(wordPlaceOf(parent));
+                bool isParent = (bitsOf(word >> 2)[word & 3u] >> bitOf(parent) & 1u) != 0u;
                 for (; isParent; isParent = false) {
                     isAccepted = isAdmissibleFrom(parent, child);
                 }
@@ -54,36 +69,40 @@ uint acceptedPairs(ivec3 place, uint offered) {
 }
 #endif
 
-// What note_tiles.comp needs to know (see found() there).
-uint expandTile(uint tile, uint lane) {
-    ivec3 place = placeOfTile(tile);
-    uint total = 0u;
-    uint sides = 0u;
-    uint hadNewest = 0u;
-    for (uint part = 0u; part < 2u; ++part) {
-        uint word = tile * kWordsPerTile + 8u * part + lane;
-        ivec3 wordPlace = place * ivec3(2, 2, 4) + ivec3(lane & 1u, lane >> 1 & 1u, 2u * part + (lane >> 2));
-        uint fresh = nextTo(wordPlace) & texelFetch(allowedTexels, int(word)).r & ~grown[word];
+// What note_tiles.comp needs to know (see `work` in active_tiles.glsl).
+uint expandSlab(uint slab) {
+    ivec3 place = placeOfSlab(slab);
+    uvec4 open = allowedIn(slab);
+    uvec4 fresh = nextTo(place) & open;
 #ifdef VS_PAIRED
-        fresh = acceptedPairs(wordPlace, fresh);
+    for (int i = 0; i < 4; ++i) {
+        fresh[i] = acceptedPairs(place * ivec3(2, 2, 1) + ivec3(i & 1, i >> 1, 0), fresh[i]);
+    }
 #endif
-        hadNewest |= bitsOf(word);
-        newest[nextAt + word] = fresh;
-        grown[word] |= fresh;
-        total += uint(bitCount(fresh));
-        sides |= sidesOf(fresh, word);
+    newest[nextAt + slab] = fresh;
+    if (fresh != uvec4(0u)) {
+        uvec4 grownBefore = grown[slab];
+        grown[slab] = grownBefore | fresh;
 #ifndef VS_FLOOD
-        storeGenerations(word, fresh, generation);
+        allowed[slab] = open & ~fresh;
+        uvec4 before = isBefore != 0 ? bitsOf(slab) : uvec4(0u);
+        storeGenerationsOfSlab(slab, fresh, before, grownBefore & ~before, generation);
 #endif
     }
-    return sides | uint(hadNewest != 0u) << 6 | total << 8;
+    ivec4 counts = bitCount(fresh);
+    return sidesOfSlab(fresh, slab) | uint(bitsOf(slab) != uvec4(0u)) << 6 | uint(counts.x + counts.y + counts.z + counts.w) << 8;
 }
 
 void main() {
     uint count = steps[stepIndex].tiles.w;
-    uint slot = gl_LocalInvocationID.x / 8u;
-    for (uint i = gl_WorkGroupID.x * kTilesPerGroup + slot; i < count; i += gl_NumWorkGroups.x * kTilesPerGroup) {
-        uint lane = gl_LocalInvocationID.x % 8u;
-        work[findingsStart() + 8u * i + lane] = expandTile(work[listStart(1 - listNoted) + i], lane);
+    uint i = gl_GlobalInvocationID.x / kSlabsPerTile;
+    if (i >= count) {
+        return;
     }
+    uint z = gl_GlobalInvocationID.x % kSlabsPerTile;
+    do {
+        uint tile = work[listStart(1 - listNoted) + i];
+        work[findingsStart() + kSlabsPerTile * i + z] = expandSlab(tile * kSlabsPerTile + z);
+        i += gl_NumWorkGroups.x * kTilesPerGroup;
+    } while (i < count);
 }

@@ -27,6 +27,35 @@ void storeGenerations(uint word, uint bits, uint generation) {
 #endif
 }
 
+// The same for a slab, pair by pair of whichever word still has one. `before`: voxels that have the generation before this one;
+// `older`: those that have any other. Memory is slow to answer, so it is asked only for what is not known.
+void storeGenerationsOfSlab(uint slab, uvec4 bits, uvec4 before, uvec4 older, uint generation) {
+#ifdef VS_WIDE
+    for (uint i = 0u; i < 4u; ++i) {
+        storeGenerations(4u * slab + i, bits[i], generation);
+    }
+#else
+    uint now = (generation & 0xffffu) * 0x10001u;
+    uint last = (generation - 1u & 0xffffu) * 0x10001u;
+    if (bits != uvec4(0u)) {
+        do {
+            uint inPlane = bits.x | bits.y;
+            uint i = inPlane != 0u ? uint(bits.x == 0u) : 2u + uint(bits.z == 0u);
+            uint left = bits[i];
+            uint pair = uint(findLSB(left)) >> 1;
+            uint chosen = 3u << (2u * pair);
+            uint at = slab * 64u + i * 16u + pair;
+            uint value = (now & halves(left >> (2u * pair))) | (last & halves(before[i] >> (2u * pair)));
+            if ((older[i] & chosen) != 0u) {
+                value |= generations[at] & halves(older[i] >> (2u * pair));
+            }
+            generations[at] = value;
+            bits[i] = left & ~chosen;
+        } while (bits != uvec4(0u));
+    }
+#endif
+}
+
 uint generationIn(uint word, uint bit) {
     uint generation = generations[word * 16u + (bit >> 1)] >> (16u * (bit & 1u)) & 0xffffu;
 #ifdef VS_WIDE

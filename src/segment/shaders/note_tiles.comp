@@ -4,7 +4,7 @@
 #include "segment/shaders/words.glsl"
 #include "segment/shaders/active_tiles.glsl"
 
-layout(local_size_x = 8) in;
+layout(local_size_x = 16) in;
 
 layout(std430, binding = 8) buffer Bricks { uvec2 bricks[]; };
 
@@ -13,7 +13,7 @@ layout(location = 11) uniform uint generation;
 
 // Generations only rise, and all of this dispatch write the same one.
 void noteInBrick(uint brick) {
-    for (bool isOld = bricks[brick].y != generation; isOld; isOld = false) {
+    if (bricks[brick].y != generation) {
         uint first = bricks[brick].x;
         bricks[brick] = uvec2(first == 0u ? generation : first, generation);
     }
@@ -22,24 +22,29 @@ void noteInBrick(uint brick) {
 void main() {
     uint count = steps[stepIndex].tiles.w;
     uint grown = 0u;
-    for (uint i = gl_GlobalInvocationID.x; i < count; i += gl_NumWorkGroups.x * kTilesPerGroup) {
+    uint i = gl_GlobalInvocationID.x;
+    if (i >= count) {
+        return;
+    }
+    do {
         uint tile = work[listStart(1 - listNoted) + i];
         uint sides = 0u;
         uint total = 0u;
-        for (uint lane = 0u; lane < 8u; ++lane) {
-            uint found = work[findingsStart() + 8u * i + lane];
+        for (uint z = 0u; z < kSlabsPerTile; ++z) {
+            uint found = work[findingsStart() + kSlabsPerTile * i + z];
             sides |= found & 0xffu;
             total += found >> 8;
         }
         grown += total;
 #ifndef VS_FLOOD
-        for (bool hasGrown = total != 0u; hasGrown; hasGrown = false) {
+        if (total != 0u) {
             noteInBrick(tile / kTilesPerBrick);
         }
 #endif
         // A tile whose newest voxels nobody follows is looked at once more, so that both planes are left without them.
         uint around = total != 0u ? tilesTouched(sides) : (sides >> 6 & 1u) << 13;
         activateAround(placeOfTile(tile), around);
-    }
+        i += gl_NumWorkGroups.x * kTilesPerGroup;
+    } while (i < count);
     atomicAdd(steps[stepIndex].grown[gl_WorkGroupID.x & 3u], grown);
 }

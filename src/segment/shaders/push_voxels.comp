@@ -1,5 +1,5 @@
 // Puts listed voxels among the newest; if asked to, only those in a region.
-// In: storage 7 voxel indices, 1 the region. In and out: storage 2 newest. Out: storage 5 steps[0], 6 work.
+// In: storage 7 voxel indices. In and out: storage 1 the region, or without one what may be entered, which they are taken from; 2 newest. Out: storage 5 steps[0], 6 work.
 #include "segment/shaders/words.glsl"
 #include "segment/shaders/active_tiles.glsl"
 
@@ -7,7 +7,7 @@ layout(local_size_x = 64) in;
 
 #include "gl/shaders/items.glsl"
 
-layout(std430, binding = 1) readonly buffer Region { uint region[]; };
+layout(std430, binding = 1) buffer Region { uint region[]; };
 layout(std430, binding = 2) buffer Newest { uint newest[]; };
 layout(std430, binding = 7) readonly buffer Voxels { uint voxels[]; };
 
@@ -25,6 +25,9 @@ void main() {
     uint bit = 1u << bitOf(voxel);
     if (isWithin != 0 && (region[word] & bit) == 0u) {
         return;
+    }
+    if (isWithin == 0) {
+        atomicAnd(region[word], ~bit);
     }
     atomicOr(newest[newestAt + word], bit);
     activateAround(placeOfTile(word / kWordsPerTile), tilesTouched(sidesOf(bit, word)));

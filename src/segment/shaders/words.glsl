@@ -1,12 +1,14 @@
 // How growth keeps its state: words of 4 x 4 x 2 voxels, one bit a voxel (bit x + 4 y + 16 z), or 16 numbers of two generations
 // each. A tile of 8^3 voxels has 2 x 2 x 4 words, a brick of 32^3 voxels 4^3 tiles; words, tiles and bricks are numbered x
-// fastest. After the last brick comes one of zeros, which stands for everything outside the grid.
-// Spaces: voxel indices; places of words are voxel / (4, 4, 2), of tiles voxel / 8.
+// fastest. Four words of a tile that share z are a slab of 8 x 8 x 2 voxels, whose components they are. After the last brick comes one of zeros, which stands for everything outside the grid.
+// Spaces: voxel indices; places of words are voxel / (4, 4, 2), of slabs voxel / (8, 8, 2), of tiles voxel / 8.
 
 const ivec3 kWordSize = ivec3(4, 4, 2);
 const uint kWordsPerTile = 16u;
 const uint kTilesPerBrick = 64u;
 const uint kWordsPerBrick = 1024u;
+const uint kSlabsPerTile = 4u;
+const uint kSlabsPerBrick = 256u;
 
 layout(location = 0) uniform ivec3 dims;
 layout(location = 1) uniform ivec3 brickDims;
@@ -34,9 +36,20 @@ uint wordAt(ivec3 place) {
     return tileAt(ivec3(place.xy >> 1, place.z >> 2)) << 4 | (w.z & 3u) << 2 | (w.y & 1u) << 1 | (w.x & 1u);
 }
 
-ivec3 placeOfTile(uint tile) {
-    return placeIn(tile >> 6, brickDims) * 4 + ivec3(tile & 3u, tile >> 2 & 3u, tile >> 4 & 3u);
+// The number of the slab at a place; outside the grid, of one of zeros.
+uint slabAt(ivec3 place) { return tileAt(ivec3(place.xy, place.z >> 2)) << 2 | uint(place.z) & 3u; }
+
+// Divides as floats, which is exact for the numbers of bricks there can be (below 2^20), and not one by one on software renderers.
+ivec3 placeOfBrick(uint brick) {
+    vec3 size = vec3(brickDims);
+    float row = floor((float(brick) + 0.5) / size.x);
+    float plane = floor((row + 0.5) / size.y);
+    return ivec3(vec3(float(brick) - row * size.x, row - plane * size.y, plane));
 }
+ivec3 placeOfTile(uint tile) {
+    return placeOfBrick(tile >> 6) * 4 + ivec3(tile & 3u, tile >> 2 & 3u, tile >> 4 & 3u);
+}
+ivec3 placeOfSlab(uint slab) { return placeOfTile(slab >> 2) * ivec3(1, 1, 4) + ivec3(0, 0, slab & 3u); }
 ivec3 placeOfWord(uint word) {
     return placeOfTile(word >> 4) * ivec3(2, 2, 4) + ivec3(word & 1u, word >> 1 & 1u, word >> 2 & 3u);
 }

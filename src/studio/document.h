@@ -8,6 +8,7 @@
 #include "sculpt/precision.h"
 #include "studio/history.h"
 #include "studio/operation.h"
+#include "studio/segment_list.h"
 #include "volume/volume.h"
 
 #include <filesystem>
@@ -102,6 +103,8 @@ public:
         bool hasSeeds = false;
     };
     [[nodiscard]] GrowthStatus growth() const;
+    // All segments: their names, labels and looks, and which is at work.
+    [[nodiscard]] const SegmentList& segments() const;
 
     // Value and place under a viewport position: the surface point there. Nothing if the ray meets nothing.
     struct Probe {
@@ -124,8 +127,12 @@ public:
 
     // Bytes of the states that undo must restore, for tests and checks.
     [[nodiscard]] std::vector<std::byte> sculptureBytes() const;
-    [[nodiscard]] std::vector<std::uint32_t> generations() const; // at the generation shown; 0 = not grown
-    [[nodiscard]] std::vector<std::uint8_t> labels() const;       // 1 = grown
+    // Of the segment at work, at the generation shown; 0 = not grown.
+    [[nodiscard]] std::vector<std::uint32_t> generations() const;
+    // 1 = in the segment at work.
+    [[nodiscard]] std::vector<std::uint8_t> labels() const;
+    // All segments by their labels, as SaveLabels writes them; 0 = none.
+    [[nodiscard]] std::vector<std::uint8_t> labelMap() const;
 
 private:
     struct Impl;

@@ -114,4 +114,11 @@ std::vector<std::uint8_t> Document::labels() const {
                                   : std::vector<std::uint8_t>(impl_->volume.geometry.voxelCount(), 0);
 }
 
+std::vector<std::uint8_t> Document::labelMap() const {
+    return impl_->region.exists() ? impl_->region.growth()->labelMap()
+                                  : std::vector<std::uint8_t>(impl_->volume.geometry.voxelCount(), 0);
+}
+
+const SegmentList& Document::segments() const { return impl_->segments; }
+
 } // namespace vs::studio

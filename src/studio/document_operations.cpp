@@ -76,13 +76,20 @@ Outcome Document::Impl::travel(Step& step, bool isUndo) {
 // memory.
 Region::Records Document::Impl::repeat(const Operation& operation) {
     Region::Records records;
-    std::visit(
-        [&](const auto& op) {
-            if constexpr (requires { perform(op, records); }) {
-                perform(op, records);
-            }
-        },
-        operation);
+    const SegmentList before = segments;
+    try {
+        std::visit(
+            [&](const auto& op) {
+                if constexpr (requires { perform(op, records); }) {
+                    perform(op, records);
+                }
+            },
+            operation);
+    } catch (...) { // a device without room: everything is as before
+        region.undo(records);
+        segments = before;
+        throw;
+    }
     return records;
 }
 

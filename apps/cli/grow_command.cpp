@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // vstudio grow: region growing from given voxels, labels and generations written as volumes.
 #include "commands.h"
+#include "grow_request.h"
+#include "label_map.h"
 #include "measurements.h"
-#include "parse.h"
 #include "progress.h"
-#include "truth_argument.h"
 #include "volume_argument.h"
 
 #include "base/error.h"
@@ -12,13 +12,12 @@
 #include "gl/context.h"
 #include "segment/agreement.h"
 #include "segment/growth.h"
+#include "segment/voxel_set.h"
 #include "volume/write.h"
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <filesystem>
-#include <limits>
+#include <algorithm>
 #include <memory>
 #include <optional>
 #include <string>
@@ -27,79 +26,27 @@
 namespace vs::cli {
 namespace {
 
-struct GrowOptions {
-    std::vector<std::string> seeds;
-    std::string range;
-    std::string connectivity = "6";
-    std::string steps;
-    std::string labels;
-    std::string generations;
-    std::string compare;
+// What growing goes by, read and checked before there is a device. All masks lie on the volume's grid.
+struct GrowInput {
+    volume::Volume volume;
+    std::vector<std::uint8_t> inside; // empty: everywhere
+    std::optional<LabelMap> others;   // segments that are there already
+    std::vector<std::uint8_t> truth;  // empty: none
 };
 
-// Everything on the command line, understood before anything is read.
-struct GrowRequest {
-    std::vector<glm::ivec3> seeds;
-    segment::Constraints constraints;
-    int steps = std::numeric_limits<int>::max();
-    std::optional<TruthArgument> truth;
-};
-
-glm::ivec3 parseSeed(const std::string& text) {
-    const auto values = parseNumbers(text, ',', 3, "seed", "150,185,200");
-    for (const double v : values) {
-        if (v != std::floor(v) || std::abs(v) > 1e6) {
-            throw UsageError(
-                "seed '{}' is not a voxel; write three whole numbers counted from 0, like 150,185,200", text);
-        }
+LabelMap readOthers(const std::string& path, const volume::Volume& volume) {
+    LabelMap map = readLabelMap(path);
+    requireSameGrid(map, volume.geometry, volume.path);
+    if (map.values.size() > 255) {
+        throw Error("{}: holds {} labels; with 254 or fewer there is room for one more", path,
+                    map.values.size() - 1);
     }
-    return {int(values[0]), int(values[1]), int(values[2])};
+    return map;
 }
 
-void checkOutputs(const GrowOptions& options) {
-    checkGridName(options.labels);
-    if (options.generations.empty()) {
-        return;
-    }
-    checkGridName(options.generations);
-    const auto placeOf = [](const std::string& file) {
-        std::error_code ignored; // writing will tell what is wrong
-        return std::filesystem::weakly_canonical(std::filesystem::absolute(file, ignored), ignored);
-    };
-    const auto labels = placeOf(options.labels);
-    if (!labels.empty() && labels == placeOf(options.generations)) {
-        throw UsageError("--generations {}: is the file of -o too; give another name", options.generations);
-    }
-}
-
-GrowRequest understand(const GrowOptions& options) {
-    GrowRequest request;
-    for (const std::string& text : options.seeds) {
-        request.seeds.push_back(parseSeed(text));
-    }
-    request.constraints.range = parseRange(options.range);
-    if (options.connectivity == "26") {
-        request.constraints.connectivity = segment::Connectivity::TwentySix;
-    } else if (options.connectivity != "6") {
-        throw UsageError("connectivity '{}' is not known; 6 (faces) and 26 (faces, edges, corners) are",
-                         options.connectivity);
-    }
-    if (!options.steps.empty()) {
-        const double steps = parseNumbers(options.steps, ',', 1, "number of steps", "12").front();
-        if (steps < 0 || steps != std::floor(steps) || steps > 1e9) {
-            throw UsageError("number of steps '{}' makes no sense; a whole number from 0 on does",
-                             options.steps);
-        }
-        request.steps = int(steps);
-    }
-    if (!options.compare.empty()) {
-        request.truth = parseTruth(options.compare);
-    }
-    checkOutputs(options);
-    return request;
-}
-
-void checkSeeds(const GrowRequest& request, const volume::Volume& volume) {
+GrowInput read(const GrowRequest& request, const GrowOptions& options, const VolumeArgument& argument) {
+    GrowInput input{loadVolume(argument).volume, {}, {}, {}};
+    const volume::Volume& volume = input.volume;
     const glm::ivec3 dims = volume.geometry.dims;
     for (const glm::ivec3 s : request.seeds) {
         if (glm::any(glm::lessThan(s, glm::ivec3(0))) || glm::any(glm::greaterThanEqual(s, dims))) {
@@ -107,29 +54,101 @@ void checkSeeds(const GrowRequest& request, const volume::Volume& volume) {
                         volume.path.string(), s.x, s.y, s.z, dims.x - 1, dims.y - 1, dims.z - 1);
         }
     }
+    if (request.inside) {
+        input.inside = readMask(*request.inside, volume);
+    }
+    if (!options.labelsIn.empty()) {
+        input.others = readOthers(options.labelsIn, volume);
+    }
+    if (request.truth) {
+        input.truth = readMask(*request.truth, volume);
+    }
+    return input;
+}
+
+// The segments that are there already, each with its label; afterwards the next one is at work.
+void placeOthers(segment::Growth& growth, const LabelMap& map) {
+    const std::size_t count = map.values.size();
+    for (std::size_t label = 1; label < count; ++label) {
+        segment::VoxelSet set = segment::emptySet(map.geometry.box());
+        std::transform(map.labels.begin(), map.labels.end(), set.inside.begin(),
+                       [label](std::uint8_t other) { return std::uint8_t(other == label ? 1 : 0); });
+        set = set.tight();
+        growth.activate(std::uint8_t(label));
+        growth.replace(set.box, set.inside);
+    }
+    growth.activate(std::uint8_t(count));
+}
+
+// The seeds that growth may begin from; a line on standard error says that others are left out. Throws Error
+// if there are none. The growth is empty before and after.
+std::vector<glm::ivec3> admittedSeeds(segment::Growth& growth, const GrowRequest& request,
+                                      const GrowInput& input) {
+    const volume::Volume& volume = input.volume;
+    const segment::Constraints& rules = request.constraints;
+    const auto complaint = [&](glm::ivec3 s) -> std::string {
+        const glm::ivec3 dims = volume.geometry.dims;
+        const std::size_t place =
+            std::size_t(s.x) +
+            std::size_t(dims.x) * (std::size_t(s.y) + std::size_t(dims.y) * std::size_t(s.z));
+        if (!input.inside.empty() && input.inside[place] == 0) {
+            return fmt::format("lies outside the mask {}", request.inside->path.string());
+        }
+        if (input.others && input.others->labels[place] != 0) {
+            return fmt::format("lies in the segment {} of {}",
+                               input.others->values[input.others->labels[place]],
+                               input.others->path.string());
+        }
+        if (growth.addSeeds(std::span(&s, 1)).refused == 0) {
+            return {};
+        }
+        if (!segment::isInRange(growth.field(), rules.range, volume.at(s))) {
+            return fmt::format("has the value {:g}, not in the range {:g}:{:g}", volume.at(s), rules.range.lo,
+                               rules.range.hi);
+        }
+        return fmt::format("has a gradient that is not in {:g}:{:g}", rules.gradient->lo, rules.gradient->hi);
+    };
+    std::vector<glm::ivec3> admitted;
+    std::string first;
+    for (const glm::ivec3 s : request.seeds) {
+        if (const std::string reason = complaint(s); reason.empty()) {
+            admitted.push_back(s);
+        } else if (first.empty()) {
+            first = fmt::format("{},{},{} {}", s.x, s.y, s.z, reason);
+        }
+    }
+    growth.reset();
+    if (admitted.empty()) {
+        throw Error("{}: no seed may grow: {}; seed elsewhere or allow more", volume.path.string(), first);
+    }
+    if (admitted.size() < request.seeds.size()) {
+        fmt::print(stderr, "note: {} of {} seeds left out: {}\n", request.seeds.size() - admitted.size(),
+                   request.seeds.size(), first);
+    }
+    return admitted;
 }
 
 // Seeds and expansions; what growth alone takes, in milliseconds.
-double grow(segment::Growth& growth, const GrowRequest& request, const volume::Volume& volume) {
+double grow(segment::Growth& growth, const GrowRequest& request, const GrowInput& input) {
+    if (input.others) {
+        placeOthers(growth, *input.others);
+    }
     growth.setConstraints(request.constraints);
-    const auto counts = growth.addSeeds(request.seeds);
-    if (counts.added == 0) {
-        const glm::ivec3 s = request.seeds.front();
-        const Range range = request.constraints.range;
-        throw Error("{}: no seed lies in the range {:g}:{:g}: {},{},{} has the value {:g}; widen the range "
-                    "or seed elsewhere",
-                    volume.path.string(), range.lo, range.hi, s.x, s.y, s.z, volume.at(s));
-    }
-    if (counts.refused > 0) {
-        fmt::print(stderr, "note: {} of {} seeds lie outside the range and are left out\n", counts.refused,
-                   request.seeds.size());
-    }
+    const auto seeds = admittedSeeds(growth, request, input);
+    const auto clear = [&] {
+        growth.reset();
+        if (!input.inside.empty()) {
+            growth.confine(input.inside); // anew: reset forgets it
+        }
+    };
     // A first expansion compiles what drivers compile when first used, so that it is not taken for growing.
+    clear();
+    growth.addSeeds(seeds);
     growth.advance(std::min(request.steps, 1));
-    growth.reset();
+    clear();
     gl::Context::finish();
     const Timer timer;
-    growth.addSeeds(request.seeds);
+    growth.addSeeds(seeds);
     Progress progress("growing", 0);
     if (progress.isTerminal()) {
         constexpr double sliceMs = 300;
@@ -146,30 +165,33 @@ double grow(segment::Growth& growth, const GrowRequest& request, const volume::V
 
 void run(const GrowOptions& options, const VolumeArgument& argument) {
     const GrowRequest request = understand(options);
-    const auto loaded = loadVolume(argument);
-    const volume::Volume& volume = loaded.volume;
-    checkSeeds(request, volume);
-    const auto truth = request.truth ? readTruth(*request.truth, volume) : std::vector<std::uint8_t>();
+    const GrowInput input = read(request, options, argument);
+    const volume::GridGeometry& geometry = input.volume.geometry;
+    std::vector<std::int64_t> values = input.others ? input.others->values : std::vector<std::int64_t>{0};
+    values.push_back(input.others ? nextFreeValue(*input.others) : 1);
     const auto context = gl::Context::createHeadless();
-    const field::Field field = field::uploadVolume(volume);
+    const field::Field field = field::uploadVolume(input.volume);
     segment::Growth growth(field);
-    const double milliseconds = grow(growth, request, volume);
-    const auto labels = growth.labels();
+    const double milliseconds = grow(growth, request, input);
+    const auto labels = growth.labelMap();
     const auto generations =
         options.generations.empty() ? std::vector<std::uint32_t>() : growth.generations(true);
     context.requireNoErrors();
-    volume::writeGrid(options.labels, volume.geometry, labels);
+    writeLabelMap(options.labels, geometry, labels, values);
     if (!options.generations.empty()) {
-        volume::writeGrid(options.generations, volume.geometry, generations);
+        volume::writeGrid(options.generations, geometry, generations);
     }
     const auto voxels = growth.voxelCount();
+    if (input.others) {
+        fmt::print("label        {}\n", values.back());
+    }
     fmt::print("voxels       {}\n", voxels);
     fmt::print("generations  {}\n", growth.playhead());
-    fmt::print("volume       {:.6g} ml\n", double(voxels) * volume.geometry.voxelMm3() / 1000.0);
+    fmt::print("volume       {:.6g} ml\n", double(voxels) * geometry.voxelMm3() / 1000.0);
     fmt::print("milliseconds {:.1f}\n", milliseconds);
     fmt::print("voxels/s     {:.0f}\n", double(voxels) / std::max(milliseconds, 1e-3) * 1000.0);
     if (request.truth) {
-        printAgreement(segment::compare(volume.geometry, labels, truth));
+        printAgreement(segment::compare(geometry, growth.labels(), input.truth));
     }
 }
 
@@ -179,22 +201,7 @@ void addGrowCommand(CLI::App& app) {
     auto* command = app.add_subcommand("grow", "Grows a region from seeds within a range of values");
     const auto argument = addVolumeArgument(*command);
     const auto options = std::make_shared<GrowOptions>();
-    command
-        ->add_option("--seed", options->seeds, "Voxel to start from, I,J,K counted from 0; may be repeated")
-        ->required()
-        ->allow_extra_args(false);
-    command->add_option("--range", options->range, "Values that may be grown into, LO:HI, both included")
-        ->required();
-    command->add_option("--connectivity", options->connectivity, "Neighbours of a voxel: 6 (default) or 26");
-    command->add_option("--steps", options->steps,
-                        "Number of expansions; 0 gives the seeds. Default: until nothing grows");
-    command->add_option("-o,--output", options->labels, "Label volume to write (1 in the region, else 0)")
-        ->required();
-    command->add_option("--generations", options->generations,
-                        "Volume to write with each voxel's generation (seeds 1, outside 0)");
-    command->add_option(
-        "--compare", options->compare,
-        "Label map to compare with, FILE[:LABEL[,LABEL...]]; without labels all but 0 counts");
+    addGrowOptions(*command, *options);
     command->callback([argument, options] { run(*options, *argument); });
 }
 

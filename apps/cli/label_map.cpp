@@ -4,12 +4,14 @@
 #include "volume_argument.h"
 
 #include "base/error.h"
+#include "volume/write.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <set>
+#include <utility>
 
 namespace vs::cli {
 namespace {
@@ -88,6 +90,39 @@ void requireSameGrid(const LabelMap& map, const volume::GridGeometry& geometry,
         throw Error("{}: its voxels lie up to {:.3g} mm from those of {}; spacing, origin and direction of "
                     "labels must be the volume's",
                     map.path.string(), apart, volume.string());
+    }
+}
+
+std::int64_t nextFreeValue(const LabelMap& map) {
+    std::int64_t value = 1;
+    while (std::binary_search(map.values.begin() + 1, map.values.end(), value)) {
+        ++value;
+    }
+    return value;
+}
+
+void writeLabelMap(const std::filesystem::path& path, const volume::GridGeometry& geometry,
+                   std::span<const std::uint8_t> labels, std::span<const std::int64_t> values) {
+    const auto fits = [&]<typename T>(T) {
+        return std::all_of(values.begin(), values.end(), [](auto value) { return std::in_range<T>(value); });
+    };
+    const auto write = [&]<typename T>(T) {
+        std::vector<T> written(labels.size());
+        std::transform(labels.begin(), labels.end(), written.begin(),
+                       [&](std::uint8_t label) { return T(values[label]); });
+        volume::writeGrid(path, geometry, std::span<const T>(written));
+    };
+    if (fits(std::uint8_t())) {
+        write(std::uint8_t());
+    } else if (fits(std::int16_t())) {
+        write(std::int16_t());
+    } else if (fits(std::uint32_t())) {
+        write(std::uint32_t());
+    } else {
+        const auto [least, most] = std::minmax_element(values.begin(), values.end());
+        throw WriteError("{}: labels from {} to {} cannot be written together; uint8, int16 or uint32 must "
+                         "hold them",
+                         path.string(), *least, *most);
     }
 }
 

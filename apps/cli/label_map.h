@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,5 +28,13 @@ LabelMap readLabelMap(const std::filesystem::path& path);
 // than a tenth of a step apart, which is more than headers round.
 void requireSameGrid(const LabelMap& map, const volume::GridGeometry& geometry,
                      const std::filesystem::path& volume);
+
+// The smallest number from 1 on that is no label yet.
+std::int64_t nextFreeValue(const LabelMap& map);
+
+// Writes a label map, whole numbers of the smallest of uint8, int16 and uint32 that hold all `values`: one
+// for each label that occurs, by label; what is 0 stays 0. Throws WriteError naming the file.
+void writeLabelMap(const std::filesystem::path& path, const volume::GridGeometry& geometry,
+                   std::span<const std::uint8_t> labels, std::span<const std::int64_t> values);
 
 } // namespace vs::cli

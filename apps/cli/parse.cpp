@@ -50,11 +50,11 @@ std::vector<double> parseNumbers(const std::string& text, char separator, std::s
     return values;
 }
 
-Range parseRange(const std::string& text) {
-    const auto values = parseNumbers(text, ':', 2, "range", "30:254");
+Range parseRange(const std::string& text, const std::string& what) {
+    const auto values = parseNumbers(text, ':', 2, what, "30:254");
     if (values[0] > values[1]) {
-        throw UsageError("range '{}' is empty: its first number is above its second; write {:g}:{:g}", text,
-                         values[1], values[0]);
+        throw UsageError("{} '{}' is empty: its first number is above its second; write {:g}:{:g}", what,
+                         text, values[1], values[0]);
     }
     return {values[0], values[1]};
 }

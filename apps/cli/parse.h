@@ -12,8 +12,8 @@
 namespace vs::cli {
 
 // Texts of the command line as values. Each throws UsageError naming the text and what would be right.
-Range parseRange(const std::string& text);     // "LO:HI", LO not above HI
-glm::ivec2 parseSize(const std::string& text); // "WIDTHxHEIGHT", each 1..16384
+Range parseRange(const std::string& text, const std::string& what = "range"); // "LO:HI", LO not above HI
+glm::ivec2 parseSize(const std::string& text);                                // "WIDTHxHEIGHT", each 1..16384
 // `count` numbers separated by `separator`; `what` begins the complaint, `example` ends it.
 std::vector<double> parseNumbers(const std::string& text, char separator, std::size_t count,
                                  const std::string& what, const std::string& example);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "commands.h"
 #include "progress.h"
+#include "replay.h"
 #include "volume_argument.h"
 
 #include "base/atomic_file.h"
@@ -107,19 +108,7 @@ void replay(const studio::Session& session, const RunOptions& options, const gl:
             studio::Document& document, Report& report) {
     Progress progress("replaying", session.operations.size());
     for (std::size_t i = 0; i < session.operations.size(); ++i) {
-        try {
-            const auto outcome = document.apply(session.operations[i], options.output);
-            context.requireNoErrors();
-            report.add(outcome);
-            const auto& operation = session.operations[i];
-            const bool isDrawn = studio::cuts(operation) || std::holds_alternative<studio::Seed>(operation);
-            if (isDrawn && outcome.voxelsTouched == 0) {
-                logNotice(fmt::format("operation {} ({}): {}", i + 1, outcome.name, outcome.message));
-            }
-        } catch (const std::exception& error) {
-            throw SessionError("{}: operation {} ({}): {}", options.session, i + 1,
-                               name(session.operations[i]), error.what());
-        }
+        report.add(replayOperation(session, options.session, i, document, context, options.output));
         progress.advance();
     }
 }
@@ -129,16 +118,7 @@ void runSession(const RunOptions& options) {
     const std::filesystem::path folder = options.output;
     std::vector<std::string> notices;
     const Timer loading;
-    const auto& path = options.volume.path;
-    auto volume = [&] {
-        const Activity activity("reading the volume of " + options.session);
-        return studio::openVolume(session, options.session,
-                                  path.empty() ? std::nullopt : std::optional<std::filesystem::path>(path),
-                                  notices, readOptions(options.volume));
-    }();
-    for (const auto& notice : notices) {
-        logNotice(notice);
-    }
+    auto volume = loadSessionVolume(session, options.session, options.volume, notices);
     const auto context = gl::Context::createHeadless();
     const std::string volumeName = volume.name;
     studio::Document document(std::move(volume), session.precision);

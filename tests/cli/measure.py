@@ -156,7 +156,7 @@ class Measure(unittest.TestCase):
 
     def test_growth_refuses_a_wrong_truth_before_it_grows(self):
         truth = self.labels("truth.nrrd", lambda v: 4 if in_box(v) else 0)
-        self.refused(2, ["--compare", "'x'", "truth.nii.gz:4,5"], *self.grow(f"{truth}:x"))
+        self.refused(2, ["--compare", "'x'", "labels.nii.gz:4,5"], *self.grow(f"{truth}:x"))
         self.refused(2, ["--compare"], *self.grow(f"{truth}:4,"))
         self.refused(1, ["truth.nrrd", "label 5", "there are 4"], *self.grow(f"{truth}:4,5"))
         self.refused(1, ["gone.nrrd"], *self.grow(self.folder / "gone.nrrd"))

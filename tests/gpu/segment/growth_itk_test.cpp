@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
-// The region against ITK's ConnectedThresholdImageFilter, on made-up and on real volumes.
+// The region against ITK's ConnectedThresholdImageFilter and NeighborhoodConnectedImageFilter, on made-up and
+// on real volumes.
 #include "base/timer.h"
 #include "gpu/gl_test.h"
 #include "gpu/segment/growth_cases.h"
 #include "gpu/segment/itk_growing.h"
 #include "volume/read.h"
 
+#include <algorithm>
 #include <cstdlib>
 #include <filesystem>
+#include <iterator>
 #include <limits>
 
 namespace vs::segment {
@@ -65,6 +68,79 @@ TEST_F(GrowthItkTest, RandomVolumesOfEveryScalarType) {
         const auto volume = randomVolume({37, 21, 19}, type, 0, 100);
         expectEqualsItk(volume, {{18, 10, 9}, {3, 4, 5}, {30, 2, 2}, {1, 1, 1}, {20, 20, 10}}, {10, 55}, 1);
     }
+}
+
+// 1 where the whole neighbourhood of (2 radius + 1)^3 lies in the range, as far as it lies in the grid: ITK
+// goes on beyond the border with the values there, which belong to the neighbourhood already. One axis after
+// the other.
+std::vector<std::uint8_t> wholeNeighbourhoods(const volume::Volume& volume, Range range, int radius) {
+    const glm::ivec3 dims = volume.geometry.dims;
+    std::vector<std::uint8_t> inside(volume.geometry.voxelCount());
+    volume::visit(volume, [&](const auto* values) {
+        std::transform(values, values + inside.size(), inside.begin(),
+                       [&](auto value) { return std::uint8_t(range.contains(double(value)) ? 1 : 0); });
+    });
+    const std::ptrdiff_t strides[3] = {1, dims.x, std::ptrdiff_t(dims.x) * dims.y};
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto before = inside;
+        for (std::ptrdiff_t i = 0; i < std::ptrdiff_t(inside.size()); ++i) {
+            const int place = int(i / strides[axis] % dims[axis]);
+            const int last = std::min(place + radius, dims[axis] - 1);
+            for (int other = std::max(place - radius, 0); other <= last; ++other) {
+                inside[std::size_t(i)] &= before[std::size_t(i + (other - place) * strides[axis])];
+            }
+        }
+    }
+    return inside;
+}
+
+void expectEqualsItkNeighbourhoods(const volume::Volume& volume, const std::vector<glm::ivec3>& seeds,
+                                   Range range, int radius, std::uint64_t atLeast) {
+    const field::Field field = field::uploadVolume(volume);
+    const auto inside = wholeNeighbourhoods(volume, range, radius);
+    // Both let seeds in without asking for their neighbourhoods, so only those that would pass are given.
+    std::vector<glm::ivec3> admitted;
+    std::copy_if(seeds.begin(), seeds.end(), std::back_inserter(admitted), [&](glm::ivec3 seed) {
+        const glm::ivec3 dims = volume.geometry.dims;
+        return inside[std::size_t((seed.z * dims.y + seed.y) * dims.x + seed.x)] != 0;
+    });
+    Growth growth(field);
+    Constraints constraints;
+    constraints.range = range;
+    growth.setConstraints(constraints);
+    growth.confine(inside);
+    growth.addSeeds(admitted);
+    growth.advance(kAll);
+    EXPECT_TRUE(growth.labels() == test::growNeighbourhoodsWithItk(volume, admitted, range, radius))
+        << volume.name << ", radius " << radius;
+    EXPECT_GE(growth.voxelCount(), atLeast) << volume.name << ", radius " << radius;
+}
+
+// Few of a hundred values are out of the range, so that whole neighbourhoods of 27 are common and touch, also
+// at the border, while those of 125 are rare.
+TEST_F(GrowthItkTest, WholeNeighbourhoodsOfRandomVolumes) {
+    using enum volume::ScalarType;
+    for (const auto type : {UInt8, Int16, Float32}) {
+        const auto volume = randomVolume({37, 21, 19}, type, 0, 100);
+        std::vector<glm::ivec3> seeds;
+        for (int i = 0; i < 37; ++i) { // from border to border; some neighbourhoods are whole
+            seeds.push_back({i, i * 20 / 36, i * 18 / 36});
+        }
+        expectEqualsItkNeighbourhoods(volume, seeds, {0, 98}, 1, 1000);
+        expectEqualsItkNeighbourhoods(volume, seeds, {0, 98}, 2, 1);
+        expectEqualsItkNeighbourhoods(volume, seeds, {0, 55}, 0, 1000);
+    }
+}
+
+TEST_F(GrowthItkTest, WholeNeighbourhoodsOfTheBrainTemplate) {
+    const auto path = kTemplates / "ch2.nii.gz";
+    if (!std::filesystem::exists(path)) {
+        GTEST_SKIP() << path << " is not installed (package mricron-data)";
+    }
+    const auto volume = volume::readVolume(path).volume;
+    const std::vector<glm::ivec3> seeds{{90, 108, 90}, {60, 100, 90}, {120, 120, 80}};
+    const Range range{70, 130};
+    expectEqualsItkNeighbourhoods(volume, seeds, range, 1, 1);
 }
 
 TEST_F(GrowthItkTest, BrainTemplate) {

@@ -13,4 +13,10 @@ namespace vs::test {
 std::vector<std::uint8_t> growWithItk(const volume::Volume& volume, const std::vector<glm::ivec3>& seeds,
                                       Range range, bool cornersTouch, double* milliseconds = nullptr);
 
+// ITK's NeighborhoodConnectedImageFilter likewise: enters voxels across faces whose whole neighbourhood of
+// (2 radius + 1)^3 lies in the range; beyond the grid it takes the values at its border.
+std::vector<std::uint8_t> growNeighbourhoodsWithItk(const volume::Volume& volume,
+                                                    const std::vector<glm::ivec3>& seeds, Range range,
+                                                    int radius);
+
 } // namespace vs::test

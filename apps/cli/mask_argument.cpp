@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "truth_argument.h"
+#include "mask_argument.h"
 
 #include "label_map.h"
 
@@ -16,35 +16,35 @@
 namespace vs::cli {
 namespace {
 
-std::int64_t parseLabel(const std::string& part, const std::string& text) {
+std::int64_t parseLabel(const std::string& part, const std::string& text, const std::string& option) {
     std::int64_t label = 0;
     const auto [end, error] = std::from_chars(part.data(), part.data() + part.size(), label);
     if (error != std::errc() || end != part.data() + part.size() || label == 0) {
-        throw UsageError("--compare {}: '{}' is no label; write whole numbers other than 0 behind the file, "
-                         "like truth.nii.gz:4,5",
-                         text, part);
+        throw UsageError("{} {}: '{}' is no label; write whole numbers other than 0 behind the file, "
+                         "like labels.nii.gz:4,5",
+                         option, text, part);
     }
     return label;
 }
 
 } // namespace
 
-TruthArgument parseTruth(const std::string& text) {
+MaskArgument parseMask(const std::string& text, const std::string& option) {
     std::error_code ignored; // reading will tell what is wrong
     const auto colon = text.rfind(':');
     if (colon == std::string::npos || std::filesystem::exists(text, ignored)) {
         return {text, {}};
     }
-    TruthArgument argument{text.substr(0, colon), {}};
+    MaskArgument argument{text.substr(0, colon), {}};
     for (std::size_t from = colon + 1; from <= text.size();) {
         const std::size_t to = std::min(text.find(',', from), text.size());
-        argument.labels.push_back(parseLabel(text.substr(from, to - from), text));
+        argument.labels.push_back(parseLabel(text.substr(from, to - from), text, option));
         from = to + 1;
     }
     return argument;
 }
 
-std::vector<std::uint8_t> readTruth(const TruthArgument& argument, const volume::Volume& volume) {
+std::vector<std::uint8_t> readMask(const MaskArgument& argument, const volume::Volume& volume) {
     LabelMap map = readLabelMap(argument.path);
     requireSameGrid(map, volume.geometry, volume.path);
     std::array<std::uint8_t, 256> isInside{};

@@ -110,7 +110,7 @@ void Frontier::begin(int steps) {
         return glm::uvec4(std::min((tiles + kTilesPerGroup - 1) / kTilesPerGroup, kMaxGroups), 1, 1, tiles);
     };
     table[0].tiles = arguments(carried_);
-    table[0].unmade = arguments(carriedUnmade_);
+    table[0].unmade = {std::min(carriedUnmade_, kMaxGroups), 1, 1, carriedUnmade_};
     steps_.write(std::span<const Step>(table));
     steps_.bindStorage(5);
     work_.bindStorage(6);

@@ -13,10 +13,10 @@
 
 namespace vs::segment {
 
-// Expands a set of voxels by whole generations on the device, 32 voxels at a time: only tiles of 32 x 8 x 8
-// voxels that something may happen in are looked at, and a voxel's value only when the set first comes near
-// its row. Beside the seed map it keeps three bits a voxel: which voxels the rules let in, and the newest of
-// two generations. All of it can be made anew from the seed map. Internal to this folder.
+// Expands a set of voxels by whole generations on the device, 128 voxels at a time: only tiles of 8^3 voxels
+// that something may happen in are looked at, and a voxel's value only when the set first comes near its row
+// of four tiles. Beside the seed map it keeps three bits a voxel: which voxels the rules let in, and the
+// newest of two generations. All of it can be made anew from the seed map. Internal to this folder.
 class Frontier {
 public:
     // At most this many expansions in one submission.
@@ -81,10 +81,10 @@ private:
     gl::Buffer list_; // voxel numbers on their way to the device
     std::vector<std::uint32_t> added_;
     std::uint32_t rulesNumber_ = 1;
-    std::uint32_t stamp_ = 0;   // of the last expansion
-    int now_ = 0;               // which plane holds the newest voxels, and which list their tiles
-    std::uint32_t carried_ = 0; // tiles in it
-    std::uint32_t carriedUnmade_ = 0;
+    std::uint32_t stamp_ = 0;         // of the last expansion
+    int now_ = 0;                     // which plane holds the newest voxels, and which list their tiles
+    std::uint32_t carried_ = 0;       // tiles in it
+    std::uint32_t carriedUnmade_ = 0; // rows of tiles
     bool isValid_ = false;
     bool newestIsLast_ = false; // the newest voxels have the generation before the next; else any
 

@@ -2,17 +2,19 @@
 // Bindings: storage 5 (steps), 6 (work), uniforms 5 to 8.
 
 const uint kTilesPerGroup = 16u;
+const uint kTilesPerRow = 4u;
 const uint kMaxGroups = 65535u; // per dispatch; the lists are walked with a stride, so fewer groups lose nothing
 
-// One expansion: arguments of its two indirect dispatches, whose w counts the tiles.
+// One expansion: arguments of its two indirect dispatches, whose w counts the tiles, or the rows of tiles.
 struct Step {
     uvec4 tiles;  // x groups, y = z = 1, w tiles
-    uvec4 unmade; // likewise, those of them that are near for the first time
+    uvec4 unmade; // likewise, a group a row, those rows that are near for the first time
     uvec4 grown;  // x + y + z + w: voxels grown
 };
 layout(std430, binding = 5) buffer Steps { Step steps[]; };
-// Six parts, a number for each tile: the last expansion that was to look at it; the rules under which its words of the plane
-// `allowed` are made; two lists of tiles, and two of such that are not made. And four for what an expansion found in each tile
+// Six parts, a number for each tile: the last expansion that was to look at it; the rules under which the words of a row of four
+// tiles (a brick's along x, one after the other) in the plane `allowed` are made; two lists of tiles, and two of rows that are
+// not made, which is cheaper together: a row of values shares a cache line. And four for what an expansion found in each tile
 // of its list: from bit 8 on voxels that joined, bit 6 whether there were newest ones, below the sides that some touch.
 layout(std430, binding = 6) buffer Work { uint work[]; };
 
@@ -37,12 +39,11 @@ void activate(uint tile) {
             atomicMax(steps[stepNoted].tiles.x, groupsFor(place));
         }
 #ifndef VS_FLOOD
-        // Only one invocation comes here for a tile at a time.
-        if (work[tileCount + tile] != rulesNumber) {
-            work[tileCount + tile] = rulesNumber;
+        uint row = tile / kTilesPerRow;
+        if (work[tileCount + row] != rulesNumber && atomicExchange(work[tileCount + row], rulesNumber) != rulesNumber) {
             place = atomicAdd(steps[stepNoted].unmade.w, 1u);
-            work[unmadeStart(listNoted) + place] = tile;
-            atomicMax(steps[stepNoted].unmade.x, groupsFor(place));
+            work[unmadeStart(listNoted) + place] = row;
+            atomicMax(steps[stepNoted].unmade.x, min(place + 1u, kMaxGroups));
         }
 #endif
     }

@@ -1,5 +1,5 @@
-// Which voxels that have not grown the rules let in, by themselves, in tiles that growth comes near for the first time. One
-// invocation a word.
+// Which voxels that have not grown the rules let in, by themselves, in rows of tiles that growth comes near for the first time. A
+// group a row, an invocation a word, those along x side by side.
 // In: the constraints, texture 0 data, 1 sculpture; storage 0 grown, 5 steps, 6 work, 7 what is forbidden (with VS_FORBIDDEN). Out:
 // storage 1 allowed.
 #include "segment/shaders/constraints.glsl"
@@ -18,14 +18,14 @@ layout(location = 10) uniform int stepIndex;
 
 void main() {
     uint count = steps[stepIndex].unmade.w;
-    uint slot = gl_LocalInvocationID.x / kWordsPerTile;
-    uint i = gl_WorkGroupID.x * 4u + slot;
+    uint i = gl_WorkGroupID.x;
     if (i >= count) {
         return;
     }
+    uint x = gl_LocalInvocationID.x % 8u;
+    uint inRow = x / 2u * kWordsPerTile + gl_LocalInvocationID.x / 8u * 2u + x % 2u;
     do {
-        uint tile = work[unmadeStart(1 - listNoted) + i];
-        uint word = tile * kWordsPerTile + gl_LocalInvocationID.x % kWordsPerTile;
+        uint word = work[unmadeStart(1 - listNoted) + i] * kTilesPerRow * kWordsPerTile + inRow;
         ivec3 place = placeOfWord(word);
         uint bits = 0u;
         for (int bit = 0; bit < 32; ++bit) {
@@ -36,6 +36,6 @@ void main() {
         bits &= ~forbidden[word];
 #endif
         allowed[word] = bits;
-        i += gl_NumWorkGroups.x * 4u;
+        i += gl_NumWorkGroups.x;
     } while (i < count);
 }

@@ -79,6 +79,7 @@ void Frontier::prepareToNote(gl::Program& program, int step, int list, std::uint
 
 void Frontier::collect(SeedMap& seedMap, const Rules& rules) {
     gl::Program& program = collect_.with(definesFor(rules.constraints->connectivity, seedMap.widthDefines()));
+    seedMap.grownTexels().bindTexture(6);
     seedMap.bind(program);
     seedMap.bindOwner(program, rules.owner);
     prepareToNote(program, 0, now_, stamp_);

@@ -15,6 +15,7 @@ namespace {
 constexpr int kGroupsPerBrick = 16;
 constexpr std::size_t kMaxGroups = 65535;
 constexpr std::size_t kWordsPerBrick = 1024;
+constexpr std::size_t kSlabBytes = 16;
 constexpr std::size_t kGrownBytes = kWordsPerBrick * 4;
 constexpr std::size_t kGenerationBytes = kWordsPerBrick * 64;
 constexpr std::size_t kLateBytes = kWordsPerBrick * 32;
@@ -31,7 +32,8 @@ glm::ivec3 checked(glm::ivec3 dims) {
 } // namespace
 
 SeedMap::SeedMap(glm::ivec3 dims)
-    : dims_(checked(dims)), bricks_(dims), grown_(planeBytes(), "grown voxels"),
+    : dims_(checked(dims)), bricks_(dims),
+      grown_(planeBytes() / kSlabBytes, gl::Format::RGBA32UI, "grown voxels"),
       generations_(planeBytes() * 16, "generations"),
       labels_(dims, gl::Format::R8UI, gl::Filter::Nearest, "segment labels"), list_(4, "growth list"),
       writeLabels_("segment/shaders/write_labels.comp") {}
@@ -47,7 +49,7 @@ void SeedMap::widen() {
 }
 
 void SeedMap::bind(gl::Program& program) const {
-    grown_.bindStorage(0);
+    grown_.buffer().bindStorage(0);
     generations_.bindStorage(3);
     (isWide() ? late_ : generations_).bindStorage(4);
     labels_.bindImage(0, gl::Access::ReadWrite);
@@ -95,7 +97,7 @@ std::vector<std::byte> SeedMap::saveBrick(std::uint32_t brick) const {
     const std::size_t late = isWide() ? kLateBytes : 0;
     std::vector<std::byte> bytes(kGrownBytes + kGenerationBytes + late);
     const std::span<std::byte> all(bytes);
-    grown_.read(all.first(kGrownBytes), brick * kGrownBytes);
+    grown_.buffer().read(all.first(kGrownBytes), brick * kGrownBytes);
     generations_.read(all.subspan(kGrownBytes, kGenerationBytes), brick * kGenerationBytes);
     if (isWide()) {
         late_.read(all.last(late), brick * kLateBytes);
@@ -108,7 +110,7 @@ std::vector<std::byte> SeedMap::saveBrick(std::uint32_t brick) const {
 void SeedMap::restoreBrick(std::uint32_t brick, std::span<const std::byte> bytes) {
     const std::size_t labelBytes = bricks_.box(brick).volume();
     const bool hasLate = bytes.size() > kGrownBytes + kGenerationBytes + labelBytes;
-    grown_.write(bytes.first(kGrownBytes), brick * kGrownBytes);
+    grown_.buffer().write(bytes.first(kGrownBytes), brick * kGrownBytes);
     generations_.write(bytes.subspan(kGrownBytes, kGenerationBytes), brick * kGenerationBytes);
     if (hasLate) {
         widen();
@@ -185,7 +187,7 @@ std::vector<std::uint32_t> SeedMap::downloadGenerations(const Box3& box) const {
         if (!bricks_.isOccupied(brick)) {
             return;
         }
-        const auto grown = grown_.read<std::uint32_t>(kWordsPerBrick, brick * kGrownBytes);
+        const auto grown = grown_.buffer().read<std::uint32_t>(kWordsPerBrick, brick * kGrownBytes);
         const auto low = generations_.read<std::uint16_t>(kWordsPerBrick * 32, brick * kGenerationBytes);
         const auto late = isWide() ? late_.read<std::uint8_t>(kWordsPerBrick * 32, brick * kLateBytes)
                                    : std::vector<std::uint8_t>();
@@ -202,8 +204,8 @@ std::vector<std::uint32_t> SeedMap::downloadGenerations(const Box3& box) const {
 
 std::size_t SeedMap::deviceBytes() const {
     const glm::i64vec3 dims(dims_);
-    return grown_.size() + generations_.size() + late_.size() + bricks_.onDevice().size() + list_.size() +
-           std::size_t(dims.x * dims.y * dims.z);
+    return grown_.buffer().size() + generations_.size() + late_.size() + bricks_.onDevice().size() +
+           list_.size() + std::size_t(dims.x * dims.y * dims.z);
 }
 
 std::uint32_t SeedMap::indexOf(glm::ivec3 v) const {

@@ -3,14 +3,14 @@
 """Replays the sessions of examples/segment with small pictures and checks what they segment: volumes against what anatomy and
 intensities allow, overlap where a truth exists. Prints the rows of doc/segmentation_examples.md.
 usage: segment_sessions.py VSTUDIO ROOT [NAME...]"""
-import gzip
 import json
 import pathlib
-import struct
 import subprocess
 import sys
 import tempfile
 import time
+
+from label_maps import dice, mask, read_labels
 
 vstudio, root, names = sys.argv[1], pathlib.Path(sys.argv[2]), sys.argv[3:]
 data = root / ".." / "shared" / "data"
@@ -52,23 +52,6 @@ TRUTHS = {
     "pelvis/pelvis and femora": (TORSO, {25, 26, 75, 76, 77, 78}, 0.86),
     "colon/colon": (TORSO, {20}, 0.80),
 }
-
-
-def read_labels(path):
-    """Voxels of a one-byte NIfTI file, and millilitres a voxel."""
-    content = gzip.decompress(path.read_bytes())
-    spacing = struct.unpack_from("<3f", content, 80)
-    offset = int(struct.unpack_from("<f", content, 108)[0])
-    return content[offset:], spacing[0] * spacing[1] * spacing[2] / 1000
-
-
-def mask(labels, values):
-    return labels.translate(bytes(1 if v in values else 0 for v in range(256)))
-
-
-def dice(a, b):
-    both = (int.from_bytes(a, "little") & int.from_bytes(b, "little")).bit_count()
-    return 2 * both / (a.count(1) + b.count(1))
 
 
 def replay(path, folder):

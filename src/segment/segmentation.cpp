@@ -15,7 +15,6 @@ namespace {
 constexpr int kTile = 16;
 constexpr int kReach = 3; // voxels that the kernel reaches to either side
 constexpr int kPadded = kTile + 2 * kReach;
-constexpr int kTilesPerBrick = field::kBrick / kTile;
 constexpr double kRadiusSteps = 3.0;
 // Tiles smoothed at a time: 512 take 1 MiB of bits and 11 MiB of values.
 constexpr std::uint32_t kTilesAtOnce = 512;

@@ -56,7 +56,7 @@ Segmentation::Segmentation(const volume::GridGeometry& geometry)
       rows_(kTilesAtOnce * kPadded * kPadded * sizeof(std::uint32_t), "membership rows"),
       alongXY_(kTilesAtOnce * kPadded * kTile * kTile * sizeof(float), "smoothed along x and y"),
       findChanges_("segment/shaders/find_changed_tiles.comp"), packRows_("segment/shaders/pack_rows.comp"),
-      smoothXY_("segment/shaders/smooth_xy.comp"), summarize_("segment/shaders/summarize_tiles.comp") {
+      smoothXY_("segment/shaders/smooth_xy.comp") {
     const glm::dvec3 spacing = geometry.spacing();
     for (int axis = 0; axis < 3; ++axis) {
         weights_[axis] = kernel(geometry.stepMm(), spacing[axis]);
@@ -228,18 +228,16 @@ std::vector<std::uint32_t> Segmentation::write(int channel, const std::vector<st
     return tiles;
 }
 
-void Segmentation::summarize(const std::vector<std::uint32_t>& tiles) {
+void Segmentation::summarize(const std::vector<std::uint32_t>& tiles, Smoothing smoothing) {
+    gl::Program& program =
+        summarize_.with(smoothing == Smoothing::Plain ? gl::Defines{{"VS_LOOSE", "1"}} : gl::Defines{});
     listTiles(tiles);
     texels_.bindTexture(1);
     cells_.bindImage(1, gl::Access::Write);
     const auto total = std::uint32_t(tiles.size());
     for (std::uint32_t first = 0; first < total; first += kMaxGroups) {
-        summarize_.set(0, dims_)
-            .set(1, brickDims_)
-            .set(2, tileDims_)
-            .set(3, int(first))
-            .set(5, cells_.size());
-        summarize_.dispatch({1, int(std::min(kMaxGroups, total - first)), 1}, gl::Barrier::Texture);
+        program.set(0, dims_).set(1, brickDims_).set(2, tileDims_).set(3, int(first)).set(5, cells_.size());
+        program.dispatch({1, int(std::min(kMaxGroups, total - first)), 1}, gl::Barrier::Texture);
     }
 }
 
@@ -261,7 +259,7 @@ Box3 Segmentation::update(const Growth& growth, Smoothing smoothing, const Looks
     }
     if (!changed.empty()) {
         ++version_;
-        summarize(changed);
+        summarize(changed, smoothing);
     }
     return box;
 }

@@ -40,7 +40,8 @@ public:
     // R8, linear filter, values in [0, 1]: the opaque segments together. RG8 while there are translucent
     // ones: those together in g.
     [[nodiscard]] const gl::Texture& texels() const { return texels_; }
-    // RG32F, smallest and largest value of each macrocell, as field::CellRangeUpdater makes them.
+    // RG32F, smallest and largest value of each macrocell, as field::CellRangeUpdater makes them; after a
+    // plain update 0 and 1 where something has changed.
     [[nodiscard]] const gl::Texture& cells() const { return cells_; }
     // The same, downloaded, x fastest.
     [[nodiscard]] std::vector<float> values() const;
@@ -65,7 +66,7 @@ private:
     std::vector<std::uint32_t> write(int channel, const std::vector<std::uint32_t>& candidates,
                                      Smoothing smoothing);
     void smooth(int channel, std::uint32_t first, std::uint32_t count);
-    void summarize(const std::vector<std::uint32_t>& tiles);
+    void summarize(const std::vector<std::uint32_t>& tiles, Smoothing smoothing);
     void listTiles(const std::vector<std::uint32_t>& tiles);
     [[nodiscard]] gl::Defines defines() const;
     [[nodiscard]] glm::ivec3 tileAt(std::uint32_t tile) const;
@@ -91,7 +92,7 @@ private:
     gl::Program smoothXY_;
     gl::ProgramVariants smoothZ_{"segment/shaders/smooth_z.comp"};
     gl::ProgramVariants writePlain_{"segment/shaders/write_membership.comp"};
-    gl::Program summarize_;
+    gl::ProgramVariants summarize_{"segment/shaders/summarize_tiles.comp"};
 };
 
 } // namespace vs::segment

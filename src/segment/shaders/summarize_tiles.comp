@@ -1,5 +1,6 @@
 // Smallest and largest value of every macrocell (4^3 voxels, 5^3 corners) that has a corner in a tile. One group a tile,
 // one invocation a cell; cells that two tiles share are written twice, alike.
+// With VS_LOOSE anything may be in them, which takes no look at the voxels: while scrubbing.
 // In: texture 1 segmentation; storage 0 tiles. Out: image 1 cells (rg32f).
 #include "segment/shaders/tiles.glsl"
 
@@ -20,6 +21,9 @@ void main() {
     if (place.z >= kCellsAround || any(greaterThanEqual(uvec3(cell), uvec3(cellDims)))) {
         return;
     }
+#ifdef VS_LOOSE
+    imageStore(cells, cell, vec4(0.0, 1.0, 0.0, 0.0));
+#else
     ivec3 first = cell * kCell;
     ivec3 last = min(first + kCell, dims - 1);
     float lo = 1.0;
@@ -35,4 +39,5 @@ void main() {
         }
     }
     imageStore(cells, cell, vec4(lo, hi, 0.0, 0.0));
+#endif
 }

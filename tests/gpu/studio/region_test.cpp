@@ -3,6 +3,8 @@
 #include "gpu/gl_test.h"
 #include "gpu/studio/test_head.h"
 
+#include <algorithm>
+
 namespace vs::studio {
 namespace {
 
@@ -34,6 +36,27 @@ TEST_F(RegionTest, GrowthFillsTheBrainAndStepsBothWaysExactly) {
     EXPECT_EQ(document.generations(), ten);
     document.apply(Undo{});
     EXPECT_EQ(document.generations(), all);
+}
+
+TEST_F(RegionTest, ScrubbingShowsAnyGenerationAndEndsAsOneOperation) {
+    Document document(testHead());
+    document.apply(brainSeed());
+    document.apply(Grow{20});
+    const auto whole = document.generations();
+    const std::size_t logged = document.log().size();
+    for (const int generation : {3, 17, 1, 9}) {
+        document.scrub(generation);
+        document.frame({64, 64});
+        auto expected = whole;
+        std::replace_if(
+            expected.begin(), expected.end(), [&](auto g) { return int(g) > generation; }, 0U);
+        EXPECT_TRUE(document.generations() == expected) << generation;
+    }
+    document.endScrub();
+    EXPECT_EQ(document.growth().generation, 9);
+    EXPECT_EQ(document.log().size(), logged + 1);
+    document.apply(Undo{});
+    EXPECT_TRUE(document.generations() == whole);
 }
 
 TEST_F(RegionTest, GrowthNeverEntersWhatWasCutAway) {

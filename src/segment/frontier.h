@@ -37,7 +37,6 @@ public:
     // The rules or the seed map have changed: the next expansion tests voxels that were refused again, and
     // tries the neighbours of every grown voxel.
     void invalidate();
-    void forgetRules() { invalidate(); }
     // Voxels (linear indices) that were given the newest generation.
     void add(std::span<const std::uint32_t> voxels);
 

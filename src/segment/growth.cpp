@@ -38,7 +38,7 @@ void Growth::setConstraints(const Constraints& constraints, GrowthUndo* undo) {
         truncate(state_.playhead, undo);
         const bool isWider = includes(constraints, state_.constraints);
         state_.constraints = constraints;
-        frontier_.forgetRules();
+        frontier_.invalidate();
         if (state_.isLive && !(state_.isConsistent && isWider)) {
             retract(undo);
         }
@@ -306,7 +306,7 @@ void Growth::reset(GrowthUndo* undo) {
     state_.seeds = std::make_shared<const std::vector<Seed>>();
     state_.isConsistent = true;
     forbidden_ = {};
-    frontier_.forgetRules();
+    frontier_.invalidate();
     if (undo != nullptr) {
         undo->end(*this);
     }

@@ -75,7 +75,7 @@ int Growth::absorb(std::span<const glm::ivec3> voxels, int expansions, GrowthUnd
         forbidden_ = gl::Buffer(seedMap_.planeBytes(), "forbidden voxels");
     }
     passes_.join(seedMap_, forbidden_, reached);
-    frontier_.forgetRules();
+    frontier_.invalidate();
     state_.isFinished = false;
     state_.isConsistent = false;
     if (undo != nullptr) {
@@ -126,7 +126,7 @@ void Growth::confine(std::span<const std::uint8_t> inside) {
                    [](std::uint8_t value) { return value == 0 ? 1 : 0; });
     forbidden_ = gl::Buffer(seedMap_.planeBytes(), "forbidden voxels");
     seedMap_.uploadPlane(forbidden_, field_->geometry.box(), outside);
-    frontier_.forgetRules();
+    frontier_.invalidate();
     state_.isFinished = false;
 }
 
@@ -167,7 +167,7 @@ void Growth::exchangeRun(std::uint8_t label) {
     }
     owner_ = {label, std::any_of(others_.begin(), others_.end(),
                                  [](const auto& run) { return run.second.state.extent > 0; })};
-    frontier_.forgetRules();
+    frontier_.invalidate();
 }
 
 const GrowthState& Growth::state(std::uint8_t label) const {

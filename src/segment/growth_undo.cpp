@@ -101,7 +101,7 @@ void GrowthUndo::undo(Growth& growth) const {
     growth.state_.extent = before_.extent;
     growth.movePlayhead(before_.playhead);
     growth.state_ = before_;
-    growth.frontier_.forgetRules();
+    growth.frontier_.invalidate();
 }
 
 std::size_t GrowthUndo::bytes() const {

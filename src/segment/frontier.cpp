@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cstddef>
+#include <utility>
 
 namespace vs::segment {
 
@@ -14,7 +15,11 @@ namespace {
 constexpr std::uint32_t kTilesPerBrick = 64;
 constexpr std::uint32_t kTilesPerGroup = 16;
 constexpr std::size_t kWordsPerSlab = 4; // see shaders/words.glsl
+constexpr std::size_t kSlabBytes = kWordsPerSlab * sizeof(std::uint32_t);
 constexpr std::uint32_t kMaxGroups = 65535;
+// When rows of tiles are tested whole: measured on a software renderer, where both sides of a choice cost.
+constexpr std::uint64_t kManyVoxels = 4096; // in a generation
+constexpr std::uint64_t kManyInTile = 8;
 
 gl::Defines definesFor(Connectivity connectivity, gl::Defines more = {}) {
     if (connectivity == Connectivity::TwentySix) {
@@ -65,6 +70,7 @@ void Frontier::clearNewest() {
         ++rulesNumber_; // they count as made
     }
     carriedUnmade_ = 0;
+    newestIsRegion_ = false;
     ++stamp_; // no tile is noted any more
 }
 
@@ -78,14 +84,20 @@ void Frontier::prepareToNote(gl::Program& program, int step, int list, std::uint
 }
 
 void Frontier::collect(SeedMap& seedMap, const Rules& rules) {
-    gl::Program& program = collect_.with(definesFor(rules.constraints->connectivity, seedMap.widthDefines()));
+    gl::Defines defines = seedMap.widthDefines();
+    if (rules.owner.hasOthers || rules.frozen > 0) {
+        defines.emplace_back("VS_PARTLY", "1");
+    }
+    gl::Program& program = collect_.with(definesFor(rules.constraints->connectivity, std::move(defines)));
     seedMap.grownTexels().bindTexture(6);
     seedMap.bind(program);
     seedMap.bindOwner(program, rules.owner);
     prepareToNote(program, 0, now_, stamp_);
     program.set(10, planeStart(now_)).set(11, std::uint32_t(rules.frozen));
-    seedMap.dispatchOverBricks(program, seedMap.bricks().touched(), gl::Barrier::All);
+    seedMap.bricks().onDevice().bindStorage(8);
+    seedMap.dispatchOverBricks(program, seedMap.bricks().touched(), gl::Barrier::All, 1);
     newestIsLast_ = false;
+    newestIsRegion_ = true;
 }
 
 void Frontier::push(const SeedMap& seedMap, std::span<const std::uint32_t> voxels,
@@ -93,7 +105,9 @@ void Frontier::push(const SeedMap& seedMap, std::span<const std::uint32_t> voxel
     if (voxels.empty()) {
         return;
     }
-    gl::Program& program = push_.with(definesFor(constraints.connectivity));
+    const bool notesRows = into == Into::Newest && testing_ == Testing::ByRows;
+    gl::Program& program = push_.with(
+        definesFor(constraints.connectivity, notesRows ? gl::Defines{{"VS_BY_ROWS", "1"}} : gl::Defines{}));
     list_.reserve(voxels.size() * sizeof(std::uint32_t));
     list_.write(voxels);
     list_.bindStorage(7);
@@ -120,9 +134,9 @@ void Frontier::begin(int steps) {
 
 // Expands so many times, giving `generation` and those after it. Returns the voxels that joined each time.
 std::vector<std::uint64_t> Frontier::run(const SeedMap& seedMap, gl::Program& program, gl::Program* allow,
-                                         const Constraints& constraints, int generation, int steps) {
-    gl::Program& note = note_.with(definesFor(
-        constraints.connectivity, allow == nullptr ? gl::Defines{{"VS_FLOOD", "1"}} : gl::Defines{}));
+                                         const Constraints& constraints, gl::Defines noteDefines,
+                                         int generation, int steps) {
+    gl::Program& note = note_.with(definesFor(constraints.connectivity, std::move(noteDefines)));
     note.set(0, seedMap.dims()).set(1, seedMap.bricks().brickDims());
     seedMap.bricks().onDevice().bindStorage(8);
     newest_.bindTexture(4);
@@ -142,20 +156,43 @@ std::vector<std::uint64_t> Frontier::run(const SeedMap& seedMap, gl::Program& pr
             .set(15, newestIsLast_ ? 1 : 0);
         program.dispatchIndirect(steps_, std::size_t(i) * sizeof(Step), gl::Barrier::Storage);
         prepareToNote(note, i + 1, next, stamp_);
-        note.set(10, i).set(11, std::uint32_t(generation + i));
+        const bool clears = newestIsRegion_;
+        note.set(10, i).set(11, std::uint32_t(generation + i)).set(13, clears ? 0 : 1);
         // Each expansion takes its tiles, and the newest voxels as texels, from the one before.
         note.dispatchIndirect(steps_, std::size_t(i) * sizeof(Step), gl::Barrier::All);
+        if (clears) {
+            newest_.buffer().clear(planeStart(now_) * kSlabBytes, planeWords_ * sizeof(std::uint32_t));
+            newestIsRegion_ = false;
+        }
         now_ = next;
         newestIsLast_ = true;
     }
     const auto table = steps_.read<Step>(std::size_t(steps) + 1);
     carried_ = table.back().tiles.w;
     carriedUnmade_ = table.back().unmade.w;
+    judge(table[std::size_t(steps) - 1], steps);
     std::vector<std::uint64_t> grown;
     for (int i = 0; i < steps; ++i) {
         grown.push_back(table[std::size_t(i)].total());
     }
     return grown;
+}
+
+// Whether so much grows that whole rows of tiles should be tested at once; or nothing, and what is left of
+// the planes can be cleared at once when something is to grow again.
+void Frontier::judge(const Step& last, int steps) {
+    growsMuch_ = last.total() > kManyVoxels && last.total() > kManyInTile * last.tiles.w;
+    isOver_ = last.total() == 0 && carriedUnmade_ == 0;
+    stepsByVoxel_ = std::min(stepsByVoxel_ + steps, kMaxSteps);
+}
+
+// From now on rows are noted with the tiles; those of the tiles carried over are here.
+void Frontier::goOverToRows(const SeedMap& seedMap) {
+    testing_ = Testing::ByRows;
+    gl::Program& program = noteRows_.with({});
+    program.set(0, seedMap.dims()).set(1, seedMap.bricks().brickDims());
+    prepareToNote(program, 0, now_, stamp_);
+    program.dispatchIndirect(steps_, 0, gl::Barrier::All);
 }
 
 std::vector<std::uint64_t> Frontier::expand(SeedMap& seedMap, const Rules& rules, int generation, int steps) {
@@ -164,10 +201,22 @@ std::vector<std::uint64_t> Frontier::expand(SeedMap& seedMap, const Rules& rules
     if (generation + steps - 1 > SeedMap::kLongest16) {
         seedMap.widen();
     }
-    if (!isValid_) {
+    if (!isValid_ || isOver_) {
         clearNewest();
     }
+    if (!isValid_) {
+        testing_ = Testing::ByVoxel;
+        growsMuch_ = false;
+        stepsByVoxel_ = 0;
+    }
+    const bool goesOver = testing_ == Testing::ByVoxel && growsMuch_;
+    if (testing_ == Testing::ByVoxel && !goesOver) {
+        steps = std::min(steps, std::max(stepsByVoxel_, 1));
+    }
     begin(steps);
+    if (goesOver) {
+        goOverToRows(seedMap);
+    }
     allowed_.buffer().bindStorage(1);
     if (isValid_) {
         push(seedMap, added_, *rules.constraints);
@@ -177,17 +226,26 @@ std::vector<std::uint64_t> Frontier::expand(SeedMap& seedMap, const Rules& rules
         isValid_ = true;
     }
 
-    gl::Program& allow =
-        allow_.prepare(*rules.field, *rules.constraints,
-                       rules.forbidden != nullptr ? gl::Defines{{"VS_FORBIDDEN", "1"}} : gl::Defines{});
-    allow.set(0, seedMap.dims()).set(1, seedMap.bricks().brickDims());
-    gl::Program& program = expand_.prepare(*rules.field, *rules.constraints, seedMap.widthDefines());
+    const gl::Defines forbidden =
+        rules.forbidden != nullptr ? gl::Defines{{"VS_FORBIDDEN", "1"}} : gl::Defines{};
+    gl::Defines defines = seedMap.widthDefines();
+    gl::Program* allow = nullptr;
+    if (testing_ == Testing::ByRows) {
+        allow = &allow_.prepare(*rules.field, *rules.constraints, forbidden);
+        allow->set(0, seedMap.dims()).set(1, seedMap.bricks().brickDims());
+        allowed_.bindTexture(5);
+    } else {
+        defines.insert(defines.end(), forbidden.begin(), forbidden.end());
+        defines.emplace_back("VS_BY_VOXEL", "1");
+        seedMap.grownTexels().bindTexture(6);
+    }
+    gl::Program& program = expand_.prepare(*rules.field, *rules.constraints, defines);
     seedMap.bind(program);
-    allowed_.bindTexture(5);
     if (rules.forbidden != nullptr) {
         rules.forbidden->bindStorage(7);
     }
-    return run(seedMap, program, &allow, *rules.constraints, generation, steps);
+    return run(seedMap, program, allow, *rules.constraints,
+               allow != nullptr ? gl::Defines{{"VS_BY_ROWS", "1"}} : gl::Defines{}, generation, steps);
 }
 
 int Frontier::flood(const SeedMap& seedMap, const Rules& rules, std::span<const std::uint32_t> seeds,
@@ -210,7 +268,8 @@ int Frontier::flood(const SeedMap& seedMap, const Rules& rules, std::span<const 
         seedMap.bind(program);
         reached.bindStorage(0);
         region.bindTexture(5);
-        for (const std::uint64_t voxels : run(seedMap, program, nullptr, *rules.constraints, 0, batch)) {
+        for (const std::uint64_t voxels :
+             run(seedMap, program, nullptr, *rules.constraints, {{"VS_FLOOD", "1"}}, 0, batch)) {
             found += voxels > 0 ? 1 : 0;
             goesOn = voxels > 0;
         }

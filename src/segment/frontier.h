@@ -14,9 +14,10 @@
 namespace vs::segment {
 
 // Expands a set of voxels by whole generations on the device, 128 voxels at a time: only tiles of 8^3 voxels
-// that something may happen in are looked at, and a voxel's value only when the set first comes near its row
-// of four tiles. Beside the seed map it keeps three bits a voxel: which voxels the rules let in, and the
-// newest of two generations. All of it can be made anew from the seed map. Internal to this folder.
+// that something may happen in are looked at. While little grows, voxels are tested as they are offered; once
+// much does, rows of four tiles are tested whole when the set first comes near them, which is quicker a
+// voxel. Beside the seed map it keeps three bits a voxel: which voxels the rules let in, and the newest of
+// two generations. All of it can be made anew from the seed map. Internal to this folder.
 class Frontier {
 public:
     // At most this many expansions in one submission.
@@ -40,8 +41,8 @@ public:
     // Voxels (linear indices) that were given the newest generation.
     void add(std::span<const std::uint32_t> voxels);
 
-    // Tries `steps` (at most kMaxSteps) expansions; the first gives `generation`. Returns the voxels grown by
-    // each.
+    // Tries at most `steps` (at most kMaxSteps) expansions; the first gives `generation`. Returns the voxels
+    // grown by each one tried.
     std::vector<std::uint64_t> expand(SeedMap& seedMap, const Rules& rules, int generation, int steps);
 
     // What it takes on the device.
@@ -58,6 +59,7 @@ public:
 
 private:
     struct Step;
+    enum class Testing { ByVoxel, ByRows };
 
     void clearNewest();
     [[nodiscard]] std::uint32_t planeStart(int plane) const;
@@ -68,8 +70,11 @@ private:
               Into into = Into::Newest);
     void prepareToNote(gl::Program& program, int step, int list, std::uint32_t stamp) const;
     void begin(int steps);
+    void goOverToRows(const SeedMap& seedMap);
+    void judge(const Step& last, int steps);
     std::vector<std::uint64_t> run(const SeedMap& seedMap, gl::Program& program, gl::Program* allow,
-                                   const Constraints& constraints, int generation, int steps);
+                                   const Constraints& constraints, gl::Defines noteDefines, int generation,
+                                   int steps);
 
     std::uint32_t tileCount_;
     std::size_t planeWords_;
@@ -85,13 +90,19 @@ private:
     std::uint32_t carried_ = 0;       // tiles in it
     std::uint32_t carriedUnmade_ = 0; // rows of tiles
     bool isValid_ = false;
-    bool newestIsLast_ = false; // the newest voxels have the generation before the next; else any
+    Testing testing_ = Testing::ByVoxel;
+    bool growsMuch_ = false;      // enough for rows
+    int stepsByVoxel_ = 0;        // tried since the rules changed; the next submission tries as many
+    bool isOver_ = false;         // nothing grew at last
+    bool newestIsLast_ = false;   // the newest voxels have the generation before the next; else any
+    bool newestIsRegion_ = false; // the newest voxels are the whole region's
 
     ConstrainedProgram allow_{"segment/shaders/allow_tiles.comp"};
     ConstrainedProgram expand_{"segment/shaders/expand_tiles.comp"};
-    gl::ProgramVariants collect_{"segment/shaders/collect_boundary.comp"};
+    gl::ProgramVariants collect_{"segment/shaders/collect_region.comp"};
     gl::ProgramVariants push_{"segment/shaders/push_voxels.comp"};
     gl::ProgramVariants note_{"segment/shaders/note_tiles.comp"};
+    gl::ProgramVariants noteRows_{"segment/shaders/note_rows.comp"};
 };
 
 } // namespace vs::segment

@@ -229,13 +229,14 @@ int Growth::compute(int generations) {
         return 0;
     }
     const auto grown = frontier_.expand(seedMap_, rules(), state_.extent + 1, steps);
+    const auto tried = int(grown.size());
     int added = 0;
-    while (added < steps && grown[std::size_t(added)] > 0) {
+    while (added < tried && grown[std::size_t(added)] > 0) {
         ++added;
     }
     state_.voxels.insert(state_.voxels.end(), grown.begin(), grown.begin() + added);
     state_.extent += added;
-    state_.isFinished = added < steps;
+    state_.isFinished = added < tried;
     if (added > 0) {
         seedMap_.bricks().download();
     }

@@ -12,7 +12,6 @@ namespace vs::segment {
 
 namespace {
 
-constexpr int kGroupsPerBrick = 16;
 constexpr std::size_t kMaxGroups = 65535;
 constexpr std::size_t kWordsPerBrick = 1024;
 constexpr std::size_t kSlabBytes = 16;
@@ -68,11 +67,11 @@ void SeedMap::bindList(std::span<const std::uint32_t> numbers) {
 }
 
 void SeedMap::dispatchOverBricks(gl::Program& program, std::span<const std::uint32_t> bricks,
-                                 gl::Barrier after) {
+                                 gl::Barrier after, int groupsPerBrick) {
     bindList(bricks);
     for (std::size_t first = 0; first < bricks.size(); first += kMaxGroups) {
         program.set(9, int(first));
-        program.dispatch({kGroupsPerBrick, int(std::min(kMaxGroups, bricks.size() - first)), 1}, after);
+        program.dispatch({groupsPerBrick, int(std::min(kMaxGroups, bricks.size() - first)), 1}, after);
     }
 }
 

@@ -53,9 +53,10 @@ public:
     void bind(gl::Program& program) const;
     // And owners.glsl: texture 3, uniforms 3 and 4.
     void bindOwner(gl::Program& program, const Owner& owner) const;
-    // Runs a program with a row of 16 groups a brick; the bricks are in storage 7 and their first one's place
-    // in uniform 9.
-    void dispatchOverBricks(gl::Program& program, std::span<const std::uint32_t> bricks, gl::Barrier after);
+    // Runs a program with a row of groups a brick; the bricks are in storage 7 and their first one's place in
+    // uniform 9.
+    void dispatchOverBricks(gl::Program& program, std::span<const std::uint32_t> bricks, gl::Barrier after,
+                            int groupsPerBrick = 16);
     // Puts a list of numbers into storage 7.
     void bindList(std::span<const std::uint32_t> numbers);
 

@@ -1,5 +1,6 @@
 // The tiles that the next expansion has to look at, each once. Include after words.glsl.
-// Bindings: storage 5 (steps), 6 (work), uniforms 5 to 8.
+// Bindings: storage 5 (steps), 6 (work), uniforms 5 to 8 and 12. With VS_BY_ROWS, rows that are near for the first time are noted
+// too.
 
 const uint kTilesPerGroup = 16u;
 const uint kTilesPerRow = 4u;
@@ -31,6 +32,16 @@ uint findingsStart() { return 6u * tileCount; }
 
 uint groupsFor(uint place) { return min(place / kTilesPerGroup + 1u, kMaxGroups); }
 
+// Rows that a tile at work lies in and that are not made.
+void noteRowOf(uint tile) {
+    uint row = tile / kTilesPerRow;
+    if (work[tileCount + row] != rulesNumber && atomicExchange(work[tileCount + row], rulesNumber) != rulesNumber) {
+        uint place = atomicAdd(steps[stepNoted].unmade.w, 1u);
+        work[unmadeStart(listNoted) + place] = row;
+        atomicMax(steps[stepNoted].unmade.x, min(place + 1u, kMaxGroups));
+    }
+}
+
 void activate(uint tile) {
     if (tile < tileCount && work[tile] != stamp && atomicExchange(work[tile], stamp) != stamp) {
         uint place = atomicAdd(steps[stepNoted].tiles.w, 1u);
@@ -38,13 +49,8 @@ void activate(uint tile) {
         if (place % kTilesPerGroup == 0u) {
             atomicMax(steps[stepNoted].tiles.x, groupsFor(place));
         }
-#ifndef VS_FLOOD
-        uint row = tile / kTilesPerRow;
-        if (work[tileCount + row] != rulesNumber && atomicExchange(work[tileCount + row], rulesNumber) != rulesNumber) {
-            place = atomicAdd(steps[stepNoted].unmade.w, 1u);
-            work[unmadeStart(listNoted) + place] = row;
-            atomicMax(steps[stepNoted].unmade.x, min(place + 1u, kMaxGroups));
-        }
+#ifdef VS_BY_ROWS
+        noteRowOf(tile);
 #endif
     }
 }

@@ -3,6 +3,8 @@
 // needs atomics.
 // In: the constraints, texture 0 data, 4 newest voxels in two planes, of which one is read and the other written (storage 2),
 // 5 and storage 1 allowed: what may be entered and has not been. In and out: storage 0 grown, 3 and 4 generations, 5 steps, 6 work.
+// With VS_BY_VOXEL no voxel was tested before; those on offer are, here (instead of allowed: texture 6 grown, storage 7 what is
+// forbidden, with VS_FORBIDDEN).
 // With VS_FLOOD a set spreads through another, and there are no generations.
 #include "segment/shaders/constraints.glsl"
 #include "segment/shaders/words.glsl"
@@ -15,7 +17,14 @@ layout(std430, binding = 0) buffer Grown { uvec4 grown[]; };
 layout(std430, binding = 1) writeonly buffer Allowed { uvec4 allowed[]; };
 layout(std430, binding = 2) writeonly buffer Newest { uvec4 newest[]; };
 layout(binding = 4) uniform usamplerBuffer newestTexels;
+#ifdef VS_BY_VOXEL
+layout(binding = 6) uniform usamplerBuffer grownTexels;
+#ifdef VS_FORBIDDEN
+layout(std430, binding = 7) readonly buffer Forbidden { uvec4 forbidden[]; };
+#endif
+#else
 layout(binding = 5) uniform usamplerBuffer allowedTexels;
+#endif
 
 layout(location = 10) uniform int stepIndex;
 layout(location = 11) uniform uint generation;
@@ -34,10 +43,38 @@ uvec4 allowedIn(uint slab) {
     }
     return region & ~grown[slab];
 }
+#elif defined(VS_BY_VOXEL)
+// Not tested yet.
+uvec4 allowedIn(uint slab) {
+    uvec4 open = ~texelFetch(grownTexels, int(slab));
+#ifdef VS_FORBIDDEN
+    open &= ~forbidden[slab];
+#endif
+    return open;
+}
 #else
 uvec4 allowedIn(uint slab) { return texelFetch(allowedTexels, int(slab)); }
 #endif
 #include "segment/shaders/neighbours.glsl"
+
+#ifdef VS_BY_VOXEL
+// Those of the voxels on offer, in the slab at a place, that the rules let in by themselves.
+uvec4 admissible(ivec3 place, uvec4 offered) {
+    uvec4 accepted = uvec4(0u);
+    if (offered != uvec4(0u)) {
+        do {
+            uint inPlane = offered.x | offered.y;
+            uint i = inPlane != 0u ? uint(offered.x == 0u) : 2u + uint(offered.z == 0u);
+            int bit = findLSB(offered[i]);
+            ivec3 voxel = voxelAt(place * ivec3(2, 2, 1) + ivec3(i & 1u, i >> 1, 0), bit);
+            bool isAccepted = isAdmissible(min(voxel, gridDims - 1)) && isInside(voxel);
+            accepted[i] |= uint(isAccepted) << bit;
+            offered[i] &= offered[i] - 1u;
+        } while (offered != uvec4(0u));
+    }
+    return accepted;
+}
+#endif
 
 #ifdef VS_PAIRED
 // Those of the voxels on offer that one of the newest around them may be left for.
@@ -74,6 +111,9 @@ uint expandSlab(uint slab) {
     ivec3 place = placeOfSlab(slab);
     uvec4 open = allowedIn(slab);
     uvec4 fresh = nextTo(place) & open;
+#ifdef VS_BY_VOXEL
+    fresh = admissible(place, fresh);
+#endif
 #ifdef VS_PAIRED
     for (int i = 0; i < 4; ++i) {
         fresh[i] = acceptedPairs(place * ivec3(2, 2, 1) + ivec3(i & 1, i >> 1, 0), fresh[i]);
@@ -83,8 +123,10 @@ uint expandSlab(uint slab) {
     if (fresh != uvec4(0u)) {
         uvec4 grownBefore = grown[slab];
         grown[slab] = grownBefore | fresh;
-#ifndef VS_FLOOD
+#if !defined(VS_FLOOD) && !defined(VS_BY_VOXEL)
         allowed[slab] = open & ~fresh;
+#endif
+#ifndef VS_FLOOD
         uvec4 before = isBefore != 0 ? bitsOf(slab) : uvec4(0u);
         storeGenerationsOfSlab(slab, fresh, before, grownBefore & ~before, generation);
 #endif

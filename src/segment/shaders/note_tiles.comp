@@ -10,6 +10,7 @@ layout(std430, binding = 8) buffer Bricks { uvec2 bricks[]; };
 
 layout(location = 10) uniform int stepIndex;
 layout(location = 11) uniform uint generation;
+layout(location = 13) uniform int cleansUp; // 0: the plane that the expansion read will be cleared
 
 // Generations only rise, and all of this dispatch write the same one.
 void noteInBrick(uint brick) {
@@ -42,7 +43,8 @@ void main() {
         }
 #endif
         // A tile whose newest voxels nobody follows is looked at once more, so that both planes are left without them.
-        uint around = total != 0u ? tilesTouched(sides) : (sides >> 6 & 1u) << 13;
+        uint again = cleansUp != 0 ? sides >> 6 & 1u : 0u;
+        uint around = total != 0u ? tilesTouched(sides) : again << 13;
         activateAround(placeOfTile(tile), around);
         i += gl_NumWorkGroups.x * kTilesPerGroup;
     } while (i < count);

@@ -327,18 +327,24 @@ Box3 Growth::touchedBox() const {
     return box;
 }
 
-void Growth::show(const gl::Buffer& plane, const std::vector<std::uint32_t>& bricks,
+void Growth::show(const gl::Buffer& plane, const gl::Buffer& reach, const std::vector<std::uint32_t>& bricks,
                   std::span<const std::uint32_t> kinds, std::uint32_t wanted) const {
-    gl::Program& show = show_.with(seedMap_.widthDefines());
+    gl::Defines defines = seedMap_.widthDefines();
+    if (owner_.hasOthers) {
+        defines.emplace_back("VS_OTHERS", "1");
+    }
+    if (state_.playhead < state_.extent) {
+        defines.emplace_back("VS_HIDES", "1");
+    }
+    gl::Program& show = show_.with(defines);
     kinds_.reserve(kinds.size_bytes());
     kinds_.write(kinds);
     seedMap_.bind(show);
     seedMap_.bindOwner(show, owner_);
     kinds_.bindStorage(1);
     plane.bindStorage(2);
-    show.set(10, std::uint32_t(state_.playhead))
-        .set(11, state_.playhead < state_.extent ? 1 : 0)
-        .set(12, wanted);
+    reach.bindStorage(5);
+    show.set(10, std::uint32_t(state_.playhead)).set(12, wanted);
     seedMap_.dispatchOverBricks(show, bricks, gl::Barrier::Storage);
 }
 

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
 
 namespace vs::segment {
 
@@ -55,8 +54,7 @@ Segmentation::Segmentation(const volume::GridGeometry& geometry)
       tiles_(4, "segmentation tiles"), reach_(4, "segmentation reach"),
       rows_(kTilesAtOnce * kPadded * kPadded * sizeof(std::uint32_t), "membership rows"),
       alongXY_(kTilesAtOnce * kPadded * kTile * kTile * sizeof(float), "smoothed along x and y"),
-      findChanges_("segment/shaders/find_changed_tiles.comp"), packRows_("segment/shaders/pack_rows.comp"),
-      smoothXY_("segment/shaders/smooth_xy.comp") {
+      packRows_("segment/shaders/pack_rows.comp"), smoothXY_("segment/shaders/smooth_xy.comp") {
     const glm::dvec3 spacing = geometry.spacing();
     for (int axis = 0; axis < 3; ++axis) {
         weights_[axis] = kernel(geometry.stepMm(), spacing[axis]);
@@ -89,68 +87,48 @@ gl::Defines Segmentation::defines() const {
     return channels_.size() > 1 ? gl::Defines{{"VS_GLASS", "1"}} : gl::Defines{};
 }
 
+std::uint32_t Segmentation::tileIndex(glm::ivec3 place) const {
+    return std::uint32_t((place.z * tileDims_.y + place.y) * tileDims_.x + place.x);
+}
+
 glm::ivec3 Segmentation::tileAt(std::uint32_t tile) const {
     const int i = int(tile);
     return {i % tileDims_.x, i / tileDims_.x % tileDims_.y, i / (tileDims_.x * tileDims_.y)};
 }
 
-// Brings the planes of what is shown up to date; returns the tiles of the bricks in which they may have
-// changed.
-std::vector<std::uint32_t> Segmentation::show(const Growth& growth) {
-    const BrickTable& table = growth.seedMap().bricks();
-    const auto bricks = haveLooksChanged_ ? table.occupied() : table.changedSince(seenRevision_);
-    seenRevision_ = growth.revision();
-    haveLooksChanged_ = false;
+// Brings the plane of what is shown in a channel up to date, and notes as pending where changes reach.
+// Returns the tiles that changed.
+std::vector<std::uint32_t> Segmentation::show(const Growth& growth, int channel,
+                                              const std::vector<std::uint32_t>& bricks) {
     if (bricks.empty()) {
         return {};
     }
+    constexpr std::uint32_t tilesPerBrick = 8;
+    Channel& own = channels_[std::size_t(channel)];
     std::vector<std::uint32_t> kinds;
     for (const Look look : looks_) {
         kinds.push_back(std::uint32_t(look));
     }
-    for (std::size_t i = 0; i < channels_.size(); ++i) {
-        growth.show(channels_[i].shown, bricks, kinds, std::uint32_t(i + 1));
-    }
-    std::vector<std::uint32_t> tiles;
-    for (const std::uint32_t brick : bricks) {
-        const Box3 box = growth.seedMap().bricks().box(brick);
-        const glm::ivec3 lo = box.lo / kTile;
-        const glm::ivec3 hi = divideUp(box.hi, kTile);
-        for (int z = lo.z; z < hi.z; ++z) {
-            for (int y = lo.y; y < hi.y; ++y) {
-                for (int x = lo.x; x < hi.x; ++x) {
-                    tiles.push_back(std::uint32_t((z * tileDims_.y + y) * tileDims_.x + x));
-                }
-            }
+    reach_.reserve(bricks.size() * tilesPerBrick * sizeof(std::uint32_t));
+    reach_.clear();
+    growth.show(own.shown, reach_, bricks, kinds, std::uint32_t(channel + 1));
+    const auto reach = reach_.read<std::uint32_t>(bricks.size() * tilesPerBrick);
+    std::vector<std::uint32_t> changed;
+    for (std::uint32_t i = 0; i < reach.size(); ++i) {
+        if (reach[i] != 0) {
+            const glm::ivec3 first = growth.seedMap().bricks().box(bricks[i / tilesPerBrick]).lo / kTile;
+            const auto tile = tileIndex(first + glm::ivec3(i & 1U, i >> 1 & 1U, i >> 2 & 1U));
+            own.pending[tile] |= reach[i];
+            changed.push_back(tile);
         }
     }
-    return tiles;
+    return changed;
 }
 
 void Segmentation::listTiles(const std::vector<std::uint32_t>& tiles) {
     tiles_.reserve(tiles.size() * sizeof(std::uint32_t));
     tiles_.write(std::span<const std::uint32_t>(tiles));
     tiles_.bindStorage(0);
-}
-
-// Compares membership with what the volume holds, and notes as pending where changes reach.
-void Segmentation::findChanges(int channel, const std::vector<std::uint32_t>& tiles) {
-    listTiles(tiles);
-    reach_.reserve(tiles.size() * sizeof(std::uint32_t));
-    reach_.clear();
-    reach_.bindStorage(1);
-    channels_[std::size_t(channel)].shown.bindStorage(3);
-    texels_.bindTexture(1);
-    findChanges_.set(0, dims_).set(1, brickDims_).set(2, tileDims_).set(6, channel);
-    for (std::uint32_t first = 0; first < tiles.size(); first += kMaxGroups) {
-        findChanges_.set(3, int(first));
-        findChanges_.dispatch({int(std::min<std::size_t>(kMaxGroups, tiles.size() - first)), 1, 1},
-                              gl::Barrier::Storage);
-    }
-    const auto reach = reach_.read<std::uint32_t>(tiles.size());
-    for (std::size_t i = 0; i < tiles.size(); ++i) {
-        channels_[std::size_t(channel)].pending[tiles[i]] |= reach[i];
-    }
 }
 
 std::vector<std::uint32_t> Segmentation::tilesToSmooth(Channel& channel) const {
@@ -161,7 +139,7 @@ std::vector<std::uint32_t> Segmentation::tilesToSmooth(Channel& channel) const {
             const glm::ivec3 tile = tileAt(i) + glm::ivec3(n % 3, n / 3 % 3, n / 9) - 1;
             if ((pending >> n & 1U) != 0 && glm::all(glm::greaterThanEqual(tile, glm::ivec3(0))) &&
                 glm::all(glm::lessThan(tile, tileDims_))) {
-                tiles.push_back(std::uint32_t((tile.z * tileDims_.y + tile.y) * tileDims_.x + tile.x));
+                tiles.push_back(tileIndex(tile));
             }
         }
         pending = 0;
@@ -194,20 +172,7 @@ void Segmentation::smooth(int channel, std::uint32_t first, std::uint32_t count)
     smoothZ.dispatchOver({kTile * kTile, int(count), 1}, gl::Barrier::Texture);
 }
 
-// Rewrites a channel where it has changed; returns the tiles.
-std::vector<std::uint32_t> Segmentation::write(int channel, const std::vector<std::uint32_t>& candidates,
-                                               Smoothing smoothing) {
-    Channel& own = channels_[std::size_t(channel)];
-    if (!candidates.empty()) {
-        findChanges(channel, candidates);
-    }
-    std::vector<std::uint32_t> tiles;
-    if (smoothing == Smoothing::Smooth) {
-        tiles = tilesToSmooth(own);
-    } else {
-        std::copy_if(candidates.begin(), candidates.end(), std::back_inserter(tiles),
-                     [&](std::uint32_t tile) { return own.pending[tile] != 0; });
-    }
+void Segmentation::write(int channel, const std::vector<std::uint32_t>& tiles, Smoothing smoothing) {
     listTiles(tiles);
     const auto total = std::uint32_t(tiles.size());
     for (std::uint32_t first = 0; first < total; first += kTilesAtOnce) {
@@ -216,7 +181,7 @@ std::vector<std::uint32_t> Segmentation::write(int channel, const std::vector<st
             smooth(channel, first, count);
         } else {
             gl::Program& writePlain = writePlain_.with(defines());
-            own.shown.bindStorage(3);
+            channels_[std::size_t(channel)].shown.bindStorage(3);
             texels_.bindImage(0, gl::Access::ReadWrite);
             writePlain.set(0, dims_).set(1, brickDims_).set(2, tileDims_).set(3, int(first));
             if (channels_.size() > 1) {
@@ -225,7 +190,6 @@ std::vector<std::uint32_t> Segmentation::write(int channel, const std::vector<st
             writePlain.dispatchOver({kTile * kTile, int(count), 1}, gl::Barrier::Texture);
         }
     }
-    return tiles;
 }
 
 void Segmentation::summarize(const std::vector<std::uint32_t>& tiles, Smoothing smoothing) {
@@ -244,10 +208,17 @@ void Segmentation::summarize(const std::vector<std::uint32_t>& tiles, Smoothing 
 Box3 Segmentation::update(const Growth& growth, Smoothing smoothing, const Looks& looks) {
     const gl::Pass pass("update segmentation");
     takeLooks(looks);
-    const auto candidates = show(growth);
+    const BrickTable& table = growth.seedMap().bricks();
+    const auto bricks = haveLooksChanged_ ? table.occupied() : table.changedSince(seenRevision_);
+    seenRevision_ = growth.revision();
+    haveLooksChanged_ = false;
     std::vector<std::uint32_t> changed;
     for (int channel = 0; channel < int(channels_.size()); ++channel) {
-        const auto tiles = write(channel, candidates, smoothing);
+        auto tiles = show(growth, channel, bricks);
+        if (smoothing == Smoothing::Smooth) {
+            tiles = tilesToSmooth(channels_[std::size_t(channel)]);
+        }
+        write(channel, tiles, smoothing);
         changed.insert(changed.end(), tiles.begin(), tiles.end());
     }
     std::sort(changed.begin(), changed.end());

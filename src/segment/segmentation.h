@@ -60,16 +60,16 @@ private:
     };
 
     void takeLooks(const Looks& looks);
-    std::vector<std::uint32_t> show(const Growth& growth);
-    void findChanges(int channel, const std::vector<std::uint32_t>& tiles);
+    std::vector<std::uint32_t> show(const Growth& growth, int channel,
+                                    const std::vector<std::uint32_t>& bricks);
     std::vector<std::uint32_t> tilesToSmooth(Channel& channel) const;
-    std::vector<std::uint32_t> write(int channel, const std::vector<std::uint32_t>& candidates,
-                                     Smoothing smoothing);
+    void write(int channel, const std::vector<std::uint32_t>& tiles, Smoothing smoothing);
     void smooth(int channel, std::uint32_t first, std::uint32_t count);
     void summarize(const std::vector<std::uint32_t>& tiles, Smoothing smoothing);
     void listTiles(const std::vector<std::uint32_t>& tiles);
     [[nodiscard]] gl::Defines defines() const;
     [[nodiscard]] glm::ivec3 tileAt(std::uint32_t tile) const;
+    [[nodiscard]] std::uint32_t tileIndex(glm::ivec3 place) const;
 
     glm::ivec3 dims_;
     glm::ivec3 brickDims_;
@@ -87,7 +87,6 @@ private:
     gl::Buffer reach_;
     gl::Buffer rows_;
     gl::Buffer alongXY_;
-    gl::Program findChanges_;
     gl::Program packRows_;
     gl::Program smoothXY_;
     gl::ProgramVariants smoothZ_{"segment/shaders/smooth_z.comp"};

@@ -9,15 +9,37 @@ namespace vs::render {
 
 namespace {
 
+// Of cells; mirrors shaders/cell_bits.glsl.
+constexpr glm::ivec3 kBlock{32, 4, 1};
+
 std::uint64_t nextVersion() {
     static std::atomic<std::uint64_t> last = 0;
     return ++last;
 }
 
+gl::Defines definesFor(const Macrocells::Input& input) {
+    gl::Defines defines;
+    const auto define = [&](bool holds, const char* name) {
+        if (holds) {
+            defines.emplace_back(name, "1");
+        }
+    };
+    define(input.drawsData, "VS_DATA");
+    define(input.classification != nullptr, "VS_BY_FUNCTION");
+    define(input.segmentationCells != nullptr, "VS_SEGMENTATION");
+    // In probe view nothing is seen while nothing is cut.
+    define(input.view == field::SculptureView::Probe ||
+               (input.sculptureCells != nullptr && input.view == field::SculptureView::Cut),
+           "VS_SCULPTURE");
+    return defines;
+}
+
 } // namespace
 
 Macrocells::Macrocells()
-    : classify_("render/shaders/classify_cells.comp"), spread_("render/shaders/spread_distance.comp"),
+    : spreadInPlane_("render/shaders/spread_cells.comp"),
+      spreadAlongZ_("render/shaders/spread_cells.comp", {{"VS_ALONG_Z", "1"}}),
+      countSteps_("render/shaders/count_steps.comp"),
       empty_(glm::ivec3(1), gl::Format::RG32F, gl::Filter::Nearest, "no cells") {}
 
 void Macrocells::bind() const {
@@ -29,7 +51,7 @@ void Macrocells::copyFrom(const Macrocells& other) {
     const glm::ivec3 size = other.distances_.size();
     if (distances_.size() != size) {
         distances_ = gl::Texture(size, gl::Format::R32UI, gl::Filter::Nearest, "cell distances");
-        scratch_ = {};
+        planes_ = {};
     }
     dataCells_ = other.dataCells_;
     dilated_ = other.dilated_;
@@ -54,41 +76,45 @@ const gl::Texture& Macrocells::dilated(const gl::Texture& dataCells) {
     return *dilated_;
 }
 
+// One step of one plane of bits into another.
+void Macrocells::spread(glm::ivec3 blocks, int from, int to, gl::Program& program) {
+    program.set(1, from).set(2, to);
+    program.dispatchOver(blocks, gl::Barrier::All);
+}
+
 void Macrocells::rebuild(const Input& input) {
     const gl::Pass pass("macrocells");
     const glm::ivec3 cells = input.dataCells->size();
     dataCells_ = input.sampling == field::Sampling::Tricubic ? &dilated(*input.dataCells) : input.dataCells;
-    if (distances_.size() != cells || scratch_.size() != cells) {
+    const glm::ivec3 blocks = (cells + kBlock - 1) / kBlock;
+    if (distances_.size() != cells || !planes_) {
+        const auto perPlane = std::size_t(blocks.x) * std::size_t(blocks.y) * std::size_t(blocks.z) + 1;
         distances_ = gl::Texture(cells, gl::Format::R32UI, gl::Filter::Nearest, "cell distances");
-        scratch_ = gl::Texture(cells, gl::Format::R32UI, gl::Filter::Nearest, "cell distances scratch");
+        planes_ = gl::TexelBuffer(perPlane * (kFar + 1), gl::Format::RGBA32UI, "cells within reach");
     }
     dataCells_->bindTexture(0);
     (input.sculptureCells != nullptr ? *input.sculptureCells : empty_).bindTexture(1);
     (input.segmentationCells != nullptr ? *input.segmentationCells : empty_).bindTexture(2);
-    distances_.bindImage(0, gl::Access::Write);
-    classify_
-        .set(0, glm::vec2(float(input.displayedRange.lo - input.valueTolerance),
-                          float(input.displayedRange.hi + input.valueTolerance)))
-        .set(1, input.sculptureCells != nullptr || input.view == field::SculptureView::Probe ? int(input.view)
-                                                                                             : 0)
-        .set(2, (input.drawsData ? 1 : 0) | (input.segmentationCells != nullptr ? 2 : 0))
-        .set(3, kFar)
-        .set(4, input.classification != nullptr ? 1 : 0);
     if (input.classification != nullptr) {
         input.classification->bind();
     }
-    classify_.dispatchOver(cells, gl::Barrier::Texture);
+    planes_.buffer().bindStorage(0);
+    gl::Program& classify = classify_.with(definesFor(input));
+    classify.set(0, cells)
+        .set(1, glm::vec2(float(input.displayedRange.lo - input.valueTolerance),
+                          float(input.displayedRange.hi + input.valueTolerance)))
+        .set(2, input.view == field::SculptureView::Probe ? 1 : 0);
+    classify.dispatchOver({blocks.x, cells.y, cells.z}, gl::Barrier::All);
 
-    // Chebyshev distance separates: along x, then y, then z, each taking max(offset, distance so far).
-    for (int axis = 0; axis < 3; ++axis) {
-        distances_.bindTexture(0);
-        scratch_.bindImage(0, gl::Access::Write);
-        glm::ivec3 direction(0);
-        direction[axis] = 1;
-        spread_.set(0, direction).set(1, kFar);
-        spread_.dispatchOver(cells, gl::Barrier::Texture);
-        std::swap(distances_, scratch_);
+    planes_.bindTexture(0);
+    constexpr int scratch = kFar;
+    for (int r = 1; r < kFar; ++r) {
+        spread(blocks, r - 1, scratch, spreadInPlane_.set(0, cells));
+        spread(blocks, scratch, r, spreadAlongZ_.set(0, cells));
     }
+    distances_.bindImage(0, gl::Access::Write);
+    countSteps_.set(0, cells).set(1, kFar);
+    countSteps_.dispatchOver(blocks, gl::Barrier::Texture);
     version_ = nextVersion();
 }
 

@@ -4,6 +4,7 @@
 #include "field/cell_ranges.h"
 #include "field/scene.h"
 #include "gl/program.h"
+#include "gl/texel_buffer.h"
 #include "render/classification.h"
 
 #include <memory>
@@ -38,6 +39,8 @@ public:
     // Becomes what `other` is now.
     void copyFrom(const Macrocells& other);
 
+    // R32UI: the distances.
+    [[nodiscard]] const gl::Texture& distances() const { return distances_; }
     // How many cells there are along each axis.
     [[nodiscard]] glm::ivec3 size() const { return distances_.size(); }
     // Moves on with every change and is no other object's.
@@ -51,10 +54,14 @@ private:
     // Those of `dataCells` for tricubic sampling, made when first asked for.
     const gl::Texture& dilated(const gl::Texture& dataCells);
 
-    gl::Program classify_;
-    gl::Program spread_;
+    void spread(glm::ivec3 blocks, int from, int to, gl::Program& program);
+
+    gl::ProgramVariants classify_{"render/shaders/classify_cells.comp"};
+    gl::Program spreadInPlane_;
+    gl::Program spreadAlongZ_;
+    gl::Program countSteps_;
     gl::Texture distances_;
-    gl::Texture scratch_;
+    gl::TexelBuffer planes_;                 // see shaders/cell_bits.glsl
     const gl::Texture* dataCells_ = nullptr; // what samples can give: the data's, or dilated_
     gl::Program dilate_;                     // made when first used
     const gl::Texture* dilatedFrom_ = nullptr;

@@ -1,34 +1,55 @@
-// Marks the macrocells that may hold something visible.
-// In: textures 0 data ranges, 1 sculpture ranges, 2 segmentation ranges (rg: smallest, largest value in the cell).
-// Out: image 0 (r32ui): 0 may hold something, `far` holds nothing.
-layout(local_size_x = 8, local_size_y = 4, local_size_z = 2) in;
+// Marks the macrocells that may hold something visible, one bit each: the first of the planes of cell_bits.glsl. One invocation
+// a row of 32 cells along x.
+// In: textures 0 data ranges; with VS_SCULPTURE 1 sculpture ranges; with VS_SEGMENTATION 2 segmentation ranges (rg: smallest,
+// largest value in the cell). With VS_DATA the data is drawn; with VS_BY_FUNCTION the transfer function says what of it can be
+// seen, not the displayed range.
+// Out: storage 0 planes.
+layout(local_size_x = 4, local_size_y = 16) in;
 
 layout(binding = 0) uniform sampler3D dataCells;
 layout(binding = 1) uniform sampler3D sculptureCells;
 layout(binding = 2) uniform sampler3D segmentationCells;
-layout(r32ui, binding = 0) uniform writeonly uimage3D distances;
 
-layout(location = 0) uniform vec2 displayedRange;
-layout(location = 1) uniform int view;  // 0 whole, 1 cut, 2 probe
-layout(location = 2) uniform int draws; // bit 0 data, bit 1 segmentation
-layout(location = 3) uniform int far;
-layout(location = 4) uniform int byFunction; // 1: the transfer function says what can be seen, not the displayed range
+layout(location = 1) uniform vec2 displayedRange;
+layout(location = 2) uniform int isProbe; // 1: what was cut away is seen, else what is left
 
+#include "render/shaders/cell_bits.glsl"
+layout(std430, binding = 0) writeonly buffer Planes { uint planes[]; };
+
+#ifdef VS_BY_FUNCTION
 #define TF_KIND 0
 #include "render/shaders/classification.glsl"
+#endif
+
+bool mayHoldSomething(ivec3 cell) {
+    bool mayHold = false;
+#ifdef VS_DATA
+    vec2 data = texelFetch(dataCells, cell, 0).rg;
+#ifdef VS_BY_FUNCTION
+    mayHold = mayBeVisible(data.x, data.y);
+#else
+    mayHold = data.y >= displayedRange.x && data.x <= displayedRange.y;
+#endif
+#endif
+#ifdef VS_SEGMENTATION
+    mayHold = mayHold || texelFetch(segmentationCells, cell, 0).g >= 0.5;
+#endif
+#ifdef VS_SCULPTURE
+    vec2 sculpture = texelFetch(sculptureCells, min(cell, textureSize(sculptureCells, 0) - 1), 0).rg;
+    mayHold = mayHold && (isProbe != 0 ? sculpture.g >= 0.5 : sculpture.r < 0.5);
+#endif
+    return mayHold;
+}
 
 void main() {
-    ivec3 cell = ivec3(gl_GlobalInvocationID);
-    if (any(greaterThanEqual(cell, imageSize(distances)))) {
+    ivec3 row = ivec3(gl_GlobalInvocationID) * ivec3(kBlock.x, 1, 1);
+    if (any(greaterThanEqual(row, cells))) {
         return;
     }
-    vec2 data = texelFetch(dataCells, cell, 0).rg;
-    vec2 segmentation = texelFetch(segmentationCells, (draws & 2) != 0 ? cell : ivec3(0), 0).rg;
-    vec2 sculpture = texelFetch(sculptureCells, min(cell, textureSize(sculptureCells, 0) - 1), 0).rg;
-    bool isVisible = byFunction != 0 ? mayBeVisible(data.x, data.y)
-                                     : data.y >= displayedRange.x && data.x <= displayedRange.y;
-    bool hasContent = ((draws & 1) != 0 && isVisible) ||
-                      ((draws & 2) != 0 && segmentation.y >= 0.5);
-    bool isOnVisibleSide = view == 0 || (view == 1 ? sculpture.x < 0.5 : sculpture.y >= 0.5);
-    imageStore(distances, cell, uvec4(hasContent && isOnVisibleSide ? 0u : uint(far)));
+    uint bits = 0u;
+    for (int x = 0; x < kBlock.x; ++x) {
+        ivec3 cell = row + ivec3(x, 0, 0);
+        bits |= uint(mayHoldSomething(min(cell, cells - 1)) && cell.x < cells.x) << x;
+    }
+    planes[blockAt(row / kBlock) * kBlock.y + row.y % kBlock.y] = bits;
 }

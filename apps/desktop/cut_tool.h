@@ -17,7 +17,9 @@ public:
 
     explicit CutTool(StudioController& studio);
 
-    [[nodiscard]] virtual bool canRestore() const { return true; }
+    [[nodiscard]] bool hasSign() const override { return true; }
+    [[nodiscard]] bool isReversed() const override { return restores_; }
+    void setReversed(bool reversed) override { setRestores(reversed); }
     [[nodiscard]] bool restores() const { return restores_; }
     void setRestores(bool restores);
     // Steps: the radiation's R. The larger, the rounder are a cut's edges.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "growth_controller.h"
 
+#include "seed_tool.h"
 #include "studio_controller.h"
 
 #include <algorithm>
@@ -10,9 +11,18 @@ namespace vs::desktop {
 
 namespace {
 constexpr double kSliceMs = 10;
+constexpr int kMostAtOnce = 1000;  // generations, when the clock says that so many are due
+constexpr double kBackSeconds = 4; // for all of it, played backward at full speed
+constexpr double kLeastBack = 30;  // generations per second
+constexpr double kAbsorbing = 20;  // likewise at full speed: slow enough to be paused in time
 } // namespace
 
-GrowthController::GrowthController(StudioController& studio) : QObject(&studio), studio_(studio) {}
+GrowthController::GrowthController(StudioController& studio) : QObject(&studio), studio_(studio) {
+    constexpr int kCalmMs = 400;
+    rulesCalm_.setSingleShot(true);
+    rulesCalm_.setInterval(kCalmMs);
+    connect(&rulesCalm_, &QTimer::timeout, this, &GrowthController::releaseRules);
+}
 
 studio::Document::GrowthStatus GrowthController::status() const {
     return studio_.document() != nullptr ? studio_.document()->growth() : studio::Document::GrowthStatus{};
@@ -20,19 +30,18 @@ studio::Document::GrowthStatus GrowthController::status() const {
 
 bool GrowthController::canPlay() const { return studio_.document() != nullptr && status().hasSeeds; }
 
-void GrowthController::addSeeds(const studio::Seed& seed) {
-    if (!studio_.apply(seed)) {
-        return;
-    }
-    if (isAutoStart_ && status().hasSeeds) {
-        showRegion();
-        play();
-    }
-    emit changed();
+bool GrowthController::isBusy() const {
+    return isPlaying() || scrubbed_.has_value() || rules_.has_value() ||
+           (studio_.document() != nullptr && studio_.document()->isScrubbing());
+}
+
+void GrowthController::reset() {
+    hasShownRegion_ = false;
+    takesDisplayedRange_ = true;
+    hasRunOut_ = false;
 }
 
 void GrowthController::showRegion() {
-    // Once: later the person's own choice of mode stands.
     if (hasShownRegion_) {
         return;
     }
@@ -46,60 +55,184 @@ void GrowthController::showRegion() {
     studio_.look(view);
 }
 
-void GrowthController::play() { run(false); }
-void GrowthController::toEnd() { run(true); }
+// --- strokes
 
-void GrowthController::run(bool toEnd) {
+void GrowthController::addSeeds(const studio::Seed& seed) {
+    pause();
+    studio::Seed stroke = seed;
+    const auto rules = studio_.document()->growthRules();
+    stroke.connectivity = rules.connectivity;
+    if (!takesDisplayedRange_ && !(rules.range == Range())) {
+        stroke.range = rules.range;
+    }
+    if (!studio_.apply(stroke)) {
+        return;
+    }
+    if (isAutoStart_ && status().hasSeeds) {
+        showRegion();
+        start(Run::Forward);
+    }
+    emit changed();
+}
+
+void GrowthController::absorb(const studio::Absorb& stroke) {
+    studio::Absorb first = stroke;
+    first.expansions = 1;
+    if (studio_.apply(first) && isAutoStart_ && lastAbsorbed() != nullptr) {
+        start(Run::Absorbing);
+    }
+    emit changed();
+}
+
+// The stroke that absorbing goes on with.
+const studio::Absorb* GrowthController::lastAbsorbed() const {
+    auto* document = studio_.document();
+    const auto* last = document != nullptr ? document->lastStep() : nullptr;
+    return last != nullptr && studio_.seedTool().isReversed() ? std::get_if<studio::Absorb>(last) : nullptr;
+}
+
+// --- playback
+
+void GrowthController::play() { start(lastAbsorbed() != nullptr ? Run::Absorbing : Run::Forward); }
+void GrowthController::toEnd() { start(Run::ToEnd); }
+void GrowthController::playBackward() { start(Run::Backward); }
+
+void GrowthController::start(Run run) {
     if (!canPlay() || studio_.document()->isStrokeOpen()) {
         return;
     }
-    if (!isPlaying_) {
+    const bool goesOn = (run_ == Run::Forward || run_ == Run::ToEnd) &&
+                        (run == Run::Forward || run == Run::ToEnd); // only the pace changes
+    if (!goesOn) {
+        pause();
         studio_.canvas(); // the view as it is now is part of the log before the run
-        if (!studio_.guard([&] { studio_.document()->beginGrowth(); })) {
+        if ((run == Run::Forward || run == Run::ToEnd) &&
+            !studio_.guard([&] { studio_.document()->beginGrowth(); })) {
             return;
         }
-        isPlaying_ = true;
     }
-    isToEnd_ = toEnd;
+    run_ = run;
     isWaiting_ = false;
-    sincePlay_ = Timer();
+    hasRunOut_ = false;
+    sinceStart_ = Timer();
     played_ = 0;
-    studio_.say(toEnd ? tr("Growing to the end") : tr("Growing"));
+    studio_.say(run == Run::Backward    ? tr("Playing backward")
+                : run == Run::Absorbing ? tr("Absorbing")
+                : run == Run::ToEnd     ? tr("Growing to the end")
+                                        : tr("Growing"));
     studio_.wake();
     emit changed();
 }
 
+// How many generations the clock wants now; none: it is waited for.
+int GrowthController::due() {
+    double perSecond = speed_;
+    if (speed_ == 0 && run_ == Run::Backward) {
+        perSecond = std::max(kLeastBack, status().extent / kBackSeconds);
+    } else if (speed_ == 0 && run_ == Run::Absorbing) {
+        perSecond = kAbsorbing;
+    } else if (speed_ == 0 || run_ == Run::ToEnd) {
+        return 1 << 20;
+    }
+    const double now = std::floor(sinceStart_.milliseconds() * 1e-3 * perSecond);
+    const int steps = int(std::min<double>(now - played_, kMostAtOnce));
+    isWaiting_ = steps < 1;
+    played_ = isWaiting_ ? played_ : now;
+    return std::max(steps, 0);
+}
+
 bool GrowthController::advance() {
-    if (!isPlaying_) {
+    if (rules_ && rules_->isStale) {
+        applyRules();
+        return true;
+    }
+    if (scrubbed_) {
+        showScrubbed();
+        return true;
+    }
+    switch (run_) {
+    case Run::None:
+        return false;
+    case Run::Backward:
+        return goBack();
+    case Run::Absorbing:
+        if (const int steps = due(); steps > 0) {
+            if (!absorbFurther(steps)) {
+                finish();
+            }
+            emit changed();
+            return true;
+        }
+        return false;
+    case Run::Forward:
+    case Run::ToEnd:
+        break;
+    }
+    return growOn();
+}
+
+bool GrowthController::growOn() {
+    const int steps = due();
+    if (steps == 0) {
         return false;
     }
-    int most = 1 << 20;
-    if (!isToEnd_ && speed_ > 0) {
-        const double due = std::floor(sincePlay_.milliseconds() * 1e-3 * speed_);
-        most = int(std::min(due - played_, 1000.0));
-        isWaiting_ = most < 1;
-        if (isWaiting_) {
-            return false;
-        }
-        played_ = due;
-    }
     bool goesOn = false;
-    const bool done = studio_.guard([&] { goesOn = studio_.document()->growFor(kSliceMs, most); });
+    const bool done = studio_.guard([&] { goesOn = studio_.document()->growFor(kSliceMs, steps); });
     if (!done || !goesOn) {
+        finish();
+        hasRunOut_ = done;
+    }
+    emit changed();
+    return true;
+}
+
+bool GrowthController::goBack() {
+    const int steps = due();
+    if (steps == 0) {
+        return false;
+    }
+    const int generation = std::max(1, status().generation - steps);
+    if (!studio_.guard([&] { studio_.document()->scrub(generation); }) || generation == 1) {
         finish();
     }
     emit changed();
     return true;
 }
 
+// False: nothing is left, or it failed.
+bool GrowthController::absorbFurther(int expansions) {
+    const studio::Absorb* last = lastAbsorbed();
+    if (last == nullptr || !last->expansions) {
+        return false;
+    }
+    studio::Absorb further = *last;
+    *further.expansions += expansions;
+    const std::size_t before = status().voxels;
+    const bool done =
+        studio_.guard([&] { studio_.report(studio_.document()->replaceLast(studio::Operation(further))); });
+    return done && status().voxels < before;
+}
+
 void GrowthController::finish() {
-    isPlaying_ = false;
+    const Run run = std::exchange(run_, Run::None);
     isWaiting_ = false;
-    studio_.guard([&] { studio_.report(studio_.document()->endGrowth()); });
+    if (run == Run::Forward || run == Run::ToEnd) {
+        studio_.guard([&] { studio_.report(studio_.document()->endGrowth()); });
+    } else if (run == Run::Backward && studio_.document()->isScrubbing()) {
+        studio_.guard([&] { studio_.report(studio_.document()->endScrub()); });
+    }
 }
 
 void GrowthController::pause() {
-    if (isPlaying_) {
+    hasRunOut_ = false; // something else is about to be done
+    if (rules_) {
+        finishRules(false);
+    }
+    if (scrubbed_ ||
+        (run_ == Run::None && studio_.document() != nullptr && studio_.document()->isScrubbing())) {
+        endScrub();
+    }
+    if (isPlaying()) {
         studio_.host().makeCurrent();
         finish();
         studio_.wake();
@@ -107,12 +240,27 @@ void GrowthController::pause() {
     }
 }
 
-void GrowthController::step() {
-    if (canPlay()) {
-        showRegion();
-        studio_.apply(studio::Grow{1});
-        emit changed();
+void GrowthController::whilePaused(const std::function<void()>& edit) {
+    const Run before = run_;
+    edit();
+    if (before == Run::Forward || before == Run::ToEnd) {
+        start(before);
     }
+}
+
+void GrowthController::step() {
+    if (!canPlay()) {
+        return;
+    }
+    pause();
+    showRegion();
+    if (lastAbsorbed() != nullptr) {
+        absorbFurther(1);
+        studio_.wake();
+    } else {
+        studio_.apply(studio::Grow{1});
+    }
+    emit changed();
 }
 
 void GrowthController::stepBack() {
@@ -128,18 +276,6 @@ void GrowthController::stepBack() {
     }
 }
 
-void GrowthController::setRange(Range range) {
-    if (canPlay() && !(status().range == range)) {
-        const bool wasPlaying = isPlaying_;
-        const bool wasToEnd = isToEnd_;
-        studio_.apply(studio::SetGrowthRules{range});
-        if (wasPlaying) {
-            run(wasToEnd);
-        }
-        emit changed();
-    }
-}
-
 void GrowthController::setAutoStart(bool on) {
     isAutoStart_ = on;
     emit changed();
@@ -147,7 +283,7 @@ void GrowthController::setAutoStart(bool on) {
 
 void GrowthController::setSpeed(int generationsPerSecond) {
     speed_ = generationsPerSecond;
-    sincePlay_ = Timer();
+    sinceStart_ = Timer();
     played_ = 0;
     studio_.wake();
     emit changed();

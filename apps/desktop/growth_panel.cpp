@@ -3,27 +3,28 @@
 
 #include "growth_controller.h"
 #include "panel_parts.h"
+#include "scrub_bar.h"
+#include "segment_controller.h"
+#include "segment_table.h"
 #include "studio_controller.h"
 
 #include <QCheckBox>
-#include <QGridLayout>
+#include <QHBoxLayout>
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QVBoxLayout>
 
-#include <algorithm>
 #include <cmath>
 
 namespace vs::desktop {
 
 namespace {
 
-QLabel* addFigure(QGridLayout* grid, int row, const QString& text, const char* objectName) {
-    grid->addWidget(makeQuietLabel(text), row, 0);
-    auto* value = named(new QLabel, objectName, text);
-    value->setAlignment(Qt::AlignRight);
-    grid->addWidget(value, row, 1);
-    return value;
+QHBoxLayout* rowIn(QWidget* holder, int spacing) {
+    auto* row = new QHBoxLayout(holder);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(spacing);
+    return row;
 }
 
 } // namespace
@@ -32,25 +33,97 @@ GrowthPanel::GrowthPanel(StudioController& studio, QWidget* parent) : QWidget(pa
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     QVBoxLayout* card = nullptr;
-    outer->addWidget(makeCard(tr("Segmentation"), card));
-
-    card->addWidget(makeQuietLabel(tr("Intensities that may grow")));
-    auto* row = new QHBoxLayout;
-    lo_ = makeSpinBox("growthLo", tr("Lower end of the run's intensity range"));
-    hi_ = makeSpinBox("growthHi", tr("Upper end of the run's intensity range"));
-    row->addWidget(lo_, 1);
-    row->addWidget(makeQuietLabel(tr("to")));
-    row->addWidget(hi_, 1);
-    card->addLayout(row);
-    connect(lo_, &QDoubleSpinBox::valueChanged, this, &GrowthPanel::takeRange);
-    connect(hi_, &QDoubleSpinBox::valueChanged, this, &GrowthPanel::takeRange);
-
+    outer->addWidget(makeCard(tr("Segments"), card));
+    card->addWidget(named(new SegmentTable(studio_), "segments", tr("Segments")));
+    card->addWidget(makeListRow());
     card->addWidget(makePlayback());
+    card->addWidget(makeScrubRow());
+    card->addWidget(makeOptions());
+    connect(&studio_, &StudioController::opened, this, [this] { setEnabled(true); });
+    connect(&studio_, &StudioController::changed, this, &GrowthPanel::refresh);
+    setEnabled(false);
+    refresh();
+}
 
-    auto* options = new QHBoxLayout;
-    autoStart_ = named(new QCheckBox(tr("Auto start")), "autoStart", tr("Start growing when seeds land"));
-    autoStart_->setToolTip(tr("Start growing as soon as seeds are drawn"));
-    autoStart_->setChecked(studio_.growth().isAutoStart());
+QWidget* GrowthPanel::makeListRow() {
+    auto& segments = studio_.segments();
+    auto* holder = new QWidget;
+    auto* row = rowIn(holder, 4);
+    auto* add = makeIconButton("add", "segmentAdd", tr("Add a segment"),
+                               tr("A fresh segment: new strokes go there (Ctrl+Shift+N)"));
+    remove_ = makeIconButton("remove", "segmentRemove", tr("Remove the segment"),
+                             tr("Erase the segment at work and forget its name (Delete in the list)"));
+    connect(add, &QToolButton::clicked, &segments, &SegmentController::add);
+    connect(remove_, &QToolButton::clicked, &segments, &SegmentController::removeWorking);
+    opacity_ = makeSlider("segmentOpacity", tr("Opacity of the segment at work, in percent"), 5, 100, 100);
+    opacity_->setToolTip(tr("How much the segment at work hides"));
+    connect(opacity_, &QSlider::valueChanged, this, [this](int percent) {
+        if (isShowing_) {
+            return;
+        }
+        const bool continues = opacity_->isSliderDown() && isOpacityDragged_;
+        isOpacityDragged_ = opacity_->isSliderDown();
+        studio_.segments().setOpacity(percent / 100.0, continues);
+    });
+    connect(opacity_, &QSlider::sliderReleased, this, [this] { isOpacityDragged_ = false; });
+    row->addWidget(add);
+    row->addWidget(remove_);
+    row->addSpacing(8);
+    row->addWidget(makeQuietLabel(tr("Opacity")));
+    row->addWidget(withValue(opacity_, [](int v) { return tr("%1 %").arg(v); }), 1);
+    return holder;
+}
+
+QWidget* GrowthPanel::makePlayback() {
+    auto& growth = studio_.growth();
+    auto* holder = new QWidget;
+    auto* row = rowIn(holder, 2);
+    back_ = makeIconButton("back", "growBack", tr("One generation back"),
+                           tr("One generation back; hold for more ( , )"));
+    backward_ = makeIconButton("backward", "growBackward", tr("Play backward"),
+                               tr("Play backward, down to the seeds (Shift+B)"));
+    pause_ = makeIconButton("pause", "growPause", tr("Pause"),
+                            tr("Pause: what has grown stays, and play goes on from it (Shift+G)"));
+    play_ = makeIconButton("play", "growPlay", tr("Play"), tr("Let the region grow (Shift+G)"));
+    step_ = makeIconButton("step", "growStep", tr("Step"), tr("One generation further; hold for more ( . )"));
+    end_ =
+        makeIconButton("end", "growEnd", tr("To the end"), tr("Grow until nothing grows any more (Ctrl+G)"));
+    back_->setAutoRepeat(true);
+    step_->setAutoRepeat(true);
+    connect(back_, &QToolButton::clicked, &growth, &GrowthController::stepBack);
+    connect(backward_, &QToolButton::clicked, &growth, &GrowthController::playBackward);
+    connect(pause_, &QToolButton::clicked, &growth, &GrowthController::pause);
+    connect(play_, &QToolButton::clicked, &growth, &GrowthController::play);
+    connect(step_, &QToolButton::clicked, &growth, &GrowthController::step);
+    connect(end_, &QToolButton::clicked, &growth, &GrowthController::toEnd);
+    for (QToolButton* button : {back_, backward_, pause_, play_, step_, end_}) {
+        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+        row->addWidget(button);
+    }
+    return holder;
+}
+
+QWidget* GrowthPanel::makeScrubRow() {
+    auto& growth = studio_.growth();
+    auto* holder = new QWidget;
+    auto* row = rowIn(holder, 8);
+    scrub_ = named(new ScrubBar, "scrubBar", tr("Generation shown"));
+    scrub_->setToolTip(tr("Drag through the generations; growing goes on from the one shown"));
+    connect(scrub_, &ScrubBar::scrubbed, &growth, &GrowthController::scrubTo);
+    connect(scrub_, &ScrubBar::released, &growth, &GrowthController::endScrub);
+    generation_ = named(new QLabel, "generation", tr("Generation"));
+    generation_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    generation_->setMinimumWidth(76);
+    row->addWidget(scrub_, 1);
+    row->addWidget(generation_);
+    return holder;
+}
+
+QWidget* GrowthPanel::makeOptions() {
+    auto* holder = new QWidget;
+    auto* row = rowIn(holder, 8);
+    autoStart_ = makeCheckBox("autoStart", tr("Auto start"), tr("Start growing as soon as seeds are drawn"),
+                              studio_.growth().isAutoStart());
     connect(autoStart_, &QCheckBox::toggled, &studio_.growth(), &GrowthController::setAutoStart);
     speed_ = named(new QSpinBox, "growthSpeed", tr("Generations per second"));
     speed_->setRange(0, 60);
@@ -61,92 +134,37 @@ GrowthPanel::GrowthPanel(StudioController& studio, QWidget* parent) : QWidget(pa
     speed_->setToolTip(tr("Generations per second; 0 grows as fast as it can"));
     connect(speed_, &QAbstractSpinBox::editingFinished, speed_, &QWidget::clearFocus);
     connect(speed_, &QSpinBox::valueChanged, &studio_.growth(), &GrowthController::setSpeed);
-    options->addWidget(autoStart_);
-    options->addStretch(1);
-    options->addWidget(speed_);
-    card->addLayout(options);
-
-    auto* grid = new QGridLayout;
-    grid->setVerticalSpacing(4);
-    generation_ = addFigure(grid, 0, tr("Generation"), "generation");
-    voxels_ = addFigure(grid, 1, tr("Voxels"), "voxels");
-    millilitres_ = addFigure(grid, 2, tr("Volume"), "millilitres");
-    card->addLayout(grid);
-
-    connect(&studio_, &StudioController::opened, this, &GrowthPanel::takeDocument);
-    connect(&studio_, &StudioController::changed, this, &GrowthPanel::refresh);
-    setEnabled(false);
-    refresh();
-}
-
-QWidget* GrowthPanel::makePlayback() {
-    auto& growth = studio_.growth();
-    auto* holder = new QWidget;
-    auto* row = new QHBoxLayout(holder);
-    row->setContentsMargins(0, 0, 0, 0);
-    row->setSpacing(4);
-    back_ = makeIconButton("back", "growBack", tr("Backward"),
-                           tr("One generation back; hold to play backward ( , )"));
-    play_ = makeIconButton("play", "growPlay", tr("Play"), tr("Let the region grow (Shift+G)"));
-    pause_ = makeIconButton("pause", "growPause", tr("Pause"), tr("Pause growing (Shift+G)"));
-    step_ = makeIconButton("step", "growStep", tr("Step"), tr("One generation further ( . )"));
-    end_ = makeIconButton("end", "growEnd", tr("To the end"), tr("Grow until nothing grows any more"));
-    back_->setAutoRepeat(true);
-    step_->setAutoRepeat(true);
-    connect(back_, &QToolButton::clicked, &growth, &GrowthController::stepBack);
-    connect(play_, &QToolButton::clicked, &growth, &GrowthController::play);
-    connect(pause_, &QToolButton::clicked, &growth, &GrowthController::pause);
-    connect(step_, &QToolButton::clicked, &growth, &GrowthController::step);
-    connect(end_, &QToolButton::clicked, &growth, &GrowthController::toEnd);
-    for (QToolButton* button : {back_, play_, pause_, step_, end_}) {
-        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-        row->addWidget(button);
-    }
+    row->addWidget(autoStart_);
+    row->addStretch(1);
+    row->addWidget(speed_);
     return holder;
-}
-
-void GrowthPanel::takeDocument() {
-    const auto& volume = studio_.document()->volume();
-    const bool isWhole = volume.type != volume::ScalarType::Float32;
-    const double width = std::max(volume.range.width(), 1e-9);
-    const int decimals = isWhole ? 0 : std::clamp(int(std::ceil(3 - std::log10(width))), 0, 8);
-    for (QDoubleSpinBox* box : {lo_, hi_}) {
-        const QSignalBlocker blocker(box);
-        box->setDecimals(decimals);
-        box->setRange(volume.range.lo, volume.range.hi);
-        box->setSingleStep(isWhole ? 1 : width / 256);
-    }
-    setEnabled(true);
-}
-
-void GrowthPanel::takeRange() {
-    const double lo = lo_->value();
-    studio_.growth().setRange({std::min(lo, hi_->value()), std::max(lo, hi_->value())});
 }
 
 void GrowthPanel::refresh() {
     const auto& growth = studio_.growth();
     const auto status = growth.status();
     const bool canPlay = growth.canPlay() && !studio_.isLoading();
-    play_->setEnabled(canPlay && !growth.isPlaying());
+    play_->setEnabled(canPlay && (!growth.isPlaying() || growth.isBackward()));
+    backward_->setEnabled(canPlay && status.generation > 1 && !growth.isBackward());
     pause_->setEnabled(growth.isPlaying());
-    step_->setEnabled(canPlay && !growth.isPlaying());
+    step_->setEnabled(canPlay);
     back_->setEnabled(canPlay && status.generation > 1);
-    end_->setEnabled(canPlay);
-    lo_->setEnabled(canPlay);
-    hi_->setEnabled(canPlay);
-    {
-        // Until there are seeds, the range that a run would take: the displayed one.
-        const Range range = status.hasSeeds ? status.range : studio_.view().range;
-        const QSignalBlocker blockLo(lo_);
-        const QSignalBlocker blockHi(hi_);
-        lo_->setValue(range.lo);
-        hi_->setValue(range.hi);
+    end_->setEnabled(canPlay && !growth.isToEnd());
+    scrub_->setEnabled(canPlay);
+    if (!scrub_->isSliderDown()) {
+        const QSignalBlocker blocker(scrub_);
+        scrub_->setRange(status.hasSeeds ? 1 : 0, status.hasSeeds ? status.extent : 1);
+        scrub_->setPageStep(std::max(1, status.extent / 10));
+        scrub_->setValue(status.generation);
     }
     generation_->setText(status.hasSeeds ? tr("%1 of %2").arg(status.generation).arg(status.extent)
                                          : tr("no seeds yet"));
-    voxels_->setText(grouped(status.voxels));
-    millilitres_->setText(tr("%1 ml").arg(status.millilitres, 0, 'f', 2));
+    remove_->setEnabled(studio_.segments().canRemove());
+    if (!opacity_->isSliderDown()) {
+        isShowing_ = true;
+        opacity_->setValue(int(std::lround(100 * studio_.segments().list().working().opacity)));
+        isShowing_ = false;
+    }
 }
 
 } // namespace vs::desktop

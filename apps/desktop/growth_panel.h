@@ -4,16 +4,18 @@
 #include <QWidget>
 
 class QCheckBox;
-class QDoubleSpinBox;
 class QLabel;
+class QSlider;
 class QSpinBox;
 class QToolButton;
 
 namespace vs::desktop {
 
+class ScrubBar;
 class StudioController;
 
-// The segmentation: intensity range of the run, playback, and what has grown.
+// The segments, how the one at work looks, and playback of its growth. Rules, edits and numbers have cards of
+// their own.
 class GrowthPanel : public QWidget {
     Q_OBJECT
 
@@ -21,24 +23,27 @@ public:
     explicit GrowthPanel(StudioController& studio, QWidget* parent = nullptr);
 
 private:
+    QWidget* makeListRow();
     QWidget* makePlayback();
-    void takeDocument();
-    void takeRange();
+    QWidget* makeScrubRow();
+    QWidget* makeOptions();
     void refresh();
 
     StudioController& studio_;
-    QDoubleSpinBox* lo_;
-    QDoubleSpinBox* hi_;
-    QCheckBox* autoStart_;
-    QSpinBox* speed_;
+    QToolButton* remove_ = nullptr;
+    QSlider* opacity_ = nullptr;
+    bool isShowing_ = false;        // what is set is the document's, not the person's
+    bool isOpacityDragged_ = false; // and one change of it is in the document
+    QCheckBox* autoStart_ = nullptr;
+    QSpinBox* speed_ = nullptr;
     QToolButton* play_ = nullptr;
+    QToolButton* backward_ = nullptr;
     QToolButton* pause_ = nullptr;
     QToolButton* step_ = nullptr;
     QToolButton* back_ = nullptr;
     QToolButton* end_ = nullptr;
-    QLabel* generation_;
-    QLabel* voxels_;
-    QLabel* millilitres_;
+    ScrubBar* scrub_ = nullptr;
+    QLabel* generation_ = nullptr;
 };
 
 } // namespace vs::desktop

@@ -6,10 +6,10 @@
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
-#include <QPainterPath>
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vs::desktop {
 
@@ -29,6 +29,12 @@ HistogramView::HistogramView(QWidget* parent) : QWidget(parent) {
 void HistogramView::setCounts(const std::vector<std::uint32_t>& counts, Range full) {
     counts_ = counts;
     full_ = full.width() > 0 ? full : Range{full.lo - 0.5, full.lo + 0.5};
+    update();
+}
+
+void HistogramView::setPart(const std::vector<std::uint32_t>& counts, const QColor& colour) {
+    part_ = counts;
+    partColour_ = colour;
     update();
 }
 
@@ -54,6 +60,21 @@ double HistogramView::valueAt(double x) const {
     return quantum_ > 0 ? std::round(value / quantum_) * quantum_ : value;
 }
 
+// On a logarithmic scale: tissue next to millions of air voxels would not show otherwise.
+QPainterPath HistogramView::barsOf(const std::vector<std::uint32_t>& counts) const {
+    const QRectF area = plot();
+    const double most = std::log1p(double(*std::max_element(counts_.begin(), counts_.end())));
+    const double width = area.width() / double(counts.size());
+    QPainterPath bars(area.bottomLeft()); // one shape, so that no seams show between the bars
+    for (std::size_t i = 0; i < counts.size(); ++i) {
+        const double height = most > 0 ? std::log1p(double(counts[i])) / most * (area.height() - 6) : 0;
+        bars.lineTo(area.left() + double(i) * width, area.bottom() - height);
+        bars.lineTo(area.left() + double(i + 1) * width, area.bottom() - height);
+    }
+    bars.lineTo(area.bottomRight());
+    return bars;
+}
+
 void HistogramView::paintEvent(QPaintEvent*) {
     QPainter painter(this);
     painter.setRenderHint(QPainter::Antialiasing);
@@ -72,21 +93,15 @@ void HistogramView::paintEvent(QPaintEvent*) {
     band.setAlphaF(0.16F);
     painter.fillRect(QRectF(lo, area.top(), std::max(hi - lo, 1.0), area.height()), band);
 
-    // Bars on a logarithmic scale: tissue next to millions of air voxels would not show otherwise.
-    const double most = std::log1p(double(*std::max_element(counts_.begin(), counts_.end())));
-    const double width = area.width() / double(counts_.size());
-    QPainterPath bars(area.bottomLeft()); // one shape, so that no seams show between the bars
-    for (std::size_t i = 0; i < counts_.size(); ++i) {
-        const double height = most > 0 ? std::log1p(double(counts_[i])) / most * (area.height() - 6) : 0;
-        bars.lineTo(area.left() + double(i) * width, area.bottom() - height);
-        bars.lineTo(area.left() + double(i + 1) * width, area.bottom() - height);
-    }
-    bars.lineTo(area.bottomRight());
+    const QPainterPath bars = barsOf(counts_);
     painter.fillPath(bars, QColor(0x5a, 0x63, 0x6d));
     painter.save();
     painter.setClipRect(QRectF(lo, area.top(), std::max(hi - lo, 1.0), area.height()));
     painter.fillPath(bars, theme::kAccent);
     painter.restore();
+    if (part_.size() == counts_.size()) {
+        painter.fillPath(barsOf(part_), partColour_);
+    }
     for (const double x : {lo, hi}) {
         painter.setPen(QPen(theme::kText, 1.5));
         painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
@@ -143,8 +158,18 @@ void HistogramView::drag(Grip grip, Range from, double by) {
 }
 
 void HistogramView::mouseReleaseEvent(QMouseEvent*) {
-    grip_ = Grip::None;
+    const bool wasHeld = std::exchange(grip_, Grip::None) != Grip::None;
     unsetCursor();
+    if (wasHeld) {
+        emit released();
+    }
+}
+
+void HistogramView::keyReleaseEvent(QKeyEvent* event) {
+    QWidget::keyReleaseEvent(event);
+    if (!event->isAutoRepeat()) {
+        emit released();
+    }
 }
 
 void HistogramView::keyPressEvent(QKeyEvent* event) {

@@ -3,6 +3,8 @@
 
 #include "base/math.h"
 
+#include <QColor>
+#include <QPainterPath>
 #include <QWidget>
 
 #include <cstdint>
@@ -21,6 +23,8 @@ public:
     // `full` is what the bins cover.
     void setCounts(const std::vector<std::uint32_t>& counts, Range full);
     void setRange(Range range);
+    // Counts of a part of the voxels in as many bins, drawn over the others'; empty: none.
+    void setPart(const std::vector<std::uint32_t>& counts, const QColor& colour);
     // Values are rounded to multiples of this (1 for whole numbers); 0: not at all.
     void setQuantum(double quantum) { quantum_ = quantum; }
 
@@ -28,6 +32,7 @@ public:
 
 signals:
     void rangeDragged(vs::Range range);
+    void released(); // the pointer that dragged, or the key
 
 protected:
     void paintEvent(QPaintEvent* event) override;
@@ -35,17 +40,21 @@ protected:
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
 
 private:
     enum class Grip { None, Lo, Hi, Band };
 
     [[nodiscard]] QRectF plot() const;
+    [[nodiscard]] QPainterPath barsOf(const std::vector<std::uint32_t>& counts) const;
     [[nodiscard]] double xOf(double value) const;
     [[nodiscard]] double valueAt(double x) const;
     [[nodiscard]] Grip gripAt(double x) const;
     void drag(Grip grip, Range from, double by);
 
     std::vector<std::uint32_t> counts_;
+    std::vector<std::uint32_t> part_;
+    QColor partColour_;
     Range full_{0, 1};
     Range range_{0, 1};
     double quantum_ = 0;

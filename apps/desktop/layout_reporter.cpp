@@ -4,6 +4,7 @@
 #include "growth_controller.h"
 #include "main_window.h"
 #include "move_tool.h"
+#include "segment_controller.h"
 #include "studio_controller.h"
 #include "tool.h"
 #include "view_widget.h"
@@ -43,6 +44,19 @@ nlohmann::json screenRect(const QWidget& widget) {
     const QPointF corner = QPointF(widget.mapToGlobal(QPoint(0, 0))) * scale;
     return {std::lround(corner.x()), std::lround(corner.y()), std::lround(widget.width() * scale),
             std::lround(widget.height() * scale)};
+}
+
+nlohmann::json listOf(const SegmentController& segments) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const studio::SegmentInfo& info : segments.list().segments) {
+        list.push_back({{"name", info.name},
+                        {"voxels", segments.voxels(info.label)},
+                        {"visible", info.isVisible},
+                        {"locked", info.isLocked},
+                        {"opacity", info.opacity},
+                        {"working", info.label == segments.list().atWork}});
+    }
+    return list;
 }
 
 } // namespace
@@ -91,6 +105,7 @@ void LayoutReporter::write() {
         {"generation", status.generation},
         {"extent", status.extent},
         {"voxels", status.voxels},
+        {"segments", listOf(studio_.segments())},
         {"operations", document != nullptr ? document->log().size() : 0},
         {"canUndo", document != nullptr && document->canUndo()},
         {"canRedo", document != nullptr && document->canRedo()},

@@ -3,8 +3,11 @@
 
 #include "growth_controller.h"
 #include "growth_panel.h"
+#include "growth_rules_panel.h"
 #include "histogram_panel.h"
 #include "panel_parts.h"
+#include "segment_edit_panel.h"
+#include "segment_numbers_panel.h"
 #include "studio_controller.h"
 #include "tool.h"
 #include "tool_panel.h"
@@ -116,6 +119,9 @@ void MainWindow::makeDock() {
     column->addWidget(new HistogramPanel(studio_));
     column->addWidget(new ToolPanel(studio_));
     column->addWidget(new GrowthPanel(studio_));
+    column->addWidget(new GrowthRulesPanel(studio_));
+    column->addWidget(new SegmentEditPanel(studio_));
+    column->addWidget(new SegmentNumbersPanel(studio_));
     column->addStretch(1);
     constexpr int kPanelWidth = 300;
     content->setFixedWidth(kPanelWidth);
@@ -174,8 +180,8 @@ void MainWindow::refresh() {
     action("openFolder")->setEnabled(!studio_.isLoading());
     action("undo")->setEnabled(hasDocument && document->canUndo());
     action("redo")->setEnabled(hasDocument && document->canRedo());
-    for (const char* name :
-         {"exportLabels", "reSeed", "playPause", "growStepKey", "growToEndKey", "growBackKey"}) {
+    for (const char* name : {"exportLabels", "reSeed", "playPause", "growBackwardKey", "growStepKey",
+                             "growToEndKey", "growBackKey"}) {
         action(name)->setEnabled(canPlay);
     }
     const auto& view = studio_.view();

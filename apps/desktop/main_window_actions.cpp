@@ -4,6 +4,7 @@
 #include "camera_tool.h"
 #include "growth_controller.h"
 #include "icons.h"
+#include "segment_controller.h"
 #include "studio_controller.h"
 #include "view_widget.h"
 
@@ -122,6 +123,12 @@ void MainWindow::makeGrowthActions() {
     addAction(
         {"playPause", "play", tr("Play or pause"), tr("Let the region grow, or pause it"), tr("Shift+G")},
         [&growth] { growth.isPlaying() ? growth.pause() : growth.play(); });
+    addAction({"growBackwardKey", "backward", tr("Play backward"),
+               tr("Play the growth backward, to its seeds"), tr("Shift+B")},
+              [&growth] { growth.isBackward() ? growth.pause() : growth.playBackward(); });
+    addAction({"addSegment", "add", tr("Add a segment"), tr("A fresh segment: new strokes go there"),
+               tr("Ctrl+Shift+N")},
+              [this] { studio_.segments().add(); });
     addAction({"growStepKey", "step", tr("Step"), tr("One generation further"), tr(".")},
               [&growth] { growth.step(); });
     addAction({"growBackKey", "back", tr("Backward"), tr("One generation back"), tr(",")},

@@ -35,10 +35,11 @@ void MainWindow::makeMenus() {
                        "smoothSampling", "shadows", "annotations"});
     makeColourMenu();
     menu(tr("&Tools"),
-         {"cameraTool", "-",        "peelTool", "drillTool", "laserTool", "sweepTool", "scissorsTool",
-          "keepTool",   "clipTool", "restore",  "-",         "seedTool",  "moveTool",  "-",
-          "freeForm",   "ellipse",  "circle",   "rectangle", "polyline",  "stencil"});
-    menu(tr("&Segmentation"), {"playPause", "growStepKey", "growBackKey", "growToEndKey"});
+         {"cameraTool", "-",        "peelTool", "drillTool", "laserTool", "sweepTool",  "scissorsTool",
+          "keepTool",   "clipTool", "restore",  "-",         "seedTool",  "islandTool", "moveTool",
+          "-",          "freeForm", "ellipse",  "circle",    "rectangle", "polyline",   "stencil"});
+    menu(tr("&Segmentation"), {"addSegment", "islandTool", "-", "playPause", "growBackwardKey", "growStepKey",
+                               "growBackKey", "growToEndKey"});
     menu(tr("&Help"), {"about"});
 }
 
@@ -94,10 +95,10 @@ void MainWindow::makeToolColumn() {
     dock->setTitleBarWidget(new QWidget(dock)); // none
     auto* column = new ToolColumn;
     for (const char* name :
-         {"cameraTool", "seedTool", "peelTool", "drillTool",   "laserTool", "sweepTool", "scissorsTool",
-          "clipTool",   "keepTool", "restore",  "-",           "freeForm",  "ellipse",   "circle",
-          "rectangle",  "polyline", "stencil",  "clearSketch", "-",         "paste",     "moveTool",
-          "-",          "unCut",    "reSeed"}) {
+         {"cameraTool", "seedTool",  "peelTool",   "drillTool", "laserTool",   "sweepTool", "scissorsTool",
+          "clipTool",   "keepTool",  "islandTool", "restore",   "-",           "freeForm",  "ellipse",
+          "circle",     "rectangle", "polyline",   "stencil",   "clearSketch", "-",         "paste",
+          "moveTool",   "-",         "unCut",      "reSeed"}) {
         if (*name == '-') {
             column->addSeparator();
         } else {

@@ -2,6 +2,7 @@
 #include "camera_tool.h"
 #include "clip_tool.h"
 #include "drill_tool.h"
+#include "island_tool.h"
 #include "keep_tool.h"
 #include "laser_tool.h"
 #include "main_window.h"
@@ -44,11 +45,14 @@ void MainWindow::makeToolActions() {
         tr("Keep what is connected to the place clicked, cut all else"), "K");
     add(studio_.clipTool(), "clipTool", "clip", tr("Clip"), tr("Clip by a box and a plane"), "C");
     add(studio_.seedTool(), "seedTool", "seed", tr("Seed"), tr("Mark what should be segmented"), "S");
+    add(studio_.islandTool(), "islandTool", "island", tr("Island"),
+        tr("Drop the part of the segment that is clicked, or keep only it"), "H");
     add(studio_.moveTool(), "moveTool", "move", tr("Move"), tr("Move, turn and scale pasted parts"), "G");
 
     QAction* restore = addAction(
         {"restore", "restore", tr("Restore"),
-         tr("The tool puts back what was cut, instead of cutting; hold the key for as long as you want it"),
+         tr("The tool's sign reversed: puts back instead of cutting, absorbs instead of seeding; hold the "
+            "key for as long as you want it"),
          tr("R")},
         [this] { reverseSign(); });
     restore->setCheckable(true);
@@ -93,9 +97,8 @@ void MainWindow::chooseStencil() {
 
 void MainWindow::reverseSign() {
     sinceReversed_ = Timer();
-    if (auto* tool = studio_.cutTool()) {
-        tool->setRestores(!tool->restores());
-    }
+    Tool& tool = studio_.tool();
+    tool.setReversed(!tool.isReversed());
 }
 
 // A key that was held, and not only struck, lets go of what it did.
@@ -111,9 +114,8 @@ void MainWindow::refreshToolActions(bool hasDocument) {
     action((studio_.tool().name().toStdString() + "Tool").c_str())->setChecked(true);
     action(studio_.stencil().empty() ? kShapeActions.at(std::size_t(studio_.shape())) : "stencil")
         ->setChecked(true);
-    const auto* cutTool = studio_.cutTool();
-    action("restore")->setEnabled(hasDocument && cutTool != nullptr);
-    action("restore")->setChecked(cutTool != nullptr && cutTool->restores());
+    action("restore")->setEnabled(hasDocument && studio_.tool().hasSign());
+    action("restore")->setChecked(studio_.tool().isReversed());
 }
 
 } // namespace vs::desktop

@@ -10,7 +10,14 @@ SeedTool::SeedTool(StudioController& studio) : Tool(&studio), studio_(studio) {}
 
 QString SeedTool::hint() const {
     if (isDown_) {
-        return tr("Let go to place the seeds. Esc drops the stroke.");
+        return isReversed_ ? tr("Let go to absorb from here. Esc drops the stroke.")
+                           : tr("Let go to place the seeds. Esc drops the stroke.");
+    }
+    if (isReversed_) {
+        return studio_.growth().isAutoStart() ? tr("Draw on the segment: it is absorbed from there outward "
+                                                   "until you pause. R seeds again.")
+                                              : tr("Draw on the segment to absorb it there; Step and Play go "
+                                                   "on outward. R seeds again.");
     }
     return studio_.growth().isAutoStart()
                ? tr("Draw on what should be segmented; it starts to grow when you let go. More strokes add "
@@ -22,10 +29,19 @@ Overlays SeedTool::overlays() const {
     if (!isDown_) {
         return {};
     }
+    const auto tint = isReversed_ ? Overlay::Tint::Cutting : Overlay::Tint::Seed;
     if (studio_.shape() == studio::Shape::FreeForm) {
-        return {{pad_.outline(), Overlay::Tint::Seed, 0, width_}};
+        return {{pad_.outline(), tint, 0, width_}};
     }
-    return {{pad_.area(), Overlay::Tint::Seed, Overlay::kMaskFill}};
+    return {{pad_.area(), tint, Overlay::kMaskFill}};
+}
+
+void SeedTool::setReversed(bool reversed) {
+    if (reversed != isReversed_) {
+        isReversed_ = reversed;
+        emit settingsChanged();
+        emit overlayChanged();
+    }
 }
 
 void SeedTool::press(const Pen& pen) {
@@ -55,12 +71,18 @@ void SeedTool::release(const Pen& pen) {
     if (studio_.shape() != studio::Shape::FreeForm && !pad_.hasArea()) {
         return;
     }
-    studio::Seed seed;
     const glm::dvec2 scale = studio_.devicePerLogical();
-    seed.strokes.push_back(pad_.sketch(scale));
-    seed.widthPixels = width_ * scale.y;
-    seed.canvas = studio_.canvas();
-    studio_.growth().addSeeds(seed);
+    const auto fill = [&](auto stroke) {
+        stroke.strokes.push_back(pad_.sketch(scale));
+        stroke.widthPixels = width_ * scale.y;
+        stroke.canvas = studio_.canvas();
+        return stroke;
+    };
+    if (isReversed_) {
+        studio_.growth().absorb(fill(studio::Absorb{}));
+    } else {
+        studio_.growth().addSeeds(fill(studio::Seed{}));
+    }
 }
 
 void SeedTool::clear() {

@@ -9,7 +9,7 @@ namespace vs::desktop {
 class StudioController;
 
 // Strokes on the visible surface become seeds as soon as the pen is lifted; with auto start on they begin to
-// grow.
+// grow. With the sign reversed they take the segment away from there outward.
 class SeedTool : public Tool {
     Q_OBJECT
 
@@ -28,14 +28,23 @@ public:
     [[nodiscard]] bool isBusy() const override { return isDown_; }
     [[nodiscard]] bool isSketching() const override { return isDown_; }
 
+    // The sign reversed: strokes absorb the segment at work from where they are drawn.
+    [[nodiscard]] bool hasSign() const override { return true; }
+    [[nodiscard]] bool isReversed() const override { return isReversed_; }
+    void setReversed(bool reversed) override;
+
     // Logical pixels.
     [[nodiscard]] double width() const { return width_; }
     void setWidth(double pixels) { width_ = pixels; }
+
+signals:
+    void settingsChanged();
 
 private:
     StudioController& studio_;
     SketchPad pad_;
     bool isDown_ = false;
+    bool isReversed_ = false;
     double width_ = 5;
 };
 

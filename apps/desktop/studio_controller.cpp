@@ -5,6 +5,7 @@
 #include "clip_tool.h"
 #include "drill_tool.h"
 #include "growth_controller.h"
+#include "island_tool.h"
 #include "keep_tool.h"
 #include "laser_tool.h"
 #include "move_tool.h"
@@ -12,6 +13,8 @@
 #include "placement_by_hand.h"
 #include "scissors_tool.h"
 #include "seed_tool.h"
+#include "segment_controller.h"
+#include "segment_measurer.h"
 #include "sweep_tool.h"
 
 #include "base/error.h"
@@ -31,13 +34,15 @@ StudioController::StudioController()
       peelTool_(new PeelTool(*this)), drillTool_(new DrillTool(*this)), laserTool_(new LaserTool(*this)),
       sweepTool_(new SweepTool(*this)), scissorsTool_(new ScissorsTool(*this)),
       keepTool_(new KeepTool(*this)), clipTool_(new ClipTool(*this)), seedTool_(new SeedTool(*this)),
-      moveTool_(new MoveTool(*this)), growth_(new GrowthController(*this)), tool_(cameraTool_) {
+      moveTool_(new MoveTool(*this)), islandTool_(new IslandTool(*this)),
+      segments_(new SegmentController(*this)), measurer_(new SegmentMeasurer(*this)),
+      growth_(new GrowthController(*this)), tool_(cameraTool_) {
     timer_.setSingleShot(true);
     connect(&timer_, &QTimer::timeout, this, &StudioController::tick);
     connect(growth_, &GrowthController::changed, this, &StudioController::changed);
-    for (Tool* tool :
-         std::initializer_list<Tool*>{cameraTool_, peelTool_, drillTool_, laserTool_, sweepTool_,
-                                      scissorsTool_, keepTool_, clipTool_, seedTool_, moveTool_}) {
+    for (Tool* tool : std::initializer_list<Tool*>{cameraTool_, peelTool_, drillTool_, laserTool_, sweepTool_,
+                                                   scissorsTool_, keepTool_, clipTool_, seedTool_, moveTool_,
+                                                   islandTool_}) {
         connect(tool, &Tool::overlayChanged, this, &StudioController::overlayChanged);
         // The picture held still while a sketch was drawn on it; what it still lacks goes on now.
         connect(tool, &Tool::overlayChanged, this, [this] {
@@ -49,6 +54,8 @@ StudioController::StudioController()
             connect(cutTool, &CutTool::settingsChanged, this, &StudioController::changed);
         }
     }
+    connect(seedTool_, &SeedTool::settingsChanged, this, &StudioController::changed);
+    connect(islandTool_, &IslandTool::settingsChanged, this, &StudioController::changed);
     connect(&loader_, &VolumeLoader::loaded, this, &StudioController::finishOpening);
     connect(&loader_, &VolumeLoader::failed, this, [this](const QString& message) {
         say(message);
@@ -60,6 +67,7 @@ StudioController::StudioController()
 
 StudioController::~StudioController() {
     host_.makeCurrent();
+    measurer_->stop();
     document_.reset(); // before the ray caster: its frames point into it
     picture_.reset();
 }
@@ -288,11 +296,11 @@ std::optional<studio::Document::Probe> StudioController::probe(QPointF position)
 
 bool StudioController::isSettled() {
     return document_ != nullptr && !isLoading() && !isViewPending_ && !picture_->isDrafting() &&
-           !growth_->isPlaying() && !document_->isStrokeOpen();
+           !growth_->isBusy() && !document_->isStrokeOpen();
 }
 
 bool StudioController::isIdle() {
-    if (isLoading() || tool_->isBusy() || growth_->isPlaying() || isViewPending_ || !screenshot_.empty()) {
+    if (isLoading() || tool_->isBusy() || growth_->isBusy() || isViewPending_ || !screenshot_.empty()) {
         return false;
     }
     return document_ == nullptr || picture_->isComplete();

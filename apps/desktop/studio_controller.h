@@ -22,12 +22,15 @@ class ClipTool;
 class CutTool;
 class DrillTool;
 class GrowthController;
+class IslandTool;
 class KeepTool;
 class LaserTool;
 class MoveTool;
 class PeelTool;
 class ScissorsTool;
 class SeedTool;
+class SegmentController;
+class SegmentMeasurer;
 class SweepTool;
 class Tool;
 
@@ -45,6 +48,8 @@ public:
     GlHost& host() { return host_; }
     PictureLoop& picture() { return *picture_; }
     GrowthController& growth() { return *growth_; }
+    SegmentController& segments() { return *segments_; }
+    SegmentMeasurer& measurer() { return *measurer_; }
     CameraTool& cameraTool() { return *cameraTool_; }
     PeelTool& peelTool() { return *peelTool_; }
     DrillTool& drillTool() { return *drillTool_; }
@@ -55,6 +60,7 @@ public:
     ClipTool& clipTool() { return *clipTool_; }
     SeedTool& seedTool() { return *seedTool_; }
     MoveTool& moveTool() { return *moveTool_; }
+    IslandTool& islandTool() { return *islandTool_; }
     // Null before something was opened. With the engine's context current.
     studio::Document* document();
 
@@ -182,6 +188,9 @@ private:
     ClipTool* clipTool_;
     SeedTool* seedTool_;
     MoveTool* moveTool_;
+    IslandTool* islandTool_;
+    SegmentController* segments_;
+    SegmentMeasurer* measurer_;
     GrowthController* growth_;
     Tool* tool_;
     studio::View view_;

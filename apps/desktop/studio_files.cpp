@@ -2,6 +2,7 @@
 #include "studio_controller.h"
 
 #include "growth_controller.h"
+#include "segment_measurer.h"
 #include "tool.h"
 
 #include "base/error.h"
@@ -48,6 +49,7 @@ void StudioController::finishOpening(const std::shared_ptr<Loaded>& loaded) {
         auto fresh = std::make_unique<studio::Document>(std::move(loaded->volume),
                                                         loaded->session ? loaded->session->precision
                                                                         : sculpt::Precision::Bits16);
+        measurer_->stop();
         picture_->setDocument(nullptr); // before the old document goes
         document_ = std::move(fresh);
     });

@@ -22,6 +22,20 @@ QToolButton:focus { border-color: #56b4e9; }
 QToolButton[choice="true"] { background: #1f2327; border: 1px solid #3a4047; padding: 3px 4px; }
 QToolButton[choice="true"]:hover { background: #333940; }
 QToolButton[choice="true"]:checked { background: #1d4259; border-color: #56b4e9; }
+QToolButton[fold="true"] { font-weight: 600; padding: 4px 4px; }
+QToolButton[fold="true"]:checked { background: transparent; border-color: transparent; }
+QToolButton[fold="true"]:hover { background: #333940; }
+QToolButton[fold="true"]:focus { border-color: #56b4e9; }
+QTableView { background: #181b1e; border: 1px solid #3a4047; border-radius: 4px; selection-background-color: #1d4259;
+    selection-color: #ffffff; outline: 0; }
+QTableView:focus { border-color: #56b4e9; }
+QTableView::item { padding: 0 4px; }
+QTableView::item:focus { border: 1px solid #56b4e9; }
+QComboBox { background: #181b1e; border: 1px solid #3a4047; border-radius: 4px; padding: 3px 6px; }
+QComboBox:focus { border-color: #56b4e9; }
+QComboBox:disabled { color: #5f6770; }
+QComboBox::drop-down { border: 0; width: 18px; }
+QComboBox QAbstractItemView { background: #262a2f; border: 1px solid #3a4047; selection-background-color: #1d4259; }
 QToolButton[column="true"] { padding: 3px 1px 2px 1px; font-size: 11px; }
 QToolButton:disabled { color: #5f6770; }
 QToolButton:checked:disabled { color: #5f6770; background: #2b3036; border-color: #3a4047; }

@@ -55,6 +55,10 @@ public:
     virtual bool wheel(double, const Pen&) { return false; }
     // True: Shift+drag is the tool's own, and does not move the picture.
     [[nodiscard]] virtual bool takesShift() const { return false; }
+    // The sign reversed: the tool undoes what it else does (restores, absorbs, adds). Of tools that have one.
+    [[nodiscard]] virtual bool hasSign() const { return false; }
+    [[nodiscard]] virtual bool isReversed() const { return false; }
+    virtual void setReversed(bool) {}
     // Enter: does what has been prepared. False: nothing was.
     virtual bool accept() { return false; }
     // Tab: goes to the next thing that can be worked on, or to the one before. False: there is no other.

@@ -9,7 +9,6 @@
 #include "panel_parts.h"
 #include "peel_tool.h"
 #include "scissors_tool.h"
-#include "seed_tool.h"
 #include "studio_controller.h"
 
 #include <QCheckBox>
@@ -166,17 +165,6 @@ QWidget* makeKeepPage(StudioController& studio) {
     addNote(form,
             tr("What is visible follows the displayed range: raise its lower end where a table touches the "
                "patient."));
-    return page;
-}
-
-QWidget* makeSeedPage(StudioController& studio) {
-    auto* page = new QWidget;
-    auto* form = makeForm(page);
-    SeedTool& tool = studio.seedTool();
-    auto* width =
-        makeSlider("seedWidth", tr("Width of the seed stroke, in pixels"), 1, 30, int(tool.width()));
-    QObject::connect(width, &QSlider::valueChanged, &tool, [&tool](int v) { tool.setWidth(v); });
-    form->addRow(tr("Stroke width"), withValue(width, [](int v) { return tr("%1 px").arg(v); }));
     return page;
 }
 

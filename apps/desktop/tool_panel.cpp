@@ -4,6 +4,7 @@
 #include "camera_tool.h"
 #include "clip_tool.h"
 #include "drill_tool.h"
+#include "island_tool.h"
 #include "keep_tool.h"
 #include "laser_tool.h"
 #include "move_tool.h"
@@ -38,6 +39,7 @@ ToolPanel::ToolPanel(StudioController& studio, QWidget* parent) : QWidget(parent
     add(studio_.keepTool(), tr("Keep connected"), makeKeepPage(studio_));
     add(studio_.clipTool(), tr("Clip"), makeClipPage(studio_));
     add(studio_.seedTool(), tr("Seed"), makeSeedPage(studio_));
+    add(studio_.islandTool(), tr("Island"), makeIslandPage(studio_));
     add(studio_.moveTool(), tr("Move part"), makeMovePage(studio_));
     card->addWidget(stack_);
     pressure_ = makePressureRows(studio_);

@@ -185,6 +185,11 @@ void Document::updateClip(const Clip& clip) {
 
 bool Document::isStrokeOpen() const { return impl_->stroke != nullptr; }
 
+Operation Document::openStroke() const {
+    VS_CHECK(isStrokeOpen());
+    return impl_->stroke->operation();
+}
+
 Outcome Document::commitStroke() {
     VS_CHECK(isStrokeOpen());
     const Operation operation = impl_->stroke->operation();

@@ -48,6 +48,12 @@ public:
     // Throws Error (one line) and changes nothing if the operation makes no sense here.
     Outcome apply(const Operation& operation, const std::filesystem::path& outputFolder = ".");
 
+    // Takes the last step back, as if it had never been done, and does this instead, where that step was an
+    // operation of the same kind and nothing has happened since; else as apply(). What a slider sends while
+    // it is dragged becomes one operation and one undo step in this way. When this is refused, the last step
+    // stays.
+    Outcome replaceLast(const Operation& operation);
+
     // Appends an operation that only writes a file (isOutput) to the log without writing it again: a session
     // that is opened in the window keeps what it asks for.
     void note(const Operation& operation);
@@ -80,6 +86,8 @@ public:
     void updatePen(const sculpt::PenPoint& pen); // drill and laser
     void updateClip(const Clip& clip);           // instead of the one before
     [[nodiscard]] bool isStrokeOpen() const;
+    // The operation that commitStroke() would append.
+    [[nodiscard]] Operation openStroke() const;
     Outcome commitStroke();
     void discardStroke();
 
@@ -109,6 +117,20 @@ public:
         bool hasSeeds = false;
     };
     [[nodiscard]] GrowthStatus growth() const;
+    // What the segment at work may grow into; before its first seeds the rules that were set so far.
+    struct GrowthRules {
+        Range range;
+        std::optional<Range> difference;
+        std::optional<Range> gradient;
+        std::optional<Range> gradientDifference;
+        int connectivity = 6;
+        bool isLive = false;
+    };
+    [[nodiscard]] GrowthRules growthRules() const;
+    // Voxels shown of a segment, by its label.
+    [[nodiscard]] std::size_t voxelCount(std::uint8_t label) const;
+    // Counts changes of what is shown of segments.
+    [[nodiscard]] std::uint64_t segmentsRevision() const;
     // All segments: their names, labels and looks, and which is at work.
     [[nodiscard]] const SegmentList& segments() const;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/document_state.h"
 
+#include "base/check.h"
 #include "base/error.h"
 #include "render/draw_annotations.h"
 #include "studio/sketch.h"
@@ -70,6 +71,25 @@ Outcome Document::Impl::travel(Step& step, bool isUndo) {
     outcome.message = fmt::format("{}: {}", isUndo ? "undone" : "redone", name(step.operation));
     ++version;
     return outcome;
+}
+
+Outcome Document::replaceLast(const Operation& operation) {
+    VS_CHECK(!isStrokeOpen() && !isGrowing() && !isScrubbing());
+    const auto isOfTheKind = [&](const Operation& other) { return other.index() == operation.index(); };
+    if (!canUndo() || canRedo() || impl_->log.empty() || !isOfTheKind(impl_->log.back()) ||
+        !isOfTheKind(*lastStep()) || !(impl_->view == impl_->loggedView)) {
+        return apply(operation);
+    }
+    impl_->travel(impl_->history.toUndo(), true);
+    impl_->history.forgetLast();
+    const Operation replaced = std::move(impl_->log.back());
+    impl_->log.pop_back();
+    try {
+        return apply(operation);
+    } catch (...) {
+        apply(replaced);
+        throw;
+    }
 }
 
 // Applies an operation on segments again. Growth gives the same result each time, so its redo needs no

@@ -119,6 +119,22 @@ std::vector<std::uint8_t> Document::labelMap() const {
                                   : std::vector<std::uint8_t>(impl_->volume.geometry.voxelCount(), 0);
 }
 
+Document::GrowthRules Document::growthRules() const {
+    const segment::Constraints& rules = impl_->region.rules();
+    GrowthRules result{rules.range, rules.difference, rules.gradient, rules.gradientDifference};
+    result.connectivity = rules.connectivity == segment::Connectivity::TwentySix ? 26 : 6;
+    result.isLive = impl_->region.exists() && impl_->region.growth()->state().isLive;
+    return result;
+}
+
+std::size_t Document::voxelCount(std::uint8_t label) const {
+    return impl_->region.exists() ? std::size_t(impl_->region.growth()->voxelCount(label)) : 0;
+}
+
+std::uint64_t Document::segmentsRevision() const {
+    return impl_->region.exists() ? impl_->region.growth()->revision() : 0;
+}
+
 const SegmentList& Document::segments() const { return impl_->segments; }
 
 } // namespace vs::studio

@@ -81,13 +81,19 @@ void Document::Impl::perform(const UseSegment& op, Region::Records& records) {
     segment->opacity = op.opacity.value_or(segment->opacity);
     segment->isVisible = op.isVisible.value_or(segment->isVisible);
     segment->isLocked = op.isLocked.value_or(segment->isLocked);
-    segments.atWork = segment->label;
-    region.workOn(segments.atWork, records);
+    if (op.goesToWork) {
+        segments.atWork = segment->label;
+        region.workOn(segments.atWork, records);
+    }
 }
 
 Outcome Document::Impl::run(UseSegment& op, const std::filesystem::path&) {
     change(op);
-    return {{}, 0, 0, fmt::format("at work on '{}'", segments.working().name)};
+    return {{},
+            0,
+            0,
+            op.goesToWork ? fmt::format("at work on '{}'", segments.working().name)
+                          : fmt::format("'{}' changed", op.name.value_or(op.segment))};
 }
 
 void Document::Impl::perform(const RemoveSegment& op, Region::Records& records) {

@@ -57,6 +57,8 @@ public:
     void setMemoryLimit(std::size_t bytes);
 
     void push(Step step);
+    // The step that undo would take back is no more; its cut, if any, must be in memory.
+    void forgetLast() { done_.pop_back(); }
     // The last two steps (both changes of the region alone) become one.
     void mergeLastTwo();
     [[nodiscard]] bool canUndo() const { return !done_.empty(); }

@@ -241,7 +241,8 @@ struct Absorb {
 };
 
 // Goes to work on the segment of that name, which is made if there is none, and changes what is set: its
-// name, its colour (sRGB, 0 to 1), its opacity, whether it is seen, and whether it is locked.
+// name, its colour (sRGB, 0 to 1), its opacity, whether it is seen, and whether it is locked. With
+// `goesToWork` false another one stays at work.
 struct UseSegment {
     std::string segment;
     std::optional<std::string> name = {};
@@ -249,6 +250,7 @@ struct UseSegment {
     std::optional<double> opacity = {};
     std::optional<bool> isVisible = {};
     std::optional<bool> isLocked = {};
+    bool goesToWork = true;
 };
 
 // Erases a segment and forgets its name.

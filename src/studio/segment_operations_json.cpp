@@ -175,7 +175,7 @@ void write(Json& j, const Absorb& op) {
 }
 
 Operation readUseSegment(const JsonReader& reader) {
-    reader.allow({"op", "segment", "name", "colour", "opacity", "visible", "locked"});
+    reader.allow({"op", "segment", "name", "colour", "opacity", "visible", "locked", "work"});
     UseSegment op;
     op.segment = readName(reader.member("segment"));
     reader.ifHas("name", [&](const JsonReader& r) { op.name = readName(r); });
@@ -187,6 +187,7 @@ Operation readUseSegment(const JsonReader& reader) {
     reader.ifHas("opacity", [&](const JsonReader& r) { op.opacity = r.numberBetween(0.01, 1); });
     reader.ifHas("visible", [&](const JsonReader& r) { op.isVisible = r.boolean(); });
     reader.ifHas("locked", [&](const JsonReader& r) { op.isLocked = r.boolean(); });
+    reader.ifHas("work", [&](const JsonReader& r) { op.goesToWork = r.boolean(); });
     return op;
 }
 
@@ -204,6 +205,9 @@ void write(Json& j, const UseSegment& op) {
     }
     if (op.isLocked) {
         j["locked"] = *op.isLocked;
+    }
+    if (!op.goesToWork) {
+        j["work"] = false;
     }
 }
 

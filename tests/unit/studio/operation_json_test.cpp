@@ -82,7 +82,8 @@ std::vector<Operation> segmentOperations() {
         // Rules that are dropped, not left as they are.
         SetGrowthRules{{}, std::optional<Range>(), std::optional<Range>(), std::optional<Range>(), 6, false},
         SetGrowthRules{}, Absorb{{line}, 7.5, 12, {{1, 2, 3}, {4, 5, 6}}, someCanvas()}, Absorb{{line}},
-        someSegment(), UseSegment{"Segment 1"}, RemoveSegment{"Liver"},
+        someSegment(), UseSegment{"Segment 1"}, UseSegment{"Segment 1", {}, {}, {}, true, {}, false},
+        RemoveSegment{"Liver"},
         EditSegment{EditSegment::Kind::DropIsland, 2.5, "Liver", glm::dvec2(12.5, 40), glm::ivec3(3, 4, 5),
                     someCanvas()},
         BrushSegment{true, Peel{line, 2, 4, false, someCanvas()}}, BrushSegment{false, Drill(someDrill())},

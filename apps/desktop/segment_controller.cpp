@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "segment_controller.h"
+
+#include "growth_controller.h"
+#include "studio_controller.h"
+
+#include <QTimer>
+
+#include <algorithm>
+
+namespace vs::desktop {
+
+SegmentController::SegmentController(StudioController& studio) : QObject(&studio), studio_(studio) {}
+
+const studio::SegmentList& SegmentController::list() const {
+    static const studio::SegmentList none;
+    return studio_.document() != nullptr ? studio_.document()->segments() : none;
+}
+
+std::size_t SegmentController::voxels(std::uint8_t label) const {
+    return studio_.document() != nullptr ? studio_.document()->voxelCount(label) : 0;
+}
+
+double SegmentController::millilitres(std::uint8_t label) const {
+    const auto* geometry = studio_.geometry();
+    return geometry != nullptr ? double(voxels(label)) * geometry->voxelMm3() / 1000 : 0;
+}
+
+bool SegmentController::canRemove() const {
+    return !list().working().isLocked && (list().segments.size() > 1 || voxels(list().atWork) > 0);
+}
+
+void SegmentController::workOn(const std::string& name) {
+    if (name == list().working().name || studio_.document() == nullptr) {
+        return;
+    }
+    const auto* last = studio_.document()->lastStep();
+    const auto* use = last != nullptr ? std::get_if<studio::UseSegment>(last) : nullptr;
+    const bool isOnlyGoing = use != nullptr && use->goesToWork && !use->name && !use->colour &&
+                             !use->opacity && !use->isVisible && !use->isLocked;
+    // One that was only looked at on the way, if the way there did not make it.
+    const bool wasThere = isOnlyGoing && use->segment == list().working().name && voxels(list().atWork) > 0;
+    const studio::UseSegment going{name};
+    studio_.change(
+        [&] { return wasThere ? studio_.document()->replaceLast(going) : studio_.document()->apply(going); });
+}
+
+void SegmentController::add() {
+    for (int number = int(list().segments.size()) + 1;; ++number) {
+        const std::string name = tr("Segment %1").arg(number).toStdString();
+        if (list().find(name) == nullptr) {
+            studio_.apply(studio::UseSegment{name});
+            return;
+        }
+    }
+}
+
+void SegmentController::removeWorking() {
+    if (canRemove()) {
+        studio_.apply(studio::RemoveSegment{list().working().name});
+    }
+}
+
+// Looks are no business of what grows.
+void SegmentController::look(studio::UseSegment change) {
+    change.goesToWork = false;
+    studio_.growth().whilePaused([&] { studio_.apply(change); });
+}
+
+bool SegmentController::rename(const std::string& name, const QString& to) {
+    const QString trimmed = to.trimmed();
+    if (trimmed.toStdString() == name) {
+        return true;
+    }
+    if (trimmed.isEmpty() || list().find(trimmed.toStdString()) != nullptr) {
+        studio_.say(trimmed.isEmpty()
+                        ? tr("A segment needs a name")
+                        : tr("There is a segment '%1' already; choose another name").arg(trimmed));
+        return false;
+    }
+    studio::UseSegment change{name};
+    change.name = trimmed.toStdString();
+    look(change);
+    return true;
+}
+
+void SegmentController::setColour(const std::string& name, const QColor& colour) {
+    studio::UseSegment change{name};
+    change.colour = glm::dvec3(colour.red(), colour.green(), colour.blue()) / 255.0;
+    look(change);
+}
+
+void SegmentController::setVisible(const std::string& name, bool isVisible) {
+    studio::UseSegment change{name};
+    change.isVisible = isVisible;
+    look(change);
+}
+
+void SegmentController::setLocked(const std::string& name, bool isLocked) {
+    studio::UseSegment change{name};
+    change.isLocked = isLocked;
+    look(change);
+}
+
+void SegmentController::setOpacity(double opacity, bool continues) {
+    studio::UseSegment change{list().working().name};
+    change.opacity = opacity;
+    change.goesToWork = false;
+    studio_.growth().whilePaused([&] {
+        studio_.change([&] {
+            return continues ? studio_.document()->replaceLast(change) : studio_.document()->apply(change);
+        });
+    });
+}
+
+void SegmentController::perform(const studio::Operation& operation) {
+    if (studio_.document() == nullptr || studio_.isLoading()) {
+        return;
+    }
+    studio_.say(tr("Working\u2026"));
+    emit studio_.progress(0, 0);
+    constexpr int kUntilSeenMs = 30;
+    QTimer::singleShot(kUntilSeenMs, this, [this, operation] {
+        studio_.apply(operation);
+        emit studio_.progress(1, 1);
+    });
+}
+
+} // namespace vs::desktop

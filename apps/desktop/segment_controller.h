@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "studio/document.h"
+
+#include <QColor>
+#include <QObject>
+#include <QString>
+
+namespace vs::desktop {
+
+class StudioController;
+
+// The list of segments and what is done to finished ones. Every call is one operation; growing goes on after
+// those that only change how a segment looks.
+class SegmentController : public QObject {
+    Q_OBJECT
+
+public:
+    explicit SegmentController(StudioController& studio);
+
+    // One segment without voxels before something was opened.
+    [[nodiscard]] const studio::SegmentList& list() const;
+    [[nodiscard]] std::size_t voxels(std::uint8_t label) const; // shown
+    [[nodiscard]] double millilitres(std::uint8_t label) const;
+    // Not the only one left with nothing in it.
+    [[nodiscard]] bool canRemove() const;
+
+    // Goes to work on a segment: strokes and edits are its. Going on to another at once leaves one operation.
+    void workOn(const std::string& name);
+    void add(); // a fresh one, with a name that is free, and goes to work on it
+    void removeWorking();
+    // False: the name is empty or taken, and the message says so.
+    bool rename(const std::string& name, const QString& to);
+    void setColour(const std::string& name, const QColor& colour);
+    void setVisible(const std::string& name, bool isVisible);
+    void setLocked(const std::string& name, bool isLocked);
+    // Of the segment at work; `continues`: takes the place of the change before (a slider that is dragged).
+    void setOpacity(double opacity, bool continues);
+
+    // Edits of the segment at work, and cuts by it, which may take a while: the window says so first.
+    void perform(const studio::Operation& operation);
+
+private:
+    void look(studio::UseSegment change);
+
+    StudioController& studio_;
+};
+
+} // namespace vs::desktop

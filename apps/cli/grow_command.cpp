@@ -12,7 +12,7 @@
 #include "gl/context.h"
 #include "segment/agreement.h"
 #include "segment/growth.h"
-#include "segment/voxel_set.h"
+#include "segment/label_sets.h"
 #include "volume/write.h"
 
 #include <fmt/format.h>
@@ -69,11 +69,10 @@ GrowInput read(const GrowRequest& request, const GrowOptions& options, const Vol
 // The segments that are there already, each with its label; afterwards the next one is at work.
 void placeOthers(segment::Growth& growth, const LabelMap& map) {
     const std::size_t count = map.values.size();
+    const glm::ivec3 dims = map.geometry.dims;
+    const auto boxes = segment::labelBoxes(map.labels, dims);
     for (std::size_t label = 1; label < count; ++label) {
-        segment::VoxelSet set = segment::emptySet(map.geometry.box());
-        std::transform(map.labels.begin(), map.labels.end(), set.inside.begin(),
-                       [label](std::uint8_t other) { return std::uint8_t(other == label ? 1 : 0); });
-        set = set.tight();
+        const auto set = segment::setOf(map.labels, dims, std::uint8_t(label), boxes[label]);
         growth.activate(std::uint8_t(label));
         growth.replace(set.box, set.inside);
     }

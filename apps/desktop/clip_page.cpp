@@ -127,7 +127,7 @@ QWidget* makeClipPage(StudioController& studio) {
     auto* form = makeForm(page);
     form->setVerticalSpacing(5);
     ClipTool& tool = studio.clipTool();
-    addCutOrRestore(form, tool, "clip");
+    addCutOrRestore(form, tool, studio, "clip");
     for (int axis = 0; axis < 3; ++axis) {
         addFace(form, tool, studio, axis, false);
         addFace(form, tool, studio, axis, true);

@@ -1,9 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "cut_tool.h"
 
+#include "segment_controller.h"
 #include "studio_controller.h"
 
 namespace vs::desktop {
+
+bool CutTool::actsOnSegment() const { return canActOnSegment() && studio_.brushesSegment(); }
+
+QString CutTool::segmentHint() const {
+    if (!actsOnSegment()) {
+        return {};
+    }
+    const QString name = QString::fromStdString(studio_.segments().list().working().name);
+    return " " + (adds() ? tr("What it takes is added to %1, the scan stays. R removes.").arg(name)
+                         : tr("What it takes is removed from %1, the scan stays. R adds.").arg(name));
+}
 
 CutTool::CutTool(StudioController& studio) : Tool(&studio), studio_(studio) {}
 

@@ -20,8 +20,13 @@ public:
     [[nodiscard]] bool hasSign() const override { return true; }
     [[nodiscard]] bool isReversed() const override { return restores_; }
     void setReversed(bool reversed) override { setRestores(reversed); }
-    [[nodiscard]] bool restores() const { return restores_; }
+    [[nodiscard]] bool restores() const { return restores_ && !actsOnSegment(); }
     void setRestores(bool restores);
+    // Whether the tool can work on the segment at work instead of the scan, and whether it does: then it
+    // takes away from it, or adds to it with the sign reversed.
+    [[nodiscard]] virtual bool canActOnSegment() const { return false; }
+    [[nodiscard]] bool actsOnSegment() const;
+    [[nodiscard]] bool adds() const { return restores_ && actsOnSegment(); }
     // Steps: the radiation's R. The larger, the rounder are a cut's edges.
     [[nodiscard]] int radius() const { return radius_; }
     void setRadius(int steps);
@@ -36,6 +41,8 @@ protected:
     [[nodiscard]] Overlay::Tint cuttingTint() const {
         return restores_ ? Overlay::Tint::Restoring : Overlay::Tint::Cutting;
     }
+    // What to add to a hint: which segment the tool works on, and how. Empty while it works on the scan.
+    [[nodiscard]] QString segmentHint() const;
     // Tells everybody that something was set.
     void tell();
 

@@ -87,6 +87,8 @@ private:
     // main_window_files.cpp
     void openFile();
     void openFolder();
+    void openLabels();
+    void dropOn(const QString& path);
     void saveSession();
     void exportLabels();
     void screenshot();

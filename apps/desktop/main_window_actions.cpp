@@ -42,6 +42,9 @@ void MainWindow::makeFileActions() {
               [this] { openFile(); });
     addAction({"openFolder", "folder", tr("DICOM"), tr("Open a folder of DICOM slices"), tr("Ctrl+Shift+O")},
               [this] { openFolder(); });
+    addAction({"openLabels", "labels", tr("Open label map\u2026"),
+               tr("Make segments of the labels of a label map on the volume's grid"), tr("Ctrl+L")},
+              [this] { openLabels(); });
     addAction({"saveSession", "save", tr("Save"),
                tr("Save the session: everything done so far, to go on or replay"), QKeySequence::Save},
               [this] { saveSession(); });

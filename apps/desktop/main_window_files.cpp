@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "main_window.h"
 
+#include "segment_controller.h"
 #include "studio_controller.h"
 
 #include <QAbstractButton>
@@ -111,6 +112,41 @@ void MainWindow::openFolder() {
            [this](const QString& path) { openPath(path); });
 }
 
+void MainWindow::openLabels() {
+    choose("openLabelsDialog", tr("Open a label map"), false,
+           tr("Label maps (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vtk);;All files (*)"), {},
+           [this](const QString& path) { studio_.segments().openLabels(pathOf(path)); });
+}
+
+// A file on an open volume may be a label map of it: only the person knows.
+void MainWindow::dropOn(const QString& path) {
+    const bool isVolume =
+        !path.endsWith(".json", Qt::CaseInsensitive) && !isHeaderless(path) && QFileInfo(path).isFile();
+    if (studio_.document() == nullptr || studio_.isLoading() || !isVolume) {
+        openPath(path);
+        return;
+    }
+    auto* question =
+        new QMessageBox(QMessageBox::Question, tr("Volume Studio"),
+                        tr("What is %1?").arg(QFileInfo(path).fileName()), QMessageBox::NoButton, this);
+    question->setObjectName("dropQuestion");
+    question->setAttribute(Qt::WA_DeleteOnClose);
+    question->setInformativeText(tr("A label map of the open volume becomes segments of it."));
+    auto* labels = question->addButton(tr("&Label map"), QMessageBox::AcceptRole);
+    auto* volume = question->addButton(tr("Another &volume"), QMessageBox::ActionRole);
+    question->addButton(QMessageBox::Cancel);
+    question->setDefaultButton(labels);
+    connect(question, &QMessageBox::buttonClicked, this,
+            [this, path, labels, volume](QAbstractButton* chosen) {
+                if (chosen == labels) {
+                    studio_.segments().openLabels(pathOf(path));
+                } else if (chosen == volume) {
+                    openPath(path);
+                }
+            });
+    question->open();
+}
+
 void MainWindow::saveSession() {
     choose("saveDialog", tr("Save the session"), true, tr("Sessions (*.json)"), suggestedName(".json"),
            [this](const QString& path) { studio_.saveSession(pathOf(path)); });
@@ -135,7 +171,7 @@ void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
 
 void MainWindow::dropEvent(QDropEvent* event) {
     event->acceptProposedAction();
-    openPath(event->mimeData()->urls().front().toLocalFile());
+    dropOn(event->mimeData()->urls().front().toLocalFile());
 }
 
 } // namespace vs::desktop

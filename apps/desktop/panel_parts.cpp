@@ -100,6 +100,13 @@ ChoiceRow::ChoiceRow(const std::vector<Choice>& choices, int chosenAtFirst, int 
     connect(group, &QButtonGroup::idClicked, this, &ChoiceRow::chosen);
 }
 
+void ChoiceRow::rename(int choice, const QString& text, const QString& tip) {
+    QToolButton* button = buttons_.at(std::size_t(choice));
+    button->setText(text);
+    button->setAccessibleName(text);
+    button->setToolTip(tip);
+}
+
 QDoubleSpinBox* makeSpinBox(const char* objectName, const QString& accessibleName) {
     auto* box = named(new QDoubleSpinBox, objectName, accessibleName);
     box->setKeyboardTracking(false);

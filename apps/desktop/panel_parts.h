@@ -57,6 +57,7 @@ public:
     };
     ChoiceRow(const std::vector<Choice>& choices, int chosen, int perRow = 4);
     void choose(int choice) { buttons_.at(std::size_t(choice))->setChecked(true); }
+    void rename(int choice, const QString& text, const QString& tip);
 
 signals:
     void chosen(int choice); // by the person

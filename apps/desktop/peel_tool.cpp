@@ -13,7 +13,9 @@ constexpr double kLayersPerPixel = 0.1; // SPEC 7: 10 logical pixels are one lay
 
 PeelTool::PeelTool(StudioController& studio) : CutTool(studio) {}
 
-QString PeelTool::hint() const {
+QString PeelTool::hint() const { return doing() + segmentHint(); }
+
+QString PeelTool::doing() const {
     switch (state_) {
     case State::Empty:
         return tr("Draw a closed outline around the region to peel; it closes when you let go.");

@@ -17,6 +17,7 @@ public:
 
     [[nodiscard]] QString name() const override { return "peel"; }
     [[nodiscard]] QString hint() const override;
+    [[nodiscard]] bool canActOnSegment() const override { return true; }
     [[nodiscard]] Overlays overlays() const override;
     [[nodiscard]] Qt::CursorShape cursor() const override;
     void press(const Pen& pen) override;
@@ -38,6 +39,7 @@ signals:
     void layersChanged();
 
 private:
+    [[nodiscard]] QString doing() const; // the hint, without what it works on
     enum class State { Empty, Sketching, Ready, Peeling };
 
     void setState(State state);

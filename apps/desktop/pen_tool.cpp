@@ -27,7 +27,9 @@ void PenTool::setKeepsDigging(bool on) {
     tell();
 }
 
-QString PenTool::hint() const {
+QString PenTool::hint() const { return doing() + segmentHint(); }
+
+QString PenTool::doing() const {
     switch (state_) {
     case State::Empty:
         return words().draw;

@@ -28,6 +28,7 @@ public:
     PenTool(StudioController& studio, Depths depths);
 
     [[nodiscard]] QString hint() const override;
+    [[nodiscard]] bool canActOnSegment() const override { return true; }
     [[nodiscard]] Overlays overlays() const override;
     void press(const Pen& pen) override;
     void move(const Pen& pen) override;
@@ -70,6 +71,7 @@ protected:
     [[nodiscard]] QPointF penPosition() const { return pen_; }
 
 private:
+    [[nodiscard]] QString doing() const; // the hint, without what it works on
     void setState(State state);
     void beginCut(const Pen& pen);
     [[nodiscard]] double pressureOf(const Pen& pen) const;

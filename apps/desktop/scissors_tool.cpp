@@ -5,7 +5,9 @@
 
 namespace vs::desktop {
 
-QString ScissorsTool::hint() const {
+QString ScissorsTool::hint() const { return doing() + segmentHint(); }
+
+QString ScissorsTool::doing() const {
     if (isDown_) {
         return tr("Let go to close the stroke and cut. Esc drops it.");
     }
@@ -72,7 +74,7 @@ void ScissorsTool::release(const Pen& pen) {
     scissors.radius = radius();
     scissors.restores = restores();
     scissors.canvas = studio_.canvas();
-    studio_.apply(scissors);
+    studio_.cut(scissors);
 }
 
 void ScissorsTool::clear() {

@@ -18,6 +18,7 @@ public:
 
     [[nodiscard]] QString name() const override { return "scissors"; }
     [[nodiscard]] QString hint() const override;
+    [[nodiscard]] bool canActOnSegment() const override { return true; }
     [[nodiscard]] Overlays overlays() const override;
     void press(const Pen& pen) override;
     void move(const Pen& pen) override;
@@ -35,6 +36,7 @@ public:
     void setDepth(std::optional<double> steps);
 
 private:
+    [[nodiscard]] QString doing() const; // the hint, without what it works on
     bool cutsOutside_ = false;
     std::optional<double> depth_;
     SketchPad pad_;

@@ -126,4 +126,42 @@ void SegmentController::perform(const studio::Operation& operation) {
     });
 }
 
+void SegmentController::openLabels(const std::filesystem::path& path) {
+    if (studio_.document() == nullptr || studio_.isLoading() || isReading_) {
+        return;
+    }
+    isReading_ = true;
+    studio_.say(tr("Reading %1").arg(QString::fromStdString(path.filename().string())));
+    emit studio_.progress(0, 0);
+    reader_ = std::jthread([this, path = std::filesystem::absolute(path)] {
+        studio::LoadLabels labels{path};
+        QString error;
+        try {
+            std::vector<std::string> notices;
+            labels.map = std::make_shared<volume::LabelMap>(volume::readLabelMap(path, notices));
+        } catch (const std::exception& e) {
+            error = QString::fromUtf8(e.what());
+        }
+        const auto finish = [this, labels, error] {
+            isReading_ = false;
+            if (error.isEmpty()) {
+                takeLabels(labels);
+            } else {
+                studio_.say(error);
+                emit studio_.openFailed(error);
+            }
+            emit studio_.progress(1, 1);
+        };
+        QMetaObject::invokeMethod(this, finish, Qt::QueuedConnection);
+    });
+}
+
+void SegmentController::takeLabels(const studio::LoadLabels& labels) {
+    if (studio_.apply(labels)) {
+        studio_.growth().showRegion();
+    } else {
+        emit studio_.openFailed(studio_.message());
+    }
+}
+
 } // namespace vs::desktop

@@ -7,6 +7,9 @@
 #include <QObject>
 #include <QString>
 
+#include <filesystem>
+#include <thread>
+
 namespace vs::desktop {
 
 class StudioController;
@@ -41,10 +44,18 @@ public:
     // Edits of the segment at work, and cuts by it, which may take a while: the window says so first.
     void perform(const studio::Operation& operation);
 
+    // Reads a label map on a thread of its own and makes its labels segments of the volume that is open.
+    void openLabels(const std::filesystem::path& path);
+    // Waits for what is being read; before the program ends.
+    void stop() { reader_ = {}; }
+
 private:
+    void takeLabels(const studio::LoadLabels& labels);
     void look(studio::UseSegment change);
 
     StudioController& studio_;
+    bool isReading_ = false;
+    std::jthread reader_;
 };
 
 } // namespace vs::desktop

@@ -68,6 +68,7 @@ StudioController::StudioController()
 StudioController::~StudioController() {
     host_.makeCurrent();
     measurer_->stop();
+    segments_->stop();
     document_.reset(); // before the ray caster: its frames point into it
     picture_.reset();
 }
@@ -229,29 +230,6 @@ bool StudioController::paste() {
     setTool(*moveTool_);
     moveTool_->choose(moveTool_->count() - 1);
     return true;
-}
-
-bool StudioController::beginStroke(
-    const std::function<void(studio::Document&, const studio::Canvas&)>& begin) {
-    growth_->pause();
-    const auto on = canvas();
-    return guard([&] { begin(*document_, on); });
-}
-
-void StudioController::endStroke(bool keep) {
-    if (document_ == nullptr || !document_->isStrokeOpen()) {
-        return;
-    }
-    guard([&] {
-        if (keep) {
-            report(document_->commitStroke());
-        } else {
-            document_->discardStroke();
-            say(tr("Nothing was changed"));
-        }
-    });
-    wake();
-    emit changed();
 }
 
 void StudioController::report(const studio::Outcome& outcome) {

@@ -111,6 +111,11 @@ public:
     // Runs `begin`, which opens a live stroke on canvas(); what is growing is paused first.
     bool beginStroke(const std::function<void(studio::Document&, const studio::Canvas&)>& begin);
     void endStroke(bool keep);
+    // Does a whole stroke, to the scan or, if the tool acts on it, to the segment at work.
+    bool cut(const studio::Operation& stroke);
+    // Whether tools that can act on the segment at work do so.
+    [[nodiscard]] bool brushesSegment() const { return brushesSegment_; }
+    void setBrushesSegment(bool on);
     bool change(const std::function<studio::Outcome()>& edit);
     bool guard(const std::function<void()>& work);
     void report(const studio::Outcome& outcome);
@@ -199,6 +204,7 @@ private:
     std::vector<glm::dvec2> stencil_;
     double mousePressure_ = 1;
     bool rampsPressure_ = false;
+    bool brushesSegment_ = false;
     QSizeF logical_{1, 1};
     QString message_;
     QTimer timer_;

@@ -39,7 +39,7 @@ QWidget* makeSweepPage(StudioController& studio) {
     auto* page = new QWidget;
     auto* form = makeForm(page);
     SweepTool& tool = studio.sweepTool();
-    addCutOrRestore(form, tool, "sweep");
+    addCutOrRestore(form, tool, studio, "sweep");
     auto* way =
         new ChoiceRow({{"sweepSurface", tr("On the surface"), tr("Draw the way on the surface")},
                        {"sweepPlane", tr("Across the view"), tr("Draw the way in the plane across the view")},

@@ -32,9 +32,9 @@ QLabel* addNote(QFormLayout* form, const QString& text) {
 }
 
 // Drill and laser.
-QFormLayout* addPenRows(QWidget* page, PenTool& tool, const QString& prefix) {
+QFormLayout* addPenRows(QWidget* page, PenTool& tool, StudioController& studio, const QString& prefix) {
     auto* form = makeForm(page);
-    addCutOrRestore(form, tool, prefix);
+    addCutOrRestore(form, tool, studio, prefix);
     constexpr int kPerStep = 2; // half steps
     const QByteArray depthName = (prefix + "Depth").toLatin1();
     auto* depth = makeSlider(depthName.constData(), tr("Depth at full pressure, in steps"),
@@ -67,7 +67,7 @@ QWidget* makePeelPage(StudioController& studio) {
     auto* page = new QWidget;
     auto* form = makeForm(page);
     PeelTool& tool = studio.peelTool();
-    addCutOrRestore(form, tool, "peel");
+    addCutOrRestore(form, tool, studio, "peel");
     addRadius(form, tool, "peel");
     auto* layers = named(new QLabel, "peelLayers", tr("Layers peeled"));
     layers->setAlignment(Qt::AlignRight);
@@ -82,7 +82,7 @@ QWidget* makePeelPage(StudioController& studio) {
 QWidget* makeDrillPage(StudioController& studio) {
     auto* page = new QWidget;
     DrillTool& tool = studio.drillTool();
-    auto* form = addPenRows(page, tool, "drill");
+    auto* form = addPenRows(page, tool, studio, "drill");
     auto* tilt = makeCheckBox("drillFollowsTilt", tr("Follow the pen's tilt"),
                               tr("Drills the way that the tablet's pen points, instead of along the view"),
                               tool.followsTilt());
@@ -93,7 +93,7 @@ QWidget* makeDrillPage(StudioController& studio) {
 
 QWidget* makeLaserPage(StudioController& studio) {
     auto* page = new QWidget;
-    addPenRows(page, studio.laserTool(), "laser");
+    addPenRows(page, studio.laserTool(), studio, "laser");
     return page;
 }
 
@@ -129,7 +129,7 @@ QWidget* makeScissorsPage(StudioController& studio) {
     auto* page = new QWidget;
     auto* form = makeForm(page);
     ScissorsTool& tool = studio.scissorsTool();
-    addCutOrRestore(form, tool, "scissors");
+    addCutOrRestore(form, tool, studio, "scissors");
     auto* side = new ChoiceRow({{"scissorsInside", tr("Inside"), tr("What is inside the stroke goes")},
                                 {"scissorsOutside", tr("Outside"), tr("What is outside the stroke goes")}},
                                tool.cutsOutside() ? 1 : 0);

@@ -67,7 +67,12 @@ void ToolPanel::refresh() {
     pressure_->setVisible(qobject_cast<const PenTool*>(&studio_.tool()) != nullptr);
     const auto* cutTool = studio_.cutTool();
     const bool restores = cutTool != nullptr && cutTool->restores();
-    title_->setText(restores ? tr("%1: restore").arg(page.title) : page.title);
+    const bool isOnSegment = cutTool != nullptr && cutTool->actsOnSegment();
+    title_->setText(restores ? tr("%1: restore").arg(page.title)
+                    : isOnSegment
+                        ? (cutTool->adds() ? tr("%1: add to the segment") : tr("%1: remove from the segment"))
+                              .arg(page.title)
+                        : page.title);
     if (title_->property("restores").toBool() != restores) {
         title_->setProperty("restores", restores);
         title_->style()->unpolish(title_);

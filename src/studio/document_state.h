@@ -39,6 +39,7 @@ struct Document::Impl {
     Outcome run(SetGrowthRules& op, const std::filesystem::path& folder);
     Outcome run(Absorb& op, const std::filesystem::path& folder);
     Outcome run(UseSegment& op, const std::filesystem::path& folder);
+    Outcome run(LoadLabels& op, const std::filesystem::path& folder);
     Outcome run(RemoveSegment& op, const std::filesystem::path& folder);
     Outcome run(EditSegment& op, const std::filesystem::path& folder);
     Outcome run(BrushSegment& op, const std::filesystem::path& folder);
@@ -77,6 +78,7 @@ struct Document::Impl {
     void perform(const SetGrowthRules& op, Region::Records& records);
     int perform(const Absorb& op, Region::Records& records);
     void perform(const UseSegment& op, Region::Records& records);
+    std::size_t perform(const LoadLabels& op, Region::Records& records);
     void perform(const RemoveSegment& op, Region::Records& records);
     void perform(const EditSegment& op, Region::Records& records);
     void perform(const BrushSegment& op, Region::Records& records);

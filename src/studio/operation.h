@@ -7,7 +7,10 @@
 #include "render/transfer_function.h"
 #include "sculpt/stroke.h"
 #include "sculpt/sweep.h"
+#include "volume/label_map.h"
 
+#include <filesystem>
+#include <memory>
 #include <optional>
 #include <string>
 #include <variant>
@@ -253,6 +256,16 @@ struct UseSegment {
     bool goesToWork = true;
 };
 
+// Makes a segment of each label of a label map that lies on the volume's grid, by the names and colours that
+// the file has for them. What is in a segment already stays there; a single segment that is still empty is
+// used for the first label.
+struct LoadLabels {
+    std::filesystem::path path; // in memory absolute, or relative to the current folder
+    std::string checksum = {};  // empty: not checked; filled in when the file is read
+    // What was read; when it is set the file is not read again.
+    std::shared_ptr<const volume::LabelMap> map = {};
+};
+
 // Erases a segment and forgets its name.
 struct RemoveSegment {
     std::string segment;
@@ -322,10 +335,10 @@ struct SaveSculpture {
     std::string file;
 };
 
-using Operation =
-    std::variant<SetView, Peel, Drill, Laser, Sweep, Scissors, Clip, KeepConnected, Paste, MovePart, Seed,
-                 Grow, Rewind, ShowGeneration, SetGrowthRules, Absorb, UseSegment, RemoveSegment, EditSegment,
-                 BrushSegment, CutSegment, Undo, Redo, UnCut, ReSeed, SavePicture, SaveLabels, SaveSculpture>;
+using Operation = std::variant<SetView, Peel, Drill, Laser, Sweep, Scissors, Clip, KeepConnected, Paste,
+                               MovePart, Seed, Grow, Rewind, ShowGeneration, SetGrowthRules, Absorb,
+                               UseSegment, LoadLabels, RemoveSegment, EditSegment, BrushSegment, CutSegment,
+                               Undo, Redo, UnCut, ReSeed, SavePicture, SaveLabels, SaveSculpture>;
 
 // The name in sessions, reports and the history: "view", "peel", ... (kOperationNames).
 const char* name(const Operation& operation);

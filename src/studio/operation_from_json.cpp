@@ -105,6 +105,7 @@ constexpr std::array<OperationReader, std::variant_size_v<Operation>> kReaders{
     readGrowthRules,
     readAbsorb,
     readUseSegment,
+    readLoadLabels,
     readRemoveSegment,
     readEditSegment,
     readBrushSegment,

@@ -211,6 +211,21 @@ void write(Json& j, const UseSegment& op) {
     }
 }
 
+Operation readLoadLabels(const JsonReader& reader) {
+    reader.allow({"op", "path", "checksum"});
+    LoadLabels op;
+    op.path = reader.member("path").fileName();
+    reader.ifHas("checksum", [&](const JsonReader& r) { op.checksum = r.text(); });
+    return op;
+}
+
+void write(Json& j, const LoadLabels& op) {
+    j["path"] = op.path.string();
+    if (!op.checksum.empty()) {
+        j["checksum"] = op.checksum;
+    }
+}
+
 Operation readRemoveSegment(const JsonReader& reader) {
     reader.allow({"op", "segment"});
     return RemoveSegment{readName(reader.member("segment"))};

@@ -91,6 +91,9 @@ Session loadSession(const std::filesystem::path& path) {
     for (std::size_t i = 0; i < operations.size(); ++i) {
         session.operations.push_back(operationFromJson(
             json.at("operations").at(i), fmt::format("{}: operation {}", path.string(), i + 1)));
+        if (auto* labels = std::get_if<LoadLabels>(&session.operations.back())) {
+            labels->path = path.parent_path() / labels->path; // an absolute one stays
+        }
     }
     return session;
 }
@@ -121,7 +124,11 @@ std::string textOf(const std::filesystem::path& path, const Session& session) {
         "{{\n  \"volumeStudioSession\": {},\n  \"volume\": {},\n  \"precision\": {},\n  \"operations\": [",
         Session::kVersion, volume.dump(), sculpt::kPrecisions[std::size_t(session.precision)]);
     for (std::size_t i = 0; i < session.operations.size(); ++i) {
-        text += fmt::format("{}\n    {}", i == 0 ? "" : ",", toJson(session.operations[i]).dump());
+        Operation operation = session.operations[i];
+        if (auto* labels = std::get_if<LoadLabels>(&operation)) {
+            labels->path = storedPath(labels->path, path);
+        }
+        text += fmt::format("{}\n    {}", i == 0 ? "" : ",", toJson(operation).dump());
     }
     return text + "\n  ]\n}\n";
 }

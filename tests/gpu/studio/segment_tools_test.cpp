@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Segments and the sculpture: brushes, cuts by a segment, and all of it undone, redone and replayed.
 #include "gpu/gl_test.h"
+#include "gpu/studio/test_labels.h"
 #include "gpu/studio/test_segments.h"
 #include "segment/margins.h"
 #include "segment/set_algebra.h"
@@ -127,16 +128,17 @@ TEST_F(SegmentToolsTest, CutsFollowTheSegmentExactly) {
     }
 }
 
-Operation someOperation(std::mt19937& random) {
+Operation someOperation(std::mt19937& random, const std::filesystem::path& labels) {
     const auto below = [&](unsigned n) { return int(random() % n); };
     const std::string names[] = {"Segment 1", "B", "C"};
     const std::string& who = names[below(3)];
     const auto brainVoxel = [&] { return glm::ivec3(30 + below(12), 16 + below(6), 24 + below(12)); };
-    switch (below(14)) {
+    switch (below(15)) {
     case 0: {
         UseSegment use{who};
         use.isLocked = below(4) == 0;
         use.opacity = 0.25 * (1 + below(4));
+        use.goesToWork = below(2) == 0;
         return use;
     }
     case 1:
@@ -174,6 +176,8 @@ Operation someOperation(std::mt19937& random) {
     }
     case 12:
         return BrushSegment{below(2) == 0, strokes()[std::size_t(below(4))]};
+    case 13:
+        return below(3) == 0 ? Operation(LoadLabels{labels}) : Operation(Grow{1 + below(6)});
     default:
         return below(8) == 0 ? Operation(ReSeed{}) : Operation(CutSegment{below(3) == 0, double(below(3))});
     }
@@ -193,6 +197,7 @@ void applySome(Document& document, const Operation& operation, std::mt19937& ran
 // Whatever was done: undo and redo bring back every state, what is refused leaves no trace, and the log,
 // written and read again, does it all once more.
 void undoRedoAndReplay(unsigned seed) {
+    const test::LabelFile labels;
     std::mt19937 random(seed);
     Document document(testHead());
     std::vector<test::DocumentState> states{stateOf(document)};
@@ -200,7 +205,7 @@ void undoRedoAndReplay(unsigned seed) {
     int refused = 0;
     int travels = 0;
     for (int n = 0; n < 60; ++n) {
-        const Operation operation = someOperation(random);
+        const Operation operation = someOperation(random, labels.path());
         try {
             applySome(document, operation, random);
         } catch (const Error&) {

@@ -83,7 +83,7 @@ std::vector<Operation> segmentOperations() {
         SetGrowthRules{{}, std::optional<Range>(), std::optional<Range>(), std::optional<Range>(), 6, false},
         SetGrowthRules{}, Absorb{{line}, 7.5, 12, {{1, 2, 3}, {4, 5, 6}}, someCanvas()}, Absorb{{line}},
         someSegment(), UseSegment{"Segment 1"}, UseSegment{"Segment 1", {}, {}, {}, true, {}, false},
-        RemoveSegment{"Liver"},
+        LoadLabels{"labels.nii.gz"}, LoadLabels{"/a/labels.nrrd", "0123456789abcdef"}, RemoveSegment{"Liver"},
         EditSegment{EditSegment::Kind::DropIsland, 2.5, "Liver", glm::dvec2(12.5, 40), glm::ivec3(3, 4, 5),
                     someCanvas()},
         BrushSegment{true, Peel{line, 2, 4, false, someCanvas()}}, BrushSegment{false, Drill(someDrill())},

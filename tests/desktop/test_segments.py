@@ -1,0 +1,281 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The segments of the window: the list, rules, scrubbing, absorbing, edits, brushes, label maps; all of it replayed."""
+
+import argparse
+import sys
+import time
+
+from driver import need, run_test, start
+from phantom import SIDE, write_ball_head
+from replay import compare_with_replay, operations, run
+
+ROW = 26  # logical pixels of a row of the list
+
+
+def choose(studio, key, tool):
+    studio.move(studio.view_point(0.5, 0.9))
+    studio.key(key)
+    studio.wait(f"the tool {tool}", lambda s: s["tool"] == tool)
+
+
+def working(state):
+    return next(segment for segment in state["segments"] if segment["working"])
+
+
+def reveal(studio, widget):
+    """Scrolls the panel until a widget is in sight."""
+    for _ in range(60):
+        widgets = studio.state()["widgets"]
+        _, y, _, height = widgets[widget]
+        _, top, _, whole = widgets["panels"]
+        if top <= y and y + height <= top + whole:
+            return
+        # Over the cards' left border nothing else takes the wheel.
+        studio.move((widgets["panels"][0] + 4, top + whole // 2))
+        studio.xdotool("click", 4 if y < top else 5)
+        time.sleep(0.06)
+    need(False, f"{widget} cannot be scrolled to")
+
+
+def press(studio, widget):
+    reveal(studio, widget)
+    studio.click(widget)
+
+
+def cell(studio, row, column):
+    """A place in the list: colour, name, volume, eye, lock."""
+    reveal(studio, "segments")
+    x, y, width, _ = studio.state()["widgets"]["segments"]
+    right = {"volume": 92, "eye": 43, "lock": 15}
+    along = {"colour": 14, "name": 60}.get(column) or width - right[column]
+    return x + along, y + 1 + row * ROW + ROW // 2
+
+
+def click_cell(studio, row, column, times=1):
+    studio.move(cell(studio, row, column))
+    studio.xdotool("click", "--repeat", times, "--delay", 60, 1)
+
+
+def type_number(studio, widget, value):
+    press(studio, widget)
+    studio.key("ctrl+a")
+    studio.xdotool("type", str(value))
+    studio.key("Return")
+
+
+def grow(studio):
+    choose(studio, "s", "seed")
+    studio.drag([studio.view_point(0.46 + 0.01 * i, 0.4) for i in range(9)])
+    state = studio.wait_idle("growth", lambda s: s["message"].startswith("Grow:") and not s["playing"])
+    need(state["mode"] == "segment" and state["extent"] > 10, f"nothing grew: {state['extent']} generations")
+    return state
+
+
+def scrub(studio):
+    """The picture follows the bar while it is dragged; letting go leaves one operation."""
+    before = studio.state()
+    reveal(studio, "scrubBar")
+    x, y, width, height = studio.state()["widgets"]["scrubBar"]
+    studio.move((x + int(0.97 * width), y + height // 2))
+    studio.xdotool("mousedown", 1)
+    seen = set()
+    for i in range(10):
+        studio.move((x + int(width * (0.9 - 0.06 * i)), y + height // 2))
+        time.sleep(0.08)
+        seen.add(studio.state()["generation"])
+    studio.xdotool("mouseup", 1)
+    state = studio.wait_idle("the end of scrubbing", lambda s: s["message"].startswith("Show generation"))
+    need(len(seen) > 2, f"the generations did not follow the bar: {seen}")
+    need(0 < state["voxels"] < before["voxels"], "scrubbing back left as many voxels")
+    # The view's change to segment mode is logged before it.
+    need(state["operations"] - before["operations"] <= 2, "scrubbing left more than one operation")
+    studio.key("ctrl+z")
+    studio.wait_idle("undo", lambda s: s["voxels"] == before["voxels"])
+
+    press(studio, "growBackward")
+    studio.wait("playing backward", lambda s: s["playing"] and s["generation"] < before["generation"])
+    press(studio, "growPause")
+    state = studio.wait_idle("the pause", lambda s: not s["playing"])
+    press(studio, "growEnd")
+    state = studio.wait_idle("all of it again", lambda s: not s["playing"] and s["voxels"] == before["voxels"])
+
+
+def look_at_list(studio):
+    """Names, eye, lock and opacity are operations that leave work where it is."""
+    press(studio, "segmentAdd")
+    state = studio.wait_idle("a second segment", lambda s: len(s["segments"]) == 2)
+    need(working(state)["name"] == "Segment 2", f"the new segment is not at work: {state['segments']}")
+    click_cell(studio, 0, "eye")
+    studio.wait_idle("hidden", lambda s: not s["segments"][0]["visible"] and s["segments"][1]["working"])
+    click_cell(studio, 0, "eye")
+    studio.wait_idle("shown", lambda s: s["segments"][0]["visible"])
+    click_cell(studio, 0, "lock")
+    studio.wait_idle("locked", lambda s: s["segments"][0]["locked"])
+    studio.key("ctrl+z")
+    studio.wait_idle("unlocked by undo", lambda s: not s["segments"][0]["locked"])
+    click_cell(studio, 0, "name", 2)
+    studio.key("ctrl+a")
+    studio.xdotool("type", "Scalp")
+    studio.key("Return")
+    state = studio.wait_idle("the name", lambda s: s["segments"][0]["name"] == "Scalp")
+    need(working(state)["name"] == "Scalp", "a click on the name did not go to work on the segment")
+
+    before = studio.state()["operations"]
+    reveal(studio, "segmentOpacity")
+    x, y, width, height = studio.state()["widgets"]["segmentOpacity"]
+    studio.drag([(x + int(width * (0.94 - 0.05 * i)), y + height // 2) for i in range(10)])
+    state = studio.wait_idle("the opacity", lambda s: s["segments"][0]["opacity"] < 0.9)
+    need(state["operations"] - before <= 2, f"dragging the opacity left {state['operations'] - before} operations")
+    studio.key("ctrl+z")
+    studio.wait_idle("opaque again", lambda s: s["segments"][0]["opacity"] == 1)
+
+    # By keyboard: down to the other, and up again.
+    press(studio, "segments")
+    studio.key("Down")
+    studio.wait_idle("the other at work", lambda s: s["segments"][1]["working"])
+    studio.key("Up")
+    studio.wait_idle("the first at work", lambda s: s["segments"][0]["working"])
+
+
+def change_rules(studio):
+    """In live mode a tighter range takes away while it is dragged; the drag is one operation and one undo step."""
+    before = studio.state()
+    press(studio, "rulesFold")
+    press(studio, "rulesLive")
+    studio.wait_idle("live mode", lambda s: s["message"].startswith("Growth rules"))
+    reveal(studio, "growthHistogram")
+    x, y, width, height = studio.state()["widgets"]["growthHistogram"]
+    operations_before = studio.state()["operations"]
+    # The lower handle lies where the range begins; it is dragged to the right, past the scalp's value.
+    lo = studio.state()["range"][0]
+    handle = x + 6 + (width - 12) * lo / 180
+    studio.drag([(int(handle + i * (0.76 * width - (handle - x)) / 12), y + height // 2) for i in range(13)], pause=0.05)
+    state = studio.wait_idle("the tighter range", lambda s: s["voxels"] < before["voxels"])
+    need(state["operations"] - operations_before <= 2,
+         f"dragging a threshold left {state['operations'] - operations_before} operations")
+    studio.key("ctrl+z")
+    studio.wait_idle("the wide range", lambda s: s["voxels"] == before["voxels"])
+    press(studio, "rulesFold")
+
+
+def absorb(studio):
+    choose(studio, "s", "seed")
+    studio.key("r")
+    studio.wait("the reversed sign", lambda s: "absorbed" in s["hint"])
+    before = studio.state()["voxels"]
+    studio.drag([studio.view_point(0.46 + 0.01 * i, 0.4) for i in range(6)])
+    studio.wait("absorbing", lambda s: s["playing"] and 0 < s["voxels"] < before)
+    press(studio, "growPause")
+    state = studio.wait_idle("the pause", lambda s: not s["playing"])
+    press(studio, "growStep")
+    studio.wait_idle("one step more", lambda s: s["voxels"] < state["voxels"])
+    studio.key("ctrl+z")
+    studio.wait_idle("undo", lambda s: s["voxels"] == before)
+    studio.move(studio.view_point(0.5, 0.9))
+    studio.key("r")
+
+
+def edit(studio):
+    press(studio, "editFold")
+    before = studio.state()["voxels"]
+    type_number(studio, "editAmount", -3)
+    press(studio, "editPerform")
+    state = studio.wait_idle("a smaller segment", lambda s: s["message"].startswith("Edit segment"))
+    need(state["voxels"] < before, "a margin of -3 mm took nothing away")
+    press(studio, "editFold")
+
+
+def brush(studio):
+    """The drill takes away from the segment, and the scan stays."""
+    before = studio.state()
+    choose(studio, "d", "drill")
+    press(studio, "drillOnSegment")
+    studio.key("e")
+    studio.drag([studio.view_point(0.45, 0.4), studio.view_point(0.5, 0.48)])
+    studio.wait("the mask", lambda s: s["hint"].startswith("The mask follows") and "removed from Scalp" in s["hint"])
+    studio.drag([studio.view_point(0.47 + 0.01 * i, 0.44) for i in range(5)])
+    state = studio.wait_idle("the brush", lambda s: s["message"].startswith("Brush segment"))
+    need(0 < state["voxels"] < before["voxels"], f"the brush left {state['voxels']} of {before['voxels']} voxels")
+    studio.key("Escape")
+    press(studio, "drillOnScan")
+
+
+def write_labels(path):
+    """Two boxes deep in the head, named as 3D Slicer names them, on the grid of phantom.write_ball_head()."""
+    values = bytearray(SIDE ** 3)
+    for z in range(30, 40):
+        for y in range(30, 40):
+            for x in range(25, 45):
+                values[(z * SIDE + y) * SIDE + x] = 3 if x < 35 else 9
+    header = (f"NRRD0004\ntype: uint8\ndimension: 3\nspace: left-posterior-superior\nsizes: {SIDE} {SIDE} {SIDE}\n"
+              "space directions: (2.5,0,0) (0,2.5,0) (0,0,2.5)\nspace origin: (0,0,0)\nencoding: raw\n"
+              "Segment0_LabelValue:=9\nSegment0_Name:=Core\nSegment0_Color:=0.1 0.9 0.2\n\n")
+    path.write_bytes(header.encode() + values)
+
+
+def open_labels(studio, folder):
+    write_labels(folder / "labels.seg.nrrd")
+    count = len(studio.state()["segments"])
+    studio.move(studio.view_point(0.5, 0.9))
+    studio.key("ctrl+l")
+    studio.type_path("openLabelsDialog", folder / "labels.seg.nrrd")
+    state = studio.wait_idle("the labels", lambda s: len(s["segments"]) == count + 2)
+    found = {segment["name"]: segment["voxels"] for segment in state["segments"]}
+    need(found.get("Core") == 1000 and found.get("Label 3") == 1000, f"the labels became {found}")
+
+
+def numbers(studio, display, folder):
+    press(studio, "numbersFold")
+    press(studio, "copyNumbers")
+    studio.wait("the copy", lambda s: s["message"].startswith("Copied the numbers of 3"))
+
+
+def save(studio, folder):
+    studio.move(studio.view_point(0.5, 0.9))
+    studio.key("F12")
+    studio.type_path("screenshotDialog", folder / "window.png")
+    studio.wait_idle("the picture", lambda s: s["message"].startswith("Saved picture"))
+    studio.key("ctrl+s")
+    studio.type_path("saveDialog", folder / "session.json")
+    return studio.wait_idle("the session", lambda s: "session.json" in s["message"])
+
+
+def main(display, arguments, folder):
+    volume = folder / "head.nrrd"
+    write_ball_head(volume)
+    studio = start(display, arguments.program, folder, [volume])
+    studio.resize(1230, 870)
+    studio.wait_idle("the volume", lambda s: s["pictureComplete"])
+    grow(studio)
+    scrub(studio)
+    look_at_list(studio)
+    change_rules(studio)
+    absorb(studio)
+    edit(studio)
+    brush(studio)
+    open_labels(studio, folder)
+    numbers(studio, display, folder)
+    state = save(studio, folder)
+    need(state["glErrors"] == 0, f"{state['glErrors']} OpenGL errors")
+    studio.quit()
+
+    session = folder / "session.json"
+    names = [operation["op"] for operation in operations(session)]
+    for name in ("seed", "grow", "show generation", "segment", "growth rules", "absorb", "edit segment", "brush segment",
+                 "load labels"):
+        need(name in names, f"the session has no {name}: {names}")
+    loaded = next(operation for operation in operations(session) if operation["op"] == "load labels")
+    need(loaded["path"] == "labels.seg.nrrd", f"the label map's path is {loaded['path']}")
+    compare_with_replay(arguments.vstudio, session, folder / "window.png", state["viewport"], folder)
+    table = run(arguments.vstudio, "stats", session)
+    for segment in state["segments"]:
+        if segment["voxels"] > 0:
+            need(str(segment["voxels"]) in table, f"replayed, {segment['name']} has other voxels:\n{table}")
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--program", required=True)
+    parser.add_argument("--vstudio", required=True)
+    parser.add_argument("--work", required=True, help="folder to work in; emptied first")
+    sys.exit(run_test(main, parser.parse_args()))

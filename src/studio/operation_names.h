@@ -17,12 +17,21 @@ inline constexpr std::array<const char*, 6> kModes{"surface", "mip", "xray", "ov
 
 // The operations' names, in the order of the variant's alternatives.
 inline constexpr std::array<const char*, std::variant_size_v<Operation>> kOperationNames{
-    "view",        "peel",    "drill",          "laser",           "sweep",
-    "scissors",    "clip",    "keep connected", "paste",           "move part",
-    "seed",        "grow",    "rewind",         "show generation", "growth rules",
-    "absorb",      "segment", "remove segment", "edit segment",    "brush segment",
-    "cut segment", "undo",    "redo",           "un-cut",          "re-seed",
-    "picture",     "labels",  "sculpture"};
+    "view",          "peel",
+    "drill",         "laser",
+    "sweep",         "scissors",
+    "clip",          "keep connected",
+    "paste",         "move part",
+    "seed",          "grow",
+    "rewind",        "show generation",
+    "growth rules",  "absorb",
+    "segment",       "remove segment",
+    "edit segment",  "brush segment",
+    "paint segment", "cut segment",
+    "undo",          "redo",
+    "un-cut",        "re-seed",
+    "picture",       "labels",
+    "sculpture"};
 inline constexpr std::array<const char*, 13> kSegmentEdits{
     "keep island", "drop island", "keep largest", "drop small", "fill holes", "margin",   "open",
     "close",       "smooth",      "hollow",       "unite",      "subtract",   "intersect"};

@@ -4,6 +4,7 @@
 #include "growth_controller.h"
 #include "main_window.h"
 #include "move_tool.h"
+#include "slice_controller.h"
 #include "studio_controller.h"
 #include "tool.h"
 #include "view_widget.h"
@@ -99,6 +100,8 @@ void LayoutReporter::write() {
         {"pictureComplete", studio_.picture().isComplete()},
         {"viewRect", window_.view().isVisible() ? screenRect(window_.view()) : nlohmann::json::array()},
         {"viewport", {studio_.picture().viewport().x, studio_.picture().viewport().y}},
+        {"crosshair",
+         {studio_.slices().crosshair().x, studio_.slices().crosshair().y, studio_.slices().crosshair().z}},
         {"handles", handlesOnScreen(window_.view(), studio_.moveTool())},
         {"glErrors", studio_.host().errorCount()},
         {"inputs", inputs_},

@@ -33,11 +33,12 @@ void MainWindow::makeMenus() {
     menu(tr("&View"), {"resetView", "-", "mode.surface", "mode.mip", "mode.xray", "mode.overlay",
                        "mode.segment", "mode.volume", "-", "viewCut", "viewProbe", "viewWhole", "-",
                        "smoothSampling", "shadows", "annotations"});
+    makeSliceMenu();
     makeColourMenu();
     menu(tr("&Tools"),
          {"cameraTool", "-",        "peelTool", "drillTool", "laserTool", "sweepTool", "scissorsTool",
-          "keepTool",   "clipTool", "restore",  "-",         "seedTool",  "moveTool",  "-",
-          "freeForm",   "ellipse",  "circle",   "rectangle", "polyline",  "stencil"});
+          "keepTool",   "clipTool", "restore",  "-",         "seedTool",  "moveTool",  "paintTool",
+          "-",          "freeForm", "ellipse",  "circle",    "rectangle", "polyline",  "stencil"});
     menu(tr("&Segmentation"), {"playPause", "growStepKey", "growBackKey", "growToEndKey"});
     menu(tr("&Help"), {"about"});
 }
@@ -48,13 +49,29 @@ void MainWindow::makeToolBars() {
     bar_->setAccessibleName(bar_->windowTitle());
     bar_->setMovable(false);
     bar_->setIconSize(QSize(22, 22));
-    for (const char* name : {"open",         "openFolder",  "saveSession",
-                             "exportLabels", "screenshot",  "-",
-                             "undo",         "redo",        "-",
-                             "resetView",    "-",           "mode.surface",
-                             "mode.mip",     "mode.xray",   "mode.overlay",
-                             "mode.segment", "mode.volume", "-",
-                             "viewCut",      "viewProbe",   "viewWhole"}) {
+    for (const char* name : {"open",
+                             "openFolder",
+                             "saveSession",
+                             "exportLabels",
+                             "screenshot",
+                             "-",
+                             "undo",
+                             "redo",
+                             "-",
+                             "resetView",
+                             "-",
+                             "mode.surface",
+                             "mode.mip",
+                             "mode.xray",
+                             "mode.overlay",
+                             "mode.segment",
+                             "mode.volume",
+                             "-",
+                             "viewCut",
+                             "viewProbe",
+                             "viewWhole",
+                             "-",
+                             "slices"}) {
         if (*name == '-') {
             bar_->addSeparator();
             continue;
@@ -94,10 +111,10 @@ void MainWindow::makeToolColumn() {
     dock->setTitleBarWidget(new QWidget(dock)); // none
     auto* column = new ToolColumn;
     for (const char* name :
-         {"cameraTool", "seedTool", "peelTool", "drillTool",   "laserTool", "sweepTool", "scissorsTool",
-          "clipTool",   "keepTool", "restore",  "-",           "freeForm",  "ellipse",   "circle",
-          "rectangle",  "polyline", "stencil",  "clearSketch", "-",         "paste",     "moveTool",
-          "-",          "unCut",    "reSeed"}) {
+         {"cameraTool", "seedTool",  "peelTool",  "drillTool", "laserTool",   "sweepTool", "scissorsTool",
+          "clipTool",   "keepTool",  "paintTool", "restore",   "-",           "freeForm",  "ellipse",
+          "circle",     "rectangle", "polyline",  "stencil",   "clearSketch", "-",         "paste",
+          "moveTool",   "-",         "unCut",     "reSeed"}) {
         if (*name == '-') {
             column->addSeparator();
         } else {

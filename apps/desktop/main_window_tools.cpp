@@ -6,6 +6,7 @@
 #include "laser_tool.h"
 #include "main_window.h"
 #include "move_tool.h"
+#include "paint_tool.h"
 #include "peel_tool.h"
 #include "scissors_tool.h"
 #include "seed_tool.h"
@@ -44,6 +45,8 @@ void MainWindow::makeToolActions() {
         tr("Keep what is connected to the place clicked, cut all else"), "K");
     add(studio_.clipTool(), "clipTool", "clip", tr("Clip"), tr("Clip by a box and a plane"), "C");
     add(studio_.seedTool(), "seedTool", "seed", tr("Seed"), tr("Mark what should be segmented"), "S");
+    add(studio_.paintTool(), "paintTool", "paint", tr("Paint"),
+        tr("Correct the segment with a brush, on the slices"), "T");
     add(studio_.moveTool(), "moveTool", "move", tr("Move"), tr("Move, turn and scale pasted parts"), "G");
 
     QAction* restore = addAction(

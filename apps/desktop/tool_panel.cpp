@@ -7,6 +7,7 @@
 #include "keep_tool.h"
 #include "laser_tool.h"
 #include "move_tool.h"
+#include "paint_tool.h"
 #include "panel_parts.h"
 #include "peel_tool.h"
 #include "scissors_tool.h"
@@ -38,6 +39,7 @@ ToolPanel::ToolPanel(StudioController& studio, QWidget* parent) : QWidget(parent
     add(studio_.keepTool(), tr("Keep connected"), makeKeepPage(studio_));
     add(studio_.clipTool(), tr("Clip"), makeClipPage(studio_));
     add(studio_.seedTool(), tr("Seed"), makeSeedPage(studio_));
+    add(studio_.paintTool(), tr("Paint"), makePaintPage(studio_));
     add(studio_.moveTool(), tr("Move part"), makeMovePage(studio_));
     card->addWidget(stack_);
     pressure_ = makePressureRows(studio_);

@@ -3,6 +3,7 @@
 
 #include "camera_tool.h"
 #include "paint_overlay.h"
+#include "slice_controller.h"
 #include "studio_controller.h"
 
 #include <QMouseEvent>
@@ -69,8 +70,10 @@ void ViewWidget::paintGL() {
     if (picture != nullptr && isAnnotated_ && geometry != nullptr) {
         annotations_.paint(painter, studio_.view().camera, *geometry, deviceSize());
     }
-    for (const Overlay& overlay : studio_.tool().overlays()) {
-        paintOverlay(painter, overlay, QRectF(rect()));
+    for (const auto& overlays : {studio_.slices().overlays(), studio_.tool().overlays()}) {
+        for (const Overlay& overlay : overlays) {
+            paintOverlay(painter, overlay, QRectF(rect()));
+        }
     }
 }
 
@@ -149,6 +152,15 @@ void ViewWidget::mouseMoveEvent(QMouseEvent* event) {
 void ViewWidget::mouseReleaseEvent(QMouseEvent* event) {
     if (event->button() == button_) {
         release(penAt(event->scenePosition(), event->modifiers()));
+    }
+}
+
+// With the camera tool the slices go to the surface under the pen.
+void ViewWidget::mouseDoubleClickEvent(QMouseEvent* event) {
+    const bool centres = event->button() == Qt::LeftButton && studio_.slices().isAnyShown() &&
+                         &studio_.tool() == &studio_.cameraTool();
+    if (!centres || !studio_.slices().centreOnSurface(penAt(event->scenePosition(), {}).position)) {
+        mousePressEvent(event);
     }
 }
 

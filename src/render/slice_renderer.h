@@ -18,7 +18,7 @@ struct SliceFrame {
     SegmentColours segmentColours;
     SliceView view;
     bool isSmooth = true; // interpolated between voxels; else every voxel is a plain area
-    float fill = 0.3F;    // opacity of the inside of opaque segments; their outlines always show
+    float fill = 0.4F;    // opacity of the inside of opaque segments; their outlines always show
     float outlinePixels = 1.25F;
 };
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
 // Round brushes in the volume: what lies under them, and segments painted with them.
-#include "segment/set_algebra.h"
 #include "studio/document_change.h"
 
 namespace vs::studio {
@@ -17,9 +16,7 @@ segment::VoxelSet Document::Impl::voxelsUnder(const Trail& trail, const std::opt
 
 void Document::Impl::perform(const PaintSegment& op, Region::Records& records) {
     workUnlocked(records);
-    const segment::VoxelSet painted = voxelsUnder(op.trail, op.range);
-    const segment::VoxelSet set = region.voxels(segments.atWork, records);
-    region.replace(op.isToAdd ? segment::unite(set, painted) : segment::subtract(set, painted), records);
+    region.paint(voxelsUnder(op.trail, op.range), op.isToAdd, records);
 }
 
 Outcome Document::Impl::run(PaintSegment& op, const std::filesystem::path&) {

@@ -19,7 +19,7 @@ struct SliceScene {
     std::vector<std::uint8_t> labels;
     render::SegmentColours colours;
     bool isSmooth = true;
-    double fill = 0.3;
+    double fill = 0.4;
 };
 image::Image drawSlice(const SliceScene& scene, const render::SliceView& view);
 

@@ -112,7 +112,7 @@ vec3 hideCut(vec3 colour, Cell cell, ivec2 pixel) {
     float hatch = (pixel.x + pixel.y) % 8 < 1 ? 0.10 : 0.0;
     vec3 dark = 0.22 * colour + vec3(0.02, 0.03, 0.04) + hatch;
     float edge = clamp(1.5 - abs(inside), 0.0, 1.0);
-    return mix(mix(colour, dark, hidden), vec3(0.72, 0.42, 0.30), 0.55 * edge);
+    return mix(mix(colour, dark, hidden), vec3(0.62, 0.70, 0.78), 0.5 * edge);
 }
 #endif
 

@@ -179,7 +179,7 @@ TEST_F(SliceRendererTest, OutlinesRunAlongTheInside) {
                 EXPECT_EQ(red, 255);
                 EXPECT_EQ(green, 0);
             } else if (depth > 3) {
-                EXPECT_NEAR(green, 0.7 * 153, 1);
+                EXPECT_NEAR(green, 0.6 * 153, 1);
             }
         }
     }

@@ -3,6 +3,7 @@
 
 #include "growth_controller.h"
 #include "main_window.h"
+#include "measure_tool.h"
 #include "move_tool.h"
 #include "slice_controller.h"
 #include "studio_controller.h"
@@ -37,6 +38,15 @@ nlohmann::json handlesOnScreen(const QWidget& view, const MoveTool& tool) {
         places.push_back({std::lround(onScreen.x()), std::lround(onScreen.y())});
     }
     return places;
+}
+
+// In mm and degrees.
+nlohmann::json measured(const MeasureTool& tool) {
+    nlohmann::json values = nlohmann::json::array();
+    for (const Measurement& measurement : tool.measurements()) {
+        values.push_back(valueOf(measurement));
+    }
+    return values;
 }
 
 nlohmann::json screenRect(const QWidget& widget) {
@@ -102,6 +112,7 @@ void LayoutReporter::write() {
         {"viewport", {studio_.picture().viewport().x, studio_.picture().viewport().y}},
         {"crosshair",
          {studio_.slices().crosshair().x, studio_.slices().crosshair().y, studio_.slices().crosshair().z}},
+        {"measurements", measured(studio_.measureTool())},
         {"handles", handlesOnScreen(window_.view(), studio_.moveTool())},
         {"glErrors", studio_.host().errorCount()},
         {"inputs", inputs_},

@@ -35,10 +35,10 @@ void MainWindow::makeMenus() {
                        "smoothSampling", "shadows", "annotations"});
     makeSliceMenu();
     makeColourMenu();
-    menu(tr("&Tools"),
-         {"cameraTool", "-",        "peelTool", "drillTool", "laserTool", "sweepTool", "scissorsTool",
-          "keepTool",   "clipTool", "restore",  "-",         "seedTool",  "moveTool",  "paintTool",
-          "-",          "freeForm", "ellipse",  "circle",    "rectangle", "polyline",  "stencil"});
+    menu(tr("&Tools"), {"cameraTool",   "-",         "peelTool",    "drillTool", "laserTool", "sweepTool",
+                        "scissorsTool", "keepTool",  "clipTool",    "restore",   "-",         "seedTool",
+                        "moveTool",     "paintTool", "measureTool", "-",         "freeForm",  "ellipse",
+                        "circle",       "rectangle", "polyline",    "stencil"});
     menu(tr("&Segmentation"), {"playPause", "growStepKey", "growBackKey", "growToEndKey"});
     menu(tr("&Help"), {"about"});
 }
@@ -111,10 +111,10 @@ void MainWindow::makeToolColumn() {
     dock->setTitleBarWidget(new QWidget(dock)); // none
     auto* column = new ToolColumn;
     for (const char* name :
-         {"cameraTool", "seedTool",  "peelTool",  "drillTool", "laserTool",   "sweepTool", "scissorsTool",
-          "clipTool",   "keepTool",  "paintTool", "restore",   "-",           "freeForm",  "ellipse",
-          "circle",     "rectangle", "polyline",  "stencil",   "clearSketch", "-",         "paste",
-          "moveTool",   "-",         "unCut",     "reSeed"}) {
+         {"cameraTool", "seedTool", "peelTool",  "drillTool",   "laserTool", "sweepTool",   "scissorsTool",
+          "clipTool",   "keepTool", "paintTool", "measureTool", "restore",   "-",           "freeForm",
+          "ellipse",    "circle",   "rectangle", "polyline",    "stencil",   "clearSketch", "-",
+          "paste",      "moveTool", "-",         "unCut",       "reSeed"}) {
         if (*name == '-') {
             column->addSeparator();
         } else {

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "slice_canvas.h"
 
-#include "paint_overlay.h"
+#include "measure_tool.h"
 #include "slice_controller.h"
-#include "theme.h"
+#include "studio_controller.h"
 
 #include <QMouseEvent>
-#include <QPainter>
 #include <QWheelEvent>
 
 #include <cmath>
@@ -15,28 +14,13 @@ namespace vs::desktop {
 
 namespace {
 
-constexpr QColor kBehind{11, 13, 15}; // as the pictures have it outside the grid
-constexpr int kFastSlices = 10;       // with Shift
-
-// Text that is read on any picture.
-void drawText(QPainter& painter, QRectF box, int flags, const QString& text) {
-    painter.setPen(QColor(0, 0, 0, 190));
-    for (const QPointF offset : {QPointF(1, 1), QPointF(-1, 1), QPointF(1, -1), QPointF(-1, -1)}) {
-        painter.drawText(box.translated(offset), flags, text);
-    }
-    painter.setPen(theme::kText);
-    painter.drawText(box, flags, text);
-}
+constexpr int kFastSlices = 10; // with Shift
 
 } // namespace
 
-QColor sliceColour(render::SliceKind kind) {
-    constexpr QColor colours[] = {{0xee, 0x6c, 0x4a}, {0x2f, 0xc9, 0x8f}, {0xe8, 0xc5, 0x47}};
-    return colours[static_cast<int>(kind)];
-}
-
-SliceCanvas::SliceCanvas(SliceController& slices, SlicePen& pen, render::SliceKind kind, QWidget* parent)
-    : QWidget(parent), slices_(slices), pen_(pen), kind_(kind) {
+SliceCanvas::SliceCanvas(StudioController& studio, render::SliceKind kind, QWidget* parent)
+    : QWidget(parent), slices_(studio.slices()), pen_(studio.slicePen()), measureTool_(studio.measureTool()),
+      kind_(kind) {
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_OpaquePaintEvent);
@@ -49,6 +33,7 @@ SliceCanvas::SliceCanvas(SliceController& slices, SlicePen& pen, render::SliceKi
         }
     });
     connect(&pen_, &SlicePen::changed, this, qOverload<>(&QWidget::update));
+    connect(&measureTool_, &MeasureTool::changed, this, qOverload<>(&QWidget::update));
 }
 
 // --- places
@@ -86,84 +71,6 @@ void SliceCanvas::showEvent(QShowEvent*) {
 
 void SliceCanvas::hideEvent(QHideEvent*) { slices_.setShown(kind_, false); }
 
-// --- painting
-
-void SliceCanvas::paintEvent(QPaintEvent*) {
-    QPainter painter(this);
-    const QImage& picture = slices_.picture(kind_);
-    if (picture.isNull() || !slices_.hasVolume()) {
-        painter.fillRect(rect(), kBehind);
-        return;
-    }
-    painter.drawImage(QRectF(rect()), picture, QRectF(picture.rect()));
-    painter.setRenderHint(QPainter::Antialiasing);
-    paintCrosshair(painter);
-    paintLetters(painter);
-    paintPen(painter);
-}
-
-void SliceCanvas::paintCrosshair(QPainter& painter) const {
-    const render::SliceGeometry own = slices_.geometry(kind_);
-    const glm::dvec3 centre(slices_.crosshair());
-    const QPointF at = pointOf(own.placeOf(centre));
-    constexpr double kGap = 9;
-    for (const auto kind : render::kSliceKinds) {
-        const int along = slices_.geometry(kind).axis(); // which the other slice lies across
-        if (kind == kind_) {
-            continue;
-        }
-        // The two meet in a line along the third axis.
-        glm::dvec3 further = centre;
-        further[3 - along - own.axis()] += 1;
-        const QPointF step = pointOf(own.placeOf(further)) - at;
-        const QPointF way = step / std::max(std::hypot(step.x(), step.y()), 1e-9);
-        const double reach = width() + height() + std::hypot(at.x(), at.y());
-        QColor colour = sliceColour(kind);
-        colour.setAlpha(190);
-        painter.setPen(QPen(colour, 1));
-        painter.drawLine(at + kGap * way, at + reach * way);
-        painter.drawLine(at - kGap * way, at - reach * way);
-    }
-}
-
-void SliceCanvas::paintLetters(QPainter& painter) const {
-    const auto letters = slices_.geometry(kind_).letters();
-    QFont bold = font();
-    bold.setBold(true);
-    painter.setFont(bold);
-    const QRectF box = QRectF(rect()).adjusted(7, 4, -7, -4);
-    const auto draw = [&](int flags, const std::string& text) {
-        drawText(painter, box, flags, QString::fromStdString(text));
-    };
-    draw(Qt::AlignLeft | Qt::AlignVCenter, letters.left);
-    draw(Qt::AlignRight | Qt::AlignVCenter, letters.right);
-    draw(Qt::AlignHCenter | Qt::AlignTop, letters.top);
-    draw(Qt::AlignHCenter | Qt::AlignBottom, letters.bottom);
-}
-
-// The stroke in hand, or the brush where the pen is.
-void SliceCanvas::paintPen(QPainter& painter) const {
-    const double pointsPerMm = 1 / (slices_.view(kind_).pixelMm * devicePixelRatioF());
-    if (const auto& stroke = pen_.stroke(); stroke && stroke->kind == kind_) {
-        QPainterPath way(pointOf(stroke->places.front()));
-        for (const glm::dvec2 place : stroke->places) {
-            way.lineTo(pointOf(place));
-        }
-        way.lineTo(way.currentPosition() + QPointF(0.01, 0)); // one place alone is a dot
-        QPainterPathStroker stroker;
-        stroker.setWidth(std::max(2 * stroke->radiusMm * pointsPerMm, 1.5));
-        stroker.setCapStyle(Qt::RoundCap);
-        stroker.setJoinStyle(Qt::RoundJoin);
-        const QPainterPath covered = stroker.createStroke(way).simplified();
-        paintOverlay(painter, {covered, stroke->tint, 0.35, 1}, QRectF(rect()));
-    } else if (const auto radius = pen_.radiusMm(kind_); radius && under_ && drag_ == Drag::None) {
-        QPainterPath brush;
-        const double reach = std::max(*radius * pointsPerMm, 1.0);
-        brush.addEllipse(*under_, reach, reach);
-        paintOverlay(painter, {brush, pen_.tint(false), 0.1, 1}, QRectF(rect()));
-    }
-}
-
 // --- mouse and keys
 
 void SliceCanvas::mousePressEvent(QMouseEvent* event) {
@@ -172,7 +79,7 @@ void SliceCanvas::mousePressEvent(QMouseEvent* event) {
     }
     button_ = event->button();
     last_ = placeInWidget(event->scenePosition());
-    under_ = last_;
+    under_ = pressed_ = last_;
     const bool isRight = button_ == Qt::RightButton;
     if (button_ == Qt::LeftButton || (isRight && pen_.takesRightButton())) {
         drag_ = pen_.press(kind_, placeAt(last_), isRight, event->modifiers()) ? Drag::Pen : Drag::None;
@@ -192,8 +99,9 @@ void SliceCanvas::mouseMoveEvent(QMouseEvent* event) {
         slices_.pan(kind_, placeAt(last_) - placeAt(now));
     } else if (drag_ == Drag::Zoom) {
         slices_.zoom(kind_, std::exp(-0.008 * moved.y()), slices_.view(kind_).centreMm); // up to come nearer
-    } else if (pen_.radiusMm(kind_)) {
-        update();
+    } else if (slices_.hasVolume()) {
+        pen_.hover(kind_, placeAt(now));
+        update(); // the brush is where the pen is
     }
     last_ = now;
     under_ = now;
@@ -208,13 +116,14 @@ void SliceCanvas::mouseReleaseEvent(QMouseEvent* event) {
     drag_ = Drag::None;
     button_ = Qt::NoButton;
     if (isPen) {
-        pen_.release();
+        constexpr double kDragPixels = 4; // less is a click
+        pen_.release(QLineF(pressed_, last_).length() > kDragPixels);
     }
     emit penMoved();
 }
 
 void SliceCanvas::mouseDoubleClickEvent(QMouseEvent* event) {
-    if (event->button() == Qt::LeftButton && !pen_.radiusMm(kind_)) {
+    if (event->button() == Qt::LeftButton && !pen_.takesDoubleClick()) {
         emit enlargeRequested();
     } else {
         mousePressEvent(event);

@@ -10,7 +10,9 @@
 
 namespace vs::desktop {
 
+class MeasureTool;
 class SliceController;
+class StudioController;
 
 // The colour of a kind of slice: of its frame, and of the lines that show it on the others.
 QColor sliceColour(render::SliceKind kind);
@@ -22,7 +24,7 @@ class SliceCanvas : public QWidget {
     Q_OBJECT
 
 public:
-    SliceCanvas(SliceController& slices, SlicePen& pen, render::SliceKind kind, QWidget* parent = nullptr);
+    SliceCanvas(StudioController& studio, render::SliceKind kind, QWidget* parent = nullptr);
 
     // What is under the pen, in mm on the picture; nothing when it is elsewhere.
     [[nodiscard]] std::optional<glm::dvec2> placeUnderPen() const;
@@ -55,13 +57,16 @@ private:
     void paintCrosshair(QPainter& painter) const;
     void paintLetters(QPainter& painter) const;
     void paintPen(QPainter& painter) const;
+    [[nodiscard]] std::optional<QPointF> seenAt(glm::dvec3 world) const;
 
     SliceController& slices_;
     SlicePen& pen_;
+    const MeasureTool& measureTool_;
     render::SliceKind kind_;
     Drag drag_ = Drag::None;
     Qt::MouseButton button_ = Qt::NoButton;
     QPointF last_;
+    QPointF pressed_;
     std::optional<QPointF> under_;
     double wheel_ = 0; // notches not used yet: of wheels finer than one
 };

@@ -86,6 +86,10 @@ bool SliceController::centreOnSurface(QPointF place) {
     return found.has_value();
 }
 
+glm::dvec3 SliceController::voxelAt(glm::dvec3 world) const {
+    return glm::dvec3(studio_.geometry()->voxelFromWorld() * glm::dvec4(world, 1.0));
+}
+
 render::SliceGeometry SliceController::geometry(Kind kind) const {
     return render::SliceGeometry(*studio_.geometry(), kind);
 }

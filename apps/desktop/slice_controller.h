@@ -49,6 +49,7 @@ public:
     bool centreOnSurface(QPointF place);
 
     // There must be a volume for all of these.
+    [[nodiscard]] glm::dvec3 voxelAt(glm::dvec3 world) const;
     [[nodiscard]] render::SliceGeometry geometry(Kind kind) const;
     [[nodiscard]] render::SliceView view(Kind kind) const;
     // Size of its picture in device pixels, and how many of them a logical one has.

@@ -2,10 +2,13 @@
 #include "slice_pen.h"
 
 #include "growth_controller.h"
+#include "measure_tool.h"
 #include "paint_tool.h"
 #include "seed_tool.h"
 #include "slice_controller.h"
 #include "studio_controller.h"
+
+#include <utility>
 
 namespace vs::desktop {
 
@@ -17,9 +20,10 @@ SlicePen::SlicePen(StudioController& studio) : QObject(&studio), studio_(studio)
 
 SlicePen::Use SlicePen::use() const {
     const Tool* tool = &studio_.tool();
-    return tool == &studio_.seedTool()    ? Use::Seed
-           : tool == &studio_.paintTool() ? Use::Paint
-                                          : Use::Crosshair;
+    return tool == &studio_.seedTool()      ? Use::Seed
+           : tool == &studio_.paintTool()   ? Use::Paint
+           : tool == &studio_.measureTool() ? Use::Measure
+                                            : Use::Crosshair;
 }
 
 bool SlicePen::takesRightButton() const { return use() == Use::Paint; }
@@ -27,6 +31,7 @@ bool SlicePen::takesRightButton() const { return use() == Use::Paint; }
 std::optional<double> SlicePen::radiusMm(Kind kind) const {
     switch (use()) {
     case Use::Crosshair:
+    case Use::Measure:
         return std::nullopt;
     case Use::Seed: // as wide as on the 3D view
         return 0.5 * studio_.seedTool().width() * studio_.slices().view(kind).pixelMm *
@@ -53,6 +58,11 @@ bool SlicePen::press(Kind kind, glm::dvec2 place, bool isReversed, Qt::KeyboardM
         lead(kind, place);
         return true;
     }
+    isMeasuring_ = use() == Use::Measure;
+    if (isMeasuring_) {
+        studio_.measureTool().begin(worldAt(kind, place));
+        return true;
+    }
     isReversed_ = isReversed != (use() == Use::Paint && modifiers.testFlag(Qt::ControlModifier));
     stroke_ = Stroke{kind, {place}, radiusMm(kind).value_or(0), tint(isReversed_)};
     emit changed();
@@ -68,6 +78,8 @@ void SlicePen::lead(Kind kind, glm::dvec2 place) {
 void SlicePen::move(Kind kind, glm::dvec2 place) {
     if (isLeading_) {
         lead(kind, place);
+    } else if (isMeasuring_) {
+        studio_.measureTool().lead(worldAt(kind, place));
     } else if (stroke_ && stroke_->kind == kind) {
         // Places nearer than a small part of brush and pixel would change nothing.
         const double apart = std::max(0.1 * stroke_->radiusMm, 0.25 * studio_.slices().view(kind).pixelMm);
@@ -76,6 +88,13 @@ void SlicePen::move(Kind kind, glm::dvec2 place) {
             emit changed();
         }
     }
+}
+
+glm::dvec3 SlicePen::worldAt(Kind kind, glm::dvec2 place) const {
+    const SliceController& slices = studio_.slices();
+    const render::SliceGeometry slice = slices.geometry(kind);
+    const glm::dvec3 voxel = slice.voxelAt(place, slices.crosshair()[slice.axis()]);
+    return glm::dvec3(studio_.geometry()->worldFromVoxel * glm::dvec4(voxel, 1.0));
 }
 
 studio::Trail SlicePen::trail() const {
@@ -90,8 +109,17 @@ studio::Trail SlicePen::trail() const {
     return trail;
 }
 
-void SlicePen::release() {
+void SlicePen::hover(Kind kind, glm::dvec2 place) {
+    if (use() == Use::Measure) {
+        studio_.measureTool().lead(worldAt(kind, place));
+    }
+}
+
+void SlicePen::release(bool isDrag) {
     isLeading_ = false;
+    if (std::exchange(isMeasuring_, false)) {
+        studio_.measureTool().end(isDrag);
+    }
     if (!stroke_) {
         return;
     }
@@ -109,7 +137,7 @@ void SlicePen::release() {
 }
 
 void SlicePen::cancel() {
-    isLeading_ = false;
+    isLeading_ = isMeasuring_ = false;
     if (stroke_) {
         stroke_.reset();
         emit changed();

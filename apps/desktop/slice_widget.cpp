@@ -3,6 +3,7 @@
 
 #include "panel_parts.h"
 #include "slice_controller.h"
+#include "studio_controller.h"
 
 #include <QHBoxLayout>
 #include <QSignalBlocker>
@@ -33,9 +34,9 @@ QByteArray partName(render::SliceKind kind, const char* part) {
 
 } // namespace
 
-SliceWidget::SliceWidget(SliceController& slices, SlicePen& pen, render::SliceKind kind, QWidget* parent)
-    : QWidget(parent), slices_(slices), kind_(kind),
-      canvas_(named(new SliceCanvas(slices, pen, kind), partName(kind, "Slice").constData(),
+SliceWidget::SliceWidget(StudioController& studio, render::SliceKind kind, QWidget* parent)
+    : QWidget(parent), slices_(studio.slices()), kind_(kind),
+      canvas_(named(new SliceCanvas(studio, kind), partName(kind, "Slice").constData(),
                     tr("%1 slice").arg(title(kind)))) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);

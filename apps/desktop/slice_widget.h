@@ -16,7 +16,7 @@ class SliceWidget : public QWidget {
     Q_OBJECT
 
 public:
-    SliceWidget(SliceController& slices, SlicePen& pen, render::SliceKind kind, QWidget* parent = nullptr);
+    SliceWidget(StudioController& studio, render::SliceKind kind, QWidget* parent = nullptr);
 
     [[nodiscard]] render::SliceKind kind() const { return kind_; }
     [[nodiscard]] const SliceCanvas& canvas() const { return *canvas_; }

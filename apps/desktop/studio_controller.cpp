@@ -7,6 +7,7 @@
 #include "growth_controller.h"
 #include "keep_tool.h"
 #include "laser_tool.h"
+#include "measure_tool.h"
 #include "move_tool.h"
 #include "paint_tool.h"
 #include "peel_tool.h"
@@ -34,14 +35,15 @@ StudioController::StudioController()
       peelTool_(new PeelTool(*this)), drillTool_(new DrillTool(*this)), laserTool_(new LaserTool(*this)),
       sweepTool_(new SweepTool(*this)), scissorsTool_(new ScissorsTool(*this)),
       keepTool_(new KeepTool(*this)), clipTool_(new ClipTool(*this)), seedTool_(new SeedTool(*this)),
-      moveTool_(new MoveTool(*this)), paintTool_(new PaintTool(*this)), growth_(new GrowthController(*this)),
-      tool_(cameraTool_), slices_(std::make_unique<SliceController>(*this)), slicePen_(new SlicePen(*this)) {
+      moveTool_(new MoveTool(*this)), paintTool_(new PaintTool(*this)), measureTool_(new MeasureTool(*this)),
+      growth_(new GrowthController(*this)), tool_(cameraTool_),
+      slices_(std::make_unique<SliceController>(*this)), slicePen_(new SlicePen(*this)) {
     timer_.setSingleShot(true);
     connect(&timer_, &QTimer::timeout, this, &StudioController::tick);
     connect(growth_, &GrowthController::changed, this, &StudioController::changed);
     for (Tool* tool : std::initializer_list<Tool*>{cameraTool_, peelTool_, drillTool_, laserTool_, sweepTool_,
                                                    scissorsTool_, keepTool_, clipTool_, seedTool_, moveTool_,
-                                                   paintTool_}) {
+                                                   paintTool_, measureTool_}) {
         connect(tool, &Tool::overlayChanged, this, &StudioController::overlayChanged);
         // The picture held still while a sketch was drawn on it; what it still lacks goes on now.
         connect(tool, &Tool::overlayChanged, this, [this] {

@@ -24,6 +24,7 @@ class DrillTool;
 class GrowthController;
 class KeepTool;
 class LaserTool;
+class MeasureTool;
 class MoveTool;
 class PeelTool;
 class PaintTool;
@@ -59,6 +60,7 @@ public:
     SeedTool& seedTool() { return *seedTool_; }
     MoveTool& moveTool() { return *moveTool_; }
     PaintTool& paintTool() { return *paintTool_; }
+    MeasureTool& measureTool() { return *measureTool_; }
     SliceController& slices() { return *slices_; }
     SlicePen& slicePen() { return *slicePen_; }
     // Null before something was opened. With the engine's context current.
@@ -193,6 +195,7 @@ private:
     SeedTool* seedTool_;
     MoveTool* moveTool_;
     PaintTool* paintTool_;
+    MeasureTool* measureTool_;
     GrowthController* growth_;
     Tool* tool_;
     std::unique_ptr<SliceController> slices_;

@@ -17,6 +17,7 @@ QWidget* makeScissorsPage(StudioController& studio);
 QWidget* makeKeepPage(StudioController& studio);
 QWidget* makeClipPage(StudioController& studio);
 QWidget* makeSeedPage(StudioController& studio);
+QWidget* makeMeasurePage(StudioController& studio);
 QWidget* makePaintPage(StudioController& studio);
 QWidget* makeMovePage(StudioController& studio);
 

@@ -6,6 +6,7 @@
 #include "drill_tool.h"
 #include "keep_tool.h"
 #include "laser_tool.h"
+#include "measure_tool.h"
 #include "move_tool.h"
 #include "paint_tool.h"
 #include "panel_parts.h"
@@ -39,6 +40,7 @@ ToolPanel::ToolPanel(StudioController& studio, QWidget* parent) : QWidget(parent
     add(studio_.keepTool(), tr("Keep connected"), makeKeepPage(studio_));
     add(studio_.clipTool(), tr("Clip"), makeClipPage(studio_));
     add(studio_.seedTool(), tr("Seed"), makeSeedPage(studio_));
+    add(studio_.measureTool(), tr("Measure"), makeMeasurePage(studio_));
     add(studio_.paintTool(), tr("Paint"), makePaintPage(studio_));
     add(studio_.moveTool(), tr("Move part"), makeMovePage(studio_));
     card->addWidget(stack_);

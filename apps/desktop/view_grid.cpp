@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "view_grid.h"
 
-#include "slice_controller.h"
 #include "studio_controller.h"
 #include "view_widget.h"
 
@@ -23,7 +22,7 @@ ViewGrid::ViewGrid(StudioController& studio, ViewWidget* view, QWidget* parent)
     grid_->setSpacing(3);
     grid_->addWidget(view_, 0, 0);
     for (const auto kind : render::kSliceKinds) {
-        auto* slice = new SliceWidget(studio.slices(), studio.slicePen(), kind, this);
+        auto* slice = new SliceWidget(studio, kind, this);
         slice->hide();
         connect(slice, &SliceWidget::enlargeRequested, this, [this, kind] { enlarge(kind); });
         connect(slice, &SliceWidget::penMoved, this,

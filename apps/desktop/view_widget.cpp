@@ -2,6 +2,8 @@
 #include "view_widget.h"
 
 #include "camera_tool.h"
+#include "measure_overlay.h"
+#include "measure_tool.h"
 #include "paint_overlay.h"
 #include "slice_controller.h"
 #include "studio_controller.h"
@@ -70,11 +72,23 @@ void ViewWidget::paintGL() {
     if (picture != nullptr && isAnnotated_ && geometry != nullptr) {
         annotations_.paint(painter, studio_.view().camera, *geometry, deviceSize());
     }
+    if (geometry != nullptr) {
+        paintMeasurements(
+            painter, studio_.measureTool(), [this](glm::dvec3 world) { return seenAt(world); },
+            QRectF(rect()));
+    }
     for (const auto& overlays : {studio_.slices().overlays(), studio_.tool().overlays()}) {
         for (const Overlay& overlay : overlays) {
             paintOverlay(painter, overlay, QRectF(rect()));
         }
     }
+}
+
+// Nothing for what is behind the viewer.
+std::optional<QPointF> ViewWidget::seenAt(glm::dvec3 world) const {
+    const auto rays = studio_.rays();
+    const bool isBehind = !rays.isOrthographic && glm::dot(world - rays.eye, rays.forward) < 1;
+    return isBehind ? std::nullopt : std::optional(studio_.seenAt(world));
 }
 
 void ViewWidget::setAnnotated(bool isAnnotated) {

@@ -119,7 +119,7 @@ def seed(studio):
     studio.drag(slice_line(studio, "coronal", (0.45, 0.5), (0.55, 0.5)))
     studio.wait("growth", lambda s: s["playing"] and s["generation"] > 4)
     studio.click("growPause")
-    return studio.wait_idle("the pause", lambda s: not s["playing"])
+    studio.wait_idle("the pause", lambda s: not s["playing"])
 
 
 def paint(studio):
@@ -151,7 +151,31 @@ def paint(studio):
     studio.xdotool("mouseup", 1)
     state = studio.wait_idle("the dropped stroke")
     need(state["operations"] == before, "a dropped stroke made an operation")
-    return state["voxels"]
+
+
+def measure(studio):
+    """A dragged distance and a clicked angle on slices, a distance across the surface; what is deleted is gone."""
+    studio.key("m")
+    studio.wait("the measure tool", lambda s: s["tool"] == "measure")
+    mm = pixel_mm(studio, "axial", 0, 1)
+    x, y = slice_point(studio, "axial", 0.5, 0.5)
+    studio.drag([(x - 30, y), (x, y + 20), (x + 30, y + 80)])
+    state = studio.wait("the distance", lambda s: len(s["measurements"]) == 1)
+    need(abs(state["measurements"][0] - 100 * mm) < 0.1, f"{state['measurements']} mm instead of {100 * mm}")
+    studio.drag([studio.view_point(0.45, 0.5), studio.view_point(0.5, 0.5), studio.view_point(0.55, 0.5)])
+    state = studio.wait_idle("the distance on the surface", lambda s: len(s["measurements"]) == 2)
+    need(5 < state["measurements"][1] < 60, f"{state['measurements'][1]} mm across the face")
+    studio.click("measureAngle")
+    x, y = slice_point(studio, "sagittal", 0.5, 0.5)
+    for point in ((x - 40, y), (x, y), (x + 30, y - 30)):
+        studio.move(point)
+        studio.xdotool("click", 1)
+    state = studio.wait("the angle", lambda s: len(s["measurements"]) == 3)
+    need(abs(state["measurements"][2] - 135) < 0.01, f"{state['measurements'][2]} degrees instead of 135")
+    studio.click("measureDeleteLast")
+    studio.wait("one less", lambda s: len(s["measurements"]) == 2)
+    studio.click("measureDeleteAll")
+    studio.wait("none", lambda s: not s["measurements"])
 
 
 def arrange(studio):
@@ -182,7 +206,8 @@ def main(display, arguments, folder):
     scroll(studio)
     from_surface(studio)
     seed(studio)
-    voxels = paint(studio)
+    paint(studio)
+    measure(studio)
     arrange(studio)
     save(studio, folder)
     state = studio.state()

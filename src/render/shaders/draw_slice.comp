@@ -126,26 +126,37 @@ void coverBy(inout vec3 colour, Cell cell, vec4 memberships, vec4 entry) {
     colour = mix(colour, displayFromLinear(entry.rgb), opacity);
 }
 
+// The next corner after i that is of a segment no corner before it is of; 4 if there is none.
+int nextSegment(uvec4 labels, int i) {
+    bool isNew;
+    do {
+        ++i;
+        isNew = i < 4 && labels[i & 3] != 0u;
+        for (int j = 0; j < i; ++j) {
+            isNew = isNew && labels[j & 3] != labels[i & 3];
+        }
+    } while (!isNew && i < 4);
+    return i;
+}
+
+// Loops that need not be entered are what a software renderer saves time by; it goes both ways of every branch.
 void coverBySegments(inout vec3 colour, Cell cell) {
     vec4 memberships;
-    uvec4 labels;
     for (int i = 0; i < 4; ++i) {
         vec2 both = texelFetch(segmentationTexture, cell.corners[i], 0).rg;
         memberships[i] = max(both.x, both.y);
-        // Outside of all, and in what is hidden, nothing is anyone's.
+    }
+    // Outside of all, and in what is hidden, nothing is anyone's.
+    int count = any(greaterThanEqual(memberships, vec4(0.5))) ? 4 : 0;
+    uvec4 labels = uvec4(0u);
+    for (int i = 0; i < count; ++i) {
         labels[i] = memberships[i] >= 0.5 ? segmentOf(cell.corners[i]) : 0u;
     }
-    for (int i = 0; i < 4; ++i) {
-        bool isNew = labels[i] != 0u;
-        for (int j = 0; j < i; ++j) {
-            isNew = isNew && labels[j] != labels[i];
-        }
-        if (isNew) {
-            // What another segment has is not this one's; outside of all the smooth border of both goes on.
-            vec4 own = mix(vec4(0.0), memberships, equal(labels, uvec4(labels[i])));
-            own = mix(own, memberships, equal(labels, uvec4(0u)));
-            coverBy(colour, cell, own, texelFetch(segmentColours, ivec2(int(labels[i]), 0), 0));
-        }
+    for (int i = count == 0 ? 4 : nextSegment(labels, -1); i < 4; i = nextSegment(labels, i)) {
+        // What another segment has is not this one's; outside of all the smooth border of both goes on.
+        vec4 own = mix(vec4(0.0), memberships, equal(labels, uvec4(labels[i])));
+        own = mix(own, memberships, equal(labels, uvec4(0u)));
+        coverBy(colour, cell, own, texelFetch(segmentColours, ivec2(int(labels[i]), 0), 0));
     }
 }
 #endif

@@ -3,8 +3,10 @@
 
 #include "growth_controller.h"
 #include "main_window.h"
+#include "measure_tool.h"
 #include "move_tool.h"
 #include "segment_controller.h"
+#include "slice_controller.h"
 #include "studio_controller.h"
 #include "tool.h"
 #include "view_widget.h"
@@ -37,6 +39,15 @@ nlohmann::json handlesOnScreen(const QWidget& view, const MoveTool& tool) {
         places.push_back({std::lround(onScreen.x()), std::lround(onScreen.y())});
     }
     return places;
+}
+
+// In mm and degrees.
+nlohmann::json measured(const MeasureTool& tool) {
+    nlohmann::json values = nlohmann::json::array();
+    for (const Measurement& measurement : tool.measurements()) {
+        values.push_back(valueOf(measurement));
+    }
+    return values;
 }
 
 nlohmann::json screenRect(const QWidget& widget) {
@@ -114,6 +125,9 @@ void LayoutReporter::write() {
         {"pictureComplete", studio_.picture().isComplete()},
         {"viewRect", window_.view().isVisible() ? screenRect(window_.view()) : nlohmann::json::array()},
         {"viewport", {studio_.picture().viewport().x, studio_.picture().viewport().y}},
+        {"crosshair",
+         {studio_.slices().crosshair().x, studio_.slices().crosshair().y, studio_.slices().crosshair().z}},
+        {"measurements", measured(studio_.measureTool())},
         {"handles", handlesOnScreen(window_.view(), studio_.moveTool())},
         {"glErrors", studio_.host().errorCount()},
         {"inputs", inputs_},

@@ -11,6 +11,7 @@
 #include "studio_controller.h"
 #include "tool.h"
 #include "tool_panel.h"
+#include "view_grid.h"
 #include "view_widget.h"
 #include "welcome_page.h"
 
@@ -54,6 +55,7 @@ MainWindow::MainWindow(StudioController& studio, QWidget* parent) : QMainWindow(
     makeFileActions();
     makeEditActions();
     makeViewActions();
+    makeSliceActions();
     makeToolActions();
     makeGrowthActions();
     makeMenus();
@@ -100,7 +102,8 @@ void MainWindow::makeCentre() {
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
     view_ = new ViewWidget(studio_);
-    column->addWidget(view_, 1);
+    grid_ = new ViewGrid(studio_, view_);
+    column->addWidget(grid_, 1);
     hint_ = named(new QLabel, "hint", tr("What to do next"));
     hint_->setMinimumWidth(1); // never widens the window
     column->addWidget(hint_);
@@ -221,13 +224,17 @@ void MainWindow::refreshProbe() {
         probe_->setText(tr("nothing under the pen"));
         return;
     }
-    const auto voxel = glm::ivec3(glm::round(found->voxel));
+    showProbe(found->value, found->voxel, found->world);
+}
+
+void MainWindow::showProbe(double value, glm::dvec3 place, glm::dvec3 world) {
+    const auto voxel = glm::ivec3(glm::round(place));
     probe_->setText(tr("%1   at %2, %3, %4   %5")
-                        .arg(found->value, 0, 'g', 6)
+                        .arg(value, 0, 'g', 6)
                         .arg(voxel.x)
                         .arg(voxel.y)
                         .arg(voxel.z)
-                        .arg(patientPlace(found->world)));
+                        .arg(patientPlace(world)));
 }
 
 void MainWindow::showProgress(int done, int total) {

@@ -4,12 +4,14 @@
 #include "volume_loader.h"
 
 #include "base/timer.h"
+#include "render/slice_view.h"
 
 #include <QMainWindow>
 #include <QTimer>
 
 #include <functional>
 #include <map>
+#include <optional>
 #include <string>
 
 class QActionGroup;
@@ -23,6 +25,7 @@ namespace vs::desktop {
 
 class StudioController;
 class Tool;
+class ViewGrid;
 class ViewWidget;
 
 // The window: tool bars and menus around the view, panels on the left, the line of hints below the picture
@@ -73,6 +76,12 @@ private:
     void refreshToolActions(bool hasDocument);
     void reverseSign();
 
+    // main_window_slices.cpp
+    void makeSliceActions();
+    void makeSliceMenu();
+    void refreshSliceActions();
+    void showSliceProbe(render::SliceKind kind, std::optional<glm::dvec2> place);
+
     // main_window_colours.cpp
     void makeColourMenu();
     void openTransferFunction();
@@ -102,6 +111,7 @@ private:
     void refresh();
     void refreshHint();
     void refreshProbe();
+    void showProbe(double value, glm::dvec3 voxel, glm::dvec3 world);
     void showProgress(int done, int total);
     void about();
 
@@ -110,6 +120,7 @@ private:
     QToolBar* bar_ = nullptr;
     QStackedWidget* centre_ = nullptr;
     ViewWidget* view_ = nullptr;
+    ViewGrid* grid_ = nullptr; // it and the slices
     QLabel* hint_ = nullptr;
     QLabel* message_ = nullptr;
     QLabel* probe_ = nullptr;

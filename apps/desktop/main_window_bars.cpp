@@ -34,13 +34,14 @@ void MainWindow::makeMenus() {
     menu(tr("&View"), {"resetView", "-", "mode.surface", "mode.mip", "mode.xray", "mode.overlay",
                        "mode.segment", "mode.volume", "-", "viewCut", "viewProbe", "viewWhole", "-",
                        "smoothSampling", "shadows", "annotations"});
+    makeSliceMenu();
     makeColourMenu();
-    menu(tr("&Tools"),
-         {"cameraTool", "-",        "peelTool", "drillTool", "laserTool", "sweepTool",  "scissorsTool",
-          "keepTool",   "clipTool", "restore",  "-",         "seedTool",  "islandTool", "moveTool",
-          "-",          "freeForm", "ellipse",  "circle",    "rectangle", "polyline",   "stencil"});
-    menu(tr("&Segmentation"), {"addSegment", "islandTool", "-", "playPause", "growBackwardKey", "growStepKey",
-                               "growBackKey", "growToEndKey"});
+    menu(tr("&Tools"), {"cameraTool",   "-",         "peelTool",  "drillTool",   "laserTool", "sweepTool",
+                        "scissorsTool", "keepTool",  "clipTool",  "restore",     "-",         "seedTool",
+                        "islandTool",   "paintTool", "moveTool",  "measureTool", "-",         "freeForm",
+                        "ellipse",      "circle",    "rectangle", "polyline",    "stencil"});
+    menu(tr("&Segmentation"), {"addSegment", "islandTool", "paintTool", "-", "playPause", "growBackwardKey",
+                               "growStepKey", "growBackKey", "growToEndKey"});
     menu(tr("&Help"), {"about"});
 }
 
@@ -50,13 +51,29 @@ void MainWindow::makeToolBars() {
     bar_->setAccessibleName(bar_->windowTitle());
     bar_->setMovable(false);
     bar_->setIconSize(QSize(22, 22));
-    for (const char* name : {"open",         "openFolder",  "saveSession",
-                             "exportLabels", "screenshot",  "-",
-                             "undo",         "redo",        "-",
-                             "resetView",    "-",           "mode.surface",
-                             "mode.mip",     "mode.xray",   "mode.overlay",
-                             "mode.segment", "mode.volume", "-",
-                             "viewCut",      "viewProbe",   "viewWhole"}) {
+    for (const char* name : {"open",
+                             "openFolder",
+                             "saveSession",
+                             "exportLabels",
+                             "screenshot",
+                             "-",
+                             "undo",
+                             "redo",
+                             "-",
+                             "resetView",
+                             "-",
+                             "mode.surface",
+                             "mode.mip",
+                             "mode.xray",
+                             "mode.overlay",
+                             "mode.segment",
+                             "mode.volume",
+                             "-",
+                             "viewCut",
+                             "viewProbe",
+                             "viewWhole",
+                             "-",
+                             "slices"}) {
         if (*name == '-') {
             bar_->addSeparator();
             continue;
@@ -96,10 +113,10 @@ void MainWindow::makeToolColumn() {
     dock->setTitleBarWidget(new QWidget(dock)); // none
     auto* column = new ToolColumn;
     for (const char* name :
-         {"cameraTool", "seedTool",  "peelTool",   "drillTool", "laserTool",   "sweepTool", "scissorsTool",
-          "clipTool",   "keepTool",  "islandTool", "restore",   "-",           "freeForm",  "ellipse",
-          "circle",     "rectangle", "polyline",   "stencil",   "clearSketch", "-",         "paste",
-          "moveTool",   "-",         "unCut",      "reSeed"}) {
+         {"cameraTool", "seedTool", "peelTool",   "drillTool", "laserTool",   "sweepTool", "scissorsTool",
+          "clipTool",   "keepTool", "islandTool", "paintTool", "measureTool", "restore",   "-",
+          "freeForm",   "ellipse",  "circle",     "rectangle", "polyline",    "stencil",   "clearSketch",
+          "-",          "paste",    "moveTool",   "-",         "unCut",       "reSeed"}) {
         if (*name == '-') {
             column->addSeparator();
         } else {

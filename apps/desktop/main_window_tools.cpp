@@ -6,7 +6,9 @@
 #include "keep_tool.h"
 #include "laser_tool.h"
 #include "main_window.h"
+#include "measure_tool.h"
 #include "move_tool.h"
+#include "paint_tool.h"
 #include "peel_tool.h"
 #include "scissors_tool.h"
 #include "seed_tool.h"
@@ -47,6 +49,10 @@ void MainWindow::makeToolActions() {
     add(studio_.seedTool(), "seedTool", "seed", tr("Seed"), tr("Mark what should be segmented"), "S");
     add(studio_.islandTool(), "islandTool", "island", tr("Island"),
         tr("Drop the part of the segment that is clicked, or keep only it"), "H");
+    add(studio_.paintTool(), "paintTool", "paint", tr("Paint"),
+        tr("Correct the segment with a brush, on the slices"), "T");
+    add(studio_.measureTool(), "measureTool", "measure", tr("Measure"),
+        tr("Measure distances and angles, on the surface and on slices"), "M");
     add(studio_.moveTool(), "moveTool", "move", tr("Move"), tr("Move, turn and scale pasted parts"), "G");
 
     QAction* restore = addAction(

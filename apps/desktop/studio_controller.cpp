@@ -8,13 +8,17 @@
 #include "island_tool.h"
 #include "keep_tool.h"
 #include "laser_tool.h"
+#include "measure_tool.h"
 #include "move_tool.h"
+#include "paint_tool.h"
 #include "peel_tool.h"
 #include "placement_by_hand.h"
 #include "scissors_tool.h"
 #include "seed_tool.h"
 #include "segment_controller.h"
 #include "segment_measurer.h"
+#include "slice_controller.h"
+#include "slice_pen.h"
 #include "sweep_tool.h"
 
 #include "base/error.h"
@@ -34,15 +38,16 @@ StudioController::StudioController()
       peelTool_(new PeelTool(*this)), drillTool_(new DrillTool(*this)), laserTool_(new LaserTool(*this)),
       sweepTool_(new SweepTool(*this)), scissorsTool_(new ScissorsTool(*this)),
       keepTool_(new KeepTool(*this)), clipTool_(new ClipTool(*this)), seedTool_(new SeedTool(*this)),
-      moveTool_(new MoveTool(*this)), islandTool_(new IslandTool(*this)),
-      segments_(new SegmentController(*this)), measurer_(new SegmentMeasurer(*this)),
-      growth_(new GrowthController(*this)), tool_(cameraTool_) {
+      moveTool_(new MoveTool(*this)), islandTool_(new IslandTool(*this)), paintTool_(new PaintTool(*this)),
+      measureTool_(new MeasureTool(*this)), segments_(new SegmentController(*this)),
+      measurer_(new SegmentMeasurer(*this)), growth_(new GrowthController(*this)), tool_(cameraTool_),
+      slices_(std::make_unique<SliceController>(*this)), slicePen_(new SlicePen(*this)) {
     timer_.setSingleShot(true);
     connect(&timer_, &QTimer::timeout, this, &StudioController::tick);
     connect(growth_, &GrowthController::changed, this, &StudioController::changed);
     for (Tool* tool : std::initializer_list<Tool*>{cameraTool_, peelTool_, drillTool_, laserTool_, sweepTool_,
                                                    scissorsTool_, keepTool_, clipTool_, seedTool_, moveTool_,
-                                                   islandTool_}) {
+                                                   islandTool_, paintTool_, measureTool_}) {
         connect(tool, &Tool::overlayChanged, this, &StudioController::overlayChanged);
         // The picture held still while a sketch was drawn on it; what it still lacks goes on now.
         connect(tool, &Tool::overlayChanged, this, [this] {
@@ -70,6 +75,7 @@ StudioController::~StudioController() {
     measurer_->stop();
     segments_->stop();
     document_.reset(); // before the ray caster: its frames point into it
+    slices_.reset();
     picture_.reset();
 }
 
@@ -107,8 +113,10 @@ void StudioController::tick() {
             writeScreenshot();
         }
     }
+    // After the picture, a slice at a time.
+    const bool slicesWait = !picture_->isDrafting() && slices_->step();
     const bool isPlayingNow = growth_->isPlaying() && !growth_->isWaiting() && !tool_->isSketching();
-    if (state == PictureLoop::State::Busy || isViewPending_ || isPlayingNow) {
+    if (state == PictureLoop::State::Busy || isViewPending_ || isPlayingNow || slicesWait) {
         schedule(0);
     } else if (state == PictureLoop::State::Waiting || growth_->isWaiting()) {
         schedule(growth_->isWaiting() ? 5 : kCalmPollMs);
@@ -281,7 +289,7 @@ bool StudioController::isIdle() {
     if (isLoading() || tool_->isBusy() || growth_->isBusy() || isViewPending_ || !screenshot_.empty()) {
         return false;
     }
-    return document_ == nullptr || picture_->isComplete();
+    return document_ == nullptr || (picture_->isComplete() && slices_->isComplete());
 }
 
 } // namespace vs::desktop

@@ -25,12 +25,16 @@ class GrowthController;
 class IslandTool;
 class KeepTool;
 class LaserTool;
+class MeasureTool;
 class MoveTool;
 class PeelTool;
+class PaintTool;
 class ScissorsTool;
 class SeedTool;
 class SegmentController;
 class SegmentMeasurer;
+class SliceController;
+class SlicePen;
 class SweepTool;
 class Tool;
 
@@ -61,6 +65,10 @@ public:
     SeedTool& seedTool() { return *seedTool_; }
     MoveTool& moveTool() { return *moveTool_; }
     IslandTool& islandTool() { return *islandTool_; }
+    PaintTool& paintTool() { return *paintTool_; }
+    MeasureTool& measureTool() { return *measureTool_; }
+    SliceController& slices() { return *slices_; }
+    SlicePen& slicePen() { return *slicePen_; }
     // Null before something was opened. With the engine's context current.
     studio::Document* document();
 
@@ -90,6 +98,8 @@ public:
     [[nodiscard]] const volume::GridGeometry* geometry() const {
         return document_ ? &document_->volume().geometry : nullptr;
     }
+    // Document::version(); 0 before something was opened.
+    [[nodiscard]] std::uint64_t documentVersion() const { return document_ ? document_->version() : 0; }
     // Of the view as the person sees it, on the viewport. There must be a volume.
     [[nodiscard]] render::ViewRays rays() const;
     // Where a place in the world appears, in logical pixels of the view.
@@ -147,6 +157,8 @@ public:
     [[nodiscard]] const QString& message() const { return message_; }
     // Something happened: the next slice comes soon. Input also sends the picture back to drafts.
     void wake();
+    // Something beside the picture waits to be drawn.
+    void workSoon() { schedule(0); }
     [[nodiscard]] bool isLoading() const { return loader_.isLoading() || isReplaying(); }
     [[nodiscard]] bool isReplaying() const { return !replay_.empty(); }
     // The picture shows the document, though perhaps as a draft, and nothing is changing it: the time to look
@@ -194,10 +206,14 @@ private:
     SeedTool* seedTool_;
     MoveTool* moveTool_;
     IslandTool* islandTool_;
+    PaintTool* paintTool_;
+    MeasureTool* measureTool_;
     SegmentController* segments_;
     SegmentMeasurer* measurer_;
     GrowthController* growth_;
     Tool* tool_;
+    std::unique_ptr<SliceController> slices_;
+    SlicePen* slicePen_;
     studio::View view_;
     bool isViewPending_ = false;
     studio::Shape shape_ = studio::Shape::FreeForm;

@@ -18,6 +18,8 @@ QWidget* makeKeepPage(StudioController& studio);
 QWidget* makeClipPage(StudioController& studio);
 QWidget* makeSeedPage(StudioController& studio);
 QWidget* makeIslandPage(StudioController& studio);
+QWidget* makeMeasurePage(StudioController& studio);
+QWidget* makePaintPage(StudioController& studio);
 QWidget* makeMovePage(StudioController& studio);
 
 // What the pages of all tools that follow the pen share: its pressure.

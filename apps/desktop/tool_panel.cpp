@@ -7,7 +7,9 @@
 #include "island_tool.h"
 #include "keep_tool.h"
 #include "laser_tool.h"
+#include "measure_tool.h"
 #include "move_tool.h"
+#include "paint_tool.h"
 #include "panel_parts.h"
 #include "peel_tool.h"
 #include "scissors_tool.h"
@@ -40,6 +42,8 @@ ToolPanel::ToolPanel(StudioController& studio, QWidget* parent) : QWidget(parent
     add(studio_.clipTool(), tr("Clip"), makeClipPage(studio_));
     add(studio_.seedTool(), tr("Seed"), makeSeedPage(studio_));
     add(studio_.islandTool(), tr("Island"), makeIslandPage(studio_));
+    add(studio_.measureTool(), tr("Measure"), makeMeasurePage(studio_));
+    add(studio_.paintTool(), tr("Paint"), makePaintPage(studio_));
     add(studio_.moveTool(), tr("Move part"), makeMovePage(studio_));
     card->addWidget(stack_);
     pressure_ = makePressureRows(studio_);

@@ -2,7 +2,10 @@
 #include "view_widget.h"
 
 #include "camera_tool.h"
+#include "measure_overlay.h"
+#include "measure_tool.h"
 #include "paint_overlay.h"
+#include "slice_controller.h"
 #include "studio_controller.h"
 
 #include <QMouseEvent>
@@ -69,9 +72,23 @@ void ViewWidget::paintGL() {
     if (picture != nullptr && isAnnotated_ && geometry != nullptr) {
         annotations_.paint(painter, studio_.view().camera, *geometry, deviceSize());
     }
-    for (const Overlay& overlay : studio_.tool().overlays()) {
-        paintOverlay(painter, overlay, QRectF(rect()));
+    if (geometry != nullptr) {
+        paintMeasurements(
+            painter, studio_.measureTool(), [this](glm::dvec3 world) { return seenAt(world); },
+            QRectF(rect()));
     }
+    for (const auto& overlays : {studio_.slices().overlays(), studio_.tool().overlays()}) {
+        for (const Overlay& overlay : overlays) {
+            paintOverlay(painter, overlay, QRectF(rect()));
+        }
+    }
+}
+
+// Nothing for what is behind the viewer.
+std::optional<QPointF> ViewWidget::seenAt(glm::dvec3 world) const {
+    const auto rays = studio_.rays();
+    const bool isBehind = !rays.isOrthographic && glm::dot(world - rays.eye, rays.forward) < 1;
+    return isBehind ? std::nullopt : std::optional(studio_.seenAt(world));
 }
 
 void ViewWidget::setAnnotated(bool isAnnotated) {
@@ -149,6 +166,15 @@ void ViewWidget::mouseMoveEvent(QMouseEvent* event) {
 void ViewWidget::mouseReleaseEvent(QMouseEvent* event) {
     if (event->button() == button_) {
         release(penAt(event->scenePosition(), event->modifiers()));
+    }
+}
+
+// With the camera tool the slices go to the surface under the pen.
+void ViewWidget::mouseDoubleClickEvent(QMouseEvent* event) {
+    const bool centres = event->button() == Qt::LeftButton && studio_.slices().isAnyShown() &&
+                         &studio_.tool() == &studio_.cameraTool();
+    if (!centres || !studio_.slices().centreOnSurface(penAt(event->scenePosition(), {}).position)) {
+        mousePressEvent(event);
     }
 }
 

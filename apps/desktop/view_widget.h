@@ -39,6 +39,7 @@ protected:
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
+    void mouseDoubleClickEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void tabletEvent(QTabletEvent* event) override;
     void leaveEvent(QEvent* event) override;
@@ -49,6 +50,7 @@ private:
     enum class Drag { None, Tool, Pan, Zoom };
 
     [[nodiscard]] glm::ivec2 deviceSize() const;
+    [[nodiscard]] std::optional<QPointF> seenAt(glm::dvec3 world) const;
     [[nodiscard]] Pen penAt(QPointF inWindow, Qt::KeyboardModifiers modifiers) const;
     void press(const Pen& pen, Drag drag);
     void move(const Pen& pen);

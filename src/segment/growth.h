@@ -93,6 +93,9 @@ public:
     // Makes the segment what an edit has made of it: one byte a voxel of a box, nothing outside. Voxels of
     // other segments stay theirs. New voxels get the playhead's generation; from then on only new seeds grow.
     void replace(const Box3& box, std::span<const std::uint8_t> inside, GrowthUndo* undo = nullptr);
+    // As replace() with these voxels more, or without them: a brush. Cost follows the bricks of the box.
+    void paint(const Box3& box, std::span<const std::uint8_t> inside, bool isToAdd,
+               GrowthUndo* undo = nullptr);
     // Voxels that no segment may grow into (one byte a voxel of the grid, 0 = forbidden), until reset.
     void confine(std::span<const std::uint8_t> inside);
 
@@ -171,7 +174,10 @@ private:
     void movePlayhead(int generation);
     void truncate(int last, GrowthUndo* undo);
     void eraseAfter(int last);
-    void eraseByPlane(const gl::Buffer& plane, bool isInPlane, int last, GrowthUndo* undo);
+    void eraseByPlane(const gl::Buffer& plane, bool isInPlane, int last,
+                      const std::vector<std::uint32_t>& among, GrowthUndo* undo);
+    void addByPlane(const gl::Buffer& plane, const std::vector<std::uint32_t>& among, GrowthUndo* undo);
+    void freeze();
     int reveal(int generations);
     int compute(int generations);
     void exchangeRun(std::uint8_t label);

@@ -18,10 +18,11 @@ constexpr int kAll = std::numeric_limits<int>::max();
 
 } // namespace
 
-// Erases such voxels (RegionPasses::Which), and takes them off the counts.
-void Growth::eraseByPlane(const gl::Buffer& plane, bool isInPlane, int last, GrowthUndo* undo) {
+// Erases such voxels (RegionPasses::Which) in some bricks, and takes them off the counts.
+void Growth::eraseByPlane(const gl::Buffer& plane, bool isInPlane, int last,
+                          const std::vector<std::uint32_t>& among, GrowthUndo* undo) {
     const RegionPasses::Which which{last, &plane, isInPlane};
-    const auto losing = passes_.holding(seedMap_, owner_, which, seedMap_.bricks().touched());
+    const auto losing = passes_.holding(seedMap_, owner_, which, among);
     if (losing.empty()) {
         return;
     }
@@ -51,7 +52,7 @@ void Growth::retract(GrowthUndo* undo) {
         seeds.push_back(seed.voxel);
     }
     frontier_.flood(seedMap_, rules(), seeds, region, reached, kAll);
-    eraseByPlane(reached, false, state_.frozen, undo);
+    eraseByPlane(reached, false, state_.frozen, seedMap_.bricks().touched(), undo);
 }
 
 int Growth::absorb(std::span<const glm::ivec3> voxels, int expansions, GrowthUndo* undo) {
@@ -70,7 +71,7 @@ int Growth::absorb(std::span<const glm::ivec3> voxels, int expansions, GrowthUnd
     Frontier::Rules rules = this->rules();
     rules.constraints = &unpaired;
     const int found = frontier_.flood(seedMap_, rules, voxelsInGrid(voxels), region, reached, expansions);
-    eraseByPlane(reached, true, 0, undo);
+    eraseByPlane(reached, true, 0, seedMap_.bricks().touched(), undo);
     if (!forbidden_) {
         forbidden_ = gl::Buffer(seedMap_.planeBytes(), "forbidden voxels");
     }
@@ -84,22 +85,11 @@ int Growth::absorb(std::span<const glm::ivec3> voxels, int expansions, GrowthUnd
     return found;
 }
 
-void Growth::replace(const Box3& box, std::span<const std::uint8_t> inside, GrowthUndo* undo) {
-    const gl::Pass pass("replace region");
-    VS_CHECK_EQ(inside.size(), box.volume());
-    if (undo != nullptr) {
-        undo->begin(*this);
-    }
-    truncate(state_.playhead, undo);
-    gl::Buffer plane(seedMap_.planeBytes(), "edited region");
-    seedMap_.uploadPlane(plane, box, inside);
-    eraseByPlane(plane, false, 0, undo);
-
+// Gives the free voxels of a plane in some bricks to the segment, in the playhead's generation.
+void Growth::addByPlane(const gl::Buffer& plane, const std::vector<std::uint32_t>& among, GrowthUndo* undo) {
     BrickTable& bricks = seedMap_.bricks();
     const int generation = std::max(1, state_.playhead);
-    RegionPasses::Bricks all(bricks.count());
-    std::iota(all.begin(), all.end(), 0U);
-    const auto gaining = passes_.withFree(seedMap_, plane, all);
+    const auto gaining = passes_.withFree(seedMap_, plane, among);
     if (undo != nullptr) {
         undo->save(*this, gaining);
     }
@@ -110,10 +100,56 @@ void Growth::replace(const Box3& box, std::span<const std::uint8_t> inside, Grow
     bricks.markChanged(gaining);
     state_.extent = generation;
     movePlayhead(generation);
-    state_.frozen = generation;
+}
+
+// What there is now came of an edit: it does not grow.
+void Growth::freeze() {
+    state_.frozen = state_.extent;
     state_.isFinished = true;
     state_.seeds = std::make_shared<const std::vector<Seed>>();
     frontier_.invalidate();
+}
+
+void Growth::replace(const Box3& box, std::span<const std::uint8_t> inside, GrowthUndo* undo) {
+    const gl::Pass pass("replace region");
+    VS_CHECK_EQ(inside.size(), box.volume());
+    if (undo != nullptr) {
+        undo->begin(*this);
+    }
+    truncate(state_.playhead, undo);
+    gl::Buffer plane(seedMap_.planeBytes(), "edited region");
+    seedMap_.uploadPlane(plane, box, inside);
+    eraseByPlane(plane, false, 0, seedMap_.bricks().touched(), undo);
+    std::vector<std::uint32_t> all(seedMap_.bricks().count());
+    std::iota(all.begin(), all.end(), 0U);
+    addByPlane(plane, all, undo);
+    freeze();
+    if (undo != nullptr) {
+        undo->end(*this);
+    }
+}
+
+void Growth::paint(const Box3& box, std::span<const std::uint8_t> inside, bool isToAdd, GrowthUndo* undo) {
+    const gl::Pass pass("paint region");
+    VS_CHECK_EQ(inside.size(), box.volume());
+    if (undo != nullptr) {
+        undo->begin(*this);
+    }
+    truncate(state_.playhead, undo);
+    gl::Buffer plane(seedMap_.planeBytes(), "painted voxels");
+    seedMap_.uploadPlane(plane, box, inside);
+    std::vector<std::uint32_t> near;
+    for (std::uint32_t brick = 0; brick < seedMap_.bricks().count(); ++brick) {
+        if (!intersect(seedMap_.bricks().box(brick), box).isEmpty()) {
+            near.push_back(brick);
+        }
+    }
+    if (!isToAdd) {
+        eraseByPlane(plane, true, 0, near, undo);
+        near.clear();
+    }
+    addByPlane(plane, near, undo);
+    freeze();
     if (undo != nullptr) {
         undo->end(*this);
     }

@@ -64,7 +64,7 @@ Document::Impl::Impl(volume::Volume v, sculpt::Precision precision)
     loggedView = view;
 }
 
-render::Frame Document::Impl::frame(const View& from, glm::ivec2 size) {
+Pipeline::State Document::Impl::stateOf(const View& from) {
     Pipeline::State state;
     state.view = &from;
     state.sculpture = &sculpture;
@@ -76,7 +76,11 @@ render::Frame Document::Impl::frame(const View& from, glm::ivec2 size) {
     if (stroke && stroke->onlyCuts()) {
         state.cuttingSince = stroke->sculptureVersion();
     }
-    return pipeline.frame(state, size);
+    return state;
+}
+
+render::Frame Document::Impl::frame(const View& from, glm::ivec2 size) {
+    return pipeline.frame(stateOf(from), size);
 }
 
 void Document::Impl::settle(std::optional<Canvas>& canvas) const {
@@ -150,6 +154,9 @@ void Document::look(const View& view) {
 }
 
 render::Frame Document::frame(glm::ivec2 size) { return impl_->frame(impl_->view, size); }
+render::SliceFrame Document::slice(const render::SliceView& view) {
+    return impl_->pipeline.slice(impl_->stateOf(impl_->view), view);
+}
 
 // --- live strokes
 

@@ -5,6 +5,7 @@
 #include "field/field.h"
 #include "render/picker.h"
 #include "render/ray_caster.h"
+#include "render/slice_renderer.h"
 #include "sculpt/precision.h"
 #include "studio/history.h"
 #include "studio/operation.h"
@@ -73,6 +74,9 @@ public:
     // A frame of the current view, ready for a RayCaster or Picker. Brings macrocells up to date first. Valid
     // until the document is changed or another frame is made.
     render::Frame frame(glm::ivec2 size);
+
+    // A slice through it, ready for a SliceRenderer; valid as long.
+    render::SliceFrame slice(const render::SliceView& view);
 
     // Counts document changes that a picture can show (view, sculpture, segmentation).
     [[nodiscard]] std::uint64_t version() const;

@@ -8,6 +8,19 @@
 
 namespace vs::studio {
 
+namespace {
+
+// The voxels of a set, after those there are.
+void addTo(std::vector<glm::ivec3>& voxels, const segment::VoxelSet& set) {
+    for (std::size_t i = 0; i < set.inside.size(); ++i) {
+        if (set.inside[i] != 0) {
+            voxels.push_back(set.voxelAt(i));
+        }
+    }
+}
+
+} // namespace
+
 std::size_t Document::Impl::grownVoxels() const {
     return region.exists() ? std::size_t(region.growth()->voxelCount()) : 0;
 }
@@ -51,9 +64,14 @@ Outcome Document::Impl::run(Seed& op, const std::filesystem::path&) {
         op.range = op.canvas->view.range;
     }
     if (op.voxels.empty()) {
-        op.voxels = voxelsUnder(
-            op.strokes, op.widthPixels, *op.canvas,
-            region.constraints(*op.range, op.canvas->view.sculptureView, connectivityOf(op.connectivity)));
+        if (!op.strokes.empty()) {
+            op.voxels = voxelsUnder(op.strokes, op.widthPixels, *op.canvas,
+                                    region.constraints(*op.range, op.canvas->view.sculptureView,
+                                                       connectivityOf(op.connectivity)));
+        }
+        for (const Trail& trail : op.trails) {
+            addTo(op.voxels, voxelsUnder(trail, op.range));
+        }
     }
     if (op.voxels.empty()) {
         return {{}, 0, 0, "nothing seeded: no voxel in range lies under the stroke"};

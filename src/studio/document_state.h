@@ -11,6 +11,7 @@
 #include "studio/segment_list.h"
 #include "studio/solid_strokes.h"
 #include "studio/sweep_stroke.h"
+#include "studio/trail.h"
 
 #include <optional>
 
@@ -43,6 +44,7 @@ struct Document::Impl {
     Outcome run(RemoveSegment& op, const std::filesystem::path& folder);
     Outcome run(EditSegment& op, const std::filesystem::path& folder);
     Outcome run(BrushSegment& op, const std::filesystem::path& folder);
+    Outcome run(PaintSegment& op, const std::filesystem::path& folder);
     Outcome run(CutSegment& op, const std::filesystem::path& folder);
     Outcome run(Undo& op, const std::filesystem::path& folder);
     Outcome run(Redo& op, const std::filesystem::path& folder);
@@ -53,6 +55,7 @@ struct Document::Impl {
     Outcome run(SaveSculpture& op, const std::filesystem::path& folder);
 
     render::Frame frame(const View& from, glm::ivec2 size);
+    Pipeline::State stateOf(const View& from);
     // The canvas given, or the document's view on the usual viewport.
     void settle(std::optional<Canvas>& canvas) const;
     // Appends to the log, after the view that it happened in.
@@ -82,6 +85,7 @@ struct Document::Impl {
     void perform(const RemoveSegment& op, Region::Records& records);
     void perform(const EditSegment& op, Region::Records& records);
     void perform(const BrushSegment& op, Region::Records& records);
+    void perform(const PaintSegment& op, Region::Records& records);
     void perform(const ReSeed& op, Region::Records& records);
     // Performs and remembers; when it throws midway, everything is as before.
     template <typename Op>
@@ -94,6 +98,8 @@ struct Document::Impl {
     [[nodiscard]] std::function<bool(glm::ivec3)> lockedVoxels() const;
     std::vector<glm::ivec3> voxelsUnder(const std::vector<Sketch>& strokes, double widthPixels,
                                         const Canvas& canvas, const segment::Constraints& constraints);
+    // What lies under a trail; with a range only voxels in it.
+    [[nodiscard]] segment::VoxelSet voxelsUnder(const Trail& trail, const std::optional<Range>& range) const;
     [[nodiscard]] std::size_t grownVoxels() const;
     [[nodiscard]] Outcome describeGrowth(int generations, std::size_t voxelsBefore) const;
     Region::Records repeat(const Operation& operation);

@@ -192,10 +192,22 @@ struct MovePart {
     render::Placement place;
 };
 
+// Where a round brush has gone in the volume: the voxels whose centres lie within the radius of its way, a
+// line through points in voxel space, and those that the way itself runs through, so that a thin brush leaves
+// no gaps. With an axis (0 to 2) the brush is a disc across that voxel axis, on the slice that its first
+// point lies in; without, a ball.
+struct Trail {
+    std::vector<glm::dvec3> points;
+    double radiusMm = 0;
+    std::optional<int> axis = {};
+
+    bool operator==(const Trail&) const = default;
+};
+
 // Puts seeds on the surface under the strokes: free-form and polyline sketches are open lines of the given
-// width, the others are filled. The run takes the displayed range as its intensity range when `range` is not
-// set. `voxels` holds what was found; when it is not empty on replay, those are used instead of casting rays
-// again.
+// width, the others are filled; and on the voxels in range under trails, as they are drawn on slices. The run
+// takes the displayed range as its intensity range when `range` is not set. `voxels` holds what was found;
+// when it is not empty on replay, those are used instead of looking again.
 struct Seed {
     std::vector<Sketch> strokes;
     double widthPixels = 5;
@@ -203,6 +215,7 @@ struct Seed {
     int connectivity = 6;
     std::vector<glm::ivec3> voxels;
     std::optional<Canvas> canvas;
+    std::vector<Trail> trails = {};
 };
 
 // Lets the region grow: so many generations, or until nothing grows any more. The sculpture fences it as
@@ -303,6 +316,14 @@ struct BrushSegment {
     std::variant<Peel, Drill, Laser, Scissors> stroke;
 };
 
+// Adds what lies under a trail to the segment at work, or removes it. With a range only voxels whose values
+// lie in it are added or removed. Afterwards only new seeds grow.
+struct PaintSegment {
+    bool isToAdd = true;
+    Trail trail;
+    std::optional<Range> range = {};
+};
+
 // Cuts away the segment at work, or all but it, with a margin in mm around it.
 struct CutSegment {
     bool keeps = false;
@@ -337,8 +358,8 @@ struct SaveSculpture {
 
 using Operation = std::variant<SetView, Peel, Drill, Laser, Sweep, Scissors, Clip, KeepConnected, Paste,
                                MovePart, Seed, Grow, Rewind, ShowGeneration, SetGrowthRules, Absorb,
-                               UseSegment, LoadLabels, RemoveSegment, EditSegment, BrushSegment, CutSegment,
-                               Undo, Redo, UnCut, ReSeed, SavePicture, SaveLabels, SaveSculpture>;
+                               UseSegment, LoadLabels, RemoveSegment, EditSegment, BrushSegment, PaintSegment,
+                               CutSegment, Undo, Redo, UnCut, ReSeed, SavePicture, SaveLabels, SaveSculpture>;
 
 // The name in sessions, reports and the history: "view", "peel", ... (kOperationNames).
 const char* name(const Operation& operation);

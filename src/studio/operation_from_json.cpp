@@ -109,6 +109,7 @@ constexpr std::array<OperationReader, std::variant_size_v<Operation>> kReaders{
     readRemoveSegment,
     readEditSegment,
     readBrushSegment,
+    readPaintSegment,
     readCutSegment,
     readBare<Undo>,
     readBare<Redo>,

@@ -74,6 +74,20 @@ glm::dvec3 readVector(const JsonReader& reader, double largest) {
     return v;
 }
 
+glm::ivec3 readVoxel(const JsonReader& reader) {
+    reader.expectSize(3);
+    return {reader.at(0).integerBetween(0, 1 << 20), reader.at(1).integerBetween(0, 1 << 20),
+            reader.at(2).integerBetween(0, 1 << 20)};
+}
+
+int readConnectivity(const JsonReader& reader) {
+    const int connectivity = int(reader.integerBetween(6, 26));
+    if (connectivity != 6 && connectivity != 26) {
+        reader.fail("must be 6 or 26");
+    }
+    return connectivity;
+}
+
 render::Placement readPlacement(const JsonReader& reader) {
     render::Placement place;
     reader.ifHas("move", [&](const JsonReader& r) { place.moveMm = readVector(r, 1e6); });
@@ -140,6 +154,8 @@ Json toJson(const render::Camera& camera) {
             {"pan", pair(camera.panMm.x, camera.panMm.y)},
             {"projection", kProjections[std::size_t(camera.projection)]}};
 }
+
+Json toJson(const glm::ivec3& v) { return Json::array({v.x, v.y, v.z}); }
 
 Json toJson(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
 

@@ -16,6 +16,10 @@ Range readRange(const JsonReader& reader);
 glm::dvec2 readPoint(const JsonReader& reader);
 // Three numbers from -largest to largest.
 glm::dvec3 readVector(const JsonReader& reader, double largest);
+// A voxel of some grid.
+glm::ivec3 readVoxel(const JsonReader& reader);
+// 6 or 26.
+int readConnectivity(const JsonReader& reader);
 // One coordinate of a place on the viewport, or anywhere about it.
 double readCoordinate(const JsonReader& reader);
 glm::ivec2 readSize(const JsonReader& reader);
@@ -31,6 +35,7 @@ Json pair(double a, double b);
 Json toJson(const Range& range);
 Json toJson(const render::Camera& camera);
 Json toJson(const glm::dvec3& v);
+Json toJson(const glm::ivec3& v);
 Json toJson(const render::Placement& place);
 Json toJson(const std::vector<render::Placement>& places);
 Json toJson(const Sketch& sketch);
@@ -56,13 +61,16 @@ Operation readKeepConnected(const JsonReader& reader);
 Operation readPaste(const JsonReader& reader);
 Operation readMovePart(const JsonReader& reader);
 
-// The operations on segments (segment_operations_json.cpp).
+// The operations that find voxels under strokes and brushes (painting_operations_json.cpp).
 Operation readSeed(const JsonReader& reader);
+Operation readAbsorb(const JsonReader& reader);
+Operation readPaintSegment(const JsonReader& reader);
+
+// The operations on segments (segment_operations_json.cpp).
 Operation readGrow(const JsonReader& reader);
 Operation readRewind(const JsonReader& reader);
 Operation readShowGeneration(const JsonReader& reader);
 Operation readGrowthRules(const JsonReader& reader);
-Operation readAbsorb(const JsonReader& reader);
 Operation readUseSegment(const JsonReader& reader);
 Operation readLoadLabels(const JsonReader& reader);
 Operation readRemoveSegment(const JsonReader& reader);
@@ -91,6 +99,7 @@ void write(Json& j, const LoadLabels& op);
 void write(Json& j, const RemoveSegment& op);
 void write(Json& j, const EditSegment& op);
 void write(Json& j, const BrushSegment& op);
+void write(Json& j, const PaintSegment& op);
 void write(Json& j, const CutSegment& op);
 
 } // namespace vs::studio

@@ -27,11 +27,11 @@ inline constexpr std::array<const char*, std::variant_size_v<Operation>> kOperat
     "growth rules",   "absorb",
     "segment",        "load labels",
     "remove segment", "edit segment",
-    "brush segment",  "cut segment",
-    "undo",           "redo",
-    "un-cut",         "re-seed",
-    "picture",        "labels",
-    "sculpture"};
+    "brush segment",  "paint segment",
+    "cut segment",    "undo",
+    "redo",           "un-cut",
+    "re-seed",        "picture",
+    "labels",         "sculpture"};
 inline constexpr std::array<const char*, 13> kSegmentEdits{
     "keep island", "drop island", "keep largest", "drop small", "fill holes", "margin",   "open",
     "close",       "smooth",      "hollow",       "unite",      "subtract",   "intersect"};

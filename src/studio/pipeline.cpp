@@ -46,36 +46,61 @@ const render::Classification* Pipeline::classify(const View& view) {
     return &*classification_;
 }
 
-render::Frame Pipeline::frame(const State& state, glm::ivec2 size) {
-    const View& view = *state.view;
-    const bool drawsSegmentation = view.mode == render::Mode::Overlay || view.mode == render::Mode::Segment;
-    if (drawsSegmentation && state.growth != nullptr) {
+field::Scene Pipeline::scene(const State& state, bool wantsSegments) {
+    const bool hasSegmentation = wantsSegments && state.growth != nullptr;
+    if (hasSegmentation) {
         if (!segmentation_) {
             segmentation_.emplace(field_->geometry);
         }
         segmentation_->update(*state.growth, state.smoothing, looksOf(*state.segments));
     }
-    const bool hasSegmentation = drawsSegmentation && segmentation_ && state.growth != nullptr;
-    const bool isSculpted = !state.sculpture->isEmpty();
-
     // With nothing cut yet the volume is drawn whole, in probe view too: there must be something to draw on.
-    render::Frame frame;
-    frame.scene.data = field_;
-    frame.scene.sculpture = isSculpted ? &state.sculpture->texels() : nullptr;
-    frame.scene.segmentation = hasSegmentation ? &segmentation_->texels() : nullptr;
-    if (hasSegmentation) {
-        frame.segmentColours = state.segments->colours();
-        if (state.growth->hasOthers()) {
-            state.growth->syncLabels();
-            frame.scene.segmentLabels = &state.growth->seedMap().labels();
-        } else { // labels may lag behind, but there is only one
-            frame.segmentColours.entries[1] = frame.segmentColours.entries[state.growth->activeLabel()];
-        }
+    const bool isSculpted = !state.sculpture->isEmpty();
+    field::Scene scene;
+    scene.data = field_;
+    scene.sculpture = isSculpted ? &state.sculpture->texels() : nullptr;
+    scene.segmentation = hasSegmentation ? &segmentation_->texels() : nullptr;
+    if (hasSegmentation && state.growth->hasOthers()) {
+        state.growth->syncLabels();
+        scene.segmentLabels = &state.growth->seedMap().labels();
     }
-    frame.scene.displayedRange = view.range;
-    frame.scene.greyWindow = state.greyWindow;
-    frame.scene.view = isSculpted ? view.sculptureView : field::SculptureView::Whole;
-    frame.scene.sampling = view.sampling;
+    scene.displayedRange = state.view->range;
+    scene.greyWindow = state.greyWindow;
+    scene.view = isSculpted ? state.view->sculptureView : field::SculptureView::Whole;
+    scene.sampling = state.view->sampling;
+    return scene;
+}
+
+render::SegmentColours Pipeline::segmentColours(const State& state) {
+    if (state.growth == nullptr) {
+        return {};
+    }
+    auto colours = state.segments->colours();
+    if (!state.growth->hasOthers()) {
+        colours.entries[1] = colours.entries[state.growth->activeLabel()];
+    }
+    return colours;
+}
+
+render::SliceFrame Pipeline::slice(const State& state, const render::SliceView& view) {
+    render::SliceFrame frame;
+    frame.scene = scene(state, true);
+    frame.segmentColours = segmentColours(state);
+    frame.classification = state.view->transferFunction ? classify(*state.view) : nullptr;
+    frame.view = view;
+    return frame;
+}
+
+render::Frame Pipeline::frame(const State& state, glm::ivec2 size) {
+    const View& view = *state.view;
+    const bool drawsSegmentation = view.mode == render::Mode::Overlay || view.mode == render::Mode::Segment;
+    render::Frame frame;
+    frame.scene = scene(state, drawsSegmentation);
+    const bool hasSegmentation = frame.scene.segmentation != nullptr;
+    const bool isSculpted = frame.scene.sculpture != nullptr;
+    if (hasSegmentation) {
+        frame.segmentColours = segmentColours(state);
+    }
     frame.rays = render::viewRays(view.camera, field_->geometry, size);
     frame.mode = view.mode;
     frame.classification = classify(view);

@@ -4,6 +4,7 @@
 #include "field/cell_ranges.h"
 #include "render/macrocells.h"
 #include "render/ray_caster.h"
+#include "render/slice_renderer.h"
 #include "sculpt/sculpture.h"
 #include "segment/growth.h"
 #include "segment/segmentation.h"
@@ -34,6 +35,8 @@ public:
         std::optional<std::uint64_t> cuttingSince;
     };
     render::Frame frame(const State& state, glm::ivec2 size);
+    // The same content on a slice. Segments are drawn whatever the view's mode is.
+    render::SliceFrame slice(const State& state, const render::SliceView& view);
 
     [[nodiscard]] const field::CellRanges& cellRanges() const { return cellRanges_; }
 
@@ -56,6 +59,11 @@ private:
     const field::Field* field_;
     field::CellRanges cellRanges_;
     std::optional<segment::Segmentation> segmentation_; // made when first drawn
+    // What shaders see of the document, with the segments if they are wanted; brings those up to date.
+    field::Scene scene(const State& state, bool wantsSegments);
+    // How segments look. When there is but one, labels may lag behind and are not asked.
+    static render::SegmentColours segmentColours(const State& state);
+
     // Brings the tables of the view's transfer function up to date; null if it has none and needs none.
     const render::Classification* classify(const View& view);
 

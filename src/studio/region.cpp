@@ -117,6 +117,10 @@ void Region::replace(const segment::VoxelSet& set, Records& records) {
     madeGrowth().replace(set.box, set.inside, &records.emplace_back());
 }
 
+void Region::paint(const segment::VoxelSet& set, bool isToAdd, Records& records) {
+    madeGrowth().paint(set.box, set.inside, isToAdd, &records.emplace_back());
+}
+
 void Region::workOn(std::uint8_t label, Records& records) {
     if ((growth_ || label != 1) && madeGrowth().activeLabel() != label) {
         growth_->activate(label, &records.emplace_back());

@@ -47,6 +47,8 @@ public:
     // Voxels shown of any segment, and making the segment at work a set of them (as segment::Growth does).
     segment::VoxelSet voxels(std::uint8_t label, Records& records);
     void replace(const segment::VoxelSet& set, Records& records);
+    // Adds a set to the segment at work, or takes it away.
+    void paint(const segment::VoxelSet& set, bool isToAdd, Records& records);
     // Goes to work on a segment.
     void workOn(std::uint8_t label, Records& records);
     // Erases the segment at work.

@@ -11,20 +11,6 @@ namespace {
 constexpr int kMostGenerations = 1 << 30;
 constexpr double kMostMm = 1e4;
 
-int readConnectivity(const JsonReader& reader) {
-    const int connectivity = int(reader.integerBetween(6, 26));
-    if (connectivity != 6 && connectivity != 26) {
-        reader.fail("must be 6 or 26");
-    }
-    return connectivity;
-}
-
-glm::ivec3 readVoxel(const JsonReader& reader) {
-    reader.expectSize(3);
-    return {reader.at(0).integerBetween(0, 1 << 20), reader.at(1).integerBetween(0, 1 << 20),
-            reader.at(2).integerBetween(0, 1 << 20)};
-}
-
 std::string readName(const JsonReader& reader) {
     const std::string name = reader.text();
     if (name.empty() || name.size() > 200) {
@@ -33,60 +19,7 @@ std::string readName(const JsonReader& reader) {
     return name;
 }
 
-// The members of operations that are drawn and find voxels.
-template <typename Op>
-void readStrokes(const JsonReader& reader, Op& op) {
-    reader.ifHas("width", [&](const JsonReader& r) { op.widthPixels = r.numberBetween(0.1, 1000); });
-    reader.ifHas("strokes", [&](const JsonReader& r) {
-        for (std::size_t i = 0; i < r.size(); ++i) {
-            op.strokes.push_back(readSketch(r.at(i)));
-        }
-    });
-    reader.ifHas("voxels", [&](const JsonReader& r) {
-        for (std::size_t i = 0; i < r.size(); ++i) {
-            op.voxels.push_back(readVoxel(r.at(i)));
-        }
-    });
-    if (op.strokes.empty() && op.voxels.empty()) {
-        reader.fail("needs 'strokes' or 'voxels'");
-    }
-    reader.ifHas("canvas", [&](const JsonReader& r) { op.canvas = readCanvas(r); });
-}
-
-Json toJson(const glm::ivec3& v) { return Json::array({v.x, v.y, v.z}); }
-
-template <typename Op>
-void writeStrokes(Json& j, const Op& op) {
-    Json strokes = Json::array();
-    for (const auto& stroke : op.strokes) {
-        strokes.push_back(studio::toJson(stroke));
-    }
-    j["strokes"] = strokes;
-    Json voxels = Json::array();
-    for (const auto& voxel : op.voxels) {
-        voxels.push_back(toJson(voxel));
-    }
-    j["voxels"] = voxels;
-    addIfSet(j, "canvas", op.canvas);
-}
-
 } // namespace
-
-Operation readSeed(const JsonReader& reader) {
-    reader.allow({"op", "strokes", "width", "range", "connectivity", "voxels", "canvas"});
-    Seed op;
-    reader.ifHas("connectivity", [&](const JsonReader& r) { op.connectivity = readConnectivity(r); });
-    reader.ifHas("range", [&](const JsonReader& r) { op.range = readRange(r); });
-    readStrokes(reader, op);
-    return op;
-}
-
-void write(Json& j, const Seed& op) {
-    j["width"] = op.widthPixels;
-    j["connectivity"] = op.connectivity;
-    addIfSet(j, "range", op.range);
-    writeStrokes(j, op);
-}
 
 Operation readGrow(const JsonReader& reader) {
     reader.allow({"op", "generations", "sculptureView"});
@@ -155,23 +88,6 @@ void write(Json& j, const SetGrowthRules& op) {
     if (op.isLive) {
         j["live"] = *op.isLive;
     }
-}
-
-Operation readAbsorb(const JsonReader& reader) {
-    reader.allow({"op", "strokes", "width", "expansions", "voxels", "canvas"});
-    Absorb op;
-    reader.ifHas("expansions",
-                 [&](const JsonReader& r) { op.expansions = int(r.integerBetween(0, kMostGenerations)); });
-    readStrokes(reader, op);
-    return op;
-}
-
-void write(Json& j, const Absorb& op) {
-    j["width"] = op.widthPixels;
-    if (op.expansions) {
-        j["expansions"] = *op.expansions;
-    }
-    writeStrokes(j, op);
 }
 
 Operation readUseSegment(const JsonReader& reader) {

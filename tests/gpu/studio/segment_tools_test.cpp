@@ -133,7 +133,14 @@ Operation someOperation(std::mt19937& random, const std::filesystem::path& label
     const std::string names[] = {"Segment 1", "B", "C"};
     const std::string& who = names[below(3)];
     const auto brainVoxel = [&] { return glm::ivec3(30 + below(12), 16 + below(6), 24 + below(12)); };
-    switch (below(15)) {
+    const auto trail = [&] {
+        Trail way{{brainVoxel(), brainVoxel()}, 0.5 * below(9)};
+        if (below(2) == 0) {
+            way.axis = below(3);
+        }
+        return way;
+    };
+    switch (below(17)) {
     case 0: {
         UseSegment use{who};
         use.isLocked = below(4) == 0;
@@ -174,9 +181,23 @@ Operation someOperation(std::mt19937& random, const std::filesystem::path& label
         edit.voxel = brainVoxel();
         return edit;
     }
-    case 12:
+    case 12: {
+        Seed seed;
+        seed.trails = {trail(), trail()};
+        seed.range = Range{80, 120};
+        seed.canvas = testCanvas();
+        return seed;
+    }
+    case 13: {
+        PaintSegment paint{below(3) > 0, trail()};
+        if (below(2) == 0) {
+            paint.range = Range{80, 120};
+        }
+        return paint;
+    }
+    case 14:
         return BrushSegment{below(2) == 0, strokes()[std::size_t(below(4))]};
-    case 13:
+    case 15:
         return below(3) == 0 ? Operation(LoadLabels{labels}) : Operation(Grow{1 + below(6)});
     default:
         return below(8) == 0 ? Operation(ReSeed{}) : Operation(CutSegment{below(3) == 0, double(below(3))});

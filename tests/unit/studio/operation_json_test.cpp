@@ -88,8 +88,9 @@ std::vector<Operation> segmentOperations() {
                     someCanvas()},
         BrushSegment{true, Peel{line, 2, 4, false, someCanvas()}}, BrushSegment{false, Drill(someDrill())},
         BrushSegment{true, Laser(someLaser())},
-        BrushSegment{false, Scissors{line, true, 12.5, 2, false, someCanvas()}}, CutSegment{true, -2.5},
-        CutSegment{}};
+        BrushSegment{false, Scissors{line, true, 12.5, 2, false, someCanvas()}},
+        PaintSegment{true, {{{1, 2.5, 3}, {4, 5, 6}}, 2.5, 1}, Range{-5, 5}},
+        PaintSegment{false, {{{1, 2, 3}}}}, CutSegment{true, -2.5}, CutSegment{}};
     for (int kind = 0; kind <= int(EditSegment::Kind::Intersect); ++kind) {
         operations.emplace_back(EditSegment{EditSegment::Kind(kind)});
     }
@@ -131,6 +132,7 @@ TEST(OperationJson, EveryKindComesBackAsItWas) {
         Paste{{{1, 2, 3}, {0, 90, 0}, 1.5}},
         MovePart{3, {{4, 5, 6}, {}, 1}},
         Seed{{line, ellipse}, 7, Range{30, 90.5}, 26, {{1, 2, 3}, {4, 5, 6}}, someCanvas()},
+        Seed{{}, 5, {}, 6, {}, {}, {{{{1, 2, 3.5}}, 0, 2}, {{{1, 2, 3}, {4, 5, 6}}, 7}}},
         Grow{17, field::SculptureView::Probe},
         Grow{},
         Rewind{4},

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "paint_tool.h"
+
+#include "camera_tool.h"
+#include "growth_controller.h"
+#include "studio_controller.h"
+
+#include <algorithm>
+
+namespace vs::desktop {
+
+PaintTool::PaintTool(StudioController& studio) : Tool(&studio), studio_(studio) {}
+
+QString PaintTool::hint() const {
+    return isToAdd_ ? tr("Paint on a slice to add to the segment; the right button or Ctrl removes. [ and ] "
+                         "change the "
+                         "brush, Shift leads the crosshair.")
+                    : tr("Paint on a slice to remove from the segment; the right button or Ctrl adds. [ and "
+                         "] change "
+                         "the brush, Shift leads the crosshair.");
+}
+
+Qt::CursorShape PaintTool::cursor() const { return studio_.cameraTool().cursor(); }
+void PaintTool::press(const Pen& pen) { studio_.cameraTool().press(pen); }
+void PaintTool::move(const Pen& pen) { studio_.cameraTool().move(pen); }
+void PaintTool::release(const Pen& pen) { studio_.cameraTool().release(pen); }
+
+void PaintTool::clear() {
+    studio_.cameraTool().clear();
+    emit overlayChanged();
+}
+
+void PaintTool::setRadiusMm(double mm) {
+    radiusMm_ = std::clamp(mm, kLeastMm, kMostMm);
+    emit settingsChanged();
+}
+
+void PaintTool::setToAdd(bool isToAdd) {
+    isToAdd_ = isToAdd;
+    emit settingsChanged();
+}
+
+void PaintTool::setBall(bool isBall) {
+    isBall_ = isBall;
+    emit settingsChanged();
+}
+
+void PaintTool::setInRangeOnly(bool isInRangeOnly) {
+    isInRangeOnly_ = isInRangeOnly;
+    emit settingsChanged();
+}
+
+void PaintTool::paint(studio::Trail trail, bool isReversed) {
+    if (isBall_) {
+        trail.axis.reset();
+    }
+    studio::PaintSegment paint{isToAdd_ != isReversed, std::move(trail), {}};
+    if (isInRangeOnly_) {
+        const auto growth = studio_.growth().status();
+        paint.range = growth.hasSeeds && growth.range.width() > 0 ? growth.range : studio_.view().range;
+    }
+    studio_.apply(paint);
+}
+
+} // namespace vs::desktop

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "slice_widget.h"
+
+#include "panel_parts.h"
+#include "slice_controller.h"
+#include "studio_controller.h"
+
+#include <QHBoxLayout>
+#include <QSignalBlocker>
+#include <QVBoxLayout>
+
+#include <cmath>
+
+namespace vs::desktop {
+
+namespace {
+
+QString title(render::SliceKind kind) {
+    switch (kind) {
+    case render::SliceKind::Axial:
+        return QObject::tr("Axial");
+    case render::SliceKind::Coronal:
+        return QObject::tr("Coronal");
+    case render::SliceKind::Sagittal:
+        break;
+    }
+    return QObject::tr("Sagittal");
+}
+
+// "axialSlider": how scripts find the parts of each.
+QByteArray partName(render::SliceKind kind, const char* part) {
+    return QByteArray(render::name(kind)) + part;
+}
+
+} // namespace
+
+SliceWidget::SliceWidget(StudioController& studio, render::SliceKind kind, QWidget* parent)
+    : QWidget(parent), slices_(studio.slices()), kind_(kind),
+      canvas_(named(new SliceCanvas(studio, kind), partName(kind, "Slice").constData(),
+                    tr("%1 slice").arg(title(kind)))) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    column->addWidget(makeHeader());
+    column->addWidget(canvas_, 1);
+    connect(canvas_, &SliceCanvas::penMoved, this, &SliceWidget::penMoved);
+    connect(canvas_, &SliceCanvas::enlargeRequested, this, &SliceWidget::enlargeRequested);
+    connect(&slices_, &SliceController::changed, this, &SliceWidget::refresh);
+    refresh();
+}
+
+QWidget* SliceWidget::makeHeader() {
+    auto* header = new QWidget;
+    auto* row = new QHBoxLayout(header);
+    row->setContentsMargins(6, 1, 4, 1);
+    row->setSpacing(6);
+    auto* name = new QLabel(title(kind_));
+    name->setStyleSheet(QString("color: %1; font-weight: 600").arg(sliceColour(kind_).name()));
+    row->addWidget(name);
+    slider_ = makeSlider(partName(kind_, "Slider").constData(), tr("%1 slice").arg(title(kind_)), 0, 1, 0);
+    slider_->setMinimumWidth(40);
+    row->addWidget(slider_, 1);
+    place_ = named(makeQuietLabel({}), partName(kind_, "Place").constData(),
+                   tr("Where the %1 slice lies").arg(title(kind_)));
+    row->addWidget(place_);
+    enlarge_ = makeIconButton("enlarge", partName(kind_, "Enlarge").constData(), tr("Enlarge"),
+                              tr("Make this slice large, or all the same size again (double click)"));
+    enlarge_->setCheckable(true);
+    enlarge_->setIconSize(QSize(15, 15));
+    row->addWidget(enlarge_);
+    connect(enlarge_, &QToolButton::clicked, this, &SliceWidget::enlargeRequested);
+    connect(slider_, &QSlider::valueChanged, this, [this](int value) {
+        const auto slice = slices_.geometry(kind_);
+        const int index = slice.onwards() > 0 ? value : slice.count() - 1 - value;
+        slices_.scroll(kind_, (index - slices_.crosshair()[slice.axis()]) * slice.onwards());
+    });
+    return header;
+}
+
+void SliceWidget::setLarge(bool isLarge) { enlarge_->setChecked(isLarge); }
+
+void SliceWidget::refresh() {
+    if (!slices_.hasVolume() || !isVisible()) {
+        return;
+    }
+    const auto slice = slices_.geometry(kind_);
+    const int index = slices_.crosshair()[slice.axis()];
+    const QSignalBlocker blocked(slider_);
+    slider_->setRange(0, slice.count() - 1);
+    slider_->setPageStep(std::max(1, slice.count() / 20));
+    slider_->setValue(slice.onwards() > 0 ? index : slice.count() - 1 - index);
+    // The patient's direction instead of a sign, as for values under the pen.
+    const double mm = slice.positionMm(index);
+    const auto letters = render::directionLetters(mm < 0 ? -slice.normal() : slice.normal());
+    place_->setText(tr("%1 %2 mm   %3 / %4")
+                        .arg(QString::fromStdString(letters))
+                        .arg(std::abs(mm), 0, 'f', 1)
+                        .arg(index + 1)
+                        .arg(slice.count()));
+    // As wide as the widest, so that the slider keeps still.
+    place_->setMinimumWidth(std::max(place_->minimumWidth(), place_->sizeHint().width()));
+}
+
+} // namespace vs::desktop

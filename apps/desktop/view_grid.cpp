@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "view_grid.h"
+
+#include "studio_controller.h"
+#include "view_widget.h"
+
+#include <QGridLayout>
+
+namespace vs::desktop {
+
+namespace {
+
+ViewGrid::Arrangement large(render::SliceKind kind) {
+    return ViewGrid::Arrangement(int(ViewGrid::Arrangement::Axial) + int(kind));
+}
+
+} // namespace
+
+ViewGrid::ViewGrid(StudioController& studio, ViewWidget* view, QWidget* parent)
+    : QWidget(parent), view_(view), grid_(new QGridLayout(this)) {
+    grid_->setContentsMargins(0, 0, 0, 0);
+    grid_->setSpacing(3);
+    grid_->addWidget(view_, 0, 0);
+    for (const auto kind : render::kSliceKinds) {
+        auto* slice = new SliceWidget(studio, kind, this);
+        slice->hide();
+        connect(slice, &SliceWidget::enlargeRequested, this, [this, kind] { enlarge(kind); });
+        connect(slice, &SliceWidget::penMoved, this,
+                [this, slice, kind] { emit penMoved(kind, slice->canvas().placeUnderPen()); });
+        slices_[std::size_t(kind)] = slice;
+    }
+}
+
+void ViewGrid::enlarge(render::SliceKind kind) {
+    arrange(arrangement_ == large(kind) ? Arrangement::Four : large(kind));
+}
+
+void ViewGrid::arrange(Arrangement arrangement) {
+    arrangement_ = arrangement;
+    for (QWidget* widget : std::initializer_list<QWidget*>{view_, slices_[0], slices_[1], slices_[2]}) {
+        grid_->removeWidget(widget);
+    }
+    for (int n = 0; n < 3; ++n) {
+        grid_->setColumnStretch(n, 0);
+        grid_->setRowStretch(n, 0);
+    }
+    const bool isOnly3D = arrangement == Arrangement::Only3D;
+    if (isOnly3D) {
+        grid_->addWidget(view_, 0, 0);
+    } else if (arrangement == Arrangement::Four) {
+        grid_->addWidget(slices_[0], 0, 0);
+        grid_->addWidget(view_, 0, 1);
+        grid_->addWidget(slices_[1], 1, 0);
+        grid_->addWidget(slices_[2], 1, 1);
+        for (int n = 0; n < 2; ++n) {
+            grid_->setColumnStretch(n, 1);
+            grid_->setRowStretch(n, 1);
+        }
+    } else {
+        grid_->addWidget(view_, 0, 1);
+        int row = 1;
+        for (SliceWidget* slice : slices_) {
+            if (large(slice->kind()) == arrangement) {
+                grid_->addWidget(slice, 0, 0, 3, 1);
+            } else {
+                grid_->addWidget(slice, row++, 1);
+            }
+        }
+        grid_->setColumnStretch(0, 5);
+        grid_->setColumnStretch(1, 3);
+        for (int n = 0; n < 3; ++n) {
+            grid_->setRowStretch(n, 1);
+        }
+    }
+    for (SliceWidget* slice : slices_) {
+        slice->setVisible(!isOnly3D);
+        slice->setLarge(large(slice->kind()) == arrangement);
+    }
+    emit arranged();
+}
+
+} // namespace vs::desktop

@@ -1,0 +1,182 @@
+// Draws one layer of voxels (render::SliceRenderer, which says what is seen).
+// SCULPTED: the sculpture hides some. SEGMENTED: there are segments. TF_KIND: a transfer function colours it.
+// Spaces: the slice runs through voxel centres, so of a place's cell only four corners count; they are asked for once, and
+// everything is interpolated from them: corner 0 is the cell's first, 1 across, 2 down, 3 both.
+// In: the scene, texture 14 segment colours. Out: image 0.
+layout(local_size_x = 8, local_size_y = 8) in;
+
+#include "field/shaders/scene.glsl"
+#ifdef TF_KIND
+#include "render/shaders/classification.glsl"
+#endif
+#include "render/shaders/shading.glsl"
+
+layout(binding = 14) uniform sampler2D segmentColours; // one row of 256, by label: linear, a opacity
+layout(binding = 0, rgba8) uniform writeonly image2D picture;
+
+layout(location = 0) uniform vec3 first;    // voxel space: the first pixel's centre
+layout(location = 1) uniform vec3 perRight; // per pixel
+layout(location = 2) uniform vec3 perDown;
+layout(location = 3) uniform ivec3 across; // unit steps within the slice
+layout(location = 4) uniform ivec3 down;
+layout(location = 5) uniform int isSmooth;
+layout(location = 6) uniform vec2 segmentLook; // opacity of insides, width of outlines in pixels
+
+const vec3 kOutside = vec3(0.043, 0.051, 0.059);
+
+struct Cell {
+    ivec3 corners[4];
+    vec4 weights;
+    int nearest;    // which corner
+    vec2 part;      // where in the cell, 0 to 1 across and down
+    vec2 pixelsPerVoxel; // how fast part changes: pixels for a voxel across, down
+    mat2 partPerPixel;   // columns: per pixel to the right, down
+};
+
+Cell cellAt(vec3 p) {
+    Cell cell;
+    ivec3 base = ivec3(floor(p + vec3(1 - across - down) * 0.5)); // along the slice's normal: the nearest
+    vec3 offset = p - vec3(base);
+    cell.part = vec2(dot(offset, vec3(across)), dot(offset, vec3(down)));
+    ivec3 last = dims.xyz - 1;
+    cell.corners[0] = clamp(base, ivec3(0), last);
+    cell.corners[1] = clamp(base + across, ivec3(0), last);
+    cell.corners[2] = clamp(base + down, ivec3(0), last);
+    cell.corners[3] = clamp(base + across + down, ivec3(0), last);
+    vec2 f = cell.part;
+    cell.weights = vec4((1.0 - f.x) * (1.0 - f.y), f.x * (1.0 - f.y), (1.0 - f.x) * f.y, f.x * f.y);
+    cell.nearest = (f.x >= 0.5 ? 1 : 0) + (f.y >= 0.5 ? 2 : 0);
+    cell.partPerPixel = mat2(dot(perRight, vec3(across)), dot(perRight, vec3(down)),
+                             dot(perDown, vec3(across)), dot(perDown, vec3(down)));
+    mat2 t = transpose(cell.partPerPixel);
+    cell.pixelsPerVoxel = 1.0 / vec2(length(t[0]), length(t[1]));
+    return cell;
+}
+
+// Of values at the corners: what is at the place.
+float blend(Cell cell, vec4 values) { return isSmooth != 0 ? dot(cell.weights, values) : values[cell.nearest]; }
+
+// How many pixels a place lies inside the 0.5 level of what the corners hold; negative outside. Far: 1e3.
+float pixelsInside(Cell cell, vec4 values) {
+    if (isSmooth != 0) {
+        vec2 gradient = vec2(mix(values.y - values.x, values.w - values.z, cell.part.y),
+                             mix(values.z - values.x, values.w - values.y, cell.part.x));
+        float slope = length(gradient * cell.partPerPixel);
+        return clamp((dot(cell.weights, values) - 0.5) / max(slope, 1e-6), -1e3, 1e3);
+    }
+    // Voxels are areas: the nearest border to one that is on the other side.
+    bvec4 inside = greaterThanEqual(values, vec4(0.5));
+    bool here = inside[cell.nearest];
+    vec2 apart = abs(cell.part - 0.5) * cell.pixelsPerVoxel;
+    float pixels = inside[cell.nearest ^ 3] != here ? length(apart) : 1e3;
+    pixels = inside[cell.nearest ^ 1] != here ? min(pixels, apart.x) : pixels;
+    pixels = inside[cell.nearest ^ 2] != here ? min(pixels, apart.y) : pixels;
+    return here ? pixels : -pixels;
+}
+
+vec4 valuesAround(Cell cell) {
+    return vec4(voxelValue(cell.corners[0]), voxelValue(cell.corners[1]), voxelValue(cell.corners[2]), voxelValue(cell.corners[3]));
+}
+
+vec3 greyAt(float value) {
+    float t = range.y > range.x ? (value - range.x) / (range.y - range.x) : (value < range.x ? 0.0 : 1.0);
+    return vec3(clamp(t, 0.0, 1.0));
+}
+
+#ifdef TF_KIND
+// What the function makes visible in its colours, all else in dim greys of the whole object.
+vec3 valueColour(float value, vec3 p) {
+#if TF_KIND == 0
+    vec4 c = classify(value, 0.0);
+#else
+    vec4 c = classify(value, length(dataGradient(p)));
+#endif
+    vec3 grey = vec3(0.6 * clamp((value - range.z) / max(range.w - range.z, 1e-20), 0.0, 1.0));
+    float shown = clamp(c.a / lightingOfFunction.z, 0.0, 1.0);
+    return mix(grey, displayFromLinear(c.rgb), shown);
+}
+#else
+vec3 valueColour(float value, vec3 p) { return greyAt(value); }
+#endif
+
+#ifdef SCULPTED
+// What is on the hidden side of the sculpture: dark, under a hatch that no scan has, behind a crisp edge.
+vec3 hideCut(vec3 colour, Cell cell, ivec2 pixel) {
+    vec4 cut;
+    for (int i = 0; i < 4; ++i) {
+        float value = texelFetch(sculptureTexture, cell.corners[i], 0).r;
+        cut[i] = dims.w == 1 ? value : 1.0 - value;
+    }
+    float inside = pixelsInside(cell, cut);
+    float hidden = clamp(inside + 0.5, 0.0, 1.0);
+    float hatch = (pixel.x + pixel.y) % 8 < 1 ? 0.10 : 0.0;
+    vec3 dark = 0.22 * colour + vec3(0.02, 0.03, 0.04) + hatch;
+    float edge = clamp(1.5 - abs(inside), 0.0, 1.0);
+    return mix(mix(colour, dark, hidden), vec3(0.62, 0.70, 0.78), 0.5 * edge);
+}
+#endif
+
+#ifdef SEGMENTED
+// One segment over what is below: how much the corners belong to it is in `memberships`.
+void coverBy(inout vec3 colour, Cell cell, vec4 memberships, vec4 entry) {
+    float inside = pixelsInside(cell, memberships);
+    float covered = isSmooth != 0 ? clamp(inside + 0.5, 0.0, 1.0) : step(0.0, inside);
+    float outline = covered * clamp(segmentLook.y + 0.5 - inside, 0.0, 1.0);
+    float opacity = mix(covered * segmentLook.x * entry.a, max(entry.a, 0.5), outline);
+    colour = mix(colour, displayFromLinear(entry.rgb), opacity);
+}
+
+// The next corner after i that is of a segment no corner before it is of; 4 if there is none.
+int nextSegment(uvec4 labels, int i) {
+    bool isNew;
+    do {
+        ++i;
+        isNew = i < 4 && labels[i & 3] != 0u;
+        for (int j = 0; j < i; ++j) {
+            isNew = isNew && labels[j & 3] != labels[i & 3];
+        }
+    } while (!isNew && i < 4);
+    return i;
+}
+
+// Loops that need not be entered are what a software renderer saves time by; it goes both ways of every branch.
+void coverBySegments(inout vec3 colour, Cell cell) {
+    vec4 memberships;
+    for (int i = 0; i < 4; ++i) {
+        vec2 both = texelFetch(segmentationTexture, cell.corners[i], 0).rg;
+        memberships[i] = max(both.x, both.y);
+    }
+    // Outside of all, and in what is hidden, nothing is anyone's.
+    int count = any(greaterThanEqual(memberships, vec4(0.5))) ? 4 : 0;
+    uvec4 labels = uvec4(0u);
+    for (int i = 0; i < count; ++i) {
+        labels[i] = memberships[i] >= 0.5 ? segmentOf(cell.corners[i]) : 0u;
+    }
+    for (int i = count == 0 ? 4 : nextSegment(labels, -1); i < 4; i = nextSegment(labels, i)) {
+        // What another segment has is not this one's; outside of all the smooth border of both goes on.
+        vec4 own = mix(vec4(0.0), memberships, equal(labels, uvec4(labels[i])));
+        own = mix(own, memberships, equal(labels, uvec4(0u)));
+        coverBy(colour, cell, own, texelFetch(segmentColours, ivec2(int(labels[i]), 0), 0));
+    }
+}
+#endif
+
+void main() {
+    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(pixel, imageSize(picture)))) {
+        return;
+    }
+    vec3 p = first + float(pixel.x) * perRight + float(pixel.y) * perDown;
+    vec3 colour = kOutside;
+    if (all(greaterThanEqual(p, vec3(-0.5))) && all(lessThan(p, vec3(dims.xyz) - 0.5))) {
+        Cell cell = cellAt(p);
+        colour = valueColour(blend(cell, valuesAround(cell)), p);
+#ifdef SCULPTED
+        colour = hideCut(colour, cell, pixel);
+#endif
+#ifdef SEGMENTED
+        coverBySegments(colour, cell);
+#endif
+    }
+    imageStore(picture, pixel, vec4(colour, 1.0));
+}

@@ -92,6 +92,7 @@ void LayoutReporter::write() {
             widgets[name.toStdString()] = screenRect(*widget);
         }
     }
+    const QWidget* focused = QApplication::focusWidget();
     const auto* document = studio_.document();
     const auto status = studio_.growth().status();
     const nlohmann::json report{
@@ -110,6 +111,8 @@ void LayoutReporter::write() {
         {"canUndo", document != nullptr && document->canUndo()},
         {"canRedo", document != nullptr && document->canRedo()},
         {"message", studio_.message().toStdString()},
+        {"focus", focused != nullptr ? focused->objectName().toStdString() : std::string()},
+        {"unsaved", studio_.hasUnsavedEdits()},
         {"title", window_.windowTitle().toStdString()},
         {"pictureComplete", studio_.picture().isComplete()},
         {"viewRect", window_.view().isVisible() ? screenRect(window_.view()) : nlohmann::json::array()},

@@ -23,7 +23,7 @@ namespace {
 int run(QApplication& application) {
     using namespace vs::desktop;
     const Options options = parseOptions(application);
-    applyTheme(application);
+    applyTheme(application, Theme::Dark);
     std::unique_ptr<StudioController> studio;
     try {
         studio = std::make_unique<StudioController>();

@@ -9,6 +9,7 @@
 #include "segment_edit_panel.h"
 #include "segment_numbers_panel.h"
 #include "studio_controller.h"
+#include "thumbnail_keeper.h"
 #include "tool.h"
 #include "tool_panel.h"
 #include "view_widget.h"
@@ -48,6 +49,7 @@ MainWindow::MainWindow(StudioController& studio, QWidget* parent) : QMainWindow(
     setWindowTitle(tr("Volume Studio"));
     setAcceptDrops(true);
     setContextMenuPolicy(Qt::NoContextMenu); // tool bars cannot be lost by a stray click
+    thumbnails_ = new ThumbnailKeeper(studio_);
     makeCentre();
     makeDock();
     makeStatusBar();
@@ -65,10 +67,7 @@ MainWindow::MainWindow(StudioController& studio, QWidget* parent) : QMainWindow(
     connect(&studio_, &StudioController::messageChanged, this,
             [this] { message_->setText(studio_.message()); });
     connect(&studio_, &StudioController::progress, this, &MainWindow::showProgress);
-    connect(&studio_, &StudioController::opened, this, [this] {
-        centre_->setCurrentIndex(1);
-        view_->setFocus();
-    });
+    connect(&studio_, &StudioController::opened, this, &MainWindow::showView);
     connect(&studio_, &StudioController::openFailed, this, [this](const QString& message) {
         auto* box =
             new QMessageBox(QMessageBox::Warning, tr("Volume Studio"), message, QMessageBox::Ok, this);
@@ -85,15 +84,18 @@ MainWindow::MainWindow(StudioController& studio, QWidget* parent) : QMainWindow(
     });
     rateTimer_.start(kRateMs);
     refresh();
+    showStartScreen();
 }
 
 void MainWindow::makeCentre() {
     centre_ = new QStackedWidget;
-    auto* welcome = named(new WelcomePage, "welcome", tr("Welcome"));
-    connect(welcome, &WelcomePage::openRequested, this, &MainWindow::openFile);
-    connect(welcome, &WelcomePage::openFolderRequested, this, &MainWindow::openFolder);
-    welcome->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // its width is not the view's least
-    centre_->addWidget(welcome);
+    welcome_ = named(new WelcomePage, "welcome", tr("Start screen"));
+    connect(welcome_, &WelcomePage::openRequested, this, &MainWindow::openFile);
+    connect(welcome_, &WelcomePage::openFolderRequested, this, &MainWindow::openFolder);
+    connect(welcome_, &WelcomePage::documentChosen, this, &MainWindow::open);
+    welcome_->setSizePolicy(QSizePolicy::Ignored,
+                            QSizePolicy::Preferred); // its width is not the view's least
+    centre_->addWidget(welcome_);
 
     auto* page = new QWidget;
     auto* column = new QVBoxLayout(page);

@@ -11,8 +11,10 @@
 #include <functional>
 #include <map>
 #include <string>
+#include <vector>
 
 class QActionGroup;
+class QDockWidget;
 class QFileDialog;
 class QLabel;
 class QProgressBar;
@@ -22,8 +24,10 @@ class QToolBar;
 namespace vs::desktop {
 
 class StudioController;
+class ThumbnailKeeper;
 class Tool;
 class ViewWidget;
+class WelcomePage;
 
 // The window: tool bars and menus around the view, panels on the left, the line of hints below the picture
 // and the status bar. Holds no state of its own: it shows the controller's and calls it.
@@ -46,9 +50,6 @@ protected:
     void keyReleaseEvent(QKeyEvent* event) override;
 
 private:
-    // Asks before work that no file holds is lost; false: the person wants to keep it.
-    bool mayLeave();
-
     struct ActionText {
         const char* name; // objectName of the action and of its button
         const char* icon;
@@ -92,9 +93,20 @@ private:
     void saveSession();
     void exportLabels();
     void screenshot();
+    QFileDialog* makeFileDialog(const char* objectName, const QString& title, bool isSave,
+                                const QString& filter, const QString& suggestion);
     void choose(const char* objectName, const QString& title, bool isSave, const QString& filter,
                 const QString& suggestion, const std::function<void(const QString&)>& take);
     [[nodiscard]] QString suggestedName(const QString& suffix) const;
+    [[nodiscard]] QString suggestedSession() const;
+
+    // main_window_start.cpp
+    bool mayLeave();
+    bool saveBeforeLeaving();
+    void open(const OpenRequest& request);
+    void showStartScreen();
+    void leaveForStartScreen();
+    void showView();
 
     void makeCentre();
     void makeDock();
@@ -109,6 +121,9 @@ private:
     std::map<std::string, QAction*> actions_;
     QToolBar* bar_ = nullptr;
     QStackedWidget* centre_ = nullptr;
+    WelcomePage* welcome_ = nullptr;
+    ThumbnailKeeper* thumbnails_ = nullptr;
+    std::vector<QDockWidget*> hiddenDocks_; // while the start screen is shown
     ViewWidget* view_ = nullptr;
     QLabel* hint_ = nullptr;
     QLabel* message_ = nullptr;

@@ -45,6 +45,9 @@ void MainWindow::makeFileActions() {
     addAction({"openLabels", "labels", tr("Open label map\u2026"),
                tr("Make segments of the labels of a label map on the volume's grid"), tr("Ctrl+L")},
               [this] { openLabels(); });
+    addAction({"startScreen", "start", tr("Start"), tr("Close this and go back to the start screen"),
+               QKeySequence::Close},
+              [this] { leaveForStartScreen(); });
     addAction({"saveSession", "save", tr("Save"),
                tr("Save the session: everything done so far, to go on or replay"), QKeySequence::Save},
               [this] { saveSession(); });

@@ -28,8 +28,8 @@ void MainWindow::makeMenus() {
             }
         }
     };
-    menu(tr("&File"),
-         {"open", "openFolder", "openLabels", "-", "saveSession", "exportLabels", "screenshot", "-", "quit"});
+    menu(tr("&File"), {"open", "openFolder", "openLabels", "startScreen", "-", "saveSession", "exportLabels",
+                        "screenshot", "-", "quit"});
     menu(tr("&Edit"), {"undo", "redo", "-", "paste", "moveTool", "-", "unCut", "reSeed", "-", "clearSketch"});
     menu(tr("&View"), {"resetView", "-", "mode.surface", "mode.mip", "mode.xray", "mode.overlay",
                        "mode.segment", "mode.volume", "-", "viewCut", "viewProbe", "viewWhole", "-",
@@ -50,13 +50,12 @@ void MainWindow::makeToolBars() {
     bar_->setAccessibleName(bar_->windowTitle());
     bar_->setMovable(false);
     bar_->setIconSize(QSize(22, 22));
-    for (const char* name : {"open",         "openFolder",  "saveSession",
-                             "exportLabels", "screenshot",  "-",
-                             "undo",         "redo",        "-",
-                             "resetView",    "-",           "mode.surface",
-                             "mode.mip",     "mode.xray",   "mode.overlay",
-                             "mode.segment", "mode.volume", "-",
-                             "viewCut",      "viewProbe",   "viewWhole"}) {
+    for (const char* name : {"open",         "openFolder",  "startScreen", "saveSession",
+                             "exportLabels", "screenshot",  "-",           "undo",
+                             "redo",         "-",           "resetView",   "-",
+                             "mode.surface", "mode.mip",    "mode.xray",   "mode.overlay",
+                             "mode.segment", "mode.volume", "-",           "viewCut",
+                             "viewProbe",    "viewWhole"}) {
         if (*name == '-') {
             bar_->addSeparator();
             continue;

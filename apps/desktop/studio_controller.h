@@ -68,6 +68,8 @@ public:
     void open(const OpenRequest& request);
     [[nodiscard]] const OpenRequest& source() const { return source_; }
     bool saveSession(const std::filesystem::path& path);
+    // Back to how it was before anything was opened; what was not saved is gone.
+    void close();
     bool exportLabels(const std::filesystem::path& path);
     // Written as soon as the picture is at full quality.
     void takeScreenshot(const std::filesystem::path& path);
@@ -157,6 +159,8 @@ public:
 
 signals:
     void opened();
+    void closed();
+    void saved(); // a session file holds all edits; source() names it
     void openFailed(const QString& message);
     void changed();        // document, view, tool or playback: panels and actions look again
     void pictureChanged(); // a new picture to show

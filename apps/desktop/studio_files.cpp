@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio_controller.h"
 
+#include "camera_tool.h"
 #include "growth_controller.h"
 #include "segment_measurer.h"
 #include "tool.h"
@@ -142,8 +143,31 @@ bool StudioController::saveSession(const std::filesystem::path& path) {
         const auto session = studio::sessionOf(*document_, source);
         studio::saveSession(path, session);
         savedEdits_ = countEdits(document_.get());
+        source_.session = path;
         say(tr("Saved %1").arg(text(path)));
+        emit saved();
     });
+}
+
+void StudioController::close() {
+    if (document_ == nullptr || isLoading()) {
+        return;
+    }
+    host_.makeCurrent();
+    growth_->pause();
+    growth_->reset();
+    setTool(*cameraTool_); // drops what is in hand
+    cameraTool_->clear();
+    picture_->setDocument(nullptr); // before the document goes
+    document_.reset();
+    source_ = {};
+    savedEdits_ = 0;
+    view_ = {};
+    isViewPending_ = false;
+    say({});
+    emit closed();
+    emit changed();
+    emit pictureChanged();
 }
 
 bool StudioController::exportLabels(const std::filesystem::path& path) {

@@ -12,7 +12,8 @@ namespace vs::desktop {
 void CardGrid::setCards(const std::vector<StartCard*>& cards) {
     for (StartCard* card : cards_) {
         card->hide();
-        card->deleteLater(); // it may be what asked for this
+        card->setObjectName({}); // now another's
+        card->deleteLater();     // it may be what asked for this
     }
     cards_ = cards;
     for (StartCard* card : cards_) {

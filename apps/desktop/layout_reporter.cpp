@@ -17,6 +17,7 @@
 
 #include <QApplication>
 #include <QEvent>
+#include <QListWidget>
 #include <QWidget>
 
 #include <cmath>
@@ -37,6 +38,17 @@ nlohmann::json handlesOnScreen(const QWidget& view, const MoveTool& tool) {
         places.push_back({std::lround(onScreen.x()), std::lround(onScreen.y())});
     }
     return places;
+}
+
+// Height of a row of the history on the screen; 0: it is not shown.
+int historyRowHeight() {
+    for (const QWidget* widget : QApplication::allWidgets()) {
+        const auto* list = qobject_cast<const QListWidget*>(widget);
+        if (list != nullptr && list->isVisible() && list->objectName() == "historyList") {
+            return int(std::lround(list->sizeHintForRow(0) * list->devicePixelRatioF()));
+        }
+    }
+    return 0;
 }
 
 nlohmann::json screenRect(const QWidget& widget) {
@@ -108,6 +120,10 @@ void LayoutReporter::write() {
         {"voxels", status.voxels},
         {"segments", listOf(studio_.segments())},
         {"operations", document != nullptr ? document->log().size() : 0},
+        {"smooth", studio_.view().sampling == field::Sampling::Tricubic},
+        {"historyRow", historyRowHeight()},
+        {"steps", document != nullptr ? document->steps().operations.size() : 0},
+        {"stepsDone", document != nullptr ? document->steps().done : 0},
         {"canUndo", document != nullptr && document->canUndo()},
         {"canRedo", document != nullptr && document->canRedo()},
         {"message", studio_.message().toStdString()},

@@ -3,6 +3,7 @@
 #include "layout_reporter.h"
 #include "main_window.h"
 #include "options.h"
+#include "preferences.h"
 #include "studio_controller.h"
 #include "theme.h"
 
@@ -23,7 +24,7 @@ namespace {
 int run(QApplication& application) {
     using namespace vs::desktop;
     const Options options = parseOptions(application);
-    applyTheme(application, Theme::Dark);
+    applyTheme(application, Preferences::load().theme);
     std::unique_ptr<StudioController> studio;
     try {
         studio = std::make_unique<StudioController>();

@@ -5,7 +5,9 @@
 #include "growth_panel.h"
 #include "growth_rules_panel.h"
 #include "histogram_panel.h"
+#include "history_panel.h"
 #include "panel_parts.h"
+#include "recovery_keeper.h"
 #include "segment_edit_panel.h"
 #include "segment_numbers_panel.h"
 #include "studio_controller.h"
@@ -26,6 +28,8 @@
 #include <QStatusBar>
 #include <QVBoxLayout>
 
+#include <set>
+
 namespace vs::desktop {
 
 namespace {
@@ -33,6 +37,9 @@ namespace {
 constexpr int kProbeMs =
     120; // after the pen came to rest: often enough to read, rarely enough not to disturb
 constexpr int kRateMs = 250;
+
+// Actions that need no document.
+const std::set<std::string> kAlways{"open", "openFolder", "quit", "about", "shortcuts", "preferences"};
 
 // "L 12.3  P 4.5  S 30.2 mm": the patient's directions instead of signs.
 QString patientPlace(glm::dvec3 lps) {
@@ -50,6 +57,7 @@ MainWindow::MainWindow(StudioController& studio, QWidget* parent) : QMainWindow(
     setAcceptDrops(true);
     setContextMenuPolicy(Qt::NoContextMenu); // tool bars cannot be lost by a stray click
     thumbnails_ = new ThumbnailKeeper(studio_);
+    recovery_ = new RecoveryKeeper(studio_);
     makeCentre();
     makeDock();
     makeStatusBar();
@@ -58,6 +66,7 @@ MainWindow::MainWindow(StudioController& studio, QWidget* parent) : QMainWindow(
     makeViewActions();
     makeToolActions();
     makeGrowthActions();
+    makeHelpActions();
     makeMenus();
     makeToolBars();
     makeToolColumn();
@@ -75,6 +84,7 @@ MainWindow::MainWindow(StudioController& studio, QWidget* parent) : QMainWindow(
         box->setAttribute(Qt::WA_DeleteOnClose);
         box->open();
     });
+    connect(&studio_, &StudioController::seriesWanted, this, &MainWindow::chooseSeries);
     connect(view_, &ViewWidget::penMoved, this, [this] { probeTimer_.start(kProbeMs); });
     probeTimer_.setSingleShot(true);
     connect(&probeTimer_, &QTimer::timeout, this, &MainWindow::refreshProbe);
@@ -93,6 +103,7 @@ void MainWindow::makeCentre() {
     connect(welcome_, &WelcomePage::openRequested, this, &MainWindow::openFile);
     connect(welcome_, &WelcomePage::openFolderRequested, this, &MainWindow::openFolder);
     connect(welcome_, &WelcomePage::documentChosen, this, &MainWindow::open);
+    connect(welcome_, &WelcomePage::recoverRequested, this, &MainWindow::recover);
     welcome_->setSizePolicy(QSizePolicy::Ignored,
                             QSizePolicy::Preferred); // its width is not the view's least
     centre_->addWidget(welcome_);
@@ -135,6 +146,8 @@ void MainWindow::makeDock() {
     scroll->setFixedWidth(kPanelWidth + 10); // room for the scroll bar
     dock->setWidget(scroll);
     addDockWidget(Qt::LeftDockWidgetArea, dock);
+    history_ = new HistoryPanel(studio_);
+    history_->hide(); // until it is asked for
 }
 
 void MainWindow::makeStatusBar() {
@@ -174,7 +187,7 @@ void MainWindow::refresh() {
     const auto& growth = studio_.growth();
     const bool canPlay = hasDocument && growth.canPlay();
     for (const auto& [name, action] : actions_) {
-        if (name != "open" && name != "openFolder" && name != "quit" && name != "about") {
+        if (kAlways.count(name) == 0) {
             action->setEnabled(hasDocument);
         }
     }
@@ -241,19 +254,6 @@ void MainWindow::showProgress(int done, int total) {
         isBusyCursor_ = isBusy;
         isBusy ? QApplication::setOverrideCursor(Qt::BusyCursor) : QApplication::restoreOverrideCursor();
     }
-}
-
-void MainWindow::about() {
-    const auto& device = studio_.host().device();
-    auto* box = new QMessageBox(
-        QMessageBox::NoIcon, tr("About Volume Studio"),
-        tr("<h3>Volume Studio %1</h3><p>Reshape a 3D scan with a pen, on the rendered picture itself.</p>"
-           "<p>%2<br>OpenGL %3</p><p>Not a medical device: do not use it for diagnosis or treatment.</p>")
-            .arg(QApplication::applicationVersion(), QString::fromStdString(device.renderer).toHtmlEscaped(),
-                 QString::fromStdString(device.version).toHtmlEscaped()),
-        QMessageBox::Ok, this);
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->open();
 }
 
 } // namespace vs::desktop

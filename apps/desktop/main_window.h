@@ -23,11 +23,14 @@ class QToolBar;
 
 namespace vs::desktop {
 
+class HistoryPanel;
+class RecoveryKeeper;
 class StudioController;
 class ThumbnailKeeper;
 class Tool;
 class ViewWidget;
 class WelcomePage;
+struct LostWork;
 
 // The window: tool bars and menus around the view, panels on the left, the line of hints below the picture
 // and the status bar. Holds no state of its own: it shows the controller's and calls it.
@@ -100,12 +103,19 @@ private:
     [[nodiscard]] QString suggestedName(const QString& suffix) const;
     [[nodiscard]] QString suggestedSession() const;
 
+    // main_window_help.cpp
+    void makeHelpActions();
+    void showPreferences();
+    void about();
+
     // main_window_start.cpp
     bool mayLeave();
     bool saveBeforeLeaving();
     void open(const OpenRequest& request);
     void showStartScreen();
     void leaveForStartScreen();
+    void recover(const LostWork& lost);
+    void chooseSeries(const OpenRequest& request, const std::vector<volume::SeriesChoice>& choices);
     void showView();
 
     void makeCentre();
@@ -115,7 +125,6 @@ private:
     void refreshHint();
     void refreshProbe();
     void showProgress(int done, int total);
-    void about();
 
     StudioController& studio_;
     std::map<std::string, QAction*> actions_;
@@ -123,6 +132,8 @@ private:
     QStackedWidget* centre_ = nullptr;
     WelcomePage* welcome_ = nullptr;
     ThumbnailKeeper* thumbnails_ = nullptr;
+    RecoveryKeeper* recovery_ = nullptr;
+    HistoryPanel* history_ = nullptr;
     std::vector<QDockWidget*> hiddenDocks_; // while the start screen is shown
     ViewWidget* view_ = nullptr;
     QLabel* hint_ = nullptr;

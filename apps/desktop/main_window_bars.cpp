@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "history_panel.h"
 #include "main_window.h"
 #include "panel_parts.h"
 #include "tool_column.h"
@@ -30,7 +31,8 @@ void MainWindow::makeMenus() {
     };
     menu(tr("&File"), {"open", "openFolder", "openLabels", "startScreen", "-", "saveSession", "exportLabels",
                         "screenshot", "-", "quit"});
-    menu(tr("&Edit"), {"undo", "redo", "-", "paste", "moveTool", "-", "unCut", "reSeed", "-", "clearSketch"});
+    menu(tr("&Edit"), {"undo", "redo", "showHistory", "-", "paste", "moveTool", "-", "unCut", "reSeed", "-",
+                        "clearSketch", "-", "preferences"});
     menu(tr("&View"), {"resetView", "-", "mode.surface", "mode.mip", "mode.xray", "mode.overlay",
                        "mode.segment", "mode.volume", "-", "viewCut", "viewProbe", "viewWhole", "-",
                        "smoothSampling", "shadows", "annotations"});
@@ -41,7 +43,7 @@ void MainWindow::makeMenus() {
           "-",          "freeForm", "ellipse",  "circle",    "rectangle", "polyline",   "stencil"});
     menu(tr("&Segmentation"), {"addSegment", "islandTool", "-", "playPause", "growBackwardKey", "growStepKey",
                                "growBackKey", "growToEndKey"});
-    menu(tr("&Help"), {"about"});
+    menu(tr("&Help"), {"shortcuts", "about"});
 }
 
 void MainWindow::makeToolBars() {
@@ -111,7 +113,9 @@ void MainWindow::makeToolColumn() {
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setFixedWidth(column->sizeHint().width() + 6);
     dock->setWidget(scroll);
-    addDockWidget(Qt::RightDockWidgetArea, dock);
+    addDockWidget(Qt::RightDockWidgetArea, history_);
+    splitDockWidget(history_, dock, Qt::Horizontal); // the tools stay at the window's border
+    history_->hide();
 }
 
 } // namespace vs::desktop

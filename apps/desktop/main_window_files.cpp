@@ -60,6 +60,9 @@ QFileDialog* MainWindow::makeFileDialog(const char* objectName, const QString& t
         dialog->setNameFilter(filter);
     }
     if (isSave) {
+        if (const QString& folder = studio_.preferences().recordings; QFileInfo(folder).isDir()) {
+            dialog->setDirectory(folder);
+        }
         dialog->setDefaultSuffix(QFileInfo(suggestion).completeSuffix());
         dialog->selectFile(suggestion);
     }

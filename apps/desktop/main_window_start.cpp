@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "main_window.h"
 
+#include "recovery_keeper.h"
+#include "series_dialog.h"
 #include "studio_controller.h"
 #include "thumbnail_keeper.h"
 #include "view_widget.h"
@@ -54,6 +56,14 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     event->setAccepted(mayLeave());
     if (event->isAccepted()) {
         thumbnails_->keep();
+        recovery_->finish();
+    }
+}
+
+void MainWindow::recover(const LostWork& lost) {
+    if (!recovery_->recover(lost)) {
+        studio_.say(tr("%1 is being recovered in another window").arg(lost.name));
+        welcome_->refresh();
     }
 }
 
@@ -62,6 +72,12 @@ void MainWindow::open(const OpenRequest& request) {
         thumbnails_->keep();
         studio_.open(request);
     }
+}
+
+void MainWindow::chooseSeries(const OpenRequest& request, const std::vector<volume::SeriesChoice>& choices) {
+    auto* dialog = new SeriesDialog(request, choices, this);
+    connect(dialog, &SeriesDialog::chosen, &studio_, &StudioController::open);
+    dialog->open();
 }
 
 void MainWindow::leaveForStartScreen() {

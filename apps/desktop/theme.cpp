@@ -67,6 +67,9 @@ QPushButton:pressed { background: #1b3a4d; }
 QPushButton:focus { border-color: #56b4e9; }
 QPushButton:disabled { color: #5f6770; background: #2a2e33; border-color: #34393f; }
 QPushButton#openButton { background: #1f6f9c; border-color: #2c86b8; color: #ffffff; font-weight: 600; padding: 9px 26px; }
+QPushButton[primary="true"] { background: #1f6f9c; border-color: #2c86b8; color: #ffffff; font-weight: 600; }
+QPushButton[primary="true"]:hover { background: #2880b1; }
+QFrame#recovery { background: #262a2f; border: 1px solid #e69f00; border-radius: 7px; }
 QPushButton#openButton:hover { background: #2880b1; }
 QSpinBox, QDoubleSpinBox, QLineEdit { background: #181b1e; border: 1px solid #3a4047; border-radius: 4px; padding: 3px 5px;
     selection-background-color: #1f6f9c; }
@@ -79,6 +82,13 @@ QSlider::handle:horizontal:hover { background: #ffffff; }
 QScrollBar:vertical { background: transparent; width: 8px; margin: 0; }
 QScrollBar::handle:vertical { background: #434a52; border-radius: 4px; min-height: 24px; }
 QScrollBar::add-line, QScrollBar::sub-line { height: 0; width: 0; }
+QTreeView, QListView { background: #181b1e; border: 1px solid #3a4047; border-radius: 4px; outline: 0; }
+QTreeView::item, QListView::item { padding: 4px 6px; border: 0; }
+QTreeView::item:selected, QListView::item:selected { background: #1d4259; color: #f7fbfe; }
+QHeaderView::section { background: #262a2f; color: #9aa3ad; border: 0; border-bottom: 1px solid #3a4047; padding: 5px 6px; }
+QLabel[keyCap="true"] { background: #181b1e; border: 1px solid #3a4047; border-radius: 4px; padding: 1px 7px; font-weight: 600; }
+QDockWidget::title { background: #262a2f; padding: 5px 8px; border-bottom: 1px solid #3a4047; }
+QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
 QStatusBar { background: #1f2226; color: #e3e6ea; }
 QStatusBar::item { border: 0; }
 QProgressBar { background: #181b1e; border: 1px solid #3a4047; border-radius: 4px; text-align: center; }

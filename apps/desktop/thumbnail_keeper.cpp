@@ -30,15 +30,15 @@ QImage thumbnailOf(const QImage& picture) {
         .scaled(ThumbnailKeeper::kSize, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
 }
 
-void write(const QString& path, const QImage& picture) {
+} // namespace
+
+void writeThumbnail(const QString& path, const QImage& picture) {
     QDir().mkpath(QFileInfo(path).path());
-    QSaveFile file(path); // whole or not at all: two windows may keep the same one
+    QSaveFile file(path);
     if (file.open(QIODevice::WriteOnly) && picture.save(&file, "PNG")) {
         file.commit();
     }
 }
-
-} // namespace
 
 ThumbnailKeeper::ThumbnailKeeper(StudioController& studio) : QObject(&studio), studio_(studio) {
     calm_.setSingleShot(true);
@@ -88,7 +88,7 @@ void ThumbnailKeeper::keep() {
         rememberDocument(known);
         QThreadPool::globalInstance()->start([path = known.picturePath(), guard = QPointer(this),
                                               picture = imageOf(studio_.picture().readPicture())] {
-            write(path, thumbnailOf(picture));
+            writeThumbnail(path, thumbnailOf(picture));
             QMetaObject::invokeMethod(
                 qApp,
                 [guard] {

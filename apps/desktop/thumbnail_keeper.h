@@ -36,4 +36,7 @@ private:
     int taken_ = -1; // which of the picture loop's pictures
 };
 
+// Writes a picture whole or not at all: two windows may write the same one. Makes its folder.
+void writeThumbnail(const QString& path, const QImage& picture);
+
 } // namespace vs::desktop

@@ -4,12 +4,17 @@
 #include "card_grid.h"
 #include "icons.h"
 #include "panel_parts.h"
+#include "recovery_list.h"
+#include "slice_pictures.h"
 #include "start_card.h"
 
+#include <QEvent>
 #include <QLabel>
 #include <QPushButton>
 #include <QScrollArea>
 #include <QVBoxLayout>
+
+#include <algorithm>
 
 namespace vs::desktop {
 
@@ -18,12 +23,15 @@ constexpr int kMostPerRow = 5;
 constexpr int kMargin = 36;
 } // namespace
 
-WelcomePage::WelcomePage(QWidget* parent) : QWidget(parent) {
+WelcomePage::WelcomePage(QWidget* parent) : QWidget(parent), pictures_(new SlicePictures(this)) {
     auto* content = new QWidget;
     auto* column = new QVBoxLayout(content);
     column->setContentsMargins(0, kMargin, 0, kMargin);
     column->setSpacing(12);
     addHead(column);
+    recovery_ = new RecoveryList;
+    column->addWidget(recovery_);
+    connect(recovery_, &RecoveryList::recoverRequested, this, &WelcomePage::recoverRequested);
     recent_ = addSection(column, tr("Recent"));
     examples_ = addSection(column, tr("Examples on this machine"));
     column->addStretch(1);
@@ -41,14 +49,22 @@ WelcomePage::WelcomePage(QWidget* parent) : QWidget(parent) {
     scroll->setFrameShape(QFrame::NoFrame);
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setFocusPolicy(Qt::NoFocus);
+    constexpr int kCalmMs = 1500; // a program that was started to open something has left by then
+    calm_.setSingleShot(true);
+    calm_.setInterval(kCalmMs);
+    connect(&calm_, &QTimer::timeout, this, &WelcomePage::makePictures);
+    connect(pictures_, &SlicePictures::made, this, [this] {
+        if (isVisible()) {
+            refresh();
+        }
+    });
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     outer->addWidget(scroll);
 }
 
 void WelcomePage::addHead(QVBoxLayout* column) {
-    auto* picture = new QLabel;
-    picture->setPixmap(icon("peel").pixmap(QSize(64, 64), devicePixelRatioF()));
+    mark_ = new QLabel;
     auto* title = new QLabel(tr("Volume Studio"));
     QFont font = title->font();
     font.setPointSizeF(2.0 * font.pointSizeF());
@@ -61,7 +77,7 @@ void WelcomePage::addHead(QVBoxLayout* column) {
         tr("Reshape a 3D scan with your pen: peel it, drill it, and let what you mark grow.")));
     auto* head = new QHBoxLayout;
     head->setSpacing(16);
-    head->addWidget(picture);
+    head->addWidget(mark_);
     head->addLayout(texts, 1);
     column->addLayout(head);
 
@@ -95,8 +111,21 @@ WelcomePage::Section WelcomePage::addSection(QVBoxLayout* column, const QString&
 }
 
 void WelcomePage::refresh() {
-    fill(recent_, recentDocuments(), "recent", true);
-    fill(examples_, exampleDocuments(), "example", false);
+    // The keyboard stays where it was among the new cards.
+    const QString focused = focusWidget() != nullptr ? focusWidget()->objectName() : QString();
+    mark_->setPixmap(icon("peel").pixmap(QSize(64, 64), devicePixelRatioF()));
+    recovery_->refresh();
+    const auto recent = recentDocuments();
+    auto examples = exampleDocuments();
+    std::erase_if(examples, [&recent](const KnownDocument& example) {
+        return std::any_of(recent.begin(), recent.end(),
+                           [&](const KnownDocument& other) { return other.path() == example.path(); });
+    });
+    fill(recent_, recent, "recent", true);
+    fill(examples_, examples, "example", false);
+    if (auto* card = findChild<StartCard*>(focused); card != nullptr && !focused.isEmpty()) {
+        card->setFocus();
+    }
 }
 
 void WelcomePage::fill(Section& section, const std::vector<KnownDocument>& documents, const QString& name,
@@ -125,9 +154,29 @@ void WelcomePage::fill(Section& section, const std::vector<KnownDocument>& docum
     section.cards->setVisible(!cards.empty());
 }
 
+// Pictures drawn in the colours of another theme are drawn anew.
+void WelcomePage::changeEvent(QEvent* event) {
+    QWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange && isVisible()) {
+        refresh();
+    }
+}
+
 void WelcomePage::showEvent(QShowEvent* event) {
     QWidget::showEvent(event);
     refresh();
+    calm_.start();
+}
+
+void WelcomePage::hideEvent(QHideEvent* event) {
+    QWidget::hideEvent(event);
+    calm_.stop();
+}
+
+void WelcomePage::makePictures() {
+    for (const KnownDocument& document : exampleDocuments()) {
+        pictures_->want(document);
+    }
 }
 
 } // namespace vs::desktop

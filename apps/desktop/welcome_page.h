@@ -3,6 +3,7 @@
 
 #include "recent_documents.h"
 
+#include <QTimer>
 #include <QWidget>
 
 class QLabel;
@@ -11,6 +12,9 @@ class QVBoxLayout;
 namespace vs::desktop {
 
 class CardGrid;
+class RecoveryList;
+class SlicePictures;
+struct LostWork;
 
 // The start screen: what was open of late, examples, and the ways to open something else.
 class WelcomePage : public QWidget {
@@ -24,10 +28,13 @@ public:
 signals:
     void openRequested();
     void openFolderRequested();
+    void recoverRequested(const vs::desktop::LostWork& lost);
     void documentChosen(const vs::desktop::OpenRequest& request);
 
 protected:
     void showEvent(QShowEvent* event) override;
+    void hideEvent(QHideEvent* event) override;
+    void changeEvent(QEvent* event) override;
 
 private:
     struct Section {
@@ -35,11 +42,16 @@ private:
         CardGrid* cards = nullptr;
     };
 
+    void makePictures();
     void addHead(QVBoxLayout* column);
     Section addSection(QVBoxLayout* column, const QString& title);
     void fill(Section& section, const std::vector<KnownDocument>& documents, const QString& name,
               bool canForget);
 
+    SlicePictures* pictures_;
+    QTimer calm_;            // the start screen has been looked at for a moment
+    QLabel* mark_ = nullptr; // the program's own
+    RecoveryList* recovery_ = nullptr;
     Section recent_;
     Section examples_;
 };

@@ -56,11 +56,11 @@ def own_home(folder):
 class Studio:
     """One running volume-studio."""
 
-    def __init__(self, display, program, folder, arguments=(), scale=1):
+    def __init__(self, display, program, folder, arguments=(), scale=1, home=None):
         self.folder = pathlib.Path(folder)
         self.layout_file = self.folder / "layout.json"
         self.layout_file.unlink(missing_ok=True)
-        self.environment = dict(display.environment, QT_SCALE_FACTOR=str(scale), **own_home(self.folder / "home"))
+        self.environment = dict(display.environment, QT_SCALE_FACTOR=str(scale), **own_home(home or self.folder / "home"))
         self.log = open(self.folder / "volume-studio.log", "w+")
         self.process = subprocess.Popen(
             [program, "--layout-file", str(self.layout_file), *map(str, arguments)],
@@ -136,9 +136,12 @@ class Studio:
         self.wait(f"{dialog} to close", lambda state: dialog not in state["widgets"])
         self.focus()
 
-    def main_window(self):
-        return subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "Volume Studio"],
+    def window(self, title):
+        return subprocess.run(["xdotool", "search", "--onlyvisible", "--name", title],
                               env=self.environment, check=True, capture_output=True, text=True).stdout.split()[0]
+
+    def main_window(self):
+        return self.window("Volume Studio")
 
     def focus(self):
         """Gives the main window the keyboard: there is no window manager here to do it when a dialog closes."""

@@ -3,12 +3,18 @@
 on the way back to it."""
 
 import argparse
+import os
+import pathlib
 import shutil
 import sys
 
 from driver import need, run_test, start
 from phantom import write_ball_head
 from replay import operations
+
+DATA = pathlib.Path(os.environ.get("VOLUME_STUDIO_TEST_DATA",
+                                   pathlib.Path(__file__).resolve().parents[2].parent / "shared" / "data"))
+SERIES = DATA / "bad" / "dicomdir_two_series"
 
 
 def pictures(folder):
@@ -49,6 +55,27 @@ def leave(studio, answer):
     studio.key("ctrl+w")
     studio.wait("the question", lambda s: answer in s["widgets"])
     studio.click(answer)
+
+
+def open_series(display, arguments, folder):
+    """A folder of several series lists them; the one chosen is opened, and stays chosen among the recent ones."""
+    if not SERIES.is_dir():
+        print(f"skipped: {SERIES} is not here")
+        return
+    studio = start(display, arguments.program, folder, [SERIES])
+    studio.wait("the list of series", lambda s: "openSeries" in s["widgets"])
+    studio.xdotool("windowfocus", "--sync", studio.window("Which series?"))
+    studio.key("Home")
+    studio.key("Down")
+    studio.key("Return")
+    state = studio.wait_idle("the series", lambda s: s["title"].startswith(SERIES.name) and s["pictureComplete"])
+    need("seriesDialog" not in state["widgets"], "the list of series is still open")
+    studio.focus()
+    studio.key("ctrl+w")
+    studio.wait_idle("the start screen", lambda s: "recent0" in s["widgets"])
+    studio.click("recent0")
+    studio.wait_idle("the series again", lambda s: s["title"].startswith(SERIES.name) and s["pictureComplete"])
+    studio.quit()
 
 
 def main(display, arguments, folder):
@@ -110,6 +137,7 @@ def main(display, arguments, folder):
     need(len(pictures(folder)) == kept - 1, "the picture of what was forgotten is still there")
     need(studio.state()["glErrors"] == 0, "OpenGL errors")
     studio.quit()
+    open_series(display, arguments, folder)
 
 
 if __name__ == "__main__":

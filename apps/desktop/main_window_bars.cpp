@@ -30,9 +30,9 @@ void MainWindow::makeMenus() {
         }
     };
     menu(tr("&File"), {"open", "openFolder", "openLabels", "startScreen", "-", "saveSession", "exportLabels",
-                        "screenshot", "-", "quit"});
+                       "screenshot", "-", "quit"});
     menu(tr("&Edit"), {"undo", "redo", "showHistory", "-", "paste", "moveTool", "-", "unCut", "reSeed", "-",
-                        "clearSketch", "-", "preferences"});
+                       "clearSketch", "-", "preferences"});
     menu(tr("&View"), {"resetView", "-", "mode.surface", "mode.mip", "mode.xray", "mode.overlay",
                        "mode.segment", "mode.volume", "-", "viewCut", "viewProbe", "viewWhole", "-",
                        "smoothSampling", "shadows", "annotations"});

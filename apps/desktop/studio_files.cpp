@@ -3,6 +3,7 @@
 
 #include "camera_tool.h"
 #include "growth_controller.h"
+#include "segment_controller.h"
 #include "segment_measurer.h"
 #include "tool.h"
 
@@ -211,7 +212,9 @@ void StudioController::close() {
     growth_->reset();
     setTool(*cameraTool_); // drops what is in hand
     cameraTool_->clear();
-    picture_->setDocument(nullptr); // before the document goes
+    measurer_->stop(); // it and the picture look into the document
+    segments_->stop();
+    picture_->setDocument(nullptr);
     document_.reset();
     source_ = {};
     savedEdits_ = 0;

@@ -11,6 +11,7 @@
 #include "base/log.h"
 
 #include <QApplication>
+#include <QIcon>
 #include <QMessageBox>
 #include <QScreen>
 
@@ -73,6 +74,8 @@ int main(int argc, char** argv) {
     QApplication::setApplicationName("volume-studio");
     QApplication::setApplicationDisplayName("Volume Studio");
     QApplication::setApplicationVersion(VOLUME_STUDIO_VERSION);
+    QApplication::setDesktopFileName("volume-studio"); // where the desktop finds name and icon
+    QApplication::setWindowIcon(QIcon::fromTheme("volume-studio"));
     std::setlocale(LC_NUMERIC, "C"); // file readers expect points in numbers whatever the person's language
     try {
         return run(application);

@@ -67,17 +67,18 @@ QImage greys(const std::vector<double>& values, QSize size) {
 }
 
 // The face to the left, the top of the head up, all of the volume with a margin.
-QImage middleSlice(const volume::Volume& volume) {
+QImage slicePicture(const volume::Volume& volume) {
     const QSize size = ThumbnailKeeper::kSize;
     const auto [lo, hi] = worldBox(volume.geometry);
     const glm::dvec3 centre = 0.5 * (lo + hi);
+    const double besides = centre.x + 0.1 * (hi.x - lo.x); // the middle plane of a head is a gap
     const glm::dvec3 extent = 1.06 * (hi - lo);
     const double mmPerPixel = std::max(extent.y / size.width(), extent.z / size.height());
     const glm::dmat4 voxelFromWorld = volume.geometry.voxelFromWorld();
     std::vector<double> values;
     for (int y = 0; y < size.height(); ++y) {
         for (int x = 0; x < size.width(); ++x) {
-            const glm::dvec3 world(centre.x, centre.y + (x - 0.5 * size.width()) * mmPerPixel,
+            const glm::dvec3 world(besides, centre.y + (x - 0.5 * size.width()) * mmPerPixel,
                                    centre.z + (0.5 * size.height() - y) * mmPerPixel);
             values.push_back(valueAt(volume, glm::dvec3(voxelFromWorld * glm::dvec4(world, 1))));
         }
@@ -103,7 +104,7 @@ void SlicePictures::want(const KnownDocument& document) {
     asked_ << path;
     pool_.start([this, path, file = document.request.volume] {
         try {
-            writeThumbnail(path, middleSlice(volume::readVolume(file).volume));
+            writeThumbnail(path, slicePicture(volume::readVolume(file).volume));
             QMetaObject::invokeMethod(this, &SlicePictures::made, Qt::QueuedConnection);
         } catch (const std::exception&) {
             // It has no picture; why it cannot be read is told when it is opened.

@@ -8,7 +8,7 @@
 
 namespace vs::desktop {
 
-// Pictures of scans that were never open here: the slice through the middle, seen from the patient's left.
+// Pictures of scans that were never open here: a slice beside the middle, seen from the patient's left.
 // Made one at a time on a thread of its own, kept where those of recent documents are.
 class SlicePictures : public QObject {
     Q_OBJECT

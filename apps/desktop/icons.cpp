@@ -110,6 +110,16 @@ const std::map<std::string, const char*> kShapes{
      R"(<path stroke-opacity=".450" d="M5.500 11h13v9h-13z"/><path stroke-opacity=".450" d="M8 11V7.500a4 4 0 0 1 7.600-1.500"/>)"},
     {"island",
      R"(<path d="M3.500 10c0-4 4-6 7-5s4 5 1.500 7-8.500 2-8.500-2z"/><circle cx="17.500" cy="17" r="3.500" stroke="C" fill="C" fill-opacity=".350"/><path stroke="C" d="M15.500 15l4 4M19.500 15l-4 4"/>)"},
+    {"start",
+     R"(<path d="M4 4h6.500v6.500H4zM13.500 4H20v6.500h-6.500zM4 13.500h6.500V20H4z"/><path stroke="C" d="M13.500 13.500H20V20h-6.500z"/>)"},
+    {"history", R"(<circle cx="12.500" cy="12" r="8"/><path stroke="C" d="M12.500 7.500V12l3.500 2"/>)"},
+    {"keys",
+     R"(<path d="M2.500 6h19v12h-19z"/><path stroke="C" d="M8 14.500h8"/><path d="M6 10h.500M10 10h.500M14 10h.500M18 10h.500"/>)"},
+    {"preferences", R"(<path d="M4 7h9M17 7h3M4 17h3M11 17h9M4 12h2"/><circle cx="15" cy="7" r="2" stroke="C"/><circle cx="9" cy="17" r="2" stroke="C"/><path d="M6 12h14"/>)"},
+    {"recover",
+     R"(<path d="M12 20.500a8.500 8.500 0 1 0-8.500-8.500"/><path d="M3.500 6.500V12H9"/><path stroke="C" d="M12 7.500V12l3 2"/>)"},
+    {"raw",
+     R"(<path d="M12 3.500l7.500 4.200v8.600L12 20.500l-7.500-4.200V7.700z"/><path d="M4.500 7.700L12 12l7.500-4.300M12 12v8.500"/>)"},
     {"about", R"(<circle cx="12" cy="12" r="8.500"/><path d="M12 11v5.500M12 7.500v.500"/>)"},
 };
 

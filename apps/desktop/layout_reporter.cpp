@@ -19,6 +19,7 @@
 
 #include <QApplication>
 #include <QEvent>
+#include <QListWidget>
 #include <QWidget>
 
 #include <cmath>
@@ -48,6 +49,17 @@ nlohmann::json measured(const MeasureTool& tool) {
         values.push_back(valueOf(measurement));
     }
     return values;
+}
+
+// Height of a row of the history on the screen; 0: it is not shown.
+int historyRowHeight() {
+    for (const QWidget* widget : QApplication::allWidgets()) {
+        const auto* list = qobject_cast<const QListWidget*>(widget);
+        if (list != nullptr && list->isVisible() && list->objectName() == "historyList") {
+            return int(std::lround(list->sizeHintForRow(0) * list->devicePixelRatioF()));
+        }
+    }
+    return 0;
 }
 
 nlohmann::json screenRect(const QWidget& widget) {
@@ -103,6 +115,7 @@ void LayoutReporter::write() {
             widgets[name.toStdString()] = screenRect(*widget);
         }
     }
+    const QWidget* focused = QApplication::focusWidget();
     const auto* document = studio_.document();
     const auto status = studio_.growth().status();
     const nlohmann::json report{
@@ -118,9 +131,15 @@ void LayoutReporter::write() {
         {"voxels", status.voxels},
         {"segments", listOf(studio_.segments())},
         {"operations", document != nullptr ? document->log().size() : 0},
+        {"smooth", studio_.view().sampling == field::Sampling::Tricubic},
+        {"historyRow", historyRowHeight()},
+        {"steps", document != nullptr ? document->steps().operations.size() : 0},
+        {"stepsDone", document != nullptr ? document->steps().done : 0},
         {"canUndo", document != nullptr && document->canUndo()},
         {"canRedo", document != nullptr && document->canRedo()},
         {"message", studio_.message().toStdString()},
+        {"focus", focused != nullptr ? focused->objectName().toStdString() : std::string()},
+        {"unsaved", studio_.hasUnsavedEdits()},
         {"title", window_.windowTitle().toStdString()},
         {"pictureComplete", studio_.picture().isComplete()},
         {"viewRect", window_.view().isVisible() ? screenRect(window_.view()) : nlohmann::json::array()},

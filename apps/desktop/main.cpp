@@ -3,6 +3,7 @@
 #include "layout_reporter.h"
 #include "main_window.h"
 #include "options.h"
+#include "preferences.h"
 #include "studio_controller.h"
 #include "theme.h"
 
@@ -10,6 +11,7 @@
 #include "base/log.h"
 
 #include <QApplication>
+#include <QIcon>
 #include <QMessageBox>
 #include <QScreen>
 
@@ -23,7 +25,7 @@ namespace {
 int run(QApplication& application) {
     using namespace vs::desktop;
     const Options options = parseOptions(application);
-    applyTheme(application);
+    applyTheme(application, Preferences::load().theme);
     std::unique_ptr<StudioController> studio;
     try {
         studio = std::make_unique<StudioController>();
@@ -72,6 +74,8 @@ int main(int argc, char** argv) {
     QApplication::setApplicationName("volume-studio");
     QApplication::setApplicationDisplayName("Volume Studio");
     QApplication::setApplicationVersion(VOLUME_STUDIO_VERSION);
+    QApplication::setDesktopFileName("volume-studio"); // where the desktop finds name and icon
+    QApplication::setWindowIcon(QIcon::fromTheme("volume-studio"));
     std::setlocale(LC_NUMERIC, "C"); // file readers expect points in numbers whatever the person's language
     try {
         return run(application);

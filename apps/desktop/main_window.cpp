@@ -5,10 +5,13 @@
 #include "growth_panel.h"
 #include "growth_rules_panel.h"
 #include "histogram_panel.h"
+#include "history_panel.h"
 #include "panel_parts.h"
+#include "recovery_keeper.h"
 #include "segment_edit_panel.h"
 #include "segment_numbers_panel.h"
 #include "studio_controller.h"
+#include "thumbnail_keeper.h"
 #include "tool.h"
 #include "tool_panel.h"
 #include "view_grid.h"
@@ -26,6 +29,8 @@
 #include <QStatusBar>
 #include <QVBoxLayout>
 
+#include <set>
+
 namespace vs::desktop {
 
 namespace {
@@ -33,6 +38,9 @@ namespace {
 constexpr int kProbeMs =
     120; // after the pen came to rest: often enough to read, rarely enough not to disturb
 constexpr int kRateMs = 250;
+
+// Actions that need no document.
+const std::set<std::string> kAlways{"open", "openFolder", "quit", "about", "shortcuts", "preferences"};
 
 // "L 12.3  P 4.5  S 30.2 mm": the patient's directions instead of signs.
 QString patientPlace(glm::dvec3 lps) {
@@ -49,6 +57,8 @@ MainWindow::MainWindow(StudioController& studio, QWidget* parent) : QMainWindow(
     setWindowTitle(tr("Volume Studio"));
     setAcceptDrops(true);
     setContextMenuPolicy(Qt::NoContextMenu); // tool bars cannot be lost by a stray click
+    thumbnails_ = new ThumbnailKeeper(studio_);
+    recovery_ = new RecoveryKeeper(studio_);
     makeCentre();
     makeDock();
     makeStatusBar();
@@ -58,6 +68,7 @@ MainWindow::MainWindow(StudioController& studio, QWidget* parent) : QMainWindow(
     makeSliceActions();
     makeToolActions();
     makeGrowthActions();
+    makeHelpActions();
     makeMenus();
     makeToolBars();
     makeToolColumn();
@@ -67,10 +78,7 @@ MainWindow::MainWindow(StudioController& studio, QWidget* parent) : QMainWindow(
     connect(&studio_, &StudioController::messageChanged, this,
             [this] { message_->setText(studio_.message()); });
     connect(&studio_, &StudioController::progress, this, &MainWindow::showProgress);
-    connect(&studio_, &StudioController::opened, this, [this] {
-        centre_->setCurrentIndex(1);
-        view_->setFocus();
-    });
+    connect(&studio_, &StudioController::opened, this, &MainWindow::showView);
     connect(&studio_, &StudioController::openFailed, this, [this](const QString& message) {
         auto* box =
             new QMessageBox(QMessageBox::Warning, tr("Volume Studio"), message, QMessageBox::Ok, this);
@@ -78,6 +86,7 @@ MainWindow::MainWindow(StudioController& studio, QWidget* parent) : QMainWindow(
         box->setAttribute(Qt::WA_DeleteOnClose);
         box->open();
     });
+    connect(&studio_, &StudioController::seriesWanted, this, &MainWindow::chooseSeries);
     connect(view_, &ViewWidget::penMoved, this, [this] { probeTimer_.start(kProbeMs); });
     probeTimer_.setSingleShot(true);
     connect(&probeTimer_, &QTimer::timeout, this, &MainWindow::refreshProbe);
@@ -87,15 +96,19 @@ MainWindow::MainWindow(StudioController& studio, QWidget* parent) : QMainWindow(
     });
     rateTimer_.start(kRateMs);
     refresh();
+    showStartScreen();
 }
 
 void MainWindow::makeCentre() {
     centre_ = new QStackedWidget;
-    auto* welcome = named(new WelcomePage, "welcome", tr("Welcome"));
-    connect(welcome, &WelcomePage::openRequested, this, &MainWindow::openFile);
-    connect(welcome, &WelcomePage::openFolderRequested, this, &MainWindow::openFolder);
-    welcome->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred); // its width is not the view's least
-    centre_->addWidget(welcome);
+    welcome_ = named(new WelcomePage, "welcome", tr("Start screen"));
+    connect(welcome_, &WelcomePage::openRequested, this, &MainWindow::openFile);
+    connect(welcome_, &WelcomePage::openFolderRequested, this, &MainWindow::openFolder);
+    connect(welcome_, &WelcomePage::documentChosen, this, &MainWindow::open);
+    connect(welcome_, &WelcomePage::recoverRequested, this, &MainWindow::recover);
+    welcome_->setSizePolicy(QSizePolicy::Ignored,
+                            QSizePolicy::Preferred); // its width is not the view's least
+    centre_->addWidget(welcome_);
 
     auto* page = new QWidget;
     auto* column = new QVBoxLayout(page);
@@ -136,6 +149,8 @@ void MainWindow::makeDock() {
     scroll->setFixedWidth(kPanelWidth + 10); // room for the scroll bar
     dock->setWidget(scroll);
     addDockWidget(Qt::LeftDockWidgetArea, dock);
+    history_ = new HistoryPanel(studio_);
+    history_->hide(); // until it is asked for
 }
 
 void MainWindow::makeStatusBar() {
@@ -175,7 +190,7 @@ void MainWindow::refresh() {
     const auto& growth = studio_.growth();
     const bool canPlay = hasDocument && growth.canPlay();
     for (const auto& [name, action] : actions_) {
-        if (name != "open" && name != "openFolder" && name != "quit" && name != "about") {
+        if (kAlways.count(name) == 0) {
             action->setEnabled(hasDocument);
         }
     }
@@ -246,19 +261,6 @@ void MainWindow::showProgress(int done, int total) {
         isBusyCursor_ = isBusy;
         isBusy ? QApplication::setOverrideCursor(Qt::BusyCursor) : QApplication::restoreOverrideCursor();
     }
-}
-
-void MainWindow::about() {
-    const auto& device = studio_.host().device();
-    auto* box = new QMessageBox(
-        QMessageBox::NoIcon, tr("About Volume Studio"),
-        tr("<h3>Volume Studio %1</h3><p>Reshape a 3D scan with a pen, on the rendered picture itself.</p>"
-           "<p>%2<br>OpenGL %3</p><p>Not a medical device: do not use it for diagnosis or treatment.</p>")
-            .arg(QApplication::applicationVersion(), QString::fromStdString(device.renderer).toHtmlEscaped(),
-                 QString::fromStdString(device.version).toHtmlEscaped()),
-        QMessageBox::Ok, this);
-    box->setAttribute(Qt::WA_DeleteOnClose);
-    box->open();
 }
 
 } // namespace vs::desktop

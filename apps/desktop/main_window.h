@@ -13,8 +13,10 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <vector>
 
 class QActionGroup;
+class QDockWidget;
 class QFileDialog;
 class QLabel;
 class QProgressBar;
@@ -23,10 +25,15 @@ class QToolBar;
 
 namespace vs::desktop {
 
+class HistoryPanel;
+class RecoveryKeeper;
 class StudioController;
+class ThumbnailKeeper;
 class Tool;
 class ViewGrid;
 class ViewWidget;
+class WelcomePage;
+struct LostWork;
 
 // The window: tool bars and menus around the view, panels on the left, the line of hints below the picture
 // and the status bar. Holds no state of its own: it shows the controller's and calls it.
@@ -49,9 +56,6 @@ protected:
     void keyReleaseEvent(QKeyEvent* event) override;
 
 private:
-    // Asks before work that no file holds is lost; false: the person wants to keep it.
-    bool mayLeave();
-
     struct ActionText {
         const char* name; // objectName of the action and of its button
         const char* icon;
@@ -101,9 +105,27 @@ private:
     void saveSession();
     void exportLabels();
     void screenshot();
+    QFileDialog* makeFileDialog(const char* objectName, const QString& title, bool isSave,
+                                const QString& filter, const QString& suggestion);
     void choose(const char* objectName, const QString& title, bool isSave, const QString& filter,
                 const QString& suggestion, const std::function<void(const QString&)>& take);
     [[nodiscard]] QString suggestedName(const QString& suffix) const;
+    [[nodiscard]] QString suggestedSession() const;
+
+    // main_window_help.cpp
+    void makeHelpActions();
+    void showPreferences();
+    void about();
+
+    // main_window_start.cpp
+    bool mayLeave();
+    bool saveBeforeLeaving();
+    void open(const OpenRequest& request);
+    void showStartScreen();
+    void leaveForStartScreen();
+    void recover(const LostWork& lost);
+    void chooseSeries(const OpenRequest& request, const std::vector<volume::SeriesChoice>& choices);
+    void showView();
 
     void makeCentre();
     void makeDock();
@@ -113,12 +135,16 @@ private:
     void refreshProbe();
     void showProbe(double value, glm::dvec3 voxel, glm::dvec3 world);
     void showProgress(int done, int total);
-    void about();
 
     StudioController& studio_;
     std::map<std::string, QAction*> actions_;
     QToolBar* bar_ = nullptr;
     QStackedWidget* centre_ = nullptr;
+    WelcomePage* welcome_ = nullptr;
+    ThumbnailKeeper* thumbnails_ = nullptr;
+    RecoveryKeeper* recovery_ = nullptr;
+    HistoryPanel* history_ = nullptr;
+    std::vector<QDockWidget*> hiddenDocks_; // while the start screen is shown
     ViewWidget* view_ = nullptr;
     ViewGrid* grid_ = nullptr; // it and the slices
     QLabel* hint_ = nullptr;

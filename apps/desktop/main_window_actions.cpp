@@ -3,6 +3,7 @@
 
 #include "camera_tool.h"
 #include "growth_controller.h"
+#include "history_panel.h"
 #include "icons.h"
 #include "segment_controller.h"
 #include "studio_controller.h"
@@ -45,6 +46,9 @@ void MainWindow::makeFileActions() {
     addAction({"openLabels", "labels", tr("Open label map\u2026"),
                tr("Make segments of the labels of a label map on the volume's grid"), tr("Ctrl+L")},
               [this] { openLabels(); });
+    addAction({"startScreen", "start", tr("Start"), tr("Close this and go back to the start screen"),
+               QKeySequence::Close},
+              [this] { leaveForStartScreen(); });
     addAction({"saveSession", "save", tr("Save"),
                tr("Save the session: everything done so far, to go on or replay"), QKeySequence::Save},
               [this] { saveSession(); });
@@ -55,7 +59,6 @@ void MainWindow::makeFileActions() {
                tr("F12")},
               [this] { screenshot(); });
     addAction({"quit", "quit", tr("Quit"), tr("Leave Volume Studio"), tr("Ctrl+Q")}, [this] { close(); });
-    addAction({"about", "about", tr("About"), tr("About Volume Studio"), {}}, [this] { about(); });
 }
 
 void MainWindow::makeEditActions() {
@@ -63,6 +66,11 @@ void MainWindow::makeEditActions() {
               [this] { studio_.apply(studio::Undo{}); });
     addAction({"redo", "redo", tr("Redo"), tr("Do it again"), tr("Ctrl+Shift+Z")},
               [this] { studio_.apply(studio::Redo{}); });
+    addAction({"showHistory", "history", tr("History"), tr("All steps, to go to any of them"), tr("Ctrl+H")},
+              [this] { history_->setVisible(action("showHistory")->isChecked()); })
+        ->setCheckable(true);
+    connect(history_, &QDockWidget::visibilityChanged, this,
+            [this] { action("showHistory")->setChecked(!history_->isHidden()); });
     addAction({"unCut", "uncut", tr("Un-Cut"), tr("Clear all cuts"), tr("Ctrl+Shift+U")},
               [this] { studio_.apply(studio::UnCut{}); });
     addAction({"reSeed", "reseed", tr("Re-Seed"), tr("Clear the segmentation"), tr("Ctrl+Shift+R")},

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "history_panel.h"
 #include "main_window.h"
 #include "panel_parts.h"
 #include "tool_column.h"
@@ -28,9 +29,10 @@ void MainWindow::makeMenus() {
             }
         }
     };
-    menu(tr("&File"),
-         {"open", "openFolder", "openLabels", "-", "saveSession", "exportLabels", "screenshot", "-", "quit"});
-    menu(tr("&Edit"), {"undo", "redo", "-", "paste", "moveTool", "-", "unCut", "reSeed", "-", "clearSketch"});
+    menu(tr("&File"), {"open", "openFolder", "openLabels", "startScreen", "-", "saveSession", "exportLabels",
+                       "screenshot", "-", "quit"});
+    menu(tr("&Edit"), {"undo", "redo", "showHistory", "-", "paste", "moveTool", "-", "unCut", "reSeed", "-",
+                       "clearSketch", "-", "preferences"});
     menu(tr("&View"), {"resetView", "-", "mode.surface", "mode.mip", "mode.xray", "mode.overlay",
                        "mode.segment", "mode.volume", "-", "viewCut", "viewProbe", "viewWhole", "-",
                        "smoothSampling", "shadows", "annotations"});
@@ -42,7 +44,7 @@ void MainWindow::makeMenus() {
                         "ellipse",      "circle",    "rectangle", "polyline",    "stencil"});
     menu(tr("&Segmentation"), {"addSegment", "islandTool", "paintTool", "-", "playPause", "growBackwardKey",
                                "growStepKey", "growBackKey", "growToEndKey"});
-    menu(tr("&Help"), {"about"});
+    menu(tr("&Help"), {"shortcuts", "about"});
 }
 
 void MainWindow::makeToolBars() {
@@ -51,29 +53,12 @@ void MainWindow::makeToolBars() {
     bar_->setAccessibleName(bar_->windowTitle());
     bar_->setMovable(false);
     bar_->setIconSize(QSize(22, 22));
-    for (const char* name : {"open",
-                             "openFolder",
-                             "saveSession",
-                             "exportLabels",
-                             "screenshot",
-                             "-",
-                             "undo",
-                             "redo",
-                             "-",
-                             "resetView",
-                             "-",
-                             "mode.surface",
-                             "mode.mip",
-                             "mode.xray",
-                             "mode.overlay",
-                             "mode.segment",
-                             "mode.volume",
-                             "-",
-                             "viewCut",
-                             "viewProbe",
-                             "viewWhole",
-                             "-",
-                             "slices"}) {
+    for (const char* name : {"open",         "openFolder",  "startScreen", "saveSession",
+                             "exportLabels", "screenshot",  "-",           "undo",
+                             "redo",         "-",           "resetView",   "-",
+                             "mode.surface", "mode.mip",    "mode.xray",   "mode.overlay",
+                             "mode.segment", "mode.volume", "-",           "viewCut",
+                             "viewProbe",    "viewWhole",   "-",           "slices"}) {
         if (*name == '-') {
             bar_->addSeparator();
             continue;
@@ -129,7 +114,9 @@ void MainWindow::makeToolColumn() {
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setFixedWidth(column->sizeHint().width() + 6);
     dock->setWidget(scroll);
-    addDockWidget(Qt::RightDockWidgetArea, dock);
+    addDockWidget(Qt::RightDockWidgetArea, history_);
+    splitDockWidget(history_, dock, Qt::Horizontal); // the tools stay at the window's border
+    history_->hide();
 }
 
 } // namespace vs::desktop

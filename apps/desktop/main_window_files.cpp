@@ -4,15 +4,11 @@
 #include "segment_controller.h"
 #include "studio_controller.h"
 
-#include <QAbstractButton>
-#include <QCloseEvent>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QInputDialog>
-#include <QMessageBox>
 #include <QMimeData>
-#include <QPushButton>
 
 namespace vs::desktop {
 
@@ -27,35 +23,12 @@ bool isHeaderless(const QString& path) {
 
 } // namespace
 
-bool MainWindow::mayLeave() {
-    if (!studio_.hasUnsavedEdits()) {
-        return true;
-    }
-    QMessageBox question(QMessageBox::Warning, tr("Volume Studio"),
-                         tr("There are edits that no session file holds."), QMessageBox::NoButton, this);
-    question.setObjectName("unsavedEdits");
-    question.setInformativeText(tr("Leave them, or go back and save the session first?"));
-    const QAbstractButton* leave = question.addButton(tr("&Discard edits"), QMessageBox::DestructiveRole);
-    question.setDefaultButton(question.addButton(tr("&Go back"), QMessageBox::RejectRole));
-    question.exec();
-    return question.clickedButton() == leave;
-}
-
-void MainWindow::closeEvent(QCloseEvent* event) { event->setAccepted(mayLeave()); }
-
 void MainWindow::openPath(const QString& path) {
-    if (!mayLeave()) {
-        return;
-    }
     OpenRequest request;
-    if (path.endsWith(".json", Qt::CaseInsensitive)) {
-        request.session = pathOf(path);
-        studio_.open(request);
-        return;
-    }
-    request.volume = pathOf(path);
-    if (!isHeaderless(path)) {
-        studio_.open(request);
+    const bool isSession = path.endsWith(".json", Qt::CaseInsensitive);
+    (isSession ? request.session : request.volume) = pathOf(path);
+    if (isSession || !isHeaderless(path)) {
+        open(request);
         return;
     }
     auto* dialog = new QInputDialog(this);
@@ -68,13 +41,13 @@ void MainWindow::openPath(const QString& path) {
     connect(dialog, &QInputDialog::textValueSelected, this, [this, request](const QString& layout) {
         auto described = request;
         described.rawLayout = layout.trimmed().toStdString();
-        studio_.open(described);
+        open(described);
     });
     dialog->open();
 }
 
-void MainWindow::choose(const char* objectName, const QString& title, bool isSave, const QString& filter,
-                        const QString& suggestion, const std::function<void(const QString&)>& take) {
+QFileDialog* MainWindow::makeFileDialog(const char* objectName, const QString& title, bool isSave,
+                                        const QString& filter, const QString& suggestion) {
     auto* dialog = new QFileDialog(this, title);
     dialog->setObjectName(objectName);
     dialog->setAttribute(Qt::WA_DeleteOnClose);
@@ -87,9 +60,18 @@ void MainWindow::choose(const char* objectName, const QString& title, bool isSav
         dialog->setNameFilter(filter);
     }
     if (isSave) {
+        if (const QString& folder = studio_.preferences().recordings; QFileInfo(folder).isDir()) {
+            dialog->setDirectory(folder);
+        }
         dialog->setDefaultSuffix(QFileInfo(suggestion).completeSuffix());
         dialog->selectFile(suggestion);
     }
+    return dialog;
+}
+
+void MainWindow::choose(const char* objectName, const QString& title, bool isSave, const QString& filter,
+                        const QString& suggestion, const std::function<void(const QString&)>& take) {
+    auto* dialog = makeFileDialog(objectName, title, isSave, filter, suggestion);
     connect(dialog, &QFileDialog::fileSelected, this, take);
     dialog->open();
 }
@@ -98,6 +80,12 @@ QString MainWindow::suggestedName(const QString& suffix) const {
     const auto* document = studio_.document();
     const QString name = document != nullptr ? QString::fromStdString(document->volume().name) : "volume";
     return QFileInfo(name).baseName() + suffix;
+}
+
+// The file that it was opened from or saved to, else named after the volume.
+QString MainWindow::suggestedSession() const {
+    const auto& session = studio_.source().session;
+    return session.empty() ? suggestedName(".json") : QString::fromStdString(session.string());
 }
 
 void MainWindow::openFile() {
@@ -148,7 +136,7 @@ void MainWindow::dropOn(const QString& path) {
 }
 
 void MainWindow::saveSession() {
-    choose("saveDialog", tr("Save the session"), true, tr("Sessions (*.json)"), suggestedName(".json"),
+    choose("saveDialog", tr("Save the session"), true, tr("Sessions (*.json)"), suggestedSession(),
            [this](const QString& path) { studio_.saveSession(pathOf(path)); });
 }
 

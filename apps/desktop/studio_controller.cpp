@@ -61,13 +61,7 @@ StudioController::StudioController()
     }
     connect(seedTool_, &SeedTool::settingsChanged, this, &StudioController::changed);
     connect(islandTool_, &IslandTool::settingsChanged, this, &StudioController::changed);
-    connect(&loader_, &VolumeLoader::loaded, this, &StudioController::finishOpening);
-    connect(&loader_, &VolumeLoader::failed, this, [this](const QString& message) {
-        say(message);
-        emit progress(1, 1);
-        emit changed();
-        emit openFailed(message);
-    });
+    connectLoader();
 }
 
 StudioController::~StudioController() {

@@ -3,6 +3,7 @@
 
 #include "gl_host.h"
 #include "picture_loop.h"
+#include "preferences.h"
 #include "volume_loader.h"
 
 #include "studio/document.h"
@@ -75,10 +76,18 @@ public:
     // Files. open() returns at once; opened() or openFailed() tells how it ended.
     void open(const OpenRequest& request);
     [[nodiscard]] const OpenRequest& source() const { return source_; }
+    // Where the volume comes from, as a session without operations. There must be a volume.
+    [[nodiscard]] studio::Session provenance() const;
     bool saveSession(const std::filesystem::path& path);
+    // Back to how it was before anything was opened; what was not saved is gone.
+    void close();
     bool exportLabels(const std::filesystem::path& path);
     // Written as soon as the picture is at full quality.
     void takeScreenshot(const std::filesystem::path& path);
+
+    // Undo's memory counts for the open document too, quality and shadows of the view that is shown as well.
+    [[nodiscard]] const Preferences& preferences() const { return preferences_; }
+    void setPreferences(const Preferences& preferences);
 
     // The view as the person sees it; look() reaches the document before the next picture.
     [[nodiscard]] const studio::View& view() const { return view_; }
@@ -169,7 +178,12 @@ public:
 
 signals:
     void opened();
+    void closed();
+    void saved(); // a session file holds all edits; source() names it
     void openFailed(const QString& message);
+    // Nothing was opened: the person must choose one of the series first.
+    void seriesWanted(const vs::desktop::OpenRequest& request,
+                      const std::vector<vs::volume::SeriesChoice>& choices);
     void changed();        // document, view, tool or playback: panels and actions look again
     void pictureChanged(); // a new picture to show
     void overlayChanged();
@@ -182,6 +196,8 @@ private:
     bool grow(); // true: more of it before the next picture
     void schedule(int milliseconds);
     void flushView();
+    void connectLoader();
+    void prefer();
     void finishOpening(const std::shared_ptr<Loaded>& loaded);
     void replayOne();
     void writeScreenshot();
@@ -191,6 +207,7 @@ private:
     std::unique_ptr<studio::Document> document_;
     VolumeLoader loader_;
     OpenRequest source_;
+    std::string checksum_;                 // of the volume
     std::size_t savedEdits_ = 0;           // edits in the log when it was last saved or opened
     std::deque<studio::Operation> replay_; // of the session being opened
     int replayTotal_ = 0;
@@ -215,6 +232,7 @@ private:
     std::unique_ptr<SliceController> slices_;
     SlicePen* slicePen_;
     studio::View view_;
+    Preferences preferences_ = Preferences::load();
     bool isViewPending_ = false;
     studio::Shape shape_ = studio::Shape::FreeForm;
     std::vector<glm::dvec2> stencil_;

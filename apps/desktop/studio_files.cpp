@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio_controller.h"
 
+#include "camera_tool.h"
 #include "growth_controller.h"
+#include "segment_controller.h"
 #include "segment_measurer.h"
 #include "tool.h"
 
@@ -17,18 +19,32 @@ namespace {
 
 QString text(const std::filesystem::path& path) { return QString::fromStdString(path.string()); }
 
-// Looking and writing files are no edits.
 std::size_t countEdits(const studio::Document* document) {
     if (document == nullptr) {
         return 0;
     }
     const auto& log = document->log();
-    return std::size_t(std::count_if(log.begin(), log.end(), [](const studio::Operation& operation) {
-        return !studio::isOutput(operation) && !std::holds_alternative<studio::SetView>(operation);
-    }));
+    return std::size_t(std::count_if(log.begin(), log.end(), studio::isEdit));
 }
 
 } // namespace
+
+void StudioController::connectLoader() {
+    connect(&loader_, &VolumeLoader::loaded, this, &StudioController::finishOpening);
+    connect(&loader_, &VolumeLoader::failed, this, [this](const QString& message) {
+        say(message);
+        emit progress(1, 1);
+        emit changed();
+        emit openFailed(message);
+    });
+    connect(&loader_, &VolumeLoader::severalSeries, this,
+            [this](const OpenRequest& request, const auto& choices) {
+                say(tr("%1 holds several series").arg(text(request.volume.filename())));
+                emit progress(1, 1);
+                emit changed();
+                emit seriesWanted(request, choices);
+            });
+}
 
 void StudioController::open(const OpenRequest& request) {
     if (isLoading()) {
@@ -37,7 +53,10 @@ void StudioController::open(const OpenRequest& request) {
     host_.makeCurrent();
     growth_->pause();
     tool_->clear();
-    say(tr("Reading %1").arg(text((request.session.empty() ? request.volume : request.session).filename())));
+    say(request.volume.empty() && request.session.empty()
+            ? tr("Recovering")
+            : tr("Reading %1")
+                  .arg(text((request.session.empty() ? request.volume : request.session).filename())));
     loader_.start(request);
     emit progress(0, 0);
     emit changed();
@@ -60,6 +79,7 @@ void StudioController::finishOpening(const std::shared_ptr<Loaded>& loaded) {
         return;
     }
     source_ = loaded->request;
+    checksum_ = loaded->checksum;
     if (loaded->session) {
         const auto& session = *loaded->session;
         source_.rawLayout = session.rawLayout;
@@ -72,6 +92,7 @@ void StudioController::finishOpening(const std::shared_ptr<Loaded>& loaded) {
     view_ = document_->view();
     isViewPending_ = false;
     growth_->reset();
+    document_->setUndoMemory(std::size_t(preferences_.undoMegabytes) << 20);
     if (!isReplaying()) {
         picture_->setDocument(document_.get());
     }
@@ -79,6 +100,9 @@ void StudioController::finishOpening(const std::shared_ptr<Loaded>& loaded) {
                                 : QString::fromStdString(loaded->notices.front()));
     wake();
     emit opened();
+    if (!isReplaying()) {
+        prefer();
+    }
     emit changed();
 }
 
@@ -104,7 +128,9 @@ void StudioController::replayOne() {
         replay_.clear();
     }
     if (!isReplaying()) {
-        savedEdits_ = countEdits(document_.get());
+        // What was recovered is in no session file.
+        savedEdits_ = source_.journal.empty() ? countEdits(document_.get()) : 0;
+        source_.journal.clear();
         view_ = document_->view();
         picture_->setDocument(document_.get());
         say(error.isEmpty() ? tr("Replayed %1 operations").arg(replayTotal_) : error);
@@ -121,6 +147,42 @@ bool StudioController::hasUnsavedEdits() const {
     return !isReplaying() && (growth_->isPlaying() || countEdits(document_.get()) != savedEdits_);
 }
 
+void StudioController::setPreferences(const Preferences& preferences) {
+    const bool isQualityNew = preferences.smoothSampling != preferences_.smoothSampling ||
+                              preferences.shadows != preferences_.shadows;
+    preferences_ = preferences;
+    if (document() != nullptr) {
+        document_->setUndoMemory(std::size_t(preferences_.undoMegabytes) << 20);
+        if (isQualityNew && !isReplaying()) {
+            prefer();
+        }
+    }
+}
+
+// A view of the preferred quality. A session has its own.
+void StudioController::prefer() {
+    auto view = view_;
+    view.sampling = preferences_.smoothSampling ? field::Sampling::Tricubic : field::Sampling::Trilinear;
+    view.shadows = preferences_.shadows;
+    look(view);
+}
+
+studio::Session StudioController::provenance() const {
+    studio::Session source;
+    const auto& volume = document_->volume();
+    if (volume.path.empty()) { // made from nothing
+        source.block = studio::Session::Block{volume.geometry.dims, volume.geometry.spacing()};
+    } else {
+        source.volumePath = std::filesystem::absolute(volume.path);
+    }
+    source.volumeChecksum = checksum_;
+    source.precision = document_->precision();
+    source.rawLayout = source_.rawLayout;
+    source.series = source_.series;
+    source.frame = source_.frame;
+    return source;
+}
+
 bool StudioController::saveSession(const std::filesystem::path& path) {
     if (document_ == nullptr || isLoading()) {
         return false;
@@ -132,18 +194,36 @@ bool StudioController::saveSession(const std::filesystem::path& path) {
     growth_->pause();
     return guard([&] {
         flushView();
-        studio::Session source;
-        if (!document_->volume().path.empty()) { // else it was made from nothing
-            source.volumePath = std::filesystem::absolute(document_->volume().path);
-        }
-        source.rawLayout = source_.rawLayout;
-        source.series = source_.series;
-        source.frame = source_.frame;
-        const auto session = studio::sessionOf(*document_, source);
+        const auto session = studio::sessionOf(*document_, provenance());
         studio::saveSession(path, session);
         savedEdits_ = countEdits(document_.get());
+        source_.session = path;
         say(tr("Saved %1").arg(text(path)));
+        emit saved();
     });
+}
+
+void StudioController::close() {
+    if (document_ == nullptr || isLoading()) {
+        return;
+    }
+    host_.makeCurrent();
+    growth_->pause();
+    growth_->reset();
+    setTool(*cameraTool_); // drops what is in hand
+    cameraTool_->clear();
+    measurer_->stop(); // it and the picture look into the document
+    segments_->stop();
+    picture_->setDocument(nullptr);
+    document_.reset();
+    source_ = {};
+    savedEdits_ = 0;
+    view_ = {};
+    isViewPending_ = false;
+    say({});
+    emit closed();
+    emit changed();
+    emit pictureChanged();
 }
 
 bool StudioController::exportLabels(const std::filesystem::path& path) {

@@ -5,6 +5,9 @@
 #include <QPalette>
 #include <QStyleFactory>
 
+#include <initializer_list>
+#include <map>
+
 namespace vs::desktop {
 
 namespace {
@@ -17,7 +20,7 @@ QToolBar::separator { background: #3a4047; width: 1px; height: 1px; margin: 5px 
 QToolButton { color: #e3e6ea; background: transparent; border: 1px solid transparent; border-radius: 5px; padding: 3px 5px; }
 QToolButton:hover { background: #333940; }
 QToolButton:pressed { background: #1b3a4d; }
-QToolButton:checked { background: #1d4259; border-color: #56b4e9; color: #ffffff; }
+QToolButton:checked { background: #1d4259; border-color: #56b4e9; color: #f7fbfe; }
 QToolButton:focus { border-color: #56b4e9; }
 QToolButton[choice="true"] { background: #1f2327; border: 1px solid #3a4047; padding: 3px 4px; }
 QToolButton[choice="true"]:hover { background: #333940; }
@@ -51,6 +54,9 @@ QMenu::icon { padding-left: 8px; }
 QDockWidget { color: #e3e6ea; }
 QFrame#card { background: #262a2f; border: 1px solid #31363c; border-radius: 7px; }
 QLabel#cardTitle { color: #e3e6ea; font-weight: 600; }
+QLabel#sectionTitle { color: #e3e6ea; font-weight: 600; font-size: 15px; }
+QToolButton[onPicture="true"] { background: #262a2f; border: 1px solid #3a4047; padding: 1px; }
+QToolButton[onPicture="true"]:hover { background: #333940; }
 QFrame[separator="true"] { color: #3a4047; }
 QLabel#cardTitle[restores="true"] { color: #56b4e9; }
 QLabel[quiet="true"] { color: #9aa3ad; }
@@ -61,6 +67,9 @@ QPushButton:pressed { background: #1b3a4d; }
 QPushButton:focus { border-color: #56b4e9; }
 QPushButton:disabled { color: #5f6770; background: #2a2e33; border-color: #34393f; }
 QPushButton#openButton { background: #1f6f9c; border-color: #2c86b8; color: #ffffff; font-weight: 600; padding: 9px 26px; }
+QPushButton[primary="true"] { background: #1f6f9c; border-color: #2c86b8; color: #ffffff; font-weight: 600; }
+QPushButton[primary="true"]:hover { background: #2880b1; }
+QFrame#recovery { background: #262a2f; border: 1px solid #e69f00; border-radius: 7px; }
 QPushButton#openButton:hover { background: #2880b1; }
 QSpinBox, QDoubleSpinBox, QLineEdit { background: #181b1e; border: 1px solid #3a4047; border-radius: 4px; padding: 3px 5px;
     selection-background-color: #1f6f9c; }
@@ -73,16 +82,57 @@ QSlider::handle:horizontal:hover { background: #ffffff; }
 QScrollBar:vertical { background: transparent; width: 8px; margin: 0; }
 QScrollBar::handle:vertical { background: #434a52; border-radius: 4px; min-height: 24px; }
 QScrollBar::add-line, QScrollBar::sub-line { height: 0; width: 0; }
+QTreeView, QListView { background: #181b1e; border: 1px solid #3a4047; border-radius: 4px; outline: 0; }
+QTreeView::item, QListView::item { padding: 4px 6px; border: 0; }
+QTreeView::item:selected, QListView::item:selected { background: #1d4259; color: #f7fbfe; }
+QHeaderView::section { background: #262a2f; color: #9aa3ad; border: 0; border-bottom: 1px solid #3a4047; padding: 5px 6px; }
+QLabel[keyCap="true"] { background: #181b1e; border: 1px solid #3a4047; border-radius: 4px; padding: 1px 7px; font-weight: 600; }
+QDockWidget::title { background: #262a2f; padding: 5px 8px; border-bottom: 1px solid #3a4047; }
+QDialogButtonBox { dialogbuttonbox-buttons-have-icons: 0; }
 QStatusBar { background: #1f2226; color: #e3e6ea; }
 QStatusBar::item { border: 0; }
 QProgressBar { background: #181b1e; border: 1px solid #3a4047; border-radius: 4px; text-align: center; }
 QProgressBar::chunk { background: #1f6f9c; border-radius: 3px; }
 )";
 
-} // namespace
+// What each colour of the sheet is in the light theme; those that are not here stay.
+const std::map<QString, const char*> kLightInstead{
+    {"#1f2226", "#e8ebee"}, {"#262a2f", "#f4f6f8"}, {"#181b1e", "#ffffff"}, {"#3a4047", "#c5ccd3"},
+    {"#31363c", "#d3d9df"}, {"#e3e6ea", "#1f262c"}, {"#9aa3ad", "#58636d"}, {"#5f6770", "#99a3ac"},
+    {"#56b4e9", "#0072b2"}, {"#2f343a", "#ffffff"}, {"#4a525a", "#b3bcc4"}, {"#333940", "#dfe5ea"},
+    {"#1b3a4d", "#b5d8ee"}, {"#1d4259", "#cbe5f6"}, {"#f7fbfe", "#0d2433"}, {"#1f2327", "#ffffff"},
+    {"#2b3036", "#e1e6ea"}, {"#434a52", "#bcc5cd"}, {"#3c434b", "#d5dce2"}, {"#2a2e33", "#e9edf0"},
+    {"#34393f", "#d8dee3"}};
 
-void applyTheme(QApplication& application) {
-    application.setStyle(QStyleFactory::create("Fusion"));
+QString lightened(QString sheet) {
+    // In one go over the text: a light colour of one may be the dark colour of another.
+    QString result;
+    for (int at = 0; at < sheet.size();) {
+        const auto found = sheet[at] == '#' ? kLightInstead.find(sheet.mid(at, 7)) : kLightInstead.end();
+        result += found != kLightInstead.end() ? QString(found->second) : QString(sheet[at]);
+        at += found != kLightInstead.end() ? 7 : 1;
+    }
+    return result;
+}
+
+void setColours(bool isLight) {
+    struct Pair {
+        QColor& colour;
+        const char* dark;
+    };
+    for (const Pair& pair : std::initializer_list<Pair>{{theme::kWindow, "#1f2226"},
+                                                        {theme::kPanel, "#262a2f"},
+                                                        {theme::kField, "#181b1e"},
+                                                        {theme::kLine, "#3a4047"},
+                                                        {theme::kText, "#e3e6ea"},
+                                                        {theme::kQuiet, "#9aa3ad"},
+                                                        {theme::kDisabled, "#5f6770"},
+                                                        {theme::kAccent, "#56b4e9"}}) {
+        pair.colour = QColor(isLight ? kLightInstead.at(pair.dark) : pair.dark);
+    }
+}
+
+QPalette paletteOf() {
     QPalette palette;
     palette.setColor(QPalette::Window, theme::kWindow);
     palette.setColor(QPalette::WindowText, theme::kText);
@@ -105,8 +155,19 @@ void applyTheme(QApplication& application) {
     for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText}) {
         palette.setColor(QPalette::Disabled, role, theme::kDisabled);
     }
-    application.setPalette(palette);
-    application.setStyleSheet(kStyleSheet);
+    return palette;
+}
+
+} // namespace
+
+void applyTheme(QApplication& application, Theme theme) {
+    // Before this program has chosen colours of its own they are the desktop's.
+    static const bool isDesktopLight = QApplication::palette().color(QPalette::Window).lightness() >= 128;
+    const bool isLight = theme == Theme::Light || (theme == Theme::Desktop && isDesktopLight);
+    setColours(isLight);
+    application.setStyle(QStyleFactory::create("Fusion"));
+    application.setPalette(paletteOf());
+    application.setStyleSheet(isLight ? lightened(kStyleSheet) : QString(kStyleSheet));
 }
 
 } // namespace vs::desktop

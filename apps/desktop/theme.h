@@ -7,18 +7,23 @@ class QApplication;
 
 namespace vs::desktop {
 
-// A dark, calm window, so that the picture is the brightest thing in it. Accents are of the Okabe-Ito
-// palette, which colour-blind people can tell apart.
+// A calm window, dark at first, so that the picture is the brightest thing in it. Accents are of the
+// Okabe-Ito palette, which colour-blind people can tell apart.
+enum class Theme { Dark, Light, Desktop };
+
+// The colours at present: applyTheme() sets them, so look each time something is painted.
 namespace theme {
 
-inline const QColor kWindow{0x1f, 0x22, 0x26};
-inline const QColor kPanel{0x26, 0x2a, 0x2f};
-inline const QColor kField{0x18, 0x1b, 0x1e};
-inline const QColor kLine{0x3a, 0x40, 0x47};
-inline const QColor kText{0xe3, 0xe6, 0xea};
-inline const QColor kQuiet{0x9a, 0xa3, 0xad};
-inline const QColor kDisabled{0x5f, 0x67, 0x70};
-inline const QColor kAccent{0x56, 0xb4, 0xe9}; // sky blue
+inline QColor kWindow{0x1f, 0x22, 0x26};
+inline QColor kPanel{0x26, 0x2a, 0x2f};
+inline QColor kField{0x18, 0x1b, 0x1e};
+inline QColor kLine{0x3a, 0x40, 0x47};
+inline QColor kText{0xe3, 0xe6, 0xea};
+inline QColor kQuiet{0x9a, 0xa3, 0xad};
+inline QColor kDisabled{0x5f, 0x67, 0x70};
+inline QColor kAccent{0x56, 0xb4, 0xe9}; // sky blue
+
+// Of what is drawn on the picture, which is the same in both.
 inline const QColor kIdle{0x2f, 0xc9,
                           0x8f}; // bluish green, lighter than the palette's to show on dark pictures
 inline const QColor kCutting{0xe6, 0x4b, 0x1e};   // vermilion
@@ -29,6 +34,7 @@ inline const QColor kPen{0xff, 0xff, 0xff};
 
 } // namespace theme
 
-void applyTheme(QApplication& application);
+// Colours the whole program, also while it runs. Desktop: dark or light as the desktop's own windows are.
+void applyTheme(QApplication& application, Theme theme);
 
 } // namespace vs::desktop

@@ -1,12 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "volume_loader.h"
 
+#include "studio/journal.h"
+
 namespace vs::desktop {
 
 namespace {
 
 void load(Loaded& result) {
-    const OpenRequest& request = result.request;
+    OpenRequest& request = result.request;
+    if (!request.journal.empty()) {
+        auto content = studio::readJournal(request.journal);
+        request.volume = content.session.volumePath;
+        request.session = content.savedAs;
+        result.session = std::move(content.session);
+        result.volume = studio::openVolume(*result.session, request.journal, std::nullopt, result.notices);
+        return;
+    }
     if (!request.session.empty()) {
         result.session = studio::loadSession(request.session);
         const auto replacement =
@@ -35,20 +45,28 @@ void VolumeLoader::start(const OpenRequest& request) {
     result->request = request;
     worker_ = std::jthread([this, result] {
         QString error;
+        std::vector<volume::SeriesChoice> choices;
         try {
             load(*result);
+            result->checksum = volume::checksum(result->volume);
+        } catch (const volume::SeveralSeries& e) {
+            error = QString::fromUtf8(e.what());
+            choices = e.choices();
         } catch (const std::exception& e) {
             error = QString::fromUtf8(e.what());
         }
         QMetaObject::invokeMethod(
-            this, [this, result, error] { finish(result, error); }, Qt::QueuedConnection);
+            this, [this, result, error, choices] { finish(result, error, choices); }, Qt::QueuedConnection);
     });
 }
 
-void VolumeLoader::finish(const std::shared_ptr<Loaded>& result, const QString& error) {
+void VolumeLoader::finish(const std::shared_ptr<Loaded>& result, const QString& error,
+                          const std::vector<volume::SeriesChoice>& choices) {
     isLoading_ = false;
     if (error.isEmpty()) {
         emit loaded(result);
+    } else if (!choices.empty() && result->request.session.empty()) {
+        emit severalSeries(result->request, choices);
     } else {
         emit failed(error);
     }

@@ -14,13 +14,15 @@
 
 namespace vs::desktop {
 
-// What to open: a volume, or a session (which names its volume).
+// What to open: a volume, a session (which names its volume), or the journal of a document that was not
+// closed.
 struct OpenRequest {
     std::filesystem::path volume;
     std::filesystem::path session;
     std::string rawLayout;
     std::string series;
     std::optional<int> frame;
+    std::filesystem::path journal = {};
 };
 
 struct Loaded {
@@ -28,6 +30,7 @@ struct Loaded {
     volume::Volume volume;
     std::optional<studio::Session> session;
     std::vector<std::string> notices;
+    std::string checksum; // of the volume
 };
 
 // Reads volumes on a thread of its own, so that the window answers meanwhile. No OpenGL here: a volume is
@@ -45,9 +48,13 @@ public:
 signals:
     void loaded(const std::shared_ptr<vs::desktop::Loaded>& result);
     void failed(const QString& message);
+    // The volume of the request is one of several; a request that names its series would do.
+    void severalSeries(const vs::desktop::OpenRequest& request,
+                       const std::vector<vs::volume::SeriesChoice>& choices);
 
 private:
-    void finish(const std::shared_ptr<Loaded>& result, const QString& error);
+    void finish(const std::shared_ptr<Loaded>& result, const QString& error,
+                const std::vector<volume::SeriesChoice>& choices);
 
     bool isLoading_ = false;
     std::jthread worker_;

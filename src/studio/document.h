@@ -68,6 +68,12 @@ public:
     // temporary file.
     void setUndoMemory(std::size_t bytes);
     [[nodiscard]] UndoStatistics undoStatistics() const;
+    // All that undo and redo go through, the oldest first; so many hold now. Valid until the next change.
+    struct Steps {
+        std::vector<const Operation*> operations;
+        std::size_t done = 0;
+    };
+    [[nodiscard]] Steps steps() const;
     // What undo would take back; null: nothing.
     [[nodiscard]] const Operation* lastStep() const;
 

@@ -2,7 +2,9 @@
 #include "studio/document_state.h"
 #include "studio/sketch.h"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 
 namespace vs::studio {
 
@@ -57,6 +59,18 @@ std::vector<std::vector<glm::dvec2>> Document::outlinesAlongPath(const Sweep& sw
     Sweep op = sweep;
     impl_->settle(op.canvas);
     return sweptOutlines(impl_->cutter, impl_->frame(op.canvas->view, op.canvas->viewport), op);
+}
+
+Document::Steps Document::steps() const {
+    Steps steps;
+    const auto& done = impl_->history.done();
+    const auto& undone = impl_->history.undone();
+    steps.done = done.size();
+    std::transform(done.begin(), done.end(), std::back_inserter(steps.operations),
+                   [](const Step& step) { return &step.operation; });
+    std::transform(undone.rbegin(), undone.rend(), std::back_inserter(steps.operations),
+                   [](const Step& step) { return &step.operation; });
+    return steps;
 }
 
 std::size_t Document::pastedParts() const { return impl_->pasted.sculptures.size(); }

@@ -63,6 +63,9 @@ public:
     void mergeLastTwo();
     [[nodiscard]] bool canUndo() const { return !done_.empty(); }
     [[nodiscard]] bool canRedo() const { return !undone_.empty(); }
+    // What holds, the oldest first; and what was undone, the next to redo last.
+    [[nodiscard]] const std::vector<Step>& done() const { return done_; }
+    [[nodiscard]] const std::vector<Step>& undone() const { return undone_; }
     [[nodiscard]] UndoStatistics statistics() const;
 
     // The operation of the step that undo would take back; there must be one.

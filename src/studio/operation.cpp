@@ -19,6 +19,10 @@ bool cuts(const Operation& operation) {
            std::holds_alternative<KeepConnected>(operation) || std::holds_alternative<CutSegment>(operation);
 }
 
+bool isEdit(const Operation& operation) {
+    return !isOutput(operation) && !std::holds_alternative<SetView>(operation);
+}
+
 bool isOutput(const Operation& operation) {
     return std::holds_alternative<SavePicture>(operation) || std::holds_alternative<SaveLabels>(operation) ||
            std::holds_alternative<SaveSculpture>(operation);

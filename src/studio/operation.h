@@ -367,6 +367,9 @@ const char* name(const Operation& operation);
 // Whether an operation is a stroke or another cut of the sculpture (or restores some of it).
 bool cuts(const Operation& operation);
 
+// Whether an operation changes the document; looking and writing files do not.
+bool isEdit(const Operation& operation);
+
 // Whether an operation only writes a file and leaves the document as it is.
 bool isOutput(const Operation& operation);
 

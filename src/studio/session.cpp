@@ -6,6 +6,7 @@
 #include "base/json_file.h"
 #include "base/json_reader.h"
 #include "studio/operation_json.h"
+#include "studio/session_json.h"
 #include "volume/phantom.h"
 
 #include <nlohmann/json.hpp>
@@ -40,7 +41,17 @@ Session::Block readBlock(const JsonReader& reader) {
     return block;
 }
 
-void readVolumeMember(const JsonReader& reader, Session& session) {
+// Relative when the volume lies in or below the session's folder, so that the two can move together.
+std::filesystem::path storedPath(const std::filesystem::path& volume, const std::filesystem::path& session) {
+    const auto absolute = std::filesystem::absolute(volume).lexically_normal();
+    const auto folder = std::filesystem::absolute(session).lexically_normal().parent_path();
+    const auto relative = absolute.lexically_relative(folder);
+    return relative.empty() || *relative.begin() == ".." ? absolute : relative;
+}
+
+} // namespace
+
+void readVolume(const JsonReader& reader, Session& session) {
     if (reader.json().contains("block")) {
         reader.allow({"block", "spacing", "checksum"});
         session.block = readBlock(reader);
@@ -58,15 +69,35 @@ void readVolumeMember(const JsonReader& reader, Session& session) {
     reader.ifHas("frame", [&](const JsonReader& r) { session.frame = int(r.integerBetween(0, 1 << 20)); });
 }
 
-// Relative when the volume lies in or below the session's folder, so that the two can move together.
-std::filesystem::path storedPath(const std::filesystem::path& volume, const std::filesystem::path& session) {
-    const auto absolute = std::filesystem::absolute(volume).lexically_normal();
-    const auto folder = std::filesystem::absolute(session).lexically_normal().parent_path();
-    const auto relative = absolute.lexically_relative(folder);
-    return relative.empty() || *relative.begin() == ".." ? absolute : relative;
+sculpt::Precision readPrecision(const JsonReader& reader) {
+    const long bits = reader.integerBetween(8, 32);
+    if (bits != 8 && bits != 16 && bits != 32) {
+        reader.fail("must be 8, 16 or 32 bits");
+    }
+    return sculpt::Precision(bits == 8 ? 0 : bits == 16 ? 1 : 2);
 }
 
-} // namespace
+Json volumeToJson(const Session& session, const std::filesystem::path& path) {
+    Json volume;
+    if (session.block) {
+        const auto list = [](const auto& v) { return Json::array({v.x, v.y, v.z}); };
+        volume = {{"block", list(session.block->dims)}, {"spacing", list(session.block->spacingMm)}};
+    } else {
+        volume = {{"path", path.string()}};
+    }
+    const auto addText = [&volume](const char* key, const std::string& value) {
+        if (!value.empty()) {
+            volume[key] = value;
+        }
+    };
+    addText("checksum", session.volumeChecksum);
+    addText("raw", session.rawLayout);
+    addText("series", session.series);
+    if (session.frame) {
+        volume["frame"] = *session.frame;
+    }
+    return volume;
+}
 
 Session loadSession(const std::filesystem::path& path) {
     const Json json = readJsonFile(path, "a session file", "doc/session.md");
@@ -79,14 +110,8 @@ Session loadSession(const std::filesystem::path& path) {
             path.string(), version, Session::kVersion);
     }
     Session session;
-    readVolumeMember(root.member("volume"), session);
-    root.ifHas("precision", [&](const JsonReader& r) {
-        const long bits = r.integerBetween(8, 32);
-        if (bits != 8 && bits != 16 && bits != 32) {
-            r.fail("must be 8, 16 or 32 bits");
-        }
-        session.precision = sculpt::Precision(bits == 8 ? 0 : bits == 16 ? 1 : 2);
-    });
+    readVolume(root.member("volume"), session);
+    root.ifHas("precision", [&](const JsonReader& r) { session.precision = readPrecision(r); });
     const JsonReader operations = root.member("operations");
     for (std::size_t i = 0; i < operations.size(); ++i) {
         session.operations.push_back(operationFromJson(
@@ -101,24 +126,8 @@ Session loadSession(const std::filesystem::path& path) {
 namespace {
 
 std::string textOf(const std::filesystem::path& path, const Session& session) {
-    Json volume;
-    if (session.block) {
-        const auto list = [](const auto& v) { return Json::array({v.x, v.y, v.z}); };
-        volume = {{"block", list(session.block->dims)}, {"spacing", list(session.block->spacingMm)}};
-    } else {
-        volume = {{"path", storedPath(session.volumePath, path).string()}};
-    }
-    const auto addText = [&volume](const char* key, const std::string& value) {
-        if (!value.empty()) {
-            volume[key] = value;
-        }
-    };
-    addText("checksum", session.volumeChecksum);
-    addText("raw", session.rawLayout);
-    addText("series", session.series);
-    if (session.frame) {
-        volume["frame"] = *session.frame;
-    }
+    const Json volume =
+        volumeToJson(session, session.block ? std::filesystem::path() : storedPath(session.volumePath, path));
     // One operation a line: sessions are read and compared by people too.
     std::string text = fmt::format(
         "{{\n  \"volumeStudioSession\": {},\n  \"volume\": {},\n  \"precision\": {},\n  \"operations\": [",

@@ -19,6 +19,7 @@ struct DicomSlice {
     std::string instanceUid;
     std::string seriesUid;
     std::string description;
+    std::string modality;
     glm::ivec2 size{0};                 // columns, rows
     std::optional<glm::dvec3> position; // LPS mm, centre of the first pixel
     glm::dvec3 alongColumns{1, 0, 0};   // direction in which the column index grows

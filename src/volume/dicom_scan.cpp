@@ -84,6 +84,7 @@ DicomSlice fileAttributes(const std::filesystem::path& path, const DicomDataSet&
     slice.instanceUid = set.text(0x00080018);
     slice.seriesUid = set.text(0x0020000E);
     slice.description = printable(set.text(0x0008103E));
+    slice.modality = printable(set.text(0x00080060));
     slice.size = {set.unsignedShort(0x00280011, 0), set.unsignedShort(0x00280010, 0)};
     slice.photometric = set.text(0x00280004);
     if (slice.size.x < 1 || slice.size.y < 1) {

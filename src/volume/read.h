@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "base/error.h"
 #include "volume/volume.h"
 
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace vs::volume {
@@ -37,10 +39,33 @@ struct ReadResult {
     std::vector<std::string> notices; // what was unusual and what was done about it, one line each
 };
 
+// One DICOM series of a folder, for choosing: `series` of ReadOptions takes its number in the list, or its
+// UID where no other has that too.
+struct SeriesChoice {
+    std::string uid;
+    std::string description;                // as a person named it; may be empty
+    std::string modality;                   // "CT", "MR" ...; may be empty
+    glm::ivec2 size{0};                     // columns, rows
+    std::optional<glm::dvec2> pixelSpacing; // mm between columns, between rows, where it is stated
+    std::optional<double> sliceSpacing;     // mm
+    int images = 0;
+};
+
+// A folder holds several DICOM series and none was chosen. The text lists them for the command line.
+class SeveralSeries : public ReadError {
+public:
+    SeveralSeries(const std::string& message, std::vector<SeriesChoice> choices)
+        : ReadError(message), choices_(std::move(choices)) {}
+    [[nodiscard]] const std::vector<SeriesChoice>& choices() const { return choices_; }
+
+private:
+    std::vector<SeriesChoice> choices_;
+};
+
 // Reads NIfTI, NRRD, MetaImage, VTK legacy, a DICOM folder (or any file of it) or a described raw file.
 // Headers are inspected before anything is allocated. DICOM slices are placed by their positions; tilted,
 // uneven or missing slices are resampled to a regular grid with a notice. Throws ReadError with one line
-// naming the file, what is wrong and what would be right.
+// naming the file, what is wrong and what would be right; SeveralSeries where a series must be chosen.
 ReadResult readVolume(const std::filesystem::path& path, const ReadOptions& options = {});
 
 } // namespace vs::volume

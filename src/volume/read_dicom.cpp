@@ -136,16 +136,27 @@ Scan scanAround(const std::filesystem::path& file) {
     return scan;
 }
 
+std::vector<SeriesChoice> choicesOf(const std::vector<DicomGroup>& groups) {
+    std::vector<SeriesChoice> choices;
+    for (const DicomGroup& group : groups) {
+        const auto& first = group.slices.front();
+        choices.push_back({printable(first.seriesUid), first.description, first.modality, first.size,
+                           first.pixelSpacing, first.sliceSpacing, int(group.slices.size())});
+    }
+    return choices;
+}
+
 std::string listChoices(const std::vector<DicomGroup>& groups) {
     constexpr std::size_t most = 20;
-    std::vector<std::string> choices;
-    for (std::size_t i = 0; i < std::min(groups.size(), most); ++i) {
-        const auto& first = groups[i].slices.front();
-        choices.push_back(fmt::format("{}: {} \"{}\" {}x{}, {} slices", i + 1, printable(first.seriesUid),
-                                      first.description, first.size.x, first.size.y,
-                                      groups[i].slices.size()));
+    std::vector<std::string> lines;
+    for (const SeriesChoice& choice : choicesOf(groups)) {
+        if (lines.size() < most) {
+            lines.push_back(fmt::format("{}: {} \"{}\" {} {}x{}, {} slices", lines.size() + 1, choice.uid,
+                                        choice.description, choice.modality, choice.size.x, choice.size.y,
+                                        choice.images));
+        }
     }
-    return fmt::format("{}{}", fmt::join(choices, ", "), groups.size() > most ? " ..." : "");
+    return fmt::format("{}{}", fmt::join(lines, ", "), groups.size() > most ? " ..." : "");
 }
 
 DicomGroup chooseGroup(const std::filesystem::path& path, std::vector<DicomGroup>&& groups,
@@ -155,12 +166,12 @@ DicomGroup chooseGroup(const std::filesystem::path& path, std::vector<DicomGroup
             const bool oneUid = std::all_of(groups.begin(), groups.end(), [&](const auto& group) {
                 return group.uid() == groups[0].uid();
             });
-            refuse(path,
-                   fmt::format("{} ({})",
-                               oneUid ? "its slices differ in size, spacing or orientation"
-                                      : "it holds several series",
-                               listChoices(groups)),
-                   "choose one with --series NUMBER or --series UID");
+            throw SeveralSeries(fmt::format("{}: {} ({}); choose one with --series NUMBER or --series UID",
+                                            path.string(),
+                                            oneUid ? "its slices differ in size, spacing or orientation"
+                                                   : "it holds several series",
+                                            listChoices(groups)),
+                                choicesOf(groups));
         }
         return std::move(groups.front());
     }

@@ -44,14 +44,23 @@ class Display:
         self.server.wait()
 
 
+def own_home(folder):
+    """Folders for settings, cache and state, so that neither the person's own change a test nor a test them."""
+    places = {"HOME": folder, "XDG_CONFIG_HOME": folder / "config", "XDG_CACHE_HOME": folder / "cache",
+              "XDG_STATE_HOME": folder / "state", "XDG_DATA_HOME": folder / "data"}
+    for place in places.values():
+        place.mkdir(parents=True, exist_ok=True)
+    return {name: str(place) for name, place in places.items()}
+
+
 class Studio:
     """One running volume-studio."""
 
-    def __init__(self, display, program, folder, arguments=(), scale=1):
+    def __init__(self, display, program, folder, arguments=(), scale=1, home=None):
         self.folder = pathlib.Path(folder)
         self.layout_file = self.folder / "layout.json"
         self.layout_file.unlink(missing_ok=True)
-        self.environment = dict(display.environment, QT_SCALE_FACTOR=str(scale))
+        self.environment = dict(display.environment, QT_SCALE_FACTOR=str(scale), **own_home(home or self.folder / "home"))
         self.log = open(self.folder / "volume-studio.log", "w+")
         self.process = subprocess.Popen(
             [program, "--layout-file", str(self.layout_file), *map(str, arguments)],
@@ -127,9 +136,12 @@ class Studio:
         self.wait(f"{dialog} to close", lambda state: dialog not in state["widgets"])
         self.focus()
 
-    def main_window(self):
-        return subprocess.run(["xdotool", "search", "--onlyvisible", "--name", "Volume Studio"],
+    def window(self, title):
+        return subprocess.run(["xdotool", "search", "--onlyvisible", "--name", title],
                               env=self.environment, check=True, capture_output=True, text=True).stdout.split()[0]
+
+    def main_window(self):
+        return self.window("Volume Studio")
 
     def focus(self):
         """Gives the main window the keyboard: there is no window manager here to do it when a dialog closes."""
@@ -139,11 +151,13 @@ class Studio:
         self.xdotool("windowsize", self.main_window(), width, height)
 
     def quit(self):
-        self.xdotool("mousemove", *self.view_point(0.5, 0.5))
+        if self.state()["viewRect"]:  # there is none on the start screen
+            self.move(self.view_point(0.5, 0.5))
+        self.focus()
         self.key("ctrl+q")
         time.sleep(1)
         if self.process.poll() is None and "unsavedEdits" in self.state()["widgets"]:
-            self.key("alt+d")  # "Discard edits"
+            self.key("alt+d")  # "Discard"
         try:
             code = self.process.wait(30)
         except subprocess.TimeoutExpired:

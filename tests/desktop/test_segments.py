@@ -59,7 +59,7 @@ def click_cell(studio, row, column, times=1):
 def type_number(studio, widget, value):
     press(studio, widget)
     studio.key("ctrl+a")
-    studio.xdotool("type", str(value))
+    studio.xdotool("type", "--", str(value))
     studio.key("Return")
 
 

@@ -143,6 +143,32 @@ TEST_F(UndoTest, AThousandStampsWithUndoAndRedoAtRandom) {
     EXPECT_TRUE(sculpture.isEmpty());
 }
 
+TEST_F(UndoTest, StepsAreListedInTheirOrderWhateverOfThemHolds) {
+    Document document(testHead());
+    document.apply(somePeel(2));
+    document.apply(drillAt(160, 120, 14));
+    document.apply(somePeel(3));
+    const auto names = [&document] {
+        std::vector<std::string> result;
+        for (const Operation* operation : document.steps().operations) {
+            result.emplace_back(name(*operation));
+        }
+        return result;
+    };
+    const std::vector<std::string> all{"peel", "drill", "peel"};
+    for (std::size_t undone = 0; undone <= all.size(); ++undone) {
+        EXPECT_EQ(names(), all);
+        EXPECT_EQ(document.steps().done, all.size() - undone);
+        if (document.canUndo()) {
+            document.apply(Undo{});
+        }
+    }
+    document.apply(Redo{});
+    document.apply(drillAt(170, 130, 10)); // what could be redone is gone
+    EXPECT_EQ(names(), (std::vector<std::string>{"peel", "drill"}));
+    EXPECT_EQ(document.steps().done, 2U);
+}
+
 TEST_F(UndoTest, BytesAChangedVoxelStayBelowTheLimitBothWays) {
     Document document(testHead());
     for (int n = 0; n < 5; ++n) {

@@ -202,12 +202,19 @@ TEST_F(DicomData, OneFileStandsForItsSeries) {
 TEST_F(DicomData, SeriesArePickedByNumberOrIdentifier) {
     const auto folder = data_ / "bad" / "dicomdir_two_series";
     std::string message;
+    std::vector<SeriesChoice> choices;
     try {
         readVolume(folder);
-    } catch (const ReadError& error) {
+    } catch (const SeveralSeries& error) {
         message = error.what();
+        choices = error.choices();
     }
     EXPECT_NE(message.find("--series"), std::string::npos);
+    ASSERT_EQ(choices.size(), 2U);
+    EXPECT_EQ(choices[1].uid, "1.3.6.1.4.1.5962.1.3.4.1.20040826185059.5457.9");
+    EXPECT_EQ(choices[1].images, 3);
+    EXPECT_FALSE(choices[1].modality.empty());
+    EXPECT_GT(choices[1].size.x, 0);
     ReadOptions options;
     options.series = "2";
     const auto byNumber = readVolume(folder, options).volume;

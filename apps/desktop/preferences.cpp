@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "preferences.h"
+
+#include "settings.h"
+
+#include <algorithm>
+
+namespace vs::desktop {
+
+Preferences Preferences::load() {
+    const Settings settings;
+    Preferences preferences;
+    const QString theme = settings.value("theme").toString();
+    preferences.theme = theme == "light" ? Theme::Light : theme == "desktop" ? Theme::Desktop : Theme::Dark;
+    preferences.undoMegabytes =
+        std::clamp(settings.value("undoMegabytes", preferences.undoMegabytes).toInt(), 16, 1 << 20);
+    preferences.recordings = settings.value("recordings").toString();
+    preferences.smoothSampling = settings.value("smoothSampling").toBool();
+    preferences.shadows = settings.value("shadows").toBool();
+    return preferences;
+}
+
+void Preferences::save() const {
+    Settings settings;
+    settings.setValue("theme", theme == Theme::Light     ? "light"
+                               : theme == Theme::Desktop ? "desktop"
+                                                         : "dark");
+    settings.setValue("undoMegabytes", undoMegabytes);
+    settings.setValue("recordings", recordings);
+    settings.setValue("smoothSampling", smoothSampling);
+    settings.setValue("shadows", shadows);
+}
+
+} // namespace vs::desktop

@@ -1,0 +1,21 @@
+# What a desktop needs to offer the window, and a Debian package of the whole by `cpack -G DEB`.
+set(PACKAGING_DIR ${PROJECT_SOURCE_DIR}/packaging)
+install(FILES ${PACKAGING_DIR}/volume-studio.desktop DESTINATION ${CMAKE_INSTALL_DATADIR}/applications)
+install(FILES ${PACKAGING_DIR}/volume-studio.svg DESTINATION ${CMAKE_INSTALL_DATADIR}/icons/hicolor/scalable/apps)
+install(FILES ${PACKAGING_DIR}/volume-studio.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/mime/packages)
+install(FILES ${PACKAGING_DIR}/org.volumestudio.VolumeStudio.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo)
+install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/THIRD_PARTY.md
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/volume-studio)
+
+set(CPACK_GENERATOR DEB)
+set(CPACK_PACKAGE_NAME volume-studio)
+set(CPACK_PACKAGE_VENDOR "Volume Studio")
+set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "Reshape and segment a 3D scan with a pen")
+set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
+set(CPACK_STRIP_FILES ON)
+set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_MAINTAINER "Volume Studio <volume-studio@localhost>")
+set(CPACK_DEBIAN_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
+set(CPACK_DEBIAN_PACKAGE_RECOMMENDS mricron-data)
+include(CPack)

@@ -1,0 +1,119 @@
+# SPDX-License-Identifier: Apache-2.0
+"""The history goes to any state by a click, and the picture is the same as when that state was first there. The
+shortcut sheet is complete, and preferences count at once and are kept."""
+
+import argparse
+import configparser
+import sys
+
+from driver import need, run_test, start
+from phantom import write_ball_head
+from replay import compare_with_replay, run
+
+
+def cut(studio, column):
+    before = studio.state()["stepsDone"]
+    x, y = studio.view_point(0.36 + 0.07 * column, 0.4)
+    studio.drag([(x, y), (x + 12, y + 20), (x + 24, y + 40)])
+    studio.wait_idle("the cut", lambda s: s["stepsDone"] == before + 1 and s["pictureComplete"])
+
+
+def picture(studio, path):
+    studio.move(studio.view_point(0.5, 0.9))
+    studio.key("F12")
+    studio.type_path("screenshotDialog", path)
+    studio.wait_idle("the picture", lambda s: s["message"].startswith("Saved picture"))
+
+
+def click_row(studio, row, rows):
+    """Rows are equally high; the first one stands for the volume as it was opened."""
+    x, y, width, _ = studio.state()["widgets"]["historyList"]
+    height = studio.state()["historyRow"]
+    need(0 <= row < rows, f"there is no row {row}")
+    studio.move((x + width // 2, y + 2 + int((row + 0.5) * height)))
+    studio.xdotool("click", 1)
+
+
+def go_to(studio, row, rows):
+    click_row(studio, row, rows)
+    return studio.wait_idle(f"the state after step {row}", lambda s: s["stepsDone"] == row and s["pictureComplete"])
+
+
+def travel(studio, folder, vstudio):
+    studio.key("x")
+    studio.wait("the scissors", lambda s: s["tool"] == "scissors")
+    studio.key("n")
+    for column in range(4):
+        cut(studio, column)
+        if column == 1:
+            picture(studio, folder / "two.png")
+    need("historyList" not in studio.state()["widgets"], "the history is shown before it was asked for")
+    picture(studio, folder / "four.png")
+    studio.key("ctrl+h")
+    studio.wait_idle("the history", lambda s: "historyList" in s["widgets"] and s["historyRow"] > 0)
+
+    rows = 5
+    go_to(studio, 0, rows)
+    state = go_to(studio, 2, rows)
+    need(state["steps"] == 4 and state["canRedo"], "what could be redone is gone")
+    go_to(studio, 4, rows)
+    go_to(studio, 2, rows)
+    studio.key("ctrl+h")
+    studio.wait_idle("the history to go", lambda s: "historyList" not in s["widgets"] and s["pictureComplete"])
+    picture(studio, folder / "again.png")
+    print("state two again:", run(vstudio, "compare", folder / "two.png", folder / "again.png",
+                                  "--mean", 0.01).strip())
+
+
+def shortcuts(studio):
+    studio.key("F1")
+    state = studio.wait("the shortcuts", lambda s: "shortcutSheet" in s["widgets"])
+    for name in ("open", "startScreen", "undo", "peelTool", "seedTool", "mode.volume", "viewProbe", "shortcuts"):
+        need(f"key_{name}" in state["widgets"], f"the shortcut sheet lacks {name}")
+    studio.xdotool("windowfocus", "--sync", studio.window("Keyboard shortcuts"))
+    studio.key("Escape")
+    studio.wait("the shortcuts to close", lambda s: "shortcutSheet" not in s["widgets"])
+    studio.focus()
+
+
+def preferences(studio, folder):
+    studio.key("ctrl+comma")
+    studio.wait("the preferences", lambda s: "themeLight" in s["widgets"])
+    studio.click("themeLight")
+    x, y, _, height = studio.state()["widgets"]["preferSmooth"]
+    studio.move((x + 8, y + height // 2))  # the box itself: the rest of its row does nothing
+    studio.xdotool("click", 1)
+    studio.wait("the smooth picture", lambda s: s["smooth"])
+    studio.click("closePreferences")
+    studio.wait("the preferences to close", lambda s: "preferencesDialog" not in s["widgets"])
+    studio.focus()
+    kept = configparser.ConfigParser()
+    kept.read(folder / "home" / "config" / "volume-studio" / "volume-studio.ini")
+    need(kept["General"]["theme"] == "light" and kept["General"]["smoothsampling"] == "true",
+         f"the preferences are {dict(kept['General'])}")
+
+
+def main(display, arguments, folder):
+    volume = folder / "head.nrrd"
+    write_ball_head(volume)
+    studio = start(display, arguments.program, folder, [volume])
+    studio.wait_idle("the volume", lambda s: s["pictureComplete"])
+    studio.move(studio.view_point(0.5, 0.5))
+    travel(studio, folder, arguments.vstudio)
+    studio.key("ctrl+s")
+    studio.type_path("saveDialog", folder / "session.json")
+    studio.wait_idle("the session", lambda s: "session.json" in s["message"])
+    shortcuts(studio)
+    preferences(studio, folder)
+    state = studio.state()
+    need(state["glErrors"] == 0, f"{state['glErrors']} OpenGL errors")
+    studio.quit()
+    compare_with_replay(arguments.vstudio, folder / "session.json", folder / "again.png", state["viewport"], folder)
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--program", required=True)
+    parser.add_argument("--vstudio", required=True)
+    parser.add_argument("--work", required=True, help="folder to work in; emptied first")
+    sys.exit(run_test(main, parser.parse_args()))

@@ -26,6 +26,12 @@ double SegmentController::millilitres(std::uint8_t label) const {
     return geometry != nullptr ? double(voxels(label)) * geometry->voxelMm3() / 1000 : 0;
 }
 
+bool SegmentController::hasVoxels() const {
+    const auto& all = list().segments;
+    return std::any_of(all.begin(), all.end(),
+                       [this](const studio::SegmentInfo& segment) { return voxels(segment.label) > 0; });
+}
+
 bool SegmentController::canRemove() const {
     return !list().working().isLocked && (list().segments.size() > 1 || voxels(list().atWork) > 0);
 }

@@ -2,6 +2,7 @@
 #include "studio_controller.h"
 
 #include "growth_controller.h"
+#include "segment_controller.h"
 #include "segment_measurer.h"
 #include "tool.h"
 
@@ -147,7 +148,7 @@ bool StudioController::saveSession(const std::filesystem::path& path) {
 }
 
 bool StudioController::exportLabels(const std::filesystem::path& path) {
-    if (!growth_->canPlay()) {
+    if (!segments_->hasVoxels()) {
         say(tr("There is no segmentation to export yet: draw seeds first"));
         return false;
     }

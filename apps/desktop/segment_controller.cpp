@@ -78,6 +78,11 @@ bool SegmentController::rename(const std::string& name, const QString& to) {
     if (trimmed.toStdString() == name) {
         return true;
     }
+    constexpr std::size_t kLongest = 200; // bytes, as in session files
+    if (trimmed.toStdString().size() > kLongest) {
+        studio_.say(tr("A segment's name has at most %1 characters").arg(kLongest));
+        return false;
+    }
     if (trimmed.isEmpty() || list().find(trimmed.toStdString()) != nullptr) {
         studio_.say(trimmed.isEmpty()
                         ? tr("A segment needs a name")
@@ -163,7 +168,9 @@ void SegmentController::openLabels(const std::filesystem::path& path) {
 }
 
 void SegmentController::takeLabels(const studio::LoadLabels& labels) {
-    if (studio_.apply(labels)) {
+    if (studio_.isLoading()) {
+        studio_.say(tr("The label map was dropped: another volume is being opened"));
+    } else if (studio_.apply(labels)) {
         studio_.growth().showRegion();
     } else {
         emit studio_.openFailed(studio_.message());

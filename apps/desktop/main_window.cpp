@@ -8,6 +8,7 @@
 #include "history_panel.h"
 #include "panel_parts.h"
 #include "recovery_keeper.h"
+#include "segment_controller.h"
 #include "segment_edit_panel.h"
 #include "segment_numbers_panel.h"
 #include "studio_controller.h"
@@ -198,9 +199,11 @@ void MainWindow::refresh() {
     action("openFolder")->setEnabled(!studio_.isLoading());
     action("undo")->setEnabled(hasDocument && document->canUndo());
     action("redo")->setEnabled(hasDocument && document->canRedo());
-    for (const char* name : {"exportLabels", "reSeed", "playPause", "growBackwardKey", "growStepKey",
-                             "growToEndKey", "growBackKey"}) {
+    for (const char* name : {"playPause", "growBackwardKey", "growStepKey", "growToEndKey", "growBackKey"}) {
         action(name)->setEnabled(canPlay);
+    }
+    for (const char* name : {"exportLabels", "reSeed"}) {
+        action(name)->setEnabled(hasDocument && studio_.segments().hasVoxels());
     }
     const auto& view = studio_.view();
     action(std::string("mode." + std::string(render::name(view.mode))).c_str())->setChecked(true);

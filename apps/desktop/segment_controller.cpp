@@ -26,6 +26,12 @@ double SegmentController::millilitres(std::uint8_t label) const {
     return geometry != nullptr ? double(voxels(label)) * geometry->voxelMm3() / 1000 : 0;
 }
 
+bool SegmentController::hasVoxels() const {
+    const auto& all = list().segments;
+    return std::any_of(all.begin(), all.end(),
+                       [this](const studio::SegmentInfo& segment) { return voxels(segment.label) > 0; });
+}
+
 bool SegmentController::canRemove() const {
     return !list().working().isLocked && (list().segments.size() > 1 || voxels(list().atWork) > 0);
 }
@@ -71,6 +77,11 @@ bool SegmentController::rename(const std::string& name, const QString& to) {
     const QString trimmed = to.trimmed();
     if (trimmed.toStdString() == name) {
         return true;
+    }
+    constexpr std::size_t kLongest = 200; // bytes, as in session files
+    if (trimmed.toStdString().size() > kLongest) {
+        studio_.say(tr("A segment's name has at most %1 characters").arg(kLongest));
+        return false;
     }
     if (trimmed.isEmpty() || list().find(trimmed.toStdString()) != nullptr) {
         studio_.say(trimmed.isEmpty()
@@ -157,7 +168,9 @@ void SegmentController::openLabels(const std::filesystem::path& path) {
 }
 
 void SegmentController::takeLabels(const studio::LoadLabels& labels) {
-    if (studio_.apply(labels)) {
+    if (studio_.isLoading()) {
+        studio_.say(tr("The label map was dropped: another volume is being opened"));
+    } else if (studio_.apply(labels)) {
         studio_.growth().showRegion();
     } else {
         emit studio_.openFailed(studio_.message());

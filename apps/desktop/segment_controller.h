@@ -26,6 +26,7 @@ public:
     [[nodiscard]] const studio::SegmentList& list() const;
     [[nodiscard]] std::size_t voxels(std::uint8_t label) const; // shown
     [[nodiscard]] double millilitres(std::uint8_t label) const;
+    [[nodiscard]] bool hasVoxels() const; // any of them
     // Not the only one left with nothing in it.
     [[nodiscard]] bool canRemove() const;
 

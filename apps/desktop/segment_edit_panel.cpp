@@ -122,7 +122,7 @@ SegmentEditPanel::SegmentEditPanel(StudioController& studio, QWidget* parent)
     otherRow_ = new QWidget;
     other_ = named(new QComboBox, "editOther", tr("The other segment"));
     addRow(otherRow_, makeQuietLabel(tr("Other")), other_);
-    perform_ = named(new QPushButton, "editPerform", tr("Do it"));
+    perform_ = named(new QPushButton, "editPerform", tr("Apply"));
     perform_->setFocusPolicy(Qt::TabFocus);
     column->addWidget(perform_);
 
@@ -143,7 +143,7 @@ void SegmentEditPanel::show() {
     amount_->setSingleStep(0.5);
     amount_->setValue(edit.usual);
     otherRow_->setVisible(edit.needsOther);
-    perform_->setText(edit.does == Edit::Does::Clicks ? tr("Click in the picture") : tr("Do it"));
+    perform_->setText(edit.does == Edit::Does::Clicks ? tr("Click in the picture") : tr("Apply"));
     refresh();
 }
 

@@ -227,7 +227,7 @@ void StudioController::close() {
 }
 
 bool StudioController::exportLabels(const std::filesystem::path& path) {
-    if (!growth_->canPlay()) {
+    if (!segments_->hasVoxels()) {
         say(tr("There is no segmentation to export yet: draw seeds first"));
         return false;
     }

@@ -37,7 +37,6 @@ QTableView::item:focus { border: 1px solid #56b4e9; }
 QComboBox { background: #181b1e; border: 1px solid #3a4047; border-radius: 4px; padding: 3px 6px; }
 QComboBox:focus { border-color: #56b4e9; }
 QComboBox:disabled { color: #5f6770; }
-QComboBox::drop-down { border: 0; width: 18px; }
 QComboBox QAbstractItemView { background: #262a2f; border: 1px solid #3a4047; selection-background-color: #1d4259; }
 QToolButton[column="true"] { padding: 3px 1px 2px 1px; font-size: 11px; }
 QToolButton:disabled { color: #5f6770; }

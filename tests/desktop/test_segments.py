@@ -24,6 +24,8 @@ def working(state):
 
 def reveal(studio, widget):
     """Scrolls the panel until a widget is in sight."""
+    studio.wait(f"the widget {widget}", lambda s: widget in s["widgets"])
+    time.sleep(0.15)  # what was just folded is laid out and reported
     for _ in range(60):
         widgets = studio.state()["widgets"]
         _, y, _, height = widgets[widget]

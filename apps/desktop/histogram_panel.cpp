@@ -11,8 +11,29 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace vs::desktop {
+
+namespace {
+
+constexpr int kRestMs = 150;     // until what is visible is counted
+constexpr double kCountMs = 8;   // of it at a time
+constexpr double kTypable = 1e9; // beyond any volume: what is typed is answered, not cut off
+
+QString written(double value) { return QString::number(value, 'g', 6); }
+
+// What was typed into a box that showed `before`, which it may have rounded.
+double numberIn(const QDoubleSpinBox& box, double before) {
+    const bool isSame = std::abs(box.value() - before) <= 0.51 * std::pow(10.0, -box.decimals());
+    return isSame ? before : box.value();
+}
+
+qulonglong total(const std::vector<std::uint32_t>& counts) {
+    return std::accumulate(counts.begin(), counts.end(), qulonglong(0));
+}
+
+} // namespace
 
 HistogramPanel::HistogramPanel(StudioController& studio, QWidget* parent) : QWidget(parent), studio_(studio) {
     auto* outer = new QVBoxLayout(this);
@@ -21,31 +42,59 @@ HistogramPanel::HistogramPanel(StudioController& studio, QWidget* parent) : QWid
     outer->addWidget(makeCard(tr("Displayed range"), card));
     view_ = named(new HistogramView, "histogram", tr("Histogram with the displayed range"));
     card->addWidget(view_);
+    card->addWidget(makeRangeRow());
+    note_ = named(makeQuietLabel({}), "rangeNote", tr("What is wrong with the number that was typed"));
+    note_->setWordWrap(true);
+    note_->hide();
+    card->addWidget(note_);
 
-    auto* row = new QHBoxLayout;
+    connect(view_, &HistogramView::rangeDragged, this, [this](Range range) {
+        answer({});
+        studio_.setRange(range);
+    });
+    connect(&studio_, &StudioController::opened, this, &HistogramPanel::takeDocument);
+    connect(&studio_, &StudioController::changed, this, &HistogramPanel::refresh);
+    countTimer_.setSingleShot(true);
+    connect(&countTimer_, &QTimer::timeout, this, &HistogramPanel::countVisible);
+    setEnabled(false);
+}
+
+QWidget* HistogramPanel::makeRangeRow() {
+    auto* holder = new QWidget;
+    auto* row = new QHBoxLayout(holder);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(6);
     lo_ = makeSpinBox("rangeLo", tr("Lower end of the displayed range"));
     hi_ = makeSpinBox("rangeHi", tr("Upper end of the displayed range"));
+    unit_ = named(makeQuietLabel({}), "rangeUnit", tr("Unit of the volume's values"));
+    logarithmic_ = named(new QToolButton, "histogramLog", tr("Logarithmic counts"));
+    logarithmic_->setText(tr("log"));
+    logarithmic_->setToolTip(
+        tr("Heights by the logarithm of the counts: few voxels show beside millions of others"));
+    logarithmic_->setCheckable(true);
+    logarithmic_->setChecked(true);
+    logarithmic_->setProperty("choice", true);
+    logarithmic_->setFocusPolicy(Qt::TabFocus);
     row->addWidget(lo_, 1);
     row->addWidget(makeQuietLabel(tr("to")));
     row->addWidget(hi_, 1);
-    card->addLayout(row);
-
-    connect(view_, &HistogramView::rangeDragged, &studio_, &StudioController::setRange);
-    const auto typed = [this] {
-        const double lo = lo_->value();
-        studio_.setRange({std::min(lo, hi_->value()), std::max(lo, hi_->value())});
-    };
-    connect(lo_, &QDoubleSpinBox::valueChanged, this, typed);
-    connect(hi_, &QDoubleSpinBox::valueChanged, this, typed);
-    connect(&studio_, &StudioController::opened, this, &HistogramPanel::takeDocument);
-    connect(&studio_, &StudioController::changed, this, &HistogramPanel::refresh);
-    setEnabled(false);
+    row->addWidget(unit_);
+    row->addWidget(logarithmic_);
+    for (QDoubleSpinBox* box : {lo_, hi_}) {
+        box->setMinimumWidth(72);
+        connect(box, &QDoubleSpinBox::valueChanged, this, &HistogramPanel::takeTyped);
+    }
+    connect(logarithmic_, &QToolButton::toggled, view_, &HistogramView::setLogarithmic);
+    return holder;
 }
 
 void HistogramPanel::takeDocument() {
     const auto* document = studio_.document();
     const auto& volume = document->volume();
-    view_->setCounts(document->histogram(), volume.range);
+    const QString unit = QString::fromStdString(volume.unit);
+    view_->setCounts(document->histogram(), volume.range, unit);
+    unit_->setText(unit);
+    unit_->setVisible(!unit.isEmpty());
     const bool isWhole = volume.type != volume::ScalarType::Float32;
     view_->setQuantum(isWhole ? 1 : 0);
     // Floats: enough digits for a thousandth of the range.
@@ -54,11 +103,40 @@ void HistogramPanel::takeDocument() {
     for (QDoubleSpinBox* box : {lo_, hi_}) {
         const QSignalBlocker blocker(box);
         box->setDecimals(decimals);
-        box->setRange(volume.range.lo, volume.range.hi);
+        box->setRange(-kTypable, kTypable);
         box->setSingleStep(isWhole ? 1 : width / 256);
     }
     setEnabled(true);
+    answer({});
     refresh();
+}
+
+void HistogramPanel::takeTyped() {
+    const Range& now = studio_.view().range;
+    Range wanted{numberIn(*lo_, now.lo), numberIn(*hi_, now.hi)};
+    const Range& full = view_->full();
+    QString words;
+    if (wanted.lo > wanted.hi) {
+        words = tr("The ends are exchanged: the lower one comes first.");
+        std::swap(wanted.lo, wanted.hi);
+    }
+    const Range taken{std::clamp(wanted.lo, full.lo, full.hi), std::clamp(wanted.hi, full.lo, full.hi)};
+    if (!(taken == wanted)) {
+        words = tr("%1 lies beyond the data, which go from %2 to %3.")
+                    .arg(written(taken.hi == wanted.hi ? wanted.lo : wanted.hi), written(full.lo),
+                         written(full.hi));
+    }
+    answer(words);
+    studio_.setRange(taken);
+    refresh(); // the numbers show what was taken, though the range may be the same as before
+}
+
+void HistogramPanel::answer(const QString& words) {
+    note_->setText(words);
+    note_->setVisible(!words.isEmpty());
+    if (!words.isEmpty()) {
+        studio_.say(words);
+    }
 }
 
 void HistogramPanel::refresh() {
@@ -68,6 +146,32 @@ void HistogramPanel::refresh() {
     const QSignalBlocker blockHi(hi_);
     lo_->setValue(range.lo);
     hi_->setValue(range.hi);
+    if (!countTimer_.isActive()) {
+        countTimer_.start(kRestMs);
+    }
+}
+
+void HistogramPanel::countVisible() {
+    auto* document = studio_.document();
+    if (document == nullptr) {
+        return;
+    }
+    if (!studio_.isIdle() || document->isStrokeOpen()) {
+        countTimer_.start(kRestMs);
+        return;
+    }
+    const std::vector<std::uint32_t>* visible = nullptr;
+    if (!studio_.guard([&] { visible = document->visibleHistogram(kCountMs); })) {
+        return;
+    }
+    if (visible == nullptr) {
+        countTimer_.start(0);
+        return;
+    }
+    const auto& all = document->histogram();
+    view_->setVisibleCounts(*visible == all ? std::vector<std::uint32_t>() : *visible);
+    view_->setProperty("report", tr("%1 of %2 voxels visible").arg(total(*visible)).arg(total(all)));
+    view_->setAccessibleDescription(view_->property("report").toString());
 }
 
 } // namespace vs::desktop

@@ -1,16 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "base/math.h"
+
+#include <QTimer>
 #include <QWidget>
 
 class QDoubleSpinBox;
+class QLabel;
+class QToolButton;
 
 namespace vs::desktop {
 
 class HistogramView;
 class StudioController;
 
-// The displayed range: by dragging on the histogram, or typed.
+// The displayed range: by dragging on the histogram, or typed. At rest the histogram also shows which voxels
+// the cuts have left to be seen.
 class HistogramPanel : public QWidget {
     Q_OBJECT
 
@@ -18,13 +24,22 @@ public:
     explicit HistogramPanel(StudioController& studio, QWidget* parent = nullptr);
 
 private:
+    QWidget* makeRangeRow();
     void takeDocument();
+    void takeTyped();
     void refresh();
+    void countVisible();
+    // What was wrong with what was typed; empty: nothing.
+    void answer(const QString& words);
 
     StudioController& studio_;
     HistogramView* view_;
-    QDoubleSpinBox* lo_;
-    QDoubleSpinBox* hi_;
+    QDoubleSpinBox* lo_ = nullptr;
+    QDoubleSpinBox* hi_ = nullptr;
+    QLabel* unit_ = nullptr;
+    QToolButton* logarithmic_ = nullptr;
+    QLabel* note_;
+    QTimer countTimer_;
 };
 
 } // namespace vs::desktop

@@ -101,6 +101,10 @@ Box3 Document::partBox(std::size_t part) {
     return intersect(box, {glm::ivec3(0), dims});
 }
 
+render::TransferFunction Document::resolved(const render::TransferFunction& function) {
+    return impl_->pipeline.resolved(function);
+}
+
 const std::vector<std::uint32_t>* Document::visibleHistogram(double budgetMs) {
     VS_CHECK(!isStrokeOpen());
     const auto view = impl_->view.sculptureView;

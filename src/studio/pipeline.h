@@ -35,6 +35,9 @@ public:
     };
     render::Frame frame(const State& state, glm::ivec2 size);
 
+    // A transfer function with absolute positions on the field.
+    render::TransferFunction resolved(const render::TransferFunction& function);
+
     [[nodiscard]] const field::CellRanges& cellRanges() const { return cellRanges_; }
 
 private:

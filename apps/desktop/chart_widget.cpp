@@ -54,6 +54,11 @@ void ChartWidget::setCounts(const std::vector<std::uint32_t>& counts) {
     update();
 }
 
+void ChartWidget::setEmptyText(const QString& text) {
+    emptyText_ = text;
+    update();
+}
+
 void ChartWidget::setVisibleCounts(const std::vector<std::uint32_t>& counts) {
     if (visible_ != counts) {
         visible_ = counts;
@@ -120,7 +125,7 @@ void ChartWidget::paintFrame(QPainter& painter) const {
     painter.drawRoundedRect(plot, 5, 5);
     if (counts_.empty()) {
         painter.setPen(palette().color(QPalette::PlaceholderText));
-        painter.drawText(plot, Qt::AlignCenter, tr("No volume"));
+        painter.drawText(plot, Qt::AlignCenter, emptyText_);
     }
 }
 

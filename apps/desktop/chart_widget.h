@@ -24,6 +24,8 @@ public:
     void setAxis(Range full, const QString& unit);
     // Equal bins over the whole axis.
     void setCounts(const std::vector<std::uint32_t>& counts);
+    // What stands in the middle while there are no counts.
+    void setEmptyText(const QString& text);
     // Of these so many can be seen; empty: all.
     void setVisibleCounts(const std::vector<std::uint32_t>& counts);
     void setLogarithmic(bool isLogarithmic);
@@ -66,6 +68,7 @@ private:
     Range full_{0, 1};
     Range shown_{0, 1};
     QString unit_;
+    QString emptyText_ = tr("No volume");
     double quantum_ = 0;
     bool isLogarithmic_ = true;
     std::vector<std::uint32_t> counts_;

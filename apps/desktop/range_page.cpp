@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "histogram_panel.h"
+#include "range_page.h"
 
 #include "histogram_view.h"
 #include "panel_parts.h"
@@ -23,43 +23,38 @@ constexpr double kTypable = 1e9; // beyond any volume: what is typed is answered
 
 QString written(double value) { return QString::number(value, 'g', 6); }
 
-// What was typed into a box that showed `before`, which it may have rounded.
-double numberIn(const QDoubleSpinBox& box, double before) {
-    const bool isSame = std::abs(box.value() - before) <= 0.51 * std::pow(10.0, -box.decimals());
-    return isSame ? before : box.value();
-}
-
 qulonglong total(const std::vector<std::uint32_t>& counts) {
     return std::accumulate(counts.begin(), counts.end(), qulonglong(0));
 }
 
 } // namespace
 
-HistogramPanel::HistogramPanel(StudioController& studio, QWidget* parent) : QWidget(parent), studio_(studio) {
-    auto* outer = new QVBoxLayout(this);
-    outer->setContentsMargins(0, 0, 0, 0);
-    QVBoxLayout* card = nullptr;
-    outer->addWidget(makeCard(tr("Displayed range"), card));
+RangePage::RangePage(StudioController& studio) : studio_(studio) {
+    auto* column = new QVBoxLayout(this);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(8);
     view_ = named(new HistogramView, "histogram", tr("Histogram with the displayed range"));
-    card->addWidget(view_);
-    card->addWidget(makeRangeRow());
+    column->addWidget(view_);
+    column->addWidget(makeRangeRow());
     note_ = named(makeQuietLabel({}), "rangeNote", tr("What is wrong with the number that was typed"));
     note_->setWordWrap(true);
     note_->hide();
-    card->addWidget(note_);
+    column->addWidget(note_);
 
     connect(view_, &HistogramView::rangeDragged, this, [this](Range range) {
         answer({});
         studio_.setRange(range);
     });
-    connect(&studio_, &StudioController::opened, this, &HistogramPanel::takeDocument);
-    connect(&studio_, &StudioController::changed, this, &HistogramPanel::refresh);
+    connect(&studio_, &StudioController::changed, this, &RangePage::refresh);
     countTimer_.setSingleShot(true);
-    connect(&countTimer_, &QTimer::timeout, this, &HistogramPanel::countVisible);
-    setEnabled(false);
+    connect(&countTimer_, &QTimer::timeout, this, &RangePage::countVisible);
 }
 
-QWidget* HistogramPanel::makeRangeRow() {
+void RangePage::setColourStrip(const std::function<QColor(double)>& colourAt) {
+    view_->setColourStrip(colourAt);
+}
+
+QWidget* RangePage::makeRangeRow() {
     auto* holder = new QWidget;
     auto* row = new QHBoxLayout(holder);
     row->setContentsMargins(0, 0, 0, 0);
@@ -82,13 +77,13 @@ QWidget* HistogramPanel::makeRangeRow() {
     row->addWidget(logarithmic_);
     for (QDoubleSpinBox* box : {lo_, hi_}) {
         box->setMinimumWidth(72);
-        connect(box, &QDoubleSpinBox::valueChanged, this, &HistogramPanel::takeTyped);
+        connect(box, &QDoubleSpinBox::valueChanged, this, &RangePage::takeTyped);
     }
     connect(logarithmic_, &QToolButton::toggled, view_, &HistogramView::setLogarithmic);
     return holder;
 }
 
-void HistogramPanel::takeDocument() {
+void RangePage::takeDocument() {
     const auto* document = studio_.document();
     const auto& volume = document->volume();
     const QString unit = QString::fromStdString(volume.unit);
@@ -106,12 +101,11 @@ void HistogramPanel::takeDocument() {
         box->setRange(-kTypable, kTypable);
         box->setSingleStep(isWhole ? 1 : width / 256);
     }
-    setEnabled(true);
     answer({});
     refresh();
 }
 
-void HistogramPanel::takeTyped() {
+void RangePage::takeTyped() {
     const Range& now = studio_.view().range;
     Range wanted{numberIn(*lo_, now.lo), numberIn(*hi_, now.hi)};
     const Range& full = view_->full();
@@ -131,7 +125,7 @@ void HistogramPanel::takeTyped() {
     refresh(); // the numbers show what was taken, though the range may be the same as before
 }
 
-void HistogramPanel::answer(const QString& words) {
+void RangePage::answer(const QString& words) {
     note_->setText(words);
     note_->setVisible(!words.isEmpty());
     if (!words.isEmpty()) {
@@ -139,7 +133,7 @@ void HistogramPanel::answer(const QString& words) {
     }
 }
 
-void HistogramPanel::refresh() {
+void RangePage::refresh() {
     const Range range = studio_.view().range;
     view_->setRange(range);
     const QSignalBlocker blockLo(lo_);
@@ -151,7 +145,7 @@ void HistogramPanel::refresh() {
     }
 }
 
-void HistogramPanel::countVisible() {
+void RangePage::countVisible() {
     auto* document = studio_.document();
     if (document == nullptr) {
         return;

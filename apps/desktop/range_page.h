@@ -6,6 +6,8 @@
 #include <QTimer>
 #include <QWidget>
 
+#include <functional>
+
 class QDoubleSpinBox;
 class QLabel;
 class QToolButton;
@@ -17,15 +19,19 @@ class StudioController;
 
 // The displayed range: by dragging on the histogram, or typed. At rest the histogram also shows which voxels
 // the cuts have left to be seen.
-class HistogramPanel : public QWidget {
+class RangePage : public QWidget {
     Q_OBJECT
 
 public:
-    explicit HistogramPanel(StudioController& studio, QWidget* parent = nullptr);
+    explicit RangePage(StudioController& studio);
+
+    // A volume was opened.
+    void takeDocument();
+    // The colours of what is displayed, over intensity; null: not by intensity.
+    void setColourStrip(const std::function<QColor(double)>& colourAt);
 
 private:
     QWidget* makeRangeRow();
-    void takeDocument();
     void takeTyped();
     void refresh();
     void countVisible();

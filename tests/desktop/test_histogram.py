@@ -2,8 +2,10 @@
 """The histogram panel by hand: the displayed range dragged, typed and moved by keys, and what the cuts left to be seen."""
 
 import argparse
+import json
 import re
 import sys
+import time
 
 from driver import need, run_test, start
 from phantom import BRAIN, write_ball_head
@@ -70,6 +72,99 @@ def drag_range(studio):
     studio.click("histogramLog")
 
 
+class Editor(Chart):
+    """Places on a chart with a curve, and what it says of its points."""
+
+    TOP, BELOW = 4, 26  # pixels above the bars, and for strip and numbers below
+
+    def on(self, value, opacity):
+        x, y, width, tall = self.studio.state()["widgets"][self.name]
+        bottom = y + tall - self.BELOW
+        return self.at(value)[0], round(bottom - opacity * (tall - self.BELOW - self.TOP))
+
+    def wait(self, chosen, count):
+        said = f"{chosen} of {count} chosen"
+        return self.studio.wait_idle(f"{self.name} to say {said}", lambda s: s["reports"].get(self.name) == said)
+
+
+def in_use(studio, name):
+    return studio.wait_idle(f"the colours {name}", lambda s: s["reports"].get("functionChoice") == name)
+
+
+def edit_intensity(studio):
+    """Points added, dragged, typed, coloured, chosen and moved by keys, removed; a hill moved; a box; undo."""
+    studio.move(studio.view_point(0.5, 0.9))
+    studio.key("9")
+    studio.wait("volume mode", lambda s: s["mode"] == "volume")
+    studio.click("tabIntensity")
+    curve = Editor(studio, "intensityCurve")
+    curve.wait("none", 4)  # that of the displayed range, 100 to 173
+    in_use(studio, "The mode's own colours")
+    studio.drag([curve.on(107, 0.2), curve.on(112, 0.3), curve.on(120, 0.5)])
+    curve.wait(1, 4)
+    in_use(studio, "displayed range")
+    studio.move(curve.on(30, 0.7))
+    studio.xdotool("click", 1)
+    curve.wait(0, 5)
+    type_number(studio, "intensityValue", 40)
+    type_number(studio, "intensityOpacity", 0)
+    state = studio.wait_idle("the numbers")
+    type_number(studio, "intensityValue", 150)
+    studio.wait_idle("the answer", lambda s: s["message"] == "150 lies beyond the next point: this one was put to 100")
+    studio.click("intensityUndo")
+    studio.move(curve.on(40, 0))
+    studio.xdotool("click", 1)
+    curve.wait(0, 5)
+    studio.key("Tab")
+    curve.wait(1, 5)
+    studio.key("Tab")
+    curve.wait(2, 5)
+    studio.key("shift+Right")
+    studio.key("Up")
+    studio.key("Delete")
+    curve.wait(1, 4)
+    studio.key("ctrl+z")
+    curve.wait(1, 5)
+    studio.drag([curve.on(140, 0.2), curve.on(135, 0.2), curve.on(130, 0.2)])  # the hill between 100 and 173
+    studio.click("intensityAdd")
+    state = studio.wait_idle("the box", lambda s: s["reports"]["intensityCurve"].split()[0] != "none")
+    points = int(state["reports"]["intensityCurve"].split()[2])
+    need(points >= 7, f"a box makes {state['reports']['intensityCurve']}")
+    studio.click("intensityColour")
+    studio.wait("the dialog", lambda s: "colourDialog" in s["widgets"])
+    time.sleep(0.3)  # it is laid out once more
+    x, y, width, height = studio.state()["widgets"]["colourDialog"]
+    studio.xdotool("mousemove", x + width // 10, y + height // 6, "click", 1)
+    studio.key("Return")
+    studio.wait("the dialog to close", lambda s: "colourDialog" not in s["widgets"])
+    studio.focus()
+
+
+def gallery(studio, button):
+    studio.click("functionChoice")
+    studio.wait("the gallery", lambda s: button in s["widgets"])
+    time.sleep(0.2)
+    studio.click(button)
+    studio.wait("the gallery to close", lambda s: button not in s["widgets"])
+    studio.focus()
+
+
+def keep_colours(studio, folder):
+    """Saved as a file, reset, taken from the gallery, another table, then the file again."""
+    studio.click("functionSave")
+    studio.type_path("functionSaveDialog", folder / "colours.json")
+    studio.wait_idle("the file", lambda s: s["message"].startswith("Saved colours"))
+    studio.click("functionReset")
+    in_use(studio, "The mode's own colours")
+    gallery(studio, "preset.grey_ramp")
+    in_use(studio, "Grey ramp")
+    gallery(studio, "map.ember")
+    studio.click("functionOpen")
+    studio.type_path("functionOpenDialog", folder / "colours.json")
+    in_use(studio, "displayed range")
+    return json.loads((folder / "colours.json").read_text())
+
+
 def visible(state):
     """How many voxels the histogram says are visible, and of how many."""
     return tuple(map(int, re.fullmatch(r"(\d+) of (\d+) voxels visible", state["reports"].get("histogram", "")).groups()))
@@ -115,8 +210,12 @@ def main(display, arguments, folder):
     studio.wait_idle("the volume", lambda s: s["viewport"][0] < 500 and s["pictureComplete"])
     drag_range(studio)
     cut_and_count(studio)
+    edit_intensity(studio)
+    colours = keep_colours(studio, folder)
+    need(len({point["colour"] for point in colours["points"]}) > 3, f"the points are {colours['points']}")
     done = save_and_compare(studio, arguments, folder)
     views = [operation for operation in done if operation["op"] == "view"]
+    need(views[-1]["transferFunction"] == colours, "the session has other colours than the file")
     need(views[-1]["range"] == [100, 173], f"the session's range is {views[-1]['range']}")
 
 

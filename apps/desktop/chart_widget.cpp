@@ -37,7 +37,6 @@ QColor faded(QColor colour, double alpha) {
 ChartWidget::ChartWidget(QWidget* parent) : QWidget(parent) {
     setMouseTracking(true);
     setFocusPolicy(Qt::StrongFocus);
-    setMinimumHeight(110);
     setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
@@ -174,10 +173,21 @@ void ChartWidget::paintBars(QPainter& painter, const Range* emphasised) const {
     paint(counts_, hasTones ? 0.4 : 1);
     if (hasTones) {
         paint(visible_, 1);
-        painter.setFont(tickFont(font()));
-        painter.setPen(plain);
-        painter.drawText(area().adjusted(0, 0, -3, 0), Qt::AlignRight | Qt::AlignTop, tr("pale: cut away"));
+        paintNote(painter, Qt::AlignRight, tr("pale: cut away"));
     }
+}
+
+void ChartWidget::paintNote(QPainter& painter, Qt::AlignmentFlag side, const QString& text) const {
+    painter.setFont(tickFont(font()));
+    const QFontMetricsF metrics(painter.font());
+    const QSizeF size(metrics.horizontalAdvance(text) + 6, metrics.height());
+    const QPointF corner(side == Qt::AlignRight ? area().right() - size.width() : area().left(),
+                         area().top());
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(faded(palette().color(QPalette::Base), 0.75));
+    painter.drawRoundedRect(QRectF(corner, size), 3, 3);
+    painter.setPen(palette().color(QPalette::PlaceholderText));
+    painter.drawText(QRectF(corner, size), Qt::AlignCenter, text);
 }
 
 void ChartWidget::paintStrip(QPainter& painter, const QRectF& strip) const {

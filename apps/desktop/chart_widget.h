@@ -45,6 +45,8 @@ public:
     [[nodiscard]] QRectF area() const;
 
     [[nodiscard]] QSize sizeHint() const override { return {260, 150}; }
+    // Never lower: what is under the pen must not move when rows around it come and go.
+    [[nodiscard]] QSize minimumSizeHint() const override { return {120, sizeHint().height()}; }
 
 signals:
     void zoomed();
@@ -57,6 +59,8 @@ protected:
     void paintFrame(QPainter& painter) const;
     void paintBars(QPainter& painter, const Range* emphasised) const;
     void paintAxis(QPainter& painter) const;
+    // A word in an upper corner.
+    void paintNote(QPainter& painter, Qt::AlignmentFlag side, const QString& text) const;
     [[nodiscard]] const Range& shown() const { return shown_; }
     // One bin, or one step of the quantum.
     [[nodiscard]] double smallestStep() const;

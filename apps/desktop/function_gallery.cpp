@@ -6,6 +6,7 @@
 #include "panel_parts.h"
 
 #include "render/colour_map.h"
+#include "render/function_edits.h"
 #include "render/transfer_function_json.h"
 
 #include <QGridLayout>
@@ -17,8 +18,9 @@ namespace vs::desktop {
 
 namespace {
 
-constexpr QSize kPicture{124, 30};
-constexpr QSize kMapPicture{124, 12};
+constexpr QSize kPicture{148, 30};
+constexpr QSize kMapPicture{148, 10};
+constexpr int kWidth = 172; // of a button: the longest name fits
 constexpr int kColumns = 3;
 
 QImage plainPicture(const QColor& colour) {
@@ -57,6 +59,7 @@ QToolButton* FunctionGallery::makeButton(const std::string& name, const QString&
     button->setIconSize(image.size());
     button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
     button->setProperty("choice", true);
+    button->setFixedWidth(kWidth);
     connect(button, &QToolButton::clicked, this, [this, take] {
         close();
         take();
@@ -94,8 +97,14 @@ void FunctionGallery::fillMaps(QGridLayout* grid) {
                        QString::fromUtf8(map.description.data(), qsizetype(map.description.size())),
                        colourMapPicture(name, kMapPicture), [this, name] { editor_.useColourMap(name); }));
     }
-    QImage own(kMapPicture, QImage::Format_RGB32);
-    own.fill(palette().color(QPalette::Base));
+    QImage own(kMapPicture, QImage::Format_RGB32); // colours side by side
+    for (int x = 0; x < own.width(); ++x) {
+        const auto colour =
+            render::kSafeColours[std::size_t(x) * render::kSafeColours.size() / std::size_t(own.width())];
+        for (int y = 0; y < own.height(); ++y) {
+            own.setPixelColor(x, y, QColor(colour.x, colour.y, colour.z));
+        }
+    }
     add(makeButton("map.none", tr("their own"), tr("Each point has a colour of its own"), own,
                    [this] { editor_.useColourMap({}); }));
 }

@@ -9,7 +9,6 @@
 #include "shape_page.h"
 #include "studio_controller.h"
 
-#include <QStackedWidget>
 #include <QVBoxLayout>
 
 namespace vs::desktop {
@@ -35,16 +34,15 @@ HistogramPanel::HistogramPanel(StudioController& studio, QWidget* parent)
                        {"tabBoth", tr("Both"), tr("Colour and opacity over intensity and gradient")}},
                       0);
     card->addWidget(tabs);
-    stack_ = new QStackedWidget;
     range_ = new RangePage(studio_);
     using enum render::FunctionKind;
     intensity_ = new CurvePage(studio_, editor_, Intensity, "intensityCurve", "intensity");
     gradient_ = new CurvePage(studio_, editor_, Gradient, "gradientCurve", "gradient");
     both_ = new ShapePage(studio_, editor_);
-    for (QWidget* page : std::initializer_list<QWidget*>{range_, intensity_, gradient_, both_}) {
-        stack_->addWidget(page);
+    pages_ = {range_, intensity_, gradient_, both_};
+    for (QWidget* page : pages_) {
+        card->addWidget(page);
     }
-    card->addWidget(stack_);
     card->addWidget(new FunctionBar(studio_, editor_));
     connect(tabs, &ChoiceRow::chosen, this, &HistogramPanel::showPage);
     connect(&studio_, &StudioController::opened, this, &HistogramPanel::takeDocument);
@@ -60,13 +58,12 @@ HistogramPanel::~HistogramPanel() {
     counting_.reset();
 }
 
-// The panel is as high as the page that is shown, not as the highest one.
+// Hidden ones take no room: the panel is as high as the page that is shown.
 void HistogramPanel::showPage(int page) {
-    for (int i = 0; i < stack_->count(); ++i) {
-        stack_->widget(i)->setSizePolicy(QSizePolicy::Preferred,
-                                         i == page ? QSizePolicy::Preferred : QSizePolicy::Ignored);
+    shown_ = page;
+    for (int i = 0; i < int(pages_.size()); ++i) {
+        pages_[std::size_t(i)]->setVisible(i == page);
     }
-    stack_->setCurrentIndex(page);
     const bool needsGradients = page >= 2;
     if (needsGradients && !isCounted_) {
         countTimer_.start(0);
@@ -83,7 +80,7 @@ void HistogramPanel::takeDocument() {
     both_->takeDocument();
     setEnabled(true);
     refreshStrip();
-    showPage(stack_->currentIndex());
+    showPage(shown_);
 }
 
 void HistogramPanel::refreshStrip() {

@@ -10,8 +10,6 @@
 
 #include <optional>
 
-class QStackedWidget;
-
 namespace vs::desktop {
 
 class CurvePage;
@@ -38,7 +36,8 @@ private:
 
     StudioController& studio_;
     FunctionEditor editor_;
-    QStackedWidget* stack_;
+    std::vector<QWidget*> pages_; // of which one is shown
+    int shown_ = 0;
     RangePage* range_;
     CurvePage* intensity_;
     CurvePage* gradient_;

@@ -260,12 +260,8 @@ void PlaneView::paintEvent(QPaintEvent*) {
     paintOutlines(painter);
     painter.restore();
     paintAxis(painter);
-    painter.setPen(palette().color(QPalette::PlaceholderText));
-    QFont small = font();
-    small.setPixelSize(10);
-    painter.setFont(small);
-    painter.drawText(area().adjusted(3, 0, 0, 0), Qt::AlignLeft | Qt::AlignTop,
-                     tr("gradient up to %1 per mm").arg(joint_.gradients.hi, 0, 'g', 3));
+    paintNote(painter, Qt::AlignLeft,
+              tr("gradient up to %1 per mm").arg(QString::number(joint_.gradients.hi, 'g', 3)));
 }
 
 // Colour and opacity of every other pixel, laid over the density.
@@ -278,7 +274,7 @@ void PlaneView::paintFunction(QPainter& painter) const {
             const glm::dvec2 value = valueOf(area().topLeft() + QPointF(2 * x + 1, 2 * y + 1));
             const glm::dvec4 seen = sampler.at(value.x, value.y);
             QColor colour = screenColour(render::colourFromLinear(glm::dvec3(seen)));
-            colour.setAlphaF(float(seen.w > 0 ? 0.25 + 0.65 * std::sqrt(seen.w) : 0)); // faint ones show too
+            colour.setAlphaF(float(seen.w > 0 ? 0.15 + 0.4 * std::sqrt(seen.w) : 0)); // faint ones show too
             image.setPixelColor(x, y, colour);
         }
     }

@@ -84,11 +84,11 @@ class Editor(Chart):
 
     def wait(self, chosen, count):
         said = f"{chosen} of {count} chosen"
-        return self.studio.wait_idle(f"{self.name} to say {said}", lambda s: s["reports"].get(self.name) == said)
+        return self.studio.wait(f"{self.name} to say {said}", lambda s: s["reports"].get(self.name) == said)
 
 
 def in_use(studio, name):
-    return studio.wait_idle(f"the colours {name}", lambda s: s["reports"].get("functionChoice") == name)
+    return studio.wait(f"the colours {name}", lambda s: s["reports"].get("functionChoice") == name)
 
 
 def edit_intensity(studio):
@@ -108,9 +108,8 @@ def edit_intensity(studio):
     curve.wait(0, 5)
     type_number(studio, "intensityValue", 40)
     type_number(studio, "intensityOpacity", 0)
-    state = studio.wait_idle("the numbers")
     type_number(studio, "intensityValue", 150)
-    studio.wait_idle("the answer", lambda s: s["message"] == "150 lies beyond the next point: this one was put to 100")
+    studio.wait("the answer", lambda s: s["message"] == "150 lies beyond the next point: this one was put to 100")
     studio.click("intensityUndo")
     studio.move(curve.on(40, 0))
     studio.xdotool("click", 1)
@@ -127,7 +126,7 @@ def edit_intensity(studio):
     curve.wait(1, 5)
     studio.drag([curve.on(140, 0.2), curve.on(135, 0.2), curve.on(130, 0.2)])  # the hill between 100 and 173
     studio.click("intensityAdd")
-    state = studio.wait_idle("the box", lambda s: s["reports"]["intensityCurve"].split()[0] != "none")
+    state = studio.wait("the box", lambda s: s["reports"]["intensityCurve"].split()[0] != "none")
     points = int(state["reports"]["intensityCurve"].split()[2])
     need(points >= 7, f"a box makes {state['reports']['intensityCurve']}")
     studio.click("intensityColour")
@@ -153,7 +152,7 @@ def keep_colours(studio, folder):
     """Saved as a file, reset, taken from the gallery, another table, then the file again."""
     studio.click("functionSave")
     studio.type_path("functionSaveDialog", folder / "colours.json")
-    studio.wait_idle("the file", lambda s: s["message"].startswith("Saved colours"))
+    studio.wait("the file", lambda s: s["message"].startswith("Saved colours"))
     studio.click("functionReset")
     in_use(studio, "The mode's own colours")
     gallery(studio, "preset.grey_ramp")
@@ -163,6 +162,59 @@ def keep_colours(studio, folder):
     studio.type_path("functionOpenDialog", folder / "colours.json")
     in_use(studio, "displayed range")
     return json.loads((folder / "colours.json").read_text())
+
+
+def edit_gradient(studio):
+    """Counted when first wanted; the function there comes into use with the first edit."""
+    studio.click("tabGradient")
+    curve = Editor(studio, "gradientCurve", 0, 1)
+    curve.wait("none", 4)
+    studio.drag([curve.on(0.6, 0.35), curve.on(0.55, 0.5), curve.on(0.5, 0.6)])
+    curve.wait(2, 4)
+    in_use(studio, "edges")
+    studio.click("gradientUndo")
+    in_use(studio, "displayed range")
+
+
+def edit_both(studio):
+    """A box moved and stretched, a triangle drawn, another painted; by numbers; by keys."""
+    studio.click("tabBoth")
+    plane = Editor(studio, "plane")
+    x, y, width, height = plane.wait("none", 1)["widgets"]["plane"]
+
+    def place(fx, fy):
+        return round(x + fx * width), round(y + fy * height)
+
+    studio.drag([place(0.7, 0.45), place(0.69, 0.42), place(0.65, 0.4)])  # the box at 100 to 173
+    plane.wait(0, 1)
+    in_use(studio, "intensity and gradient")
+    studio.click("drawTriangle")
+    studio.drag([place(0.1, 0.2), place(0.2, 0.3), place(0.3, 0.6)])
+    plane.wait(0, 2)
+    need("shapeTopLo" in studio.state()["widgets"], "a triangle has no numbers for its top")
+    type_number(studio, "shapeTopLo", 20)
+    type_number(studio, "shapeTopHi", 5)
+    studio.wait("the answer", lambda s: "exchanged" in s["message"])
+    type_number(studio, "shapeOpacity", 30)
+    studio.click("drawPaint")
+    studio.drag([place(0.15, 0.75), place(0.3, 0.72), place(0.5, 0.78)])
+    plane.wait(0, 3)
+    studio.drag([place(0.5, 0.78), place(0.45, 0.76)], button=3)
+    studio.key("Tab")
+    plane.wait(1, 3)
+    studio.key("shift+Right")
+    studio.key("Tab")
+    plane.wait(2, 3)
+
+
+def check_shapes(function):
+    need([shape["shape"] for shape in function["shapes"]] == ["painting", "trapezoid", "box"],
+         f"the shapes are {[shape['shape'] for shape in function['shapes']]}")
+    painting, triangle, box = function["shapes"]
+    need(max(max(row) for row in painting["cells"]) == 255, "the paint is faint")
+    need(triangle["base"][0] == triangle["base"][1], f"the triangle stands on {triangle['base']}")
+    need(triangle["opacity"] == 0.3, f"the triangle's opacity is {triangle['opacity']}")
+    need(90 <= box["values"][0] < 100 and abs(box["values"][1] - box["values"][0] - 73) < 1e-6, f"{box['values']}")
 
 
 def visible(state):
@@ -213,9 +265,11 @@ def main(display, arguments, folder):
     edit_intensity(studio)
     colours = keep_colours(studio, folder)
     need(len({point["colour"] for point in colours["points"]}) > 3, f"the points are {colours['points']}")
+    edit_gradient(studio)
+    edit_both(studio)
     done = save_and_compare(studio, arguments, folder)
     views = [operation for operation in done if operation["op"] == "view"]
-    need(views[-1]["transferFunction"] == colours, "the session has other colours than the file")
+    check_shapes(views[-1]["transferFunction"])
     need(views[-1]["range"] == [100, 173], f"the session's range is {views[-1]['range']}")
 
 

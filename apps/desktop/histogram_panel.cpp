@@ -1,73 +1,136 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "histogram_panel.h"
 
-#include "histogram_view.h"
+#include "curve_page.h"
+#include "function_bar.h"
+#include "function_chart.h"
 #include "panel_parts.h"
+#include "range_page.h"
+#include "shape_page.h"
 #include "studio_controller.h"
 
-#include <QHBoxLayout>
-#include <QSignalBlocker>
 #include <QVBoxLayout>
-
-#include <algorithm>
-#include <cmath>
 
 namespace vs::desktop {
 
-HistogramPanel::HistogramPanel(StudioController& studio, QWidget* parent) : QWidget(parent), studio_(studio) {
+namespace {
+
+constexpr int kRetryMs = 60;   // while the picture is in motion
+constexpr double kCountMs = 8; // counted at a time
+constexpr int kGradientBins = 128;
+
+} // namespace
+
+HistogramPanel::HistogramPanel(StudioController& studio, QWidget* parent)
+    : QWidget(parent), studio_(studio), editor_(studio) {
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     QVBoxLayout* card = nullptr;
-    outer->addWidget(makeCard(tr("Displayed range"), card));
-    view_ = named(new HistogramView, "histogram", tr("Histogram with the displayed range"));
-    card->addWidget(view_);
-
-    auto* row = new QHBoxLayout;
-    lo_ = makeSpinBox("rangeLo", tr("Lower end of the displayed range"));
-    hi_ = makeSpinBox("rangeHi", tr("Upper end of the displayed range"));
-    row->addWidget(lo_, 1);
-    row->addWidget(makeQuietLabel(tr("to")));
-    row->addWidget(hi_, 1);
-    card->addLayout(row);
-
-    connect(view_, &HistogramView::rangeDragged, &studio_, &StudioController::setRange);
-    const auto typed = [this] {
-        const double lo = lo_->value();
-        studio_.setRange({std::min(lo, hi_->value()), std::max(lo, hi_->value())});
-    };
-    connect(lo_, &QDoubleSpinBox::valueChanged, this, typed);
-    connect(hi_, &QDoubleSpinBox::valueChanged, this, typed);
+    outer->addWidget(makeCard(tr("Histogram"), card));
+    auto* tabs =
+        new ChoiceRow({{"tabRange", tr("Range"), tr("The displayed range of intensities")},
+                       {"tabIntensity", tr("Intensity"), tr("Colour and opacity over intensity")},
+                       {"tabGradient", tr("Gradient"), tr("Colour and opacity over gradient magnitude")},
+                       {"tabBoth", tr("Both"), tr("Colour and opacity over intensity and gradient")}},
+                      0);
+    card->addWidget(tabs);
+    range_ = new RangePage(studio_);
+    using enum render::FunctionKind;
+    intensity_ = new CurvePage(studio_, editor_, Intensity, "intensityCurve", "intensity");
+    gradient_ = new CurvePage(studio_, editor_, Gradient, "gradientCurve", "gradient");
+    both_ = new ShapePage(studio_, editor_);
+    pages_ = {range_, intensity_, gradient_, both_};
+    for (QWidget* page : pages_) {
+        card->addWidget(page);
+    }
+    card->addWidget(new FunctionBar(studio_, editor_));
+    connect(tabs, &ChoiceRow::chosen, this, &HistogramPanel::showPage);
     connect(&studio_, &StudioController::opened, this, &HistogramPanel::takeDocument);
-    connect(&studio_, &StudioController::changed, this, &HistogramPanel::refresh);
+    connect(&editor_, &FunctionEditor::changed, this, &HistogramPanel::refreshStrip);
+    countTimer_.setSingleShot(true);
+    connect(&countTimer_, &QTimer::timeout, this, &HistogramPanel::countGradients);
+    showPage(0);
     setEnabled(false);
 }
 
-void HistogramPanel::takeDocument() {
-    const auto* document = studio_.document();
-    const auto& volume = document->volume();
-    view_->setCounts(document->histogram(), volume.range);
-    const bool isWhole = volume.type != volume::ScalarType::Float32;
-    view_->setQuantum(isWhole ? 1 : 0);
-    // Floats: enough digits for a thousandth of the range.
-    const double width = std::max(volume.range.width(), 1e-9);
-    const int decimals = isWhole ? 0 : std::clamp(int(std::ceil(3 - std::log10(width))), 0, 8);
-    for (QDoubleSpinBox* box : {lo_, hi_}) {
-        const QSignalBlocker blocker(box);
-        box->setDecimals(decimals);
-        box->setRange(volume.range.lo, volume.range.hi);
-        box->setSingleStep(isWhole ? 1 : width / 256);
-    }
-    setEnabled(true);
-    refresh();
+HistogramPanel::~HistogramPanel() {
+    studio_.host().makeCurrent(); // what is being counted lies on the device
+    counting_.reset();
 }
 
-void HistogramPanel::refresh() {
-    const Range range = studio_.view().range;
-    view_->setRange(range);
-    const QSignalBlocker blockLo(lo_);
-    const QSignalBlocker blockHi(hi_);
-    lo_->setValue(range.lo);
-    hi_->setValue(range.hi);
+// Hidden ones take no room: the panel is as high as the page that is shown.
+void HistogramPanel::showPage(int page) {
+    shown_ = page;
+    for (int i = 0; i < int(pages_.size()); ++i) {
+        pages_[std::size_t(i)]->setVisible(i == page);
+    }
+    const bool needsGradients = page >= 2;
+    if (needsGradients && !isCounted_) {
+        countTimer_.start(0);
+    }
+}
+
+void HistogramPanel::takeDocument() {
+    studio_.host().makeCurrent();
+    counting_.reset();
+    isCounted_ = false;
+    range_->takeDocument();
+    intensity_->takeDocument();
+    gradient_->takeDocument();
+    both_->takeDocument();
+    setEnabled(true);
+    refreshStrip();
+    showPage(shown_);
+}
+
+void HistogramPanel::refreshStrip() {
+    if (!editor_.isUsed(render::FunctionKind::Intensity)) {
+        range_->setColourStrip({});
+        return;
+    }
+    const auto sampler =
+        std::make_shared<render::FunctionSampler>(editor_.function(render::FunctionKind::Intensity));
+    range_->setColourStrip([sampler](double value) {
+        return screenColour(render::colourFromLinear(glm::dvec3(sampler->at(value, 0))));
+    });
+}
+
+void HistogramPanel::countGradients() {
+    auto* document = studio_.document();
+    if (document == nullptr || isCounted_) {
+        return;
+    }
+    if (!studio_.isSettled()) {
+        countTimer_.start(kRetryMs);
+        return;
+    }
+    bool isDone = false;
+    const bool isFine = studio_.guard([&] {
+        if (!counting_) {
+            counting_.emplace(document->field(),
+                              glm::ivec2(int(document->histogram().size()), kGradientBins));
+        }
+        isDone = counting_->advance(kCountMs);
+    });
+    if (isDone) {
+        takeJoint();
+    } else if (isFine) {
+        countTimer_.start(0);
+    }
+}
+
+void HistogramPanel::takeJoint() {
+    const field::JointHistogram joint = counting_->joint();
+    counting_.reset();
+    isCounted_ = true;
+    std::vector<std::uint32_t> byGradient(std::size_t(joint.bins.y));
+    for (std::size_t i = 0; i < joint.counts.size(); ++i) {
+        byGradient[i / std::size_t(joint.bins.x)] += joint.counts[i];
+    }
+    const QString unit = QString::fromStdString(studio_.document()->volume().unit);
+    editor_.setGradientTop(joint.gradients.hi);
+    gradient_->setCounts(byGradient, joint.gradients, unit + tr("/mm"));
+    both_->setJoint(joint);
 }
 
 } // namespace vs::desktop

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "histogram_view.h"
 
-#include "theme.h"
-
 #include <QKeyEvent>
 #include <QMouseEvent>
 #include <QPainter>
@@ -18,18 +16,15 @@ constexpr double kHandleReach = 7; // pixels to either side in which a handle is
 constexpr double kHandleWidth = 8;
 } // namespace
 
-HistogramView::HistogramView(QWidget* parent) : QWidget(parent) {
-    setMouseTracking(true);
-    setFocusPolicy(Qt::StrongFocus);
-    setMinimumHeight(110);
-    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
-    setToolTip(tr("Drag the handles, or the band between them, to choose the displayed range"));
+HistogramView::HistogramView(QWidget* parent) : ChartWidget(parent) {
+    setToolTip(tr("Drag the handles, or the band between them, to choose the displayed range.\n"
+                  "Wheel: closer; Shift+wheel: along. Arrow keys: the band, with Ctrl its lower end, with "
+                  "Shift its upper end."));
 }
 
-void HistogramView::setCounts(const std::vector<std::uint32_t>& counts, Range full) {
-    counts_ = counts;
-    full_ = full.width() > 0 ? full : Range{full.lo - 0.5, full.lo + 0.5};
-    update();
+void HistogramView::setCounts(const std::vector<std::uint32_t>& counts, Range full, const QString& unit) {
+    setAxis(full, unit);
+    ChartWidget::setCounts(counts);
 }
 
 void HistogramView::setPart(const std::vector<std::uint32_t>& counts, const QColor& colour) {
@@ -45,69 +40,32 @@ void HistogramView::setRange(Range range) {
     }
 }
 
-QRectF HistogramView::plot() const {
-    // Room for half a handle on both sides, and for focus.
-    return QRectF(rect()).adjusted(kHandleWidth / 2 + 2, 3, -kHandleWidth / 2 - 2, -3);
-}
-
-double HistogramView::xOf(double value) const {
-    const double t = std::clamp((value - full_.lo) / full_.width(), 0.0, 1.0);
-    return plot().left() + t * plot().width();
-}
-
-double HistogramView::valueAt(double x) const {
-    const double value = full_.lo + (x - plot().left()) / plot().width() * full_.width();
-    return quantum_ > 0 ? std::round(value / quantum_) * quantum_ : value;
-}
-
-// On a logarithmic scale: tissue next to millions of air voxels would not show otherwise.
-QPainterPath HistogramView::barsOf(const std::vector<std::uint32_t>& counts) const {
-    const QRectF area = plot();
-    const double most = std::log1p(double(*std::max_element(counts_.begin(), counts_.end())));
-    const double width = area.width() / double(counts.size());
-    QPainterPath bars(area.bottomLeft()); // one shape, so that no seams show between the bars
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-        const double height = most > 0 ? std::log1p(double(counts[i])) / most * (area.height() - 6) : 0;
-        bars.lineTo(area.left() + double(i) * width, area.bottom() - height);
-        bars.lineTo(area.left() + double(i + 1) * width, area.bottom() - height);
-    }
-    bars.lineTo(area.bottomRight());
-    return bars;
-}
-
 void HistogramView::paintEvent(QPaintEvent*) {
     QPainter painter(this);
-    painter.setRenderHint(QPainter::Antialiasing);
-    painter.setPen(QPen(hasFocus() ? theme::kAccent : theme::kLine, 1));
-    painter.setBrush(theme::kField);
-    painter.drawRoundedRect(QRectF(rect()).adjusted(0.5, 0.5, -0.5, -0.5), 5, 5);
-    if (counts_.empty()) {
-        painter.setPen(theme::kQuiet);
-        painter.drawText(rect(), Qt::AlignCenter, tr("No volume"));
+    paintFrame(painter);
+    if (isEmpty()) {
         return;
     }
-    const QRectF area = plot();
-    const double lo = xOf(range_.lo);
-    const double hi = xOf(range_.hi);
-    QColor band = theme::kAccent;
+    const QRectF plot = area();
+    const double lo = std::clamp(xOf(range_.lo), plot.left(), plot.right());
+    const double hi = std::clamp(xOf(range_.hi), plot.left(), plot.right());
+    QColor band = palette().color(QPalette::Link);
     band.setAlphaF(0.16F);
-    painter.fillRect(QRectF(lo, area.top(), std::max(hi - lo, 1.0), area.height()), band);
-
-    const QPainterPath bars = barsOf(counts_);
-    painter.fillPath(bars, QColor(0x5a, 0x63, 0x6d));
-    painter.save();
-    painter.setClipRect(QRectF(lo, area.top(), std::max(hi - lo, 1.0), area.height()));
-    painter.fillPath(bars, theme::kAccent);
-    painter.restore();
-    if (part_.size() == counts_.size()) {
-        painter.fillPath(barsOf(part_), partColour_);
-    }
-    for (const double x : {lo, hi}) {
-        painter.setPen(QPen(theme::kText, 1.5));
-        painter.drawLine(QPointF(x, area.top()), QPointF(x, area.bottom()));
-        painter.setPen(Qt::NoPen);
-        painter.setBrush(theme::kText);
-        painter.drawRoundedRect(QRectF(x - kHandleWidth / 2, area.center().y() - 11, kHandleWidth, 22), 3, 3);
+    painter.fillRect(QRectF(lo, plot.top(), std::max(hi - lo, 1.0), plot.height()), band);
+    paintBars(painter, &range_);
+    paintPart(painter, part_, partColour_);
+    paintAxis(painter);
+    const QColor ink = palette().color(QPalette::Text);
+    for (const double end : {range_.lo, range_.hi}) {
+        if (end < shown().lo || end > shown().hi) {
+            continue;
+        }
+        const double x = xOf(end);
+        painter.setPen(QPen(ink, 1.5));
+        painter.drawLine(QPointF(x, plot.top()), QPointF(x, plot.bottom()));
+        painter.setPen(QPen(palette().color(QPalette::Base), 1)); // sets it off from bars
+        painter.setBrush(ink);
+        painter.drawRoundedRect(QRectF(x - kHandleWidth / 2, plot.center().y() - 11, kHandleWidth, 22), 3, 3);
     }
 }
 
@@ -122,17 +80,19 @@ HistogramView::Grip HistogramView::gripAt(double x) const {
 }
 
 void HistogramView::mousePressEvent(QMouseEvent* event) {
-    if (event->button() == Qt::LeftButton && !counts_.empty()) {
+    if (event->button() == Qt::LeftButton && !isEmpty()) {
         grip_ = gripAt(event->position().x());
         pressedValue_ = valueAt(event->position().x());
         pressedRange_ = range_;
-        setCursor(grip_ == Grip::Band ? Qt::ClosedHandCursor : cursor().shape());
+        if (grip_ == Grip::Band) {
+            setCursor(Qt::ClosedHandCursor);
+        }
     }
 }
 
 void HistogramView::mouseMoveEvent(QMouseEvent* event) {
     if (grip_ == Grip::None) {
-        const Grip over = counts_.empty() ? Grip::None : gripAt(event->position().x());
+        const Grip over = isEmpty() ? Grip::None : gripAt(event->position().x());
         setCursor(over == Grip::Band   ? Qt::OpenHandCursor
                   : over == Grip::None ? Qt::ArrowCursor
                                        : Qt::SizeHorCursor);
@@ -144,12 +104,12 @@ void HistogramView::mouseMoveEvent(QMouseEvent* event) {
 void HistogramView::drag(Grip grip, Range from, double by) {
     Range next = from;
     if (grip == Grip::Band) {
-        by = std::clamp(by, full_.lo - from.lo, full_.hi - from.hi); // the band keeps its width
+        by = std::clamp(by, full().lo - from.lo, full().hi - from.hi); // the band keeps its width
         next = {from.lo + by, from.hi + by};
     } else if (grip == Grip::Lo) {
-        next.lo = std::clamp(from.lo + by, full_.lo, from.hi);
+        next.lo = std::clamp(from.lo + by, full().lo, from.hi);
     } else {
-        next.hi = std::clamp(from.hi + by, from.lo, full_.hi);
+        next.hi = std::clamp(from.hi + by, from.lo, full().hi);
     }
     if (!(next == range_)) {
         setRange(next);
@@ -173,14 +133,15 @@ void HistogramView::keyReleaseEvent(QKeyEvent* event) {
 }
 
 void HistogramView::keyPressEvent(QKeyEvent* event) {
-    if (counts_.empty() || (event->key() != Qt::Key_Left && event->key() != Qt::Key_Right)) {
+    if (isEmpty() || (event->key() != Qt::Key_Left && event->key() != Qt::Key_Right)) {
         QWidget::keyPressEvent(event);
         return;
     }
-    const double bin = std::max(quantum_, full_.width() / double(counts_.size()));
-    const double by = event->key() == Qt::Key_Left ? -bin : bin;
-    drag(event->modifiers().testFlag(Qt::ShiftModifier) ? Grip::Hi : Grip::Band, range_,
-         quantum_ > 0 ? std::round(by / quantum_) * quantum_ : by);
+    const auto modifiers = event->modifiers();
+    const Grip grip = modifiers.testFlag(Qt::ShiftModifier)     ? Grip::Hi
+                      : modifiers.testFlag(Qt::ControlModifier) ? Grip::Lo
+                                                                : Grip::Band;
+    drag(grip, range_, event->key() == Qt::Key_Left ? -smallestStep() : smallestStep());
 }
 
 } // namespace vs::desktop

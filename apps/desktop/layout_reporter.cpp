@@ -109,10 +109,14 @@ bool LayoutReporter::eventFilter(QObject* watched, QEvent* event) {
 
 void LayoutReporter::write() {
     nlohmann::json widgets = nlohmann::json::object();
+    nlohmann::json reports = nlohmann::json::object(); // what widgets say of themselves in their property
     for (const QWidget* widget : QApplication::allWidgets()) {
         const QString name = widget->objectName();
         if (widget->isVisible() && !name.isEmpty() && !name.startsWith("qt_")) {
             widgets[name.toStdString()] = screenRect(*widget);
+            if (const QString said = widget->property("report").toString(); !said.isEmpty()) {
+                reports[name.toStdString()] = said.toStdString();
+            }
         }
     }
     const QWidget* focused = QApplication::focusWidget();
@@ -150,6 +154,7 @@ void LayoutReporter::write() {
         {"handles", handlesOnScreen(window_.view(), studio_.moveTool())},
         {"glErrors", studio_.host().errorCount()},
         {"inputs", inputs_},
+        {"reports", reports},
         {"widgets", widgets}};
     const std::string text = report.dump(1);
     if (text == written_) {

@@ -19,11 +19,16 @@ void MainWindow::makeColourMenu() {
     auto* menu = menuBar()->addMenu(tr("&Colours"));
     menu->setToolTipsVisible(true);
     auto* functions = new QActionGroup(this);
+    functions->setExclusionPolicy(
+        QActionGroup::ExclusionPolicy::ExclusiveOptional); // none: one of the person's own
     QAction* none =
         addChoice(functions,
                   {"colours.none", nullptr, tr("The mode's own"),
                    tr("Ivory surfaces and white rays; the volume as the displayed range has it"), tr("0")},
-                  [this] { studio_.setTransferFunction({}); });
+                  [this] {
+                      studio_.setTransferFunction({});
+                      refreshColours();
+                  });
     menu->QWidget::addAction(none);
     menu->addSeparator();
     for (const std::string& name : render::presetNames()) {
@@ -35,7 +40,10 @@ void MainWindow::makeColourMenu() {
                                      QString::fromStdString(preset->name),
                                      QString::fromStdString(preset->description),
                                      {}},
-                                    [this, preset] { studio_.setTransferFunction(preset); });
+                                    [this, preset] {
+                                        studio_.setTransferFunction(preset);
+                                        refreshColours(); // chosen again it is still the one
+                                    });
         menu->QWidget::addAction(choice);
     }
     menu->addSeparator();
@@ -66,13 +74,17 @@ void MainWindow::openTransferFunction() {
 // The menu shows what the view has, whoever chose it.
 void MainWindow::refreshColours() {
     const auto& function = studio_.view().transferFunction;
-    std::string shown = function ? "file" : "none";
+    std::string shown = function ? "" : "none";
     for (const std::string& name : render::presetNames()) {
         if (function && render::findPreset(name) == function) {
             shown = name;
         }
     }
-    action(("colours." + shown).c_str())->setChecked(true);
+    if (!shown.empty()) {
+        action(("colours." + shown).c_str())->setChecked(true);
+    } else if (QAction* other = action("colours.none")->actionGroup()->checkedAction()) {
+        other->setChecked(false);
+    }
 }
 
 } // namespace vs::desktop

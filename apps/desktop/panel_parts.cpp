@@ -9,6 +9,8 @@
 #include <QLocale>
 #include <QVBoxLayout>
 
+#include <cmath>
+
 namespace vs::desktop {
 
 QFrame* makeCard(const QString& title, QVBoxLayout*& content) {
@@ -117,6 +119,11 @@ QDoubleSpinBox* makeSpinBox(const char* objectName, const QString& accessibleNam
     // The single-key shortcuts work again once a number is typed.
     QObject::connect(box, &QAbstractSpinBox::editingFinished, box, &QWidget::clearFocus);
     return box;
+}
+
+double numberIn(const QDoubleSpinBox& box, double before) {
+    const bool isSame = std::abs(box.value() - before) <= 0.51 * std::pow(10.0, -box.decimals());
+    return isSame ? before : box.value();
 }
 
 QString grouped(qulonglong number) { return QLocale(QLocale::English).toString(number); }

@@ -69,6 +69,9 @@ private:
 // A number that is taken over when typing is finished, not at every digit.
 QDoubleSpinBox* makeSpinBox(const char* objectName, const QString& accessibleName);
 
+// What a box says that showed `before`, which it may have rounded.
+double numberIn(const QDoubleSpinBox& box, double before);
+
 // With separators between thousands.
 QString grouped(qulonglong number);
 

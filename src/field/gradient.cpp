@@ -26,27 +26,31 @@ struct Magnitudes {
     double largest = 0;
 };
 
-// Runs one variant of the counting shader over the whole field.
-void count(gl::Program& program, const Field& field, const Range& gradients, glm::ivec2 bins) {
-    const glm::ivec3 dims = field.geometry.dims;
+constexpr int kRowUniform = 5;
+
+// What every variant of the counting shader needs.
+void bind(gl::Program& program, const Field& field, const Range& gradients, glm::ivec2 bins) {
     field.texels.bindTexture(0);
-    program.set(0, dims)
+    program.set(0, field.geometry.dims)
         .set(1, bins)
         .set(2, glm::vec3(field.valueScale, field.valueOffset, field.isIntegral ? 1 : 0))
         .set(3, glm::vec4(float(field.range.lo), float(field.range.hi), float(gradients.lo),
                           float(gradients.hi)))
         .set(4, glm::mat4(glm::transpose(glm::dmat3(field.geometry.voxelFromWorld()))));
-    // One work group counts an 8 x 8 column of voxels along z; as many rows of groups at once as make no long
-    // submission (some 40 ms on two
-    // cores of a software renderer).
-    constexpr std::size_t atOnce = std::size_t(1) << 22;
-    const std::size_t perRow = std::size_t(dims.x) * 8 * std::size_t(dims.z);
-    const int rows = divideUp(dims.y, 8);
-    const int rowsAtOnce = std::max(1, int(atOnce / perRow));
-    for (int row = 0; row < rows; row += rowsAtOnce) {
-        program.set(5, row);
-        program.dispatch({divideUp(dims.x, 8), std::min(rowsAtOnce, rows - row), 1}, gl::Barrier::Storage);
-    }
+}
+
+// Runs one variant over the whole field.
+void count(gl::Program& program, const Field& field, const Range& gradients, glm::ivec2 bins) {
+    bind(program, field, gradients, bins);
+    VoxelRows(field.geometry.dims).advance(program, kRowUniform, kUnlimitedMs);
+}
+
+Magnitudes readMagnitudes(const gl::Buffer& counts) {
+    Magnitudes out;
+    out.counts = counts.read<std::uint32_t>(kLogBins + 1);
+    out.largest = double(std::bit_cast<float>(out.counts.back()));
+    out.counts.pop_back();
+    return out;
 }
 
 Magnitudes countMagnitudes(const Field& field) {
@@ -55,17 +59,11 @@ Magnitudes countMagnitudes(const Field& field) {
     gl::Buffer counts((kLogBins + 1) * sizeof(std::uint32_t), "gradient magnitudes");
     counts.bindStorage(0);
     count(program, field, {}, {kLogBins, 1});
-    Magnitudes out;
-    out.counts = counts.read<std::uint32_t>(kLogBins + 1);
-    out.largest = double(std::bit_cast<float>(out.counts.back()));
-    out.counts.pop_back();
-    return out;
+    return readMagnitudes(counts);
 }
 
-} // namespace
-
-Range gradientRange(const Field& field) {
-    const Magnitudes magnitudes = countMagnitudes(field);
+// From 0 to the 99.9th percentile.
+Range usualRange(const Magnitudes& magnitudes) {
     const auto total = std::accumulate(magnitudes.counts.begin(), magnitudes.counts.end(), std::uint64_t(0));
     double left = 0.999 * double(total);
     for (std::size_t i = 0; i < magnitudes.counts.size(); ++i) {
@@ -80,6 +78,10 @@ Range gradientRange(const Field& field) {
     }
     return {0, magnitudes.largest};
 }
+
+} // namespace
+
+Range gradientRange(const Field& field) { return usualRange(countMagnitudes(field)); }
 
 Range fullGradientRange(const Field& field) { return {0, countMagnitudes(field).largest}; }
 
@@ -102,6 +104,37 @@ JointHistogram jointHistogram(const Field& field, const Range& gradients, glm::i
     counts.bindStorage(0);
     count(program, field, gradients, bins);
     return {bins, field.range, gradients, counts.read<std::uint32_t>(all)};
+}
+
+JointCounting::JointCounting(const Field& field, glm::ivec2 bins)
+    : field_(&field), measure_("field/shaders/count_gradients.comp", {{"COUNT", "0"}}),
+      count_("field/shaders/count_gradients.comp", {{"COUNT", "2"}}),
+      magnitudes_((kLogBins + 1) * sizeof(std::uint32_t), "gradient magnitudes"),
+      counts_(std::size_t(bins.x) * std::size_t(bins.y) * sizeof(std::uint32_t), "joint histogram"),
+      measured_(field.geometry.dims), counted_(field.geometry.dims) {
+    VS_CHECK(bins.x >= 1 && bins.x <= 4096 && bins.y >= 1 && bins.y <= 4096);
+    joint_ = {bins, field.range, {}, {}};
+}
+
+bool JointCounting::advance(double budgetMs) {
+    const gl::Pass pass("joint histogram in slices");
+    if (!measured_.isDone()) {
+        magnitudes_.bindStorage(0);
+        bind(measure_, *field_, {}, {kLogBins, 1});
+        if (measured_.advance(measure_, kRowUniform, budgetMs)) {
+            joint_.gradients = usualRange(readMagnitudes(magnitudes_));
+        }
+        return false;
+    }
+    counts_.bindStorage(0);
+    bind(count_, *field_, joint_.gradients, joint_.bins);
+    if (!counted_.advance(count_, kRowUniform, budgetMs)) {
+        return false;
+    }
+    if (joint_.counts.empty()) {
+        joint_.counts = counts_.read<std::uint32_t>(std::size_t(joint_.bins.x) * std::size_t(joint_.bins.y));
+    }
+    return true;
 }
 
 } // namespace vs::field

@@ -2,6 +2,9 @@
 #pragma once
 
 #include "field/field.h"
+#include "field/voxel_rows.h"
+
+#include "gl/buffer.h"
 
 #include <cstdint>
 #include <vector>
@@ -31,5 +34,27 @@ struct JointHistogram {
 
 // Magnitudes above `gradients` are left out.
 JointHistogram jointHistogram(const Field& field, const Range& gradients, glm::ivec2 bins = {256, 256});
+
+// The joint histogram over gradientRange(), counted in slices, so that a window can answer between them.
+class JointCounting {
+public:
+    explicit JointCounting(const Field& field, glm::ivec2 bins = {256, 256});
+
+    // Goes on for about `budgetMs`, or for one slice where that takes longer (tens of milliseconds on a
+    // software renderer). True when all is counted.
+    bool advance(double budgetMs);
+    // Complete once advance() has said so.
+    [[nodiscard]] const JointHistogram& joint() const { return joint_; }
+
+private:
+    const Field* field_;
+    gl::Program measure_;
+    gl::Program count_;
+    gl::Buffer magnitudes_;
+    gl::Buffer counts_;
+    VoxelRows measured_;
+    VoxelRows counted_;
+    JointHistogram joint_;
+};
 
 } // namespace vs::field

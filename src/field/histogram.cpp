@@ -9,21 +9,54 @@
 
 namespace vs::field {
 
-std::vector<std::uint32_t> intensityHistogram(const Field& field, int bins) {
-    VS_CHECK(bins >= 1 && bins <= 4096);
-    const gl::Pass pass("intensity histogram");
-    gl::Program program("field/shaders/count_histogram.comp");
-    gl::Buffer counts(std::size_t(bins) * sizeof(std::uint32_t), "histogram");
+namespace {
+
+constexpr int kRowUniform = 4;
+
+void bind(gl::Program& program, const Field& field, int bins, const gl::Buffer& counts) {
     counts.bindStorage(0);
     field.texels.bindTexture(0);
     program.set(0, field.geometry.dims)
         .set(1, bins)
         .set(2, glm::vec2(field.valueScale, field.valueOffset))
         .set(3, glm::vec2(float(field.range.lo), float(field.range.hi)));
-    // One work group counts an 8 x 8 column of voxels along z.
-    const glm::ivec3 dims = field.geometry.dims;
-    program.dispatch({divideUp(dims.x, 8), divideUp(dims.y, 8), 1}, gl::Barrier::Storage);
+}
+
+} // namespace
+
+std::vector<std::uint32_t> intensityHistogram(const Field& field, int bins) {
+    VS_CHECK(bins >= 1 && bins <= 4096);
+    const gl::Pass pass("intensity histogram");
+    gl::Program program("field/shaders/count_histogram.comp", {{"VISIBLE", "0"}});
+    gl::Buffer counts(std::size_t(bins) * sizeof(std::uint32_t), "histogram");
+    bind(program, field, bins, counts);
+    VoxelRows(field.geometry.dims).advance(program, kRowUniform, kUnlimitedMs);
     return counts.read<std::uint32_t>(std::size_t(bins));
+}
+
+VisibleHistogram::VisibleHistogram(const Field& field, int bins)
+    : field_(&field), bins_(bins), program_("field/shaders/count_histogram.comp", {{"VISIBLE", "1"}}) {
+    VS_CHECK(bins >= 1 && bins <= 4096);
+}
+
+void VisibleHistogram::start(SculptureView view) {
+    VS_CHECK(view != SculptureView::Whole); // that is intensityHistogram()
+    view_ = view;
+    counts_ = gl::Buffer(std::size_t(bins_) * sizeof(std::uint32_t), "visible histogram");
+    rows_ = VoxelRows(field_->geometry.dims);
+}
+
+bool VisibleHistogram::advance(const gl::Texture& sculpture, double budgetMs) {
+    const gl::Pass pass("visible histogram");
+    bind(program_, *field_, bins_, counts_);
+    sculpture.bindTexture(1);
+    program_.set(5, view_ == SculptureView::Cut ? 1 : 2);
+    return rows_.advance(program_, kRowUniform, budgetMs);
+}
+
+std::vector<std::uint32_t> VisibleHistogram::counts() const {
+    VS_CHECK(rows_.isDone());
+    return counts_.read<std::uint32_t>(std::size_t(bins_));
 }
 
 double percentile(const std::vector<std::uint32_t>& histogram, const Range& range, double part) {

@@ -2,6 +2,8 @@
 #pragma once
 
 #include "field/field.h"
+#include "field/scene.h"
+#include "field/voxel_rows.h"
 
 #include <cstdint>
 #include <vector>
@@ -11,6 +13,28 @@ namespace vs::field {
 // Counts of voxels in `bins` (at most 4096) equal bins over field.range, counted on the device. Non-finite
 // voxels are left out.
 std::vector<std::uint32_t> intensityHistogram(const Field& field, int bins = 256);
+
+// As intensityHistogram(), but of the voxels that a sculpture lets be seen, and counted in slices, so that a
+// window can answer between them.
+class VisibleHistogram {
+public:
+    VisibleHistogram(const Field& field, int bins);
+
+    // Begins anew.
+    void start(SculptureView view);
+    // Goes on for about `budgetMs`, or for one slice where that takes longer (tens of milliseconds on a
+    // software renderer). The sculpture must not have changed since start(). True when all is counted.
+    bool advance(const gl::Texture& sculpture, double budgetMs);
+    [[nodiscard]] std::vector<std::uint32_t> counts() const;
+
+private:
+    const Field* field_;
+    int bins_;
+    SculptureView view_ = SculptureView::Cut;
+    gl::Program program_;
+    gl::Buffer counts_;
+    VoxelRows rows_;
+};
 
 // The value below which the given part (0 to 1) of a histogram's voxels lies (equal bins over `range`), as if
 // they were evenly spread within each bin.

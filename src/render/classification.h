@@ -31,6 +31,11 @@ public:
     // measured on the device, once for each field.
     bool update(const TransferFunction& function, const field::Field& field);
 
+    // A function with absolute positions on a field: what update() would upload.
+    TransferFunction resolved(const TransferFunction& function, const field::Field& field) {
+        return resolve(function, anchorsFor(function, field));
+    }
+
     void bind() const;
 
     [[nodiscard]] FunctionKind kind() const { return function_.kind; }

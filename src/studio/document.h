@@ -41,6 +41,12 @@ public:
     [[nodiscard]] sculpt::Precision precision() const; // of the sculpture
     // Voxel counts in equal bins over volume().range, at most 256.
     [[nodiscard]] const std::vector<std::uint32_t>& histogram() const;
+    // The same of the voxels on the visible side of what was cut: what choosing a displayed range can show.
+    // Counted in slices of about `budgetMs`, anew after each cut; null until all are counted. No stroke may
+    // be open.
+    const std::vector<std::uint32_t>* visibleHistogram(double budgetMs);
+    // A transfer function with absolute positions on this volume: what can be edited on its histogram.
+    render::TransferFunction resolved(const render::TransferFunction& function);
     [[nodiscard]] const View& view() const;
     // All operations so far, in order, pictures and label maps included: what a session saves.
     [[nodiscard]] const std::vector<Operation>& log() const;

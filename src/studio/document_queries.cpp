@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "base/check.h"
 #include "studio/document_state.h"
 #include "studio/sketch.h"
 
@@ -112,6 +113,34 @@ Box3 Document::partBox(std::size_t part) {
         }
     }
     return intersect(box, {glm::ivec3(0), dims});
+}
+
+render::TransferFunction Document::resolved(const render::TransferFunction& function) {
+    return impl_->pipeline.resolved(function);
+}
+
+const std::vector<std::uint32_t>* Document::visibleHistogram(double budgetMs) {
+    VS_CHECK(!isStrokeOpen());
+    const auto view = impl_->view.sculptureView;
+    if (view == field::SculptureView::Whole ||
+        (view == field::SculptureView::Cut && impl_->sculpture.isEmpty())) {
+        return &impl_->histogram;
+    }
+    auto& visible = impl_->visibleCounts;
+    if (!visible) {
+        visible.emplace(field::VisibleHistogram(impl_->field, int(impl_->histogram.size())));
+    }
+    const std::pair of(impl_->sculpture.contentVersion(), view);
+    if (visible->of != of) {
+        visible->counting.start(view);
+        visible->of = of;
+        visible->isDone = false;
+    }
+    if (!visible->isDone && visible->counting.advance(impl_->sculpture.texels(), budgetMs)) {
+        visible->counts = visible->counting.counts();
+        visible->isDone = true;
+    }
+    return visible->isDone ? &visible->counts : nullptr;
 }
 
 std::vector<std::byte> Document::sculptureBytes() const {

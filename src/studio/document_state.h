@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/timer.h"
+#include "field/histogram.h"
 #include "studio/document.h"
 #include "studio/history.h"
 #include "studio/peel_stroke.h"
@@ -109,6 +110,14 @@ struct Document::Impl {
     volume::Volume volume;
     field::Field field;
     std::vector<std::uint32_t> histogram;
+    // What Document::visibleHistogram() has counted, or is counting, of which contents.
+    struct VisibleCounts {
+        field::VisibleHistogram counting;
+        std::optional<std::pair<std::uint64_t, field::SculptureView>> of;
+        bool isDone = false;
+        std::vector<std::uint32_t> counts;
+    };
+    std::optional<VisibleCounts> visibleCounts; // made when first asked for
     sculpt::Sculpture sculpture;
     Pipeline pipeline;
     Region region;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/pipeline.h"
 
+#include "render/function_edits.h"
+
 #include <algorithm>
 #include <utility>
 
@@ -10,17 +12,6 @@ Pipeline::Pipeline(const field::Field& field)
     : field_(&field), cellRanges_(field::computeCellRanges(field)) {}
 
 namespace {
-
-// What volume mode shows when no transfer function was chosen: the displayed range, thin at its lower end.
-render::TransferFunction functionOfRange(const Range& range) {
-    const double width = range.hi - range.lo;
-    render::TransferFunction function;
-    function.name = "displayed range";
-    // From the middle of the map on: its dark colours would not tell from shade.
-    function.colours = render::SpreadColours{"ivory", {range.lo - width, range.hi}};
-    function.points = {{range.lo, 0}, {range.lo + 0.1 * width, 0.2}, {range.hi, 0.6}, {range.hi, 0}};
-    return function;
-}
 
 segment::Looks looksOf(const SegmentList& list) {
     segment::Looks looks = segment::allOpaque();
@@ -34,6 +25,13 @@ segment::Looks looksOf(const SegmentList& list) {
 
 } // namespace
 
+render::TransferFunction Pipeline::resolved(const render::TransferFunction& function) {
+    if (!classification_) {
+        classification_.emplace();
+    }
+    return classification_->resolved(function, *field_);
+}
+
 const render::Classification* Pipeline::classify(const View& view) {
     if (!view.transferFunction && view.mode != render::Mode::Volume) {
         return nullptr;
@@ -41,8 +39,8 @@ const render::Classification* Pipeline::classify(const View& view) {
     if (!classification_) {
         classification_.emplace();
     }
-    classification_->update(view.transferFunction ? *view.transferFunction : functionOfRange(view.range),
-                            *field_);
+    classification_->update(
+        view.transferFunction ? *view.transferFunction : render::functionOfRange(view.range), *field_);
     return &*classification_;
 }
 

@@ -38,6 +38,9 @@ public:
     // The same content on a slice. Segments are drawn whatever the view's mode is.
     render::SliceFrame slice(const State& state, const render::SliceView& view);
 
+    // A transfer function with absolute positions on the field.
+    render::TransferFunction resolved(const render::TransferFunction& function);
+
     [[nodiscard]] const field::CellRanges& cellRanges() const { return cellRanges_; }
 
 private:

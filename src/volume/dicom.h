@@ -31,6 +31,7 @@ struct DicomSlice {
     glm::dvec2 scale{1, 0}; // slope and intercept of this slice, for telling whether they differ
     double timeOrder = 0;   // orders slices at the same position
     std::string photometric;
+    std::string unit; // of the values; empty where none is stated
 
     [[nodiscard]] glm::dvec3 normal() const { return glm::normalize(glm::cross(alongColumns, alongRows)); }
     [[nodiscard]] double offset() const { return position ? glm::dot(*position, normal()) : 0.0; }

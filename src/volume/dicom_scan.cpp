@@ -77,6 +77,15 @@ void takeOrientation(const std::filesystem::path& path, const std::vector<double
     slice.hasOrientation = true;
 }
 
+// CT is in Hounsfield units unless the file states another unit (PS3.3, C.11.1: Rescale Type "US" is none).
+std::string unitOf(const DicomDataSet& set) {
+    const auto stated = printable(set.text(0x00281054));
+    if (set.text(0x00080060) == "CT" && (stated.empty() || stated == "HU")) {
+        return "HU";
+    }
+    return stated == "US" ? "" : stated;
+}
+
 // What all frames of a file have in common.
 DicomSlice fileAttributes(const std::filesystem::path& path, const DicomDataSet& set, DicomFile& file) {
     DicomSlice slice;
@@ -87,6 +96,7 @@ DicomSlice fileAttributes(const std::filesystem::path& path, const DicomDataSet&
     slice.modality = printable(set.text(0x00080060));
     slice.size = {set.unsignedShort(0x00280011, 0), set.unsignedShort(0x00280010, 0)};
     slice.photometric = set.text(0x00280004);
+    slice.unit = unitOf(set);
     if (slice.size.x < 1 || slice.size.y < 1) {
         refuse(path, fmt::format("its image has {} x {} pixels", slice.size.x, slice.size.y),
                "Rows and Columns must be 1 or more");

@@ -294,6 +294,7 @@ ReadResult readDicom(const std::filesystem::path& path, const ReadOptions& optio
     stack.volume = decodeSlices(path, slices);
     makeRegular(path, stack, result.notices);
     result.volume = std::move(stack.volume);
+    result.volume.unit = first.unit;
     return result;
 }
 

@@ -29,6 +29,7 @@ struct Volume {
     std::size_t nonFiniteCount = 0; // NaN and infinite voxels; they lie outside every range
     std::string name;               // file or folder name, for titles and messages
     std::filesystem::path path;     // where it came from; empty for volumes made in memory
+    std::string unit;               // of the values, as people write it ("HU"); empty where none is known
 
     // The value at one voxel; `index` must be inside the grid.
     [[nodiscard]] double at(glm::ivec3 index) const;

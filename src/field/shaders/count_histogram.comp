@@ -1,6 +1,8 @@
 // Counts voxel values into equal bins. Each work group counts an 8 x 8 column of voxels in shared memory and adds the
 // result to the global counts once, so contended atomics stay local.
-// In: texture 0 data. Out: storage 0 counts[bins].
+// VISIBLE: counts only voxels on the visible side of the sculpture (visibleSide() of scene.glsl).
+// In: texture 0 data, with VISIBLE 1 sculpture. Out: storage 0 counts[bins].
+// variants: VISIBLE=0;VISIBLE=1
 layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(binding = 0) uniform sampler3D dataTexture;
@@ -10,6 +12,18 @@ layout(location = 0) uniform ivec3 dims;
 layout(location = 1) uniform int bins;
 layout(location = 2) uniform vec2 valueScaleOffset;
 layout(location = 3) uniform vec2 valueRange;
+layout(location = 4) uniform int firstRow; // of work groups
+#if VISIBLE
+layout(binding = 1) uniform sampler3D sculptureTexture;
+layout(location = 5) uniform int sculptureView; // 1 cut, 2 probe
+
+bool isVisible(ivec3 voxel) {
+    float sculpture = texelFetch(sculptureTexture, voxel, 0).r;
+    return sculptureView == 1 ? 0.5 - sculpture - 1e-6 >= 0.0 : sculpture >= 0.5;
+}
+#else
+bool isVisible(ivec3 voxel) { return true; }
+#endif
 
 shared uint localCounts[4096];
 
@@ -18,12 +32,12 @@ void main() {
         localCounts[i] = 0u;
     }
     barrier();
-    ivec2 column = ivec2(gl_GlobalInvocationID.xy);
+    ivec2 column = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, 8 * firstRow);
     if (all(lessThan(column, dims.xy))) {
         float scale = valueRange.y > valueRange.x ? float(bins) / (valueRange.y - valueRange.x) : 0.0;
         for (int z = 0; z < dims.z; ++z) {
             float value = texelFetch(dataTexture, ivec3(column, z), 0).r * valueScaleOffset.x + valueScaleOffset.y;
-            if (value > -1e29) { // non-finite voxels are stored far below
+            if (value > -1e29 && isVisible(ivec3(column, z))) { // non-finite voxels are stored far below
                 int bin = clamp(int((value - valueRange.x) * scale), 0, bins - 1);
                 atomicAdd(localCounts[bin], 1u);
             }

@@ -53,6 +53,43 @@ TEST_F(FieldTest, NonFiniteVoxelsAreInNoBin) {
     EXPECT_EQ(total, volume.geometry.voxelCount() - 2);
 }
 
+// What is cut and what is left are all voxels together, and each is what the CPU counts.
+TEST_F(FieldTest, VisibleHistogramsCountEachSideOfTheCut) {
+    const glm::ivec3 dims(37, 21, 19);
+    const auto volume = randomVolume(dims, volume::ScalarType::UInt8, 0, 200);
+    const Field field = uploadVolume(volume);
+    constexpr int kBins = 50;
+    std::vector<float> cut(volume.geometry.voxelCount());
+    std::vector<std::uint32_t> expected(kBins);
+    for (std::size_t i = 0; i < cut.size(); ++i) {
+        cut[i] = float(i % 7) / 6; // one of them at exactly 0.5: cut
+        const int n = int(i);
+        const double value = volume.at({n % dims.x, n / dims.x % dims.y, n / dims.x / dims.y});
+        if (cut[i] < 0.5F) {
+            ++expected[std::size_t(
+                std::min(int((value - field.range.lo) / field.range.width() * kBins), kBins - 1))];
+        }
+    }
+    gl::Texture sculpture(dims, gl::Format::R32F, gl::Filter::Nearest, "cut");
+    sculpture.upload({glm::ivec3(0), dims}, std::as_bytes(std::span(cut)));
+    VisibleHistogram counting(field, kBins);
+    const auto count = [&](SculptureView view) {
+        counting.start(view);
+        while (!counting.advance(sculpture, 0)) {
+        }
+        return counting.counts();
+    };
+    const auto left = count(SculptureView::Cut);
+    const auto away = count(SculptureView::Probe);
+    const auto all = intensityHistogram(field, kBins);
+    std::uint64_t moved = 0;
+    for (std::size_t i = 0; i < kBins; ++i) {
+        EXPECT_EQ(left[i] + away[i], all[i]);
+        moved += std::uint64_t(std::abs(std::int64_t(left[i]) - std::int64_t(expected[i])));
+    }
+    EXPECT_LE(moved, volume.geometry.voxelCount() / 50); // on a bin's border either side is right
+}
+
 TEST_F(FieldTest, CellRangesBoundEveryTrilinearSample) {
     const auto volume = randomVolume({23, 9, 14}, volume::ScalarType::Int16, -500, 3000);
     const Field field = uploadVolume(volume);

@@ -76,6 +76,18 @@ TEST_F(GradientTest, HistogramsEqualThoseCountedOnTheCpu) {
     }
 }
 
+TEST_F(GradientTest, CountingInSlicesIsCountingAtOnce) {
+    const Field field = uploadVolume(makeWaves(volume::ScalarType::Int16));
+    const auto atOnce = jointHistogram(field, gradientRange(field), {40, 30});
+    JointCounting counting(field, {40, 30});
+    while (!counting.advance(0)) {
+    }
+    EXPECT_EQ(counting.joint().gradients, atOnce.gradients);
+    EXPECT_EQ(counting.joint().values, atOnce.values);
+    EXPECT_EQ(counting.joint().counts, atOnce.counts);
+    EXPECT_EQ(counting.joint().bins, atOnce.bins);
+}
+
 TEST_F(GradientTest, RangesHoldTheLargestAndAlmostAll) {
     const auto volume = makeWaves(volume::ScalarType::Float32);
     const Field field = uploadVolume(volume);

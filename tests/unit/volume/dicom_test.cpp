@@ -170,6 +170,7 @@ TEST_F(DicomData, RegularSeriesEqualsItksReader) {
     for (const auto& folder : {data_ / "dicom_ct_j2k", unpacked}) {
         const auto result = readVolume(folder);
         EXPECT_TRUE(result.notices.empty());
+        EXPECT_EQ(result.volume.unit, folder == unpacked ? "" : "HU");
         const auto names = itk::GDCMSeriesFileNames::New();
         names->SetDirectory(folder.string());
         const auto reader = itk::ImageSeriesReader<itk::Image<std::int16_t, 3>>::New();

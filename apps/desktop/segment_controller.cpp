@@ -171,7 +171,9 @@ void SegmentController::takeLabels(const studio::LoadLabels& labels) {
     if (studio_.isLoading()) {
         studio_.say(tr("The label map was dropped: another volume is being opened"));
     } else if (studio_.apply(labels)) {
-        studio_.growth().showRegion();
+        if (studio_.view().mode == render::Mode::Surface) {
+            studio_.setMode(render::Mode::Overlay); // they may lie deep inside
+        }
     } else {
         emit studio_.openFailed(studio_.message());
     }

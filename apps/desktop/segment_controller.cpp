@@ -168,10 +168,12 @@ void SegmentController::openLabels(const std::filesystem::path& path) {
 }
 
 void SegmentController::takeLabels(const studio::LoadLabels& labels) {
-    if (studio_.isLoading()) {
-        studio_.say(tr("The label map was dropped: another volume is being opened"));
+    if (studio_.isLoading() || studio_.document() == nullptr) {
+        studio_.say(tr("The label map was dropped: its volume is no longer open"));
     } else if (studio_.apply(labels)) {
-        studio_.growth().showRegion();
+        if (studio_.view().mode == render::Mode::Surface) {
+            studio_.setMode(render::Mode::Overlay); // they may lie deep inside
+        }
     } else {
         emit studio_.openFailed(studio_.message());
     }

@@ -23,7 +23,7 @@ namespace {
 
 constexpr int kVersion = 1;
 // Operations whose text is longer (strokes, seeds with their voxels) are never replaced, and need not be
-// compared each time.
+// compared each time; but an absorbing stroke goes on, however many voxels it has.
 constexpr std::size_t kMayGoOn = 4096;
 
 // All of it, or none: half a line in the midst would make the journal unreadable.
@@ -109,7 +109,8 @@ void Journal::follow(const std::vector<Operation>& log) {
     for (written_ -= hasGoneOn ? 1 : 0; written_ < log.size(); ++written_) {
         Json json = written(log[written_]);
         const std::string text = json.dump();
-        last_ = text.size() < kMayGoOn ? text : std::string();
+        const bool mayGoOn = text.size() < kMayGoOn || std::holds_alternative<Absorb>(log[written_]);
+        last_ = mayGoOn ? text : std::string();
         append({{"n", written_}, {"operation", std::move(json)}});
     }
 }

@@ -94,7 +94,8 @@ TEST_F(JournalTest, SurvivesTheDeathOfTheProcess) {
 TEST_F(JournalTest, LosesNoMoreThanTheLineThatIsCut) {
     const auto log = someLog();
     Journal(path_, source_).follow(log);
-    const auto lastLine = toJson(log.back()).dump().size() + std::string(R"({"n":3,"operation":})").size();
+    const auto lastLine =
+        toJson(log.back()).dump().size() + std::string(R"({"n":3,"operation":})").size() + 1; // and its end
     for (std::size_t bytes = 1; bytes <= lastLine; ++bytes) {
         cut(1);
         EXPECT_EQ(readJournal(path_).session.operations.size(), log.size() - 1) << bytes << " bytes cut";

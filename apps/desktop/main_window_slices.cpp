@@ -71,8 +71,9 @@ void MainWindow::makeSliceActions() {
 void MainWindow::makeSliceMenu() {
     QMenu* view = menuBar()->actions().constLast()->menu();
     view->addSeparator();
-    for (const char* name : {"slices", kArrangements[0], kArrangements[1], kArrangements[2], kArrangements[3],
-                             kArrangements[4], "resetSlices", "smoothSlices"}) {
+    for (const char* name :
+         {"slices", kArrangements[0], kArrangements[1], kArrangements[2], kArrangements[3], kArrangements[4],
+          "resetSlices", "smoothSlices", "brushSmaller", "brushLarger"}) {
         view->QWidget::addAction(action(name));
     }
 }

@@ -22,7 +22,7 @@ void paintLabel(QPainter& painter, QPointF at, const QString& text, QRectF area)
     painter.setPen(Qt::NoPen);
     painter.setBrush(QColor(10, 12, 14, 190));
     painter.drawRoundedRect(box, 4, 4);
-    painter.setPen(theme::kText);
+    painter.setPen(theme::kPen);
     painter.drawText(box, Qt::AlignCenter, text);
 }
 

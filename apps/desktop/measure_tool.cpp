@@ -39,6 +39,7 @@ QString labelOf(const Measurement& measurement) {
 
 MeasureTool::MeasureTool(StudioController& studio) : Tool(&studio), studio_(studio) {
     connect(&studio_, &StudioController::opened, this, &MeasureTool::removeAll);
+    connect(&studio_, &StudioController::closed, this, &MeasureTool::removeAll);
 }
 
 QString MeasureTool::hint() const {

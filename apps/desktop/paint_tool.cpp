@@ -9,7 +9,9 @@
 
 namespace vs::desktop {
 
-PaintTool::PaintTool(StudioController& studio) : Tool(&studio), studio_(studio) {}
+PaintTool::PaintTool(StudioController& studio) : Tool(&studio), studio_(studio) {
+    connect(this, &PaintTool::settingsChanged, &studio_, &StudioController::changed); // the hint is another
+}
 
 QString PaintTool::hint() const {
     return isToAdd_ ? tr("Paint on a slice to add to the segment; the right button or Ctrl removes. [ and ] "

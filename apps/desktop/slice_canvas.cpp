@@ -5,6 +5,7 @@
 #include "slice_controller.h"
 #include "studio_controller.h"
 
+#include <QLineF>
 #include <QMouseEvent>
 #include <QWheelEvent>
 

@@ -23,7 +23,7 @@ void drawText(QPainter& painter, QRectF box, int flags, const QString& text) {
     for (const QPointF offset : {QPointF(1, 1), QPointF(-1, 1), QPointF(1, -1), QPointF(-1, -1)}) {
         painter.drawText(box.translated(offset), flags, text);
     }
-    painter.setPen(theme::kText);
+    painter.setPen(theme::kPen);
     painter.drawText(box, flags, text);
 }
 

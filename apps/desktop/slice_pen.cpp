@@ -16,6 +16,7 @@ SlicePen::SlicePen(StudioController& studio) : QObject(&studio), studio_(studio)
     // A tool that is left, or told to clear, drops the stroke in hand.
     connect(&studio_.seedTool(), &Tool::overlayChanged, this, &SlicePen::cancel);
     connect(&studio_.paintTool(), &Tool::overlayChanged, this, &SlicePen::cancel);
+    connect(&studio_.paintTool(), &PaintTool::settingsChanged, this, &SlicePen::changed);
 }
 
 SlicePen::Use SlicePen::use() const {

@@ -72,6 +72,8 @@ void ViewGrid::arrange(Arrangement arrangement) {
             grid_->setRowStretch(n, 1);
         }
     }
+    view_->setMinimumSize(isOnly3D ? QSize(320, 240)
+                                   : QSize(160, 120)); // or it would take room from the slices
     for (SliceWidget* slice : slices_) {
         slice->setVisible(!isOnly3D);
         slice->setLarge(large(slice->kind()) == arrangement);

@@ -3,6 +3,7 @@
 
 import argparse
 import sys
+import time
 
 from driver import need, run_test, start
 from replay import compare_with_replay, operations, run
@@ -172,8 +173,10 @@ def measure(studio):
         studio.xdotool("click", 1)
     state = studio.wait("the angle", lambda s: len(s["measurements"]) == 3)
     need(abs(state["measurements"][2] - 135) < 0.01, f"{state['measurements'][2]} degrees instead of 135")
+    time.sleep(0.3)  # the list of values has grown, and the buttons below it have moved
     studio.click("measureDeleteLast")
     studio.wait("one less", lambda s: len(s["measurements"]) == 2)
+    time.sleep(0.3)
     studio.click("measureDeleteAll")
     studio.wait("none", lambda s: not s["measurements"])
 

@@ -18,7 +18,6 @@
 #include "sweep_tool.h"
 #include "tool_pages.h"
 
-#include <QStackedWidget>
 #include <QStyle>
 #include <QVBoxLayout>
 
@@ -31,7 +30,7 @@ ToolPanel::ToolPanel(StudioController& studio, QWidget* parent) : QWidget(parent
     auto* frame = makeCard(tr("Tool"), card);
     outer->addWidget(frame);
     title_ = frame->findChild<QLabel*>("cardTitle");
-    stack_ = new QStackedWidget;
+    pagesBelow_ = card;
     add(studio_.cameraTool(), tr("Camera"), makeCameraPage());
     add(studio_.peelTool(), tr("Peel"), makePeelPage(studio_));
     add(studio_.drillTool(), tr("Drill"), makeDrillPage(studio_));
@@ -45,7 +44,6 @@ ToolPanel::ToolPanel(StudioController& studio, QWidget* parent) : QWidget(parent
     add(studio_.measureTool(), tr("Measure"), makeMeasurePage(studio_));
     add(studio_.paintTool(), tr("Paint"), makePaintPage(studio_));
     add(studio_.moveTool(), tr("Move part"), makeMovePage(studio_));
-    card->addWidget(stack_);
     pressure_ = makePressureRows(studio_);
     card->addWidget(pressure_);
     connect(&studio_, &StudioController::changed, this, &ToolPanel::refresh);
@@ -53,7 +51,8 @@ ToolPanel::ToolPanel(StudioController& studio, QWidget* parent) : QWidget(parent
 }
 
 void ToolPanel::add(const Tool& tool, const QString& title, QWidget* page) {
-    stack_->addWidget(page);
+    page->hide();
+    pagesBelow_->addWidget(page);
     pages_[&tool] = {title, page};
 }
 
@@ -61,12 +60,10 @@ void ToolPanel::refresh() {
     const Page& page = pages_.at(&studio_.tool());
     if (shown_ != page.widget) {
         shown_ = page.widget;
-        // The panel is as high as the page that is shown, not as the highest one.
+        // Not a stack, which would be as high as the highest page.
         for (const auto& [tool, other] : pages_) {
-            const auto policy = other.widget == page.widget ? QSizePolicy::Preferred : QSizePolicy::Ignored;
-            other.widget->setSizePolicy(QSizePolicy::Preferred, policy);
+            other.widget->setVisible(other.widget == page.widget);
         }
-        stack_->setCurrentWidget(page.widget);
     }
     pressure_->setVisible(qobject_cast<const PenTool*>(&studio_.tool()) != nullptr);
     const auto* cutTool = studio_.cutTool();

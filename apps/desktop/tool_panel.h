@@ -6,7 +6,7 @@
 #include <map>
 
 class QLabel;
-class QStackedWidget;
+class QVBoxLayout;
 
 namespace vs::desktop {
 
@@ -30,7 +30,7 @@ private:
     void refresh();
 
     StudioController& studio_;
-    QStackedWidget* stack_;
+    QVBoxLayout* pagesBelow_;
     std::map<const Tool*, Page> pages_;
     QWidget* shown_ = nullptr;
     QWidget* pressure_;

@@ -49,6 +49,7 @@ MainWindow::MainWindow(StudioController& studio, QWidget* parent) : QMainWindow(
     makeDock();
     makeStatusBar();
     makeFileActions();
+    makePictureActions();
     makeEditActions();
     makeViewActions();
     makeToolActions();

@@ -22,6 +22,7 @@ class QToolBar;
 namespace vs::desktop {
 
 class StudioController;
+class PictureExport;
 class Tool;
 class ViewWidget;
 
@@ -94,6 +95,10 @@ private:
                 const QString& suggestion, const std::function<void(const QString&)>& take);
     [[nodiscard]] QString suggestedName(const QString& suffix) const;
 
+    // main_window_pictures.cpp
+    void makePictureActions();
+    void copyPicture();
+
     void makeCentre();
     void makeDock();
     void makeStatusBar();
@@ -117,6 +122,7 @@ private:
     QProgressBar* progress_ = nullptr;
     QTimer probeTimer_;
     QTimer rateTimer_;
+    PictureExport* copying_ = nullptr; // to the clipboard
     bool isBusyCursor_ = false;
     Timer sinceReversed_; // the tool's sign: cut or restore
 };

@@ -28,7 +28,8 @@ void MainWindow::makeMenus() {
             }
         }
     };
-    menu(tr("&File"), {"open", "openFolder", "-", "saveSession", "exportLabels", "screenshot", "-", "quit"});
+    menu(tr("&File"), {"open", "openFolder", "-", "saveSession", "exportLabels", "screenshot",
+                       "exportPicture", "copyPicture", "-", "quit"});
     menu(tr("&Edit"), {"undo", "redo", "-", "paste", "moveTool", "-", "unCut", "reSeed", "-", "clearSketch"});
     menu(tr("&View"), {"resetView", "-", "mode.surface", "mode.mip", "mode.xray", "mode.overlay",
                        "mode.segment", "mode.volume", "-", "viewCut", "viewProbe", "viewWhole", "-",

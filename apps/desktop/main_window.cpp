@@ -64,6 +64,7 @@ MainWindow::MainWindow(StudioController& studio, QWidget* parent) : QMainWindow(
     makeDock();
     makeStatusBar();
     makeFileActions();
+    makePictureActions();
     makeEditActions();
     makeViewActions();
     makeSliceActions();

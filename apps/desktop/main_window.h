@@ -29,6 +29,7 @@ class HistoryPanel;
 class RecoveryKeeper;
 class StudioController;
 class ThumbnailKeeper;
+class PictureExport;
 class Tool;
 class ViewGrid;
 class ViewWidget;
@@ -127,6 +128,10 @@ private:
     void chooseSeries(const OpenRequest& request, const std::vector<volume::SeriesChoice>& choices);
     void showView();
 
+    // main_window_pictures.cpp
+    void makePictureActions();
+    void copyPicture();
+
     void makeCentre();
     void makeDock();
     void makeStatusBar();
@@ -156,6 +161,7 @@ private:
     QProgressBar* progress_ = nullptr;
     QTimer probeTimer_;
     QTimer rateTimer_;
+    PictureExport* copying_ = nullptr; // to the clipboard
     bool isBusyCursor_ = false;
     Timer sinceReversed_; // the tool's sign: cut or restore
 };

@@ -1,0 +1,97 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Pictures at any size, a turntable that is given up and one that is not, and the picture for the clipboard."""
+
+import argparse
+import json
+import shutil
+import struct
+import sys
+import time
+
+from driver import need, run_test, start
+from phantom import write_ball_head
+from replay import run
+
+
+def set_number(studio, box, number):
+    studio.click(box)
+    studio.key("ctrl+a")
+    studio.xdotool("type", str(number))
+    studio.key("Tab")
+
+
+def open_dialog(studio):
+    studio.focus()
+    studio.key("shift+F12")
+    studio.wait("the dialog", lambda s: "pictureDialog" in s["widgets"])
+    time.sleep(0.3)  # it is laid out once more after it appears
+
+
+def save_as(studio, path):
+    studio.click("pictureSave")
+    studio.wait("the file dialog", lambda s: "fileNameEdit" in s["widgets"])
+    time.sleep(0.3)
+    studio.click("fileNameEdit")
+    studio.key("ctrl+a")
+    studio.xdotool("type", "--delay", 5, path)
+    studio.key("Return")
+
+
+def size_of(png):
+    return struct.unpack(">II", png.read_bytes()[16:24])
+
+
+def main(display, arguments, folder):
+    volume = folder / "head.nrrd"
+    write_ball_head(volume)
+    studio = start(display, arguments.program, folder, [volume])
+    studio.resize(900, 700)
+    studio.wait_idle("the volume", lambda s: s["viewport"][0] < 500 and s["pictureComplete"])
+
+    open_dialog(studio)
+    set_number(studio, "pictureWidth", 320)  # the height follows the view's shape
+    save_as(studio, folder / "seen.png")
+    state = studio.wait_idle("the picture", lambda s: s["message"].startswith("Saved picture"))
+    need("pictureDialog" not in state["widgets"], "the dialog is still open")
+    width, height = state["viewport"]
+    need(size_of(folder / "seen.png") == (320, round(320 * height / width)), f"{size_of(folder / 'seen.png')}")
+
+    open_dialog(studio)
+    set_number(studio, "pictureCount", 300)
+    save_as(studio, folder / "many.png")
+    studio.wait("the first pictures", lambda s: (folder / "many-002.png").exists())
+    studio.click("pictureCancel")
+    studio.wait("the word", lambda s: s["message"].startswith("Given up after") and "pictureDialog" in s["widgets"])
+    set_number(studio, "pictureCount", 4)
+    set_number(studio, "pictureWidth", 200)
+    save_as(studio, folder / "turn.png")
+    studio.wait_idle("the turntable", lambda s: s["message"].startswith("Saved 4 pictures"))
+    turned = [(folder / f"turn-00{n}.png").read_bytes() for n in (1, 2, 3, 4)]
+    need(len(set(turned)) == 4, "pictures of the turntable are alike")
+
+    studio.focus()
+    studio.key("ctrl+c")
+    studio.wait_idle("the clipboard", lambda s: s["message"] == "The picture is on the clipboard")
+    studio.key("ctrl+s")
+    studio.type_path("saveDialog", folder / "session.json")
+    state = studio.wait_idle("the session", lambda s: "session.json" in s["message"])
+    need(state["glErrors"] == 0, f"{state['glErrors']} OpenGL errors")
+    studio.quit()
+
+    # The replay writes the same picture again.
+    operations = json.loads((folder / "session.json").read_text())["operations"]
+    need([operation["op"] for operation in operations if operation["op"] == "picture"] == ["picture"],
+         f"the session has {operations}")
+    again = folder / "again"
+    run(arguments.vstudio, "run", folder / "session.json", "-o", again)
+    print("replayed picture:", run(arguments.vstudio, "compare", folder / "seen.png", again / "seen.png",
+                                   "--mean", 0.5).strip())
+    shutil.rmtree(again)
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--program", required=True)
+    parser.add_argument("--vstudio", required=True)
+    parser.add_argument("--work", required=True, help="folder to work in; emptied first")
+    sys.exit(run_test(main, parser.parse_args()))

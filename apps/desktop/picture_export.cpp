@@ -17,6 +17,9 @@ constexpr int kWaitMs = 50; // for the window's own picture
 PictureExport::PictureExport(StudioController& studio) : studio_(studio) {
     timer_.setSingleShot(true);
     connect(&timer_, &QTimer::timeout, this, &PictureExport::tick);
+    // The caster looks into the document.
+    connect(&studio_, &StudioController::closed, this, &PictureExport::cancel);
+    connect(&studio_, &StudioController::opened, this, &PictureExport::cancel);
 }
 
 PictureExport::~PictureExport() {

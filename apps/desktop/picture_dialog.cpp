@@ -54,6 +54,7 @@ PictureDialog::PictureDialog(StudioController& studio, const QString& name, QWid
     form->addRow(QString(), annotations_);
     pictures_ = named(new QSpinBox, "pictureCount", tr("Pictures all the way around"));
     pictures_->setRange(1, kMostPictures);
+    pictures_->setButtonSymbols(QAbstractSpinBox::NoButtons);
     pictures_->setSpecialValueText(tr("one picture, as seen"));
     pictures_->setSuffix(tr(" pictures around"));
     pictures_->setToolTip(tr("More than one: a turntable, as numbered files for a film"));

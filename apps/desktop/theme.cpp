@@ -30,23 +30,24 @@ QToolButton[fold="true"]:checked { background: transparent; border-color: transp
 QToolButton[fold="true"]:hover { background: #333940; }
 QToolButton[fold="true"]:focus { border-color: #56b4e9; }
 QTableView { background: #181b1e; border: 1px solid #3a4047; border-radius: 4px; selection-background-color: #1d4259;
-    selection-color: #ffffff; outline: 0; }
+    selection-color: #f7fbfe; outline: 0; }
 QTableView:focus { border-color: #56b4e9; }
 QTableView::item { padding: 0 4px; }
 QTableView::item:focus { border: 1px solid #56b4e9; }
 QComboBox { background: #181b1e; border: 1px solid #3a4047; border-radius: 4px; padding: 3px 6px; }
 QComboBox:focus { border-color: #56b4e9; }
 QComboBox:disabled { color: #5f6770; }
-QComboBox QAbstractItemView { background: #262a2f; border: 1px solid #3a4047; selection-background-color: #1d4259; }
+QComboBox QAbstractItemView { background: #262a2f; border: 1px solid #3a4047; selection-background-color: #1d4259;
+    selection-color: #f7fbfe; }
 QToolButton[column="true"] { padding: 3px 1px 2px 1px; font-size: 11px; }
 QToolButton:disabled { color: #5f6770; }
 QToolButton:checked:disabled { color: #5f6770; background: #2b3036; border-color: #3a4047; }
 QMenuBar { background: #1f2226; padding: 1px 4px; }
 QMenuBar::item { padding: 4px 9px; border-radius: 4px; background: transparent; }
-QMenuBar::item:selected { background: #333940; }
+QMenuBar::item:selected { background: #333940; color: #e3e6ea; }
 QMenu { background: #262a2f; border: 1px solid #3a4047; padding: 4px; }
 QMenu::item { padding: 5px 26px 5px 12px; border-radius: 4px; }
-QMenu::item:selected { background: #1d4259; }
+QMenu::item:selected { background: #1d4259; color: #f7fbfe; }
 QMenu::item:disabled { color: #5f6770; }
 QMenu::separator { height: 1px; background: #3a4047; margin: 4px 6px; }
 QMenu::icon { padding-left: 8px; }

@@ -10,7 +10,10 @@
 
 namespace vs::desktop {
 
-SegmentController::SegmentController(StudioController& studio) : QObject(&studio), studio_(studio) {}
+SegmentController::SegmentController(StudioController& studio) : QObject(&studio), studio_(studio) {
+    connect(&studio_, &StudioController::opened, this, [this] { ++documents_; });
+    connect(&studio_, &StudioController::closed, this, [this] { ++documents_; });
+}
 
 const studio::SegmentList& SegmentController::list() const {
     static const studio::SegmentList none;
@@ -131,8 +134,10 @@ void SegmentController::perform(const studio::Operation& operation) {
     studio_.say(tr("Working\u2026"));
     emit studio_.progress(0, 0);
     constexpr int kUntilSeenMs = 30;
-    QTimer::singleShot(kUntilSeenMs, this, [this, operation] {
-        studio_.apply(operation);
+    QTimer::singleShot(kUntilSeenMs, this, [this, operation, document = documents_] {
+        if (document == documents_ && studio_.document() != nullptr) {
+            studio_.apply(operation);
+        }
         emit studio_.progress(1, 1);
     });
 }
@@ -144,7 +149,7 @@ void SegmentController::openLabels(const std::filesystem::path& path) {
     isReading_ = true;
     studio_.say(tr("Reading %1").arg(QString::fromStdString(path.filename().string())));
     emit studio_.progress(0, 0);
-    reader_ = std::jthread([this, path = std::filesystem::absolute(path)] {
+    reader_ = std::jthread([this, path = std::filesystem::absolute(path), document = documents_] {
         studio::LoadLabels labels{path};
         QString error;
         try {
@@ -153,8 +158,15 @@ void SegmentController::openLabels(const std::filesystem::path& path) {
         } catch (const std::exception& e) {
             error = QString::fromUtf8(e.what());
         }
-        const auto finish = [this, labels, error] {
+        const auto finish = [this, labels, error, document] {
             isReading_ = false;
+            if (document != documents_ || studio_.isLoading()) {
+                studio_.say(tr("The label map was dropped: its volume is no longer open"));
+                if (!studio_.isLoading()) { // else the bar is that of the next volume
+                    emit studio_.progress(1, 1);
+                }
+                return;
+            }
             if (error.isEmpty()) {
                 takeLabels(labels);
             } else {
@@ -168,9 +180,7 @@ void SegmentController::openLabels(const std::filesystem::path& path) {
 }
 
 void SegmentController::takeLabels(const studio::LoadLabels& labels) {
-    if (studio_.isLoading() || studio_.document() == nullptr) {
-        studio_.say(tr("The label map was dropped: its volume is no longer open"));
-    } else if (studio_.apply(labels)) {
+    if (studio_.apply(labels)) {
         if (studio_.view().mode == render::Mode::Surface) {
             studio_.setMode(render::Mode::Overlay); // they may lie deep inside
         }

@@ -56,6 +56,7 @@ private:
 
     StudioController& studio_;
     bool isReading_ = false;
+    int documents_ = 0; // counts those opened and closed
     std::jthread reader_;
 };
 

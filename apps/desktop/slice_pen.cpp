@@ -65,7 +65,12 @@ bool SlicePen::press(Kind kind, glm::dvec2 place, bool isReversed, Qt::KeyboardM
         return true;
     }
     isReversed_ = isReversed != (use() == Use::Paint && modifiers.testFlag(Qt::ControlModifier));
-    stroke_ = Stroke{kind, {place}, radiusMm(kind).value_or(0), tint(isReversed_)};
+    const SliceController& slices = studio_.slices();
+    stroke_ = Stroke{kind,
+                     {place},
+                     radiusMm(kind).value_or(0),
+                     tint(isReversed_),
+                     slices.crosshair()[slices.geometry(kind).axis()]};
     emit changed();
     return true;
 }
@@ -99,13 +104,12 @@ glm::dvec3 SlicePen::worldAt(Kind kind, glm::dvec2 place) const {
 }
 
 studio::Trail SlicePen::trail() const {
-    const SliceController& slices = studio_.slices();
-    const render::SliceGeometry slice = slices.geometry(stroke_->kind);
+    const render::SliceGeometry slice = studio_.slices().geometry(stroke_->kind);
     studio::Trail trail;
     trail.radiusMm = stroke_->radiusMm;
     trail.axis = slice.axis();
     for (const glm::dvec2 place : stroke_->places) {
-        trail.points.push_back(slice.voxelAt(place, slices.crosshair()[slice.axis()]));
+        trail.points.push_back(slice.voxelAt(place, stroke_->index));
     }
     return trail;
 }

@@ -45,6 +45,7 @@ public:
         std::vector<glm::dvec2> places;
         double radiusMm = 0;
         Overlay::Tint tint = Overlay::Tint::Seed;
+        int index = 0; // of the slice it was begun on
     };
     [[nodiscard]] const std::optional<Stroke>& stroke() const { return stroke_; }
     [[nodiscard]] std::optional<double> radiusMm(Kind kind) const;

@@ -32,6 +32,20 @@ QByteArray partName(render::SliceKind kind, const char* part) {
     return QByteArray(render::name(kind)) + part;
 }
 
+// Wants to be as wide as it ever was, so that the slider beside it keeps still, but gives way.
+class SteadyLabel : public QLabel {
+public:
+    SteadyLabel() { setProperty("quiet", true); }
+    [[nodiscard]] QSize sizeHint() const override {
+        widest_ = std::max(widest_, QLabel::sizeHint().width());
+        return {widest_, QLabel::sizeHint().height()};
+    }
+    [[nodiscard]] QSize minimumSizeHint() const override { return {1, QLabel::minimumSizeHint().height()}; }
+
+private:
+    mutable int widest_ = 0;
+};
+
 } // namespace
 
 SliceWidget::SliceWidget(StudioController& studio, render::SliceKind kind, QWidget* parent)
@@ -54,13 +68,15 @@ QWidget* SliceWidget::makeHeader() {
     auto* row = new QHBoxLayout(header);
     row->setContentsMargins(6, 1, 4, 1);
     row->setSpacing(6);
-    auto* name = new QLabel(title(kind_));
-    name->setStyleSheet(QString("color: %1; font-weight: 600").arg(sliceColour(kind_).name()));
+    // The colour beside the words: these must be read in either theme.
+    auto* name = new QLabel(
+        QString("<span style='color: %1'>\u25a0</span> %2").arg(sliceColour(kind_).name(), title(kind_)));
+    name->setStyleSheet("font-weight: 600");
     row->addWidget(name);
     slider_ = makeSlider(partName(kind_, "Slider").constData(), tr("%1 slice").arg(title(kind_)), 0, 1, 0);
     slider_->setMinimumWidth(40);
     row->addWidget(slider_, 1);
-    place_ = named(makeQuietLabel({}), partName(kind_, "Place").constData(),
+    place_ = named(new SteadyLabel, partName(kind_, "Place").constData(),
                    tr("Where the %1 slice lies").arg(title(kind_)));
     row->addWidget(place_);
     enlarge_ = makeIconButton("enlarge", partName(kind_, "Enlarge").constData(), tr("Enlarge"),
@@ -97,8 +113,6 @@ void SliceWidget::refresh() {
                         .arg(std::abs(mm), 0, 'f', 1)
                         .arg(index + 1)
                         .arg(slice.count()));
-    // As wide as the widest, so that the slider keeps still.
-    place_->setMinimumWidth(std::max(place_->minimumWidth(), place_->sizeHint().width()));
 }
 
 } // namespace vs::desktop

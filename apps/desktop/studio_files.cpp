@@ -48,6 +48,7 @@ void StudioController::connectLoader() {
 
 void StudioController::open(const OpenRequest& request) {
     if (isLoading()) {
+        say(tr("Still reading; open it again when that is done"));
         return;
     }
     host_.makeCurrent();
@@ -71,6 +72,7 @@ void StudioController::finishOpening(const std::shared_ptr<Loaded>& loaded) {
         measurer_->stop();
         picture_->setDocument(nullptr); // before the old document goes
         document_ = std::move(fresh);
+        screenshot_.clear(); // it was to be of the former one
     });
     emit progress(1, 1);
     if (!done) {
@@ -131,6 +133,7 @@ void StudioController::replayOne() {
         // What was recovered is in no session file.
         savedEdits_ = source_.journal.empty() ? countEdits(document_.get()) : 0;
         source_.journal.clear();
+        document_->seal();
         view_ = document_->view();
         picture_->setDocument(document_.get());
         say(error.isEmpty() ? tr("Replayed %1 operations").arg(replayTotal_) : error);
@@ -197,6 +200,7 @@ bool StudioController::saveSession(const std::filesystem::path& path) {
         const auto session = studio::sessionOf(*document_, provenance());
         studio::saveSession(path, session);
         savedEdits_ = countEdits(document_.get());
+        document_->seal();
         source_.session = path;
         say(tr("Saved %1").arg(text(path)));
         emit saved();
@@ -213,10 +217,10 @@ void StudioController::close() {
     setTool(*cameraTool_); // drops what is in hand
     cameraTool_->clear();
     measurer_->stop(); // it and the picture look into the document
-    segments_->stop();
     picture_->setDocument(nullptr);
     document_.reset();
     source_ = {};
+    screenshot_.clear();
     savedEdits_ = 0;
     view_ = {};
     isViewPending_ = false;

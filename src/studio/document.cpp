@@ -216,8 +216,11 @@ void Document::discardStroke() {
 
 // --- live growth
 
+void Document::seal() { impl_->sealed = impl_->log.size(); }
+
 Outcome Document::rewindFurther(int generations) {
-    const bool continues = !impl_->log.empty() && std::holds_alternative<Rewind>(impl_->log.back()) &&
+    const bool continues = impl_->log.size() > impl_->sealed &&
+                           std::holds_alternative<Rewind>(impl_->log.back()) &&
                            impl_->view == impl_->loggedView && !canRedo() && canUndo() &&
                            std::holds_alternative<Rewind>(impl_->history.lastOperation());
     Outcome outcome = apply(Rewind{generations});

@@ -61,6 +61,10 @@ public:
     // stays.
     Outcome replaceLast(const Operation& operation);
 
+    // A file holds what is logged so far: what comes is not merged with it any more (replaceLast(),
+    // rewindFurther()).
+    void seal();
+
     // Appends an operation that only writes a file (isOutput) to the log without writing it again: a session
     // that is opened in the window keeps what it asks for.
     void note(const Operation& operation);

@@ -76,7 +76,7 @@ Outcome Document::Impl::travel(Step& step, bool isUndo) {
 Outcome Document::replaceLast(const Operation& operation) {
     VS_CHECK(!isStrokeOpen() && !isGrowing() && !isScrubbing());
     const auto isOfTheKind = [&](const Operation& other) { return other.index() == operation.index(); };
-    if (!canUndo() || canRedo() || impl_->log.empty() || !isOfTheKind(impl_->log.back()) ||
+    if (!canUndo() || canRedo() || impl_->log.size() <= impl_->sealed || !isOfTheKind(impl_->log.back()) ||
         !isOfTheKind(*lastStep()) || !(impl_->view == impl_->loggedView)) {
         return apply(operation);
     }

@@ -127,6 +127,7 @@ struct Document::Impl {
     std::optional<render::RayCaster> caster; // for SavePicture; made when first used
     History history;
     std::vector<Operation> log;
+    std::size_t sealed = 0; // operations that are never replaced
     View view;
     View loggedView; // what replaying the log would show
     Range grey;

@@ -129,6 +129,25 @@ TEST_F(ReplaceLastTest, OnlyTheLastOneWasEverDone) {
     EXPECT_TRUE(stateOf(dragged) == stateOf(plain));
 }
 
+// What a file holds stays as it is: what comes after saving is an edit of its own.
+TEST_F(ReplaceLastTest, WhatWasSavedStays) {
+    Document document(testHead());
+    grownBrain(document, 6);
+    document.rewindFurther(1);
+    document.seal();
+    const std::size_t logged = document.log().size();
+    document.rewindFurther(1);
+    document.rewindFurther(1);
+    ASSERT_EQ(document.log().size(), logged + 1);
+    EXPECT_EQ(std::get<Rewind>(document.log()[logged - 1]).generations, 1);
+    EXPECT_EQ(std::get<Rewind>(document.log()[logged]).generations, 2);
+    document.apply(liveRange({100, 120}));
+    document.seal();
+    document.replaceLast(liveRange({90, 120}));
+    document.replaceLast(liveRange({80, 120}));
+    EXPECT_EQ(document.log().size(), logged + 3);
+}
+
 TEST_F(ReplaceLastTest, OfAnotherKindIsDoneAfterIt) {
     Document document(testHead());
     grownBrain(document, 6);

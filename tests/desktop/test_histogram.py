@@ -140,6 +140,7 @@ def edit_intensity(studio):
 
 
 def gallery(studio, button):
+    time.sleep(0.5)  # rows that came or went with the last choice have moved the button
     studio.click("functionChoice")
     studio.wait("the gallery", lambda s: button in s["widgets"])
     time.sleep(0.2)

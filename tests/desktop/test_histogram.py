@@ -27,13 +27,6 @@ class Chart:
         return round(x + SIDE + (value - self.lo) / (self.hi - self.lo) * (width - 2 * SIDE)), round(y + height * tall)
 
 
-def type_number(studio, box, number):
-    studio.click(box)
-    studio.key("ctrl+a")
-    studio.xdotool("type", str(number))
-    studio.key("Return")
-
-
 def drag_range(studio):
     """Both ends and the band; typed beyond the data; by keys."""
     chart = Chart(studio, "histogram")
@@ -48,16 +41,16 @@ def drag_range(studio):
     state = studio.wait_idle("the band", lambda s: abs(s["range"][0] - lo - 10) <= 1)
     need(state["range"][1] - state["range"][0] == width, f"the band changed its width: {state['range']}")
 
-    type_number(studio, "rangeHi", 5000)
+    studio.type_number("rangeHi", 5000)
     state = studio.wait_idle("the answer", lambda s: "rangeNote" in s["widgets"])
     need(state["range"][1] == GREATEST, f"5000 was taken as {state['range'][1]}")
     need(state["message"] == f"5000 lies beyond the data, which go from 0 to {GREATEST}.", state["message"])
-    type_number(studio, "rangeHi", 170)
+    studio.type_number("rangeHi", 170)
     state = studio.wait_idle("the number", lambda s: s["range"][1] == 170 and "rangeNote" not in s["widgets"])
-    type_number(studio, "rangeLo", 175)
+    studio.type_number("rangeLo", 175)
     state = studio.wait_idle("the exchange", lambda s: s["range"] == [170, 175])
     need("exchanged" in state["message"], state["message"])
-    type_number(studio, "rangeLo", 100)
+    studio.type_number("rangeLo", 100)
     studio.wait_idle("the number", lambda s: s["range"] == [100, 175])
 
     studio.move(chart.at(20))
@@ -106,9 +99,9 @@ def edit_intensity(studio):
     studio.move(curve.on(30, 0.7))
     studio.xdotool("click", 1)
     curve.wait(0, 5)
-    type_number(studio, "intensityValue", 40)
-    type_number(studio, "intensityOpacity", 0)
-    type_number(studio, "intensityValue", 150)
+    studio.type_number("intensityValue", 40)
+    studio.type_number("intensityOpacity", 0)
+    studio.type_number("intensityValue", 150)
     studio.wait("the answer", lambda s: s["message"] == "150 lies beyond the next point: this one was put to 100")
     studio.click("intensityUndo")
     studio.move(curve.on(40, 0))
@@ -193,10 +186,10 @@ def edit_both(studio):
     studio.drag([place(0.1, 0.2), place(0.2, 0.3), place(0.3, 0.6)])
     plane.wait(0, 2)
     need("shapeTopLo" in studio.state()["widgets"], "a triangle has no numbers for its top")
-    type_number(studio, "shapeTopLo", 20)
-    type_number(studio, "shapeTopHi", 5)
+    studio.type_number("shapeTopLo", 20)
+    studio.type_number("shapeTopHi", 5)
     studio.wait("the answer", lambda s: "exchanged" in s["message"])
-    type_number(studio, "shapeOpacity", 30)
+    studio.type_number("shapeOpacity", 30)
     studio.click("drawPaint")
     studio.drag([place(0.15, 0.75), place(0.3, 0.72), place(0.5, 0.78)])
     plane.wait(0, 3)

@@ -13,13 +13,6 @@ from phantom import write_ball_head
 from replay import run
 
 
-def set_number(studio, box, number):
-    studio.click(box)
-    studio.key("ctrl+a")
-    studio.xdotool("type", str(number))
-    studio.key("Tab")
-
-
 def open_dialog(studio):
     studio.focus()
     studio.key("shift+F12")
@@ -49,7 +42,7 @@ def main(display, arguments, folder):
     studio.wait_idle("the volume", lambda s: s["viewport"][0] < 500 and s["pictureComplete"])
 
     open_dialog(studio)
-    set_number(studio, "pictureWidth", 320)  # the height follows the view's shape
+    studio.type_number("pictureWidth", 320, "Tab")  # the height follows the view's shape
     save_as(studio, folder / "seen.png")
     state = studio.wait_idle("the picture", lambda s: s["message"].startswith("Saved picture"))
     need("pictureDialog" not in state["widgets"], "the dialog is still open")
@@ -57,13 +50,13 @@ def main(display, arguments, folder):
     need(size_of(folder / "seen.png") == (320, round(320 * height / width)), f"{size_of(folder / 'seen.png')}")
 
     open_dialog(studio)
-    set_number(studio, "pictureCount", 300)
+    studio.type_number("pictureCount", 300, "Tab")
     save_as(studio, folder / "many.png")
     studio.wait("the first pictures", lambda s: (folder / "many-002.png").exists())
     studio.click("pictureCancel")
     studio.wait("the word", lambda s: s["message"].startswith("Given up after") and "pictureDialog" in s["widgets"])
-    set_number(studio, "pictureCount", 4)
-    set_number(studio, "pictureWidth", 200)
+    studio.type_number("pictureCount", 4, "Tab")
+    studio.type_number("pictureWidth", 200, "Tab")
     save_as(studio, folder / "turn.png")
     studio.wait_idle("the turntable", lambda s: s["message"].startswith("Saved 4 pictures"))
     turned = [(folder / f"turn-00{n}.png").read_bytes() for n in (1, 2, 3, 4)]

@@ -58,13 +58,6 @@ def click_cell(studio, row, column, times=1):
     studio.xdotool("click", "--repeat", times, "--delay", 60, 1)
 
 
-def type_number(studio, widget, value):
-    press(studio, widget)
-    studio.key("ctrl+a")
-    studio.xdotool("type", "--", str(value))
-    studio.key("Return")
-
-
 def grow(studio):
     choose(studio, "s", "seed")
     studio.drag([studio.view_point(0.46 + 0.01 * i, 0.4) for i in range(9)])
@@ -178,7 +171,7 @@ def absorb(studio):
 def edit(studio):
     press(studio, "editFold")
     before = studio.state()["voxels"]
-    type_number(studio, "editAmount", -3)
+    studio.type_number("editAmount", -3)
     press(studio, "editPerform")
     state = studio.wait_idle("a smaller segment", lambda s: s["message"].startswith("Edit segment"))
     need(state["voxels"] < before, "a margin of -3 mm took nothing away")

@@ -5,19 +5,21 @@
 
 namespace vs::desktop {
 
-QSurfaceFormat GlHost::format() {
+namespace {
+
+QSurfaceFormat wantedFormat() {
     QSurfaceFormat format;
     format.setVersion(4, 5);
     format.setProfile(QSurfaceFormat::CoreProfile);
-    format.setSwapInterval(0); // the picture loop paces itself; waiting for the screen would only block input
     return format;
 }
 
+} // namespace
+
 GlHost::GlHost() {
-    surface_.setFormat(format());
+    surface_.setFormat(wantedFormat());
     surface_.create();
-    context_.setFormat(format());
-    context_.setShareContext(QOpenGLContext::globalShareContext());
+    context_.setFormat(wantedFormat());
     if (!context_.create() || !context_.makeCurrent(&surface_)) {
         throw GlError("no OpenGL 4.5 context could be made for the window; update the graphics driver or set "
                       "LIBGL_ALWAYS_SOFTWARE=1 for Mesa's software renderer");

@@ -10,15 +10,11 @@
 
 namespace vs::desktop {
 
-// The engine's OpenGL 4.5 context. It owns every object of the document and of the picture; it shares with
-// the view's context, which owns only framebuffers. Everything that touches the document calls makeCurrent()
-// first, because Qt makes the view's context current whenever it paints.
+// The engine's OpenGL 4.5 context, which owns every object of the document and of the picture. The window has
+// none. Everything that touches the document calls makeCurrent() first.
 class GlHost {
 public:
-    // The format that both contexts use.
-    static QSurfaceFormat format();
-
-    // Needs a running QApplication with AA_ShareOpenGLContexts. Throws GlError if there is no OpenGL 4.5.
+    // Needs a running QApplication. Throws GlError if there is no OpenGL 4.5.
     GlHost();
     ~GlHost();
     GlHost(const GlHost&) = delete;

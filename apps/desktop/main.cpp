@@ -1,11 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "gl_host.h"
+#include "latency_recorder.h"
 #include "layout_reporter.h"
 #include "main_window.h"
 #include "options.h"
 #include "preferences.h"
 #include "studio_controller.h"
 #include "theme.h"
+#include "view_widget.h"
 
 #include "base/error.h"
 #include "base/log.h"
@@ -40,6 +41,9 @@ int run(QApplication& application) {
     if (!options.layoutFile.empty()) {
         new LayoutReporter(*studio, window, options.layoutFile); // the window owns it
     }
+    if (!options.timingsFile.empty()) {
+        new LatencyRecorder(*studio, window.view(), options.timingsFile); // the studio owns it
+    }
     if (!options.open.volume.empty() || !options.open.session.empty()) {
         studio->open(options.open);
     }
@@ -63,9 +67,6 @@ void answerWithoutDisplay(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     answerWithoutDisplay(argc, argv);
-    // One group of contexts for all windows, or a dock that changes its window would leave the view black.
-    QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
-    QSurfaceFormat::setDefaultFormat(vs::desktop::GlHost::format());
     QApplication application(argc, argv);
     // Every place that the pen reports belongs to the stroke; on X11 Qt drops those it has no time for. Set
     // only now, because the platform's plugin sets it while the application is made.

@@ -41,7 +41,7 @@ constexpr int kProbeMs =
 constexpr int kRateMs = 250;
 
 // Actions that need no document.
-const std::set<std::string> kAlways{"open", "openFolder", "quit", "about", "shortcuts", "preferences"};
+const std::set<std::string> kAlways{"quit", "about", "shortcuts", "preferences"};
 
 // "L 12.3  P 4.5  S 30.2 mm": the patient's directions instead of signs.
 QString patientPlace(glm::dvec3 lps) {
@@ -189,23 +189,7 @@ void MainWindow::makeStatusBar() {
 void MainWindow::refresh() {
     auto* document = studio_.document();
     const bool hasDocument = document != nullptr && !studio_.isLoading();
-    const auto& growth = studio_.growth();
-    const bool canPlay = hasDocument && growth.canPlay();
-    for (const auto& [name, action] : actions_) {
-        if (kAlways.count(name) == 0) {
-            action->setEnabled(hasDocument);
-        }
-    }
-    action("open")->setEnabled(!studio_.isLoading());
-    action("openFolder")->setEnabled(!studio_.isLoading());
-    action("undo")->setEnabled(hasDocument && document->canUndo());
-    action("redo")->setEnabled(hasDocument && document->canRedo());
-    for (const char* name : {"playPause", "growBackwardKey", "growStepKey", "growToEndKey", "growBackKey"}) {
-        action(name)->setEnabled(canPlay);
-    }
-    for (const char* name : {"exportLabels", "reSeed"}) {
-        action(name)->setEnabled(hasDocument && studio_.segments().hasVoxels());
-    }
+    refreshEnabled(hasDocument);
     const auto& view = studio_.view();
     action(std::string("mode." + std::string(render::name(view.mode))).c_str())->setChecked(true);
     refreshColours();
@@ -213,7 +197,7 @@ void MainWindow::refresh() {
     constexpr const char* kSculptureViews[] = {"viewWhole", "viewCut", "viewProbe"};
     action(kSculptureViews[static_cast<int>(view.sculptureView)])->setChecked(true);
     action("smoothSampling")->setChecked(view.sampling == field::Sampling::Tricubic);
-    refreshToolActions(hasDocument);
+    refreshToolActions();
     if (document != nullptr) {
         const auto& volume = document->volume();
         setWindowTitle(QString::fromStdString(volume.name) + tr(" – Volume Studio"));
@@ -222,6 +206,29 @@ void MainWindow::refresh() {
             tr("%1 × %2 × %3  %4").arg(dims.x).arg(dims.y).arg(dims.z).arg(volume::name(volume.type)));
     }
     refreshHint();
+}
+
+// Each action is set once: its button is painted again for every change, even one that is taken back.
+void MainWindow::refreshEnabled(bool hasDocument) {
+    auto* document = studio_.document();
+    const bool canPlay = hasDocument && studio_.growth().canPlay();
+    const bool hasVoxels = hasDocument && studio_.segments().hasVoxels();
+    const std::map<std::string, bool> own{{"open", !studio_.isLoading()},
+                                          {"openFolder", !studio_.isLoading()},
+                                          {"undo", hasDocument && document->canUndo()},
+                                          {"redo", hasDocument && document->canRedo()},
+                                          {"playPause", canPlay},
+                                          {"growBackwardKey", canPlay},
+                                          {"growStepKey", canPlay},
+                                          {"growToEndKey", canPlay},
+                                          {"growBackKey", canPlay},
+                                          {"exportLabels", hasVoxels},
+                                          {"reSeed", hasVoxels},
+                                          {"restore", hasDocument && studio_.tool().hasSign()}};
+    for (const auto& [name, action] : actions_) {
+        const auto found = own.find(name);
+        action->setEnabled(found != own.end() ? found->second : hasDocument || kAlways.count(name) > 0);
+    }
 }
 
 void MainWindow::refreshHint() {

@@ -78,7 +78,8 @@ private:
     void makeToolActions();
     void makeShapeActions();
     void chooseStencil();
-    void refreshToolActions(bool hasDocument);
+    void refreshToolActions();
+    void refreshEnabled(bool hasDocument);
     void reverseSign();
 
     // main_window_slices.cpp

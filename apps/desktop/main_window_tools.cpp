@@ -96,7 +96,7 @@ void MainWindow::makeShapeActions() {
 }
 
 void MainWindow::chooseStencil() {
-    refreshToolActions(studio_.document() != nullptr); // until there is one, the shape is what it was
+    refreshToolActions(); // until there is one, the shape is what it was
     choose("stencilDialog", tr("A picture for the mask's shape"), false, tr("Pictures (*.png)"), {},
            [this](const QString& path) { studio_.setStencil(std::filesystem::path(path.toStdString())); });
 }
@@ -116,11 +116,10 @@ void MainWindow::keyReleaseEvent(QKeyEvent* event) {
     QMainWindow::keyReleaseEvent(event);
 }
 
-void MainWindow::refreshToolActions(bool hasDocument) {
+void MainWindow::refreshToolActions() {
     action((studio_.tool().name().toStdString() + "Tool").c_str())->setChecked(true);
     action(studio_.stencil().empty() ? kShapeActions.at(std::size_t(studio_.shape())) : "stencil")
         ->setChecked(true);
-    action("restore")->setEnabled(hasDocument && studio_.tool().hasSign());
     action("restore")->setChecked(studio_.tool().isReversed());
 }
 

@@ -37,7 +37,12 @@ Options parseOptions(const QCoreApplication& application) {
            "rectangle [x, y, width, height] of the picture (\"viewRect\") and of each named button and field "
            "(\"widgets\") in pixels of the screen. It is replaced as a whole whenever something changes."),
         "PATH");
-    parser.addOptions({session, raw, series, frame, layout});
+    const QCommandLineOption timings(
+        "timings-file",
+        tr("When the program ends, write to PATH as JSON when each input arrived and was handled and shown "
+           "(\"inputs\") and when each picture was shown (\"frames\"), in milliseconds."),
+        "PATH");
+    parser.addOptions({session, raw, series, frame, layout, timings});
     parser.process(application);
 
     Options options;
@@ -64,6 +69,7 @@ Options parseOptions(const QCoreApplication& application) {
         }
     }
     options.layoutFile = pathOf(parser.value(layout));
+    options.timingsFile = pathOf(parser.value(timings));
     return options;
 }
 

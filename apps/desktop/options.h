@@ -13,6 +13,7 @@ namespace vs::desktop {
 struct Options {
     OpenRequest open; // both paths empty: nothing to open
     std::filesystem::path layoutFile;
+    std::filesystem::path timingsFile;
 };
 
 Options parseOptions(const QCoreApplication& application);

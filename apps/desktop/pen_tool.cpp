@@ -4,6 +4,7 @@
 #include "studio_controller.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace vs::desktop {
 
@@ -97,6 +98,7 @@ void PenTool::beginCut(const Pen& pen) {
         return;
     }
     waiting_.clear();
+    hasBegun_ = false;
     last_ = {glm::dvec2(-1e9), 0};
     sincePress_ = Timer();
     ramping_.reset();
@@ -202,8 +204,9 @@ void PenTool::enqueue(const Pen& pen) {
 
 void PenTool::advance() {
     constexpr double kSliceMs = 10;
+    constexpr std::size_t kFew = 4;
     ramp();
-    cut(kSliceMs);
+    cut(waiting_.size() <= kFew ? kSliceMs : 2.5 * kSliceMs); // or a hasty pen would be followed ever later
 }
 
 // A mouse that is held still presses harder too.
@@ -218,12 +221,41 @@ void PenTool::ramp() {
     studio_.wake(); // until it is full
 }
 
+// A point costs as much as a whole stretch. Where the pen has gone on straight, the last of those that wait
+// says as much as all of them.
+void PenTool::straighten() {
+    constexpr double kWithinPixels = 0.75; // a mouse's places are rounded to whole ones
+    constexpr double kWithinPressure = 0.02;
+    const auto isOnWay = [&](const sculpt::PenPoint& point, const sculpt::PenPoint& end) {
+        const glm::dvec2 way = end.pixel - done_.pixel;
+        const double length = std::max(glm::length(way), 1e-9);
+        const double along = glm::dot(point.pixel - done_.pixel, way) / (length * length);
+        const glm::dvec2 nearest = done_.pixel + along * way;
+        const double pressure = glm::mix(done_.pressure, end.pressure, along);
+        return along >= 0 && along <= 1 && glm::distance(point.pixel, nearest) <= kWithinPixels &&
+               std::abs(point.pressure - pressure) <= kWithinPressure &&
+               glm::distance(point.tiltDegrees, end.tiltDegrees) <= 1;
+    };
+    const auto begin = waiting_.begin();
+    std::ptrdiff_t dropped = 0;
+    while (dropped + 1 < std::ptrdiff_t(waiting_.size()) &&
+           std::all_of(begin, begin + dropped + 1,
+                       [&](const auto& point) { return isOnWay(point, begin[dropped + 1]); })) {
+        ++dropped;
+    }
+    waiting_.erase(begin, begin + dropped);
+}
+
 void PenTool::cut(double budgetMs) {
     const Timer timer;
     while (state_ == State::Cutting && !waiting_.empty()) {
-        const auto point = waiting_.front();
+        if (hasBegun_ && !keepsDigging_) {
+            straighten();
+        }
+        done_ = waiting_.front();
         waiting_.pop_front();
-        if (!studio_.guard([&] { studio_.document()->updatePen(point); })) {
+        hasBegun_ = true;
+        if (!studio_.guard([&] { studio_.document()->updatePen(done_); })) {
             waiting_.clear();
             studio_.endStroke(false);
             setState(State::Ready);

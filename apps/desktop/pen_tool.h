@@ -38,6 +38,7 @@ public:
     void clear() override;
     void viewResized() override;
     void advance() override;
+    [[nodiscard]] bool isBehind() const override { return !waiting_.empty(); }
     [[nodiscard]] bool isBusy() const override {
         return state_ == State::Sketching || state_ == State::Cutting;
     }
@@ -78,6 +79,7 @@ private:
     void ramp();
     void enqueue(const Pen& pen);
     void cut(double budgetMs);
+    void straighten();
     void abandon();
 
     Depths depths_;
@@ -90,6 +92,8 @@ private:
     std::optional<Pen> ramping_; // a mouse that is held down presses harder and harder
     Timer sincePress_;
     std::deque<sculpt::PenPoint> waiting_; // pen points the document has not seen yet
+    sculpt::PenPoint done_;                // the last one it has seen, if it
+    bool hasBegun_ = false;                // has seen any
     sculpt::PenPoint last_;
 };
 

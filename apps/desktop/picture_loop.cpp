@@ -6,30 +6,32 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace vs::desktop {
 
 namespace {
 
-// Part of the frame time that ray casting may take; the rest goes to the document's own work, to the window
-// system and to composing the window (about 15 ms a frame on the software renderer).
-constexpr double kSoftwareDraftMs = 45; // 15 fps
-constexpr double kHardwareDraftMs = 20; // 30 fps
-constexpr double kCalmMs = 180;         // longer than the pauses within a hand's movement
+// From picture to picture. An input that comes just after a picture was begun is seen two pictures later: in
+// less than a tenth of a second.
+constexpr double kSoftwareFrameMs = 46;
+constexpr double kHardwareFrameMs = 25;
+constexpr double kLeastShare = 0.35; // of a frame for its rays, however much else there is to do
+constexpr double kCalmMs = 180;      // longer than the pauses within a hand's movement
 constexpr std::array kScales{1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0};
 
 } // namespace
 
 PictureLoop::PictureLoop(bool isSoftwareRenderer)
-    : targetMs_(isSoftwareRenderer ? kSoftwareDraftMs : kHardwareDraftMs),
-      scale_(isSoftwareRenderer ? 2 : 1) {}
+    : frameMs_(isSoftwareRenderer ? kSoftwareFrameMs : kHardwareFrameMs), scale_(isSoftwareRenderer ? 2 : 1) {
+}
 
 void PictureLoop::setDocument(studio::Document* document) {
     document_ = document;
     pass_ = Pass::None;
     startedVersion_.reset();
     isFullDone_ = false;
-    shown_ = gl::Texture();
+    shown_ = QImage();
     nanosPerPixel_ = 0;
     ++pictures_;
 }
@@ -47,7 +49,7 @@ bool PictureLoop::isComplete() const {
 }
 
 double PictureLoop::framesPerSecond() const {
-    return frameMs_ > 0 && sinceDraft_.milliseconds() < 500 ? 1000 / frameMs_ : 0;
+    return meanFrameMs_ > 0 && sinceDraft_.milliseconds() < 500 ? 1000 / meanFrameMs_ : 0;
 }
 
 PictureLoop::State PictureLoop::step(double budgetMs) {
@@ -96,6 +98,7 @@ void PictureLoop::begin(Pass pass) {
     const Timer timer;
     glm::ivec2 size = viewport_;
     if (pass == Pass::Draft) {
+        meanBesideMs_ = 0.5 * meanBesideMs_ + 0.5 * std::exchange(besideMs_, 0);
         scale_ = wantedScale();
         size = glm::max(glm::ivec2(glm::round(glm::dvec2(viewport_) / scale_)), glm::ivec2(1));
     }
@@ -116,26 +119,24 @@ void PictureLoop::begin(Pass pass) {
     prepareMs_ = passMs_ = timer.milliseconds();
 }
 
+// Read back, and painted as the rest of the window is (doc/decisions/0009).
 void PictureLoop::show() {
-    const gl::Texture& picture = caster_.picture();
-    if (shown_.size() != picture.size()) {
-        shown_ =
-            gl::Texture(glm::ivec2(picture.size()), gl::Format::RGBA8, gl::Filter::Linear, "shown picture");
-    }
-    shown_.copyFrom(picture, {glm::ivec3(0), picture.size()}, glm::ivec3(0));
-    gl::Context::finish(); // the view's context reads it
+    const image::Image picture = caster_.readPicture();
+    const QImage straight(picture.rgba.data(), picture.width, picture.height, 4 * picture.width,
+                          QImage::Format_RGBX8888);
+    shown_ = straight.convertToFormat(QImage::Format_RGB32); // a copy of its own
     ++pictures_;
 }
 
 void PictureLoop::finishDraft() {
-    const glm::dvec2 size(shown_.size());
+    const glm::dvec2 size(shown_.width(), shown_.height());
     const double nanos = (passMs_ - prepareMs_) * 1e6 / (size.x * size.y);
     // The first draft of a mode includes compiling its shader, so one slow draft is not believed at once.
     nanosPerPixel_ =
         nanosPerPixel_ == 0 ? nanos : 0.5 * nanosPerPixel_ + 0.5 * std::min(nanos, 2 * nanosPerPixel_);
     const double sinceLast = sinceDraft_.milliseconds();
     lastDraftMs_ = passMs_;
-    frameMs_ = sinceLast > 500 || frameMs_ == 0 ? passMs_ : 0.7 * frameMs_ + 0.3 * sinceLast;
+    meanFrameMs_ = sinceLast > 500 || meanFrameMs_ == 0 ? passMs_ : 0.7 * meanFrameMs_ + 0.3 * sinceLast;
     sinceDraft_ = Timer();
 }
 
@@ -145,7 +146,7 @@ double PictureLoop::wantedScale() const {
     }
     const double pixels = double(viewport_.x) * double(viewport_.y);
     // Where preparing takes most of the time, fewer pixels would not help much and only look worse.
-    const double forRays = std::max(targetMs_ - prepareMs_, 0.4 * targetMs_);
+    const double forRays = std::max(frameMs_ - prepareMs_ - meanBesideMs_, kLeastShare * frameMs_);
     const double wanted = std::sqrt(nanosPerPixel_ * 1e-6 * pixels / forRays);
     // Stays where it is when that is nearly right, or the picture would flicker between two scales.
     if (wanted > 0.7 * scale_ && wanted < 1.1 * scale_) {

@@ -4,6 +4,8 @@
 #include "base/timer.h"
 #include "render/ray_caster.h"
 
+#include <QImage>
+
 #include <optional>
 
 namespace vs::studio {
@@ -33,13 +35,17 @@ public:
     enum class State { Busy, Waiting, Complete };
     State step(double budgetMs);
 
+    // Time that a frame needs beside its rays (changes of the document, painting the window): the next drafts
+    // are made so much smaller.
+    void charge(double milliseconds) { besideMs_ += milliseconds; }
+
     // A draft is under way: finish it before changing the document again, or nothing is ever shown.
     [[nodiscard]] bool isDrafting() const { return pass_ == Pass::Draft; }
     // The picture shows the document as it is now, at full quality.
     [[nodiscard]] bool isComplete() const;
     [[nodiscard]] glm::ivec2 viewport() const { return viewport_; }
-    // What to show; null before the first picture. Replaced in step() only.
-    [[nodiscard]] const gl::Texture* shown() const { return shown_ ? &shown_ : nullptr; }
+    // What to show, in pixels of its own; null before the first picture. Replaced in step() only.
+    [[nodiscard]] const QImage& shown() const { return shown_; }
     // Counts pictures shown.
     [[nodiscard]] int pictures() const { return pictures_; }
     // What the last draft took, macrocells and all.
@@ -60,7 +66,7 @@ private:
     render::RayCaster caster_;
     studio::Document* document_ = nullptr;
     glm::ivec2 viewport_{0};
-    double targetMs_; // time a draft may take
+    double frameMs_; // time from picture to picture while things move
     double lastDraftMs_ = 0;
     double prepareMs_ = 0;     // of the running pass, before the first ray: macrocells and such
     double scale_ = 2;         // draft pixels are this many times larger
@@ -72,10 +78,12 @@ private:
     double passMs_ = 0; // spent in this pass so far
     Timer sinceInput_;
     Timer sinceDraft_;
-    double frameMs_ = 0; // running mean of the time from draft to draft
+    double meanFrameMs_ = 0; // running mean of the time from draft to draft
+    double besideMs_ = 0;    // charged since the last draft began
+    double meanBesideMs_ = 0;
     int samplesShown_ = 0;
     int pictures_ = 0;
-    gl::Texture shown_;
+    QImage shown_;
 };
 
 } // namespace vs::desktop

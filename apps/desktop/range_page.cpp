@@ -136,10 +136,12 @@ void RangePage::answer(const QString& words) {
 void RangePage::refresh() {
     const Range range = studio_.view().range;
     view_->setRange(range);
-    const QSignalBlocker blockLo(lo_);
-    const QSignalBlocker blockHi(hi_);
-    lo_->setValue(range.lo);
-    hi_->setValue(range.hi);
+    for (auto [box, value] : {std::pair{lo_, range.lo}, std::pair{hi_, range.hi}}) {
+        if (box->value() != value) { // setting it paints it again even so
+            const QSignalBlocker blocker(box);
+            box->setValue(value);
+        }
+    }
     if (!countTimer_.isActive()) {
         countTimer_.start(kRestMs);
     }

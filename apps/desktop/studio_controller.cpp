@@ -44,7 +44,7 @@ StudioController::StudioController()
       slices_(std::make_unique<SliceController>(*this)), slicePen_(new SlicePen(*this)) {
     timer_.setSingleShot(true);
     connect(&timer_, &QTimer::timeout, this, &StudioController::tick);
-    connect(growth_, &GrowthController::changed, this, &StudioController::changed);
+    connect(growth_, &GrowthController::changed, this, &StudioController::tellSoon);
     for (Tool* tool : std::initializer_list<Tool*>{cameraTool_, peelTool_, drillTool_, laserTool_, sweepTool_,
                                                    scissorsTool_, keepTool_, clipTool_, seedTool_, moveTool_,
                                                    islandTool_, paintTool_, measureTool_}) {
@@ -87,9 +87,13 @@ void StudioController::tick() {
     }
     // A draft that has begun is finished first: one picture for each change, however fast they come.
     if (!picture_->isDrafting()) {
+        const Timer edits;
         flushView();
         tool_->advance();
-        if (!tool_->isSketching() && grow()) {
+        caughtUpMs_ = tool_->isBehind() ? caughtUpMs_ : Timer::now();
+        const bool growsOn = !tool_->isSketching() && grow();
+        picture_->charge(edits.milliseconds());
+        if (growsOn) {
             schedule(0);
             return;
         }
@@ -99,13 +103,20 @@ void StudioController::tick() {
         if (!guard([&] { state = picture_->step(kPictureSliceMs); })) {
             return;
         }
+        answeredMs_ = picture_->isDrafting() ? answeredMs_ : caughtUpMs_;
         if (picture_->pictures() != picturesSeen_) {
             picturesSeen_ = picture_->pictures();
+            const Timer painting;
+            tell();
             emit pictureChanged();
+            picture_->charge(painting.milliseconds());
         }
         if (picture_->isComplete()) {
             writeScreenshot();
         }
+    }
+    if (!picture_->isDrafting()) {
+        tell();
     }
     // After the picture, a slice at a time.
     const bool slicesWait = !picture_->isDrafting() && slices_->step();
@@ -126,12 +137,27 @@ bool StudioController::grow() {
     growthMs_ += timer.milliseconds();
     // Growing and drawing take turns: as long as the last picture took, or longer when only the end matters.
     constexpr double kToEndMs = 500;
-    const double turnMs = growth_->isToEnd() ? kToEndMs : picture_->draftMs();
+    constexpr double kHandMs = 300; // a hand that is at work is answered first
+    const double turnMs = sinceWoken_.milliseconds() < kHandMs ? 0
+                          : growth_->isToEnd()                 ? kToEndMs
+                                                               : picture_->draftMs();
     if (growth_->isPlaying() && growthMs_ < turnMs) {
         return true;
     }
     growthMs_ = 0;
     return false;
+}
+
+// changed() with the next picture: painting a label alone costs the window as much as painting all of it.
+void StudioController::tellSoon() {
+    isToldSoon_ = true;
+    schedule(0);
+}
+
+void StudioController::tell() {
+    if (std::exchange(isToldSoon_, false)) {
+        emit changed();
+    }
 }
 
 void StudioController::schedule(int milliseconds) {
@@ -141,6 +167,7 @@ void StudioController::schedule(int milliseconds) {
 }
 
 void StudioController::wake() {
+    sinceWoken_ = Timer();
     picture_->interact();
     schedule(0);
 }
@@ -152,13 +179,13 @@ void StudioController::look(const studio::View& view) {
     view_ = view;
     isViewPending_ = true;
     wake();
-    emit changed();
 }
 
 void StudioController::flushView() {
     if (isViewPending_ && document_ != nullptr && !document_->isStrokeOpen()) {
         isViewPending_ = false;
         guard([this] { document_->look(view_); });
+        tellSoon();
     }
 }
 
@@ -279,8 +306,16 @@ bool StudioController::isSettled() {
            !growth_->isBusy() && !document_->isStrokeOpen();
 }
 
+// While the pen sketches, its stroke over the picture is the answer.
+double StudioController::answeredMs() const { return tool_->isSketching() ? Timer::now() : answeredMs_; }
+
+bool StudioController::isPictureComing() const {
+    return !tool_->isSketching() && (picture_->isDrafting() || isViewPending_ || tool_->isBehind());
+}
+
 bool StudioController::isIdle() {
-    if (isLoading() || tool_->isBusy() || growth_->isBusy() || isViewPending_ || !screenshot_.empty()) {
+    if (isToldSoon_ || isLoading() || tool_->isBusy() || growth_->isBusy() || isViewPending_ ||
+        !screenshot_.empty()) {
         return false;
     }
     return document_ == nullptr || (picture_->isComplete() && slices_->isComplete());

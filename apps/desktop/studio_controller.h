@@ -173,6 +173,10 @@ public:
     // The picture shows the document, though perhaps as a draft, and nothing is changing it: the time to look
     // at what is under the pen.
     [[nodiscard]] bool isSettled();
+    // The time (Timer::now()) up to which all input has been reckoned into what is shown.
+    [[nodiscard]] double answeredMs() const;
+    // The next picture is being made or about to be.
+    [[nodiscard]] bool isPictureComing() const;
     // Nothing is under way and nothing is waiting; the picture is at full quality.
     [[nodiscard]] bool isIdle();
 
@@ -195,6 +199,8 @@ private:
     void tick();
     bool grow(); // true: more of it before the next picture
     void schedule(int milliseconds);
+    void tellSoon();
+    void tell();
     void flushView();
     void connectLoader();
     void prefer();
@@ -234,6 +240,7 @@ private:
     studio::View view_;
     Preferences preferences_ = Preferences::load();
     bool isViewPending_ = false;
+    bool isToldSoon_ = false;
     studio::Shape shape_ = studio::Shape::FreeForm;
     std::vector<glm::dvec2> stencil_;
     double mousePressure_ = 1;
@@ -243,6 +250,9 @@ private:
     QString message_;
     QTimer timer_;
     int picturesSeen_ = 0;
+    double caughtUpMs_ = 0; // answeredMs() once the picture that is being made is shown
+    double answeredMs_ = 0;
+    Timer sinceWoken_;
     double growthMs_ = 0; // grown for since the last picture
 };
 

@@ -71,6 +71,8 @@ public:
     virtual void viewResized() {}
     // Called between pictures: the time to change the document with what the pen has done since.
     virtual void advance() {}
+    // advance() has left some of what the pen did for its next call.
+    [[nodiscard]] virtual bool isBehind() const { return false; }
     // A button is down, or work is left for advance().
     [[nodiscard]] virtual bool isBusy() const { return false; }
     // The picture must hold still while the pen draws on it.

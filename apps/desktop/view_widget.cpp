@@ -9,7 +9,6 @@
 #include "studio_controller.h"
 
 #include <QMouseEvent>
-#include <QOpenGLContext>
 #include <QPainter>
 #include <QTabletEvent>
 #include <QWheelEvent>
@@ -18,58 +17,54 @@
 
 namespace vs::desktop {
 
-ViewWidget::ViewWidget(StudioController& studio, QWidget* parent) : QOpenGLWidget(parent), studio_(studio) {
-    setFormat(GlHost::format());
+ViewWidget::ViewWidget(StudioController& studio, QWidget* parent) : QWidget(parent), studio_(studio) {
     setObjectName("view");
+    if (qEnvironmentVariableIsSet("VS_NATIVE"))
+        setAttribute(Qt::WA_NativeWindow);
     setAccessibleName(tr("Picture of the volume"));
+    setAttribute(Qt::WA_OpaquePaintEvent);
     setMouseTracking(true);
     setTabletTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     setMinimumSize(320, 240);
-    connect(&studio_, &StudioController::pictureChanged, this, qOverload<>(&QWidget::update));
+    // At once: an update that is only asked for waits behind the work on the next picture.
+    connect(&studio_, &StudioController::pictureChanged, this, qOverload<>(&QWidget::repaint));
     connect(&studio_, &StudioController::overlayChanged, this, [this] {
         setCursor(studio_.tool().cursor());
-        update();
+        if (!studio_.isPictureComing()) { // which is painted together with it
+            update();
+        }
     });
     setCursor(studio_.tool().cursor());
 }
 
-ViewWidget::~ViewWidget() {
-    makeCurrent();
-    presenter_.reset();
-    doneCurrent();
-}
-
 glm::ivec2 ViewWidget::deviceSize() const {
-    const QSize size = this->size() * devicePixelRatioF(); // as QOpenGLWidget sizes its framebuffer
+    const QSize size = this->size() * devicePixelRatioF();
     return {size.width(), size.height()};
 }
 
-void ViewWidget::initializeGL() {
-    // Called again when the widget gets another native window; framebuffers belong to the context.
-    presenter_ = std::make_unique<Presenter>();
-    connect(context(), &QOpenGLContext::aboutToBeDestroyed, this, [this] {
-        makeCurrent();
-        presenter_.reset();
-        doneCurrent();
-    });
+bool ViewWidget::event(QEvent* event) {
+    if (event->type() == QEvent::ScreenChangeInternal) { // perhaps of another scale
+        studio_.setViewport(QSizeF(size()), deviceSize());
+    }
+    return QWidget::event(event);
 }
 
-void ViewWidget::resizeGL(int, int) { studio_.setViewport(QSizeF(size()), deviceSize()); }
+void ViewWidget::resizeEvent(QResizeEvent*) { studio_.setViewport(QSizeF(size()), deviceSize()); }
 
-void ViewWidget::paintGL() {
+void ViewWidget::paintEvent(QPaintEvent*) {
     QPainter painter(this);
-    const gl::Texture* picture = studio_.picture().shown();
-    painter.beginNativePainting();
-    if (picture != nullptr && presenter_) {
-        presenter_->present(*picture, defaultFramebufferObject(), deviceSize());
-    }
-    painter.endNativePainting();
-    if (picture == nullptr) {
+    const QImage& picture = studio_.picture().shown();
+    if (picture.isNull()) {
         painter.fillRect(rect(), Qt::black);
+    } else {
+        // Drafts are enlarged; a picture that has the view's pixels is copied.
+        painter.setRenderHint(QPainter::SmoothPixmapTransform,
+                              glm::ivec2(picture.width(), picture.height()) != deviceSize());
+        painter.drawImage(QRectF(rect()), picture, QRectF(picture.rect()));
     }
     const auto* geometry = studio_.geometry();
-    if (picture != nullptr && isAnnotated_ && geometry != nullptr) {
+    if (!picture.isNull() && isAnnotated_ && geometry != nullptr) {
         annotations_.paint(painter, studio_.view().camera, *geometry, deviceSize());
     }
     if (geometry != nullptr) {
@@ -82,6 +77,8 @@ void ViewWidget::paintGL() {
             paintOverlay(painter, overlay, QRectF(rect()));
         }
     }
+    painter.end();
+    emit painted();
 }
 
 // Nothing for what is behind the viewer.
@@ -214,12 +211,12 @@ void ViewWidget::tabletEvent(QTabletEvent* event) {
 void ViewWidget::keyPressEvent(QKeyEvent* event) {
     const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
     if (!isEnter || !studio_.tool().accept()) {
-        QOpenGLWidget::keyPressEvent(event);
+        QWidget::keyPressEvent(event);
     }
 }
 
 bool ViewWidget::focusNextPrevChild(bool next) {
-    return studio_.tool().next(next) || QOpenGLWidget::focusNextPrevChild(next);
+    return studio_.tool().next(next) || QWidget::focusNextPrevChild(next);
 }
 
 void ViewWidget::leaveEvent(QEvent*) {

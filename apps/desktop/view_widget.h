@@ -2,12 +2,10 @@
 #pragma once
 
 #include "annotation_overlay.h"
-#include "present.h"
 
 #include <QElapsedTimer>
-#include <QOpenGLWidget>
+#include <QWidget>
 
-#include <memory>
 #include <optional>
 
 namespace vs::desktop {
@@ -17,12 +15,11 @@ struct Pen;
 
 // Shows the picture with annotations and the tool's overlay on top, and hands mouse, pen and wheel to the
 // controllers. Middle button, right button, Shift+drag and the wheel look around whatever the tool is.
-class ViewWidget : public QOpenGLWidget {
+class ViewWidget : public QWidget {
     Q_OBJECT
 
 public:
     explicit ViewWidget(StudioController& studio, QWidget* parent = nullptr);
-    ~ViewWidget() override;
 
     // Where the pen is, if it is over the view.
     [[nodiscard]] std::optional<QPointF> penPosition() const { return penPosition_; }
@@ -31,11 +28,12 @@ public:
 
 signals:
     void penMoved();
+    void painted(); // and is on the screen by the next turn of the event loop
 
 protected:
-    void initializeGL() override;
-    void resizeGL(int width, int height) override;
-    void paintGL() override;
+    bool event(QEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
     void mousePressEvent(QMouseEvent* event) override;
     void mouseMoveEvent(QMouseEvent* event) override;
     void mouseReleaseEvent(QMouseEvent* event) override;
@@ -57,7 +55,6 @@ private:
     void release(const Pen& pen);
 
     StudioController& studio_;
-    std::unique_ptr<Presenter> presenter_;
     AnnotationOverlay annotations_;
     bool isAnnotated_ = true;
     Drag drag_ = Drag::None;

@@ -12,6 +12,11 @@ public:
         return std::chrono::duration<double, std::milli>(Clock::now() - start_).count();
     }
 
+    // The machine's steady clock, in ms since some moment.
+    [[nodiscard]] static double now() {
+        return std::chrono::duration<double, std::milli>(Clock::now().time_since_epoch()).count();
+    }
+
 private:
     using Clock = std::chrono::steady_clock;
     Clock::time_point start_ = Clock::now();

@@ -64,6 +64,13 @@ void Radiator::growScratch(glm::ivec3 texels) {
         const Box3 both{glm::ivec3(0), glm::max(texels, deposited_.size())};
         texels = both.volume() <= 2 * Box3{glm::ivec3(0), texels}.volume() ? both.hi : texels;
     }
+    // Mesa's software renderer compiles a shader anew for a texture whose sides are powers of two, and again
+    // for one whose sides are not: a fifth of a second in the middle of a stroke. They never are.
+    for (int axis = 0; axis < 3; ++axis) {
+        while ((texels[axis] & (texels[axis] - 1)) == 0) {
+            texels[axis] += kTile;
+        }
+    }
     deposited_ = gl::Texture(); // freed first, so that old and new need not fit together
     scratchA_ = gl::Texture();
     scratchB_ = gl::Texture();

@@ -121,8 +121,11 @@ void PenStroke::drawAt(const sculpt::PenPoint& pen) {
     if (from.pressure <= 0 && pen.pressure > 0) {
         lookAgain();
     }
-    // In pieces of a quarter of the mask, each with its own direction.
-    const double longest = std::max(0.25 * std::min(mask_.extent.x, mask_.extent.y), 2.0);
+    // The laser in pieces of a quarter of the mask, each with a direction of its own; the drill, where every
+    // element has its own, in pieces as long as the mask.
+    const double longest = std::max((std::holds_alternative<Drill>(operation_) ? 1.0 : 0.25) *
+                                        std::min(mask_.extent.x, mask_.extent.y),
+                                    2.0);
     const int pieces = std::max(1, int(std::ceil(glm::length(pen.pixel - from.pixel) / longest)));
     const auto at = [&](double s) {
         return sculpt::PenPoint{glm::mix(from.pixel, pen.pixel, s), glm::mix(from.pressure, pen.pressure, s),

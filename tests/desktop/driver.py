@@ -8,7 +8,7 @@ import shutil
 import subprocess
 import time
 
-SCREEN = "1600x1000x24"
+SCREEN = "1920x1200x24"
 
 
 class Failure(Exception):

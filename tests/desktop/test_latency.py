@@ -1,0 +1,148 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How soon the window answers, on the head that comes with Debian in a view of 1230 x 870: frames per second while turning,
+milliseconds from an input's arrival to the first picture that shows it while growing and while drilling, and the time to
+the picture at rest. Prints all figures; fails beyond the bounds."""
+
+import argparse
+import json
+import math
+import pathlib
+import sys
+import time
+
+from driver import Display, need, run_test, start
+
+HEAD = pathlib.Path("/usr/share/mricron/templates/ch2better.nii.gz")
+VIEW = (1230, 870)
+LEAST_FPS = 15
+MOST_MS = 100  # from input to picture, 95th percentile
+MOST_REST_MS = 1500
+RATE_HZ = 60  # of the pen's reports
+
+
+def now_ms():
+    return time.monotonic() * 1e3  # the clock of --timings-file
+
+
+def fit_view(studio):
+    """Resizes the window until the view has the wanted size."""
+    window = studio.state()["widgets"]["mainWindow"]
+    view = studio.state()["viewRect"]
+    studio.resize(window[2] + VIEW[0] - view[2], window[3] + VIEW[1] - view[3])
+    studio.wait_idle("the view's size", lambda s: s["viewport"] == list(VIEW) and s["pictureComplete"])
+
+
+def circle(studio, centre, radius, seconds):
+    """Places on the screen, one for each report of a pen that goes round in two seconds."""
+    count = int(seconds * RATE_HZ)
+    return [studio.view_point(centre[0] + radius * math.cos(math.pi * i / RATE_HZ),
+                              centre[1] + radius * math.sin(math.pi * i / RATE_HZ)) for i in range(count)]
+
+
+class Phase:
+    """A stretch of time in which the pen is down."""
+
+    def __init__(self, studio, points, before=()):
+        studio.move(points[0])
+        time.sleep(0.3)
+        moves = [word for x, y in points for word in ("mousemove", x, y, "sleep", f"{1 / RATE_HZ:.4f}")]
+        self.begin = now_ms()
+        studio.xdotool("mousedown", 1, *moves, "mouseup", 1)
+        self.end = now_ms()
+
+    def frames(self, timings):
+        """The first time that each picture was shown."""
+        first = {}
+        for frame in timings["frames"]:
+            if self.begin <= frame["shown"] <= self.end:
+                first.setdefault(frame["picture"], frame)
+        return list(first.values())
+
+    def fps(self, timings):
+        frames = self.frames(timings)
+        return 1e3 * (len(frames) - 1) / (frames[-1]["shown"] - frames[0]["shown"])
+
+    def scale(self, timings):
+        widths = sorted(frame["width"] for frame in self.frames(timings))
+        return VIEW[0] / widths[len(widths) // 2]
+
+    def latencies(self, timings):
+        """Of all moves, in ms, sorted."""
+        moves = [i for i in timings["inputs"] if i["kind"] == "move" and self.begin <= i["arrived"] <= self.end]
+        need(len(moves) > 30, f"only {len(moves)} moves arrived")
+        need(all(i["shown"] for i in moves), "a move was never shown")
+        need(all(0 <= i["handled"] - i["arrived"] + 2 < 1e4 for i in moves), "the clocks of X server and program differ")
+        return sorted(i["shown"] - i["arrived"] for i in moves)
+
+    def rest_ms(self, timings):
+        released = next(i["arrived"] for i in timings["inputs"] if i["kind"] == "release" and i["arrived"] >= self.begin)
+        return next(f["shown"] for f in timings["frames"] if f["isComplete"] and f["shown"] > released) - released
+
+
+def percentile(values, share):
+    return values[min(int(share * len(values)), len(values) - 1)]
+
+
+def report(name, phase, timings):
+    late = phase.latencies(timings)
+    rest = phase.rest_ms(timings)
+    print(f"{name}: {phase.fps(timings):.1f} pictures/s at scale {phase.scale(timings):.2f}; input to picture: median "
+          f"{percentile(late, 0.5):.0f} ms, 95 % {percentile(late, 0.95):.0f} ms, most {late[-1]:.0f} ms; "
+          f"full quality {rest:.0f} ms after the release")
+    return phase.fps(timings), percentile(late, 0.95), rest
+
+
+def draw_mask(studio, centre, radius):
+    studio.drag([studio.view_point(centre[0] + radius * math.cos(math.pi * i / 8),
+                                   centre[1] + radius * math.sin(math.pi * i / 8)) for i in range(16)])
+
+
+def main(display, arguments, folder):
+    if not HEAD.exists():
+        print(f"skipped: there is no {HEAD}; install mricron-data")
+        sys.exit(77)
+    timings_file = folder / "timings.json"
+    studio = start(display, arguments.program, folder, ["--timings-file", timings_file, HEAD])
+    studio.wait_idle("the volume", lambda s: s["pictureComplete"])
+    fit_view(studio)
+
+    # The first draft of a kind compiles its shaders: a person turns once before judging.
+    Phase(studio, circle(studio, (0.5, 0.5), 0.1, 0.5))
+    studio.wait_idle("the picture", lambda s: s["pictureComplete"])
+    turning = Phase(studio, circle(studio, (0.5, 0.5), 0.2, 4))
+    studio.wait_idle("the picture at rest", lambda s: s["pictureComplete"])
+    studio.key("Home")
+    studio.wait_idle("the whole head", lambda s: s["pictureComplete"])
+
+    studio.key("d")
+    draw_mask(studio, (0.5, 0.4), 0.03)
+    studio.wait("the drill's mask", lambda s: s["hint"].startswith("The mask follows"))
+    drilling = Phase(studio, circle(studio, (0.5, 0.35), 0.08, 4))
+    studio.wait_idle("the hole", lambda s: s["operations"] > 0 and s["pictureComplete"])
+
+    studio.key("s")
+    studio.drag([studio.view_point(0.5 + 0.01 * i, 0.35) for i in range(5)])
+    studio.key("v")
+    studio.wait("growth", lambda s: s["generation"] > 3)
+    growing = Phase(studio, circle(studio, (0.5, 0.5), 0.2, 4))
+    state = studio.state()
+    grown = (state["playing"], state["generation"], state["voxels"])
+    studio.wait_idle("the region", lambda s: s["pictureComplete"])
+    studio.quit()
+
+    timings = json.loads(timings_file.read_text())
+    print(f"grown: {grown}")
+    fps, _, rest = report("turning", turning, timings)
+    need(fps > LEAST_FPS, f"turning shows {fps:.1f} pictures a second, not {LEAST_FPS}")
+    need(rest < MOST_REST_MS, f"the picture at rest took {rest:.0f} ms, not {MOST_REST_MS}")
+    for name, phase in (("drilling", drilling), ("growing", growing)):
+        _, late, _ = report(name, phase, timings)
+        need(late < MOST_MS, f"{name}: 5 % of the input is answered later than {late:.0f} ms, not {MOST_MS}")
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--program", required=True)
+    parser.add_argument("--vstudio", required=True)
+    parser.add_argument("--work", required=True, help="folder to work in; emptied first")
+    sys.exit(run_test(main, parser.parse_args()))

@@ -11,6 +11,7 @@ namespace vs::desktop {
 
 namespace {
 constexpr double kSliceMs = 10;
+constexpr double kHurriedSliceMs = 6;
 constexpr int kMostAtOnce = 1000;  // generations, when the clock says that so many are due
 constexpr double kBackSeconds = 4; // for all of it, played backward at full speed
 constexpr double kLeastBack = 30;  // generations per second
@@ -176,8 +177,9 @@ bool GrowthController::growOn() {
     if (steps == 0) {
         return false;
     }
+    const double sliceMs = studio_.isHandAtWork() ? kHurriedSliceMs : kSliceMs;
     bool goesOn = false;
-    const bool done = studio_.guard([&] { goesOn = studio_.document()->growFor(kSliceMs, steps); });
+    const bool done = studio_.guard([&] { goesOn = studio_.document()->growFor(sliceMs, steps); });
     if (!done || !goesOn) {
         finish();
         hasRunOut_ = done;

@@ -203,10 +203,9 @@ void PenTool::enqueue(const Pen& pen) {
 }
 
 void PenTool::advance() {
-    constexpr double kSliceMs = 10;
-    constexpr std::size_t kFew = 4;
+    constexpr double kSliceMs = 18; // less, and a hasty pen would be followed ever later
     ramp();
-    cut(waiting_.size() <= kFew ? kSliceMs : 2.5 * kSliceMs); // or a hasty pen would be followed ever later
+    cut(kSliceMs);
 }
 
 // A mouse that is held still presses harder too.
@@ -224,7 +223,7 @@ void PenTool::ramp() {
 // A point costs as much as a whole stretch. Where the pen has gone on straight, the last of those that wait
 // says as much as all of them.
 void PenTool::straighten() {
-    constexpr double kWithinPixels = 0.75; // a mouse's places are rounded to whole ones
+    constexpr double kWithinPixels = 1; // a mouse's places are rounded to whole ones
     constexpr double kWithinPressure = 0.02;
     const auto isOnWay = [&](const sculpt::PenPoint& point, const sculpt::PenPoint& end) {
         const glm::dvec2 way = end.pixel - done_.pixel;

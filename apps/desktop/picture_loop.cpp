@@ -14,10 +14,12 @@ namespace {
 
 // From picture to picture. An input that comes just after a picture was begun is seen two pictures later: in
 // less than a tenth of a second.
-constexpr double kSoftwareFrameMs = 46;
+constexpr double kSoftwareFrameMs = 40;
 constexpr double kHardwareFrameMs = 25;
 constexpr double kLeastShare = 0.35; // of a frame for its rays, however much else there is to do
-constexpr double kCalmMs = 180;      // longer than the pauses within a hand's movement
+constexpr double kSegmentsMs = 40;   // a draft, to smooth what grew
+constexpr double kHurriedSegmentsMs = 6;
+constexpr double kCalmMs = 180; // longer than the pauses within a hand's movement
 constexpr std::array kScales{1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0};
 
 } // namespace
@@ -31,6 +33,7 @@ void PictureLoop::setDocument(studio::Document* document) {
     pass_ = Pass::None;
     startedVersion_.reset();
     isFullDone_ = false;
+    isBehind_ = false;
     shown_ = QImage();
     nanosPerPixel_ = 0;
     ++pictures_;
@@ -44,7 +47,7 @@ void PictureLoop::setViewport(glm::ivec2 devicePixels) {
 }
 
 bool PictureLoop::isComplete() const {
-    return document_ != nullptr && isFullDone_ && startedVersion_ == document_->version() &&
+    return document_ != nullptr && isFullDone_ && !isBehind_ && startedVersion_ == document_->version() &&
            startedViewport_ == viewport_;
 }
 
@@ -56,7 +59,8 @@ PictureLoop::State PictureLoop::step(double budgetMs) {
     if (document_ == nullptr || viewport_.x < 1 || viewport_.y < 1) {
         return State::Complete;
     }
-    const bool isStale = startedVersion_ != document_->version() || startedViewport_ != viewport_;
+    const bool isStale = startedVersion_ != document_->version() || startedViewport_ != viewport_ ||
+                         (isBehind_ && pass_ != Pass::Draft);
     const bool isCalm = sinceInput_.milliseconds() >= kCalmMs;
     if (isStale) {
         begin(Pass::Draft);
@@ -102,7 +106,8 @@ void PictureLoop::begin(Pass pass) {
         scale_ = wantedScale();
         size = glm::max(glm::ivec2(glm::round(glm::dvec2(viewport_) / scale_)), glm::ivec2(1));
     }
-    auto frame = document_->frame(size);
+    auto frame = document_->frame(size, isHurried_ ? kHurriedSegmentsMs : kSegmentsMs);
+    isBehind_ = document_->isBehind();
     frame.samples = pass == Pass::Full ? kFullSamples : 1;
     if (pass != Pass::Full) {
         frame.sampleStep = 1; // pixels of a draft are wider than that

@@ -35,6 +35,8 @@ public:
     enum class State { Busy, Waiting, Complete };
     State step(double budgetMs);
 
+    // A hand is at work, which is answered before what grew meanwhile is smoothed.
+    void setHurried(bool isHurried) { isHurried_ = isHurried; }
     // Time that a frame needs beside its rays (changes of the document, painting the window): the next drafts
     // are made so much smaller.
     void charge(double milliseconds) { besideMs_ += milliseconds; }
@@ -75,7 +77,9 @@ private:
     std::optional<std::uint64_t> startedVersion_; // what the running or last pass shows
     glm::ivec2 startedViewport_{0};
     bool isFullDone_ = false;
-    double passMs_ = 0; // spent in this pass so far
+    bool isHurried_ = false;
+    bool isBehind_ = false; // the last pass does not have all that the document has
+    double passMs_ = 0;     // spent in this pass so far
     Timer sinceInput_;
     Timer sinceDraft_;
     double meanFrameMs_ = 0; // running mean of the time from draft to draft

@@ -10,6 +10,7 @@ namespace vs::desktop {
 namespace {
 constexpr double kLeastZoom = 0.25;
 constexpr double kMostZoom = 64;
+constexpr double kSegmentsMs = 10; // a slice, to smooth what grew
 } // namespace
 
 SliceController::SliceController(StudioController& studio) : QObject(&studio), studio_(studio) {
@@ -168,7 +169,7 @@ bool SliceController::step() {
     if (next) {
         draw(*next);
     }
-    return stale > 1;
+    return stale > 1 || (next && isStale(*next));
 }
 
 bool SliceController::isComplete() {
@@ -182,11 +183,13 @@ void SliceController::draw(Kind kind) {
     const Key key = wanted(kind);
     shown.turn = ++turns_;
     shown.drawn = key; // also when it fails: once is enough to be told
+    bool isBehind = false;
     studio_.guard([&] {
         if (!renderer_) {
             renderer_ = std::make_unique<render::SliceRenderer>();
         }
-        render::SliceFrame frame = studio_.document()->slice(key.view);
+        render::SliceFrame frame = studio_.document()->slice(key.view, kSegmentsMs);
+        isBehind = studio_.document()->isBehind();
         frame.isSmooth = key.isSmooth;
         frame.outlinePixels = float(1.25 * shown.perLogical);
         renderer_->render(frame);
@@ -197,6 +200,9 @@ void SliceController::draw(Kind kind) {
                 .convertToFormat(QImage::Format_RGB32);
         shown.picture.setDevicePixelRatio(shown.perLogical);
     });
+    if (isBehind) {
+        shown.drawn.reset(); // and once more, with more of the segments
+    }
     emit pictureChanged(kind);
 }
 

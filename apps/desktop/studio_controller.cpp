@@ -31,6 +31,7 @@ namespace vs::desktop {
 namespace {
 constexpr double kPictureSliceMs = 8;
 constexpr int kCalmPollMs = 40; // until the picture may refine
+constexpr double kHandMs = 300; // after the last input: a hand that is at work is answered first
 } // namespace
 
 StudioController::StudioController()
@@ -88,6 +89,7 @@ void StudioController::tick() {
     // A draft that has begun is finished first: one picture for each change, however fast they come.
     if (!picture_->isDrafting()) {
         const Timer edits;
+        picture_->setHurried(isHandAtWork());
         flushView();
         tool_->advance();
         caughtUpMs_ = tool_->isBehind() ? caughtUpMs_ : Timer::now();
@@ -128,6 +130,8 @@ void StudioController::tick() {
     }
 }
 
+bool StudioController::isHandAtWork() const { return sinceWoken_.milliseconds() < kHandMs; }
+
 bool StudioController::grow() {
     const Timer timer;
     if (!growth_->advance()) {
@@ -137,10 +141,7 @@ bool StudioController::grow() {
     growthMs_ += timer.milliseconds();
     // Growing and drawing take turns: as long as the last picture took, or longer when only the end matters.
     constexpr double kToEndMs = 500;
-    constexpr double kHandMs = 300; // a hand that is at work is answered first
-    const double turnMs = sinceWoken_.milliseconds() < kHandMs ? 0
-                          : growth_->isToEnd()                 ? kToEndMs
-                                                               : picture_->draftMs();
+    const double turnMs = isHandAtWork() ? 0 : growth_->isToEnd() ? kToEndMs : picture_->draftMs();
     if (growth_->isPlaying() && growthMs_ < turnMs) {
         return true;
     }

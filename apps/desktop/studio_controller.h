@@ -175,6 +175,8 @@ public:
     [[nodiscard]] bool isSettled();
     // The time (Timer::now()) up to which all input has been reckoned into what is shown.
     [[nodiscard]] double answeredMs() const;
+    // Something was done just now: it is answered first, and what goes on by itself gives way.
+    [[nodiscard]] bool isHandAtWork() const;
     // The next picture is being made or about to be.
     [[nodiscard]] bool isPictureComing() const;
     // Nothing is under way and nothing is waiting; the picture is at full quality.

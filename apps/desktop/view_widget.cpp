@@ -19,8 +19,7 @@ namespace vs::desktop {
 
 ViewWidget::ViewWidget(StudioController& studio, QWidget* parent) : QWidget(parent), studio_(studio) {
     setObjectName("view");
-    if (qEnvironmentVariableIsSet("VS_NATIVE"))
-        setAttribute(Qt::WA_NativeWindow);
+    setAttribute(Qt::WA_NativeWindow);
     setAccessibleName(tr("Picture of the volume"));
     setAttribute(Qt::WA_OpaquePaintEvent);
     setMouseTracking(true);

@@ -2,6 +2,7 @@
 #include "segment/segmentation.h"
 
 #include "field/cell_ranges.h"
+#include "gl/context.h"
 #include "gl/pass.h"
 
 #include <algorithm>
@@ -77,8 +78,10 @@ void Segmentation::takeLooks(const Looks& looks) {
         gl::Texture(dims_, isGlass ? gl::Format::RG8 : gl::Format::R8, gl::Filter::Linear, "segmentation");
     for (std::size_t i = 0; i < channels; ++i) {
         const auto tiles = std::size_t(tileDims_.x) * std::size_t(tileDims_.y) * std::size_t(tileDims_.z);
-        channels_.push_back(
-            {gl::Buffer(planeBytes(dims_), "shown voxels"), std::vector<std::uint32_t>(tiles, 0)});
+        channels_.push_back({gl::Buffer(planeBytes(dims_), "shown voxels"),
+                             std::vector<std::uint32_t>(tiles, 0),
+                             {},
+                             std::vector<bool>(tiles, false)});
     }
     haveLooksChanged_ = true;
 }
@@ -131,22 +134,52 @@ void Segmentation::listTiles(const std::vector<std::uint32_t>& tiles) {
     tiles_.bindStorage(0);
 }
 
-std::vector<std::uint32_t> Segmentation::tilesToSmooth(Channel& channel) const {
+// Queues the tiles that pending changes reach.
+void Segmentation::queueTiles(Channel& channel) const {
     std::vector<std::uint32_t> tiles;
     for (std::uint32_t i = 0; i < channel.pending.size(); ++i) {
         std::uint32_t& pending = channel.pending[i];
         for (int n = 0; n < 27 && pending != 0; ++n) {
             const glm::ivec3 tile = tileAt(i) + glm::ivec3(n % 3, n / 3 % 3, n / 9) - 1;
             if ((pending >> n & 1U) != 0 && glm::all(glm::greaterThanEqual(tile, glm::ivec3(0))) &&
-                glm::all(glm::lessThan(tile, tileDims_))) {
+                glm::all(glm::lessThan(tile, tileDims_)) && !channel.isQueued[tileIndex(tile)]) {
                 tiles.push_back(tileIndex(tile));
+                channel.isQueued[tiles.back()] = true;
             }
         }
         pending = 0;
     }
-    std::sort(tiles.begin(), tiles.end());
-    tiles.erase(std::unique(tiles.begin(), tiles.end()), tiles.end());
-    return tiles;
+    std::sort(tiles.begin(), tiles.end()); // neighbours together
+    channel.queue.insert(channel.queue.end(), tiles.begin(), tiles.end());
+}
+
+// Returns the tiles that were smoothed.
+std::vector<std::uint32_t> Segmentation::smoothQueued(int channel, const Timer& timer, double budgetMs) {
+    Channel& own = channels_[std::size_t(channel)];
+    const bool isHurried = budgetMs < kNoHurry;
+    std::vector<std::uint32_t> done;
+    while (!own.queue.empty() && timer.milliseconds() < budgetMs) {
+        constexpr std::size_t kBetweenLooks = 64; // at the clock
+        const auto end =
+            own.queue.begin() +
+            std::ptrdiff_t(std::min(isHurried ? kBetweenLooks : own.queue.size(), own.queue.size()));
+        const std::vector<std::uint32_t> tiles(own.queue.begin(), end);
+        own.queue.erase(own.queue.begin(), end);
+        for (const std::uint32_t tile : tiles) {
+            own.isQueued[tile] = false;
+        }
+        write(channel, tiles, Smoothing::Smooth);
+        done.insert(done.end(), tiles.begin(), tiles.end());
+        if (isHurried) {
+            gl::Context::finish();
+        }
+    }
+    return done;
+}
+
+bool Segmentation::isBehind() const {
+    return std::any_of(channels_.begin(), channels_.end(),
+                       [](const Channel& channel) { return !channel.queue.empty(); });
 }
 
 // Smooths tiles [first, first + count) of the list on the device.
@@ -205,8 +238,9 @@ void Segmentation::summarize(const std::vector<std::uint32_t>& tiles, Smoothing 
     }
 }
 
-Box3 Segmentation::update(const Growth& growth, Smoothing smoothing, const Looks& looks) {
+Box3 Segmentation::update(const Growth& growth, Smoothing smoothing, const Looks& looks, double budgetMs) {
     const gl::Pass pass("update segmentation");
+    const Timer timer;
     takeLooks(looks);
     const BrickTable& table = growth.seedMap().bricks();
     const auto bricks = haveLooksChanged_ ? table.occupied() : table.changedSince(seenRevision_);
@@ -216,9 +250,11 @@ Box3 Segmentation::update(const Growth& growth, Smoothing smoothing, const Looks
     for (int channel = 0; channel < int(channels_.size()); ++channel) {
         auto tiles = show(growth, channel, bricks);
         if (smoothing == Smoothing::Smooth) {
-            tiles = tilesToSmooth(channels_[std::size_t(channel)]);
+            queueTiles(channels_[std::size_t(channel)]);
+            tiles = smoothQueued(channel, timer, budgetMs);
+        } else {
+            write(channel, tiles, smoothing);
         }
-        write(channel, tiles, smoothing);
         changed.insert(changed.end(), tiles.begin(), tiles.end());
     }
     std::sort(changed.begin(), changed.end());

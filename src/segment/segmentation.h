@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "base/timer.h"
 #include "gl/buffer.h"
 #include "gl/program.h"
 #include "gl/texture.h"
@@ -8,6 +9,7 @@
 
 #include <array>
 #include <cstdint>
+#include <deque>
 #include <vector>
 
 namespace vs::segment {
@@ -32,10 +34,14 @@ public:
     explicit Segmentation(const volume::GridGeometry& geometry);
 
     // Brings the volume up to date with what `growth` shows of segments that are not hidden, always the same
-    // growth. Cost follows the number of
-    // tiles of 16^3 voxels around which membership changed. Returns the box of voxels rewritten.
+    // growth. Cost follows the number of tiles of 16^3 voxels around which membership changed. Smoothing ends
+    // when it has taken `budgetMs`: what changed first is smoothed first, and the rest stays as it was until
+    // the next update. Returns the box of voxels rewritten.
     Box3 update(const Growth& growth, Smoothing smoothing = Smoothing::Smooth,
-                const Looks& looks = allOpaque());
+                const Looks& looks = allOpaque(), double budgetMs = kNoHurry);
+    static constexpr double kNoHurry = 1e30;
+    // The last update was cut short.
+    [[nodiscard]] bool isBehind() const;
 
     // R8, linear filter, values in [0, 1]: the opaque segments together. RG8 while there are translucent
     // ones: those together in g.
@@ -57,12 +63,15 @@ private:
         // Per tile: which of its 27 neighbours (itself included) changes there reach and that are not
         // smoothed yet, bit (dx + 1) + 3 (dy + 1) + 9 (dz + 1).
         std::vector<std::uint32_t> pending;
+        std::deque<std::uint32_t> queue; // tiles to smooth, the oldest first
+        std::vector<bool> isQueued;      // by tile
     };
 
     void takeLooks(const Looks& looks);
     std::vector<std::uint32_t> show(const Growth& growth, int channel,
                                     const std::vector<std::uint32_t>& bricks);
-    std::vector<std::uint32_t> tilesToSmooth(Channel& channel) const;
+    void queueTiles(Channel& channel) const;
+    std::vector<std::uint32_t> smoothQueued(int channel, const Timer& timer, double budgetMs);
     void write(int channel, const std::vector<std::uint32_t>& tiles, Smoothing smoothing);
     void smooth(int channel, std::uint32_t first, std::uint32_t count);
     void summarize(const std::vector<std::uint32_t>& tiles, Smoothing smoothing);

@@ -153,10 +153,19 @@ void Document::look(const View& view) {
     }
 }
 
-render::Frame Document::frame(glm::ivec2 size) { return impl_->frame(impl_->view, size); }
-render::SliceFrame Document::slice(const render::SliceView& view) {
-    return impl_->pipeline.slice(impl_->stateOf(impl_->view), view);
+render::Frame Document::frame(glm::ivec2 size, double segmentsMs) {
+    Pipeline::State state = impl_->stateOf(impl_->view);
+    state.segmentsMs = segmentsMs;
+    return impl_->pipeline.frame(state, size);
 }
+
+render::SliceFrame Document::slice(const render::SliceView& view, double segmentsMs) {
+    Pipeline::State state = impl_->stateOf(impl_->view);
+    state.segmentsMs = segmentsMs;
+    return impl_->pipeline.slice(state, view);
+}
+
+bool Document::isBehind() const { return impl_->pipeline.isBehind(); }
 
 // --- live strokes
 

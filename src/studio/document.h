@@ -88,11 +88,15 @@ public:
     [[nodiscard]] const Operation* lastStep() const;
 
     // A frame of the current view, ready for a RayCaster or Picker. Brings macrocells up to date first. Valid
-    // until the document is changed or another frame is made.
-    render::Frame frame(glm::ivec2 size);
+    // until the document is changed or another frame is made. What grew far at once may take many
+    // milliseconds to smooth: no more than `segmentsMs` are spent on it, and isBehind() tells that the
+    // segments' surface is not all there yet.
+    render::Frame frame(glm::ivec2 size, double segmentsMs = kNoHurry);
+    static constexpr double kNoHurry = 1e30;
 
     // A slice through it, ready for a SliceRenderer; valid as long.
-    render::SliceFrame slice(const render::SliceView& view);
+    render::SliceFrame slice(const render::SliceView& view, double segmentsMs = kNoHurry);
+    [[nodiscard]] bool isBehind() const; // the last frame or slice
 
     // Counts document changes that a picture can show (view, sculpture, segmentation).
     [[nodiscard]] std::uint64_t version() const;

@@ -50,8 +50,9 @@ field::Scene Pipeline::scene(const State& state, bool wantsSegments) {
         if (!segmentation_) {
             segmentation_.emplace(field_->geometry);
         }
-        segmentation_->update(*state.growth, state.smoothing, looksOf(*state.segments));
+        segmentation_->update(*state.growth, state.smoothing, looksOf(*state.segments), state.segmentsMs);
     }
+    isBehind_ = hasSegmentation && segmentation_->isBehind();
     // With nothing cut yet the volume is drawn whole, in probe view too: there must be something to draw on.
     const bool isSculpted = !state.sculpture->isEmpty();
     field::Scene scene;

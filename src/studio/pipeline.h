@@ -29,6 +29,7 @@ public:
         const segment::Growth* growth = nullptr; // null: nothing seeded yet
         const SegmentList* segments = nullptr;   // how they look
         segment::Smoothing smoothing = segment::Smoothing::Smooth;
+        double segmentsMs = segment::Segmentation::kNoHurry; // that bringing the segments up to date may take
         Range greyWindow;
         // The sculpture's version when the stroke in hand began. While it cuts, the macrocells of that moment
         // hold everything that can be seen, and are kept so that a stamp costs only what it touches.
@@ -37,6 +38,9 @@ public:
     render::Frame frame(const State& state, glm::ivec2 size);
     // The same content on a slice. Segments are drawn whatever the view's mode is.
     render::SliceFrame slice(const State& state, const render::SliceView& view);
+
+    // The segments of the last frame or slice are not up to date, because there was no time for it.
+    [[nodiscard]] bool isBehind() const { return isBehind_; }
 
     // A transfer function with absolute positions on the field.
     render::TransferFunction resolved(const render::TransferFunction& function);
@@ -62,6 +66,7 @@ private:
     const field::Field* field_;
     field::CellRanges cellRanges_;
     std::optional<segment::Segmentation> segmentation_; // made when first drawn
+    bool isBehind_ = false;
     // What shaders see of the document, with the segments if they are wanted; brings those up to date.
     field::Scene scene(const State& state, bool wantsSegments);
     // How segments look. When there is but one, labels may lag behind and are not asked.

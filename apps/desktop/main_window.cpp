@@ -1,20 +1,24 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "main_window.h"
 
+#include "camera_keys.h"
 #include "growth_controller.h"
 #include "growth_panel.h"
 #include "growth_rules_panel.h"
 #include "histogram_panel.h"
 #include "history_panel.h"
 #include "panel_parts.h"
+#include "pen_watch.h"
 #include "recovery_keeper.h"
 #include "segment_controller.h"
 #include "segment_edit_panel.h"
 #include "segment_numbers_panel.h"
+#include "slice_canvas.h"
 #include "studio_controller.h"
 #include "thumbnail_keeper.h"
 #include "tool.h"
 #include "tool_panel.h"
+#include "touch_pad.h"
 #include "view_grid.h"
 #include "view_widget.h"
 #include "welcome_page.h"
@@ -118,6 +122,12 @@ void MainWindow::makeCentre() {
     column->setSpacing(0);
     view_ = new ViewWidget(studio_);
     grid_ = new ViewGrid(studio_, view_);
+    const auto* pen = new PenWatch(studio_, this);
+    lookByFingers(*view_, studio_, *pen);
+    for (SliceCanvas* canvas : grid_->findChildren<SliceCanvas*>()) {
+        lookByFingers(*canvas, studio_, *pen);
+    }
+    new CameraKeys(*view_, studio_); // the view owns it
     column->addWidget(grid_, 1);
     hint_ = named(new QLabel, "hint", tr("What to do next"));
     hint_->setMinimumWidth(1); // never widens the window

@@ -5,6 +5,7 @@
 #include "growth_controller.h"
 #include "growth_panel.h"
 #include "growth_rules_panel.h"
+#include "hint_line.h"
 #include "histogram_panel.h"
 #include "history_panel.h"
 #include "panel_parts.h"
@@ -129,8 +130,7 @@ void MainWindow::makeCentre() {
     }
     new CameraKeys(*view_, studio_); // the view owns it
     column->addWidget(grid_, 1);
-    hint_ = named(new QLabel, "hint", tr("What to do next"));
-    hint_->setMinimumWidth(1); // never widens the window
+    hint_ = named(new HintLine, "hint", tr("What to do next"));
     column->addWidget(hint_);
     centre_->addWidget(page);
     setCentralWidget(centre_);
@@ -157,6 +157,7 @@ void MainWindow::makeDock() {
     scroll->setWidget(content);
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setFocusPolicy(Qt::NoFocus); // Tab goes to what is in it
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setFixedWidth(kPanelWidth + 10); // room for the scroll bar
     dock->setWidget(scroll);
@@ -242,7 +243,7 @@ void MainWindow::refreshEnabled(bool hasDocument) {
 }
 
 void MainWindow::refreshHint() {
-    hint_->setText(studio_.isLoading() ? tr("Please wait…") : studio_.tool().hint());
+    hint_->say(studio_.isLoading() ? tr("Please wait…") : studio_.tool().hint());
 }
 
 void MainWindow::refreshProbe() {

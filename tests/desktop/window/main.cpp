@@ -12,11 +12,12 @@
 
 #include <clocale>
 #include <iostream>
+#include <string_view>
 
 int main(int argc, char** argv) {
     testing::InitGoogleTest(&argc, argv);
-    if (argc != 3) {
-        std::cerr << "usage: vs_window_tests VOLUME FOLDER\n";
+    if (argc != 4) {
+        std::cerr << "usage: vs_window_tests VOLUME FOLDER en|de\n";
         return 2;
     }
     QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
@@ -26,6 +27,8 @@ int main(int argc, char** argv) {
     QApplication::setAttribute(Qt::AA_CompressTabletEvents, false);
     QApplication::setApplicationName("volume-studio");
     std::setlocale(LC_NUMERIC, "C");
+    using vs::desktop::Language;
+    vs::desktop::speak(application, std::string_view(argv[3]) == "de" ? Language::German : Language::English);
     vs::desktop::applyTheme(application, vs::desktop::Preferences::load().theme);
     vs::desktop::StudioWindow::volume = argv[1];
     vs::desktop::StudioWindow::folder = argv[2];

@@ -15,7 +15,7 @@ PACKAGES=(
   mricron-data
 )
 # To test: a display without a screen, a hand on the mouse, and the checkers.
-TEST_PACKAGES=(libgtest-dev python3 xvfb xdotool glslang-tools clang-format-14)
+TEST_PACKAGES=(libgtest-dev python3 xvfb xdotool glslang-tools clang-format-14 dpkg-dev desktop-file-utils appstream)
 
 say() { printf '== %s\n' "$*"; }
 

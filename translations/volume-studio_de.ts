@@ -1167,10 +1167,6 @@
         <translation>nichts eingefügt</translation>
     </message>
     <message>
-        <source>Pen, mouse, fingers and keys, whatever the tool</source>
-        <translation>Stift, Maus, Finger und Tasten, bei jedem Werkzeug</translation>
-    </message>
-    <message>
         <source>Turn the picture</source>
         <translation>Bild drehen</translation>
     </message>
@@ -1213,6 +1209,10 @@
     <message>
         <source>Eraser of the pen</source>
         <translation>Radierer des Stifts</translation>
+    </message>
+    <message>
+        <source>Whatever the tool</source>
+        <translation>Bei jedem Werkzeug</translation>
     </message>
 </context>
 <context>

@@ -71,7 +71,7 @@ std::vector<Group> groupsOf(const QMainWindow& window) {
 }
 
 Group mouse() {
-    return {tr("Pen, mouse, fingers and keys, whatever the tool"),
+    return {tr("Whatever the tool"),
             {{tr("Turn the picture"), tr("Arrow keys"), {}},
              {tr("Roll the picture"), tr("Ctrl+Left, Right"), {}},
              {tr("Zoom"), tr("+  -"), {}},
@@ -148,7 +148,8 @@ ShortcutSheet::ShortcutSheet(QMainWindow& window) : QDialog(&window) {
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     outer->addWidget(buttons);
-    resize(QSize(940, 720).boundedTo(window.size()));
+    constexpr int kRoomForBars = 50;
+    resize(QSize(page->sizeHint().width() + kRoomForBars, 720).boundedTo(window.size()));
 }
 
 } // namespace vs::desktop

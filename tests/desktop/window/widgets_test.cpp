@@ -90,6 +90,9 @@ int lacking(const QWidget& widget) {
         }
         return label->text().isEmpty() ? 0 : std::max(0, label->sizeHint().width() - label->width());
     }
+    if (const auto* bar = qobject_cast<const QScrollBar*>(&widget)) {
+        return bar->orientation() == Qt::Horizontal ? bar->maximum() : 0; // what lies beside the edge
+    }
     if (isOneOf<QPushButton, QComboBox>(&widget)) {
         return std::max(0, widget.minimumSizeHint().width() - widget.width());
     }

@@ -2086,7 +2086,7 @@ Rad: näher; Umschalt+Rad: entlang. Pfeiltasten: das Band, mit Strg sein unteres
     </message>
     <message>
         <source>Save</source>
-        <translation>Speichern</translation>
+        <translation>Sichern</translation>
     </message>
     <message>
         <source>Save the session: everything done so far, to go on or replay</source>
@@ -2190,7 +2190,7 @@ Rad: näher; Umschalt+Rad: entlang. Pfeiltasten: das Band, mit Strg sein unteres
     </message>
     <message>
         <source>Reset</source>
-        <translation>Von vorn</translation>
+        <translation>Vorn</translation>
     </message>
     <message>
         <source>Look at the face again, all of it</source>
@@ -2226,7 +2226,7 @@ Rad: näher; Umschalt+Rad: entlang. Pfeiltasten: das Band, mit Strg sein unteres
     </message>
     <message>
         <source>Overlay</source>
-        <translation>Überlagert</translation>
+        <translation>Overlay</translation>
     </message>
     <message>
         <source>The segmentation in an X-ray of the rest</source>

@@ -13,6 +13,8 @@
 #include <gtest/gtest.h>
 
 #include <QProgressBar>
+#include <QSlider>
+#include <QTest>
 
 namespace vs::desktop {
 namespace {
@@ -98,6 +100,21 @@ TEST_F(Tablet, DrillAndLaserGoAsDeepAsThePenPresses) {
                 << tool->name().toStdString() << " at pressure " << pressure;
         }
     }
+}
+
+TEST_F(Tablet, AMousePressesAsItsSliderSays) {
+    auto& slider = w.part<QSlider>("mousePressure");
+    slider.setValue(40);
+    w.studio().setTool(w.studio().drillTool());
+    w.drawMask();
+    w.leaveTablet();
+    QTest::mousePress(&w.view(), Qt::LeftButton, {}, centre().toPoint());
+    QTest::mouseRelease(&w.view(), Qt::LeftButton, {}, centre().toPoint());
+    w.settle();
+    slider.setValue(100);
+    const auto& drill = last<studio::Drill>();
+    ASSERT_EQ(drill.stroke.size(), 1U);
+    EXPECT_DOUBLE_EQ(drill.stroke.front().pressure, 0.4);
 }
 
 TEST_F(Tablet, PeelGoesByTheWayOfThePenWhateverThePressure) {

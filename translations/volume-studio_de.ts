@@ -1214,6 +1214,10 @@
         <source>Whatever the tool</source>
         <translation>Bei jedem Werkzeug</translation>
     </message>
+    <message>
+        <source>When the program ends, write to PATH as JSON when each input arrived and was handled and shown (&quot;inputs&quot;) and when each picture was shown (&quot;frames&quot;), in milliseconds.</source>
+        <translation>Am Ende des Programms als JSON nach PATH schreiben, wann jede Eingabe ankam, bearbeitet und gezeigt wurde (&quot;inputs&quot;) und wann jedes Bild gezeigt wurde (&quot;frames&quot;), in Millisekunden.</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::CameraTool</name>

@@ -43,7 +43,7 @@ void FunctionPage::addLookRow(QVBoxLayout* column) {
     opacity_->setRange(0, 100);
     opacity_->setDecimals(1);
     opacity_->setSuffix(tr(" %"));
-    opacity_->setFixedWidth(76);
+    opacity_->setFixedWidth(72);
     colour_ = new ColourButton((prefix_ + "Colour").toLatin1().constData(), tr("Colour of the chosen part"));
     const auto button = [&](const char* iconName, const char* name, const QString& text, const QString& tip) {
         auto* made = makeIconButton(iconName, (prefix_ + name).toLatin1().constData(), text, tip);

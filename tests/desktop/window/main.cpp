@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests in the window's own process, for what no X server without hardware can send: a pen with pressure,
 // fingers; and for what only the process itself knows of its widgets.
-#include "gl_host.h"
 #include "preferences.h"
 #include "studio_window.h"
 #include "theme.h"
@@ -20,8 +19,6 @@ int main(int argc, char** argv) {
         std::cerr << "usage: vs_window_tests VOLUME FOLDER en|de\n";
         return 2;
     }
-    QApplication::setAttribute(Qt::AA_ShareOpenGLContexts);
-    QSurfaceFormat::setDefaultFormat(vs::desktop::GlHost::format());
     QApplication application(argc, argv);
     QApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, false);
     QApplication::setAttribute(Qt::AA_CompressTabletEvents, false);

@@ -108,8 +108,9 @@ TEST_F(Tablet, AMousePressesAsItsSliderSays) {
     w.studio().setTool(w.studio().drillTool());
     w.drawMask();
     w.leaveTablet();
-    QTest::mousePress(&w.view(), Qt::LeftButton, {}, centre().toPoint());
-    QTest::mouseRelease(&w.view(), Qt::LeftButton, {}, centre().toPoint());
+    const QPoint inWindow = w.view().mapTo(&w.window(), centre().toPoint());
+    QTest::mousePress(w.window().windowHandle(), Qt::LeftButton, {}, inWindow);
+    QTest::mouseRelease(w.window().windowHandle(), Qt::LeftButton, {}, inWindow);
     w.settle();
     slider.setValue(100);
     const auto& drill = last<studio::Drill>();

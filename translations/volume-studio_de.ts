@@ -1614,7 +1614,7 @@ Tab: der nächste Punkt; Pfeiltasten bewegen ihn; Entf; Eingabe: seine Farbe; St
     </message>
     <message>
         <source>Opacity</source>
-        <translation>Deckkraft</translation>
+        <translation>Deckkr.</translation>
     </message>
     <message>
         <source>Where this is seen</source>

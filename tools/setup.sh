@@ -8,14 +8,14 @@ ROOT=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 PACKAGES=(
   g++ cmake ninja-build ccache pkg-config
   libinsighttoolkit5-dev libgdcm-dev libfftw3-dev libexpat1-dev libeigen3-dev zlib1g-dev
-  qt6-base-dev libqt6opengl6-dev qt6-svg-dev qt6-qpa-plugins
+  qt6-base-dev libqt6opengl6-dev qt6-svg-dev qt6-qpa-plugins qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools qt6-translations-l10n
   libepoxy-dev libegl-dev libgl1-mesa-dri libegl-mesa0 libegl1 libgl1 libglx-mesa0
   libglm-dev libfmt-dev nlohmann-json3-dev libcli11-dev libzstd-dev libpng-dev
   libcairo2-dev fonts-dejavu-core
   mricron-data
 )
 # To test: a display without a screen, a hand on the mouse, and the checkers.
-TEST_PACKAGES=(libgtest-dev python3 xvfb xdotool glslang-tools clang-format-14)
+TEST_PACKAGES=(libgtest-dev python3 xvfb xdotool glslang-tools clang-format-14 dpkg-dev desktop-file-utils appstream)
 
 say() { printf '== %s\n' "$*"; }
 

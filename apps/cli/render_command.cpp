@@ -109,6 +109,9 @@ void addRenderCommand(CLI::App& app) {
     command
         ->add_option("--elevation", options->camera.elevationDegrees, "Degrees; positive moves the viewer up")
         ->check(between(-1e6, 1e6));
+    command
+        ->add_option("--roll", options->camera.rollDegrees, "Degrees; positive turns the picture clockwise")
+        ->check(between(-1e6, 1e6));
     command->add_option("--zoom", options->camera.zoom, "1 frames the volume")
         ->check(between(1e-3, 1e3))
         ->capture_default_str();

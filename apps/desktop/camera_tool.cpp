@@ -41,11 +41,15 @@ void CameraTool::release(const Pen&) {
 
 void CameraTool::turn(QPointF delta) {
     auto view = studio_.view();
+    // As the hand moves in the picture before it is rolled.
+    const double roll = glm::radians(view.camera.rollDegrees);
+    const double across = std::cos(roll) * delta.x() + std::sin(roll) * delta.y();
+    const double down = std::cos(roll) * delta.y() - std::sin(roll) * delta.x();
     // The surface follows the hand, so the viewer goes the other way.
     view.camera.azimuthDegrees =
-        std::remainder(view.camera.azimuthDegrees - kDegreesPerPixel * delta.x(), 360.0);
+        std::remainder(view.camera.azimuthDegrees - kDegreesPerPixel * across, 360.0);
     view.camera.elevationDegrees =
-        std::clamp(view.camera.elevationDegrees + kDegreesPerPixel * delta.y(), -90.0, 90.0);
+        std::clamp(view.camera.elevationDegrees + kDegreesPerPixel * down, -90.0, 90.0);
     studio_.look(view);
 }
 
@@ -60,10 +64,25 @@ void CameraTool::zoom(double factor, QPointF anchor) {
     auto view = studio_.view();
     const double before = view.camera.zoom;
     view.camera.zoom = std::clamp(before * factor, kLeastZoom, kMostZoom);
-    const QPointF fromCentre = anchor - studio_.viewCentre();
-    const glm::dvec2 offset = studio_.millimetresPerPixel() * glm::dvec2(fromCentre.x(), -fromCentre.y());
-    view.camera.panMm += offset * (1 - before / view.camera.zoom);
+    view.camera.panMm += millimetresFromCentre(anchor) * (1 - before / view.camera.zoom);
     studio_.look(view);
+}
+
+void CameraTool::roll(double degrees, QPointF anchor) {
+    auto view = studio_.view();
+    const glm::dvec2 offset = millimetresFromCentre(anchor);
+    const glm::dvec2 held = view.camera.panMm + offset; // the place under the anchor
+    const double by = glm::radians(degrees);
+    const glm::dvec2 turned{std::cos(by) * held.x + std::sin(by) * held.y,
+                            std::cos(by) * held.y - std::sin(by) * held.x};
+    view.camera.rollDegrees = std::remainder(view.camera.rollDegrees + degrees, 360.0);
+    view.camera.panMm = turned - offset;
+    studio_.look(view);
+}
+
+glm::dvec2 CameraTool::millimetresFromCentre(QPointF place) const {
+    const QPointF fromCentre = place - studio_.viewCentre();
+    return studio_.millimetresPerPixel() * glm::dvec2(fromCentre.x(), -fromCentre.y());
 }
 
 void CameraTool::reset() {

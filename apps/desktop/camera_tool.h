@@ -3,12 +3,14 @@
 
 #include "tool.h"
 
+#include "base/math.h"
+
 namespace vs::desktop {
 
 class StudioController;
 
-// Turns the volume with the left button. Turning, moving and zooming are also there for the other buttons and
-// the wheel whatever tool is chosen: that is turn(), pan(), zoom() and reset().
+// Turns the volume with the left button. Turning, moving and zooming are also there for the other buttons,
+// the wheel, fingers and keys whatever tool is chosen: that is turn(), pan(), zoom(), roll() and reset().
 class CameraTool : public Tool {
     Q_OBJECT
 
@@ -29,9 +31,14 @@ public:
     void pan(QPointF delta);
     // By a factor; the place under `anchor` (logical pixels of the view) stays there.
     void zoom(double factor, QPointF anchor);
+    // About the line of sight, clockwise; the place under `anchor` stays there.
+    void roll(double degrees, QPointF anchor);
     void reset();
 
 private:
+    // Of a place of the view (logical pixels) at the depth that is looked at, to the right and up.
+    [[nodiscard]] glm::dvec2 millimetresFromCentre(QPointF place) const;
+
     StudioController& studio_;
     QPointF last_;
     bool isDragging_ = false;

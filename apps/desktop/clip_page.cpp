@@ -3,6 +3,7 @@
 #include "cut_rows.h"
 #include "panel_parts.h"
 #include "studio_controller.h"
+#include "texts.h"
 #include "tool_pages.h"
 
 #include <QFormLayout>
@@ -15,8 +16,6 @@
 namespace vs::desktop {
 
 namespace {
-
-QString tr(const char* text) { return ClipTool::tr(text); }
 
 // A slider and a number for the same thing. Both count voxels, or millimetres.
 struct Pair {

@@ -3,6 +3,7 @@
 
 #include "function_editor.h"
 #include "function_picture.h"
+#include "library_texts.h"
 #include "panel_parts.h"
 
 #include "render/colour_map.h"
@@ -79,8 +80,7 @@ void FunctionGallery::fillPresets(QGridLayout* grid) {
                    plainPicture(QColor(0xe8, 0xdc, 0xc4)), [this] { editor_.take({}); }));
     for (const std::string& name : render::presetNames()) {
         const auto preset = render::findPreset(name);
-        add(makeButton("preset." + name, QString::fromStdString(preset->name),
-                       QString::fromStdString(preset->description),
+        add(makeButton("preset." + name, libraryText(preset->name), libraryText(preset->description),
                        functionPicture(*preset, kPicture, ground), [this, preset] { editor_.take(preset); }));
     }
 }
@@ -93,8 +93,7 @@ void FunctionGallery::fillMaps(QGridLayout* grid) {
     };
     for (const render::ColourMap& map : render::colourMaps()) {
         const std::string name(map.name);
-        add(makeButton("map." + name, QString::fromStdString(name),
-                       QString::fromUtf8(map.description.data(), qsizetype(map.description.size())),
+        add(makeButton("map." + name, libraryText(name), libraryText(map.description),
                        colourMapPicture(name, kMapPicture), [this, name] { editor_.useColourMap(name); }));
     }
     QImage own(kMapPicture, QImage::Format_RGB32); // colours side by side

@@ -38,12 +38,12 @@ void FunctionPage::setDigits(QDoubleSpinBox* box, const Range& range, bool isWho
 
 void FunctionPage::addLookRow(QVBoxLayout* column) {
     auto* row = new QHBoxLayout;
-    row->setSpacing(5);
+    row->setSpacing(3);
     opacity_ = makeNumber("Opacity", tr("Opacity of the chosen part, in percent"));
     opacity_->setRange(0, 100);
     opacity_->setDecimals(1);
     opacity_->setSuffix(tr(" %"));
-    opacity_->setMaximumWidth(74);
+    opacity_->setFixedWidth(72);
     colour_ = new ColourButton((prefix_ + "Colour").toLatin1().constData(), tr("Colour of the chosen part"));
     const auto button = [&](const char* iconName, const char* name, const QString& text, const QString& tip) {
         auto* made = makeIconButton(iconName, (prefix_ + name).toLatin1().constData(), text, tip);

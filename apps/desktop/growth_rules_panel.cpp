@@ -8,6 +8,7 @@
 #include "segment_controller.h"
 #include "segment_measurer.h"
 #include "studio_controller.h"
+#include "texts.h"
 
 #include <QCheckBox>
 #include <QGridLayout>
@@ -30,13 +31,13 @@ struct RowText {
 };
 
 std::array<RowText, 3> rowTexts() {
-    return {{{"ruleDifference", QObject::tr("Difference"),
-              QObject::tr("Signed difference of intensity from a voxel to the next: new minus old"),
+    return {{{"ruleDifference", tr("Difference"),
+              tr("Signed difference of intensity from a voxel to the next: new minus old"),
               &SetGrowthRules::difference},
-             {"ruleGradient", QObject::tr("Gradient"),
-              QObject::tr("Magnitude of the gradient, in intensity per mm"), &SetGrowthRules::gradient},
-             {"ruleGradientDifference", QObject::tr("Gradient diff."),
-              QObject::tr("Signed difference of the gradient's magnitude from a voxel to the next"),
+             {"ruleGradient", tr("Gradient"), tr("Magnitude of the gradient, in intensity per mm"),
+              &SetGrowthRules::gradient},
+             {"ruleGradientDifference", tr("Gradient diff."),
+              tr("Signed difference of the gradient's magnitude from a voxel to the next"),
               &SetGrowthRules::gradientDifference}}};
 }
 

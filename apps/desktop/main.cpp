@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "language.h"
 #include "latency_recorder.h"
 #include "layout_reporter.h"
 #include "main_window.h"
@@ -25,6 +26,7 @@ namespace {
 
 int run(QApplication& application) {
     using namespace vs::desktop;
+    speak(application, Preferences::load().language);
     const Options options = parseOptions(application);
     applyTheme(application, Preferences::load().theme);
     std::unique_ptr<StudioController> studio;
@@ -59,6 +61,7 @@ void answerWithoutDisplay(int argc, char** argv) {
         QCoreApplication application(argc, argv);
         QCoreApplication::setApplicationName("volume-studio");
         QCoreApplication::setApplicationVersion(VOLUME_STUDIO_VERSION);
+        vs::desktop::speak(application, vs::desktop::Preferences::load().language);
         vs::desktop::parseOptions(application); // prints and ends the program
     }
 }

@@ -1,20 +1,25 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "main_window.h"
 
+#include "camera_keys.h"
 #include "growth_controller.h"
 #include "growth_panel.h"
 #include "growth_rules_panel.h"
+#include "hint_line.h"
 #include "histogram_panel.h"
 #include "history_panel.h"
 #include "panel_parts.h"
+#include "pen_watch.h"
 #include "recovery_keeper.h"
 #include "segment_controller.h"
 #include "segment_edit_panel.h"
 #include "segment_numbers_panel.h"
+#include "slice_canvas.h"
 #include "studio_controller.h"
 #include "thumbnail_keeper.h"
 #include "tool.h"
 #include "tool_panel.h"
+#include "touch_pad.h"
 #include "view_grid.h"
 #include "view_widget.h"
 #include "welcome_page.h"
@@ -118,9 +123,14 @@ void MainWindow::makeCentre() {
     column->setSpacing(0);
     view_ = new ViewWidget(studio_);
     grid_ = new ViewGrid(studio_, view_);
+    const auto* pen = new PenWatch(studio_, this);
+    lookByFingers(*view_, studio_, *pen);
+    for (SliceCanvas* canvas : grid_->findChildren<SliceCanvas*>()) {
+        lookByFingers(*canvas, studio_, *pen);
+    }
+    new CameraKeys(*view_, studio_); // the view owns it
     column->addWidget(grid_, 1);
-    hint_ = named(new QLabel, "hint", tr("What to do next"));
-    hint_->setMinimumWidth(1); // never widens the window
+    hint_ = named(new HintLine, "hint", tr("What to do next"));
     column->addWidget(hint_);
     centre_->addWidget(page);
     setCentralWidget(centre_);
@@ -147,6 +157,7 @@ void MainWindow::makeDock() {
     scroll->setWidget(content);
     scroll->setWidgetResizable(true);
     scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setFocusPolicy(Qt::NoFocus); // Tab goes to what is in it
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setFixedWidth(kPanelWidth + 10); // room for the scroll bar
     dock->setWidget(scroll);
@@ -232,7 +243,7 @@ void MainWindow::refreshEnabled(bool hasDocument) {
 }
 
 void MainWindow::refreshHint() {
-    hint_->setText(studio_.isLoading() ? tr("Please wait…") : studio_.tool().hint());
+    hint_->say(studio_.isLoading() ? tr("Please wait…") : studio_.tool().hint());
 }
 
 void MainWindow::refreshProbe() {

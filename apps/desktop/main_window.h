@@ -25,6 +25,7 @@ class QToolBar;
 
 namespace vs::desktop {
 
+class HintLine;
 class HistoryPanel;
 class RecoveryKeeper;
 class StudioController;
@@ -153,7 +154,7 @@ private:
     std::vector<QDockWidget*> hiddenDocks_; // while the start screen is shown
     ViewWidget* view_ = nullptr;
     ViewGrid* grid_ = nullptr; // it and the slices
-    QLabel* hint_ = nullptr;
+    HintLine* hint_ = nullptr;
     QLabel* message_ = nullptr;
     QLabel* probe_ = nullptr;
     QLabel* volume_ = nullptr;

@@ -5,7 +5,6 @@
 #include "tool_column.h"
 
 #include <QDockWidget>
-#include <QLabel>
 #include <QMenuBar>
 #include <QResizeEvent>
 #include <QScrollArea>
@@ -13,10 +12,6 @@
 #include <QToolButton>
 
 namespace vs::desktop {
-
-namespace {
-constexpr int kRoomForTexts = 1260; // logical pixels: a window as wide has all buttons with their texts
-} // namespace
 
 void MainWindow::makeMenus() {
     const auto menu = [this](const QString& title, std::initializer_list<const char*> names) {
@@ -73,18 +68,20 @@ void MainWindow::makeToolBars() {
     fitToolBar(width());
 }
 
-// A narrow window shows the icons alone, so that no button is lost, and has two lines for hints.
+// A window too narrow for the texts shows the icons alone, so that no button is lost.
 void MainWindow::fitToolBar(int width) {
-    const bool hasTexts = width >= kRoomForTexts;
-    bar_->setToolButtonStyle(hasTexts ? Qt::ToolButtonTextUnderIcon : Qt::ToolButtonIconOnly);
-    for (auto* button : bar_->findChildren<QToolButton*>()) {
-        if (button->defaultAction() != nullptr) {
-            button->setMinimumWidth(hasTexts ? 58 : 34);
+    const auto show = [this](Qt::ToolButtonStyle style, int leastWidth) {
+        bar_->setToolButtonStyle(style);
+        for (auto* button : bar_->findChildren<QToolButton*>()) {
+            if (button->defaultAction() != nullptr) {
+                button->setMinimumWidth(leastWidth);
+            }
         }
+        return bar_->sizeHint().width();
+    };
+    if (show(Qt::ToolButtonTextUnderIcon, 52) > width) {
+        show(Qt::ToolButtonIconOnly, 34);
     }
-    constexpr int kPadding = 13; // of the hint's style
-    hint_->setWordWrap(!hasTexts);
-    hint_->setFixedHeight(hint_->fontMetrics().lineSpacing() * (hasTexts ? 1 : 2) + kPadding);
 }
 
 void MainWindow::resizeEvent(QResizeEvent* event) {
@@ -111,6 +108,7 @@ void MainWindow::makeToolColumn() {
     auto* scroll = new QScrollArea; // small screens
     scroll->setWidget(column);
     scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setFocusPolicy(Qt::NoFocus); // Tab goes to what is in it
     scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     scroll->setFixedWidth(column->sizeHint().width() + 6);
     dock->setWidget(scroll);

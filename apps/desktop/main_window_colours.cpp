@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "library_texts.h"
 #include "main_window.h"
 
 #include "studio_controller.h"
@@ -34,16 +35,12 @@ void MainWindow::makeColourMenu() {
     for (const std::string& name : render::presetNames()) {
         const auto preset = render::findPreset(name);
         const std::string id = "colours." + name;
-        QAction* choice = addChoice(functions,
-                                    {id.c_str(),
-                                     nullptr,
-                                     QString::fromStdString(preset->name),
-                                     QString::fromStdString(preset->description),
-                                     {}},
-                                    [this, preset] {
-                                        studio_.setTransferFunction(preset);
-                                        refreshColours(); // chosen again it is still the one
-                                    });
+        QAction* choice = addChoice(
+            functions, {id.c_str(), nullptr, libraryText(preset->name), libraryText(preset->description), {}},
+            [this, preset] {
+                studio_.setTransferFunction(preset);
+                refreshColours(); // chosen again it is still the one
+            });
         menu->QWidget::addAction(choice);
     }
     menu->addSeparator();

@@ -2,6 +2,7 @@
 #include "measure_tool.h"
 #include "panel_parts.h"
 #include "studio_controller.h"
+#include "texts.h"
 #include "tool_pages.h"
 
 #include <QFormLayout>
@@ -11,7 +12,6 @@
 namespace vs::desktop {
 
 QWidget* makeMeasurePage(StudioController& studio) {
-    const auto tr = [](const char* text) { return QObject::tr(text); };
     auto* page = new QWidget;
     auto* form = makeForm(page);
     MeasureTool& tool = studio.measureTool();
@@ -43,7 +43,7 @@ QWidget* makeMeasurePage(StudioController& studio) {
         for (const Measurement& measurement : tool.measurements()) {
             lines << labelOf(measurement);
         }
-        values->setText(lines.isEmpty() ? QObject::tr("none yet") : lines.join("\n"));
+        values->setText(lines.isEmpty() ? tr("none yet") : lines.join("\n"));
         last->setEnabled(!lines.isEmpty());
         all->setEnabled(!lines.isEmpty());
     };

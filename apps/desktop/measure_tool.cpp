@@ -3,6 +3,7 @@
 
 #include "camera_tool.h"
 #include "studio_controller.h"
+#include "texts.h"
 
 #include <QLineF>
 
@@ -34,7 +35,7 @@ QString labelOf(const Measurement& measurement) {
     if (measurement.isAngle()) {
         return QString("%1°").arg(value, 0, 'f', 1);
     }
-    return QObject::tr("%1 mm").arg(value, 0, 'f', value < 9.995 ? 2 : 1);
+    return tr("%1 mm").arg(value, 0, 'f', value < 9.995 ? 2 : 1);
 }
 
 MeasureTool::MeasureTool(StudioController& studio) : Tool(&studio), studio_(studio) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "operation_texts.h"
 
+#include "library_texts.h"
+
 #include "studio/operation_names.h"
 
 #include <QCoreApplication>
@@ -12,21 +14,15 @@ namespace vs::desktop {
 
 namespace {
 
-QString tr(const char* text) { return QCoreApplication::translate("Operation", text); }
-
-QString capitalised(const char* name) {
-    const QString text = name;
-    return text.left(1).toUpper() + text.mid(1);
-}
+QString capitalised(const QString& text) { return text.left(1).toUpper() + text.mid(1); }
 
 QString quoted(const std::string& name) { return "“" + QString::fromStdString(name) + "”"; }
 
-QString generations(const char* one, const char* several, int count) {
-    return count == 1 ? tr(one) : tr(several).arg(count);
-}
-
 // What there is to say besides the operation's name; empty: nothing.
 struct Details {
+    Q_DECLARE_TR_FUNCTIONS(vs::desktop::Details)
+
+public:
     QString operator()(const studio::Peel& op) const {
         return tr("%1 layers").arg(QString::number(op.layers, 'g', 3)) + restoring(op.restores);
     }
@@ -35,17 +31,14 @@ struct Details {
     }
     QString operator()(const studio::MovePart& op) const { return tr("part %1").arg(op.part + 1); }
     QString operator()(const studio::Grow& op) const {
-        return op.generations ? generations("one generation", "%1 generations", *op.generations)
-                              : tr("to the end");
+        return op.generations ? generations(*op.generations) : tr("to the end");
     }
-    QString operator()(const studio::Rewind& op) const {
-        return generations("one generation", "%1 generations", op.generations);
-    }
+    QString operator()(const studio::Rewind& op) const { return generations(op.generations); }
     QString operator()(const studio::ShowGeneration& op) const { return QString::number(op.generation); }
     QString operator()(const studio::UseSegment& op) const { return quoted(op.name.value_or(op.segment)); }
     QString operator()(const studio::RemoveSegment& op) const { return quoted(op.segment); }
     QString operator()(const studio::EditSegment& op) const {
-        return studio::kSegmentEdits.at(std::size_t(op.kind));
+        return libraryText(studio::kSegmentEdits.at(std::size_t(op.kind)));
     }
     QString operator()(const studio::BrushSegment& op) const { return op.isToAdd ? tr("add") : tr("remove"); }
     QString operator()(const studio::CutSegment& op) const {
@@ -59,6 +52,9 @@ struct Details {
         return {};
     }
 
+    static QString generations(int count) {
+        return count == 1 ? tr("one generation") : tr("%1 generations").arg(count);
+    }
     static QString restoring(bool restores) { return restores ? ", " + tr("restore") : QString(); }
 };
 
@@ -66,7 +62,7 @@ struct Details {
 
 QString describe(const studio::Operation& operation) {
     const QString details = std::visit(Details(), operation);
-    const QString name = capitalised(studio::name(operation));
+    const QString name = capitalised(libraryText(studio::name(operation)));
     return details.isEmpty() ? name : name + ", " + details;
 }
 

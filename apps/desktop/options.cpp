@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "options.h"
 
+#include "texts.h"
+
 #include "base/error.h"
 
 #include <QCommandLineParser>
@@ -15,7 +17,6 @@ std::filesystem::path pathOf(const QString& text) { return {text.toStdString()};
 } // namespace
 
 Options parseOptions(const QCoreApplication& application) {
-    const auto tr = [](const char* text) { return QCoreApplication::translate("Options", text); };
     QCommandLineParser parser;
     parser.setApplicationDescription(tr("Reshape a 3D scan with a pen, on the rendered picture itself."));
     parser.addHelpOption();

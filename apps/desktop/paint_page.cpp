@@ -2,6 +2,7 @@
 #include "paint_tool.h"
 #include "panel_parts.h"
 #include "studio_controller.h"
+#include "texts.h"
 #include "tool_pages.h"
 
 #include <QCheckBox>
@@ -27,12 +28,11 @@ double radiusAt(int step) {
     return PaintTool::kLeastMm * std::pow(PaintTool::kMostMm / PaintTool::kLeastMm, double(step) / kSteps);
 }
 
-QString label(double mm) { return QObject::tr("%1 mm").arg(mm, 0, 'f', mm < 9.95 ? 1 : 0); }
+QString label(double mm) { return tr("%1 mm").arg(mm, 0, 'f', mm < 9.95 ? 1 : 0); }
 
 } // namespace
 
 QWidget* makePaintPage(StudioController& studio) {
-    const auto tr = [](const char* text) { return QObject::tr(text); };
     auto* page = new QWidget;
     auto* form = makeForm(page);
     PaintTool& tool = studio.paintTool();

@@ -2,10 +2,13 @@
 #include "panel_parts.h"
 
 #include "icons.h"
+#include "language.h"
 
 #include <QButtonGroup>
 #include <QCheckBox>
+#include <QComboBox>
 #include <QFormLayout>
+#include <QLineEdit>
 #include <QLocale>
 #include <QVBoxLayout>
 
@@ -30,6 +33,17 @@ QLabel* makeQuietLabel(const QString& text) {
     auto* label = new QLabel(text);
     label->setProperty("quiet", true);
     return label;
+}
+
+void tipIfSilent(QWidget& widget, const QString& tip) {
+    const auto* button = qobject_cast<const QAbstractButton*>(&widget);
+    const bool isBox = qobject_cast<const QAbstractSpinBox*>(&widget) != nullptr ||
+                       qobject_cast<const QAbstractSlider*>(&widget) != nullptr ||
+                       qobject_cast<const QComboBox*>(&widget) != nullptr ||
+                       qobject_cast<const QLineEdit*>(&widget) != nullptr;
+    if (isBox || (button != nullptr && button->text().remove("…") != tip)) {
+        widget.setToolTip(tip);
+    }
 }
 
 QToolButton* makeIconButton(const char* iconName, const char* objectName, const QString& text,
@@ -126,6 +140,10 @@ double numberIn(const QDoubleSpinBox& box, double before) {
     return isSame ? before : box.value();
 }
 
-QString grouped(qulonglong number) { return QLocale(QLocale::English).toString(number); }
+QString grouped(qulonglong number) {
+    const QString text = QLocale(QLocale::English).toString(number);
+    // A comma is a decimal sign elsewhere, and numbers have points in every language.
+    return textLocale().language() == QLocale::English ? text : QString(text).replace(',', QChar(0x202f));
+}
 
 } // namespace vs::desktop

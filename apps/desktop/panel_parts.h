@@ -23,11 +23,15 @@ QFrame* makeCard(const QString& title, QVBoxLayout*& content);
 // A label in the quieter colour.
 QLabel* makeQuietLabel(const QString& text);
 
+// A tip for what can be used and does not say what it is, until it gets a better one.
+void tipIfSilent(QWidget& widget, const QString& tip);
+
 // Gives a widget the name that scripts find it by and the one that screen readers say.
 template <typename W>
 W* named(W* widget, const char* objectName, const QString& accessibleName) {
     widget->setObjectName(objectName);
     widget->setAccessibleName(accessibleName);
+    tipIfSilent(*widget, accessibleName);
     return widget;
 }
 

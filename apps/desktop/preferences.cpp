@@ -12,6 +12,10 @@ Preferences Preferences::load() {
     Preferences preferences;
     const QString theme = settings.value("theme").toString();
     preferences.theme = theme == "light" ? Theme::Light : theme == "desktop" ? Theme::Desktop : Theme::Dark;
+    const QString language = settings.value("language").toString();
+    preferences.language = language == "en"   ? Language::English
+                           : language == "de" ? Language::German
+                                              : Language::Desktop;
     preferences.undoMegabytes =
         std::clamp(settings.value("undoMegabytes", preferences.undoMegabytes).toInt(), 16, 1 << 20);
     preferences.recordings = settings.value("recordings").toString();
@@ -25,6 +29,9 @@ void Preferences::save() const {
     settings.setValue("theme", theme == Theme::Light     ? "light"
                                : theme == Theme::Desktop ? "desktop"
                                                          : "dark");
+    settings.setValue("language", language == Language::English  ? "en"
+                                  : language == Language::German ? "de"
+                                                                 : "desktop");
     settings.setValue("undoMegabytes", undoMegabytes);
     settings.setValue("recordings", recordings);
     settings.setValue("smoothSampling", smoothSampling);

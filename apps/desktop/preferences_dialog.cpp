@@ -23,6 +23,7 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences, QWidget* pa
     auto* form = makeForm(page);
     form->setVerticalSpacing(14);
     addTheme(form);
+    addLanguage(form);
     addUndo(form);
     addRecordings(form);
     addQuality(form);
@@ -49,6 +50,24 @@ void PreferencesDialog::addTheme(QFormLayout* form) {
         tell();
     });
     form->addRow(tr("Theme"), themes);
+}
+
+// Languages are named in themselves, for who reads no other.
+void PreferencesDialog::addLanguage(QFormLayout* form) {
+    auto* languages = new ChoiceRow(
+        {{"languageDesktop", tr("As the desktop"), tr("German where the desktop speaks it, else English")},
+         {"languageEnglish", "English", tr("English, whatever the desktop speaks")},
+         {"languageGerman", "Deutsch", tr("German, whatever the desktop speaks")}},
+        int(preferences_.language), 3);
+    auto* note = makeQuietLabel(tr("Start Volume Studio again to read it in the other language."));
+    note->setVisible(false);
+    connect(languages, &ChoiceRow::chosen, this, [this, note](int choice) {
+        preferences_.language = Language(choice);
+        note->setVisible(true);
+        tell();
+    });
+    form->addRow(tr("Language"), languages);
+    form->addRow(QString(), note);
 }
 
 void PreferencesDialog::addUndo(QFormLayout* form) {

@@ -22,6 +22,7 @@ signals:
 
 private:
     void addTheme(QFormLayout* form);
+    void addLanguage(QFormLayout* form);
     void addUndo(QFormLayout* form);
     void addRecordings(QFormLayout* form);
     void addQuality(QFormLayout* form);

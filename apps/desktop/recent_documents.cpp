@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "recent_documents.h"
 
+#include "library_texts.h"
 #include "settings.h"
+#include "texts.h"
 
 #include <QCryptographicHash>
 #include <QDir>
@@ -124,7 +126,8 @@ std::vector<KnownDocument> exampleDocuments() {
     for (const Example& example : kPackaged) {
         const QString found = QStandardPaths::locate(QStandardPaths::GenericDataLocation, example.path);
         if (!found.isEmpty()) {
-            documents.push_back({{found.toStdString(), {}, {}, {}, {}}, example.details, false, {}});
+            documents.push_back(
+                {{found.toStdString(), {}, {}, {}, {}}, libraryText(example.details), false, {}});
         }
     }
     for (const QString& folder :
@@ -139,7 +142,7 @@ std::vector<KnownDocument> exampleDocuments() {
             KnownDocument document;
             (name.endsWith(".json") ? document.request.session : document.request.volume) =
                 name.toStdString();
-            document.details = name.endsWith(".json") ? QObject::tr("A session to replay") : QString();
+            document.details = name.endsWith(".json") ? tr("A session to replay") : QString();
             documents.push_back(document);
         }
     }

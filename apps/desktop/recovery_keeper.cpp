@@ -2,6 +2,7 @@
 #include "recovery_keeper.h"
 
 #include "studio_controller.h"
+#include "texts.h"
 
 #include "base/error.h"
 
@@ -42,10 +43,10 @@ LostWork describe(const QFileInfo& file) {
         const auto content = studio::readJournal(lost.journal);
         lost.edits = int(content.unsavedEdits());
         lost.name = content.session.block
-                        ? QObject::tr("Made from nothing")
+                        ? tr("Made from nothing")
                         : QString::fromStdString(content.session.volumePath.filename().string());
         if (!content.session.block && !std::filesystem::exists(content.session.volumePath)) {
-            lost.problem = QObject::tr("its volume %1 is not there")
+            lost.problem = tr("its volume %1 is not there")
                                .arg(QString::fromStdString(content.session.volumePath.string()));
         }
     } catch (const std::exception& e) {

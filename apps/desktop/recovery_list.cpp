@@ -2,6 +2,7 @@
 #include "recovery_list.h"
 
 #include "icons.h"
+#include "language.h"
 #include "panel_parts.h"
 
 #include <QLocale>
@@ -41,7 +42,7 @@ QFrame* RecoveryList::makeRow(const LostWork& lost, int number) {
     picture->setPixmap(icon("recover").pixmap(QSize(26, 26), devicePixelRatioF()));
     line->addWidget(picture);
 
-    const QString when = QLocale(QLocale::English).toString(lost.when, "d MMM yyyy, HH:mm");
+    const QString when = textLocale().toString(lost.when, "d MMM yyyy, HH:mm");
     auto* texts = new QVBoxLayout;
     texts->setSpacing(1);
     auto* title =

@@ -6,6 +6,7 @@
 #include "panel_parts.h"
 #include "segment_controller.h"
 #include "studio_controller.h"
+#include "texts.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -36,8 +37,6 @@ struct Edit {
     bool needsOther = false;
     bool beginsGroup = false;
 };
-
-QString tr(const char* text) { return SegmentEditPanel::tr(text); }
 
 const std::vector<Edit>& edits() {
     static const std::vector<Edit> all{

@@ -4,6 +4,7 @@
 #include "panel_parts.h"
 #include "seed_tool.h"
 #include "studio_controller.h"
+#include "texts.h"
 #include "tool_pages.h"
 
 #include <QFormLayout>
@@ -11,8 +12,6 @@
 namespace vs::desktop {
 
 namespace {
-
-QString tr(const char* text) { return QObject::tr(text); }
 
 // Two buttons for a tool's sign.
 template <typename T>

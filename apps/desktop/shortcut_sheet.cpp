@@ -2,6 +2,7 @@
 #include "shortcut_sheet.h"
 
 #include "panel_parts.h"
+#include "texts.h"
 
 #include <QAction>
 #include <QDialogButtonBox>
@@ -70,14 +71,20 @@ std::vector<Group> groupsOf(const QMainWindow& window) {
 }
 
 Group mouse() {
-    const auto tr = [](const char* text) { return ShortcutSheet::tr(text); };
-    return {tr("Pen and mouse, whatever the tool"),
-            {{tr("Move the picture"), tr("Middle button"), {}},
+    return {tr("Whatever the tool"),
+            {{tr("Turn the picture"), tr("Arrow keys"), {}},
+             {tr("Roll the picture"), tr("Ctrl+Left, Right"), {}},
+             {tr("Zoom"), tr("+  -"), {}},
+             {tr("Move the picture"), tr("Shift+Arrow keys"), {}},
+             {tr("Turn the picture"), tr("One finger"), {}},
+             {tr("Move, zoom and roll"), tr("Two fingers"), {}},
+             {tr("Move the picture"), tr("Middle button"), {}},
              {tr("Move the picture"), tr("Shift+Drag"), {}},
              {tr("Zoom"), tr("Wheel"), {}},
              {tr("Zoom"), tr("Right button"), {}},
              {tr("Do what is prepared"), tr("Enter"), {}},
-             {tr("Restore while it is held"), tr("R"), {}}}};
+             {tr("Restore while it is held"), tr("R"), {}},
+             {tr("The tool turned round"), tr("Eraser of the pen"), {}}}};
 }
 
 QWidget* makeGroup(const Group& group) {
@@ -141,7 +148,8 @@ ShortcutSheet::ShortcutSheet(QMainWindow& window) : QDialog(&window) {
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     outer->addWidget(buttons);
-    resize(QSize(940, 720).boundedTo(window.size()));
+    constexpr int kRoomForBars = 50;
+    resize(QSize(page->sizeHint().width() + kRoomForBars, 720).boundedTo(window.size()));
 }
 
 } // namespace vs::desktop

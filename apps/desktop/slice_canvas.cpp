@@ -7,6 +7,7 @@
 
 #include <QLineF>
 #include <QMouseEvent>
+#include <QTabletEvent>
 #include <QWheelEvent>
 
 #include <cmath>
@@ -20,9 +21,10 @@ constexpr int kFastSlices = 10; // with Shift
 } // namespace
 
 SliceCanvas::SliceCanvas(StudioController& studio, render::SliceKind kind, QWidget* parent)
-    : QWidget(parent), slices_(studio.slices()), pen_(studio.slicePen()), measureTool_(studio.measureTool()),
-      kind_(kind) {
+    : QWidget(parent), studio_(studio), slices_(studio.slices()), pen_(studio.slicePen()),
+      measureTool_(studio.measureTool()), kind_(kind) {
     setMouseTracking(true);
+    setTabletTracking(true);
     setFocusPolicy(Qt::StrongFocus);
     setAttribute(Qt::WA_OpaquePaintEvent);
     setCursor(Qt::CrossCursor);
@@ -72,27 +74,20 @@ void SliceCanvas::showEvent(QShowEvent*) {
 
 void SliceCanvas::hideEvent(QHideEvent*) { slices_.setShown(kind_, false); }
 
-// --- mouse and keys
+// --- pen, mouse and keys
 
-void SliceCanvas::mousePressEvent(QMouseEvent* event) {
-    if (drag_ != Drag::None || !slices_.hasVolume()) {
-        return; // a second button changes nothing
-    }
-    button_ = event->button();
-    last_ = placeInWidget(event->scenePosition());
-    under_ = pressed_ = last_;
-    const bool isRight = button_ == Qt::RightButton;
-    if (button_ == Qt::LeftButton || (isRight && pen_.takesRightButton())) {
-        drag_ = pen_.press(kind_, placeAt(last_), isRight, event->modifiers()) ? Drag::Pen : Drag::None;
+void SliceCanvas::press(QPointF place, bool isReversed, Qt::KeyboardModifiers modifiers) {
+    under_ = pressed_ = last_ = place;
+    if (button_ == Qt::LeftButton || (isReversed && pen_.takesRightButton())) {
+        drag_ = pen_.press(kind_, placeAt(last_), isReversed, modifiers) ? Drag::Pen : Drag::None;
     } else if (button_ == Qt::MiddleButton) {
         drag_ = Drag::Pan;
-    } else if (isRight) {
+    } else if (button_ == Qt::RightButton) {
         drag_ = Drag::Zoom;
     }
 }
 
-void SliceCanvas::mouseMoveEvent(QMouseEvent* event) {
-    const QPointF now = placeInWidget(event->scenePosition());
+void SliceCanvas::move(QPointF now) {
     const QPointF moved = now - last_;
     if (drag_ == Drag::Pen) {
         pen_.move(kind_, placeAt(now));
@@ -109,10 +104,7 @@ void SliceCanvas::mouseMoveEvent(QMouseEvent* event) {
     emit penMoved();
 }
 
-void SliceCanvas::mouseReleaseEvent(QMouseEvent* event) {
-    if (event->button() != button_) {
-        return;
-    }
+void SliceCanvas::release() {
     const bool isPen = drag_ == Drag::Pen;
     drag_ = Drag::None;
     button_ = Qt::NoButton;
@@ -121,6 +113,44 @@ void SliceCanvas::mouseReleaseEvent(QMouseEvent* event) {
         pen_.release(QLineF(pressed_, last_).length() > kDragPixels);
     }
     emit penMoved();
+}
+
+void SliceCanvas::mousePressEvent(QMouseEvent* event) {
+    if (drag_ != Drag::None || !slices_.hasVolume()) {
+        return; // a second button changes nothing
+    }
+    button_ = event->button();
+    press(placeInWidget(event->scenePosition()), button_ == Qt::RightButton, event->modifiers());
+}
+
+void SliceCanvas::mouseMoveEvent(QMouseEvent* event) { move(placeInWidget(event->scenePosition())); }
+
+void SliceCanvas::mouseReleaseEvent(QMouseEvent* event) {
+    if (event->button() == button_) {
+        release();
+    }
+}
+
+// Finer than pixels, and with an eraser at the pen's other end.
+void SliceCanvas::tabletEvent(QTabletEvent* event) {
+    const bool isEraser = event->pointerType() == QPointingDevice::PointerType::Eraser;
+    studio_.setTabletPressure(event->pressure());
+    switch (event->type()) {
+    case QEvent::TabletPress:
+        if (drag_ == Drag::None && slices_.hasVolume()) {
+            button_ = event->button();
+            press(event->position(), isEraser || button_ == Qt::RightButton, event->modifiers());
+        }
+        break;
+    case QEvent::TabletRelease:
+        if (event->button() == button_) {
+            release();
+        }
+        break;
+    default:
+        move(event->position());
+    }
+    event->accept(); // or Qt would make a mouse event of it too
 }
 
 void SliceCanvas::mouseDoubleClickEvent(QMouseEvent* event) {

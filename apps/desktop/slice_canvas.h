@@ -19,7 +19,7 @@ QColor sliceColour(render::SliceKind kind);
 
 // One slice: its picture, the lines of the two others, the patient's directions at the edges, the stroke in
 // hand. The wheel and Page Up and Down go from slice to slice, Ctrl+wheel zooms, the middle button moves, the
-// right one zooms, and the left one is the pen's (SlicePen).
+// right one zooms, and the left one is the pen's (SlicePen), as is a tablet, whose eraser takes away.
 class SliceCanvas : public QWidget {
     Q_OBJECT
 
@@ -28,6 +28,9 @@ public:
 
     // What is under the pen, in mm on the picture; nothing when it is elsewhere.
     [[nodiscard]] std::optional<glm::dvec2> placeUnderPen() const;
+    [[nodiscard]] render::SliceKind kind() const { return kind_; }
+    // In mm on the picture, of a place of the widget.
+    [[nodiscard]] glm::dvec2 placeAt(QPointF inWidget) const;
 
 signals:
     void penMoved();
@@ -44,13 +47,16 @@ protected:
     void mouseDoubleClickEvent(QMouseEvent* event) override;
     void wheelEvent(QWheelEvent* event) override;
     void keyPressEvent(QKeyEvent* event) override;
+    void tabletEvent(QTabletEvent* event) override;
     void leaveEvent(QEvent* event) override;
 
 private:
     enum class Drag { None, Pen, Pan, Zoom };
 
     [[nodiscard]] QPointF placeInWidget(QPointF inWindow) const;
-    [[nodiscard]] glm::dvec2 placeAt(QPointF inWidget) const;
+    void press(QPointF place, bool isReversed, Qt::KeyboardModifiers modifiers);
+    void move(QPointF place);
+    void release();
     [[nodiscard]] QPointF pointOf(glm::dvec2 place) const;
     void tellViewport();
     void moveCrosshair(int right, int down);
@@ -59,6 +65,7 @@ private:
     void paintPen(QPainter& painter) const;
     [[nodiscard]] std::optional<QPointF> seenAt(glm::dvec3 world) const;
 
+    StudioController& studio_;
     SliceController& slices_;
     SlicePen& pen_;
     const MeasureTool& measureTool_;

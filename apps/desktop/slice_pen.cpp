@@ -45,7 +45,7 @@ std::optional<double> SlicePen::radiusMm(Kind kind) const {
 
 Overlay::Tint SlicePen::tint(bool isReversed) const {
     if (use() == Use::Seed) {
-        return Overlay::Tint::Seed;
+        return studio_.seedTool().isReversed() ? Overlay::Tint::Cutting : Overlay::Tint::Seed;
     }
     return studio_.paintTool().isToAdd() != isReversed ? Overlay::Tint::Idle : Overlay::Tint::Cutting;
 }
@@ -64,7 +64,8 @@ bool SlicePen::press(Kind kind, glm::dvec2 place, bool isReversed, Qt::KeyboardM
         studio_.measureTool().begin(worldAt(kind, place));
         return true;
     }
-    isReversed_ = isReversed != (use() == Use::Paint && modifiers.testFlag(Qt::ControlModifier));
+    isReversed_ = use() == Use::Seed ? studio_.seedTool().isReversed()
+                                     : isReversed != modifiers.testFlag(Qt::ControlModifier);
     const SliceController& slices = studio_.slices();
     stroke_ = Stroke{kind,
                      {place},
@@ -130,7 +131,9 @@ void SlicePen::release(bool isDrag) {
     }
     const studio::Trail drawn = trail();
     stroke_.reset();
-    if (use() == Use::Seed) {
+    if (use() == Use::Seed && isReversed_) {
+        studio_.apply(studio::PaintSegment{false, drawn, {}});
+    } else if (use() == Use::Seed) {
         studio::Seed seed;
         seed.trails = {drawn};
         seed.canvas = studio_.canvas();

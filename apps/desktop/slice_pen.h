@@ -13,9 +13,9 @@ namespace vs::desktop {
 
 class StudioController;
 
-// What pens and mouse do on slices: with the seed tool they seed, with the paint tool they correct the
-// segment at work, with the measure tool they measure, with all others they lead the crosshair. A stroke is
-// one operation, made when the pen is lifted.
+// What pens and mouse do on slices: with the seed tool they seed (turned round, they remove), with the paint
+// tool they correct the segment at work, with the measure tool they measure, with all others they lead the
+// crosshair. A stroke is one operation, made when the pen is lifted.
 class SlicePen : public QObject {
     Q_OBJECT
 

@@ -4,6 +4,7 @@
 #include "panel_parts.h"
 #include "slice_controller.h"
 #include "studio_controller.h"
+#include "texts.h"
 
 #include <QHBoxLayout>
 #include <QSignalBlocker>
@@ -18,13 +19,13 @@ namespace {
 QString title(render::SliceKind kind) {
     switch (kind) {
     case render::SliceKind::Axial:
-        return QObject::tr("Axial");
+        return tr("Axial");
     case render::SliceKind::Coronal:
-        return QObject::tr("Coronal");
+        return tr("Coronal");
     case render::SliceKind::Sagittal:
         break;
     }
-    return QObject::tr("Sagittal");
+    return tr("Sagittal");
 }
 
 // "axialSlider": how scripts find the parts of each.

@@ -2,8 +2,10 @@
 #include "start_card.h"
 
 #include "icons.h"
+#include "language.h"
 #include "panel_parts.h"
 #include "recent_documents.h"
+#include "texts.h"
 #include "theme.h"
 
 #include <QDir>
@@ -29,10 +31,9 @@ QString whenSeen(const QDateTime& time) {
         return {};
     }
     const qint64 days = time.date().daysTo(QDate::currentDate());
-    const QLocale english(QLocale::English); // as all of the window's texts
-    return days == 0   ? QObject::tr("today %1").arg(time.time().toString("HH:mm"))
-           : days == 1 ? QObject::tr("yesterday")
-                       : english.toString(time.date(), "d MMM yyyy");
+    return days == 0   ? tr("today %1").arg(time.time().toString("HH:mm"))
+           : days == 1 ? tr("yesterday")
+                       : textLocale().toString(time.date(), "d MMM yyyy");
 }
 
 QString placeOf(const KnownDocument& document) {

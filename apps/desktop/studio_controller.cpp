@@ -8,6 +8,7 @@
 #include "island_tool.h"
 #include "keep_tool.h"
 #include "laser_tool.h"
+#include "library_texts.h"
 #include "measure_tool.h"
 #include "move_tool.h"
 #include "paint_tool.h"
@@ -263,9 +264,9 @@ bool StudioController::paste() {
 }
 
 void StudioController::report(const studio::Outcome& outcome) {
-    QString text = QString::fromStdString(outcome.name);
+    QString text = libraryText(outcome.name);
     text = text.left(1).toUpper() + text.mid(1);
-    say(outcome.message.empty() ? text : text + ": " + QString::fromStdString(outcome.message));
+    say(outcome.message.empty() ? text : text + ": " + libraryText(outcome.message));
 }
 
 void StudioController::say(const QString& message) {

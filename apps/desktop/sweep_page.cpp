@@ -3,6 +3,7 @@
 #include "panel_parts.h"
 #include "studio_controller.h"
 #include "sweep_tool.h"
+#include "texts.h"
 #include "tool_pages.h"
 
 #include <QCheckBox>
@@ -35,7 +36,6 @@ QWidget* addNumber(QFormLayout* form, SweepTool& tool, const char* objectName, c
 } // namespace
 
 QWidget* makeSweepPage(StudioController& studio) {
-    const auto tr = [](const char* text) { return SweepTool::tr(text); };
     auto* page = new QWidget;
     auto* form = makeForm(page);
     SweepTool& tool = studio.sweepTool();
@@ -82,7 +82,7 @@ QWidget* makeSweepPage(StudioController& studio) {
     apply->setFocusPolicy(Qt::TabFocus);
     QObject::connect(apply, &QPushButton::clicked, &tool, &SweepTool::accept);
     form->addRow(apply);
-    const auto show = [&tool, form, length, radius, turns, apply, tr] {
+    const auto show = [&tool, form, length, radius, turns, apply] {
         const auto now = tool.settings().way;
         const bool isHelix = now == SweepTool::Way::Helix;
         form->setRowVisible(length, isHelix || now == SweepTool::Way::Line);

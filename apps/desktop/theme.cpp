@@ -24,11 +24,13 @@ QToolButton:checked { background: #1d4259; border-color: #56b4e9; color: #f7fbfe
 QToolButton:focus { border-color: #56b4e9; }
 QToolButton[choice="true"] { background: #1f2327; border: 1px solid #3a4047; padding: 3px 4px; }
 QToolButton[choice="true"]:hover { background: #333940; }
+QToolButton[choice="true"]:focus { border-color: #56b4e9; }
 QToolButton[choice="true"]:checked { background: #1d4259; border-color: #56b4e9; }
 QToolButton[fold="true"] { font-weight: 600; padding: 4px 4px; }
 QToolButton[fold="true"]:checked { background: transparent; border-color: transparent; }
 QToolButton[fold="true"]:hover { background: #333940; }
 QToolButton[fold="true"]:focus { border-color: #56b4e9; }
+QToolButton:checked:focus, QToolButton[choice="true"]:checked:focus { border-color: #f7fbfe; }
 QTableView { background: #181b1e; border: 1px solid #3a4047; border-radius: 4px; selection-background-color: #1d4259;
     selection-color: #f7fbfe; outline: 0; }
 QTableView:focus { border-color: #56b4e9; }
@@ -36,6 +38,12 @@ QTableView::item { padding: 0 4px; }
 QTableView::item:focus { border: 1px solid #56b4e9; }
 QComboBox { background: #181b1e; border: 1px solid #3a4047; border-radius: 4px; padding: 3px 6px; }
 QComboBox:focus { border-color: #56b4e9; }
+QComboBox::drop-down { border: 0; width: 20px; }
+QComboBox::down-arrow { image: url(:/pictures/down-dark.svg); width: 12px; height: 12px; }
+QCheckBox::indicator { width: 13px; height: 13px; border: 1px solid #7d868f; border-radius: 3px; background: #181b1e; }
+QCheckBox::indicator:checked { background: #1f6f9c; border-color: #2c86b8; image: url(:/pictures/check.svg); }
+QCheckBox::indicator:disabled { border-color: #3a4047; }
+QCheckBox::indicator:focus { border-color: #56b4e9; }
 QComboBox:disabled { color: #5f6770; }
 QComboBox QAbstractItemView { background: #262a2f; border: 1px solid #3a4047; selection-background-color: #1d4259;
     selection-color: #f7fbfe; }
@@ -78,6 +86,7 @@ QSpinBox:disabled, QDoubleSpinBox:disabled { color: #5f6770; }
 QSlider::groove:horizontal { height: 4px; background: #181b1e; border-radius: 2px; }
 QSlider::sub-page:horizontal { background: #56b4e9; border-radius: 2px; }
 QSlider::handle:horizontal { width: 14px; margin: -5px 0; border-radius: 7px; background: #e3e6ea; }
+QSlider::handle:horizontal:focus { background: #56b4e9; }
 QSlider::handle:horizontal:hover { background: #ffffff; }
 QScrollBar:vertical { background: transparent; width: 8px; margin: 0; }
 QScrollBar::handle:vertical { background: #434a52; border-radius: 4px; min-height: 24px; }
@@ -167,7 +176,8 @@ void applyTheme(QApplication& application, Theme theme) {
     setColours(isLight);
     application.setStyle(QStyleFactory::create("Fusion"));
     application.setPalette(paletteOf());
-    application.setStyleSheet(isLight ? lightened(kStyleSheet) : QString(kStyleSheet));
+    application.setStyleSheet(isLight ? lightened(QString(kStyleSheet).replace("-dark.svg", "-light.svg"))
+                                      : QString(kStyleSheet));
 }
 
 } // namespace vs::desktop

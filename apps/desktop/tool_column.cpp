@@ -6,6 +6,8 @@
 #include <QGridLayout>
 #include <QToolButton>
 
+#include <algorithm>
+
 namespace vs::desktop {
 
 namespace {
@@ -26,10 +28,15 @@ void ToolColumn::add(QAction* action) {
     button->setProperty("column", true);
     button->setToolButtonStyle(Qt::ToolButtonTextUnderIcon);
     button->setIconSize(QSize(22, 22));
-    button->setFixedSize(kButton);
+    button->setFixedHeight(kButton.height());
     button->setFocusPolicy(Qt::TabFocus);
+    button->ensurePolished(); // or its text is measured in another font
+    width_ = std::max({width_, kButton.width(), button->sizeHint().width()});
     grid_->addWidget(button, next_ / kColumns, next_ % kColumns);
     ++next_;
+    for (auto* other : findChildren<QToolButton*>()) {
+        other->setFixedWidth(width_); // all as wide as the longest text needs
+    }
 }
 
 void ToolColumn::addSeparator() {

@@ -21,7 +21,8 @@ public:
 
 private:
     QGridLayout* grid_;
-    int next_ = 0; // place in the grid, row by row
+    int next_ = 0;  // place in the grid, row by row
+    int width_ = 0; // of each button
 };
 
 } // namespace vs::desktop

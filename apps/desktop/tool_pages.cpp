@@ -10,6 +10,7 @@
 #include "peel_tool.h"
 #include "scissors_tool.h"
 #include "studio_controller.h"
+#include "texts.h"
 
 #include <QCheckBox>
 #include <QFormLayout>
@@ -21,8 +22,6 @@
 namespace vs::desktop {
 
 namespace {
-
-QString tr(const char* text) { return QObject::tr(text); }
 
 QLabel* addNote(QFormLayout* form, const QString& text) {
     auto* note = makeQuietLabel(text);

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "view_grid.h"
 
+#include "slice_canvas.h"
 #include "studio_controller.h"
+#include "theme.h"
 #include "view_widget.h"
 
+#include <QFocusEvent>
 #include <QGridLayout>
+#include <QPainter>
 
 namespace vs::desktop {
 
@@ -18,16 +22,42 @@ ViewGrid::Arrangement large(render::SliceKind kind) {
 
 ViewGrid::ViewGrid(StudioController& studio, ViewWidget* view, QWidget* parent)
     : QWidget(parent), view_(view), grid_(new QGridLayout(this)) {
-    grid_->setContentsMargins(0, 0, 0, 0);
+    constexpr int kFrame = 2; // where the frame of what has the keyboard is painted
+    grid_->setContentsMargins(kFrame, kFrame, kFrame, kFrame);
     grid_->setSpacing(3);
     grid_->addWidget(view_, 0, 0);
+    view_->installEventFilter(this);
     for (const auto kind : render::kSliceKinds) {
         auto* slice = new SliceWidget(studio, kind, this);
         slice->hide();
+        slice->findChild<SliceCanvas*>()->installEventFilter(this);
         connect(slice, &SliceWidget::enlargeRequested, this, [this, kind] { enlarge(kind); });
         connect(slice, &SliceWidget::penMoved, this,
                 [this, slice, kind] { emit penMoved(kind, slice->canvas().placeUnderPen()); });
         slices_[std::size_t(kind)] = slice;
+    }
+}
+
+// By Tab the keyboard goes where no pointer shows it; a click needs no frame.
+bool ViewGrid::eventFilter(QObject* watched, QEvent* event) {
+    if (event->type() == QEvent::FocusIn || event->type() == QEvent::FocusOut) {
+        const auto reason = static_cast<QFocusEvent*>(event)->reason();
+        const bool isShown = event->type() == QEvent::FocusIn &&
+                             (reason == Qt::TabFocusReason || reason == Qt::BacktabFocusReason);
+        auto* widget = qobject_cast<QWidget*>(watched);
+        framed_ = !isShown          ? nullptr
+                  : widget == view_ ? widget
+                                    : widget->parentWidget(); // a slice with its header
+        update();
+    }
+    return QWidget::eventFilter(watched, event);
+}
+
+void ViewGrid::paintEvent(QPaintEvent*) {
+    if (framed_ != nullptr && framed_->isVisible()) {
+        QPainter painter(this);
+        const QRect around(framed_->mapTo(this, QPoint(0, 0)), framed_->size());
+        painter.fillRect(around.adjusted(-2, -2, 2, 2), theme::kAccent);
     }
 }
 

@@ -3,6 +3,7 @@
 
 #include "slice_widget.h"
 
+#include <QPointer>
 #include <QWidget>
 
 #include <array>
@@ -30,6 +31,10 @@ public:
     // One slice large, or all the same size again if it was.
     void enlarge(render::SliceKind kind);
 
+protected:
+    bool eventFilter(QObject* watched, QEvent* event) override;
+    void paintEvent(QPaintEvent* event) override;
+
 signals:
     void arranged();
     // A pen is over a slice (mm on its picture), or has left it (nothing).
@@ -40,6 +45,7 @@ private:
     std::array<SliceWidget*, 3> slices_{};
     QGridLayout* grid_;
     Arrangement arrangement_ = Arrangement::Only3D;
+    QPointer<QWidget> framed_; // has the keyboard, which came by Tab
 };
 
 } // namespace vs::desktop

@@ -21,9 +21,12 @@ ViewRays viewRays(const Camera& camera, const volume::GridGeometry& geometry, gl
     // LPS: x left, y posterior, z superior. The face looks along -y.
     const glm::dvec3 toEye{std::sin(azimuth) * std::cos(elevation), -std::cos(azimuth) * std::cos(elevation),
                            std::sin(elevation)};
-    const glm::dvec3 up{-std::sin(azimuth) * std::sin(elevation), std::cos(azimuth) * std::sin(elevation),
-                        std::cos(elevation)};
-    const glm::dvec3 right{std::cos(azimuth), std::sin(azimuth), 0};
+    const glm::dvec3 upright{-std::sin(azimuth) * std::sin(elevation),
+                             std::cos(azimuth) * std::sin(elevation), std::cos(elevation)};
+    const glm::dvec3 level{std::cos(azimuth), std::sin(azimuth), 0};
+    const double roll = glm::radians(camera.rollDegrees);
+    const glm::dvec3 up = std::cos(roll) * upright - std::sin(roll) * level;
+    const glm::dvec3 right = std::sin(roll) * upright + std::cos(roll) * level;
 
     const double aspect = double(size.x) / double(size.y);
     const double radius = kFrame * 0.5 * geometry.diagonalMm() / camera.zoom;

@@ -17,6 +17,7 @@ struct Camera {
     double zoom = 1;
     glm::dvec2 panMm{0}; // target moved right and up in the picture plane
     Projection projection = Projection::Perspective;
+    double rollDegrees = 0; // about the line of sight; positive turns the picture clockwise
 
     bool operator==(const Camera&) const = default;
 };

@@ -25,10 +25,11 @@ glm::dvec2 readPoint(const JsonReader& reader) {
 }
 
 render::Camera readCamera(const JsonReader& reader) {
-    reader.allow({"azimuth", "elevation", "zoom", "pan", "projection"});
+    reader.allow({"azimuth", "elevation", "roll", "zoom", "pan", "projection"});
     render::Camera camera;
     reader.ifHas("azimuth", [&](const JsonReader& r) { camera.azimuthDegrees = r.number(); });
     reader.ifHas("elevation", [&](const JsonReader& r) { camera.elevationDegrees = r.number(); });
+    reader.ifHas("roll", [&](const JsonReader& r) { camera.rollDegrees = r.number(); });
     reader.ifHas("zoom", [&](const JsonReader& r) { camera.zoom = r.numberBetween(1e-3, 1e3); });
     reader.ifHas("pan", [&](const JsonReader& r) { camera.panMm = readPoint(r); });
     reader.ifHas("projection", [&](const JsonReader& r) {
@@ -150,6 +151,7 @@ Json toJson(const Range& range) { return pair(range.lo, range.hi); }
 Json toJson(const render::Camera& camera) {
     return {{"azimuth", camera.azimuthDegrees},
             {"elevation", camera.elevationDegrees},
+            {"roll", camera.rollDegrees},
             {"zoom", camera.zoom},
             {"pan", pair(camera.panMm.x, camera.panMm.y)},
             {"projection", kProjections[std::size_t(camera.projection)]}};

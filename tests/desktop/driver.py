@@ -35,9 +35,10 @@ class Display:
             number = answer.readline().strip()
         need(number, "Xvfb did not start")
         self.environment = dict(os.environ, DISPLAY=f":{number}", QT_QPA_PLATFORM="xcb")
-        # Neither the person's desktop theme nor its scale may change what is clicked on.
+        # Neither the person's desktop theme, its scale nor its language may change what is clicked on.
         for name in ("QT_QPA_PLATFORMTHEME", "QT_STYLE_OVERRIDE", "QT_SCALE_FACTOR", "XDG_CURRENT_DESKTOP"):
             self.environment.pop(name, None)
+        self.environment.update(LC_ALL="C.UTF-8", LANGUAGE="")
 
     def close(self):
         self.server.terminate()

@@ -26,9 +26,19 @@ TEST(Camera, PositiveAnglesMoveTheViewerLeftAndUp) {
     EXPECT_GT(viewRays(camera, kGrid, {100, 100}).eye.z, kGrid.centreWorld().z + 50);
 }
 
+TEST(Camera, RollTurnsThePictureClockwiseAboutItsMiddle) {
+    Camera camera;
+    camera.rollDegrees = 90;
+    const ViewRays rays = viewRays(camera, kGrid, {200, 200});
+    const auto centre = kGrid.centreWorld();
+    EXPECT_GT(rays.project(centre + glm::dvec3(0, 0, 10)).x, 101) << "superior goes to the right";
+    EXPECT_GT(rays.project(centre + glm::dvec3(10, 0, 0)).y, 101) << "the patient's left goes down";
+    EXPECT_NEAR(glm::length(rays.project(centre) - glm::dvec2(100)), 0, 1e-9);
+}
+
 TEST(Camera, RaysAndProjectionAreInverse) {
     for (const auto projection : {Projection::Perspective, Projection::Orthographic}) {
-        Camera camera{33, -21, 1.7, {5, -8}, projection};
+        Camera camera{33, -21, 1.7, {5, -8}, projection, 40};
         const ViewRays rays = viewRays(camera, kGrid, {321, 123});
         for (const glm::dvec2 pixel : {glm::dvec2{0.5, 0.5}, {160.5, 61.5}, {300, 20}}) {
             const auto ray = rays.through(pixel);

@@ -1,0 +1,20 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QLabel>
+
+namespace vs::desktop {
+
+// The line of hints below the picture: two lines where it is narrow, whatever it says, so that a new hint
+// never changes the picture's size.
+class HintLine : public QLabel {
+public:
+    HintLine();
+    // Its tip says it too, for the longest ones in the narrowest windows.
+    void say(const QString& hint);
+
+protected:
+    void resizeEvent(QResizeEvent* event) override;
+};
+
+} // namespace vs::desktop

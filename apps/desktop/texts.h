@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QCoreApplication>
+#include <QString>
+
+namespace vs::desktop {
+
+// Texts of functions that belong to no QObject, in the person's language. The context is the one in which
+// lupdate files them.
+inline QString tr(const char* text) { return QCoreApplication::translate("vs::desktop", text); }
+
+} // namespace vs::desktop

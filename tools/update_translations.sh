@@ -1,0 +1,11 @@
+#!/usr/bin/env bash
+# Brings translations/*.ts up to date with the texts in the window's sources; new ones are marked unfinished until somebody
+# translates them (doc/translating.md). `tools/update_translations.sh FILE.ts` updates another file: a copy, for tests.
+set -euo pipefail
+ROOT=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+for lupdate in /usr/lib/qt6/bin/lupdate lupdate6 lupdate; do
+  command -v "$lupdate" >/dev/null && break
+done
+cd "$ROOT/apps/desktop"
+"$lupdate" -silent -no-obsolete -locations none -source-language en -target-language de . -ts "${1:-$ROOT/translations/volume-studio_de.ts}" \
+  2> >(grep -v "lacks Q_OBJECT macro" >&2)

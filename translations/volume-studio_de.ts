@@ -1,0 +1,4017 @@
+<?xml version="1.0" encoding="utf-8"?>
+<!DOCTYPE TS>
+<TS version="2.1" language="de" sourcelanguage="en">
+<context>
+    <name>library</name>
+    <message>
+        <source>view</source>
+        <translation>Ansicht</translation>
+    </message>
+    <message>
+        <source>peel</source>
+        <translation>Schälen</translation>
+    </message>
+    <message>
+        <source>drill</source>
+        <translation>Bohren</translation>
+    </message>
+    <message>
+        <source>laser</source>
+        <translation>Laser</translation>
+    </message>
+    <message>
+        <source>sweep</source>
+        <translation>Austragen</translation>
+    </message>
+    <message>
+        <source>scissors</source>
+        <translation>Schere</translation>
+    </message>
+    <message>
+        <source>clip</source>
+        <translation>Beschneiden</translation>
+    </message>
+    <message>
+        <source>keep connected</source>
+        <translation>Verbundenes behalten</translation>
+    </message>
+    <message>
+        <source>paste</source>
+        <translation>Einfügen</translation>
+    </message>
+    <message>
+        <source>move part</source>
+        <translation>Teil bewegen</translation>
+    </message>
+    <message>
+        <source>seed</source>
+        <translation>Säen</translation>
+    </message>
+    <message>
+        <source>grow</source>
+        <translation>Wachsen</translation>
+    </message>
+    <message>
+        <source>rewind</source>
+        <translation>Rückwärts</translation>
+    </message>
+    <message>
+        <source>show generation</source>
+        <translation>Generation zeigen</translation>
+    </message>
+    <message>
+        <source>growth rules</source>
+        <translation>Wachstumsregeln</translation>
+    </message>
+    <message>
+        <source>absorb</source>
+        <translation>Absorbieren</translation>
+    </message>
+    <message>
+        <source>segment</source>
+        <translation>Segment</translation>
+    </message>
+    <message>
+        <source>load labels</source>
+        <translation>Labels laden</translation>
+    </message>
+    <message>
+        <source>remove segment</source>
+        <translation>Segment entfernen</translation>
+    </message>
+    <message>
+        <source>edit segment</source>
+        <translation>Segment bearbeiten</translation>
+    </message>
+    <message>
+        <source>brush segment</source>
+        <translation>Segment formen</translation>
+    </message>
+    <message>
+        <source>paint segment</source>
+        <translation>Segment malen</translation>
+    </message>
+    <message>
+        <source>cut segment</source>
+        <translation>Segment schneiden</translation>
+    </message>
+    <message>
+        <source>undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>un-cut</source>
+        <translation>Schnitte aufheben</translation>
+    </message>
+    <message>
+        <source>re-seed</source>
+        <translation>Neu säen</translation>
+    </message>
+    <message>
+        <source>picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>labels</source>
+        <translation>Labels</translation>
+    </message>
+    <message>
+        <source>sculpture</source>
+        <translation>Skulptur</translation>
+    </message>
+    <message>
+        <source>keep island</source>
+        <translation>Insel behalten</translation>
+    </message>
+    <message>
+        <source>drop island</source>
+        <translation>Insel verwerfen</translation>
+    </message>
+    <message>
+        <source>keep largest</source>
+        <translation>größtes Teil behalten</translation>
+    </message>
+    <message>
+        <source>drop small</source>
+        <translation>kleine Teile verwerfen</translation>
+    </message>
+    <message>
+        <source>fill holes</source>
+        <translation>Löcher füllen</translation>
+    </message>
+    <message>
+        <source>margin</source>
+        <translation>Rand</translation>
+    </message>
+    <message>
+        <source>open</source>
+        <translation>öffnen</translation>
+    </message>
+    <message>
+        <source>close</source>
+        <translation>schließen</translation>
+    </message>
+    <message>
+        <source>smooth</source>
+        <translation>glätten</translation>
+    </message>
+    <message>
+        <source>hollow</source>
+        <translation>aushöhlen</translation>
+    </message>
+    <message>
+        <source>unite</source>
+        <translation>vereinigen</translation>
+    </message>
+    <message>
+        <source>subtract</source>
+        <translation>abziehen</translation>
+    </message>
+    <message>
+        <source>intersect</source>
+        <translation>schneiden</translation>
+    </message>
+    <message>
+        <source>%1 voxels changed</source>
+        <translation>%1 Voxel geändert</translation>
+    </message>
+    <message>
+        <source>%1 voxels added</source>
+        <translation>%1 Voxel hinzugefügt</translation>
+    </message>
+    <message>
+        <source>%1 voxels removed</source>
+        <translation>%1 Voxel entfernt</translation>
+    </message>
+    <message>
+        <source>%1 voxels seeded</source>
+        <translation>%1 Voxel gesät</translation>
+    </message>
+    <message>
+        <source>%1 voxels seeded, %2 refused (outside the grid or the range, cut away, or another segment&apos;s)</source>
+        <translation>%1 Voxel gesät, %2 abgelehnt (außerhalb von Gitter oder Bereich, weggeschnitten oder in einem anderen Segment)</translation>
+    </message>
+    <message>
+        <source>%1 voxels absorbed in %2 expansions</source>
+        <translation>%1 Voxel in %2 Ausdehnungen absorbiert</translation>
+    </message>
+    <message>
+        <source>%1 voxels, %2 ml; %3 before</source>
+        <translation>%1 Voxel, %2 ml; vorher %3</translation>
+    </message>
+    <message>
+        <source>%1 generation; %2 voxels, %3 ml</source>
+        <translation>%1 Generation; %2 Voxel, %3 ml</translation>
+    </message>
+    <message>
+        <source>%1 generations; %2 voxels, %3 ml</source>
+        <translation>%1 Generationen; %2 Voxel, %3 ml</translation>
+    </message>
+    <message>
+        <source>%1 generation back; %2 voxels, %3 ml</source>
+        <translation>%1 Generation zurück; %2 Voxel, %3 ml</translation>
+    </message>
+    <message>
+        <source>%1 generations back; %2 voxels, %3 ml</source>
+        <translation>%1 Generationen zurück; %2 Voxel, %3 ml</translation>
+    </message>
+    <message>
+        <source>growing in %1 to %2; %3 voxels</source>
+        <translation>wächst in %1 bis %2; %3 Voxel</translation>
+    </message>
+    <message>
+        <source>part %1 pasted</source>
+        <translation>Teil %1 eingefügt</translation>
+    </message>
+    <message>
+        <source>part %1 moved</source>
+        <translation>Teil %1 bewegt</translation>
+    </message>
+    <message>
+        <source>%1 segment, %2 voxels</source>
+        <translation>%1 Segment, %2 Voxel</translation>
+    </message>
+    <message>
+        <source>%1 segments, %2 voxels</source>
+        <translation>%1 Segmente, %2 Voxel</translation>
+    </message>
+    <message>
+        <source>at work on %1</source>
+        <translation>arbeitet an %1</translation>
+    </message>
+    <message>
+        <source>%1 changed</source>
+        <translation>%1 geändert</translation>
+    </message>
+    <message>
+        <source>%1 removed</source>
+        <translation>%1 entfernt</translation>
+    </message>
+    <message>
+        <source>undone</source>
+        <translation>rückgängig gemacht</translation>
+    </message>
+    <message>
+        <source>redone</source>
+        <translation>wiederholt</translation>
+    </message>
+    <message>
+        <source>all cuts cleared</source>
+        <translation>alle Schnitte aufgehoben</translation>
+    </message>
+    <message>
+        <source>segmentation cleared</source>
+        <translation>Segmentierung geleert</translation>
+    </message>
+    <message>
+        <source>nothing was cut: nothing visible lies there that was not cut already</source>
+        <translation>nichts wurde geschnitten: dort liegt nichts Sichtbares, das nicht schon geschnitten war</translation>
+    </message>
+    <message>
+        <source>nothing was restored: nothing was cut away there</source>
+        <translation>nichts wurde aufgefüllt: dort war nichts weggeschnitten</translation>
+    </message>
+    <message>
+        <source>nothing seeded: no voxel in range lies under the stroke</source>
+        <translation>nichts gesät: unter dem Strich liegt kein Voxel im Bereich</translation>
+    </message>
+    <message>
+        <source>nothing absorbed: the stroke does not lie on the segment</source>
+        <translation>nichts absorbiert: der Strich liegt nicht auf dem Segment</translation>
+    </message>
+    <message>
+        <source>nothing changed: no voxel lies under the brush</source>
+        <translation>nichts geändert: unter dem Pinsel liegt kein Voxel</translation>
+    </message>
+    <message>
+        <source>nothing changed: no voxel under the brush could be added or removed</source>
+        <translation>nichts geändert: unter dem Pinsel ließ sich kein Voxel hinzufügen oder entfernen</translation>
+    </message>
+    <message>
+        <source>nothing changed: the stroke does not reach the segment&apos;s surface</source>
+        <translation>nichts geändert: der Strich reicht nicht an die Oberfläche des Segments</translation>
+    </message>
+    <message>
+        <source>CT bone</source>
+        <translation>CT-Knochen</translation>
+    </message>
+    <message>
+        <source>Skeleton alone; Hounsfield units</source>
+        <translation>Nur das Skelett; Hounsfield-Einheiten</translation>
+    </message>
+    <message>
+        <source>CT bone, surfaces</source>
+        <translation>CT-Knochen, Oberflächen</translation>
+    </message>
+    <message>
+        <source>Bone&apos;s surface by its steep edge, marrow faint inside; Hounsfield units</source>
+        <translation>Knochenoberfläche an ihrer steilen Kante, Mark zart darin; Hounsfield-Einheiten</translation>
+    </message>
+    <message>
+        <source>CT skin</source>
+        <translation>CT-Haut</translation>
+    </message>
+    <message>
+        <source>The skin&apos;s surface, opaque; Hounsfield units</source>
+        <translation>Die Oberfläche der Haut, deckend; Hounsfield-Einheiten</translation>
+    </message>
+    <message>
+        <source>CT skin, muscle and bone</source>
+        <translation>CT-Haut, Muskel, Knochen</translation>
+    </message>
+    <message>
+        <source>Skin as a thin veil, muscle and bone by their edges; Hounsfield units</source>
+        <translation>Haut als dünner Schleier, Muskel und Knochen an ihren Kanten; Hounsfield-Einheiten</translation>
+    </message>
+    <message>
+        <source>CT soft tissue</source>
+        <translation>CT-Weichteile</translation>
+    </message>
+    <message>
+        <source>Muscle and organs, a veil of fat, bone behind; Hounsfield units</source>
+        <translation>Muskeln und Organe, ein Schleier aus Fett, Knochen dahinter; Hounsfield-Einheiten</translation>
+    </message>
+    <message>
+        <source>CT vessels</source>
+        <translation>CT-Gefäße</translation>
+    </message>
+    <message>
+        <source>Vessels filled with contrast medium, bone as a pale shell; Hounsfield units</source>
+        <translation>Gefäße mit Kontrastmittel, Knochen als blasse Schale; Hounsfield-Einheiten</translation>
+    </message>
+    <message>
+        <source>Edges</source>
+        <translation>Kanten</translation>
+    </message>
+    <message>
+        <source>Boundaries of any kind: the steeper, the denser; follows the gradients</source>
+        <translation>Grenzen aller Art: je steiler, desto dichter; folgt den Gradienten</translation>
+    </message>
+    <message>
+        <source>Grey ramp</source>
+        <translation>Graurampe</translation>
+    </message>
+    <message>
+        <source>Every value, evenly: grey and opacity rise together; follows the histogram</source>
+        <translation>Jeder Wert gleichmäßig: Grau und Deckkraft steigen zusammen; folgt dem Histogramm</translation>
+    </message>
+    <message>
+        <source>Microscopy</source>
+        <translation>Mikroskopie</translation>
+    </message>
+    <message>
+        <source>Fluorescence: bright is dense and glows; follows the histogram</source>
+        <translation>Fluoreszenz: Helles ist dicht und leuchtet; folgt dem Histogramm</translation>
+    </message>
+    <message>
+        <source>MR angiography</source>
+        <translation>MR-Angiographie</translation>
+    </message>
+    <message>
+        <source>Bright vessels from time-of-flight or contrast MR; follows the histogram</source>
+        <translation>Helle Gefäße aus Time-of-Flight- oder Kontrast-MR; folgt dem Histogramm</translation>
+    </message>
+    <message>
+        <source>MR T1, skin and brain</source>
+        <translation>MR T1, Haut und Hirn</translation>
+    </message>
+    <message>
+        <source>Skin as a veil by its edge, grey and white matter by their values; follows the histogram</source>
+        <translation>Haut als Schleier an ihrer Kante, graue und weiße Substanz nach ihren Werten; folgt dem Histogramm</translation>
+    </message>
+    <message>
+        <source>MR T1 head</source>
+        <translation>MR T1, Kopf</translation>
+    </message>
+    <message>
+        <source>Head from T1-weighted MR, nearly opaque: a cut shows grey and white matter; follows the histogram</source>
+        <translation>Kopf aus T1-gewichtetem MR, fast deckend: ein Schnitt zeigt graue und weiße Substanz; folgt dem Histogramm</translation>
+    </message>
+    <message>
+        <source>grey</source>
+        <translation>Grau</translation>
+    </message>
+    <message>
+        <source>black to white</source>
+        <translation>Schwarz bis Weiß</translation>
+    </message>
+    <message>
+        <source>ivory</source>
+        <translation>Elfenbein</translation>
+    </message>
+    <message>
+        <source>bone: umber shadows to ivory</source>
+        <translation>Knochen: umbrabraune Schatten bis Elfenbein</translation>
+    </message>
+    <message>
+        <source>ember</source>
+        <translation>Glut</translation>
+    </message>
+    <message>
+        <source>night, embers, flame</source>
+        <translation>Nacht, Glut, Flamme</translation>
+    </message>
+    <message>
+        <source>marine</source>
+        <translation>Meer</translation>
+    </message>
+    <message>
+        <source>deep sea to foam</source>
+        <translation>Tiefsee bis Gischt</translation>
+    </message>
+    <message>
+        <source>flesh</source>
+        <translation>Fleisch</translation>
+    </message>
+    <message>
+        <source>muscle to pale skin</source>
+        <translation>Muskel bis helle Haut</translation>
+    </message>
+    <message>
+        <source>vessel</source>
+        <translation>Gefäß</translation>
+    </message>
+    <message>
+        <source>dark blood to bright blood</source>
+        <translation>dunkles bis helles Blut</translation>
+    </message>
+    <message>
+        <source>tide</source>
+        <translation>Gezeiten</translation>
+    </message>
+    <message>
+        <source>blue below, orange above, pale in the middle</source>
+        <translation>unten blau, oben orange, in der Mitte blass</translation>
+    </message>
+    <message>
+        <source>A head, magnetic resonance</source>
+        <translation>Ein Kopf, Magnetresonanz</translation>
+    </message>
+    <message>
+        <source>The same head, sharper</source>
+        <translation>Derselbe Kopf, schärfer</translation>
+    </message>
+    <message>
+        <source>Its brain alone</source>
+        <translation>Nur sein Gehirn</translation>
+    </message>
+    <message>
+        <source>A macaque&apos;s brain</source>
+        <translation>Das Gehirn eines Makaken</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop</name>
+    <message>
+        <source>Face of the clip box, in voxels from the grid&apos;s border</source>
+        <translation>Fläche des Schnittquaders, in Voxeln vom Rand des Gitters</translation>
+    </message>
+    <message>
+        <source>Face the viewer</source>
+        <translation>Zum Betrachter</translation>
+    </message>
+    <message>
+        <source>A clip plane that faces the viewer</source>
+        <translation>Eine Schnittebene, die zum Betrachter zeigt</translation>
+    </message>
+    <message>
+        <source>Clips before a plane across the view; turn the volume and press again to turn it along</source>
+        <translation>Schneidet vor einer Ebene quer zur Blickrichtung; Volumen drehen und noch einmal drücken, um sie mitzudrehen</translation>
+    </message>
+    <message>
+        <source>No plane</source>
+        <translation>Keine Ebene</translation>
+    </message>
+    <message>
+        <source>No clip plane</source>
+        <translation>Keine Schnittebene</translation>
+    </message>
+    <message>
+        <source>Place of the clip plane before the centre, in mm</source>
+        <translation>Lage der Schnittebene vor der Mitte, in mm</translation>
+    </message>
+    <message>
+        <source>Plane</source>
+        <translation>Ebene</translation>
+    </message>
+    <message>
+        <source>Outside</source>
+        <translation>Außen</translation>
+    </message>
+    <message>
+        <source>What is outside the box, or before the plane, goes</source>
+        <translation>Was außerhalb des Quaders oder vor der Ebene liegt, fällt weg</translation>
+    </message>
+    <message>
+        <source>Inside</source>
+        <translation>Innen</translation>
+    </message>
+    <message>
+        <source>What is inside goes instead</source>
+        <translation>Stattdessen fällt weg, was innen liegt</translation>
+    </message>
+    <message>
+        <source>Takes</source>
+        <translation>Nimmt weg</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>The whole grid again, no plane</source>
+        <translation>Wieder das ganze Gitter, ohne Ebene</translation>
+    </message>
+    <message>
+        <source>Difference</source>
+        <translation>Differenz</translation>
+    </message>
+    <message>
+        <source>Signed difference of intensity from a voxel to the next: new minus old</source>
+        <translation>Intensitätsunterschied von einem Voxel zum nächsten, mit Vorzeichen: neu minus alt</translation>
+    </message>
+    <message>
+        <source>Gradient</source>
+        <translation>Gradient</translation>
+    </message>
+    <message>
+        <source>Magnitude of the gradient, in intensity per mm</source>
+        <translation>Betrag des Gradienten, in Intensität je mm</translation>
+    </message>
+    <message>
+        <source>Gradient diff.</source>
+        <translation>Gradientendiff.</translation>
+    </message>
+    <message>
+        <source>Signed difference of the gradient&apos;s magnitude from a voxel to the next</source>
+        <translation>Unterschied des Gradientenbetrags von einem Voxel zum nächsten, mit Vorzeichen</translation>
+    </message>
+    <message>
+        <source>Distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>Between two places, in mm</source>
+        <translation>Zwischen zwei Stellen, in mm</translation>
+    </message>
+    <message>
+        <source>Angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>At the second of three places, in degrees</source>
+        <translation>An der zweiten von drei Stellen, in Grad</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>What was measured</source>
+        <translation>Was gemessen wurde</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>Delete last</source>
+        <translation>Letzte löschen</translation>
+    </message>
+    <message>
+        <source>Delete the last measurement</source>
+        <translation>Die letzte Messung löschen</translation>
+    </message>
+    <message>
+        <source>Delete all</source>
+        <translation>Alle löschen</translation>
+    </message>
+    <message>
+        <source>Delete all measurements</source>
+        <translation>Alle Messungen löschen</translation>
+    </message>
+    <message>
+        <source>none yet</source>
+        <translation>noch keine</translation>
+    </message>
+    <message>
+        <source>%1 mm</source>
+        <translation>%1 mm</translation>
+    </message>
+    <message>
+        <source>Reshape a 3D scan with a pen, on the rendered picture itself.</source>
+        <translation>Formt einen 3D-Scan mit dem Stift um, auf dem gerenderten Bild selbst.</translation>
+    </message>
+    <message>
+        <source>Volume to open (a file or a DICOM folder), or a session (.json).</source>
+        <translation>Zu öffnendes Volumen (eine Datei oder ein DICOM-Ordner) oder eine Sitzung (.json).</translation>
+    </message>
+    <message>
+        <source>Session to open and replay; FILE, if given, replaces its volume.</source>
+        <translation>Zu öffnende und nachzuspielende Sitzung; FILE ersetzt, falls angegeben, deren Volumen.</translation>
+    </message>
+    <message>
+        <source>FILE has no header: DIMS:TYPE[:SPACING[:OFFSET]].</source>
+        <translation>FILE hat keinen Dateikopf: DIMS:TYPE[:SPACING[:OFFSET]].</translation>
+    </message>
+    <message>
+        <source>Which DICOM series of a folder: its UID or its number.</source>
+        <translation>Welche DICOM-Serie eines Ordners: ihre UID oder ihre Nummer.</translation>
+    </message>
+    <message>
+        <source>Which volume of a 4D file, counted from 0.</source>
+        <translation>Welches Volumen einer 4D-Datei, gezählt ab 0.</translation>
+    </message>
+    <message>
+        <source>For tests and automation: keep PATH up to date with a JSON object of the program&apos;s state (&quot;idle&quot;, &quot;tool&quot;, &quot;mode&quot;, &quot;generation&quot;, &quot;voxels&quot;, &quot;operations&quot;, &quot;message&quot;, &quot;pictureComplete&quot; ...) and the rectangle [x, y, width, height] of the picture (&quot;viewRect&quot;) and of each named button and field (&quot;widgets&quot;) in pixels of the screen. It is replaced as a whole whenever something changes.</source>
+        <translation>Für Tests und Automatisierung: PATH als JSON-Objekt mit dem Zustand des Programms auf dem neuesten Stand halten (&quot;idle&quot;, &quot;tool&quot;, &quot;mode&quot;, &quot;generation&quot;, &quot;voxels&quot;, &quot;operations&quot;, &quot;message&quot;, &quot;pictureComplete&quot; ...), dazu das Rechteck [x, y, Breite, Höhe] des Bildes (&quot;viewRect&quot;) und jedes benannten Knopfes und Feldes (&quot;widgets&quot;) in Bildschirmpixeln. Es wird bei jeder Änderung als Ganzes ersetzt.</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>What is painted joins the segment at work</source>
+        <translation>Was bemalt wird, kommt zum aktiven Segment</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>What is painted leaves it</source>
+        <translation>Was bemalt wird, fällt heraus</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation>Pinsel</translation>
+    </message>
+    <message>
+        <source>Disc</source>
+        <translation>Scheibe</translation>
+    </message>
+    <message>
+        <source>Paints on the slice that is drawn on alone</source>
+        <translation>Malt nur auf der Schicht, auf der gezeichnet wird</translation>
+    </message>
+    <message>
+        <source>Ball</source>
+        <translation>Kugel</translation>
+    </message>
+    <message>
+        <source>Reaches into the slices around it, as far as it is wide</source>
+        <translation>Reicht so weit in die Nachbarschichten, wie sie breit ist</translation>
+    </message>
+    <message>
+        <source>Shape</source>
+        <translation>Form</translation>
+    </message>
+    <message>
+        <source>Radius of the brush, in mm</source>
+        <translation>Radius des Pinsels, in mm</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>Only in range</source>
+        <translation>Nur im Bereich</translation>
+    </message>
+    <message>
+        <source>Leaves voxels alone whose intensity growth would refuse</source>
+        <translation>Lässt Voxel aus, deren Intensität das Wachstum nicht zuließe</translation>
+    </message>
+    <message>
+        <source>A session to replay</source>
+        <translation>Eine Sitzung zum Nachspielen</translation>
+    </message>
+    <message>
+        <source>Made from nothing</source>
+        <translation>Aus dem Nichts gemacht</translation>
+    </message>
+    <message>
+        <source>its volume %1 is not there</source>
+        <translation>das Volumen %1 dazu fehlt</translation>
+    </message>
+    <message>
+        <source>Grow or shrink by a margin</source>
+        <translation>Rand zugeben oder nehmen</translation>
+    </message>
+    <message>
+        <source>Grows by so much all around; below zero it shrinks.</source>
+        <translation>Wächst ringsum um so viel; unter null schrumpft es.</translation>
+    </message>
+    <message>
+        <source>Smooth</source>
+        <translation>Glätten</translation>
+    </message>
+    <message>
+        <source>Rounds what is rougher than this.</source>
+        <translation>Rundet, was rauer ist als dies.</translation>
+    </message>
+    <message>
+        <source>Fill holes</source>
+        <translation>Löcher füllen</translation>
+    </message>
+    <message>
+        <source>Fills what is enclosed, up to this size; 0 fills all.</source>
+        <translation>Füllt Eingeschlossenes bis zu dieser Größe; 0 füllt alles.</translation>
+    </message>
+    <message>
+        <source>Open: cut thin bridges</source>
+        <translation>Öffnen: Brücken kappen</translation>
+    </message>
+    <message>
+        <source>Shrinks, then grows: what is thinner than twice this goes.</source>
+        <translation>Schrumpft, dann wächst es: was dünner ist als das Doppelte, fällt weg.</translation>
+    </message>
+    <message>
+        <source>Close: bridge gaps</source>
+        <translation>Schließen: Lücken füllen</translation>
+    </message>
+    <message>
+        <source>Grows, then shrinks: gaps narrower than twice this are filled.</source>
+        <translation>Wächst, dann schrumpft es: Lücken, enger als das Doppelte, werden gefüllt.</translation>
+    </message>
+    <message>
+        <source>Hollow</source>
+        <translation>Aushöhlen</translation>
+    </message>
+    <message>
+        <source>Leaves a wall of this thickness inside the surface.</source>
+        <translation>Lässt unter der Oberfläche eine Wand dieser Dicke.</translation>
+    </message>
+    <message>
+        <source>Drop or keep the part clicked</source>
+        <translation>Angeklicktes Teil wählen</translation>
+    </message>
+    <message>
+        <source>Click parts in the picture: each is dropped or, with R, kept alone.</source>
+        <translation>Teile im Bild anklicken: jedes fällt weg oder bleibt, mit R, als einziges.</translation>
+    </message>
+    <message>
+        <source>Keep the largest part</source>
+        <translation>Größtes Teil behalten</translation>
+    </message>
+    <message>
+        <source>Drops all parts that are not connected to the largest.</source>
+        <translation>Verwirft alle Teile, die nicht mit dem größten verbunden sind.</translation>
+    </message>
+    <message>
+        <source>Drop small parts</source>
+        <translation>Kleine Teile verwerfen</translation>
+    </message>
+    <message>
+        <source>Drops connected parts smaller than this.</source>
+        <translation>Verwirft verbundene Teile, die kleiner sind als dies.</translation>
+    </message>
+    <message>
+        <source>Unite with another</source>
+        <translation>Mit anderem vereinigen</translation>
+    </message>
+    <message>
+        <source>Takes in all of the other, which is left empty.</source>
+        <translation>Nimmt das andere ganz auf, das leer zurückbleibt.</translation>
+    </message>
+    <message>
+        <source>Subtract another</source>
+        <translation>Anderes abziehen</translation>
+    </message>
+    <message>
+        <source>Takes away what lies within this distance of the other.</source>
+        <translation>Nimmt weg, was näher als dieser Abstand am anderen liegt.</translation>
+    </message>
+    <message>
+        <source>Intersect with another</source>
+        <translation>Mit anderem schneiden</translation>
+    </message>
+    <message>
+        <source>Keeps only what lies within this distance of the other.</source>
+        <translation>Behält nur, was näher als dieser Abstand am anderen liegt.</translation>
+    </message>
+    <message>
+        <source>Cut it away from the scan</source>
+        <translation>Aus dem Scan ausschneiden</translation>
+    </message>
+    <message>
+        <source>Cuts the segment out of the scan, with this margin around it.</source>
+        <translation>Schneidet das Segment mit diesem Rand aus dem Scan heraus.</translation>
+    </message>
+    <message>
+        <source>Cut away all but it</source>
+        <translation>Alles andere wegschneiden</translation>
+    </message>
+    <message>
+        <source>Cuts everything else away, but for this margin around it.</source>
+        <translation>Schneidet bis auf diesen Rand alles andere weg.</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Säen</translation>
+    </message>
+    <message>
+        <source>Strokes are what the segment grows from (R)</source>
+        <translation>Aus den Strichen wächst das Segment (R)</translation>
+    </message>
+    <message>
+        <source>Absorb</source>
+        <translation>Absorbieren</translation>
+    </message>
+    <message>
+        <source>Strokes take the segment away, from there outward (R)</source>
+        <translation>Striche nehmen das Segment weg, von dort nach außen (R)</translation>
+    </message>
+    <message>
+        <source>Width of the seed stroke, in pixels</source>
+        <translation>Breite des Saatstrichs, in Pixeln</translation>
+    </message>
+    <message>
+        <source>Stroke width</source>
+        <translation>Strichbreite</translation>
+    </message>
+    <message>
+        <source>%1 px</source>
+        <translation>%1 px</translation>
+    </message>
+    <message>
+        <source>Drop</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>What is connected to the place clicked goes (R)</source>
+        <translation>Was mit der angeklickten Stelle verbunden ist, fällt weg (R)</translation>
+    </message>
+    <message>
+        <source>Keep only</source>
+        <translation>Nur behalten</translation>
+    </message>
+    <message>
+        <source>What is not connected to the place clicked goes (R)</source>
+        <translation>Was nicht mit der angeklickten Stelle verbunden ist, fällt weg (R)</translation>
+    </message>
+    <message>
+        <source>Move the picture</source>
+        <translation>Bild verschieben</translation>
+    </message>
+    <message>
+        <source>Middle button</source>
+        <translation>Mittlere Taste</translation>
+    </message>
+    <message>
+        <source>Shift+Drag</source>
+        <translation>Umschalt+Ziehen</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Zoomen</translation>
+    </message>
+    <message>
+        <source>Wheel</source>
+        <translation>Rad</translation>
+    </message>
+    <message>
+        <source>Right button</source>
+        <translation>Rechte Taste</translation>
+    </message>
+    <message>
+        <source>Do what is prepared</source>
+        <translation>Vorbereitetes ausführen</translation>
+    </message>
+    <message>
+        <source>Enter</source>
+        <translation>Eingabe</translation>
+    </message>
+    <message>
+        <source>Restore while it is held</source>
+        <translation>Auffüllen, solange gehalten</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <translation>R</translation>
+    </message>
+    <message>
+        <source>Axial</source>
+        <translation>Axial</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>Koronal</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>Sagittal</translation>
+    </message>
+    <message>
+        <source>today %1</source>
+        <translation>heute %1</translation>
+    </message>
+    <message>
+        <source>yesterday</source>
+        <translation>gestern</translation>
+    </message>
+    <message>
+        <source>On the surface</source>
+        <translation>Auf der Oberfläche</translation>
+    </message>
+    <message>
+        <source>Draw the way on the surface</source>
+        <translation>Den Weg auf die Oberfläche zeichnen</translation>
+    </message>
+    <message>
+        <source>Across the view</source>
+        <translation>Quer zum Blick</translation>
+    </message>
+    <message>
+        <source>Draw the way in the plane across the view</source>
+        <translation>Den Weg in der Ebene quer zum Blick zeichnen</translation>
+    </message>
+    <message>
+        <source>Line inward</source>
+        <translation>Gerade hinein</translation>
+    </message>
+    <message>
+        <source>Straight along the view, through the shape</source>
+        <translation>Gerade in Blickrichtung durch die Form</translation>
+    </message>
+    <message>
+        <source>Helix inward</source>
+        <translation>Helix hinein</translation>
+    </message>
+    <message>
+        <source>A helix along the view, about the shape</source>
+        <translation>Eine Helix in Blickrichtung um die Form</translation>
+    </message>
+    <message>
+        <source>Length</source>
+        <translation>Länge</translation>
+    </message>
+    <message>
+        <source>How far inward, in steps</source>
+        <translation>Wie weit hinein, in Schritten</translation>
+    </message>
+    <message>
+        <source>Helix radius</source>
+        <translation>Helixradius</translation>
+    </message>
+    <message>
+        <source>In steps</source>
+        <translation>In Schritten</translation>
+    </message>
+    <message>
+        <source>Turns</source>
+        <translation>Windungen</translation>
+    </message>
+    <message>
+        <source>From end to end</source>
+        <translation>Von Anfang bis Ende</translation>
+    </message>
+    <message>
+        <source>Parallel</source>
+        <translation>Parallel</translation>
+    </message>
+    <message>
+        <source>The shape turns as little as it can along its way</source>
+        <translation>Die Form dreht sich auf ihrem Weg so wenig wie möglich</translation>
+    </message>
+    <message>
+        <source>Frenet</source>
+        <translation>Frenet</translation>
+    </message>
+    <message>
+        <source>The shape turns with the way&apos;s bends</source>
+        <translation>Die Form dreht sich mit den Biegungen des Wegs</translation>
+    </message>
+    <message>
+        <source>Turning</source>
+        <translation>Drehung</translation>
+    </message>
+    <message>
+        <source>At once when the pen is lifted</source>
+        <translation>Gleich beim Abheben des Stifts</translation>
+    </message>
+    <message>
+        <source>Instead of showing the way first</source>
+        <translation>Statt den Weg zuerst zu zeigen</translation>
+    </message>
+    <message>
+        <source>Sweep what is shown</source>
+        <translation>Gezeigtes austragen</translation>
+    </message>
+    <message>
+        <source>Restore what is shown (Enter)</source>
+        <translation>Gezeigtes auffüllen (Eingabe)</translation>
+    </message>
+    <message>
+        <source>Cut what is shown (Enter)</source>
+        <translation>Gezeigtes schneiden (Eingabe)</translation>
+    </message>
+    <message>
+        <source>Depth at full pressure, in steps</source>
+        <translation>Tiefe bei vollem Druck, in Schritten</translation>
+    </message>
+    <message>
+        <source>Depth</source>
+        <translation>Tiefe</translation>
+    </message>
+    <message>
+        <source>Keep digging</source>
+        <translation>Weitergraben</translation>
+    </message>
+    <message>
+        <source>Goes deeper as long as the pen moves, instead of down to the depth</source>
+        <translation>Geht tiefer, solange sich der Stift bewegt, statt nur bis zur Tiefe</translation>
+    </message>
+    <message>
+        <source>Drag in the picture to turn the volume.</source>
+        <translation>Im Bild ziehen, um das Volumen zu drehen.</translation>
+    </message>
+    <message>
+        <source>Layers peeled</source>
+        <translation>Geschälte Lagen</translation>
+    </message>
+    <message>
+        <source>Layers</source>
+        <translation>Lagen</translation>
+    </message>
+    <message>
+        <source>10 pixels of dragging are one layer; a layer is the smallest voxel spacing.</source>
+        <translation>10 Pixel Ziehen sind eine Lage; eine Lage ist der kleinste Voxelabstand.</translation>
+    </message>
+    <message>
+        <source>Follow the pen&apos;s tilt</source>
+        <translation>Der Neigung des Stifts folgen</translation>
+    </message>
+    <message>
+        <source>Drills the way that the tablet&apos;s pen points, instead of along the view</source>
+        <translation>Bohrt dorthin, wohin der Stift des Tabletts zeigt, statt in Blickrichtung</translation>
+    </message>
+    <message>
+        <source>Pressure of the mouse, in percent</source>
+        <translation>Druck der Maus, in Prozent</translation>
+    </message>
+    <message>
+        <source>How hard the mouse presses; a tablet&apos;s pen reports its own pressure</source>
+        <translation>Wie stark die Maus drückt; der Stift eines Tabletts meldet seinen eigenen Druck</translation>
+    </message>
+    <message>
+        <source>Mouse pressure</source>
+        <translation>Mausdruck</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Press and hold presses harder</source>
+        <translation>Halten drückt fester</translation>
+    </message>
+    <message>
+        <source>A mouse that is held down goes from a light touch to full pressure in a second</source>
+        <translation>Eine gehaltene Maustaste geht in einer Sekunde von leichter Berührung zu vollem Druck</translation>
+    </message>
+    <message>
+        <source>Pressure of the tablet&apos;s pen</source>
+        <translation>Druck des Tablettstifts</translation>
+    </message>
+    <message>
+        <source>no tablet pen yet</source>
+        <translation>noch kein Tablettstift</translation>
+    </message>
+    <message>
+        <source>Pen pressure</source>
+        <translation>Stiftdruck</translation>
+    </message>
+    <message>
+        <source>What is inside the stroke goes</source>
+        <translation>Was im Strich liegt, fällt weg</translation>
+    </message>
+    <message>
+        <source>What is outside the stroke goes</source>
+        <translation>Was außerhalb des Strichs liegt, fällt weg</translation>
+    </message>
+    <message>
+        <source>Of the stroke</source>
+        <translation>Vom Strich</translation>
+    </message>
+    <message>
+        <source>Only down to a depth</source>
+        <translation>Nur bis in eine Tiefe</translation>
+    </message>
+    <message>
+        <source>Not through everything, but so many steps below the surface</source>
+        <translation>Nicht durch alles, sondern nur so viele Schritte unter die Oberfläche</translation>
+    </message>
+    <message>
+        <source>Depth below the surface, in steps</source>
+        <translation>Tiefe unter der Oberfläche, in Schritten</translation>
+    </message>
+    <message>
+        <source>Corners too</source>
+        <translation>Auch Ecken</translation>
+    </message>
+    <message>
+        <source>Voxels that touch at an edge or a corner are connected</source>
+        <translation>Voxel, die sich an Kante oder Ecke berühren, sind verbunden</translation>
+    </message>
+    <message>
+        <source>Faces only</source>
+        <translation>Nur Flächen</translation>
+    </message>
+    <message>
+        <source>Only voxels that share a face are connected: keeps less</source>
+        <translation>Nur Voxel mit gemeinsamer Fläche sind verbunden: behält weniger</translation>
+    </message>
+    <message>
+        <source>Connected by</source>
+        <translation>Verbunden</translation>
+    </message>
+    <message>
+        <source>What is visible follows the displayed range: raise its lower end where a table touches the patient.</source>
+        <translation>Was sichtbar ist, folgt dem angezeigten Bereich: sein unteres Ende anheben, wo ein Tisch den Patienten berührt.</translation>
+    </message>
+    <message>
+        <source>The part in hand</source>
+        <translation>Das Teil in der Hand</translation>
+    </message>
+    <message>
+        <source>Its size</source>
+        <translation>Seine Größe</translation>
+    </message>
+    <message>
+        <source>Back to where it was cut out</source>
+        <translation>Zurück an die Schnittstelle</translation>
+    </message>
+    <message>
+        <source>Put the part back to where it was cut out</source>
+        <translation>Das Teil dorthin zurück, wo es herausgeschnitten wurde</translation>
+    </message>
+    <message>
+        <source>Part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>none pasted</source>
+        <translation>nichts eingefügt</translation>
+    </message>
+    <message>
+        <source>Turn the picture</source>
+        <translation>Bild drehen</translation>
+    </message>
+    <message>
+        <source>Arrow keys</source>
+        <translation>Pfeiltasten</translation>
+    </message>
+    <message>
+        <source>Roll the picture</source>
+        <translation>Bild rollen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Left, Right</source>
+        <translation>Strg+Links, Rechts</translation>
+    </message>
+    <message>
+        <source>+  -</source>
+        <translation>+  -</translation>
+    </message>
+    <message>
+        <source>Shift+Arrow keys</source>
+        <translation>Umschalt+Pfeiltasten</translation>
+    </message>
+    <message>
+        <source>One finger</source>
+        <translation>Ein Finger</translation>
+    </message>
+    <message>
+        <source>Move, zoom and roll</source>
+        <translation>Verschieben, zoomen, rollen</translation>
+    </message>
+    <message>
+        <source>Two fingers</source>
+        <translation>Zwei Finger</translation>
+    </message>
+    <message>
+        <source>The tool turned round</source>
+        <translation>Werkzeug umgekehrt</translation>
+    </message>
+    <message>
+        <source>Eraser of the pen</source>
+        <translation>Radierer des Stifts</translation>
+    </message>
+    <message>
+        <source>Whatever the tool</source>
+        <translation>Bei jedem Werkzeug</translation>
+    </message>
+    <message>
+        <source>When the program ends, write to PATH as JSON when each input arrived and was handled and shown (&quot;inputs&quot;) and when each picture was shown (&quot;frames&quot;), in milliseconds.</source>
+        <translation>Am Ende des Programms als JSON nach PATH schreiben, wann jede Eingabe ankam, bearbeitet und gezeigt wurde (&quot;inputs&quot;) und wann jedes Bild gezeigt wurde (&quot;frames&quot;), in Millisekunden.</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::CameraTool</name>
+    <message>
+        <source>Drag to turn. Middle button or Shift+drag moves, wheel or right button zooms, whatever the tool.</source>
+        <translation>Ziehen dreht; mittlere Taste oder Umschalt+Ziehen verschiebt, Rad oder rechte Taste zoomt, immer.</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::ChartWidget</name>
+    <message>
+        <source>pale: cut away</source>
+        <translation>blass: weggeschnitten</translation>
+    </message>
+    <message>
+        <source>No volume</source>
+        <translation>Kein Volumen</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::ClipTool</name>
+    <message>
+        <source>Move the faces of the box, or the plane, in the panel on the left: what lies outside is put back. Drag to turn.</source>
+        <translation>Die Flächen des Quaders oder die Ebene im Feld links bewegen: was außerhalb liegt, wird wieder aufgefüllt. Ziehen dreht.</translation>
+    </message>
+    <message>
+        <source>Move the faces of the box, or the plane, in the panel on the left: what lies outside is cut. Drag to turn.</source>
+        <translation>Die Flächen des Quaders oder die Ebene im Feld links bewegen: was außerhalb liegt, wird geschnitten. Ziehen dreht.</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Posterior</source>
+        <translation>Posterior</translation>
+    </message>
+    <message>
+        <source>Anterior</source>
+        <translation>Anterior</translation>
+    </message>
+    <message>
+        <source>Superior</source>
+        <translation>Superior</translation>
+    </message>
+    <message>
+        <source>Inferior</source>
+        <translation>Inferior</translation>
+    </message>
+    <message>
+        <source>Nothing is clipped</source>
+        <translation>Nichts ist beschnitten</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::ColourButton</name>
+    <message>
+        <source>The colour; click to choose another one</source>
+        <translation>Die Farbe; Klicken wählt eine andere</translation>
+    </message>
+    <message>
+        <source>Colour</source>
+        <translation>Farbe</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::CurvePage</name>
+    <message>
+        <source>Opacity and colour over gradient magnitude</source>
+        <translation>Deckkraft und Farbe über dem Gradientenbetrag</translation>
+    </message>
+    <message>
+        <source>Opacity and colour over intensity</source>
+        <translation>Deckkraft und Farbe über der Intensität</translation>
+    </message>
+    <message>
+        <source>Click: a new point. Drag a point, or a whole hill by its middle. Double click: its colour. Right button: remove.
+Tab: the next point; arrow keys move it; Delete; Return: its colour; Ctrl+Z. Wheel: closer.</source>
+        <translation>Klick: ein neuer Punkt. Punkt ziehen, oder einen ganzen Hügel an seiner Mitte. Doppelklick: seine Farbe. Rechte Taste: entfernen.
+Tab: der nächste Punkt; Pfeiltasten bewegen ihn; Entf; Eingabe: seine Farbe; Strg+Z. Rad: näher.</translation>
+    </message>
+    <message>
+        <source>Gradient magnitude of the chosen point</source>
+        <translation>Gradientenbetrag des gewählten Punkts</translation>
+    </message>
+    <message>
+        <source>Intensity of the chosen point</source>
+        <translation>Intensität des gewählten Punkts</translation>
+    </message>
+    <message>
+        <source>Gradient</source>
+        <translation>Gradient</translation>
+    </message>
+    <message>
+        <source>Intensity</source>
+        <translation>Intensität</translation>
+    </message>
+    <message>
+        <source>Counting…</source>
+        <translation>Wird gezählt…</translation>
+    </message>
+    <message>
+        <source>%1 lies beyond the next point: this one was put to %2</source>
+        <translation>%1 liegt hinter dem nächsten Punkt: dieser kam auf %2</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::CutTool</name>
+    <message>
+        <source>Scan</source>
+        <translation>Scan</translation>
+    </message>
+    <message>
+        <source>Cuts the scan, or puts back what was cut</source>
+        <translation>Schneidet den Scan oder füllt auf, was geschnitten war</translation>
+    </message>
+    <message>
+        <source>Segment</source>
+        <translation>Segment</translation>
+    </message>
+    <message>
+        <source>Takes away from the segment at work, or adds to it; the scan stays as it is</source>
+        <translation>Nimmt vom aktiven Segment weg oder fügt hinzu; der Scan bleibt, wie er ist</translation>
+    </message>
+    <message>
+        <source>Acts on</source>
+        <translation>Wirkt auf</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Takes away from the segment at work (R)</source>
+        <translation>Nimmt vom aktiven Segment weg (R)</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Adds to it what is in the displayed range (R)</source>
+        <translation>Fügt ihm hinzu, was im angezeigten Bereich liegt (R)</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Schneiden</translation>
+    </message>
+    <message>
+        <source>Takes away (R)</source>
+        <translation>Nimmt weg (R)</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Auffüllen</translation>
+    </message>
+    <message>
+        <source>Puts back what was cut, never more than there was (R)</source>
+        <translation>Füllt auf, was geschnitten war, nie mehr als da war (R)</translation>
+    </message>
+    <message>
+        <source>Steps: the larger, the rounder are the cut&apos;s edges</source>
+        <translation>Schritte: je größer, desto runder die Ränder des Schnitts</translation>
+    </message>
+    <message>
+        <source>Radius</source>
+        <translation>Radius</translation>
+    </message>
+    <message>
+        <source>What it takes is added to %1, the scan stays. R removes.</source>
+        <translation>Was es erfasst, kommt zu %1, der Scan bleibt. R entfernt.</translation>
+    </message>
+    <message>
+        <source>What it takes is removed from %1, the scan stays. R adds.</source>
+        <translation>Was es erfasst, fällt aus %1 heraus, der Scan bleibt. R fügt hinzu.</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::Details</name>
+    <message>
+        <source>%1 layers</source>
+        <translation>%1 Lagen</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>außen</translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation>innen</translation>
+    </message>
+    <message>
+        <source>part %1</source>
+        <translation>Teil %1</translation>
+    </message>
+    <message>
+        <source>to the end</source>
+        <translation>bis zum Ende</translation>
+    </message>
+    <message>
+        <source>add</source>
+        <translation>hinzufügen</translation>
+    </message>
+    <message>
+        <source>remove</source>
+        <translation>entfernen</translation>
+    </message>
+    <message>
+        <source>all but it</source>
+        <translation>alles andere</translation>
+    </message>
+    <message>
+        <source>away</source>
+        <translation>weg</translation>
+    </message>
+    <message>
+        <source>restore</source>
+        <translation>auffüllen</translation>
+    </message>
+    <message>
+        <source>one generation</source>
+        <translation>eine Generation</translation>
+    </message>
+    <message>
+        <source>%1 generations</source>
+        <translation>%1 Generationen</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::DrillTool</name>
+    <message>
+        <source>Draw the shape of the drill anywhere; it closes when you let go.</source>
+        <translation>Die Form des Bohrers irgendwo zeichnen; sie schließt sich beim Loslassen.</translation>
+    </message>
+    <message>
+        <source>The mask follows the pen. Press and move to fill in what was cut. Esc clears it for a new shape.</source>
+        <translation>Die Maske folgt dem Stift. Drücken und bewegen füllt auf, was geschnitten war. Esc löscht sie für eine neue Form.</translation>
+    </message>
+    <message>
+        <source>Filling in: press harder to fill more. Let go to keep, Esc to undo.</source>
+        <translation>Füllt auf: fester drücken füllt mehr. Loslassen behält, Esc macht rückgängig.</translation>
+    </message>
+    <message>
+        <source>The mask follows the pen. Press and move to drill. Esc clears it for a new shape.</source>
+        <translation>Die Maske folgt dem Stift. Drücken und bewegen bohrt. Esc löscht sie für eine neue Form.</translation>
+    </message>
+    <message>
+        <source>Drilling: press harder to go deeper. Let go to keep, Esc to undo.</source>
+        <translation>Bohrt: fester drücken geht tiefer. Loslassen behält, Esc macht rückgängig.</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::FunctionBar</name>
+    <message>
+        <source>Choose colours</source>
+        <translation>Farben wählen</translation>
+    </message>
+    <message>
+        <source>The transfer function in use; click to choose another one</source>
+        <translation>Die benutzte Transferfunktion; Klicken wählt eine andere</translation>
+    </message>
+    <message>
+        <source>Reset colours</source>
+        <translation>Farben zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Back to the mode&apos;s own colours</source>
+        <translation>Zurück zu den eigenen Farben des Modus</translation>
+    </message>
+    <message>
+        <source>Open colours</source>
+        <translation>Farben öffnen</translation>
+    </message>
+    <message>
+        <source>Open a transfer function from a file</source>
+        <translation>Eine Transferfunktion aus einer Datei öffnen</translation>
+    </message>
+    <message>
+        <source>Save colours</source>
+        <translation>Farben speichern</translation>
+    </message>
+    <message>
+        <source>Save the transfer function as a file</source>
+        <translation>Die Transferfunktion als Datei speichern</translation>
+    </message>
+    <message>
+        <source>The mode&apos;s own colours</source>
+        <translation>Farben des Modus</translation>
+    </message>
+    <message>
+        <source>Colours of your own</source>
+        <translation>Eigene Farben</translation>
+    </message>
+    <message>
+        <source>Open a transfer function</source>
+        <translation>Transferfunktion öffnen</translation>
+    </message>
+    <message>
+        <source>Transfer functions (*.json)</source>
+        <translation>Transferfunktionen (*.json)</translation>
+    </message>
+    <message>
+        <source>Opened colours %1</source>
+        <translation>Farben %1 geöffnet</translation>
+    </message>
+    <message>
+        <source>Save the transfer function</source>
+        <translation>Transferfunktion speichern</translation>
+    </message>
+    <message>
+        <source>Saved colours %1</source>
+        <translation>Farben %1 gespeichert</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::FunctionEditor</name>
+    <message>
+        <source>A colour table is for functions over intensity or gradient; shapes have a colour each</source>
+        <translation>Eine Farbtabelle gehört zu Funktionen über Intensität oder Gradient; Formen haben je eine Farbe</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::FunctionGallery</name>
+    <message>
+        <source>Transfer functions and colour tables</source>
+        <translation>Transferfunktionen und Farbtabellen</translation>
+    </message>
+    <message>
+        <source>Transfer functions</source>
+        <translation>Transferfunktionen</translation>
+    </message>
+    <message>
+        <source>Colour table of the points</source>
+        <translation>Farbtabelle der Punkte</translation>
+    </message>
+    <message>
+        <source>The mode&apos;s own</source>
+        <translation>Die des Modus</translation>
+    </message>
+    <message>
+        <source>Ivory surfaces and white rays; the volume as the displayed range has it</source>
+        <translation>Elfenbeinfarbene Oberflächen und weiße Strahlen; das Volumen, wie der angezeigte Bereich es hat</translation>
+    </message>
+    <message>
+        <source>their own</source>
+        <translation>eigene</translation>
+    </message>
+    <message>
+        <source>Each point has a colour of its own</source>
+        <translation>Jeder Punkt hat eine eigene Farbe</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::FunctionPage</name>
+    <message>
+        <source>Opacity of the chosen part, in percent</source>
+        <translation>Deckkraft des gewählten Teils, in Prozent</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>Colour of the chosen part</source>
+        <translation>Farbe des gewählten Teils</translation>
+    </message>
+    <message>
+        <source>Add</source>
+        <translation>Hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add one in the middle; then drag it where it belongs</source>
+        <translation>Eines in der Mitte hinzufügen und dann an seinen Platz ziehen</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the chosen one (Delete, or the right button)</source>
+        <translation>Das gewählte entfernen (Entf oder rechte Taste)</translation>
+    </message>
+    <message>
+        <source>Undo the last change of colours</source>
+        <translation>Die letzte Änderung der Farben rückgängig machen</translation>
+    </message>
+    <message>
+        <source>Undo the last change of colours (Ctrl+Z on the chart)</source>
+        <translation>Die letzte Änderung der Farben rückgängig machen (Strg+Z auf dem Diagramm)</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkr.</translation>
+    </message>
+    <message>
+        <source>Where this is seen</source>
+        <translation>Wo dies zu sehen ist</translation>
+    </message>
+    <message>
+        <source>no counts</source>
+        <translation>keine Anzahlen</translation>
+    </message>
+    <message>
+        <source>%1 of %2 chosen</source>
+        <translation>%1 von %2 gewählt</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Not in use: edit it, or &lt;a href=&quot;use&quot;&gt;use it as it is&lt;/a&gt;.</source>
+        <translation>Nicht in Gebrauch: bearbeiten oder &lt;a href=&quot;use&quot;&gt;so verwenden&lt;/a&gt;.</translation>
+    </message>
+    <message>
+        <source>Opacities show in &lt;a href=&quot;volume&quot;&gt;volume mode&lt;/a&gt;.</source>
+        <translation>Deckkraft zeigt sich im &lt;a href=&quot;volume&quot;&gt;Volumenmodus&lt;/a&gt;.</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::GrowthController</name>
+    <message>
+        <source>Playing backward</source>
+        <translation>Spielt rückwärts</translation>
+    </message>
+    <message>
+        <source>Absorbing</source>
+        <translation>Absorbiert</translation>
+    </message>
+    <message>
+        <source>Growing to the end</source>
+        <translation>Wächst bis zum Ende</translation>
+    </message>
+    <message>
+        <source>Growing</source>
+        <translation>Wächst</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::GrowthPanel</name>
+    <message>
+        <source>Segments</source>
+        <translation>Segmente</translation>
+    </message>
+    <message>
+        <source>Add a segment</source>
+        <translation>Segment hinzufügen</translation>
+    </message>
+    <message>
+        <source>A fresh segment: new strokes go there (Ctrl+Shift+N)</source>
+        <translation>Ein frisches Segment: neue Striche gehen dorthin (Strg+Umschalt+N)</translation>
+    </message>
+    <message>
+        <source>Remove the segment</source>
+        <translation>Das Segment entfernen</translation>
+    </message>
+    <message>
+        <source>Erase the segment at work and forget its name (Delete in the list)</source>
+        <translation>Das aktive Segment löschen und seinen Namen vergessen (Entf in der Liste)</translation>
+    </message>
+    <message>
+        <source>Opacity of the segment at work, in percent</source>
+        <translation>Deckkraft des aktiven Segments, in Prozent</translation>
+    </message>
+    <message>
+        <source>How much the segment at work hides</source>
+        <translation>Wie viel das aktive Segment verdeckt</translation>
+    </message>
+    <message>
+        <source>Opacity</source>
+        <translation>Deckkraft</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>One generation back</source>
+        <translation>Eine Generation zurück</translation>
+    </message>
+    <message>
+        <source>One generation back; hold for more ( , )</source>
+        <translation>Eine Generation zurück; halten für mehr ( , )</translation>
+    </message>
+    <message>
+        <source>Play backward</source>
+        <translation>Rückwärts spielen</translation>
+    </message>
+    <message>
+        <source>Play backward, down to the seeds (Shift+B)</source>
+        <translation>Rückwärts spielen, bis zur Saat (Umschalt+B)</translation>
+    </message>
+    <message>
+        <source>Pause</source>
+        <translation>Pause</translation>
+    </message>
+    <message>
+        <source>Pause: what has grown stays, and play goes on from it (Shift+G)</source>
+        <translation>Pause: das Gewachsene bleibt, und es geht von dort weiter (Umschalt+G)</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Let the region grow (Shift+G)</source>
+        <translation>Den Bereich wachsen lassen (Umschalt+G)</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>One generation further; hold for more ( . )</source>
+        <translation>Eine Generation weiter; halten für mehr ( . )</translation>
+    </message>
+    <message>
+        <source>To the end</source>
+        <translation>Bis zum Ende</translation>
+    </message>
+    <message>
+        <source>Grow until nothing grows any more (Ctrl+G)</source>
+        <translation>Wachsen, bis nichts mehr wächst (Strg+G)</translation>
+    </message>
+    <message>
+        <source>Generation shown</source>
+        <translation>Gezeigte Generation</translation>
+    </message>
+    <message>
+        <source>Drag through the generations; growing goes on from the one shown</source>
+        <translation>Durch die Generationen ziehen; das Wachstum geht von der gezeigten weiter</translation>
+    </message>
+    <message>
+        <source>Generation</source>
+        <translation>Generation</translation>
+    </message>
+    <message>
+        <source>Auto start</source>
+        <translation>Autostart</translation>
+    </message>
+    <message>
+        <source>Start growing as soon as seeds are drawn</source>
+        <translation>Wächst, sobald gesät ist</translation>
+    </message>
+    <message>
+        <source>Generations per second</source>
+        <translation>Generationen je Sekunde</translation>
+    </message>
+    <message>
+        <source>full speed</source>
+        <translation>volles Tempo</translation>
+    </message>
+    <message>
+        <source> per s</source>
+        <translation> je s</translation>
+    </message>
+    <message>
+        <source>Generations per second; 0 grows as fast as it can</source>
+        <translation>Generationen je Sekunde; 0 wächst, so schnell es geht</translation>
+    </message>
+    <message>
+        <source>%1 of %2</source>
+        <translation>%1 von %2</translation>
+    </message>
+    <message>
+        <source>no seeds yet</source>
+        <translation>noch keine Saat</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::GrowthRulesPanel</name>
+    <message>
+        <source>Growth rules</source>
+        <translation>Wachstumsregeln</translation>
+    </message>
+    <message>
+        <source>Intensities that may grow</source>
+        <translation>Intensitäten, die wachsen dürfen</translation>
+    </message>
+    <message>
+        <source>Histogram with the range that may grow</source>
+        <translation>Histogramm mit dem Bereich, der wachsen darf</translation>
+    </message>
+    <message>
+        <source>Drag the handles, or the band between them: what may grow. The bars in the segment&apos;s colour are its own voxels</source>
+        <translation>Griffe oder das Band dazwischen ziehen: was wachsen darf. Die Balken in der Farbe des Segments sind seine eigenen Voxel</translation>
+    </message>
+    <message>
+        <source>Lower end of the run&apos;s intensity range</source>
+        <translation>Unteres Ende des Intensitätsbereichs</translation>
+    </message>
+    <message>
+        <source>Upper end of the run&apos;s intensity range</source>
+        <translation>Oberes Ende des Intensitätsbereichs</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>Strokes bring the displayed range</source>
+        <translation>Striche bringen den Bereich mit</translation>
+    </message>
+    <message>
+        <source>A stroke sets this range to the one that is displayed; off: strokes go by the range set here</source>
+        <translation>Ein Strich setzt diesen Bereich auf den angezeigten; aus: Striche gehen nach dem hier gesetzten</translation>
+    </message>
+    <message>
+        <source>%1: least</source>
+        <translation>%1: mindestens</translation>
+    </message>
+    <message>
+        <source>%1: most</source>
+        <translation>%1: höchstens</translation>
+    </message>
+    <message>
+        <source>6</source>
+        <translation>6</translation>
+    </message>
+    <message>
+        <source>Voxels that share a face</source>
+        <translation>Voxel mit gemeinsamer Fläche</translation>
+    </message>
+    <message>
+        <source>26</source>
+        <translation>26</translation>
+    </message>
+    <message>
+        <source>Voxels that touch at an edge or a corner too</source>
+        <translation>Auch Voxel, die sich an Kante oder Ecke berühren</translation>
+    </message>
+    <message>
+        <source>Neighbours</source>
+        <translation>Nachbarn</translation>
+    </message>
+    <message>
+        <source>Live: tightening takes away</source>
+        <translation>Live: Verengen nimmt weg</translation>
+    </message>
+    <message>
+        <source>What could not be reached under tighter rules goes at once; off: rules hold for what is still to grow</source>
+        <translation>Was unter engeren Regeln nicht erreichbar wäre, fällt sofort weg; aus: Regeln gelten für das, was noch wächst</translation>
+    </message>
+    <message>
+        <source>What was cut away fences it, as the view shows it (Cut, Probe, Whole).</source>
+        <translation>Weggeschnittenes ist die Grenze, wie die Ansicht es zeigt (Schnitt, Probe, Ganz).</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::HistogramPanel</name>
+    <message>
+        <source>Histogram</source>
+        <translation>Histogramm</translation>
+    </message>
+    <message>
+        <source>Range</source>
+        <translation>Bereich</translation>
+    </message>
+    <message>
+        <source>The displayed range of intensities</source>
+        <translation>Der angezeigte Bereich der Intensitäten</translation>
+    </message>
+    <message>
+        <source>Intensity</source>
+        <translation>Intensität</translation>
+    </message>
+    <message>
+        <source>Colour and opacity over intensity</source>
+        <translation>Farbe und Deckkraft über der Intensität</translation>
+    </message>
+    <message>
+        <source>Gradient</source>
+        <translation>Gradient</translation>
+    </message>
+    <message>
+        <source>Colour and opacity over gradient magnitude</source>
+        <translation>Farbe und Deckkraft über dem Gradientenbetrag</translation>
+    </message>
+    <message>
+        <source>Both</source>
+        <translation>Beide</translation>
+    </message>
+    <message>
+        <source>Colour and opacity over intensity and gradient</source>
+        <translation>Farbe und Deckkraft über Intensität und Gradient</translation>
+    </message>
+    <message>
+        <source>/mm</source>
+        <translation>/mm</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::HistogramView</name>
+    <message>
+        <source>Drag the handles, or the band between them, to choose the displayed range.
+Wheel: closer; Shift+wheel: along. Arrow keys: the band, with Ctrl its lower end, with Shift its upper end.</source>
+        <translation>Griffe oder das Band dazwischen ziehen, um den angezeigten Bereich zu wählen.
+Rad: näher; Umschalt+Rad: entlang. Pfeiltasten: das Band, mit Strg sein unteres Ende, mit Umschalt sein oberes.</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::HistoryPanel</name>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>Opened</source>
+        <translation>Geöffnet</translation>
+    </message>
+    <message>
+        <source>Go back to after this</source>
+        <translation>Zurück zum Stand nach diesem Schritt</translation>
+    </message>
+    <message>
+        <source>Do this again</source>
+        <translation>Dies noch einmal tun</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::IslandTool</name>
+    <message>
+        <source>Click a part of %1: all that is not connected to it goes. R drops parts again.</source>
+        <translation>Ein Teil von %1 anklicken: alles, was nicht damit verbunden ist, fällt weg. R verwirft wieder Teile.</translation>
+    </message>
+    <message>
+        <source>Click a part of %1 to drop it, with all that is connected to it. R keeps only the part clicked.</source>
+        <translation>Ein Teil von %1 anklicken: es fällt mit allem, was damit verbunden ist, weg. R behält nur das angeklickte.</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::KeepTool</name>
+    <message>
+        <source>Click the object to keep: all that is visible and not connected to it is cut away.</source>
+        <translation>Das Objekt anklicken, das bleiben soll: alles Sichtbare, das nicht damit verbunden ist, wird weggeschnitten.</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::LaserTool</name>
+    <message>
+        <source>Draw the shape of the laser anywhere; it closes when you let go.</source>
+        <translation>Die Form des Lasers irgendwo zeichnen; sie schließt sich beim Loslassen.</translation>
+    </message>
+    <message>
+        <source>The mask lies on the surface under the pen. Press and move to build it up again. Esc clears it for a new shape.</source>
+        <translation>Die Maske liegt unter dem Stift auf der Oberfläche. Drücken und bewegen baut sie wieder auf. Esc löscht sie für eine neue Form.</translation>
+    </message>
+    <message>
+        <source>Building up: press harder for more. Let go to keep, Esc to undo.</source>
+        <translation>Baut auf: fester drücken für mehr. Loslassen behält, Esc macht rückgängig.</translation>
+    </message>
+    <message>
+        <source>The mask lies on the surface under the pen. Press and move to burn. Esc clears it for a new shape.</source>
+        <translation>Die Maske liegt unter dem Stift auf der Oberfläche. Drücken und bewegen brennt. Esc löscht sie für eine neue Form.</translation>
+    </message>
+    <message>
+        <source>Burning: press harder to go deeper. Let go to keep, Esc to undo.</source>
+        <translation>Brennt: fester drücken geht tiefer. Loslassen behält, Esc macht rückgängig.</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::MainWindow</name>
+    <message>
+        <source>Volume Studio</source>
+        <translation>Volume Studio</translation>
+    </message>
+    <message>
+        <source>%1 fps</source>
+        <translation>%1 B/s</translation>
+    </message>
+    <message>
+        <source>Start screen</source>
+        <translation>Startseite</translation>
+    </message>
+    <message>
+        <source>What to do next</source>
+        <translation>Was als Nächstes zu tun ist</translation>
+    </message>
+    <message>
+        <source>Panels</source>
+        <translation>Felder</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>Meldung</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Value and place under the pen</source>
+        <translation>Wert und Stelle unter dem Stift</translation>
+    </message>
+    <message>
+        <source>Size and type of the volume</source>
+        <translation>Größe und Typ des Volumens</translation>
+    </message>
+    <message>
+        <source>Frame rate</source>
+        <translation>Bildrate</translation>
+    </message>
+    <message>
+        <source>Graphics device</source>
+        <translation>Grafikgerät</translation>
+    </message>
+    <message>
+        <source> – Volume Studio</source>
+        <translation> – Volume Studio</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3  %4</source>
+        <translation>%1 × %2 × %3  %4</translation>
+    </message>
+    <message>
+        <source>Please wait…</source>
+        <translation>Bitte warten…</translation>
+    </message>
+    <message>
+        <source>nothing under the pen</source>
+        <translation>nichts unter dem Stift</translation>
+    </message>
+    <message>
+        <source>%1   at %2, %3, %4   %5</source>
+        <translation>%1   bei %2, %3, %4   %5</translation>
+    </message>
+    <message>
+        <source>Open</source>
+        <translation>Öffnen</translation>
+    </message>
+    <message>
+        <source>Open a volume or a session</source>
+        <translation>Ein Volumen oder eine Sitzung öffnen</translation>
+    </message>
+    <message>
+        <source>DICOM</source>
+        <translation>DICOM</translation>
+    </message>
+    <message>
+        <source>Open a folder of DICOM slices</source>
+        <translation>Einen Ordner mit DICOM-Schichten öffnen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+O</source>
+        <translation>Ctrl+Shift+O</translation>
+    </message>
+    <message>
+        <source>Open label map…</source>
+        <translation>Labelkarte öffnen…</translation>
+    </message>
+    <message>
+        <source>Make segments of the labels of a label map on the volume&apos;s grid</source>
+        <translation>Aus den Labels einer Labelkarte auf dem Gitter des Volumens Segmente machen</translation>
+    </message>
+    <message>
+        <source>Ctrl+L</source>
+        <translation>Ctrl+L</translation>
+    </message>
+    <message>
+        <source>Start</source>
+        <translation>Start</translation>
+    </message>
+    <message>
+        <source>Close this and go back to the start screen</source>
+        <translation>Schließen und zurück zur Startseite</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Sichern</translation>
+    </message>
+    <message>
+        <source>Save the session: everything done so far, to go on or replay</source>
+        <translation>Die Sitzung speichern: alles bisher Getane, zum Weiterarbeiten oder Nachspielen</translation>
+    </message>
+    <message>
+        <source>Labels</source>
+        <translation>Labels</translation>
+    </message>
+    <message>
+        <source>Export the segmentation as a label map</source>
+        <translation>Die Segmentierung als Labelkarte exportieren</translation>
+    </message>
+    <message>
+        <source>Ctrl+E</source>
+        <translation>Ctrl+E</translation>
+    </message>
+    <message>
+        <source>Picture</source>
+        <translation>Bild</translation>
+    </message>
+    <message>
+        <source>Save the picture as PNG, at full quality</source>
+        <translation>Das Bild als PNG speichern, in voller Qualität</translation>
+    </message>
+    <message>
+        <source>F12</source>
+        <translation>F12</translation>
+    </message>
+    <message>
+        <source>Quit</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Leave Volume Studio</source>
+        <translation>Volume Studio verlassen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Q</source>
+        <translation>Ctrl+Q</translation>
+    </message>
+    <message>
+        <source>Undo</source>
+        <translation>Rückgängig</translation>
+    </message>
+    <message>
+        <source>Take the last change back</source>
+        <translation>Die letzte Änderung zurücknehmen</translation>
+    </message>
+    <message>
+        <source>Ctrl+Z</source>
+        <translation>Ctrl+Z</translation>
+    </message>
+    <message>
+        <source>Redo</source>
+        <translation>Wiederholen</translation>
+    </message>
+    <message>
+        <source>Do it again</source>
+        <translation>Noch einmal tun</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+Z</source>
+        <translation>Ctrl+Shift+Z</translation>
+    </message>
+    <message>
+        <source>History</source>
+        <translation>Verlauf</translation>
+    </message>
+    <message>
+        <source>All steps, to go to any of them</source>
+        <translation>Alle Schritte, um zu jedem davon zu gehen</translation>
+    </message>
+    <message>
+        <source>Ctrl+H</source>
+        <translation>Ctrl+H</translation>
+    </message>
+    <message>
+        <source>Un-Cut</source>
+        <translation>Aufheben</translation>
+    </message>
+    <message>
+        <source>Clear all cuts</source>
+        <translation>Alle Schnitte aufheben</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+U</source>
+        <translation>Ctrl+Shift+U</translation>
+    </message>
+    <message>
+        <source>Re-Seed</source>
+        <translation>Neu säen</translation>
+    </message>
+    <message>
+        <source>Clear the segmentation</source>
+        <translation>Die Segmentierung leeren</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+R</source>
+        <translation>Ctrl+Shift+R</translation>
+    </message>
+    <message>
+        <source>Reset</source>
+        <translation>Vorn</translation>
+    </message>
+    <message>
+        <source>Look at the face again, all of it</source>
+        <translation>Wieder alles von vorn ansehen</translation>
+    </message>
+    <message>
+        <source>Home</source>
+        <translation>Home</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>The surface of the displayed range</source>
+        <translation>Die Oberfläche des angezeigten Bereichs</translation>
+    </message>
+    <message>
+        <source>MIP</source>
+        <translation>MIP</translation>
+    </message>
+    <message>
+        <source>The greatest value along each ray</source>
+        <translation>Der größte Wert entlang jedes Strahls</translation>
+    </message>
+    <message>
+        <source>X-ray</source>
+        <translation>Röntgen</translation>
+    </message>
+    <message>
+        <source>The sum of the values along each ray</source>
+        <translation>Die Summe der Werte entlang jedes Strahls</translation>
+    </message>
+    <message>
+        <source>Overlay</source>
+        <translation>Overlay</translation>
+    </message>
+    <message>
+        <source>The segmentation in an X-ray of the rest</source>
+        <translation>Die Segmentierung in einem Röntgenbild des Übrigen</translation>
+    </message>
+    <message>
+        <source>Segment</source>
+        <translation>Segment</translation>
+    </message>
+    <message>
+        <source>The segmentation and the surface around it</source>
+        <translation>Die Segmentierung und die Oberfläche darum</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Everything that the transfer function shows, seen through</source>
+        <translation>Alles, was die Transferfunktion zeigt, durchscheinend</translation>
+    </message>
+    <message>
+        <source>Cut</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>What remains after cutting</source>
+        <translation>Was nach dem Schneiden bleibt</translation>
+    </message>
+    <message>
+        <source>6</source>
+        <translation>6</translation>
+    </message>
+    <message>
+        <source>Probe</source>
+        <translation>Probe</translation>
+    </message>
+    <message>
+        <source>What has been cut out</source>
+        <translation>Was herausgeschnitten wurde</translation>
+    </message>
+    <message>
+        <source>7</source>
+        <translation>7</translation>
+    </message>
+    <message>
+        <source>Whole</source>
+        <translation>Ganz</translation>
+    </message>
+    <message>
+        <source>The whole volume, without cuts</source>
+        <translation>Das ganze Volumen, ohne Schnitte</translation>
+    </message>
+    <message>
+        <source>8</source>
+        <translation>8</translation>
+    </message>
+    <message>
+        <source>Smooth sampling</source>
+        <translation>Glatte Abtastung</translation>
+    </message>
+    <message>
+        <source>Tricubic instead of trilinear: no facets where the picture is enlarged, but slower</source>
+        <translation>Trikubisch statt trilinear: keine Facetten in der Vergrößerung, aber langsamer</translation>
+    </message>
+    <message>
+        <source>Shift+S</source>
+        <translation>Shift+S</translation>
+    </message>
+    <message>
+        <source>Shadows</source>
+        <translation>Schatten</translation>
+    </message>
+    <message>
+        <source>Ambient occlusion and soft shadows</source>
+        <translation>Umgebungsverdeckung und weiche Schatten</translation>
+    </message>
+    <message>
+        <source>L</source>
+        <translation>L</translation>
+    </message>
+    <message>
+        <source>Annotations</source>
+        <translation>Beschriftung</translation>
+    </message>
+    <message>
+        <source>Scale bar and orientation marker over the view; saved pictures have none</source>
+        <translation>Maßstab und Richtungswürfel über der Ansicht; gespeicherte Bilder haben keine</translation>
+    </message>
+    <message>
+        <source>A</source>
+        <translation>A</translation>
+    </message>
+    <message>
+        <source>Play or pause</source>
+        <translation>Abspielen oder Pause</translation>
+    </message>
+    <message>
+        <source>Let the region grow, or pause it</source>
+        <translation>Den Bereich wachsen lassen oder anhalten</translation>
+    </message>
+    <message>
+        <source>Shift+G</source>
+        <translation>Shift+G</translation>
+    </message>
+    <message>
+        <source>Play backward</source>
+        <translation>Rückwärts spielen</translation>
+    </message>
+    <message>
+        <source>Play the growth backward, to its seeds</source>
+        <translation>Das Wachstum rückwärts spielen, bis zur Saat</translation>
+    </message>
+    <message>
+        <source>Shift+B</source>
+        <translation>Shift+B</translation>
+    </message>
+    <message>
+        <source>Add a segment</source>
+        <translation>Segment hinzufügen</translation>
+    </message>
+    <message>
+        <source>A fresh segment: new strokes go there</source>
+        <translation>Ein frisches Segment: neue Striche gehen dorthin</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+N</source>
+        <translation>Ctrl+Shift+N</translation>
+    </message>
+    <message>
+        <source>Step</source>
+        <translation>Schritt</translation>
+    </message>
+    <message>
+        <source>One generation further</source>
+        <translation>Eine Generation weiter</translation>
+    </message>
+    <message>
+        <source>.</source>
+        <translation>.</translation>
+    </message>
+    <message>
+        <source>Backward</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>One generation back</source>
+        <translation>Eine Generation zurück</translation>
+    </message>
+    <message>
+        <source>,</source>
+        <translation>,</translation>
+    </message>
+    <message>
+        <source>To the end</source>
+        <translation>Bis zum Ende</translation>
+    </message>
+    <message>
+        <source>Grow until nothing grows any more</source>
+        <translation>Wachsen, bis nichts mehr wächst</translation>
+    </message>
+    <message>
+        <source>Ctrl+G</source>
+        <translation>Ctrl+G</translation>
+    </message>
+    <message>
+        <source>&amp;File</source>
+        <translation>&amp;Datei</translation>
+    </message>
+    <message>
+        <source>&amp;Edit</source>
+        <translation>&amp;Bearbeiten</translation>
+    </message>
+    <message>
+        <source>&amp;View</source>
+        <translation>&amp;Ansicht</translation>
+    </message>
+    <message>
+        <source>&amp;Tools</source>
+        <translation>&amp;Werkzeuge</translation>
+    </message>
+    <message>
+        <source>&amp;Segmentation</source>
+        <translation>&amp;Segmentierung</translation>
+    </message>
+    <message>
+        <source>&amp;Help</source>
+        <translation>&amp;Hilfe</translation>
+    </message>
+    <message>
+        <source>File, view and mode</source>
+        <translation>Datei, Ansicht und Modus</translation>
+    </message>
+    <message>
+        <source>Tools and shapes</source>
+        <translation>Werkzeuge und Formen</translation>
+    </message>
+    <message>
+        <source>&amp;Colours</source>
+        <translation>&amp;Farben</translation>
+    </message>
+    <message>
+        <source>The mode&apos;s own</source>
+        <translation>Die des Modus</translation>
+    </message>
+    <message>
+        <source>Ivory surfaces and white rays; the volume as the displayed range has it</source>
+        <translation>Elfenbeinfarbene Oberflächen und weiße Strahlen; das Volumen, wie der angezeigte Bereich es hat</translation>
+    </message>
+    <message>
+        <source>0</source>
+        <translation>0</translation>
+    </message>
+    <message>
+        <source>From a file…</source>
+        <translation>Aus einer Datei…</translation>
+    </message>
+    <message>
+        <source>A transfer function as doc/transfer_functions.md describes it</source>
+        <translation>Eine Transferfunktion, wie doc/transfer_functions.md sie beschreibt</translation>
+    </message>
+    <message>
+        <source>Transfer function</source>
+        <translation>Transferfunktion</translation>
+    </message>
+    <message>
+        <source>JSON (*.json)</source>
+        <translation>JSON (*.json)</translation>
+    </message>
+    <message>
+        <source>Layout of %1</source>
+        <translation>Aufbau von %1</translation>
+    </message>
+    <message>
+        <source>This file has no header. Dimensions, type and spacing:
+DIMS:TYPE[:SPACING[:OFFSET]]</source>
+        <translation>Diese Datei hat keinen Dateikopf. Abmessungen, Typ und Abstände:
+DIMS:TYPE[:SPACING[:OFFSET]]</translation>
+    </message>
+    <message>
+        <source>Volumes and sessions (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vtk *.dcm *.raw *.json);;All files (*)</source>
+        <translation>Volumen und Sitzungen (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vtk *.dcm *.raw *.json);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>Open a label map</source>
+        <translation>Labelkarte öffnen</translation>
+    </message>
+    <message>
+        <source>Label maps (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vtk);;All files (*)</source>
+        <translation>Labelkarten (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vtk);;Alle Dateien (*)</translation>
+    </message>
+    <message>
+        <source>What is %1?</source>
+        <translation>Was ist %1?</translation>
+    </message>
+    <message>
+        <source>A label map of the open volume becomes segments of it.</source>
+        <translation>Eine Labelkarte des offenen Volumens wird zu Segmenten darin.</translation>
+    </message>
+    <message>
+        <source>&amp;Label map</source>
+        <translation>&amp;Labelkarte</translation>
+    </message>
+    <message>
+        <source>Another &amp;volume</source>
+        <translation>Anderes &amp;Volumen</translation>
+    </message>
+    <message>
+        <source>Save the session</source>
+        <translation>Sitzung speichern</translation>
+    </message>
+    <message>
+        <source>Sessions (*.json)</source>
+        <translation>Sitzungen (*.json)</translation>
+    </message>
+    <message>
+        <source>Export the label map</source>
+        <translation>Labelkarte exportieren</translation>
+    </message>
+    <message>
+        <source>Label maps (*.nrrd *.nii *.nii.gz)</source>
+        <translation>Labelkarten (*.nrrd *.nii *.nii.gz)</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Bilder (*.png)</translation>
+    </message>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+    <message>
+        <source>All keys, and what the mouse does</source>
+        <translation>Alle Tasten, und was die Maus tut</translation>
+    </message>
+    <message>
+        <source>F1</source>
+        <translation>F1</translation>
+    </message>
+    <message>
+        <source>Preferences…</source>
+        <translation>Einstellungen…</translation>
+    </message>
+    <message>
+        <source>Theme, memory, folders, quality</source>
+        <translation>Farbschema, Speicher, Ordner, Qualität</translation>
+    </message>
+    <message>
+        <source>Ctrl+,</source>
+        <translation>Ctrl+,</translation>
+    </message>
+    <message>
+        <source>About</source>
+        <translation>Über</translation>
+    </message>
+    <message>
+        <source>About Volume Studio</source>
+        <translation>Über Volume Studio</translation>
+    </message>
+    <message>
+        <source>&lt;h3&gt;Volume Studio %1&lt;/h3&gt;&lt;p&gt;Reshape a 3D scan with a pen, on the rendered picture itself.&lt;/p&gt;</source>
+        <translation>&lt;h3&gt;Volume Studio %1&lt;/h3&gt;&lt;p&gt;Formt einen 3D-Scan mit dem Stift um, auf dem gerenderten Bild selbst.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Device</source>
+        <translation>Gerät</translation>
+    </message>
+    <message>
+        <source>Driver</source>
+        <translation>Treiber</translation>
+    </message>
+    <message>
+        <source>OpenGL</source>
+        <translation>OpenGL</translation>
+    </message>
+    <message>
+        <source>Qt</source>
+        <translation>Qt</translation>
+    </message>
+    <message>
+        <source>&lt;p&gt;Free software under the Apache licence 2.0.&lt;/p&gt;&lt;p&gt;Not a medical device: do not use it for diagnosis or treatment.&lt;/p&gt;</source>
+        <translation>&lt;p&gt;Freie Software unter der Apache-Lizenz 2.0.&lt;/p&gt;&lt;p&gt;Kein Medizinprodukt: nicht für Diagnose oder Behandlung verwenden.&lt;/p&gt;</translation>
+    </message>
+    <message>
+        <source>Pictures…</source>
+        <translation>Bilder…</translation>
+    </message>
+    <message>
+        <source>Save the picture at any size, with scale bar or without, or a turntable of pictures</source>
+        <translation>Das Bild in beliebiger Größe speichern, mit oder ohne Maßstab, oder als Bilder rundum</translation>
+    </message>
+    <message>
+        <source>Shift+F12</source>
+        <translation>Shift+F12</translation>
+    </message>
+    <message>
+        <source>Copy picture</source>
+        <translation>Bild kopieren</translation>
+    </message>
+    <message>
+        <source>The picture as it is seen, for another program</source>
+        <translation>Das Bild, wie es zu sehen ist, für ein anderes Programm</translation>
+    </message>
+    <message>
+        <source>The picture is on the clipboard</source>
+        <translation>Das Bild liegt in der Zwischenablage</translation>
+    </message>
+    <message>
+        <source>3D only</source>
+        <translation>Nur 3D</translation>
+    </message>
+    <message>
+        <source>The 3D view alone</source>
+        <translation>Die 3D-Ansicht allein</translation>
+    </message>
+    <message>
+        <source>3D and three slices</source>
+        <translation>3D und drei Schichten</translation>
+    </message>
+    <message>
+        <source>The 3D view and three slices, all the same size</source>
+        <translation>Die 3D-Ansicht und drei Schichten, alle gleich groß</translation>
+    </message>
+    <message>
+        <source>Axial large</source>
+        <translation>Axial groß</translation>
+    </message>
+    <message>
+        <source>The axial slice large, all else beside it</source>
+        <translation>Die axiale Schicht groß, alles andere daneben</translation>
+    </message>
+    <message>
+        <source>Coronal large</source>
+        <translation>Koronal groß</translation>
+    </message>
+    <message>
+        <source>The coronal slice large, all else beside it</source>
+        <translation>Die koronale Schicht groß, alles andere daneben</translation>
+    </message>
+    <message>
+        <source>Sagittal large</source>
+        <translation>Sagittal groß</translation>
+    </message>
+    <message>
+        <source>The sagittal slice large, all else beside it</source>
+        <translation>Die sagittale Schicht groß, alles andere daneben</translation>
+    </message>
+    <message>
+        <source>Slices</source>
+        <translation>Schichten</translation>
+    </message>
+    <message>
+        <source>Axial, coronal and sagittal slices beside the 3D view</source>
+        <translation>Axiale, koronale und sagittale Schichten neben der 3D-Ansicht</translation>
+    </message>
+    <message>
+        <source>F4</source>
+        <translation>F4</translation>
+    </message>
+    <message>
+        <source>Smooth slices</source>
+        <translation>Glatte Schichten</translation>
+    </message>
+    <message>
+        <source>Slices interpolated between voxels, instead of every voxel as an area</source>
+        <translation>Schichten zwischen Voxeln interpoliert, statt jedes Voxel als Fläche</translation>
+    </message>
+    <message>
+        <source>All of each slice</source>
+        <translation>Jede Schicht ganz</translation>
+    </message>
+    <message>
+        <source>Show all of each slice again</source>
+        <translation>Wieder jede Schicht ganz zeigen</translation>
+    </message>
+    <message>
+        <source>Shift+Home</source>
+        <translation>Shift+Home</translation>
+    </message>
+    <message>
+        <source>Smaller brush</source>
+        <translation>Kleinerer Pinsel</translation>
+    </message>
+    <message>
+        <source>A smaller brush to paint on slices with</source>
+        <translation>Ein kleinerer Pinsel zum Malen auf Schichten</translation>
+    </message>
+    <message>
+        <source>[</source>
+        <translation>[</translation>
+    </message>
+    <message>
+        <source>Larger brush</source>
+        <translation>Größerer Pinsel</translation>
+    </message>
+    <message>
+        <source>A larger brush to paint on slices with</source>
+        <translation>Ein größerer Pinsel zum Malen auf Schichten</translation>
+    </message>
+    <message>
+        <source>]</source>
+        <translation>]</translation>
+    </message>
+    <message>
+        <source>There are edits that no session file holds.</source>
+        <translation>Es gibt Änderungen, die in keiner Sitzungsdatei stehen.</translation>
+    </message>
+    <message>
+        <source>Save the session before leaving it?</source>
+        <translation>Sitzung vor dem Verlassen speichern?</translation>
+    </message>
+    <message>
+        <source>&amp;Save…</source>
+        <translation>&amp;Speichern…</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Verwerfen</translation>
+    </message>
+    <message>
+        <source>&amp;Cancel</source>
+        <translation>&amp;Abbrechen</translation>
+    </message>
+    <message>
+        <source>%1 is being recovered in another window</source>
+        <translation>%1 wird in einem anderen Fenster wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Turn the volume</source>
+        <translation>Das Volumen drehen</translation>
+    </message>
+    <message>
+        <source>Peel</source>
+        <translation>Schälen</translation>
+    </message>
+    <message>
+        <source>Peel layers off the surface</source>
+        <translation>Lagen von der Oberfläche schälen</translation>
+    </message>
+    <message>
+        <source>Drill</source>
+        <translation>Bohren</translation>
+    </message>
+    <message>
+        <source>Drill along the view</source>
+        <translation>In Blickrichtung bohren</translation>
+    </message>
+    <message>
+        <source>Laser</source>
+        <translation>Laser</translation>
+    </message>
+    <message>
+        <source>Burn down from the surface along its normal</source>
+        <translation>Von der Oberfläche entlang ihrer Normale hineinbrennen</translation>
+    </message>
+    <message>
+        <source>Sweep</source>
+        <translation>Austragen</translation>
+    </message>
+    <message>
+        <source>Sweep a shape along a way</source>
+        <translation>Eine Form entlang eines Wegs austragen</translation>
+    </message>
+    <message>
+        <source>Scissors</source>
+        <translation>Schere</translation>
+    </message>
+    <message>
+        <source>Cut through everything inside a stroke, or outside it</source>
+        <translation>Durch alles in einem Strich schneiden, oder durch alles außerhalb</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>Keep what is connected to the place clicked, cut all else</source>
+        <translation>Behalten, was mit der angeklickten Stelle verbunden ist, alles andere schneiden</translation>
+    </message>
+    <message>
+        <source>Clip</source>
+        <translation>Beschneiden</translation>
+    </message>
+    <message>
+        <source>Clip by a box and a plane</source>
+        <translation>Mit Quader und Ebene beschneiden</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Säen</translation>
+    </message>
+    <message>
+        <source>Mark what should be segmented</source>
+        <translation>Markieren, was segmentiert werden soll</translation>
+    </message>
+    <message>
+        <source>Island</source>
+        <translation>Insel</translation>
+    </message>
+    <message>
+        <source>Drop the part of the segment that is clicked, or keep only it</source>
+        <translation>Das angeklickte Teil des Segments verwerfen, oder nur es behalten</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>Malen</translation>
+    </message>
+    <message>
+        <source>Correct the segment with a brush, on the slices</source>
+        <translation>Das Segment auf den Schichten mit dem Pinsel verbessern</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>Measure distances and angles, on the surface and on slices</source>
+        <translation>Abstände und Winkel messen, auf der Oberfläche und auf Schichten</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Bewegen</translation>
+    </message>
+    <message>
+        <source>Move, turn and scale pasted parts</source>
+        <translation>Eingefügte Teile bewegen, drehen und skalieren</translation>
+    </message>
+    <message>
+        <source>Restore</source>
+        <translation>Umkehren</translation>
+    </message>
+    <message>
+        <source>The tool&apos;s sign reversed: puts back instead of cutting, absorbs instead of seeding; hold the key for as long as you want it</source>
+        <translation>Das Werkzeug umgekehrt: füllt auf statt zu schneiden, absorbiert statt zu säen; die Taste halten, solange es gelten soll</translation>
+    </message>
+    <message>
+        <source>R</source>
+        <translation>R</translation>
+    </message>
+    <message>
+        <source>Paste</source>
+        <translation>Einfügen</translation>
+    </message>
+    <message>
+        <source>Paste what was cut since the last paste beside the object, to be moved by hand</source>
+        <translation>Neben dem Objekt einfügen, was seit dem letzten Einfügen geschnitten wurde, und von Hand bewegen</translation>
+    </message>
+    <message>
+        <source>Shift+V</source>
+        <translation>Shift+V</translation>
+    </message>
+    <message>
+        <source>Clear</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Drop the stroke in hand, or the mask</source>
+        <translation>Den begonnenen Strich oder die Maske verwerfen</translation>
+    </message>
+    <message>
+        <source>Esc</source>
+        <translation>Esc</translation>
+    </message>
+    <message>
+        <source>Free-form</source>
+        <translation>Freihand</translation>
+    </message>
+    <message>
+        <source>Draw the outline by hand</source>
+        <translation>Den Umriss von Hand zeichnen</translation>
+    </message>
+    <message>
+        <source>F</source>
+        <translation>F</translation>
+    </message>
+    <message>
+        <source>Ellipse</source>
+        <translation>Ellipse</translation>
+    </message>
+    <message>
+        <source>Drag an ellipse from corner to corner</source>
+        <translation>Eine Ellipse von Ecke zu Ecke aufziehen</translation>
+    </message>
+    <message>
+        <source>E</source>
+        <translation>E</translation>
+    </message>
+    <message>
+        <source>Circle</source>
+        <translation>Kreis</translation>
+    </message>
+    <message>
+        <source>Drag a circle from its centre</source>
+        <translation>Einen Kreis von seiner Mitte aufziehen</translation>
+    </message>
+    <message>
+        <source>O</source>
+        <translation>O</translation>
+    </message>
+    <message>
+        <source>Rectangle</source>
+        <translation>Rechteck</translation>
+    </message>
+    <message>
+        <source>Drag a rectangle from corner to corner</source>
+        <translation>Ein Rechteck von Ecke zu Ecke aufziehen</translation>
+    </message>
+    <message>
+        <source>N</source>
+        <translation>N</translation>
+    </message>
+    <message>
+        <source>Polyline</source>
+        <translation>Linienzug</translation>
+    </message>
+    <message>
+        <source>Click corner after corner; click the first one, or twice, to close it</source>
+        <translation>Ecke um Ecke klicken; die erste anklicken oder doppelt klicken schließt ihn</translation>
+    </message>
+    <message>
+        <source>Y</source>
+        <translation>Y</translation>
+    </message>
+    <message>
+        <source>The shape that a PNG shows, bright or opaque: drag the box that it fills</source>
+        <translation>Die Form, die ein PNG zeigt, hell oder deckend: den Kasten aufziehen, den sie füllt</translation>
+    </message>
+    <message>
+        <source>I</source>
+        <translation>I</translation>
+    </message>
+    <message>
+        <source>A picture for the mask&apos;s shape</source>
+        <translation>Ein Bild für die Form der Maske</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::MeasureTool</name>
+    <message>
+        <source>Click the next place. Esc drops the measurement.</source>
+        <translation>Die nächste Stelle anklicken. Esc verwirft die Messung.</translation>
+    </message>
+    <message>
+        <source>Click three places, on the surface or on a slice: the angle is the one at the second.</source>
+        <translation>Drei Stellen anklicken, auf der Oberfläche oder auf einer Schicht: der Winkel ist der an der zweiten.</translation>
+    </message>
+    <message>
+        <source>Click two places, on the surface or on a slice, or drag from one to the other.</source>
+        <translation>Zwei Stellen anklicken, auf der Oberfläche oder auf einer Schicht, oder von einer zur anderen ziehen.</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::MoveTool</name>
+    <message>
+        <source>Nothing is pasted yet: cut something out and paste it (Shift+V).</source>
+        <translation>Noch ist nichts eingefügt: etwas herausschneiden und einfügen (Umschalt+V).</translation>
+    </message>
+    <message>
+        <source>Turning the view. Press on the part to move that.</source>
+        <translation>Dreht die Ansicht. Auf das Teil drücken, um es zu bewegen.</translation>
+    </message>
+    <message>
+        <source>Drag the part to move it, with Shift to turn it, with Ctrl to roll it; the wheel scales it.</source>
+        <translation>Das Teil ziehen, um es zu bewegen, mit Umschalt zu drehen, mit Strg zu rollen; das Rad skaliert es.</translation>
+    </message>
+    <message>
+        <source> Tab: the next part.</source>
+        <translation> Tab: das nächste Teil.</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::PaintTool</name>
+    <message>
+        <source>Paint on a slice to add to the segment; the right button or Ctrl removes. [ and ] change the brush, Shift leads the crosshair.</source>
+        <translation>Auf einer Schicht malen, um zum Segment hinzuzufügen; rechte Taste oder Strg entfernt. [ und ] ändern den Pinsel, Umschalt führt das Fadenkreuz.</translation>
+    </message>
+    <message>
+        <source>Paint on a slice to remove from the segment; the right button or Ctrl adds. [ and ] change the brush, Shift leads the crosshair.</source>
+        <translation>Auf einer Schicht malen, um aus dem Segment zu entfernen; rechte Taste oder Strg fügt hinzu. [ und ] ändern den Pinsel, Umschalt führt das Fadenkreuz.</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::PeelTool</name>
+    <message>
+        <source>Draw a closed outline around the region to peel; it closes when you let go.</source>
+        <translation>Einen geschlossenen Umriss um das zeichnen, was geschält werden soll; er schließt sich beim Loslassen.</translation>
+    </message>
+    <message>
+        <source>Let go to close the mask. Esc drops it.</source>
+        <translation>Loslassen schließt die Maske. Esc verwirft sie.</translation>
+    </message>
+    <message>
+        <source>Press inside the mask and drag down to put layers back on. Draw outside it for a new mask. Esc clears it.</source>
+        <translation>In die Maske drücken und nach unten ziehen legt Lagen wieder auf. Außerhalb zeichnen für eine neue Maske. Esc löscht sie.</translation>
+    </message>
+    <message>
+        <source>Press inside the mask and drag down to peel. Draw outside it for a new mask. Esc clears it.</source>
+        <translation>In die Maske drücken und nach unten ziehen schält. Außerhalb zeichnen für eine neue Maske. Esc löscht sie.</translation>
+    </message>
+    <message>
+        <source>Down puts back, up takes off: %1 layers. Let go to keep, Esc to undo.</source>
+        <translation>Nach unten füllt auf, nach oben nimmt weg: %1 Lagen. Loslassen behält, Esc macht rückgängig.</translation>
+    </message>
+    <message>
+        <source>Down peels, up puts back: %1 layers. Let go to keep, Esc to undo.</source>
+        <translation>Nach unten schält, nach oben legt auf: %1 Lagen. Loslassen behält, Esc macht rückgängig.</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::PenTool</name>
+    <message>
+        <source>Let go to close the mask. Esc drops it.</source>
+        <translation>Loslassen schließt die Maske. Esc verwirft sie.</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::PictureDialog</name>
+    <message>
+        <source>Save pictures</source>
+        <translation>Bilder speichern</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Hintergrund</translation>
+    </message>
+    <message>
+        <source>As in the window</source>
+        <translation>Wie im Fenster</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>Weiß</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>Schwarz</translation>
+    </message>
+    <message>
+        <source>Transparent</source>
+        <translation>Transparent</translation>
+    </message>
+    <message>
+        <source>Scale bar and orientation marker</source>
+        <translation>Maßstab und Richtungswürfel</translation>
+    </message>
+    <message>
+        <source>Draws both into the picture</source>
+        <translation>Zeichnet beide ins Bild</translation>
+    </message>
+    <message>
+        <source>Pictures all the way around</source>
+        <translation>Bilder ringsherum</translation>
+    </message>
+    <message>
+        <source>one picture, as seen</source>
+        <translation>ein Bild, wie zu sehen</translation>
+    </message>
+    <message>
+        <source> pictures around</source>
+        <translation> Bilder ringsum</translation>
+    </message>
+    <message>
+        <source>More than one: a turntable, as numbered files for a film</source>
+        <translation>Mehr als eines: eine Runde, als nummerierte Dateien für einen Film</translation>
+    </message>
+    <message>
+        <source>Turntable</source>
+        <translation>Rundum</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>Meldung</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Speichern…</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Width in pixels</source>
+        <translation>Breite in Pixeln</translation>
+    </message>
+    <message>
+        <source>Height in pixels</source>
+        <translation>Höhe in Pixeln</translation>
+    </message>
+    <message>
+        <source>by</source>
+        <translation>mal</translation>
+    </message>
+    <message>
+        <source>pixels</source>
+        <translation>Pixel</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>The shape of the view</source>
+        <translation>Die Form der Ansicht</translation>
+    </message>
+    <message>
+        <source>Width and height go together</source>
+        <translation>Breite und Höhe gehen zusammen</translation>
+    </message>
+    <message>
+        <source>Save the picture</source>
+        <translation>Bild speichern</translation>
+    </message>
+    <message>
+        <source>Pictures (*.png)</source>
+        <translation>Bilder (*.png)</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::PictureExport</name>
+    <message>
+        <source>The document changed: the pictures were given up</source>
+        <translation>Das Dokument hat sich geändert: die Bilder wurden aufgegeben</translation>
+    </message>
+    <message>
+        <source>Saved %1 pictures up to %2</source>
+        <translation>%1 Bilder bis %2 gespeichert</translation>
+    </message>
+    <message>
+        <source>Saved picture %1</source>
+        <translation>Bild %1 gespeichert</translation>
+    </message>
+    <message>
+        <source>Given up after %1 of %2 pictures</source>
+        <translation>Aufgegeben nach %1 von %2 Bildern</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::PlaneView</name>
+    <message>
+        <source>gradient up to %1 per mm</source>
+        <translation>Gradient bis %1 je mm</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::PreferencesDialog</name>
+    <message>
+        <source>Preferences</source>
+        <translation>Einstellungen</translation>
+    </message>
+    <message>
+        <source>Dark</source>
+        <translation>Dunkel</translation>
+    </message>
+    <message>
+        <source>The picture is the brightest thing</source>
+        <translation>Das Bild ist das Hellste</translation>
+    </message>
+    <message>
+        <source>Light</source>
+        <translation>Hell</translation>
+    </message>
+    <message>
+        <source>For bright rooms</source>
+        <translation>Für helle Räume</translation>
+    </message>
+    <message>
+        <source>As the desktop</source>
+        <translation>Wie der Desktop</translation>
+    </message>
+    <message>
+        <source>Dark or light as other windows are</source>
+        <translation>Dunkel oder hell wie andere Fenster</translation>
+    </message>
+    <message>
+        <source>Theme</source>
+        <translation>Farbschema</translation>
+    </message>
+    <message>
+        <source>German where the desktop speaks it, else English</source>
+        <translation>Deutsch, wo der Desktop es spricht, sonst Englisch</translation>
+    </message>
+    <message>
+        <source>English, whatever the desktop speaks</source>
+        <translation>Englisch, was auch immer der Desktop spricht</translation>
+    </message>
+    <message>
+        <source>German, whatever the desktop speaks</source>
+        <translation>Deutsch, was auch immer der Desktop spricht</translation>
+    </message>
+    <message>
+        <source>Start Volume Studio again to read it in the other language.</source>
+        <translation>Volume Studio neu starten, um es in der anderen Sprache zu lesen.</translation>
+    </message>
+    <message>
+        <source>Language</source>
+        <translation>Sprache</translation>
+    </message>
+    <message>
+        <source>Memory for undo</source>
+        <translation>Speicher für Rückgängig</translation>
+    </message>
+    <message>
+        <source> MB</source>
+        <translation> MB</translation>
+    </message>
+    <message>
+        <source>Undo has no end; what does not fit goes to a temporary file</source>
+        <translation>Rückgängig hat kein Ende; was nicht hineinpasst, kommt in eine temporäre Datei</translation>
+    </message>
+    <message>
+        <source>Folder to save in</source>
+        <translation>Ordner zum Speichern</translation>
+    </message>
+    <message>
+        <source>Where the file dialog was last</source>
+        <translation>Wo der Dateidialog zuletzt war</translation>
+    </message>
+    <message>
+        <source>Where sessions, pictures and label maps are saved unless another folder is chosen</source>
+        <translation>Wohin Sitzungen, Bilder und Labelkarten gespeichert werden, wenn kein anderer Ordner gewählt wird</translation>
+    </message>
+    <message>
+        <source>Choose…</source>
+        <translation>Wählen…</translation>
+    </message>
+    <message>
+        <source>Choose the folder to save in</source>
+        <translation>Den Ordner zum Speichern wählen</translation>
+    </message>
+    <message>
+        <source>Recordings go to</source>
+        <translation>Gespeichert wird in</translation>
+    </message>
+    <message>
+        <source>Smooth sampling</source>
+        <translation>Glatte Abtastung</translation>
+    </message>
+    <message>
+        <source>Tricubic instead of trilinear: no facets where the picture is enlarged</source>
+        <translation>Trikubisch statt trilinear: keine Facetten in der Vergrößerung</translation>
+    </message>
+    <message>
+        <source>Shadows</source>
+        <translation>Schatten</translation>
+    </message>
+    <message>
+        <source>Ambient occlusion and soft shadows</source>
+        <translation>Umgebungsverdeckung und weiche Schatten</translation>
+    </message>
+    <message>
+        <source>Volumes open with</source>
+        <translation>Volumen öffnen mit</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::RangePage</name>
+    <message>
+        <source>Histogram with the displayed range</source>
+        <translation>Histogramm mit dem angezeigten Bereich</translation>
+    </message>
+    <message>
+        <source>What is wrong with the number that was typed</source>
+        <translation>Was an der getippten Zahl nicht stimmt</translation>
+    </message>
+    <message>
+        <source>Lower end of the displayed range</source>
+        <translation>Unteres Ende des angezeigten Bereichs</translation>
+    </message>
+    <message>
+        <source>Upper end of the displayed range</source>
+        <translation>Oberes Ende des angezeigten Bereichs</translation>
+    </message>
+    <message>
+        <source>Unit of the volume&apos;s values</source>
+        <translation>Einheit der Werte des Volumens</translation>
+    </message>
+    <message>
+        <source>Logarithmic counts</source>
+        <translation>Logarithmische Anzahlen</translation>
+    </message>
+    <message>
+        <source>log</source>
+        <translation>log</translation>
+    </message>
+    <message>
+        <source>Heights by the logarithm of the counts: few voxels show beside millions of others</source>
+        <translation>Höhen nach dem Logarithmus der Anzahlen: wenige Voxel sind neben Millionen anderer zu sehen</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>The ends are exchanged: the lower one comes first.</source>
+        <translation>Die Enden sind vertauscht: das untere kommt zuerst.</translation>
+    </message>
+    <message>
+        <source>%1 lies beyond the data, which go from %2 to %3.</source>
+        <translation>%1 liegt außerhalb der Daten, die von %2 bis %3 gehen.</translation>
+    </message>
+    <message>
+        <source>%1 of %2 voxels visible</source>
+        <translation>%1 von %2 Voxeln sichtbar</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::RecoveryList</name>
+    <message>
+        <source>%1: one edit was not saved</source>
+        <translation>%1: eine Änderung wurde nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>%1: %2 edits were not saved</source>
+        <translation>%1: %2 Änderungen wurden nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>%1 cannot be recovered</source>
+        <translation>%1 kann nicht wiederhergestellt werden</translation>
+    </message>
+    <message>
+        <source>The program ended without being closed. Last edit: %1</source>
+        <translation>Das Programm endete, ohne geschlossen zu werden. Letzte Änderung: %1</translation>
+    </message>
+    <message>
+        <source>Discard…</source>
+        <translation>Verwerfen…</translation>
+    </message>
+    <message>
+        <source>Discard the edits of %1</source>
+        <translation>Die Änderungen an %1 verwerfen</translation>
+    </message>
+    <message>
+        <source>Recover</source>
+        <translation>Wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Recover the edits of %1</source>
+        <translation>Die Änderungen an %1 wiederherstellen</translation>
+    </message>
+    <message>
+        <source>Volume Studio</source>
+        <translation>Volume Studio</translation>
+    </message>
+    <message>
+        <source>Discard the edits of %1 for good?</source>
+        <translation>Die Änderungen an %1 endgültig verwerfen?</translation>
+    </message>
+    <message>
+        <source>&amp;Discard</source>
+        <translation>&amp;Verwerfen</translation>
+    </message>
+    <message>
+        <source>&amp;Keep</source>
+        <translation>&amp;Behalten</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::ScissorsTool</name>
+    <message>
+        <source>Let go to close the stroke and cut. Esc drops it.</source>
+        <translation>Loslassen schließt den Strich und schneidet. Esc verwirft ihn.</translation>
+    </message>
+    <message>
+        <source>Draw around a region: everything outside it is put back when you let go.</source>
+        <translation>Um eine Stelle zeichnen: alles außerhalb wird beim Loslassen aufgefüllt.</translation>
+    </message>
+    <message>
+        <source>Draw around what should be put back; it is when you let go.</source>
+        <translation>Um das zeichnen, was aufgefüllt werden soll; beim Loslassen geschieht es.</translation>
+    </message>
+    <message>
+        <source>Draw around what should stay: everything outside it is cut when you let go.</source>
+        <translation>Um das zeichnen, was bleiben soll: alles außerhalb wird beim Loslassen geschnitten.</translation>
+    </message>
+    <message>
+        <source>Draw around what should go: it is cut when you let go.</source>
+        <translation>Um das zeichnen, was weg soll: beim Loslassen wird es geschnitten.</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::SeedTool</name>
+    <message>
+        <source>Let go to absorb from here. Esc drops the stroke.</source>
+        <translation>Loslassen absorbiert von hier an. Esc verwirft den Strich.</translation>
+    </message>
+    <message>
+        <source>Let go to place the seeds. Esc drops the stroke.</source>
+        <translation>Loslassen setzt die Saat. Esc verwirft den Strich.</translation>
+    </message>
+    <message>
+        <source>Draw on the segment: it is absorbed from there outward until you pause. R seeds again.</source>
+        <translation>Auf das Segment zeichnen: es wird von dort nach außen absorbiert, bis zur Pause. R sät wieder.</translation>
+    </message>
+    <message>
+        <source>Draw on the segment to absorb it there; Step and Play go on outward. R seeds again.</source>
+        <translation>Auf das Segment zeichnen, um es dort zu absorbieren; Schritt und Abspielen gehen nach außen weiter. R sät wieder.</translation>
+    </message>
+    <message>
+        <source>Draw on what should be segmented; it starts to grow when you let go. More strokes add to it.</source>
+        <translation>Auf das zeichnen, was segmentiert werden soll; beim Loslassen wächst es. Weitere Striche kommen hinzu.</translation>
+    </message>
+    <message>
+        <source>Draw on what should be segmented, then press Play. More strokes add to it.</source>
+        <translation>Auf das zeichnen, was segmentiert werden soll, dann Abspielen drücken. Weitere Striche kommen hinzu.</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::SegmentController</name>
+    <message>
+        <source>Segment %1</source>
+        <translation>Segment %1</translation>
+    </message>
+    <message>
+        <source>A segment&apos;s name has at most %1 characters</source>
+        <translation>Der Name eines Segments hat höchstens %1 Zeichen</translation>
+    </message>
+    <message>
+        <source>A segment needs a name</source>
+        <translation>Ein Segment braucht einen Namen</translation>
+    </message>
+    <message>
+        <source>There is a segment &apos;%1&apos; already; choose another name</source>
+        <translation>Es gibt schon ein Segment „%1“; einen anderen Namen wählen</translation>
+    </message>
+    <message>
+        <source>Working…</source>
+        <translation>Arbeitet…</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>Liest %1</translation>
+    </message>
+    <message>
+        <source>The label map was dropped: its volume is no longer open</source>
+        <translation>Die Labelkarte wurde verworfen: ihr Volumen ist nicht mehr offen</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::SegmentEditPanel</name>
+    <message>
+        <source>Edit segment</source>
+        <translation>Segment bearbeiten</translation>
+    </message>
+    <message>
+        <source>What to do with the segment at work</source>
+        <translation>Was mit dem aktiven Segment geschehen soll</translation>
+    </message>
+    <message>
+        <source>Amount</source>
+        <translation>Betrag</translation>
+    </message>
+    <message>
+        <source>By how much</source>
+        <translation>Um wie viel</translation>
+    </message>
+    <message>
+        <source>The other segment</source>
+        <translation>Das andere Segment</translation>
+    </message>
+    <message>
+        <source>Other</source>
+        <translation>Anderes</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Anwenden</translation>
+    </message>
+    <message>
+        <source>Click in the picture</source>
+        <translation>Ins Bild klicken</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::SegmentModel</name>
+    <message>
+        <source>Colour of %1: click to choose another</source>
+        <translation>Farbe von %1: Klicken wählt eine andere</translation>
+    </message>
+    <message>
+        <source>New strokes go to the segment that is marked; double-click or F2 to rename it</source>
+        <translation>Neue Striche gehen zum markierten Segment; Doppelklick oder F2 benennt es um</translation>
+    </message>
+    <message>
+        <source>What is shown of it now</source>
+        <translation>Was gerade davon zu sehen ist</translation>
+    </message>
+    <message>
+        <source>Seen: click to hide it</source>
+        <translation>Sichtbar: Klicken verbirgt es</translation>
+    </message>
+    <message>
+        <source>Hidden: click to show it</source>
+        <translation>Verborgen: Klicken zeigt es</translation>
+    </message>
+    <message>
+        <source>Locked: no tool changes it, nor cuts it</source>
+        <translation>Gesperrt: kein Werkzeug ändert oder schneidet es</translation>
+    </message>
+    <message>
+        <source>Click to lock it</source>
+        <translation>Klicken sperrt es</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::SegmentNumbersPanel</name>
+    <message>
+        <source>Numbers</source>
+        <translation>Zahlen</translation>
+    </message>
+    <message>
+        <source>Voxels</source>
+        <translation>Voxel</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
+    <message>
+        <source>Mean, spread</source>
+        <translation>Mittel, Streuung</translation>
+    </message>
+    <message>
+        <source>Least, median, most</source>
+        <translation>Min., Median, Max.</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>Surface</source>
+        <translation>Oberfläche</translation>
+    </message>
+    <message>
+        <source>Copy all as CSV</source>
+        <translation>Alles als CSV kopieren</translation>
+    </message>
+    <message>
+        <source>Copy the numbers as CSV</source>
+        <translation>Die Zahlen als CSV kopieren</translation>
+    </message>
+    <message>
+        <source>The numbers of all segments, for a table, as `vstudio stats --csv` writes them</source>
+        <translation>Die Zahlen aller Segmente für eine Tabelle, wie `vstudio stats --csv` sie schreibt</translation>
+    </message>
+    <message>
+        <source>%1 ml</source>
+        <translation>%1 ml</translation>
+    </message>
+    <message>
+        <source>measuring…</source>
+        <translation>misst…</translation>
+    </message>
+    <message>
+        <source>–</source>
+        <translation>–</translation>
+    </message>
+    <message>
+        <source>%1 ± %2</source>
+        <translation>%1 ± %2</translation>
+    </message>
+    <message>
+        <source>%1, %2, %3</source>
+        <translation>%1, %2, %3</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 mm</source>
+        <translation>%1 × %2 × %3 mm</translation>
+    </message>
+    <message>
+        <source>%1 cm²</source>
+        <translation>%1 cm²</translation>
+    </message>
+    <message>
+        <source>Copied the numbers of one segment</source>
+        <translation>Zahlen eines Segments kopiert</translation>
+    </message>
+    <message>
+        <source>Copied the numbers of %1 segments</source>
+        <translation>Zahlen von %1 Segmenten kopiert</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::SegmentTable</name>
+    <message>
+        <source>Colour of %1</source>
+        <translation>Farbe von %1</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::SeriesDialog</name>
+    <message>
+        <source>Series</source>
+        <translation>Serien</translation>
+    </message>
+    <message>
+        <source>Which series?</source>
+        <translation>Welche Serie?</translation>
+    </message>
+    <message>
+        <source>%1 holds %2 series. Open which?</source>
+        <translation>%1 enthält %2 Serien. Welche öffnen?</translation>
+    </message>
+    <message>
+        <source>No.</source>
+        <translation>Nr.</translation>
+    </message>
+    <message>
+        <source>Description</source>
+        <translation>Beschreibung</translation>
+    </message>
+    <message>
+        <source>Kind</source>
+        <translation>Art</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Abstände</translation>
+    </message>
+    <message>
+        <source>Images</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>(no description)</source>
+        <translation>(keine Beschreibung)</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::ShapePage</name>
+    <message>
+        <source>Colours over intensity and gradient magnitude</source>
+        <translation>Farben über Intensität und Gradientenbetrag</translation>
+    </message>
+    <message>
+        <source>Drag on empty ground: a new shape. Drag a shape, or its corners. Double click: its colour. Right button: remove; while painting: erase.
+Tab: the next shape; arrow keys move it; Delete; Return: its colour; Ctrl+Z. Wheel: closer.</source>
+        <translation>Auf leerem Grund ziehen: eine neue Form. Form oder ihre Ecken ziehen. Doppelklick: ihre Farbe. Rechte Taste: entfernen; beim Malen: radieren.
+Tab: die nächste Form; Pfeiltasten bewegen sie; Entf; Eingabe: ihre Farbe; Strg+Z. Rad: näher.</translation>
+    </message>
+    <message>
+        <source>Box</source>
+        <translation>Quader</translation>
+    </message>
+    <message>
+        <source>New shapes are boxes</source>
+        <translation>Neue Formen sind Kästen</translation>
+    </message>
+    <message>
+        <source>Triangle</source>
+        <translation>Dreieck</translation>
+    </message>
+    <message>
+        <source>New shapes stand on a point</source>
+        <translation>Neue Formen stehen auf einer Spitze</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>Malen</translation>
+    </message>
+    <message>
+        <source>Paint free-hand; the right button erases</source>
+        <translation>Freihand malen; die rechte Taste radiert</translation>
+    </message>
+    <message>
+        <source>Intensity</source>
+        <translation>Intensität</translation>
+    </message>
+    <message>
+        <source>At its top</source>
+        <translation>An ihrer Spitze</translation>
+    </message>
+    <message>
+        <source>Gradient</source>
+        <translation>Gradient</translation>
+    </message>
+    <message>
+        <source>Size of the brush, in pixels</source>
+        <translation>Größe des Pinsels, in Pixeln</translation>
+    </message>
+    <message>
+        <source>Brush</source>
+        <translation>Pinsel</translation>
+    </message>
+    <message>
+        <source>%1: lower end</source>
+        <translation>%1: unteres Ende</translation>
+    </message>
+    <message>
+        <source>%1: upper end</source>
+        <translation>%1: oberes Ende</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>The ends are exchanged: the lower one comes first.</source>
+        <translation>Die Enden sind vertauscht: das untere kommt zuerst.</translation>
+    </message>
+    <message>
+        <source>Counting…</source>
+        <translation>Wird gezählt…</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::ShortcutSheet</name>
+    <message>
+        <source>Elsewhere</source>
+        <translation>Sonst</translation>
+    </message>
+    <message>
+        <source>Keyboard shortcuts</source>
+        <translation>Tastenkürzel</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::SliceWidget</name>
+    <message>
+        <source>%1 slice</source>
+        <translation>%1e Schicht</translation>
+    </message>
+    <message>
+        <source>Where the %1 slice lies</source>
+        <translation>Lage der Schicht: %1</translation>
+    </message>
+    <message>
+        <source>Enlarge</source>
+        <translation>Vergrößern</translation>
+    </message>
+    <message>
+        <source>Make this slice large, or all the same size again (double click)</source>
+        <translation>Diese Schicht groß, oder wieder alle gleich groß (Doppelklick)</translation>
+    </message>
+    <message>
+        <source>%1 %2 mm   %3 / %4</source>
+        <translation>%1 %2 mm   %3 / %4</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::StartCard</name>
+    <message>
+        <source>not found in %1</source>
+        <translation>nicht gefunden in %1</translation>
+    </message>
+    <message>
+        <source>There is no such file any more</source>
+        <translation>Diese Datei gibt es nicht mehr</translation>
+    </message>
+    <message>
+        <source>Has segments</source>
+        <translation>Hat Segmente</translation>
+    </message>
+    <message>
+        <source>A raw scan, without segments</source>
+        <translation>Ein roher Scan, ohne Segmente</translation>
+    </message>
+    <message>
+        <source>Forget %1</source>
+        <translation>%1 vergessen</translation>
+    </message>
+    <message>
+        <source>Take it off this list (Delete)</source>
+        <translation>Von dieser Liste nehmen (Entf)</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::StudioController</name>
+    <message>
+        <source>Nothing to paste: nothing visible was cut since the last paste</source>
+        <translation>Nichts einzufügen: seit dem letzten Einfügen wurde nichts Sichtbares geschnitten</translation>
+    </message>
+    <message>
+        <source>%1 holds several series</source>
+        <translation>%1 enthält mehrere Serien</translation>
+    </message>
+    <message>
+        <source>Still reading; open it again when that is done</source>
+        <translation>Liest noch; danach noch einmal öffnen</translation>
+    </message>
+    <message>
+        <source>Recovering</source>
+        <translation>Stellt wieder her</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>Liest %1</translation>
+    </message>
+    <message>
+        <source>Opened %1</source>
+        <translation>%1 geöffnet</translation>
+    </message>
+    <message>
+        <source>Replaying %1 of %2: %3</source>
+        <translation>Spielt %1 von %2 nach: %3</translation>
+    </message>
+    <message>
+        <source>Replayed up to operation %1 (%2): %3</source>
+        <translation>Nachgespielt bis Schritt %1 (%2): %3</translation>
+    </message>
+    <message>
+        <source>Replayed %1 operations</source>
+        <translation>%1 Schritte nachgespielt</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
+    </message>
+    <message>
+        <source>There is no segmentation to export yet: draw seeds first</source>
+        <translation>Noch keine Segmentierung zum Exportieren: zuerst säen</translation>
+    </message>
+    <message>
+        <source>Exported labels to %1</source>
+        <translation>Labels nach %1 exportiert</translation>
+    </message>
+    <message>
+        <source>Finishing the picture</source>
+        <translation>Das Bild wird fertig</translation>
+    </message>
+    <message>
+        <source>Saved picture %1</source>
+        <translation>Bild %1 gespeichert</translation>
+    </message>
+    <message>
+        <source>Drag a box for the shape of %1</source>
+        <translation>Einen Kasten aufziehen für die Form von %1</translation>
+    </message>
+    <message>
+        <source>Nothing was changed</source>
+        <translation>Nichts wurde geändert</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::SweepTool</name>
+    <message>
+        <source>Draw the shape that is to be swept; it closes when you let go.</source>
+        <translation>Die Form zeichnen, die ausgetragen werden soll; sie schließt sich beim Loslassen.</translation>
+    </message>
+    <message>
+        <source>Let go to close the mask. Esc drops it.</source>
+        <translation>Loslassen schließt die Maske. Esc verwirft sie.</translation>
+    </message>
+    <message>
+        <source>Draw the way that the shape goes. Esc clears it for a new shape.</source>
+        <translation>Den Weg der Form zeichnen. Esc löscht sie für eine neue Form.</translation>
+    </message>
+    <message>
+        <source>Nothing is under the shape, so the way cannot begin there. Esc clears it.</source>
+        <translation>Unter der Form liegt nichts, also kann der Weg dort nicht beginnen. Esc löscht sie.</translation>
+    </message>
+    <message>
+        <source>Let go where the way ends. Esc drops it.</source>
+        <translation>Loslassen, wo der Weg endet. Esc verwirft ihn.</translation>
+    </message>
+    <message>
+        <source>Enter restores what is shown. </source>
+        <translation>Eingabe füllt Gezeigtes auf. </translation>
+    </message>
+    <message>
+        <source>Enter cuts what is shown. </source>
+        <translation>Eingabe schneidet Gezeigtes. </translation>
+    </message>
+    <message>
+        <source>Draw again for another way. Esc drops it.</source>
+        <translation>Neu zeichnen für einen anderen Weg. Esc verwirft ihn.</translation>
+    </message>
+    <message>
+        <source>Draw again for another shape. Esc drops it.</source>
+        <translation>Neu zeichnen für eine andere Form. Esc verwirft sie.</translation>
+    </message>
+    <message>
+        <source>The way leads nowhere: draw it on the object, or longer</source>
+        <translation>Der Weg führt nirgendwohin: auf dem Objekt zeichnen, oder länger</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::ThumbnailKeeper</name>
+    <message>
+        <source>%1 × %2 × %3</source>
+        <translation>%1 × %2 × %3</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::ToolPanel</name>
+    <message>
+        <source>Tool</source>
+        <translation>Werkzeug</translation>
+    </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Peel</source>
+        <translation>Schälen</translation>
+    </message>
+    <message>
+        <source>Drill</source>
+        <translation>Bohren</translation>
+    </message>
+    <message>
+        <source>Laser</source>
+        <translation>Laser</translation>
+    </message>
+    <message>
+        <source>Sweep</source>
+        <translation>Austragen</translation>
+    </message>
+    <message>
+        <source>Scissors</source>
+        <translation>Schere</translation>
+    </message>
+    <message>
+        <source>Keep connected</source>
+        <translation>Verbundenes behalten</translation>
+    </message>
+    <message>
+        <source>Clip</source>
+        <translation>Beschneiden</translation>
+    </message>
+    <message>
+        <source>Seed</source>
+        <translation>Säen</translation>
+    </message>
+    <message>
+        <source>Island</source>
+        <translation>Insel</translation>
+    </message>
+    <message>
+        <source>Measure</source>
+        <translation>Messen</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>Malen</translation>
+    </message>
+    <message>
+        <source>Move part</source>
+        <translation>Teil bewegen</translation>
+    </message>
+    <message>
+        <source>%1: restore</source>
+        <translation>%1: auffüllen</translation>
+    </message>
+    <message>
+        <source>%1: add to the segment</source>
+        <translation>%1: zum Segment</translation>
+    </message>
+    <message>
+        <source>%1: remove from the segment</source>
+        <translation>%1: aus dem Segment</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::ViewWidget</name>
+    <message>
+        <source>Picture of the volume</source>
+        <translation>Bild des Volumens</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::WelcomePage</name>
+    <message>
+        <source>Recent</source>
+        <translation>Zuletzt</translation>
+    </message>
+    <message>
+        <source>Examples on this machine</source>
+        <translation>Beispiele auf diesem Rechner</translation>
+    </message>
+    <message>
+        <source>Volume Studio</source>
+        <translation>Volume Studio</translation>
+    </message>
+    <message>
+        <source>Reshape a 3D scan with your pen: peel it, drill it, and let what you mark grow.</source>
+        <translation>Einen 3D-Scan mit dem Stift umformen: schälen, bohren, und Markiertes wachsen lassen.</translation>
+    </message>
+    <message>
+        <source>Open a file…</source>
+        <translation>Datei öffnen…</translation>
+    </message>
+    <message>
+        <source>Open a file</source>
+        <translation>Datei öffnen</translation>
+    </message>
+    <message>
+        <source>Open a DICOM folder…</source>
+        <translation>DICOM-Ordner öffnen…</translation>
+    </message>
+    <message>
+        <source>Open a DICOM folder</source>
+        <translation>DICOM-Ordner öffnen</translation>
+    </message>
+    <message>
+        <source>or drop a file or a folder anywhere in this window
+DICOM · NIfTI · NRRD · MetaImage · VTK · raw · sessions</source>
+        <translation>oder eine Datei oder einen Ordner irgendwo in dieses Fenster ziehen
+DICOM · NIfTI · NRRD · MetaImage · VTK · roh · Sitzungen</translation>
+    </message>
+</context>
+</TS>

@@ -124,7 +124,7 @@ void PictureLoop::begin(Pass pass) {
     prepareMs_ = passMs_ = timer.milliseconds();
 }
 
-// Read back, and painted as the rest of the window is (doc/decisions/0009).
+// Read back, and painted as the rest of the window is (doc/decisions/0010).
 void PictureLoop::show() {
     const image::Image picture = caster_.readPicture();
     const QImage straight(picture.rgba.data(), picture.width, picture.height, 4 * picture.width,

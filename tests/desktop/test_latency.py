@@ -104,7 +104,7 @@ def grow(studio):
     studio.drag([studio.view_point(0.5 + 0.01 * i, 0.35) for i in range(5)])
     studio.wait("growth", lambda s: s["generation"] > 3)
     studio.key("v")
-    phase = Phase(studio, circle(studio, (0.5, 0.5), 0.2, 3))
+    phase = Phase(studio, circle(studio, (0.5, 0.5), 0.2, 1.5))
     state = studio.state()
     studio.wait_idle("the region", lambda s: not s["playing"] and s["pictureComplete"])
     return phase, state

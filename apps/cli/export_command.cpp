@@ -32,6 +32,7 @@ struct ExportOptions {
     std::vector<std::string> segments; // names, or values of labels; empty: all
     std::string range;
     std::optional<double> level;
+    std::optional<int> smoothing;
     std::size_t mostTriangles = 0;
     studio::ExportSettings settings;
 };
@@ -97,6 +98,14 @@ Input readSession(const ExportOptions& options) {
         progress.advance();
     }
     readFromDocument(input, options);
+    if (options.volume.path.empty()) {
+        if (!session.series.empty()) {
+            input.source.reading.series = session.series;
+        }
+        input.source.reading.frame = session.frame;
+    } else {
+        input.source.reading = readOptions(options.volume);
+    }
     return input;
 }
 
@@ -137,6 +146,7 @@ Input readLabels(const ExportOptions& options) {
     }
     input.source.segments = chosen(std::move(all), options);
     input.source.volume = input.volume.get();
+    input.source.reading = readOptions(options.volume);
     input.source.geometry = map.geometry;
     input.source.labels = std::move(map.labels);
     return input;
@@ -145,6 +155,8 @@ Input readLabels(const ExportOptions& options) {
 // What can be wrong is said before anything is read.
 void understand(ExportOptions& options) {
     options.settings.what = options.what == "volume" ? What::Volume : What::Segments;
+    options.settings.refinement.smoothing = options.smoothing.value_or(
+        options.settings.what == What::Segments ? studio::ExportSettings::kUsualSmoothing : 0);
     if (options.mostTriangles > 0) {
         options.settings.refinement.mostTriangles = options.mostTriangles;
     }
@@ -185,8 +197,9 @@ void addSurfaceOptions(CLI::App& command, ExportOptions& options) {
                     "range")
         ->excludes(level);
     command
-        .add_option("--smooth", options.settings.refinement.smoothing,
-                    "Passes of windowed sinc smoothing of surfaces, 20 for data in thick slices")
+        .add_option("--smooth", options.smoothing,
+                    "Passes of windowed sinc smoothing of surfaces: without, 10 for segments and 0 for the "
+                    "volume; more for thick slices; 0 leaves the surface where it is drawn")
         ->check(CLI::Range(0, mesh::kMostSmoothing));
     auto* share = command
                       .add_option("--keep", options.settings.refinement.share,

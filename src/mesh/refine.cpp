@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mesh/refine.h"
 
+#include "mesh/close_holes.h"
 #include "mesh/vtk_mesh.h"
 
 #include <vtkNew.h>
@@ -48,6 +49,7 @@ Mesh refined(Mesh mesh, const Refinement& refinement, const Progress& progress) 
     if (mesh.triangles.empty() || (refinement.smoothing == 0 && share == 1)) {
         return mesh;
     }
+    const bool isClosed = topologyOf(mesh).isClosed();
     vtkSmartPointer<vtkPolyData> data = toVtk(mesh);
     if (refinement.smoothing > 0) {
         data = smoothed(*data, refinement.smoothing, partOf(progress, 0, share < 1 ? 0.3 : 1));
@@ -56,6 +58,9 @@ Mesh refined(Mesh mesh, const Refinement& refinement, const Progress& progress) 
         data = decimated(*data, share, partOf(progress, refinement.smoothing > 0 ? 0.3 : 0, 1));
     }
     Mesh result = fromVtk(*data);
+    if (share < 1 && isClosed) {
+        closeHoles(result);
+    }
     result.name = mesh.name;
     result.colour = mesh.colour;
     result.opacity = mesh.opacity;

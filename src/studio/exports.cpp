@@ -8,6 +8,7 @@
 #include "render/placement.h"
 #include "segment/label_sets.h"
 #include "segment/measured_segment.h"
+#include "volume/dicom_segmentation.h"
 #include "volume/inspect.h"
 #include "volume/write.h"
 
@@ -145,6 +146,22 @@ std::string writeLabelMap(const std::filesystem::path& path, const ExportSource&
     return fmt::format("{}: {} labels", path.string(), source.segments.size());
 }
 
+// With patient and study of the series that the volume came from, where it came from one.
+std::string writeDicom(const std::filesystem::path& path, const ExportSource& source) {
+    std::vector<volume::DicomSegment> segments;
+    for (const ExportedSegment& segment : source.segments) {
+        segments.push_back({segment.label, segment.name, segment.colour});
+    }
+    const bool isFromFile = source.volume != nullptr && !source.volume->path.empty();
+    const auto series = isFromFile ? volume::dicomFilesOf(source.volume->path, source.reading)
+                                   : std::vector<std::filesystem::path>();
+    volume::writeDicomSegmentation(path, source.geometry, source.labels, segments, series);
+    return fmt::format("{}: {} segment{}, {}", path.string(), segments.size(),
+                       segments.size() == 1 ? "" : "s",
+                       series.empty() ? "of no DICOM series: patient and study are empty"
+                                      : "with patient and study of the series");
+}
+
 std::string writeTable(const std::filesystem::path& path, const ExportSource& source) {
     std::vector<segment::MeasuredSegment> rows;
     for (const auto& statistics : segment::measure(*source.volume, source.labels)) {
@@ -199,6 +216,9 @@ std::vector<std::string> writeExport(const std::filesystem::path& path, const Ex
     mesh::report(progress, 0);
     if (settings.what == What::Volume) {
         return {writeVolume(path, source, settings.fill)};
+    }
+    if (endsIn(path, ".dcm")) {
+        return {writeDicom(path, source)};
     }
     if (endsIn(path, ".csv")) {
         return {writeTable(path, source)};

@@ -4,6 +4,7 @@
 #include "mesh/refine.h"
 #include "mesh/visible_surface.h"
 #include "studio/document.h"
+#include "volume/read.h"
 
 #include <array>
 #include <filesystem>
@@ -29,6 +30,8 @@ struct ExportSettings {
         Segments, // surfaces; a label map; a DICOM segmentation; a table: by the file's extension
         Volume,   // what is left of the volume: its surface, as surface mode shows it; its values
     };
+    static constexpr int kUsualSmoothing = 10; // passes, of segments
+
     What what = What::Segments;
     bool isEachAlone = false; // a file for each segment, NAME-SEGMENT.EXT; of surfaces only
     mesh::Refinement refinement = {};
@@ -40,6 +43,7 @@ struct ExportSettings {
 struct ExportSource {
     const volume::Volume* volume = nullptr; // may be missing where neither it nor a table is asked for
     volume::GridGeometry geometry;
+    volume::ReadOptions reading; // how the volume was read from volume->path: finds its DICOM series again
     // Segments: those to export, and where they are.
     std::vector<ExportedSegment> segments;
     std::vector<std::uint8_t> labels;
@@ -65,6 +69,8 @@ public:
     // Reads on for about `budgetMs`; true when all is read.
     bool readSome(double budgetMs);
     [[nodiscard]] double share() const; // read so far, 0 to 1
+    // How the document's volume was read: for DICOM segmentations, which name the series they lie on.
+    void setReading(const volume::ReadOptions& reading) { source_.reading = reading; }
     ExportSource take() { return std::move(source_); }
 
 private:

@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mesh/refine.h"
 
+#include "mesh/close_holes.h"
+
 #include "shapes.h"
 
 #include <gtest/gtest.h>
+
+#include <random>
 
 namespace vs::mesh {
 namespace {
@@ -36,6 +40,35 @@ TEST(Refined, DecimationKeepsShape) {
             EXPECT_NEAR(volumeMm3(few) / before, 1, 0.005);
         }
     }
+}
+
+TEST(Refined, LeavesNoHolesInRaggedSurfaces) {
+    // Noise, smoothed a little: thousands of thin bridges that fold when they are simplified.
+    std::mt19937 random(3);
+    const auto grid = volume::makeGeometry(glm::ivec3(40));
+    const Mesh ragged = surfaceWhere(grid, [&](glm::dvec3) { return int(random() % 4 == 0); });
+    for (const double share : {0.7, 0.3, 0.05}) {
+        const Topology topology = topologyOf(refined(ragged, {0, share}));
+        EXPECT_EQ(topology.openEdges, 0U);
+    }
+}
+
+TEST(CloseHoles, FillsWhatIsMissing) {
+    Mesh mesh = ball(6);
+    const double whole = volumeMm3(mesh);
+    mesh.triangles.erase(mesh.triangles.begin() + 40, mesh.triangles.begin() + 43);
+    mesh.triangles.erase(mesh.triangles.begin());
+    ASSERT_FALSE(topologyOf(mesh).isClosed());
+    closeHoles(mesh);
+    EXPECT_TRUE(topologyOf(mesh).isClosed());
+    EXPECT_EQ(topologyOf(mesh).eulerNumber, 2);
+    EXPECT_NEAR(volumeMm3(mesh), whole, 0.01 * whole);
+    // A flap of two triangles on each other is nothing.
+    const auto count = mesh.triangles.size();
+    mesh.triangles.emplace_back(0, 1, 2);
+    mesh.triangles.emplace_back(1, 0, 2);
+    closeHoles(mesh);
+    EXPECT_EQ(mesh.triangles.size(), count);
 }
 
 TEST(Refined, KeepsToACount) {

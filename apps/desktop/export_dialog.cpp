@@ -44,7 +44,8 @@ QDoubleSpinBox* makeValueBox(const char* name, const QString& accessibleName, co
     box->setRange(std::min(volume.range.lo, value), std::max(volume.range.hi, value));
     const bool isWhole = volume.type != volume::ScalarType::Float32;
     const double width = std::max(volume.range.width(), 1e-9);
-    box->setDecimals(isWhole ? 1 : std::clamp(4 - int(std::floor(std::log10(width))), 0, 8));
+    box->setDecimals(
+        isWhole && value == std::floor(value) ? 0 : std::clamp(4 - int(std::floor(std::log10(width))), 0, 8));
     box->setValue(value);
     return box;
 }

@@ -14,6 +14,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <stdexcept>
 
 namespace vs::mesh {
 
@@ -38,12 +39,11 @@ Mesh together(std::span<const Mesh> meshes) {
 }
 
 // VTK's writers say that a disk is full by their error code, and by nothing when a file is missing.
-void writeBy(vtkWriter& writer, vtkPolyData& data, const std::filesystem::path& path) {
+void writeBy(vtkWriter& writer, vtkPolyData& data) {
     const QuietVtk quiet;
     writer.SetInputData(&data);
     if (writer.Write() == 0 || writer.GetErrorCode() != 0) {
-        throw WriteError("{}: it could not be written; check the free space and the permissions",
-                         path.string());
+        throw std::runtime_error("the disk may be full");
     }
 }
 
@@ -52,7 +52,7 @@ void writeStl(const std::filesystem::path& path, std::span<const Mesh> meshes) {
     writer->SetFileName(path.c_str());
     writer->SetFileTypeToBinary();
     writer->SetHeader(kSpaceNote);
-    writeBy(*writer, *toVtk(together(meshes)), path);
+    writeBy(*writer, *toVtk(together(meshes)));
 }
 
 void writePly(const std::filesystem::path& path, std::span<const Mesh> meshes) {
@@ -72,7 +72,7 @@ void writePly(const std::filesystem::path& path, std::span<const Mesh> meshes) {
     writer->SetFileTypeToBinary();
     writer->SetArrayName("colours");
     writer->AddComment(kSpaceNote);
-    writeBy(*writer, *data, path);
+    writeBy(*writer, *data);
 }
 
 void writeObj(const std::filesystem::path& path, std::span<const Mesh> meshes) {
@@ -101,7 +101,12 @@ void writeMeshes(const std::filesystem::path& path, std::span<const Mesh> meshes
     if (extension == ".obj") {
         writeObj(path, meshes);
     } else if (extension == ".glb") {
-        writeFileAtomically(path, glbBytes(meshes));
+        try {
+            writeFileAtomically(path, glbBytes(meshes));
+        } catch (const std::length_error& error) {
+            throw WriteError("{}: glTF cannot hold {}; keep fewer triangles or write .stl", path.string(),
+                             error.what());
+        }
     } else {
         writeAtomically(path, [&](const std::filesystem::path& temporary) {
             extension == ".stl" ? writeStl(temporary, meshes) : writePly(temporary, meshes);

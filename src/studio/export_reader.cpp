@@ -67,7 +67,8 @@ bool ExportReader::readSome(double budgetMs) {
         source_.labels = document_.labelMap();
         needsLabels_ = false;
     }
-    while (at_ < sculptures_ && timer.milliseconds() < budgetMs) {
+    for (bool isFirst = true; at_ < sculptures_ && (isFirst || timer.milliseconds() < budgetMs);
+         isFirst = false) {
         readSlab();
     }
     return at_ >= sculptures_;

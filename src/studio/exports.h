@@ -66,7 +66,7 @@ public:
     // `segments` are those to export; the document's volume must outlive what is read.
     ExportReader(Document& document, ExportSettings::What what, std::vector<ExportedSegment> segments = {});
 
-    // Reads on for about `budgetMs`; true when all is read.
+    // Reads on for about `budgetMs`, at least a piece; true when all is read.
     bool readSome(double budgetMs);
     [[nodiscard]] double share() const; // read so far, 0 to 1
     // How the document's volume was read: for DICOM segmentations, which name the series they lie on.

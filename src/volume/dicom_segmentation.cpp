@@ -51,7 +51,7 @@ OFString freshUid() {
 struct Source {
     std::unique_ptr<DcmFileFormat> file;
     glm::dvec3 position{0};
-    bool isOneSlice = false; // and says where it lies
+    bool isOneSlice = false; // that says which it is, and where it lies
 };
 
 Source readSource(const std::filesystem::path& path) {
@@ -59,9 +59,14 @@ Source readSource(const std::filesystem::path& path) {
     need(source.file->loadFileUntilTag(path.c_str(), EXS_Unknown, EGL_noChange, DCM_MaxReadLength,
                                        ERM_autoDetect, DCM_PixelData));
     DcmDataset& data = *source.file->getDataset();
+    const auto hasUid = [&data](const DcmTagKey& tag) {
+        constexpr std::size_t most = 64;
+        OFString uid;
+        return data.findAndGetOFString(tag, uid).good() && !uid.empty() && uid.size() <= most;
+    };
     Sint32 frames = 1;
-    (void)data.findAndGetSint32(DCM_NumberOfFrames, frames);
-    source.isOneSlice = frames == 1;
+    const bool isMultiFrame = data.findAndGetSint32(DCM_NumberOfFrames, frames).good() && frames > 1;
+    source.isOneSlice = !isMultiFrame && hasUid(DCM_SOPClassUID) && hasUid(DCM_SOPInstanceUID);
     for (int axis = 0; axis < 3; ++axis) {
         Float64 value = 0;
         source.isOneSlice =
@@ -136,6 +141,31 @@ private:
         (void)file_->getFrameOfReference().getFrameOfReferenceUID(frameOfReference);
         if (frameOfReference.empty()) {
             need(file_->getFrameOfReference().setFrameOfReferenceUID(freshUid()));
+        }
+        nameSeries();
+    }
+
+    // Names the whole series, so that viewers find it.
+    void nameSeries() {
+        IODReferences series;
+        for (const Source& source : sources_) {
+            DcmDataset& data = *source.file->getDataset();
+            const auto text = [&data](const DcmTagKey& tag) {
+                OFString value;
+                (void)data.findAndGetOFString(tag, value);
+                return value;
+            };
+            const OFString study = text(DCM_StudyInstanceUID);
+            const OFString uid = text(DCM_SeriesInstanceUID);
+            if (source.isOneSlice && !study.empty() && !uid.empty()) {
+                series.add(new IODImageReference(text(DCM_PatientID), study, uid, text(DCM_SOPClassUID),
+                                                 text(DCM_SOPInstanceUID))); // which takes it over
+            }
+        }
+        if (series.size() > 0) {
+            OFString own;
+            (void)file_->getStudy().getStudyInstanceUID(own);
+            file_->getCommonInstanceReference().addReferences(series, own);
         }
     }
 
@@ -244,16 +274,11 @@ void writeDicomSegmentation(const std::filesystem::path& path, const GridGeometr
     }
     beQuiet();
     writeAtomically(path, [&](const std::filesystem::path& temporary) {
-        try {
-            SegmentationFile file(geometry, sources);
-            for (const DicomSegment& segment : segments) {
-                file.add(segment, labels);
-            }
-            file.save(temporary);
-        } catch (const std::runtime_error& error) {
-            throw WriteError("{}: it could not be written ({}); check the free space and the permissions",
-                             path.string(), error.what());
+        SegmentationFile file(geometry, sources);
+        for (const DicomSegment& segment : segments) {
+            file.add(segment, labels);
         }
+        file.save(temporary);
     });
 }
 

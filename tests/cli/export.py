@@ -179,6 +179,51 @@ class Export(unittest.TestCase):
         self.export(self.labels, "-o", self.folder / "s.dcm")
         self.check_segmentation(pydicom.dcmread(self.folder / "s.dcm"), SPACING, ORIGIN)
 
+    def series(self, pydicom):
+        """A CT series on the labels' grid."""
+        folder = self.folder / "series"
+        folder.mkdir()
+        study, series, frame = (pydicom.uid.generate_uid() for _ in range(3))
+        for z in range(DIMS[2]):
+            data = pydicom.Dataset()
+            data.SOPClassUID = "1.2.840.10008.5.1.4.1.1.2"
+            data.SOPInstanceUID = f"1.2.3.{z + 1}"
+            data.StudyInstanceUID, data.SeriesInstanceUID, data.FrameOfReferenceUID = study, series, frame
+            data.SpecificCharacterSet, data.Modality = "ISO_IR 100", "CT"
+            data.PatientName, data.PatientID, data.StudyDate = "Doe^J\xfcrgen", "42", "20200102"
+            data.ImagePositionPatient = [ORIGIN[0], ORIGIN[1], ORIGIN[2] + z * SPACING[2]]
+            data.ImageOrientationPatient = [1, 0, 0, 0, 1, 0]
+            data.PixelSpacing, data.SliceThickness = [SPACING[1], SPACING[0]], SPACING[2]
+            data.Columns, data.Rows = DIMS[:2]
+            data.SamplesPerPixel, data.PhotometricInterpretation = 1, "MONOCHROME2"
+            data.BitsAllocated, data.BitsStored, data.HighBit, data.PixelRepresentation = 16, 16, 15, 1
+            data.RescaleSlope, data.RescaleIntercept = 1, 0
+            data.PixelData = struct.pack("<h", z) * (DIMS[0] * DIMS[1])
+            data.file_meta = pydicom.dataset.FileMetaDataset()
+            data.file_meta.TransferSyntaxUID = pydicom.uid.ExplicitVRLittleEndian
+            data.is_little_endian, data.is_implicit_VR = True, False
+            data.save_as(folder / f"{z:03}.dcm", write_like_original=False)
+        return folder
+
+    def test_dicom_segmentations_belong_to_their_series(self):
+        try:
+            import pydicom
+        except ImportError:
+            self.skipTest("pydicom is not there (Debian package python3-pydicom)")
+        folder = self.series(pydicom)
+        self.export(self.labels, "--volume", folder, "-o", self.folder / "s.dcm")
+        data = pydicom.dcmread(self.folder / "s.dcm")
+        slices = {str(s.SOPInstanceUID): s for s in map(pydicom.dcmread, folder.iterdir())}
+        one = next(iter(slices.values()))
+        self.check_segmentation(data, SPACING, ORIGIN)
+        for tag in ("PatientName", "PatientID", "StudyInstanceUID", "StudyDate", "FrameOfReferenceUID"):
+            self.assertEqual(data[tag].value, one[tag].value)
+        self.assertNotEqual(data.SeriesInstanceUID, one.SeriesInstanceUID)
+        self.assertEqual(data.ReferencedSeriesSequence[0].SeriesInstanceUID, one.SeriesInstanceUID)
+        for frame in data.PerFrameFunctionalGroupsSequence:
+            uid = frame.DerivationImageSequence[0].SourceImageSequence[0].ReferencedSOPInstanceUID
+            self.assertEqual(slices[uid].ImagePositionPatient, frame.PlanePositionSequence[0].ImagePositionPatient)
+
     def check_segmentation(self, data, spacing, origin):
         """Every voxel of the file is that of the labels, in its place."""
         self.assertEqual(data.SOPClassUID, "1.2.840.10008.5.1.4.1.1.66.4")

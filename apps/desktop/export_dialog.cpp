@@ -72,6 +72,7 @@ ExportDialog::ExportDialog(StudioController& studio, const QString& folder, cons
         hasSegments ? 0 : 1);
     inner->addWidget(kinds);
     makeSegmentList();
+    inner->addWidget(all_);
     inner->addWidget(list_);
     auto* page = new QWidget;
     form_ = makeForm(page);
@@ -81,12 +82,12 @@ ExportDialog::ExportDialog(StudioController& studio, const QString& folder, cons
     makeSurfaceRows();
     makeVolumeRows();
     makeButtons();
-    column->addStretch(1);
     connect(kinds, &ChoiceRow::chosen, this, [this](int kind) { setKind(ExportKind(kind)); });
     connect(&export_, &DocumentExport::progressed, progress_, &QProgressBar::setValue);
     connect(&export_, &DocumentExport::finished, this, &ExportDialog::finish);
     connect(&export_, &DocumentExport::estimated, this, &ExportDialog::showEstimate);
-    setMinimumWidth(440);
+    fields_->setMinimumWidth(420);
+    column->setSizeConstraint(QLayout::SetFixedSize); // always as large as what is shown
     setKind(hasSegments ? ExportKind::Segments : ExportKind::Volume);
     if (hasSegments) {
         QTimer::singleShot(0, &export_, &DocumentExport::estimate); // once it is seen
@@ -102,7 +103,16 @@ void ExportDialog::makeSegmentList() {
     }
     const int rows = std::clamp(list_->count(), 1, kMostRows);
     list_->setFixedHeight(rows * std::max(list_->sizeHintForRow(0), 20) + 2 * list_->frameWidth() + 4);
+    all_ = makeCheckBox("exportAll", tr("All segments"), tr("All of them, or none"), true);
     connect(list_, &QListWidget::itemChanged, this, &ExportDialog::refresh);
+    connect(all_, &QCheckBox::clicked, this, [this] { // some: all of them next
+        const Qt::CheckState state = all_->checkState() == Qt::Unchecked ? Qt::Unchecked : Qt::Checked;
+        for (int i = 0; i < list_->count(); ++i) {
+            const QSignalBlocker blocker(list_);
+            list_->item(i)->setCheckState(state);
+        }
+        refresh();
+    });
 }
 
 void ExportDialog::makeFormatRow() {
@@ -195,7 +205,12 @@ void ExportDialog::refresh() {
     const bool isVolume = kind_ == ExportKind::Volume;
     const bool isMesh = format().isMesh();
     const auto show = [this](QWidget* field, bool isShown) { form_->setRowVisible(field, isShown); };
-    list_->setVisible(!isVolume);
+    list_->setVisible(!isVolume && !segments_.empty());
+    all_->setVisible(!isVolume && segments_.size() > 1);
+    const std::size_t taken = chosen().size();
+    all_->setCheckState(taken == 0                  ? Qt::Unchecked
+                        : taken == segments_.size() ? Qt::Checked
+                                                    : Qt::PartiallyChecked);
     formatTip_->setText(format().tip);
     show(smoothingRow_, isMesh);
     show(shareRow_, isMesh);
@@ -203,7 +218,7 @@ void ExportDialog::refresh() {
     show(rangeRow_, isVolume && isMesh);
     show(fill_, isVolume && !isMesh);
     showEstimate();
-    save_->setEnabled(isVolume || !chosen().empty());
+    save_->setEnabled(isVolume || taken > 0);
     message_->setVisible(!isVolume && segments_.empty());
     message_->setText(tr("No segment has voxels yet: seed and grow one first."));
     QString report; // for scripts
@@ -227,7 +242,6 @@ void ExportDialog::showEstimate() {
                                                     QLocale::DataSizeTraditionalFormat);
         estimate_->setText(tr("about %1 triangles, %2").arg(rounded(kept), size));
     }
-    adjustSize();
 }
 
 std::vector<studio::ExportedSegment> ExportDialog::chosen() const {
@@ -284,7 +298,6 @@ void ExportDialog::finish(bool isDone, const QString& message) {
     } else {
         message_->setText(message);
         message_->show();
-        adjustSize();
     }
 }
 

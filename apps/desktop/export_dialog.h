@@ -55,6 +55,7 @@ private:
     ExportKind kind_ = ExportKind::Segments;
     QWidget* fields_ = nullptr;
     QFormLayout* form_ = nullptr;
+    QCheckBox* all_ = nullptr;
     QListWidget* list_ = nullptr;
     QComboBox* format_ = nullptr;
     QLabel* formatTip_ = nullptr;

@@ -2,6 +2,7 @@
 #include "export_dialog.h"
 
 #include "panel_parts.h"
+#include "segment_checks.h"
 #include "segment_controller.h"
 #include "studio_controller.h"
 
@@ -9,7 +10,6 @@
 #include <QComboBox>
 #include <QFileDialog>
 #include <QFormLayout>
-#include <QListWidget>
 #include <QLocale>
 #include <QProgressBar>
 #include <QPushButton>
@@ -24,13 +24,6 @@ namespace {
 
 constexpr int kMostPasses = 50;
 constexpr int kLeastShare = 2; // per cent
-constexpr int kMostRows = 6;   // of the list; more are scrolled to
-
-QIcon swatch(glm::dvec3 colour) {
-    QPixmap picture(14, 14);
-    picture.fill(QColor::fromRgbF(float(colour.r), float(colour.g), float(colour.b)));
-    return picture;
-}
 
 // "443 000": no more digits than an estimate has.
 QString rounded(double number) {
@@ -54,8 +47,7 @@ QDoubleSpinBox* makeValueBox(const char* name, const QString& accessibleName, co
 
 ExportDialog::ExportDialog(StudioController& studio, const QString& folder, const QString& name,
                            QWidget* parent)
-    : QDialog(parent), studio_(studio), export_(studio), folder_(folder), name_(name),
-      segments_(studio::exportable(*studio.document())) {
+    : QDialog(parent), studio_(studio), export_(studio), folder_(folder), name_(name) {
     setObjectName("exportDialog");
     setWindowTitle(tr("Export"));
     auto* column = new QVBoxLayout(this);
@@ -64,16 +56,16 @@ ExportDialog::ExportDialog(StudioController& studio, const QString& folder, cons
     auto* inner = new QVBoxLayout(fields_);
     inner->setContentsMargins(0, 0, 0, 0);
     inner->setSpacing(12);
-    const bool hasSegments = !segments_.empty();
+    const bool hasSegments = studio.segments().hasVoxels();
     auto* kinds = new ChoiceRow(
         {{"exportSegments", tr("Segments"), tr("Surfaces of segments, label maps and DICOM segmentations")},
          {"exportVolume", tr("Sculpted volume"), tr("What is left of the scan: its surface, or its values")},
          {"exportTable", tr("Table"), tr("The numbers of segments, for a spreadsheet")}},
         hasSegments ? 0 : 1);
     inner->addWidget(kinds);
-    makeSegmentList();
-    inner->addWidget(all_);
+    list_ = new SegmentChecks(studio::exportable(*studio.document()));
     inner->addWidget(list_);
+    connect(list_, &SegmentChecks::changed, this, &ExportDialog::refresh);
     auto* page = new QWidget;
     form_ = makeForm(page);
     inner->addWidget(page);
@@ -92,27 +84,6 @@ ExportDialog::ExportDialog(StudioController& studio, const QString& folder, cons
     if (hasSegments) {
         QTimer::singleShot(0, &export_, &DocumentExport::estimate); // once it is seen
     }
-}
-
-void ExportDialog::makeSegmentList() {
-    list_ = named(new QListWidget, "exportList", tr("Segments to export"));
-    for (const auto& segment : segments_) {
-        auto* row = new QListWidgetItem(swatch(segment.colour), QString::fromStdString(segment.name), list_);
-        row->setFlags(Qt::ItemIsEnabled | Qt::ItemIsUserCheckable | Qt::ItemIsSelectable);
-        row->setCheckState(Qt::Checked);
-    }
-    const int rows = std::clamp(list_->count(), 1, kMostRows);
-    list_->setFixedHeight(rows * std::max(list_->sizeHintForRow(0), 20) + 2 * list_->frameWidth() + 4);
-    all_ = makeCheckBox("exportAll", tr("All segments"), tr("All of them, or none"), true);
-    connect(list_, &QListWidget::itemChanged, this, &ExportDialog::refresh);
-    connect(all_, &QCheckBox::clicked, this, [this] { // some: all of them next
-        const Qt::CheckState state = all_->checkState() == Qt::Unchecked ? Qt::Unchecked : Qt::Checked;
-        for (int i = 0; i < list_->count(); ++i) {
-            const QSignalBlocker blocker(list_);
-            list_->item(i)->setCheckState(state);
-        }
-        refresh();
-    });
 }
 
 void ExportDialog::makeFormatRow() {
@@ -205,27 +176,17 @@ void ExportDialog::refresh() {
     const bool isVolume = kind_ == ExportKind::Volume;
     const bool isMesh = format().isMesh();
     const auto show = [this](QWidget* field, bool isShown) { form_->setRowVisible(field, isShown); };
-    list_->setVisible(!isVolume && !segments_.empty());
-    all_->setVisible(!isVolume && segments_.size() > 1);
-    const std::size_t taken = chosen().size();
-    all_->setCheckState(taken == 0                  ? Qt::Unchecked
-                        : taken == segments_.size() ? Qt::Checked
-                                                    : Qt::PartiallyChecked);
+    list_->setVisible(!isVolume && !list_->segments().empty());
     formatTip_->setText(format().tip);
     show(smoothingRow_, isMesh);
     show(shareRow_, isMesh);
-    show(isEachAlone_, isMesh && !isVolume && segments_.size() > 1);
+    show(isEachAlone_, isMesh && !isVolume && list_->segments().size() > 1);
     show(rangeRow_, isVolume && isMesh);
     show(fill_, isVolume && !isMesh);
     showEstimate();
-    save_->setEnabled(isVolume || taken > 0);
-    message_->setVisible(!isVolume && segments_.empty());
+    save_->setEnabled(isVolume || !chosen().empty());
+    message_->setVisible(!isVolume && list_->segments().empty());
     message_->setText(tr("No segment has voxels yet: seed and grow one first."));
-    QString report; // for scripts
-    for (int i = 0; i < list_->count(); ++i) {
-        report += list_->item(i)->checkState() == Qt::Checked ? "x" : "-";
-    }
-    list_->setProperty("report", report);
 }
 
 void ExportDialog::showEstimate() {
@@ -245,13 +206,7 @@ void ExportDialog::showEstimate() {
 }
 
 std::vector<studio::ExportedSegment> ExportDialog::chosen() const {
-    std::vector<studio::ExportedSegment> found;
-    for (int i = 0; i < list_->count() && kind_ != ExportKind::Volume; ++i) {
-        if (list_->item(i)->checkState() == Qt::Checked) {
-            found.push_back(segments_.at(std::size_t(i)));
-        }
-    }
-    return found;
+    return kind_ == ExportKind::Volume ? std::vector<studio::ExportedSegment>() : list_->chosen();
 }
 
 studio::ExportSettings ExportDialog::settings() const {

@@ -11,12 +11,13 @@ class QComboBox;
 class QDoubleSpinBox;
 class QFormLayout;
 class QLabel;
-class QListWidget;
 class QProgressBar;
 class QPushButton;
 class QSlider;
 
 namespace vs::desktop {
+
+class SegmentChecks;
 
 // Segments, what is left of the volume, or a table, for other programs: what, in which format, how fine; says
 // beforehand how large it becomes; shows how far it is, and can be given up.
@@ -31,7 +32,6 @@ protected:
     void reject() override; // while it runs: gives up, and stays open
 
 private:
-    void makeSegmentList();
     void makeFormatRow();
     void makeSurfaceRows();
     void makeVolumeRows();
@@ -50,13 +50,11 @@ private:
     DocumentExport export_;
     QString folder_;
     QString name_;
-    std::vector<studio::ExportedSegment> segments_; // those in the list
-    std::vector<ExportFormat> formats_;             // those in the box
+    std::vector<ExportFormat> formats_; // those in the box
     ExportKind kind_ = ExportKind::Segments;
     QWidget* fields_ = nullptr;
     QFormLayout* form_ = nullptr;
-    QCheckBox* all_ = nullptr;
-    QListWidget* list_ = nullptr;
+    SegmentChecks* list_ = nullptr;
     QComboBox* format_ = nullptr;
     QLabel* formatTip_ = nullptr;
     QSlider* smoothing_ = nullptr;

@@ -46,16 +46,11 @@ def exported(studio, path):
 
 
 def check_list(studio):
-    """Boxes of the list: without a segment there is nothing to export."""
-    report = studio.wait("the list", lambda s: "exportList" in s["reports"])["reports"]["exportList"]
-    need(report == "x", f"the list says {report}")
-    x, y, _, height = studio.state()["widgets"]["exportList"]
-    studio.move((x + 12, y + height // 2))
-    studio.xdotool("click", 1)
-    studio.wait("the box to be empty", lambda s: s["reports"]["exportList"] == "-")
-    time.sleep(0.6)  # a second click at once would be a double click
-    studio.xdotool("click", 1)
-    studio.wait("the box to be checked", lambda s: s["reports"]["exportList"] == "x")
+    """Without a segment there is no surface, and nothing to estimate."""
+    studio.click("exportSegment")
+    studio.wait("the estimate to go", lambda s: "exportEstimate" not in s["widgets"])
+    studio.click("exportSegment")
+    studio.wait("the estimate to come back", lambda s: "exportEstimate" in s["widgets"])
 
 
 def main(display, arguments, folder):

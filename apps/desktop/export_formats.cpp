@@ -1,15 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "export_formats.h"
 
-#include <QCoreApplication>
+#include "texts.h"
 
 namespace vs::desktop {
-
-namespace {
-
-QString tr(const char* text) { return QCoreApplication::translate("ExportFormats", text); }
-
-} // namespace
 
 std::vector<ExportFormat> exportFormats(ExportKind kind) {
     if (kind == ExportKind::Table) {

@@ -18,7 +18,8 @@ ALLOWED = {
 }
 for stage in ("sculpt", "segment", "render"):
     ALLOWED[stage] = ALLOWED["field"] | {"field"}
-ALLOWED["studio"] = ALLOWED["render"] | {"sculpt", "segment", "render"}
+ALLOWED["mesh"] = ALLOWED["segment"] | {"segment"}
+ALLOWED["studio"] = ALLOWED["render"] | {"sculpt", "segment", "render", "mesh"}
 
 INCLUDE = re.compile(r'^\s*#\s*include\s+["<]([^">]+)[">]')
 

@@ -12,10 +12,11 @@ PACKAGES=(
   libepoxy-dev libegl-dev libgl1-mesa-dri libegl-mesa0 libegl1 libgl1 libglx-mesa0
   libglm-dev libfmt-dev nlohmann-json3-dev libcli11-dev libzstd-dev libpng-dev
   libcairo2-dev fonts-dejavu-core
+  libvtk9-dev libdcmtk-dev
   mricron-data
 )
 # To test: a display without a screen, a hand on the mouse, and the checkers.
-TEST_PACKAGES=(libgtest-dev python3 xvfb xdotool glslang-tools clang-format-14 dpkg-dev desktop-file-utils appstream)
+TEST_PACKAGES=(libgtest-dev python3 python3-pydicom xvfb xdotool glslang-tools clang-format-14 dpkg-dev desktop-file-utils appstream)
 
 say() { printf '== %s\n' "$*"; }
 

@@ -1218,6 +1218,78 @@
         <source>When the program ends, write to PATH as JSON when each input arrived and was handled and shown (&quot;inputs&quot;) and when each picture was shown (&quot;frames&quot;), in milliseconds.</source>
         <translation>Am Ende des Programms als JSON nach PATH schreiben, wann jede Eingabe ankam, bearbeitet und gezeigt wurde (&quot;inputs&quot;) und wann jedes Bild gezeigt wurde (&quot;frames&quot;), in Millisekunden.</translation>
     </message>
+    <message>
+        <source>CSV table</source>
+        <translation>CSV-Tabelle</translation>
+    </message>
+    <message>
+        <source>Volumes, intensities, surfaces and places, a row each</source>
+        <translation>Volumen, Intensitäten, Oberflächen und Orte, je eine Zeile</translation>
+    </message>
+    <message>
+        <source>STL surface</source>
+        <translation>STL-Oberfläche</translation>
+    </message>
+    <message>
+        <source>For 3D printing; all in one, without colours</source>
+        <translation>Zum 3D-Druck; alles in einem, ohne Farben</translation>
+    </message>
+    <message>
+        <source>glTF surface</source>
+        <translation>glTF-Oberfläche</translation>
+    </message>
+    <message>
+        <source>For viewers, the web and Blender; objects with their colours</source>
+        <translation>Für Betrachter, das Web und Blender; Objekte mit ihren Farben</translation>
+    </message>
+    <message>
+        <source>PLY surface</source>
+        <translation>PLY-Oberfläche</translation>
+    </message>
+    <message>
+        <source>All in one, in colour</source>
+        <translation>Alles in einem, in Farbe</translation>
+    </message>
+    <message>
+        <source>OBJ surface</source>
+        <translation>OBJ-Oberfläche</translation>
+    </message>
+    <message>
+        <source>Objects with their colours, for modelling programs</source>
+        <translation>Objekte mit ihren Farben, für Modellierprogramme</translation>
+    </message>
+    <message>
+        <source>DICOM segmentation</source>
+        <translation>DICOM-Segmentierung</translation>
+    </message>
+    <message>
+        <source>For clinical viewers and archives</source>
+        <translation>Für klinische Betrachter und Archive</translation>
+    </message>
+    <message>
+        <source>NRRD label map</source>
+        <translation>NRRD-Labelkarte</translation>
+    </message>
+    <message>
+        <source>NRRD volume</source>
+        <translation>NRRD-Volumen</translation>
+    </message>
+    <message>
+        <source>A number for each segment</source>
+        <translation>Eine Zahl je Segment</translation>
+    </message>
+    <message>
+        <source>The values, in their own type</source>
+        <translation>Die Werte, in ihrem eigenen Typ</translation>
+    </message>
+    <message>
+        <source>NIfTI label map</source>
+        <translation>NIfTI-Labelkarte</translation>
+    </message>
+    <message>
+        <source>NIfTI volume</source>
+        <translation>NIfTI-Volumen</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::CameraTool</name>
@@ -1451,6 +1523,29 @@ Tab: der nächste Punkt; Pfeiltasten bewegen ihn; Entf; Eingabe: seine Farbe; St
     </message>
 </context>
 <context>
+    <name>vs::desktop::DocumentExport</name>
+    <message>
+        <source>The export was given up</source>
+        <translation>Der Export wurde aufgegeben</translation>
+    </message>
+    <message>
+        <source>The document changed: the export was given up</source>
+        <translation>Das Dokument wurde geändert: der Export wurde aufgegeben</translation>
+    </message>
+    <message>
+        <source>Exported %1</source>
+        <translation>Exportiert: %1</translation>
+    </message>
+    <message>
+        <source>Exported %1 files up to %2</source>
+        <translation>%1 Dateien exportiert bis %2</translation>
+    </message>
+    <message>
+        <source>There is not enough memory for this export; close what is open, or keep fewer triangles</source>
+        <translation>Der Speicher reicht für diesen Export nicht; anderes schließen oder weniger Dreiecke behalten</translation>
+    </message>
+</context>
+<context>
     <name>vs::desktop::DrillTool</name>
     <message>
         <source>Draw the shape of the drill anywhere; it closes when you let go.</source>
@@ -1471,6 +1566,149 @@ Tab: der nächste Punkt; Pfeiltasten bewegen ihn; Entf; Eingabe: seine Farbe; St
     <message>
         <source>Drilling: press harder to go deeper. Let go to keep, Esc to undo.</source>
         <translation>Bohrt: fester drücken geht tiefer. Loslassen behält, Esc macht rückgängig.</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::ExportDialog</name>
+    <message>
+        <source>Export</source>
+        <translation>Exportieren</translation>
+    </message>
+    <message>
+        <source>Segments</source>
+        <translation>Segmente</translation>
+    </message>
+    <message>
+        <source>Surfaces of segments, label maps and DICOM segmentations</source>
+        <translation>Oberflächen von Segmenten, Labelkarten und DICOM-Segmentierungen</translation>
+    </message>
+    <message>
+        <source>Sculpted volume</source>
+        <translation>Bearbeitetes Volumen</translation>
+    </message>
+    <message>
+        <source>What is left of the scan: its surface, or its values</source>
+        <translation>Was vom Scan übrig ist: seine Oberfläche oder seine Werte</translation>
+    </message>
+    <message>
+        <source>Table</source>
+        <translation>Tabelle</translation>
+    </message>
+    <message>
+        <source>The numbers of segments, for a spreadsheet</source>
+        <translation>Die Zahlen der Segmente, für eine Tabellenkalkulation</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Smoothing</source>
+        <translation>Glättung</translation>
+    </message>
+    <message>
+        <source>Takes steps between slices away and keeps the volume</source>
+        <translation>Nimmt Stufen zwischen Schichten weg und erhält das Volumen</translation>
+    </message>
+    <message>
+        <source>none</source>
+        <translation>keine</translation>
+    </message>
+    <message>
+        <source>Triangles to keep</source>
+        <translation>Dreiecke, die bleiben</translation>
+    </message>
+    <message>
+        <source>Fewer triangles make smaller files; flat places lose them first</source>
+        <translation>Weniger Dreiecke geben kleinere Dateien; flache Stellen verlieren sie zuerst</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>alle</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Triangles</source>
+        <translation>Dreiecke</translation>
+    </message>
+    <message>
+        <source>A file for each segment</source>
+        <translation>Eine Datei je Segment</translation>
+    </message>
+    <message>
+        <source>Named after the file and the segment</source>
+        <translation>Nach der Datei und dem Segment benannt</translation>
+    </message>
+    <message>
+        <source>Values from</source>
+        <translation>Werte von</translation>
+    </message>
+    <message>
+        <source>Values to</source>
+        <translation>Werte bis</translation>
+    </message>
+    <message>
+        <source>The surface of values in this range, at first the displayed one</source>
+        <translation>Die Oberfläche der Werte in diesem Bereich, zuerst dem angezeigten</translation>
+    </message>
+    <message>
+        <source>to</source>
+        <translation>bis</translation>
+    </message>
+    <message>
+        <source>Values</source>
+        <translation>Werte</translation>
+    </message>
+    <message>
+        <source>Value of what is cut</source>
+        <translation>Wert des Weggeschnittenen</translation>
+    </message>
+    <message>
+        <source>What is written where the scan was cut away</source>
+        <translation>Was dort steht, wo der Scan weggeschnitten wurde</translation>
+    </message>
+    <message>
+        <source>Cut away becomes</source>
+        <translation>Weggeschnittenes wird</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>Progress</source>
+        <translation>Fortschritt</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>Meldung</translation>
+    </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportieren…</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>%1 (%2)</source>
+        <translation>%1 (%2)</translation>
+    </message>
+    <message>
+        <source>No segment has voxels yet: seed and grow one first.</source>
+        <translation>Noch hat kein Segment Voxel: zuerst eines säen und wachsen lassen.</translation>
+    </message>
+    <message>
+        <source>about %1 triangles, %2</source>
+        <translation>etwa %1 Dreiecke, %2</translation>
+    </message>
+    <message>
+        <source>%1 (*%2)</source>
+        <translation>%1 (*%2)</translation>
     </message>
 </context>
 <context>
@@ -2934,6 +3172,18 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
         <source>A picture for the mask&apos;s shape</source>
         <translation>Ein Bild für die Form der Maske</translation>
     </message>
+    <message>
+        <source>Export…</source>
+        <translation>Exportieren…</translation>
+    </message>
+    <message>
+        <source>Surfaces, DICOM segmentations, the sculpted volume and tables, for other programs</source>
+        <translation>Oberflächen, DICOM-Segmentierungen, das bearbeitete Volumen und Tabellen, für andere Programme</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+E</source>
+        <translation>Ctrl+Shift+E</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::MeasureTool</name>
@@ -3412,6 +3662,21 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
     <message>
         <source>Draw on what should be segmented, then press Play. More strokes add to it.</source>
         <translation>Auf das zeichnen, was segmentiert werden soll, dann Abspielen drücken. Weitere Striche kommen hinzu.</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::SegmentChecks</name>
+    <message>
+        <source>All segments</source>
+        <translation>Alle Segmente</translation>
+    </message>
+    <message>
+        <source>All of them, or none</source>
+        <translation>Alle oder keines</translation>
+    </message>
+    <message>
+        <source>Segments to export</source>
+        <translation>Segmente zum Exportieren</translation>
     </message>
 </context>
 <context>

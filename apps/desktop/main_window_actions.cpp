@@ -2,6 +2,7 @@
 #include "main_window.h"
 
 #include "camera_tool.h"
+#include "export_dialog.h"
 #include "growth_controller.h"
 #include "history_panel.h"
 #include "icons.h"
@@ -55,6 +56,15 @@ void MainWindow::makeFileActions() {
     addAction(
         {"exportLabels", "labels", tr("Labels"), tr("Export the segmentation as a label map"), tr("Ctrl+E")},
         [this] { exportLabels(); });
+    addAction({"export", "save", tr("Export\u2026"),
+               tr("Surfaces, DICOM segmentations, the sculpted volume and tables, for other programs"),
+               tr("Ctrl+Shift+E")},
+              [this] {
+                  auto* dialog =
+                      new ExportDialog(studio_, studio_.preferences().recordings, suggestedName({}), this);
+                  dialog->setAttribute(Qt::WA_DeleteOnClose);
+                  dialog->open();
+              });
     addAction({"screenshot", "screenshot", tr("Picture"), tr("Save the picture as PNG, at full quality"),
                tr("F12")},
               [this] { screenshot(); });

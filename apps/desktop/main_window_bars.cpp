@@ -25,7 +25,7 @@ void MainWindow::makeMenus() {
         }
     };
     menu(tr("&File"), {"open", "openFolder", "openLabels", "startScreen", "-", "saveSession", "exportLabels",
-                       "screenshot", "exportPicture", "copyPicture", "-", "quit"});
+                       "export", "screenshot", "exportPicture", "copyPicture", "-", "quit"});
     menu(tr("&Edit"), {"undo", "redo", "showHistory", "-", "paste", "moveTool", "-", "unCut", "reSeed", "-",
                        "clearSketch", "-", "preferences"});
     menu(tr("&View"), {"resetView", "-", "mode.surface", "mode.mip", "mode.xray", "mode.overlay",

@@ -4,9 +4,9 @@
 #include "field/cell_ranges.h"
 #include "gl/context.h"
 #include "gl/pass.h"
+#include "segment/membership.h"
 
 #include <algorithm>
-#include <cmath>
 
 namespace vs::segment {
 
@@ -15,7 +15,6 @@ namespace {
 constexpr int kTile = 16;
 constexpr int kReach = 3; // voxels that the kernel reaches to either side
 constexpr int kPadded = kTile + 2 * kReach;
-constexpr double kRadiusSteps = 3.0;
 // Tiles smoothed at a time: 512 take 1 MiB of bits and 11 MiB of values.
 constexpr std::uint32_t kTilesAtOnce = 512;
 constexpr std::uint32_t kMaxGroups = 65535;
@@ -25,19 +24,6 @@ std::size_t planeBytes(glm::ivec3 dims) {
     const glm::ivec3 bricks = divideUp(dims, field::kBrick);
     constexpr std::size_t brickBytes = 4096;
     return (std::size_t(bricks.x) * std::size_t(bricks.y) * std::size_t(bricks.z) + 1) * brickBytes;
-}
-
-// The Gaussian at 0..3 voxels along an axis, normalised. The spacing is at least one step, so sigma is at
-// most a voxel and 3 voxels hold all of it that 16 bits show.
-glm::vec4 kernel(double stepMm, double spacingMm) {
-    const double sigma = kRadiusSteps / 3.0 * stepMm / spacingMm;
-    double weights[4];
-    double sum = 0;
-    for (int i = 0; i < 4; ++i) {
-        weights[i] = std::exp(-0.5 * i * i / (sigma * sigma));
-        sum += i == 0 ? weights[i] : 2 * weights[i];
-    }
-    return glm::vec4(glm::dvec4(weights[0], weights[1], weights[2], weights[3]) / sum);
 }
 
 } // namespace
@@ -58,7 +44,7 @@ Segmentation::Segmentation(const volume::GridGeometry& geometry)
       packRows_("segment/shaders/pack_rows.comp"), smoothXY_("segment/shaders/smooth_xy.comp") {
     const glm::dvec3 spacing = geometry.spacing();
     for (int axis = 0; axis < 3; ++axis) {
-        weights_[axis] = kernel(geometry.stepMm(), spacing[axis]);
+        weights_[axis] = smoothingKernel(geometry.stepMm(), spacing[axis]);
     }
     takeLooks(allOpaque());
 }

@@ -179,6 +179,12 @@ public:
 
     // Bytes of the states that undo must restore, for tests and checks.
     [[nodiscard]] std::vector<std::byte> sculptureBytes() const;
+    // Whether anything is cut.
+    [[nodiscard]] bool isCut() const;
+    // The sculpture in a box, 0 untouched to 1 cut away; and what is drawn at a place of view().pasted: the
+    // part where it is at least a half.
+    [[nodiscard]] std::vector<float> sculptureValues(const Box3& box) const;
+    std::vector<float> partValues(std::size_t place, const Box3& box);
     // Of the segment at work, at the generation shown; 0 = not grown.
     [[nodiscard]] std::vector<std::uint32_t> generations() const;
     // 1 = in the segment at work.

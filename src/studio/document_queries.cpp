@@ -147,6 +147,16 @@ std::vector<std::byte> Document::sculptureBytes() const {
     return impl_->sculpture.download(impl_->volume.geometry.box());
 }
 
+bool Document::isCut() const { return !impl_->sculpture.isEmpty(); }
+
+std::vector<float> Document::sculptureValues(const Box3& box) const { return impl_->sculpture.values(box); }
+
+std::vector<float> Document::partValues(std::size_t place, const Box3& box) {
+    const auto parts = impl_->frame(impl_->view, glm::ivec2(1)).pasted;
+    VS_CHECK(place < parts.size());
+    return sculpt::valuesOf(parts[place].sculpture->download(box), precision());
+}
+
 std::vector<std::uint32_t> Document::generations() const {
     return impl_->region.exists() ? impl_->region.growth()->generations(true)
                                   : std::vector<std::uint32_t>(impl_->volume.geometry.voxelCount(), 0);

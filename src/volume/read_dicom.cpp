@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "volume/dicom.h"
 #include "volume/dicom_decode.h"
+#include "volume/dicom_segmentation.h"
 #include "volume/formats.h"
 #include "volume/inspect.h"
 
@@ -263,11 +264,12 @@ void noteOddities(const std::filesystem::path& path, const std::vector<DicomSlic
     }
 }
 
-} // namespace
-
-ReadResult readDicom(const std::filesystem::path& path, const ReadOptions& options) {
+// What is to be assembled, sorted along the normal.
+std::vector<DicomSlice> chosenSlices(const std::filesystem::path& path, const ReadOptions& options,
+                                     std::vector<std::string>& notices) {
     const bool folder = std::filesystem::is_directory(path);
     Scan scan = folder ? scanFolder(path) : scanAround(path);
+    notices = std::move(scan.notices);
     auto groups = groupSlices(std::move(scan.slices));
     if (!folder) { // the part of the series that the file belongs to
         std::erase_if(groups, [&](const DicomGroup& group) {
@@ -275,8 +277,14 @@ ReadResult readDicom(const std::filesystem::path& path, const ReadOptions& optio
                                 [&](const DicomSlice& slice) { return slice.file == path; });
         });
     }
-    const auto slices =
-        sortSlices(path, chooseGroup(path, std::move(groups), options.series).slices, options.frame);
+    return sortSlices(path, chooseGroup(path, std::move(groups), options.series).slices, options.frame);
+}
+
+} // namespace
+
+ReadResult readDicom(const std::filesystem::path& path, const ReadOptions& options) {
+    ReadResult result;
+    const auto slices = chosenSlices(path, options, result.notices);
     const auto& first = slices.front();
 
     SliceStack stack;
@@ -288,14 +296,27 @@ ReadResult readDicom(const std::filesystem::path& path, const ReadOptions& optio
     for (const auto& slice : slices) {
         stack.positions.push_back(slice.position.value_or(glm::dvec3(0)));
     }
-    ReadResult result;
-    result.notices = std::move(scan.notices);
     noteOddities(path, slices, result.notices);
     stack.volume = decodeSlices(path, slices);
     makeRegular(path, stack, result.notices);
     result.volume = std::move(stack.volume);
     result.volume.unit = first.unit;
     return result;
+}
+
+std::vector<std::filesystem::path> dicomFilesOf(const std::filesystem::path& path,
+                                                const ReadOptions& options) {
+    std::vector<std::filesystem::path> files;
+    if (!std::filesystem::is_directory(path) && !hasDicomMark(path)) {
+        return files;
+    }
+    std::vector<std::string> notices; // heard when it was read
+    for (const DicomSlice& slice : chosenSlices(path, options, notices)) {
+        if (files.empty() || files.back() != slice.file) { // several frames lie in one file
+            files.push_back(slice.file);
+        }
+    }
+    return files;
 }
 
 } // namespace vs::volume

@@ -98,10 +98,13 @@ bool isSheared(const GridGeometry& geometry) {
 
 template <typename T>
 constexpr itk::IOComponentEnum componentOf() {
-    return std::is_same_v<T, float>          ? itk::IOComponentEnum::FLOAT
-           : std::is_same_v<T, std::uint8_t> ? itk::IOComponentEnum::UCHAR
-           : std::is_same_v<T, std::int16_t> ? itk::IOComponentEnum::SHORT
-                                             : itk::IOComponentEnum::UINT;
+    return std::is_same_v<T, float>           ? itk::IOComponentEnum::FLOAT
+           : std::is_same_v<T, std::uint8_t>  ? itk::IOComponentEnum::UCHAR
+           : std::is_same_v<T, std::int8_t>   ? itk::IOComponentEnum::CHAR
+           : std::is_same_v<T, std::int16_t>  ? itk::IOComponentEnum::SHORT
+           : std::is_same_v<T, std::uint16_t> ? itk::IOComponentEnum::USHORT
+           : std::is_same_v<T, std::int32_t>  ? itk::IOComponentEnum::INT
+                                              : itk::IOComponentEnum::UINT;
 }
 
 void writeWith(itk::ImageIOBase& io, const std::filesystem::path& file, const GridGeometry& geometry,
@@ -241,6 +244,12 @@ void writeGrid(const std::filesystem::path& path, const GridGeometry& geometry,
 void writeGrid(const std::filesystem::path& path, const GridGeometry& geometry,
                std::span<const float> values) {
     writeTyped(path, geometry, values);
+}
+
+void writeVolume(const std::filesystem::path& path, const Volume& volume) {
+    visit(volume, [&](const auto* values) {
+        writeTyped(path, volume.geometry, std::span(values, volume.geometry.voxelCount()));
+    });
 }
 
 } // namespace vs::volume

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "volume/geometry.h"
+#include "volume/volume.h"
 
 #include <cstdint>
 #include <filesystem>
@@ -23,5 +23,7 @@ void writeGrid(const std::filesystem::path& path, const GridGeometry& geometry,
                std::span<const std::uint32_t> values);
 void writeGrid(const std::filesystem::path& path, const GridGeometry& geometry,
                std::span<const float> values);
+// A volume's values in their own type.
+void writeVolume(const std::filesystem::path& path, const Volume& volume);
 
 } // namespace vs::volume

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "mesh/write_mesh.h"
+
+#include "base/atomic_file.h"
+#include "base/error.h"
+#include "mesh/mesh_formats.h"
+#include "mesh/vtk_mesh.h"
+
+#include <vtkNew.h>
+#include <vtkPLYWriter.h>
+#include <vtkPointData.h>
+#include <vtkSTLWriter.h>
+#include <vtkUnsignedCharArray.h>
+
+#include <algorithm>
+#include <cctype>
+#include <stdexcept>
+
+namespace vs::mesh {
+
+namespace {
+
+std::string extensionOf(const std::filesystem::path& path) {
+    std::string extension = path.extension().string();
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char c) { return char(std::tolower(c)); });
+    return extension;
+}
+
+Mesh together(std::span<const Mesh> meshes) {
+    Mesh all;
+    for (const Mesh& mesh : meshes) {
+        const glm::uvec3 first(std::uint32_t(all.points.size()));
+        all.points.insert(all.points.end(), mesh.points.begin(), mesh.points.end());
+        std::transform(mesh.triangles.begin(), mesh.triangles.end(), std::back_inserter(all.triangles),
+                       [first](glm::uvec3 triangle) { return triangle + first; });
+    }
+    return all;
+}
+
+// VTK's writers say that a disk is full by their error code, and by nothing when a file is missing.
+void writeBy(vtkWriter& writer, vtkPolyData& data) {
+    const QuietVtk quiet;
+    writer.SetInputData(&data);
+    if (writer.Write() == 0 || writer.GetErrorCode() != 0) {
+        throw std::runtime_error("the disk may be full");
+    }
+}
+
+void writeStl(const std::filesystem::path& path, std::span<const Mesh> meshes) {
+    vtkNew<vtkSTLWriter> writer;
+    writer->SetFileName(path.c_str());
+    writer->SetFileTypeToBinary();
+    writer->SetHeader(kSpaceNote);
+    writeBy(*writer, *toVtk(together(meshes)));
+}
+
+void writePly(const std::filesystem::path& path, std::span<const Mesh> meshes) {
+    vtkNew<vtkUnsignedCharArray> colours;
+    colours->SetName("colours");
+    colours->SetNumberOfComponents(3);
+    vtkNew<vtkPLYWriter> writer;
+    for (const Mesh& mesh : meshes) {
+        const glm::dvec3 colour = glm::round(mesh.colour * 255.0);
+        for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+            colours->InsertNextTuple3(colour.r, colour.g, colour.b);
+        }
+    }
+    auto data = toVtk(together(meshes));
+    data->GetPointData()->SetScalars(colours);
+    writer->SetFileName(path.c_str());
+    writer->SetFileTypeToBinary();
+    writer->SetArrayName("colours");
+    writer->AddComment(kSpaceNote);
+    writeBy(*writer, *data);
+}
+
+void writeObj(const std::filesystem::path& path, std::span<const Mesh> meshes) {
+    std::filesystem::path materials = path;
+    materials.replace_extension(".mtl");
+    writeFileAtomically(materials, mtlText(meshes));
+    writeFileAtomically(path, objText(meshes, materials.filename().string()));
+}
+
+} // namespace
+
+bool isMeshName(const std::filesystem::path& path) {
+    const std::string extension = extensionOf(path);
+    return extension == ".stl" || extension == ".ply" || extension == ".obj" || extension == ".glb";
+}
+
+void writeMeshes(const std::filesystem::path& path, std::span<const Mesh> meshes) {
+    const std::string extension = extensionOf(path);
+    if (!isMeshName(path)) {
+        throw WriteError("{}: the extension names no format of meshes; it must be .stl, .ply, .obj or .glb",
+                         path.string());
+    }
+    if (std::all_of(meshes.begin(), meshes.end(), [](const Mesh& mesh) { return mesh.triangles.empty(); })) {
+        throw WriteError("{}: there is no surface to write; choose what has voxels", path.string());
+    }
+    if (extension == ".obj") {
+        writeObj(path, meshes);
+    } else if (extension == ".glb") {
+        try {
+            writeFileAtomically(path, glbBytes(meshes));
+        } catch (const std::length_error& error) {
+            throw WriteError("{}: glTF cannot hold {}; keep fewer triangles or write .stl", path.string(),
+                             error.what());
+        }
+    } else {
+        writeAtomically(path, [&](const std::filesystem::path& temporary) {
+            extension == ".stl" ? writeStl(temporary, meshes) : writePly(temporary, meshes);
+        });
+    }
+}
+
+} // namespace vs::mesh

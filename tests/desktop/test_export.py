@@ -1,0 +1,114 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Surfaces, a DICOM segmentation, a table and the sculpted volume by File > Export, as vstudio export writes them of the
+saved session; an export that is given up leaves nothing."""
+
+import argparse
+import sys
+import time
+
+from driver import need, run_test, start
+from phantom import write_ball_head
+from replay import run
+from test_segments import grow
+
+
+def open_dialog(studio):
+    studio.focus()
+    studio.key("ctrl+shift+e")
+    studio.wait("the dialog", lambda s: "exportDialog" in s["widgets"])
+    time.sleep(0.3)  # it is laid out once more after it appears
+
+
+def choose_format(studio, name):
+    studio.click("exportFormat")
+    time.sleep(0.2)
+    studio.xdotool("type", "--delay", 5, name)
+    studio.key("Return")
+    time.sleep(0.2)
+
+
+def save_as(studio, path):
+    studio.click("exportSave")
+    studio.wait("the file dialog", lambda s: "exportFileDialog" in s["widgets"] and "fileNameEdit" in s["widgets"])
+    time.sleep(0.3)
+    studio.click("fileNameEdit")
+    studio.key("ctrl+a")
+    studio.xdotool("type", "--delay", 5, path)
+    studio.key("Return")
+
+
+def exported(studio, path):
+    save_as(studio, path)
+    studio.wait_idle(f"{path.name}", lambda s: s["message"].startswith(f"Exported {path}")
+                     and "exportDialog" not in s["widgets"])
+    time.sleep(0.3)  # for the dialog's window to go from the X server too
+    need(path.exists(), f"{path} is not there")
+
+
+def check_list(studio):
+    """Without a segment there is no surface, and nothing to estimate."""
+    studio.click("exportSegment")
+    studio.wait("the estimate to go", lambda s: "exportEstimate" not in s["widgets"])
+    studio.click("exportSegment")
+    studio.wait("the estimate to come back", lambda s: "exportEstimate" in s["widgets"])
+
+
+def main(display, arguments, folder):
+    volume = folder / "head.nrrd"
+    write_ball_head(volume)
+    studio = start(display, arguments.program, folder, [volume])
+    studio.resize(1100, 760)
+    studio.wait_idle("the volume", lambda s: s["pictureComplete"])
+    grow(studio)
+
+    open_dialog(studio)
+    studio.wait("the estimate", lambda s: "exportEstimate" in s["widgets"])
+    check_list(studio)
+    exported(studio, folder / "seen.stl")
+    for name, kind in (("seen.glb", "glTF"), ("seen.dcm", "DICOM"), ("seen.nrrd", "NRRD")):
+        open_dialog(studio)
+        choose_format(studio, kind)
+        exported(studio, folder / name)
+    open_dialog(studio)
+    studio.click("exportTable")
+    exported(studio, folder / "seen.csv")
+    open_dialog(studio)
+    studio.click("exportVolume")
+    studio.type_number("exportLeast", 100, "Tab")
+    exported(studio, folder / "head.stl")
+
+    # Given up before anything is written.
+    open_dialog(studio)
+    save_as(studio, folder / "never.obj")
+    studio.wait("the export to begin", lambda s: "exportProgress" in s["widgets"] or "exportDialog" not in s["widgets"])
+    if "exportDialog" in studio.state()["widgets"]:
+        studio.click("exportCancel")
+    studio.wait_idle("the end", lambda s: "exportProgress" not in s["widgets"])
+    if "exportDialog" in studio.state()["widgets"]:
+        studio.key("Escape")
+        studio.wait("the dialog to close", lambda s: "exportDialog" not in s["widgets"])
+
+    studio.focus()
+    studio.key("ctrl+s")
+    studio.type_path("saveDialog", folder / "session.json")
+    state = studio.wait_idle("the session", lambda s: "session.json" in s["message"])
+    need(state["glErrors"] == 0, f"{state['glErrors']} OpenGL errors")
+    studio.quit()
+
+    # The same files of the saved session; a DICOM segmentation has identifiers of its own.
+    for name, options in (("seen.stl", []), ("seen.glb", []), ("seen.nrrd", []), ("seen.csv", []),
+                          ("head.stl", ["--what", "volume", "--range", "100:180"])):
+        again = folder / f"again_{name}"
+        print(run(arguments.vstudio, "export", folder / "session.json", "-o", again, *options).strip())
+        need(again.read_bytes() == (folder / name).read_bytes(), f"{name} differs from what vstudio export writes")
+    run(arguments.vstudio, "export", folder / "session.json", "-o", folder / "again.dcm")
+    size = abs((folder / "again.dcm").stat().st_size - (folder / "seen.dcm").stat().st_size)
+    need(size < 200, "the DICOM segmentations differ")
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--program", required=True)
+    parser.add_argument("--vstudio", required=True)
+    parser.add_argument("--work", required=True, help="folder to work in; emptied first")
+    sys.exit(run_test(main, parser.parse_args()))

@@ -19,7 +19,6 @@ namespace vs::desktop {
 
 ViewWidget::ViewWidget(StudioController& studio, QWidget* parent) : QWidget(parent), studio_(studio) {
     setObjectName("view");
-    setAttribute(Qt::WA_NativeWindow);
     setAccessibleName(tr("Picture of the volume"));
     setAttribute(Qt::WA_OpaquePaintEvent);
     setMouseTracking(true);

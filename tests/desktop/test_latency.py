@@ -98,10 +98,10 @@ def draw_mask(studio, centre, radius):
 
 
 def grow(studio):
-    """From a stroke on the forehead, while the camera turns."""
+    """From a stroke beside the holes, while the camera turns."""
     studio.key("s")
     studio.wait("the seed tool", lambda s: s["tool"] == "seed")
-    studio.drag([studio.view_point(0.5 + 0.01 * i, 0.35) for i in range(5)])
+    studio.drag([studio.view_point(0.58 + 0.01 * i, 0.55) for i in range(5)])
     studio.wait("growth", lambda s: s["generation"] > 3)
     studio.key("v")
     phase = Phase(studio, circle(studio, (0.5, 0.5), 0.2, 1.5))
@@ -125,12 +125,12 @@ def main(display, arguments, folder):
     turning = Phase(studio, circle(studio, (0.5, 0.5), 0.2, 4))
     studio.wait_idle("the picture at rest", lambda s: s["pictureComplete"])
     studio.key("Home")
-    studio.wait_idle("the whole head", lambda s: s["pictureComplete"])
+    studio.wait_idle("the front again", lambda s: s["camera"]["azimuth"] == 0 and s["pictureComplete"])
 
     studio.key("d")
     draw_mask(studio, (0.5, 0.4), 0.03)
     studio.wait("the drill's mask", lambda s: s["hint"].startswith("The mask follows"))
-    first = Phase(studio, circle(studio, (0.5, 0.6), 0.08, 1))
+    first = Phase(studio, circle(studio, (0.45, 0.6), 0.04, 1))
     studio.wait_idle("the first hole", lambda s: s["canUndo"] and s["pictureComplete"])
     drilling = Phase(studio, circle(studio, (0.5, 0.35), 0.08, 4))
     studio.wait_idle("the hole", lambda s: s["pictureComplete"])

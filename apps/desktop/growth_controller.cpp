@@ -11,7 +11,7 @@ namespace vs::desktop {
 
 namespace {
 constexpr double kSliceMs = 10;
-constexpr double kHurriedSliceMs = 6;
+constexpr double kHurriedSliceMs = 3;
 constexpr int kMostAtOnce = 1000;  // generations, when the clock says that so many are due
 constexpr double kBackSeconds = 4; // for all of it, played backward at full speed
 constexpr double kLeastBack = 30;  // generations per second

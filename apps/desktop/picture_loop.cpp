@@ -18,7 +18,7 @@ constexpr double kSoftwareFrameMs = 40;
 constexpr double kHardwareFrameMs = 25;
 constexpr double kLeastShare = 0.35; // of a frame for its rays, however much else there is to do
 constexpr double kSegmentsMs = 40;   // a draft, to smooth what grew
-constexpr double kHurriedSegmentsMs = 6;
+constexpr double kHurriedSegmentsMs = 3;
 constexpr double kCalmMs = 180; // longer than the pauses within a hand's movement
 constexpr std::array kScales{1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0};
 
@@ -98,6 +98,15 @@ PictureLoop::State PictureLoop::step(double budgetMs) {
     return isComplete() ? State::Complete : State::Busy;
 }
 
+// A draft that took long to prepare is followed by one that shows the segments as they are, so that the hand
+// is answered in between.
+double PictureLoop::segmentsMs() const {
+    if (!isHurried_) {
+        return kSegmentsMs;
+    }
+    return prepareMs_ > kLeastShare * frameMs_ ? 0 : kHurriedSegmentsMs;
+}
+
 void PictureLoop::begin(Pass pass) {
     const Timer timer;
     glm::ivec2 size = viewport_;
@@ -106,7 +115,7 @@ void PictureLoop::begin(Pass pass) {
         scale_ = wantedScale();
         size = glm::max(glm::ivec2(glm::round(glm::dvec2(viewport_) / scale_)), glm::ivec2(1));
     }
-    auto frame = document_->frame(size, isHurried_ ? kHurriedSegmentsMs : kSegmentsMs);
+    auto frame = document_->frame(size, segmentsMs());
     isBehind_ = document_->isBehind();
     frame.samples = pass == Pass::Full ? kFullSamples : 1;
     if (pass != Pass::Full) {

@@ -64,6 +64,7 @@ private:
     void show();
     void finishDraft();
     [[nodiscard]] double wantedScale() const;
+    [[nodiscard]] double segmentsMs() const;
 
     render::RayCaster caster_;
     studio::Document* document_ = nullptr;

@@ -145,7 +145,7 @@ std::vector<std::uint32_t> Segmentation::smoothQueued(int channel, const Timer& 
     const bool isHurried = budgetMs < kNoHurry;
     std::vector<std::uint32_t> done;
     while (!own.queue.empty() && timer.milliseconds() < budgetMs) {
-        constexpr std::size_t kBetweenLooks = 64; // at the clock
+        constexpr std::size_t kBetweenLooks = 32; // at the clock
         const auto end =
             own.queue.begin() +
             std::ptrdiff_t(std::min(isHurried ? kBetweenLooks : own.queue.size(), own.queue.size()));
@@ -164,8 +164,8 @@ std::vector<std::uint32_t> Segmentation::smoothQueued(int channel, const Timer& 
 }
 
 bool Segmentation::isBehind() const {
-    return std::any_of(channels_.begin(), channels_.end(),
-                       [](const Channel& channel) { return !channel.queue.empty(); });
+    return isLeft_ || std::any_of(channels_.begin(), channels_.end(),
+                                  [](const Channel& channel) { return !channel.queue.empty(); });
 }
 
 // Smooths tiles [first, first + count) of the list on the device.
@@ -227,6 +227,10 @@ void Segmentation::summarize(const std::vector<std::uint32_t>& tiles, Smoothing 
 Box3 Segmentation::update(const Growth& growth, Smoothing smoothing, const Looks& looks, double budgetMs) {
     const gl::Pass pass("update segmentation");
     const Timer timer;
+    isLeft_ = budgetMs <= 0 && version_ > 0 && (growth.revision() != seenRevision_ || looks != looks_);
+    if (isLeft_) {
+        return {};
+    }
     takeLooks(looks);
     const BrickTable& table = growth.seedMap().bricks();
     const auto bricks = haveLooksChanged_ ? table.occupied() : table.changedSince(seenRevision_);

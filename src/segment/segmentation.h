@@ -36,7 +36,7 @@ public:
     // Brings the volume up to date with what `growth` shows of segments that are not hidden, always the same
     // growth. Cost follows the number of tiles of 16^3 voxels around which membership changed. Smoothing ends
     // when it has taken `budgetMs`: what changed first is smoothed first, and the rest stays as it was until
-    // the next update. Returns the box of voxels rewritten.
+    // the next update; with no budget at all everything does. Returns the box of voxels rewritten.
     Box3 update(const Growth& growth, Smoothing smoothing = Smoothing::Smooth,
                 const Looks& looks = allOpaque(), double budgetMs = kNoHurry);
     static constexpr double kNoHurry = 1e30;
@@ -91,6 +91,7 @@ private:
     std::vector<Channel> channels_;
     Looks looks_ = allOpaque();
     bool haveLooksChanged_ = false;
+    bool isLeft_ = false; // as it was, by the last update
 
     gl::Buffer tiles_;
     gl::Buffer reach_;

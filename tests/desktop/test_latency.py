@@ -69,7 +69,7 @@ class Phase:
     def latencies(self, timings):
         """Of all moves, in ms, sorted."""
         moves = [i for i in timings["inputs"] if i["kind"] == "move" and self.begin <= i["arrived"] <= self.end]
-        need(len(moves) > 30, f"only {len(moves)} moves arrived")
+        need(len(moves) > 10, f"only {len(moves)} moves arrived")
         need(all(i["shown"] for i in moves), "a move was never shown")
         need(all(0 <= i["handled"] - i["arrived"] + 2 < 1e4 for i in moves), "the clocks of X server and program differ")
         return sorted(i["shown"] - i["arrived"] for i in moves)
@@ -130,10 +130,12 @@ def main(display, arguments, folder):
     studio.key("d")
     draw_mask(studio, (0.5, 0.4), 0.03)
     studio.wait("the drill's mask", lambda s: s["hint"].startswith("The mask follows"))
-    first = Phase(studio, circle(studio, (0.45, 0.6), 0.04, 1))
-    studio.wait_idle("the first hole", lambda s: s["canUndo"] and s["pictureComplete"])
+    first = Phase(studio, circle(studio, (0.45, 0.6), 0.04, 0.5))
+    studio.wait_idle("the first hole", lambda s: s["operations"] == 1 and s["pictureComplete"])
+    second = Phase(studio, circle(studio, (0.45, 0.6), 0.05, 0.5))  # which sees what is cut already
+    studio.wait_idle("the second hole", lambda s: s["operations"] == 2 and s["pictureComplete"])
     drilling = Phase(studio, circle(studio, (0.5, 0.35), 0.08, 4))
-    studio.wait_idle("the hole", lambda s: s["pictureComplete"])
+    studio.wait_idle("the hole", lambda s: s["operations"] == 3 and s["pictureComplete"])
 
     grow(studio)
     studio.key("ctrl+z")
@@ -146,18 +148,21 @@ def main(display, arguments, folder):
     studio.quit()
 
     timings = json.loads(timings_file.read_text())
-    report("the first stroke of the drill", first, timings)
+    for name, phase in (("first", first), ("second", second)):  # on a machine that has none of its shaders
+        print(f"the drill's {name} stroke: input to picture {phase.latencies(timings)[-1]:.0f} ms at most")
     fps, _, rest = report("turning", turning, timings)
-    need(fps > LEAST_FPS, f"turning shows {fps:.1f} pictures a second, not {LEAST_FPS}")
-    need(rest < MOST_REST_MS, f"the picture at rest took {rest:.0f} ms, not {MOST_REST_MS}")
+    slack = arguments.slack
+    need(fps > LEAST_FPS / slack, f"turning shows {fps:.1f} pictures a second, not {LEAST_FPS}")
+    need(rest < slack * MOST_REST_MS, f"the picture at rest took {rest:.0f} ms, not {MOST_REST_MS}")
     for name, phase in (("drilling", drilling), ("growing", growing)):
         _, late, _ = report(name, phase, timings)
-        need(late < MOST_MS, f"{name}: 5 % of the input is answered later than {late:.0f} ms, not {MOST_MS}")
+        need(late < slack * MOST_MS, f"{name}: 5 % of the input is answered later than {late:.0f} ms, not {MOST_MS}")
 
 
 if __name__ == "__main__":
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("--program", required=True)
     parser.add_argument("--vstudio", required=True)
+    parser.add_argument("--slack", type=float, default=1, help="how many times the bounds a slow machine may take")
     parser.add_argument("--work", required=True, help="folder to work in; emptied first")
     sys.exit(run_test(main, parser.parse_args()))

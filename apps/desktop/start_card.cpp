@@ -49,6 +49,7 @@ StartCard::StartCard(const KnownDocument& document, const QString& objectName, Q
       hasSegments_(document.hasSegments), isMissing_(document.isMissing()) {
     setObjectName(objectName);
     setText(document.name());
+    setProperty("report", document.name());
     const QString when = whenSeen(document.seen);
     details_ = isMissing_       ? tr("not found in %1").arg(placeOf(document))
                : when.isEmpty() ? document.details

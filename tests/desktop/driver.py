@@ -112,9 +112,18 @@ class Studio:
     def move(self, point):
         self.xdotool("mousemove", *point)
 
+    def place_of(self, widget):
+        """Its rectangle, once it has stayed where it is for a moment: panels follow the picture."""
+        place = None
+        while True:
+            state = self.wait(f"the widget {widget}", lambda s: widget in s["widgets"])
+            if state["widgets"][widget] == place:
+                return place
+            place = state["widgets"][widget]
+            time.sleep(0.1)
+
     def click(self, widget):
-        state = self.wait(f"the widget {widget}", lambda s: widget in s["widgets"])
-        x, y, width, height = state["widgets"][widget]
+        x, y, width, height = self.place_of(widget)
         self.xdotool("mousemove", x + width // 2, y + height // 2, "click", 1)
 
     def drag(self, points, button=1, pause=0.02):

@@ -104,6 +104,7 @@ void StudioController::tick() {
     auto state = PictureLoop::State::Complete;
     if (!tool_->isSketching()) {
         if (!guard([&] { state = picture_->step(kPictureSliceMs); })) {
+            tell();
             return;
         }
         answeredMs_ = picture_->isDrafting() ? answeredMs_ : caughtUpMs_;

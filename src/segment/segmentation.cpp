@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "segment/segmentation.h"
 
+#include "base/timer.h"
 #include "field/cell_ranges.h"
 #include "gl/context.h"
 #include "gl/pass.h"
@@ -140,11 +141,12 @@ void Segmentation::queueTiles(Channel& channel) const {
 }
 
 // Returns the tiles that were smoothed.
-std::vector<std::uint32_t> Segmentation::smoothQueued(int channel, const Timer& timer, double budgetMs) {
+std::vector<std::uint32_t> Segmentation::smoothQueued(int channel, double budgetMs) {
+    const Timer timer;
     Channel& own = channels_[std::size_t(channel)];
     const bool isHurried = budgetMs < kNoHurry;
     std::vector<std::uint32_t> done;
-    while (!own.queue.empty() && timer.milliseconds() < budgetMs) {
+    while (!own.queue.empty() && (done.empty() || timer.milliseconds() < budgetMs)) {
         constexpr std::size_t kBetweenLooks = 32; // at the clock
         const auto end =
             own.queue.begin() +
@@ -161,11 +163,6 @@ std::vector<std::uint32_t> Segmentation::smoothQueued(int channel, const Timer& 
         }
     }
     return done;
-}
-
-bool Segmentation::isBehind() const {
-    return isLeft_ || std::any_of(channels_.begin(), channels_.end(),
-                                  [](const Channel& channel) { return !channel.queue.empty(); });
 }
 
 // Smooths tiles [first, first + count) of the list on the device.
@@ -226,9 +223,8 @@ void Segmentation::summarize(const std::vector<std::uint32_t>& tiles, Smoothing 
 
 Box3 Segmentation::update(const Growth& growth, Smoothing smoothing, const Looks& looks, double budgetMs) {
     const gl::Pass pass("update segmentation");
-    const Timer timer;
-    isLeft_ = budgetMs <= 0 && version_ > 0 && (growth.revision() != seenRevision_ || looks != looks_);
-    if (isLeft_) {
+    isBehind_ = budgetMs <= 0 && version_ > 0 && (growth.revision() != seenRevision_ || looks != looks_);
+    if (isBehind_) {
         return {};
     }
     takeLooks(looks);
@@ -238,11 +234,15 @@ Box3 Segmentation::update(const Growth& growth, Smoothing smoothing, const Looks
     haveLooksChanged_ = false;
     std::vector<std::uint32_t> changed;
     for (int channel = 0; channel < int(channels_.size()); ++channel) {
+        Channel& own = channels_[std::size_t(channel)];
         auto tiles = show(growth, channel, bricks);
         if (smoothing == Smoothing::Smooth) {
-            queueTiles(channels_[std::size_t(channel)]);
-            tiles = smoothQueued(channel, timer, budgetMs);
+            queueTiles(own);
+            tiles = smoothQueued(channel, budgetMs);
+            isBehind_ = isBehind_ || !own.queue.empty();
         } else {
+            tiles.insert(tiles.end(), own.queue.begin(),
+                         own.queue.end()); // which are smoothed later all the same
             write(channel, tiles, smoothing);
         }
         changed.insert(changed.end(), tiles.begin(), tiles.end());

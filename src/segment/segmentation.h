@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "base/timer.h"
 #include "gl/buffer.h"
 #include "gl/program.h"
 #include "gl/texture.h"
@@ -35,13 +34,14 @@ public:
 
     // Brings the volume up to date with what `growth` shows of segments that are not hidden, always the same
     // growth. Cost follows the number of tiles of 16^3 voxels around which membership changed. Smoothing ends
-    // when it has taken `budgetMs`: what changed first is smoothed first, and the rest stays as it was until
-    // the next update; with no budget at all everything does. Returns the box of voxels rewritten.
+    // when it has taken `budgetMs`, but not before the first tiles: what changed first is smoothed first, and
+    // the rest stays as it was until the next update; with no budget at all everything does. Returns the box
+    // of voxels rewritten.
     Box3 update(const Growth& growth, Smoothing smoothing = Smoothing::Smooth,
                 const Looks& looks = allOpaque(), double budgetMs = kNoHurry);
     static constexpr double kNoHurry = 1e30;
     // The last update was cut short.
-    [[nodiscard]] bool isBehind() const;
+    [[nodiscard]] bool isBehind() const { return isBehind_; }
 
     // R8, linear filter, values in [0, 1]: the opaque segments together. RG8 while there are translucent
     // ones: those together in g.
@@ -71,7 +71,7 @@ private:
     std::vector<std::uint32_t> show(const Growth& growth, int channel,
                                     const std::vector<std::uint32_t>& bricks);
     void queueTiles(Channel& channel) const;
-    std::vector<std::uint32_t> smoothQueued(int channel, const Timer& timer, double budgetMs);
+    std::vector<std::uint32_t> smoothQueued(int channel, double budgetMs);
     void write(int channel, const std::vector<std::uint32_t>& tiles, Smoothing smoothing);
     void smooth(int channel, std::uint32_t first, std::uint32_t count);
     void summarize(const std::vector<std::uint32_t>& tiles, Smoothing smoothing);
@@ -91,7 +91,7 @@ private:
     std::vector<Channel> channels_;
     Looks looks_ = allOpaque();
     bool haveLooksChanged_ = false;
-    bool isLeft_ = false; // as it was, by the last update
+    bool isBehind_ = false;
 
     gl::Buffer tiles_;
     gl::Buffer reach_;

@@ -192,6 +192,39 @@ TEST_F(SegmentationTest, SixBytesAVoxelAreEnough) {
     }
 }
 
+TEST_F(SegmentationTest, HurriedUpdatesArriveAtTheSame) {
+    const auto volume = randomVolume({90, 80, 70}, volume::ScalarType::UInt8, 0, 100);
+    const field::Field field = field::uploadVolume(volume);
+    Growth growth(field);
+    Segmentation segmentation(volume.geometry);
+    Constraints constraints;
+    constraints.range = {0, 60};
+    growth.setConstraints(constraints);
+    growth.addSeeds(std::vector<glm::ivec3>{{15, 15, 15}, {16, 16, 16}, {40, 20, 33}});
+    const double barely = 1e-6; // for the first tiles
+    const auto hurry = [&](double budgetMs, Smoothing smoothing = Smoothing::Smooth) {
+        segmentation.update(growth, smoothing, allOpaque(), budgetMs);
+        return segmentation.isBehind();
+    };
+    EXPECT_FALSE(hurry(1e6));
+    const auto before = texelsOf(segmentation);
+    growth.advance(30);
+    EXPECT_TRUE(hurry(0)) << "no time at all";
+    EXPECT_TRUE(texelsOf(segmentation) == before);
+    EXPECT_TRUE(hurry(barely));
+    growth.advance(10); // it goes on meanwhile
+    EXPECT_FALSE(hurry(barely, Smoothing::Plain)) << "nothing waits in a plain picture";
+    expectTruth(growth, segmentation, "plain, with a queue");
+    growth.stepBack(3);
+    int updates = 0;
+    while (hurry(5) && updates < 1000) {
+        ++updates;
+    }
+    EXPECT_LT(updates, 1000);
+    expectTruth(growth, segmentation, "hurried");
+    expectEqualsFresh(growth, segmentation, "hurried");
+}
+
 TEST_F(SegmentationTest, WhatWasScrubbedPlainIsSmoothedLater) {
     const auto volume = randomVolume({70, 50, 41}, volume::ScalarType::UInt8, 0, 100);
     const field::Field field = field::uploadVolume(volume);

@@ -47,7 +47,7 @@ QDoubleSpinBox* makeValueBox(const char* name, const QString& accessibleName, co
 
 ExportDialog::ExportDialog(StudioController& studio, const QString& folder, const QString& name,
                            QWidget* parent)
-    : QDialog(parent), studio_(studio), export_(studio), folder_(folder), name_(name) {
+    : SavingDialog(studio, parent), export_(studio), folder_(folder), name_(name) {
     setObjectName("exportDialog");
     setWindowTitle(tr("Export"));
     auto* column = new QVBoxLayout(this);
@@ -235,33 +235,9 @@ void ExportDialog::askWhere() {
 }
 
 void ExportDialog::save(const QString& path) {
-    fields_->setEnabled(false);
-    save_->setEnabled(false);
-    message_->hide();
     progress_->setValue(0);
-    progress_->show();
+    lock();
     export_.save(path.toStdString(), settings(), chosen());
-}
-
-void ExportDialog::finish(bool isDone, const QString& message) {
-    studio_.say(message);
-    progress_->hide();
-    fields_->setEnabled(true);
-    save_->setEnabled(true);
-    if (isDone) {
-        accept();
-    } else {
-        message_->setText(message);
-        message_->show();
-    }
-}
-
-void ExportDialog::reject() {
-    if (export_.isRunning()) {
-        export_.cancel();
-    } else {
-        QDialog::reject();
-    }
 }
 
 } // namespace vs::desktop

@@ -3,16 +3,13 @@
 
 #include "document_export.h"
 #include "export_formats.h"
-
-#include <QDialog>
+#include "saving_dialog.h"
 
 class QCheckBox;
 class QComboBox;
 class QDoubleSpinBox;
 class QFormLayout;
 class QLabel;
-class QProgressBar;
-class QPushButton;
 class QSlider;
 
 namespace vs::desktop {
@@ -21,7 +18,7 @@ class SegmentChecks;
 
 // Segments, what is left of the volume, or a table, for other programs: what, in which format, how fine; says
 // beforehand how large it becomes; shows how far it is, and can be given up.
-class ExportDialog : public QDialog {
+class ExportDialog : public SavingDialog {
     Q_OBJECT
 
 public:
@@ -29,7 +26,8 @@ public:
     ExportDialog(StudioController& studio, const QString& folder, const QString& name, QWidget* parent);
 
 protected:
-    void reject() override; // while it runs: gives up, and stays open
+    [[nodiscard]] bool isSaving() const override { return export_.isRunning(); }
+    void giveUp() override { export_.cancel(); }
 
 private:
     void makeFormatRow();
@@ -41,18 +39,15 @@ private:
     void showEstimate();
     void askWhere();
     void save(const QString& path);
-    void finish(bool isDone, const QString& message);
     [[nodiscard]] const ExportFormat& format() const;
     [[nodiscard]] studio::ExportSettings settings() const;
     [[nodiscard]] std::vector<studio::ExportedSegment> chosen() const;
 
-    StudioController& studio_;
     DocumentExport export_;
     QString folder_;
     QString name_;
     std::vector<ExportFormat> formats_; // those in the box
     ExportKind kind_ = ExportKind::Segments;
-    QWidget* fields_ = nullptr;
     QFormLayout* form_ = nullptr;
     SegmentChecks* list_ = nullptr;
     QComboBox* format_ = nullptr;
@@ -67,9 +62,6 @@ private:
     QWidget* rangeRow_ = nullptr;
     QDoubleSpinBox* fill_ = nullptr;
     QLabel* estimate_ = nullptr;
-    QProgressBar* progress_ = nullptr;
-    QLabel* message_ = nullptr;
-    QPushButton* save_ = nullptr;
 };
 
 } // namespace vs::desktop

@@ -35,7 +35,7 @@ QSpinBox* makePixels(const char* name, const QString& accessibleName, int value)
 } // namespace
 
 PictureDialog::PictureDialog(StudioController& studio, const QString& name, QWidget* parent)
-    : QDialog(parent), studio_(studio), export_(studio), name_(name) {
+    : SavingDialog(studio, parent), export_(studio), name_(name) {
     setObjectName("pictureDialog");
     setWindowTitle(tr("Save pictures"));
     auto* column = new QVBoxLayout(this);
@@ -135,33 +135,9 @@ void PictureDialog::save(const QString& path) {
     const std::filesystem::path file(path.toStdString());
     auto picture = settings();
     picture.file = file.filename().string();
-    fields_->setEnabled(false);
-    save_->setEnabled(false);
-    message_->hide();
     progress_->setRange(0, 0);
-    progress_->show();
+    lock();
     export_.save(picture, file.parent_path(), pictures_->value());
-}
-
-void PictureDialog::finish(bool isDone, const QString& message) {
-    studio_.say(message);
-    progress_->hide();
-    fields_->setEnabled(true);
-    save_->setEnabled(true);
-    if (isDone) {
-        accept();
-    } else {
-        message_->setText(message);
-        message_->show();
-    }
-}
-
-void PictureDialog::reject() {
-    if (export_.isRunning()) {
-        export_.cancel();
-    } else {
-        QDialog::reject();
-    }
 }
 
 } // namespace vs::desktop

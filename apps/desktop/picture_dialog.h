@@ -2,22 +2,18 @@
 #pragma once
 
 #include "picture_export.h"
-
-#include <QDialog>
+#include "saving_dialog.h"
 
 class QCheckBox;
 class QComboBox;
 class QFormLayout;
-class QLabel;
-class QProgressBar;
-class QPushButton;
 class QSpinBox;
 
 namespace vs::desktop {
 
 // A picture at any size, with or without annotations and background, or a turntable of pictures; shows how
 // far it is, and can be given up.
-class PictureDialog : public QDialog {
+class PictureDialog : public SavingDialog {
     Q_OBJECT
 
 public:
@@ -25,17 +21,16 @@ public:
     PictureDialog(StudioController& studio, const QString& name, QWidget* parent);
 
 protected:
-    void reject() override; // while it runs: gives up, and stays open
+    [[nodiscard]] bool isSaving() const override { return export_.isRunning(); }
+    void giveUp() override { export_.cancel(); }
 
 private:
     void makeSizeRow(QFormLayout* form);
     void keepShape(bool isWidth);
     void askWhere();
     void save(const QString& path);
-    void finish(bool isDone, const QString& message);
     [[nodiscard]] studio::SavePicture settings() const;
 
-    StudioController& studio_;
     PictureExport export_;
     QString name_;
     double shape_ = 1; // width to height of the view
@@ -45,10 +40,6 @@ private:
     QComboBox* background_ = nullptr;
     QCheckBox* annotations_ = nullptr;
     QSpinBox* pictures_ = nullptr;
-    QWidget* fields_ = nullptr;
-    QProgressBar* progress_ = nullptr;
-    QLabel* message_ = nullptr;
-    QPushButton* save_ = nullptr;
 };
 
 } // namespace vs::desktop

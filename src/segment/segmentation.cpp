@@ -223,7 +223,8 @@ void Segmentation::summarize(const std::vector<std::uint32_t>& tiles, Smoothing 
 
 Box3 Segmentation::update(const Growth& growth, Smoothing smoothing, const Looks& looks, double budgetMs) {
     const gl::Pass pass("update segmentation");
-    isBehind_ = budgetMs <= 0 && version_ > 0 && (growth.revision() != seenRevision_ || looks != looks_);
+    isBehind_ =
+        budgetMs <= 0 && version_ > 0 && (isBehind_ || growth.revision() != seenRevision_ || looks != looks_);
     if (isBehind_) {
         return {};
     }

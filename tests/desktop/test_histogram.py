@@ -185,7 +185,7 @@ def edit_both(studio):
     studio.click("drawTriangle")
     studio.drag([place(0.1, 0.2), place(0.2, 0.3), place(0.3, 0.6)])
     plane.wait(0, 2)
-    need("shapeTopLo" in studio.state()["widgets"], "a triangle has no numbers for its top")
+    studio.wait("the numbers of a triangle's top", lambda s: "shapeTopLo" in s["widgets"])
     studio.type_number("shapeTopLo", 20)
     studio.type_number("shapeTopHi", 5)
     studio.wait("the answer", lambda s: "exchanged" in s["message"])

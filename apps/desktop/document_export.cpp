@@ -4,6 +4,8 @@
 #include "growth_controller.h"
 #include "studio_controller.h"
 
+#include "base/progress.h"
+
 #include <exception>
 
 namespace vs::desktop {
@@ -93,7 +95,7 @@ void DocumentExport::beginWork() {
                                                   .arg(lines.size())
                                                   .arg(QString::fromStdString(lines.back()));
                 isDone = true;
-            } catch (const mesh::GivenUp&) {
+            } catch (const GivenUp&) {
                 message = tr("The export was given up");
             } catch (const std::bad_alloc&) {
                 message = tr("There is not enough memory for this export; close what is open, or keep fewer "

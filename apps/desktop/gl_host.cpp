@@ -3,6 +3,8 @@
 
 #include "base/error.h"
 
+#include <QThread>
+
 namespace vs::desktop {
 
 namespace {
@@ -16,7 +18,7 @@ QSurfaceFormat wantedFormat() {
 
 } // namespace
 
-GlHost::GlHost() {
+GlHost::GlHost() : owner_(QThread::currentThread()) {
     surface_.setFormat(wantedFormat());
     surface_.create();
     context_.setFormat(wantedFormat());
@@ -30,9 +32,24 @@ GlHost::GlHost() {
 GlHost::~GlHost() { makeCurrent(); }
 
 void GlHost::makeCurrent() {
+    std::unique_lock lock(mutex_);
+    handedOver_.wait(lock, [this] { return owner_ == QThread::currentThread(); });
     if (QOpenGLContext::currentContext() != &context_) {
         context_.makeCurrent(&surface_);
+        engine_->makeCurrent();
     }
+}
+
+void GlHost::handOverTo(QThread& thread) {
+    {
+        const std::lock_guard lock(mutex_);
+        if (QOpenGLContext::currentContext() == &context_) {
+            context_.doneCurrent();
+        }
+        context_.moveToThread(&thread);
+        owner_ = &thread;
+    }
+    handedOver_.notify_all();
 }
 
 } // namespace vs::desktop

@@ -96,14 +96,14 @@ void HistogramPanel::refreshStrip() {
 }
 
 void HistogramPanel::countGradients() {
-    auto* document = studio_.document();
-    if (document == nullptr || isCounted_) {
+    if (isCounted_ || studio_.geometry() == nullptr) {
         return;
     }
     if (!studio_.isSettled()) {
         countTimer_.start(kRetryMs);
         return;
     }
+    const auto* document = studio_.document();
     bool isDone = false;
     const bool isFine = studio_.guard([&] {
         if (!counting_) {

@@ -16,6 +16,7 @@ constexpr double kSliceMs = 40;
 HistoryTravel::HistoryTravel(StudioController& studio) : studio_(studio) {
     connect(&timer_, &QTimer::timeout, this, &HistoryTravel::advance);
     connect(&studio, &StudioController::closed, this, &HistoryTravel::stop);
+    connect(&studio, &StudioController::givenUp, this, &HistoryTravel::stop);
 }
 
 void HistoryTravel::goTo(std::size_t steps) {
@@ -30,6 +31,9 @@ void HistoryTravel::goTo(std::size_t steps) {
 }
 
 void HistoryTravel::advance() {
+    if (studio_.isAway()) { // on its way
+        return;
+    }
     const Timer timer;
     while (target_ && timer.milliseconds() < kSliceMs) {
         if (studio_.document() == nullptr || studio_.document()->steps().done != at_ || at_ == *target_ ||

@@ -20,6 +20,8 @@ namespace vs::desktop {
 
 namespace {
 
+constexpr double kLongMs = 40;
+
 const char* kindOf(const QEvent& event) {
     switch (event.type()) {
     case QEvent::MouseButtonPress:
@@ -49,12 +51,20 @@ double arrival(const QInputEvent& event, double nowMs) {
 
 } // namespace
 
-LatencyRecorder::LatencyRecorder(StudioController& studio, const ViewWidget& view, std::filesystem::path path)
-    : QObject(&studio), studio_(studio), path_(std::move(path)) {
-    qApp->installEventFilter(this);
+LatencyRecorder::LatencyRecorder(WatchedApplication& application, StudioController& studio,
+                                 const ViewWidget& view, std::filesystem::path path)
+    : QObject(&studio), application_(application), studio_(studio), path_(std::move(path)) {
+    application.installEventFilter(this);
+    application.watch([this](const WatchedApplication::Busy& busy) {
+        if (busy.milliseconds > kLongMs) {
+            blocks_.push_back(busy);
+        }
+    });
     connect(&view, &ViewWidget::painted, this, &LatencyRecorder::notePainted);
     connect(qApp, &QCoreApplication::aboutToQuit, this, &LatencyRecorder::write);
 }
+
+LatencyRecorder::~LatencyRecorder() { application_.watch({}); }
 
 bool LatencyRecorder::eventFilter(QObject* watched, QEvent* event) {
     const char* kind = kindOf(*event);
@@ -93,8 +103,16 @@ void LatencyRecorder::write() const {
                           {"width", frame.width},
                           {"isComplete", frame.isComplete}});
     }
+    nlohmann::json blocks = nlohmann::json::array();
+    for (const auto& block : blocks_) {
+        blocks.push_back({{"began", block.beganMs},
+                          {"ms", block.milliseconds},
+                          {"receiver", block.receiver.toStdString()},
+                          {"event", block.type}});
+    }
     try {
-        writeFileAtomically(path_, nlohmann::json{{"inputs", inputs}, {"frames", frames}}.dump());
+        writeFileAtomically(
+            path_, nlohmann::json{{"inputs", inputs}, {"frames", frames}, {"blocks", blocks}}.dump());
     } catch (const Error& e) {
         logNotice(e.what());
     }

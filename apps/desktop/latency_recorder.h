@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "watched_application.h"
+
 #include <QObject>
 
 #include <filesystem>
@@ -12,15 +14,18 @@ class StudioController;
 class ViewWidget;
 
 // Notes when each input arrived at the window system, when the program turned to it, and when the window
-// first showed a picture that it had been reckoned into; and when which picture was shown. Writes a JSON
-// object when the program ends: {"inputs": [{"kind", "arrived", "handled", "shown"}], "frames": [{"shown",
-// "picture", "width", "isComplete"}]}, with times in ms of the machine's steady clock, pictures counted and
-// `width` in the picture's own pixels.
+// first showed a picture that it had been reckoned into; when which picture was shown; and what kept the
+// window from everything else for long. Writes a JSON object when the program ends: {"inputs": [{"kind",
+// "arrived", "handled", "shown"}], "frames": [{"shown", "picture", "width", "isComplete"}], "blocks":
+// [{"began", "ms", "receiver", "event"}]}, with times in ms of the machine's steady clock, pictures counted
+// and `width` in the picture's own pixels.
 class LatencyRecorder : public QObject {
     Q_OBJECT
 
 public:
-    LatencyRecorder(StudioController& studio, const ViewWidget& view, std::filesystem::path path);
+    LatencyRecorder(WatchedApplication& application, StudioController& studio, const ViewWidget& view,
+                    std::filesystem::path path);
+    ~LatencyRecorder() override;
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -42,10 +47,12 @@ private:
     void notePainted();
     void write() const;
 
+    WatchedApplication& application_;
     StudioController& studio_;
     std::filesystem::path path_;
     std::vector<Input> inputs_;
     std::vector<Frame> frames_;
+    std::vector<WatchedApplication::Busy> blocks_;
     std::size_t unanswered_ = 0; // the first input that was not shown
 };
 

@@ -107,6 +107,24 @@ bool LayoutReporter::eventFilter(QObject* watched, QEvent* event) {
     return QObject::eventFilter(watched, event);
 }
 
+nlohmann::json LayoutReporter::documentReport() const {
+    const auto* document = studio_.document();
+    const auto status = studio_.growth().status();
+    return {{"generation", status.generation},
+            {"extent", status.extent},
+            {"voxels", status.voxels},
+            {"segments", listOf(studio_.segments())},
+            {"operations", document != nullptr ? document->log().size() : 0},
+            {"steps", document != nullptr ? document->steps().operations.size() : 0},
+            {"stepsDone", document != nullptr ? document->steps().done : 0},
+            {"canUndo", document != nullptr && document->canUndo()},
+            {"canRedo", document != nullptr && document->canRedo()},
+            {"unsaved", studio_.hasUnsavedEdits()},
+            {"pictureComplete", studio_.picture().isComplete()},
+            {"handles", handlesOnScreen(window_.view(), studio_.moveTool())},
+            {"glErrors", studio_.host().errorCount()}};
+}
+
 void LayoutReporter::write() {
     nlohmann::json widgets = nlohmann::json::object();
     nlohmann::json reports = nlohmann::json::object(); // what widgets say of themselves in their property
@@ -119,49 +137,40 @@ void LayoutReporter::write() {
             }
         }
     }
+    if (!studio_.isAway()) {
+        ofDocument_ = documentReport();
+    }
     const QWidget* focused = QApplication::focusWidget();
-    const auto* document = studio_.document();
-    const auto status = studio_.growth().status();
-    const nlohmann::json report{
+    const auto& view = studio_.view();
+    nlohmann::json report{
         {"idle", studio_.isIdle()},
         {"loading", studio_.isLoading()},
+        {"away", studio_.isAway()},
         {"tool", studio_.tool().name().toStdString()},
         {"hint", studio_.tool().hint().toStdString()},
-        {"mode", render::name(studio_.view().mode)},
+        {"mode", render::name(view.mode)},
         {"camera",
-         {{"azimuth", studio_.view().camera.azimuthDegrees},
-          {"elevation", studio_.view().camera.elevationDegrees},
-          {"roll", studio_.view().camera.rollDegrees},
-          {"zoom", studio_.view().camera.zoom},
-          {"pan", {studio_.view().camera.panMm.x, studio_.view().camera.panMm.y}}}},
-        {"range", {studio_.view().range.lo, studio_.view().range.hi}},
+         {{"azimuth", view.camera.azimuthDegrees},
+          {"elevation", view.camera.elevationDegrees},
+          {"roll", view.camera.rollDegrees},
+          {"zoom", view.camera.zoom},
+          {"pan", {view.camera.panMm.x, view.camera.panMm.y}}}},
+        {"range", {view.range.lo, view.range.hi}},
         {"playing", studio_.growth().isPlaying()},
-        {"generation", status.generation},
-        {"extent", status.extent},
-        {"voxels", status.voxels},
-        {"segments", listOf(studio_.segments())},
-        {"operations", document != nullptr ? document->log().size() : 0},
-        {"smooth", studio_.view().sampling == field::Sampling::Tricubic},
+        {"smooth", view.sampling == field::Sampling::Tricubic},
         {"historyRow", historyRowHeight()},
-        {"steps", document != nullptr ? document->steps().operations.size() : 0},
-        {"stepsDone", document != nullptr ? document->steps().done : 0},
-        {"canUndo", document != nullptr && document->canUndo()},
-        {"canRedo", document != nullptr && document->canRedo()},
         {"message", studio_.message().toStdString()},
         {"focus", focused != nullptr ? focused->objectName().toStdString() : std::string()},
-        {"unsaved", studio_.hasUnsavedEdits()},
         {"title", window_.windowTitle().toStdString()},
-        {"pictureComplete", studio_.picture().isComplete()},
         {"viewRect", window_.view().isVisible() ? screenRect(window_.view()) : nlohmann::json::array()},
         {"viewport", {studio_.picture().viewport().x, studio_.picture().viewport().y}},
         {"crosshair",
          {studio_.slices().crosshair().x, studio_.slices().crosshair().y, studio_.slices().crosshair().z}},
         {"measurements", measured(studio_.measureTool())},
-        {"handles", handlesOnScreen(window_.view(), studio_.moveTool())},
-        {"glErrors", studio_.host().errorCount()},
         {"inputs", inputs_},
         {"reports", reports},
         {"widgets", widgets}};
+    report.update(ofDocument_);
     const std::string text = report.dump(1);
     if (text == written_) {
         return;

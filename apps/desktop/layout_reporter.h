@@ -2,6 +2,8 @@
 #pragma once
 
 #include <QByteArray>
+#include <nlohmann/json.hpp>
+
 #include <QObject>
 #include <QTimer>
 
@@ -26,11 +28,13 @@ protected:
 
 private:
     void write();
+    [[nodiscard]] nlohmann::json documentReport() const;
 
     StudioController& studio_;
     MainWindow& window_;
     std::filesystem::path path_;
     QTimer timer_;
+    nlohmann::json ofDocument_; // when it was last here
     std::string written_;
     int inputs_ = 0; // mouse buttons, wheel turns and keys that arrived
 };

@@ -8,11 +8,11 @@
 #include "studio_controller.h"
 #include "theme.h"
 #include "view_widget.h"
+#include "watched_application.h"
 
 #include "base/error.h"
 #include "base/log.h"
 
-#include <QApplication>
 #include <QIcon>
 #include <QMessageBox>
 #include <QScreen>
@@ -24,7 +24,7 @@
 
 namespace {
 
-int run(QApplication& application) {
+int run(vs::desktop::WatchedApplication& application) {
     using namespace vs::desktop;
     speak(application, Preferences::load().language);
     const Options options = parseOptions(application);
@@ -44,7 +44,7 @@ int run(QApplication& application) {
         new LayoutReporter(*studio, window, options.layoutFile); // the window owns it
     }
     if (!options.timingsFile.empty()) {
-        new LatencyRecorder(*studio, window.view(), options.timingsFile); // the studio owns it
+        new LatencyRecorder(application, *studio, window.view(), options.timingsFile); // the studio owns it
     }
     if (!options.open.volume.empty() || !options.open.session.empty()) {
         studio->open(options.open);
@@ -70,7 +70,7 @@ void answerWithoutDisplay(int argc, char** argv) {
 
 int main(int argc, char** argv) {
     answerWithoutDisplay(argc, argv);
-    QApplication application(argc, argv);
+    vs::desktop::WatchedApplication application(argc, argv);
     // Every place that the pen reports belongs to the stroke; on X11 Qt drops those it has no time for. Set
     // only now, because the platform's plugin sets it while the application is made.
     QApplication::setAttribute(Qt::AA_CompressHighFrequencyEvents, false);

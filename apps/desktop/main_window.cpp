@@ -33,6 +33,7 @@
 #include <QScrollArea>
 #include <QStackedWidget>
 #include <QStatusBar>
+#include <QToolButton>
 #include <QVBoxLayout>
 
 #include <set>
@@ -178,6 +179,13 @@ void MainWindow::makeStatusBar() {
     progress_->setMaximumHeight(12);
     progress_->hide();
     statusBar()->addPermanentWidget(progress_);
+    giveUp_ = named(new QToolButton, "giveUp", tr("Give up"));
+    giveUp_->setText(tr("Cancel"));
+    giveUp_->setToolTip(tr("End what takes so long, and leave everything as it was (Esc)"));
+    giveUp_->setFocusPolicy(Qt::NoFocus);
+    giveUp_->hide();
+    connect(giveUp_, &QToolButton::clicked, &studio_, &StudioController::giveUp);
+    statusBar()->addPermanentWidget(giveUp_);
     const auto add = [this](const char* objectName, const QString& accessibleName) {
         auto* label = named(makeQuietLabel({}), objectName, accessibleName);
         label->setContentsMargins(10, 0, 10, 0);
@@ -279,6 +287,7 @@ void MainWindow::showProgress(int done, int total) {
     progress_->setRange(0, total); // 0: a bar without an end
     progress_->setValue(done);
     progress_->setVisible(isBusy);
+    giveUp_->setVisible(isBusy);
     if (isBusy != isBusyCursor_) {
         isBusyCursor_ = isBusy;
         isBusy ? QApplication::setOverrideCursor(Qt::BusyCursor) : QApplication::restoreOverrideCursor();

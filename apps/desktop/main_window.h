@@ -22,6 +22,7 @@ class QLabel;
 class QProgressBar;
 class QStackedWidget;
 class QToolBar;
+class QToolButton;
 
 namespace vs::desktop {
 
@@ -161,6 +162,7 @@ private:
     QLabel* rate_ = nullptr;
     QLabel* device_ = nullptr;
     QProgressBar* progress_ = nullptr;
+    QToolButton* giveUp_ = nullptr; // beside it
     QTimer probeTimer_;
     QTimer rateTimer_;
     PictureExport* copying_ = nullptr; // to the clipboard

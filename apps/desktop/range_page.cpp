@@ -148,11 +148,11 @@ void RangePage::refresh() {
 }
 
 void RangePage::countVisible() {
-    auto* document = studio_.document();
-    if (document == nullptr) {
+    if (studio_.geometry() == nullptr) {
         return;
     }
-    if (!studio_.isIdle() || document->isStrokeOpen()) {
+    auto* document = studio_.isIdle() ? studio_.document() : nullptr;
+    if (document == nullptr || document->isStrokeOpen()) {
         countTimer_.start(kRestMs);
         return;
     }

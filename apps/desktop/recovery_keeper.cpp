@@ -64,6 +64,7 @@ RecoveryKeeper::RecoveryKeeper(StudioController& studio) : QObject(&studio), stu
     connect(&studio, &StudioController::saved, this, &RecoveryKeeper::noteSaved);
     connect(&studio, &StudioController::closed, this, &RecoveryKeeper::finish);
     connect(&studio, &StudioController::openFailed, this, [this] { endRecovery(false); });
+    connect(&studio, &StudioController::givenUp, this, [this] { endRecovery(false); });
 }
 
 // Without finish() the journal stays: the program ends by an error.

@@ -4,25 +4,40 @@
 #include "growth_controller.h"
 #include "studio_controller.h"
 
-#include <QTimer>
-
 #include <algorithm>
 
 namespace vs::desktop {
 
 SegmentController::SegmentController(StudioController& studio) : QObject(&studio), studio_(studio) {
-    connect(&studio_, &StudioController::opened, this, [this] { ++documents_; });
-    connect(&studio_, &StudioController::closed, this, [this] { ++documents_; });
+    for (const auto signal : {&StudioController::opened, &StudioController::closed}) {
+        connect(&studio_, signal, this, [this] {
+            ++documents_;
+            seen_ = {};
+        });
+    }
 }
 
-const studio::SegmentList& SegmentController::list() const {
-    static const studio::SegmentList none;
-    return studio_.document() != nullptr ? studio_.document()->segments() : none;
+const SegmentController::Seen& SegmentController::seen() const {
+    if (studio_.isAway()) {
+        return seen_;
+    }
+    const auto* document = studio_.document();
+    const auto version = document != nullptr ? std::optional(document->version()) : std::nullopt;
+    if (version != seen_.version || document == nullptr) {
+        seen_ = {};
+        seen_.version = version;
+        if (document != nullptr) {
+            seen_.list = document->segments();
+            for (const auto& segment : seen_.list.segments) {
+                seen_.voxels[segment.label] = document->voxelCount(segment.label);
+            }
+        }
+    }
+    return seen_;
 }
 
-std::size_t SegmentController::voxels(std::uint8_t label) const {
-    return studio_.document() != nullptr ? studio_.document()->voxelCount(label) : 0;
-}
+const studio::SegmentList& SegmentController::list() const { return seen().list; }
+std::size_t SegmentController::voxels(std::uint8_t label) const { return seen().voxels[label]; }
 
 double SegmentController::millilitres(std::uint8_t label) const {
     const auto* geometry = studio_.geometry();
@@ -132,14 +147,7 @@ void SegmentController::perform(const studio::Operation& operation) {
         return;
     }
     studio_.say(tr("Working\u2026"));
-    emit studio_.progress(0, 0);
-    constexpr int kUntilSeenMs = 30;
-    QTimer::singleShot(kUntilSeenMs, this, [this, operation, document = documents_] {
-        if (document == documents_ && studio_.document() != nullptr) {
-            studio_.apply(operation);
-        }
-        emit studio_.progress(1, 1);
-    });
+    studio_.apply(operation);
 }
 
 void SegmentController::openLabels(const std::filesystem::path& path) {

@@ -7,7 +7,9 @@
 #include <QObject>
 #include <QString>
 
+#include <array>
 #include <filesystem>
+#include <optional>
 #include <thread>
 
 namespace vs::desktop {
@@ -22,7 +24,7 @@ class SegmentController : public QObject {
 public:
     explicit SegmentController(StudioController& studio);
 
-    // One segment without voxels before something was opened.
+    // One segment without voxels before something was opened. While the document is away, as they were before.
     [[nodiscard]] const studio::SegmentList& list() const;
     [[nodiscard]] std::size_t voxels(std::uint8_t label) const; // shown
     [[nodiscard]] double millilitres(std::uint8_t label) const;
@@ -42,7 +44,7 @@ public:
     // Of the segment at work; `continues`: takes the place of the change before (a slider that is dragged).
     void setOpacity(double opacity, bool continues);
 
-    // Edits of the segment at work, and cuts by it, which may take a while: the window says so first.
+    // Edits of the segment at work, and cuts by it.
     void perform(const studio::Operation& operation);
 
     // Reads a label map on a thread of its own and makes its labels segments of the volume that is open.
@@ -51,10 +53,19 @@ public:
     void stop() { reader_ = {}; }
 
 private:
+    // What the document last said, for those that paint.
+    struct Seen {
+        std::optional<std::uint64_t> version;
+        studio::SegmentList list;
+        std::array<std::size_t, 256> voxels{};
+    };
+
+    const Seen& seen() const;
     void takeLabels(const studio::LoadLabels& labels);
     void look(studio::UseSegment change);
 
     StudioController& studio_;
+    mutable Seen seen_;
     bool isReading_ = false;
     int documents_ = 0; // counts those opened and closed
     std::jthread reader_;

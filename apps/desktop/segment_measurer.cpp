@@ -102,10 +102,14 @@ const segment::MeasuredSegment* SegmentMeasurer::working() const {
 
 // Begins when nothing is under way any more.
 void SegmentMeasurer::look() {
+    if (studio_.isLoading()) {
+        calm_.start();
+        return;
+    }
     if (wanting_.empty() || studio_.document() == nullptr || now() == key_) {
         return;
     }
-    if (isMeasuring_ || studio_.isLoading() || studio_.growth().isBusy() ||
+    if (isMeasuring_ || studio_.growth().isBusy() ||
         studio_.document()->isStrokeOpen()) {
         calm_.start();
         return;

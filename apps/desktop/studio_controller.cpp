@@ -22,7 +22,7 @@
 #include "slice_pen.h"
 #include "sweep_tool.h"
 
-#include "base/error.h"
+#include "base/progress.h"
 
 #include <algorithm>
 #include <cmath>
@@ -63,6 +63,11 @@ StudioController::StudioController()
     }
     connect(seedTool_, &SeedTool::settingsChanged, this, &StudioController::changed);
     connect(islandTool_, &IslandTool::settingsChanged, this, &StudioController::changed);
+    connect(&longWork_, &LongWork::lasts, this, [this](int thousandths) {
+        if (!isReplaying()) { // which counts its operations
+            thousandths < 0 ? emit progress(0, 0) : emit progress(thousandths, 1000);
+        }
+    });
     connectLoader();
 }
 
@@ -80,7 +85,25 @@ studio::Document* StudioController::document() {
     return document_.get();
 }
 
+void StudioController::giveUp() {
+    longWork_.giveUp();
+    loader_.giveUp();
+    isReplayGivenUp_ = true;
+    emit givenUp();
+}
+
+std::uint64_t StudioController::documentVersion() const {
+    if (!isAway()) {
+        versionSeen_ = document_ ? document_->version() : 0;
+    }
+    return versionSeen_;
+}
+
 void StudioController::tick() {
+    if (isAway()) {
+        schedule(kCalmPollMs);
+        return;
+    }
     host_.makeCurrent();
     if (isReplaying()) {
         replayOne();
@@ -203,6 +226,9 @@ bool StudioController::guard(const std::function<void()>& work) {
     try {
         work();
         return true;
+    } catch (const GivenUp&) {
+        say(tr("Given up: nothing was changed"));
+        return false;
     } catch (const std::exception& e) {
         say(QString::fromUtf8(e.what()));
         return false;
@@ -228,7 +254,9 @@ bool StudioController::change(const std::function<studio::Outcome()>& edit) {
     growth_->pause(); // what has grown so far is an operation of its own
     const bool done = guard([&] {
         flushView();
-        report(edit());
+        studio::Outcome outcome;
+        longWork_.run([&] { outcome = edit(); });
+        report(outcome);
     });
     view_ = document_->view();
     wake();
@@ -305,7 +333,7 @@ std::optional<studio::Document::Probe> StudioController::probe(QPointF position)
 }
 
 bool StudioController::isSettled() {
-    return document_ != nullptr && !isLoading() && !isViewPending_ && !picture_->isDrafting() &&
+    return !isLoading() && document_ != nullptr && !isViewPending_ && !picture_->isDrafting() &&
            !growth_->isBusy() && !document_->isStrokeOpen();
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gl_host.h"
+#include "long_work.h"
 #include "picture_loop.h"
 #include "preferences.h"
 #include "volume_loader.h"
@@ -70,8 +71,15 @@ public:
     MeasureTool& measureTool() { return *measureTool_; }
     SliceController& slices() { return *slices_; }
     SlicePen& slicePen() { return *slicePen_; }
-    // Null before something was opened. With the engine's context current.
+    // Null before something was opened. With the engine's context current; waits while the document is away.
     studio::Document* document();
+    // Long work has the document: nothing else can be done with it.
+    [[nodiscard]] bool isAway() const { return longWork_.isRunning(); }
+    // Does what may take long while the window goes on painting; throws what it throws.
+    void workLong(const std::function<void()>& work) { longWork_.run(work); }
+    // Ends what takes long, if it can be ended: as if it had not been begun, but for a session, of which so
+    // much stays as was replayed.
+    void giveUp();
 
     // Files. open() returns at once; opened() or openFailed() tells how it ended.
     void open(const OpenRequest& request);
@@ -108,7 +116,7 @@ public:
         return document_ ? &document_->volume().geometry : nullptr;
     }
     // Document::version(); 0 before something was opened.
-    [[nodiscard]] std::uint64_t documentVersion() const { return document_ ? document_->version() : 0; }
+    [[nodiscard]] std::uint64_t documentVersion() const;
     // Of the view as the person sees it, on the viewport. There must be a volume.
     [[nodiscard]] render::ViewRays rays() const;
     // Where a place in the world appears, in logical pixels of the view.
@@ -168,7 +176,7 @@ public:
     void wake();
     // Something beside the picture waits to be drawn.
     void workSoon() { schedule(0); }
-    [[nodiscard]] bool isLoading() const { return loader_.isLoading() || isReplaying(); }
+    [[nodiscard]] bool isLoading() const { return loader_.isLoading() || isReplaying() || isAway(); }
     [[nodiscard]] bool isReplaying() const { return !replay_.empty(); }
     // The picture shows the document, though perhaps as a draft, and nothing is changing it: the time to look
     // at what is under the pen.
@@ -183,6 +191,7 @@ public:
     [[nodiscard]] bool isIdle();
 
 signals:
+    void givenUp(); // what goes on by itself ends
     void opened();
     void closed();
     void saved(); // a session file holds all edits; source() names it
@@ -211,14 +220,17 @@ private:
     void writeScreenshot();
 
     GlHost host_;
+    LongWork longWork_{host_};
     std::unique_ptr<PictureLoop> picture_;
     std::unique_ptr<studio::Document> document_;
     VolumeLoader loader_;
     OpenRequest source_;
+    mutable std::uint64_t versionSeen_ = 0; // of the document, when it was last here
     std::string checksum_;                 // of the volume
     std::size_t savedEdits_ = 0;           // edits in the log when it was last saved or opened
     std::deque<studio::Operation> replay_; // of the session being opened
     int replayTotal_ = 0;
+    bool isReplayGivenUp_ = false;
     std::filesystem::path screenshot_; // waiting for the picture
     CameraTool* cameraTool_;
     PeelTool* peelTool_;

@@ -7,7 +7,7 @@
 #include "segment_measurer.h"
 #include "tool.h"
 
-#include "base/error.h"
+#include "base/progress.h"
 #include "sculpt/outline_image.h"
 
 #include <algorithm>
@@ -36,6 +36,11 @@ void StudioController::connectLoader() {
         emit progress(1, 1);
         emit changed();
         emit openFailed(message);
+    });
+    connect(&loader_, &VolumeLoader::givenUp, this, [this] {
+        say(tr("Given up: nothing was opened"));
+        emit progress(1, 1);
+        emit changed();
     });
     connect(&loader_, &VolumeLoader::severalSeries, this,
             [this](const OpenRequest& request, const auto& choices) {
@@ -66,9 +71,12 @@ void StudioController::open(const OpenRequest& request) {
 void StudioController::finishOpening(const std::shared_ptr<Loaded>& loaded) {
     host_.makeCurrent();
     const bool done = guard([&] {
-        auto fresh = std::make_unique<studio::Document>(std::move(loaded->volume),
-                                                        loaded->session ? loaded->session->precision
-                                                                        : sculpt::Precision::Bits16);
+        std::unique_ptr<studio::Document> fresh;
+        longWork_.run([&] {
+            fresh = std::make_unique<studio::Document>(std::move(loaded->volume),
+                                                       loaded->session ? loaded->session->precision
+                                                                       : sculpt::Precision::Bits16);
+        });
         measurer_->stop();
         picture_->setDocument(nullptr); // before the old document goes
         document_ = std::move(fresh);
@@ -91,6 +99,7 @@ void StudioController::finishOpening(const std::shared_ptr<Loaded>& loaded) {
     }
     savedEdits_ = 0;
     replayTotal_ = int(replay_.size());
+    isReplayGivenUp_ = false;
     view_ = document_->view();
     isViewPending_ = false;
     growth_->reset();
@@ -114,16 +123,21 @@ void StudioController::replayOne() {
     say(tr("Replaying %1 of %2: %3").arg(number).arg(replayTotal_).arg(studio::name(operation)));
     emit progress(number - 1, replayTotal_);
     QString error;
+    bool isGivenUp = false;
     try {
+        if (isReplayGivenUp_) {
+            throw GivenUp("it was given up");
+        }
         // A picture or label map that the session asks for was written when it was made; opening writes
         // nothing.
         if (studio::isOutput(operation)) {
             document_->note(operation);
         } else {
-            document_->apply(operation);
+            longWork_.run([&] { document_->apply(operation); });
         }
         replay_.pop_front();
     } catch (const std::exception& e) {
+        isGivenUp = dynamic_cast<const GivenUp*>(&e) != nullptr;
         error = tr("Replayed up to operation %1 (%2): %3")
                     .arg(number)
                     .arg(studio::name(operation), QString::fromUtf8(e.what()));
@@ -139,7 +153,7 @@ void StudioController::replayOne() {
         say(error.isEmpty() ? tr("Replayed %1 operations").arg(replayTotal_) : error);
         emit progress(1, 1);
         wake();
-        if (!error.isEmpty()) {
+        if (!error.isEmpty() && !isGivenUp) {
             emit openFailed(error);
         }
     }

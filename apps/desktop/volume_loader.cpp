@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "volume_loader.h"
 
+#include "base/progress.h"
 #include "studio/journal.h"
 
 namespace vs::desktop {
@@ -41,13 +42,16 @@ void load(Loaded& result) {
 
 void VolumeLoader::start(const OpenRequest& request) {
     isLoading_ = true;
+    isGivenUp_ = false;
     auto result = std::make_shared<Loaded>();
     result->request = request;
     worker_ = std::jthread([this, result] {
+        const ProgressListener listener([this](std::optional<double>) { return !isGivenUp_; });
         QString error;
         std::vector<volume::SeriesChoice> choices;
         try {
             load(*result);
+            reportProgress();
             result->checksum = volume::checksum(result->volume);
         } catch (const volume::SeveralSeries& e) {
             error = QString::fromUtf8(e.what());
@@ -63,7 +67,9 @@ void VolumeLoader::start(const OpenRequest& request) {
 void VolumeLoader::finish(const std::shared_ptr<Loaded>& result, const QString& error,
                           const std::vector<volume::SeriesChoice>& choices) {
     isLoading_ = false;
-    if (error.isEmpty()) {
+    if (isGivenUp_) {
+        emit givenUp();
+    } else if (error.isEmpty()) {
         emit loaded(result);
     } else if (!choices.empty() && result->request.session.empty()) {
         emit severalSeries(result->request, choices);

@@ -5,6 +5,7 @@
 
 #include <QObject>
 
+#include <atomic>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -44,10 +45,13 @@ public:
     // One at a time; must not be called while isLoading().
     void start(const OpenRequest& request);
     [[nodiscard]] bool isLoading() const { return isLoading_; }
+    // What is being read ends with givenUp() as soon as it asks.
+    void giveUp() { isGivenUp_ = true; }
 
 signals:
     void loaded(const std::shared_ptr<vs::desktop::Loaded>& result);
     void failed(const QString& message);
+    void givenUp();
     // The volume of the request is one of several; a request that names its series would do.
     void severalSeries(const vs::desktop::OpenRequest& request,
                        const std::vector<vs::volume::SeriesChoice>& choices);
@@ -57,6 +61,7 @@ private:
                 const std::vector<volume::SeriesChoice>& choices);
 
     bool isLoading_ = false;
+    std::atomic<bool> isGivenUp_ = false;
     std::jthread worker_;
 };
 

@@ -195,8 +195,8 @@ Context Context::adoptCurrent() {
 void Context::makeCurrent() {
     if (impl_->context != EGL_NO_CONTEXT) {
         eglMakeCurrent(impl_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, impl_->context);
-        countErrorsIn(&impl_->errors);
     }
+    countErrorsIn(&impl_->errors);
 }
 
 const DeviceInfo& Context::device() const { return impl_->device; }

@@ -33,6 +33,7 @@ public:
     Context& operator=(Context&&) noexcept;
     ~Context();
 
+    // On this thread. One that was adopted is made current by its host first.
     void makeCurrent();
     [[nodiscard]] const DeviceInfo& device() const;
     // GL errors that the driver has reported, or kept for whoever asks, since the context was made.

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mesh/mesh.h"
 
+#include "base/progress.h"
+
 #include <algorithm>
 #include <cstdint>
 #include <utility>
@@ -34,7 +36,7 @@ std::vector<std::pair<std::uint64_t, int>> edgesOf(const Mesh& mesh) {
 
 void report(const Progress& progress, double share) {
     if (progress && !progress(share)) {
-        throw GivenUp();
+        throw GivenUp("the export was given up");
     }
 }
 

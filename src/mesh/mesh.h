@@ -25,10 +25,7 @@ struct Mesh {
 // empty. Called on the thread that works.
 using Progress = std::function<bool(double share)>;
 
-// What long work throws when it was given up.
-struct GivenUp {};
-
-// Tells `progress`; throws GivenUp if it says so.
+// Tells `progress`; throws vs::GivenUp if it says so.
 void report(const Progress& progress, double share);
 
 // The share [from, to] of a longer work.

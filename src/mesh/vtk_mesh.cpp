@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mesh/vtk_mesh.h"
 
+#include "base/progress.h"
+
 #include <vtkAlgorithm.h>
 #include <vtkCallbackCommand.h>
 #include <vtkCellArray.h>
@@ -83,7 +85,7 @@ void run(vtkAlgorithm& filter, const Progress& progress) {
     filter.Update();
     filter.RemoveObserver(command);
     if (watched.isGivenUp) {
-        throw GivenUp();
+        throw GivenUp("the export was given up");
     }
 }
 

@@ -94,7 +94,7 @@ volume::Volume sculptedVolume(const ExportSource& source, const std::optional<do
 void checkExportName(const std::filesystem::path& path, const ExportSettings& settings);
 
 // Makes the file, or the files. Returns one line for each: its name and what is in it. Throws WriteError when
-// there is nothing to write, mesh::GivenUp when `progress` says so.
+// there is nothing to write, GivenUp when `progress` says so.
 std::vector<std::string> writeExport(const std::filesystem::path& path, const ExportSource& source,
                                      const ExportSettings& settings, const mesh::Progress& progress = {});
 

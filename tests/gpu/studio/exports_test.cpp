@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/exports.h"
 
+#include "base/progress.h"
 #include "gpu/gl_test.h"
 #include "gpu/studio/test_head.h"
 
@@ -126,7 +127,7 @@ TEST_F(ExportsTest, SegmentsWithVoxelsAreExported) {
     EXPECT_NEAR(double(triangles[1]) / written, 1, 0.01);
     EXPECT_EQ(triangles[2], 0U);
     std::filesystem::remove(path);
-    EXPECT_THROW(writeExport(path, source, {}, [](double) { return false; }), mesh::GivenUp);
+    EXPECT_THROW(writeExport(path, source, {}, [](double) { return false; }), GivenUp);
     EXPECT_FALSE(std::filesystem::exists(path));
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mesh/refine.h"
 
+#include "base/progress.h"
 #include "mesh/close_holes.h"
 
 #include "shapes.h"

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "watched_application.h"
+
+#include "base/timer.h"
+
+#include <QThread>
+
+namespace vs::desktop {
+
+WatchedApplication::Answering::Answering() {
+    if (auto* application = dynamic_cast<WatchedApplication*>(qApp)) {
+        ++application->answering_;
+        application->tell();
+    }
+}
+
+WatchedApplication::Answering::~Answering() {
+    if (auto* application = dynamic_cast<WatchedApplication*>(qApp)) {
+        --application->answering_;
+        if (!application->deliveries_.empty()) {
+            application->deliveries_.back().sinceMs = Timer::now();
+        }
+    }
+}
+
+void WatchedApplication::tell() const {
+    if (tell_ && !deliveries_.empty()) {
+        const Delivery& last = deliveries_.back();
+        tell_({last.sinceMs, Timer::now() - last.sinceMs, last.receiver, last.type});
+    }
+}
+
+bool WatchedApplication::notify(QObject* receiver, QEvent* event) {
+    const bool isOurs = QThread::currentThread() == thread();
+    const int level = isOurs ? QThread::currentThread()->loopLevel() + answering_ : -1;
+    const bool isSentByAnother = !deliveries_.empty() && deliveries_.back().loopLevel == level;
+    if (!tell_ || !isOurs || isSentByAnother) {
+        return QApplication::notify(receiver, event);
+    }
+    // Neither event nor receiver need to outlive it.
+    const QString name = QString("%1 %2").arg(receiver->metaObject()->className(), receiver->objectName());
+    deliveries_.push_back({level, Timer::now(), name, event->type()});
+    const bool isTaken = QApplication::notify(receiver, event);
+    tell();
+    deliveries_.pop_back();
+    if (!deliveries_.empty()) {
+        deliveries_.back().sinceMs = Timer::now(); // the enclosing loop was answering meanwhile
+    }
+    return isTaken;
+}
+
+} // namespace vs::desktop

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <QApplication>
+
+#include <functional>
+#include <vector>
+
+namespace vs::desktop {
+
+// A QApplication that knows how long each event kept the window from turning to the next one.
+class WatchedApplication : public QApplication {
+public:
+    using QApplication::QApplication;
+
+    // Of an event that a loop delivered; what loops within it delivered is counted for themselves. Times of
+    // Timer::now(); names of the receiver and its class, and the event's type (QEvent::Type).
+    struct Busy {
+        double beganMs = 0;
+        double milliseconds = 0;
+        QString receiver;
+        int type = 0;
+    };
+    void watch(std::function<void(const Busy&)> tell) { tell_ = std::move(tell); }
+
+    // As long as it lives, the event that is being delivered lets others be delivered (processEvents()): those
+    // count for themselves, and waiting for them does not count at all.
+    class Answering {
+    public:
+        Answering();
+        ~Answering();
+        Answering(const Answering&) = delete;
+        Answering& operator=(const Answering&) = delete;
+    };
+
+    bool notify(QObject* receiver, QEvent* event) override;
+
+private:
+    // The event that a loop of some depth is delivering.
+    struct Delivery {
+        int loopLevel = 0;
+        double sinceMs = 0;
+        QString receiver;
+        int type = 0;
+    };
+
+    void tell() const;
+
+    std::function<void(const Busy&)> tell_;
+    std::vector<Delivery> deliveries_;
+    int answering_ = 0;
+};
+
+} // namespace vs::desktop

@@ -1,0 +1,145 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How long the window is kept from turning to the next event, in one step of work after another, on the head that comes with
+Debian or a volume of one's own. Prints each step's longest; fails beyond the bound."""
+
+import argparse
+import json
+import pathlib
+import sys
+import time
+
+from driver import need, run_test, start
+from test_latency import circle, now_ms
+from test_segments import choose, press
+
+HEAD = pathlib.Path("/usr/share/mricron/templates/ch2better.nii.gz")
+MOST_MS = 100
+
+
+# Rows of the list of edits, and their amounts.
+EDITS = (("margin", 0, -2), ("smooth", 1, 2), ("fill holes", 2, 0), ("open", 3, 1), ("close", 4, 1), ("hollow", 5, 2),
+         ("keep the largest", 7, None), ("drop small", 8, 0.5), ("cut it away", 12, 0))
+
+
+class Steps:
+    """What was done when."""
+
+    def __init__(self, studio):
+        self.studio, self.steps = studio, [("opening", 0, now_ms())]
+
+    def do(self, name, action, condition=lambda s: True):
+        begin = now_ms()
+        action()
+        self.studio.wait_idle(name, lambda s: condition(s) and s["pictureComplete"], 100)
+        self.steps.append((name, begin, now_ms()))
+
+    def report(self, blocks):
+        """The longest of each step, in ms."""
+        longest = {}
+        for name, begin, end in self.steps:
+            found = sorted((b for b in blocks if begin <= b["began"] <= end), key=lambda b: -b["ms"])
+            longest[name] = found[0]["ms"] if found else 0
+            said = ", ".join(f"{b['ms']:.0f} ({b['receiver'].strip()}, {b['event']})" for b in found[:3])
+            print(f"{name:28} {(end - begin) / 1e3 if begin else 0:6.1f} s   longest: {said or 'below 40'}", flush=True)
+        return longest
+
+
+def cutting(steps):
+    studio = steps.studio
+    view = studio.view_point
+
+    def drag(points):
+        return lambda: studio.drag(points)
+
+    def operations():
+        return studio.state()["operations"]
+
+    def cut(name, action):
+        before = operations()
+        steps.do(name, action, lambda s: s["operations"] > before)
+
+    steps.do("turn", drag([view(0.5 + 0.01 * i, 0.5) for i in range(20)]))
+    studio.key("Home")
+    choose(studio, "p", "peel")
+    studio.drag(circle(studio, (0.5, 0.4), 0.1, 2.2))
+    studio.wait("the mask", lambda s: s["hint"].startswith("Press inside the mask"))
+    middle = view(0.5, 0.36)
+    cut("peel", drag([(middle[0], middle[1] + 4 * i) for i in range(30)]))
+    studio.key("Escape")
+    for tool, key in (("drill", "d"), ("laser", "b")):
+        choose(studio, key, tool)
+        studio.drag(circle(studio, (0.5, 0.4), 0.03, 2.2))
+        studio.wait("the mask", lambda s: s["hint"].startswith("The mask "))
+        cut(tool, drag(circle(studio, (0.45, 0.6), 0.05, 0.7)))
+        studio.key("Escape")
+    choose(studio, "x", "scissors")
+    cut("scissors", drag([view(*p) for p in ((0.6, 0.6), (0.7, 0.6), (0.7, 0.75), (0.6, 0.75), (0.6, 0.62))]))
+    choose(studio, "k", "keep")
+    cut("keep", lambda: (studio.move(view(0.5, 0.3)), studio.xdotool("click", 1)))
+    choose(studio, "v", "camera")
+    for count in range(3):
+        done = studio.state()["stepsDone"]
+        steps.do(f"undo {count + 1}", lambda: studio.key("ctrl+z"), lambda s, done=done: s["stepsDone"] == done - 1)
+    done = studio.state()["stepsDone"]
+    steps.do("redo", lambda: studio.key("ctrl+shift+z"), lambda s: s["stepsDone"] == done + 1)
+
+
+def segmenting(steps):
+    studio = steps.studio
+    choose(studio, "s", "seed")
+    steps.do("grow", lambda: (studio.drag([studio.view_point(0.58 + 0.01 * i, 0.5) for i in range(5)])),
+             lambda s: s["message"].startswith("Grow:") and not s["playing"])
+    print(f"{studio.state()['voxels']} voxels grown")
+    press(studio, "editFold")
+    for name, row, amount in EDITS:
+        before = studio.state()["operations"]
+        studio.click("segmentEdit")
+        time.sleep(0.3)
+        studio.key("Home")
+        for _ in range(row):
+            studio.key("Down")
+        studio.key("Return")
+        time.sleep(0.3)
+        if amount is not None:
+            studio.type_number("editAmount", amount)
+        steps.do(name, lambda: press(studio, "editPerform"), lambda s: s["operations"] > before)
+        studio.key("ctrl+z")
+        studio.wait_idle("undo", lambda s: s["pictureComplete"], 100)
+
+
+def looking(steps):
+    studio = steps.studio
+    choose(studio, "v", "camera")
+    for mode in range(1, 10):
+        before = studio.state()["mode"]
+        steps.do(f"mode {mode}", lambda: studio.key(str(mode)))
+    steps.do("gradient histogram", lambda: studio.click("tabGradient"))
+
+
+def main(display, arguments, folder):
+    volume = pathlib.Path(arguments.volume or HEAD)
+    if not volume.exists():
+        print(f"skipped: there is no {volume}; install mricron-data")
+        sys.exit(77)
+    timings_file = folder / "timings.json"
+    studio = start(display, arguments.program, folder, ["--timings-file", timings_file, volume])
+    studio.resize(1600, 1000)
+    studio.wait_idle("the volume", lambda s: s["pictureComplete"], 100)
+    steps = Steps(studio)
+    cutting(steps)
+    segmenting(steps)
+    looking(steps)
+    studio.quit()
+    longest = steps.report(json.loads(timings_file.read_text())["blocks"])
+    late = {name: ms for name, ms in longest.items() if ms > arguments.slack * MOST_MS}
+    need(not late, f"the window was kept longer than {MOST_MS} ms by {', '.join(late)}")
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--program", required=True)
+    parser.add_argument("--vstudio", required=True)
+    parser.add_argument("--volume", help="instead of the head")
+    parser.add_argument("--slack", type=float, default=1, help="how many times the bound a slow machine may take")
+    parser.add_argument("--work", required=True, help="folder to work in; emptied first")
+    sys.exit(run_test(main, parser.parse_args()))

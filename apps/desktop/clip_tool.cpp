@@ -188,7 +188,7 @@ void ClipTool::advance() {
     if (isOpen_ && isStale_) {
         isStale_ = false;
         studio::Clip clip = operation();
-        if (!studio_.guard([&] { studio_.document()->updateClip(clip); })) {
+        if (!studio_.workLong([&] { studio_.document()->updateClip(clip); })) {
             drop();
         }
     }

@@ -68,7 +68,7 @@ void DocumentExport::read() {
         return;
     }
     bool isAllRead = false;
-    if (!studio_.guard([&] { isAllRead = reader_->readSome(kSliceMs); })) {
+    if (!studio_.workLong([&] { isAllRead = reader_->readSome(kSliceMs); })) {
         end(false, studio_.message());
         return;
     }
@@ -125,7 +125,7 @@ void DocumentExport::end(bool isDone, const QString& message) {
 void DocumentExport::estimate() {
     std::vector<std::uint8_t> labels;
     if (studio_.document() == nullptr || estimator_.joinable() ||
-        !studio_.guard([&] { labels = studio_.document()->labelMap(); })) {
+        !studio_.workLong([&] { labels = studio_.document()->labelMap(); })) {
         return;
     }
     estimator_ = std::jthread([this, labels = std::move(labels), dims = studio_.geometry()->dims] {

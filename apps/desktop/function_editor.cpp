@@ -76,7 +76,7 @@ void FunctionEditor::followView() {
         seen_ = function;
         isNew = true;
         if (auto* document = studio_.document(); function && document != nullptr) {
-            studio_.guard([&] { page(function->kind).function = document->resolved(*function); });
+            studio_.workLong([&] { page(function->kind).function = document->resolved(*function); });
             page(function->kind).isTouched = true;
         }
     }

@@ -23,7 +23,7 @@ void GrowthController::scrubTo(int generation) {
 void GrowthController::showScrubbed() {
     const int generation = *scrubbed_;
     scrubbed_.reset();
-    studio_.guard([&] {
+    studio_.workLong([&] {
         if (generation != status().generation) {
             studio_.document()->scrub(generation);
         }
@@ -36,7 +36,7 @@ void GrowthController::endScrub() {
         showScrubbed();
     }
     if (studio_.document() != nullptr && studio_.document()->isScrubbing()) {
-        studio_.guard([&] { studio_.report(studio_.document()->endScrub()); });
+        studio_.perform([&] { return studio_.document()->endScrub(); });
         studio_.wake();
     }
     emit changed();
@@ -97,10 +97,10 @@ void GrowthController::applyRules() {
     rules_->isStale = false;
     const studio::Operation change = rules_->wanted;
     const bool isFirst = !std::exchange(rules_->isApplied, true);
-    studio_.guard([&] {
+    studio_.canvas(); // the view as it is now is part of the log before the change
+    studio_.perform([&] {
         auto& document = *studio_.document();
-        studio_.canvas(); // the view as it is now is part of the log before the change
-        studio_.report(isFirst ? document.apply(change) : document.replaceLast(change));
+        return isFirst ? document.apply(change) : document.replaceLast(change);
     });
     emit changed();
 }

@@ -108,7 +108,7 @@ void GrowthController::start(Run run) {
         pause();
         studio_.canvas(); // the view as it is now is part of the log before the run
         if ((run == Run::Forward || run == Run::ToEnd) &&
-            !studio_.guard([&] { studio_.document()->beginGrowth(); })) {
+            !studio_.workLong([&] { studio_.document()->beginGrowth(); })) {
             return;
         }
     }
@@ -179,7 +179,7 @@ bool GrowthController::growOn() {
     }
     const double sliceMs = studio_.isHandAtWork() ? kHurriedSliceMs : kSliceMs;
     bool goesOn = false;
-    const bool done = studio_.guard([&] { goesOn = studio_.document()->growFor(sliceMs, steps); });
+    const bool done = studio_.workLong([&] { goesOn = studio_.document()->growFor(sliceMs, steps); });
     if (!done || !goesOn) {
         finish();
         hasRunOut_ = done;
@@ -194,7 +194,7 @@ bool GrowthController::goBack() {
         return false;
     }
     const int generation = std::max(1, status().generation - steps);
-    if (!studio_.guard([&] { studio_.document()->scrub(generation); }) || generation == 1) {
+    if (!studio_.workLong([&] { studio_.document()->scrub(generation); }) || generation == 1) {
         finish();
     }
     emit changed();
@@ -211,7 +211,7 @@ bool GrowthController::absorbFurther(int expansions) {
     *further.expansions += expansions;
     const std::size_t before = status().voxels;
     const bool done =
-        studio_.guard([&] { studio_.report(studio_.document()->replaceLast(studio::Operation(further))); });
+        studio_.perform([&] { return studio_.document()->replaceLast(studio::Operation(further)); });
     return done && status().voxels < before;
 }
 
@@ -219,9 +219,9 @@ void GrowthController::finish() {
     const Run run = std::exchange(run_, Run::None);
     isWaiting_ = false;
     if (run == Run::Forward || run == Run::ToEnd) {
-        studio_.guard([&] { studio_.report(studio_.document()->endGrowth()); });
+        studio_.perform([&] { return studio_.document()->endGrowth(); });
     } else if (run == Run::Backward && studio_.document()->isScrubbing()) {
-        studio_.guard([&] { studio_.report(studio_.document()->endScrub()); });
+        studio_.perform([&] { return studio_.document()->endScrub(); });
     }
 }
 

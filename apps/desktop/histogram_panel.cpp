@@ -96,16 +96,16 @@ void HistogramPanel::refreshStrip() {
 }
 
 void HistogramPanel::countGradients() {
-    if (isCounted_ || studio_.geometry() == nullptr) {
+    auto* document = studio_.document();
+    if (document == nullptr || isCounted_) {
         return;
     }
     if (!studio_.isSettled()) {
         countTimer_.start(kRetryMs);
         return;
     }
-    const auto* document = studio_.document();
     bool isDone = false;
-    const bool isFine = studio_.guard([&] {
+    const bool isFine = studio_.workLong([&] {
         if (!counting_) {
             counting_.emplace(document->field(),
                               glm::ivec2(int(document->histogram().size()), kGradientBins));

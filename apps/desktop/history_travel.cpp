@@ -31,9 +31,6 @@ void HistoryTravel::goTo(std::size_t steps) {
 }
 
 void HistoryTravel::advance() {
-    if (studio_.isAway()) { // on its way
-        return;
-    }
     const Timer timer;
     while (target_ && timer.milliseconds() < kSliceMs) {
         if (studio_.document() == nullptr || studio_.document()->steps().done != at_ || at_ == *target_ ||

@@ -65,7 +65,7 @@ void LaserTool::lay() {
     const Timer timer;
     const glm::dvec2 scale = studio_.devicePerLogical();
     const glm::dvec2 pixel = glm::dvec2(penPosition().x(), penPosition().y()) * scale;
-    studio_.guard([&] {
+    studio_.workLong([&] {
         lying_ = closedPath(
             studio_.document()->outlineOnSurface(pad().sketch(scale), pixel, studio_.picture().viewport()),
             scale);

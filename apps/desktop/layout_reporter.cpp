@@ -88,6 +88,7 @@ LayoutReporter::LayoutReporter(StudioController& studio, MainWindow& window, std
     : QObject(&window), studio_(studio), window_(window), path_(std::move(path)) {
     qApp->installEventFilter(this);
     connect(&timer_, &QTimer::timeout, this, &LayoutReporter::write);
+    timer_.setProperty(LongWork::kRunsMeanwhile, true);
     timer_.start(kPollMs);
 }
 
@@ -126,6 +127,11 @@ nlohmann::json LayoutReporter::documentReport() const {
 }
 
 void LayoutReporter::write() {
+    if (!studio_.isAway()) {
+        ofDocument_ = documentReport();
+    } else if (ofDocument_.is_null()) {
+        return; // it is being opened
+    }
     nlohmann::json widgets = nlohmann::json::object();
     nlohmann::json reports = nlohmann::json::object(); // what widgets say of themselves in their property
     for (const QWidget* widget : QApplication::allWidgets()) {
@@ -136,9 +142,6 @@ void LayoutReporter::write() {
                 reports[name.toStdString()] = said.toStdString();
             }
         }
-    }
-    if (!studio_.isAway()) {
-        ofDocument_ = documentReport();
     }
     const QWidget* focused = QApplication::focusWidget();
     const auto& view = studio_.view();

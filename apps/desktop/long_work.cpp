@@ -4,22 +4,27 @@
 #include "gl_host.h"
 #include "watched_application.h"
 
+#include "base/log.h"
 #include "base/progress.h"
+#include "base/timer.h"
 
-#include <QElapsedTimer>
 #include <QKeyEvent>
-#include <QWidget>
+#include <QTimer>
 
 namespace vs::desktop {
 
 namespace {
 
-constexpr int kMomentMs = 50;  // nobody notices
-constexpr int kLastsMs = 400;  // from then on it is shown and can be given up
-constexpr int kAnswerMs = 20;  // between looks at what the window wants
+constexpr auto kMoment = std::chrono::milliseconds(50); // nobody notices
+constexpr auto kAnswer = std::chrono::milliseconds(20); // between looks at what the window wants
+constexpr double kLastsMs = 350; // after a moment: from then on it is shown and can be given up
 
-// Releases end what began before.
-bool isInput(QEvent::Type type) {
+bool isRelease(QEvent::Type type) {
+    return type == QEvent::MouseButtonRelease || type == QEvent::TabletRelease || type == QEvent::TouchEnd ||
+           type == QEvent::KeyRelease;
+}
+
+bool isHeld(QEvent::Type type) {
     switch (type) {
     case QEvent::MouseButtonPress:
     case QEvent::MouseButtonDblClick:
@@ -57,7 +62,7 @@ LongWork::~LongWork() {
     thread_.wait();
 }
 
-void LongWork::run(const std::function<void()>& work) {
+void LongWork::run(const std::function<void()>& work, Input input) {
     if (isRunning_) { // asked for by something that the window did meanwhile
         host_.makeCurrent();
         work();
@@ -66,17 +71,17 @@ void LongWork::run(const std::function<void()>& work) {
     isRunning_ = true;
     isGivenUp_ = false;
     thousandths_ = -1;
-    failure_ = nullptr;
+    const auto task = std::make_shared<std::packaged_task<void()>>([this, &work] { this->work(work); });
+    std::future<void> done = task->get_future();
     host_.handOverTo(thread_);
-    QMetaObject::invokeMethod(&runner_, [this, &work] { this->work(work); }, Qt::QueuedConnection);
-    if (!done_.tryAcquire(1, kMomentMs)) {
-        answerMeanwhile();
+    QMetaObject::invokeMethod(
+        &runner_, [task] { (*task)(); }, Qt::QueuedConnection);
+    if (done.wait_for(kMoment) != std::future_status::ready) {
+        answerUntil(done, input);
     }
     isRunning_ = false;
-    host_.makeCurrent();
-    if (failure_) {
-        std::rethrow_exception(failure_);
-    }
+    host_.makeCurrent(); // back here
+    done.get();
 }
 
 // On the thread.
@@ -85,51 +90,62 @@ void LongWork::work(const std::function<void()>& work) {
         thousandths_ = share ? int(1000 * *share) : -1;
         return !isGivenUp_;
     });
+    host_.makeCurrent();
     try {
-        host_.makeCurrent();
         work();
     } catch (...) {
-        failure_ = std::current_exception();
+        host_.handOverTo(*thread());
+        throw;
     }
-    host_.handOverTo(*this->thread());
-    done_.release();
+    host_.handOverTo(*thread());
 }
 
-void LongWork::answerMeanwhile() {
+void LongWork::answerUntil(const std::future<void>& done, Input input) {
     const WatchedApplication::Answering answering;
-    QElapsedTimer since;
-    since.start();
-    bool isShown = false;
-    while (!done_.tryAcquire(1, kAnswerMs)) {
-        QCoreApplication::processEvents(isShown ? QEventLoop::AllEvents : QEventLoop::ExcludeUserInputEvents);
-        if (!isShown && since.elapsed() > kLastsMs - kMomentMs) {
-            isShown = true;
-            qApp->installEventFilter(this);
+    const Timer since;
+    qApp->installEventFilter(this);
+    while (done.wait_for(kAnswer) != std::future_status::ready) {
+        try {
+            QCoreApplication::processEvents(isShown_ ? QEventLoop::AllEvents
+                                                     : QEventLoop::ExcludeUserInputEvents);
+        } catch (const std::exception& e) { // a fault in a widget; the work goes on
+            logNotice(e.what());
         }
-        if (isShown) {
+        isShown_ = input == Input::GivesUp && since.milliseconds() > kLastsMs;
+        if (isShown_) {
             emit lasts(std::min<int>(thousandths_, 999));
         }
     }
-    if (isShown) {
+    if (isShown_) {
         // What was pressed while nothing could be done is not for what comes after.
         QCoreApplication::processEvents();
-        qApp->removeEventFilter(this);
+        isShown_ = false;
         emit lasts(1000);
+    }
+    qApp->removeEventFilter(this);
+    for (Held& held : std::exchange(releases_, {})) {
+        if (held.receiver) {
+            QCoreApplication::postEvent(held.receiver, held.event.release());
+        }
     }
 }
 
 bool LongWork::eventFilter(QObject* watched, QEvent* event) {
-    if (!isInput(event->type())) {
-        return QObject::eventFilter(watched, event);
+    // A timer whose event nobody gets fires again.
+    if (event->type() == QEvent::Timer && qobject_cast<QTimer*>(watched) != nullptr) {
+        return !watched->property(kRunsMeanwhile).toBool();
     }
     if (event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
         giveUp();
     }
-    const bool isForGivingUp = watched->isWidgetType() && watched->objectName() == "giveUp";
-    // Windows pass what the pointer does on to the widget under it.
+    // Windows pass on what the pointer does to the widget under it.
     const bool isPassedOn = watched->isWindowType() && event->type() != QEvent::Close;
-    if (isForGivingUp || isPassedOn) {
+    const bool isToGiveUp = watched->objectName() == "giveUp";
+    if (isPassedOn || isToGiveUp || !(isHeld(event->type()) || isRelease(event->type()))) {
         return QObject::eventFilter(watched, event);
+    }
+    if (isRelease(event->type())) {
+        releases_.push_back({watched, std::unique_ptr<QEvent>(event->clone())});
     }
     event->ignore();
     return true;

@@ -1,38 +1,46 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QElapsedTimer>
 #include <QObject>
-#include <QSemaphore>
+#include <QPointer>
 #include <QThread>
 
 #include <atomic>
-#include <exception>
 #include <functional>
+#include <future>
+#include <memory>
+#include <vector>
 
 namespace vs::desktop {
 
 class GlHost;
 
 // Runs work on the document on a thread of its own, which has the engine's context meanwhile, so that the
-// window goes on painting itself. For whoever calls it is a call like any other, but one during which
-// events are handled: everything but input, which waits; and when it lasts, all input but what gives it up is
-// dropped. Nothing may touch the document then; who makes the context current waits for the end.
+// window goes on painting itself. For whoever calls it is a call like any other, but one during which the
+// window paints, and nothing else happens in it: input and timers wait (but those whose property
+// kRunsMeanwhile is set). Whoever makes the engine's context current waits for the end.
 class LongWork : public QObject {
     Q_OBJECT
 
 public:
+    static constexpr const char* kRunsMeanwhile = "runsMeanwhile";
+
     explicit LongWork(GlHost& host);
     ~LongWork() override;
 
+    // Of what lasts, when a person presses something meanwhile.
+    enum class Input {
+        Waits,   // until it is done
+        GivesUp, // Esc or the button named "giveUp" do; all else is dropped
+    };
     // Returns when it is done; throws what it throws. Work may report how far it is (base/progress.h).
-    void run(const std::function<void()>& work);
+    void run(const std::function<void()>& work, Input input = Input::Waits);
     [[nodiscard]] bool isRunning() const { return isRunning_; }
     // Work that asks ends with GivenUp.
     void giveUp() { isGivenUp_ = true; }
 
 signals:
-    // It takes more than a moment; how far it is, in thousandths, below zero when nobody knows. Once with
+    // It lasts and can be given up; how far it is, in thousandths, below zero when nobody knows. Once with
     // 1000 when it has ended.
     void lasts(int thousandths);
 
@@ -41,14 +49,19 @@ protected:
 
 private:
     void work(const std::function<void()>& work);
-    void answerMeanwhile();
+    void answerUntil(const std::future<void>& done, Input input);
 
     GlHost& host_;
     QThread thread_;
     QObject runner_; // lives on the thread
     bool isRunning_ = false;
-    QSemaphore done_;
-    std::exception_ptr failure_;
+    bool isShown_ = false; // lasts, and can be given up
+    // What ends what began before; delivered afterwards.
+    struct Held {
+        QPointer<QObject> receiver;
+        std::unique_ptr<QEvent> event;
+    };
+    std::vector<Held> releases_;
     std::atomic<bool> isGivenUp_ = false;
     std::atomic<int> thousandths_ = -1;
 };

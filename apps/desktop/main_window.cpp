@@ -102,6 +102,7 @@ MainWindow::MainWindow(StudioController& studio, QWidget* parent) : QMainWindow(
         const double rate = studio_.picture().framesPerSecond();
         rate_->setText(rate > 0 ? tr("%1 fps").arg(rate, 0, 'f', rate < 10 ? 1 : 0) : QString());
     });
+    rateTimer_.setProperty(LongWork::kRunsMeanwhile, true);
     rateTimer_.start(kRateMs);
     refresh();
     showStartScreen();

@@ -124,7 +124,8 @@ void MeasureTool::removeAll() {
 std::optional<glm::dvec3> MeasureTool::surfaceAt(QPointF position) {
     std::optional<studio::Document::Probe> found;
     const glm::dvec2 pixel = glm::dvec2(position.x(), position.y()) * studio_.devicePerLogical();
-    studio_.guard([&] { found = studio_.document()->probe(pixel, studio_.canvas().viewport); });
+    const auto viewport = studio_.canvas().viewport;
+    studio_.workLong([&] { found = studio_.document()->probe(pixel, viewport); });
     return found ? std::optional(found->world) : std::nullopt;
 }
 

@@ -65,7 +65,7 @@ void MoveTool::lookForParts() {
     seenEdits_ = log.size();
     if (isNew || int(boxes_.size()) != count()) {
         boxes_.clear();
-        studio_.guard([&] {
+        studio_.workLong([&] {
             for (int part = 0; part < count(); ++part) {
                 boxes_.push_back(document->partBox(std::size_t(part)));
             }

@@ -41,7 +41,8 @@ Options parseOptions(const QCoreApplication& application) {
     const QCommandLineOption timings(
         "timings-file",
         tr("When the program ends, write to PATH as JSON when each input arrived and was handled and shown "
-           "(\"inputs\"), when each picture was shown (\"frames\") and what kept the window from anything else for "
+           "(\"inputs\"), when each picture was shown (\"frames\") and what kept the window from anything "
+           "else for "
            "more than 40 ms (\"blocks\"), in milliseconds."),
         "PATH");
     parser.addOptions({session, raw, series, frame, layout, timings});

@@ -156,7 +156,7 @@ void PeelTool::advance() {
     if (state_ != State::Peeling || wanted_ == applied_) {
         return;
     }
-    if (studio_.guard([&] { studio_.document()->updatePeel(wanted_); })) {
+    if (studio_.workLong([&] { studio_.document()->updatePeel(wanted_); })) {
         applied_ = wanted_;
     } else {
         studio_.endStroke(false);

@@ -254,7 +254,7 @@ void PenTool::cut(double budgetMs) {
         done_ = waiting_.front();
         waiting_.pop_front();
         hasBegun_ = true;
-        if (!studio_.guard([&] { studio_.document()->updatePen(done_); })) {
+        if (!studio_.workLong([&] { studio_.document()->updatePen(done_); })) {
             waiting_.clear();
             studio_.endStroke(false);
             setState(State::Ready);

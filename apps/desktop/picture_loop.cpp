@@ -17,16 +17,16 @@ namespace {
 constexpr double kSoftwareFrameMs = 40;
 constexpr double kHardwareFrameMs = 25;
 constexpr double kLeastShare = 0.35; // of a frame for its rays, however much else there is to do
-constexpr double kSegmentsMs = 40;   // a draft, to smooth what grew
+constexpr double kSegmentsMs = 25;   // a draft, to smooth what grew
 constexpr double kHurriedSegmentsMs = 3;
 constexpr double kCalmMs = 180; // longer than the pauses within a hand's movement
 constexpr std::array kScales{1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0};
 
 } // namespace
 
-PictureLoop::PictureLoop(bool isSoftwareRenderer)
-    : frameMs_(isSoftwareRenderer ? kSoftwareFrameMs : kHardwareFrameMs), scale_(isSoftwareRenderer ? 2 : 1) {
-}
+PictureLoop::PictureLoop(bool isSoftwareRenderer, Run run)
+    : run_(std::move(run)), frameMs_(isSoftwareRenderer ? kSoftwareFrameMs : kHardwareFrameMs),
+      scale_(isSoftwareRenderer ? 2 : 1) {}
 
 void PictureLoop::setDocument(studio::Document* document) {
     document_ = document;
@@ -64,6 +64,9 @@ PictureLoop::State PictureLoop::step(double budgetMs) {
     const bool isCalm = sinceInput_.milliseconds() >= kCalmMs;
     if (isStale) {
         begin(Pass::Draft);
+        if (prepareMs_ > budgetMs) {
+            return State::Busy;
+        }
     } else if (pass_ == Pass::None) {
         if (isFullDone_) {
             return State::Complete;
@@ -77,7 +80,7 @@ PictureLoop::State PictureLoop::step(double budgetMs) {
     }
 
     const Timer timer;
-    caster_.renderSome(budgetMs);
+    run_([&] { caster_.renderSome(budgetMs); });
     passMs_ += timer.milliseconds();
     if (pass_ == Pass::Draft && caster_.isComplete()) {
         show();
@@ -115,27 +118,30 @@ void PictureLoop::begin(Pass pass) {
         scale_ = wantedScale();
         size = glm::max(glm::ivec2(glm::round(glm::dvec2(viewport_) / scale_)), glm::ivec2(1));
     }
-    auto frame = document_->frame(size, segmentsMs());
+    run_([&] {
+        auto frame = document_->frame(size, segmentsMs());
+        frame.samples = pass == Pass::Full ? kFullSamples : 1;
+        if (pass != Pass::Full) {
+            frame.sampleStep = 1; // pixels of a draft are wider than that
+            frame.scene.sampling =
+                field::Sampling::Trilinear; // many times faster; the difference is seen at rest
+        }
+        caster_.start(frame);
+        gl::Context::finish(); // or the first tile would be charged for it
+    });
     isBehind_ = document_->isBehind();
-    frame.samples = pass == Pass::Full ? kFullSamples : 1;
-    if (pass != Pass::Full) {
-        frame.sampleStep = 1; // pixels of a draft are wider than that
-        frame.scene.sampling =
-            field::Sampling::Trilinear; // many times faster; the difference is seen at rest
-    }
-    caster_.start(frame);
     pass_ = pass;
     startedVersion_ = document_->version();
     startedViewport_ = viewport_;
     isFullDone_ = false;
     samplesShown_ = 0;
-    gl::Context::finish(); // or the first tile would be charged for it
     prepareMs_ = passMs_ = timer.milliseconds();
 }
 
 // Read back, and painted as the rest of the window is (doc/decisions/0010).
 void PictureLoop::show() {
-    const image::Image picture = caster_.readPicture();
+    image::Image picture;
+    run_([&] { picture = caster_.readPicture(); });
     const QImage straight(picture.rgba.data(), picture.width, picture.height, 4 * picture.width,
                           QImage::Format_RGBX8888);
     shown_ = straight.convertToFormat(QImage::Format_RGB32); // a copy of its own

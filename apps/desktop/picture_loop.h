@@ -6,6 +6,7 @@
 
 #include <QImage>
 
+#include <functional>
 #include <optional>
 
 namespace vs::studio {
@@ -22,8 +23,11 @@ class PictureLoop {
 public:
     static constexpr int kFullSamples = 8;
 
+    // Does what may take long, with the document and the engine's context.
+    using Run = std::function<void(const std::function<void()>& work)>;
+
     // Framerate to hold while things move: lower on the software renderer.
-    explicit PictureLoop(bool isSoftwareRenderer);
+    PictureLoop(bool isSoftwareRenderer, Run run);
 
     // Null: nothing to show. Forgets the picture.
     void setDocument(studio::Document* document);
@@ -66,6 +70,7 @@ private:
     [[nodiscard]] double wantedScale() const;
     [[nodiscard]] double segmentsMs() const;
 
+    Run run_;
     render::RayCaster caster_;
     studio::Document* document_ = nullptr;
     glm::ivec2 viewport_{0};

@@ -148,16 +148,16 @@ void RangePage::refresh() {
 }
 
 void RangePage::countVisible() {
-    if (studio_.geometry() == nullptr) {
+    auto* document = studio_.document();
+    if (document == nullptr) {
         return;
     }
-    auto* document = studio_.isIdle() ? studio_.document() : nullptr;
-    if (document == nullptr || document->isStrokeOpen()) {
+    if (!studio_.isIdle() || document->isStrokeOpen()) {
         countTimer_.start(kRestMs);
         return;
     }
     const std::vector<std::uint32_t>* visible = nullptr;
-    if (!studio_.guard([&] { visible = document->visibleHistogram(kCountMs); })) {
+    if (!studio_.workLong([&] { visible = document->visibleHistogram(kCountMs); })) {
         return;
     }
     if (visible == nullptr) {

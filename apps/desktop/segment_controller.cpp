@@ -183,7 +183,8 @@ void SegmentController::openLabels(const std::filesystem::path& path) {
             }
             emit studio_.progress(1, 1);
         };
-        QMetaObject::invokeMethod(this, finish, Qt::QueuedConnection);
+        QMetaObject::invokeMethod(
+            this, [this, finish] { studio_.whenHere(finish); }, Qt::QueuedConnection);
     });
 }
 

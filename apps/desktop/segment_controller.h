@@ -24,7 +24,8 @@ class SegmentController : public QObject {
 public:
     explicit SegmentController(StudioController& studio);
 
-    // One segment without voxels before something was opened. While the document is away, as they were before.
+    // One segment without voxels before something was opened. While the document is away, as they were
+    // before.
     [[nodiscard]] const studio::SegmentList& list() const;
     [[nodiscard]] std::size_t voxels(std::uint8_t label) const; // shown
     [[nodiscard]] double millilitres(std::uint8_t label) const;

@@ -102,14 +102,10 @@ const segment::MeasuredSegment* SegmentMeasurer::working() const {
 
 // Begins when nothing is under way any more.
 void SegmentMeasurer::look() {
-    if (studio_.isLoading()) {
-        calm_.start();
-        return;
-    }
     if (wanting_.empty() || studio_.document() == nullptr || now() == key_) {
         return;
     }
-    if (isMeasuring_ || studio_.growth().isBusy() ||
+    if (isMeasuring_ || studio_.isLoading() || studio_.growth().isBusy() ||
         studio_.document()->isStrokeOpen()) {
         calm_.start();
         return;
@@ -120,7 +116,7 @@ void SegmentMeasurer::look() {
 void SegmentMeasurer::begin(const Key& key) {
     const auto& document = *studio_.document();
     std::vector<std::uint8_t> labels;
-    if (!studio_.guard([&] { labels = document.labelMap(); })) {
+    if (!studio_.workLong([&] { labels = document.labelMap(); })) {
         key_ = key; // once is enough to be told
         return;
     }
@@ -136,7 +132,9 @@ void SegmentMeasurer::begin(const Key& key) {
         } catch (const std::bad_alloc&) { // nothing is known then
         }
         QMetaObject::invokeMethod(
-            this, [this, key, found = std::move(found)] { finish(key, found); }, Qt::QueuedConnection);
+            this,
+            [this, key, found = std::move(found)] { studio_.whenHere([=, this] { finish(key, found); }); },
+            Qt::QueuedConnection);
     });
 }
 

@@ -80,7 +80,8 @@ bool SliceController::centreOnSurface(QPointF place) {
     }
     std::optional<studio::Document::Probe> found;
     const glm::dvec2 pixel = glm::dvec2(place.x(), place.y()) * studio_.devicePerLogical();
-    studio_.guard([&] { found = studio_.document()->probe(pixel, studio_.canvas().viewport); });
+    const auto viewport = studio_.canvas().viewport;
+    studio_.workLong([&] { found = studio_.document()->probe(pixel, viewport); });
     if (found) {
         setCrosshair(found->voxel);
     }
@@ -184,7 +185,8 @@ void SliceController::draw(Kind kind) {
     shown.turn = ++turns_;
     shown.drawn = key; // also when it fails: once is enough to be told
     bool isBehind = false;
-    studio_.guard([&] {
+    image::Image image;
+    const bool isDrawn = studio_.workLong([&] {
         if (!renderer_) {
             renderer_ = std::make_unique<render::SliceRenderer>();
         }
@@ -193,13 +195,14 @@ void SliceController::draw(Kind kind) {
         frame.isSmooth = key.isSmooth;
         frame.outlinePixels = float(1.25 * shown.perLogical);
         renderer_->render(frame);
-        const auto image = renderer_->readPicture();
-        // Opaque: the fastest to put on the screen.
+        image = renderer_->readPicture();
+    });
+    if (isDrawn) { // opaque: the fastest to put on the screen
         shown.picture =
             QImage(image.rgba.data(), image.width, image.height, 4 * image.width, QImage::Format_RGBX8888)
                 .convertToFormat(QImage::Format_RGB32);
         shown.picture.setDevicePixelRatio(shown.perLogical);
-    });
+    }
     if (isBehind) {
         shown.drawn.reset(); // and once more, with more of the segments
     }

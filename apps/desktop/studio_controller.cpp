@@ -36,13 +36,15 @@ constexpr double kHandMs = 300; // after the last input: a hand that is at work 
 } // namespace
 
 StudioController::StudioController()
-    : picture_(std::make_unique<PictureLoop>(host_.device().isSoftware)), cameraTool_(new CameraTool(*this)),
-      peelTool_(new PeelTool(*this)), drillTool_(new DrillTool(*this)), laserTool_(new LaserTool(*this)),
-      sweepTool_(new SweepTool(*this)), scissorsTool_(new ScissorsTool(*this)),
-      keepTool_(new KeepTool(*this)), clipTool_(new ClipTool(*this)), seedTool_(new SeedTool(*this)),
-      moveTool_(new MoveTool(*this)), islandTool_(new IslandTool(*this)), paintTool_(new PaintTool(*this)),
-      measureTool_(new MeasureTool(*this)), segments_(new SegmentController(*this)),
-      measurer_(new SegmentMeasurer(*this)), growth_(new GrowthController(*this)), tool_(cameraTool_),
+    : picture_(std::make_unique<PictureLoop>(host_.device().isSoftware,
+                                             [this](const auto& work) { longWork_.run(work); })),
+      cameraTool_(new CameraTool(*this)), peelTool_(new PeelTool(*this)), drillTool_(new DrillTool(*this)),
+      laserTool_(new LaserTool(*this)), sweepTool_(new SweepTool(*this)),
+      scissorsTool_(new ScissorsTool(*this)), keepTool_(new KeepTool(*this)), clipTool_(new ClipTool(*this)),
+      seedTool_(new SeedTool(*this)), moveTool_(new MoveTool(*this)), islandTool_(new IslandTool(*this)),
+      paintTool_(new PaintTool(*this)), measureTool_(new MeasureTool(*this)),
+      segments_(new SegmentController(*this)), measurer_(new SegmentMeasurer(*this)),
+      growth_(new GrowthController(*this)), tool_(cameraTool_),
       slices_(std::make_unique<SliceController>(*this)), slicePen_(new SlicePen(*this)) {
     timer_.setSingleShot(true);
     connect(&timer_, &QTimer::timeout, this, &StudioController::tick);
@@ -100,11 +102,13 @@ std::uint64_t StudioController::documentVersion() const {
 }
 
 void StudioController::tick() {
-    if (isAway()) {
-        schedule(kCalmPollMs);
-        return;
-    }
     host_.makeCurrent();
+    for (const auto& work : std::exchange(waiting_, {})) {
+        work();
+    }
+    if (const auto viewport = std::exchange(newViewport_, {})) {
+        setViewport(viewport->first, viewport->second);
+    }
     if (isReplaying()) {
         replayOne();
         schedule(0);
@@ -235,6 +239,28 @@ bool StudioController::guard(const std::function<void()>& work) {
     }
 }
 
+bool StudioController::workLong(const std::function<void()>& work) {
+    return guard([&] { longWork_.run(work); });
+}
+
+bool StudioController::perform(const std::function<studio::Outcome()>& edit) {
+    studio::Outcome outcome;
+    const bool isDone = guard([&] { longWork_.run([&] { outcome = edit(); }, LongWork::Input::GivesUp); });
+    if (isDone) {
+        report(outcome);
+    }
+    return isDone;
+}
+
+void StudioController::whenHere(std::function<void()> work) {
+    if (isAway()) {
+        waiting_.push_back(std::move(work));
+        schedule(0);
+    } else {
+        work();
+    }
+}
+
 bool StudioController::apply(const studio::Operation& operation, const std::filesystem::path& outputFolder) {
     return change([&] { return document_->apply(operation, outputFolder); });
 }
@@ -244,7 +270,7 @@ bool StudioController::rewind(int generations) {
 }
 
 bool StudioController::change(const std::function<studio::Outcome()>& edit) {
-    if (document_ == nullptr || isLoading()) {
+    if (document_ == nullptr || isLoading() || isAway()) {
         return false;
     }
     tool_->settle();
@@ -252,12 +278,8 @@ bool StudioController::change(const std::function<studio::Outcome()>& edit) {
         return false;
     }
     growth_->pause(); // what has grown so far is an operation of its own
-    const bool done = guard([&] {
-        flushView();
-        studio::Outcome outcome;
-        longWork_.run([&] { outcome = edit(); });
-        report(outcome);
-    });
+    flushView();
+    const bool done = perform(edit);
     view_ = document_->view();
     wake();
     emit changed();
@@ -270,8 +292,8 @@ bool StudioController::paste() {
     }
     render::Placement place;
     bool isSomething = false;
-    const bool isPlaced = guard([&] {
-        flushView();
+    flushView();
+    const bool isPlaced = workLong([&] {
         const Box3 box = document_->partBox(document_->pastedParts());
         isSomething = !box.isEmpty();
         std::vector<QRectF> taken;
@@ -327,13 +349,13 @@ std::optional<studio::Document::Probe> StudioController::probe(QPointF position)
     std::optional<studio::Document::Probe> found;
     if (isIdle() && document_ != nullptr) {
         const glm::dvec2 pixel = glm::dvec2(position.x(), position.y()) * devicePerLogical();
-        guard([&] { found = document_->probe(pixel, picture_->viewport()); });
+        workLong([&] { found = document_->probe(pixel, picture_->viewport()); });
     }
     return found;
 }
 
 bool StudioController::isSettled() {
-    return !isLoading() && document_ != nullptr && !isViewPending_ && !picture_->isDrafting() &&
+    return !isAway() && document_ != nullptr && !isLoading() && !isViewPending_ && !picture_->isDrafting() &&
            !growth_->isBusy() && !document_->isStrokeOpen();
 }
 
@@ -345,7 +367,7 @@ bool StudioController::isPictureComing() const {
 }
 
 bool StudioController::isIdle() {
-    if (isToldSoon_ || isLoading() || tool_->isBusy() || growth_->isBusy() || isViewPending_ ||
+    if (isAway() || isToldSoon_ || isLoading() || tool_->isBusy() || growth_->isBusy() || isViewPending_ ||
         !screenshot_.empty()) {
         return false;
     }

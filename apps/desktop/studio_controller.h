@@ -75,8 +75,11 @@ public:
     studio::Document* document();
     // Long work has the document: nothing else can be done with it.
     [[nodiscard]] bool isAway() const { return longWork_.isRunning(); }
-    // Does what may take long while the window goes on painting; throws what it throws.
-    void workLong(const std::function<void()>& work) { longWork_.run(work); }
+    // Does something with the document that may take long while the window goes on painting and input waits
+    // (LongWork). False: it failed, and the message says why.
+    bool workLong(const std::function<void()>& work);
+    // Does it now, or once the document is back: for what ends on other threads.
+    void whenHere(std::function<void()> work);
     // Ends what takes long, if it can be ended: as if it had not been begun, but for a session, of which so
     // much stays as was replayed.
     void giveUp();
@@ -145,6 +148,8 @@ public:
     void setBrushesSegment(bool on);
     bool change(const std::function<studio::Outcome()>& edit);
     bool guard(const std::function<void()>& work);
+    // Does it as workLong() does and reports what it did; when it takes long, it can be given up.
+    bool perform(const std::function<studio::Outcome()>& edit);
     void report(const studio::Outcome& outcome);
 
     // Tools.
@@ -176,7 +181,7 @@ public:
     void wake();
     // Something beside the picture waits to be drawn.
     void workSoon() { schedule(0); }
-    [[nodiscard]] bool isLoading() const { return loader_.isLoading() || isReplaying() || isAway(); }
+    [[nodiscard]] bool isLoading() const { return loader_.isLoading() || isReplaying(); }
     [[nodiscard]] bool isReplaying() const { return !replay_.empty(); }
     // The picture shows the document, though perhaps as a draft, and nothing is changing it: the time to look
     // at what is under the pen.
@@ -226,12 +231,14 @@ private:
     VolumeLoader loader_;
     OpenRequest source_;
     mutable std::uint64_t versionSeen_ = 0; // of the document, when it was last here
-    std::string checksum_;                 // of the volume
-    std::size_t savedEdits_ = 0;           // edits in the log when it was last saved or opened
-    std::deque<studio::Operation> replay_; // of the session being opened
+    std::string checksum_;                  // of the volume
+    std::size_t savedEdits_ = 0;            // edits in the log when it was last saved or opened
+    std::deque<studio::Operation> replay_;  // of the session being opened
     int replayTotal_ = 0;
     bool isReplayGivenUp_ = false;
-    std::filesystem::path screenshot_; // waiting for the picture
+    std::vector<std::function<void()>> waiting_;               // for the document to be back
+    std::optional<std::pair<QSizeF, glm::ivec2>> newViewport_; // since it went
+    std::filesystem::path screenshot_;                         // waiting for the picture
     CameraTool* cameraTool_;
     PeelTool* peelTool_;
     DrillTool* drillTool_;

@@ -30,7 +30,8 @@ std::size_t countEdits(const studio::Document* document) {
 } // namespace
 
 void StudioController::connectLoader() {
-    connect(&loader_, &VolumeLoader::loaded, this, &StudioController::finishOpening);
+    connect(&loader_, &VolumeLoader::loaded, this,
+            [this](const auto& loaded) { whenHere([this, loaded] { finishOpening(loaded); }); });
     connect(&loader_, &VolumeLoader::failed, this, [this](const QString& message) {
         say(message);
         emit progress(1, 1);
@@ -133,7 +134,7 @@ void StudioController::replayOne() {
         if (studio::isOutput(operation)) {
             document_->note(operation);
         } else {
-            longWork_.run([&] { document_->apply(operation); });
+            longWork_.run([&] { document_->apply(operation); }, LongWork::Input::GivesUp);
         }
         replay_.pop_front();
     } catch (const std::exception& e) {

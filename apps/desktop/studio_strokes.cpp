@@ -10,7 +10,7 @@ bool StudioController::beginStroke(
     const std::function<void(studio::Document&, const studio::Canvas&)>& begin) {
     growth_->pause();
     const auto on = canvas();
-    return guard([&] { begin(*document_, on); });
+    return workLong([&] { begin(*document_, on); });
 }
 
 void StudioController::endStroke(bool keep) {
@@ -19,18 +19,15 @@ void StudioController::endStroke(bool keep) {
     }
     if (keep && cutTool() != nullptr && cutTool()->actsOnSegment()) {
         const studio::Operation stroke = document_->openStroke(); // it has shown what it takes
-        guard([&] { document_->discardStroke(); });
+        workLong([&] { document_->discardStroke(); });
         cut(stroke);
         return;
     }
-    guard([&] {
-        if (keep) {
-            report(document_->commitStroke());
-        } else {
-            document_->discardStroke();
-            say(tr("Nothing was changed"));
-        }
-    });
+    if (keep) {
+        perform([&] { return document_->commitStroke(); });
+    } else if (workLong([&] { document_->discardStroke(); })) {
+        say(tr("Nothing was changed"));
+    }
     wake();
     emit changed();
 }

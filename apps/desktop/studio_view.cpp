@@ -42,6 +42,11 @@ void StudioController::setSampling(field::Sampling sampling) {
 }
 
 void StudioController::setViewport(QSizeF logical, glm::ivec2 device) {
+    if (isAway()) { // with the viewport as it was
+        newViewport_ = {logical, device};
+        schedule(0);
+        return;
+    }
     const bool isNew = device != picture_->viewport();
     logical_ = logical;
     picture_->setViewport(device);

@@ -138,7 +138,7 @@ std::optional<studio::Sweep> SweepTool::drawnSweep() {
     } else {
         const QPointF centre = mask_.centre();
         std::optional<studio::Document::Probe> start;
-        studio_.guard([&] {
+        studio_.workLong([&] {
             start = studio_.document()->probe(glm::dvec2(centre.x(), centre.y()) * scale, canvas.viewport);
         });
         if (!start) {
@@ -155,11 +155,11 @@ std::optional<studio::Sweep> SweepTool::drawnSweep() {
 
 void SweepTool::preview() {
     outlines_ = {};
-    studio_.guard([&] {
-        for (const auto& outline : studio_.document()->outlinesAlongPath(*sweep_)) {
-            outlines_.addPath(closedPath(outline, studio_.devicePerLogical()));
-        }
-    });
+    std::vector<std::vector<glm::dvec2>> outlines;
+    studio_.workLong([&] { outlines = studio_.document()->outlinesAlongPath(*sweep_); });
+    for (const auto& outline : outlines) {
+        outlines_.addPath(closedPath(outline, studio_.devicePerLogical()));
+    }
     if (outlines_.isEmpty()) {
         sweep_.reset();
         studio_.say(tr("The way leads nowhere: draw it on the object, or longer"));

@@ -76,7 +76,7 @@ void ThumbnailKeeper::remember() {
 }
 
 void ThumbnailKeeper::keep() {
-    if (!studio_.isIdle() || studio_.document() == nullptr || studio_.picture().pictures() == taken_) {
+    if (studio_.document() == nullptr || !studio_.isIdle() || studio_.picture().pictures() == taken_) {
         return;
     }
     const KnownDocument known = present();

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "segment/growth.h"
 
+#include "base/progress.h"
 #include "base/timer.h"
 #include "gl/pass.h"
 #include "segment/growth_undo.h"
@@ -200,19 +201,28 @@ int Growth::advanceFor(double budgetMs, int generations, GrowthUndo* undo) {
     int shown = reveal(generations);
     // Batches double while they fit into what is left of the time.
     int batch = budgetMs < std::numeric_limits<double>::infinity() ? 1 : Frontier::kMaxSteps;
-    while (shown < generations && !isFinished() && (shown == 0 || timer.milliseconds() < budgetMs)) {
-        const double start = timer.milliseconds();
-        shown += compute(std::min(batch, generations - shown));
-        const double end = timer.milliseconds();
-        if (budgetMs - end > 2 * (end - start)) {
-            batch = std::min(2 * batch, Frontier::kMaxSteps);
-        } else {
-            batch = std::max(batch / 2, 1);
+    const auto end = [&] {
+        if (undo != nullptr) {
+            undo->end(*this);
         }
+    };
+    try {
+        while (shown < generations && !isFinished() && (shown == 0 || timer.milliseconds() < budgetMs)) {
+            reportProgress();
+            const double began = timer.milliseconds();
+            shown += compute(std::min(batch, generations - shown));
+            const double ended = timer.milliseconds();
+            if (budgetMs - ended > 2 * (ended - began)) {
+                batch = std::min(2 * batch, Frontier::kMaxSteps);
+            } else {
+                batch = std::max(batch / 2, 1);
+            }
+        }
+    } catch (...) {
+        end(); // so that what has grown can be taken back
+        throw;
     }
-    if (undo != nullptr) {
-        undo->end(*this);
-    }
+    end();
     return shown;
 }
 

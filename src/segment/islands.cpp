@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "segment/islands.h"
 
-#include "base/error.h"
+#include "base/progress.h"
 
 #include <itkConnectedComponentImageFilter.h>
 #include <itkImportImageFilter.h>
@@ -24,6 +24,7 @@ struct Labelling {
 };
 
 Labelling label(const VoxelSet& set, Connectivity connectivity) {
+    reportProgress();
     using Mask = itk::ImportImageFilter<std::uint8_t, 3>;
     const auto mask = Mask::New();
     Mask::SizeType size;
@@ -37,6 +38,7 @@ Labelling label(const VoxelSet& set, Connectivity connectivity) {
     filter->SetInput(mask->GetOutput());
     filter->SetFullyConnected(connectivity == Connectivity::TwentySix);
     filter->Update();
+    reportProgress();
 
     Labelling result{filter->GetOutput(), std::vector<Island>(filter->GetObjectCount())};
     for (std::size_t i = 0; i < set.inside.size(); ++i) {

@@ -92,6 +92,7 @@ VoxelSet nearbySheared(const VoxelSet& set, const volume::GridGeometry& geometry
             }
         }
     });
+    reportProgress();
     VoxelSet result = emptySet(set.box);
     inParallel(size.z, [&](int z) {
         for (int y = 0; y < size.y; ++y) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "base/progress.h"
+
 #include <glm/glm.hpp>
 
 #include <algorithm>
@@ -16,10 +18,11 @@ void inParallel(int count, const std::function<void(int)>& f);
 // One pass of a separable filter over a block of values (x fastest): each value becomes the sum, or whatever
 // `add` makes of it, of its neighbours along `axis` (from -r to r) under the weights (2 r + 1 of them):
 // add(sum, neighbour, weight), beginning with `first`. The outermost values go on beyond the block.
-// Neighbours are whole rows, so that processors take many at a time.
+// Neighbours are whole rows, so that processors take many at a time. May be given up between passes.
 template <typename Add>
 void filterAlong(int axis, std::vector<float>& values, glm::ivec3 size, const std::vector<float>& weights,
                  float first, Add add) {
+    reportProgress();
     const std::size_t length(size[axis]);
     const std::size_t reach = weights.size() / 2;
     const std::size_t row(size.x);

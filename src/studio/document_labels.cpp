@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Segments from a label map.
-#include "base/error.h"
+#include "base/progress.h"
 #include "segment/label_sets.h"
 #include "studio/document_change.h"
 
@@ -40,6 +40,7 @@ std::size_t Document::Impl::perform(const LoadLabels& op, Region::Records& recor
     bool usesFirst = segments.segments.size() == 1 && !segments.working().isLocked && !region.hasSeeds();
     std::size_t voxels = 0;
     for (std::size_t n = 1; n < map.values.size(); ++n) {
+        reportProgress(double(n) / double(map.values.size()));
         const auto look = map.looks.find(map.values[n]);
         const bool hasLook = look != map.looks.end();
         const std::string wanted = hasLook && !look->second.name.empty()

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Several segments, their looks and their edits.
-#include "base/error.h"
+#include "base/progress.h"
 #include "segment/islands.h"
 #include "segment/margins.h"
 #include "segment/segmentation.h"
@@ -263,6 +263,7 @@ Outcome Document::Impl::run(CutSegment& op, const std::filesystem::path&) {
         throw Error("the segment '{}' is empty; there is nothing to cut by", segments.working().name);
     }
     const auto inside = smoothMembership(field, segment::changeMargin(set, volume.geometry, op.marginMm));
+    reportProgress();
     const Box3 box = volume.geometry.box();
     std::vector<float> values = sculpture.values(box);
     for (std::size_t i = 0; i < values.size(); ++i) {

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/pen_stroke.h"
 
+#include "base/progress.h"
+
 #include <cmath>
 
 namespace vs::studio {
@@ -109,8 +111,9 @@ void PenStroke::replay() {
     if (toReplay_.empty()) {
         goTo({mask_.drawnAt, 1}, {mask_.drawnAt, 1});
     }
-    for (const auto& pen : toReplay_) {
-        drawAt(pen);
+    for (std::size_t n = 0; n < toReplay_.size(); ++n) {
+        reportProgress(double(n) / double(toReplay_.size()));
+        drawAt(toReplay_[n]);
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "volume/dicom_decode.h"
 
+#include "base/progress.h"
 #include "volume/inspect.h"
 #include "volume/isolated_decode.h"
 
@@ -109,6 +110,7 @@ Volume decodeSlices(const std::filesystem::path& path, const std::vector<DicomSl
     IsolatedDecoder decoder(path, slices);
     DecodedFile decoded;
     for (std::size_t k = 0; k < slices.size(); ++k) {
+        reportProgress(double(k) / double(slices.size()));
         const DicomSlice& slice = slices[k];
         if (decoded.file != slice.file) {
             decoded = decoder.take(slice);

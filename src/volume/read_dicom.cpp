@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "volume/dicom.h"
+
+#include "base/progress.h"
 #include "volume/dicom_decode.h"
 #include "volume/dicom_segmentation.h"
 #include "volume/formats.h"
@@ -58,6 +60,7 @@ void addFile(Scan& scan, const std::filesystem::path& file) {
 Scan scanFolder(const std::filesystem::path& folder) {
     Scan scan;
     for (const auto& file : filesOf(folder)) {
+        reportProgress();
         if (hasDicomMark(file)) {
             addFile(scan, file);
         } else {

@@ -107,13 +107,48 @@ def segmenting(steps):
         studio.wait_idle("undo", lambda s: s["pictureComplete"], 100)
 
 
+MODES = (("2", "mip"), ("3", "xray"), ("4", "segment"), ("5", "overlay"), ("9", "volume"), ("1", "surface"))
+
+
 def looking(steps):
     studio = steps.studio
     choose(studio, "v", "camera")
-    for mode in range(1, 10):
-        before = studio.state()["mode"]
-        steps.do(f"mode {mode}", lambda: studio.key(str(mode)))
-    steps.do("gradient histogram", lambda: studio.click("tabGradient"))
+    for key, mode in MODES:
+        steps.do(f"mode {mode}", lambda: studio.key(key), lambda s: s["mode"] == mode)
+    steps.do("slices", lambda: studio.key("F4"), lambda s: "axialSlider" in s["widgets"])
+    studio.click("tabGradient")
+    steps.do("gradients", lambda: time.sleep(1))
+    studio.click("functionChoice")
+    studio.wait("the gallery", lambda s: "preset.mr_t1_head" in s["widgets"])
+    time.sleep(0.3)
+    steps.do("a preset", lambda: studio.click("preset.mr_t1_head"), lambda s: s["reports"]["functionChoice"].startswith("MR"))
+    studio.focus()
+
+
+def filing(steps, folder):
+    """What goes into files and comes out of them."""
+    studio = steps.studio
+    for name, keys, dialog, file in (("saving", "ctrl+s", "saveDialog", "session.json"),
+                                     ("labels out", "ctrl+e", "labelsDialog", "labels.nrrd"),
+                                     ("labels in", "ctrl+l", "openLabelsDialog", "labels.nrrd"),
+                                     ("replaying", "ctrl+o", "openDialog", "session.json")):
+        studio.move(studio.view_point(0.5, 0.9))
+        studio.key(keys)
+        before = studio.state()["message"]
+        steps.do(name, lambda: studio.type_path(dialog, folder / file),
+                 lambda s: s["message"] != before and not s["loading"] and not s["message"].startswith("Reading"))
+
+
+def give_up(steps):
+    """What lasts is ended by Escape, and nothing has happened."""
+    studio = steps.studio
+    before = studio.state()
+    press(studio, "editPerform")  # the last of EDITS
+    studio.wait("progress", lambda s: "giveUp" in s["widgets"])
+    steps.do("giving up", lambda: studio.key("Escape"), lambda s: s["message"].startswith("Given up"))
+    state = studio.state()
+    for what in ("operations", "voxels", "stepsDone"):
+        need(state[what] == before[what], f"{what} were {before[what]} and are {state[what]} after giving up")
 
 
 def main(display, arguments, folder):
@@ -128,7 +163,9 @@ def main(display, arguments, folder):
     steps = Steps(studio)
     cutting(steps)
     segmenting(steps)
+    give_up(steps)
     looking(steps)
+    filing(steps, folder)
     studio.quit()
     longest = steps.report(json.loads(timings_file.read_text())["blocks"])
     late = {name: ms for name, ms in longest.items() if ms > arguments.slack * MOST_MS}

@@ -1215,10 +1215,6 @@
         <translation>Bei jedem Werkzeug</translation>
     </message>
     <message>
-        <source>When the program ends, write to PATH as JSON when each input arrived and was handled and shown (&quot;inputs&quot;) and when each picture was shown (&quot;frames&quot;), in milliseconds.</source>
-        <translation>Am Ende des Programms als JSON nach PATH schreiben, wann jede Eingabe ankam, bearbeitet und gezeigt wurde (&quot;inputs&quot;) und wann jedes Bild gezeigt wurde (&quot;frames&quot;), in Millisekunden.</translation>
-    </message>
-    <message>
         <source>CSV table</source>
         <translation>CSV-Tabelle</translation>
     </message>
@@ -1289,6 +1285,10 @@
     <message>
         <source>NIfTI volume</source>
         <translation>NIfTI-Volumen</translation>
+    </message>
+    <message>
+        <source>When the program ends, write to PATH as JSON when each input arrived and was handled and shown (&quot;inputs&quot;), when each picture was shown (&quot;frames&quot;) and what kept the window from anything else for more than 40 ms (&quot;blocks&quot;), in milliseconds.</source>
+        <translation>Beim Beenden als JSON nach PATH schreiben, wann jede Eingabe ankam, bearbeitet und gezeigt wurde („inputs“), wann welches Bild gezeigt wurde („frames“) und was das Fenster länger als 40 ms von allem anderen abhielt („blocks“), in Millisekunden.</translation>
     </message>
 </context>
 <context>
@@ -3184,6 +3184,18 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
         <source>Ctrl+Shift+E</source>
         <translation>Ctrl+Shift+E</translation>
     </message>
+    <message>
+        <source>Give up</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>Cancel</source>
+        <translation>Abbrechen</translation>
+    </message>
+    <message>
+        <source>End what takes so long, and leave everything as it was (Esc)</source>
+        <translation>Beendet, was so lange dauert, und lässt alles, wie es war (Esc)</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::MeasureTool</name>
@@ -4108,6 +4120,14 @@ Tab: die nächste Form; Pfeiltasten bewegen sie; Entf; Eingabe: ihre Farbe; Strg
     <message>
         <source>Nothing was changed</source>
         <translation>Nichts wurde geändert</translation>
+    </message>
+    <message>
+        <source>Given up: nothing was changed</source>
+        <translation>Abgebrochen: Nichts wurde geändert</translation>
+    </message>
+    <message>
+        <source>Given up: nothing was opened</source>
+        <translation>Abgebrochen: Nichts wurde geöffnet</translation>
     </message>
 </context>
 <context>

@@ -184,6 +184,8 @@ void MainWindow::makeStatusBar() {
     giveUp_->setText(tr("Cancel"));
     giveUp_->setToolTip(tr("End what takes so long, and leave everything as it was (Esc)"));
     giveUp_->setFocusPolicy(Qt::NoFocus);
+    giveUp_->setProperty("slim", true);
+    giveUp_->setFixedHeight(message_->sizeHint().height()); // the bar stays as high as without it
     giveUp_->hide();
     connect(giveUp_, &QToolButton::clicked, &studio_, &StudioController::giveUp);
     statusBar()->addPermanentWidget(giveUp_);

@@ -30,7 +30,9 @@ PictureExport::~PictureExport() {
 void PictureExport::save(const studio::SavePicture& picture, const std::filesystem::path& folder,
                          int pictures) {
     folder_ = folder;
-    take_ = [this](const image::Image& made) { image::writePng(pathOf(done_), made); };
+    take_ = [this](const image::Image& made) {
+        studio_.runLong([&] { image::writePng(pathOf(done_), made); });
+    };
     start(picture, pictures);
 }
 
@@ -57,13 +59,16 @@ void PictureExport::begin() {
 }
 
 void PictureExport::startPicture() {
-    auto frame = studio_.document()->frame(picture_.size);
-    frame.samples = picture_.samples;
-    frame.background = picture_.background;
     auto camera = studio_.view().camera;
     camera.azimuthDegrees += 360.0 * done_ / pictures_;
-    frame.rays = rays_ = render::viewRays(camera, *studio_.geometry(), picture_.size);
-    caster_->start(frame);
+    rays_ = render::viewRays(camera, *studio_.geometry(), picture_.size);
+    studio_.runLong([&] {
+        auto frame = studio_.document()->frame(picture_.size);
+        frame.samples = picture_.samples;
+        frame.background = picture_.background;
+        frame.rays = rays_;
+        caster_->start(frame);
+    });
 }
 
 void PictureExport::tick() {
@@ -82,7 +87,11 @@ void PictureExport::tick() {
     const bool isFine = studio_.guard([this] {
         if (!caster_) {
             begin();
-        } else if (caster_->renderSome(kSliceMs)) {
+            return;
+        }
+        bool isComplete = false;
+        studio_.runLong([&] { isComplete = caster_->renderSome(kSliceMs); });
+        if (isComplete) {
             takePicture();
         }
     });
@@ -99,10 +108,13 @@ void PictureExport::tick() {
 }
 
 void PictureExport::takePicture() {
-    image::Image made = caster_->readPicture();
-    if (picture_.annotations) {
-        render::annotate(made, rays_, *studio_.geometry());
-    }
+    image::Image made;
+    studio_.runLong([&] {
+        made = caster_->readPicture();
+        if (picture_.annotations) {
+            render::annotate(made, rays_, *studio_.geometry());
+        }
+    });
     take_(made);
     if (++done_ < pictures_) {
         startPicture();

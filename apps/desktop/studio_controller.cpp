@@ -355,7 +355,7 @@ std::optional<studio::Document::Probe> StudioController::probe(QPointF position)
 }
 
 bool StudioController::isSettled() {
-    return !isAway() && document_ != nullptr && !isLoading() && !isViewPending_ && !picture_->isDrafting() &&
+    return !isAway() && !newViewport_ && document_ != nullptr && !isLoading() && !isViewPending_ && !picture_->isDrafting() &&
            !growth_->isBusy() && !document_->isStrokeOpen();
 }
 
@@ -367,7 +367,7 @@ bool StudioController::isPictureComing() const {
 }
 
 bool StudioController::isIdle() {
-    if (isAway() || isToldSoon_ || isLoading() || tool_->isBusy() || growth_->isBusy() || isViewPending_ ||
+    if (isAway() || newViewport_ || isToldSoon_ || isLoading() || tool_->isBusy() || growth_->isBusy() || isViewPending_ ||
         !screenshot_.empty()) {
         return false;
     }

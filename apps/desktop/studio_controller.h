@@ -78,6 +78,8 @@ public:
     // Does something with the document that may take long while the window goes on painting and input waits
     // (LongWork). False: it failed, and the message says why.
     bool workLong(const std::function<void()>& work);
+    // The same, but what it throws is thrown.
+    void runLong(const std::function<void()>& work) { longWork_.run(work); }
     // Does it now, or once the document is back: for what ends on other threads.
     void whenHere(std::function<void()> work);
     // Ends what takes long, if it can be ended: as if it had not been begun, but for a session, of which so

@@ -274,10 +274,9 @@ void StudioController::writeScreenshot() {
         return;
     }
     const auto path = std::exchange(screenshot_, {});
-    guard([&] {
-        image::writePng(path, picture_->readPicture());
+    if (workLong([&] { image::writePng(path, picture_->readPicture()); })) {
         say(tr("Saved picture %1").arg(text(path)));
-    });
+    }
     emit changed();
 }
 

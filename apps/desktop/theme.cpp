@@ -48,6 +48,8 @@ QComboBox:disabled { color: #5f6770; }
 QComboBox QAbstractItemView { background: #262a2f; border: 1px solid #3a4047; selection-background-color: #1d4259;
     selection-color: #f7fbfe; }
 QToolButton[column="true"] { padding: 3px 1px 2px 1px; font-size: 11px; }
+QToolButton[slim="true"] { background: #1f2327; border: 1px solid #3a4047; padding: 0px 8px; }
+QToolButton[slim="true"]:hover { background: #333940; }
 QToolButton:disabled { color: #5f6770; }
 QToolButton:checked:disabled { color: #5f6770; background: #2b3036; border-color: #3a4047; }
 QMenuBar { background: #1f2226; padding: 1px 4px; }

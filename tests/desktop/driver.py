@@ -154,8 +154,13 @@ class Studio:
         self.focus()
 
     def window(self, title):
-        return subprocess.run(["xdotool", "search", "--onlyvisible", "--name", title],
-                              env=self.environment, check=True, capture_output=True, text=True).stdout.split()[0]
+        for _ in range(50):  # the X server may show it a moment after the program says so
+            found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", title], env=self.environment,
+                                   check=False, capture_output=True, text=True).stdout.split()
+            if found:
+                return found[0]
+            time.sleep(0.1)
+        raise Failure(f"there is no window {title}")
 
     def main_window(self):
         return self.window("Volume Studio")

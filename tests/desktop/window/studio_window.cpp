@@ -63,8 +63,12 @@ void StudioWindow::wait(const char* what, const std::function<bool()>& condition
     }
 }
 
+// A hint of another length may give the view another size, a moment later.
 void StudioWindow::settle() {
-    wait("the document to be shown", [this] { return studio_->isSettled(); });
+    const auto isSettled = [this] { return studio_->isSettled(); };
+    wait("the document to be shown", isSettled);
+    QTest::qWait(20);
+    wait("the document to be shown again", isSettled);
 }
 
 void StudioWindow::rest() {
@@ -111,6 +115,7 @@ void StudioWindow::pen(QEvent::Type type, QWidget& widget, const Touch& touch, E
 }
 
 void StudioWindow::stroke(QWidget& widget, const std::vector<Touch>& way, End end) {
+    settle();                                                   // a tool was perhaps chosen just now
     pen(QEvent::TabletMove, widget, {way.front().place}, end); // hovering
     pen(QEvent::TabletPress, widget, way.front(), end);
     for (std::size_t n = 1; n < way.size(); ++n) {

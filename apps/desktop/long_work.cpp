@@ -135,7 +135,9 @@ bool LongWork::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::Timer && qobject_cast<QTimer*>(watched) != nullptr) {
         return !watched->property(kRunsMeanwhile).toBool();
     }
-    if (event->type() == QEvent::KeyPress && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
+    // A key that is a shortcut is offered first, and comes no more once that is taken.
+    const bool isKey = event->type() == QEvent::KeyPress || event->type() == QEvent::ShortcutOverride;
+    if (isKey && static_cast<QKeyEvent*>(event)->key() == Qt::Key_Escape) {
         giveUp();
     }
     // Windows pass on what the pointer does to the widget under it.

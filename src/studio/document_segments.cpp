@@ -55,12 +55,17 @@ segment::VoxelSet edited(const EditSegment& op, const segment::VoxelSet& set, co
     throw Error("an edit of a segment that is not known");
 }
 
+constexpr double kSliceMs = 100; // between asking whether to go on
+
 // A segment's smooth membership on the whole grid: 0.5 at its surface.
 std::vector<float> smoothMembership(const field::Field& field, const segment::VoxelSet& set) {
     segment::Growth growth(field);
     growth.replace(set.box, set.inside);
     segment::Segmentation segmentation(field.geometry);
-    segmentation.update(growth);
+    do {
+        segmentation.update(growth, segment::Smoothing::Smooth, segment::allOpaque(), kSliceMs);
+        reportProgress();
+    } while (segmentation.isBehind());
     return segmentation.values();
 }
 
@@ -266,12 +271,15 @@ Outcome Document::Impl::run(CutSegment& op, const std::filesystem::path&) {
     reportProgress();
     const Box3 box = volume.geometry.box();
     std::vector<float> values = sculpture.values(box);
+    reportProgress();
     for (std::size_t i = 0; i < values.size(); ++i) {
         values[i] = std::max(values[i], op.keeps ? 1 - inside[i] : inside[i]);
     }
+    const auto texels = sculpt::texelsOf(values, sculpture.precision());
+    reportProgress(); // from here on it is done to the end
     sculpt::BrickBackup backup(sculpture.texels());
     backup.protect(box);
-    sculpture.upload(box, sculpt::texelsOf(values, sculpture.precision()));
+    sculpture.upload(box, texels);
     if (const auto isLocked = lockedVoxels()) {
         const Box3 spared = backup.spare(isLocked);
         if (!spared.isEmpty()) {

@@ -10,15 +10,15 @@ import time
 
 from driver import need, run_test, start
 from test_latency import circle, now_ms
-from test_segments import choose, press
+from test_segments import choose, press, reveal
 
 HEAD = pathlib.Path("/usr/share/mricron/templates/ch2better.nii.gz")
 MOST_MS = 100
 
 
-# Rows of the list of edits, and their amounts.
-EDITS = (("margin", 0, -2), ("smooth", 1, 2), ("fill holes", 2, 0), ("open", 3, 1), ("close", 4, 1), ("hollow", 5, 2),
-         ("keep the largest", 7, None), ("drop small", 8, 0.5), ("cut it away", 12, 0))
+# How the list of edits begins, and their amounts.
+EDITS = (("Grow", -2), ("Smooth", 2), ("Fill", 0), ("Open", 1), ("Close", 1), ("Hollow", 2), ("Keep", None), ("Drop s", 0.5),
+         ("Cut it", 0))
 
 
 class Steps:
@@ -91,23 +91,30 @@ def segmenting(steps):
              lambda s: s["message"].startswith("Grow:") and not s["playing"])
     print(f"{studio.state()['voxels']} voxels grown")
     press(studio, "editFold")
-    for name, row, amount in EDITS:
+    for name, amount in EDITS:
         before = studio.state()["operations"]
-        studio.click("segmentEdit")
-        time.sleep(0.3)
-        studio.key("Home")
-        for _ in range(row):
-            studio.key("Down")
-        studio.key("Return")
-        time.sleep(0.3)
-        if amount is not None:
-            studio.type_number("editAmount", amount)
-        steps.do(name, lambda: press(studio, "editPerform"), lambda s: s["operations"] > before)
+        choose_edit(studio, name, amount)
+        steps.do(f"edit: {name}", lambda: press(studio, "editPerform"), lambda s: s["operations"] > before)
         studio.key("ctrl+z")
         studio.wait_idle("undo", lambda s: s["pictureComplete"], 100)
 
 
-MODES = (("2", "mip"), ("3", "xray"), ("4", "segment"), ("5", "overlay"), ("9", "volume"), ("1", "surface"))
+def choose_edit(studio, name, amount):
+    """By the wheel over the list."""
+    reveal(studio, "segmentEdit")
+    x, y, width, height = studio.place_of("segmentEdit")
+    studio.move((x + width // 2, y + height // 2))
+    for button in (4,) * 15 + (5,) * 15:
+        if studio.state()["reports"].get("segmentEdit", "").startswith(name):
+            break
+        studio.xdotool("click", button)
+        time.sleep(0.15)
+    studio.wait(name, lambda s: s["reports"].get("segmentEdit", "").startswith(name))
+    if amount is not None:
+        studio.type_number("editAmount", amount)
+
+
+MODES = (("2", "mip"), ("3", "xray"), ("4", "overlay"), ("5", "segment"), ("9", "volume"), ("1", "surface"))
 
 
 def looking(steps):
@@ -140,15 +147,19 @@ def filing(steps, folder):
 
 
 def give_up(steps):
-    """What lasts is ended by Escape, and nothing has happened."""
+    """What lasts is ended by its button or by Escape, and nothing has happened."""
     studio = steps.studio
+    choose_edit(studio, "Smooth", 30)  # takes seconds
     before = studio.state()
-    press(studio, "editPerform")  # the last of EDITS
-    studio.wait("progress", lambda s: "giveUp" in s["widgets"])
-    steps.do("giving up", lambda: studio.key("Escape"), lambda s: s["message"].startswith("Given up"))
-    state = studio.state()
-    for what in ("operations", "voxels", "stepsDone"):
-        need(state[what] == before[what], f"{what} were {before[what]} and are {state[what]} after giving up")
+    for way in (lambda: studio.click("giveUp"), lambda: studio.key("Escape")):
+        studio.wait_idle("the picture", lambda s: s["pictureComplete"])
+        press(studio, "editPerform")
+        studio.wait("progress", lambda s: "giveUp" in s["widgets"])
+        steps.do("giving up", way, lambda s: s["message"].startswith("Given up"))
+        state = studio.state()
+        for what in ("operations", "voxels", "stepsDone"):
+            need(state[what] == before[what], f"{what} were {before[what]} and are {state[what]} after giving up")
+        studio.focus()
 
 
 def main(display, arguments, folder):

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "theme.h"
 
+#include "base/check.h"
+
 #include <QApplication>
 #include <QPalette>
 #include <QStyleFactory>
@@ -169,17 +171,43 @@ QPalette paletteOf() {
     return palette;
 }
 
-} // namespace
+struct State {
+    Theme theme;
+    bool isDesktopLight;
+    bool isLight;
+};
+std::optional<State> state; // nothing: before this program has chosen colours of its own
 
-void applyTheme(QApplication& application, Theme theme) {
-    // Before this program has chosen colours of its own they are the desktop's.
-    static const bool isDesktopLight = QApplication::palette().color(QPalette::Window).lightness() >= 128;
-    const bool isLight = theme == Theme::Light || (theme == Theme::Desktop && isDesktopLight);
+bool arePlainColoursLight() { return QApplication::palette().color(QPalette::Window).lightness() >= 128; }
+
+void colour(QApplication& application, bool isLight) {
     setColours(isLight);
     application.setStyle(QStyleFactory::create("Fusion"));
     application.setPalette(paletteOf());
     application.setStyleSheet(isLight ? lightened(QString(kStyleSheet).replace("-dark.svg", "-light.svg"))
                                       : QString(kStyleSheet));
+}
+
+} // namespace
+
+void applyTheme(QApplication& application, Theme theme) {
+    const bool isDesktopLight = state ? state->isDesktopLight : arePlainColoursLight();
+    const bool isLight = theme == Theme::Light || (theme == Theme::Desktop && isDesktopLight);
+    if (!state || state->isLight != isLight) {
+        colour(application, isLight);
+    }
+    state = State{theme, isDesktopLight, isLight};
+}
+
+void setDesktopTheme(QApplication& application, std::optional<bool> isLight) {
+    VS_CHECK(state.has_value());
+    if (!isLight) {
+        application.setPalette(QPalette()); // what is left are the desktop's
+        isLight = arePlainColoursLight();
+        application.setPalette(paletteOf());
+    }
+    state->isDesktopLight = *isLight;
+    applyTheme(application, state->theme);
 }
 
 } // namespace vs::desktop

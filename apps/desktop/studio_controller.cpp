@@ -355,8 +355,8 @@ std::optional<studio::Document::Probe> StudioController::probe(QPointF position)
 }
 
 bool StudioController::isSettled() {
-    return !isAway() && !newViewport_ && document_ != nullptr && !isLoading() && !isViewPending_ && !picture_->isDrafting() &&
-           !growth_->isBusy() && !document_->isStrokeOpen();
+    return !isAway() && !newViewport_ && document_ != nullptr && !isLoading() && !isViewPending_ &&
+           !picture_->isDrafting() && !growth_->isBusy() && !document_->isStrokeOpen();
 }
 
 // While the pen sketches, its stroke over the picture is the answer.
@@ -367,8 +367,8 @@ bool StudioController::isPictureComing() const {
 }
 
 bool StudioController::isIdle() {
-    if (isAway() || newViewport_ || isToldSoon_ || isLoading() || tool_->isBusy() || growth_->isBusy() || isViewPending_ ||
-        !screenshot_.empty()) {
+    if (isAway() || newViewport_ || isToldSoon_ || isLoading() || tool_->isBusy() || growth_->isBusy() ||
+        isViewPending_ || !screenshot_.empty()) {
         return false;
     }
     return document_ == nullptr || (picture_->isComplete() && slices_->isComplete());

@@ -115,7 +115,7 @@ void StudioWindow::pen(QEvent::Type type, QWidget& widget, const Touch& touch, E
 }
 
 void StudioWindow::stroke(QWidget& widget, const std::vector<Touch>& way, End end) {
-    settle();                                                   // a tool was perhaps chosen just now
+    settle();                                                  // a tool was perhaps chosen just now
     pen(QEvent::TabletMove, widget, {way.front().place}, end); // hovering
     pen(QEvent::TabletPress, widget, way.front(), end);
     for (std::size_t n = 1; n < way.size(); ++n) {

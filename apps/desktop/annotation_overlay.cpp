@@ -22,18 +22,19 @@ void AnnotationOverlay::paint(QPainter& painter, const render::Camera& camera,
     if (device.x < 1 || device.y < 1) {
         return;
     }
-    const Key key{camera, geometry, device};
+    const double scale = painter.device()->devicePixelRatioF();
+    const Key key{camera, geometry, device, scale};
     if (key != key_) {
         key_ = key;
         parts_.clear();
         const render::ViewRays rays = render::viewRays(camera, geometry, device);
-        for (const auto& drawn :
-             {render::drawScaleBar(render::scaleBar(rays, geometry), device, render::Ink::Light),
-              render::drawOrientationMarker(render::orientationMarker(rays), device, render::Ink::Light)}) {
+        for (const auto& drawn : {render::drawScaleBar(render::scaleBar(rays, geometry, scale), device,
+                                                       render::Ink::Light, scale),
+                                  render::drawOrientationMarker(render::orientationMarker(rays, scale),
+                                                                device, render::Ink::Light, scale)}) {
             parts_.push_back({premultiplied(drawn.image), drawn.corner});
         }
     }
-    const double scale = painter.device()->devicePixelRatioF();
     for (auto& part : parts_) {
         part.image.setDevicePixelRatio(scale);
         painter.drawImage(QPointF(part.corner.x / scale, part.corner.y / scale), part.image);

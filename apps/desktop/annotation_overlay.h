@@ -13,8 +13,8 @@ class QPainter;
 
 namespace vs::desktop {
 
-// Scale bar and orientation marker over the view: the same as on saved pictures, but never part of those that
-// the view saves. Drawn again only when camera, volume or size changed.
+// Scale bar and orientation marker over the view: the same as on saved pictures, but legible on dense screens
+// too, and never part of those that the view saves. Drawn again only when camera, volume or size changed.
 class AnnotationOverlay {
 public:
     // `device` is the view's size in device pixels; the painter's units are logical ones.
@@ -26,6 +26,7 @@ private:
         render::Camera camera;
         volume::GridGeometry geometry;
         glm::ivec2 device{0};
+        double scale = 1;
         bool operator==(const Key&) const = default;
     };
     struct Part {

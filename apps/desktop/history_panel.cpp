@@ -7,6 +7,7 @@
 #include "studio_controller.h"
 #include "theme.h"
 
+#include <QEvent>
 #include <QListWidget>
 
 namespace vs::desktop {
@@ -40,6 +41,13 @@ HistoryPanel::HistoryPanel(StudioController& studio)
 void HistoryPanel::showEvent(QShowEvent* event) {
     QDockWidget::showEvent(event);
     refresh();
+}
+
+void HistoryPanel::changeEvent(QEvent* event) {
+    QDockWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) {
+        refresh();
+    }
 }
 
 void HistoryPanel::refresh() {

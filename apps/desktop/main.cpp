@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "desktop_appearance.h"
 #include "language.h"
 #include "latency_recorder.h"
 #include "layout_reporter.h"
@@ -20,6 +21,7 @@
 #include <algorithm>
 #include <clocale>
 #include <memory>
+#include <optional>
 #include <string_view>
 
 namespace {
@@ -29,6 +31,9 @@ int run(vs::desktop::WatchedApplication& application) {
     speak(application, Preferences::load().language);
     const Options options = parseOptions(application);
     applyTheme(application, Preferences::load().theme);
+    const DesktopAppearance desktop(application);
+    QObject::connect(&desktop, &DesktopAppearance::changed, &application,
+                     [&](std::optional<bool> isLight) { setDesktopTheme(application, isLight); });
     std::unique_ptr<StudioController> studio;
     try {
         studio = std::make_unique<StudioController>();

@@ -4,6 +4,8 @@
 #include "segment_controller.h"
 #include "studio_controller.h"
 
+#include "volume/read.h"
+
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -11,6 +13,7 @@
 #include <QMessageBox>
 #include <QMimeData>
 #include <QPushButton>
+#include <QTimer>
 
 namespace vs::desktop {
 
@@ -21,6 +24,12 @@ std::filesystem::path pathOf(const QString& text) { return {text.toStdString()};
 bool isHeaderless(const QString& path) {
     const QString suffix = QFileInfo(path).suffix().toLower();
     return suffix == "raw" || suffix == "bin";
+}
+
+// A local file or folder; empty: there is none. Of several the first: any slice stands for its series.
+QString droppedPath(const QMimeData& dropped) {
+    const auto urls = dropped.urls();
+    return urls.isEmpty() ? QString() : urls.front().toLocalFile();
 }
 
 } // namespace
@@ -110,8 +119,8 @@ void MainWindow::openLabels() {
 
 // A file on an open volume may be a label map of it: only the person knows.
 void MainWindow::dropOn(const QString& path) {
-    const bool isVolume =
-        !path.endsWith(".json", Qt::CaseInsensitive) && !isHeaderless(path) && QFileInfo(path).isFile();
+    const bool isVolume = !path.endsWith(".json", Qt::CaseInsensitive) && QFileInfo(path).isFile() &&
+                          !volume::isHeaderless(pathOf(path));
     if (studio_.document() == nullptr || studio_.isLoading() || !isVolume) {
         openPath(path);
         return;
@@ -124,6 +133,8 @@ void MainWindow::dropOn(const QString& path) {
     question->setInformativeText(tr("A label map of the open volume becomes segments of it."));
     auto* labels = question->addButton(tr("&Label map"), QMessageBox::AcceptRole);
     auto* volume = question->addButton(tr("Another &volume"), QMessageBox::ActionRole);
+    labels->setObjectName("dropLabels");
+    volume->setObjectName("dropVolume");
     question->addButton(QMessageBox::Cancel);
     question->setDefaultButton(labels);
     connect(question, &QMessageBox::buttonClicked, this,
@@ -154,14 +165,20 @@ void MainWindow::screenshot() {
 }
 
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-    if (event->mimeData()->hasUrls() && event->mimeData()->urls().front().isLocalFile()) {
-        event->acceptProposedAction();
+    if (!droppedPath(*event->mimeData()).isEmpty()) {
+        event->setDropAction(Qt::CopyAction);
+        event->accept();
     }
 }
 
 void MainWindow::dropEvent(QDropEvent* event) {
-    event->acceptProposedAction();
-    dropOn(event->mimeData()->urls().front().toLocalFile());
+    event->setDropAction(Qt::CopyAction); // whatever is proposed: what is moved, its owner deletes
+    event->accept();
+    const QString path = droppedPath(*event->mimeData());
+    if (!path.isEmpty()) { // else the other program has gone
+        // Afterwards, so that it need not wait for a question to be answered.
+        QTimer::singleShot(0, this, [this, path] { dropOn(path); });
+    }
 }
 
 } // namespace vs::desktop

@@ -8,6 +8,8 @@
 #include "view_widget.h"
 #include "welcome_page.h"
 
+#include "volume/read.h"
+
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QFileDialog>
@@ -68,7 +70,9 @@ void MainWindow::recover(const LostWork& lost) {
 }
 
 void MainWindow::open(const OpenRequest& request) {
-    if (mayLeave()) {
+    // What no reader knows is refused without a question: nothing is left for it.
+    const bool isRefused = request.rawLayout.empty() && volume::isHeaderless(request.volume);
+    if (isRefused || mayLeave()) {
         thumbnails_->keep();
         studio_.open(request);
     }

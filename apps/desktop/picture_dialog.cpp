@@ -91,6 +91,7 @@ void PictureDialog::makeSizeRow(QFormLayout* form) {
     width_ = makePixels("pictureWidth", tr("Width in pixels"), seen.x);
     height_ = makePixels("pictureHeight", tr("Height in pixels"), seen.y);
     auto* row = new QHBoxLayout;
+    row->setSpacing(6);
     row->addWidget(width_);
     row->addWidget(makeQuietLabel(tr("by")));
     row->addWidget(height_);

@@ -107,6 +107,7 @@ void PreferencesDialog::addRecordings(QFormLayout* form) {
         }
     });
     auto* row = new QHBoxLayout;
+    row->setSpacing(6);
     row->addWidget(folder, 1);
     row->addWidget(choose);
     form->addRow(tr("Recordings go to"), row);

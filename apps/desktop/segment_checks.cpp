@@ -52,6 +52,7 @@ QScrollArea* SegmentChecks::makeList() {
     list->setWidget(page);
     list->setWidgetResizable(true);
     list->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    list->ensurePolished(); // its frame is the theme's
     if (!boxes_.empty()) {
         const int shown = std::min(int(boxes_.size()), kMostRows);
         const int row = boxes_.front()->sizeHint().height() + rows->spacing();

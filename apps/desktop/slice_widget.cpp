@@ -7,7 +7,9 @@
 #include "texts.h"
 
 #include <QHBoxLayout>
+#include <QPainter>
 #include <QSignalBlocker>
+#include <QStyle>
 #include <QVBoxLayout>
 
 #include <cmath>
@@ -33,7 +35,8 @@ QByteArray partName(render::SliceKind kind, const char* part) {
     return QByteArray(render::name(kind)) + part;
 }
 
-// Wants to be as wide as it ever was, so that the slider beside it keeps still, but gives way.
+// Wants to be as wide as it ever was, so that the slider beside it keeps still, but gives way: what does not
+// fit is left out as a whole, for half a number is another number. Three blanks are between its parts.
 class SteadyLabel : public QLabel {
 public:
     SteadyLabel() { setProperty("quiet", true); }
@@ -42,6 +45,17 @@ public:
         return {widest_, QLabel::sizeHint().height()};
     }
     [[nodiscard]] QSize minimumSizeHint() const override { return {1, QLabel::minimumSizeHint().height()}; }
+
+protected:
+    void paintEvent(QPaintEvent*) override {
+        QString shown = text();
+        while (!shown.isEmpty() && fontMetrics().horizontalAdvance(shown) > width()) {
+            shown.truncate(std::max(0, int(shown.lastIndexOf("   "))));
+        }
+        QPainter painter(this);
+        style()->drawItemText(&painter, rect(), int(alignment()), palette(), isEnabled(), shown,
+                              foregroundRole());
+    }
 
 private:
     mutable int widest_ = 0;

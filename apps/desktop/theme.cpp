@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "theme.h"
 
+#include "base/check.h"
+
 #include <QApplication>
 #include <QPalette>
 #include <QStyleFactory>
@@ -61,7 +63,10 @@ QMenu::item:selected { background: #1d4259; color: #f7fbfe; }
 QMenu::item:disabled { color: #5f6770; }
 QMenu::separator { height: 1px; background: #3a4047; margin: 4px 6px; }
 QMenu::icon { padding-left: 8px; }
-QDockWidget { color: #e3e6ea; }
+QDockWidget { color: #e3e6ea; titlebar-close-icon: url(:/pictures/close-dark.svg);
+    titlebar-normal-icon: url(:/pictures/float-dark.svg); }
+QDockWidget::close-button, QDockWidget::float-button { border: 1px solid transparent; border-radius: 4px; padding: 1px; }
+QDockWidget::close-button:hover, QDockWidget::float-button:hover { background: #333940; }
 QFrame#card { background: #262a2f; border: 1px solid #31363c; border-radius: 7px; }
 QLabel#cardTitle { color: #e3e6ea; font-weight: 600; }
 QLabel#sectionTitle { color: #e3e6ea; font-weight: 600; font-size: 15px; }
@@ -85,7 +90,8 @@ QSpinBox, QDoubleSpinBox, QLineEdit { background: #181b1e; border: 1px solid #3a
     selection-background-color: #1f6f9c; }
 QSpinBox:focus, QDoubleSpinBox:focus, QLineEdit:focus { border-color: #56b4e9; }
 QSpinBox:disabled, QDoubleSpinBox:disabled { color: #5f6770; }
-QSlider::groove:horizontal { height: 4px; background: #181b1e; border-radius: 2px; }
+QSlider:horizontal { min-height: 18px; }
+QSlider::groove:horizontal { height: 4px; background: #16191c; border-radius: 2px; }
 QSlider::sub-page:horizontal { background: #56b4e9; border-radius: 2px; }
 QSlider::handle:horizontal { width: 14px; margin: -5px 0; border-radius: 7px; background: #e3e6ea; }
 QSlider::handle:horizontal:focus { background: #56b4e9; }
@@ -93,6 +99,8 @@ QSlider::handle:horizontal:hover { background: #ffffff; }
 QScrollBar:vertical { background: transparent; width: 8px; margin: 0; }
 QScrollBar::handle:vertical { background: #434a52; border-radius: 4px; min-height: 24px; }
 QScrollBar::add-line, QScrollBar::sub-line { height: 0; width: 0; }
+QScrollArea#exportList { background: #181b1e; border: 1px solid #3a4047; border-radius: 4px; padding: 1px; }
+QScrollArea#exportList > QWidget > QWidget { background: #181b1e; }
 QTreeView, QListView { background: #181b1e; border: 1px solid #3a4047; border-radius: 4px; outline: 0; }
 QTreeView::item, QListView::item { padding: 4px 6px; border: 0; }
 QTreeView::item:selected, QListView::item:selected { background: #1d4259; color: #f7fbfe; }
@@ -113,7 +121,7 @@ const std::map<QString, const char*> kLightInstead{
     {"#56b4e9", "#0072b2"}, {"#2f343a", "#ffffff"}, {"#4a525a", "#b3bcc4"}, {"#333940", "#dfe5ea"},
     {"#1b3a4d", "#b5d8ee"}, {"#1d4259", "#cbe5f6"}, {"#f7fbfe", "#0d2433"}, {"#1f2327", "#ffffff"},
     {"#2b3036", "#e1e6ea"}, {"#434a52", "#bcc5cd"}, {"#3c434b", "#d5dce2"}, {"#2a2e33", "#e9edf0"},
-    {"#34393f", "#d8dee3"}};
+    {"#34393f", "#d8dee3"}, {"#16191c", "#c9d1d8"}};
 
 QString lightened(QString sheet) {
     // In one go over the text: a light colour of one may be the dark colour of another.
@@ -169,17 +177,43 @@ QPalette paletteOf() {
     return palette;
 }
 
-} // namespace
+struct State {
+    Theme theme;
+    bool isDesktopLight;
+    bool isLight;
+};
+std::optional<State> state; // nothing: before this program has chosen colours of its own
 
-void applyTheme(QApplication& application, Theme theme) {
-    // Before this program has chosen colours of its own they are the desktop's.
-    static const bool isDesktopLight = QApplication::palette().color(QPalette::Window).lightness() >= 128;
-    const bool isLight = theme == Theme::Light || (theme == Theme::Desktop && isDesktopLight);
+bool arePlainColoursLight() { return QApplication::palette().color(QPalette::Window).lightness() >= 128; }
+
+void colour(QApplication& application, bool isLight) {
     setColours(isLight);
     application.setStyle(QStyleFactory::create("Fusion"));
     application.setPalette(paletteOf());
     application.setStyleSheet(isLight ? lightened(QString(kStyleSheet).replace("-dark.svg", "-light.svg"))
                                       : QString(kStyleSheet));
+}
+
+} // namespace
+
+void applyTheme(QApplication& application, Theme theme) {
+    const bool isDesktopLight = state ? state->isDesktopLight : arePlainColoursLight();
+    const bool isLight = theme == Theme::Light || (theme == Theme::Desktop && isDesktopLight);
+    if (!state || state->isLight != isLight) {
+        colour(application, isLight);
+    }
+    state = State{theme, isDesktopLight, isLight};
+}
+
+void setDesktopTheme(QApplication& application, std::optional<bool> isLight) {
+    VS_CHECK(state.has_value());
+    if (!isLight) {
+        application.setPalette(QPalette()); // what is left are the desktop's
+        isLight = arePlainColoursLight();
+        application.setPalette(paletteOf());
+    }
+    state->isDesktopLight = *isLight;
+    applyTheme(application, state->theme);
 }
 
 } // namespace vs::desktop

@@ -3,6 +3,8 @@
 
 #include <QColor>
 
+#include <optional>
+
 class QApplication;
 
 namespace vs::desktop {
@@ -36,5 +38,9 @@ inline const QColor kPen{0xff, 0xff, 0xff};
 
 // Colours the whole program, also while it runs. Desktop: dark or light as the desktop's own windows are.
 void applyTheme(QApplication& application, Theme theme);
+
+// The desktop is light or dark from now on; nothing: look at the colours that Qt takes from it. Changes the
+// window only where its theme is the desktop's.
+void setDesktopTheme(QApplication& application, std::optional<bool> isLight);
 
 } // namespace vs::desktop

@@ -185,7 +185,7 @@ QWidget* makeMovePage(StudioController& studio) {
     const auto show = [&tool, part, size, reset] {
         const auto place = tool.place();
         part->setText(place ? tr("%1 of %2").arg(tool.chosen() + 1).arg(tool.count()) : tr("none pasted"));
-        size->setText(place ? tr("%1 %").arg(100 * place->scale, 0, 'f', 0) : QString());
+        size->setText(place ? tr("%1 %").arg(100 * place->scale, 0, 'f', 0) : QString("\u2013"));
         reset->setEnabled(place.has_value() && !(*place == render::Placement{}));
     };
     QObject::connect(&studio, &StudioController::changed, part, show);

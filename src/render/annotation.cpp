@@ -146,11 +146,11 @@ DirectionLetter letterBeside(const Viewer& viewer, const Direction& direction, g
 
 } // namespace
 
-double annotationScale(glm::ivec2 size) {
-    const double side = std::min(size.x, size.y);
+double annotationScale(glm::ivec2 size, double density) {
+    const double side = std::min(size.x, size.y) / density;
     constexpr double kLegible = 0.62; // text of nine pixels
     constexpr double kRoom = 260;     // smaller pictures have none for that
-    return std::max(side / 870, kLegible * std::min(1.0, side / kRoom));
+    return density * std::max(side / 870, kLegible * std::min(1.0, side / kRoom));
 }
 
 std::string lengthLabel(double mm) {
@@ -165,7 +165,7 @@ std::string lengthLabel(double mm) {
     return fmt::format("{:.6g} {}", mm / unit->mm, unit->name);
 }
 
-ScaleBar scaleBar(const ViewRays& rays, const volume::GridGeometry& geometry) {
+ScaleBar scaleBar(const ViewRays& rays, const volume::GridGeometry& geometry, double density) {
     const double pixelMm = rays.pixelMm(geometry.centreWorld());
     const double most = 0.25 * rays.size.x * pixelMm;
     const double decade = std::pow(10.0, std::floor(std::log10(most)));
@@ -175,15 +175,15 @@ ScaleBar scaleBar(const ViewRays& rays, const volume::GridGeometry& geometry) {
     bar.lengthMm = times * decade;
     bar.label = lengthLabel(bar.lengthMm);
     // Both ends on pixel borders, so that they are sharp: at most half a pixel off.
-    const double margin = std::round(kBarMargin * annotationScale(rays.size));
+    const double margin = std::round(kBarMargin * annotationScale(rays.size, density));
     bar.left = {margin, rays.size.y - margin};
     bar.right = bar.left + glm::dvec2(std::round(bar.lengthMm / pixelMm), 0);
     return bar;
 }
 
-OrientationMarker orientationMarker(const ViewRays& rays) {
+OrientationMarker orientationMarker(const ViewRays& rays, double density) {
     const Viewer viewer(rays);
-    const double scale = annotationScale(rays.size);
+    const double scale = annotationScale(rays.size, density);
     OrientationMarker marker;
     marker.radius = kMarkerRadius * scale;
     marker.centre = glm::dvec2(rays.size) - marker.radius - kMarkerMargin * scale;

@@ -75,8 +75,8 @@ void blendWithInk(image::Image& picture, const auto& draw) {
 
 } // namespace
 
-Annotation drawScaleBar(const ScaleBar& bar, glm::ivec2 size, Ink ink) {
-    const double scale = annotationScale(size);
+Annotation drawScaleBar(const ScaleBar& bar, glm::ivec2 size, Ink ink, double density) {
+    const double scale = annotationScale(size, density);
     const double textSize = 16 * scale;
     const double thick = std::max(1.0, std::round(2.4 * scale));
     const double tick = std::round(9 * scale);
@@ -110,8 +110,8 @@ Annotation drawScaleBar(const ScaleBar& bar, glm::ivec2 size, Ink ink) {
     return {drawing.picture(), lo};
 }
 
-Annotation drawOrientationMarker(const OrientationMarker& marker, glm::ivec2 size, Ink ink) {
-    const double scale = annotationScale(size);
+Annotation drawOrientationMarker(const OrientationMarker& marker, glm::ivec2 size, Ink ink, double density) {
+    const double scale = annotationScale(size, density);
     const glm::ivec2 lo(glm::floor(marker.centre - marker.radius));
     const glm::ivec2 hi(glm::ceil(marker.centre + marker.radius));
     Drawing drawing(hi - lo, lo);

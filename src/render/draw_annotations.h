@@ -16,8 +16,9 @@ struct Annotation {
     glm::ivec2 corner{0};
 };
 
-Annotation drawScaleBar(const ScaleBar& bar, glm::ivec2 size, Ink ink);
-Annotation drawOrientationMarker(const OrientationMarker& marker, glm::ivec2 size, Ink ink);
+Annotation drawScaleBar(const ScaleBar& bar, glm::ivec2 size, Ink ink, double density = 1);
+Annotation drawOrientationMarker(const OrientationMarker& marker, glm::ivec2 size, Ink ink,
+                                 double density = 1);
 
 // The ink for a part of a picture, by its mean lightness. Transparent pixels count as paper.
 Ink inkFor(const image::Image& picture, glm::ivec2 corner, glm::ivec2 size);

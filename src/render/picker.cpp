@@ -7,14 +7,18 @@ namespace vs::render {
 
 Picker::Picker() : view_(sizeof(ViewBlock), "picker view") {}
 
-gl::Program& Picker::programFor(const Frame& frame) {
+gl::Program& Picker::programFor(const Frame& frame, Meets meets) {
     const bool isSculpted =
         frame.scene.sculpture != nullptr || frame.scene.view == field::SculptureView::Probe;
     const bool picksMaximum = frame.mode == Mode::Mip;
     // In overlay and segment mode a stroke lands on whatever surface is seen; in X-ray on the displayed
     // range's; in volume mode on what the transfer function makes opaque.
     const bool byFunction = frame.mode == Mode::Volume;
-    const int content = frame.mode == Mode::Overlay || frame.mode == Mode::Segment ? 2 : byFunction ? 3 : 0;
+    const bool isOverlay = frame.mode == Mode::Overlay;
+    const int content = isOverlay && meets == Meets::SegmentsInOverlay ? 1
+                        : isOverlay || frame.mode == Mode::Segment     ? 2
+                        : byFunction                                   ? 3
+                                                                       : 0;
     const int kind = byFunction ? int(frame.classification->kind()) : 0;
     const bool isTricubic = frame.scene.sampling == field::Sampling::Tricubic;
     const bool hasQuads = bool(frame.scene.data->quads);
@@ -42,7 +46,7 @@ gl::Program& Picker::programFor(const Frame& frame) {
     return program;
 }
 
-field::SurfacePoints Picker::pick(const Frame& frame, std::span<const glm::vec2> positions) {
+field::SurfacePoints Picker::pick(const Frame& frame, std::span<const glm::vec2> positions, Meets meets) {
     const gl::Pass pass("pick surface points");
     field::SurfacePoints out;
     out.size = {int(positions.size()), 1};
@@ -50,7 +54,7 @@ field::SurfacePoints Picker::pick(const Frame& frame, std::span<const glm::vec2>
     if (positions.empty()) {
         return out;
     }
-    gl::Program& program = programFor(frame);
+    gl::Program& program = programFor(frame, meets);
     sceneBinding_.bind(frame.scene);
     view_.writeValue(viewBlock(frame.rays, frame.scene.data->geometry));
     view_.bindUniform(1);
@@ -67,9 +71,9 @@ field::SurfacePoints Picker::pick(const Frame& frame, std::span<const glm::vec2>
     return out;
 }
 
-std::vector<field::SurfacePoint> Picker::pickPoints(const Frame& frame,
-                                                    std::span<const glm::vec2> positions) {
-    return pick(frame, positions).points.read<field::SurfacePoint>(positions.size());
+std::vector<field::SurfacePoint> Picker::pickPoints(const Frame& frame, std::span<const glm::vec2> positions,
+                                                    Meets meets) {
+    return pick(frame, positions, meets).points.read<field::SurfacePoint>(positions.size());
 }
 
 } // namespace vs::render

@@ -12,17 +12,23 @@ namespace vs::render {
 // same surface as the picture shows.
 class Picker {
 public:
+    // In overlay mode the segments are seen through the rest: strokes land on all that has a surface there,
+    // what is pointed at is a segment.
+    enum class Meets { Everything, SegmentsInOverlay };
+
     Picker();
 
     // One surface point for each viewport position (pixels, y down), in order. `frame` says what is drawn and
     // from where; its picture is not touched.
-    field::SurfacePoints pick(const Frame& frame, std::span<const glm::vec2> positions);
+    field::SurfacePoints pick(const Frame& frame, std::span<const glm::vec2> positions,
+                              Meets meets = Meets::Everything);
 
     // As above, read back.
-    std::vector<field::SurfacePoint> pickPoints(const Frame& frame, std::span<const glm::vec2> positions);
+    std::vector<field::SurfacePoint> pickPoints(const Frame& frame, std::span<const glm::vec2> positions,
+                                                Meets meets = Meets::Everything);
 
 private:
-    gl::Program& programFor(const Frame& frame);
+    gl::Program& programFor(const Frame& frame, Meets meets);
 
     std::map<int, gl::Program> programs_;
     gl::Buffer view_;

@@ -186,7 +186,8 @@ Outcome Document::Impl::run(EditSegment& op, const std::filesystem::path&) {
         settle(op.canvas);
         const glm::vec2 pixel(*op.pixel);
         const auto points =
-            cutter.picker.pickPoints(frame(op.canvas->view, op.canvas->viewport), std::span(&pixel, 1));
+            cutter.picker.pickPoints(frame(op.canvas->view, op.canvas->viewport), std::span(&pixel, 1),
+                                     render::Picker::Meets::SegmentsInOverlay);
         if (points.front().voxel.w < 0.5F) {
             throw Error("nothing lies under pixel {:g}, {:g}; point at an island", pixel.x, pixel.y);
         }

@@ -137,6 +137,22 @@ TEST_F(SegmentsTest, EditsAreThePureFunctions) {
     unary(Kind::FillHoles, 0.2, [&](const VoxelSet& s) { return segment::fillHoles(s, geometry, 0.2); });
 }
 
+// In overlay mode the brain is seen through the skull, and can be clicked; in segment mode the skull is in
+// front.
+TEST_F(SegmentsTest, IslandsAreClickedWhereTheyAreSeen) {
+    Document document(testHead());
+    grownBrain(document, 60);
+    EditSegment island = editOf(EditSegment::Kind::DropIsland);
+    island.pixel = glm::dvec2(200, 150);
+    island.canvas = test::testCanvas();
+    island.canvas->view.mode = render::Mode::Segment;
+    EXPECT_NE(refusal(document, island).find("more than 3 voxels away"), std::string::npos);
+    EXPECT_GT(setOf(document, 1).count(), 0U);
+    island.canvas->view.mode = render::Mode::Overlay;
+    document.apply(island);
+    EXPECT_EQ(setOf(document, 1).count(), 0U);
+}
+
 TEST_F(SegmentsTest, ListEditsRefuseWhatMakesNoSense) {
     Document document(testHead());
     using Kind = EditSegment::Kind;

@@ -240,6 +240,19 @@ TEST(Annotations, LargePicturesLookLikeSmallOnes) {
     EXPECT_NEAR(large.letters[0].size, 4 * small.letters[0].size, 1e-9);
 }
 
+TEST(Annotations, DenseScreensShowThemAsLargeAsOthers) {
+    const auto geometry = volume::makeGeometry({100, 120, 80});
+    for (const glm::ivec2 size : {glm::ivec2{300, 360}, {900, 1200}, {120, 160}}) {
+        const OrientationMarker plain = orientationMarker(viewRays({}, geometry, size));
+        const OrientationMarker dense = orientationMarker(viewRays({}, geometry, 2 * size), 2);
+        EXPECT_NEAR(dense.radius, 2 * plain.radius, 1e-9) << size.x;
+        const ScaleBar bar = scaleBar(viewRays({}, geometry, size), geometry);
+        const ScaleBar denseBar = scaleBar(viewRays({}, geometry, 2 * size), geometry, 2);
+        EXPECT_NEAR(glm::distance(denseBar.left, 2.0 * bar.left), 0, 2.0) << "whole pixels";
+        EXPECT_EQ(denseBar.label, bar.label);
+    }
+}
+
 TEST(Annotations, TinyPicturesAreNoTrouble) {
     const auto geometry = volume::makeGeometry({10, 10, 10});
     for (const glm::ivec2 size : {glm::ivec2{1, 1}, {2, 300}, {300, 2}, {17, 9}}) {

@@ -1,0 +1,132 @@
+# SPDX-License-Identifier: Apache-2.0
+"""Files dragged from another program and dropped on the window, on its start screen and on an open volume."""
+
+import argparse
+import subprocess
+import sys
+import time
+
+from driver import need, run_test, start
+from phantom import write_ball_head
+from replay import operations
+from test_segments import write_labels
+from test_start import on_start_screen, scissors
+
+SOURCE = (1700, 1000)  # beside the window
+
+
+class Files:
+    """Another program's window that files can be dragged from."""
+
+    def __init__(self, display, program, *files):
+        self.process = subprocess.Popen([program, *map(str, SOURCE), *map(str, files)], env=display.environment,
+                                        stdout=subprocess.PIPE, text=True)
+        need(self.process.stdout.readline() == "ready\n", "nothing to drag from")
+        time.sleep(0.3)
+
+    def drop(self, studio, place=(600, 500)):
+        """Returns how it ended: copy, move or ignored."""
+        x, y = SOURCE[0] + 50, SOURCE[1] + 30
+        studio.move((x, y))
+        studio.xdotool("mousedown", 1)
+        for i in range(1, 11):
+            studio.move((x + (place[0] - x) * i // 10, y + (place[1] - y) * i // 10))
+            time.sleep(0.04)
+        studio.move((place[0] + 1, place[1]))
+        time.sleep(0.1)
+        studio.xdotool("mouseup", 1)
+        return self.process.stdout.readline().strip()
+
+    def close(self):
+        self.process.terminate()
+        self.process.wait()
+
+
+def main(display, arguments, folder):
+    sources = []
+
+    def drop(studio, *files):
+        while sources:
+            sources.pop().close()
+        sources.append(Files(display, arguments.source, *files))  # stays: what is dropped is asked for afterwards
+        return sources[-1].drop(studio)
+
+    try:
+        drops(display, arguments, folder, drop)
+    finally:
+        for source in sources:
+            source.close()
+
+
+def drops(display, arguments, folder, drop):
+    volume, labels, text = folder / "head.nrrd", folder / "labels.seg.nrrd", folder / "letter.txt"
+    write_ball_head(volume)
+    write_labels(labels)
+    text.write_text("Dear surgeon, this is no volume.\n")
+    studio = start(display, arguments.program, folder)
+    studio.resize(1230, 870)
+    studio.wait_idle("the start screen", on_start_screen)
+
+    # On the start screen.
+    refuse(studio, drop, text)
+    need(on_start_screen(studio.state()), "the start screen has gone")
+    need(drop(studio, volume) == "copy", "a file that was dropped was moved, or ignored")
+    studio.wait_idle("the volume", lambda s: s["title"].startswith("head.nrrd") and s["pictureComplete"])
+
+    # On a volume with edits that are not saved: what is no volume asks nothing.
+    studio.focus()
+    scissors(studio)
+    refuse(studio, drop, text)
+    studio.focus()
+    studio.key("ctrl+s")
+    session = folder / "cut.json"
+    studio.type_path("saveDialog", session)
+    studio.wait_idle("the session", lambda s: "cut.json" in s["message"] and not s["unsaved"])
+
+    # Another volume may be a label map of this one: the person is asked.
+    drop(studio, labels)
+    studio.click("dropLabels")
+    studio.wait_idle("the labels", lambda s: any(segment["name"] == "Core" for segment in s["segments"]))
+    need(studio.state()["title"].startswith("head.nrrd"), "the label map was opened as a volume")
+    studio.focus()
+    drop(studio, labels)
+    studio.click("dropVolume")
+    studio.click("discardEdits")
+    studio.wait_idle("the other volume", lambda s: s["title"].startswith("labels.seg.nrrd") and s["pictureComplete"])
+    need(studio.state()["operations"] == 0, "the other volume has the first one's cut")
+
+    # A session brings its own volume, and its edits.
+    studio.focus()
+    need(drop(studio, session) == "copy", "the session was moved, or ignored")
+    state = studio.wait_idle("the session", lambda s: s["message"].startswith("Replayed") and s["pictureComplete"])
+    need(state["title"].startswith("cut.json") or "head" in state["title"], f"the title is {state['title']!r}")
+    need(state["operations"] == len(operations(session)), f"the session has {state['operations']} operations")
+    for path in (volume, labels, text, session):
+        need(path.exists(), f"{path} is gone")
+    need(state["glErrors"] == 0, "OpenGL errors")
+    studio.quit()
+
+
+def refuse(studio, drop, text):
+    """Drops what is no volume: one line says so, and nothing else happens."""
+    before = studio.state()
+    need(drop(studio, text) == "copy", "the text was not taken")
+    state = studio.wait("the refusal", lambda s: "openFailed" in s["widgets"] and not s["loading"])
+    said = state["message"]
+    need("letter.txt: it is no volume of a known format; " in said and "\n" not in said, f"the refusal is {said!r}")
+    need("unsavedEdits" not in state["widgets"] and "dropQuestion" not in state["widgets"], "it asked something")
+    for what in ("title", "operations", "unsaved", "tool", "segments"):
+        need(state[what] == before[what], f"the text changed {what} from {before[what]} to {state[what]}")
+    # While that is to be read, nothing else can be dropped.
+    need(drop(studio, text) == "ignored", "a window that waits for an answer took a file")
+    x, y, width, height = studio.place_of("openFailed")
+    studio.xdotool("mousemove", x + width - 40, y + height - 25, "click", 1)
+    studio.wait("the refusal to close", lambda s: "openFailed" not in s["widgets"])
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--program", required=True)
+    parser.add_argument("--source", required=True)
+    parser.add_argument("--work", required=True, help="folder to work in; emptied first")
+    sys.exit(run_test(main, parser.parse_args()))

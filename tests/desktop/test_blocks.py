@@ -136,9 +136,9 @@ def filing(steps, folder):
     """What goes into files and comes out of them."""
     studio = steps.studio
     for name, keys, dialog, file in (("saving", "ctrl+s", "saveDialog", "session.json"),
+                                     ("replaying", "ctrl+o", "openDialog", "session.json"),
                                      ("labels out", "ctrl+e", "labelsDialog", "labels.nrrd"),
-                                     ("labels in", "ctrl+l", "openLabelsDialog", "labels.nrrd"),
-                                     ("replaying", "ctrl+o", "openDialog", "session.json")):
+                                     ("labels in", "ctrl+l", "openLabelsDialog", "labels.nrrd")):
         studio.move(studio.view_point(0.5, 0.9))
         studio.key(keys)
         before = studio.state()["message"]

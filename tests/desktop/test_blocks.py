@@ -17,8 +17,7 @@ MOST_MS = 100
 
 
 # How the list of edits begins, and their amounts.
-EDITS = (("Grow", -2), ("Smooth", 2), ("Fill", 0), ("Open", 1), ("Close", 1), ("Hollow", 2), ("Keep", None), ("Drop s", 0.5),
-         ("Cut it", 0))
+EDITS = (("Grow", -2), ("Smooth", 2), ("Fill", 0), ("Keep", None), ("Cut it", 0))
 
 
 class Steps:

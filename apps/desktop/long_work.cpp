@@ -9,6 +9,7 @@
 #include "base/timer.h"
 
 #include <QKeyEvent>
+#include <QOpenGLContext>
 #include <QTimer>
 
 namespace vs::desktop {
@@ -63,7 +64,8 @@ LongWork::~LongWork() {
 }
 
 void LongWork::run(const std::function<void()>& work, Input input) {
-    if (isRunning_) { // asked for by something that the window did meanwhile
+    // Asked for by something that the window did meanwhile; or the driver knows one thread only.
+    if (isRunning_ || !QOpenGLContext::supportsThreadedOpenGL()) {
         host_.makeCurrent();
         work();
         return;

@@ -2,7 +2,7 @@
 #include "studio/document_state.h"
 
 #include "base/check.h"
-#include "base/error.h"
+#include "base/progress.h"
 #include "render/draw_annotations.h"
 #include "studio/sketch.h"
 #include "volume/write.h"
@@ -87,6 +87,8 @@ Outcome Document::replaceLast(const Operation& operation) {
     try {
         return apply(operation);
     } catch (...) {
+        const ProgressListener toTheEnd(
+            [](auto) { return true; }); // what is put back is not given up as well
         apply(replaced);
         throw;
     }

@@ -2,6 +2,7 @@
 // Segments in documents: several of them, their rules and their edits. Brushes and cuts:
 // segment_tools_test.cpp.
 #include "base/error.h"
+#include "base/progress.h"
 #include "gpu/gl_test.h"
 #include "gpu/studio/test_segments.h"
 #include "segment/islands.h"
@@ -268,6 +269,41 @@ TEST_F(SegmentsTest, LiveRulesTakeBackWhatTheyDoNotReach) {
     document.apply(drop);
     document.apply(Grow{});
     EXPECT_EQ(document.labels(), both);
+}
+
+// The operation before too, where the one that is given up was to take its place.
+TEST_F(SegmentsTest, WhatIsGivenUpLeavesEverythingAsItWas) {
+    using Kind = EditSegment::Kind;
+    Document document(testHead());
+    grownBrain(document, 8);
+    document.apply(editOf(Kind::Margin, 2));
+    const auto before = stateOf(document);
+    const std::size_t logged = document.log().size();
+    const auto expectAsBefore = [&] {
+        EXPECT_TRUE(stateOf(document) == before);
+        EXPECT_EQ(document.log().size(), logged);
+        EXPECT_EQ(document.steps().done, document.steps().operations.size());
+    };
+    for (const Operation& operation :
+         {Operation(editOf(Kind::Close, 3)), Operation(editOf(Kind::KeepLargest)), Operation(CutSegment{})}) {
+        const ProgressListener givesUp([](auto) { return false; });
+        EXPECT_THROW(document.apply(operation), GivenUp) << name(operation);
+        expectAsBefore();
+    }
+    {
+        const ProgressListener givesUp([](auto) { return false; });
+        EXPECT_THROW(document.replaceLast(editOf(Kind::Close, 3)), GivenUp);
+    }
+    expectAsBefore();
+    document.apply(Undo{});
+    const auto undone = stateOf(document);
+    {
+        const ProgressListener givesUp([](auto) { return false; });
+        EXPECT_THROW(document.apply(Redo{}), GivenUp);
+    }
+    EXPECT_TRUE(stateOf(document) == undone);
+    document.apply(Redo{});
+    EXPECT_TRUE(stateOf(document) == before);
 }
 
 } // namespace

@@ -74,7 +74,7 @@ void GrowthController::changeRules(const studio::SetGrowthRules& rules, bool isH
                           : hadRunOut && isAutoStart_                    ? Run::Forward
                                                                          : Run::None;
         if (document->growthRules().range == Range()) {
-            rules_->wanted.range = studio_.view().range; // none so far: what a stroke would bring
+            rules_->wanted.range = studio_.visibleRange(); // none so far: what a stroke would bring
         }
     }
     takesDisplayedRange_ = takesDisplayedRange_ && !rules.range;

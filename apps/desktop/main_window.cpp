@@ -216,6 +216,8 @@ void MainWindow::refresh() {
     action(std::string("mode." + std::string(render::name(view.mode))).c_str())->setChecked(true);
     refreshColours();
     action("shadows")->setChecked(view.shadows);
+    action("hideAbove")->setChecked(view.hidesAbove);
+    action("tintSegments")->setChecked(view.tintsSegments);
     constexpr const char* kSculptureViews[] = {"viewWhole", "viewCut", "viewProbe"};
     action(kSculptureViews[static_cast<int>(view.sculptureView)])->setChecked(true);
     action("smoothSampling")->setChecked(view.sampling == field::Sampling::Tricubic);

@@ -59,7 +59,7 @@ void PaintTool::paint(studio::Trail trail, bool isReversed) {
     studio::PaintSegment paint{isToAdd_ != isReversed, std::move(trail), {}};
     if (isInRangeOnly_) {
         const auto growth = studio_.growth().status();
-        paint.range = growth.hasSeeds && growth.range.width() > 0 ? growth.range : studio_.view().range;
+        paint.range = growth.hasSeeds && growth.range.width() > 0 ? growth.range : studio_.visibleRange();
     }
     studio_.apply(paint);
 }

@@ -112,6 +112,14 @@ public:
     // Ambient occlusion and soft shadows.
     void setShadows(bool shadows);
     void setRange(Range range);
+    // Values above the displayed range: hidden in MIP, X-ray and overlay, or shown as its upper end.
+    void setHidesAbove(bool hidesAbove);
+    // Sigma in steps; 0: surfaces as they are in the data.
+    void setSurfaceSmoothing(double sigma);
+    // Segments in their colours in MIP and X-ray too.
+    void setTintsSegments(bool tintsSegments);
+    // What of the volume's values the view shows (View::visibleRange). There must be a volume.
+    [[nodiscard]] Range visibleRange() const;
     void setSampling(field::Sampling sampling);
     void setViewport(QSizeF logical, glm::ivec2 device);
     [[nodiscard]] glm::dvec2 devicePerLogical() const;

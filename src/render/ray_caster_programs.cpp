@@ -16,11 +16,12 @@ gl::Program& RayCaster::programFor(const Frame& frame) {
     const int kind = frame.classification != nullptr ? 1 + int(frame.classification->kind()) : 0;
     const bool isLit = frame.occlusion != nullptr;
     const bool hasParts = !frame.pasted.empty();
-    const bool hasQuads = bool(frame.scene.data->quads);
+    const bool isSmoothed = frame.scene.smoothed != nullptr;
+    const bool hasQuads = bool((isSmoothed ? frame.scene.smoothed : frame.scene.data)->quads);
     const bool hasTranslucent = drawsTranslucent(frame);
-    const int key = 256 * static_cast<int>(frame.mode) + (hasTranslucent ? 128 : 0) + (hasQuads ? 64 : 0) +
-                    16 * kind + (hasParts ? 8 : 0) + (isLit ? 4 : 0) + (isTricubic ? 2 : 0) +
-                    (isSculpted ? 1 : 0);
+    const int key = (isSmoothed ? 4096 : 0) + 256 * static_cast<int>(frame.mode) +
+                    (hasTranslucent ? 128 : 0) + (hasQuads ? 64 : 0) + 16 * kind + (hasParts ? 8 : 0) +
+                    (isLit ? 4 : 0) + (isTricubic ? 2 : 0) + (isSculpted ? 1 : 0);
     auto& program = programs_[key];
     if (!program) {
         const int content = frame.mode == Mode::Overlay ? 1 : frame.mode == Mode::Segment ? 2 : 0;
@@ -37,6 +38,9 @@ gl::Program& RayCaster::programFor(const Frame& frame) {
         }
         if (hasQuads) {
             defines.emplace_back("QUADS", "1");
+        }
+        if (isSmoothed) {
+            defines.emplace_back("SMOOTHED", "1");
         }
         if (isTricubic) {
             defines.emplace_back("TRICUBIC", "1");

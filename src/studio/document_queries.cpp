@@ -29,8 +29,8 @@ double interpolate(const volume::Volume& volume, glm::dvec3 voxel) {
 
 std::optional<Document::Probe> Document::probe(glm::dvec2 pixel, glm::ivec2 viewport) {
     const glm::vec2 position(pixel);
-    const auto points =
-        impl_->cutter.picker.pickPoints(impl_->frame(impl_->view, viewport), std::span(&position, 1));
+    const auto points = impl_->cutter.picker.pickPoints(
+        impl_->frame(impl_->view, viewport), std::span(&position, 1), render::Picker::Meets::Brightest);
     if (points.front().voxel.w < 0.5F) {
         return std::nullopt;
     }
@@ -100,7 +100,7 @@ Box3 Document::partBox(std::size_t part) {
         cut = rangesOf(*parts[part].sculpture);
     }
     const auto values = impl_->pipeline.cellRanges().cells.downloadAll<glm::vec2>();
-    const Range& shown = impl_->view.range;
+    const Range shown = impl_->view.visibleRange(impl_->volume.range);
     // More than half, because between two parts that touch both are half there.
     constexpr float kSurely = 0.6F;
     Box3 box;

@@ -185,9 +185,8 @@ Outcome Document::Impl::run(EditSegment& op, const std::filesystem::path&) {
         }
         settle(op.canvas);
         const glm::vec2 pixel(*op.pixel);
-        const auto points =
-            cutter.picker.pickPoints(frame(op.canvas->view, op.canvas->viewport), std::span(&pixel, 1),
-                                     render::Picker::Meets::SegmentsInOverlay);
+        const auto points = cutter.picker.pickPoints(frame(op.canvas->view, op.canvas->viewport),
+                                                     std::span(&pixel, 1), render::Picker::Meets::Segment);
         if (points.front().voxel.w < 0.5F) {
             throw Error("nothing lies under pixel {:g}, {:g}; point at an island", pixel.x, pixel.y);
         }
@@ -226,7 +225,8 @@ segment::VoxelSet Document::Impl::brushed(const BrushSegment& op) {
     }
     sculpture.swap(delta);
     sculpture.contentIsAsAt(content);
-    const Range seen = std::visit([](const auto& drawn) { return drawn.canvas->view.range; }, op.stroke);
+    const Range seen = std::visit(
+        [&](const auto& drawn) { return drawn.canvas->view.visibleRange(volume.range); }, op.stroke);
     for (std::size_t n = 0; n < delta.bricks().size(); ++n) {
         const segment::VoxelSet brick{delta.bricks()[n], {}};
         const auto before = sculpture.values(brick.box);

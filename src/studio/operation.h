@@ -18,6 +18,8 @@
 
 namespace vs::studio {
 
+inline constexpr double kMostSurfaceSmoothing = 2; // steps
+
 // How the document is looked at. Not an edit, but edits are drawn on a view, so sessions keep it.
 struct View {
     render::Camera camera;
@@ -31,6 +33,18 @@ struct View {
     std::vector<render::Placement> pasted = {};
     field::Sampling sampling = field::Sampling::Trilinear;
     bool shadows = false; // ambient occlusion and soft shadows
+    // In MIP, X-ray and overlay: values above the displayed range are hidden instead of counting as its end.
+    bool hidesAbove = false;
+    // The Gaussian that the values are smoothed by before surfaces are looked for: sigma in steps, 0 for
+    // none. In surface and segment mode, for pictures and picking; what cut faces show stays as it is.
+    double surfaceSmoothing = 0;
+    bool tintsSegments = false; // in MIP and X-ray: what is in a visible segment has its colour
+
+    // Values above the displayed range are visible too: in MIP, X-ray and overlay, unless they are hidden.
+    [[nodiscard]] bool showsAbove() const;
+    // What of a volume's values, which go from data.lo to data.hi, is visible: the displayed range, up to the
+    // greatest value where those above it are visible too. Seeds, tools and growth go by it.
+    [[nodiscard]] Range visibleRange(const Range& data) const;
 
     bool operator==(const View&) const = default;
 };
@@ -70,6 +84,9 @@ struct SetView {
     std::optional<std::vector<render::Placement>> pasted = {};
     std::optional<field::Sampling> sampling = {};
     std::optional<bool> shadows = {};
+    std::optional<bool> hidesAbove = {};
+    std::optional<double> surfaceSmoothing = {};
+    std::optional<bool> tintsSegments = {};
 };
 // The whole of a view.
 SetView lookAs(const View& view);

@@ -126,8 +126,8 @@ std::optional<render::TransferFunction> readTransferFunction(const JsonReader& r
 }
 
 Canvas readCanvas(const JsonReader& reader) {
-    reader.allow(
-        {"viewport", "camera", "mode", "range", "sculptureView", "transferFunction", "pasted", "sampling"});
+    reader.allow({"viewport", "camera", "mode", "range", "sculptureView", "transferFunction", "pasted",
+                  "sampling", "hideAbove", "smoothSurface"});
     Canvas canvas;
     canvas.viewport = readSize(reader.member("viewport"));
     canvas.view.camera = readCamera(reader.member("camera"));
@@ -139,6 +139,10 @@ Canvas readCanvas(const JsonReader& reader) {
     reader.ifHas("pasted", [&](const JsonReader& r) { canvas.view.pasted = readPlacements(r); });
     reader.ifHas("sampling",
                  [&](const JsonReader& r) { canvas.view.sampling = r.choice<field::Sampling>(kSamplings); });
+    reader.ifHas("hideAbove", [&](const JsonReader& r) { canvas.view.hidesAbove = r.boolean(); });
+    reader.ifHas("smoothSurface", [&](const JsonReader& r) {
+        canvas.view.surfaceSmoothing = r.numberBetween(0, kMostSurfaceSmoothing);
+    });
     return canvas;
 }
 
@@ -203,6 +207,12 @@ Json toJson(const Canvas& canvas) {
               {"sampling", kSamplings[std::size_t(canvas.view.sampling)]}};
     if (canvas.view.transferFunction) {
         json["transferFunction"] = toJson(canvas.view.transferFunction);
+    }
+    if (canvas.view.hidesAbove) {
+        json["hideAbove"] = true;
+    }
+    if (canvas.view.surfaceSmoothing > 0) {
+        json["smoothSurface"] = canvas.view.surfaceSmoothing;
     }
     if (!canvas.view.pasted.empty()) {
         json["pasted"] = toJson(canvas.view.pasted);

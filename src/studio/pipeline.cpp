@@ -44,6 +44,18 @@ const render::Classification* Pipeline::classify(const View& view) {
     return &*classification_;
 }
 
+const field::SmoothedField* Pipeline::smooth(const View& view) {
+    const bool showsSurface = view.mode == render::Mode::Surface || view.mode == render::Mode::Segment;
+    if (!showsSurface || view.surfaceSmoothing <= 0) {
+        return nullptr;
+    }
+    if (!smoothed_ || smoothed_->sigmaSteps != view.surfaceSmoothing) {
+        smoothed_.reset(); // there may be no room for two
+        smoothed_ = field::smoothField(*field_, view.surfaceSmoothing);
+    }
+    return &*smoothed_;
+}
+
 field::Scene Pipeline::scene(const State& state, bool wantsSegments) {
     const bool hasSegmentation = wantsSegments && state.growth != nullptr;
     if (hasSegmentation) {
@@ -64,6 +76,7 @@ field::Scene Pipeline::scene(const State& state, bool wantsSegments) {
         scene.segmentLabels = &state.growth->seedMap().labels();
     }
     scene.displayedRange = state.view->range;
+    scene.showsAbove = state.view->showsAbove();
     scene.greyWindow = state.greyWindow;
     scene.view = isSculpted ? state.view->sculptureView : field::SculptureView::Whole;
     scene.sampling = state.view->sampling;
@@ -97,6 +110,9 @@ render::Frame Pipeline::frame(const State& state, glm::ivec2 size) {
     frame.scene = scene(state, drawsSegmentation);
     const bool hasSegmentation = frame.scene.segmentation != nullptr;
     const bool isSculpted = frame.scene.sculpture != nullptr;
+    if (const field::SmoothedField* smoothed = smooth(view)) {
+        frame.scene.smoothed = &smoothed->field;
+    }
     if (hasSegmentation) {
         frame.segmentColours = segmentColours(state);
     }
@@ -105,7 +121,7 @@ render::Frame Pipeline::frame(const State& state, glm::ivec2 size) {
     frame.classification = classify(view);
     const bool byFunction = view.mode == render::Mode::Volume;
 
-    Key key{view.range,
+    Key key{view.visibleRange(field_->range),
             frame.scene.view,
             state.sculpture->version(),
             hasSegmentation ? segmentation_->version() : 0,
@@ -114,7 +130,8 @@ render::Frame Pipeline::frame(const State& state, glm::ivec2 size) {
             hasSegmentation,
             true,
             byFunction ? classification_->version() : 0,
-            view.sampling};
+            view.sampling,
+            frame.scene.smoothed != nullptr ? view.surfaceSmoothing : 0};
     refresh(cells_, key, state, frame, isSculpted ? &state.sculpture->cells() : nullptr);
     frame.macrocells = &cells_.macrocells;
     if (view.shadows) {
@@ -164,21 +181,21 @@ void Pipeline::refresh(Cells& cells, const Key& key, const State& state, const r
                        const gl::Texture* sculptureCells) {
     const auto& old = cells.key;
     // In probe view a cut adds to what is seen, so there nothing can be kept.
-    const bool mayKeep = state.cuttingSince && old && old->sculptureVersion == *state.cuttingSince &&
-                         old->view != field::SculptureView::Probe &&
-                         key.view != field::SculptureView::Probe &&
-                         (old->view == key.view || old->view == field::SculptureView::Whole) &&
-                         old->range == key.range && old->functionVersion == key.functionVersion &&
-                         old->sampling == key.sampling && old->drawsSegmentation == key.drawsSegmentation &&
-                         old->segmentationVersion == key.segmentationVersion;
+    const bool mayKeep =
+        state.cuttingSince && old && old->sculptureVersion == *state.cuttingSince &&
+        old->view != field::SculptureView::Probe && key.view != field::SculptureView::Probe &&
+        (old->view == key.view || old->view == field::SculptureView::Whole) && old->range == key.range &&
+        old->functionVersion == key.functionVersion && old->sampling == key.sampling &&
+        old->surfaceSmoothing == key.surfaceSmoothing && old->drawsSegmentation == key.drawsSegmentation &&
+        old->segmentationVersion == key.segmentationVersion;
     if (mayKeep || old == key) {
         return;
     }
     render::Macrocells::Input input;
-    input.dataCells = &cellRanges_.cells;
+    input.dataCells = key.surfaceSmoothing > 0 ? &smoothed_->cells.cells : &cellRanges_.cells;
     input.sculptureCells = sculptureCells;
     input.segmentationCells = key.drawsSegmentation ? &segmentation_->cells() : nullptr;
-    input.displayedRange = key.range;
+    input.displayedRange = key.range; // what is visible of the values
     input.valueTolerance = field::valueTolerance(*field_);
     input.view = key.view;
     input.sampling = key.sampling;

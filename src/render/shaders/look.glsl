@@ -50,9 +50,9 @@ vec3 shadeHit(Hit hit, Ray ray, vec3 segmentColour) {
     }
     // A section shows the data's own values: grey, shaded just enough to tell its shape.
 #ifdef TF_KIND
-    vec3 section = functionColour(dataAt(hit.voxel), hit.voxel);
+    vec3 section = functionColour(sectionValueAt(hit.voxel), hit.voxel);
 #else
-    vec3 section = linearFromDisplay(vec3(0.15 + 0.85 * greyOf(dataAt(hit.voxel))) * vec3(1.0, 0.985, 0.96));
+    vec3 section = linearFromDisplay(vec3(0.15 + 0.85 * greyOf(sectionValueAt(hit.voxel))) * vec3(1.0, 0.985, 0.96));
 #endif
     section = hit.isSegment ? mix(section, segmentColour, 0.55) : section;
     vec3 key = normalize(-0.45 * right + 0.65 * up - 0.75 * viewForward.xyz);
@@ -100,6 +100,7 @@ vec4 integralAlong(Ray ray, float tEnd) {
             vec3 p = at(ray, here);
             float value = dataAt(p);
             bool counts = here < tEnd && insideRange(value) >= 0.0 && sideAt(p) >= 0.0;
+            value = min(value, range.y); // what lies above counts as the range's upper end
             float part = counts ? partOfRange(value) : 0.0;
             sum.a += part;
 #ifdef TF_KIND

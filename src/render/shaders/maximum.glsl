@@ -12,7 +12,7 @@ struct Greatest {
 float hopelessUntil(Ray ray, float t, float greatest, vec3 inverseDirection) {
     ivec3 cell = cellAt(at(ray, t));
     int distance = int(texelFetch(cellDistances, cell, 0).r);
-    float top = min(texelFetch(dataCellRanges, cell, 0).g, range.y + valueScale.w);
+    float top = min(texelFetch(dataCellRanges, cell, 0).g, limits.x + valueScale.w);
     return distance > 0 || top <= greatest ? leaveCells(ray, t, cell, max(distance, 1), inverseDirection) : 0.0;
 }
 
@@ -44,7 +44,7 @@ layout(binding = 11) uniform usamplerBuffer slabLists;
 void lookAtSlab(Ray ray, Slabs slabs, int slab, float dt, inout Greatest best) {
     float number = slabs.first + float(slab * slabs.samples) + 0.5;
     float end = number + float(slabs.samples);
-    float highest = range.y + valueScale.w;
+    float highest = limits.x + valueScale.w;
     do {
         for (int i = 0; i < kSlabBatch; ++i) {
             float t = (number + float(i)) * dt;
@@ -52,6 +52,7 @@ void lookAtSlab(Ray ray, Slabs slabs, int slab, float dt, inout Greatest best) {
             float value = dataAt(p);
             // Values below the range never are: the search begins there.
             bool counts = t >= ray.tBegin && t < ray.tEnd && value <= highest && sideAt(p) >= 0.0;
+            value = min(value, range.y); // what lies above counts as the range's upper end
             bool better = counts && value > best.value;
             best.value = better ? value : best.value;
 #ifdef TF_KIND

@@ -144,7 +144,7 @@ Crossing firstVisible(Ray ray, float jitter) {
 
 // What keeps a place from being seen: x the content, y the sculpture's side; a part that does not, 0.
 struct Obstacle {
-    bool isAbove; // the value is above the displayed range, not below
+    bool isAbove; // the value is above what is visible, not below
     vec2 weight;
 };
 
@@ -152,7 +152,7 @@ struct Obstacle {
 vec2 partsAt(vec3 p, bool isAbove) {
 #if CONTENT == 0
     float value = dataAt(p);
-    return vec2((isAbove ? range.y - value : value - range.x) + valueScale.w, sideAt(p));
+    return vec2((isAbove ? limits.x - value : value - range.x) + valueScale.w, sideAt(p));
 #else
     return vec2(contentAt(p), sideAt(p));
 #endif
@@ -161,7 +161,7 @@ vec2 partsAt(vec3 p, bool isAbove) {
 Obstacle obstacleAt(vec3 p) {
     Obstacle obstacle;
 #if CONTENT == 0 || CONTENT == 2
-    obstacle.isAbove = dataAt(p) > range.y;
+    obstacle.isAbove = dataAt(p) > limits.x;
 #else
     obstacle.isAbove = false;
 #endif

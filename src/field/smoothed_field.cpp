@@ -25,7 +25,7 @@ struct Kernel {
 
 Kernel kernelOf(double sigmaVoxels) {
     Kernel kernel;
-    kernel.reach = std::clamp(int(std::ceil(3 * sigmaVoxels)), 0, kMostReach);
+    kernel.reach = std::clamp(int(std::ceil(3 * sigmaVoxels)), 1, kMostReach);
     const auto below = [&](double x) { return 0.5 * std::erf(x / (sigmaVoxels * std::sqrt(2.0))); };
     double sum = 0;
     for (int i = 0; i <= kernel.reach; ++i) {
@@ -39,10 +39,11 @@ Kernel kernelOf(double sigmaVoxels) {
     return kernel;
 }
 
-// One pass of smoothing along an axis, from the source's slices `from` on to those of the target.
+// Smoothing along one axis at a time.
 class AxisPass {
 public:
-    AxisPass(const Field& source, double sigmaSteps) : dims_(source.geometry.dims) {
+    AxisPass(const Field& source, double sigmaSteps)
+        : dims_(source.geometry.dims), isMasked_(!source.isIntegral) {
         const glm::dvec3 spacing = source.geometry.spacing();
         for (int axis = 0; axis < 3; ++axis) {
             kernels_[std::size_t(axis)] = kernelOf(sigmaSteps * source.geometry.stepMm() / spacing[axis]);
@@ -54,9 +55,15 @@ public:
     // Smooths the grid's slices [first, end). `source` holds slices from `sourceFirst` on, `target` takes
     // them from its slice `targetFirst` on. Values are scaled and offset on their way: along z when they are
     // written, along the other axes when they are read.
-    void run(gl::Program& program, int axis, const gl::Texture& source, int sourceFirst,
-             const gl::Texture& target, int targetFirst, int first, int end, glm::vec2 scaleAndOffset) {
+    void run(int axis, const gl::Texture& source, int sourceFirst, const gl::Texture& target, int targetFirst,
+             int first, int end, glm::vec2 scaleAndOffset) {
         const Kernel& kernel = kernels_[std::size_t(axis)];
+        gl::Defines defines{{"VS_FORMAT", target.format() == gl::Format::R16 ? "r16" : "r32f"},
+                            {"VS_REACH", std::to_string(kernel.reach)}};
+        if (isMasked_) {
+            defines.emplace_back("VS_MASKED", "1");
+        }
+        gl::Program& program = programs_.with(defines);
         source.bindTexture(0);
         target.bindImage(0, gl::Access::Write);
         program.set(0, dims_)
@@ -74,6 +81,8 @@ public:
 private:
     static constexpr int kRun = 16; // voxels that an invocation smooths in a row, as in smooth_values.comp
     glm::ivec3 dims_;
+    bool isMasked_;
+    gl::ProgramVariants programs_{"field/shaders/smooth_values.comp"};
     std::array<Kernel, 3> kernels_;
 };
 
@@ -118,8 +127,6 @@ SmoothedField smoothField(const Field& source, double sigmaSteps) {
     const glm::ivec3 slab{dims.x, dims.y, std::min(dims.z, kSlab + 2 * along.reachAlongZ())};
     const gl::Texture alongX(slab, gl::Format::R32F, gl::Filter::Nearest, "smoothed along x");
     const gl::Texture alongXY(slab, gl::Format::R32F, gl::Filter::Nearest, "smoothed along x and y");
-    gl::Program between("field/shaders/smooth_values.comp", {{"VS_FORMAT", "r32f"}});
-    gl::Program last("field/shaders/smooth_values.comp", {{"VS_FORMAT", source.isIntegral ? "r16" : "r32f"}});
     const glm::vec2 asValues(source.valueScale, source.valueOffset);
     const glm::vec2 asTexels(1 / out.field.valueScale, -out.field.valueOffset / out.field.valueScale);
     for (int z = 0; z < dims.z; z += kSlab) {
@@ -127,9 +134,9 @@ SmoothedField smoothField(const Field& source, double sigmaSteps) {
         const int end = std::min(z + kSlab, dims.z);
         const int first = std::max(z - along.reachAlongZ(), 0);
         const int past = std::min(end + along.reachAlongZ(), dims.z);
-        along.run(between, 0, source.texels, 0, alongX, 0, first, past, asValues);
-        along.run(between, 1, alongX, first, alongXY, 0, first, past, {1, 0});
-        along.run(last, 2, alongXY, first, out.field.texels, z, z, end, asTexels);
+        along.run(0, source.texels, 0, alongX, 0, first, past, asValues);
+        along.run(1, alongX, first, alongXY, 0, first, past, {1, 0});
+        along.run(2, alongXY, first, out.field.texels, z, z, end, asTexels);
     }
     fillQuads(out.field);
     out.cells = computeCellRanges(out.field);

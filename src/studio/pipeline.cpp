@@ -105,10 +105,14 @@ render::SliceFrame Pipeline::slice(const State& state, const render::SliceView& 
 
 render::Frame Pipeline::frame(const State& state, glm::ivec2 size) {
     const View& view = *state.view;
-    const bool drawsSegmentation = view.mode == render::Mode::Overlay || view.mode == render::Mode::Segment;
+    const bool drawsSegments = view.mode == render::Mode::Overlay || view.mode == render::Mode::Segment ||
+                               view.mode == render::Mode::Volume;
+    const bool tintsSegments =
+        view.tintsSegments && (view.mode == render::Mode::Mip || view.mode == render::Mode::XRay);
     render::Frame frame;
-    frame.scene = scene(state, drawsSegmentation);
+    frame.scene = scene(state, drawsSegments || tintsSegments);
     const bool hasSegmentation = frame.scene.segmentation != nullptr;
+    const bool hasSurfaces = hasSegmentation && drawsSegments;
     const bool isSculpted = frame.scene.sculpture != nullptr;
     if (const field::SmoothedField* smoothed = smooth(view)) {
         frame.scene.smoothed = &smoothed->field;
@@ -124,10 +128,10 @@ render::Frame Pipeline::frame(const State& state, glm::ivec2 size) {
     Key key{view.visibleRange(field_->range),
             frame.scene.view,
             state.sculpture->version(),
-            hasSegmentation ? segmentation_->version() : 0,
+            hasSurfaces ? segmentation_->version() : 0,
             nullptr,
             0,
-            hasSegmentation,
+            hasSurfaces,
             true,
             byFunction ? classification_->version() : 0,
             view.sampling,

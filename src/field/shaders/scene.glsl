@@ -82,6 +82,9 @@ float segmentationAt(vec3 p) { return membershipsAt(p).x; }
 // where the data would be seen, and a crust of it would hide them.
 float clearOfGlass(vec2 memberships) { return 0.16 - memberships.y; }
 
+// >= 0 where a transfer function's data may be seen beside segments of any kind, likewise.
+float clearOfSegments(vec2 memberships) { return 0.16 - max(memberships.x, memberships.y); }
+
 float translucentAt(vec3 p) { return membershipsAt(p).y; }
 
 // The segment that a voxel belongs to, 0 none; of places outside the grid, that of the nearest voxel.

@@ -1,12 +1,13 @@
 // One sample per pixel of the picture: cast a ray, find what the mode asks for, colour it, add it to the accumulation.
 // MODE: 0 surface, 1 MIP, 2 X-ray, 3 overlay (segmentation as surface, the rest as X-ray), 4 segment (both as surface),
 // 5 volume (compositing). CONTENT and SCULPTED: see surface.glsl. TF_KIND: what the transfer function goes by that colours
-// all modes (classification.glsl); not defined: none does.
-// TRANSLUCENT: overlay and segment modes with translucent segments.
+// all modes (classification.glsl); not defined: none does. SEGMENTS: in volume mode the surfaces of segments too (CONTENT 1), in MIP
+// and X-ray their colours.
+// TRANSLUCENT: overlay, segment and volume modes with translucent segments.
 // LIT: with ambient occlusion and soft shadows. PARTS: several parts in one picture, one dispatch each, the last one shows it.
 // In: the scene (field/shaders/scene.glsl), the view (rays.glsl). Out: image 0 (rgba32f) sum of display colours, and of
 // coverage: how much of the background they hide.
-// variants: MODE=0 CONTENT=0;MODE=0 CONTENT=0 SCULPTED=1;MODE=1 CONTENT=0;MODE=2 CONTENT=0 SCULPTED=1;MODE=3 CONTENT=1 SCULPTED=1;MODE=4 CONTENT=2;MODE=3 CONTENT=1 SCULPTED=1 TRANSLUCENT=1 PARTS=1;MODE=4 CONTENT=2 TRANSLUCENT=1 LIT=1;MODE=5 CONTENT=0 TF_KIND=0;MODE=5 CONTENT=0 SCULPTED=1 TF_KIND=2;MODE=0 CONTENT=0 TF_KIND=1;MODE=1 CONTENT=0 TF_KIND=0;MODE=2 CONTENT=0 TF_KIND=2;MODE=0 CONTENT=0 TRICUBIC=1;MODE=0 CONTENT=0 LIT=1;MODE=5 CONTENT=0 TF_KIND=0 LIT=1 PARTS=1;MODE=3 CONTENT=1 SCULPTED=1 PARTS=1;MODE=1 CONTENT=0 PARTS=1;MODE=0 CONTENT=0 QUADS=1;MODE=4 CONTENT=2 SCULPTED=1 QUADS=1 SMOOTHED=1;MODE=0 CONTENT=0 SCULPTED=1 TRICUBIC=1 SMOOTHED=1 TF_KIND=0;MODE=5 CONTENT=0 SCULPTED=1 TF_KIND=0 QUADS=1 TRICUBIC=1
+// variants: MODE=0 CONTENT=0;MODE=0 CONTENT=0 SCULPTED=1;MODE=1 CONTENT=0;MODE=2 CONTENT=0 SCULPTED=1;MODE=3 CONTENT=1 SCULPTED=1;MODE=4 CONTENT=2;MODE=3 CONTENT=1 SCULPTED=1 TRANSLUCENT=1 PARTS=1;MODE=4 CONTENT=2 TRANSLUCENT=1 LIT=1;MODE=5 CONTENT=0 TF_KIND=0;MODE=5 CONTENT=0 SCULPTED=1 TF_KIND=2;MODE=0 CONTENT=0 TF_KIND=1;MODE=1 CONTENT=0 TF_KIND=0;MODE=2 CONTENT=0 TF_KIND=2;MODE=0 CONTENT=0 TRICUBIC=1;MODE=0 CONTENT=0 LIT=1;MODE=5 CONTENT=0 TF_KIND=0 LIT=1 PARTS=1;MODE=3 CONTENT=1 SCULPTED=1 PARTS=1;MODE=1 CONTENT=0 PARTS=1;MODE=0 CONTENT=0 QUADS=1;MODE=4 CONTENT=2 SCULPTED=1 QUADS=1 SMOOTHED=1;MODE=0 CONTENT=0 SCULPTED=1 TRICUBIC=1 SMOOTHED=1 TF_KIND=0;MODE=5 CONTENT=0 SCULPTED=1 TF_KIND=0 QUADS=1 TRICUBIC=1;MODE=5 CONTENT=1 SCULPTED=1 TF_KIND=0 SEGMENTS=1 TRANSLUCENT=1 PARTS=1;MODE=5 CONTENT=1 TF_KIND=2 SEGMENTS=1 LIT=1;MODE=1 CONTENT=0 SEGMENTS=1;MODE=1 CONTENT=0 TF_KIND=0 SEGMENTS=1;MODE=2 CONTENT=0 SCULPTED=1 SEGMENTS=1;MODE=2 CONTENT=0 TF_KIND=1 SEGMENTS=1
 layout(local_size_x = 64) in;
 
 #include "field/shaders/scene.glsl"
@@ -52,7 +53,7 @@ layout(r32f, binding = 4) uniform image2D seenGlassDepth;
 const float partScale = 1.0;
 #endif
 
-#if MODE == 3 || MODE == 4
+#if MODE == 3 || MODE == 4 || defined(SEGMENTS)
 #include "render/shaders/segments.glsl"
 #endif
 #ifdef TRANSLUCENT

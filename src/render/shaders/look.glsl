@@ -59,7 +59,7 @@ vec3 shadeHit(Hit hit, Ray ray, vec3 segmentColour) {
     return displayFromLinear(section * (0.55 * reaching.y + 0.45 * reaching.x * max(dot(hit.normal, key), 0.0)));
 }
 
-#if MODE == 3 || MODE == 4
+#if MODE == 3 || MODE == 4 || (MODE == 5 && defined(SEGMENTS))
 // The colour of the segment that was hit.
 vec4 segmentColourOf(Hit hit, bool translucent) {
     return segmentColourAt(hit.inSegment, -hit.normal, translucent, hit.found && hit.isSegment);
@@ -77,6 +77,22 @@ vec4 shadeGlass(Hit hit, Ray ray) {
     vec4 colour = segmentColourOf(hit, true);
     float opacity = opacityOfGlass(colour.a, dot(hit.normal, -ray.world), hit.isCut);
     return hit.found ? opacity * vec4(shadeHit(hit, ray, colour.rgb), 1.0) : vec4(0.0);
+}
+#endif
+
+#if defined(SEGMENTS) && (MODE == 1 || MODE == 2)
+// The linear colour of what a ray goes through: white, or what the transfer function says.
+vec3 colourInRay(float value, vec3 p) {
+#ifdef TF_KIND
+    return functionColour(value, p);
+#else
+    return vec3(1.0);
+#endif
+}
+
+vec3 tinted(vec3 colour, vec3 p) {
+    vec4 tint = tintAt(p);
+    return mix(colour, tint.rgb, tint.a);
 }
 #endif
 
@@ -103,7 +119,9 @@ vec4 integralAlong(Ray ray, float tEnd) {
             value = min(value, range.y); // what lies above counts as the range's upper end
             float part = counts ? partOfRange(value) : 0.0;
             sum.a += part;
-#ifdef TF_KIND
+#if defined(SEGMENTS)
+            sum.rgb += part * tinted(colourInRay(value, p), p);
+#elif defined(TF_KIND)
             sum.rgb += part * functionColour(value, p);
 #endif
         }
@@ -114,13 +132,55 @@ vec4 integralAlong(Ray ray, float tEnd) {
 #endif
 
 #if MODE == 2 || MODE == 3
-// The display colour of an integral: white, or what the transfer function says.
+// The display colour of an integral: white, or what the transfer function and segments say.
 vec3 integralColour(vec4 integral) {
-#ifdef TF_KIND
+#if defined(TF_KIND) || (defined(SEGMENTS) && MODE == 2)
     return displayFromLinear(integral.rgb / max(integral.a, 1e-6));
 #else
     return vec3(1.0);
 #endif
+}
+#endif
+
+#if MODE == 5 && defined(SEGMENTS)
+// As compositeAlong(), with the surfaces of segments where they are: glass, what is behind it, and the first opaque one, behind
+// which nothing is seen.
+vec4 compositeWithSegments(Ray ray, float jitter, out float depth) {
+    Hit hit = findSurface(ray, jitter);
+    float end = hit.found ? hit.t : ray.tFar;
+    vec4 sum = vec4(0.0);
+    float weightedT = 0.0;
+    Ray stretch = ray;
+    stretch.tEnd = min(ray.tEnd, end);
+    stretch.tFar = end;
+    float tPart;
+#ifdef TRANSLUCENT
+    Hit glass = findGlass(ray, min(end, ray.tEnd), jitter);
+    vec4 surface = shadeGlass(glass, ray);
+    surface.rgb = surface.a > 0.0 ? linearFromDisplay(surface.rgb / surface.a) * surface.a : vec3(0.0);
+    float middle = glass.found ? glass.t : end; // where there is none, nothing is left for the second stretch
+    for (int i = 0; i < 2; ++i) {
+        bool isBefore = i == 0;
+        stretch.tNear = isBefore ? ray.tNear : middle;
+        stretch.tFar = isBefore ? middle : end;
+        stretch.tBegin = max(ray.tBegin, stretch.tNear);
+        stretch.tEnd = min(ray.tEnd, stretch.tFar);
+        vec4 part = compositeAlong(stretch, sampleStep, jitter, tPart);
+        weightedT += (1.0 - sum.a) * part.a * tPart;
+        sum += (1.0 - sum.a) * part;
+        vec4 here = isBefore ? surface : vec4(0.0);
+        weightedT += (1.0 - sum.a) * here.a * glass.t;
+        sum += (1.0 - sum.a) * here;
+    }
+#else
+    sum = compositeAlong(stretch, sampleStep, jitter, tPart);
+    weightedT = sum.a * tPart;
+#endif
+    vec4 opaque = hit.found ? vec4(linearFromDisplay(shadeOpaque(hit, ray)), 1.0) : vec4(0.0);
+    weightedT += (1.0 - sum.a) * opaque.a * hit.t;
+    sum += (1.0 - sum.a) * opaque;
+    depth = weightedT / max(sum.a, 1e-6);
+    return sum;
 }
 #endif
 
@@ -144,6 +204,10 @@ Seen look(Ray ray, float jitter, float scale) {
     Seen seen;
     seen.front = vec4(0.0);
     seen.behind = vec4(0.0);
+#ifdef TRANSLUCENT
+    seen.glass = vec4(0.0);
+    seen.glassDepth = kNothing;
+#endif
 #if MODE == 0 || MODE == 3 || MODE == 4
     Ray searched = ray;
 #if MODE == 3
@@ -161,12 +225,18 @@ Seen look(Ray ray, float jitter, float scale) {
 #endif
 #elif MODE == 1
     Greatest greatest = findGreatestInSlabs(ray, sampleStep);
-#ifdef TF_KIND
+#if defined(SEGMENTS)
+    vec3 brightest = at(ray, greatest.t);
+    seen.front.rgb = displayFromLinear(tinted(colourInRay(greatest.value, brightest), brightest));
+#elif defined(TF_KIND)
     seen.front.rgb = displayFromLinear(functionColour(greatest.value, at(ray, greatest.t)));
 #endif
     seen.front.a = greatest.value;
 #elif MODE == 2
     seen.front = scale * integralAlong(ray, ray.tEnd);
+#elif defined(SEGMENTS)
+    seen.front = compositeWithSegments(ray, jitter, seen.behind.x);
+    seen.behind.x *= scale;
 #else
     seen.front = compositeAlong(ray, sampleStep, jitter, seen.behind.x);
     seen.behind.x *= scale;
@@ -236,7 +306,12 @@ vec4 shown(Seen seen, vec3 behind) {
 #ifdef TF_KIND
     vec4 ramp = vec4(seen.front.rgb, 1.0);
 #else
-    vec4 ramp = vec4(mix(behind * 0.3, vec3(1.0), brightness), 1.0 - 0.3 * (1.0 - brightness));
+#ifdef SEGMENTS
+    vec3 brightest = seen.front.rgb;
+#else
+    const vec3 brightest = vec3(1.0);
+#endif
+    vec4 ramp = vec4(mix(behind * 0.3, brightest, brightness), 1.0 - 0.3 * (1.0 - brightness));
 #endif
     return seen.front.a > -1e29 ? ramp : vec4(behind, 0.0);
 #elif MODE == 2

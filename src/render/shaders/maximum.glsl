@@ -52,10 +52,12 @@ void lookAtSlab(Ray ray, Slabs slabs, int slab, float dt, inout Greatest best) {
             float value = dataAt(p);
             // Values below the range never are: the search begins there.
             bool counts = t >= ray.tBegin && t < ray.tEnd && value <= highest && sideAt(p) >= 0.0;
+#ifndef SEGMENTS
             value = min(value, range.y); // what lies above counts as the range's upper end
+#endif
             bool better = counts && value > best.value;
             best.value = better ? value : best.value;
-#ifdef TF_KIND
+#if defined(TF_KIND) || defined(SEGMENTS)
             best.t = better ? t : best.t;
 #endif
         }
@@ -75,6 +77,9 @@ Greatest findGreatestInSlabs(Ray ray, float dt) {
     do {
         lookAtSlab(ray, slabs, int(entry >> 8), dt, best);
         uint code = best.value > lowest ? codeOfGreatest(best.value) : 0u;
+#ifdef SEGMENTS
+        code = min(code, 254u); // the very greatest, of all values above the range too: its place says what tints it
+#endif
         uint bucket = bucketOf(code + 1u);
         do {
             ++place;
@@ -82,7 +87,7 @@ Greatest findGreatestInSlabs(Ray ray, float dt) {
             isOver = (entry & 0xffu) == 0u || bucketOf(entry & 0xffu) < bucket;
         } while ((entry & 0xffu) <= code && !isOver);
     } while (!isOver);
-    best.value = best.value > lowest ? best.value : -1e30;
+    best.value = best.value > lowest ? min(best.value, range.y) : -1e30;
     return best;
 }
 #endif

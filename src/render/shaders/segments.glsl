@@ -23,6 +23,15 @@ void addColoursAround(vec3 p, bool translucent, bool wanted, inout vec4 sum, ino
     }
 }
 
+// What tints the data at p, where rays go through segments instead of meeting their surfaces: linear colour, and how much of it.
+vec4 tintAt(vec3 p) {
+    vec2 memberships = membershipsAt(p);
+    uint segment = segmentOf(ivec3(floor(p + 0.5)));
+    vec4 entry = entryOf(segment);
+    float amount = smoothstep(0.25, 0.75, max(memberships.x, memberships.y));
+    return vec4(entry.rgb, segment != 0u ? amount * entry.a : 0.0);
+}
+
 // Linear colour and opacity of the opaque or the translucent segments at p, which lies in one or, as surfaces are smooth, a
 // little outside; then it is one voxel further `inwards` (world, unit). Anything if not `wanted`.
 vec4 segmentColourAt(vec3 p, vec3 inwards, bool translucent, bool wanted) {

@@ -1,7 +1,11 @@
 // The first visible surface along a ray: what is seen, picked and cut.
 // CONTENT chooses what counts as content: 0 data in the displayed range, 1 segmentation, 2 either of the two, 3 what the
 // transfer function makes opaque enough to be touched. Include "render/shaders/rays.glsl" first, for 3 also
-// "render/shaders/classification.glsl". TRANSLUCENT: some segments are translucent: nothing of the data is seen in them.
+// "render/shaders/classification.glsl". SEGMENTS: with CONTENT 3, or the surface of a segment. TRANSLUCENT: some segments are translucent: nothing of the data is seen in them.
+
+#if CONTENT == 1 || CONTENT == 2 || (CONTENT == 3 && defined(SEGMENTS))
+#define MEETS_SEGMENTS
+#endif
 
 // How far a value is inside the displayed range, as a part of its width: of the same size as what the sculpture and the
 // segmentation say, or the least of them would bend what is straight.
@@ -9,9 +13,22 @@ float partInside(float value) {
     return insideRange(value) / (range.y > range.x ? range.y - range.x : 1.0);
 }
 
+#if CONTENT == 3
+// >= 0 where the transfer function makes the data opaque enough.
+float opaqueAt(vec3 p) {
+#if TF_KIND == 0
+    return classify(dataAt(p), 0.0).a - lightingOfFunction.z;
+#else
+    return classify(dataAt(p), length(dataGradient(p))).a - lightingOfFunction.z;
+#endif
+}
+#endif
+
 // >= 0 where the data is to be seen beside segments.
 float dataShownAt(vec3 p) {
-#ifdef TRANSLUCENT
+#if CONTENT == 3
+    return min(opaqueAt(p), clearOfSegments(membershipsAt(p)));
+#elif defined(TRANSLUCENT)
     return min(partInside(dataAt(p)), clearOfGlass(membershipsAt(p)));
 #else
     return partInside(dataAt(p));
@@ -24,12 +41,8 @@ float contentAt(vec3 p) {
     return partInside(dataAt(p));
 #elif CONTENT == 1
     return segmentationAt(p) - 0.5;
-#elif CONTENT == 3
-#if TF_KIND == 0
-    return classify(dataAt(p), 0.0).a - lightingOfFunction.z;
-#else
-    return classify(dataAt(p), length(dataGradient(p))).a - lightingOfFunction.z;
-#endif
+#elif CONTENT == 3 && !defined(SEGMENTS)
+    return opaqueAt(p);
 #else
     return max(dataShownAt(p), segmentationAt(p) - 0.5);
 #endif
@@ -257,7 +270,7 @@ Hit findSurface(Ray ray, float jitter) {
     hit.t = bracket.y;
     hit.voxel = at(ray, hit.t);
     vec3 before = at(ray, bracket.x);
-#if CONTENT == 1 || CONTENT == 2
+#ifdef MEETS_SEGMENTS
     // The data's surface and the segment's rarely agree to the voxel: what lies just behind is tinted too.
     // Seeds lie up to a voxel behind the surface that they were drawn on.
     float nearby = segmentationAt(hit.voxel);
@@ -274,10 +287,10 @@ Hit findSurface(Ray ray, float jitter) {
 #if CONTENT == 3
     outward = facing(outward, -ray.world); // a transfer function has no inside
 #endif
-#if CONTENT == 1 || CONTENT == 2
+#ifdef MEETS_SEGMENTS
     // Whichever of the two begins here: at its own surface each is zero but for rounding.
     bool isSegmentsOwn = CONTENT == 1 || segmentationAt(hit.voxel) - 0.5 >= dataShownAt(hit.voxel);
-#ifdef TRANSLUCENT
+#if defined(TRANSLUCENT) && CONTENT != 3
     bool endsAtGlass = clearOfGlass(membershipsAt(hit.voxel)) <= partInside(dataAt(hit.voxel));
     outward = endsAtGlass ? translucentGradient(hit.voxel) : outward;
 #endif

@@ -28,6 +28,25 @@ glm::vec2 placeInPixel(int sample) {
     return glm::vec2(glm::fract(glm::dvec2(0.5 + n / g, 0.5 + n / (g * g))));
 }
 
+// Where along its rays a sample of the picture looks at the data in X-ray: places `step` apart, shifted by a
+// part of that.
+struct Lattice {
+    float step = 0; // steps
+    float shift = 0.5F;
+};
+
+// Samples of a pixel are averaged, so each after the first may be coarser where they lie between one another:
+// together they are as close as the first alone, which is seen on its own.
+Lattice latticeOf(int sample, int samples, double sampleStep) {
+    constexpr int mostCoarse = 4;
+    if (sample == 0) {
+        return {float(sampleStep)};
+    }
+    const int others = samples - 1;
+    const double golden = 0.61803398874989485; // any few in a row are spread evenly
+    return {float(std::min(others, mostCoarse) * sampleStep), float(glm::fract(0.5 + sample * golden))};
+}
+
 // Side of the square of pixels whose rays share a beam, as a power of 2; narrower ones bound values better,
 // but each takes memory.
 int beamShift(Mode mode, glm::ivec2 size) {
@@ -154,6 +173,9 @@ void RayCaster::bindPart(const Part& part) {
     if (frame_.mode == Mode::Mip) {
         part.slabs.bind();
     }
+    if (frame_.segmentCells != nullptr) {
+        frame_.segmentCells->distances().bindTexture(11);
+    }
     if (part.occlusion != nullptr) {
         part.occlusion->bind({.towardsKey = towardsKeyLight(part.rays)});
     }
@@ -263,6 +285,10 @@ bool RayCaster::renderSome(double budgetMs) {
         const gl::Pass pass("cast rays");
         const Timer submission;
         const int count = squaresFor(budgetMs - timer.milliseconds());
+        if (frame_.mode == Mode::XRay || frame_.mode == Mode::Overlay) {
+            const Lattice lattice = latticeOf(sample_, frame_.samples, frame_.sampleStep);
+            program.set(12, glm::vec2(lattice.step, lattice.shift));
+        }
         program.set(0, glm::ivec2(square_, count))
             .set(1, sample_ == 0 ? kCentre : placeInPixel(sample_))
             .set(2, sample_ > 0 ? 1 : 0);

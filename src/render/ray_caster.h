@@ -53,6 +53,9 @@ struct PastedPart {
 struct Frame {
     field::Scene scene;
     const Macrocells* macrocells = nullptr;
+    // Where segments may be, whatever else is there: overlay and volume mode look for their surfaces in these
+    // cells only, most of which are empty. Null: wherever something may be.
+    const Macrocells* segmentCells = nullptr;
     // Colours all modes, and says what is opaque in volume mode, which needs one. Null: ivory surfaces, white
     // rays.
     const Classification* classification = nullptr;

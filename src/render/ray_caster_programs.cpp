@@ -39,7 +39,8 @@ gl::Program& RayCaster::programFor(const Frame& frame) {
     const bool hasQuads = bool((isSmoothed ? frame.scene.smoothed : frame.scene.data)->quads);
     const bool hasTranslucent = drawsTranslucent(frame);
     const bool hasAddedSegments = addsSegments(frame);
-    const int key = (hasAddedSegments ? 8192 : 0) + (isSmoothed ? 4096 : 0) +
+    const bool hasSegmentCells = frame.segmentCells != nullptr;
+    const int key = (hasSegmentCells ? 16384 : 0) + (hasAddedSegments ? 8192 : 0) + (isSmoothed ? 4096 : 0) +
                     256 * static_cast<int>(frame.mode) + (hasTranslucent ? 128 : 0) + (hasQuads ? 64 : 0) +
                     16 * kind + (hasParts ? 8 : 0) + (isLit ? 4 : 0) + (isTricubic ? 2 : 0) +
                     (isSculpted ? 1 : 0);
@@ -67,6 +68,9 @@ gl::Program& RayCaster::programFor(const Frame& frame) {
         }
         if (hasAddedSegments) {
             defines.emplace_back("SEGMENTS", "1");
+        }
+        if (hasSegmentCells) {
+            defines.emplace_back("SEGMENT_CELLS", "1");
         }
         if (hasTranslucent) {
             defines.emplace_back("TRANSLUCENT", "1");

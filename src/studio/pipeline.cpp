@@ -138,6 +138,10 @@ render::Frame Pipeline::frame(const State& state, glm::ivec2 size) {
             frame.scene.smoothed != nullptr ? view.surfaceSmoothing : 0};
     refresh(cells_, key, state, frame, isSculpted ? &state.sculpture->cells() : nullptr);
     frame.macrocells = &cells_.macrocells;
+    if (hasSurfaces && view.mode != render::Mode::Segment) {
+        refreshSegmentCells();
+        frame.segmentCells = &segmentCells_.macrocells;
+    }
     if (view.shadows) {
         refresh(light_, key, state, frame, cells_.macrocells);
         frame.occlusion = &light_.occlusion;
@@ -206,6 +210,23 @@ void Pipeline::refresh(Cells& cells, const Key& key, const State& state, const r
     input.classification = frame.mode == render::Mode::Volume ? frame.classification : nullptr;
     cells.macrocells.rebuild(input);
     cells.key = key;
+}
+
+// Of the whole grid, whatever was cut: so a stroke leaves them as they are, and pasted parts share them.
+void Pipeline::refreshSegmentCells() {
+    Key key;
+    key.segmentationVersion = segmentation_->version();
+    key.drawsSegmentation = true;
+    if (segmentCells_.key == key) {
+        return;
+    }
+    render::Macrocells::Input input;
+    input.dataCells = &cellRanges_.cells;
+    input.segmentationCells = &segmentation_->cells();
+    input.view = field::SculptureView::Whole;
+    input.drawsData = false;
+    segmentCells_.macrocells.rebuild(input);
+    segmentCells_.key = key;
 }
 
 void Pipeline::refresh(Light& light, Key key, const State& state, const render::Frame& frame,

@@ -105,7 +105,11 @@ private:
     PartStages& stagesOf(const gl::Texture* texels);
     void addParts(render::Frame& frame, Key key, const State& state);
 
+    // Brings the macrocells of the segments alone up to date.
+    void refreshSegmentCells();
+
     Cells cells_;
+    Cells segmentCells_;
     Light light_;
     PastedParts pastedParts_;
     std::vector<std::unique_ptr<PartStages>> partStages_;

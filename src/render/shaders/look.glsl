@@ -103,16 +103,16 @@ vec4 integralAlong(Ray ray, float tEnd) {
     const int batch = 8; // samples a turn: see surface.glsl
     vec3 inverseDirection = safeInverse(ray.direction);
     vec4 sum = vec4(0.0);
-    float t = nextSample(ray.tBegin, sampleStep, 0.5);
+    float t = nextSample(ray.tBegin, lattice.x, lattice.y);
     do {
         // Whole steps only, so that the samples stay evenly spaced across a skip.
         float skip;
         do {
             skip = emptyUntil(ray, t, inverseDirection);
-            t = skip > 0.0 ? nextSample(t + skip, sampleStep, 0.5) : t;
+            t = skip > 0.0 ? nextSample(t + skip, lattice.x, lattice.y) : t;
         } while (skip > 0.0 && t < tEnd);
         for (int i = 0; i < batch; ++i) {
-            float here = t + float(i) * sampleStep;
+            float here = t + float(i) * lattice.x;
             vec3 p = at(ray, here);
             float value = dataAt(p);
             bool counts = here < tEnd && insideRange(value) >= 0.0 && sideAt(p) >= 0.0;
@@ -125,9 +125,9 @@ vec4 integralAlong(Ray ray, float tEnd) {
             sum.rgb += part * functionColour(value, p);
 #endif
         }
-        t += float(batch) * sampleStep;
+        t += float(batch) * lattice.x;
     } while (t < tEnd);
-    return sum * sampleStep;
+    return sum * lattice.x;
 }
 #endif
 

@@ -140,7 +140,7 @@ Crossing firstVisible(Ray ray, float jitter) {
         float start = crossing.t;
         float skip;
         do {
-            skip = emptyUntil(ray, crossing.t, inverseDirection);
+            skip = noSurfaceUntil(ray, crossing.t, inverseDirection);
             crossing.t = skip > 0.0 ? nextSample(crossing.t + skip, kDt, jitter) : crossing.t;
         } while (skip > 0.0 && crossing.t < ray.tEnd);
 #ifdef SCULPTED

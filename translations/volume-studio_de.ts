@@ -2259,10 +2259,6 @@ Rad: näher; Umschalt+Rad: entlang. Pfeiltasten: das Band, mit Strg sein unteres
         <translation>Größe und Typ des Volumens</translation>
     </message>
     <message>
-        <source>Frame rate</source>
-        <translation>Bildrate</translation>
-    </message>
-    <message>
         <source>Graphics device</source>
         <translation>Grafikgerät</translation>
     </message>
@@ -3196,6 +3192,38 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
         <source>End what takes so long, and leave everything as it was (Esc)</source>
         <translation>Beendet, was so lange dauert, und lässt alles, wie es war (Esc)</translation>
     </message>
+    <message>
+        <source>Refining %1 %</source>
+        <translation>Verfeinern %1 %</translation>
+    </message>
+    <message>
+        <source>Frame rate; at rest, how far the picture is refined</source>
+        <translation>Bildrate; in Ruhe: wie weit das Bild verfeinert ist</translation>
+    </message>
+    <message>
+        <source>Hide above</source>
+        <translation>Darüber ausblenden</translation>
+    </message>
+    <message>
+        <source>MIP, X-ray and overlay: hide values above the displayed range, instead of showing them as its upper end</source>
+        <translation>MIP, Röntgen und Overlay: Werte über dem angezeigten Bereich ausblenden, statt sie als dessen oberes Ende zu zeigen</translation>
+    </message>
+    <message>
+        <source>Shift+A</source>
+        <translation>Shift+A</translation>
+    </message>
+    <message>
+        <source>Tint segments</source>
+        <translation>Segmente färben</translation>
+    </message>
+    <message>
+        <source>MIP and X-ray: what is in a segment has the segment&apos;s colour</source>
+        <translation>MIP und Röntgen: Was in einem Segment liegt, hat dessen Farbe</translation>
+    </message>
+    <message>
+        <source>Shift+T</source>
+        <translation>Shift+T</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::MeasureTool</name>
@@ -3573,6 +3601,22 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
     <message>
         <source>%1 of %2 voxels visible</source>
         <translation>%1 von %2 Voxeln sichtbar</translation>
+    </message>
+    <message>
+        <source>Smoothing of the displayed surface, in steps</source>
+        <translation>Glättung der angezeigten Oberfläche, in Schritten</translation>
+    </message>
+    <message>
+        <source>Smooths the values before the surface is looked for: takes the grain off skin. Sections show the values as they are.</source>
+        <translation>Glättet die Werte, bevor die Oberfläche gesucht wird: nimmt Haut die Maserung. Schnittflächen zeigen die Werte, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>Smooth surface</source>
+        <translation>Oberfläche glätten</translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <translation>Schritte</translation>
     </message>
 </context>
 <context>

@@ -181,6 +181,11 @@ void RayCaster::bindPart(const Part& part) {
     }
 }
 
+double RayCaster::share() const {
+    const double ofSample = occupiedSquares_ > 0 ? double(square_) / occupiedSquares_ : 0;
+    return std::min((sample_ + ofSample) / std::max(frame_.samples, 1), 1.0);
+}
+
 bool RayCaster::isComplete() const { return sample_ >= frame_.samples; }
 
 void RayCaster::findBeams() {

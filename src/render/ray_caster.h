@@ -89,6 +89,8 @@ public:
     [[nodiscard]] bool isComplete() const;
     // Samples per pixel that the picture holds everywhere so far.
     [[nodiscard]] int completedSamples() const { return sample_; }
+    // How much of the frame is done, 0 to 1.
+    [[nodiscard]] double share() const;
     // The samples so far, averaged, as an RGBA8 texture of the frame's size.
     const gl::Texture& picture();
     image::Image readPicture();

@@ -127,6 +127,7 @@ void PictureLoop::begin(Pass pass) {
     run_([&] {
         auto frame = document_->frame(size, segmentsMs());
         frame.samples = pass == Pass::Full ? kFullSamples : 1;
+        frame.endsEarly = true;
         if (pass != Pass::Full) {
             frame.sampleStep = 1; // pixels of a draft are wider than that
             frame.scene.sampling =

@@ -19,6 +19,7 @@ constexpr int kSquare = 8;           // pixels; a work group's
 constexpr int kFewSquares = 256;     // no submission is shorter, but for what is left
 constexpr double kSubmissionMs = 25; // nor much longer than this
 constexpr glm::vec2 kCentre{0.5F, 0.5F};
+constexpr int kSettling = 2; // samples, after which some squares may take no more
 
 // Evenly spread places in a pixel: the R2 sequence (Roberts 2018, "The unreasonable effectiveness of
 // quasirandom sequences"), starting at the centre so that one sample is the plain picture.
@@ -103,8 +104,8 @@ ViewBlock viewBlock(const ViewRays& rays, const volume::GridGeometry& geometry) 
 
 RayCaster::RayCaster()
     : resolve_("render/shaders/resolve_picture.comp"), findBeams_("render/shaders/find_beams.comp"),
-      listSquares_("render/shaders/list_squares.comp"), fillFilm_("render/shaders/fill_film.comp"),
-      squareCounts_(2 * sizeof(std::uint32_t), "square counts"),
+      listSquares_("render/shaders/list_squares.comp"), setAside_("render/shaders/set_squares_aside.comp"),
+      fillFilm_("render/shaders/fill_film.comp"), squareCounts_(2 * sizeof(std::uint32_t), "square counts"),
       segmentColours_(glm::ivec2(256, 1), gl::Format::RGBA32F, gl::Filter::Nearest, "segment colours") {}
 
 void RayCaster::start(const Frame& frame) {
@@ -121,6 +122,8 @@ void RayCaster::start(const Frame& frame) {
         const std::size_t bytes = std::size_t(squares.x * squares.y) * sizeof(std::uint32_t);
         squares_.reserve(bytes);
         placeOfSquare_.reserve(bytes);
+        contrasts_.reserve(bytes);
+        unsettled_.reserve(bytes);
     }
     if (!frame.pasted.empty() && glm::ivec2(seenFront_.size()) != size) {
         seenFront_ = gl::Texture(size, gl::Format::RGBA32F, gl::Filter::Nearest, "seen in front");
@@ -182,7 +185,7 @@ void RayCaster::bindPart(const Part& part) {
 }
 
 double RayCaster::share() const {
-    const double ofSample = occupiedSquares_ > 0 ? double(square_) / occupiedSquares_ : 0;
+    const double ofSample = activeSquares_ > 0 ? double(square_) / activeSquares_ : 0;
     return std::min((sample_ + ofSample) / std::max(frame_.samples, 1), 1.0);
 }
 
@@ -211,7 +214,24 @@ void RayCaster::listSquares() {
         .set(1, beamPixels(frame_.mode, frame_.rays.size))
         .set(2, parts_.size() > 1 ? 1 : 0);
     listSquares_.dispatchOver({count, 1}, gl::Barrier::Storage);
-    occupiedSquares_ = int(squareCounts_.readValue<std::uint32_t>());
+    occupiedSquares_ = activeSquares_ = int(squareCounts_.readValue<std::uint32_t>());
+    contrasts_.clear();
+}
+
+// After two samples: squares where they agree take no more.
+void RayCaster::setSettledAside() {
+    const gl::Pass pass("set settled squares aside");
+    squares_.bindStorage(0);
+    squareCounts_.clear();
+    squareCounts_.bindStorage(1);
+    placeOfSquare_.bindStorage(2);
+    contrasts_.bindStorage(3);
+    unsettled_.bindStorage(4);
+    setAside_.set(0, squareCount(frame_.rays.size)).set(1, occupiedSquares_);
+    const glm::ivec2 all = squareCount(frame_.rays.size);
+    setAside_.dispatchOverList(std::size_t(all.x * all.y), gl::Barrier::Storage);
+    activeSquares_ = int(squareCounts_.readValue<std::uint32_t>());
+    std::swap(squares_, unsettled_);
 }
 
 void RayCaster::boundSlabs() {
@@ -247,7 +267,7 @@ void RayCaster::fillFilm() {
 
 int RayCaster::squaresFor(double milliseconds) const {
     const double squares = squaresPerMs_ * std::min(milliseconds, kSubmissionMs);
-    return std::min(std::max(int(squares), kFewSquares), occupiedSquares_ - square_);
+    return std::min(std::max(int(squares), kFewSquares), activeSquares_ - square_);
 }
 
 bool RayCaster::renderSome(double budgetMs) {
@@ -275,6 +295,7 @@ bool RayCaster::renderSome(double budgetMs) {
     }
     segmentColours_.bindTexture(14);
     squares_.bindStorage(0);
+    contrasts_.bindStorage(3);
     const auto& geometry = frame_.scene.data->geometry;
     program.set(3, glm::vec2(float(frame_.xrayGain), float(geometry.diagonalMm() / geometry.stepMm())))
         .set(4, 8)
@@ -296,7 +317,8 @@ bool RayCaster::renderSome(double budgetMs) {
         }
         program.set(0, glm::ivec2(square_, count))
             .set(1, sample_ == 0 ? kCentre : placeInPixel(sample_))
-            .set(2, sample_ > 0 ? 1 : 0);
+            .set(2, sample_ > 0 ? 1 : 0)
+            .set(13, frame_.endsEarly && sample_ == 1 ? 1 : 0);
         for (std::size_t i = 0; i < parts_.size(); ++i) {
             if (parts_.size() > 1) {
                 bindPart(parts_[i]);
@@ -307,9 +329,13 @@ bool RayCaster::renderSome(double budgetMs) {
         gl::Context::finish(); // or the budget would count only submissions
         squaresPerMs_ = count / std::max(submission.milliseconds(), 1e-3);
         square_ += count;
-        if (square_ == occupiedSquares_) {
+        if (square_ == activeSquares_) {
             square_ = 0;
             ++sample_;
+            if (frame_.endsEarly && sample_ == kSettling) {
+                setSettledAside();
+                squares_.bindStorage(0);
+            }
         }
         if (timer.milliseconds() >= budgetMs) {
             break;
@@ -333,6 +359,7 @@ const gl::Texture& RayCaster::picture() {
         .set(1, background.isTransparent ? 1 : 0)
         .set(2, background.top == background.bottom ? 1 : 0)
         .set(3, hasFilm() ? 0 : 1)
+        .set(4, glm::ivec2(activeSquares_, kSettling))
         .set(7, glm::vec4(background.top, 0.0F))
         .set(8, glm::vec4(background.bottom, 0.0F));
     resolve_.dispatchOver(picture_.size(), gl::Barrier::All);

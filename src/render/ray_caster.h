@@ -70,6 +70,9 @@ struct Frame {
     SegmentColours segmentColours; // overlay and segment mode
     double sampleStep = 0.5;       // steps between samples in MIP, X-ray and volume; more for drafts
     int samples = 1;               // rays per pixel, evenly spread over it
+    // Squares of pixels whose first two samples agree are left at that: most of a picture that is much
+    // enlarged.
+    bool endsEarly = false;
 };
 
 // Casts rays (SPEC 3) in a compute shader, some squares of pixels at a time so that no single submission is
@@ -114,6 +117,7 @@ private:
     void bindPart(const Part& part);
     void findBeams();
     void listSquares();
+    void setSettledAside();
     void boundSlabs();
     [[nodiscard]] bool hasFilm() const;
     void fillFilm();
@@ -128,10 +132,13 @@ private:
     gl::Program resolve_;
     gl::Program findBeams_;
     gl::Program listSquares_;
+    gl::Program setAside_;
     gl::Program fillFilm_;
     gl::Buffer squares_;       // those that may show something first
     gl::Buffer placeOfSquare_; // in that list
     gl::Buffer squareCounts_;
+    gl::Buffer contrasts_;       // of the first two samples, in each square
+    gl::Buffer unsettled_;       // the squares once more, in their new order
     gl::Texture segmentColours_; // of the frame
     field::SceneBinding sceneBinding_;
     gl::Texture accumulation_;
@@ -140,6 +147,7 @@ private:
     int sample_ = 0;
     int square_ = 0;          // how many of the list this sample has
     int occupiedSquares_ = 0; // how many of the list may show something
+    int activeSquares_ = 0;   // how many of these take the current sample
     double squaresPerMs_ = 0; // of the last submission
 };
 

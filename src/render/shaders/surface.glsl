@@ -151,7 +151,10 @@ Crossing firstVisible(Ray ray, float jitter) {
 #endif
         lookAtBatch(ray, crossing, last);
     } while (crossing.value < 0.0 && crossing.t < ray.tEnd);
-    crossing.before = max(crossing.t - kDt, ray.tNear);
+    // The sample before: of a sliver it is nearer than a whole distance of samples.
+    const float hair = 1e-3;
+    float number = ceil(crossing.t / kDt - jitter - hair) - 1.0;
+    crossing.before = max((number + jitter) * kDt, ray.tNear);
     return crossing;
 }
 
@@ -188,6 +191,13 @@ Obstacle obstacleAt(vec3 p) {
 float beyond(Obstacle obstacle, vec3 p) {
     vec2 parts = partsAt(p, obstacle.isAbove) * obstacle.weight;
     return obstacle.weight.x == 0.0 ? parts.y : obstacle.weight.y == 0.0 ? parts.x : min(parts.x, parts.y);
+}
+
+// Whether what ends at p, where an obstacle has been left behind, is the sculpture's hidden side: of two that end within a step,
+// the one that ends last is what the surface is made of.
+bool endsAtCut(Obstacle obstacle, vec3 p) {
+    vec2 parts = partsAt(p, obstacle.isAbove) * obstacle.weight;
+    return obstacle.weight.y != 0.0 && (obstacle.weight.x == 0.0 || parts.y <= parts.x);
 }
 
 // The zero between an invisible place a and a visible one b, given a third place c close by (x place, y what is beyond
@@ -269,7 +279,6 @@ Hit findSurface(Ray ray, float jitter) {
     vec2 bracket = refine(ray, crossing, obstacle);
     hit.t = bracket.y;
     hit.voxel = at(ray, hit.t);
-    vec3 before = at(ray, bracket.x);
 #ifdef MEETS_SEGMENTS
     // The data's surface and the segment's rarely agree to the voxel: what lies just behind is tinted too.
     // Seeds lie up to a voxel behind the surface that they were drawn on.
@@ -300,7 +309,7 @@ Hit findSurface(Ray ray, float jitter) {
 #endif
     hit.isCut = atBorder;
 #ifdef SCULPTED
-    if (visibleSide(sculptureAt(before)) < 0.0 && !atBorder) {
+    if (endsAtCut(obstacle, hit.voxel) && !atBorder) {
         hit.isCut = true;
         outward = sculptureGradient(hit.voxel) * (dims.w == 1 ? 1.0 : -1.0);
     }

@@ -75,6 +75,8 @@ public:
     studio::Document* document();
     // Long work has the document: nothing else can be done with it.
     [[nodiscard]] bool isAway() const { return longWork_.isRunning(); }
+    // It lasts, and all that a person can do meanwhile is to give it up.
+    [[nodiscard]] bool isLasting() const { return longWork_.isShown(); }
     // Does something with the document that may take long while the window goes on painting and input waits
     // (LongWork). False: it failed, and the message says why.
     bool workLong(const std::function<void()>& work);

@@ -3,6 +3,8 @@
 
 #include "camera_tool.h"
 #include "growth_controller.h"
+#include "sketch_hints.h"
+#include "slice_controller.h"
 #include "studio_controller.h"
 
 #include <algorithm>
@@ -14,6 +16,12 @@ PaintTool::PaintTool(StudioController& studio) : Tool(&studio), studio_(studio) 
 }
 
 QString PaintTool::hint() const {
+    if (!studio_.slices().isAnyShown()) {
+        return tr("Painting goes on the slices: show them with F4. Here dragging turns the volume.");
+    }
+    if (const QString locked = lockedHint(studio_); !locked.isEmpty()) {
+        return locked;
+    }
     return isToAdd_ ? tr("Paint on a slice to add to the segment; the right button or Ctrl removes. [ and ] "
                          "change the "
                          "brush, Shift leads the crosshair.")

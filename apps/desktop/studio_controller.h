@@ -145,8 +145,8 @@ public:
     bool apply(const studio::Operation& operation, const std::filesystem::path& outputFolder = ".");
     // Plays the region backward; one undo step with the rewinding before it.
     bool rewind(int generations);
-    // Pastes what was cut since the last paste beside the object, to the right as it is seen, and takes it in
-    // hand.
+    // Pastes what was cut since the last paste where there is room beside the object and the parts pasted
+    // before, and takes it in hand. The view steps back if it would not be seen.
     bool paste();
     // Whether there are edits that no session file holds.
     [[nodiscard]] bool hasUnsavedEdits() const;
@@ -171,8 +171,7 @@ public:
     [[nodiscard]] CutTool* cutTool() const;
     [[nodiscard]] studio::Shape shape() const { return shape_; }
     void setShape(studio::Shape shape);
-    // What is sketched instead of a shape: an outline (y down) fitted into the box that is dragged. Empty:
-    // none.
+    // What Shape::Stencil sketches: an outline (y down) fitted into the box that is dragged.
     [[nodiscard]] const std::vector<glm::dvec2>& stencil() const { return stencil_; }
     // A picture's bright or opaque part as the stencil. False: it has none, and the message says why.
     bool setStencil(const std::filesystem::path& picture);

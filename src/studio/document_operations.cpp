@@ -71,7 +71,7 @@ Outcome Document::Impl::travel(Step& step, bool isUndo) {
     if (const auto& parts = isUndo ? step.partsBefore : step.partsAfter) {
         showParts(*parts);
     }
-    outcome.message = fmt::format("{}: {}", isUndo ? "undone" : "redone", name(step.operation));
+    outcome.message = name(step.operation);
     ++version;
     return outcome;
 }

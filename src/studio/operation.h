@@ -49,11 +49,11 @@ struct View {
     bool operator==(const View&) const = default;
 };
 
-enum class Shape { FreeForm, Ellipse, Circle, Rectangle, Polyline };
+enum class Shape { FreeForm, Ellipse, Circle, Rectangle, Polyline, Stencil };
 
 // What the pen drew, in viewport pixels (y down): for FreeForm and Polyline the points themselves, for
 // Ellipse, Circle and Rectangle two opposite corners of the box around it (for Circle the first point is the
-// centre, the second on the rim).
+// centre, the second on the rim), for Stencil the outline of what a picture shows, always closed.
 struct Sketch {
     Shape shape = Shape::FreeForm;
     std::vector<glm::dvec2> points;
@@ -275,7 +275,9 @@ struct Absorb {
 
 // Goes to work on the segment of that name, which is made if there is none, and changes what is set: its
 // name, its colour (sRGB, 0 to 1), its opacity, whether it is seen, and whether it is locked. With
-// `goesToWork` false another one stays at work.
+// `goesToWork` false another one stays at work. A segment that is made takes the place of the first one, and
+// its label, while that is still alone, empty and as it was made: `takesFirst` says whether it did. Where it
+// is not set, names like `Segment 2` do not, since that is how another one is called.
 struct UseSegment {
     std::string segment;
     std::optional<std::string> name = {};
@@ -284,11 +286,12 @@ struct UseSegment {
     std::optional<bool> isVisible = {};
     std::optional<bool> isLocked = {};
     bool goesToWork = true;
+    std::optional<bool> takesFirst = {};
 };
 
 // Makes a segment of each label of a label map that lies on the volume's grid, by the names and colours that
 // the file has for them. What is in a segment already stays there; a single segment that is still empty is
-// used for the first label.
+// used for the first label, unless it has taken the first one's place by name.
 struct LoadLabels {
     std::filesystem::path path; // in memory absolute, or relative to the current folder
     std::string checksum = {};  // empty: not checked; filled in when the file is read

@@ -54,7 +54,8 @@ Sketch readSketch(const JsonReader& reader) {
         point.expectSize(2);
         sketch.points.emplace_back(readCoordinate(point.at(0)), readCoordinate(point.at(1)));
     }
-    const bool isBox = sketch.shape != Shape::FreeForm && sketch.shape != Shape::Polyline;
+    const bool isBox =
+        sketch.shape == Shape::Ellipse || sketch.shape == Shape::Circle || sketch.shape == Shape::Rectangle;
     if (isBox && sketch.points.size() != 2) {
         points.fail("this shape takes exactly two points");
     }

@@ -47,6 +47,7 @@ struct PastedPart {
     const gl::Texture* sculpture = nullptr; // the part is where this is at least 0.5
     const Macrocells* macrocells = nullptr; // made for it in probe view
     OcclusionVolume* occlusion = nullptr;   // where the frame has one
+    const gl::Texture* segmentation = nullptr; // instead of the scene's
 };
 
 // Everything one picture depends on. The pointers must stay alive until the picture is finished.

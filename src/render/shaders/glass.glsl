@@ -69,6 +69,8 @@ Hit findGlass(Ray ray, float tEnd, float jitter) {
     }
 #endif
     hit.normal = outwards(atBorder ? boxNormal(hit.voxel) : outward, -ray.world);
+    hit.cutShare = hit.isCut ? 1.0 : 0.0;
+    hit.cutNormal = hit.normal;
     return hit;
 }
 

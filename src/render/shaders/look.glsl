@@ -45,9 +45,7 @@ vec3 shadeHit(Hit hit, Ray ray, vec3 segmentColour) {
     vec3 up = viewUp.xyz;
     vec2 reaching = lightAt(hit);
     vec3 albedo = hit.isSegment ? segmentColour : surfaceColour(hit, ray);
-    if (!hit.isCut) {
-        return displayFromLinear(lit(albedo, hit.normal, -ray.world, right, up, -viewForward.xyz, 0.12, reaching));
-    }
+    vec3 surface = displayFromLinear(lit(albedo, hit.normal, -ray.world, right, up, -viewForward.xyz, 0.12, reaching));
     // A section shows the data's own values: grey, shaded just enough to tell its shape.
 #ifdef TF_KIND
     vec3 section = functionColour(sectionValueAt(hit.voxel), hit.voxel);
@@ -56,7 +54,8 @@ vec3 shadeHit(Hit hit, Ray ray, vec3 segmentColour) {
 #endif
     section = hit.isSegment ? mix(section, segmentColour, 0.55) : section;
     vec3 key = normalize(-0.45 * right + 0.65 * up - 0.75 * viewForward.xyz);
-    return displayFromLinear(section * (0.55 * reaching.y + 0.45 * reaching.x * max(dot(hit.normal, key), 0.0)));
+    section = displayFromLinear(section * (0.55 * reaching.y + 0.45 * reaching.x * max(dot(hit.cutNormal, key), 0.0)));
+    return mix(surface, section, hit.cutShare);
 }
 
 #if MODE == 3 || MODE == 4 || (MODE == 5 && defined(SEGMENTS))

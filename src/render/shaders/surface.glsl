@@ -66,6 +66,10 @@ struct Hit {
     vec3 voxel;   // where
     vec3 normal;  // world, unit, facing the viewer
     bool isCut;   // on a cut face: the sculpture's 0.5 level, or the grid's border
+    // How much is seen of a cut face there: all of it on one, some where the surface begins a hair behind one. Pockets in a
+    // face end so shallow that a ray more or less would make a speck of them.
+    float cutShare;
+    vec3 cutNormal; // of that face: world, unit, facing the viewer
     bool isSegment;
     vec3 inSegment; // where that segment is
 };
@@ -272,6 +276,8 @@ Hit findSurface(Ray ray, float jitter) {
     hit.normal = -ray.world;
     hit.voxel = vec3(0.0);
     hit.inSegment = vec3(0.0);
+    hit.cutShare = 0.0;
+    hit.cutNormal = hit.normal;
     if (!hit.found) {
         return hit;
     }
@@ -309,6 +315,7 @@ Hit findSurface(Ray ray, float jitter) {
 #endif
     hit.isCut = atBorder;
 #ifdef SCULPTED
+    vec3 cutOutward = sculptureGradient(hit.voxel) * (dims.w == 1 ? 1.0 : -1.0);
     if (endsAtCut(obstacle, hit.voxel) && !atBorder) {
         hit.isCut = true;
 #if CONTENT == 1 || CONTENT == 2
@@ -316,9 +323,17 @@ Hit findSurface(Ray ray, float jitter) {
         hit.isSegment = segmentationAt(hit.voxel) >= 0.5;
         hit.inSegment = hit.voxel;
 #endif
-        outward = sculptureGradient(hit.voxel) * (dims.w == 1 ? 1.0 : -1.0);
+        outward = cutOutward;
     }
 #endif
     hit.normal = outwards(atBorder ? boxNormal(hit.voxel) : outward, -ray.world);
+    hit.cutNormal = hit.normal;
+    hit.cutShare = hit.isCut ? 1.0 : 0.0;
+#ifdef SCULPTED
+    const float hair = 0.12; // of the sculpture: about a quarter of a voxel behind its 0.5 level
+    hit.cutNormal = hit.isCut ? hit.normal : outwards(cutOutward, -ray.world);
+    hit.cutShare = hit.isCut ? 1.0 : 1.0 - smoothstep(0.0, hair, sideAt(hit.voxel));
+    hit.cutShare = dims.w == 0 ? 0.0 : hit.cutShare;
+#endif
     return hit;
 }

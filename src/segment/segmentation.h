@@ -64,7 +64,7 @@ public:
 private:
     // One for the opaque segments, one for the translucent ones.
     struct Channel {
-        gl::Buffer shown; // one bit a voxel, laid out as in shaders/words.glsl
+        gl::Buffer shown;  // one bit a voxel, laid out as in shaders/words.glsl
         gl::Buffer turned; // likewise: counts as the opposite; made with the continuation
         // Per tile: which of its 27 neighbours (itself included) changes there reach and that are not
         // smoothed yet, bit (dx + 1) + 3 (dy + 1) + 9 (dz + 1).

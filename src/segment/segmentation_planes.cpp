@@ -85,7 +85,8 @@ std::vector<std::uint32_t> Segmentation::staleBehind(const Growth& growth, const
 }
 
 // As show(), for what segments are taken to be behind the fence.
-std::vector<std::uint32_t> Segmentation::goOnBehind(const Growth& growth, const Fence& fence, Channel& channel,
+std::vector<std::uint32_t> Segmentation::goOnBehind(const Growth& growth, const Fence& fence,
+                                                    Channel& channel,
                                                     const std::vector<std::uint32_t>& bricks) {
     if (bricks.empty()) {
         return {};

@@ -153,6 +153,9 @@ void RayCaster::arrangeParts() {
             VS_CHECK(pasted.macrocells != nullptr);
             part.scene.sculpture = pasted.sculpture;
             part.scene.view = field::SculptureView::Probe;
+            if (pasted.segmentation != nullptr) {
+                part.scene.segmentation = pasted.segmentation;
+            }
             part.macrocells = pasted.macrocells;
             part.occlusion = pasted.occlusion;
             part.rays = seenFromPart(frame_.rays, pasted.place, geometry);

@@ -44,9 +44,10 @@ ViewBlock viewBlock(const ViewRays& rays, const volume::GridGeometry& geometry);
 // A part that was cut out, drawn again elsewhere (dual rendering, SPEC 3).
 struct PastedPart {
     Placement place;
-    const gl::Texture* sculpture = nullptr; // the part is where this is at least 0.5
-    const Macrocells* macrocells = nullptr; // made for it in probe view
-    OcclusionVolume* occlusion = nullptr;   // where the frame has one
+    const gl::Texture* sculpture = nullptr;    // the part is where this is at least 0.5
+    const Macrocells* macrocells = nullptr;    // made for it in probe view
+    OcclusionVolume* occlusion = nullptr;      // where the frame has one
+    const gl::Texture* segmentation = nullptr; // instead of the scene's
 };
 
 // Everything one picture depends on. The pointers must stay alive until the picture is finished.

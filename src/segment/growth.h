@@ -118,6 +118,7 @@ public:
     // Of any segment; a fresh state if it has not been at work.
     [[nodiscard]] const GrowthState& state(std::uint8_t label) const;
     [[nodiscard]] bool hasOthers() const { return owner_.hasOthers; }
+    [[nodiscard]] const Owner& owner() const { return owner_; }
     [[nodiscard]] const field::Field& field() const { return *field_; }
     // The segments as the device has them; labels are up to date after syncLabels().
     [[nodiscard]] const SeedMap& seedMap() const { return seedMap_; }

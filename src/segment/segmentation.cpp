@@ -20,20 +20,7 @@ constexpr int kPadded = kTile + 2 * kReach;
 constexpr std::uint32_t kTilesAtOnce = 512;
 constexpr std::uint32_t kMaxGroups = 65535;
 
-// Of one bit a voxel, laid out as in shaders/words.glsl.
-std::size_t planeBytes(glm::ivec3 dims) {
-    const glm::ivec3 bricks = divideUp(dims, field::kBrick);
-    constexpr std::size_t brickBytes = 4096;
-    return (std::size_t(bricks.x) * std::size_t(bricks.y) * std::size_t(bricks.z) + 1) * brickBytes;
-}
-
 } // namespace
-
-Looks allOpaque() {
-    Looks looks;
-    looks.fill(Look::Opaque);
-    return looks;
-}
 
 Segmentation::Segmentation(const volume::GridGeometry& geometry)
     : dims_(geometry.dims), brickDims_(divideUp(geometry.dims, field::kBrick)),
@@ -42,7 +29,7 @@ Segmentation::Segmentation(const volume::GridGeometry& geometry)
       tiles_(4, "segmentation tiles"), reach_(4, "segmentation reach"),
       rows_(kTilesAtOnce * kPadded * kPadded * sizeof(std::uint32_t), "membership rows"),
       alongXY_(kTilesAtOnce * kPadded * kTile * kTile * sizeof(float), "smoothed along x and y"),
-      packRows_("segment/shaders/pack_rows.comp"), smoothXY_("segment/shaders/smooth_xy.comp") {
+      smoothXY_("segment/shaders/smooth_xy.comp") {
     const glm::dvec3 spacing = geometry.spacing();
     for (int axis = 0; axis < 3; ++axis) {
         weights_[axis] = smoothingKernel(geometry.stepMm(), spacing[axis]);
@@ -50,31 +37,20 @@ Segmentation::Segmentation(const volume::GridGeometry& geometry)
     takeLooks(allOpaque());
 }
 
-// Makes the channels anew when there is to be another number of them.
-void Segmentation::takeLooks(const Looks& looks) {
-    const bool isGlass = std::find(looks.begin(), looks.end(), Look::Translucent) != looks.end();
-    const std::size_t channels = isGlass ? 2 : 1;
-    haveLooksChanged_ = haveLooksChanged_ || looks != looks_;
-    looks_ = looks;
-    if (channels == channels_.size()) {
-        return;
-    }
-    channels_.clear();
-    texels_ = {}; // first, so that there is never room for both
-    texels_ =
-        gl::Texture(dims_, isGlass ? gl::Format::RG8 : gl::Format::R8, gl::Filter::Linear, "segmentation");
-    for (std::size_t i = 0; i < channels; ++i) {
-        const auto tiles = std::size_t(tileDims_.x) * std::size_t(tileDims_.y) * std::size_t(tileDims_.z);
-        channels_.push_back({gl::Buffer(planeBytes(dims_), "shown voxels"),
-                             std::vector<std::uint32_t>(tiles, 0),
-                             {},
-                             std::vector<bool>(tiles, false)});
-    }
-    haveLooksChanged_ = true;
+gl::Defines Segmentation::glassDefines() const {
+    return channels_.size() > 1 ? gl::Defines{{"VS_GLASS", "1"}} : gl::Defines{};
 }
 
-gl::Defines Segmentation::defines() const {
-    return channels_.size() > 1 ? gl::Defines{{"VS_GLASS", "1"}} : gl::Defines{};
+gl::Defines Segmentation::memberDefines() const {
+    return continuation_ ? gl::Defines{{"VS_CONTINUED", "1"}} : gl::Defines{};
+}
+
+// For shaders that include shaders/tiles.glsl.
+void Segmentation::bindMembers(const Channel& channel) const {
+    channel.shown.bindStorage(3);
+    if (channel.turned) {
+        channel.turned.bindStorage(4);
+    }
 }
 
 std::uint32_t Segmentation::tileIndex(glm::ivec3 place) const {
@@ -84,35 +60,6 @@ std::uint32_t Segmentation::tileIndex(glm::ivec3 place) const {
 glm::ivec3 Segmentation::tileAt(std::uint32_t tile) const {
     const int i = int(tile);
     return {i % tileDims_.x, i / tileDims_.x % tileDims_.y, i / (tileDims_.x * tileDims_.y)};
-}
-
-// Brings the plane of what is shown in a channel up to date, and notes as pending where changes reach.
-// Returns the tiles that changed.
-std::vector<std::uint32_t> Segmentation::show(const Growth& growth, int channel,
-                                              const std::vector<std::uint32_t>& bricks) {
-    if (bricks.empty()) {
-        return {};
-    }
-    constexpr std::uint32_t tilesPerBrick = 8;
-    Channel& own = channels_[std::size_t(channel)];
-    std::vector<std::uint32_t> kinds;
-    for (const Look look : looks_) {
-        kinds.push_back(std::uint32_t(look));
-    }
-    reach_.reserve(bricks.size() * tilesPerBrick * sizeof(std::uint32_t));
-    reach_.clear();
-    growth.show(own.shown, reach_, bricks, kinds, std::uint32_t(channel + 1));
-    const auto reach = reach_.read<std::uint32_t>(bricks.size() * tilesPerBrick);
-    std::vector<std::uint32_t> changed;
-    for (std::uint32_t i = 0; i < reach.size(); ++i) {
-        if (reach[i] != 0) {
-            const glm::ivec3 first = growth.seedMap().bricks().box(bricks[i / tilesPerBrick]).lo / kTile;
-            const auto tile = tileIndex(first + glm::ivec3(i & 1U, i >> 1 & 1U, i >> 2 & 1U));
-            own.pending[tile] |= reach[i];
-            changed.push_back(tile);
-        }
-    }
-    return changed;
 }
 
 void Segmentation::listTiles(const std::vector<std::uint32_t>& tiles) {
@@ -167,14 +114,15 @@ std::vector<std::uint32_t> Segmentation::smoothQueued(int channel, double budget
 
 // Smooths tiles [first, first + count) of the list on the device.
 void Segmentation::smooth(int channel, std::uint32_t first, std::uint32_t count) {
-    channels_[std::size_t(channel)].shown.bindStorage(3);
+    bindMembers(channels_[std::size_t(channel)]);
     rows_.bindStorage(1);
     alongXY_.bindStorage(2);
     const auto prepare = [&](gl::Program& program, int axis) {
         program.set(0, dims_).set(1, brickDims_).set(2, tileDims_).set(3, int(first)).set(4, weights_[axis]);
     };
-    gl::Program& smoothZ = smoothZ_.with(defines());
-    prepare(packRows_, 0);
+    gl::Program& packRows = packRows_.with(memberDefines());
+    gl::Program& smoothZ = smoothZ_.with(glassDefines());
+    prepare(packRows, 0);
     prepare(smoothXY_, 1);
     smoothXY_.set(5, weights_[0]);
     prepare(smoothZ, 2);
@@ -182,7 +130,7 @@ void Segmentation::smooth(int channel, std::uint32_t first, std::uint32_t count)
         smoothZ.set(6, channel);
     }
     // Each pass reads what the one before it has written.
-    packRows_.dispatchOver({kPadded * kPadded, int(count), 1}, gl::Barrier::Storage);
+    packRows.dispatchOver({kPadded * kPadded, int(count), 1}, gl::Barrier::Storage);
     smoothXY_.dispatchOver({kPadded * kTile, int(count), 1}, gl::Barrier::Storage);
     texels_.bindImage(0, gl::Access::ReadWrite);
     smoothZ.dispatchOver({kTile * kTile, int(count), 1}, gl::Barrier::Texture);
@@ -196,8 +144,11 @@ void Segmentation::write(int channel, const std::vector<std::uint32_t>& tiles, S
         if (smoothing == Smoothing::Smooth) {
             smooth(channel, first, count);
         } else {
-            gl::Program& writePlain = writePlain_.with(defines());
-            channels_[std::size_t(channel)].shown.bindStorage(3);
+            gl::Defines defines = memberDefines();
+            const auto glass = glassDefines();
+            defines.insert(defines.end(), glass.begin(), glass.end());
+            gl::Program& writePlain = writePlain_.with(defines);
+            bindMembers(channels_[std::size_t(channel)]);
             texels_.bindImage(0, gl::Access::ReadWrite);
             writePlain.set(0, dims_).set(1, brickDims_).set(2, tileDims_).set(3, int(first));
             if (channels_.size() > 1) {
@@ -221,22 +172,27 @@ void Segmentation::summarize(const std::vector<std::uint32_t>& tiles, Smoothing 
     }
 }
 
-Box3 Segmentation::update(const Growth& growth, Smoothing smoothing, const Looks& looks, double budgetMs) {
+Box3 Segmentation::update(const Growth& growth, Smoothing smoothing, const Looks& looks, double budgetMs,
+                          const Fence& fence) {
     const gl::Pass pass("update segmentation");
-    isBehind_ =
-        budgetMs <= 0 && version_ > 0 && (isBehind_ || growth.revision() != seenRevision_ || looks != looks_);
+    const bool isFenceStale = continuation_ && continuation_->isStale(fence);
+    isBehind_ = budgetMs <= 0 && version_ > 0 &&
+                (isBehind_ || growth.revision() != seenRevision_ || looks != looks_ || isFenceStale);
     if (isBehind_) {
         return {};
     }
     takeLooks(looks);
     const BrickTable& table = growth.seedMap().bricks();
     const auto bricks = haveLooksChanged_ ? table.occupied() : table.changedSince(seenRevision_);
+    const auto continued = staleBehind(growth, fence, bricks);
     seenRevision_ = growth.revision();
     haveLooksChanged_ = false;
     std::vector<std::uint32_t> changed;
     for (int channel = 0; channel < int(channels_.size()); ++channel) {
         Channel& own = channels_[std::size_t(channel)];
         auto tiles = show(growth, channel, bricks);
+        const auto behind = goOnBehind(growth, fence, own, continued);
+        tiles.insert(tiles.end(), behind.begin(), behind.end());
         if (smoothing == Smoothing::Smooth) {
             queueTiles(own);
             tiles = smoothQueued(channel, budgetMs);
@@ -270,7 +226,7 @@ std::size_t Segmentation::deviceBytes() const {
     std::size_t bytes =
         texels(texels_) + texels(cells_) + tiles_.size() + reach_.size() + rows_.size() + alongXY_.size();
     for (const Channel& channel : channels_) {
-        bytes += channel.shown.size();
+        bytes += channel.shown.size() + channel.turned.size();
     }
     return bytes;
 }

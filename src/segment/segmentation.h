@@ -4,11 +4,12 @@
 #include "gl/buffer.h"
 #include "gl/program.h"
 #include "gl/texture.h"
-#include "segment/growth.h"
+#include "segment/continuation.h"
 
 #include <array>
 #include <cstdint>
 #include <deque>
+#include <optional>
 #include <vector>
 
 namespace vs::segment {
@@ -25,23 +26,27 @@ enum class Smoothing { Plain, Smooth };
 // The anti-aliased segments as renderer and surface extraction see them: the voxels shown by a Growth,
 // convolved with a separable Gaussian (sigma R/3 steps with R = 3, the same in mm along all axes; nothing
 // lies outside the grid), then held to the truth by mirroring at 0.5: at least 0.5 at each shown voxel's
-// centre, below 0.5 at every other. The surface is its 0.5 level.
+// centre, below 0.5 at every other. The surface is its 0.5 level. Behind a fence that ended a segment it goes
+// on for some voxels that are not the segment's (segment/continuation.h).
 class Segmentation {
 public:
-    // Throws GlError when the device has no room: 1 byte and 1 bit a voxel, as much again while there are
-    // translucent segments, and 12 MiB of scratch.
+    // Throws GlError when the device has no room: 1 byte and 1 bit a voxel, another bit once there has been a
+    // fence, as much again while there are translucent segments, and 12 MiB of scratch.
     explicit Segmentation(const volume::GridGeometry& geometry);
 
     // Brings the volume up to date with what `growth` shows of segments that are not hidden, always the same
     // growth. Cost follows the number of tiles of 16^3 voxels around which membership changed. Smoothing ends
     // when it has taken `budgetMs`, but not before the first tiles: what changed first is smoothed first, and
-    // the rest stays as it was until the next update; with no budget at all everything does. Returns the box
-    // of voxels rewritten.
+    // the rest stays as it was until the next update; with no budget at all everything does. `fence` is what
+    // the picture does not show. Returns the box of voxels rewritten.
     Box3 update(const Growth& growth, Smoothing smoothing = Smoothing::Smooth,
-                const Looks& looks = allOpaque(), double budgetMs = kNoHurry);
+                const Looks& looks = allOpaque(), double budgetMs = kNoHurry, const Fence& fence = {});
     static constexpr double kNoHurry = 1e30;
     // The last update was cut short.
     [[nodiscard]] bool isBehind() const { return isBehind_; }
+
+    // Some of it may not be any segment's.
+    [[nodiscard]] bool goesOnBehindCuts() const { return continuation_.has_value(); }
 
     // R8, linear filter, values in [0, 1]: the opaque segments together. RG8 while there are translucent
     // ones: those together in g.
@@ -59,7 +64,8 @@ public:
 private:
     // One for the opaque segments, one for the translucent ones.
     struct Channel {
-        gl::Buffer shown; // one bit a voxel, laid out as in shaders/words.glsl
+        gl::Buffer shown;  // one bit a voxel, laid out as in shaders/words.glsl
+        gl::Buffer turned; // likewise: counts as the opposite; made with the continuation
         // Per tile: which of its 27 neighbours (itself included) changes there reach and that are not
         // smoothed yet, bit (dx + 1) + 3 (dy + 1) + 9 (dz + 1).
         std::vector<std::uint32_t> pending;
@@ -70,13 +76,22 @@ private:
     void takeLooks(const Looks& looks);
     std::vector<std::uint32_t> show(const Growth& growth, int channel,
                                     const std::vector<std::uint32_t>& bricks);
+    std::vector<std::uint32_t> staleBehind(const Growth& growth, const Fence& fence,
+                                           const std::vector<std::uint32_t>& changed);
+    std::vector<std::uint32_t> goOnBehind(const Growth& growth, const Fence& fence, Channel& channel,
+                                          const std::vector<std::uint32_t>& bricks);
+    void clearReach(const std::vector<std::uint32_t>& bricks);
+    std::vector<std::uint32_t> takeReach(const BrickTable& table, Channel& channel,
+                                         const std::vector<std::uint32_t>& bricks);
+    void bindMembers(const Channel& channel) const;
     void queueTiles(Channel& channel) const;
     std::vector<std::uint32_t> smoothQueued(int channel, double budgetMs);
     void write(int channel, const std::vector<std::uint32_t>& tiles, Smoothing smoothing);
     void smooth(int channel, std::uint32_t first, std::uint32_t count);
     void summarize(const std::vector<std::uint32_t>& tiles, Smoothing smoothing);
     void listTiles(const std::vector<std::uint32_t>& tiles);
-    [[nodiscard]] gl::Defines defines() const;
+    [[nodiscard]] gl::Defines memberDefines() const;
+    [[nodiscard]] gl::Defines glassDefines() const;
     [[nodiscard]] glm::ivec3 tileAt(std::uint32_t tile) const;
     [[nodiscard]] std::uint32_t tileIndex(glm::ivec3 place) const;
 
@@ -92,12 +107,13 @@ private:
     Looks looks_ = allOpaque();
     bool haveLooksChanged_ = false;
     bool isBehind_ = false;
+    std::optional<Continuation> continuation_; // made with the first fence
 
     gl::Buffer tiles_;
     gl::Buffer reach_;
     gl::Buffer rows_;
     gl::Buffer alongXY_;
-    gl::Program packRows_;
+    gl::ProgramVariants packRows_{"segment/shaders/pack_rows.comp"};
     gl::Program smoothXY_;
     gl::ProgramVariants smoothZ_{"segment/shaders/smooth_z.comp"};
     gl::ProgramVariants writePlain_{"segment/shaders/write_membership.comp"};

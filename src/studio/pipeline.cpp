@@ -44,16 +44,10 @@ const render::Classification* Pipeline::classify(const View& view) {
     return &*classification_;
 }
 
-const field::SmoothedField* Pipeline::smooth(const View& view) {
-    const bool showsSurface = view.mode == render::Mode::Surface || view.mode == render::Mode::Segment;
-    if (!showsSurface || view.surfaceSmoothing <= 0) {
-        return nullptr;
-    }
-    if (!smoothed_ || smoothed_->sigmaSteps != view.surfaceSmoothing) {
-        smoothed_.reset(); // there may be no room for two
-        smoothed_ = field::smoothField(*field_, view.surfaceSmoothing);
-    }
-    return &*smoothed_;
+view.sampling, frame.scene.smoothed != nullptr ? view.surfaceSmoothing : 0
+};
+refresh(cells_, key, state, frame, isSculpted ? &state.sculpture->cells() : nullptr,
+        segmentation_ ? &*segmentation_ : nullptr);
 }
 
 field::Scene Pipeline::scene(const State& state, bool wantsSegments) {
@@ -62,7 +56,8 @@ field::Scene Pipeline::scene(const State& state, bool wantsSegments) {
         if (!segmentation_) {
             segmentation_.emplace(field_->geometry);
         }
-        segmentation_->update(*state.growth, state.smoothing, looksOf(*state.segments), state.segmentsMs);
+        segmentation_->update(*state.growth, state.smoothing, looksOf(*state.segments), state.segmentsMs,
+                              fence(state, state.view->sculptureView));
     }
     isBehind_ = hasSegmentation && segmentation_->isBehind();
     // With nothing cut yet the volume is drawn whole, in probe view too: there must be something to draw on.
@@ -97,6 +92,11 @@ render::SegmentColours Pipeline::segmentColours(const State& state) {
 render::SliceFrame Pipeline::slice(const State& state, const render::SliceView& view) {
     render::SliceFrame frame;
     frame.scene = scene(state, true);
+    if (frame.scene.segmentation != nullptr && segmentation_->goesOnBehindCuts()) {
+        // Slices show what is grown and nothing more, which is what labels say.
+        state.growth->syncLabels();
+        frame.scene.segmentLabels = &state.growth->seedMap().labels();
+    }
     frame.segmentColours = segmentColours(state);
     frame.classification = state.view->transferFunction ? classify(*state.view) : nullptr;
     frame.view = view;
@@ -136,18 +136,24 @@ render::Frame Pipeline::frame(const State& state, glm::ivec2 size) {
             byFunction ? classification_->version() : 0,
             view.sampling,
             frame.scene.smoothed != nullptr ? view.surfaceSmoothing : 0};
-    refresh(cells_, key, state, frame, isSculpted ? &state.sculpture->cells() : nullptr);
+    refresh(cells_, key, state, frame, isSculpted ? &state.sculpture->cells() : nullptr,
+            segmentation_ ? &*segmentation_ : nullptr);
     frame.macrocells = &cells_.macrocells;
     if (hasSurfaces && view.mode != render::Mode::Segment) {
         refreshSegmentCells();
         frame.segmentCells = &segmentCells_.macrocells;
     }
     if (view.shadows) {
-        refresh(light_, key, state, frame, cells_.macrocells);
+        refresh(light_, key, state, frame.scene, frame, cells_.macrocells);
         frame.occlusion = &light_.occlusion;
     }
     if (isSculpted && !view.pasted.empty()) {
         addParts(frame, key, state);
+        // Parts whose segments go on behind the other side of the cut have them in other cells.
+        const bool haveOthers = std::any_of(frame.pasted.begin(), frame.pasted.end(), [&](const auto& part) {
+            return part.segmentation != nullptr && part.segmentation != frame.scene.segmentation;
+        });
+        frame.segmentCells = haveOthers ? nullptr : frame.segmentCells;
     }
     return frame;
 }
@@ -163,6 +169,23 @@ Pipeline::PartStages& Pipeline::stagesOf(const gl::Texture* texels) {
     return *partStages_.back();
 }
 
+const segment::Segmentation* Pipeline::segmentsOfParts(const State& state, const render::Frame& frame) {
+    const segment::Fence fence = Pipeline::fence(state, field::SculptureView::Probe);
+    const bool isDrawn = frame.scene.segmentation != nullptr;
+    if (!isDrawn || frame.scene.view == field::SculptureView::Probe ||
+        !segment::Continuation::isNeeded(*state.growth, fence)) {
+        partSegmentation_.reset();
+        return segmentation_ ? &*segmentation_ : nullptr;
+    }
+    if (!partSegmentation_) {
+        partSegmentation_.emplace(field_->geometry);
+    }
+    partSegmentation_->update(*state.growth, state.smoothing, looksOf(*state.segments), state.segmentsMs,
+                              fence);
+    isBehind_ = isBehind_ || partSegmentation_->isBehind();
+    return &*partSegmentation_;
+}
+
 void Pipeline::addParts(render::Frame& frame, Key key, const State& state) {
     const View& view = *state.view;
     const auto parts = pastedParts_.parts(*state.sculpture, *state.pasted, view.pasted.size());
@@ -171,14 +194,21 @@ void Pipeline::addParts(render::Frame& frame, Key key, const State& state) {
                             [&](const auto& part) { return part.texels == stages->texels; });
     });
     key.view = field::SculptureView::Probe;
+    const segment::Segmentation* segmentation = segmentsOfParts(state, frame);
+    key.segmentationVersion = key.drawsSegmentation ? segmentation->version() : 0;
     for (std::size_t i = 0; i < parts.size(); ++i) {
         PartStages& stages = stagesOf(parts[i].texels);
         key.part = parts[i].texels;
         key.partMaking = parts[i].making;
-        refresh(stages.cells, key, state, frame, parts[i].cells);
+        refresh(stages.cells, key, state, frame, parts[i].cells, segmentation);
         render::PastedPart part{view.pasted[i], parts[i].texels, &stages.cells.macrocells};
+        field::Scene scene = frame.scene;
+        scene.sculpture = part.sculpture;
+        if (key.drawsSegmentation) {
+            scene.segmentation = part.segmentation = &segmentation->texels();
+        }
         if (view.shadows) {
-            refresh(stages.light, key, state, frame, stages.cells.macrocells);
+            refresh(stages.light, key, state, scene, frame, stages.cells.macrocells);
             part.occlusion = &stages.light.occlusion;
         }
         frame.pasted.push_back(part);
@@ -186,7 +216,7 @@ void Pipeline::addParts(render::Frame& frame, Key key, const State& state) {
 }
 
 void Pipeline::refresh(Cells& cells, const Key& key, const State& state, const render::Frame& frame,
-                       const gl::Texture* sculptureCells) {
+                       const gl::Texture* sculptureCells, const segment::Segmentation* segmentation) {
     const auto& old = cells.key;
     // In probe view a cut adds to what is seen, so there nothing can be kept.
     const bool mayKeep =
@@ -202,7 +232,7 @@ void Pipeline::refresh(Cells& cells, const Key& key, const State& state, const r
     render::Macrocells::Input input;
     input.dataCells = key.surfaceSmoothing > 0 ? &smoothed_->cells.cells : &cellRanges_.cells;
     input.sculptureCells = sculptureCells;
-    input.segmentationCells = key.drawsSegmentation ? &segmentation_->cells() : nullptr;
+    input.segmentationCells = key.drawsSegmentation ? &segmentation->cells() : nullptr;
     input.displayedRange = key.range; // what is visible of the values
     input.valueTolerance = field::valueTolerance(*field_);
     input.view = key.view;
@@ -229,15 +259,14 @@ void Pipeline::refreshSegmentCells() {
     segmentCells_.key = key;
 }
 
-void Pipeline::refresh(Light& light, Key key, const State& state, const render::Frame& frame,
-                       const render::Macrocells& macrocells) {
+void Pipeline::refresh(Light& light, Key key, const State& state, const field::Scene& scene,
+                       const render::Frame& frame, const render::Macrocells& macrocells) {
     key.drawsData = frame.mode != render::Mode::Overlay;
     if (light.key == key) {
         return;
     }
     render::OcclusionVolume::Input input;
-    input.scene = frame.scene;
-    input.scene.sculpture = key.part != nullptr ? key.part : frame.scene.sculpture;
+    input.scene = scene;
     input.scene.view = key.view;
     input.macrocells = &macrocells;
     input.classification = frame.mode == render::Mode::Volume ? frame.classification : nullptr;

@@ -67,9 +67,15 @@ private:
     const field::Field* field_;
     field::CellRanges cellRanges_;
     std::optional<segment::Segmentation> segmentation_; // made when first drawn
+    // The same for pasted parts, while they are drawn beside what is left and growth had a fence.
+    std::optional<segment::Segmentation> partSegmentation_;
     bool isBehind_ = false;
     // What shaders see of the document, with the segments if they are wanted; brings those up to date.
     field::Scene scene(const State& state, bool wantsSegments);
+    // What the viewer does not see of the sculpture in a view.
+    static segment::Fence fence(const State& state, field::SculptureView view);
+    // The segments as pasted parts show them: their cut faces look the other way.
+    const segment::Segmentation* segmentsOfParts(const State& state, const render::Frame& frame);
     // How segments look. When there is but one, labels may lag behind and are not asked.
     static render::SegmentColours segmentColours(const State& state);
 
@@ -86,15 +92,15 @@ private:
         std::optional<Key> key;
     };
     void refresh(Cells& cells, const Key& key, const State& state, const render::Frame& frame,
-                 const gl::Texture* sculptureCells);
+                 const gl::Texture* sculptureCells, const segment::Segmentation* segmentation);
 
-    // Likewise what blocks the light; made when shadows are first wanted.
+    // Likewise what blocks the light in a scene; made when shadows are first wanted.
     struct Light {
         render::OcclusionVolume occlusion;
         std::optional<Key> key;
     };
-    void refresh(Light& light, Key key, const State& state, const render::Frame& frame,
-                 const render::Macrocells& macrocells);
+    void refresh(Light& light, Key key, const State& state, const field::Scene& scene,
+                 const render::Frame& frame, const render::Macrocells& macrocells);
 
     // One for each texture that parts are drawn from: places that show the same share them.
     struct PartStages {

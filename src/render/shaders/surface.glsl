@@ -311,6 +311,11 @@ Hit findSurface(Ray ray, float jitter) {
 #ifdef SCULPTED
     if (endsAtCut(obstacle, hit.voxel) && !atBorder) {
         hit.isCut = true;
+#if CONTENT == 1 || CONTENT == 2
+        // Segments go on behind a cut face, so that what is met on it is exact.
+        hit.isSegment = segmentationAt(hit.voxel) >= 0.5;
+        hit.inSegment = hit.voxel;
+#endif
         outward = sculptureGradient(hit.voxel) * (dims.w == 1 ? 1.0 : -1.0);
     }
 #endif

@@ -1,6 +1,7 @@
 // Segmentation is updated in tiles of 16^3 voxels; smoothing looks 3 voxels beyond. Two scratch blocks hold, for each tile
 // at work, membership in 22 x 22 rows of 22 bits, and values smoothed along x and y (16 x 16 x 22, x fastest).
-// Spaces: voxel indices. Bindings: storage 0 tile indices, 3 the voxels shown, one bit each; uniforms 0 to 4.
+// Spaces: voxel indices. Bindings: storage 0 tile indices, 3 the voxels shown, one bit each; uniforms 0 to 4. With VS_CONTINUED
+// storage 4 has the voxels that count as the opposite (continue_segments.comp).
 #include "segment/shaders/words.glsl"
 
 const int kTile = 16;
@@ -9,6 +10,12 @@ const int kPadded = kTile + 2 * kReach;
 
 layout(std430, binding = 0) readonly buffer Tiles { uint tiles[]; };
 layout(std430, binding = 3) readonly buffer Shown { uint shown[]; };
+#ifdef VS_CONTINUED
+layout(std430, binding = 4) readonly buffer Turned { uint turned[]; };
+uint membersIn(uint word) { return shown[word] ^ turned[word]; }
+#else
+uint membersIn(uint word) { return shown[word]; }
+#endif
 
 layout(location = 2) uniform ivec3 tileDims;
 layout(location = 3) uniform int firstTile;
@@ -26,7 +33,7 @@ uint membersFrom(ivec3 first) {
     uint shift = uint(first.y & 3) << 2 | uint(first.z & 1) << 4;
     for (int word = 0; word < 7; ++word) {
         int x = (first.x & ~3) + 4 * word;
-        uint four = shown[wordAt(wordPlaceOf(ivec3(x, first.yz)))] >> shift & 15u;
+        uint four = membersIn(wordAt(wordPlaceOf(ivec3(x, first.yz)))) >> shift & 15u;
         int to = x - first.x;
         members |= to >= 0 ? four << to : four >> -to;
     }

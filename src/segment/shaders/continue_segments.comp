@@ -1,0 +1,180 @@
+// What segments are taken to be behind the cut faces that end them, so that a cut face has the colour of what it was cut
+// through. Growth stops at the sculpture, so there it says nothing about the voxels that are hidden; see doc/segmentation.md.
+// In a run that was fenced to what is visible now, a hidden voxel that has not grown counts as part of the segment if its foot
+// does: the visible voxel straight before it. Where that is a hole or lies beside the segment, enough voxels around it do as
+// well, and the fewer the deeper the voxel, so that what widens behind the face may widen. The segment's rules decide as far as
+// it follows them itself. What an edit has made is known, on either side: it goes on behind the face only where it ends there.
+// A run that was fenced to what is hidden now ends in front of the face as abruptly: its voxels there do not count.
+// In: texture 0 data, 1 and 4 sculpture, 3 labels; storage 0 grown, 1 rules of each label, 2 shown, 3 and 4 generations, 7 brick
+// numbers. In and out: storage 6 the voxels that count as the opposite of what they are; 5 which tiles changes reach.
+// With VS_GRADIENTS some rules ask for gradients. One row of 16 groups a brick, an invocation a word.
+#include "segment/shaders/constraints.glsl"
+#include "segment/shaders/words.glsl"
+#include "segment/shaders/generations.glsl"
+#include "segment/shaders/owners.glsl"
+#include "segment/shaders/note_changes.glsl"
+#include "segment/shaders/fences.glsl"
+
+layout(local_size_x = 64) in;
+
+const uint kFencedToVisible = 1u;
+const uint kFencedToHidden = 2u;
+
+struct Rules {
+    vec4 voxel; // xy of intensity, zw of the gradient's magnitude
+    vec4 pair;  // the same of their differences
+    uvec4 run;  // x its fence, y the last generation that an edit has made
+};
+
+layout(std430, binding = 0) readonly buffer Grown { uint grown[]; };
+layout(std430, binding = 1) readonly buffer RulesOfLabels { Rules rules[]; };
+layout(std430, binding = 2) readonly buffer Shown { uint shown[]; };
+layout(std430, binding = 6) buffer Turned { uint turned[]; };
+layout(std430, binding = 7) readonly buffer Bricks { uint bricks[]; };
+
+layout(location = 10) uniform int takesAway; // 1: some run is fenced to what is hidden
+
+const int kLayers = 3; // as far as a kernel sees
+
+bool isGrown(ivec3 voxel) { return (grown[wordAt(wordPlaceOf(voxel))] >> bitOf(voxel) & 1u) != 0u; }
+bool isShown(ivec3 voxel) { return (shown[wordAt(wordPlaceOf(voxel))] >> bitOf(voxel) & 1u) != 0u; }
+
+// Whether the rules let a voxel in by itself.
+bool admits(Rules of, ivec3 voxel) {
+    bool admitted = isWithin(valueOf(voxel), of.voxel.xy);
+#ifdef VS_GRADIENTS
+    admitted = admitted && isWithin(gradientMagnitude(voxel), of.voxel.zw);
+#endif
+    return admitted;
+}
+
+// And from another one, whether or not they are neighbours.
+bool admitsFrom(Rules of, ivec3 parent, ivec3 child) {
+    bool admitted = admits(of, child) && isWithin(valueOf(child) - valueOf(parent), of.pair.xy);
+#ifdef VS_GRADIENTS
+    admitted = admitted && isWithin(gradientMagnitude(child) - gradientMagnitude(parent), of.pair.zw);
+#endif
+    return admitted;
+}
+
+// Is an edit's, not growth's.
+bool isMade(Rules of, ivec3 voxel) { return generationIn(wordAt(wordPlaceOf(voxel)), bitOf(voxel)) <= of.run.y; }
+
+float sculptureOf(ivec3 voxel) { return texelFetch(sculptureTexture, clamp(voxel, ivec3(0), gridDims - 1), 0).r; }
+
+// From a hidden voxel straight to the visible side: one voxel along the axis that it goes along most. Zero: nobody knows where.
+vec3 towardsVisible(ivec3 v) {
+    vec3 along = vec3(sculptureOf(v + ivec3(1, 0, 0)) - sculptureOf(v - ivec3(1, 0, 0)),
+                      sculptureOf(v + ivec3(0, 1, 0)) - sculptureOf(v - ivec3(0, 1, 0)),
+                      sculptureOf(v + ivec3(0, 0, 1)) - sculptureOf(v - ivec3(0, 0, 1)));
+    along = hides == 1 ? -along : along;
+    vec3 world = gradientAlongX * along.x + gradientAlongY * along.y + gradientAlongZ * along.z;
+    vec3 way = vec3(dot(gradientAlongX, world), dot(gradientAlongY, world), dot(gradientAlongZ, world));
+    vec3 size = abs(way);
+    float most = max(size.x, max(size.y, size.z));
+    return most > 0.0 ? way / most : vec3(0.0);
+}
+
+// The foot of a hidden voxel, and in w how many voxels away it is; 0: it is too far, or there is none.
+ivec4 footOf(ivec3 voxel) {
+    vec3 way = towardsVisible(voxel);
+    int layer = 0;
+    ivec3 foot = voxel;
+    bool isFound = false;
+    int layers = way == vec3(0.0) ? 0 : kLayers;
+    while (layer < layers && !isFound) {
+        ++layer;
+        foot = voxel + ivec3(round(way * float(layer)));
+        isFound = isInside(foot) && !isHidden(foot);
+    }
+    return ivec4(foot, isFound ? layer : 0);
+}
+
+ivec3 around(int i) { return ivec3(i % 3, i / 3 % 3, i / 9) - 1; }
+
+// How much of what is visible around a foot is shown, by weight. `nearest` is the shown voxel that weighs most. Looks at nothing
+// if not `wanted`.
+float shownAround(ivec3 foot, bool wanted, out ivec3 nearest) {
+    float all = 0.0;
+    float some = 0.0;
+    float most = 0.0;
+    int count = wanted ? 27 : 0;
+    nearest = foot;
+    for (int i = 0; i < count; ++i) {
+        ivec3 voxel = foot + around(i);
+        ivec3 weights = 2 - abs(around(i));
+        float weight = isInside(voxel) && !isHidden(voxel) ? float(weights.x * weights.y * weights.z) : 0.0;
+        bool counts = weight > 0.0 && isShown(voxel);
+        all += weight;
+        some += counts ? weight : 0.0;
+        nearest = counts && weight > most ? voxel : nearest;
+        most = counts ? max(most, weight) : most;
+    }
+    return some / max(all, 1.0);
+}
+
+// Whether something hidden next to a voxel is shown by itself.
+bool isKnownBehind(ivec3 voxel, bool wanted) {
+    bool isKnown = false;
+    for (int i = 0; i < (wanted ? 27 : 0) && !isKnown; ++i) {
+        ivec3 beside = voxel + around(i);
+        isKnown = isInside(beside) && isShown(beside) && isHidden(beside);
+    }
+    return isKnown;
+}
+
+// Whether a hidden voxel that has not grown counts as part of a segment.
+bool joins(ivec3 voxel, ivec3 foot, int layer) {
+    bool isStraight = isGrown(foot);
+    ivec3 nearest;
+    float part = shownAround(foot, !isStraight, nearest);
+    float enough = layer == 1 ? 0.5 : layer == 2 ? 0.2 : 0.08;
+    bool isNear = isStraight ? isShown(foot) : part >= enough;
+    Rules own = rules[ownerOf(nearest)];
+    isNear = isNear && own.run.x == kFencedToVisible;
+    bool follows = isNear && admitsFrom(own, nearest, voxel);
+    bool goesOn = follows || (isNear && isStraight && !admits(own, foot));
+    bool made = goesOn && isMade(own, nearest);
+    return goesOn && (!made || (isStraight && !isKnownBehind(voxel, made)));
+}
+
+// Whether a hidden voxel that is shown does not count.
+bool leaves(ivec3 voxel, ivec3 foot) {
+    bool isFenced = rules[ownerOf(voxel)].run.x == kFencedToHidden;
+    ivec3 nearest;
+    return shownAround(foot, isFenced, nearest) == 0.0 && isFenced;
+}
+
+bool isTurned(ivec3 voxel, bool grownHere) {
+    bool is = false;
+    ivec4 foot = isHidden(voxel) ? footOf(voxel) : ivec4(0);
+    if (foot.w > 0) {
+        is = grownHere ? leaves(voxel, foot.xyz) : joins(voxel, foot.xyz, foot.w);
+    }
+    return is;
+}
+
+// Of a word's voxels, those that may be close enough to shown ones behind a fence.
+uint candidates(uint word, ivec3 place) {
+    uint bits = insideGrid(place) & (~grown[word] | (takesAway != 0 ? shown[word] : 0u));
+    ivec3 cell = ivec3(place.xy, place.z >> 1);
+    bits = isFenceIn(cell - 1, cell + 1, bits != 0u) ? bits : 0u;
+    uint near = 0u;
+    for (int i = 0; i < (bits != 0u ? 45 : 0) && near == 0u; ++i) { // four voxels to each side
+        near = shown[wordAt(place + ivec3(i % 3, i / 3 % 3, i / 9) - ivec3(1, 1, 2))];
+    }
+    return near != 0u ? bits : 0u;
+}
+
+void main() {
+    uint word = bricks[uint(firstBrick) + gl_WorkGroupID.y] * kWordsPerBrick + gl_GlobalInvocationID.x;
+    ivec3 place = placeOfWord(word);
+    uint grownHere = grown[word];
+    uint found = 0u;
+    for (uint left = candidates(word, place); left != 0u; left &= left - 1u) {
+        int bit = findLSB(left);
+        found |= uint(isTurned(voxelAt(place, bit), (grownHere >> bit & 1u) != 0u)) << bit;
+    }
+    noteChanges(word, found ^ turned[word]);
+    turned[word] = found;
+}

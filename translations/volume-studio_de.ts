@@ -224,14 +224,6 @@
         <translation>wächst in %1 bis %2; %3 Voxel</translation>
     </message>
     <message>
-        <source>part %1 pasted</source>
-        <translation>Teil %1 eingefügt</translation>
-    </message>
-    <message>
-        <source>part %1 moved</source>
-        <translation>Teil %1 bewegt</translation>
-    </message>
-    <message>
         <source>%1 segment, %2 voxels</source>
         <translation>%1 Segment, %2 Voxel</translation>
     </message>
@@ -246,18 +238,6 @@
     <message>
         <source>%1 changed</source>
         <translation>%1 geändert</translation>
-    </message>
-    <message>
-        <source>%1 removed</source>
-        <translation>%1 entfernt</translation>
-    </message>
-    <message>
-        <source>undone</source>
-        <translation>rückgängig gemacht</translation>
-    </message>
-    <message>
-        <source>redone</source>
-        <translation>wiederholt</translation>
     </message>
     <message>
         <source>all cuts cleared</source>
@@ -462,6 +442,10 @@
     <message>
         <source>A macaque&apos;s brain</source>
         <translation>Das Gehirn eines Makaken</translation>
+    </message>
+    <message>
+        <source>part %1</source>
+        <translation>Teil %1</translation>
     </message>
 </context>
 <context>
@@ -947,16 +931,8 @@
         <translation>Eine Helix in Blickrichtung um die Form</translation>
     </message>
     <message>
-        <source>Length</source>
-        <translation>Länge</translation>
-    </message>
-    <message>
         <source>How far inward, in steps</source>
         <translation>Wie weit hinein, in Schritten</translation>
-    </message>
-    <message>
-        <source>Helix radius</source>
-        <translation>Helixradius</translation>
     </message>
     <message>
         <source>In steps</source>
@@ -1013,10 +989,6 @@
     <message>
         <source>Depth at full pressure, in steps</source>
         <translation>Tiefe bei vollem Druck, in Schritten</translation>
-    </message>
-    <message>
-        <source>Depth</source>
-        <translation>Tiefe</translation>
     </message>
     <message>
         <source>Keep digging</source>
@@ -1290,6 +1262,162 @@
         <source>When the program ends, write to PATH as JSON when each input arrived and was handled and shown (&quot;inputs&quot;), when each picture was shown (&quot;frames&quot;) and what kept the window from anything else for more than 40 ms (&quot;blocks&quot;), in milliseconds.</source>
         <translation>Beim Beenden als JSON nach PATH schreiben, wann jede Eingabe ankam, bearbeitet und gezeigt wurde („inputs“), wann welches Bild gezeigt wurde („frames“) und was das Fenster länger als 40 ms von allem anderen abhielt („blocks“), in Millisekunden.</translation>
     </message>
+    <message>
+        <source>Let go to close the mask.</source>
+        <translation>Loslassen schließt die Maske.</translation>
+    </message>
+    <message>
+        <source>Enter, a double click or a click on the first corner closes the mask.</source>
+        <translation>Enter, ein Doppelklick oder ein Klick auf die erste Ecke schließt die Maske.</translation>
+    </message>
+    <message>
+        <source>Click the first corner to close the mask.</source>
+        <translation>Ein Klick auf die erste Ecke schließt die Maske.</translation>
+    </message>
+    <message>
+        <source>Let go to cut.</source>
+        <translation>Loslassen schneidet.</translation>
+    </message>
+    <message>
+        <source>Enter, a double click or a click on the first corner cuts.</source>
+        <translation>Enter, ein Doppelklick oder ein Klick auf die erste Ecke schneidet.</translation>
+    </message>
+    <message>
+        <source>Click the first corner to cut.</source>
+        <translation>Ein Klick auf die erste Ecke schneidet.</translation>
+    </message>
+    <message>
+        <source>Let go to put it back.</source>
+        <translation>Loslassen füllt auf.</translation>
+    </message>
+    <message>
+        <source>Enter, a double click or a click on the first corner puts it back.</source>
+        <translation>Enter, ein Doppelklick oder ein Klick auf die erste Ecke füllt auf.</translation>
+    </message>
+    <message>
+        <source>Click the first corner to put it back.</source>
+        <translation>Ein Klick auf die erste Ecke füllt auf.</translation>
+    </message>
+    <message>
+        <source>Let go to remove it.</source>
+        <translation>Loslassen entfernt es.</translation>
+    </message>
+    <message>
+        <source>Enter, a double click or a click on the first corner removes it.</source>
+        <translation>Enter, ein Doppelklick oder ein Klick auf die erste Ecke entfernt es.</translation>
+    </message>
+    <message>
+        <source>Click the first corner to remove it.</source>
+        <translation>Ein Klick auf die erste Ecke entfernt es.</translation>
+    </message>
+    <message>
+        <source>Let go to add it.</source>
+        <translation>Loslassen fügt es hinzu.</translation>
+    </message>
+    <message>
+        <source>Enter, a double click or a click on the first corner adds it.</source>
+        <translation>Enter, ein Doppelklick oder ein Klick auf die erste Ecke fügt es hinzu.</translation>
+    </message>
+    <message>
+        <source>Click the first corner to add it.</source>
+        <translation>Ein Klick auf die erste Ecke fügt es hinzu.</translation>
+    </message>
+    <message>
+        <source>Let go to place the seeds.</source>
+        <translation>Loslassen setzt die Saat.</translation>
+    </message>
+    <message>
+        <source>Enter or a double click places the seeds.</source>
+        <translation>Enter oder ein Doppelklick setzt die Saat.</translation>
+    </message>
+    <message>
+        <source>Click the first corner to close the line and place the seeds.</source>
+        <translation>Ein Klick auf die erste Ecke schließt die Linie und setzt die Saat.</translation>
+    </message>
+    <message>
+        <source>Let go to absorb from here.</source>
+        <translation>Loslassen absorbiert von hier an.</translation>
+    </message>
+    <message>
+        <source>Enter or a double click absorbs from here.</source>
+        <translation>Enter oder ein Doppelklick absorbiert von hier an.</translation>
+    </message>
+    <message>
+        <source>Click the first corner to close the line and absorb from here.</source>
+        <translation>Ein Klick auf die erste Ecke schließt die Linie und absorbiert von hier an.</translation>
+    </message>
+    <message>
+        <source>Click the second corner.</source>
+        <translation>Die zweite Ecke anklicken.</translation>
+    </message>
+    <message>
+        <source>Click the third corner.</source>
+        <translation>Die dritte Ecke anklicken.</translation>
+    </message>
+    <message>
+        <source>Click the next corner.</source>
+        <translation>Die nächste Ecke anklicken.</translation>
+    </message>
+    <message>
+        <source>Let go to set a corner here.</source>
+        <translation>Loslassen setzt hier eine Ecke.</translation>
+    </message>
+    <message>
+        <source>A corner is here. Let go and click the next one, or drag on to it.</source>
+        <translation>Hier ist eine Ecke. Loslassen und die nächste anklicken, oder zu ihr weiterziehen.</translation>
+    </message>
+    <message>
+        <source>%1 is locked: unlock it, or go to work on another segment.</source>
+        <translation>%1 ist gesperrt: entsperren, oder an einem anderen Segment arbeiten.</translation>
+    </message>
+    <message>
+        <source>Free-form: press and draw a line.</source>
+        <translation>Freihand: drücken und eine Linie zeichnen.</translation>
+    </message>
+    <message>
+        <source>Free-form: press and draw; it closes when you let go.</source>
+        <translation>Freihand: drücken und zeichnen; Loslassen schließt den Umriss.</translation>
+    </message>
+    <message>
+        <source>Polyline: click corner after corner.</source>
+        <translation>Linienzug: Ecke um Ecke klicken.</translation>
+    </message>
+    <message>
+        <source>Circle: drag from its centre to its rim.</source>
+        <translation>Kreis: von der Mitte zum Rand ziehen.</translation>
+    </message>
+    <message>
+        <source>Ellipse: drag from corner to corner of its box.</source>
+        <translation>Ellipse: von Ecke zu Ecke ihres Rahmens ziehen.</translation>
+    </message>
+    <message>
+        <source>Rectangle: drag from corner to corner.</source>
+        <translation>Rechteck: von Ecke zu Ecke ziehen.</translation>
+    </message>
+    <message>
+        <source>Picture: drag the box that it fills.</source>
+        <translation>Bild: den Rahmen ziehen, den es füllt.</translation>
+    </message>
+    <message>
+        <source>Esc drops it.</source>
+        <translation>Esc verwirft alles.</translation>
+    </message>
+    <message>
+        <source>Go on: nothing is enclosed yet.</source>
+        <translation>Weiter: noch ist nichts umschlossen.</translation>
+    </message>
+    <message>
+        <source>Length (steps)</source>
+        <translation>Länge (Schritte)</translation>
+    </message>
+    <message>
+        <source>Helix radius (steps)</source>
+        <translation>Helixradius (Schritte)</translation>
+    </message>
+    <message>
+        <source>Depth (steps)</source>
+        <translation>Tiefe (Schritte)</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::CameraTool</name>
@@ -1455,20 +1583,20 @@ Tab: der nächste Punkt; Pfeiltasten bewegen ihn; Entf; Eingabe: seine Farbe; St
         <translation>Füllt auf, was geschnitten war, nie mehr als da war (R)</translation>
     </message>
     <message>
-        <source>Steps: the larger, the rounder are the cut&apos;s edges</source>
-        <translation>Schritte: je größer, desto runder die Ränder des Schnitts</translation>
-    </message>
-    <message>
-        <source>Radius</source>
-        <translation>Radius</translation>
-    </message>
-    <message>
         <source>What it takes is added to %1, the scan stays. R removes.</source>
         <translation>Was es erfasst, kommt zu %1, der Scan bleibt. R entfernt.</translation>
     </message>
     <message>
         <source>What it takes is removed from %1, the scan stays. R adds.</source>
         <translation>Was es erfasst, fällt aus %1 heraus, der Scan bleibt. R fügt hinzu.</translation>
+    </message>
+    <message>
+        <source>Radius of the cut&apos;s soft edge in steps (a step is the smallest voxel spacing): the larger, the rounder are the cut&apos;s edges</source>
+        <translation>Radius des weichen Schnittrands in Schritten (ein Schritt ist der kleinste Voxelabstand): je größer, desto runder die Ränder des Schnitts</translation>
+    </message>
+    <message>
+        <source>Radius (steps)</source>
+        <translation>Radius (Schritte)</translation>
     </message>
 </context>
 <context>
@@ -1548,10 +1676,6 @@ Tab: der nächste Punkt; Pfeiltasten bewegen ihn; Entf; Eingabe: seine Farbe; St
 <context>
     <name>vs::desktop::DrillTool</name>
     <message>
-        <source>Draw the shape of the drill anywhere; it closes when you let go.</source>
-        <translation>Die Form des Bohrers irgendwo zeichnen; sie schließt sich beim Loslassen.</translation>
-    </message>
-    <message>
         <source>The mask follows the pen. Press and move to fill in what was cut. Esc clears it for a new shape.</source>
         <translation>Die Maske folgt dem Stift. Drücken und bewegen füllt auf, was geschnitten war. Esc löscht sie für eine neue Form.</translation>
     </message>
@@ -1566,6 +1690,10 @@ Tab: der nächste Punkt; Pfeiltasten bewegen ihn; Entf; Eingabe: seine Farbe; St
     <message>
         <source>Drilling: press harder to go deeper. Let go to keep, Esc to undo.</source>
         <translation>Bohrt: fester drücken geht tiefer. Loslassen behält, Esc macht rückgängig.</translation>
+    </message>
+    <message>
+        <source>Draw the shape of the drill anywhere.</source>
+        <translation>Die Form des Bohrers irgendwo zeichnen.</translation>
     </message>
 </context>
 <context>
@@ -2189,6 +2317,18 @@ Rad: näher; Umschalt+Rad: entlang. Pfeiltasten: das Band, mit Strg sein unteres
         <source>Click a part of %1 to drop it, with all that is connected to it. R keeps only the part clicked.</source>
         <translation>Ein Teil von %1 anklicken: es fällt mit allem, was damit verbunden ist, weg. R behält nur das angeklickte.</translation>
     </message>
+    <message>
+        <source>%1 is empty: there is no part of it to click.</source>
+        <translation>%1 ist leer: kein Teil davon lässt sich anklicken.</translation>
+    </message>
+    <message>
+        <source>Let go to keep only the part under the ring. Esc changes nothing.</source>
+        <translation>Loslassen behält nur den Teil unter dem Ring. Esc ändert nichts.</translation>
+    </message>
+    <message>
+        <source>Let go to drop the part under the ring. Esc changes nothing.</source>
+        <translation>Loslassen verwirft den Teil unter dem Ring. Esc ändert nichts.</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::KeepTool</name>
@@ -2196,13 +2336,13 @@ Rad: näher; Umschalt+Rad: entlang. Pfeiltasten: das Band, mit Strg sein unteres
         <source>Click the object to keep: all that is visible and not connected to it is cut away.</source>
         <translation>Das Objekt anklicken, das bleiben soll: alles Sichtbare, das nicht damit verbunden ist, wird weggeschnitten.</translation>
     </message>
+    <message>
+        <source>Let go to cut away all that is not connected to what is under the ring. Esc changes nothing.</source>
+        <translation>Loslassen schneidet alles weg, was nicht mit dem unter dem Ring verbunden ist. Esc ändert nichts.</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::LaserTool</name>
-    <message>
-        <source>Draw the shape of the laser anywhere; it closes when you let go.</source>
-        <translation>Die Form des Lasers irgendwo zeichnen; sie schließt sich beim Loslassen.</translation>
-    </message>
     <message>
         <source>The mask lies on the surface under the pen. Press and move to build it up again. Esc clears it for a new shape.</source>
         <translation>Die Maske liegt unter dem Stift auf der Oberfläche. Drücken und bewegen baut sie wieder auf. Esc löscht sie für eine neue Form.</translation>
@@ -2218,6 +2358,10 @@ Rad: näher; Umschalt+Rad: entlang. Pfeiltasten: das Band, mit Strg sein unteres
     <message>
         <source>Burning: press harder to go deeper. Let go to keep, Esc to undo.</source>
         <translation>Brennt: fester drücken geht tiefer. Loslassen behält, Esc macht rückgängig.</translation>
+    </message>
+    <message>
+        <source>Draw the shape of the laser anywhere.</source>
+        <translation>Die Form des Lasers irgendwo zeichnen.</translation>
     </message>
 </context>
 <context>
@@ -2257,10 +2401,6 @@ Rad: näher; Umschalt+Rad: entlang. Pfeiltasten: das Band, mit Strg sein unteres
     <message>
         <source>Size and type of the volume</source>
         <translation>Größe und Typ des Volumens</translation>
-    </message>
-    <message>
-        <source>Frame rate</source>
-        <translation>Bildrate</translation>
     </message>
     <message>
         <source>Graphics device</source>
@@ -3153,10 +3293,6 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
         <translation>Linienzug</translation>
     </message>
     <message>
-        <source>Click corner after corner; click the first one, or twice, to close it</source>
-        <translation>Ecke um Ecke klicken; die erste anklicken oder doppelt klicken schließt ihn</translation>
-    </message>
-    <message>
         <source>Y</source>
         <translation>Y</translation>
     </message>
@@ -3196,13 +3332,45 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
         <source>End what takes so long, and leave everything as it was (Esc)</source>
         <translation>Beendet, was so lange dauert, und lässt alles, wie es war (Esc)</translation>
     </message>
+    <message>
+        <source>Refining %1 %</source>
+        <translation>Verfeinern %1 %</translation>
+    </message>
+    <message>
+        <source>Frame rate; at rest, how far the picture is refined</source>
+        <translation>Bildrate; in Ruhe: wie weit das Bild verfeinert ist</translation>
+    </message>
+    <message>
+        <source>Hide above</source>
+        <translation>Darüber ausblenden</translation>
+    </message>
+    <message>
+        <source>MIP, X-ray and overlay: hide values above the displayed range, instead of showing them as its upper end</source>
+        <translation>MIP, Röntgen und Overlay: Werte über dem angezeigten Bereich ausblenden, statt sie als dessen oberes Ende zu zeigen</translation>
+    </message>
+    <message>
+        <source>Shift+A</source>
+        <translation>Shift+A</translation>
+    </message>
+    <message>
+        <source>Tint segments</source>
+        <translation>Segmente färben</translation>
+    </message>
+    <message>
+        <source>MIP and X-ray: what is in a segment has the segment&apos;s colour</source>
+        <translation>MIP und Röntgen: Was in einem Segment liegt, hat dessen Farbe</translation>
+    </message>
+    <message>
+        <source>Shift+T</source>
+        <translation>Shift+T</translation>
+    </message>
+    <message>
+        <source>Click corner after corner; Enter, a double click or the first corner ends it</source>
+        <translation>Ecke um Ecke klicken; Enter, ein Doppelklick oder die erste Ecke beendet ihn</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::MeasureTool</name>
-    <message>
-        <source>Click the next place. Esc drops the measurement.</source>
-        <translation>Die nächste Stelle anklicken. Esc verwirft die Messung.</translation>
-    </message>
     <message>
         <source>Click three places, on the surface or on a slice: the angle is the one at the second.</source>
         <translation>Drei Stellen anklicken, auf der Oberfläche oder auf einer Schicht: der Winkel ist der an der zweiten.</translation>
@@ -3210,6 +3378,26 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
     <message>
         <source>Click two places, on the surface or on a slice, or drag from one to the other.</source>
         <translation>Zwei Stellen anklicken, auf der Oberfläche oder auf einer Schicht, oder von einer zur anderen ziehen.</translation>
+    </message>
+    <message>
+        <source>Turning the view: there is no surface where the drag began.</source>
+        <translation>Die Ansicht dreht sich: wo das Ziehen begann, ist keine Oberfläche.</translation>
+    </message>
+    <message>
+        <source>Drag to the second place, or let go and click it. Esc drops the measurement.</source>
+        <translation>Zur zweiten Stelle ziehen, oder loslassen und sie anklicken. Esc verwirft die Messung.</translation>
+    </message>
+    <message>
+        <source>Let go to measure to here. Esc drops the measurement.</source>
+        <translation>Loslassen misst bis hierher. Esc verwirft die Messung.</translation>
+    </message>
+    <message>
+        <source>Click the second place. Esc drops the measurement.</source>
+        <translation>Die zweite Stelle anklicken. Esc verwirft die Messung.</translation>
+    </message>
+    <message>
+        <source>Click the third place. Esc drops the measurement.</source>
+        <translation>Die dritte Stelle anklicken. Esc verwirft die Messung.</translation>
     </message>
 </context>
 <context>
@@ -3230,6 +3418,10 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
         <source> Tab: the next part.</source>
         <translation> Tab: das nächste Teil.</translation>
     </message>
+    <message>
+        <source>Let go to leave the part there. Esc puts it back.</source>
+        <translation>Loslassen lässt den Teil dort. Esc bringt ihn zurück.</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::PaintTool</name>
@@ -3241,17 +3433,13 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
         <source>Paint on a slice to remove from the segment; the right button or Ctrl adds. [ and ] change the brush, Shift leads the crosshair.</source>
         <translation>Auf einer Schicht malen, um aus dem Segment zu entfernen; rechte Taste oder Strg fügt hinzu. [ und ] ändern den Pinsel, Umschalt führt das Fadenkreuz.</translation>
     </message>
+    <message>
+        <source>Painting goes on the slices: show them with F4. Here dragging turns the volume.</source>
+        <translation>Gemalt wird auf den Schichten: F4 zeigt sie. Hier dreht Ziehen das Volumen.</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::PeelTool</name>
-    <message>
-        <source>Draw a closed outline around the region to peel; it closes when you let go.</source>
-        <translation>Einen geschlossenen Umriss um das zeichnen, was geschält werden soll; er schließt sich beim Loslassen.</translation>
-    </message>
-    <message>
-        <source>Let go to close the mask. Esc drops it.</source>
-        <translation>Loslassen schließt die Maske. Esc verwirft sie.</translation>
-    </message>
     <message>
         <source>Press inside the mask and drag down to put layers back on. Draw outside it for a new mask. Esc clears it.</source>
         <translation>In die Maske drücken und nach unten ziehen legt Lagen wieder auf. Außerhalb zeichnen für eine neue Maske. Esc löscht sie.</translation>
@@ -3268,12 +3456,9 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
         <source>Down peels, up puts back: %1 layers. Let go to keep, Esc to undo.</source>
         <translation>Nach unten schält, nach oben legt auf: %1 Lagen. Loslassen behält, Esc macht rückgängig.</translation>
     </message>
-</context>
-<context>
-    <name>vs::desktop::PenTool</name>
     <message>
-        <source>Let go to close the mask. Esc drops it.</source>
-        <translation>Loslassen schließt die Maske. Esc verwirft sie.</translation>
+        <source>Draw an outline around the region to peel.</source>
+        <translation>Einen Umriss um das zeichnen, was geschält werden soll.</translation>
     </message>
 </context>
 <context>
@@ -3574,6 +3759,22 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
         <source>%1 of %2 voxels visible</source>
         <translation>%1 von %2 Voxeln sichtbar</translation>
     </message>
+    <message>
+        <source>Smoothing of the displayed surface, in steps</source>
+        <translation>Glättung der angezeigten Oberfläche, in Schritten</translation>
+    </message>
+    <message>
+        <source>Smooths the values before the surface is looked for: takes the grain off skin. Sections show the values as they are.</source>
+        <translation>Glättet die Werte, bevor die Oberfläche gesucht wird: nimmt Haut die Maserung. Schnittflächen zeigen die Werte, wie sie sind.</translation>
+    </message>
+    <message>
+        <source>Smooth surface</source>
+        <translation>Oberfläche glätten</translation>
+    </message>
+    <message>
+        <source>steps</source>
+        <translation>Schritte</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::RecoveryList</name>
@@ -3629,51 +3830,55 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
 <context>
     <name>vs::desktop::ScissorsTool</name>
     <message>
-        <source>Let go to close the stroke and cut. Esc drops it.</source>
-        <translation>Loslassen schließt den Strich und schneidet. Esc verwirft ihn.</translation>
+        <source>Draw around a region: the scissors take everything outside it.</source>
+        <translation>Um eine Stelle zeichnen: die Schere nimmt alles außerhalb.</translation>
     </message>
     <message>
-        <source>Draw around a region: everything outside it is put back when you let go.</source>
-        <translation>Um eine Stelle zeichnen: alles außerhalb wird beim Loslassen aufgefüllt.</translation>
+        <source>Draw around what the scissors should take.</source>
+        <translation>Um das zeichnen, was die Schere nehmen soll.</translation>
     </message>
     <message>
-        <source>Draw around what should be put back; it is when you let go.</source>
-        <translation>Um das zeichnen, was aufgefüllt werden soll; beim Loslassen geschieht es.</translation>
+        <source>Draw around a region: everything outside it is put back.</source>
+        <translation>Um eine Stelle zeichnen: alles außerhalb wird aufgefüllt.</translation>
     </message>
     <message>
-        <source>Draw around what should stay: everything outside it is cut when you let go.</source>
-        <translation>Um das zeichnen, was bleiben soll: alles außerhalb wird beim Loslassen geschnitten.</translation>
+        <source>Draw around what should be put back.</source>
+        <translation>Um das zeichnen, was aufgefüllt werden soll.</translation>
     </message>
     <message>
-        <source>Draw around what should go: it is cut when you let go.</source>
-        <translation>Um das zeichnen, was weg soll: beim Loslassen wird es geschnitten.</translation>
+        <source>Draw around what should stay: everything outside it is cut.</source>
+        <translation>Um das zeichnen, was bleiben soll: alles außerhalb wird geschnitten.</translation>
+    </message>
+    <message>
+        <source>Draw around what should go.</source>
+        <translation>Um das zeichnen, was weg soll.</translation>
     </message>
 </context>
 <context>
     <name>vs::desktop::SeedTool</name>
     <message>
-        <source>Let go to absorb from here. Esc drops the stroke.</source>
-        <translation>Loslassen absorbiert von hier an. Esc verwirft den Strich.</translation>
+        <source>Draw on the segment: it is absorbed from there outward until you pause.</source>
+        <translation>Auf das Segment zeichnen: es wird von dort nach außen absorbiert, bis zur Pause.</translation>
     </message>
     <message>
-        <source>Let go to place the seeds. Esc drops the stroke.</source>
-        <translation>Loslassen setzt die Saat. Esc verwirft den Strich.</translation>
+        <source>Draw on the segment: it is absorbed there; Step and Play go on outward.</source>
+        <translation>Auf das Segment zeichnen: es wird dort absorbiert; Schritt und Abspielen gehen nach außen weiter.</translation>
     </message>
     <message>
-        <source>Draw on the segment: it is absorbed from there outward until you pause. R seeds again.</source>
-        <translation>Auf das Segment zeichnen: es wird von dort nach außen absorbiert, bis zur Pause. R sät wieder.</translation>
+        <source>R seeds again.</source>
+        <translation>R sät wieder.</translation>
     </message>
     <message>
-        <source>Draw on the segment to absorb it there; Step and Play go on outward. R seeds again.</source>
-        <translation>Auf das Segment zeichnen, um es dort zu absorbieren; Schritt und Abspielen gehen nach außen weiter. R sät wieder.</translation>
+        <source>Draw on what should be segmented: it grows from there.</source>
+        <translation>Auf das zeichnen, was segmentiert werden soll: es wächst von dort.</translation>
     </message>
     <message>
-        <source>Draw on what should be segmented; it starts to grow when you let go. More strokes add to it.</source>
-        <translation>Auf das zeichnen, was segmentiert werden soll; beim Loslassen wächst es. Weitere Striche kommen hinzu.</translation>
+        <source>Draw on what should be segmented, then press Play.</source>
+        <translation>Auf das zeichnen, was segmentiert werden soll, dann Abspielen drücken.</translation>
     </message>
     <message>
-        <source>Draw on what should be segmented, then press Play. More strokes add to it.</source>
-        <translation>Auf das zeichnen, was segmentiert werden soll, dann Abspielen drücken. Weitere Striche kommen hinzu.</translation>
+        <source>More strokes add to it.</source>
+        <translation>Weitere Striche kommen hinzu.</translation>
     </message>
 </context>
 <context>
@@ -4129,17 +4334,17 @@ Tab: die nächste Form; Pfeiltasten bewegen sie; Entf; Eingabe: ihre Farbe; Strg
         <source>Given up: nothing was opened</source>
         <translation>Abgebrochen: Nichts wurde geöffnet</translation>
     </message>
+    <message>
+        <source>Undone: %1</source>
+        <translation>Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>Redone: %1</source>
+        <translation>Wiederholt: %1</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::SweepTool</name>
-    <message>
-        <source>Draw the shape that is to be swept; it closes when you let go.</source>
-        <translation>Die Form zeichnen, die ausgetragen werden soll; sie schließt sich beim Loslassen.</translation>
-    </message>
-    <message>
-        <source>Let go to close the mask. Esc drops it.</source>
-        <translation>Loslassen schließt die Maske. Esc verwirft sie.</translation>
-    </message>
     <message>
         <source>Draw the way that the shape goes. Esc clears it for a new shape.</source>
         <translation>Den Weg der Form zeichnen. Esc löscht sie für eine neue Form.</translation>
@@ -4171,6 +4376,18 @@ Tab: die nächste Form; Pfeiltasten bewegen sie; Entf; Eingabe: ihre Farbe; Strg
     <message>
         <source>The way leads nowhere: draw it on the object, or longer</source>
         <translation>Der Weg führt nirgendwohin: auf dem Objekt zeichnen, oder länger</translation>
+    </message>
+    <message>
+        <source>Draw the shape that is to be swept.</source>
+        <translation>Die Form zeichnen, die ausgetragen werden soll.</translation>
+    </message>
+    <message>
+        <source>Let go where the way ends: what it covers is put back. Esc drops it.</source>
+        <translation>Am Ende des Weges loslassen: was er überdeckt, wird aufgefüllt. Esc verwirft ihn.</translation>
+    </message>
+    <message>
+        <source>Let go where the way ends: what it covers is cut. Esc drops it.</source>
+        <translation>Am Ende des Weges loslassen: was er überdeckt, wird geschnitten. Esc verwirft ihn.</translation>
     </message>
 </context>
 <context>

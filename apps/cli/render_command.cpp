@@ -30,6 +30,8 @@ struct RenderOptions {
     std::string sampling = "linear";
     std::string function;
     bool shadows = false;
+    bool hidesAbove = false;
+    double surfaceSmoothing = 0;
     render::Camera camera;
     int samples = 8;
     std::string background = "studio";
@@ -62,6 +64,8 @@ void runRender(const RenderOptions& options) {
     view.range = range.value_or(view.range);
     view.transferFunction = function;
     view.shadows = options.shadows;
+    view.hidesAbove = options.hidesAbove;
+    view.surfaceSmoothing = options.surfaceSmoothing;
     document.look(view);
     render::Frame frame = document.frame(size);
     frame.samples = options.samples;
@@ -100,6 +104,14 @@ void addRenderCommand(CLI::App& app) {
     command->add_option("--tf", options->function,
                         fmt::format("Transfer function that colours every mode: a JSON file, or a preset: {}",
                                     fmt::join(render::presetNames(), ", ")));
+    command->add_flag("--hide-above", options->hidesAbove,
+                      "MIP and X-ray: hide values above the range instead of showing them as its upper end");
+    command
+        ->add_option(
+            "--smooth-surface", options->surfaceSmoothing,
+            "Surface mode: sigma, in steps, of a Gaussian on the values before the surface is looked for")
+        ->check(between(0, studio::kMostSurfaceSmoothing))
+        ->capture_default_str();
     command->add_flag("--shadows", options->shadows, "Ambient occlusion and soft shadows");
     command->add_option("--size", options->size, "Pixels, WIDTHxHEIGHT")->capture_default_str();
     command

@@ -29,7 +29,7 @@ void runSketch(const SketchOptions& options) {
         points += fmt::format("{}[{:.2f}, {:.2f}]", points.empty() ? "" : ", ", centre[0] + point.x,
                               centre[1] - point.y);
     }
-    fmt::print("{{\"shape\": \"polyline\", \"points\": [{}]}}\n", points);
+    fmt::print("{{\"shape\": \"stencil\", \"points\": [{}]}}\n", points);
 }
 
 } // namespace

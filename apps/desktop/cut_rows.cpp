@@ -66,12 +66,13 @@ void addRadius(QFormLayout* form, CutTool& tool, const QString& prefix) {
     std::vector<ChoiceRow::Choice> choices;
     for (std::size_t n = 0; n < names.size(); ++n) {
         choices.push_back({names[n].constData(), QString::number(CutTool::kLeastRadius + int(n)),
-                           CutTool::tr("Steps: the larger, the rounder are the cut's edges")});
+                           CutTool::tr("Radius of the cut's soft edge in steps (a step is the smallest voxel "
+                                       "spacing): the larger, the rounder are the cut's edges")});
     }
     auto* radius = new ChoiceRow(choices, tool.radius() - CutTool::kLeastRadius);
     QObject::connect(radius, &ChoiceRow::chosen, &tool,
                      [&tool](int n) { tool.setRadius(CutTool::kLeastRadius + n); });
-    form->addRow(CutTool::tr("Radius"), radius);
+    form->addRow(CutTool::tr("Radius (steps)"), radius);
 }
 
 } // namespace vs::desktop

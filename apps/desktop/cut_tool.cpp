@@ -2,19 +2,24 @@
 #include "cut_tool.h"
 
 #include "segment_controller.h"
+#include "sketch_hints.h"
 #include "studio_controller.h"
 
 namespace vs::desktop {
 
 bool CutTool::actsOnSegment() const { return canActOnSegment() && studio_.brushesSegment(); }
 
-QString CutTool::segmentHint() const {
+QString CutTool::withTarget(const QString& hint) const {
     if (!actsOnSegment()) {
-        return {};
+        return hint;
+    }
+    if (const QString locked = lockedHint(studio_); !locked.isEmpty()) {
+        return locked;
     }
     const QString name = QString::fromStdString(studio_.segments().list().working().name);
-    return " " + (adds() ? tr("What it takes is added to %1, the scan stays. R removes.").arg(name)
-                         : tr("What it takes is removed from %1, the scan stays. R adds.").arg(name));
+    return hint + " " +
+           (adds() ? tr("What it takes is added to %1, the scan stays. R removes.").arg(name)
+                   : tr("What it takes is removed from %1, the scan stays. R adds.").arg(name));
 }
 
 CutTool::CutTool(StudioController& studio) : Tool(&studio), studio_(studio) {}

@@ -41,8 +41,8 @@ protected:
     [[nodiscard]] Overlay::Tint cuttingTint() const {
         return restores_ ? Overlay::Tint::Restoring : Overlay::Tint::Cutting;
     }
-    // What to add to a hint: which segment the tool works on, and how. Empty while it works on the scan.
-    [[nodiscard]] QString segmentHint() const;
+    // A hint with what the tool works on when that is a segment, and how.
+    [[nodiscard]] QString withTarget(const QString& hint) const;
     // Tells everybody that something was set.
     void tell();
 

@@ -11,7 +11,7 @@ void DrillTool::setFollowsTilt(bool on) {
 }
 
 PenTool::Words DrillTool::words() const {
-    const QString draw = tr("Draw the shape of the drill anywhere; it closes when you let go.");
+    const QString draw = tr("Draw the shape of the drill anywhere.");
     if (restores()) {
         return {
             draw,

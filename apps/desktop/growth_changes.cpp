@@ -46,6 +46,10 @@ void GrowthController::endScrub() {
 
 void GrowthController::setTakesDisplayedRange(bool on) {
     takesDisplayedRange_ = on;
+    heldRange_ = {};
+    if (!on && studio_.document() != nullptr) {
+        heldRange_ = range();
+    }
     emit changed();
 }
 
@@ -74,7 +78,7 @@ void GrowthController::changeRules(const studio::SetGrowthRules& rules, bool isH
                           : hadRunOut && isAutoStart_                    ? Run::Forward
                                                                          : Run::None;
         if (document->growthRules().range == Range()) {
-            rules_->wanted.range = studio_.view().range; // none so far: what a stroke would bring
+            rules_->wanted.range = range(); // none so far: what a stroke would bring
         }
     }
     takesDisplayedRange_ = takesDisplayedRange_ && !rules.range;

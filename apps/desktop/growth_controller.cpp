@@ -23,6 +23,11 @@ GrowthController::GrowthController(StudioController& studio) : QObject(&studio),
     rulesCalm_.setSingleShot(true);
     rulesCalm_.setInterval(kCalmMs);
     connect(&rulesCalm_, &QTimer::timeout, this, &GrowthController::releaseRules);
+    connect(&studio_, &StudioController::changed, this, [this] {
+        if (!takesDisplayedRange_ && !studio_.isAway() && studio_.document() != nullptr) {
+            heldRange_ = range();
+        }
+    });
 }
 
 studio::Document::GrowthStatus GrowthController::status() const {
@@ -39,7 +44,15 @@ bool GrowthController::isBusy() const {
 void GrowthController::reset() {
     hasShownRegion_ = false;
     takesDisplayedRange_ = true;
+    heldRange_ = {};
     hasRunOut_ = false;
+}
+
+Range GrowthController::range() const {
+    const Range own = studio_.document()->growthRules().range;
+    const Range otherwise =
+        takesDisplayedRange_ || heldRange_ == Range() ? studio_.visibleRange() : heldRange_;
+    return own == Range() ? otherwise : own;
 }
 
 void GrowthController::showRegion() {
@@ -63,8 +76,8 @@ void GrowthController::addSeeds(const studio::Seed& seed) {
     studio::Seed stroke = seed;
     const auto rules = studio_.document()->growthRules();
     stroke.connectivity = rules.connectivity;
-    if (!takesDisplayedRange_ && !(rules.range == Range())) {
-        stroke.range = rules.range;
+    if (!takesDisplayedRange_) {
+        stroke.range = range();
     }
     if (!studio_.apply(stroke)) {
         return;

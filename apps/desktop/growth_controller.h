@@ -52,6 +52,9 @@ public:
     // one. Changing that range by hand switches this off.
     [[nodiscard]] bool takesDisplayedRange() const { return takesDisplayedRange_; }
     void setTakesDisplayedRange(bool on);
+    // The range that the next stroke goes by: with strokes that bring none a segment without one of its own
+    // takes over that of the segment before it.
+    [[nodiscard]] Range range() const;
 
     // For another document: shows its region again when seeds land.
     void reset();
@@ -107,6 +110,7 @@ private:
     bool isWaiting_ = false;
     bool hasShownRegion_ = false;
     bool takesDisplayedRange_ = true;
+    Range heldRange_;        // the last one that strokes went by, while they bring none
     bool hasRunOut_ = false; // the last run ended because nothing grew any more
     int speed_ = 0;
     std::optional<int> scrubbed_; // generation that the next picture shows

@@ -216,8 +216,7 @@ void GrowthRulesPanel::refresh() {
     }
     isShowing_ = true;
     const auto rules = document->growthRules();
-    // Until there is a range of its own, the one that a stroke would bring.
-    const Range range = rules.range == Range() ? studio_.view().range : rules.range;
+    const Range range = studio_.growth().range();
     histogram_->setRange(range);
     lo_->setValue(range.lo);
     hi_->setValue(range.hi);

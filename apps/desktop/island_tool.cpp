@@ -2,6 +2,7 @@
 #include "island_tool.h"
 
 #include "segment_controller.h"
+#include "sketch_hints.h"
 #include "studio_controller.h"
 
 namespace vs::desktop {
@@ -9,7 +10,18 @@ namespace vs::desktop {
 IslandTool::IslandTool(StudioController& studio) : Tool(&studio), studio_(studio) {}
 
 QString IslandTool::hint() const {
-    const QString name = QString::fromStdString(studio_.segments().list().working().name);
+    if (const QString locked = lockedHint(studio_); !locked.isEmpty()) {
+        return locked;
+    }
+    const auto& working = studio_.segments().list().working();
+    const QString name = QString::fromStdString(working.name);
+    if (studio_.segments().voxels(working.label) == 0) {
+        return tr("%1 is empty: there is no part of it to click.").arg(name);
+    }
+    if (pressed_) {
+        return keeps_ ? tr("Let go to keep only the part under the ring. Esc changes nothing.")
+                      : tr("Let go to drop the part under the ring. Esc changes nothing.");
+    }
     return keeps_
                ? tr("Click a part of %1: all that is not connected to it goes. R drops parts again.")
                      .arg(name)

@@ -8,6 +8,10 @@ namespace vs::desktop {
 KeepTool::KeepTool(StudioController& studio) : Tool(&studio), studio_(studio) {}
 
 QString KeepTool::hint() const {
+    if (pressed_) {
+        return tr("Let go to cut away all that is not connected to what is under the ring. Esc changes "
+                  "nothing.");
+    }
     return tr("Click the object to keep: all that is visible and not connected to it is cut away.");
 }
 

@@ -20,7 +20,7 @@ LaserTool::LaserTool(StudioController& studio) : PenTool(studio, {18, 22, 20}) {
 }
 
 PenTool::Words LaserTool::words() const {
-    const QString draw = tr("Draw the shape of the laser anywhere; it closes when you let go.");
+    const QString draw = tr("Draw the shape of the laser anywhere.");
     if (restores()) {
         return {draw,
                 tr("The mask lies on the surface under the pen. Press and move to build it up again. Esc "

@@ -8,6 +8,7 @@
 #include "segment_controller.h"
 #include "slice_controller.h"
 #include "studio_controller.h"
+#include "theme.h"
 #include "tool.h"
 #include "view_widget.h"
 
@@ -18,6 +19,7 @@
 #include <nlohmann/json.hpp>
 
 #include <QApplication>
+#include <QComboBox>
 #include <QEvent>
 #include <QListWidget>
 #include <QWidget>
@@ -62,6 +64,13 @@ int historyRowHeight() {
     return 0;
 }
 
+// In its property "report"; of lists of choices, what is chosen.
+QString reportOf(const QWidget& widget) {
+    const QString said = widget.property("report").toString();
+    const auto* choices = qobject_cast<const QComboBox*>(&widget);
+    return said.isEmpty() && choices != nullptr ? choices->currentText() : said;
+}
+
 nlohmann::json screenRect(const QWidget& widget) {
     const double scale = widget.devicePixelRatioF();
     const QPointF corner = QPointF(widget.mapToGlobal(QPoint(0, 0))) * scale;
@@ -85,27 +94,11 @@ nlohmann::json listOf(const SegmentController& segments) {
 } // namespace
 
 LayoutReporter::LayoutReporter(StudioController& studio, MainWindow& window, std::filesystem::path path)
-    : QObject(&window), studio_(studio), window_(window), path_(std::move(path)) {
-    qApp->installEventFilter(this);
+    : QObject(&window), studio_(studio), window_(window), path_(std::move(path)), fence_(studio) {
+    connect(&fence_, &InputFence::isPassed, this, &LayoutReporter::write);
     connect(&timer_, &QTimer::timeout, this, &LayoutReporter::write);
     timer_.setProperty(LongWork::kRunsMeanwhile, true);
     timer_.start(kPollMs);
-}
-
-bool LayoutReporter::eventFilter(QObject* watched, QEvent* event) {
-    switch (event->type()) {
-    case QEvent::MouseButtonPress:
-    case QEvent::MouseButtonRelease:
-    case QEvent::Wheel:
-    case QEvent::KeyPress:
-        if (event->spontaneous() && watched->isWindowType()) { // once, not for each widget it is passed to
-            ++inputs_;
-        }
-        break;
-    default:
-        break;
-    }
-    return QObject::eventFilter(watched, event);
 }
 
 nlohmann::json LayoutReporter::documentReport() const {
@@ -127,18 +120,27 @@ nlohmann::json LayoutReporter::documentReport() const {
 }
 
 void LayoutReporter::write() {
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
     if (!studio_.isAway()) {
         ofDocument_ = documentReport();
     } else if (ofDocument_.is_null()) {
         return; // it is being opened
     }
     nlohmann::json widgets = nlohmann::json::object();
-    nlohmann::json reports = nlohmann::json::object(); // what widgets say of themselves in their property
+    nlohmann::json windows = nlohmann::json::object(); // the X server's names of those that are shown
+    nlohmann::json disabled = nlohmann::json::array();
+    nlohmann::json reports = nlohmann::json::object(); // what widgets say of themselves
     for (const QWidget* widget : QApplication::allWidgets()) {
         const QString name = widget->objectName();
         if (widget->isVisible() && !name.isEmpty() && !name.startsWith("qt_")) {
             widgets[name.toStdString()] = screenRect(*widget);
-            if (const QString said = widget->property("report").toString(); !said.isEmpty()) {
+            if (widget->isWindow()) {
+                windows[name.toStdString()] = widget->winId();
+            }
+            if (!widget->isEnabled()) {
+                disabled.push_back(name.toStdString());
+            }
+            if (const QString said = reportOf(*widget); !said.isEmpty()) {
                 reports[name.toStdString()] = said.toStdString();
             }
         }
@@ -149,6 +151,7 @@ void LayoutReporter::write() {
         {"idle", studio_.isIdle()},
         {"loading", studio_.isLoading()},
         {"away", studio_.isAway()},
+        {"lasting", studio_.isLasting()},
         {"tool", studio_.tool().name().toStdString()},
         {"hint", studio_.tool().hint().toStdString()},
         {"mode", render::name(view.mode)},
@@ -163,6 +166,7 @@ void LayoutReporter::write() {
         {"smooth", view.sampling == field::Sampling::Tricubic},
         {"historyRow", historyRowHeight()},
         {"message", studio_.message().toStdString()},
+        {"desktopLight", isDesktopLight()},
         {"focus", focused != nullptr ? focused->objectName().toStdString() : std::string()},
         {"title", window_.windowTitle().toStdString()},
         {"viewRect", window_.view().isVisible() ? screenRect(window_.view()) : nlohmann::json::array()},
@@ -170,7 +174,10 @@ void LayoutReporter::write() {
         {"crosshair",
          {studio_.slices().crosshair().x, studio_.slices().crosshair().y, studio_.slices().crosshair().z}},
         {"measurements", measured(studio_.measureTool())},
-        {"inputs", inputs_},
+        {"fence", fence_.window()},
+        {"passed", fence_.passed()},
+        {"windows", windows},
+        {"disabled", disabled},
         {"reports", reports},
         {"widgets", widgets}};
     report.update(ofDocument_);

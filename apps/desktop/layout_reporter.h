@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <QByteArray>
+#include "input_fence.h"
+
 #include <nlohmann/json.hpp>
 
 #include <QObject>
@@ -15,16 +16,14 @@ class MainWindow;
 class StudioController;
 
 // Writes where everything is and what the program is doing into a JSON file whenever that changes, so that
-// scripts can find buttons and wait until the program is idle. Rectangles are [x, y, width, height] in pixels
-// of the screen.
+// scripts can find buttons, wait until the program is idle, and know which of their input it has answered
+// (InputFence). Rectangles are [x, y, width, height] in pixels of the screen, as all layouts that are asked
+// for will have them.
 class LayoutReporter : public QObject {
     Q_OBJECT
 
 public:
     LayoutReporter(StudioController& studio, MainWindow& window, std::filesystem::path path);
-
-protected:
-    bool eventFilter(QObject* watched, QEvent* event) override;
 
 private:
     void write();
@@ -33,10 +32,10 @@ private:
     StudioController& studio_;
     MainWindow& window_;
     std::filesystem::path path_;
+    InputFence fence_;
     QTimer timer_;
     nlohmann::json ofDocument_; // when it was last here
     std::string written_;
-    int inputs_ = 0; // mouse buttons, wheel turns and keys that arrived
 };
 
 } // namespace vs::desktop

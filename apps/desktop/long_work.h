@@ -36,6 +36,8 @@ public:
     // Returns when it is done; throws what it throws. Work may report how far it is (base/progress.h).
     void run(const std::function<void()>& work, Input input = Input::Waits);
     [[nodiscard]] bool isRunning() const { return isRunning_; }
+    // It lasts and can be given up: all other input is dropped.
+    [[nodiscard]] bool isShown() const { return isShown_; }
     // Work that asks ends with GivenUp.
     void giveUp() { isGivenUp_ = true; }
 
@@ -55,7 +57,7 @@ private:
     QThread thread_;
     QObject runner_; // lives on the thread
     bool isRunning_ = false;
-    bool isShown_ = false; // lasts, and can be given up
+    bool isShown_ = false;
     // What ends what began before; delivered afterwards.
     struct Held {
         QPointer<QObject> receiver;

@@ -100,7 +100,10 @@ MainWindow::MainWindow(StudioController& studio, QWidget* parent) : QMainWindow(
     connect(&probeTimer_, &QTimer::timeout, this, &MainWindow::refreshProbe);
     connect(&rateTimer_, &QTimer::timeout, this, [this] {
         const double rate = studio_.picture().framesPerSecond();
-        rate_->setText(rate > 0 ? tr("%1 fps").arg(rate, 0, 'f', rate < 10 ? 1 : 0) : QString());
+        const auto refined = studio_.picture().refined();
+        rate_->setText(refined    ? tr("Refining %1 %").arg(int(100 * *refined))
+                       : rate > 0 ? tr("%1 fps").arg(rate, 0, 'f', rate < 10 ? 1 : 0)
+                                  : QString());
     });
     rateTimer_.setProperty(LongWork::kRunsMeanwhile, true);
     rateTimer_.start(kRateMs);
@@ -198,8 +201,8 @@ void MainWindow::makeStatusBar() {
     probe_ = add("probe", tr("Value and place under the pen"));
     probe_->setProperty("quiet", false);
     volume_ = add("volume", tr("Size and type of the volume"));
-    rate_ = add("rate", tr("Frame rate"));
-    rate_->setFixedWidth(66);
+    rate_ = add("rate", tr("Frame rate; at rest, how far the picture is refined"));
+    rate_->setFixedWidth(rate_->fontMetrics().horizontalAdvance(tr("Refining %1 %").arg(100)) + 8);
     rate_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     device_ = add("device", tr("Graphics device"));
     const auto& device = studio_.host().device();
@@ -216,6 +219,8 @@ void MainWindow::refresh() {
     action(std::string("mode." + std::string(render::name(view.mode))).c_str())->setChecked(true);
     refreshColours();
     action("shadows")->setChecked(view.shadows);
+    action("hideAbove")->setChecked(view.hidesAbove);
+    action("tintSegments")->setChecked(view.tintsSegments);
     constexpr const char* kSculptureViews[] = {"viewWhole", "viewCut", "viewProbe"};
     action(kSculptureViews[static_cast<int>(view.sculptureView)])->setChecked(true);
     action("smoothSampling")->setChecked(view.sampling == field::Sampling::Tricubic);

@@ -123,6 +123,8 @@ private:
 
     // main_window_start.cpp
     bool mayLeave();
+    bool closeDialogs();
+    bool agreesToLeave();
     bool saveBeforeLeaving();
     void open(const OpenRequest& request);
     void showStartScreen();
@@ -167,7 +169,8 @@ private:
     QTimer rateTimer_;
     PictureExport* copying_ = nullptr; // to the clipboard
     bool isBusyCursor_ = false;
-    Timer sinceReversed_; // the tool's sign: cut or restore
+    bool isLeaving_ = false; // asks whether to
+    Timer sinceReversed_;    // the tool's sign: cut or restore
 };
 
 } // namespace vs::desktop

@@ -131,6 +131,18 @@ void MainWindow::makeViewActions() {
         studio_.setShadows(action("shadows")->isChecked());
     })->setCheckable(true);
 
+    addAction(
+        {"hideAbove", nullptr, tr("Hide above"),
+         tr("MIP, X-ray and overlay: hide values above the displayed range, instead of showing them as its "
+            "upper end"),
+         tr("Shift+A")},
+        [this] { studio_.setHidesAbove(action("hideAbove")->isChecked()); })
+        ->setCheckable(true);
+    addAction({"tintSegments", nullptr, tr("Tint segments"),
+               tr("MIP and X-ray: what is in a segment has the segment's colour"), tr("Shift+T")},
+              [this] { studio_.setTintsSegments(action("tintSegments")->isChecked()); })
+        ->setCheckable(true);
+
     QAction* annotations =
         addAction({"annotations", nullptr, tr("Annotations"),
                    tr("Scale bar and orientation marker over the view; saved pictures have none"), tr("A")},

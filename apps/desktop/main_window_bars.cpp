@@ -30,7 +30,7 @@ void MainWindow::makeMenus() {
                        "clearSketch", "-", "preferences"});
     menu(tr("&View"), {"resetView", "-", "mode.surface", "mode.mip", "mode.xray", "mode.overlay",
                        "mode.segment", "mode.volume", "-", "viewCut", "viewProbe", "viewWhole", "-",
-                       "smoothSampling", "shadows", "annotations"});
+                       "hideAbove", "tintSegments", "-", "smoothSampling", "shadows", "annotations"});
     makeSliceMenu();
     makeColourMenu();
     menu(tr("&Tools"), {"cameraTool",   "-",         "peelTool",  "drillTool",   "laserTool", "sweepTool",

@@ -6,6 +6,7 @@
 
 #include "volume/read.h"
 
+#include <QApplication>
 #include <QDragEnterEvent>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -49,11 +50,12 @@ void MainWindow::openPath(const QString& path) {
     dialog->setLabelText(
         tr("This file has no header. Dimensions, type and spacing:\nDIMS:TYPE[:SPACING[:OFFSET]]"));
     dialog->setTextValue("256x256x108:int16:0.957,0.957,1.5");
-    connect(dialog, &QInputDialog::textValueSelected, this, [this, request](const QString& layout) {
+    const auto openDescribed = [this, request](const QString& layout) {
         auto described = request;
         described.rawLayout = layout.trimmed().toStdString();
         open(described);
-    });
+    };
+    connect(dialog, &QInputDialog::textValueSelected, this, openDescribed, Qt::QueuedConnection);
     dialog->open();
 }
 
@@ -83,7 +85,8 @@ QFileDialog* MainWindow::makeFileDialog(const char* objectName, const QString& t
 void MainWindow::choose(const char* objectName, const QString& title, bool isSave, const QString& filter,
                         const QString& suggestion, const std::function<void(const QString&)>& take) {
     auto* dialog = makeFileDialog(objectName, title, isSave, filter, suggestion);
-    connect(dialog, &QFileDialog::fileSelected, this, take);
+    // Once the dialog has closed: what is asked then does not stand over it.
+    connect(dialog, &QFileDialog::fileSelected, this, take, Qt::QueuedConnection);
     dialog->open();
 }
 
@@ -137,14 +140,14 @@ void MainWindow::dropOn(const QString& path) {
     volume->setObjectName("dropVolume");
     question->addButton(QMessageBox::Cancel);
     question->setDefaultButton(labels);
-    connect(question, &QMessageBox::buttonClicked, this,
-            [this, path, labels, volume](QAbstractButton* chosen) {
-                if (chosen == labels) {
-                    studio_.segments().openLabels(pathOf(path));
-                } else if (chosen == volume) {
-                    openPath(path);
-                }
-            });
+    const auto take = [this, path](const QAbstractButton* chosen) {
+        if (chosen->objectName() == "dropLabels") {
+            studio_.segments().openLabels(pathOf(path));
+        } else if (chosen->objectName() == "dropVolume") {
+            QTimer::singleShot(0, this, [this, path] { openPath(path); }); // once the question has closed
+        }
+    };
+    connect(question, &QMessageBox::buttonClicked, this, take);
     question->open();
 }
 
@@ -164,8 +167,9 @@ void MainWindow::screenshot() {
            [this](const QString& path) { studio_.takeScreenshot(pathOf(path)); });
 }
 
+// Not while a dialog waits for an answer.
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
-    if (!droppedPath(*event->mimeData()).isEmpty()) {
+    if (QApplication::activeModalWidget() == nullptr && !droppedPath(*event->mimeData()).isEmpty()) {
         event->setDropAction(Qt::CopyAction);
         event->accept();
     }

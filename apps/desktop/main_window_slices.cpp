@@ -81,6 +81,7 @@ void MainWindow::makeSliceMenu() {
 void MainWindow::refreshSliceActions() {
     action(kArrangements[int(grid_->arrangement())])->setChecked(true);
     action("slices")->setChecked(grid_->arrangement() != ViewGrid::Arrangement::Only3D);
+    refreshHint(); // painting goes on slices
 }
 
 // At once: a slice's values need no look at the device.

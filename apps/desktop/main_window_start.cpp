@@ -2,6 +2,7 @@
 #include "main_window.h"
 
 #include "recovery_keeper.h"
+#include "saving_dialog.h"
 #include "series_dialog.h"
 #include "studio_controller.h"
 #include "thumbnail_keeper.h"
@@ -10,6 +11,7 @@
 
 #include "volume/read.h"
 
+#include <QApplication>
 #include <QCloseEvent>
 #include <QDockWidget>
 #include <QFileDialog>
@@ -20,11 +22,35 @@
 
 namespace vs::desktop {
 
+// Dialogs that are open are dropped: nothing is asked over them. False: one of them is at work, or asks for
+// what this would ask too.
+bool MainWindow::closeDialogs() {
+    while (auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget())) {
+        const auto* saving = qobject_cast<const SavingDialog*>(dialog);
+        if (isLeaving_ || (saving != nullptr && saving->isSaving())) {
+            dialog->raise();
+            return false;
+        }
+        dialog->reject();
+        if (dialog->isVisible()) {
+            return false;
+        }
+    }
+    return true;
+}
+
 // Asks before work that no file holds is lost; false: the person wants to stay.
 bool MainWindow::mayLeave() {
-    if (!studio_.hasUnsavedEdits()) {
-        return true;
+    if (!closeDialogs()) {
+        return false;
     }
+    isLeaving_ = true;
+    const bool isAgreed = !studio_.hasUnsavedEdits() || agreesToLeave();
+    isLeaving_ = false;
+    return isAgreed;
+}
+
+bool MainWindow::agreesToLeave() {
     QMessageBox question(QMessageBox::Warning, tr("Volume Studio"),
                          tr("There are edits that no session file holds."), QMessageBox::NoButton, this);
     question.setObjectName("unsavedEdits");

@@ -24,7 +24,8 @@ namespace vs::desktop {
 
 namespace {
 // In the order of studio::Shape.
-constexpr std::array<const char*, 5> kShapeActions{"freeForm", "ellipse", "circle", "rectangle", "polyline"};
+constexpr std::array<const char*, 6> kShapeActions{"freeForm",  "ellipse",  "circle",
+                                                   "rectangle", "polyline", "stencil"};
 } // namespace
 
 // One for each tool, the sign of those that cut, pasting, and the shapes that are sketched.
@@ -88,7 +89,7 @@ void MainWindow::makeShapeActions() {
     add(Shape::Rectangle, "rectangle", tr("Rectangle"), tr("Drag a rectangle from corner to corner"),
         tr("N"));
     add(Shape::Polyline, "polyline", tr("Polyline"),
-        tr("Click corner after corner; click the first one, or twice, to close it"), tr("Y"));
+        tr("Click corner after corner; Enter, a double click or the first corner ends it"), tr("Y"));
     addChoice(shapes,
               {"stencil", "stencil", tr("Picture"),
                tr("The shape that a PNG shows, bright or opaque: drag the box that it fills"), tr("I")},
@@ -118,8 +119,7 @@ void MainWindow::keyReleaseEvent(QKeyEvent* event) {
 
 void MainWindow::refreshToolActions() {
     action((studio_.tool().name().toStdString() + "Tool").c_str())->setChecked(true);
-    action(studio_.stencil().empty() ? kShapeActions.at(std::size_t(studio_.shape())) : "stencil")
-        ->setChecked(true);
+    action(kShapeActions.at(std::size_t(studio_.shape())))->setChecked(true);
     action("restore")->setChecked(studio_.tool().isReversed());
 }
 

@@ -44,8 +44,16 @@ MeasureTool::MeasureTool(StudioController& studio) : Tool(&studio), studio_(stud
 }
 
 QString MeasureTool::hint() const {
+    if (isTurning_) {
+        return tr("Turning the view: there is no surface where the drag began.");
+    }
+    if (inHand_ && isHeld_) {
+        return isFirst_ ? tr("Drag to the second place, or let go and click it. Esc drops the measurement.")
+                        : tr("Let go to measure to here. Esc drops the measurement.");
+    }
     if (inHand_) {
-        return tr("Click the next place. Esc drops the measurement.");
+        return inHand_->places.size() == 2 ? tr("Click the second place. Esc drops the measurement.")
+                                           : tr("Click the third place. Esc drops the measurement.");
     }
     return measuresAngles_
                ? tr("Click three places, on the surface or on a slice: the angle is the one at the second.")
@@ -66,6 +74,7 @@ void MeasureTool::setMeasuresAngles(bool angles) {
 // --- one measurement
 
 void MeasureTool::begin(glm::dvec3 world) {
+    isHeld_ = true;
     isFirst_ = !inHand_;
     if (isFirst_) {
         inHand_ = Measurement{{world, world}};
@@ -81,9 +90,11 @@ void MeasureTool::lead(glm::dvec3 world) {
 }
 
 void MeasureTool::end(bool isDrag) {
+    isHeld_ = false;
     if (inHand_ && (isDrag || !isFirst_)) {
         fix();
     }
+    tell();
 }
 
 // The last place stays where it is; the next one follows the pen.
@@ -137,6 +148,7 @@ void MeasureTool::press(const Pen& pen) {
         begin(*world);
     } else {
         studio_.cameraTool().press(pen);
+        tell();
     }
 }
 
@@ -152,6 +164,7 @@ void MeasureTool::release(const Pen& pen) {
     if (isTurning_) {
         studio_.cameraTool().release(pen);
         isTurning_ = false;
+        tell();
     } else {
         end(QLineF(pressed_, pen.position).length() > kDragPixels);
     }

@@ -66,6 +66,7 @@ private:
     std::vector<Measurement> measurements_;
     std::optional<Measurement> inHand_;
     bool measuresAngles_ = false;
+    bool isHeld_ = false;
     bool isFirst_ = false; // the press that is held began the measurement
     bool isTurning_ = false;
     QPointF pressed_;

@@ -40,6 +40,9 @@ QString MoveTool::hint() const {
     if (isTurningView_) {
         return tr("Turning the view. Press on the part to move that.");
     }
+    if (before_ && !calm_.isActive()) {
+        return tr("Let go to leave the part there. Esc puts it back.");
+    }
     const QString text =
         tr("Drag the part to move it, with Shift to turn it, with Ctrl to roll it; the wheel scales it.");
     return count() > 1 ? text + tr(" Tab: the next part.") : text;

@@ -3,6 +3,8 @@
 
 #include "camera_tool.h"
 #include "growth_controller.h"
+#include "sketch_hints.h"
+#include "slice_controller.h"
 #include "studio_controller.h"
 
 #include <algorithm>
@@ -14,6 +16,12 @@ PaintTool::PaintTool(StudioController& studio) : Tool(&studio), studio_(studio) 
 }
 
 QString PaintTool::hint() const {
+    if (!studio_.slices().isAnyShown()) {
+        return tr("Painting goes on the slices: show them with F4. Here dragging turns the volume.");
+    }
+    if (const QString locked = lockedHint(studio_); !locked.isEmpty()) {
+        return locked;
+    }
     return isToAdd_ ? tr("Paint on a slice to add to the segment; the right button or Ctrl removes. [ and ] "
                          "change the "
                          "brush, Shift leads the crosshair.")
@@ -59,7 +67,7 @@ void PaintTool::paint(studio::Trail trail, bool isReversed) {
     studio::PaintSegment paint{isToAdd_ != isReversed, std::move(trail), {}};
     if (isInRangeOnly_) {
         const auto growth = studio_.growth().status();
-        paint.range = growth.hasSeeds && growth.range.width() > 0 ? growth.range : studio_.view().range;
+        paint.range = growth.hasSeeds && growth.range.width() > 0 ? growth.range : studio_.visibleRange();
     }
     studio_.apply(paint);
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "peel_tool.h"
 
+#include "sketch_hints.h"
 #include "studio_controller.h"
 
 #include <algorithm>
@@ -13,14 +14,14 @@ constexpr double kLayersPerPixel = 0.1; // SPEC 7: 10 logical pixels are one lay
 
 PeelTool::PeelTool(StudioController& studio) : CutTool(studio) {}
 
-QString PeelTool::hint() const { return doing() + segmentHint(); }
+QString PeelTool::hint() const { return withTarget(doing()); }
 
 QString PeelTool::doing() const {
     switch (state_) {
     case State::Empty:
-        return tr("Draw a closed outline around the region to peel; it closes when you let go.");
+        return tr("Draw an outline around the region to peel.") + " " + howToDraw(studio_.shape());
     case State::Sketching:
-        return tr("Let go to close the mask. Esc drops it.");
+        return sketchHint(pad_, SketchEnd::Mask);
     case State::Ready:
         return restores()
                    ? tr("Press inside the mask and drag down to put layers back on. Draw outside it for a "
@@ -42,7 +43,7 @@ Overlays PeelTool::overlays() const {
     case State::Empty:
         return {};
     case State::Sketching:
-        return {{pad_.outline(), Overlay::Tint::Pen}};
+        return sketchOverlays(pad_, idleTint());
     case State::Ready:
         return {{pad_.area(), idleTint(), Overlay::kMaskFill}};
     case State::Peeling:
@@ -76,6 +77,7 @@ void PeelTool::press(const Pen& pen) {
     if (state_ != State::Sketching) { // else the next corner of a polyline
         pad_.begin(studio_.shape(), pen.position, studio_.stencil());
     }
+    pad_.press(pen);
     setState(State::Sketching);
 }
 
@@ -97,15 +99,10 @@ void PeelTool::peelTo(const Pen& pen) {
 
 void PeelTool::release(const Pen& pen) {
     if (state_ == State::Sketching) {
-        if (!pad_.end(pen.position)) {
-            return;
+        if (pad_.end(pen.position)) {
+            takeMask();
         }
-        if (pad_.hasArea()) {
-            isInside_ = pad_.area().contains(pen.position);
-            setState(State::Ready);
-        } else {
-            stop();
-        }
+        hover(pen);
     } else if (state_ == State::Peeling) {
         peelTo(pen);
         advance();
@@ -114,6 +111,23 @@ void PeelTool::release(const Pen& pen) {
             setState(State::Ready);
         }
     }
+}
+
+void PeelTool::takeMask() {
+    if (pad_.isOfUse()) {
+        isInside_ = false; // until the pen says where it is
+        setState(State::Ready);
+    } else {
+        stop();
+    }
+}
+
+bool PeelTool::accept() {
+    const bool isDone = state_ == State::Sketching && pad_.finish();
+    if (isDone) {
+        takeMask();
+    }
+    return isDone;
 }
 
 void PeelTool::hover(const Pen& pen) {

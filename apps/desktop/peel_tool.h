@@ -24,6 +24,7 @@ public:
     void move(const Pen& pen) override;
     void release(const Pen& pen) override;
     void hover(const Pen& pen) override;
+    bool accept() override; // a polyline ends
     void clear() override;
     void viewResized() override;
     void advance() override;
@@ -43,6 +44,7 @@ private:
     enum class State { Empty, Sketching, Ready, Peeling };
 
     void setState(State state);
+    void takeMask();
     void peelTo(const Pen& pen);
     void stop();
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "pen_tool.h"
 
+#include "sketch_hints.h"
 #include "studio_controller.h"
 
 #include <algorithm>
@@ -28,14 +29,14 @@ void PenTool::setKeepsDigging(bool on) {
     tell();
 }
 
-QString PenTool::hint() const { return doing() + segmentHint(); }
+QString PenTool::hint() const { return withTarget(doing()); }
 
 QString PenTool::doing() const {
     switch (state_) {
     case State::Empty:
-        return words().draw;
+        return words().draw + " " + howToDraw(studio_.shape());
     case State::Sketching:
-        return tr("Let go to close the mask. Esc drops it.");
+        return sketchHint(pad_, SketchEnd::Mask);
     case State::Ready:
         return words().follow;
     case State::Cutting:
@@ -49,7 +50,7 @@ Overlays PenTool::overlays() const {
     case State::Empty:
         return {};
     case State::Sketching:
-        return {{pad_.outline(), Overlay::Tint::Pen}};
+        return sketchOverlays(pad_, idleTint());
     case State::Ready:
         return {{maskAtPen(), idleTint(), Overlay::kMaskFill}};
     case State::Cutting:
@@ -80,6 +81,7 @@ void PenTool::press(const Pen& pen) {
         if (state_ != State::Sketching) { // else the next corner of a polyline
             pad_.begin(studio_.shape(), pen.position, studio_.stencil());
         }
+        pad_.press(pen);
         setState(State::Sketching);
     }
 }
@@ -121,15 +123,10 @@ void PenTool::move(const Pen& pen) {
 
 void PenTool::release(const Pen& pen) {
     if (state_ == State::Sketching) {
-        if (!pad_.end(pen.position)) {
-            return;
+        if (pad_.end(pen.position)) {
+            takeMask();
         }
-        isPenOver_ = false; // stays where it was drawn until the pen moves
-        if (pad_.hasArea()) {
-            setState(State::Ready);
-        } else {
-            abandon();
-        }
+        emit overlayChanged();
     } else if (state_ == State::Cutting) {
         ramping_.reset();
         cut(1e9);                       // all that is waiting
@@ -138,6 +135,23 @@ void PenTool::release(const Pen& pen) {
             setState(State::Ready);
         }
     }
+}
+
+void PenTool::takeMask() {
+    isPenOver_ = false; // stays where it was drawn until the pen moves
+    if (pad_.isOfUse()) {
+        setState(State::Ready);
+    } else {
+        abandon();
+    }
+}
+
+bool PenTool::accept() {
+    const bool isDone = state_ == State::Sketching && pad_.finish();
+    if (isDone) {
+        takeMask();
+    }
+    return isDone;
 }
 
 void PenTool::hover(const Pen& pen) {

@@ -35,6 +35,7 @@ public:
     void release(const Pen& pen) override;
     void hover(const Pen& pen) override;
     void leave() override;
+    bool accept() override; // a polyline ends
     void clear() override;
     void viewResized() override;
     void advance() override;
@@ -74,6 +75,7 @@ protected:
 private:
     [[nodiscard]] QString doing() const; // the hint, without what it works on
     void setState(State state);
+    void takeMask();
     void beginCut(const Pen& pen);
     [[nodiscard]] double pressureOf(const Pen& pen) const;
     void ramp();

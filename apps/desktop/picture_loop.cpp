@@ -19,7 +19,8 @@ constexpr double kHardwareFrameMs = 25;
 constexpr double kLeastShare = 0.35; // of a frame for its rays, however much else there is to do
 constexpr double kSegmentsMs = 25;   // a draft, to smooth what grew
 constexpr double kHurriedSegmentsMs = 3;
-constexpr double kCalmMs = 180; // longer than the pauses within a hand's movement
+constexpr double kCalmMs = 180;      // longer than the pauses within a hand's movement
+constexpr double kLongPassMs = 1000; // from then on a person is told how far a picture is
 constexpr std::array kScales{1.0, 1.25, 1.5, 2.0, 2.5, 3.0, 4.0};
 
 } // namespace
@@ -55,6 +56,10 @@ double PictureLoop::framesPerSecond() const {
     return meanFrameMs_ > 0 && sinceDraft_.milliseconds() < 500 ? 1000 / meanFrameMs_ : 0;
 }
 
+std::optional<double> PictureLoop::refined() const {
+    return pass_ == Pass::Full && passMs_ > kLongPassMs ? std::optional(passShare_) : std::nullopt;
+}
+
 PictureLoop::State PictureLoop::step(double budgetMs) {
     if (document_ == nullptr || viewport_.x < 1 || viewport_.y < 1) {
         return State::Complete;
@@ -82,6 +87,7 @@ PictureLoop::State PictureLoop::step(double budgetMs) {
     const Timer timer;
     run_([&] { caster_.renderSome(budgetMs); });
     passMs_ += timer.milliseconds();
+    passShare_ = caster_.share();
     if (pass_ == Pass::Draft && caster_.isComplete()) {
         show();
         finishDraft();
@@ -121,6 +127,7 @@ void PictureLoop::begin(Pass pass) {
     run_([&] {
         auto frame = document_->frame(size, segmentsMs());
         frame.samples = pass == Pass::Full ? kFullSamples : 1;
+        frame.endsEarly = true;
         if (pass != Pass::Full) {
             frame.sampleStep = 1; // pixels of a draft are wider than that
             frame.scene.sampling =
@@ -136,6 +143,7 @@ void PictureLoop::begin(Pass pass) {
     isFullDone_ = false;
     samplesShown_ = 0;
     prepareMs_ = passMs_ = timer.milliseconds();
+    passShare_ = 0;
 }
 
 // Read back, and painted as the rest of the window is (doc/decisions/0010).

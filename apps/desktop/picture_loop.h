@@ -58,6 +58,8 @@ public:
     [[nodiscard]] double draftMs() const { return lastDraftMs_; }
     // Drafts per second of late; 0 when at rest.
     [[nodiscard]] double framesPerSecond() const;
+    // How much of the full quality is done, 0 to 1, while a picture at rest takes long enough to be told of.
+    [[nodiscard]] std::optional<double> refined() const;
     // The finished picture. isComplete() must hold.
     image::Image readPicture() { return caster_.readPicture(); }
 
@@ -86,6 +88,7 @@ private:
     bool isHurried_ = false;
     bool isBehind_ = false; // the last pass does not have all that the document has
     double passMs_ = 0;     // spent in this pass so far
+    double passShare_ = 0;  // how much of it is done, 0 to 1
     Timer sinceInput_;
     Timer sinceDraft_;
     double meanFrameMs_ = 0; // running mean of the time from draft to draft

@@ -9,7 +9,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace vs::desktop {
 
@@ -61,39 +60,6 @@ QRectF seenBox(const Box3& part, const render::Placement& place, const volume::G
         seen.append(QPointF(pixel.x, pixel.y));
     }
     return seen.boundingRect();
-}
-
-render::Placement placeBeside(const Box3& part, const std::vector<QRectF>& taken,
-                              const volume::GridGeometry& geometry, const render::ViewRays& rays) {
-    constexpr double kMargin = 0.03; // of the picture's width
-    render::Placement place;
-    const glm::dvec3 right = glm::normalize(rays.right);
-    double width = 0;
-    for (int axis = 0; axis < 3; ++axis) {
-        const glm::dvec3 side = glm::dvec3(geometry.worldFromVoxel[axis]) * double(geometry.dims[axis]);
-        width += std::abs(glm::dot(side, right));
-    }
-    place.moveMm = width * right;
-    if (part.isEmpty()) {
-        return place;
-    }
-    double pixelMm = std::numeric_limits<double>::max(); // of the nearest corner, which moves farthest
-    for (const auto& corner : boxCorners(glm::dvec3(part.lo), glm::dvec3(part.hi), geometry.worldFromVoxel)) {
-        pixelMm = std::min(pixelMm, rays.pixelMm(corner));
-    }
-    const double room = (1 - kMargin) * rays.size.x - seenBox(part, {}, geometry, rays).right();
-    place.moveMm = std::min(width, std::max(room, kMargin * rays.size.x) * pixelMm) * right;
-    const glm::dvec3 down = -glm::normalize(rays.up);
-    for (std::size_t tries = 0; tries < taken.size(); ++tries) {
-        const QRectF seen = seenBox(part, place, geometry, rays);
-        const auto hit = std::find_if(taken.begin(), taken.end(),
-                                      [&](const QRectF& other) { return other.intersects(seen); });
-        if (hit == taken.end() || hit->bottom() + seen.height() > rays.size.y) {
-            break;
-        }
-        place.moveMm += (hit->bottom() - seen.top()) * pixelMm * down;
-    }
-    return place;
 }
 
 } // namespace vs::desktop

@@ -6,8 +6,6 @@
 
 #include <QRectF>
 
-#include <vector>
-
 namespace vs::desktop {
 
 // A pasted part as it is held in the hand: about its own centre (world, where it was cut out) instead of the
@@ -37,11 +35,5 @@ private:
 // The box around a part (voxels, where it was cut out) as it is seen at a place, in pixels.
 QRectF seenBox(const Box3& part, const render::Placement& place, const volume::GridGeometry& geometry,
                const render::ViewRays& rays);
-
-// Where a new part is put: moved from where it was cut out to the right as it is seen, as far as the grid is
-// wide, but so that it stays in the picture; and down, beside what is `taken` (pixels) by others, while there
-// is room.
-render::Placement placeBeside(const Box3& part, const std::vector<QRectF>& taken,
-                              const volume::GridGeometry& geometry, const render::ViewRays& rays);
 
 } // namespace vs::desktop

@@ -36,6 +36,7 @@ RangePage::RangePage(StudioController& studio) : studio_(studio) {
     view_ = named(new HistogramView, "histogram", tr("Histogram with the displayed range"));
     column->addWidget(view_);
     column->addWidget(makeRangeRow());
+    column->addWidget(makeSmoothingRow());
     note_ = named(makeQuietLabel({}), "rangeNote", tr("What is wrong with the number that was typed"));
     note_->setWordWrap(true);
     note_->hide();
@@ -80,6 +81,25 @@ QWidget* RangePage::makeRangeRow() {
         connect(box, &QDoubleSpinBox::valueChanged, this, &RangePage::takeTyped);
     }
     connect(logarithmic_, &QToolButton::toggled, view_, &HistogramView::setLogarithmic);
+    return holder;
+}
+
+QWidget* RangePage::makeSmoothingRow() {
+    auto* holder = new QWidget;
+    auto* row = new QHBoxLayout(holder);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(6);
+    smoothing_ = makeSpinBox("surfaceSmoothing", tr("Smoothing of the displayed surface, in steps"));
+    smoothing_->setRange(0, studio::kMostSurfaceSmoothing);
+    smoothing_->setDecimals(2);
+    smoothing_->setSingleStep(0.25);
+    holder->setToolTip(tr("Smooths the values before the surface is looked for: takes the grain off skin. "
+                          "Sections show the values as they are."));
+    row->addWidget(makeQuietLabel(tr("Smooth surface")));
+    row->addWidget(smoothing_, 1);
+    row->addWidget(makeQuietLabel(tr("steps")));
+    connect(smoothing_, &QDoubleSpinBox::valueChanged, this,
+            [this](double sigma) { studio_.setSurfaceSmoothing(sigma); });
     return holder;
 }
 
@@ -136,7 +156,9 @@ void RangePage::answer(const QString& words) {
 void RangePage::refresh() {
     const Range range = studio_.view().range;
     view_->setRange(range);
-    for (auto [box, value] : {std::pair{lo_, range.lo}, std::pair{hi_, range.hi}}) {
+    const double smoothing = studio_.view().surfaceSmoothing;
+    for (auto [box, value] :
+         {std::pair{lo_, range.lo}, std::pair{hi_, range.hi}, std::pair{smoothing_, smoothing}}) {
         if (box->value() != value) { // setting it paints it again even so
             const QSignalBlocker blocker(box);
             box->setValue(value);

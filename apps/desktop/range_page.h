@@ -32,6 +32,7 @@ public:
 
 private:
     QWidget* makeRangeRow();
+    QWidget* makeSmoothingRow();
     void takeTyped();
     void refresh();
     void countVisible();
@@ -42,6 +43,7 @@ private:
     HistogramView* view_;
     QDoubleSpinBox* lo_ = nullptr;
     QDoubleSpinBox* hi_ = nullptr;
+    QDoubleSpinBox* smoothing_ = nullptr;
     QLabel* unit_ = nullptr;
     QToolButton* logarithmic_ = nullptr;
     QLabel* note_;

@@ -19,8 +19,9 @@ class SavingDialog : public QDialog {
 public:
     SavingDialog(StudioController& studio, QWidget* parent) : QDialog(parent), studio_(studio) {}
 
-protected:
     [[nodiscard]] virtual bool isSaving() const = 0;
+
+protected:
     virtual void giveUp() = 0;
 
     void lock();                                      // it begins; the bar's range is the subclass's

@@ -1,33 +1,45 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "scissors_tool.h"
 
+#include "sketch_hints.h"
 #include "studio_controller.h"
 
 namespace vs::desktop {
 
-QString ScissorsTool::hint() const { return doing() + segmentHint(); }
+QString ScissorsTool::hint() const { return withTarget(doing()); }
 
 QString ScissorsTool::doing() const {
-    if (isDown_) {
-        return tr("Let go to close the stroke and cut. Esc drops it.");
+    if (isSketching_) {
+        return sketchHint(pad_, actsOnSegment() ? (adds() ? SketchEnd::Add : SketchEnd::Remove)
+                                : restores()    ? SketchEnd::Restore
+                                                : SketchEnd::Cut);
+    }
+    const QString how = " " + howToDraw(studio_.shape());
+    if (actsOnSegment()) {
+        return (cutsOutside_ ? tr("Draw around a region: the scissors take everything outside it.")
+                             : tr("Draw around what the scissors should take.")) +
+               how;
     }
     if (restores()) {
-        return cutsOutside_ ? tr("Draw around a region: everything outside it is put back when you let go.")
-                            : tr("Draw around what should be put back; it is when you let go.");
+        return (cutsOutside_ ? tr("Draw around a region: everything outside it is put back.")
+                             : tr("Draw around what should be put back.")) +
+               how;
     }
-    return cutsOutside_ ? tr("Draw around what should stay: everything outside it is cut when you let go.")
-                        : tr("Draw around what should go: it is cut when you let go.");
+    return (cutsOutside_ ? tr("Draw around what should stay: everything outside it is cut.")
+                         : tr("Draw around what should go.")) +
+           how;
 }
 
 Overlays ScissorsTool::overlays() const {
-    if (!isDown_) {
+    if (!isSketching_) {
         return {};
     }
-    QPainterPath region = pad_.area();
-    if (cutsOutside_) {
+    Overlays overlays = sketchOverlays(pad_, cuttingTint());
+    if (cutsOutside_ && pad_.isOfUse()) {
+        QPainterPath& region = overlays.front().path;
         region.addRect(region.boundingRect().adjusted(-1e4, -1e4, 1e4, 1e4));
     }
-    return {{region, cuttingTint(), Overlay::kMaskFill, 1}, {pad_.outline(), Overlay::Tint::Pen}};
+    return overlays;
 }
 
 void ScissorsTool::setCutsOutside(bool outside) {
@@ -41,30 +53,43 @@ void ScissorsTool::setDepth(std::optional<double> steps) {
 }
 
 void ScissorsTool::press(const Pen& pen) {
-    if (!isDown_) { // else the next corner of a polyline
+    if (!isSketching_) { // else the next corner of a polyline
         pad_.begin(studio_.shape(), pen.position, studio_.stencil());
     }
-    isDown_ = true;
+    pad_.press(pen);
+    isSketching_ = true;
     emit overlayChanged();
 }
 
 void ScissorsTool::move(const Pen& pen) {
-    if (isDown_) {
+    if (isSketching_) {
         pad_.extend(pen.position);
         emit overlayChanged();
     }
 }
 
 void ScissorsTool::release(const Pen& pen) {
-    if (!isDown_) {
+    if (!isSketching_) {
         return;
     }
-    if (!pad_.end(pen.position)) {
-        return;
+    if (pad_.end(pen.position)) {
+        cutSketch();
     }
-    isDown_ = false;
     emit overlayChanged();
-    if (!pad_.hasArea()) {
+}
+
+bool ScissorsTool::accept() {
+    const bool isDone = isSketching_ && pad_.finish();
+    if (isDone) {
+        cutSketch();
+    }
+    return isDone;
+}
+
+void ScissorsTool::cutSketch() {
+    isSketching_ = false;
+    emit overlayChanged();
+    if (!pad_.isOfUse()) {
         return;
     }
     studio::Scissors scissors;
@@ -78,7 +103,7 @@ void ScissorsTool::release(const Pen& pen) {
 }
 
 void ScissorsTool::clear() {
-    isDown_ = false;
+    isSketching_ = false;
     pad_.clear();
     emit overlayChanged();
 }

@@ -24,10 +24,11 @@ public:
     void move(const Pen& pen) override;
     void release(const Pen& pen) override;
     void hover(const Pen& pen) override { move(pen); } // between a polyline's corners
+    bool accept() override;                            // a polyline ends
     void clear() override;
     void viewResized() override { clear(); }
-    [[nodiscard]] bool isBusy() const override { return isDown_; }
-    [[nodiscard]] bool isSketching() const override { return isDown_; }
+    [[nodiscard]] bool isBusy() const override { return isSketching_; }
+    [[nodiscard]] bool isSketching() const override { return isSketching_; }
 
     [[nodiscard]] bool cutsOutside() const { return cutsOutside_; }
     void setCutsOutside(bool outside);
@@ -37,10 +38,11 @@ public:
 
 private:
     [[nodiscard]] QString doing() const; // the hint, without what it works on
+    void cutSketch();
     bool cutsOutside_ = false;
     std::optional<double> depth_;
     SketchPad pad_;
-    bool isDown_ = false;
+    bool isSketching_ = false;
 };
 
 } // namespace vs::desktop

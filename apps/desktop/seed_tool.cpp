@@ -2,6 +2,7 @@
 #include "seed_tool.h"
 
 #include "growth_controller.h"
+#include "sketch_hints.h"
 #include "studio_controller.h"
 
 namespace vs::desktop {
@@ -9,31 +10,30 @@ namespace vs::desktop {
 SeedTool::SeedTool(StudioController& studio) : Tool(&studio), studio_(studio) {}
 
 QString SeedTool::hint() const {
-    if (isDown_) {
-        return isReversed_ ? tr("Let go to absorb from here. Esc drops the stroke.")
-                           : tr("Let go to place the seeds. Esc drops the stroke.");
+    const QString locked = lockedHint(studio_);
+    return locked.isEmpty() ? doing() : locked;
+}
+
+QString SeedTool::doing() const {
+    if (isSketching_) {
+        return sketchHint(pad_, isReversed_ ? SketchEnd::Absorb : SketchEnd::Seed);
     }
+    const bool starts = studio_.growth().isAutoStart();
+    const QString how = " " + howToDraw(studio_.shape(), SketchPad::Needs::Line) + " ";
     if (isReversed_) {
-        return studio_.growth().isAutoStart() ? tr("Draw on the segment: it is absorbed from there outward "
-                                                   "until you pause. R seeds again.")
-                                              : tr("Draw on the segment to absorb it there; Step and Play go "
-                                                   "on outward. R seeds again.");
+        return (starts ? tr("Draw on the segment: it is absorbed from there outward until you pause.")
+                       : tr("Draw on the segment: it is absorbed there; Step and Play go on outward.")) +
+               how + tr("R seeds again.");
     }
-    return studio_.growth().isAutoStart()
-               ? tr("Draw on what should be segmented; it starts to grow when you let go. More strokes add "
-                    "to it.")
-               : tr("Draw on what should be segmented, then press Play. More strokes add to it.");
+    return (starts ? tr("Draw on what should be segmented: it grows from there.")
+                   : tr("Draw on what should be segmented, then press Play.")) +
+           how + tr("More strokes add to it.");
 }
 
 Overlays SeedTool::overlays() const {
-    if (!isDown_) {
-        return {};
-    }
-    const auto tint = isReversed_ ? Overlay::Tint::Cutting : Overlay::Tint::Seed;
-    if (studio_.shape() == studio::Shape::FreeForm) {
-        return {{pad_.outline(), tint, 0, width_}};
-    }
-    return {{pad_.area(), tint, Overlay::kMaskFill}};
+    return isSketching_
+               ? sketchOverlays(pad_, isReversed_ ? Overlay::Tint::Cutting : Overlay::Tint::Seed, width_)
+               : Overlays{};
 }
 
 void SeedTool::setReversed(bool reversed) {
@@ -45,30 +45,43 @@ void SeedTool::setReversed(bool reversed) {
 }
 
 void SeedTool::press(const Pen& pen) {
-    if (!isDown_) { // else the next corner of a polyline
-        pad_.begin(studio_.shape(), pen.position, studio_.stencil());
+    if (!isSketching_) { // else the next corner of a polyline
+        pad_.begin(studio_.shape(), pen.position, studio_.stencil(), SketchPad::Needs::Line);
     }
-    isDown_ = true;
+    pad_.press(pen);
+    isSketching_ = true;
     emit overlayChanged();
 }
 
 void SeedTool::move(const Pen& pen) {
-    if (isDown_) {
+    if (isSketching_) {
         pad_.extend(pen.position);
         emit overlayChanged();
     }
 }
 
 void SeedTool::release(const Pen& pen) {
-    if (!isDown_) {
+    if (!isSketching_) {
         return;
     }
-    if (!pad_.end(pen.position)) {
-        return;
+    if (pad_.end(pen.position)) {
+        takeStroke();
     }
-    isDown_ = false;
     emit overlayChanged();
-    if (studio_.shape() != studio::Shape::FreeForm && !pad_.hasArea()) {
+}
+
+bool SeedTool::accept() {
+    const bool isDone = isSketching_ && pad_.finish();
+    if (isDone) {
+        takeStroke();
+    }
+    return isDone;
+}
+
+void SeedTool::takeStroke() {
+    isSketching_ = false;
+    emit overlayChanged();
+    if (!pad_.isOfUse()) {
         return;
     }
     const glm::dvec2 scale = studio_.devicePerLogical();
@@ -86,7 +99,7 @@ void SeedTool::release(const Pen& pen) {
 }
 
 void SeedTool::clear() {
-    isDown_ = false;
+    isSketching_ = false;
     pad_.clear();
     emit overlayChanged();
 }

@@ -23,10 +23,11 @@ public:
     void move(const Pen& pen) override;
     void release(const Pen& pen) override;
     void hover(const Pen& pen) override { move(pen); } // between a polyline's corners
+    bool accept() override;                            // a polyline ends
     void clear() override;
     void viewResized() override { clear(); }
-    [[nodiscard]] bool isBusy() const override { return isDown_; }
-    [[nodiscard]] bool isSketching() const override { return isDown_; }
+    [[nodiscard]] bool isBusy() const override { return isSketching_; }
+    [[nodiscard]] bool isSketching() const override { return isSketching_; }
 
     // The sign reversed: strokes absorb the segment at work from where they are drawn.
     [[nodiscard]] bool hasSign() const override { return true; }
@@ -41,9 +42,12 @@ signals:
     void settingsChanged();
 
 private:
+    [[nodiscard]] QString doing() const; // the hint of a segment that can be worked on
+    void takeStroke();
+
     StudioController& studio_;
     SketchPad pad_;
-    bool isDown_ = false;
+    bool isSketching_ = false;
     bool isReversed_ = false;
     double width_ = 5;
 };

@@ -73,7 +73,9 @@ void SegmentController::add() {
     for (int number = int(list().segments.size()) + 1;; ++number) {
         const std::string name = tr("Segment %1").arg(number).toStdString();
         if (list().find(name) == nullptr) {
-            studio_.apply(studio::UseSegment{name});
+            studio::UseSegment another{name};
+            another.takesFirst = false;
+            studio_.apply(another);
             return;
         }
     }

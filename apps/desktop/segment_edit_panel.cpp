@@ -101,9 +101,6 @@ SegmentEditPanel::SegmentEditPanel(StudioController& studio, QWidget* parent)
         }
         edit_->addItem(edit.text, int(&edit - edits().data()));
     }
-    edit_->setProperty("report", edit_->currentText());
-    connect(edit_, &QComboBox::currentTextChanged, edit_,
-            [this](const QString& text) { edit_->setProperty("report", text); });
     column->addWidget(edit_);
     explanation_ = makeQuietLabel({});
     explanation_->setWordWrap(true);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sketch_pad.h"
 
+#include "tool.h"
+
 #include <QPolygonF>
 
 #include <algorithm>
@@ -9,9 +11,6 @@
 namespace vs::desktop {
 
 namespace {
-
-constexpr double kCloses = 8; // logical pixels from a polyline's first corner
-constexpr double kSamePlace = 3;
 
 double distance(QPointF a, QPointF b) { return std::hypot(a.x() - b.x(), a.y() - b.y()); }
 
@@ -26,51 +25,92 @@ QPainterPath lineThrough(const std::vector<QPointF>& points) {
 
 } // namespace
 
-bool SketchPad::isDrawnByPoints() const {
-    return stencil_.empty() && (shape_ == studio::Shape::FreeForm || shape_ == studio::Shape::Polyline);
+bool SketchPad::isDrawnByPoints() const { return shape_ == studio::Shape::FreeForm || isPolyline(); }
+
+bool SketchPad::isNear(QPointF place, double pixels) const {
+    return pen_ && distance(*pen_, place) <= pixels;
 }
 
-void SketchPad::begin(studio::Shape shape, QPointF at, const std::vector<glm::dvec2>& stencil) {
+// The second of two quick clicks may be farther off: it was not meant as a corner.
+bool SketchPad::isAtLastCorner() const {
+    return pen_ && isNear(points_.back(), isDoubleClick_ ? kCloses : kSamePlace);
+}
+
+bool SketchPad::isLine() const { return needs_ == Needs::Line && isDrawnByPoints(); }
+
+bool SketchPad::canClose() const { return isPolyline() && points_.size() >= 3 && isOfUse(); }
+
+void SketchPad::begin(studio::Shape shape, QPointF at, const std::vector<glm::dvec2>& stencil, Needs needs) {
+    clear();
     shape_ = shape;
     stencil_ = stencil;
+    needs_ = needs;
     points_ = {at};
-    if (!isDrawnByPoints() || shape_ == studio::Shape::Polyline) {
+    isHeld_ = true;
+    if (isPolyline()) {
+        pen_ = at;
+    } else if (!isDrawnByPoints()) {
         points_.push_back(at);
     }
+}
+
+void SketchPad::press(const Pen& pen) {
+    isHeld_ = true;
+    isDoubleClick_ = pen.isDoubleClick;
+    extend(pen.position);
 }
 
 void SketchPad::extend(QPointF to) {
     if (points_.empty()) {
         return;
     }
-    if (isDrawnByPoints() && shape_ == studio::Shape::FreeForm) {
-        if (to != points_.back()) {
-            points_.push_back(to);
-        }
-    } else {
+    if (isPolyline()) {
+        pen_ = to;
+    } else if (!isDrawnByPoints()) {
         points_.back() = to;
+    } else if (to != points_.back()) {
+        points_.push_back(to);
     }
 }
 
 bool SketchPad::end(QPointF at) {
     extend(at);
-    if (!isDrawnByPoints() || shape_ != studio::Shape::Polyline) {
+    isHeld_ = false;
+    if (!isPolyline()) {
         return true;
     }
-    const std::size_t corners = points_.size() - 1; // and the one that follows the pen
-    const bool isAgain = distance(at, points_[corners - 1]) <= kSamePlace;
-    if (corners >= 3 && (isAgain || distance(at, points_.front()) <= kCloses)) {
-        points_.pop_back();
-        return true;
+    const bool isAgain = isAtLastCorner();
+    isDoubleClick_ = false;
+    if (isAtFirstCorner()) {
+        if (needs_ == Needs::Line) {
+            points_.push_back(points_.front());
+        }
+        return finish();
     }
-    if (!isAgain) {
-        points_.push_back(at);
+    if (isAgain) {
+        return finish();
     }
+    points_.push_back(at);
     return false;
 }
 
+bool SketchPad::finish() {
+    if (!isPolyline() || !pen_ || !isOfUse()) {
+        return false;
+    }
+    pen_.reset();
+    isHeld_ = false;
+    return true;
+}
+
+void SketchPad::clear() {
+    points_.clear();
+    pen_.reset();
+    isHeld_ = isDoubleClick_ = false;
+}
+
 QRectF SketchPad::box() const {
-    if (shape_ == studio::Shape::Circle && stencil_.empty()) {
+    if (shape_ == studio::Shape::Circle) {
         const double radius = distance(points_.front(), points_.back());
         return {points_.front() - QPointF(radius, radius), points_.front() + QPointF(radius, radius)};
     }
@@ -81,8 +121,11 @@ QRectF SketchPad::box() const {
     return {QPointF(left->x(), top->y()), QPointF(right->x(), bottom->y())};
 }
 
-bool SketchPad::hasArea() const {
+bool SketchPad::isOfUse() const {
     constexpr double kLeast = 4; // logical pixels: less is a slip of the hand
+    if (isLine()) {
+        return points_.size() >= (isPolyline() ? 2U : 1U);
+    }
     const std::size_t needed = isDrawnByPoints() ? 3 : 2;
     return points_.size() >= needed && box().width() >= kLeast && box().height() >= kLeast;
 }
@@ -110,33 +153,54 @@ QPainterPath SketchPad::outline() const {
     if (points_.empty()) {
         return path;
     }
-    if (!stencil_.empty()) {
-        return lineThrough(fittedStencil());
-    }
-    if (isDrawnByPoints()) {
+    switch (shape_) {
+    case studio::Shape::FreeForm:
         return lineThrough(points_);
-    }
-    if (shape_ == studio::Shape::Rectangle) {
+    case studio::Shape::Polyline:
+        path = lineThrough(points_);
+        if (pen_) {
+            path.lineTo(isAtFirstCorner() ? points_.front() : *pen_);
+        }
+        return path;
+    case studio::Shape::Stencil:
+        return lineThrough(fittedStencil());
+    case studio::Shape::Rectangle:
         path.addRect(box());
-    } else {
-        path.addEllipse(box());
+        return path;
+    case studio::Shape::Ellipse:
+    case studio::Shape::Circle:
+        break;
     }
+    path.addEllipse(box());
     return path;
 }
 
 QPainterPath SketchPad::area() const {
-    QPainterPath path = outline();
-    path.closeSubpath();
+    if (points_.empty()) {
+        return {};
+    }
+    QPainterPath path = isPolyline() ? lineThrough(points_) : outline();
+    if (!isLine() || isAtFirstCorner()) {
+        path.closeSubpath();
+    }
     path.setFillRule(Qt::OddEvenFill);
     return path;
+}
+
+QPainterPath SketchPad::firstCorner() const {
+    QPainterPath ring;
+    if (canClose() && pen_) {
+        const double radius = isAtFirstCorner() ? kCloses : 0.5 * kCloses;
+        ring.addEllipse(points_.front(), radius, radius);
+    }
+    return ring;
 }
 
 QPointF SketchPad::centre() const { return box().center(); }
 
 studio::Sketch SketchPad::sketch(glm::dvec2 devicePerLogical) const {
-    const bool isStencil = !stencil_.empty();
-    studio::Sketch sketch{isStencil ? studio::Shape::Polyline : shape_, {}};
-    for (const QPointF& point : isStencil ? fittedStencil() : points_) {
+    studio::Sketch sketch{shape_, {}};
+    for (const QPointF& point : shape_ == studio::Shape::Stencil ? fittedStencil() : points_) {
         sketch.points.emplace_back(glm::dvec2(point.x(), point.y()) * devicePerLogical);
     }
     return sketch;

@@ -13,7 +13,6 @@
 #include "move_tool.h"
 #include "paint_tool.h"
 #include "peel_tool.h"
-#include "placement_by_hand.h"
 #include "scissors_tool.h"
 #include "seed_tool.h"
 #include "segment_controller.h"
@@ -23,9 +22,6 @@
 #include "sweep_tool.h"
 
 #include "base/progress.h"
-
-#include <algorithm>
-#include <cmath>
 
 namespace vs::desktop {
 
@@ -286,38 +282,19 @@ bool StudioController::change(const std::function<studio::Outcome()>& edit) {
     return done;
 }
 
-bool StudioController::paste() {
-    if (document_ == nullptr || isLoading()) {
-        return false;
-    }
-    render::Placement place;
-    bool isSomething = false;
-    flushView();
-    const bool isPlaced = workLong([&] {
-        const Box3 box = document_->partBox(document_->pastedParts());
-        isSomething = !box.isEmpty();
-        std::vector<QRectF> taken;
-        for (std::size_t part = 0; part < view_.pasted.size(); ++part) {
-            taken.push_back(seenBox(document_->partBox(part), view_.pasted[part], *geometry(), rays()));
-        }
-        place = placeBeside(box, taken, *geometry(), rays());
-    });
-    if (isPlaced && !isSomething) {
-        say(tr("Nothing to paste: nothing visible was cut since the last paste"));
-        return false;
-    }
-    if (!isPlaced || !apply(studio::Paste{place})) {
-        return false;
-    }
-    setTool(*moveTool_);
-    moveTool_->choose(moveTool_->count() - 1);
-    return true;
-}
-
+// "Peel: 120 voxels changed", "Undone: peel"; and "Nothing was cut: ...", which says by itself what was
+// tried.
 void StudioController::report(const studio::Outcome& outcome) {
-    QString text = libraryText(outcome.name);
-    text = text.left(1).toUpper() + text.mid(1);
-    say(outcome.message.empty() ? text : text + ": " + libraryText(outcome.message));
+    const auto capitalised = [](const QString& text) { return text.left(1).toUpper() + text.mid(1); };
+    const QString name = capitalised(libraryText(outcome.name));
+    const QString message = libraryText(outcome.message);
+    if (outcome.name == "undo" || outcome.name == "redo") {
+        say((outcome.name == "undo" ? tr("Undone: %1") : tr("Redone: %1")).arg(message));
+    } else if (outcome.message.starts_with("nothing ")) {
+        say(capitalised(message));
+    } else {
+        say(message.isEmpty() ? name : name + ": " + message);
+    }
 }
 
 void StudioController::say(const QString& message) {
@@ -338,8 +315,12 @@ void StudioController::setTool(Tool& tool) {
 CutTool* StudioController::cutTool() const { return qobject_cast<CutTool*>(tool_); }
 
 void StudioController::setShape(studio::Shape shape) {
+    if (tool_->isSketching()) { // a polyline that was under way
+        tool_->clear();
+    }
     shape_ = shape;
     stencil_.clear();
+    emit overlayChanged(); // the hint
     emit changed();
 }
 

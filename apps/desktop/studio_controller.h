@@ -75,6 +75,8 @@ public:
     studio::Document* document();
     // Long work has the document: nothing else can be done with it.
     [[nodiscard]] bool isAway() const { return longWork_.isRunning(); }
+    // It lasts, and all that a person can do meanwhile is to give it up.
+    [[nodiscard]] bool isLasting() const { return longWork_.isShown(); }
     // Does something with the document that may take long while the window goes on painting and input waits
     // (LongWork). False: it failed, and the message says why.
     bool workLong(const std::function<void()>& work);
@@ -112,6 +114,14 @@ public:
     // Ambient occlusion and soft shadows.
     void setShadows(bool shadows);
     void setRange(Range range);
+    // Values above the displayed range: hidden in MIP, X-ray and overlay, or shown as its upper end.
+    void setHidesAbove(bool hidesAbove);
+    // Sigma in steps; 0: surfaces as they are in the data.
+    void setSurfaceSmoothing(double sigma);
+    // Segments in their colours in MIP and X-ray too.
+    void setTintsSegments(bool tintsSegments);
+    // What of the volume's values the view shows (View::visibleRange). There must be a volume.
+    [[nodiscard]] Range visibleRange() const;
     void setSampling(field::Sampling sampling);
     void setViewport(QSizeF logical, glm::ivec2 device);
     [[nodiscard]] glm::dvec2 devicePerLogical() const;
@@ -135,8 +145,8 @@ public:
     bool apply(const studio::Operation& operation, const std::filesystem::path& outputFolder = ".");
     // Plays the region backward; one undo step with the rewinding before it.
     bool rewind(int generations);
-    // Pastes what was cut since the last paste beside the object, to the right as it is seen, and takes it in
-    // hand.
+    // Pastes what was cut since the last paste where there is room beside the object and the parts pasted
+    // before, and takes it in hand. The view steps back if it would not be seen.
     bool paste();
     // Whether there are edits that no session file holds.
     [[nodiscard]] bool hasUnsavedEdits() const;
@@ -161,8 +171,7 @@ public:
     [[nodiscard]] CutTool* cutTool() const;
     [[nodiscard]] studio::Shape shape() const { return shape_; }
     void setShape(studio::Shape shape);
-    // What is sketched instead of a shape: an outline (y down) fitted into the box that is dragged. Empty:
-    // none.
+    // What Shape::Stencil sketches: an outline (y down) fitted into the box that is dragged.
     [[nodiscard]] const std::vector<glm::dvec2>& stencil() const { return stencil_; }
     // A picture's bright or opaque part as the stencil. False: it has none, and the message says why.
     bool setStencil(const std::filesystem::path& picture);

@@ -281,14 +281,15 @@ void StudioController::writeScreenshot() {
 }
 
 bool StudioController::setStencil(const std::filesystem::path& picture) {
+    std::vector<glm::dvec2> outline;
     const bool isRead = guard([&] {
-        stencil_.clear();
         for (const glm::dvec2 point : sculpt::outlineFromImage(image::readPng(picture), 1)) {
-            stencil_.emplace_back(point.x, -point.y);
+            outline.emplace_back(point.x, -point.y);
         }
     });
-    shape_ = isRead ? studio::Shape::Polyline : shape_;
     if (isRead) {
+        setShape(studio::Shape::Stencil);
+        stencil_ = std::move(outline);
         say(tr("Drag a box for the shape of %1").arg(text(picture.filename())));
     }
     emit changed();

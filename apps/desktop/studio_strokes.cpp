@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-// Strokes: on the scan, or on the segment at work.
+// Strokes on the scan or on the segment at work, and pasting what they cut out.
 #include "cut_tool.h"
+#include "free_room.h"
 #include "growth_controller.h"
+#include "move_tool.h"
 #include "studio_controller.h"
 
 namespace vs::desktop {
@@ -52,6 +54,43 @@ void StudioController::setBrushesSegment(bool on) {
     brushesSegment_ = on;
     emit overlayChanged(); // the hint
     emit changed();
+}
+
+bool StudioController::paste() {
+    if (document_ == nullptr || isLoading()) {
+        return false;
+    }
+    render::Placement place;
+    render::Camera camera;
+    bool isSomething = false;
+    flushView();
+    const bool isPlaced = workLong([&] {
+        FreeRoom room(view_.camera, *geometry(), picture_->viewport());
+        room.take(document_->remainingCells());
+        for (std::size_t part = 0; part < view_.pasted.size(); ++part) {
+            room.take(document_->partCells(part), view_.pasted[part]);
+        }
+        const auto part = document_->partCells(document_->pastedParts());
+        isSomething = !part.empty();
+        if (isSomething) {
+            place = room.find(part);
+            room.take(part, place);
+            camera = room.cameraOnAll();
+        }
+    });
+    if (isPlaced && !isSomething) {
+        say(tr("Nothing to paste: nothing visible was cut since the last paste"));
+        return false;
+    }
+    if (!isPlaced || !apply(studio::Paste{place})) {
+        return false;
+    }
+    auto view = view_;
+    view.camera = camera;
+    look(view);
+    setTool(*moveTool_);
+    moveTool_->choose(moveTool_->count() - 1);
+    return true;
 }
 
 } // namespace vs::desktop

@@ -35,6 +35,26 @@ void StudioController::setRange(Range range) {
     look(next);
 }
 
+void StudioController::setHidesAbove(bool hidesAbove) {
+    auto next = view_;
+    next.hidesAbove = hidesAbove;
+    look(next);
+}
+
+void StudioController::setSurfaceSmoothing(double sigma) {
+    auto next = view_;
+    next.surfaceSmoothing = sigma;
+    look(next);
+}
+
+void StudioController::setTintsSegments(bool tintsSegments) {
+    auto next = view_;
+    next.tintsSegments = tintsSegments;
+    look(next);
+}
+
+Range StudioController::visibleRange() const { return view_.visibleRange(document_->volume().range); }
+
 void StudioController::setSampling(field::Sampling sampling) {
     auto next = view_;
     next.sampling = sampling;

@@ -53,9 +53,9 @@ QWidget* makeSweepPage(StudioController& studio) {
     });
     form->addRow(way);
     using Settings = SweepTool::Settings;
-    auto* length = addNumber(form, tool, "sweepLength", tr("Length"), tr("How far inward, in steps"),
+    auto* length = addNumber(form, tool, "sweepLength", tr("Length (steps)"), tr("How far inward, in steps"),
                              &Settings::length, {5, 200}, 1);
-    auto* radius = addNumber(form, tool, "sweepHelixRadius", tr("Helix radius"), tr("In steps"),
+    auto* radius = addNumber(form, tool, "sweepHelixRadius", tr("Helix radius (steps)"), tr("In steps"),
                              &Settings::helixRadius, {2, 60}, 1);
     auto* turns = addNumber(form, tool, "sweepTurns", tr("Turns"), tr("From end to end"), &Settings::turns,
                             {0.5, 10}, 2);

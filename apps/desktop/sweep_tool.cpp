@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sweep_tool.h"
 
+#include "sketch_hints.h"
 #include "studio_controller.h"
 #include "sweep_along_view.h"
 
@@ -18,14 +19,16 @@ SweepTool::SweepTool(StudioController& studio) : CutTool(studio) {
 QString SweepTool::hint() const {
     switch (state_) {
     case State::Empty:
-        return tr("Draw the shape that is to be swept; it closes when you let go.");
+        return tr("Draw the shape that is to be swept.") + " " + howToDraw(studio_.shape());
     case State::SketchingMask:
-        return tr("Let go to close the mask. Esc drops it.");
+        return sketchHint(mask_, SketchEnd::Mask);
     case State::HasMask:
         return isDrawn() ? tr("Draw the way that the shape goes. Esc clears it for a new shape.")
                          : tr("Nothing is under the shape, so the way cannot begin there. Esc clears it.");
     case State::DrawingWay:
-        return tr("Let go where the way ends. Esc drops it.");
+        return !settings_.cutsAtPenUp ? tr("Let go where the way ends. Esc drops it.")
+               : restores() ? tr("Let go where the way ends: what it covers is put back. Esc drops it.")
+                            : tr("Let go where the way ends: what it covers is cut. Esc drops it.");
     case State::Ready:
         break;
     }
@@ -37,7 +40,7 @@ QString SweepTool::hint() const {
 Overlays SweepTool::overlays() const {
     Overlays overlays;
     if (state_ == State::SketchingMask) {
-        overlays.push_back({mask_.outline(), Overlay::Tint::Pen});
+        overlays = sketchOverlays(mask_, idleTint());
     } else if (state_ == State::HasMask || state_ == State::DrawingWay) {
         overlays.push_back({mask_.area(), idleTint(), Overlay::kMaskFill});
     }
@@ -69,8 +72,9 @@ void SweepTool::set(const Settings& settings) {
 }
 
 void SweepTool::press(const Pen& pen) {
-    if (state_ == State::SketchingMask) {
-        mask_.extend(pen.position); // the next corner of a polyline
+    if (state_ == State::SketchingMask) { // the next corner of a polyline
+        mask_.press(pen);
+        emit overlayChanged();
     } else if (state_ == State::Empty || !isDrawn()) {
         beginMask(pen);
     } else {
@@ -82,6 +86,7 @@ void SweepTool::press(const Pen& pen) {
 void SweepTool::beginMask(const Pen& pen) {
     abandon();
     mask_.begin(studio_.shape(), pen.position, studio_.stencil());
+    mask_.press(pen);
     setState(State::SketchingMask);
 }
 
@@ -96,17 +101,21 @@ void SweepTool::move(const Pen& pen) {
 
 void SweepTool::release(const Pen& pen) {
     move(pen);
-    if (state_ == State::SketchingMask && !mask_.end(pen.position)) {
+    if (state_ == State::DrawingWay || (state_ == State::SketchingMask && mask_.end(pen.position))) {
+        takeSketch();
+    }
+    emit overlayChanged();
+}
+
+void SweepTool::takeSketch() {
+    if (state_ == State::SketchingMask && !mask_.isOfUse()) {
+        abandon();
         return;
     }
-    if (state_ == State::SketchingMask && !mask_.hasArea()) {
-        abandon();
-    } else if (isSketching()) {
-        setState(State::HasMask);
-        prepare();
-        if (state_ == State::Ready && settings_.cutsAtPenUp) {
-            accept();
-        }
+    setState(State::HasMask);
+    prepare();
+    if (state_ == State::Ready && settings_.cutsAtPenUp) {
+        accept();
     }
 }
 
@@ -169,6 +178,10 @@ void SweepTool::preview() {
 }
 
 bool SweepTool::accept() {
+    if (state_ == State::SketchingMask && mask_.finish()) {
+        takeSketch();
+        return true;
+    }
     if (state_ != State::Ready) {
         return false;
     }

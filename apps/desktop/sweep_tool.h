@@ -58,7 +58,7 @@ private:
     void setState(State state);
     [[nodiscard]] bool isDrawn() const;
     void beginMask(const Pen& pen);
-    void takeMask();
+    void takeSketch();
     void prepare();
     void preview();
     void forgetOldView();

@@ -197,12 +197,12 @@ void colour(QApplication& application, bool isLight) {
 } // namespace
 
 void applyTheme(QApplication& application, Theme theme) {
-    const bool isDesktopLight = state ? state->isDesktopLight : arePlainColoursLight();
-    const bool isLight = theme == Theme::Light || (theme == Theme::Desktop && isDesktopLight);
+    const bool isDesktopNowLight = state ? state->isDesktopLight : arePlainColoursLight();
+    const bool isLight = theme == Theme::Light || (theme == Theme::Desktop && isDesktopNowLight);
     if (!state || state->isLight != isLight) {
         colour(application, isLight);
     }
-    state = State{theme, isDesktopLight, isLight};
+    state = State{theme, isDesktopNowLight, isLight};
 }
 
 void setDesktopTheme(QApplication& application, std::optional<bool> isLight) {
@@ -215,5 +215,7 @@ void setDesktopTheme(QApplication& application, std::optional<bool> isLight) {
     state->isDesktopLight = *isLight;
     applyTheme(application, state->theme);
 }
+
+bool isDesktopLight() { return state && state->isDesktopLight; }
 
 } // namespace vs::desktop

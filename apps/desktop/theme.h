@@ -42,5 +42,7 @@ void applyTheme(QApplication& application, Theme theme);
 // The desktop is light or dark from now on; nothing: look at the colours that Qt takes from it. Changes the
 // window only where its theme is the desktop's.
 void setDesktopTheme(QApplication& application, std::optional<bool> isLight);
+// What was heard last, whatever theme the window has.
+[[nodiscard]] bool isDesktopLight();
 
 } // namespace vs::desktop

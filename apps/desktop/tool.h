@@ -16,6 +16,7 @@ struct Pen {
     QPointF tiltDegrees = {}; // to the right and towards the person; a mouse stands upright
     bool isMouse = true;
     Qt::KeyboardModifiers modifiers = {};
+    bool isDoubleClick = false; // pressed the second time within a moment, at the same place
 };
 
 // A line that a tool wants painted over the picture, in logical pixels of the view.

@@ -41,7 +41,7 @@ QFormLayout* addPenRows(QWidget* page, PenTool& tool, StudioController& studio, 
                              int(std::lround(kPerStep * tool.depth())));
     QObject::connect(depth, &QSlider::valueChanged, &tool,
                      [&tool](int v) { tool.setDepth(double(v) / kPerStep); });
-    form->addRow(tr("Depth"),
+    form->addRow(tr("Depth (steps)"),
                  withValue(depth, [](int v) { return QString::number(double(v) / kPerStep, 'f', 1); }));
     addRadius(form, tool, prefix);
     const QByteArray digName = (prefix + "KeepsDigging").toLatin1();
@@ -146,7 +146,7 @@ QWidget* makeScissorsPage(StudioController& studio) {
     QObject::connect(limit, &QCheckBox::toggled, &tool, take);
     QObject::connect(depth, &QSlider::valueChanged, &tool, take);
     form->addRow(limit);
-    form->addRow(tr("Depth"), withValue(depth, [](int v) { return QString::number(v); }));
+    form->addRow(tr("Depth (steps)"), withValue(depth, [](int v) { return QString::number(v); }));
     addRadius(form, tool, "scissors");
     return page;
 }

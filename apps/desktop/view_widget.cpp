@@ -99,7 +99,8 @@ Pen ViewWidget::penAt(QPointF inWindow, Qt::KeyboardModifiers modifiers) const {
 }
 
 void ViewWidget::press(const Pen& pen, Drag drag) {
-    drag_ = drag;
+    const bool looks = drag == Drag::Pan || drag == Drag::Zoom;
+    drag_ = looks && studio_.tool().isSketching() ? Drag::None : drag; // the picture holds still
     last_ = pressed_ = pen.position;
     if (drag == Drag::Tool && studio_.document() != nullptr && !studio_.isLoading()) {
         studio_.tool().press(pen);
@@ -114,6 +115,9 @@ void ViewWidget::move(const Pen& pen) {
     last_ = pen.position;
     switch (drag_) {
     case Drag::None:
+        if (studio_.tool().isSketching() && !hasFocus()) { // its keys end what is under way
+            setFocus(Qt::MouseFocusReason);
+        }
         studio_.tool().hover(pen);
         break;
     case Drag::Tool:
@@ -143,7 +147,8 @@ void ViewWidget::mousePressEvent(QMouseEvent* event) {
         return; // a second button changes nothing
     }
     button_ = event->button();
-    const Pen pen = penAt(event->scenePosition(), event->modifiers());
+    Pen pen = penAt(event->scenePosition(), event->modifiers());
+    pen.isDoubleClick = event->type() == QEvent::MouseButtonDblClick;
     if (button_ == Qt::LeftButton) {
         const bool isPan = pen.modifiers.testFlag(Qt::ShiftModifier) && !studio_.tool().takesShift();
         press(pen, isPan ? Drag::Pan : Drag::Tool);
@@ -177,7 +182,7 @@ void ViewWidget::wheelEvent(QWheelEvent* event) {
     const double notches = event->angleDelta().y() / 120.0;
     // A wheel's place in the window is wrong where Qt passes the event on to a child.
     const Pen pen = penAt(mapTo(window(), event->position()), event->modifiers());
-    if (drag_ == Drag::None && !studio_.tool().wheel(notches, pen)) {
+    if (drag_ == Drag::None && !studio_.tool().isSketching() && !studio_.tool().wheel(notches, pen)) {
         constexpr double kPerNotch = 1.2;
         studio_.cameraTool().zoom(std::pow(kPerNotch, notches), pen.position);
     }

@@ -55,11 +55,15 @@ float valueTolerance(const Field& field) {
     return float(5e-7 * largest);
 }
 
+std::uint64_t nextSerial() {
+    static std::atomic<std::uint64_t> serials = 0;
+    return ++serials;
+}
+
 Field uploadVolume(const volume::Volume& volume) {
     const gl::Pass pass("upload volume");
-    static std::atomic<std::uint64_t> uploads = 0;
     Field field;
-    field.serial = ++uploads;
+    field.serial = nextSerial();
     field.geometry = volume.geometry;
     field.range = volume.range;
     volume::visit(volume, [&]<typename T>(const T* values) {

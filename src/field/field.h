@@ -30,6 +30,9 @@ inline constexpr float kNonFinite = -1e30F;
 // displayed range allow for, or the inside of an object at exactly the upper end would be seen as outside.
 float valueTolerance(const Field& field);
 
+// A serial number that no field has yet.
+std::uint64_t nextSerial();
+
 // Throws GlError if the device has no room.
 Field uploadVolume(const volume::Volume& volume);
 

@@ -30,13 +30,25 @@ void SceneBinding::bind(const Scene& scene) {
         data.isIntegral ? scene.displayedRange.lo : std::max(scene.displayedRange.lo, data.range.lo);
     block.range = {float(lo), float(scene.displayedRange.hi), float(scene.greyWindow.lo),
                    float(scene.greyWindow.hi)};
+    constexpr float beyondAllValues = 1e30F;
+    block.limits.x = scene.showsAbove ? beyondAllValues : block.range.y;
     block.flags =
         glm::vec4(scene.segmentation != nullptr ? 1.0F : 0.0F, 1.0F / glm::vec3(data.geometry.dims));
+    if (scene.smoothed != nullptr) {
+        block.limits.y = scene.smoothed->valueScale;
+        block.limits.z = scene.smoothed->valueOffset;
+    }
     block_.writeValue(block);
     block_.bindUniform(0);
     data.texels.bindTexture(0);
     if (data.quads) {
         data.quads.bindTexture(6);
+    }
+    if (scene.smoothed != nullptr) {
+        scene.smoothed->texels.bindTexture(15);
+        if (scene.smoothed->quads) {
+            scene.smoothed->quads.bindTexture(12);
+        }
     }
     (scene.sculpture != nullptr ? *scene.sculpture : empty_).bindTexture(1);
     (scene.segmentation != nullptr ? *scene.segmentation : empty_).bindTexture(2);

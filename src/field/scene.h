@@ -23,8 +23,9 @@ struct SceneBlock {
     glm::vec4 valueScale{1}; // x scale, y offset, z 1 if values are whole numbers, w tolerance
     glm::vec4 range{0};      // xy displayed range, zw grey window of cut faces, in the field's unit
     glm::vec4 flags{0};      // x: 1 if there is a segmentation, yzw: 1 / dims
+    glm::vec4 limits{0};     // x: the greatest value that is visible, yz: scale and offset of `smoothed`
 };
-static_assert(sizeof(SceneBlock) == 208);
+static_assert(sizeof(SceneBlock) == 224);
 
 // The document as shaders see it: data, sculpture (null: nothing cut), segmentation (null: none), displayed
 // range, view. How segments look is not part of it: render::SegmentColours.
@@ -37,14 +38,20 @@ struct Scene {
     // R8UI, nearest: which segment a voxel belongs to, 0 none. Null: everything segmented is of segment 1.
     const gl::Texture* segmentLabels = nullptr;
     Range displayedRange;
+    // Values above the displayed range are visible too, and count as its upper end (MIP, X-ray).
+    bool showsAbove = false;
+    // What surfaces are looked for in, instead of the data; null: the data. Shaders with SMOOTHED defined do
+    // so.
+    const Field* smoothed = nullptr;
     Range greyWindow;
     SculptureView view = SculptureView::Cut;
     Sampling sampling = Sampling::Trilinear; // of the data; sculpture and segmentation are always trilinear
 };
 
 // Binds a scene: uniform block 0, textures 0 (data), 1 (sculpture), 2 (segmentation), 13 (labels), 6 (the
-// data's quads, where it has them). Shaders include "field/shaders/scene.glsl" and call sampleScene(); with
-// QUADS defined they sample the quads. Those units and uniform block 0 are taken while it is bound.
+// data's quads, where it has them), 15 and 12 (the same of smoothed values). Shaders include
+// "field/shaders/scene.glsl" and call sampleScene(); with QUADS defined they sample the quads. Those units
+// and uniform block 0 are taken while it is bound.
 class SceneBinding {
 public:
     SceneBinding();

@@ -10,24 +10,30 @@ Picker::Picker() : view_(sizeof(ViewBlock), "picker view") {}
 gl::Program& Picker::programFor(const Frame& frame, Meets meets) {
     const bool isSculpted =
         frame.scene.sculpture != nullptr || frame.scene.view == field::SculptureView::Probe;
-    const bool picksMaximum = frame.mode == Mode::Mip;
-    // In overlay and segment mode a stroke lands on whatever surface is seen; in X-ray on the displayed
-    // range's; in volume mode on what the transfer function makes opaque.
+    const bool picksMaximum = frame.mode == Mode::Mip && meets != Meets::Surface;
+    // In overlay and segment mode a stroke lands on whatever surface is seen; in MIP and X-ray on the
+    // displayed range's; in volume mode on what the transfer function makes opaque, or a segment's surface.
     const bool byFunction = frame.mode == Mode::Volume;
     const bool isOverlay = frame.mode == Mode::Overlay;
-    const int content = isOverlay && meets == Meets::SegmentsInOverlay ? 1
-                        : isOverlay || frame.mode == Mode::Segment     ? 2
-                        : byFunction                                   ? 3
-                                                                       : 0;
+    const int content = isOverlay && meets == Meets::Segment       ? 1
+                        : isOverlay || frame.mode == Mode::Segment ? 2
+                        : byFunction                               ? 3
+                                                                   : 0;
     const int kind = byFunction ? int(frame.classification->kind()) : 0;
     const bool isTricubic = frame.scene.sampling == field::Sampling::Tricubic;
-    const bool hasQuads = bool(frame.scene.data->quads);
+    const bool isSmoothed = frame.scene.smoothed != nullptr;
+    const bool hasQuads = bool((isSmoothed ? frame.scene.smoothed : frame.scene.data)->quads);
+    const bool meetsSegments = byFunction && frame.scene.segmentation != nullptr;
     auto& program = programs_[(isSculpted ? 1 : 0) + (picksMaximum ? 2 : 0) + 4 * content + 16 * kind +
-                              (isTricubic ? 64 : 0) + (hasQuads ? 128 : 0)];
+                              (isTricubic ? 64 : 0) + (hasQuads ? 128 : 0) + (isSmoothed ? 256 : 0) +
+                              (meetsSegments ? 512 : 0)];
     if (!program) {
         gl::Defines defines{{"CONTENT", std::to_string(content)}};
         if (isSculpted) {
             defines.emplace_back("SCULPTED", "1");
+        }
+        if (isSmoothed) {
+            defines.emplace_back("SMOOTHED", "1");
         }
         if (isTricubic) {
             defines.emplace_back("TRICUBIC", "1");
@@ -37,6 +43,9 @@ gl::Program& Picker::programFor(const Frame& frame, Meets meets) {
         }
         if (byFunction) {
             defines.emplace_back("TF_KIND", frame.classification->kindDefine());
+        }
+        if (meetsSegments) {
+            defines.emplace_back("SEGMENTS", "1");
         }
         if (picksMaximum) {
             defines.emplace_back("PICK_MAXIMUM", "1");

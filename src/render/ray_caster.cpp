@@ -19,6 +19,7 @@ constexpr int kSquare = 8;           // pixels; a work group's
 constexpr int kFewSquares = 256;     // no submission is shorter, but for what is left
 constexpr double kSubmissionMs = 25; // nor much longer than this
 constexpr glm::vec2 kCentre{0.5F, 0.5F};
+constexpr int kSettling = 2; // samples, after which some squares may take no more
 
 // Evenly spread places in a pixel: the R2 sequence (Roberts 2018, "The unreasonable effectiveness of
 // quasirandom sequences"), starting at the centre so that one sample is the plain picture.
@@ -26,6 +27,25 @@ glm::vec2 placeInPixel(int sample) {
     constexpr double g = 1.32471795724474602596;
     const double n = sample;
     return glm::vec2(glm::fract(glm::dvec2(0.5 + n / g, 0.5 + n / (g * g))));
+}
+
+// Where along its rays a sample of the picture looks at the data in X-ray: places `step` apart, shifted by a
+// part of that.
+struct Lattice {
+    float step = 0; // steps
+    float shift = 0.5F;
+};
+
+// Samples of a pixel are averaged, so each after the first may be coarser where they lie between one another:
+// together they are as close as the first alone, which is seen on its own.
+Lattice latticeOf(int sample, int samples, double sampleStep) {
+    constexpr int mostCoarse = 4;
+    if (sample == 0) {
+        return {float(sampleStep)};
+    }
+    const int others = samples - 1;
+    const double golden = 0.61803398874989485; // any few in a row are spread evenly
+    return {float(std::min(others, mostCoarse) * sampleStep), float(glm::fract(0.5 + sample * golden))};
 }
 
 // Side of the square of pixels whose rays share a beam, as a power of 2; narrower ones bound values better,
@@ -84,8 +104,8 @@ ViewBlock viewBlock(const ViewRays& rays, const volume::GridGeometry& geometry) 
 
 RayCaster::RayCaster()
     : resolve_("render/shaders/resolve_picture.comp"), findBeams_("render/shaders/find_beams.comp"),
-      listSquares_("render/shaders/list_squares.comp"), fillFilm_("render/shaders/fill_film.comp"),
-      squareCounts_(2 * sizeof(std::uint32_t), "square counts"),
+      listSquares_("render/shaders/list_squares.comp"), setAside_("render/shaders/set_squares_aside.comp"),
+      fillFilm_("render/shaders/fill_film.comp"), squareCounts_(2 * sizeof(std::uint32_t), "square counts"),
       segmentColours_(glm::ivec2(256, 1), gl::Format::RGBA32F, gl::Filter::Nearest, "segment colours") {}
 
 void RayCaster::start(const Frame& frame) {
@@ -102,6 +122,8 @@ void RayCaster::start(const Frame& frame) {
         const std::size_t bytes = std::size_t(squares.x * squares.y) * sizeof(std::uint32_t);
         squares_.reserve(bytes);
         placeOfSquare_.reserve(bytes);
+        contrasts_.reserve(bytes);
+        unsettled_.reserve(bytes);
     }
     if (!frame.pasted.empty() && glm::ivec2(seenFront_.size()) != size) {
         seenFront_ = gl::Texture(size, gl::Format::RGBA32F, gl::Filter::Nearest, "seen in front");
@@ -157,9 +179,17 @@ void RayCaster::bindPart(const Part& part) {
     if (frame_.mode == Mode::Mip) {
         part.slabs.bind();
     }
+    if (frame_.segmentCells != nullptr) {
+        frame_.segmentCells->distances().bindTexture(11);
+    }
     if (part.occlusion != nullptr) {
         part.occlusion->bind({.towardsKey = towardsKeyLight(part.rays)});
     }
+}
+
+double RayCaster::share() const {
+    const double ofSample = activeSquares_ > 0 ? double(square_) / activeSquares_ : 0;
+    return std::min((sample_ + ofSample) / std::max(frame_.samples, 1), 1.0);
 }
 
 bool RayCaster::isComplete() const { return sample_ >= frame_.samples; }
@@ -187,7 +217,24 @@ void RayCaster::listSquares() {
         .set(1, beamPixels(frame_.mode, frame_.rays.size))
         .set(2, parts_.size() > 1 ? 1 : 0);
     listSquares_.dispatchOver({count, 1}, gl::Barrier::Storage);
-    occupiedSquares_ = int(squareCounts_.readValue<std::uint32_t>());
+    occupiedSquares_ = activeSquares_ = int(squareCounts_.readValue<std::uint32_t>());
+    contrasts_.clear();
+}
+
+// After two samples: squares where they agree take no more.
+void RayCaster::setSettledAside() {
+    const gl::Pass pass("set settled squares aside");
+    squares_.bindStorage(0);
+    squareCounts_.clear();
+    squareCounts_.bindStorage(1);
+    placeOfSquare_.bindStorage(2);
+    contrasts_.bindStorage(3);
+    unsettled_.bindStorage(4);
+    setAside_.set(0, squareCount(frame_.rays.size)).set(1, occupiedSquares_);
+    const glm::ivec2 all = squareCount(frame_.rays.size);
+    setAside_.dispatchOverList(std::size_t(all.x * all.y), gl::Barrier::Storage);
+    activeSquares_ = int(squareCounts_.readValue<std::uint32_t>());
+    std::swap(squares_, unsettled_);
 }
 
 void RayCaster::boundSlabs() {
@@ -223,7 +270,7 @@ void RayCaster::fillFilm() {
 
 int RayCaster::squaresFor(double milliseconds) const {
     const double squares = squaresPerMs_ * std::min(milliseconds, kSubmissionMs);
-    return std::min(std::max(int(squares), kFewSquares), occupiedSquares_ - square_);
+    return std::min(std::max(int(squares), kFewSquares), activeSquares_ - square_);
 }
 
 bool RayCaster::renderSome(double budgetMs) {
@@ -251,6 +298,7 @@ bool RayCaster::renderSome(double budgetMs) {
     }
     segmentColours_.bindTexture(14);
     squares_.bindStorage(0);
+    contrasts_.bindStorage(3);
     const auto& geometry = frame_.scene.data->geometry;
     program.set(3, glm::vec2(float(frame_.xrayGain), float(geometry.diagonalMm() / geometry.stepMm())))
         .set(4, 8)
@@ -266,9 +314,14 @@ bool RayCaster::renderSome(double budgetMs) {
         const gl::Pass pass("cast rays");
         const Timer submission;
         const int count = squaresFor(budgetMs - timer.milliseconds());
+        if (frame_.mode == Mode::XRay || frame_.mode == Mode::Overlay) {
+            const Lattice lattice = latticeOf(sample_, frame_.samples, frame_.sampleStep);
+            program.set(12, glm::vec2(lattice.step, lattice.shift));
+        }
         program.set(0, glm::ivec2(square_, count))
             .set(1, sample_ == 0 ? kCentre : placeInPixel(sample_))
-            .set(2, sample_ > 0 ? 1 : 0);
+            .set(2, sample_ > 0 ? 1 : 0)
+            .set(13, frame_.endsEarly && sample_ == 1 ? 1 : 0);
         for (std::size_t i = 0; i < parts_.size(); ++i) {
             if (parts_.size() > 1) {
                 bindPart(parts_[i]);
@@ -279,9 +332,13 @@ bool RayCaster::renderSome(double budgetMs) {
         gl::Context::finish(); // or the budget would count only submissions
         squaresPerMs_ = count / std::max(submission.milliseconds(), 1e-3);
         square_ += count;
-        if (square_ == occupiedSquares_) {
+        if (square_ == activeSquares_) {
             square_ = 0;
             ++sample_;
+            if (frame_.endsEarly && sample_ == kSettling) {
+                setSettledAside();
+                squares_.bindStorage(0);
+            }
         }
         if (timer.milliseconds() >= budgetMs) {
             break;
@@ -305,6 +362,7 @@ const gl::Texture& RayCaster::picture() {
         .set(1, background.isTransparent ? 1 : 0)
         .set(2, background.top == background.bottom ? 1 : 0)
         .set(3, hasFilm() ? 0 : 1)
+        .set(4, glm::ivec2(activeSquares_, kSettling))
         .set(7, glm::vec4(background.top, 0.0F))
         .set(8, glm::vec4(background.bottom, 0.0F));
     resolve_.dispatchOver(picture_.size(), gl::Barrier::All);

@@ -54,6 +54,9 @@ struct PastedPart {
 struct Frame {
     field::Scene scene;
     const Macrocells* macrocells = nullptr;
+    // Where segments may be, whatever else is there: overlay and volume mode look for their surfaces in these
+    // cells only, most of which are empty. Null: wherever something may be.
+    const Macrocells* segmentCells = nullptr;
     // Colours all modes, and says what is opaque in volume mode, which needs one. Null: ivory surfaces, white
     // rays.
     const Classification* classification = nullptr;
@@ -68,6 +71,9 @@ struct Frame {
     SegmentColours segmentColours; // overlay and segment mode
     double sampleStep = 0.5;       // steps between samples in MIP, X-ray and volume; more for drafts
     int samples = 1;               // rays per pixel, evenly spread over it
+    // Squares of pixels whose first two samples agree are left at that: most of a picture that is much
+    // enlarged.
+    bool endsEarly = false;
 };
 
 // Casts rays (SPEC 3) in a compute shader, some squares of pixels at a time so that no single submission is
@@ -87,6 +93,8 @@ public:
     [[nodiscard]] bool isComplete() const;
     // Samples per pixel that the picture holds everywhere so far.
     [[nodiscard]] int completedSamples() const { return sample_; }
+    // How much of the frame is done, 0 to 1.
+    [[nodiscard]] double share() const;
     // The samples so far, averaged, as an RGBA8 texture of the frame's size.
     const gl::Texture& picture();
     image::Image readPicture();
@@ -110,6 +118,7 @@ private:
     void bindPart(const Part& part);
     void findBeams();
     void listSquares();
+    void setSettledAside();
     void boundSlabs();
     [[nodiscard]] bool hasFilm() const;
     void fillFilm();
@@ -124,10 +133,13 @@ private:
     gl::Program resolve_;
     gl::Program findBeams_;
     gl::Program listSquares_;
+    gl::Program setAside_;
     gl::Program fillFilm_;
     gl::Buffer squares_;       // those that may show something first
     gl::Buffer placeOfSquare_; // in that list
     gl::Buffer squareCounts_;
+    gl::Buffer contrasts_;       // of the first two samples, in each square
+    gl::Buffer unsettled_;       // the squares once more, in their new order
     gl::Texture segmentColours_; // of the frame
     field::SceneBinding sceneBinding_;
     gl::Texture accumulation_;
@@ -136,6 +148,7 @@ private:
     int sample_ = 0;
     int square_ = 0;          // how many of the list this sample has
     int occupiedSquares_ = 0; // how many of the list may show something
+    int activeSquares_ = 0;   // how many of these take the current sample
     double squaresPerMs_ = 0; // of the last submission
 };
 

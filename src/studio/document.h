@@ -176,6 +176,10 @@ public:
     // Voxels around what can be seen of a pasted part, where it was cut out; empty when that is nothing.
     // partBox(pastedParts()): around what the next paste would take, all that was cut since the last one.
     Box3 partBox(std::size_t part);
+    // The middles (voxel space) of the macrocells in which something of such a part can be seen; and of those
+    // in which something of what remains can, as the view shows the sculpture.
+    std::vector<glm::dvec3> partCells(std::size_t part);
+    std::vector<glm::dvec3> remainingCells();
 
     // Bytes of the states that undo must restore, for tests and checks.
     [[nodiscard]] std::vector<std::byte> sculptureBytes() const;

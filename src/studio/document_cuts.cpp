@@ -137,7 +137,7 @@ Outcome Document::Impl::run(Paste& op, const std::filesystem::path&) {
     state.sculptures.push_back(PastedParts::remember(sculpture));
     state.places.push_back(op.place);
     arrangeParts(op, state);
-    return {{}, 0, 0, fmt::format("part {} pasted", pasted.sculptures.size())};
+    return {{}, 0, 0, fmt::format("part {}", pasted.sculptures.size())};
 }
 
 Outcome Document::Impl::run(MovePart& op, const std::filesystem::path&) {
@@ -147,7 +147,7 @@ Outcome Document::Impl::run(MovePart& op, const std::filesystem::path&) {
     PastedState state{view.pasted, pasted.sculptures};
     state.places[std::size_t(op.part)] = op.place;
     arrangeParts(op, state);
-    return {{}, 0, 0, fmt::format("part {} moved", op.part + 1)};
+    return {{}, 0, 0, fmt::format("part {}", op.part + 1)};
 }
 
 } // namespace vs::studio

@@ -47,7 +47,9 @@ std::vector<glm::ivec3> Document::Impl::voxelsUnder(const std::vector<Sketch>& s
                                                     const Canvas& canvas,
                                                     const segment::Constraints& constraints) {
     const auto pixels = pixelsUnder(strokes, widthPixels, canvas.viewport);
-    return region.findSeeds(cutter.picker.pick(frame(canvas.view, canvas.viewport), pixels), constraints);
+    return region.findSeeds(
+        cutter.picker.pick(frame(canvas.view, canvas.viewport), pixels, render::Picker::Meets::Brightest),
+        constraints);
 }
 
 segment::SeedCounts Document::Impl::perform(const Seed& op, Region::Records& records) {
@@ -61,7 +63,7 @@ segment::SeedCounts Document::Impl::perform(const Seed& op, Region::Records& rec
 Outcome Document::Impl::run(Seed& op, const std::filesystem::path&) {
     settle(op.canvas);
     if (!op.range) {
-        op.range = op.canvas->view.range;
+        op.range = op.canvas->view.visibleRange(volume.range);
     }
     if (op.voxels.empty()) {
         if (!op.strokes.empty()) {

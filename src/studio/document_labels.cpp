@@ -37,7 +37,8 @@ std::size_t Document::Impl::perform(const LoadLabels& op, Region::Records& recor
     const volume::LabelMap& map = *op.map;
     const auto boxes = segment::labelBoxes(map.labels, volume.geometry.dims);
     const std::uint8_t wasAtWork = segments.atWork;
-    bool usesFirst = segments.segments.size() == 1 && !segments.working().isLocked && !region.hasSeeds();
+    bool usesFirst = segments.segments.size() == 1 && !segments.working().isLocked &&
+                     !segments.working().isClaimed && !region.hasSeeds();
     std::size_t voxels = 0;
     for (std::size_t n = 1; n < map.values.size(); ++n) {
         reportProgress(double(n) / double(map.values.size()));
@@ -74,7 +75,9 @@ Outcome Document::Impl::run(LoadLabels& op, const std::filesystem::path&) {
         throw Error("{}: holds no label; a label map has voxels other than 0", op.path.string());
     }
     const std::size_t kept =
-        segments.segments.size() == 1 && !region.hasSeeds() ? 0 : segments.segments.size();
+        segments.segments.size() == 1 && !segments.working().isClaimed && !region.hasSeeds()
+            ? 0
+            : segments.segments.size();
     if (labels + kept > kMostSegments) {
         throw Error("{}: holds {} labels; beside the {} segments there are there is room for {}",
                     op.path.string(), labels, kept, kMostSegments - kept);

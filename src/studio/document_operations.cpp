@@ -22,6 +22,9 @@ Outcome Document::Impl::run(SetView& op, const std::filesystem::path&) {
     view.pasted = op.pasted.value_or(view.pasted);
     view.sampling = op.sampling.value_or(view.sampling);
     view.shadows = op.shadows.value_or(view.shadows);
+    view.hidesAbove = op.hidesAbove.value_or(view.hidesAbove);
+    view.surfaceSmoothing = op.surfaceSmoothing.value_or(view.surfaceSmoothing);
+    view.tintsSegments = op.tintsSegments.value_or(view.tintsSegments);
     // Logged whole: what was looked at before is part of it.
     op = lookAs(view);
     loggedView = view;
@@ -68,7 +71,7 @@ Outcome Document::Impl::travel(Step& step, bool isUndo) {
     if (const auto& parts = isUndo ? step.partsBefore : step.partsAfter) {
         showParts(*parts);
     }
-    outcome.message = fmt::format("{}: {}", isUndo ? "undone" : "redone", name(step.operation));
+    outcome.message = name(step.operation);
     ++version;
     return outcome;
 }

@@ -29,8 +29,8 @@ double interpolate(const volume::Volume& volume, glm::dvec3 voxel) {
 
 std::optional<Document::Probe> Document::probe(glm::dvec2 pixel, glm::ivec2 viewport) {
     const glm::vec2 position(pixel);
-    const auto points =
-        impl_->cutter.picker.pickPoints(impl_->frame(impl_->view, viewport), std::span(&position, 1));
+    const auto points = impl_->cutter.picker.pickPoints(
+        impl_->frame(impl_->view, viewport), std::span(&position, 1), render::Picker::Meets::Brightest);
     if (points.front().voxel.w < 0.5F) {
         return std::nullopt;
     }
@@ -77,10 +77,19 @@ Document::Steps Document::steps() const {
 std::size_t Document::pastedParts() const { return impl_->pasted.sculptures.size(); }
 
 Box3 Document::partBox(std::size_t part) {
+    Box3 box;
+    for (const glm::dvec3 middle : partCells(part)) {
+        const glm::ivec3 cell = glm::ivec3(middle) / field::kCell;
+        box = unite(box, {field::kCell * cell, field::kCell * (cell + 1)});
+    }
+    return intersect(box, impl_->volume.geometry.box());
+}
+
+std::vector<glm::dvec3> Document::partCells(std::size_t part) {
     const glm::ivec3 dims = impl_->volume.geometry.dims;
-    const glm::ivec3 cellDims = field::cellDims(dims);
     const auto rangesOf = [&](const gl::Texture& texels) {
-        gl::Texture cells(cellDims, gl::Format::RG32F, gl::Filter::Nearest, "cells of a pasted part");
+        gl::Texture cells(field::cellDims(dims), gl::Format::RG32F, gl::Filter::Nearest,
+                          "cells of a pasted part");
         field::CellRangeUpdater().update(texels, {glm::ivec3(0), dims}, cells);
         return cells.downloadAll<glm::vec2>();
     };
@@ -99,20 +108,39 @@ Box3 Document::partBox(std::size_t part) {
         }
         cut = rangesOf(*parts[part].sculpture);
     }
-    const auto values = impl_->pipeline.cellRanges().cells.downloadAll<glm::vec2>();
-    const Range& shown = impl_->view.range;
     // More than half, because between two parts that touch both are half there.
     constexpr float kSurely = 0.6F;
-    Box3 box;
-    for (std::size_t n = 0; n < cut.size(); ++n) {
-        const bool isCut = cut[n].y >= kSurely && (before.empty() || cut[n] != before[n]);
-        if (isCut && values[n].y >= shown.lo && values[n].x <= shown.hi) {
+    return impl_->seenCells(
+        [&](std::size_t n) { return cut[n].y >= kSurely && (before.empty() || cut[n] != before[n]); });
+}
+
+std::vector<glm::dvec3> Document::remainingCells() {
+    const auto cut = impl_->sculpture.cells().downloadAll<glm::vec2>();
+    switch (impl_->view.sculptureView) {
+    case field::SculptureView::Cut:
+        return impl_->seenCells([&](std::size_t n) { return cut[n].x < 0.5F; });
+    case field::SculptureView::Probe:
+        return impl_->seenCells([&](std::size_t n) { return cut[n].y >= 0.5F; });
+    case field::SculptureView::Whole:
+        break;
+    }
+    return impl_->seenCells([](std::size_t) { return true; });
+}
+
+// The middles of the macrocells that hold values of the displayed range and for which `isThere` holds.
+std::vector<glm::dvec3> Document::Impl::seenCells(const std::function<bool(std::size_t)>& isThere) {
+    const glm::ivec3 cellDims = field::cellDims(volume.geometry.dims);
+    const auto values = pipeline.cellRanges().cells.downloadAll<glm::vec2>();
+    const Range shown = view.visibleRange(volume.range);
+    std::vector<glm::dvec3> cells;
+    for (std::size_t n = 0; n < values.size(); ++n) {
+        if (values[n].y >= shown.lo && values[n].x <= shown.hi && isThere(n)) {
             const int i = int(n);
             const glm::ivec3 cell(i % cellDims.x, i / cellDims.x % cellDims.y, i / cellDims.x / cellDims.y);
-            box = unite(box, {field::kCell * cell, field::kCell * (cell + 1)});
+            cells.push_back(double(field::kCell) * glm::dvec3(cell) + 0.5 * (field::kCell - 1));
         }
     }
-    return intersect(box, {glm::ivec3(0), dims});
+    return cells;
 }
 
 render::TransferFunction Document::resolved(const render::TransferFunction& function) {

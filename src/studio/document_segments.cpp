@@ -75,7 +75,11 @@ std::vector<float> smoothMembership(const field::Field& field, const segment::Vo
 
 void Document::Impl::perform(const UseSegment& op, Region::Records& records) {
     SegmentInfo* segment = segments.find(op.segment);
-    if (segment == nullptr) {
+    if (segment == nullptr && op.takesFirst.value_or(false)) {
+        segment = &segments.segments.front();
+        segment->name = op.segment;
+        segment->isClaimed = true;
+    } else if (segment == nullptr) {
         segment = &segments.add(op.segment);
     }
     if (op.name && *op.name != op.segment && segments.find(*op.name) != nullptr) {
@@ -93,6 +97,17 @@ void Document::Impl::perform(const UseSegment& op, Region::Records& records) {
 }
 
 Outcome Document::Impl::run(UseSegment& op, const std::filesystem::path&) {
+    if (segments.find(op.segment) == nullptr) {
+        const bool canTake = op.goesToWork && segments.isUntouched() && region.isUntouched();
+        if (op.takesFirst.value_or(false) && !canTake) {
+            throw Error("'{}' cannot take the place of the first segment, which is in use already; leave "
+                        "'first' out",
+                        op.segment);
+        }
+        if (canTake) {
+            op.takesFirst = op.takesFirst.value_or(!isNumbered(op.segment));
+        }
+    }
     change(op);
     return {{},
             0,
@@ -118,7 +133,7 @@ void Document::Impl::perform(const RemoveSegment& op, Region::Records& records) 
 
 Outcome Document::Impl::run(RemoveSegment& op, const std::filesystem::path&) {
     change(op);
-    return {{}, 0, 0, fmt::format("'{}' removed", op.segment)};
+    return {{}, 0, 0, fmt::format("'{}'", op.segment)};
 }
 
 std::function<bool(glm::ivec3)> Document::Impl::lockedVoxels() const {
@@ -185,9 +200,8 @@ Outcome Document::Impl::run(EditSegment& op, const std::filesystem::path&) {
         }
         settle(op.canvas);
         const glm::vec2 pixel(*op.pixel);
-        const auto points =
-            cutter.picker.pickPoints(frame(op.canvas->view, op.canvas->viewport), std::span(&pixel, 1),
-                                     render::Picker::Meets::SegmentsInOverlay);
+        const auto points = cutter.picker.pickPoints(frame(op.canvas->view, op.canvas->viewport),
+                                                     std::span(&pixel, 1), render::Picker::Meets::Segment);
         if (points.front().voxel.w < 0.5F) {
             throw Error("nothing lies under pixel {:g}, {:g}; point at an island", pixel.x, pixel.y);
         }
@@ -226,7 +240,8 @@ segment::VoxelSet Document::Impl::brushed(const BrushSegment& op) {
     }
     sculpture.swap(delta);
     sculpture.contentIsAsAt(content);
-    const Range seen = std::visit([](const auto& drawn) { return drawn.canvas->view.range; }, op.stroke);
+    const Range seen = std::visit(
+        [&](const auto& drawn) { return drawn.canvas->view.visibleRange(volume.range); }, op.stroke);
     for (std::size_t n = 0; n < delta.bricks().size(); ++n) {
         const segment::VoxelSet brick{delta.bricks()[n], {}};
         const auto before = sculpture.values(brick.box);

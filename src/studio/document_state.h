@@ -101,6 +101,7 @@ struct Document::Impl {
                                         const Canvas& canvas, const segment::Constraints& constraints);
     // What lies under a trail; with a range only voxels in it.
     [[nodiscard]] segment::VoxelSet voxelsUnder(const Trail& trail, const std::optional<Range>& range) const;
+    std::vector<glm::dvec3> seenCells(const std::function<bool(std::size_t)>& isThere);
     [[nodiscard]] std::size_t grownVoxels() const;
     [[nodiscard]] Outcome describeGrowth(int generations, std::size_t voxelsBefore) const;
     Region::Records repeat(const Operation& operation);

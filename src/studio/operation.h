@@ -18,6 +18,8 @@
 
 namespace vs::studio {
 
+inline constexpr double kMostSurfaceSmoothing = 2; // steps
+
 // How the document is looked at. Not an edit, but edits are drawn on a view, so sessions keep it.
 struct View {
     render::Camera camera;
@@ -31,15 +33,27 @@ struct View {
     std::vector<render::Placement> pasted = {};
     field::Sampling sampling = field::Sampling::Trilinear;
     bool shadows = false; // ambient occlusion and soft shadows
+    // In MIP, X-ray and overlay: values above the displayed range are hidden instead of counting as its end.
+    bool hidesAbove = false;
+    // The Gaussian that the values are smoothed by before surfaces are looked for: sigma in steps, 0 for
+    // none. In surface and segment mode, for pictures and picking; what cut faces show stays as it is.
+    double surfaceSmoothing = 0;
+    bool tintsSegments = false; // in MIP and X-ray: what is in a visible segment has its colour
+
+    // Values above the displayed range are visible too: in MIP, X-ray and overlay, unless they are hidden.
+    [[nodiscard]] bool showsAbove() const;
+    // What of a volume's values, which go from data.lo to data.hi, is visible: the displayed range, up to the
+    // greatest value where those above it are visible too. Seeds, tools and growth go by it.
+    [[nodiscard]] Range visibleRange(const Range& data) const;
 
     bool operator==(const View&) const = default;
 };
 
-enum class Shape { FreeForm, Ellipse, Circle, Rectangle, Polyline };
+enum class Shape { FreeForm, Ellipse, Circle, Rectangle, Polyline, Stencil };
 
 // What the pen drew, in viewport pixels (y down): for FreeForm and Polyline the points themselves, for
 // Ellipse, Circle and Rectangle two opposite corners of the box around it (for Circle the first point is the
-// centre, the second on the rim).
+// centre, the second on the rim), for Stencil the outline of what a picture shows, always closed.
 struct Sketch {
     Shape shape = Shape::FreeForm;
     std::vector<glm::dvec2> points;
@@ -70,6 +84,9 @@ struct SetView {
     std::optional<std::vector<render::Placement>> pasted = {};
     std::optional<field::Sampling> sampling = {};
     std::optional<bool> shadows = {};
+    std::optional<bool> hidesAbove = {};
+    std::optional<double> surfaceSmoothing = {};
+    std::optional<bool> tintsSegments = {};
 };
 // The whole of a view.
 SetView lookAs(const View& view);
@@ -258,7 +275,9 @@ struct Absorb {
 
 // Goes to work on the segment of that name, which is made if there is none, and changes what is set: its
 // name, its colour (sRGB, 0 to 1), its opacity, whether it is seen, and whether it is locked. With
-// `goesToWork` false another one stays at work.
+// `goesToWork` false another one stays at work. A segment that is made takes the place of the first one, and
+// its label, while that is still alone, empty and as it was made: `takesFirst` says whether it did. Where it
+// is not set, names like `Segment 2` do not, since that is how another one is called.
 struct UseSegment {
     std::string segment;
     std::optional<std::string> name = {};
@@ -267,11 +286,12 @@ struct UseSegment {
     std::optional<bool> isVisible = {};
     std::optional<bool> isLocked = {};
     bool goesToWork = true;
+    std::optional<bool> takesFirst = {};
 };
 
 // Makes a segment of each label of a label map that lies on the volume's grid, by the names and colours that
 // the file has for them. What is in a segment already stays there; a single segment that is still empty is
-// used for the first label.
+// used for the first label, unless it has taken the first one's place by name.
 struct LoadLabels {
     std::filesystem::path path; // in memory absolute, or relative to the current folder
     std::string checksum = {};  // empty: not checked; filled in when the file is read

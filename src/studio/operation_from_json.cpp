@@ -37,7 +37,7 @@ std::string readFileName(const JsonReader& reader) {
 
 Operation readView(const JsonReader& reader) {
     reader.allow({"op", "camera", "mode", "range", "sculptureView", "transferFunction", "pasted", "sampling",
-                  "shadows"});
+                  "shadows", "hideAbove", "smoothSurface", "tintSegments"});
     SetView op;
     reader.ifHas("camera", [&](const JsonReader& r) { op.camera = readCamera(r); });
     reader.ifHas("mode", [&](const JsonReader& r) { op.mode = r.choice<render::Mode>(kModes); });
@@ -49,6 +49,11 @@ Operation readView(const JsonReader& reader) {
                  [&](const JsonReader& r) { op.transferFunction = readTransferFunction(r); });
     reader.ifHas("pasted", [&](const JsonReader& r) { op.pasted = readPlacements(r); });
     reader.ifHas("shadows", [&](const JsonReader& r) { op.shadows = r.boolean(); });
+    reader.ifHas("hideAbove", [&](const JsonReader& r) { op.hidesAbove = r.boolean(); });
+    reader.ifHas("smoothSurface", [&](const JsonReader& r) {
+        op.surfaceSmoothing = r.numberBetween(0, kMostSurfaceSmoothing);
+    });
+    reader.ifHas("tintSegments", [&](const JsonReader& r) { op.tintsSegments = r.boolean(); });
     reader.ifHas("sampling",
                  [&](const JsonReader& r) { op.sampling = r.choice<field::Sampling>(kSamplings); });
     return op;

@@ -54,7 +54,8 @@ Sketch readSketch(const JsonReader& reader) {
         point.expectSize(2);
         sketch.points.emplace_back(readCoordinate(point.at(0)), readCoordinate(point.at(1)));
     }
-    const bool isBox = sketch.shape != Shape::FreeForm && sketch.shape != Shape::Polyline;
+    const bool isBox =
+        sketch.shape == Shape::Ellipse || sketch.shape == Shape::Circle || sketch.shape == Shape::Rectangle;
     if (isBox && sketch.points.size() != 2) {
         points.fail("this shape takes exactly two points");
     }
@@ -126,8 +127,8 @@ std::optional<render::TransferFunction> readTransferFunction(const JsonReader& r
 }
 
 Canvas readCanvas(const JsonReader& reader) {
-    reader.allow(
-        {"viewport", "camera", "mode", "range", "sculptureView", "transferFunction", "pasted", "sampling"});
+    reader.allow({"viewport", "camera", "mode", "range", "sculptureView", "transferFunction", "pasted",
+                  "sampling", "hideAbove", "smoothSurface"});
     Canvas canvas;
     canvas.viewport = readSize(reader.member("viewport"));
     canvas.view.camera = readCamera(reader.member("camera"));
@@ -139,6 +140,10 @@ Canvas readCanvas(const JsonReader& reader) {
     reader.ifHas("pasted", [&](const JsonReader& r) { canvas.view.pasted = readPlacements(r); });
     reader.ifHas("sampling",
                  [&](const JsonReader& r) { canvas.view.sampling = r.choice<field::Sampling>(kSamplings); });
+    reader.ifHas("hideAbove", [&](const JsonReader& r) { canvas.view.hidesAbove = r.boolean(); });
+    reader.ifHas("smoothSurface", [&](const JsonReader& r) {
+        canvas.view.surfaceSmoothing = r.numberBetween(0, kMostSurfaceSmoothing);
+    });
     return canvas;
 }
 
@@ -203,6 +208,12 @@ Json toJson(const Canvas& canvas) {
               {"sampling", kSamplings[std::size_t(canvas.view.sampling)]}};
     if (canvas.view.transferFunction) {
         json["transferFunction"] = toJson(canvas.view.transferFunction);
+    }
+    if (canvas.view.hidesAbove) {
+        json["hideAbove"] = true;
+    }
+    if (canvas.view.surfaceSmoothing > 0) {
+        json["smoothSurface"] = canvas.view.surfaceSmoothing;
     }
     if (!canvas.view.pasted.empty()) {
         json["pasted"] = toJson(canvas.view.pasted);

@@ -8,8 +8,8 @@
 namespace vs::studio {
 
 // The texts that stand for enumerators in session files, in the enumerators' order.
-inline constexpr std::array<const char*, 5> kShapes{"free-form", "ellipse", "circle", "rectangle",
-                                                    "polyline"};
+inline constexpr std::array<const char*, 6> kShapes{"free-form", "ellipse",  "circle",
+                                                    "rectangle", "polyline", "stencil"};
 inline constexpr std::array<const char*, 3> kSculptureViews{"whole", "cut", "probe"};
 inline constexpr std::array<const char*, 2> kSamplings{"linear", "cubic"};
 inline constexpr std::array<const char*, 2> kProjections{"perspective", "orthographic"};

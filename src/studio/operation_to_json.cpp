@@ -30,6 +30,15 @@ void write(Json& j, const SetView& op) {
     if (op.shadows) {
         j["shadows"] = *op.shadows;
     }
+    if (op.hidesAbove) {
+        j["hideAbove"] = *op.hidesAbove;
+    }
+    if (op.surfaceSmoothing) {
+        j["smoothSurface"] = *op.surfaceSmoothing;
+    }
+    if (op.tintsSegments) {
+        j["tintSegments"] = *op.tintsSegments;
+    }
 }
 
 void write(Json&, const Undo&) {}

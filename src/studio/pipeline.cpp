@@ -44,17 +44,10 @@ const render::Classification* Pipeline::classify(const View& view) {
     return &*classification_;
 }
 
-segment::Fence Pipeline::fence(const State& state, field::SculptureView view) {
-    if (state.sculpture->isEmpty()) {
-        return {};
-    }
-    segment::Fence fence{&state.sculpture->texels(), &state.sculpture->cells(), view};
-    // While a stroke cuts, what it hides is known, and need not be looked at before it has ended.
-    fence.version = state.cuttingSince.value_or(state.sculpture->version());
-    fence.changedSince = [sculpture = state.sculpture](std::uint64_t version) {
-        return sculpture->changedSince(version);
-    };
-    return fence;
+view.sampling, frame.scene.smoothed != nullptr ? view.surfaceSmoothing : 0
+};
+refresh(cells_, key, state, frame, isSculpted ? &state.sculpture->cells() : nullptr,
+        segmentation_ ? &*segmentation_ : nullptr);
 }
 
 field::Scene Pipeline::scene(const State& state, bool wantsSegments) {
@@ -78,6 +71,7 @@ field::Scene Pipeline::scene(const State& state, bool wantsSegments) {
         scene.segmentLabels = &state.growth->seedMap().labels();
     }
     scene.displayedRange = state.view->range;
+    scene.showsAbove = state.view->showsAbove();
     scene.greyWindow = state.greyWindow;
     scene.view = isSculpted ? state.view->sculptureView : field::SculptureView::Whole;
     scene.sampling = state.view->sampling;
@@ -111,11 +105,18 @@ render::SliceFrame Pipeline::slice(const State& state, const render::SliceView& 
 
 render::Frame Pipeline::frame(const State& state, glm::ivec2 size) {
     const View& view = *state.view;
-    const bool drawsSegmentation = view.mode == render::Mode::Overlay || view.mode == render::Mode::Segment;
+    const bool drawsSegments = view.mode == render::Mode::Overlay || view.mode == render::Mode::Segment ||
+                               view.mode == render::Mode::Volume;
+    const bool tintsSegments =
+        view.tintsSegments && (view.mode == render::Mode::Mip || view.mode == render::Mode::XRay);
     render::Frame frame;
-    frame.scene = scene(state, drawsSegmentation);
+    frame.scene = scene(state, drawsSegments || tintsSegments);
     const bool hasSegmentation = frame.scene.segmentation != nullptr;
+    const bool hasSurfaces = hasSegmentation && drawsSegments;
     const bool isSculpted = frame.scene.sculpture != nullptr;
+    if (const field::SmoothedField* smoothed = smooth(view)) {
+        frame.scene.smoothed = &smoothed->field;
+    }
     if (hasSegmentation) {
         frame.segmentColours = segmentColours(state);
     }
@@ -124,25 +125,35 @@ render::Frame Pipeline::frame(const State& state, glm::ivec2 size) {
     frame.classification = classify(view);
     const bool byFunction = view.mode == render::Mode::Volume;
 
-    Key key{view.range,
+    Key key{view.visibleRange(field_->range),
             frame.scene.view,
             state.sculpture->version(),
-            hasSegmentation ? segmentation_->version() : 0,
+            hasSurfaces ? segmentation_->version() : 0,
             nullptr,
             0,
-            hasSegmentation,
+            hasSurfaces,
             true,
             byFunction ? classification_->version() : 0,
-            view.sampling};
+            view.sampling,
+            frame.scene.smoothed != nullptr ? view.surfaceSmoothing : 0};
     refresh(cells_, key, state, frame, isSculpted ? &state.sculpture->cells() : nullptr,
             segmentation_ ? &*segmentation_ : nullptr);
     frame.macrocells = &cells_.macrocells;
+    if (hasSurfaces && view.mode != render::Mode::Segment) {
+        refreshSegmentCells();
+        frame.segmentCells = &segmentCells_.macrocells;
+    }
     if (view.shadows) {
         refresh(light_, key, state, frame.scene, frame, cells_.macrocells);
         frame.occlusion = &light_.occlusion;
     }
     if (isSculpted && !view.pasted.empty()) {
         addParts(frame, key, state);
+        // Parts whose segments go on behind the other side of the cut have them in other cells.
+        const bool haveOthers = std::any_of(frame.pasted.begin(), frame.pasted.end(), [&](const auto& part) {
+            return part.segmentation != nullptr && part.segmentation != frame.scene.segmentation;
+        });
+        frame.segmentCells = haveOthers ? nullptr : frame.segmentCells;
     }
     return frame;
 }
@@ -208,27 +219,44 @@ void Pipeline::refresh(Cells& cells, const Key& key, const State& state, const r
                        const gl::Texture* sculptureCells, const segment::Segmentation* segmentation) {
     const auto& old = cells.key;
     // In probe view a cut adds to what is seen, so there nothing can be kept.
-    const bool mayKeep = state.cuttingSince && old && old->sculptureVersion == *state.cuttingSince &&
-                         old->view != field::SculptureView::Probe &&
-                         key.view != field::SculptureView::Probe &&
-                         (old->view == key.view || old->view == field::SculptureView::Whole) &&
-                         old->range == key.range && old->functionVersion == key.functionVersion &&
-                         old->sampling == key.sampling && old->drawsSegmentation == key.drawsSegmentation &&
-                         old->segmentationVersion == key.segmentationVersion;
+    const bool mayKeep =
+        state.cuttingSince && old && old->sculptureVersion == *state.cuttingSince &&
+        old->view != field::SculptureView::Probe && key.view != field::SculptureView::Probe &&
+        (old->view == key.view || old->view == field::SculptureView::Whole) && old->range == key.range &&
+        old->functionVersion == key.functionVersion && old->sampling == key.sampling &&
+        old->surfaceSmoothing == key.surfaceSmoothing && old->drawsSegmentation == key.drawsSegmentation &&
+        old->segmentationVersion == key.segmentationVersion;
     if (mayKeep || old == key) {
         return;
     }
     render::Macrocells::Input input;
-    input.dataCells = &cellRanges_.cells;
+    input.dataCells = key.surfaceSmoothing > 0 ? &smoothed_->cells.cells : &cellRanges_.cells;
     input.sculptureCells = sculptureCells;
     input.segmentationCells = key.drawsSegmentation ? &segmentation->cells() : nullptr;
-    input.displayedRange = key.range;
+    input.displayedRange = key.range; // what is visible of the values
     input.valueTolerance = field::valueTolerance(*field_);
     input.view = key.view;
     input.sampling = key.sampling;
     input.classification = frame.mode == render::Mode::Volume ? frame.classification : nullptr;
     cells.macrocells.rebuild(input);
     cells.key = key;
+}
+
+// Of the whole grid, whatever was cut: so a stroke leaves them as they are, and pasted parts share them.
+void Pipeline::refreshSegmentCells() {
+    Key key;
+    key.segmentationVersion = segmentation_->version();
+    key.drawsSegmentation = true;
+    if (segmentCells_.key == key) {
+        return;
+    }
+    render::Macrocells::Input input;
+    input.dataCells = &cellRanges_.cells;
+    input.segmentationCells = &segmentation_->cells();
+    input.view = field::SculptureView::Whole;
+    input.drawsData = false;
+    segmentCells_.macrocells.rebuild(input);
+    segmentCells_.key = key;
 }
 
 void Pipeline::refresh(Light& light, Key key, const State& state, const field::Scene& scene,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "field/cell_ranges.h"
+#include "field/smoothed_field.h"
 #include "render/macrocells.h"
 #include "render/ray_caster.h"
 #include "render/slice_renderer.h"
@@ -60,6 +60,7 @@ private:
         bool drawsData = true;   // as far as light is concerned
         int functionVersion = 0; // of the transfer function, where it says what can be seen
         field::Sampling sampling = field::Sampling::Trilinear;
+        double surfaceSmoothing = 0; // steps
         bool operator==(const Key&) const = default;
     };
 
@@ -77,6 +78,10 @@ private:
     const segment::Segmentation* segmentsOfParts(const State& state, const render::Frame& frame);
     // How segments look. When there is but one, labels may lag behind and are not asked.
     static render::SegmentColours segmentColours(const State& state);
+
+    // The values that the view's surfaces are looked for in; null: the data's own. Made when they are not
+    // there.
+    const field::SmoothedField* smooth(const View& view);
 
     // Brings the tables of the view's transfer function up to date; null if it has none and needs none.
     const render::Classification* classify(const View& view);
@@ -106,11 +111,16 @@ private:
     PartStages& stagesOf(const gl::Texture* texels);
     void addParts(render::Frame& frame, Key key, const State& state);
 
+    // Brings the macrocells of the segments alone up to date.
+    void refreshSegmentCells();
+
     Cells cells_;
+    Cells segmentCells_;
     Light light_;
     PastedParts pastedParts_;
     std::vector<std::unique_ptr<PartStages>> partStages_;
     std::optional<render::Classification> classification_; // made when first needed
+    std::optional<field::SmoothedField> smoothed_;         // the last one that a view wanted
 };
 
 } // namespace vs::studio

@@ -9,6 +9,11 @@ segment::Connectivity connectivityOf(int neighbours) {
     return neighbours == 26 ? segment::Connectivity::TwentySix : segment::Connectivity::Six;
 }
 
+bool Region::isUntouched() const {
+    return growth_ == nullptr ||
+           (!hasSeeds() && growth_->constraints() == segment::Constraints() && !growth_->state().isLive);
+}
+
 segment::Growth& Region::madeGrowth() {
     if (!growth_) {
         growth_ = std::make_unique<segment::Growth>(*field_);

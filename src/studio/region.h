@@ -65,6 +65,8 @@ public:
 
     [[nodiscard]] bool exists() const { return growth_ != nullptr; }
     [[nodiscard]] bool hasSeeds() const { return growth_ != nullptr && growth_->extent() > 0; }
+    // The segment at work has no voxels and follows no rules, as one that has just been made.
+    [[nodiscard]] bool isUntouched() const;
     // Rules of the segment at work; before the first seeds, those that were set so far.
     [[nodiscard]] const segment::Constraints& rules() const;
     [[nodiscard]] const segment::Growth* growth() const { return growth_.get(); }

@@ -25,7 +25,13 @@ constexpr int kMostLabels = 255;
 
 } // namespace
 
-SegmentList::SegmentList() { add("Segment 1"); }
+bool isNumbered(const std::string& segment) {
+    const std::string_view begin = "Segment ";
+    return segment.starts_with(begin) && segment.size() > begin.size() &&
+           segment.find_first_not_of("0123456789", begin.size()) == std::string::npos;
+}
+
+SegmentList::SegmentList() { add(kFirstSegment); }
 
 SegmentInfo* SegmentList::find(const std::string& name) {
     const auto found = std::find_if(segments.begin(), segments.end(),
@@ -61,7 +67,7 @@ SegmentInfo& SegmentList::add(const std::string& name) {
 void SegmentList::remove(std::uint8_t label) {
     std::erase_if(segments, [&](const SegmentInfo& segment) { return segment.label == label; });
     if (segments.empty()) {
-        add("Segment 1");
+        add(kFirstSegment);
     }
     if (atWork == label) {
         atWork = segments.front().label;

@@ -16,10 +16,16 @@ struct SegmentInfo {
     glm::dvec3 colour{0}; // sRGB, 0 to 1
     double opacity = 1;
     bool isVisible = true;
-    bool isLocked = false; // no tool changes it
+    bool isLocked = false;  // no tool changes it
+    bool isClaimed = false; // it took the first segment's place: labels that are loaded do not
 
     bool operator==(const SegmentInfo&) const = default;
 };
+
+// The name of the segment that is there at first.
+inline constexpr const char* kFirstSegment = "Segment 1";
+// Whether it is a name that is given when nobody has chosen one: "Segment 2".
+bool isNumbered(const std::string& segment);
 
 // All segments in the order they were made, and which is at work. There is always one.
 struct SegmentList {
@@ -32,6 +38,8 @@ struct SegmentList {
     [[nodiscard]] SegmentInfo* find(const std::string& name);
     [[nodiscard]] const SegmentInfo* find(const std::string& name) const;
     [[nodiscard]] const SegmentInfo& working() const;
+    // Only the first segment is there, and nobody has said anything about it.
+    [[nodiscard]] bool isUntouched() const { return *this == SegmentList(); }
     // Adds one with the next free label and a colour of its own. Throws Error when there are 255 already.
     SegmentInfo& add(const std::string& name);
     // Forgets one; another goes to work when it was the one at work. The last one is replaced by a fresh one.

@@ -91,7 +91,7 @@ void write(Json& j, const SetGrowthRules& op) {
 }
 
 Operation readUseSegment(const JsonReader& reader) {
-    reader.allow({"op", "segment", "name", "colour", "opacity", "visible", "locked", "work"});
+    reader.allow({"op", "segment", "name", "colour", "opacity", "visible", "locked", "work", "first"});
     UseSegment op;
     op.segment = readName(reader.member("segment"));
     reader.ifHas("name", [&](const JsonReader& r) { op.name = readName(r); });
@@ -104,6 +104,7 @@ Operation readUseSegment(const JsonReader& reader) {
     reader.ifHas("visible", [&](const JsonReader& r) { op.isVisible = r.boolean(); });
     reader.ifHas("locked", [&](const JsonReader& r) { op.isLocked = r.boolean(); });
     reader.ifHas("work", [&](const JsonReader& r) { op.goesToWork = r.boolean(); });
+    reader.ifHas("first", [&](const JsonReader& r) { op.takesFirst = r.boolean(); });
     return op;
 }
 
@@ -124,6 +125,9 @@ void write(Json& j, const UseSegment& op) {
     }
     if (!op.goesToWork) {
         j["work"] = false;
+    }
+    if (op.takesFirst) {
+        j["first"] = *op.takesFirst;
     }
 }
 

@@ -6,10 +6,13 @@
 #include "base/json_file.h"
 #include "base/json_reader.h"
 #include "studio/operation_json.h"
+#include "studio/segment_list.h"
 #include "studio/session_json.h"
 #include "volume/phantom.h"
 
 #include <nlohmann/json.hpp>
+
+#include <algorithm>
 
 namespace vs::studio {
 
@@ -47,6 +50,30 @@ std::filesystem::path storedPath(const std::filesystem::path& volume, const std:
     const auto folder = std::filesystem::absolute(session).lexically_normal().parent_path();
     const auto relative = absolute.lexically_relative(folder);
     return relative.empty() || *relative.begin() == ".." ? absolute : relative;
+}
+
+// Whether an operation speaks of the segment that is there at first.
+bool speaksOfFirst(const Operation& operation) {
+    if (const auto* use = std::get_if<UseSegment>(&operation)) {
+        return use->segment == kFirstSegment;
+    }
+    if (const auto* remove = std::get_if<RemoveSegment>(&operation)) {
+        return remove->segment == kFirstSegment;
+    }
+    const auto* edit = std::get_if<EditSegment>(&operation);
+    return edit != nullptr && edit->other == kFirstSegment;
+}
+
+// A session that speaks of the first segment counts on its being there, whatever others are named before.
+void keepFirstSegment(std::vector<Operation>& operations) {
+    if (std::none_of(operations.begin(), operations.end(), speaksOfFirst)) {
+        return;
+    }
+    for (Operation& operation : operations) {
+        if (auto* use = std::get_if<UseSegment>(&operation); use != nullptr && !use->takesFirst) {
+            use->takesFirst = false;
+        }
+    }
 }
 
 } // namespace
@@ -120,6 +147,7 @@ Session loadSession(const std::filesystem::path& path) {
             labels->path = path.parent_path() / labels->path; // an absolute one stays
         }
     }
+    keepFirstSegment(session.operations);
     return session;
 }
 

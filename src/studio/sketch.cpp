@@ -81,6 +81,7 @@ std::vector<glm::dvec2> outlineOf(const Sketch& sketch) {
     case Shape::FreeForm:
         return p.size() >= 3 ? sculpt::freeFormOutline(p) : sculpt::Outline{};
     case Shape::Polyline:
+    case Shape::Stencil:
         return p.size() >= 3 ? sculpt::polylineOutline(p) : sculpt::Outline{};
     case Shape::Ellipse:
         return sculpt::ellipseOutline(0.5 * (p.at(0) + p.at(1)), 0.5 * glm::abs(p.at(1) - p.at(0)));

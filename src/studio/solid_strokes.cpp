@@ -132,13 +132,14 @@ KeepConnectedStroke::KeepConnectedStroke(Cutter& cutter, const LookAgain& look, 
 
 void KeepConnectedStroke::replay() {
     KeepConnected& op = std::get<KeepConnected>(operation_);
-    const auto constraints = region_->constraints(op.canvas->view.range, frame_.scene.view,
-                                                  op.connectivity == 26 ? segment::Connectivity::TwentySix
-                                                                        : segment::Connectivity::Six);
+    const auto constraints = region_->constraints(
+        op.canvas->view.visibleRange(frame_.scene.data->range), frame_.scene.view,
+        op.connectivity == 26 ? segment::Connectivity::TwentySix : segment::Connectivity::Six);
     if (!op.voxel) {
         const glm::vec2 pixel(op.pixel);
-        const auto voxels =
-            region_->findSeeds(cutter_->picker.pick(frame_, std::span(&pixel, 1)), constraints);
+        const auto voxels = region_->findSeeds(
+            cutter_->picker.pick(frame_, std::span(&pixel, 1), render::Picker::Meets::Brightest),
+            constraints);
         if (voxels.empty()) {
             throw Error("keep connected: nothing in the displayed range lies under pixel {:g}, {:g}",
                         op.pixel.x, op.pixel.y);

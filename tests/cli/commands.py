@@ -87,7 +87,7 @@ class Commands(unittest.TestCase):
             result = call("sketch", picture, "--centre", "600,400", "--width", "128")
             self.assertEqual(result.returncode, 0, result.stderr)
             sketch = json.loads(result.stdout)
-            self.assertEqual(sketch["shape"], "polyline")
+            self.assertEqual(sketch["shape"], "stencil")
             xs, ys = zip(*sketch["points"])
             self.assertAlmostEqual(min(xs), 560, delta=1.5)
             self.assertAlmostEqual(max(ys), 458, delta=1.5)  # below the middle in the picture, and on the viewport

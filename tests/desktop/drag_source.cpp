@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // A file manager for tests: a small window from which files are dragged as from a real one.
 //   vs_drag_source X Y FILE...
-// Says "ready", and how each drag ended: "copy", "move", "ignored".
+// Says "ready", what the window under the drag answers ("welcome", "refused"), and how each drag ended:
+// "copy", "move", "ignored".
+#include <QAbstractNativeEventFilter>
 #include <QDrag>
 #include <QGuiApplication>
 #include <QMimeData>
@@ -9,9 +11,27 @@
 #include <QRasterWindow>
 #include <QUrl>
 
+#include <xcb/xproto.h>
+
 #include <iostream>
+#include <utility>
 
 namespace {
+
+// While something is dragged, the only messages from another program are its answers to that.
+class Answers : public QAbstractNativeEventFilter {
+public:
+    bool nativeEventFilter(const QByteArray&, void* message, qintptr*) override {
+        constexpr unsigned kAccepts = 1;
+        constexpr int kSentByAnother = 0x80;
+        const auto& event = *static_cast<const xcb_client_message_event_t*>(message);
+        if ((event.response_type & ~kSentByAnother) == XCB_CLIENT_MESSAGE) {
+            const bool isWelcome = (event.data.data32[1] & kAccepts) != 0;
+            std::cout << (isWelcome ? "welcome" : "refused") << std::endl;
+        }
+        return false;
+    }
+};
 
 class Source : public QRasterWindow {
 public:
@@ -22,7 +42,12 @@ public:
     }
 
 protected:
-    void paintEvent(QPaintEvent*) override { QPainter(this).fillRect(QRect(QPoint(), size()), Qt::white); }
+    void paintEvent(QPaintEvent*) override {
+        QPainter(this).fillRect(QRect(QPoint(), size()), Qt::white);
+        if (!std::exchange(isSeen_, true)) {
+            std::cout << "ready" << std::endl;
+        }
+    }
 
     void mousePressEvent(QMouseEvent*) override {
         auto* drag = new QDrag(this);
@@ -39,6 +64,7 @@ protected:
 
 private:
     QList<QUrl> urls_;
+    bool isSeen_ = false;
 };
 
 } // namespace
@@ -52,7 +78,8 @@ int main(int argc, char** argv) {
     }
     Source source(arguments.mid(3));
     source.setGeometry(arguments[1].toInt(), arguments[2].toInt(), 100, 60);
+    Answers answers;
+    application.installNativeEventFilter(&answers);
     source.show();
-    std::cout << "ready" << std::endl;
     return QGuiApplication::exec();
 }

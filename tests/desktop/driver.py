@@ -8,7 +8,11 @@ import shutil
 import subprocess
 import time
 
+from fence import Fence
+
 SCREEN = "1920x1200x24"
+ANSWER_SECONDS = 120  # as long as a machine that does other things too needs for the longest answer
+LOOK_SECONDS = 0.01  # between two looks at the layout file
 
 
 class Failure(Exception):
@@ -27,16 +31,17 @@ class Display:
         for tool in ("Xvfb", "xdotool"):
             need(shutil.which(tool), f"{tool} is not installed (Debian: xvfb xdotool)")
         read_end, write_end = os.pipe()
+        # -r: a key that a busy machine lets go late does not repeat.
         self.server = subprocess.Popen(
-            ["Xvfb", "-displayfd", str(write_end), "-screen", "0", SCREEN, "-nolisten", "tcp"],
+            ["Xvfb", "-displayfd", str(write_end), "-screen", "0", SCREEN, "-nolisten", "tcp", "-r"],
             pass_fds=[write_end], stderr=subprocess.DEVNULL)
         os.close(write_end)
         with os.fdopen(read_end) as answer:
-            number = answer.readline().strip()
-        need(number, "Xvfb did not start")
-        self.environment = dict(os.environ, DISPLAY=f":{number}", QT_QPA_PLATFORM="xcb")
-        # Neither the person's desktop theme, its scale nor its language may change what is clicked on.
-        for name in ("QT_QPA_PLATFORMTHEME", "QT_STYLE_OVERRIDE", "QT_SCALE_FACTOR", "XDG_CURRENT_DESKTOP"):
+            self.number = answer.readline().strip()
+        need(self.number, "Xvfb did not start")
+        self.environment = dict(os.environ, DISPLAY=f":{self.number}", QT_QPA_PLATFORM="xcb")
+        # Neither the person's desktop theme, its scale, its language nor its way to type may change what is clicked on and typed.
+        for name in ("QT_QPA_PLATFORMTHEME", "QT_STYLE_OVERRIDE", "QT_SCALE_FACTOR", "XDG_CURRENT_DESKTOP", "QT_IM_MODULE"):
             self.environment.pop(name, None)
         self.environment.update(LC_ALL="C.UTF-8", LANGUAGE="")
 
@@ -54,27 +59,50 @@ def own_home(folder):
     return {name: str(place) for name, place in places.items()}
 
 
+def said_by(state):
+    """What the program says, without where everything is."""
+    if state is None:
+        return "the program says nothing yet"
+    return f"the program says { {name: said for name, said in state.items() if name not in ('widgets', 'windows', 'disabled')} }"
+
+
 class Studio:
-    """One running volume-studio."""
+    """One running volume-studio.
+
+    Whatever is done here with keys and pointer returns when the program has answered that very input. xdotool returns when the X
+    server has the events, not when the program has handled them; so behind them goes a fence, an event on the same road, and the
+    program writes how many fences it has passed (apps/desktop/input_fence.h says what that takes) into its layout file, together
+    with the state that the input led to. Whoever looks at a state afterwards therefore never sees one from before the input, and
+    whoever acts again acts on what the input led to; nothing here waits for a time and hopes. What the program then goes on with by
+    itself (a picture at full quality, growth, files) is waited for with wait() and wait_idle().
+
+    A place is the name of a widget, a point of the screen, or a function without arguments that gives the point: the first and
+    the last are looked at again when the pointer has arrived, for a panel may have moved meanwhile."""
 
     def __init__(self, display, program, folder, arguments=(), scale=1, home=None):
         self.folder = pathlib.Path(folder)
         self.layout_file = self.folder / "layout.json"
         self.layout_file.unlink(missing_ok=True)
         self.environment = dict(display.environment, QT_SCALE_FACTOR=str(scale), **own_home(home or self.folder / "home"))
+        self.fence = Fence(display.number)
+        self.fences = 0
         self.log = open(self.folder / "volume-studio.log", "w+")
         self.process = subprocess.Popen(
             [program, "--layout-file", str(self.layout_file), *map(str, arguments)],
             env=self.environment, stdout=self.log, stderr=subprocess.STDOUT)
-        self.wait("the window", lambda state: "mainWindow" in state["widgets"])
+        self.wait("the window", lambda state: "mainWindow" in state["windows"])
         self.focus()
 
     # --- looking
 
     def state(self):
+        """What the program says of itself: nothing before the first time, and never less than what the last action led to."""
         if self.process.poll() is not None:
             self.log.seek(0)
             raise Failure(f"volume-studio ended with {self.process.returncode}:\n{self.log.read()}")
+        return self.written()
+
+    def written(self):
         try:
             return json.loads(self.layout_file.read_text())
         except FileNotFoundError:
@@ -88,10 +116,8 @@ class Studio:
             state = self.state()
             if state is not None and condition(state):
                 return state
-            time.sleep(0.03)
-        if state is not None:
-            state.pop("widgets")
-        raise Failure(f"waited {seconds} s for {what}; the program says {state}")
+            time.sleep(LOOK_SECONDS)
+        raise Failure(f"waited {seconds} s for {what}; {said_by(state)}")
 
     def wait_idle(self, what="the program to be idle", condition=lambda state: True, seconds=90):
         return self.wait(what, lambda state: state["idle"] and condition(state), seconds)
@@ -101,85 +127,118 @@ class Studio:
         x, y, width, height = self.state()["viewRect"]
         return round(x + fx * width), round(y + fy * height)
 
+    def place_of(self, widget):
+        """Its rectangle [x, y, width, height], once it is there."""
+        return self.wait(f"the widget {widget}", lambda state: widget in state["widgets"])["widgets"][widget]
+
     # --- acting
 
-    def xdotool(self, *arguments):
-        subprocess.run(["xdotool", *map(str, arguments)], env=self.environment, check=True)
+    def xdotool(self, *words, lasting=False, ends=False):
+        """Does what xdotool's words say. Returns the state that it led to. Lasting: what it led to may last (the program shows how
+        far it is) and is not waited for. Ends: the program may end of it; then nothing is returned."""
+        self.send(*words)
+        return self.answer(" ".join(map(str, words)), lasting, ends)
 
-    def key(self, keys):
-        self.xdotool("key", keys)
+    def send(self, *words):
+        """Does what xdotool's words say and waits for nothing: for tests that measure or look meanwhile, and then answer()."""
+        done = subprocess.run(["xdotool", *map(str, words)], env=self.environment, check=False, capture_output=True, text=True)
+        need(done.returncode == 0, f"xdotool {' '.join(map(str, words))}: {done.stderr.strip()}")
+
+    def answer(self, what, lasting=False, ends=False):
+        """Waits until all that was sent has been answered."""
+        self.fence.send(self.written()["fence"])
+        self.fences += 1
+        end = time.monotonic() + ANSWER_SECONDS
+        while time.monotonic() < end:
+            if ends and self.process.poll() is not None:
+                return None
+            state = self.written() if ends else self.state()
+            if state["passed"] >= self.fences and (lasting or not state["lasting"]):
+                return state
+            time.sleep(LOOK_SECONDS)
+        raise Failure(f"the program did not answer '{what}' within {ANSWER_SECONDS} s; {said_by(self.state())}")
+
+    def key(self, keys, lasting=False):
+        return self.xdotool("key", keys, lasting=lasting)
+
+    def type(self, text):
+        return self.xdotool("type", "--delay", 5, "--", text)
 
     def move(self, point):
-        self.xdotool("mousemove", *point)
+        return self.xdotool("mousemove", *point)
 
-    def place_of(self, widget):
-        """Its rectangle, once it has stayed where it is for a moment: panels follow the picture."""
-        place = None
-        while True:
-            state = self.wait(f"the widget {widget}", lambda s: widget in s["widgets"])
-            if state["widgets"][widget] == place:
-                return place
-            place = state["widgets"][widget]
-            time.sleep(0.1)
+    def arrive(self, place, lasting=False):
+        """Moves the pointer to a place, from beside it: a press there is no second click of the last one."""
+        def point():
+            if isinstance(place, str):
+                x, y, width, height = self.wait(f"the widget {place}, enabled", lambda state: place in state["widgets"]
+                                                and place not in state["disabled"])["widgets"][place]
+                return x + width // 2, y + height // 2
+            return tuple(place() if callable(place) else place)
 
-    def click(self, widget):
-        x, y, width, height = self.place_of(widget)
-        self.xdotool("mousemove", x + width // 2, y + height // 2, "click", 1)
+        for _ in range(50):
+            x, y = point()
+            self.xdotool("mousemove", x - 30 if x > 30 else x + 30, y, "mousemove", x, y, lasting=lasting)
+            if point() == (x, y):
+                return
+        raise Failure(f"{place} does not keep its place; {said_by(self.state())}")
+
+    def click(self, place, button=1, times=1, lasting=False):
+        self.arrive(place, lasting)
+        return self.xdotool("click", "--repeat", times, "--delay", 0, button, lasting=lasting)
 
     def drag(self, points, button=1, pause=0.02):
-        """Presses at the first point, moves through the others, releases at the last."""
-        self.move(points[0])
-        self.xdotool("mousedown", button)
-        for point in points[1:]:
-            self.move(point)
-            time.sleep(pause)
-        self.xdotool("mouseup", button)
+        """Presses at the first point, moves through the others with pauses in seconds, releases at the last. Points may be a
+        function that gives them."""
+        self.arrive((lambda: points()[0]) if callable(points) else points[0])
+        way = points() if callable(points) else points
+        moves = [word for x, y in way[1:] for word in ("mousemove", x, y, "sleep", pause)]
+        return self.xdotool("mousedown", button, *moves, "mouseup", button)
 
     def type_number(self, box, number, end="Return"):
-        """Replaces what stands in a number box; the minus sign is no option of xdotool's."""
+        """Replaces what stands in a number box."""
         self.click(box)
         self.key("ctrl+a")
-        self.xdotool("type", "--", str(number))
-        self.key(end)
+        self.type(str(number))
+        return self.key(end)
+
+    def choose(self, choices, begin):
+        """What begins so, in a list of choices: by the wheel, up to the first and down again."""
+        self.arrive(choices)
+        chosen = self.state()["reports"][choices]
+        for button in (4, 5):
+            before = None
+            while chosen != before and not chosen.startswith(begin):
+                before = chosen
+                chosen = self.xdotool("click", button)["reports"][choices]
+        need(chosen.startswith(begin), f"{choices} has no choice that begins with '{begin}'")
 
     def type_path(self, dialog, path):
         """Types a path into an open file dialog and accepts it."""
-        self.wait(dialog, lambda state: dialog in state["widgets"] and "fileNameEdit" in state["widgets"])
-        time.sleep(0.3)  # the dialog is laid out once more after it appears
+        self.wait(dialog, lambda state: dialog in state["windows"] and "fileNameEdit" in state["widgets"])
         self.click("fileNameEdit")
         self.key("ctrl+a")
-        self.xdotool("type", "--delay", 5, path)
+        self.type(path)
         self.key("Return")
-        self.wait(f"{dialog} to close", lambda state: dialog not in state["widgets"])
-        self.focus()
+        self.wait(f"{dialog} to close", lambda state: dialog not in state["windows"])
+        return self.focus()
 
-    def window(self, title):
-        for _ in range(50):  # the X server may show it a moment after the program says so
-            found = subprocess.run(["xdotool", "search", "--onlyvisible", "--name", title], env=self.environment,
-                                   check=False, capture_output=True, text=True).stdout.split()
-            if found:
-                return found[0]
-            time.sleep(0.1)
-        raise Failure(f"there is no window {title}")
-
-    def main_window(self):
-        return self.window("Volume Studio")
-
-    def focus(self):
-        """Gives the main window the keyboard: there is no window manager here to do it when a dialog closes."""
-        self.xdotool("windowfocus", "--sync", self.main_window())
+    def focus(self, window="mainWindow"):
+        """Gives a window the keyboard: there is no window manager here to do it when a dialog closes."""
+        windows = self.answer(f"{window} is shown")["windows"]  # to the X server too
+        need(window in windows, f"there is no window {window} to be given the keyboard")
+        return self.xdotool("windowfocus", windows[window])
 
     def resize(self, width, height):
-        self.xdotool("windowsize", self.main_window(), width, height)
+        return self.xdotool("windowsize", self.state()["windows"]["mainWindow"], width, height)
 
     def quit(self):
         if self.state()["viewRect"]:  # there is none on the start screen
             self.move(self.view_point(0.5, 0.5))
         self.focus()
-        self.key("ctrl+q")
-        time.sleep(1)
-        if self.process.poll() is None and "unsavedEdits" in self.state()["widgets"]:
-            self.key("alt+d")  # "Discard"
+        state = self.xdotool("key", "ctrl+q", ends=True)
+        if state is not None and "unsavedEdits" in state["widgets"]:
+            self.xdotool("key", "alt+d", ends=True)  # "Discard"
         try:
             code = self.process.wait(30)
         except subprocess.TimeoutExpired:

@@ -6,7 +6,6 @@ import argparse
 import json
 import pathlib
 import sys
-import time
 
 from driver import need, run_test, start
 from test_latency import circle, now_ms
@@ -99,16 +98,8 @@ def segmenting(steps):
 
 
 def choose_edit(studio, name, amount):
-    """By the wheel over the list."""
     reveal(studio, "segmentEdit")
-    x, y, width, height = studio.place_of("segmentEdit")
-    studio.move((x + width // 2, y + height // 2))
-    for button in (4,) * 15 + (5,) * 15:
-        if studio.state()["reports"].get("segmentEdit", "").startswith(name):
-            break
-        studio.xdotool("click", button)
-        time.sleep(0.15)
-    studio.wait(name, lambda s: s["reports"].get("segmentEdit", "").startswith(name))
+    studio.choose("segmentEdit", name)
     if amount is not None:
         studio.type_number("editAmount", amount)
 
@@ -122,11 +113,9 @@ def looking(steps):
     for key, mode in MODES:
         steps.do(f"mode {mode}", lambda: studio.key(key), lambda s: s["mode"] == mode)
     steps.do("slices", lambda: studio.key("F4"), lambda s: "axialSlider" in s["widgets"])
-    studio.click("tabGradient")
-    steps.do("gradients", lambda: time.sleep(1))
+    steps.do("gradients", lambda: studio.click("tabGradient"), lambda s: s["reports"].get("gradientCurve", "").endswith("chosen"))
     studio.click("functionChoice")
     studio.wait("the gallery", lambda s: "preset.mr_t1_head" in s["widgets"])
-    time.sleep(0.3)
     steps.do("a preset", lambda: studio.click("preset.mr_t1_head"), lambda s: s["reports"]["functionChoice"].startswith("MR"))
     studio.focus()
 
@@ -150,9 +139,9 @@ def give_up(steps):
     studio = steps.studio
     choose_edit(studio, "Smooth", 30)  # takes seconds
     before = studio.state()
-    for way in (lambda: studio.click("giveUp"), lambda: studio.key("Escape")):
+    for way in (lambda: studio.click("giveUp", lasting=True), lambda: studio.key("Escape", lasting=True)):
         studio.wait_idle("the picture", lambda s: s["pictureComplete"])
-        press(studio, "editPerform")
+        press(studio, "editPerform", lasting=True)
         studio.wait("progress", lambda s: "giveUp" in s["widgets"])
         steps.do("giving up", way, lambda s: s["message"].startswith("Given up"))
         state = studio.state()

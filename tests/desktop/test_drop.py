@@ -2,11 +2,12 @@
 """Files dragged from another program and dropped on the window, on its start screen and on an open volume."""
 
 import argparse
+import queue
 import subprocess
 import sys
-import time
+import threading
 
-from driver import need, run_test, start
+from driver import Failure, need, run_test, start
 from phantom import write_ball_head
 from replay import operations
 from test_segments import write_labels
@@ -16,13 +17,24 @@ SOURCE = (1700, 1000)  # beside the window
 
 
 class Files:
-    """Another program's window that files can be dragged from."""
+    """Another program's window that files can be dragged from. What that program hears and does is no input of the studio's, so
+    its own lines are waited for."""
 
     def __init__(self, display, program, *files):
         self.process = subprocess.Popen([program, *map(str, SOURCE), *map(str, files)], env=display.environment,
                                         stdout=subprocess.PIPE, text=True)
-        need(self.process.stdout.readline() == "ready\n", "nothing to drag from")
-        time.sleep(0.3)
+        self.lines = queue.Queue()
+        threading.Thread(target=lambda: [self.lines.put(line.strip()) for line in self.process.stdout], daemon=True).start()
+        self.expect("ready")
+
+    def expect(self, *lines):
+        """The first of these that is said from now on."""
+        try:
+            while (line := self.lines.get(timeout=90)) not in lines:
+                pass
+        except queue.Empty:
+            raise Failure(f"where the files are dragged from nothing of {lines} was said in 90 s") from None
+        return line
 
     def drop(self, studio, place=(600, 500)):
         """Returns how it ended: copy, move or ignored."""
@@ -31,11 +43,11 @@ class Files:
         studio.xdotool("mousedown", 1)
         for i in range(1, 11):
             studio.move((x + (place[0] - x) * i // 10, y + (place[1] - y) * i // 10))
-            time.sleep(0.04)
-        studio.move((place[0] + 1, place[1]))
-        time.sleep(0.1)
+        self.expect("welcome", "refused")
         studio.xdotool("mouseup", 1)
-        return self.process.stdout.readline().strip()
+        ended = self.expect("copy", "move", "ignored")
+        studio.answer("what was dropped")
+        return ended
 
     def close(self):
         self.process.terminate()
@@ -120,7 +132,7 @@ def refuse(studio, drop, text):
     # While that is to be read, nothing else can be dropped.
     need(drop(studio, text) == "ignored", "a window that waits for an answer took a file")
     x, y, width, height = studio.place_of("openFailed")
-    studio.xdotool("mousemove", x + width - 40, y + height - 25, "click", 1)
+    studio.click((x + width - 40, y + height - 25))
     studio.wait("the refusal to close", lambda s: "openFailed" not in s["widgets"])
 
 

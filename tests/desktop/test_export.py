@@ -4,7 +4,6 @@ saved session; an export that is given up leaves nothing."""
 
 import argparse
 import sys
-import time
 
 from driver import need, run_test, start
 from phantom import write_ball_head
@@ -16,32 +15,17 @@ def open_dialog(studio):
     studio.focus()
     studio.key("ctrl+shift+e")
     studio.wait("the dialog", lambda s: "exportDialog" in s["widgets"])
-    time.sleep(0.3)  # it is laid out once more after it appears
-
-
-def choose_format(studio, name):
-    studio.click("exportFormat")
-    time.sleep(0.2)
-    studio.xdotool("type", "--delay", 5, name)
-    studio.key("Return")
-    time.sleep(0.2)
 
 
 def save_as(studio, path):
     studio.click("exportSave")
-    studio.wait("the file dialog", lambda s: "exportFileDialog" in s["widgets"] and "fileNameEdit" in s["widgets"])
-    time.sleep(0.3)
-    studio.click("fileNameEdit")
-    studio.key("ctrl+a")
-    studio.xdotool("type", "--delay", 5, path)
-    studio.key("Return")
+    studio.type_path("exportFileDialog", path)
 
 
 def exported(studio, path):
     save_as(studio, path)
     studio.wait_idle(f"{path.name}", lambda s: s["message"].startswith(f"Exported {path}")
                      and "exportDialog" not in s["widgets"])
-    time.sleep(0.3)  # for the dialog's window to go from the X server too
     need(path.exists(), f"{path} is not there")
 
 
@@ -67,7 +51,7 @@ def main(display, arguments, folder):
     exported(studio, folder / "seen.stl")
     for name, kind in (("seen.glb", "glTF"), ("seen.dcm", "DICOM"), ("seen.nrrd", "NRRD")):
         open_dialog(studio)
-        choose_format(studio, kind)
+        studio.choose("exportFormat", kind)
         exported(studio, folder / name)
     open_dialog(studio)
     studio.click("exportTable")

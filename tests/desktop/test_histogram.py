@@ -5,7 +5,6 @@ import argparse
 import json
 import re
 import sys
-import time
 
 from driver import need, run_test, start
 from phantom import BRAIN, write_ball_head
@@ -53,8 +52,7 @@ def drag_range(studio):
     studio.type_number("rangeLo", 100)
     studio.wait_idle("the number", lambda s: s["range"] == [100, 175])
 
-    studio.move(chart.at(20))
-    studio.xdotool("click", 1)
+    studio.click(chart.at(20))
     studio.key("shift+Left")
     studio.wait_idle("the upper end by a key", lambda s: s["range"] == [100, 174])
     studio.key("ctrl+Right")
@@ -96,16 +94,14 @@ def edit_intensity(studio):
     studio.drag([curve.on(107, 0.2), curve.on(112, 0.3), curve.on(120, 0.5)])
     curve.wait(1, 4)
     in_use(studio, "displayed range")
-    studio.move(curve.on(30, 0.7))
-    studio.xdotool("click", 1)
+    studio.click(curve.on(30, 0.7))
     curve.wait(0, 5)
     studio.type_number("intensityValue", 40)
     studio.type_number("intensityOpacity", 0)
     studio.type_number("intensityValue", 150)
     studio.wait("the answer", lambda s: s["message"] == "150 lies beyond the next point: this one was put to 100")
     studio.click("intensityUndo")
-    studio.move(curve.on(40, 0))
-    studio.xdotool("click", 1)
+    studio.click(curve.on(40, 0))
     curve.wait(0, 5)
     studio.key("Tab")
     curve.wait(1, 5)
@@ -124,19 +120,15 @@ def edit_intensity(studio):
     need(points >= 7, f"a box makes {state['reports']['intensityCurve']}")
     studio.click("intensityColour")
     studio.wait("the dialog", lambda s: "colourDialog" in s["widgets"])
-    time.sleep(0.3)  # it is laid out once more
     x, y, width, height = studio.state()["widgets"]["colourDialog"]
-    studio.xdotool("mousemove", x + width // 10, y + height // 6, "click", 1)
+    studio.click((x + width // 10, y + height // 6))
     studio.key("Return")
     studio.wait("the dialog to close", lambda s: "colourDialog" not in s["widgets"])
     studio.focus()
 
 
 def gallery(studio, button):
-    time.sleep(0.5)  # rows that came or went with the last choice have moved the button
     studio.click("functionChoice")
-    studio.wait("the gallery", lambda s: button in s["widgets"])
-    time.sleep(0.2)
     studio.click(button)
     studio.wait("the gallery to close", lambda s: button not in s["widgets"])
     studio.focus()

@@ -30,8 +30,7 @@ def click_row(studio, row, rows):
     x, y, width, _ = studio.state()["widgets"]["historyList"]
     height = studio.state()["historyRow"]
     need(0 <= row < rows, f"there is no row {row}")
-    studio.move((x + width // 2, y + 2 + int((row + 0.5) * height)))
-    studio.xdotool("click", 1)
+    studio.click((x + width // 2, y + 2 + int((row + 0.5) * height)))
 
 
 def go_to(studio, row, rows):
@@ -70,7 +69,7 @@ def shortcuts(studio):
     state = studio.wait("the shortcuts", lambda s: "shortcutSheet" in s["widgets"])
     for name in ("open", "startScreen", "undo", "peelTool", "seedTool", "mode.volume", "viewProbe", "shortcuts"):
         need(f"key_{name}" in state["widgets"], f"the shortcut sheet lacks {name}")
-    studio.xdotool("windowfocus", "--sync", studio.window("Keyboard shortcuts"))
+    studio.focus("shortcutSheet")
     studio.key("Escape")
     studio.wait("the shortcuts to close", lambda s: "shortcutSheet" not in s["widgets"])
     studio.focus()

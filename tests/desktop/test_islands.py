@@ -7,7 +7,7 @@ import sys
 from driver import need, run_test, start
 from phantom import SIDE, write_ball_head
 from replay import compare_with_replay, operations, run
-from test_segments import click_cell, press, save, working
+from test_segments import click_cell, press, reveal, save, working
 
 # Two balls of one label, left and right of the middle: voxels of their centres, and radii.
 BALLS = (((21, 36, 36), 8), ((51, 36, 36), 6))
@@ -34,18 +34,15 @@ def write_balls(path):
 
 
 def choose_edit(studio):
-    """In the list of edits, as a person finds it by its first letters."""
     press(studio, "editFold")
-    press(studio, "segmentEdit")
-    studio.xdotool("sleep", 0.3, "type", "Drop or keep")
-    studio.key("Return")
+    reveal(studio, "segmentEdit")
+    studio.choose("segmentEdit", "Drop or keep")
     press(studio, "editPerform")
     studio.wait("the tool", lambda s: s["tool"] == "island" and "Balls" in s["hint"])
 
 
 def click(studio, place):
-    studio.move(studio.view_point(*place))
-    studio.xdotool("click", 1)
+    studio.click(lambda: studio.view_point(*place))
 
 
 def main(display, arguments, folder):

@@ -4,7 +4,6 @@
 import argparse
 import json
 import sys
-import time
 
 from driver import need, run_test, start
 from phantom import write_ball_head
@@ -26,9 +25,8 @@ def write_session(path, volume):
 def type_path(studio, dialog, path):
     """The field for the name has the keyboard when a dialog opens."""
     studio.wait(dialog, lambda s: dialog in s["widgets"] and s["focus"] == "fileNameEdit")
-    time.sleep(0.3)  # the dialog is laid out once more after it appears
     studio.key("ctrl+a")
-    studio.xdotool("type", "--delay", 5, path)
+    studio.type(path)
     studio.key("Return")
     studio.wait(f"{dialog} to close", lambda s: dialog not in s["widgets"])
     studio.focus()
@@ -43,9 +41,7 @@ def tab_around(studio, until=None, most=130):
     """Presses Tab until something has the keyboard, or has had it before; says what had it."""
     seen = []
     for _ in range(most):
-        before = studio.state()["inputs"]
-        studio.key("Tab")
-        focus = studio.wait("Tab", lambda s: s["inputs"] > before)["focus"]
+        focus = studio.key("Tab")["focus"]
         if focus == until or (until is None and focus and focus in seen and len(seen) > 30):
             return seen + [focus]
         seen.append(focus)

@@ -44,11 +44,11 @@ class Phase:
 
     def __init__(self, studio, points):
         studio.move(points[0])
-        time.sleep(0.3)
         moves = [word for x, y in points for word in ("mousemove", x, y, "sleep", f"{1 / RATE_HZ:.4f}")]
         self.begin = now_ms()
-        studio.xdotool("mousedown", 1, *moves, "mouseup", 1)
+        studio.send("mousedown", 1, *moves, "mouseup", 1)
         self.end = now_ms()
+        studio.answer("a stroke of the pen")
 
     def frames(self, timings):
         """The first time that each picture was shown."""

@@ -6,7 +6,6 @@ import json
 import shutil
 import struct
 import sys
-import time
 
 from driver import need, run_test, start
 from phantom import write_ball_head
@@ -17,17 +16,11 @@ def open_dialog(studio):
     studio.focus()
     studio.key("shift+F12")
     studio.wait("the dialog", lambda s: "pictureDialog" in s["widgets"])
-    time.sleep(0.3)  # it is laid out once more after it appears
 
 
 def save_as(studio, path):
     studio.click("pictureSave")
-    studio.wait("the file dialog", lambda s: "fileNameEdit" in s["widgets"])
-    time.sleep(0.3)
-    studio.click("fileNameEdit")
-    studio.key("ctrl+a")
-    studio.xdotool("type", "--delay", 5, path)
-    studio.key("Return")
+    studio.type_path("pictureFileDialog", path)
 
 
 def size_of(png):

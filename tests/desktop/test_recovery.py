@@ -4,7 +4,6 @@
 import argparse
 import json
 import sys
-import time
 
 from driver import need, run_test, start
 from phantom import write_ball_head
@@ -57,8 +56,7 @@ def work_and_die(display, arguments, folder, volume):
     other_folder.mkdir()
     other = start(display, arguments.program, other_folder, home=folder / "home")
     state = other.wait("the start screen", lambda s: "welcome" in s["widgets"])
-    time.sleep(0.3)
-    need("recover0" not in other.state()["widgets"], "the work of a running window is offered to another")
+    need("recover0" not in state["widgets"], "the work of a running window is offered to another")
     other.kill()
 
     need(len(journals(folder)) == 1, f"there are {len(journals(folder))} journals")
@@ -69,10 +67,9 @@ def work_and_die(display, arguments, folder, volume):
     studio.wait("the scissors", lambda s: s["tool"] == "scissors")
     studio.xdotool("mousedown", 1)
     studio.move(studio.view_point(0.62, 0.35))
-    time.sleep(0.2)
     studio.process.kill()
     studio.process.wait()
-    studio.xdotool("mouseup", 1)
+    studio.send("mouseup", 1)
     after = journalled(journals(folder)[0])
     need(after == before, "the journal changed after the last edit")
     names = [operation["op"] for operation in after]

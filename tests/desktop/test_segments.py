@@ -3,7 +3,6 @@
 
 import argparse
 import sys
-import time
 
 from driver import need, run_test, start
 from phantom import SIDE, write_ball_head
@@ -24,24 +23,21 @@ def working(state):
 
 def reveal(studio, widget):
     """Scrolls the panel until a widget is in sight."""
-    studio.wait(f"the widget {widget}", lambda s: widget in s["widgets"])
-    time.sleep(0.15)  # what was just folded is laid out and reported
     for _ in range(60):
+        _, y, _, height = studio.place_of(widget)
         widgets = studio.state()["widgets"]
-        _, y, _, height = widgets[widget]
         _, top, _, whole = widgets["panels"]
         if top <= y and y + height <= top + whole:
             return
         # Over the cards' left border nothing else takes the wheel.
         studio.move((widgets["panels"][0] + 4, top + whole // 2))
         studio.xdotool("click", 4 if y < top else 5)
-        time.sleep(0.06)
     need(False, f"{widget} cannot be scrolled to")
 
 
-def press(studio, widget):
+def press(studio, widget, lasting=False):
     reveal(studio, widget)
-    studio.click(widget)
+    studio.click(widget, lasting=lasting)
 
 
 def cell(studio, row, column):
@@ -54,8 +50,7 @@ def cell(studio, row, column):
 
 
 def click_cell(studio, row, column, times=1):
-    studio.move(cell(studio, row, column))
-    studio.xdotool("click", "--repeat", times, "--delay", 60, 1)
+    studio.click(lambda: cell(studio, row, column), times=times)
 
 
 def grow(studio):
@@ -108,7 +103,7 @@ def look_at_list(studio):
     studio.wait_idle("unlocked by undo", lambda s: not s["segments"][0]["locked"])
     click_cell(studio, 0, "name", 2)
     studio.key("ctrl+a")
-    studio.xdotool("type", "Scalp")
+    studio.type("Scalp")
     studio.key("Return")
     state = studio.wait_idle("the name", lambda s: s["segments"][0]["name"] == "Scalp")
     need(working(state)["name"] == "Scalp", "a click on the name did not go to work on the segment")

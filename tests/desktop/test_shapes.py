@@ -46,8 +46,7 @@ def click_polyline(studio, corners):
     studio.key("y")
     before = studio.state()["operations"]
     for corner in [*corners, corners[0]]:
-        studio.move(studio.view_point(*corner))
-        studio.xdotool("click", 1)
+        studio.click(studio.view_point(*corner))
         need(corner is corners[0] or studio.state()["operations"] == before, "a polyline cut before it was closed")
     wait_cut(studio, "Scissors", before)
 

@@ -3,7 +3,6 @@
 
 import argparse
 import sys
-import time
 
 from driver import need, run_test, start
 from replay import compare_with_replay, operations, run
@@ -64,8 +63,7 @@ def lead_crosshair(studio):
     """A click on each slice moves the two others; the patient's left is on the right, the face on top."""
     mm = pixel_mm(studio, "axial", 0, 1)
     x, y = slice_point(studio, "axial", 0.5, 0.5)
-    studio.move((x + 40, y - 30))
-    studio.xdotool("click", 1)
+    studio.click((x + 40, y - 30))
     # To the patient's left: x falls. Towards the face: y rises.
     expected = [SIZE[0] / 2 - 40 * mm / SPACING[0], SIZE[1] / 2 + 30 * mm / SPACING[1], SIZE[2] // 2]
     state = crosshair_at(studio, "the click on the axial slice", expected)
@@ -100,23 +98,18 @@ def scroll(studio):
 
 def from_surface(studio):
     """A double click in the 3D view goes to the surface: the face looks at us, so far to the front."""
-    studio.move(studio.view_point(0.5, 0.5))
-    studio.xdotool("click", "--repeat", 2, "--delay", 60, 1)
+    studio.click(studio.view_point(0.5, 0.5), times=2)
     front = (SIZE[1] - 1) / 2 + 56 / SPACING[1]
     studio.wait_idle("the surface", lambda s: abs(s["crosshair"][1] - front) <= 1.5)
     x, y = slice_point(studio, "axial", 0.5, 0.5)
-    studio.move((x, y))
-    studio.xdotool("click", 1)
+    studio.click((x, y))
     crosshair_at(studio, "the middle again", [SIZE[0] / 2, SIZE[1] / 2, studio.state()["crosshair"][2]])
 
 
 def seed(studio):
     studio.key("s")
     studio.wait("the seed tool", lambda s: s["tool"] == "seed")
-    studio.click("growthSpeed")  # slow enough to be paused
-    studio.key("ctrl+a")
-    studio.xdotool("type", "8")
-    studio.key("Return")
+    studio.type_number("growthSpeed", 8)  # slow enough to be paused
     studio.drag(slice_line(studio, "coronal", (0.45, 0.5), (0.55, 0.5)))
     studio.wait("growth", lambda s: s["playing"] and s["generation"] > 4)
     studio.click("growPause")
@@ -169,14 +162,11 @@ def measure(studio):
     studio.click("measureAngle")
     x, y = slice_point(studio, "sagittal", 0.5, 0.5)
     for point in ((x - 40, y), (x, y), (x + 30, y - 30)):
-        studio.move(point)
-        studio.xdotool("click", 1)
+        studio.click(point)
     state = studio.wait("the angle", lambda s: len(s["measurements"]) == 3)
     need(abs(state["measurements"][2] - 135) < 0.01, f"{state['measurements'][2]} degrees instead of 135")
-    time.sleep(0.3)  # the list of values has grown, and the buttons below it have moved
     studio.click("measureDeleteLast")
     studio.wait("one less", lambda s: len(s["measurements"]) == 2)
-    time.sleep(0.3)
     studio.click("measureDeleteAll")
     studio.wait("none", lambda s: not s["measurements"])
 

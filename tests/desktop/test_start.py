@@ -64,7 +64,7 @@ def open_series(display, arguments, folder):
         return
     studio = start(display, arguments.program, folder, [SERIES])
     studio.wait("the list of series", lambda s: "openSeries" in s["widgets"])
-    studio.xdotool("windowfocus", "--sync", studio.window("Which series?"))
+    studio.focus("seriesDialog")
     studio.key("Home")
     studio.key("Down")
     studio.key("Return")
@@ -92,13 +92,11 @@ def main(display, arguments, folder):
     need(state["title"] == "Volume Studio" and state["operations"] == 0, f"something is still open: {state['title']}")
 
     # By the keyboard: Tab to the first card, Enter.
-    studio.focus()
+    state = studio.focus()
     for _ in range(12):
-        if studio.state()["focus"] == "recent0":
-            break
-        studio.key("Tab")
-        studio.xdotool("sleep", 0.1)
-    need(studio.state()["focus"] == "recent0", "Tab does not reach the first card")
+        if state["focus"] != "recent0":
+            state = studio.key("Tab")
+    need(state["focus"] == "recent0", "Tab does not reach the first card")
     studio.key("Return")
     studio.wait_idle("the recent volume", lambda s: s["title"].startswith("balls.nrrd") and s["pictureComplete"])
 
@@ -131,7 +129,7 @@ def main(display, arguments, folder):
     studio = start(display, arguments.program, folder)
     studio.wait("the missing session", lambda s: "forget_recent0" in s["widgets"] and "recent1" in s["widgets"])
     studio.click("recent0")
-    need(on_start_screen(studio.state()), "a missing file was opened")
+    need(on_start_screen(studio.wait_idle("an answer")), "a missing file was opened")
     studio.click("forget_recent0")
     studio.wait("it to be forgotten", lambda s: "recent1" not in s["widgets"])
     need(len(pictures(folder)) == kept - 1, "the picture of what was forgotten is still there")

@@ -5,10 +5,10 @@ import argparse
 import shutil
 import subprocess
 import sys
-import time
 
 from driver import need, run_test, start
 from phantom import write_ball_head
+from test_histogram import visible
 from test_start import scissors
 
 SIZE = (1230, 870)
@@ -68,18 +68,22 @@ def ground(grabbed):
     return tuple(pixels[at:at + 3])
 
 
-def wait_for_ground(studio, desktop, folder, colour):
-    """The picture of the screen when the window has that colour and nothing changes any more."""
-    end = time.monotonic() + 20
-    before = None
-    while time.monotonic() < end:
-        state = studio.wait_idle("the window to be at rest", lambda s: s["pictureComplete"])
-        grabbed = without_picture(desktop.grab(folder / "now.ppm"), state["viewRect"])
-        if ground(grabbed) == colour and grabbed == before:
-            return grabbed
-        before = grabbed
-        time.sleep(0.4)
-    need(False, f"the window is {ground(before)}, not {colour}, or does not come to rest")
+def prefer(studio, desktop, scheme, is_light):
+    """The desktop says so, and the program has heard it."""
+    desktop.tell("scheme", scheme)
+    studio.wait("the program to hear of it", lambda s: s["desktopLight"] == is_light)
+
+
+def photograph(studio, desktop, folder, colour):
+    """The picture of the screen at rest, when the window has that colour."""
+    is_idle = False
+    while not is_idle:
+        studio.wait_idle("the window to be at rest", lambda s: s["pictureComplete"])
+        state = studio.answer("the window is painted")
+        is_idle = state["idle"]
+    grabbed = without_picture(desktop.grab(folder / "now.ppm"), state["viewRect"])
+    need(ground(grabbed) == colour, f"the window is {ground(grabbed)}, not {colour}")
+    return grabbed
 
 
 def differing(a, b):
@@ -104,20 +108,20 @@ def open_window(display, arguments, folder):
     studio.move(studio.view_point(0.9, 0.9))
     scissors(studio)
     studio.key("ctrl+z")
-    studio.wait_idle("undo", lambda s: s["canRedo"])
+    studio.wait_idle("undo", lambda s: s["canRedo"] and "histogram" in s["reports"] and len(set(visible(s))) == 1)
     studio.key("ctrl+h")
     studio.wait("the history", lambda s: "historyList" in s["widgets"])
     studio.key("F4")
     studio.wait_idle("slices", lambda s: s["pictureComplete"] and "axialSlice" in s["widgets"])
     studio.key("ctrl+comma")
     studio.wait("the preferences", lambda s: "preferencesDialog" in s["widgets"])
-    studio.xdotool("windowfocus", "--sync", studio.window("Preferences"))
+    studio.focus("preferencesDialog")
     studio.move((SIZE[0] + 200, 500))  # over nothing that would light up
     return studio
 
 
 def close(studio):
-    studio.xdotool("windowfocus", "--sync", studio.window("Preferences"))
+    studio.focus("preferencesDialog")
     studio.key("Escape")
     studio.wait("the preferences to close", lambda s: "preferencesDialog" not in s["widgets"])
     studio.focus()
@@ -139,34 +143,39 @@ def main(display, arguments, folder):
 def follow(display, arguments, folder, desktop):
     desktop.tell("scheme", DARK)  # though Qt's own colours are light here
     studio = open_window(display, arguments, folder)
-    dark = wait_for_ground(studio, desktop, folder, DARK_GROUND)
-    desktop.tell("scheme", LIGHT)
-    light = wait_for_ground(studio, desktop, folder, LIGHT_GROUND)
-    desktop.tell("scheme", DARK)
-    need_same(wait_for_ground(studio, desktop, folder, DARK_GROUND), dark, "not dark again")
-    desktop.tell("scheme", NONE)  # as Qt says
-    need_same(wait_for_ground(studio, desktop, folder, LIGHT_GROUND), light, "not light without a preference")
+    studio.wait("the program to hear of it", lambda s: not s["desktopLight"])
 
+    def seen(colour):
+        return photograph(studio, desktop, folder, colour)
+
+    dark = seen(DARK_GROUND)
+    prefer(studio, desktop, LIGHT, True)
+    light = seen(LIGHT_GROUND)
+    prefer(studio, desktop, DARK, False)
+    need_same(seen(DARK_GROUND), dark, "not dark again")
+    prefer(studio, desktop, NONE, True)  # as Qt says
+    need_same(seen(LIGHT_GROUND), light, "not light without a preference")
+
+    prefer(studio, desktop, DARK, False)
     studio.click("themeDark")
-    preferred = wait_for_ground(studio, desktop, folder, DARK_GROUND)
-    desktop.tell("scheme", LIGHT)
-    time.sleep(1)
-    need_same(wait_for_ground(studio, desktop, folder, DARK_GROUND), preferred, "a preference for dark does not hold")
+    preferred = seen(DARK_GROUND)
+    prefer(studio, desktop, LIGHT, True)
+    need_same(seen(DARK_GROUND), preferred, "a preference for dark does not hold")
     studio.click("themeDesktop")
-    wait_for_ground(studio, desktop, folder, LIGHT_GROUND)
+    seen(LIGHT_GROUND)
     studio.click("themeLight")
-    desktop.tell("scheme", DARK)
-    time.sleep(1)
-    wait_for_ground(studio, desktop, folder, LIGHT_GROUND)
+    prefer(studio, desktop, DARK, False)
+    seen(LIGHT_GROUND)
     studio.click("themeDesktop")
-    wait_for_ground(studio, desktop, folder, DARK_GROUND)
+    seen(DARK_GROUND)
     need(studio.state()["glErrors"] == 0, "OpenGL errors")
     close(studio)
 
     # Nothing is left of the colours it began with.
     desktop.tell("scheme", LIGHT)
     studio = open_window(display, arguments, folder)
-    need_same(wait_for_ground(studio, desktop, folder, LIGHT_GROUND), light, "what was dark at first differs from what was light")
+    studio.wait("the program to hear of it", lambda s: s["desktopLight"])
+    need_same(seen(LIGHT_GROUND), light, "what was dark at first differs from what was light")
     close(studio)
 
 

@@ -139,7 +139,7 @@ def paste_and_move(studio):
     need(math.dist(moved, turned) < 3, f"turning moved the part from {moved} to {turned}")
     done = Done(studio)
     studio.move(turned)
-    studio.xdotool("click", "--repeat", 3, "--delay", 30, 4)
+    studio.xdotool("click", "--repeat", 3, "--delay", 0, 4)
     state = done.wait("Move part")
     need(state["operations"] == done.before + 1, "turning the wheel thrice made more than one operation")
     undo(studio)
@@ -173,8 +173,7 @@ def keep_connected(studio):
     done.wait("Scissors")
     choose(studio, "k", "keep")
     done = Done(studio)
-    studio.move(studio.view_point(0.5, 0.3))
-    studio.xdotool("click", 1)
+    studio.click(studio.view_point(0.5, 0.3))
     done.wait("Keep connected")
 
 

@@ -67,10 +67,7 @@ def grow(studio):
     """Seeds on what was opened, which start to grow; then pause, one back, one forth."""
     studio.key("s")
     studio.wait("the seed tool", lambda s: s["tool"] == "seed")
-    studio.click("growthSpeed")  # slow enough to be paused, however small the head
-    studio.key("ctrl+a")
-    studio.xdotool("type", "8")
-    studio.key("Return")
+    studio.type_number("growthSpeed", 8)  # slow enough to be paused, however small the head
     studio.drag([studio.view_point(0.46 + 0.01 * i, 0.38) for i in range(9)])
     studio.wait("the growth", lambda s: s["playing"] and s["generation"] > 8)
     studio.click("growPause")

@@ -3,7 +3,8 @@
 //
 // Spaces: voxel space has voxel centres at integers; texture space is (p + 0.5) / dims; world is LPS millimetres.
 // Bindings: uniform block 0; textures 0 data, 1 sculpture, 2 segmentation, 13 labels, with QUADS 6
-// (field::SceneBinding). ALL_SEGMENTS: translucent segments count as opaque ones do.
+// (field::SceneBinding). ALL_SEGMENTS: translucent segments count as opaque ones do. SMOOTHED: dataAt() gives smoothed values,
+// of textures 15 and 12, sectionValueAt() the values themselves.
 
 layout(std140, binding = 0) uniform SceneBlock {
     mat4 worldFromVoxel;
@@ -13,9 +14,18 @@ layout(std140, binding = 0) uniform SceneBlock {
     vec4 valueScale; // x scale, y offset, z 1 if values are whole numbers, w tolerance of comparisons
     vec4 range;      // xy displayed range, zw grey window
     vec4 sceneFlags; // x 1 if there is a segmentation, yzw 1 / dims
+    vec4 limits;     // x the greatest visible value: the displayed range's upper end, or beyond all values (MIP, X-ray);
+                     // yz scale and offset of smoothed values
 };
 
+#ifdef SMOOTHED
+layout(binding = 15) uniform sampler3D dataTexture;
+layout(binding = 0) uniform sampler3D sectionTexture; // the values themselves
+vec2 dataScale() { return limits.yz; }
+#else
 layout(binding = 0) uniform sampler3D dataTexture;
+vec2 dataScale() { return valueScale.xy; }
+#endif
 layout(binding = 1) uniform sampler3D sculptureTexture;
 layout(binding = 2) uniform sampler3D segmentationTexture; // r opaque segments, g translucent ones
 layout(binding = 13) uniform usampler3D segmentLabels;     // or one texel for all voxels
@@ -23,7 +33,7 @@ layout(binding = 13) uniform usampler3D segmentLabels;     // or one texel for a
 struct SceneSample {
     float value;        // in the volume's unit
     float sculpture;    // 0 untouched .. 1 cut away
-    float dataInside;   // > 0 inside the displayed range, < 0 outside; continuous, in the volume's unit
+    float dataInside;   // > 0 where the value is visible, < 0 elsewhere; continuous, in the volume's unit
     float uncut;        // >= 0 on the visible side of the sculpture; continuous, 0.5 level at 0
 };
 
@@ -38,12 +48,19 @@ float storedAt(vec3 p) { return textureLod(dataTexture, textureFromVoxel(p), 0.0
 #ifdef TRICUBIC
 #include "field/shaders/tricubic.glsl"
 #else
-float dataAt(vec3 p) { return storedAt(p) * valueScale.x + valueScale.y; }
+float dataAt(vec3 p) { return storedAt(p) * dataScale().x + dataScale().y; }
+#endif
+
+#ifdef SMOOTHED
+#include "field/shaders/sections.glsl"
+#else
+// What a section through p shows: the data's own value.
+float sectionValueAt(vec3 p) { return dataAt(p); }
 #endif
 
 // The stored value of one voxel, exact.
 float voxelValue(ivec3 v) {
-    float value = texelFetch(dataTexture, v, 0).r * valueScale.x + valueScale.y;
+    float value = texelFetch(dataTexture, v, 0).r * dataScale().x + dataScale().y;
     return valueScale.z > 0.5 ? round(value) : value;
 }
 
@@ -65,6 +82,9 @@ float segmentationAt(vec3 p) { return membershipsAt(p).x; }
 // where the data would be seen, and a crust of it would hide them.
 float clearOfGlass(vec2 memberships) { return 0.16 - memberships.y; }
 
+// >= 0 where a transfer function's data may be seen beside segments of any kind, likewise.
+float clearOfSegments(vec2 memberships) { return 0.16 - max(memberships.x, memberships.y); }
+
 float translucentAt(vec3 p) { return membershipsAt(p).y; }
 
 // The segment that a voxel belongs to, 0 none; of places outside the grid, that of the nearest voxel.
@@ -72,8 +92,8 @@ uint segmentOf(ivec3 voxel) {
     return texelFetch(segmentLabels, clamp(voxel, ivec3(0), textureSize(segmentLabels, 0) - 1), 0).r;
 }
 
-// How far a value is inside the displayed range.
-float insideRange(float value) { return min(value - range.x, range.y - value) + valueScale.w; }
+// How far a value is inside what is visible of the values: the displayed range, without an upper end where limits.x says so.
+float insideRange(float value) { return min(value - range.x, limits.x - value) + valueScale.w; }
 
 // Cut view shows sculpture < 0.5, probe view >= 0.5.
 float visibleSide(float sculpture) {

@@ -63,13 +63,13 @@ Taps tapsAlong(vec3 axis, Taps values, Taps slopes) {
                 mix(values.weightLower, slopes.weightLower, axis), mix(values.weightUpper, slopes.weightUpper, axis));
 }
 
-float dataAt(vec3 p) { return eightTaps(valueTaps(p)) * valueScale.x + valueScale.y; }
+float dataAt(vec3 p) { return eightTaps(valueTaps(p)) * dataScale().x + dataScale().y; }
 
 // Value per voxel along each axis.
 vec3 voxelGradientAt(vec3 p) {
     Taps values = valueTaps(p);
     Taps slopes = slopeTaps(p);
     const vec3 e = vec3(1.0, 0.0, 0.0);
-    return valueScale.x * vec3(eightTaps(tapsAlong(e.xyy, values, slopes)), eightTaps(tapsAlong(e.yxy, values, slopes)),
+    return dataScale().x * vec3(eightTaps(tapsAlong(e.xyy, values, slopes)), eightTaps(tapsAlong(e.yxy, values, slopes)),
                                eightTaps(tapsAlong(e.yyx, values, slopes)));
 }

@@ -1,12 +1,14 @@
 // One sample per pixel of the picture: cast a ray, find what the mode asks for, colour it, add it to the accumulation.
 // MODE: 0 surface, 1 MIP, 2 X-ray, 3 overlay (segmentation as surface, the rest as X-ray), 4 segment (both as surface),
 // 5 volume (compositing). CONTENT and SCULPTED: see surface.glsl. TF_KIND: what the transfer function goes by that colours
-// all modes (classification.glsl); not defined: none does.
-// TRANSLUCENT: overlay and segment modes with translucent segments.
+// all modes (classification.glsl); not defined: none does. SEGMENTS: in volume mode the surfaces of segments too (CONTENT 1), in MIP
+// and X-ray their colours.
+// SEGMENT_CELLS: with CONTENT 1, macrocells of the segments alone (rays.glsl).
+// TRANSLUCENT: overlay, segment and volume modes with translucent segments.
 // LIT: with ambient occlusion and soft shadows. PARTS: several parts in one picture, one dispatch each, the last one shows it.
 // In: the scene (field/shaders/scene.glsl), the view (rays.glsl). Out: image 0 (rgba32f) sum of display colours, and of
 // coverage: how much of the background they hide.
-// variants: MODE=0 CONTENT=0;MODE=0 CONTENT=0 SCULPTED=1;MODE=1 CONTENT=0;MODE=2 CONTENT=0 SCULPTED=1;MODE=3 CONTENT=1 SCULPTED=1;MODE=4 CONTENT=2;MODE=3 CONTENT=1 SCULPTED=1 TRANSLUCENT=1 PARTS=1;MODE=4 CONTENT=2 TRANSLUCENT=1 LIT=1;MODE=5 CONTENT=0 TF_KIND=0;MODE=5 CONTENT=0 SCULPTED=1 TF_KIND=2;MODE=0 CONTENT=0 TF_KIND=1;MODE=1 CONTENT=0 TF_KIND=0;MODE=2 CONTENT=0 TF_KIND=2;MODE=0 CONTENT=0 TRICUBIC=1;MODE=0 CONTENT=0 LIT=1;MODE=5 CONTENT=0 TF_KIND=0 LIT=1 PARTS=1;MODE=3 CONTENT=1 SCULPTED=1 PARTS=1;MODE=1 CONTENT=0 PARTS=1;MODE=0 CONTENT=0 QUADS=1;MODE=5 CONTENT=0 SCULPTED=1 TF_KIND=0 QUADS=1 TRICUBIC=1
+// variants: MODE=0 CONTENT=0;MODE=0 CONTENT=0 SCULPTED=1;MODE=1 CONTENT=0;MODE=2 CONTENT=0 SCULPTED=1;MODE=3 CONTENT=1 SCULPTED=1 SEGMENT_CELLS=1;MODE=4 CONTENT=2;MODE=3 CONTENT=1 SCULPTED=1 TRANSLUCENT=1 PARTS=1;MODE=4 CONTENT=2 TRANSLUCENT=1 LIT=1;MODE=5 CONTENT=0 TF_KIND=0;MODE=5 CONTENT=0 SCULPTED=1 TF_KIND=2;MODE=0 CONTENT=0 TF_KIND=1;MODE=1 CONTENT=0 TF_KIND=0;MODE=2 CONTENT=0 TF_KIND=2;MODE=0 CONTENT=0 TRICUBIC=1;MODE=0 CONTENT=0 LIT=1;MODE=5 CONTENT=0 TF_KIND=0 LIT=1 PARTS=1;MODE=3 CONTENT=1 SCULPTED=1 PARTS=1;MODE=1 CONTENT=0 PARTS=1;MODE=0 CONTENT=0 QUADS=1;MODE=4 CONTENT=2 SCULPTED=1 QUADS=1 SMOOTHED=1;MODE=0 CONTENT=0 SCULPTED=1 TRICUBIC=1 SMOOTHED=1 TF_KIND=0;MODE=5 CONTENT=0 SCULPTED=1 TF_KIND=0 QUADS=1 TRICUBIC=1;MODE=5 CONTENT=1 SCULPTED=1 TF_KIND=0 SEGMENTS=1 SEGMENT_CELLS=1 TRANSLUCENT=1 PARTS=1;MODE=5 CONTENT=1 TF_KIND=2 SEGMENTS=1 LIT=1;MODE=1 CONTENT=0 SEGMENTS=1;MODE=1 CONTENT=0 TF_KIND=0 SEGMENTS=1;MODE=2 CONTENT=0 SCULPTED=1 SEGMENTS=1;MODE=2 CONTENT=0 TF_KIND=1 SEGMENTS=1
 layout(local_size_x = 64) in;
 
 #include "field/shaders/scene.glsl"
@@ -35,10 +37,13 @@ layout(location = 3) uniform vec2 exposure;     // x: X-ray gain per diagonal; y
 // 8, of a voxel. Loops over a number that the compiler does not know stay loops, which a software renderer leaves after one
 // turn where nothing was met.
 layout(location = 4) uniform int corners;
-layout(location = 5) uniform float sampleStep;   // steps between samples in MIP and X-ray
+layout(location = 5) uniform float sampleStep;   // steps between samples in MIP and volume mode
 layout(location = 6) uniform int beamShift;      // side of a beam's square: 1 << this; division is slow
 layout(location = 7) uniform vec4 backgroundTop; // display colour; w 1: there is none, and it is black
 layout(location = 8) uniform vec4 backgroundBottom;
+#if MODE == 2 || MODE == 3
+layout(location = 12) uniform vec2 lattice; // of samples in an X-ray: x steps between them, y what part of that they are shifted by
+#endif
 #ifdef PARTS
 layout(location = 9) uniform ivec2 partOfPicture;      // which one this is, how many there are
 layout(location = 10) uniform float partScale; // how large it is drawn
@@ -52,7 +57,7 @@ layout(r32f, binding = 4) uniform image2D seenGlassDepth;
 const float partScale = 1.0;
 #endif
 
-#if MODE == 3 || MODE == 4
+#if MODE == 3 || MODE == 4 || defined(SEGMENTS)
 #include "render/shaders/segments.glsl"
 #endif
 #ifdef TRANSLUCENT

@@ -87,6 +87,9 @@ struct Walk {
     float from;  // the same within the grid's box
     float front; // what the function goes by there
     float side;  // and whether it is on the visible side
+#ifdef SEGMENTS
+    float clear; // and whether it is clear of segments, in which nothing of the data is seen
+#endif
     vec4 found;  // premultiplied, unlit
     float weightedT;
     bool isCut; // something found begins where the sculpture was cut
@@ -104,10 +107,18 @@ void addPiece(inout Walk walk, Ray ray, float numberAfter, float dt, float jitte
     part = visiblePart(walk.side, sideAfter);
     walk.side = sideAfter;
 #endif
+    float cutAt = part.x;
+#ifdef SEGMENTS
+    float clearAfter = clearOfSegments(membershipsAt(after));
+    vec2 clearPart = visiblePart(walk.clear, clearAfter);
+    walk.clear = clearAfter;
+    part = vec2(max(part.x, clearPart.x), min(part.y, clearPart.y));
+    part.y = max(part.x, part.y);
+#endif
     float steps = isPiece ? (part.y - part.x) * (to - walk.from) : 0.0;
     float middle = mix(walk.from, to, 0.5 * (part.x + part.y));
     vec4 c = colourOfPiece(mix(walk.front, back, part.x), mix(walk.front, back, part.y), at(ray, middle), steps, dt);
-    walk.isCut = walk.isCut || (c.a > 0.0 && part.x > 0.0);
+    walk.isCut = walk.isCut || (c.a > 0.0 && cutAt > 0.0 && cutAt == part.x);
     walk.weightedT += (1.0 - walk.found.a) * c.a * middle;
     walk.found += (1.0 - walk.found.a) * c;
     walk.number = numberAfter;
@@ -128,6 +139,9 @@ vec4 compositeAlong(Ray ray, float dt, float jitter, out float depth) {
     walk.from = clamp((walk.number + jitter) * dt, ray.tNear, ray.tFar);
     walk.front = seenValue(at(ray, walk.from));
     walk.side = sideAt(at(ray, walk.from));
+#ifdef SEGMENTS
+    walk.clear = clearOfSegments(membershipsAt(at(ray, walk.from)));
+#endif
     while (walk.number < stop) {
         // Look for the next pieces that show something; they are lit together.
         walk.found = vec4(0.0);

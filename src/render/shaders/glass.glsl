@@ -14,7 +14,7 @@ Crossing firstGlass(Ray ray, float tEnd, float jitter) {
     do {
         float skip;
         do {
-            skip = emptyUntil(ray, crossing.t, inverseDirection);
+            skip = noSurfaceUntil(ray, crossing.t, inverseDirection);
             crossing.t = skip > 0.0 ? nextSample(crossing.t + skip, kDt, jitter) : crossing.t;
         } while (skip > 0.0 && crossing.t < tEnd + kDt);
         float first = float(kBatch);

@@ -50,16 +50,16 @@ vec3 shadeHit(Hit hit, Ray ray, vec3 segmentColour) {
     }
     // A section shows the data's own values: grey, shaded just enough to tell its shape.
 #ifdef TF_KIND
-    vec3 section = functionColour(dataAt(hit.voxel), hit.voxel);
+    vec3 section = functionColour(sectionValueAt(hit.voxel), hit.voxel);
 #else
-    vec3 section = linearFromDisplay(vec3(0.15 + 0.85 * greyOf(dataAt(hit.voxel))) * vec3(1.0, 0.985, 0.96));
+    vec3 section = linearFromDisplay(vec3(0.15 + 0.85 * greyOf(sectionValueAt(hit.voxel))) * vec3(1.0, 0.985, 0.96));
 #endif
     section = hit.isSegment ? mix(section, segmentColour, 0.55) : section;
     vec3 key = normalize(-0.45 * right + 0.65 * up - 0.75 * viewForward.xyz);
     return displayFromLinear(section * (0.55 * reaching.y + 0.45 * reaching.x * max(dot(hit.normal, key), 0.0)));
 }
 
-#if MODE == 3 || MODE == 4
+#if MODE == 3 || MODE == 4 || (MODE == 5 && defined(SEGMENTS))
 // The colour of the segment that was hit.
 vec4 segmentColourOf(Hit hit, bool translucent) {
     return segmentColourAt(hit.inSegment, -hit.normal, hit.isCut, translucent, hit.found && hit.isSegment);
@@ -80,6 +80,22 @@ vec4 shadeGlass(Hit hit, Ray ray) {
 }
 #endif
 
+#if defined(SEGMENTS) && (MODE == 1 || MODE == 2)
+// The linear colour of what a ray goes through: white, or what the transfer function says.
+vec3 colourInRay(float value, vec3 p) {
+#ifdef TF_KIND
+    return functionColour(value, p);
+#else
+    return vec3(1.0);
+#endif
+}
+
+vec3 tinted(vec3 colour, vec3 p) {
+    vec4 tint = tintAt(p);
+    return mix(colour, tint.rgb, tint.a);
+}
+#endif
+
 #if MODE == 2 || MODE == 3
 // Integral of (value - lo) / (hi - lo) over the visible part of the ray up to tEnd, in steps: a. The transfer function's
 // colours, each weighted by that: rgb.
@@ -87,39 +103,84 @@ vec4 integralAlong(Ray ray, float tEnd) {
     const int batch = 8; // samples a turn: see surface.glsl
     vec3 inverseDirection = safeInverse(ray.direction);
     vec4 sum = vec4(0.0);
-    float t = nextSample(ray.tBegin, sampleStep, 0.5);
+    float t = nextSample(ray.tBegin, lattice.x, lattice.y);
     do {
         // Whole steps only, so that the samples stay evenly spaced across a skip.
         float skip;
         do {
             skip = emptyUntil(ray, t, inverseDirection);
-            t = skip > 0.0 ? nextSample(t + skip, sampleStep, 0.5) : t;
+            t = skip > 0.0 ? nextSample(t + skip, lattice.x, lattice.y) : t;
         } while (skip > 0.0 && t < tEnd);
         for (int i = 0; i < batch; ++i) {
-            float here = t + float(i) * sampleStep;
+            float here = t + float(i) * lattice.x;
             vec3 p = at(ray, here);
             float value = dataAt(p);
             bool counts = here < tEnd && insideRange(value) >= 0.0 && sideAt(p) >= 0.0;
+            value = min(value, range.y); // what lies above counts as the range's upper end
             float part = counts ? partOfRange(value) : 0.0;
             sum.a += part;
-#ifdef TF_KIND
+#if defined(SEGMENTS)
+            sum.rgb += part * tinted(colourInRay(value, p), p);
+#elif defined(TF_KIND)
             sum.rgb += part * functionColour(value, p);
 #endif
         }
-        t += float(batch) * sampleStep;
+        t += float(batch) * lattice.x;
     } while (t < tEnd);
-    return sum * sampleStep;
+    return sum * lattice.x;
 }
 #endif
 
 #if MODE == 2 || MODE == 3
-// The display colour of an integral: white, or what the transfer function says.
+// The display colour of an integral: white, or what the transfer function and segments say.
 vec3 integralColour(vec4 integral) {
-#ifdef TF_KIND
+#if defined(TF_KIND) || (defined(SEGMENTS) && MODE == 2)
     return displayFromLinear(integral.rgb / max(integral.a, 1e-6));
 #else
     return vec3(1.0);
 #endif
+}
+#endif
+
+#if MODE == 5 && defined(SEGMENTS)
+// As compositeAlong(), with the surfaces of segments where they are: glass, what is behind it, and the first opaque one, behind
+// which nothing is seen.
+vec4 compositeWithSegments(Ray ray, float jitter, out float depth) {
+    Hit hit = findSurface(ray, jitter);
+    float end = hit.found ? hit.t : ray.tFar;
+    vec4 sum = vec4(0.0);
+    float weightedT = 0.0;
+    Ray stretch = ray;
+    stretch.tEnd = min(ray.tEnd, end);
+    stretch.tFar = end;
+    float tPart;
+#ifdef TRANSLUCENT
+    Hit glass = findGlass(ray, min(end, ray.tEnd), jitter);
+    vec4 surface = shadeGlass(glass, ray);
+    surface.rgb = surface.a > 0.0 ? linearFromDisplay(surface.rgb / surface.a) * surface.a : vec3(0.0);
+    float middle = glass.found ? glass.t : end; // where there is none, nothing is left for the second stretch
+    for (int i = 0; i < 2; ++i) {
+        bool isBefore = i == 0;
+        stretch.tNear = isBefore ? ray.tNear : middle;
+        stretch.tFar = isBefore ? middle : end;
+        stretch.tBegin = max(ray.tBegin, stretch.tNear);
+        stretch.tEnd = min(ray.tEnd, stretch.tFar);
+        vec4 part = compositeAlong(stretch, sampleStep, jitter, tPart);
+        weightedT += (1.0 - sum.a) * part.a * tPart;
+        sum += (1.0 - sum.a) * part;
+        vec4 here = isBefore ? surface : vec4(0.0);
+        weightedT += (1.0 - sum.a) * here.a * glass.t;
+        sum += (1.0 - sum.a) * here;
+    }
+#else
+    sum = compositeAlong(stretch, sampleStep, jitter, tPart);
+    weightedT = sum.a * tPart;
+#endif
+    vec4 opaque = hit.found ? vec4(linearFromDisplay(shadeOpaque(hit, ray)), 1.0) : vec4(0.0);
+    weightedT += (1.0 - sum.a) * opaque.a * hit.t;
+    sum += (1.0 - sum.a) * opaque;
+    depth = weightedT / max(sum.a, 1e-6);
+    return sum;
 }
 #endif
 
@@ -143,6 +204,10 @@ Seen look(Ray ray, float jitter, float scale) {
     Seen seen;
     seen.front = vec4(0.0);
     seen.behind = vec4(0.0);
+#ifdef TRANSLUCENT
+    seen.glass = vec4(0.0);
+    seen.glassDepth = kNothing;
+#endif
 #if MODE == 0 || MODE == 3 || MODE == 4
     Ray searched = ray;
 #if MODE == 3
@@ -160,12 +225,18 @@ Seen look(Ray ray, float jitter, float scale) {
 #endif
 #elif MODE == 1
     Greatest greatest = findGreatestInSlabs(ray, sampleStep);
-#ifdef TF_KIND
+#if defined(SEGMENTS)
+    vec3 brightest = at(ray, greatest.t);
+    seen.front.rgb = displayFromLinear(tinted(colourInRay(greatest.value, brightest), brightest));
+#elif defined(TF_KIND)
     seen.front.rgb = displayFromLinear(functionColour(greatest.value, at(ray, greatest.t)));
 #endif
     seen.front.a = greatest.value;
 #elif MODE == 2
     seen.front = scale * integralAlong(ray, ray.tEnd);
+#elif defined(SEGMENTS)
+    seen.front = compositeWithSegments(ray, jitter, seen.behind.x);
+    seen.behind.x *= scale;
 #else
     seen.front = compositeAlong(ray, sampleStep, jitter, seen.behind.x);
     seen.behind.x *= scale;
@@ -235,7 +306,12 @@ vec4 shown(Seen seen, vec3 behind) {
 #ifdef TF_KIND
     vec4 ramp = vec4(seen.front.rgb, 1.0);
 #else
-    vec4 ramp = vec4(mix(behind * 0.3, vec3(1.0), brightness), 1.0 - 0.3 * (1.0 - brightness));
+#ifdef SEGMENTS
+    vec3 brightest = seen.front.rgb;
+#else
+    const vec3 brightest = vec3(1.0);
+#endif
+    vec4 ramp = vec4(mix(behind * 0.3, brightest, brightness), 1.0 - 0.3 * (1.0 - brightness));
 #endif
     return seen.front.a > -1e29 ? ramp : vec4(behind, 0.0);
 #elif MODE == 2

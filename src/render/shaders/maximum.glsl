@@ -12,7 +12,7 @@ struct Greatest {
 float hopelessUntil(Ray ray, float t, float greatest, vec3 inverseDirection) {
     ivec3 cell = cellAt(at(ray, t));
     int distance = int(texelFetch(cellDistances, cell, 0).r);
-    float top = min(texelFetch(dataCellRanges, cell, 0).g, range.y + valueScale.w);
+    float top = min(texelFetch(dataCellRanges, cell, 0).g, limits.x + valueScale.w);
     return distance > 0 || top <= greatest ? leaveCells(ray, t, cell, max(distance, 1), inverseDirection) : 0.0;
 }
 
@@ -44,7 +44,7 @@ layout(binding = 11) uniform usamplerBuffer slabLists;
 void lookAtSlab(Ray ray, Slabs slabs, int slab, float dt, inout Greatest best) {
     float number = slabs.first + float(slab * slabs.samples) + 0.5;
     float end = number + float(slabs.samples);
-    float highest = range.y + valueScale.w;
+    float highest = limits.x + valueScale.w;
     do {
         for (int i = 0; i < kSlabBatch; ++i) {
             float t = (number + float(i)) * dt;
@@ -52,9 +52,12 @@ void lookAtSlab(Ray ray, Slabs slabs, int slab, float dt, inout Greatest best) {
             float value = dataAt(p);
             // Values below the range never are: the search begins there.
             bool counts = t >= ray.tBegin && t < ray.tEnd && value <= highest && sideAt(p) >= 0.0;
+#ifndef SEGMENTS
+            value = min(value, range.y); // what lies above counts as the range's upper end
+#endif
             bool better = counts && value > best.value;
             best.value = better ? value : best.value;
-#ifdef TF_KIND
+#if defined(TF_KIND) || defined(SEGMENTS)
             best.t = better ? t : best.t;
 #endif
         }
@@ -74,6 +77,9 @@ Greatest findGreatestInSlabs(Ray ray, float dt) {
     do {
         lookAtSlab(ray, slabs, int(entry >> 8), dt, best);
         uint code = best.value > lowest ? codeOfGreatest(best.value) : 0u;
+#ifdef SEGMENTS
+        code = min(code, 254u); // the very greatest, of all values above the range too: its place says what tints it
+#endif
         uint bucket = bucketOf(code + 1u);
         do {
             ++place;
@@ -81,7 +87,7 @@ Greatest findGreatestInSlabs(Ray ray, float dt) {
             isOver = (entry & 0xffu) == 0u || bucketOf(entry & 0xffu) < bucket;
         } while ((entry & 0xffu) <= code && !isOver);
     } while (!isOver);
-    best.value = best.value > lowest ? best.value : -1e30;
+    best.value = best.value > lowest ? min(best.value, range.y) : -1e30;
     return best;
 }
 #endif

@@ -1,6 +1,7 @@
 // Rays of the current view, in voxel space, and walking along them.
 // A ray's parameter t counts steps: one step is the smallest voxel spacing in mm, so dt = 0.5 samples twice per voxel.
-// Bindings: uniform block 1 (render::ViewBlock), texture 3 macrocell distances. Include "field/shaders/scene.glsl" first.
+// Bindings: uniform block 1 (render::ViewBlock), texture 3 macrocell distances, with SEGMENT_CELLS 11 those of cells where
+// segments may be. Include "field/shaders/scene.glsl" first.
 
 layout(std140, binding = 1) uniform ViewBlock {
     // World, for shading: unit vectors.
@@ -17,6 +18,9 @@ layout(std140, binding = 1) uniform ViewBlock {
 };
 
 layout(binding = 3) uniform usampler3D cellDistances;
+#ifdef SEGMENT_CELLS
+layout(binding = 11) uniform usampler3D segmentCellDistances;
+#endif
 
 struct Ray {
     vec3 origin;    // voxel space
@@ -82,6 +86,17 @@ float emptyUntil(Ray ray, float t, vec3 inverseDirection) {
     ivec3 cell = cellAt(at(ray, t));
     int distance = int(texelFetch(cellDistances, cell, 0).r);
     return distance > 0 ? leaveCells(ray, t, cell, distance, inverseDirection) : 0.0;
+}
+
+// The same for what surfaces are looked for: of segments alone there may be other cells.
+float noSurfaceUntil(Ray ray, float t, vec3 inverseDirection) {
+#ifdef SEGMENT_CELLS
+    ivec3 cell = cellAt(at(ray, t));
+    int distance = int(texelFetch(segmentCellDistances, cell, 0).r);
+    return distance > 0 ? leaveCells(ray, t, cell, distance, inverseDirection) : 0.0;
+#else
+    return emptyUntil(ray, t, inverseDirection);
+#endif
 }
 
 // The first place at or after t where samples `dt` apart lie: the same for all rays and however a ray got there, so that

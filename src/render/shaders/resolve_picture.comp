@@ -14,6 +14,7 @@ layout(location = 0) uniform ivec3 progress;
 layout(location = 1) uniform int isTransparent;
 layout(location = 2) uniform int isFlat; // the background is of one colour, which stays exactly that
 layout(location = 3) uniform int isBare;  // no samples are taken of squares where nothing can be seen: there is the background
+layout(location = 4) uniform ivec2 settled; // x the place from which on squares have settled, y after how many samples
 layout(location = 7) uniform vec4 backgroundTop; // display colour
 layout(location = 8) uniform vec4 backgroundBottom;
 
@@ -24,6 +25,9 @@ int placeOfSquareAt(ivec2 pixel) {
 
 float samplesAt(int place) {
     bool hasMore = place < progress.z ? place < progress.y : progress.y > 0;
+    if (place >= settled.x && place < progress.z) {
+        return float(settled.y);
+    }
     return float(progress.x + (hasMore ? 1 : 0));
 }
 

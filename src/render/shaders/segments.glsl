@@ -29,6 +29,15 @@ void addColoursAround(vec3 p, ivec3 beyond, bool translucent, bool wanted, inout
     }
 }
 
+// What tints the data at p, where rays go through segments instead of meeting their surfaces: linear colour, and how much of it.
+vec4 tintAt(vec3 p) {
+    vec2 memberships = membershipsAt(p);
+    uint segment = segmentOf(ivec3(floor(p + 0.5)));
+    vec4 entry = entryOf(segment);
+    float amount = smoothstep(0.25, 0.75, max(memberships.x, memberships.y));
+    return vec4(entry.rgb, segment != 0u ? amount * entry.a : 0.0);
+}
+
 // The voxel next to one that lies most straight in a direction of the world.
 ivec3 nextVoxel(vec3 direction) {
     vec3 way = mat3(voxelFromWorld) * direction;

@@ -1,5 +1,5 @@
 // Squares of 8 x 8 pixels, those that may show something first: one work group of 64 invocations each.
-// Bindings: storage 0 the squares (list_squares.comp), image 0 (rgba32f) sums of display colours and coverage; uniforms 0 to 2. Include
+// Bindings: storage 0 the squares (list_squares.comp), storage 3 how far two samples are apart in each, image 0 (rgba32f) sums of display colours and coverage; uniforms 0 to 2. Include
 // "render/shaders/rays.glsl" first.
 
 layout(std430, binding = 0) readonly buffer Squares { uint squares[]; }; // column, row << 16
@@ -9,6 +9,9 @@ layout(rgba32f, binding = 0) uniform image2D accumulation;
 layout(location = 0) uniform ivec2 squareRange; // of the list: first square, how many
 layout(location = 1) uniform vec2 pixelOffset; // where in the pixel this sample lies, 0..1
 layout(location = 2) uniform int addToPrevious;
+layout(location = 13) uniform int measuresContrast; // 1: this is the second sample, to be compared with the first
+
+layout(std430, binding = 3) buffer Contrasts { uint contrasts[]; }; // of 65535, by row and column of squares
 
 const ivec2 kNowhere = ivec2(1 << 30);
 
@@ -26,7 +29,14 @@ ivec2 pixelOfInvocation() {
 // Display colour and coverage.
 void addToPicture(ivec2 pixel, vec4 sum) {
     if (addToPrevious != 0) {
-        sum += imageLoad(accumulation, pixel);
+        vec4 before = imageLoad(accumulation, pixel);
+        if (measuresContrast != 0) {
+            vec4 apart = abs(sum - before);
+            float most = max(max(apart.r, apart.g), max(apart.b, apart.a));
+            int squaresAcross = (imageSize(accumulation).x + 7) / 8;
+            atomicMax(contrasts[(pixel.y / 8) * squaresAcross + pixel.x / 8], uint(65535.0 * min(most, 1.0)));
+        }
+        sum += before;
     }
     imageStore(accumulation, pixel, sum);
 }

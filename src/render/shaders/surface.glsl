@@ -1,7 +1,11 @@
 // The first visible surface along a ray: what is seen, picked and cut.
 // CONTENT chooses what counts as content: 0 data in the displayed range, 1 segmentation, 2 either of the two, 3 what the
 // transfer function makes opaque enough to be touched. Include "render/shaders/rays.glsl" first, for 3 also
-// "render/shaders/classification.glsl". TRANSLUCENT: some segments are translucent: nothing of the data is seen in them.
+// "render/shaders/classification.glsl". SEGMENTS: with CONTENT 3, or the surface of a segment. TRANSLUCENT: some segments are translucent: nothing of the data is seen in them.
+
+#if CONTENT == 1 || CONTENT == 2 || (CONTENT == 3 && defined(SEGMENTS))
+#define MEETS_SEGMENTS
+#endif
 
 // How far a value is inside the displayed range, as a part of its width: of the same size as what the sculpture and the
 // segmentation say, or the least of them would bend what is straight.
@@ -9,9 +13,22 @@ float partInside(float value) {
     return insideRange(value) / (range.y > range.x ? range.y - range.x : 1.0);
 }
 
+#if CONTENT == 3
+// >= 0 where the transfer function makes the data opaque enough.
+float opaqueAt(vec3 p) {
+#if TF_KIND == 0
+    return classify(dataAt(p), 0.0).a - lightingOfFunction.z;
+#else
+    return classify(dataAt(p), length(dataGradient(p))).a - lightingOfFunction.z;
+#endif
+}
+#endif
+
 // >= 0 where the data is to be seen beside segments.
 float dataShownAt(vec3 p) {
-#ifdef TRANSLUCENT
+#if CONTENT == 3
+    return min(opaqueAt(p), clearOfSegments(membershipsAt(p)));
+#elif defined(TRANSLUCENT)
     return min(partInside(dataAt(p)), clearOfGlass(membershipsAt(p)));
 #else
     return partInside(dataAt(p));
@@ -24,12 +41,8 @@ float contentAt(vec3 p) {
     return partInside(dataAt(p));
 #elif CONTENT == 1
     return segmentationAt(p) - 0.5;
-#elif CONTENT == 3
-#if TF_KIND == 0
-    return classify(dataAt(p), 0.0).a - lightingOfFunction.z;
-#else
-    return classify(dataAt(p), length(dataGradient(p))).a - lightingOfFunction.z;
-#endif
+#elif CONTENT == 3 && !defined(SEGMENTS)
+    return opaqueAt(p);
 #else
     return max(dataShownAt(p), segmentationAt(p) - 0.5);
 #endif
@@ -127,7 +140,7 @@ Crossing firstVisible(Ray ray, float jitter) {
         float start = crossing.t;
         float skip;
         do {
-            skip = emptyUntil(ray, crossing.t, inverseDirection);
+            skip = noSurfaceUntil(ray, crossing.t, inverseDirection);
             crossing.t = skip > 0.0 ? nextSample(crossing.t + skip, kDt, jitter) : crossing.t;
         } while (skip > 0.0 && crossing.t < ray.tEnd);
 #ifdef SCULPTED
@@ -138,13 +151,16 @@ Crossing firstVisible(Ray ray, float jitter) {
 #endif
         lookAtBatch(ray, crossing, last);
     } while (crossing.value < 0.0 && crossing.t < ray.tEnd);
-    crossing.before = max(crossing.t - kDt, ray.tNear);
+    // The sample before: of a sliver it is nearer than a whole distance of samples.
+    const float hair = 1e-3;
+    float number = ceil(crossing.t / kDt - jitter - hair) - 1.0;
+    crossing.before = max((number + jitter) * kDt, ray.tNear);
     return crossing;
 }
 
 // What keeps a place from being seen: x the content, y the sculpture's side; a part that does not, 0.
 struct Obstacle {
-    bool isAbove; // the value is above the displayed range, not below
+    bool isAbove; // the value is above what is visible, not below
     vec2 weight;
 };
 
@@ -152,7 +168,7 @@ struct Obstacle {
 vec2 partsAt(vec3 p, bool isAbove) {
 #if CONTENT == 0
     float value = dataAt(p);
-    return vec2((isAbove ? range.y - value : value - range.x) + valueScale.w, sideAt(p));
+    return vec2((isAbove ? limits.x - value : value - range.x) + valueScale.w, sideAt(p));
 #else
     return vec2(contentAt(p), sideAt(p));
 #endif
@@ -161,7 +177,7 @@ vec2 partsAt(vec3 p, bool isAbove) {
 Obstacle obstacleAt(vec3 p) {
     Obstacle obstacle;
 #if CONTENT == 0 || CONTENT == 2
-    obstacle.isAbove = dataAt(p) > range.y;
+    obstacle.isAbove = dataAt(p) > limits.x;
 #else
     obstacle.isAbove = false;
 #endif
@@ -175,6 +191,13 @@ Obstacle obstacleAt(vec3 p) {
 float beyond(Obstacle obstacle, vec3 p) {
     vec2 parts = partsAt(p, obstacle.isAbove) * obstacle.weight;
     return obstacle.weight.x == 0.0 ? parts.y : obstacle.weight.y == 0.0 ? parts.x : min(parts.x, parts.y);
+}
+
+// Whether what ends at p, where an obstacle has been left behind, is the sculpture's hidden side: of two that end within a step,
+// the one that ends last is what the surface is made of.
+bool endsAtCut(Obstacle obstacle, vec3 p) {
+    vec2 parts = partsAt(p, obstacle.isAbove) * obstacle.weight;
+    return obstacle.weight.y != 0.0 && (obstacle.weight.x == 0.0 || parts.y <= parts.x);
 }
 
 // The zero between an invisible place a and a visible one b, given a third place c close by (x place, y what is beyond
@@ -256,8 +279,7 @@ Hit findSurface(Ray ray, float jitter) {
     vec2 bracket = refine(ray, crossing, obstacle);
     hit.t = bracket.y;
     hit.voxel = at(ray, hit.t);
-    vec3 before = at(ray, bracket.x);
-#if CONTENT == 1 || CONTENT == 2
+#ifdef MEETS_SEGMENTS
     // The data's surface and the segment's rarely agree to the voxel: what lies just behind is tinted too.
     // Seeds lie up to a voxel behind the surface that they were drawn on.
     float nearby = segmentationAt(hit.voxel);
@@ -274,10 +296,10 @@ Hit findSurface(Ray ray, float jitter) {
 #if CONTENT == 3
     outward = facing(outward, -ray.world); // a transfer function has no inside
 #endif
-#if CONTENT == 1 || CONTENT == 2
+#ifdef MEETS_SEGMENTS
     // Whichever of the two begins here: at its own surface each is zero but for rounding.
     bool isSegmentsOwn = CONTENT == 1 || segmentationAt(hit.voxel) - 0.5 >= dataShownAt(hit.voxel);
-#ifdef TRANSLUCENT
+#if defined(TRANSLUCENT) && CONTENT != 3
     bool endsAtGlass = clearOfGlass(membershipsAt(hit.voxel)) <= partInside(dataAt(hit.voxel));
     outward = endsAtGlass ? translucentGradient(hit.voxel) : outward;
 #endif
@@ -287,7 +309,7 @@ Hit findSurface(Ray ray, float jitter) {
 #endif
     hit.isCut = atBorder;
 #ifdef SCULPTED
-    if (visibleSide(sculptureAt(before)) < 0.0 && !atBorder) {
+    if (endsAtCut(obstacle, hit.voxel) && !atBorder) {
         hit.isCut = true;
 #if CONTENT == 1 || CONTENT == 2
         // Segments go on behind a cut face, so that what is met on it is exact.

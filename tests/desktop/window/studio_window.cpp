@@ -63,11 +63,13 @@ void StudioWindow::wait(const char* what, const std::function<bool()>& condition
     }
 }
 
-// A hint of another length may give the view another size, a moment later.
+// A hint of another length may give the view another size.
 void StudioWindow::settle() {
-    const auto isSettled = [this] { return studio_->isSettled(); };
+    const double done = Timer::now();
+    studio_->workSoon();
+    const auto isSettled = [&] { return studio_->isSettled() && studio_->answeredMs() >= done; };
     wait("the document to be shown", isSettled);
-    QTest::qWait(20);
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
     wait("the document to be shown again", isSettled);
 }
 
@@ -119,7 +121,7 @@ void StudioWindow::stroke(QWidget& widget, const std::vector<Touch>& way, End en
     pen(QEvent::TabletMove, widget, {way.front().place}, end); // hovering
     pen(QEvent::TabletPress, widget, way.front(), end);
     for (std::size_t n = 1; n < way.size(); ++n) {
-        QTest::qWait(5);
+        QCoreApplication::processEvents(); // the program works between two reports
         pen(QEvent::TabletMove, widget, way[n], end);
     }
     pen(QEvent::TabletRelease, widget, {way.back().place}, end);

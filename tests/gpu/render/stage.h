@@ -157,12 +157,16 @@ private:
     [[nodiscard]] render::Macrocells::Input cellsInput() const {
         const bool drawsSegmentation =
             frame.scene.segmentation != nullptr &&
-            (frame.mode == render::Mode::Overlay || frame.mode == render::Mode::Segment);
+            (frame.mode == render::Mode::Overlay || frame.mode == render::Mode::Segment ||
+             frame.mode == render::Mode::Volume);
         render::Macrocells::Input input;
         input.dataCells = &cells.cells;
         input.sculptureCells = frame.scene.sculpture != nullptr ? &sculptureCells : nullptr;
         input.segmentationCells = drawsSegmentation ? &segmentationCells : nullptr;
         input.displayedRange = frame.scene.displayedRange;
+        if (frame.scene.showsAbove) {
+            input.displayedRange.hi = std::max(input.displayedRange.hi, field.range.hi);
+        }
         input.valueTolerance = field::valueTolerance(field);
         input.view = frame.scene.view;
         input.sampling = frame.scene.sampling;

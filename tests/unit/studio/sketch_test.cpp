@@ -31,6 +31,16 @@ TEST(Sketch, OpenLinesAreAsWideAsAsked) {
     }
 }
 
+TEST(Sketch, APolylineOfTwoPointsIsALineAndAStencilAnArea) {
+    const std::vector<glm::dvec2> ends{{10, 50}, {90, 50}};
+    EXPECT_EQ(pixelsUnder({{Shape::Polyline, ends}}, 6, {100, 100}),
+              pixelsUnder({{Shape::FreeForm, ends}}, 6, {100, 100}));
+    const std::vector<glm::dvec2> square{{10, 10}, {30, 10}, {30, 30}, {10, 30}};
+    EXPECT_EQ(pixelsUnder({{Shape::Stencil, square}}, 6, {64, 64}).size(), 400U);
+    EXPECT_EQ(outlineOf({Shape::Stencil, square}), outlineOf({Shape::Polyline, square}));
+    EXPECT_TRUE(pixelsUnder({{Shape::Stencil, ends}}, 6, {100, 100}).empty());
+}
+
 TEST(Sketch, WhatLiesOutsideTheViewportIsLeftOut) {
     const std::vector<Sketch> line{{Shape::FreeForm, {{-50, 5}, {500, 5}}}};
     for (const auto& p : pixelsUnder(line, 3, {20, 10})) {

@@ -1,0 +1,142 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "hint_states.h"
+
+#include "camera_tool.h"
+#include "drill_tool.h"
+#include "growth_controller.h"
+#include "hint_walk.h"
+#include "island_tool.h"
+#include "measure_tool.h"
+#include "move_tool.h"
+#include "scissors_tool.h"
+#include "seed_tool.h"
+#include "segment_controller.h"
+
+namespace vs::desktop {
+
+namespace {
+
+using studio::Shape;
+
+class ClickWalk : public HintWalk {
+public:
+    using HintWalk::HintWalk;
+
+    void all() {
+        w_.window().resize(1100, 760);
+        w_.open();
+        w_.studio().growth().setAutoStart(false); // the seeds stay few
+        clicks();
+        onASegment();
+        pasted();
+        w_.studio().growth().setAutoStart(true);
+        w_.studio().setShape(Shape::FreeForm);
+    }
+
+private:
+    // Tools that are clicked with.
+    void clicks() {
+        auto& studio = w_.studio();
+        choose(studio.cameraTool());
+        look("camera");
+        w_.trigger("keepTool");
+        look("keep");
+        mouse_.press(kMiddle);
+        look("keep: held");
+        studio.tool().clear();
+        mouse_.release(kMiddle);
+        w_.trigger("clipTool");
+        look("clip");
+        studio.tool().setReversed(true);
+        look("clip, reversed");
+        studio.tool().setReversed(false);
+        choose(studio.measureTool());
+        look("measure");
+        studio.measureTool().setMeasuresAngles(true);
+        look("measure, angle");
+        mouse_.press(kA);
+        look("measure, angle: held on the first place");
+        mouse_.release(kA);
+        look("measure, angle: one place");
+        mouse_.press(kB);
+        look("measure, angle: held on the second place");
+        mouse_.release(kB);
+        look("measure, angle: two places");
+        studio.measureTool().clear();
+        studio.measureTool().setMeasuresAngles(false);
+        mouse_.press({0.03, 0.97});
+        look("measure: held beside the object");
+        mouse_.release({0.03, 0.97});
+        choose(studio.islandTool());
+        look("island: empty segment");
+        w_.trigger("paintTool");
+        look("paint: no slices");
+        w_.trigger("slices");
+        look("paint");
+        w_.trigger("only3D");
+        w_.settle();
+    }
+
+    // Segments: with voxels, locked, and tools that act on one.
+    void onASegment() {
+        auto& studio = w_.studio();
+        choose(studio.seedTool());
+        studio.setShape(Shape::FreeForm);
+        mouse_.drag({kA, kMiddle, kB});
+        w_.settle();
+        choose(studio.islandTool());
+        look("island");
+        mouse_.press(kMiddle);
+        look("island: held");
+        studio.tool().setReversed(true);
+        look("island, reversed: held");
+        studio.tool().clear();
+        mouse_.release(kMiddle);
+        look("island, reversed");
+        studio.tool().setReversed(false);
+        studio.setBrushesSegment(true);
+        choose(studio.scissorsTool());
+        sketch("scissors on a segment", Shape::FreeForm, "free-form");
+        studio.tool().setReversed(true);
+        sketch("scissors on a segment, reversed", Shape::FreeForm, "free-form");
+        choose(studio.drillTool());
+        look("drill on a segment: nothing drawn");
+        studio.segments().setLocked("Segment 1", true);
+        for (const char* tool : {"drillTool", "seedTool", "islandTool", "paintTool"}) {
+            w_.trigger(tool);
+            look(std::string(tool) + ": locked segment");
+        }
+        studio.setBrushesSegment(false);
+        w_.trigger("drillTool");
+        look("drill on the scan: locked segment");
+    }
+
+    void pasted() {
+        auto& studio = w_.studio();
+        choose(studio.moveTool());
+        look("move: nothing pasted");
+        choose(studio.scissorsTool());
+        studio.setShape(Shape::Ellipse);
+        mouse_.drag({{0.45, 0.3}, {0.5, 0.35}, {0.55, 0.4}});
+        w_.settle();
+        studio.paste();
+        w_.settle();
+        look("move");
+        const QPointF handle = studio.moveTool().handles().front();
+        const QPointF place(handle.x() / w_.view().width(), handle.y() / w_.view().height());
+        mouse_.press(place);
+        mouse_.move(place + QPointF(0.02, 0));
+        look("move: held");
+        studio.tool().clear();
+        mouse_.release(place);
+        mouse_.press({0.02, 0.98});
+        look("move: held beside it");
+        mouse_.release({0.02, 0.98});
+    }
+};
+
+} // namespace
+
+void forEachClickHint(StudioWindow& window, const HintWalk::Look& look) { ClickWalk(window, look).all(); }
+
+} // namespace vs::desktop

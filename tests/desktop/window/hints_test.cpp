@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: Apache-2.0
+// The line of hints: what it says in every state of every tool.
+#include "hint_line.h"
+#include "hint_states.h"
+
+#include "tool.h"
+
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+namespace vs::desktop {
+namespace {
+
+TEST(Hints, SayWhatHappensNext) {
+    auto& w = StudioWindow::instance();
+    std::ofstream out(StudioWindow::folder / "hints.txt");
+    const auto look = [&](const std::string& state) {
+        const QString hint = w.part<QLabel>("hint").text();
+        EXPECT_EQ(hint, w.studio().tool().hint()) << state;
+        out << state << " | " << hint.toStdString() << "\n";
+    };
+    forEachSketchHint(w, look);
+    forEachClickHint(w, look);
+}
+
+} // namespace
+} // namespace vs::desktop

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+// Messages, units and segments, as the window gives them.
+#include "growth_controller.h"
+#include "mouse.h"
+#include "seed_tool.h"
+#include "segment_controller.h"
+
+#include <gtest/gtest.h>
+
+#include <QDoubleSpinBox>
+#include <QLabel>
+
+namespace vs::desktop {
+namespace {
+
+class Window : public testing::Test {
+protected:
+    void SetUp() override {
+        w.open();
+        w.studio().setShape(studio::Shape::FreeForm);
+        w.studio().growth().setAutoStart(false);
+    }
+    void TearDown() override { w.studio().growth().setAutoStart(true); }
+    std::string message() { return w.studio().message().toStdString(); }
+    void seed() {
+        w.studio().setTool(w.studio().seedTool());
+        w.settle();
+        mouse.drag({{0.45, 0.5}, {0.5, 0.51}, {0.55, 0.5}});
+        w.settle();
+    }
+    const studio::Seed& lastSeed() { return std::get<studio::Seed>(w.studio().document()->log().back()); }
+
+    StudioWindow& w = StudioWindow::instance();
+    Mouse mouse{w};
+};
+
+TEST_F(Window, SaysOnceWhatWasUndone) {
+    seed();
+    w.trigger("undo");
+    EXPECT_EQ(message(), "Undone: seed");
+    w.trigger("redo");
+    EXPECT_EQ(message(), "Redone: seed");
+    w.trigger("scissorsTool");
+    w.settle();
+    mouse.drag({{0.02, 0.9}, {0.05, 0.9}, {0.05, 0.95}});
+    w.settle();
+    EXPECT_EQ(message(), "Nothing was cut: nothing visible lies there that was not cut already");
+}
+
+TEST(Texts, EveryRadiusAndDepthHasItsUnit) {
+    auto& w = StudioWindow::instance();
+    w.open();
+    int found = 0;
+    for (const char* tool : {"peelTool", "drillTool", "laserTool", "sweepTool", "scissorsTool", "clipTool"}) {
+        w.trigger(tool);
+        for (const QLabel* label : w.window().findChildren<QLabel*>()) {
+            const bool isLength = label->text().startsWith("Radius") || label->text().startsWith("Depth") ||
+                                  label->text().startsWith("Tiefe");
+            if (label->isVisible() && isLength) {
+                ++found;
+                EXPECT_TRUE(label->text().endsWith("(steps)") || label->text().endsWith("(Schritte)"))
+                    << label->text().toStdString() << " of " << tool;
+            }
+        }
+    }
+    EXPECT_GE(found, 8);
+}
+
+TEST_F(Window, AddsASecondSegmentBesideTheFirst) {
+    auto& segments = w.studio().segments();
+    segments.add();
+    ASSERT_EQ(segments.list().segments.size(), 2U);
+    EXPECT_EQ(segments.list().segments.front().name, "Segment 1");
+    EXPECT_EQ(segments.list().working().label, 2);
+    EXPECT_EQ(std::get<studio::UseSegment>(w.studio().document()->log().back()).takesFirst, false);
+}
+
+TEST_F(Window, ANewSegmentGrowsInTheRangeThatIsSet) {
+    auto& growth = w.studio().growth();
+    growth.setTakesDisplayedRange(false);
+    studio::SetGrowthRules rules;
+    rules.range = Range{110, 130};
+    growth.changeRules(rules, false);
+    growth.releaseRules();
+    w.settle();
+    seed();
+    w.studio().segments().add();
+    w.studio().setRange({150, 200}); // the display moves on
+    w.settle();
+    EXPECT_EQ(growth.range(), (Range{110, 130}));
+    EXPECT_EQ(w.part<QDoubleSpinBox>("growthLo").value(), 110);
+    EXPECT_EQ(w.part<QDoubleSpinBox>("growthHi").value(), 130);
+    w.studio().setRange({100, 200});
+    w.settle();
+    mouse.drag({{0.45, 0.56}, {0.5, 0.57}, {0.55, 0.56}});
+    w.settle();
+    EXPECT_EQ(lastSeed().range, (Range{110, 130}));
+    // With strokes that bring it, it is the displayed one.
+    growth.setTakesDisplayedRange(true);
+    w.studio().segments().add();
+    w.settle();
+    EXPECT_EQ(growth.range(), (Range{100, 200}));
+}
+
+} // namespace
+} // namespace vs::desktop

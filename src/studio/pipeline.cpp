@@ -44,10 +44,29 @@ const render::Classification* Pipeline::classify(const View& view) {
     return &*classification_;
 }
 
-view.sampling, frame.scene.smoothed != nullptr ? view.surfaceSmoothing : 0
-};
-refresh(cells_, key, state, frame, isSculpted ? &state.sculpture->cells() : nullptr,
-        segmentation_ ? &*segmentation_ : nullptr);
+segment::Fence Pipeline::fence(const State& state, field::SculptureView view) {
+    if (state.sculpture->isEmpty()) {
+        return {};
+    }
+    segment::Fence fence{&state.sculpture->texels(), &state.sculpture->cells(), view};
+    // While a stroke cuts, what it hides is known, and need not be looked at before it has ended.
+    fence.version = state.cuttingSince.value_or(state.sculpture->version());
+    fence.changedSince = [sculpture = state.sculpture](std::uint64_t version) {
+        return sculpture->changedSince(version);
+    };
+    return fence;
+}
+
+const field::SmoothedField* Pipeline::smooth(const View& view) {
+    const bool showsSurface = view.mode == render::Mode::Surface || view.mode == render::Mode::Segment;
+    if (!showsSurface || view.surfaceSmoothing <= 0) {
+        return nullptr;
+    }
+    if (!smoothed_ || smoothed_->sigmaSteps != view.surfaceSmoothing) {
+        smoothed_.reset(); // there may be no room for two
+        smoothed_ = field::smoothField(*field_, view.surfaceSmoothing);
+    }
+    return &*smoothed_;
 }
 
 field::Scene Pipeline::scene(const State& state, bool wantsSegments) {

@@ -13,7 +13,8 @@ namespace {
 
 constexpr std::size_t kLabels = 256;
 constexpr std::size_t kMaxGroups = 65535;
-constexpr int kReach = 4; // voxels from a hidden one to the farthest that it goes by
+constexpr int kReach = 6; // voxels from a hidden one to the farthest that it goes by
+constexpr double kFarthestAside = 3;
 
 // Mirrors shaders/continue_segments.comp.
 enum FencedTo : std::uint32_t { Nothing, Visible, Hidden };
@@ -178,7 +179,10 @@ void Continuation::run(const Growth& growth, const Fence& fence, const gl::Buffe
     list_.write(std::span<const std::uint32_t>(bricks));
     list_.bindStorage(7);
     bindFence(program, fence);
-    program.set(10, takesAway_ ? 1 : 0);
+    const glm::dvec3 spacing = growth.field().geometry.spacing();
+    const glm::dvec3 aside = std::max({spacing.x, spacing.y, spacing.z}) / spacing;
+    program.set(10, takesAway_ ? 1 : 0)
+        .set(14, glm::ivec3(glm::round(glm::min(aside, glm::dvec3(kFarthestAside)))));
     constexpr int groupsPerBrick = 16;
     for (std::size_t first = 0; first < bricks.size(); first += kMaxGroups) {
         program.set(9, int(first));

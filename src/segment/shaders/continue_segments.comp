@@ -1,9 +1,10 @@
 // What segments are taken to be behind the cut faces that end them, so that a cut face has the colour of what it was cut
 // through. Growth stops at the sculpture, so there it says nothing about the voxels that are hidden; see doc/segmentation.md.
-// In a run that was fenced to what is visible now, a hidden voxel that has not grown counts as part of the segment if its foot
-// does: the visible voxel straight before it. Where that is a hole or lies beside the segment, enough voxels around it do as
-// well, and the fewer the deeper the voxel, so that what widens behind the face may widen. The segment's rules decide as far as
-// it follows them itself. What an edit has made is known, on either side: it goes on behind the face only where it ends there.
+// In a run that was fenced to what is visible now, a hidden voxel that has not grown counts as part of the segment if its rules
+// let it in and its foot does: the visible voxel straight before it. Where the foot is none of it because the rules refuse that
+// (a hole, or a border that widens behind the face), or another segment's, the voxels around it count, the fewer the deeper the
+// voxel; where growth has only not come there yet, none. A foot that does not follow the rules goes on straight. What an edit has made is known, on either side of the face:
+// it goes on only where it ends there.
 // A run that was fenced to what is hidden now ends in front of the face as abruptly: its voxels there do not count.
 // In: texture 0 data, 1 and 4 sculpture, 3 labels; storage 0 grown, 1 rules of each label, 2 shown, 3 and 4 generations, 7 brick
 // numbers. In and out: storage 6 the voxels that count as the opposite of what they are; 5 which tiles changes reach.
@@ -33,6 +34,7 @@ layout(std430, binding = 6) buffer Turned { uint turned[]; };
 layout(std430, binding = 7) readonly buffer Bricks { uint bricks[]; };
 
 layout(location = 10) uniform int takesAway; // 1: some run is fenced to what is hidden
+layout(location = 14) uniform ivec3 aside;   // voxels along each axis that are about as far as one across thick slices
 
 const int kLayers = 3; // as far as a kernel sees
 
@@ -92,25 +94,36 @@ ivec4 footOf(ivec3 voxel) {
 
 ivec3 around(int i) { return ivec3(i % 3, i / 3 % 3, i / 9) - 1; }
 
-// How much of what is visible around a foot is shown, by weight. `nearest` is the shown voxel that weighs most. Looks at nothing
-// if not `wanted`.
-float shownAround(ivec3 foot, bool wanted, out ivec3 nearest) {
+// How much of what is visible around the foot of a hidden voxel would take it in, by weight. A foot that has not grown must be
+// something that the segment refuses: where growth has only not come yet it has not come behind either. Looks at nothing if not
+// `wanted`.
+float partAround(ivec3 voxel, ivec3 foot, bool footHasGrown, bool wanted) {
     float all = 0.0;
     float some = 0.0;
-    float most = 0.0;
-    int count = wanted ? 27 : 0;
-    nearest = foot;
-    for (int i = 0; i < count; ++i) {
-        ivec3 voxel = foot + around(i);
+    for (int i = 0; i < (wanted ? 27 : 0); ++i) {
+        ivec3 other = foot + around(i) * aside;
         ivec3 weights = 2 - abs(around(i));
-        float weight = isInside(voxel) && !isHidden(voxel) ? float(weights.x * weights.y * weights.z) : 0.0;
-        bool counts = weight > 0.0 && isShown(voxel);
+        float weight = isInside(other) && !isHidden(other) ? float(weights.x * weights.y * weights.z) : 0.0;
+        bool takes = weight > 0.0 && isShown(other);
+        if (takes) {
+            Rules own = rules[ownerOf(other)];
+            takes = own.run.x == kFencedToVisible && admitsFrom(own, other, voxel) && !isMade(own, other) &&
+                    (footHasGrown || !admitsFrom(own, other, foot));
+        }
         all += weight;
-        some += counts ? weight : 0.0;
-        nearest = counts && weight > most ? voxel : nearest;
-        most = counts ? max(most, weight) : most;
+        some += takes ? weight : 0.0;
     }
     return some / max(all, 1.0);
+}
+
+// Whether nothing visible around a foot is shown. Looks at nothing if not `wanted`.
+bool isBareAround(ivec3 foot, bool wanted) {
+    bool isBare = true;
+    for (int i = 0; i < (wanted ? 27 : 0) && isBare; ++i) {
+        ivec3 other = foot + around(i);
+        isBare = !(isInside(other) && isShown(other)) || isHidden(other);
+    }
+    return isBare;
 }
 
 // Whether something hidden next to a voxel is shown by itself.
@@ -123,26 +136,22 @@ bool isKnownBehind(ivec3 voxel, bool wanted) {
     return isKnown;
 }
 
-// Whether a hidden voxel that has not grown counts as part of a segment.
+// Whether a hidden voxel that has not grown counts as part of a segment of this plane.
 bool joins(ivec3 voxel, ivec3 foot, int layer) {
-    bool isStraight = isGrown(foot);
-    ivec3 nearest;
-    float part = shownAround(foot, !isStraight, nearest);
-    float enough = layer == 1 ? 0.5 : layer == 2 ? 0.2 : 0.08;
-    bool isNear = isStraight ? isShown(foot) : part >= enough;
-    Rules own = rules[ownerOf(nearest)];
-    isNear = isNear && own.run.x == kFencedToVisible;
-    bool follows = isNear && admitsFrom(own, nearest, voxel);
-    bool goesOn = follows || (isNear && isStraight && !admits(own, foot));
-    bool made = goesOn && isMade(own, nearest);
-    return goesOn && (!made || (isStraight && !isKnownBehind(voxel, made)));
+    bool footHasGrown = isGrown(foot);
+    Rules own = rules[ownerOf(foot)];
+    bool follows = footHasGrown && own.run.x == kFencedToVisible && (admitsFrom(own, foot, voxel) || !admits(own, foot));
+    bool made = follows && isMade(own, foot);
+    follows = follows && !(made && isKnownBehind(voxel, made));
+    float enough = layer == 1 ? 0.1 : layer == 2 ? 0.05 : 0.02;
+    bool isBeside = partAround(voxel, foot, footHasGrown, !follows) >= enough;
+    return follows ? isShown(foot) : isBeside;
 }
 
 // Whether a hidden voxel that is shown does not count.
 bool leaves(ivec3 voxel, ivec3 foot) {
     bool isFenced = rules[ownerOf(voxel)].run.x == kFencedToHidden;
-    ivec3 nearest;
-    return shownAround(foot, isFenced, nearest) == 0.0 && isFenced;
+    return isFenced && isBareAround(foot, isFenced);
 }
 
 bool isTurned(ivec3 voxel, bool grownHere) {

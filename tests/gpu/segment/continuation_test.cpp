@@ -159,8 +159,8 @@ TEST_F(ContinuationTest, WhatIsThinGoesOnToo) {
     const auto texels = texelsOf(segmentation);
     const auto at = [&](int x, int y, int z) { return int(texels[std::size_t((z * 24 + y) * 24 + x)]); };
     for (const int z : {11, 12, 13}) {
-        EXPECT_EQ(at(12, 12, z), at(12, 12, 8)) << z;
-        EXPECT_EQ(at(13, 12, z), at(13, 12, 8)) << z;
+        EXPECT_NEAR(at(12, 12, z), at(12, 12, 8), 1) << z;
+        EXPECT_NEAR(at(13, 12, z), at(13, 12, 8), 1) << z;
     }
     EXPECT_LT(at(12, 12, 17), 128) << "but not far";
 }

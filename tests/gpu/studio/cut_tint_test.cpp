@@ -2,234 +2,235 @@
 // The tint of segments on cut faces: a ball's is the disc that the plane cuts out of it, whether the ball was
 // grown before or after the cut.
 #include "gpu/gl_test.h"
-#include "gpu/studio/test_segments.h"
+#include "gpu/studio/cut_ball.h"
 #include "image/compare.h"
-#include "render/ray_caster.h"
 #include "render/slice_renderer.h"
-
-#include <cmath>
-#include <numbers>
 
 namespace vs::studio {
 namespace {
 
 using CutTintTest = test::GlTest;
-using test::setOf;
+using test::apart;
+using test::Ball;
+using test::CutBall;
+using test::kBlue;
+using test::kPicture;
+using test::kRed;
+using test::misfit;
+using test::Order;
+using test::Plane;
 using test::stateOf;
-
-constexpr glm::ivec2 kPicture{300, 300};
-const glm::dvec3 kRed(0.9, 0.2, 0.1);
-const glm::dvec3 kBlue(0.1, 0.3, 0.9);
-
-enum class Order { GrownThenCut, CutThenGrown };
-
-// A plane across the line of sight, `offsetMm` in front of the ball's centre: what is nearer is cut away.
-struct Plane {
-    double azimuthDegrees = 0;
-    double elevationDegrees = 0;
-    double offsetMm = 0;
-};
-
-// A ball with a soft edge, on a ground that is seen too. Inside `inner` it is brighter.
-struct Ball {
-    glm::ivec3 dims{64};
-    glm::dvec3 spacing{1};
-    double radiusMm = 20.4;
-    double innerMm = 0;
-    double noise = 0; // of the data, to both sides
-
-    [[nodiscard]] glm::dvec3 centreVoxel() const {
-        return glm::dvec3(dims - 1) * 0.5 + glm::dvec3(0.3, -0.2, 0.1);
-    }
-    [[nodiscard]] volume::Volume volume() const {
-        unsigned state = 1;
-        return volume::makePhantom(
-            dims, volume::ScalarType::UInt8,
-            [&, this](glm::dvec3 v) {
-                const double r = glm::length((v - centreVoxel()) * spacing);
-                const double ground = std::clamp(100 + 20 * (radiusMm - r), 40.0, 130.0);
-                state = state * 1664525U + 1013904223U;
-                const double speckle = noise * (double(state >> 8) / double(1U << 23) - 1);
-                return std::clamp(ground + std::clamp(30 + 20 * (innerMm - r), 0.0, 60.0), 0.0, 255.0) +
-                       speckle;
-            },
-            spacing);
-    }
-};
-
-View viewOf(const Plane& plane, render::Mode mode) {
-    View view;
-    view.range = {20, 255};
-    view.mode = mode;
-    view.camera = {plane.azimuthDegrees, plane.elevationDegrees, 1.6, {}, render::Projection::Orthographic};
-    return view;
-}
-
-// A document with a ball that is seeded, grown and cut.
-struct CutBall {
-    CutBall(const Ball& theBall, const Plane& thePlane, Order order)
-        : ball(theBall), plane(thePlane), document(ball.volume()) {
-        look(render::Mode::Segment);
-        if (order == Order::CutThenGrown) {
-            document.apply(clip());
-        }
-        grow();
-        if (order == Order::GrownThenCut) {
-            document.apply(clip());
-        }
-    }
-
-    void look(render::Mode mode) { document.look(viewOf(plane, mode)); }
-
-    [[nodiscard]] glm::dvec3 centre() const {
-        return glm::dvec3(document.volume().geometry.worldFromVoxel * glm::dvec4(ball.centreVoxel(), 1));
-    }
-    [[nodiscard]] render::ViewRays rays() const {
-        return render::viewRays(viewOf(plane, {}).camera, document.volume().geometry, kPicture);
-    }
-    [[nodiscard]] glm::dvec3 discCentre() const { return centre() - plane.offsetMm * rays().forward; }
-    [[nodiscard]] Clip clip() const {
-        Clip op;
-        op.planes = {{discCentre(), -rays().forward}};
-        return op;
-    }
-
-    void seed(const std::string& segment, glm::dvec3 colour, Range range, double beside) {
-        UseSegment use{segment};
-        use.colour = colour;
-        document.apply(use);
-        // Behind the face, where both orders can begin.
-        const glm::dvec3 place = discCentre() + 4.0 * rays().forward + beside * glm::normalize(rays().right);
-        Seed op;
-        op.voxels = {glm::ivec3(
-            glm::round(glm::dvec3(document.volume().geometry.voxelFromWorld() * glm::dvec4(place, 1))))};
-        op.range = range;
-        document.apply(op);
-        document.apply(Grow{});
-    }
-    void grow() {
-        if (ball.innerMm > 0) {
-            seed("Inner", kBlue, {160, 255}, 0);
-            seed("Segment 1", kRed, {100, 159}, 0.5 * (ball.innerMm + ball.radiusMm));
-        } else {
-            seed("Segment 1", kRed, {100, 255}, 0);
-        }
-    }
-
-    image::Image picture() {
-        render::RayCaster caster;
-        caster.render(document.frame(kPicture));
-        return caster.readPicture();
-    }
-    // With all segments of one colour, or hidden.
-    image::Image pictureIn(std::optional<glm::dvec3> colour) {
-        const auto before = document.segments();
-        for (const auto& segment : before.segments) {
-            UseSegment use{segment.name};
-            use.colour = colour;
-            use.isVisible = colour.has_value();
-            use.goesToWork = false;
-            document.apply(use);
-        }
-        auto result = picture();
-        for (const auto& segment : before.segments) {
-            UseSegment use{segment.name};
-            use.colour = segment.colour;
-            use.isVisible = segment.isVisible;
-            use.goesToWork = false;
-            document.apply(use);
-        }
-        return result;
-    }
-
-    Ball ball;
-    Plane plane;
-    Document document;
-};
-
-double apart(const image::Image& a, const image::Image& b, int x, int y) {
-    double most = 0;
-    for (int c = 0; c < 3; ++c) {
-        most = std::max(most, std::abs(double(a.pixel(x, y)[c]) - double(b.pixel(x, y)[c])));
-    }
-    return most;
-}
-
-// How far, in voxels, the part of the picture that looks like `here` and not like `elsewhere` reaches beyond
-// a disc of a radius around the place, or stays behind it.
-struct Misfit {
-    double beyond = 0;
-    double behind = 0;
-    int pixels = 0; // inside the disc by half a voxel or more that do not look like `here`
-};
-Misfit misfit(CutBall& cut, const image::Image& seen, const image::Image& here, const image::Image& elsewhere,
-              double sphereMm) {
-    const auto rays = cut.rays();
-    const glm::dvec3 centre = cut.discCentre();
-    const double radius = std::sqrt(sphereMm * sphereMm - cut.plane.offsetMm * cut.plane.offsetMm);
-    const glm::dmat3 voxelFromWorld(cut.document.volume().geometry.voxelFromWorld());
-    const glm::dvec3 right = glm::normalize(rays.right);
-    const glm::dvec3 up = glm::normalize(rays.up);
-    Misfit result;
-    for (int y = 0; y < kPicture.y; ++y) {
-        for (int x = 0; x < kPicture.x; ++x) {
-            const auto ray = rays.through({x + 0.5, y + 0.5});
-            const glm::dvec3 place =
-                ray.origin + ray.direction * glm::dot(centre - ray.origin, ray.direction) - centre;
-            const double fromRim = glm::length(place) - radius;
-            const bool isHere = apart(seen, here, x, y) <= apart(seen, elsewhere, x, y);
-            if (isHere == (fromRim <= 0) || apart(here, elsewhere, x, y) < 12) {
-                continue;
-            }
-            double voxels = 1e9;
-            for (int i = 0; i < 720; ++i) {
-                const double angle = i * std::numbers::pi / 360;
-                const glm::dvec3 rim = radius * (std::cos(angle) * right + std::sin(angle) * up);
-                voxels = std::min(voxels, glm::length(voxelFromWorld * (place - rim)));
-            }
-            (isHere ? result.beyond : result.behind) =
-                std::max(isHere ? result.beyond : result.behind, voxels);
-            result.pixels += !isHere && voxels > 0.5 ? 1 : 0;
-        }
-    }
-    return result;
-}
 
 const Plane kPlanes[] = {{0, 0, 0.4},    {0, 0, 9},      {33, 21, -0.3}, {33, 21, 10},   {33, 21, -10},
                          {45, 35.26, 0}, {45, 35.26, 8}, {-70, 58, -8},  {12, 80, 12.5}, {160, -30, 6}};
+constexpr Order kOrders[] = {Order::GrownThenCut, Order::CutThenGrown};
+constexpr double kNoticeable = 12; // of 255
+
+// How much tinted pixels differ of those that look like the face's middle without tint.
+int tintSpread(const image::Image& seen, const image::Image& without) {
+    int least = 255;
+    int most = 0;
+    for (int y = 0; y < kPicture.y; ++y) {
+        for (int x = 0; x < kPicture.x; ++x) {
+            const int asInTheMiddle =
+                without.pixel(x, y)[2] - without.pixel(kPicture.x / 2, kPicture.y / 2)[2];
+            if (apart(seen, without, x, y) > kNoticeable && std::abs(asInTheMiddle) <= 1) {
+                least = std::min(least, int(seen.pixel(x, y)[2]));
+                most = std::max(most, int(seen.pixel(x, y)[2]));
+            }
+        }
+    }
+    return most - least;
+}
 
 void expectDisc(const Ball& ball, const Plane& plane, Order order, double tolerance) {
     const std::string what =
-        fmt::format("azimuth {} elevation {} offset {} {}", plane.azimuthDegrees, plane.elevationDegrees,
-                    plane.offsetMm, order == Order::CutThenGrown ? "cut, then grown" : "grown, then cut");
+        fmt::format("azimuth {} elevation {} offset {} {}{}", plane.azimuthDegrees, plane.elevationDegrees,
+                    plane.offsetMm, order == Order::CutThenGrown ? "cut, then grown" : "grown, then cut",
+                    plane.isProbed ? ", in probe view" : "");
     CutBall cut(ball, plane, order);
     const auto before = stateOf(cut.document);
     const auto seen = cut.picture();
-    const auto without = cut.pictureIn({});
-    const auto all = misfit(cut, seen, cut.pictureIn(kRed), without, ball.radiusMm);
-    fmt::print("{}: beyond {:.2f} behind {:.2f}, {} pixels\n", what, all.beyond, all.behind, all.pixels);
-    EXPECT_LT(all.beyond, tolerance) << what;
-    EXPECT_LT(all.behind, tolerance) << what;
     EXPECT_TRUE(stateOf(cut.document) == before) << "pictures change nothing: " << what;
+    const auto without = cut.without();
+    const auto off = misfit(
+        cut, [&](int x, int y) { return apart(seen, without, x, y) > kNoticeable; }, ball.radiusMm);
+    fmt::print("{}: beyond {:.2f} behind {:.2f}\n", what, off.beyond, off.behind);
+    EXPECT_LT(off.beyond, tolerance) << what;
+    EXPECT_LT(off.behind, tolerance) << what;
+    EXPECT_LE(tintSpread(seen, without), 3) << "the segment's colour in full: " << what;
 }
 
 TEST_F(CutTintTest, IsTheDiscThatThePlaneCutsOutOfABall) {
     for (const Plane& plane : kPlanes) {
-        for (const Order order : {Order::GrownThenCut, Order::CutThenGrown}) {
+        for (const Order order : kOrders) {
             expectDisc({}, plane, order, 0.5);
         }
     }
 }
 
+TEST_F(CutTintTest, IsADiscInProbeViewToo) {
+    for (Plane plane : {kPlanes[3], kPlanes[7]}) {
+        plane.isProbed = true;
+        expectDisc({}, plane, Order::CutThenGrown, 0.5);
+    }
+}
+
+// Where between two slices a border is, their voxels do not say.
 TEST_F(CutTintTest, IsADiscAcrossThickSlicesToo) {
     Ball ball;
     ball.dims = {64, 64, 22};
     ball.spacing = {1, 1, 3};
     for (const Plane& plane : kPlanes) {
-        for (const Order order : {Order::GrownThenCut, Order::CutThenGrown}) {
-            expectDisc(ball, plane, order, 0.5);
+        for (const Order order : kOrders) {
+            expectDisc(ball, plane, order, 0.7);
         }
     }
+}
+
+TEST_F(CutTintTest, EachSegmentKeepsItsColour) {
+    Ball ball;
+    ball.innerMm = 12.3;
+    for (const Plane& plane : {kPlanes[0], kPlanes[3], kPlanes[7]}) {
+        for (const Order order : kOrders) {
+            CutBall cut(ball, plane, order);
+            const auto seen = cut.picture();
+            const auto without = cut.without();
+            const auto red = cut.in(kRed);
+            const auto blue = cut.in(kBlue);
+            const auto isTinted = [&](int x, int y) { return apart(seen, without, x, y) > kNoticeable; };
+            const auto outer = misfit(cut, isTinted, ball.radiusMm);
+            const auto inner = misfit(
+                cut,
+                [&](int x, int y) {
+                    return isTinted(x, y) && apart(seen, blue, x, y) < apart(seen, red, x, y);
+                },
+                ball.innerMm);
+            fmt::print("{} {}: outer {:.2f} {:.2f} inner {:.2f} {:.2f}\n", plane.azimuthDegrees, int(order),
+                       outer.beyond, outer.behind, inner.beyond, inner.behind);
+            EXPECT_LT(outer.beyond, 0.5) << plane.azimuthDegrees << ' ' << int(order);
+            EXPECT_LT(outer.behind, 0.5) << plane.azimuthDegrees << ' ' << int(order);
+            // Colours are blended between voxels, not smoothed.
+            EXPECT_LT(inner.beyond, 0.9) << plane.azimuthDegrees << ' ' << int(order);
+            EXPECT_LT(inner.behind, 0.9) << plane.azimuthDegrees << ' ' << int(order);
+        }
+    }
+}
+
+TEST_F(CutTintTest, GlassCoversTheDiscToo) {
+    CutBall cut({}, {33, 21, -10}, Order::CutThenGrown);
+    const auto without = cut.without();
+    UseSegment glass{"Segment 1"};
+    glass.opacity = 0.5;
+    cut.document.apply(glass);
+    for (const render::Mode mode : {render::Mode::Segment, render::Mode::Overlay}) {
+        cut.look(mode);
+        const auto seen = cut.picture();
+        const auto bare = cut.without();
+        const auto off = misfit(
+            cut, [&](int x, int y) { return apart(seen, bare, x, y) > kNoticeable; }, cut.ball.radiusMm);
+        EXPECT_LT(off.behind, 0.5) << render::name(mode);
+    }
+}
+
+// In overlay mode a cap that narrows away from the viewer is its cut face.
+TEST_F(CutTintTest, OverlayShowsTheDiscAlone) {
+    CutBall cut({}, {33, 21, -10}, Order::CutThenGrown);
+    cut.look(render::Mode::Overlay);
+    const auto seen = cut.picture();
+    const auto without = cut.without();
+    const auto off = misfit(
+        cut, [&](int x, int y) { return apart(seen, without, x, y) > kNoticeable; }, cut.ball.radiusMm);
+    EXPECT_LT(off.beyond, 0.5);
+    EXPECT_LT(off.behind, 0.5);
+}
+
+TEST_F(CutTintTest, NothingIsLeftOfItWhenTheCutIsPutBack) {
+    CutBall cut({}, {33, 21, 10}, Order::CutThenGrown);
+    cut.picture();
+    const auto labels = cut.document.labelMap();
+    cut.document.apply(UnCut{});
+    EXPECT_EQ(cut.document.labelMap(), labels);
+    const auto seen = cut.picture();
+    CutBall never({}, {33, 21, 10}, Order::CutThenGrown); // no picture of it was made while it was cut
+    never.document.apply(UnCut{});
+    EXPECT_EQ(image::compare(seen, never.picture()).max, 0);
+    cut.document.apply(Undo{});
+    never.document.apply(Undo{});
+    EXPECT_EQ(image::compare(cut.picture(), never.picture()).max, 0) << "and it is there again";
+}
+
+// Growth in probe view ends at the cavity that its piece was taken out of.
+TEST_F(CutTintTest, TheCavityOfAGrownPieceHasNoTint) {
+    CutBall cut({}, {33, 21, 0.3, true}, Order::CutThenGrown);
+    View view = cut.document.view();
+    view.sculptureView = field::SculptureView::Cut;
+    view.camera.azimuthDegrees += 180;
+    view.camera.elevationDegrees *= -1;
+    cut.document.look(view);
+    const auto seen = cut.picture();
+    EXPECT_EQ(image::compare(seen, cut.without()).max, 0);
+}
+
+TEST_F(CutTintTest, APastedPieceHasTheTintOfItsOwnSideOnly) {
+    CutBall cut({}, {33, 21, 0.3}, Order::CutThenGrown);
+    View view = cut.document.view();
+    view.camera.zoom = 0.5;
+    const auto tinted = [&] {
+        cut.document.look(view);
+        const auto seen = cut.picture();
+        const auto without = cut.without();
+        int pixels = 0;
+        for (int y = 0; y < kPicture.y; ++y) {
+            for (int x = 0; x < kPicture.x; ++x) {
+                pixels += apart(seen, without, x, y) > kNoticeable ? 1 : 0;
+            }
+        }
+        return pixels;
+    };
+    const int alone = tinted();
+    EXPECT_GT(alone, 500);
+    view.pasted = {{90.0 * glm::normalize(cut.rays().right), {0, 180, 0}}}; // its cut face to the viewer
+    EXPECT_EQ(tinted(), alone);
+}
+
+TEST_F(CutTintTest, SlicesShowWhatHasGrown) {
+    CutBall cut({}, {0, 0, 0.4}, Order::CutThenGrown); // what is before voxel 31 along y is cut away
+    cut.picture();
+    const volume::GridGeometry& grid = cut.document.volume().geometry;
+    render::SliceView view{render::SliceKind::Axial, 31, {}, 0.5, {140, 140}};
+    const render::SliceGeometry geometry(grid, view.kind);
+    const auto slice = [&] {
+        render::SliceRenderer renderer;
+        renderer.render(cut.document.slice(view));
+        return renderer.readPicture();
+    };
+    const auto seen = slice();
+    const auto without = cut.with([](UseSegment& use) { use.isVisible = false; }, slice);
+    const auto labels = cut.document.labelMap();
+    int grown = 0;
+    for (int y = 0; y < view.size.y; ++y) {
+        for (int x = 0; x < view.size.x; ++x) {
+            const glm::ivec3 voxel(
+                glm::round(geometry.voxelAt(view.placeAt({x + 0.5, y + 0.5}), view.index)));
+            const bool isOnGrid = glm::all(glm::greaterThan(voxel, glm::ivec3(0))) &&
+                                  glm::all(glm::lessThan(voxel, grid.dims - 1));
+            if (!isOnGrid) {
+                continue;
+            }
+            bool isNearGrown = false;
+            for (int i = 0; i < 9; ++i) {
+                const glm::ivec3 beside = voxel + glm::ivec3(i % 3 - 1, i / 3 - 1, 0);
+                isNearGrown =
+                    isNearGrown ||
+                    labels[std::size_t((beside.z * grid.dims.y + beside.y) * grid.dims.x + beside.x)] != 0;
+            }
+            const bool isTinted = apart(seen, without, x, y) > kNoticeable;
+            EXPECT_TRUE(!isTinted || isNearGrown) << x << ' ' << y;
+            grown += isTinted ? 1 : 0;
+        }
+    }
+    EXPECT_GT(grown, 1000);
 }
 
 } // namespace

@@ -1475,6 +1475,14 @@
         <source>Nothing is clipped</source>
         <translation>Nichts ist beschnitten</translation>
     </message>
+    <message>
+        <source>Move the faces of the box, or the plane, in the panel on the left: what lies inside is put back. Drag to turn.</source>
+        <translation>Die Flächen des Quaders oder die Ebene im Feld links bewegen: was innerhalb liegt, wird wieder aufgefüllt. Ziehen dreht.</translation>
+    </message>
+    <message>
+        <source>Move the faces of the box, or the plane, in the panel on the left: what lies inside is cut. Drag to turn.</source>
+        <translation>Die Flächen des Quaders oder die Ebene im Feld links bewegen: was innerhalb liegt, wird geschnitten. Ziehen dreht.</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::ColourButton</name>

@@ -22,6 +22,12 @@ ClipTool::ClipTool(StudioController& studio) : CutTool(studio) {
 }
 
 QString ClipTool::hint() const {
+    if (cutsInside()) {
+        return restores() ? tr("Move the faces of the box, or the plane, in the panel on the left: what lies "
+                               "inside is put back. Drag to turn.")
+                          : tr("Move the faces of the box, or the plane, in the panel on the left: what lies "
+                               "inside is cut. Drag to turn.");
+    }
     return restores()
                ? tr("Move the faces of the box, or the plane, in the panel on the left: what lies outside is "
                     "put back. Drag to turn.")

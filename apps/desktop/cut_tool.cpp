@@ -16,10 +16,17 @@ QString CutTool::withTarget(const QString& hint) const {
     if (const QString locked = lockedHint(studio_); !locked.isEmpty()) {
         return locked;
     }
+    if (isSketching()) {
+        return hint;
+    }
     const QString name = QString::fromStdString(studio_.segments().list().working().name);
     return hint + " " +
            (adds() ? tr("What it takes is added to %1, the scan stays. R removes.").arg(name)
                    : tr("What it takes is removed from %1, the scan stays. R adds.").arg(name));
+}
+
+QString CutTool::drawHint(const QString& what) const {
+    return actsOnSegment() ? what : what + " " + howToDraw(studio_.shape());
 }
 
 CutTool::CutTool(StudioController& studio) : Tool(&studio), studio_(studio) {}

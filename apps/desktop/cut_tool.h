@@ -41,8 +41,10 @@ protected:
     [[nodiscard]] Overlay::Tint cuttingTint() const {
         return restores_ ? Overlay::Tint::Restoring : Overlay::Tint::Cutting;
     }
-    // A hint with what the tool works on when that is a segment, and how.
+    // A hint with what the tool works on when that is a segment, and how; a sketch says it by itself.
     [[nodiscard]] QString withTarget(const QString& hint) const;
+    // What to draw, and how while there is room for it.
+    [[nodiscard]] QString drawHint(const QString& what) const;
     // Tells everybody that something was set.
     void tell();
 

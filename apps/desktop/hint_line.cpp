@@ -6,8 +6,7 @@
 namespace vs::desktop {
 
 namespace {
-constexpr int kRoomForHints = 900; // logical pixels: the longest hint of either language is about as long
-constexpr int kPadding = 13;       // of the hint's style
+constexpr int kPadding = 13; // of the hint's style
 } // namespace
 
 HintLine::HintLine() {

@@ -19,7 +19,7 @@ QString PeelTool::hint() const { return withTarget(doing()); }
 QString PeelTool::doing() const {
     switch (state_) {
     case State::Empty:
-        return tr("Draw an outline around the region to peel.") + " " + howToDraw(studio_.shape());
+        return drawHint(tr("Draw an outline around the region to peel."));
     case State::Sketching:
         return sketchHint(pad_, SketchEnd::Mask);
     case State::Ready:

@@ -34,7 +34,7 @@ QString PenTool::hint() const { return withTarget(doing()); }
 QString PenTool::doing() const {
     switch (state_) {
     case State::Empty:
-        return words().draw + " " + howToDraw(studio_.shape());
+        return drawHint(words().draw);
     case State::Sketching:
         return sketchHint(pad_, SketchEnd::Mask);
     case State::Ready:

@@ -14,20 +14,16 @@ QString ScissorsTool::doing() const {
                                 : restores()    ? SketchEnd::Restore
                                                 : SketchEnd::Cut);
     }
-    const QString how = " " + howToDraw(studio_.shape());
     if (actsOnSegment()) {
-        return (cutsOutside_ ? tr("Draw around a region: the scissors take everything outside it.")
-                             : tr("Draw around what the scissors should take.")) +
-               how;
+        return drawHint(cutsOutside_ ? tr("Draw around a region: the scissors take everything outside it.")
+                                     : tr("Draw around what the scissors should take."));
     }
     if (restores()) {
-        return (cutsOutside_ ? tr("Draw around a region: everything outside it is put back.")
-                             : tr("Draw around what should be put back.")) +
-               how;
+        return drawHint(cutsOutside_ ? tr("Draw around a region: everything outside it is put back.")
+                                     : tr("Draw around what should be put back."));
     }
-    return (cutsOutside_ ? tr("Draw around what should stay: everything outside it is cut.")
-                         : tr("Draw around what should go.")) +
-           how;
+    return drawHint(cutsOutside_ ? tr("Draw around what should stay: everything outside it is cut.")
+                                 : tr("Draw around what should go."));
 }
 
 Overlays ScissorsTool::overlays() const {

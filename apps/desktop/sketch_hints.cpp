@@ -112,11 +112,10 @@ Overlays sketchOverlays(const SketchPad& pad, Overlay::Tint tint, double lineWid
     Overlays overlays;
     if (pad.isLine()) {
         overlays.push_back({pad.area(), tint, 0, lineWidth});
+        overlays.push_back({pad.stretchToPen(), Overlay::Tint::Pen, 0, 1});
     } else {
         overlays.push_back({pad.area(), tint, Overlay::kMaskFill, 1});
-    }
-    if (!pad.isLine() || pad.shape() == Shape::Polyline) {
-        overlays.push_back({pad.outline(), Overlay::Tint::Pen, 0, pad.isLine() ? 1.0 : 2.0});
+        overlays.push_back({pad.outline(), Overlay::Tint::Pen});
     }
     if (const QPainterPath ring = pad.firstCorner(); !ring.isEmpty()) {
         overlays.push_back({ring, tint, pad.isAtFirstCorner() ? 0.6 : 0.0});

@@ -187,6 +187,10 @@ QPainterPath SketchPad::area() const {
     return path;
 }
 
+QPainterPath SketchPad::stretchToPen() const {
+    return pen_ && !isAtFirstCorner() ? lineThrough({points_.back(), *pen_}) : QPainterPath();
+}
+
 QPainterPath SketchPad::firstCorner() const {
     QPainterPath ring;
     if (canClose() && pen_) {

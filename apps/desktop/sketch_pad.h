@@ -56,6 +56,8 @@ public:
     [[nodiscard]] QPainterPath outline() const;
     // What it comes to if it ends now: closed and filled by the even-odd rule; a line as it is.
     [[nodiscard]] QPainterPath area() const;
+    // From a polyline's last corner to the pen; empty when it has ended.
+    [[nodiscard]] QPainterPath stretchToPen() const;
     // The ring around a polyline's first corner, in which a click closes it.
     [[nodiscard]] QPainterPath firstCorner() const;
     // The middle of the box around it: what follows the pen.

@@ -319,7 +319,6 @@ void StudioController::setShape(studio::Shape shape) {
         tool_->clear();
     }
     shape_ = shape;
-    stencil_.clear();
     emit overlayChanged(); // the hint
     emit changed();
 }

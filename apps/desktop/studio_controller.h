@@ -170,8 +170,9 @@ public:
     // The current tool if it cuts, else null.
     [[nodiscard]] CutTool* cutTool() const;
     [[nodiscard]] studio::Shape shape() const { return shape_; }
+    // Shape::Stencil once there is a stencil.
     void setShape(studio::Shape shape);
-    // What Shape::Stencil sketches: an outline (y down) fitted into the box that is dragged.
+    // What that sketches: an outline (y down) fitted into the box that is dragged.
     [[nodiscard]] const std::vector<glm::dvec2>& stencil() const { return stencil_; }
     // A picture's bright or opaque part as the stencil. False: it has none, and the message says why.
     bool setStencil(const std::filesystem::path& picture);

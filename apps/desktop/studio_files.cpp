@@ -288,11 +288,10 @@ bool StudioController::setStencil(const std::filesystem::path& picture) {
         }
     });
     if (isRead) {
-        setShape(studio::Shape::Stencil);
         stencil_ = std::move(outline);
+        setShape(studio::Shape::Stencil);
         say(tr("Drag a box for the shape of %1").arg(text(picture.filename())));
     }
-    emit changed();
     return isRead;
 }
 

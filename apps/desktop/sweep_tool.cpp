@@ -19,7 +19,7 @@ SweepTool::SweepTool(StudioController& studio) : CutTool(studio) {
 QString SweepTool::hint() const {
     switch (state_) {
     case State::Empty:
-        return tr("Draw the shape that is to be swept.") + " " + howToDraw(studio_.shape());
+        return drawHint(tr("Draw the shape that is to be swept."));
     case State::SketchingMask:
         return sketchHint(mask_, SketchEnd::Mask);
     case State::HasMask:

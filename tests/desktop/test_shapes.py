@@ -88,7 +88,7 @@ def main(display, arguments, folder):
     studio.quit()
     cuts = [o for o in operations(folder / "session.json") if o["op"] in ("scissors", "drill")]
     shapes = [(o.get("outline") or o["mask"])["shape"] for o in cuts]
-    need(shapes == ["rectangle", "circle", "ellipse", "polyline", "polyline"], f"the shapes are {shapes}")
+    need(shapes == ["rectangle", "circle", "ellipse", "polyline", "stencil"], f"the shapes are {shapes}")
     need(len(cuts[3]["outline"]["points"]) == 4, f"the polyline has {cuts[3]['outline']['points']}")
     compare_with_replay(arguments.vstudio, folder / "session.json", folder / "window.png", state["viewport"], folder)
 

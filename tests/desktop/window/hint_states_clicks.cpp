@@ -2,12 +2,14 @@
 #include "hint_states.h"
 
 #include "camera_tool.h"
+#include "clip_tool.h"
 #include "drill_tool.h"
 #include "growth_controller.h"
 #include "hint_walk.h"
 #include "island_tool.h"
 #include "measure_tool.h"
 #include "move_tool.h"
+#include "peel_tool.h"
 #include "scissors_tool.h"
 #include "seed_tool.h"
 #include "segment_controller.h"
@@ -49,7 +51,11 @@ private:
         look("clip");
         studio.tool().setReversed(true);
         look("clip, reversed");
+        studio.clipTool().setCutsInside(true);
+        look("clip, inside, reversed");
         studio.tool().setReversed(false);
+        look("clip, inside");
+        w_.open(); // without it
         choose(studio.measureTool());
         look("measure");
         studio.measureTool().setMeasuresAngles(true);
@@ -99,6 +105,10 @@ private:
         sketch("scissors on a segment", Shape::FreeForm, "free-form");
         studio.tool().setReversed(true);
         sketch("scissors on a segment, reversed", Shape::FreeForm, "free-form");
+        choose(studio.peelTool());
+        polyline("peel on a segment");
+        closePolyline();
+        look("peel on a segment: mask");
         choose(studio.drillTool());
         look("drill on a segment: nothing drawn");
         studio.segments().setLocked("Segment 1", true);

@@ -24,5 +24,17 @@ TEST(Hints, SayWhatHappensNext) {
     forEachClickHint(w, look);
 }
 
+TEST(Texts, HintsFitTheirLine) {
+    auto& w = StudioWindow::instance();
+    auto& line = w.part<QLabel>("hint");
+    const auto look = [&](const std::string& state) {
+        const int width = line.sizeHint().width();
+        EXPECT_LE(width, HintLine::kRoomForHints) << state << ": " << line.text().toStdString();
+    };
+    line.setWordWrap(false);
+    forEachSketchHint(w, look);
+    forEachClickHint(w, look);
+}
+
 } // namespace
 } // namespace vs::desktop

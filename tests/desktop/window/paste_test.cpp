@@ -90,6 +90,8 @@ protected:
 };
 
 TEST_F(Pasting, ASmallPartStandsToTheRight) {
+    w.window().resize(1700, 760);
+    w.settle();
     cut({0.46, 0.3}, {0.54, 0.4});
     const auto camera = w.studio().view().camera;
     paste();
@@ -100,7 +102,7 @@ TEST_F(Pasting, ASmallPartStandsToTheRight) {
 }
 
 TEST_F(Pasting, HalfAHeadStandsBesideTheOtherHalf) {
-    cut({0.1, -0.2}, {0.9, 0.5});
+    cut({0.05, 0.02}, {0.95, 0.5});
     paste();
     expectFree(0);
     w.photograph(w.view(), "paste_half");

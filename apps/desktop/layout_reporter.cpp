@@ -120,11 +120,13 @@ nlohmann::json LayoutReporter::documentReport() const {
 }
 
 void LayoutReporter::write() {
+    // Without the document, what is said of it would not go with what the window says.
+    if (studio_.isAway() && (ofDocument_.is_null() || !studio_.isLasting())) {
+        return;
+    }
     QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
     if (!studio_.isAway()) {
         ofDocument_ = documentReport();
-    } else if (ofDocument_.is_null()) {
-        return; // it is being opened
     }
     nlohmann::json widgets = nlohmann::json::object();
     nlohmann::json windows = nlohmann::json::object(); // the X server's names of those that are shown

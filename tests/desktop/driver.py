@@ -146,17 +146,19 @@ class Studio:
 
     def answer(self, what, lasting=False, ends=False):
         """Waits until all that was sent has been answered."""
-        self.fence.send(self.written()["fence"])
-        self.fences += 1
+        state = self.written()
         end = time.monotonic() + ANSWER_SECONDS
         while time.monotonic() < end:
             if ends and self.process.poll() is not None:
                 return None
-            state = self.written() if ends else self.state()
-            if state["passed"] >= self.fences and (lasting or not state["lasting"]):
-                return state
+            if state["passed"] == self.fences:
+                self.fence.send(state["fence"])
+                self.fences += 1
             time.sleep(LOOK_SECONDS)
-        raise Failure(f"the program did not answer '{what}' within {ANSWER_SECONDS} s; {said_by(self.state())}")
+            state = self.written() if ends else self.state()
+            if state["passed"] == self.fences and (lasting or not state["lasting"]):
+                return state
+        raise Failure(f"the program did not answer '{what}' within {ANSWER_SECONDS} s; {said_by(state)}")
 
     def key(self, keys, lasting=False):
         return self.xdotool("key", keys, lasting=lasting)

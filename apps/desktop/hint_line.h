@@ -9,7 +9,8 @@ namespace vs::desktop {
 // never changes the picture's size.
 class HintLine : public QLabel {
 public:
-    static constexpr int kRoomForHints = 900; // logical pixels: the longest hint of either language is so long
+    static constexpr int kRoomForHints =
+        900; // logical pixels: the longest hint of either language is so long
 
     HintLine();
     // Its tip says it too, for the longest ones in the narrowest windows.

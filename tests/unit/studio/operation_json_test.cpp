@@ -192,7 +192,7 @@ TEST(OperationJson, ComplaintsAboutSegmentsNameThePlace) {
     expect(R"({"op": "segment", "segment": ""})", "segment: must be a name of 1 to 200 characters");
     expect(R"({"op": "segment", "segment": "A", "color": [0, 0, 0]})",
            "the member 'color' is not known here; known are op, segment, name, colour, opacity, visible, "
-           "locked, work");
+           "locked, work, first");
     expect(R"({"op": "segment", "segment": "A", "colour": [0, 255, 0]})",
            "colour[1]: 255 is out of bounds; 0 to 1 is allowed");
     expect(R"({"op": "segment", "segment": "A", "opacity": 0})",

@@ -67,7 +67,7 @@ TEST_F(SegmentToolsTest, BrushesTakeWhatTheStrokeWouldCut) {
         std::visit([&](const auto& op) { cut.apply(op); }, stroke);
         const VoxelSet crossing = segment::subtract(cutIn(cut), gone);
         ASSERT_GT(crossing.count(), 50U);
-        document.apply(UseSegment{"Other"});
+        document.apply(UseSegment{"Segment 2"});
         document.apply(seedAt({35, 68, 29}, {150, 255}));
         document.apply(Grow{12}); // some skull
         document.apply(UseSegment{"Segment 1"});

@@ -179,7 +179,7 @@ TEST_F(SegmentsTest, ListEditsRefuseWhatMakesNoSense) {
 
 TEST_F(SegmentsTest, AFreshSegmentOwesNothingToARemovedOne) {
     Document document(testHead());
-    document.apply(UseSegment{"Old"});
+    document.apply(UseSegment{"Segment 2"});
     SetGrowthRules rules;
     rules.difference = Range{0, 0};
     rules.isLive = true;
@@ -187,9 +187,9 @@ TEST_F(SegmentsTest, AFreshSegmentOwesNothingToARemovedOne) {
     document.apply(seedAt({35, 20, 29}, {30, 120}));
     document.apply(Grow{});
     const std::size_t brain = document.growth().voxels;
-    document.apply(RemoveSegment{"Old"});
+    document.apply(RemoveSegment{"Segment 2"});
     EXPECT_EQ(setOf(document, 2).count(), 0U);
-    document.apply(UseSegment{"New"});
+    document.apply(UseSegment{"Segment 3"});
     EXPECT_EQ(document.segments().working().label, 2) << "the number is free again";
     document.apply(seedAt({35, 20, 29}, {30, 120}));
     document.apply(Grow{});

@@ -36,14 +36,14 @@ class Files:
             raise Failure(f"where the files are dragged from nothing of {lines} was said in 90 s") from None
         return line
 
-    def drop(self, studio, place=(600, 500)):
-        """Returns how it ended: copy, move or ignored."""
+    def drop(self, studio, taken, place=(600, 500)):
+        """Lets go once the studio has said whether it would take them. Returns how it ended: copy, move or ignored."""
         x, y = SOURCE[0] + 50, SOURCE[1] + 30
         studio.move((x, y))
         studio.xdotool("mousedown", 1)
         for i in range(1, 11):
             studio.move((x + (place[0] - x) * i // 10, y + (place[1] - y) * i // 10))
-        self.expect("welcome", "refused")
+        self.expect("welcome" if taken else "refused")
         studio.xdotool("mouseup", 1)
         ended = self.expect("copy", "move", "ignored")
         studio.answer("what was dropped")
@@ -57,11 +57,11 @@ class Files:
 def main(display, arguments, folder):
     sources = []
 
-    def drop(studio, *files):
+    def drop(studio, *files, taken=True):
         while sources:
             sources.pop().close()
         sources.append(Files(display, arguments.source, *files))  # stays: what is dropped is asked for afterwards
-        return sources[-1].drop(studio)
+        return sources[-1].drop(studio, taken)
 
     try:
         drops(display, arguments, folder, drop)
@@ -130,7 +130,7 @@ def refuse(studio, drop, text):
     for what in ("title", "operations", "unsaved", "tool", "segments"):
         need(state[what] == before[what], f"the text changed {what} from {before[what]} to {state[what]}")
     # While that is to be read, nothing else can be dropped.
-    need(drop(studio, text) == "ignored", "a window that waits for an answer took a file")
+    need(drop(studio, text, taken=False) == "ignored", "a window that waits for an answer took a file")
     x, y, width, height = studio.place_of("openFailed")
     studio.click((x + width - 40, y + height - 25))
     studio.wait("the refusal to close", lambda s: "openFailed" not in s["widgets"])

@@ -116,7 +116,7 @@ def main(display, arguments, folder):
     type_path(studio, "saveDialog", folder / "session.json")
     studio.wait_idle("the session", lambda s: "session.json" in s["message"])
     viewport = studio.state()["viewport"]
-    studio.key("ctrl+q")
+    studio.xdotool("key", "ctrl+q", ends=True)
     need(studio.process.wait(30) == 0, "the program did not end well")
     session = folder / "session.json"
     need({"seed", "grow", "rewind"} <= {operation["op"] for operation in operations(session)}, "the session lacks a step")

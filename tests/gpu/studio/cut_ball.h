@@ -104,7 +104,7 @@ struct CutBall {
     }
     void grow() {
         if (ball.innerMm > 0) {
-            seed("Inner", kBlue, {160, 255}, 0);
+            seed("Segment 2", kBlue, {160, 255}, 0);
             seed("Segment 1", kRed, {100, 159}, 0.5 * (ball.innerMm + ball.radiusMm));
         } else {
             seed("Segment 1", kRed, {100, 255}, 0);

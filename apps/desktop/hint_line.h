@@ -10,7 +10,7 @@ namespace vs::desktop {
 class HintLine : public QLabel {
 public:
     static constexpr int kRoomForHints =
-        900; // logical pixels: the longest hint of either language is so long
+        1000; // logical pixels: the longest hint of either language is so long
 
     HintLine();
     // Its tip says it too, for the longest ones in the narrowest windows.

@@ -68,6 +68,7 @@ void CurvePage::setCounts(const std::vector<std::uint32_t>& counts, Range range,
     chart_->setCounts(counts);
     setDigits(value_, range, chart_->quantum() > 0);
     unit_->setText(unit);
+    layout()->activate(); // its room is there at once, whenever the counts come
     refresh();
 }
 

@@ -13,6 +13,7 @@ import time
 from driver import need, run_test, start
 
 HEAD = pathlib.Path("/usr/share/mricron/templates/ch2better.nii.gz")
+JUDGED_SCALE = 2.5  # of drafts while turning
 VIEW = (1230, 870)
 LEAST_FPS = 15
 MOST_MS = 100  # from input to picture, 95th percentile
@@ -25,10 +26,12 @@ def now_ms():
 
 
 def fit_view(studio):
-    """Resizes the window until the view has the wanted size."""
-    window = studio.state()["widgets"]["mainWindow"]
-    view = studio.state()["viewRect"]
-    studio.resize(window[2] + VIEW[0] - view[2], window[3] + VIEW[1] - view[3])
+    """Resizes the window until the view has the wanted size. Twice: a wider window may need one line less for its hint."""
+    for _ in range(2):
+        window = studio.state()["widgets"]["mainWindow"]
+        view = studio.state()["viewRect"]
+        studio.resize(window[2] + VIEW[0] - view[2], window[3] + VIEW[1] - view[3])
+        studio.wait_idle("the window's size", lambda s: s["pictureComplete"])
     studio.wait_idle("the view's size", lambda s: s["viewport"] == list(VIEW) and s["pictureComplete"])
 
 
@@ -151,6 +154,12 @@ def main(display, arguments, folder):
     for name, phase in (("first", first), ("second", second)):  # on a machine that has none of its shaders
         print(f"the drill's {name} stroke: input to picture {phase.latencies(timings)[-1]:.0f} ms at most")
     fps, _, rest = report("turning", turning, timings)
+    if turning.scale(timings) > JUDGED_SCALE:
+        for name, phase in (("drilling", drilling), ("growing", growing)):
+            report(name, phase, timings)
+        print(f"skipped: drafts are drawn at a scale of {turning.scale(timings):.2f}; the bounds are for machines that draw them at "
+              f"{JUDGED_SCALE} or finer, a slower one cannot keep up with {RATE_HZ} reports of a pen a second")
+        sys.exit(77)
     slack = arguments.slack
     need(fps > LEAST_FPS / slack, f"turning shows {fps:.1f} pictures a second, not {LEAST_FPS}")
     need(rest < slack * MOST_REST_MS, f"the picture at rest took {rest:.0f} ms, not {MOST_REST_MS}")

@@ -104,8 +104,8 @@ ViewBlock viewBlock(const ViewRays& rays, const volume::GridGeometry& geometry) 
 
 RayCaster::RayCaster()
     : resolve_("render/shaders/resolve_picture.comp"), findBeams_("render/shaders/find_beams.comp"),
-      listSquares_("render/shaders/list_squares.comp"), setAside_("render/shaders/set_squares_aside.comp"),
-      fillFilm_("render/shaders/fill_film.comp"), squareCounts_(2 * sizeof(std::uint32_t), "square counts"),
+      listSquares_("render/shaders/list_squares.comp"), fillFilm_("render/shaders/fill_film.comp"),
+      squareCounts_(2 * sizeof(std::uint32_t), "square counts"),
       segmentColours_(glm::ivec2(256, 1), gl::Format::RGBA32F, gl::Filter::Nearest, "segment colours") {}
 
 void RayCaster::start(const Frame& frame) {
@@ -224,6 +224,9 @@ void RayCaster::listSquares() {
 // After two samples: squares where they agree take no more.
 void RayCaster::setSettledAside() {
     const gl::Pass pass("set settled squares aside");
+    if (!setAside_) { // compiled when first needed, not while a volume is opened
+        setAside_ = gl::Program("render/shaders/set_squares_aside.comp");
+    }
     squares_.bindStorage(0);
     squareCounts_.clear();
     squareCounts_.bindStorage(1);

@@ -8,6 +8,7 @@
 #include "base/progress.h"
 #include "base/timer.h"
 
+#include <QAbstractEventDispatcher>
 #include <QKeyEvent>
 #include <QOpenGLContext>
 #include <QTimer>
@@ -25,15 +26,16 @@ bool isRelease(QEvent::Type type) {
            type == QEvent::KeyRelease;
 }
 
-bool isHeld(QEvent::Type type) {
+bool isPress(QEvent::Type type) {
+    return type == QEvent::MouseButtonPress || type == QEvent::MouseButtonDblClick ||
+           type == QEvent::TabletPress || type == QEvent::TouchBegin;
+}
+
+bool isInput(QEvent::Type type) {
     switch (type) {
-    case QEvent::MouseButtonPress:
-    case QEvent::MouseButtonDblClick:
     case QEvent::MouseMove:
     case QEvent::Wheel:
-    case QEvent::TabletPress:
     case QEvent::TabletMove:
-    case QEvent::TouchBegin:
     case QEvent::TouchUpdate:
     case QEvent::NativeGesture:
     case QEvent::ContextMenu:
@@ -46,7 +48,7 @@ bool isHeld(QEvent::Type type) {
     case QEvent::Close:
         return true;
     default:
-        return false;
+        return isPress(type) || isRelease(type);
     }
 }
 
@@ -72,6 +74,7 @@ void LongWork::run(const std::function<void()>& work, Input input) {
     }
     isRunning_ = true;
     isGivenUp_ = false;
+    isPressedMeanwhile_ = false;
     thousandths_ = -1;
     const auto task = std::make_shared<std::packaged_task<void()>>([this, &work] { this->work(work); });
     std::future<void> done = task->get_future();
@@ -125,11 +128,40 @@ void LongWork::answerUntil(const std::future<void>& done, Input input) {
         emit lasts(1000);
     }
     qApp->removeEventFilter(this);
-    for (Held& held : std::exchange(releases_, {})) {
-        if (held.receiver) {
+    deliverHeld();
+}
+
+bool LongWork::isDragUnderWay(const QEvent& event) const {
+    switch (event.type()) {
+    case QEvent::MouseMove:
+    case QEvent::TabletMove:
+        return !isPressedMeanwhile_ && static_cast<const QSinglePointEvent&>(event).buttons() != Qt::NoButton;
+    case QEvent::TouchUpdate:
+        return !isPressedMeanwhile_;
+    default:
+        return false;
+    }
+}
+
+// Of several moves the last counts: nothing was shown of the others.
+void LongWork::hold(QObject* receiver, const QEvent& event) {
+    const bool isFurther =
+        !held_.empty() && held_.back().receiver == receiver && held_.back().event->type() == event.type();
+    if (isFurther && !isRelease(event.type())) {
+        held_.pop_back();
+    }
+    held_.push_back({receiver, std::unique_ptr<QEvent>(event.clone())});
+}
+
+// Whoever gave up does not want the rest of the drag either, only its end.
+void LongWork::deliverHeld() {
+    for (Held& held : std::exchange(held_, {})) {
+        if (held.receiver && (isRelease(held.event->type()) || !isGivenUp_)) {
             QCoreApplication::postEvent(held.receiver, held.event.release());
         }
     }
+    QCoreApplication::eventDispatcher()
+        ->wakeUp(); // what was posted while it ended would wait for the next input
 }
 
 bool LongWork::eventFilter(QObject* watched, QEvent* event) {
@@ -145,11 +177,12 @@ bool LongWork::eventFilter(QObject* watched, QEvent* event) {
     // Windows pass on what the pointer does to the widget under it.
     const bool isPassedOn = watched->isWindowType() && event->type() != QEvent::Close;
     const bool isToGiveUp = watched->objectName() == "giveUp";
-    if (isPassedOn || isToGiveUp || !(isHeld(event->type()) || isRelease(event->type()))) {
+    if (isPassedOn || isToGiveUp || !isInput(event->type())) {
         return QObject::eventFilter(watched, event);
     }
-    if (isRelease(event->type())) {
-        releases_.push_back({watched, std::unique_ptr<QEvent>(event->clone())});
+    isPressedMeanwhile_ = isPressedMeanwhile_ || isPress(event->type());
+    if (isRelease(event->type()) || isDragUnderWay(*event)) {
+        hold(watched, *event);
     }
     event->ignore();
     return true;

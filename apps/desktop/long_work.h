@@ -18,7 +18,8 @@ class GlHost;
 // Runs work on the document on a thread of its own, which has the engine's context meanwhile, so that the
 // window goes on painting itself. For whoever calls it is a call like any other, but one during which the
 // window paints, and nothing else happens in it: input and timers wait (but those whose property
-// kRunsMeanwhile is set). Whoever makes the engine's context current waits for the end.
+// kRunsMeanwhile is set). A drag that was under way goes on afterwards where the pointer is by then. Whoever
+// makes the engine's context current waits for the end.
 class LongWork : public QObject {
     Q_OBJECT
 
@@ -52,18 +53,22 @@ protected:
 private:
     void work(const std::function<void()>& work);
     void answerUntil(const std::future<void>& done, Input input);
+    [[nodiscard]] bool isDragUnderWay(const QEvent& event) const;
+    void hold(QObject* receiver, const QEvent& event);
+    void deliverHeld();
 
     GlHost& host_;
     QThread thread_;
     QObject runner_; // lives on the thread
     bool isRunning_ = false;
     bool isShown_ = false;
-    // What ends what began before; delivered afterwards.
+    // What goes on with or ends what began before; delivered afterwards.
     struct Held {
         QPointer<QObject> receiver;
         std::unique_ptr<QEvent> event;
     };
-    std::vector<Held> releases_;
+    std::vector<Held> held_;
+    bool isPressedMeanwhile_ = false; // moves from then on belong to a press that was dropped
     std::atomic<bool> isGivenUp_ = false;
     std::atomic<int> thousandths_ = -1;
 };

@@ -202,7 +202,9 @@ void MainWindow::makeStatusBar() {
     probe_->setProperty("quiet", false);
     volume_ = add("volume", tr("Size and type of the volume"));
     rate_ = add("rate", tr("Frame rate; at rest, how far the picture is refined"));
-    rate_->setFixedWidth(rate_->fontMetrics().horizontalAdvance(tr("Refining %1 %").arg(100)) + 8);
+    rate_->setText(tr("Refining %1 %").arg(100)); // the longest that it says
+    rate_->setFixedWidth(rate_->sizeHint().width());
+    rate_->clear();
     rate_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     device_ = add("device", tr("Graphics device"));
     const auto& device = studio_.host().device();

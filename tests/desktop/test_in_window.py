@@ -20,7 +20,7 @@ def main(display, arguments, folder):
         results = folder / language
         results.mkdir()
         command = [arguments.tests, str(volume), str(results), language, f"--gtest_filter={arguments.filter or tests}"]
-        done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=500, check=False)
+        done = subprocess.run(command, env=environment, capture_output=True, text=True, timeout=1200, check=False)
         print(done.stdout + done.stderr)
         codes[language] = done.returncode
     need(not any(codes.values()), f"the tests in the window ended with {codes}")

@@ -61,7 +61,7 @@ vec3 shadeHit(Hit hit, Ray ray, vec3 segmentColour) {
 #if MODE == 3 || MODE == 4 || (MODE == 5 && defined(SEGMENTS))
 // The colour of the segment that was hit.
 vec4 segmentColourOf(Hit hit, bool translucent) {
-    return segmentColourAt(hit.inSegment, -hit.normal, hit.isCut, translucent, hit.found && hit.isSegment);
+    return segmentColourAt(hit.inSegment, -hit.normal, translucent, hit.found && hit.isSegment);
 }
 
 // Display colour of a hit in a picture with segments.

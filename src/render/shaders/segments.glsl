@@ -6,20 +6,14 @@ layout(binding = 14) uniform sampler2D segmentColours; // one row of 256, by lab
 vec4 entryOf(uint segment) { return texelFetch(segmentColours, ivec2(int(segment), 0), 0); }
 
 // Adds the mean of what the corners of p's cell say, weighted as trilinear interpolation does, so that borders between
-// segments do not show voxels; of segments of one kind only. Hidden corners that are in none have the colour of what lies
-// `beyond` them (in voxels). Not if not `wanted`.
-void addColoursAround(vec3 p, ivec3 beyond, bool translucent, bool wanted, inout vec4 sum, inout float weights) {
+// segments do not show voxels; of segments of one kind only. Not if not `wanted`.
+void addColoursAround(vec3 p, bool translucent, bool wanted, inout vec4 sum, inout float weights) {
     vec3 first = floor(p);
     vec3 f = p - first;
     int count = wanted ? corners : 0;
     for (int corner = 0; corner < count; ++corner) {
         ivec3 offset = ivec3(corner & 1, (corner >> 1) & 1, corner >> 2);
-        ivec3 voxel = ivec3(first) + offset;
-        uint segment = segmentOf(voxel);
-#ifdef SCULPTED
-        bool isHidden = visibleSide(texelFetch(sculptureTexture, clamp(voxel, ivec3(0), dims.xyz - 1), 0).r) < 0.0;
-        segment = segment == 0u && isHidden ? segmentOf(voxel + beyond) : segment;
-#endif
+        uint segment = segmentOf(ivec3(first) + offset);
         vec4 entry = entryOf(segment);
         bool isOfKind = segment != 0u && (translucent ? entry.a > 0.0 && entry.a < 1.0 : entry.a >= 1.0);
         vec3 w = mix(1.0 - f, f, vec3(offset));
@@ -38,22 +32,14 @@ vec4 tintAt(vec3 p) {
     return vec4(entry.rgb, segment != 0u ? amount * entry.a : 0.0);
 }
 
-// The voxel next to one that lies most straight in a direction of the world.
-ivec3 nextVoxel(vec3 direction) {
-    vec3 way = mat3(voxelFromWorld) * direction;
-    vec3 size = abs(way);
-    return ivec3(round(way / max(max(size.x, size.y), max(size.z, 1e-20))));
-}
-
 // Linear colour and opacity of the opaque or the translucent segments at p, which lies in one or, as surfaces are smooth, a
-// little outside; then it is one voxel further `inwards` (world, unit). On a cut face they have their colours behind it too.
-// Anything if not `wanted`.
-vec4 segmentColourAt(vec3 p, vec3 inwards, bool isCut, bool translucent, bool wanted) {
+// little outside; then it is one voxel further `inwards` (world, unit). Anything if not `wanted`.
+vec4 segmentColourAt(vec3 p, vec3 inwards, bool translucent, bool wanted) {
     const float some = 1e-3; // of the weights
     vec4 sum = vec4(0.0);
     float weights = 0.0;
-    addColoursAround(p, isCut ? nextVoxel(inwards) : ivec3(0), translucent, wanted, sum, weights);
+    addColoursAround(p, translucent, wanted, sum, weights);
     bool isOutside = wanted && weights < some;
-    addColoursAround(p + mat3(voxelFromWorld) * inwards * spacing.w, ivec3(0), translucent, isOutside, sum, weights);
+    addColoursAround(p + mat3(voxelFromWorld) * inwards * spacing.w, translucent, isOutside, sum, weights);
     return weights < some ? entryOf(0u) : sum / weights;
 }

@@ -318,13 +318,10 @@ Hit findSurface(Ray ray, float jitter) {
     vec3 cutOutward = sculptureGradient(hit.voxel) * (dims.w == 1 ? 1.0 : -1.0);
     if (endsAtCut(obstacle, hit.voxel) && !atBorder) {
         hit.isCut = true;
-#if CONTENT == 1 || CONTENT == 2
-        // A segment goes on behind a cut face, so that what is met on it is exact. Where there are several they may not (see
-        // doc/segmentation.md), and what lies close behind is taken too.
-        bool isThere = segmentationAt(hit.voxel) >= 0.5;
-        bool isAlone = textureSize(segmentLabels, 0).x == 1;
-        hit.isSegment = isThere || (!isAlone && nearby >= 0.5);
-        hit.inSegment = isThere || isAlone ? hit.voxel : hit.inSegment;
+#ifdef MEETS_SEGMENTS
+        // Segments go on behind a cut face (segment/continuation.h), so that what is met on it is exact.
+        hit.isSegment = segmentationAt(hit.voxel) >= 0.5;
+        hit.inSegment = hit.voxel;
 #endif
         outward = cutOutward;
     }

@@ -94,14 +94,14 @@ ivec4 footOf(ivec3 voxel) {
 
 ivec3 around(int i) { return ivec3(i % 3, i / 3 % 3, i / 9) - 1; }
 
-// How much of what is visible around the foot of a hidden voxel would take it in, by weight. A foot that has not grown must be
-// something that the segment refuses: where growth has only not come yet it has not come behind either. Looks at nothing if not
-// `wanted`.
-float partAround(ivec3 voxel, ivec3 foot, bool footHasGrown, bool wanted) {
+// How much of what is visible around the foot of a hidden voxel, so many steps away, would take it in, by weight. A foot that has
+// not grown must be something that the segment refuses: where growth has only not come yet it has not come behind either. Looks
+// at nothing if not `wanted`.
+float partAround(ivec3 voxel, ivec3 foot, int steps, bool footHasGrown, bool wanted) {
     float all = 0.0;
     float some = 0.0;
     for (int i = 0; i < (wanted ? 27 : 0); ++i) {
-        ivec3 other = foot + around(i) * aside;
+        ivec3 other = foot + around(i) * aside * steps;
         ivec3 weights = 2 - abs(around(i));
         float weight = isInside(other) && !isHidden(other) ? float(weights.x * weights.y * weights.z) : 0.0;
         bool takes = weight > 0.0 && isShown(other);
@@ -144,7 +144,12 @@ bool joins(ivec3 voxel, ivec3 foot, int layer) {
     bool made = follows && isMade(own, foot);
     follows = follows && !(made && isKnownBehind(voxel, made));
     float enough = layer == 1 ? 0.1 : layer == 2 ? 0.05 : 0.02;
-    bool isBeside = partAround(voxel, foot, footHasGrown, !follows) >= enough;
+    // Behind another segment's foot the border between the two may run flat under the face, and be that much farther away.
+    const int farthest = 4;
+    bool isBeside = false;
+    for (int steps = 1; steps <= (footHasGrown ? farthest : 1) && !isBeside; steps *= 2) {
+        isBeside = partAround(voxel, foot, steps, footHasGrown, !follows) >= enough;
+    }
     return follows ? isShown(foot) : isBeside;
 }
 

@@ -1,0 +1,38 @@
+# SPDX-License-Identifier: Apache-2.0
+"""How long the window takes until a picture of 1230 x 870 is at full quality, and how much processor time: opens a session in the real
+window, presses keys one after another ("4" is overlay mode, "shift+s" smooth sampling) and prints the seconds of each. No test: it
+judges nothing."""
+
+import argparse
+import os
+import pathlib
+import sys
+
+from driver import run_test, start
+from test_latency import fit_view, now_ms
+
+
+def processor_seconds(process):
+    fields = pathlib.Path(f"/proc/{process.pid}/stat").read_text().rsplit(")", 1)[1].split()
+    return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
+
+
+def main(display, arguments, folder):
+    studio = start(display, arguments.program, folder, [arguments.session])
+    studio.wait_idle("the session", lambda s: s["pictureComplete"], 600)
+    fit_view(studio)
+    for keys in arguments.keys:
+        begin, used = now_ms(), processor_seconds(studio.process)
+        studio.key(keys)
+        studio.wait_idle(keys, lambda s: s["pictureComplete"], 600)
+        print(f"{keys:10} at rest after {(now_ms() - begin) / 1e3:6.2f} s; "
+              f"{processor_seconds(studio.process) - used:6.2f} s of processor time", flush=True)
+
+
+if __name__ == "__main__":
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("--program", required=True)
+    parser.add_argument("--work", required=True, help="folder to work in; emptied first")
+    parser.add_argument("session")
+    parser.add_argument("keys", nargs="+")
+    sys.exit(run_test(main, parser.parse_args()))

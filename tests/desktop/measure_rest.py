@@ -19,12 +19,12 @@ def processor_seconds(process):
 
 def main(display, arguments, folder):
     studio = start(display, arguments.program, folder, [arguments.session])
-    studio.wait_idle("the session", lambda s: s["pictureComplete"], 600)
+    studio.wait_idle("the session", lambda s: s["pictureComplete"] and not s["playing"], 600)
     fit_view(studio)
     for keys in arguments.keys:
         begin, used = now_ms(), processor_seconds(studio.process)
         studio.key(keys)
-        studio.wait_idle(keys, lambda s: s["pictureComplete"], 600)
+        studio.wait_idle(keys, lambda s: s["pictureComplete"] and not s["playing"], 600)
         print(f"{keys:10} at rest after {(now_ms() - begin) / 1e3:6.2f} s; "
               f"{processor_seconds(studio.process) - used:6.2f} s of processor time", flush=True)
 

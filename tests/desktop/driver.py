@@ -238,13 +238,17 @@ class Studio:
         if self.state()["viewRect"]:  # there is none on the start screen
             self.move(self.view_point(0.5, 0.5))
         self.focus()
-        state = self.xdotool("key", "ctrl+q", ends=True)
-        if state is not None and "unsavedEdits" in state["widgets"]:
+        self.xdotool("key", "ctrl+q", ends=True)
+        end = time.monotonic() + ANSWER_SECONDS
+        while self.process.poll() is None and "unsavedEdits" not in self.written()["windows"] and time.monotonic() < end:
+            time.sleep(LOOK_SECONDS)
+        if self.process.poll() is None and "unsavedEdits" in self.written()["windows"]:
+            self.focus("unsavedEdits")
             self.xdotool("key", "alt+d", ends=True)  # "Discard"
         try:
-            code = self.process.wait(30)
+            code = self.process.wait(ANSWER_SECONDS)
         except subprocess.TimeoutExpired:
-            raise Failure("volume-studio did not end within 30 s of Ctrl+Q") from None
+            raise Failure(f"volume-studio did not end within {ANSWER_SECONDS} s of Ctrl+Q") from None
         self.log.seek(0)
         output = self.log.read()
         need(code == 0, f"volume-studio ended with {code}:\n{output}")

@@ -67,6 +67,7 @@ void StudioController::setViewport(QSizeF logical, glm::ivec2 device) {
         schedule(0);
         return;
     }
+    newViewport_.reset(); // an older one
     const bool isNew = device != picture_->viewport();
     logical_ = logical;
     picture_->setViewport(device);

@@ -160,8 +160,8 @@ void LongWork::deliverHeld() {
             QCoreApplication::postEvent(held.receiver, held.event.release());
         }
     }
-    QCoreApplication::eventDispatcher()
-        ->wakeUp(); // what was posted while it ended would wait for the next input
+    // What was posted while the work ended would wait for the next input.
+    QCoreApplication::eventDispatcher()->wakeUp();
 }
 
 bool LongWork::eventFilter(QObject* watched, QEvent* event) {

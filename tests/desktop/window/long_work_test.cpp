@@ -10,6 +10,10 @@
 #include <QTimer>
 #include <QWidget>
 
+#include <atomic>
+#include <utility>
+#include <vector>
+
 namespace vs::desktop {
 namespace {
 

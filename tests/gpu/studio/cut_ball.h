@@ -100,9 +100,11 @@ struct CutBall {
             glm::round(glm::dvec3(document.volume().geometry.voxelFromWorld() * glm::dvec4(place, 1))))};
         op.range = range;
         document.apply(op);
-        studio::SetGrowthRules rules;
-        rules.connectivity = 26; // by faces alone a segment does not reach all that the other one leaves it
-        document.apply(rules);
+        if (ball.innerMm > 0) { // by faces alone a segment does not reach all that the other one leaves it
+            studio::SetGrowthRules rules;
+            rules.connectivity = 26;
+            document.apply(rules);
+        }
         document.apply(studio::Grow{});
     }
     void grow() {

@@ -107,6 +107,8 @@ void LatencyRecorder::write() const {
     for (const auto& block : blocks_) {
         blocks.push_back({{"began", block.beganMs},
                           {"ms", block.milliseconds},
+                          {"threadMs", block.threadMs},
+                          {"programMs", block.programMs},
                           {"receiver", block.receiver.toStdString()},
                           {"event", block.type}});
     }

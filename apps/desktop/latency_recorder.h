@@ -17,8 +17,9 @@ class ViewWidget;
 // first showed a picture that it had been reckoned into; when which picture was shown; and what kept the
 // window from everything else for long. Writes a JSON object when the program ends: {"inputs": [{"kind",
 // "arrived", "handled", "shown"}], "frames": [{"shown", "picture", "width", "isComplete"}], "blocks":
-// [{"began", "ms", "receiver", "event"}]}, with times in ms of the machine's steady clock, pictures counted
-// and `width` in the picture's own pixels.
+// [{"began", "ms", "threadMs", "programMs", "receiver", "event"}]}, with times in ms of the machine's steady
+// clock, of which `threadMs` and `programMs` are processor time, pictures counted and `width` in the
+// picture's own pixels.
 class LatencyRecorder : public QObject {
     Q_OBJECT
 

@@ -14,10 +14,14 @@ public:
     using QApplication::QApplication;
 
     // Of an event that a loop delivered; what loops within it delivered is counted for themselves. Times of
-    // Timer::now(); names of the receiver and its class, and the event's type (QEvent::Type).
+    // Timer::now(), and how much processor time the window's thread and the whole program had meanwhile,
+    // which other programs on the machine do not lengthen; names of the receiver and its class, and the
+    // event's type (QEvent::Type).
     struct Busy {
         double beganMs = 0;
         double milliseconds = 0;
+        double threadMs = 0;
+        double programMs = 0;
         QString receiver;
         int type = 0;
     };
@@ -36,10 +40,18 @@ public:
     bool notify(QObject* receiver, QEvent* event) override;
 
 private:
+    // A moment, and how much processor time the window's thread and the whole program had by then.
+    struct Moment {
+        double ms = 0;
+        double threadMs = 0;
+        double programMs = 0;
+    };
+    static Moment now();
+
     // The event that a loop of some depth is delivering.
     struct Delivery {
         int loopLevel = 0;
-        double sinceMs = 0;
+        Moment since;
         QString receiver;
         int type = 0;
     };

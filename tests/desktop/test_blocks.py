@@ -1,9 +1,12 @@
 # SPDX-License-Identifier: Apache-2.0
 """How long the window is kept from turning to the next event, in one step of work after another, on the head that comes with
-Debian or a volume of one's own. Prints each step's longest; fails beyond the bound."""
+Debian or a volume of one's own. Prints each step's longest; fails beyond the bound. On a machine that does other things too the
+clock tells of those; there (--busy) what counts is the processor time that it took: of the window's own thread, or of the whole
+program shared among the processors, since the window waits for a picture while all of them draw it."""
 
 import argparse
 import json
+import os
 import pathlib
 import sys
 
@@ -31,13 +34,13 @@ class Steps:
         self.studio.wait_idle(name, lambda s: condition(s) and s["pictureComplete"], 100)
         self.steps.append((name, begin, now_ms()))
 
-    def report(self, blocks):
-        """The longest of each step, in ms."""
+    def report(self, blocks, measure):
+        """The longest of each step by a measure, in ms."""
         longest = {}
         for name, begin, end in self.steps:
-            found = sorted((b for b in blocks if begin <= b["began"] <= end), key=lambda b: -b["ms"])
-            longest[name] = found[0]["ms"] if found else 0
-            said = ", ".join(f"{b['ms']:.0f} ({b['receiver'].strip()}, {b['event']})" for b in found[:3])
+            found = sorted((b for b in blocks if begin <= b["began"] <= end), key=lambda b: -measure(b))
+            longest[name] = measure(found[0]) if found else 0
+            said = ", ".join(f"{measure(b):.0f} ({b['receiver'].strip()}, {b['event']})" for b in found[:3])
             print(f"{name:28} {(end - begin) / 1e3 if begin else 0:6.1f} s   longest: {said or 'below 40'}", flush=True)
         return longest
 
@@ -150,6 +153,15 @@ def give_up(steps):
         studio.focus()
 
 
+def by_clock(block):
+    return block["ms"]
+
+
+def by_processor(block):
+    """Never more than by the clock."""
+    return min(block["ms"], max(block["threadMs"], block["programMs"] / len(os.sched_getaffinity(0))))
+
+
 def main(display, arguments, folder):
     volume = pathlib.Path(arguments.volume or HEAD)
     if not volume.exists():
@@ -166,7 +178,7 @@ def main(display, arguments, folder):
     looking(steps)
     filing(steps, folder)
     studio.quit()
-    longest = steps.report(json.loads(timings_file.read_text())["blocks"])
+    longest = steps.report(json.loads(timings_file.read_text())["blocks"], by_processor if arguments.busy else by_clock)
     late = {name: ms for name, ms in longest.items() if ms > arguments.slack * MOST_MS}
     need(not late, f"the window was kept longer than {MOST_MS} ms by {', '.join(late)}")
 
@@ -177,5 +189,6 @@ if __name__ == "__main__":
     parser.add_argument("--vstudio", required=True)
     parser.add_argument("--volume", help="instead of the head")
     parser.add_argument("--slack", type=float, default=1, help="how many times the bound a slow machine may take")
+    parser.add_argument("--busy", action="store_true", help="the machine does other things too: bound the processor time")
     parser.add_argument("--work", required=True, help="folder to work in; emptied first")
     sys.exit(run_test(main, parser.parse_args()))

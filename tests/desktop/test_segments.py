@@ -53,6 +53,12 @@ def click_cell(studio, row, column, times=1):
     studio.click(lambda: cell(studio, row, column), times=times)
 
 
+def pace(studio, speed):
+    """Generations per second, 0 for as many as it can: at one, growth can be paused on any machine before it ends."""
+    reveal(studio, "growthSpeed")
+    studio.type_number("growthSpeed", speed)
+
+
 def grow(studio):
     choose(studio, "s", "seed")
     studio.drag([studio.view_point(0.46 + 0.01 * i, 0.4) for i in range(9)])
@@ -80,10 +86,12 @@ def scrub(studio):
     studio.key("ctrl+z")
     studio.wait_idle("undo", lambda s: s["voxels"] == before["voxels"])
 
+    pace(studio, 1)
     press(studio, "growBackward")
-    studio.wait("playing backward", lambda s: s["playing"] and s["generation"] < before["generation"])
+    studio.wait("playing backward", lambda s: s["generation"] < before["generation"])
     press(studio, "growPause")
-    state = studio.wait_idle("the pause", lambda s: not s["playing"])
+    studio.wait_idle("the pause", lambda s: not s["playing"])
+    pace(studio, 0)
     press(studio, "growEnd")
     state = studio.wait_idle("all of it again", lambda s: not s["playing"] and s["voxels"] == before["voxels"])
 
@@ -151,14 +159,17 @@ def absorb(studio):
     studio.key("r")
     studio.wait("the reversed sign", lambda s: "absorbed" in s["hint"])
     before = studio.state()["voxels"]
+    pace(studio, 1)
     studio.drag([studio.view_point(0.46 + 0.01 * i, 0.4) for i in range(6)])
-    studio.wait("absorbing", lambda s: s["playing"] and 0 < s["voxels"] < before)
+    studio.wait("absorbing", lambda s: s["voxels"] < before)
     press(studio, "growPause")
     state = studio.wait_idle("the pause", lambda s: not s["playing"])
+    need(state["voxels"] > 0, "all was absorbed at once")
     press(studio, "growStep")
     studio.wait_idle("one step more", lambda s: s["voxels"] < state["voxels"])
     studio.key("ctrl+z")
     studio.wait_idle("undo", lambda s: s["voxels"] == before)
+    pace(studio, 0)
     studio.move(studio.view_point(0.5, 0.9))
     studio.key("r")
 

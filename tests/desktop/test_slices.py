@@ -109,9 +109,9 @@ def from_surface(studio):
 def seed(studio):
     studio.key("s")
     studio.wait("the seed tool", lambda s: s["tool"] == "seed")
-    studio.type_number("growthSpeed", 8)  # slow enough to be paused
+    studio.type_number("growthSpeed", 1)  # half a minute, in which it is paused
     studio.drag(slice_line(studio, "coronal", (0.45, 0.5), (0.55, 0.5)))
-    studio.wait("growth", lambda s: s["playing"] and s["generation"] > 4)
+    studio.wait("growth", lambda s: s["generation"] > 3)
     studio.click("growPause")
     studio.wait_idle("the pause", lambda s: not s["playing"])
 

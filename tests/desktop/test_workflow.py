@@ -67,9 +67,9 @@ def grow(studio):
     """Seeds on what was opened, which start to grow; then pause, one back, one forth."""
     studio.key("s")
     studio.wait("the seed tool", lambda s: s["tool"] == "seed")
-    studio.type_number("growthSpeed", 8)  # slow enough to be paused, however small the head
+    studio.type_number("growthSpeed", 1)  # half a minute, in which it is paused
     studio.drag([studio.view_point(0.46 + 0.01 * i, 0.38) for i in range(9)])
-    studio.wait("the growth", lambda s: s["playing"] and s["generation"] > 8)
+    studio.wait("the growth", lambda s: s["generation"] > 3)
     studio.click("growPause")
     state = studio.wait_idle("the pause", lambda s: not s["playing"])
     need(state["mode"] == "segment", f"the region is not shown, the mode is {state['mode']}")

@@ -4,9 +4,9 @@
 #include "gl/context.h"
 #include "reference/boundary.h"
 #include "reference/solids.h"
-#include "sculpt/precision.h"
-#include "sculpt/projection.h"
-#include "sculpt/sweep.h"
+#include "sculpt/sculpture/precision.h"
+#include "sculpt/radiation/projection.h"
+#include "sculpt/radiation/sweep.h"
 
 #include <fmt/format.h>
 

@@ -16,7 +16,7 @@ endif()
 
 file(GLOB PRESETS RELATIVE ${ROOT} ${ROOT}/*.json)
 list(SORT PRESETS)
-set(TEXT "#include \"render/embedded_presets.h\"\n\nnamespace vs::render {\nnamespace {\nconst EmbeddedPreset kTable[] = {\n")
+set(TEXT "#include \"render/colours/embedded_presets.h\"\n\nnamespace vs::render {\nnamespace {\nconst EmbeddedPreset kTable[] = {\n")
 foreach(PRESET IN LISTS PRESETS)
   file(READ ${ROOT}/${PRESET} SOURCE)
   get_filename_component(NAME ${PRESET} NAME_WE)

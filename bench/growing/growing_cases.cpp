@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "growing_cases.h"
 
-#include "volume/body_phantom.h"
-#include "volume/noise.h"
-#include "volume/phantom.h"
-#include "volume/read.h"
-#include "volume/slices.h"
+#include "phantom/body_phantom.h"
+#include "phantom/noise.h"
+#include "phantom/phantom.h"
+#include "volume/io/read.h"
+#include "volume/grid/slices.h"
 
 #include <fmt/format.h>
 
@@ -41,7 +41,7 @@ std::optional<GrowingCase> brainCase(const std::string& path) {
 }
 
 GrowingCase airCase(int side) {
-    auto body = volume::makeBodyPhantom({.dims = glm::ivec3(side)});
+    auto body = phantom::makeBodyPhantom({.dims = glm::ivec3(side)});
     return {fmt::format("air of {}^3", side), std::move(body.volume), {glm::ivec3(0)}, {-1024, -500}, {}};
 }
 

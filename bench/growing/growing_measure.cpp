@@ -5,9 +5,9 @@
 #include "base/timer.h"
 #include "gl/context.h"
 #include "growing_itk.h"
-#include "segment/growth.h"
-#include "segment/segmentation.h"
-#include "volume/noise.h"
+#include "segment/growth/growth.h"
+#include "segment/membership/segmentation.h"
+#include "phantom/noise.h"
 
 #include <limits>
 

@@ -1,5 +1,5 @@
 # SPDX-License-Identifier: Apache-2.0
-"""The perspective camera of src/render/camera.cpp at zoom 1, and the same as a VTK camera."""
+"""The perspective camera of src/render/camera/camera.cpp at zoom 1, and the same as a VTK camera."""
 import math
 
 import numpy as np

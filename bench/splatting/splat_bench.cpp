@@ -5,9 +5,9 @@
 #include "base/statistics.h"
 #include "base/timer.h"
 #include "gl/context.h"
-#include "sculpt/radiation.h"
-#include "sculpt/tool_points.h"
-#include "sculpt/tool_surface.h"
+#include "sculpt/radiation/radiation.h"
+#include "sculpt/radiation/tool_points.h"
+#include "sculpt/surface/tool_surface.h"
 
 #include <fmt/format.h>
 

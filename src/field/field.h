@@ -3,7 +3,7 @@
 
 #include "field/quads.h"
 #include "gl/texture.h"
-#include "volume/volume.h"
+#include "volume/grid/volume.h"
 
 #include <cstdint>
 

@@ -2,7 +2,7 @@
 #include "mesh/contour.h"
 
 #include "mesh/vtk_mesh.h"
-#include "segment/parallel.h"
+#include "segment/edits/parallel.h"
 
 #include <vtkFlyingEdges3D.h>
 #include <vtkImageData.h>

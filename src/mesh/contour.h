@@ -2,8 +2,8 @@
 #pragma once
 
 #include "mesh/mesh.h"
-#include "segment/voxel_set.h"
-#include "volume/geometry.h"
+#include "segment/edits/voxel_set.h"
+#include "volume/grid/geometry.h"
 
 namespace vs::mesh {
 

@@ -2,8 +2,8 @@
 #include "mesh/segment_surface.h"
 
 #include "mesh/contour.h"
-#include "segment/label_sets.h"
-#include "segment/membership.h"
+#include "segment/edits/label_sets.h"
+#include "segment/membership/membership.h"
 
 namespace vs::mesh {
 

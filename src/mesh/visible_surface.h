@@ -3,7 +3,7 @@
 
 #include "field/scene.h"
 #include "mesh/mesh.h"
-#include "volume/volume.h"
+#include "volume/grid/volume.h"
 
 #include <cstdint>
 #include <vector>

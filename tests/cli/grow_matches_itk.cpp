@@ -3,10 +3,10 @@
 // plain queue, geometry with the input's; and the exit codes of calls that make no sense. grow_matches_itk
 // VSTUDIO FOLDER
 #include "gpu/segment/itk_growing.h"
+#include "phantom/phantom.h"
 #include "reference/growth.h"
-#include "volume/phantom.h"
-#include "volume/read.h"
-#include "volume/write.h"
+#include "volume/io/read.h"
+#include "volume/io/write.h"
 
 #include <fmt/format.h>
 
@@ -136,8 +136,8 @@ int runAll(const std::string& vstudio, const fs::path& folder) {
     const Runner runner(vstudio, folder);
     std::mt19937 random(7);
     const auto phantom =
-        volume::makePhantom({61, 43, 38}, volume::ScalarType::UInt8,
-                            [&](glm::dvec3) { return double(random() % 100); }, {0.7, 0.7, 1.5});
+        phantom::makePhantom({61, 43, 38}, volume::ScalarType::UInt8,
+                             [&](glm::dvec3) { return double(random() % 100); }, {0.7, 0.7, 1.5});
     const fs::path path = folder / "grow_input.nii.gz";
     volume::writeGrid(
         path, phantom.geometry,

@@ -71,7 +71,7 @@ class Studio:
 
     Whatever is done here with keys and pointer returns when the program has answered that very input. xdotool returns when the X
     server has the events, not when the program has handled them; so behind them goes a fence, an event on the same road, and the
-    program writes how many fences it has passed (apps/desktop/input_fence.h says what that takes) into its layout file, together
+    program writes how many fences it has passed (apps/desktop/testing/input_fence.h says what that takes) into its layout file, together
     with the state that the input led to. Whoever looks at a state afterwards therefore never sees one from before the input, and
     whoever acts again acts on what the input led to; nothing here waits for a time and hopes. What the program then goes on with by
     itself (a picture at full quality, growth, files) is waited for with wait() and wait_idle().

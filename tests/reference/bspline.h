@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "volume/volume.h"
+#include "volume/grid/volume.h"
 
 namespace vs::reference {
 

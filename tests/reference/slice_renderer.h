@@ -2,9 +2,9 @@
 #pragma once
 
 #include "image/image.h"
-#include "render/segment_colours.h"
-#include "render/slice_view.h"
-#include "volume/volume.h"
+#include "render/colours/segment_colours.h"
+#include "render/slices/slice_view.h"
+#include "volume/grid/volume.h"
 
 #include <vector>
 

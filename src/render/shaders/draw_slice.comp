@@ -151,7 +151,7 @@ void coverBySegments(inout vec3 colour, Cell cell) {
     uvec4 labels = uvec4(0u);
     for (int i = 0; i < count; ++i) {
         labels[i] = memberships[i] >= 0.5 ? segmentOf(cell.corners[i]) : 0u;
-        // What goes on behind a cut for the picture's sake (segment/continuation.h) has not grown.
+        // What goes on behind a cut for the picture's sake (segment/membership/continuation.h) has not grown.
         memberships[i] = labels[i] == 0u ? min(memberships[i], 1.0 - memberships[i]) : memberships[i];
     }
     for (int i = count == 0 ? 4 : nextSegment(labels, -1); i < 4; i = nextSegment(labels, i)) {

@@ -9,7 +9,7 @@ layout(std140, binding = 1) uniform ViewBlock {
     vec4 viewRight;
     vec4 viewUp;
     // Voxel space, per step, for rays (transformed in double precision, so that scans far from the world's origin keep
-    // theirs). A ray has origin eye and direction forward + n.x * right - n.y * up (see render/camera.h).
+    // theirs). A ray has origin eye and direction forward + n.x * right - n.y * up (see render/camera/camera.h).
     vec4 eyeVoxel;
     vec4 forwardVoxel;
     vec4 rightVoxel;

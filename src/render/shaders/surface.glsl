@@ -319,7 +319,7 @@ Hit findSurface(Ray ray, float jitter) {
     if (endsAtCut(obstacle, hit.voxel) && !atBorder) {
         hit.isCut = true;
 #ifdef MEETS_SEGMENTS
-        // Segments go on behind a cut face (segment/continuation.h), so that what is met on it is exact.
+        // Segments go on behind a cut face (segment/membership/continuation.h), so that what is met on it is exact.
         hit.isSegment = segmentationAt(hit.voxel) >= 0.5;
         hit.inSegment = hit.voxel;
 #endif

@@ -1,6 +1,6 @@
 // Samples the solids that patches of a mask sweep, one invocation a patch. P(u, v, d) = start(u, v) + d * direction(u, v),
 // both bilinear between four corners; a sample carries mask * det(dP/du, dP/dv, dP/dd) du dv dd, in voxels.
-// In: storage 0 corners, storage 1 patches (sculpt/swept_patches.h), all in voxel space.
+// In: storage 0 corners, storage 1 patches (sculpt/radiation/swept_patches.h), all in voxel space.
 // Out: storage 2 points (xyz voxel space, w energy), each patch from its own first place on.
 layout(local_size_x = 64) in;
 

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hint_states.h"
 
-#include "drill_tool.h"
-#include "growth_controller.h"
 #include "hint_walk.h"
-#include "laser_tool.h"
-#include "peel_tool.h"
-#include "scissors_tool.h"
-#include "seed_tool.h"
-#include "sweep_tool.h"
+#include "model/segments/growth_controller.h"
+#include "tools/drill_tool.h"
+#include "tools/laser_tool.h"
+#include "tools/peel_tool.h"
+#include "tools/scissors_tool.h"
+#include "tools/seed_tool.h"
+#include "tools/sweep_tool.h"
 
 namespace vs::desktop {
 

@@ -1,18 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "hint_states.h"
 
-#include "camera_tool.h"
-#include "clip_tool.h"
-#include "drill_tool.h"
-#include "growth_controller.h"
 #include "hint_walk.h"
-#include "island_tool.h"
-#include "measure_tool.h"
-#include "move_tool.h"
-#include "peel_tool.h"
-#include "scissors_tool.h"
-#include "seed_tool.h"
-#include "segment_controller.h"
+#include "model/segments/growth_controller.h"
+#include "model/segments/segment_controller.h"
+#include "tools/camera_tool.h"
+#include "tools/clip_tool.h"
+#include "tools/drill_tool.h"
+#include "tools/island_tool.h"
+#include "tools/measure_tool.h"
+#include "tools/move_tool.h"
+#include "tools/peel_tool.h"
+#include "tools/scissors_tool.h"
+#include "tools/seed_tool.h"
 
 namespace vs::desktop {
 

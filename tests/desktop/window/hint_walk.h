@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "model/studio/tool.h"
 #include "mouse.h"
-#include "tool.h"
 
 #include <functional>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // The line of hints: what it says in every state of every tool.
-#include "hint_line.h"
 #include "hint_states.h"
+#include "window/hint_line.h"
 
-#include "tool.h"
+#include "model/studio/tool.h"
 
 #include <gtest/gtest.h>
 

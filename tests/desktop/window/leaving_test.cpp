@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The question about edits that no file holds stands over no other dialog, and is asked once.
-#include "segment_controller.h"
+#include "model/segments/segment_controller.h"
 #include "studio_window.h"
 
 #include <gtest/gtest.h>

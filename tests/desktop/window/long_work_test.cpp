@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Input while the document is at work and nothing else can be done.
-#include "long_work.h"
+#include "engine/long_work.h"
 #include "studio_window.h"
 
 #include <gtest/gtest.h>

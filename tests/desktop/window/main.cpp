@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests in the window's own process, for what no X server without hardware can send: a pen with pressure,
 // fingers; and for what only the process itself knows of its widgets.
-#include "preferences.h"
+#include "model/keepers/preferences.h"
+#include "parts/theme.h"
 #include "studio_window.h"
-#include "theme.h"
 
 #include <gtest/gtest.h>
 

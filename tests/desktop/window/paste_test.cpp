@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Where a pasted part is put: beside what remains and beside other parts, and in the picture.
 #include "mouse.h"
-#include "placement_by_hand.h"
-#include "scissors_tool.h"
+#include "tools/placement_by_hand.h"
+#include "tools/scissors_tool.h"
 
 #include "field/cell_ranges.h"
 

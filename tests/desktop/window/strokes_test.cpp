@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // How sketches end, and that what is shown of them is what they come to.
-#include "growth_controller.h"
+#include "model/segments/growth_controller.h"
 #include "mouse.h"
-#include "peel_tool.h"
-#include "scissors_tool.h"
-#include "seed_tool.h"
-#include "sweep_tool.h"
+#include "tools/peel_tool.h"
+#include "tools/scissors_tool.h"
+#include "tools/seed_tool.h"
+#include "tools/sweep_tool.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio_window.h"
 
-#include "camera_tool.h"
-#include "view_widget.h"
+#include "tools/camera_tool.h"
+#include "view/view_widget.h"
 
 #include "base/error.h"
 

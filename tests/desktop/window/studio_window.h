@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "main_window.h"
-#include "studio_controller.h"
+#include "model/studio/studio_controller.h"
+#include "window/main_window.h"
 
 #include <QEvent>
 #include <QPointingDevice>

@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 // A pen with pressure, through the real window.
-#include "camera_tool.h"
-#include "drill_tool.h"
-#include "growth_controller.h"
-#include "laser_tool.h"
-#include "paint_tool.h"
-#include "peel_tool.h"
-#include "seed_tool.h"
-#include "slice_controller.h"
+#include "model/segments/growth_controller.h"
+#include "model/slices/slice_controller.h"
 #include "studio_window.h"
+#include "tools/camera_tool.h"
+#include "tools/drill_tool.h"
+#include "tools/laser_tool.h"
+#include "tools/paint_tool.h"
+#include "tools/peel_tool.h"
+#include "tools/seed_tool.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // Dark and light while a volume is open: the picture stays, text can be read, the keyboard can be seen.
-#include "theme.h"
+#include "parts/theme.h"
 #include "window_states.h"
 
 #include <gtest/gtest.h>

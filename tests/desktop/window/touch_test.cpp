@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fingers look around, whatever the tool; a palm beside a pen does nothing.
-#include "camera_tool.h"
-#include "peel_tool.h"
-#include "pen_watch.h"
-#include "slice_canvas.h"
-#include "slice_controller.h"
+#include "model/slices/slice_controller.h"
+#include "model/studio/pen_watch.h"
 #include "studio_window.h"
+#include "tools/camera_tool.h"
+#include "tools/peel_tool.h"
+#include "view/slice_canvas.h"
 
 #include <gtest/gtest.h>
 

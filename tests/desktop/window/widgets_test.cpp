@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 // What every widget owes to those who do not see or do not point: a name, a tip, the keyboard; and room for
 // its text, in every language.
-#include "library_texts.h"
+#include "model/texts/library_texts.h"
 #include "window_states.h"
 
-#include "render/colour_map.h"
-#include "render/transfer_function_json.h"
-#include "studio/operation_names.h"
+#include "render/colours/colour_map.h"
+#include "render/colours/transfer_function_json.h"
+#include "studio/operations/operation_names.h"
 
 #include <gtest/gtest.h>
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Messages, units and segments, as the window gives them.
-#include "growth_controller.h"
+#include "model/segments/growth_controller.h"
+#include "model/segments/segment_controller.h"
 #include "mouse.h"
-#include "seed_tool.h"
-#include "segment_controller.h"
+#include "tools/seed_tool.h"
 
 #include <gtest/gtest.h>
 

@@ -3,7 +3,7 @@
 #include "field/field.h"
 #include "field/histogram.h"
 #include "gpu/gl_test.h"
-#include "volume/phantom.h"
+#include "phantom/phantom.h"
 
 #include <cmath>
 #include <limits>
@@ -17,7 +17,7 @@ using FieldTest = test::GlTest;
 volume::Volume randomVolume(glm::ivec3 dims, volume::ScalarType type, double lo, double hi) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> value(lo, hi);
-    return volume::makePhantom(dims, type, [&](glm::dvec3) { return value(random); });
+    return phantom::makePhantom(dims, type, [&](glm::dvec3) { return value(random); });
 }
 
 TEST_F(FieldTest, HistogramEqualsTheOneCountedOnTheCpu) {
@@ -119,7 +119,7 @@ TEST_F(FieldTest, CellRangesBoundEveryTrilinearSample) {
 }
 
 TEST_F(FieldTest, OtsuSeparatesAirFromObject) {
-    const auto ball = volume::makeBall({48, 48, 48}, {24, 24, 24}, 15, 200, 10);
+    const auto ball = phantom::makeBall({48, 48, 48}, {24, 24, 24}, 15, 200, 10);
     const Field field = uploadVolume(ball);
     const Range range = suggestRange(intensityHistogram(field), field.range);
     EXPECT_GT(range.lo, 20);

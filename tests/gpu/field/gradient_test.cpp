@@ -3,8 +3,8 @@
 
 #include "base/timer.h"
 #include "gpu/gl_test.h"
+#include "phantom/phantom.h"
 #include "reference/gradient.h"
-#include "volume/phantom.h"
 
 #include <cmath>
 #include <limits>
@@ -20,7 +20,7 @@ using GradientTest = test::GlTest;
 volume::Volume makeWaves(volume::ScalarType type, glm::ivec3 dims = {37, 21, 19}) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> noise(-20, 20);
-    auto volume = volume::makePhantom(dims, type, [&](glm::dvec3 p) {
+    auto volume = phantom::makePhantom(dims, type, [&](glm::dvec3 p) {
         return 100 + 60 * std::sin(0.3 * p.x) * std::cos(0.4 * p.y + 0.2 * p.z) + noise(random);
     });
     volume.geometry.worldFromVoxel =
@@ -101,7 +101,7 @@ TEST_F(GradientTest, RangesHoldTheLargestAndAlmostAll) {
 }
 
 TEST_F(GradientTest, AGradientThatFewVoxelsHaveIsStillARange) {
-    auto volume = volume::makePhantom({32, 32, 32}, volume::ScalarType::UInt8, [](glm::dvec3) { return 0; });
+    auto volume = phantom::makePhantom({32, 32, 32}, volume::ScalarType::UInt8, [](glm::dvec3) { return 0; });
     EXPECT_EQ(gradientRange(uploadVolume(volume)).hi, 0);
     volume.bytes[16 * 32 * 32 + 16 * 32 + 16] = std::byte(200);
     volume::computeRange(volume);
@@ -109,8 +109,8 @@ TEST_F(GradientTest, AGradientThatFewVoxelsHaveIsStillARange) {
 }
 
 TEST_F(GradientTest, ARampHasItsSlopeInUnitsPerMillimetre) {
-    const auto volume = volume::makePhantom({16, 8, 8}, volume::ScalarType::Int16,
-                                            [](glm::dvec3 p) { return 30 * p.x; }, {0.5, 1, 2});
+    const auto volume = phantom::makePhantom({16, 8, 8}, volume::ScalarType::Int16,
+                                             [](glm::dvec3 p) { return 30 * p.x; }, {0.5, 1, 2});
     const auto counts = gradientHistogram(uploadVolume(volume), {0, 120}, 120);
     EXPECT_EQ(counts[60], 14U * 64U); // 30 in half a millimetre
     EXPECT_EQ(counts[30], 2U * 64U) << "at the border the value beyond is the border's";
@@ -131,7 +131,7 @@ TEST_F(GradientTest, NonFiniteVoxelsAndTheirNeighboursAreLeftOut) {
 TEST_F(GradientTest, OneLargeVolumeIsCountedQuickly) {
     std::mt19937 random(3);
     const Field field =
-        uploadVolume(volume::makePhantom(glm::ivec3(256), volume::ScalarType::Int16, [&](glm::dvec3 p) {
+        uploadVolume(phantom::makePhantom(glm::ivec3(256), volume::ScalarType::Int16, [&](glm::dvec3 p) {
             const double noise = double(random() % 64);
             return (glm::distance(p, glm::dvec3(128)) < 90 ? 1000 : 20) + noise;
         }));

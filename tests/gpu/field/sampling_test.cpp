@@ -2,8 +2,8 @@
 #include "field/scene.h"
 #include "gl/program.h"
 #include "gpu/gl_test.h"
+#include "phantom/phantom.h"
 #include "reference/bspline.h"
-#include "volume/phantom.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -59,7 +59,7 @@ protected:
     // two texels, software all of them.
     double filterError() {
         const auto step =
-            volume::makePhantom({2, 1, 1}, volume::ScalarType::Float32, [](glm::dvec3 p) { return p.x; });
+            phantom::makePhantom({2, 1, 1}, volume::ScalarType::Float32, [](glm::dvec3 p) { return p.x; });
         double worst = 0;
         std::vector<glm::vec4> places;
         for (int i = 0; i < 1000; ++i) {
@@ -79,7 +79,7 @@ protected:
 volume::Volume makeNoise(volume::ScalarType type, double lo, double hi, glm::ivec3 dims = {23, 17, 11}) {
     std::mt19937 random(7);
     std::uniform_real_distribution<double> value(lo, hi);
-    auto volume = volume::makePhantom(dims, type, [&](glm::dvec3) { return value(random); });
+    auto volume = phantom::makePhantom(dims, type, [&](glm::dvec3) { return value(random); });
     volume.geometry.worldFromVoxel =
         glm::dmat4({0.6, 0.3, 0, 0}, {-0.4, 0.9, 0.1, 0}, {0.2, 0, 2.5, 0}, {10, -20, 30, 1});
     return volume;
@@ -152,8 +152,8 @@ TEST_F(SamplingTest, TheSoftwareRenderersFilterIsExactEnough) {
 
 TEST_F(SamplingTest, ARampIsReproducedAwayFromTheBorder) {
     const glm::dvec3 slopes(3, -2, 5);
-    auto volume = volume::makePhantom({20, 20, 20}, volume::ScalarType::Int16,
-                                      [&](glm::dvec3 p) { return 40 + glm::dot(p, slopes); });
+    auto volume = phantom::makePhantom({20, 20, 20}, volume::ScalarType::Int16,
+                                       [&](glm::dvec3 p) { return 40 + glm::dot(p, slopes); });
     auto places = placesIn({17, 17, 17}, 2000);
     for (auto& p : places) {
         p += glm::vec4(1.5F, 1.5F, 1.5F, 0); // 1 to 18: the four voxels along each axis are in the grid
@@ -168,7 +168,7 @@ TEST_F(SamplingTest, ARampIsReproducedAwayFromTheBorder) {
 
 TEST_F(SamplingTest, AConstantStaysOneUpToTheBorder) {
     const auto volume =
-        volume::makePhantom({9, 9, 9}, volume::ScalarType::UInt8, [](glm::dvec3) { return 77; });
+        phantom::makePhantom({9, 9, 9}, volume::ScalarType::UInt8, [](glm::dvec3) { return 77; });
     for (const auto& s : sample(volume, placesIn({9, 9, 9}, 1000))) {
         EXPECT_NEAR(s.w, 77, valueTolerance(uploadVolume(volume)));
         EXPECT_LT(glm::length(glm::vec3(s)), 1e-3);

@@ -2,7 +2,7 @@
 // Smoothed fields against a plain convolution.
 #include "field/smoothed_field.h"
 #include "gpu/gl_test.h"
-#include "volume/phantom.h"
+#include "phantom/phantom.h"
 
 #include <cmath>
 #include <random>
@@ -70,15 +70,15 @@ std::vector<double> convolved(const volume::Volume& volume, double sigmaSteps) {
 
 volume::Volume noise(volume::ScalarType type, bool hasHoles) {
     std::mt19937 random(3);
-    return volume::makePhantom({37, 29, 71}, type,
-                               [&](glm::dvec3) {
-                                   const auto draw = random();
-                                   return hasHoles && draw % 97 == 0
-                                              ? std::nan("")
-                                              : double(draw % 4096) -
-                                                    (type == volume::ScalarType::UInt8 ? 0 : 1000);
-                               },
-                               {1, 1.25, 2});
+    return phantom::makePhantom({37, 29, 71}, type,
+                                [&](glm::dvec3) {
+                                    const auto draw = random();
+                                    return hasHoles && draw % 97 == 0
+                                               ? std::nan("")
+                                               : double(draw % 4096) -
+                                                     (type == volume::ScalarType::UInt8 ? 0 : 1000);
+                                },
+                                {1, 1.25, 2});
 }
 
 void expectConvolved(const volume::Volume& volume, double sigma, double tolerance) {

@@ -3,7 +3,7 @@
 #include "gpu/gl_test.h"
 #include "gpu/render/stage.h"
 #include "image/compare.h"
-#include "volume/phantom.h"
+#include "phantom/phantom.h"
 
 namespace vs::render {
 namespace {
@@ -16,7 +16,7 @@ constexpr double kRadius = 14;
 const glm::dvec3 kCentre{23.5, 23.5, 23.5};
 constexpr Range kShown{50, 100}; // the ball's inside is 200
 
-volume::Volume brightBall() { return volume::makeBall({48, 48, 48}, kCentre, kRadius, 200, 0, 3); }
+volume::Volume brightBall() { return phantom::makeBall({48, 48, 48}, kCentre, kRadius, 200, 0, 3); }
 
 // How far the ray through a pixel passes by the ball's centre, in voxels of 1 mm.
 double miss(const Stage& stage, int x, int y) {
@@ -52,8 +52,8 @@ TEST_F(AboveRangeTest, ABallBrighterThanTheRangeIsAWhiteDisc) {
 // no ray crosses one, where interpolating before and after would differ.
 TEST_F(AboveRangeTest, AnXRayCountsThemAsTheUpperEnd) {
     const auto halves = [](double left) {
-        return volume::makePhantom({48, 48, 48}, volume::ScalarType::UInt8,
-                                   [=](glm::dvec3 p) { return p.x < 23.5 ? left : 75; });
+        return phantom::makePhantom({48, 48, 48}, volume::ScalarType::UInt8,
+                                    [=](glm::dvec3 p) { return p.x < 23.5 ? left : 75; });
     };
     Stage bright(halves(200), kShown);
     bright.frame.scene.showsAbove = true;

@@ -4,7 +4,7 @@
 #include "gpu/render/cpu_rays.h"
 #include "gpu/render/stage.h"
 #include "image/compare.h"
-#include "volume/phantom.h"
+#include "phantom/phantom.h"
 
 #include <cmath>
 #include <optional>
@@ -20,7 +20,7 @@ using test::Stage;
 constexpr Projection kProjections[] = {Projection::Perspective, Projection::Orthographic};
 
 volume::Volume constantVolume(glm::ivec3 dims, glm::dvec3 spacing = glm::dvec3(1)) {
-    return volume::makePhantom(
+    return phantom::makePhantom(
         dims, volume::ScalarType::UInt8, [](glm::dvec3) { return 200.0; }, spacing);
 }
 
@@ -29,7 +29,7 @@ TEST_F(AnalyticTest, ASpheresOutlineAndDepthAreExact) {
     const double radius = 20;
     for (const auto type : {volume::ScalarType::UInt8, volume::ScalarType::UInt16}) {
         // In voxels of 1 mm. The ramp is wide enough that whole numbers place its middle to 0.02 voxel.
-        Stage stage(volume::makeBall({64, 64, 64}, centre, radius, 200, 0, 8, type), {100, 200});
+        Stage stage(phantom::makeBall({64, 64, 64}, centre, radius, 200, 0, 8, type), {100, 200});
         for (const Projection projection : kProjections) {
             stage.look({25, 15, 1, {}, projection}, {200, 160});
             const auto pixels = allPixels({200, 160}, 3);
@@ -165,8 +165,8 @@ TEST_F(AnalyticTest, AMipIsTheGreatestOfItsSamples) {
     std::mt19937 random(3);
     std::uniform_real_distribution<double> value(0, 1);
     // Floats, so that the device interpolates as the CPU does.
-    Stage stage(volume::makePhantom({22, 19, 25}, volume::ScalarType::Float32,
-                                    [&](glm::dvec3) { return value(random); }, {1, 1.4, 0.8}),
+    Stage stage(phantom::makePhantom({22, 19, 25}, volume::ScalarType::Float32,
+                                     [&](glm::dvec3) { return value(random); }, {1, 1.4, 0.8}),
                 {0, 1});
     stage.darken();
     constexpr glm::ivec2 size{80, 72};
@@ -200,15 +200,15 @@ volume::Volume smoothNoise(int seed) {
         const auto part = [&] { return 0.5 * number(random); };
         waves.emplace_back(part(), part(), part(), 3 * number(random));
     }
-    return volume::makePhantom({34, 30, 38}, volume::ScalarType::UInt16,
-                               [waves](glm::dvec3 p) {
-                                   double sum = 0;
-                                   for (const glm::dvec4& wave : waves) {
-                                       sum += std::sin(glm::dot(glm::dvec3(wave), p) + wave.w);
-                                   }
-                                   return 20000 * std::clamp(0.5 + sum / 9, 0.0, 1.0);
-                               },
-                               {1, 1.2, 0.9});
+    return phantom::makePhantom({34, 30, 38}, volume::ScalarType::UInt16,
+                                [waves](glm::dvec3 p) {
+                                    double sum = 0;
+                                    for (const glm::dvec4& wave : waves) {
+                                        sum += std::sin(glm::dot(glm::dvec3(wave), p) + wave.w);
+                                    }
+                                    return 20000 * std::clamp(0.5 + sum / 9, 0.0, 1.0);
+                                },
+                                {1, 1.2, 0.9});
 }
 
 std::vector<TransferFunction> functionsOfNoise() {

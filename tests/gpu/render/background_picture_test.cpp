@@ -2,7 +2,7 @@
 #include "gpu/gl_test.h"
 #include "gpu/render/still.h"
 #include "image/compare.h"
-#include "volume/phantom.h"
+#include "phantom/phantom.h"
 
 namespace vs::render {
 namespace {
@@ -15,7 +15,7 @@ constexpr glm::ivec2 kSize{150, 120};
 // A bright ball in noise-free air, seen with antialiased edges.
 struct Ball : Still {
     explicit Ball(const char* background, int samples = 5)
-        : Still(volume::makeBall({48, 48, 48}, {23.5, 23.5, 23.5}, 12), {60, 200}, {30, 20}, kSize) {
+        : Still(phantom::makeBall({48, 48, 48}, {23.5, 23.5, 23.5}, 12), {60, 200}, {30, 20}, kSize) {
         frame.background = backgroundFromName(background);
         frame.samples = samples;
     }
@@ -61,7 +61,7 @@ TEST_F(BackgroundPictureTest, ATransparentPictureOverTheStudiosBackgroundIsTheSt
     Ball transparent("transparent");
     Ball studio("studio");
     // What the studio looks like with nothing in it.
-    Still nothing(volume::makeBall({48, 48, 48}, {23.5, 23.5, 23.5}, 12), {300, 400}, {30, 20}, kSize);
+    Still nothing(phantom::makeBall({48, 48, 48}, {23.5, 23.5, 23.5}, 12), {300, 400}, {30, 20}, kSize);
     for (const Mode mode : kModesHere) {
         const auto over = transparent.picture(mode);
         const auto expected = studio.picture(mode);
@@ -103,7 +103,7 @@ TEST_F(BackgroundPictureTest, RaysOfLightStayBrightOnWhite) {
 
 TEST_F(BackgroundPictureTest, UnfinishedSamplesDoNotChangeThePicture) {
     // Some squares of pixels have one sample more than the others while a picture is under way.
-    Still still(volume::makeBall({48, 48, 48}, {23.5, 23.5, 23.5}, 12), {60, 200}, {30, 20}, {900, 700});
+    Still still(phantom::makeBall({48, 48, 48}, {23.5, 23.5, 23.5}, 12), {60, 200}, {30, 20}, {900, 700});
     still.frame.background = backgroundFromName("white");
     still.frame.samples = 3;
     still.caster.start(still.frame);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/camera.h"
+#include "render/camera/camera.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/timer.h"
 #include "gpu/gl_test.h"
-#include "render/classification.h"
-#include "volume/phantom.h"
+#include "phantom/phantom.h"
+#include "render/colours/classification.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -22,7 +22,7 @@ class ClassificationTest : public test::GlTest {
 protected:
     // Values from -1000 to 3000, half a millimetre apart.
     static field::Field makeField() {
-        return field::uploadVolume(volume::makePhantom(
+        return field::uploadVolume(phantom::makePhantom(
             {17, 16, 16}, volume::ScalarType::Int16, [](glm::dvec3 p) { return -1000 + 250 * p.x; },
             glm::dvec3(0.5, 0.75, 1)));
     }
@@ -222,7 +222,7 @@ TEST_F(ClassificationTest, GradientsAloneRuleOutNothingButTheEmptyFunction) {
 }
 
 TEST_F(ClassificationTest, NonFiniteVoxelsAreClear) {
-    auto volume = volume::makeBall({16, 16, 16}, glm::dvec3(8), 5, 1, 0, 2, volume::ScalarType::Float32);
+    auto volume = phantom::makeBall({16, 16, 16}, glm::dvec3(8), 5, 1, 0, 2, volume::ScalarType::Float32);
     reinterpret_cast<float*>(volume.bytes.data())[3] = std::numeric_limits<float>::quiet_NaN();
     volume::computeRange(volume);
     const field::Field field = field::uploadVolume(volume);

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "render/camera.h"
-#include "render/transfer_function.h"
-#include "volume/volume.h"
+#include "render/camera/camera.h"
+#include "render/colours/transfer_function.h"
+#include "volume/grid/volume.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Distances of macrocells against every pair of cells looked at.
 #include "gpu/gl_test.h"
-#include "render/macrocells.h"
+#include "render/space/macrocells.h"
 
 #include <algorithm>
 #include <random>

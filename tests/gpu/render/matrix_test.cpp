@@ -4,8 +4,8 @@
 #include "gpu/gl_test.h"
 #include "gpu/render/stage.h"
 #include "image/compare.h"
-#include "volume/phantom.h"
-#include "volume/read.h"
+#include "phantom/phantom.h"
+#include "volume/io/read.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -151,7 +151,7 @@ volume::Volume ballsInAHaze() {
         const glm::dvec3 c = glm::mod(p, glm::dvec3(17.0)) - 8.0;
         return std::clamp(4.5 - glm::length(c), 0.0, 2.0) * (50 + p.z) + 0.5 * p.x;
     };
-    return volume::makePhantom({48, 40, 44}, volume::ScalarType::UInt8, value, {1, 1.3, 0.8});
+    return phantom::makePhantom({48, 40, 44}, volume::ScalarType::UInt8, value, {1, 1.3, 0.8});
 }
 
 TEST_P(SkippingMatrixTest, BallsInAHazeLookTheSame) {

@@ -5,7 +5,7 @@
 #include "gpu/render/cpu_rays.h"
 #include "gpu/render/stage.h"
 #include "image/compare.h"
-#include "volume/phantom.h"
+#include "phantom/phantom.h"
 
 #include <random>
 
@@ -25,7 +25,7 @@ volume::Volume noise(volume::ScalarType type, glm::ivec3 dims, glm::dvec3 spacin
         const double level = double(random() % 256) * (0.3 + 0.7 * p.x / dims.x);
         return p.y < 0.3 * dims.y ? 20.0 : level;
     };
-    return volume::makePhantom(dims, type, value, spacing);
+    return phantom::makePhantom(dims, type, value, spacing);
 }
 
 // From outside, close by, and from within.

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/occlusion.h"
+#include "render/rays/occlusion.h"
 
 #include "base/timer.h"
 #include "field/cell_ranges.h"
 #include "gpu/gl_test.h"
-#include "volume/phantom.h"
+#include "phantom/phantom.h"
 
 #include <cmath>
 #include <cstdlib>
@@ -31,7 +31,7 @@ using Shape = std::function<double(glm::dvec3)>;
 
 // A volume whose values change by 40 a millimetre across the shape's surface, which is at 100.
 volume::Volume makeShape(glm::ivec3 dims, const Shape& shape, glm::dvec3 spacing = glm::dvec3(1)) {
-    return volume::makePhantom(
+    return phantom::makePhantom(
         dims, volume::ScalarType::UInt8,
         [&](glm::dvec3 p) { return std::clamp(100 + 40 * shape(p * spacing), 0.0, 200.0); }, spacing);
 }

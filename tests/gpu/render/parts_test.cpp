@@ -3,7 +3,7 @@
 #include "gpu/gl_test.h"
 #include "gpu/render/stage.h"
 #include "image/compare.h"
-#include "volume/phantom.h"
+#include "phantom/phantom.h"
 
 #include <cmath>
 
@@ -49,7 +49,7 @@ Outline outlineOf(const image::Image& picture) {
 // A ball in the middle of the grid, of which `cut` (a plane through its middle, or all) was taken out.
 struct CutBall : Stage {
     explicit CutBall(bool takesAll = true)
-        : Stage(volume::makeBall({48, 48, 48}, glm::dvec3(23.5), 13), {100, 200}) {
+        : Stage(phantom::makeBall({48, 48, 48}, glm::dvec3(23.5), 13), {100, 200}) {
         darken();
         if (takesAll) {
             sculpt([](glm::dvec3) { return 1.0; });

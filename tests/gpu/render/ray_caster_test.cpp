@@ -2,7 +2,7 @@
 #include "gpu/gl_test.h"
 #include "gpu/render/stage.h"
 #include "image/compare.h"
-#include "volume/phantom.h"
+#include "phantom/phantom.h"
 
 #include <cmath>
 
@@ -18,7 +18,7 @@ TEST_F(RayCasterTest, ASphereIsFoundWhereItIs) {
     const double radius = 20;
     // In voxels of 1 mm the sphere is where the ramp crosses 100; 8 voxels wide, so that trilinear
     // interpolation of it is exact to a few hundredths.
-    Stage stage(volume::makeBall({64, 64, 64}, centre, radius, 200, 0, 8, volume::ScalarType::UInt16),
+    Stage stage(phantom::makeBall({64, 64, 64}, centre, radius, 200, 0, 8, volume::ScalarType::UInt16),
                 {100, 200});
     stage.look({25, 15}, {200, 160});
     const auto pixels = allPixels({200, 160}, 3);
@@ -52,7 +52,7 @@ TEST_F(RayCasterTest, NormalsOnOutlinesPointOutOfTheObject) {
     const glm::dvec3 centre{12.3, 11.7, 12.1};
     for (const Range shown : {Range{100, 255}, Range{-1, 100}}) { // above 100 it is inside, below it outside
         const bool isHollow = shown.lo < 0;
-        Stage stage(volume::makeBall({24, 24, 24}, centre, 7.3, isHollow ? 0 : 200, isHollow ? 200 : 0, 1),
+        Stage stage(phantom::makeBall({24, 24, 24}, centre, 7.3, isHollow ? 0 : 200, isHollow ? 200 : 0, 1),
                     shown);
         stage.look({35, 25, 1.5}, {300, 240});
         int hits = 0;
@@ -70,12 +70,12 @@ TEST_F(RayCasterTest, NormalsOnOutlinesPointOutOfTheObject) {
 }
 
 TEST_F(RayCasterTest, SkippingChangesNoPicture) {
-    Stage stage(volume::makePhantom({70, 50, 60}, volume::ScalarType::UInt8,
-                                    [](glm::dvec3 p) {
-                                        const glm::dvec3 c = glm::mod(p, glm::dvec3(23.0)) - 11.0;
-                                        return glm::length(c) < 4 ? 60 + 2 * p.z : 0.3 * p.x;
-                                    },
-                                    {1, 1.3, 0.8}),
+    Stage stage(phantom::makePhantom({70, 50, 60}, volume::ScalarType::UInt8,
+                                     [](glm::dvec3 p) {
+                                         const glm::dvec3 c = glm::mod(p, glm::dvec3(23.0)) - 11.0;
+                                         return glm::length(c) < 4 ? 60 + 2 * p.z : 0.3 * p.x;
+                                     },
+                                     {1, 1.3, 0.8}),
                 {60, 200});
     for (const bool cut : {false, true}) {
         if (cut) {
@@ -94,7 +94,7 @@ TEST_F(RayCasterTest, SkippingChangesNoPicture) {
 }
 
 TEST_F(RayCasterTest, ACutFaceLiesOnTheSculpturesHalfLevel) {
-    Stage stage(volume::makeBall({64, 64, 64}, {31.5, 31.5, 31.5}, 25, 200, 0, 4), {100, 200});
+    Stage stage(phantom::makeBall({64, 64, 64}, {31.5, 31.5, 31.5}, 25, 200, 0, 4), {100, 200});
     stage.cutAbove(35.25);
     stage.look({90, 0}, {200, 160}); // from the patient's left, on to the cut
     const auto pixels = allPixels({200, 160}, 4);
@@ -123,7 +123,7 @@ TEST_F(RayCasterTest, ACutFaceLiesOnTheSculpturesHalfLevel) {
 TEST_F(RayCasterTest, AnXRayOfABoxIsItsPathLength) {
     // Full value inside the grid, so a ray's brightness is its length in the box over the diagonal.
     Stage stage(
-        volume::makePhantom({40, 40, 40}, volume::ScalarType::UInt8, [](glm::dvec3) { return 200.0; }),
+        phantom::makePhantom({40, 40, 40}, volume::ScalarType::UInt8, [](glm::dvec3) { return 200.0; }),
         {0, 200});
     stage.frame.scene.data = &stage.field;
     stage.frame.xrayGain = 1;
@@ -133,8 +133,8 @@ TEST_F(RayCasterTest, AnXRayOfABoxIsItsPathLength) {
     const auto picture = stage.picture(Mode::XRay);
     // Straight through: 40 of sqrt(3) * 40 mm; blended over the background behind it.
     const auto* centre = picture.pixel(50, 50);
-    Stage empty(volume::makePhantom({40, 40, 40}, volume::ScalarType::UInt8,
-                                    [](glm::dvec3 p) { return p.x < 1 && p.y < 1 ? 200.0 : 0; }),
+    Stage empty(phantom::makePhantom({40, 40, 40}, volume::ScalarType::UInt8,
+                                     [](glm::dvec3 p) { return p.x < 1 && p.y < 1 ? 200.0 : 0; }),
                 {100, 200});
     empty.look(camera, {100, 100});
     const double behind = empty.picture(Mode::XRay).pixel(50, 50)[0];
@@ -147,7 +147,7 @@ TEST_F(RayCasterTest, AVolumeOfOneValueIsSeenInFull) {
     for (const auto& [value, type] :
          {std::pair(42.0, volume::ScalarType::UInt8), std::pair(42.0, volume::ScalarType::Float32),
           std::pair(0.0, volume::ScalarType::Float32)}) {
-        Stage stage(volume::makePhantom({20, 20, 20}, type, [v = value](glm::dvec3) { return v; }),
+        Stage stage(phantom::makePhantom({20, 20, 20}, type, [v = value](glm::dvec3) { return v; }),
                     {value, value});
         stage.look({}, {100, 100});
         const int behind = stage.picture(Mode::Mip).pixel(2, 2)[0];
@@ -159,7 +159,7 @@ TEST_F(RayCasterTest, AVolumeOfOneValueIsSeenInFull) {
 TEST_F(RayCasterTest, AThinSliceBesideACutIsNotMissed) {
     // Material from x = 35.0 on, cut away from x = 35.3 on: a slice of 0.3 voxel, thinner than a step.
     const auto slice = [](glm::dvec3 p) { return std::clamp(100 + 40 * (p.x - 35.0), 0.0, 200.0); };
-    Stage stage(volume::makePhantom({64, 48, 48}, volume::ScalarType::UInt8, slice), {100, 255});
+    Stage stage(phantom::makePhantom({64, 48, 48}, volume::ScalarType::UInt8, slice), {100, 255});
     stage.cutAbove(35.3);
     Camera camera;
     camera.azimuthDegrees = 90;
@@ -176,7 +176,7 @@ TEST_F(RayCasterTest, AThinSliceBesideACutIsNotMissed) {
 TEST_F(RayCasterTest, AScanFarFromTheWorldsOriginLooksTheSame) {
     // A microscope's volume, 0.001 mm a voxel, tens of metres from the origin: single precision would be lost
     // there.
-    auto ball = volume::makeBall({48, 48, 48}, {23.5, 23.5, 23.5}, 18);
+    auto ball = phantom::makeBall({48, 48, 48}, {23.5, 23.5, 23.5}, 18);
     for (int axis = 0; axis < 3; ++axis) {
         ball.geometry.worldFromVoxel[axis] *= 0.001;
     }
@@ -190,7 +190,7 @@ TEST_F(RayCasterTest, AScanFarFromTheWorldsOriginLooksTheSame) {
 }
 
 TEST_F(RayCasterTest, PartsInSlicesGiveTheWholePicture) {
-    Stage stage(volume::makeBall({48, 48, 48}, {24, 24, 24}, 15), {100, 200});
+    Stage stage(phantom::makeBall({48, 48, 48}, {24, 24, 24}, 15), {100, 200});
     stage.look({}, {500, 400});
     const auto whole = stage.picture(Mode::Surface);
     stage.caster.start(stage.frame);
@@ -205,7 +205,7 @@ TEST_F(RayCasterTest, PartsInSlicesGiveTheWholePicture) {
 TEST_F(RayCasterTest, ASegmentsSurfaceHasItsOwnNormals) {
     // A segmented ball in a haze that rises to the left, whose gradient must not be taken for the ball's.
     Stage stage(
-        volume::makePhantom({48, 48, 48}, volume::ScalarType::UInt8, [](glm::dvec3 p) { return p.x; }),
+        phantom::makePhantom({48, 48, 48}, volume::ScalarType::UInt8, [](glm::dvec3 p) { return p.x; }),
         {100, 200});
     const glm::dvec3 centre(23.5);
     stage.segment(
@@ -227,8 +227,8 @@ TEST_F(RayCasterTest, ASegmentsSurfaceHasItsOwnNormals) {
 }
 
 TEST_F(RayCasterTest, NonFiniteVoxelsAreNeverSeen) {
-    auto volume = volume::makePhantom({32, 32, 32}, volume::ScalarType::Float32,
-                                      [](glm::dvec3) { return std::nan(""); });
+    auto volume = phantom::makePhantom({32, 32, 32}, volume::ScalarType::Float32,
+                                       [](glm::dvec3) { return std::nan(""); });
     volume.range = {0, 1};
     Stage stage(std::move(volume), {-1e38, 1e38});
     const auto points = stage.picker.pickPoints(stage.frame, allPixels({200, 160}, 10));

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "gpu/render/stage.h"
-#include "render/colour.h"
-#include "volume/phantom.h"
+#include "phantom/phantom.h"
+#include "render/colours/colour.h"
 
 #include <algorithm>
 
@@ -31,7 +31,7 @@ inline double nothing(glm::dvec3) { return 0; }
 // A grid that shows nothing but its segments, on black: its values are below the displayed range.
 struct SegmentStage : Stage {
     explicit SegmentStage(const VoxelFunction& value = nothing)
-        : Stage(volume::makePhantom({48, 48, 48}, volume::ScalarType::UInt8, value), {100, 255}) {
+        : Stage(phantom::makePhantom({48, 48, 48}, volume::ScalarType::UInt8, value), {100, 255}) {
         darken();
         look({30, 20, 1.2, {}, render::Projection::Orthographic}, kSize);
     }

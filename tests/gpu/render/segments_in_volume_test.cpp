@@ -3,7 +3,7 @@
 #include "gpu/gl_test.h"
 #include "gpu/render/segment_stage.h"
 #include "image/compare.h"
-#include "render/function_edits.h"
+#include "render/colours/function_edits.h"
 
 #include <cmath>
 

@@ -2,9 +2,9 @@
 // Slices against a plain CPU picture, and what is special about them: cuts, outlines, looks of segments.
 #include "gpu/gl_test.h"
 #include "gpu/render/stage.h"
+#include "phantom/phantom.h"
 #include "reference/slice_renderer.h"
-#include "render/slice_renderer.h"
-#include "volume/phantom.h"
+#include "render/slices/slice_renderer.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -20,7 +20,7 @@ using test::Stage;
 // Random values, in a grid that is anisotropic, turned and flipped.
 volume::Volume noise(volume::ScalarType type = volume::ScalarType::Int16) {
     std::mt19937 random(7);
-    auto volume = volume::makePhantom({23, 17, 12}, type, [&](glm::dvec3) {
+    auto volume = phantom::makePhantom({23, 17, 12}, type, [&](glm::dvec3) {
         return double(int(random() % 900)) - (type == volume::ScalarType::UInt8 ? 0 : 450);
     });
     const glm::dmat4 turn = glm::rotate(glm::dmat4(1), 0.4, glm::dvec3(0.2, -1, 0.5));
@@ -157,7 +157,8 @@ TEST_F(SliceRendererTest, SegmentsCoverWhatBelongsToThem) {
 // The outline of a square of voxels, in nearest mode: the pixels within its width of the border, and no
 // others.
 TEST_F(SliceRendererTest, OutlinesRunAlongTheInside) {
-    auto volume = volume::makePhantom({12, 12, 3}, volume::ScalarType::UInt8, [](glm::dvec3) { return 120; });
+    auto volume =
+        phantom::makePhantom({12, 12, 3}, volume::ScalarType::UInt8, [](glm::dvec3) { return 120; });
     Stage stage(std::move(volume), {0, 200});
     const auto inside = [](glm::dvec3 p) { return p.x >= 3 && p.x <= 8 && p.y >= 3 && p.y <= 8 ? 1.0 : 0.0; };
     stage.segments(
@@ -210,7 +211,7 @@ TEST_F(SliceRendererTest, LooksOfSegmentsAreRespected) {
 
 TEST_F(SliceRendererTest, WhatIsCutIsDarkAndOnlyThere) {
     auto volume =
-        volume::makePhantom({40, 20, 20}, volume::ScalarType::UInt8, [](glm::dvec3) { return 200; });
+        phantom::makePhantom({40, 20, 20}, volume::ScalarType::UInt8, [](glm::dvec3) { return 200; });
     Stage stage(std::move(volume), {0, 200});
     const SliceView view{SliceKind::Axial, 10, {0, 0}, 0.5, {80, 40}};
     const auto whole = draw(frameOf(stage, view));
@@ -232,8 +233,8 @@ TEST_F(SliceRendererTest, WhatIsCutIsDarkAndOnlyThere) {
 }
 
 TEST_F(SliceRendererTest, TransferFunctionsColourWhatTheyShow) {
-    auto volume = volume::makePhantom({40, 20, 20}, volume::ScalarType::UInt8,
-                                      [](glm::dvec3 p) { return p.x < 20 ? 50 : 200; });
+    auto volume = phantom::makePhantom({40, 20, 20}, volume::ScalarType::UInt8,
+                                       [](glm::dvec3 p) { return p.x < 20 ? 50 : 200; });
     Stage stage(std::move(volume), {0, 200});
     TransferFunction function;
     function.points = {{150, 0, {255, 0, 0}}, {180, 1, {255, 0, 0}}, {255, 1, {255, 0, 0}}};

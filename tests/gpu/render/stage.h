@@ -2,8 +2,8 @@
 #pragma once
 
 #include "field/cell_ranges.h"
-#include "render/picker.h"
-#include "render/ray_caster.h"
+#include "render/rays/picker.h"
+#include "render/rays/ray_caster.h"
 
 #include <algorithm>
 #include <cmath>

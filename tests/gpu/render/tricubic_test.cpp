@@ -2,8 +2,8 @@
 #include "gpu/gl_test.h"
 #include "gpu/render/still.h"
 #include "image/compare.h"
+#include "phantom/phantom.h"
 #include "reference/bspline.h"
-#include "volume/phantom.h"
 
 #include <numbers>
 #include <random>
@@ -19,8 +19,8 @@ using test::Still;
 // are dark.
 volume::Volume makeStars() {
     std::mt19937 random(9);
-    return volume::makePhantom({61, 50, 45}, volume::ScalarType::UInt8,
-                               [&](glm::dvec3) { return random() % 80 == 0 ? 255.0 : 0.0; }, {1, 1.3, 0.8});
+    return phantom::makePhantom({61, 50, 45}, volume::ScalarType::UInt8,
+                                [&](glm::dvec3) { return random() % 80 == 0 ? 255.0 : 0.0; }, {1, 1.3, 0.8});
 }
 
 TEST_F(TricubicTest, SkippingChangesNoPicture) {
@@ -46,7 +46,7 @@ TEST_F(TricubicTest, ABallLiesWhereTheBSplinePutsIt) {
     const glm::dvec3 centre{31.3, 29.7, 33.1};
     Camera camera{25, 15, 1.8};
     camera.projection = Projection::Orthographic;
-    Still still(volume::makeBall({64, 64, 64}, centre, radius, 60000, 0, 10, volume::ScalarType::UInt16),
+    Still still(phantom::makeBall({64, 64, 64}, centre, radius, 60000, 0, 10, volume::ScalarType::UInt16),
                 {30000, 60000}, camera, {400, 400}, Sampling::Tricubic);
 
     std::vector<glm::vec2> pixels;
@@ -80,7 +80,7 @@ TEST_F(TricubicTest, ABallLiesWhereTheBSplinePutsIt) {
 
 TEST_F(TricubicTest, AVolumeOfOneValueIsSeenInFull) {
     const auto one =
-        volume::makePhantom({20, 20, 20}, volume::ScalarType::UInt8, [](glm::dvec3) { return 42.0; });
+        phantom::makePhantom({20, 20, 20}, volume::ScalarType::UInt8, [](glm::dvec3) { return 42.0; });
     Still still(one, {42, 42}, {}, {100, 100}, Sampling::Tricubic);
     Still linear(one, {42, 42}, {}, {100, 100});
     still.frame.scene.greyWindow = linear.frame.scene.greyWindow = {0, 255};

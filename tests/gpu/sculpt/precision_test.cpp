@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sculpt/layered_cut.h"
+#include "sculpt/surface/layered_cut.h"
 #include "tool_fixture.h"
 
 #include <algorithm>

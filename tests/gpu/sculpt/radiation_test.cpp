@@ -2,11 +2,11 @@
 #include "reference/radiation.h"
 
 #include "gpu/gl_test.h"
-#include "sculpt/mask.h"
-#include "sculpt/path.h"
-#include "sculpt/radiation.h"
-#include "sculpt/sweep.h"
-#include "sculpt/tool_points.h"
+#include "sculpt/mask/mask.h"
+#include "sculpt/path/path.h"
+#include "sculpt/radiation/radiation.h"
+#include "sculpt/radiation/sweep.h"
+#include "sculpt/radiation/tool_points.h"
 #include "surface_makers.h"
 
 #include <cmath>

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "field/surface_points.h"
-#include "sculpt/mask.h"
+#include "sculpt/mask/mask.h"
 
 #include <functional>
 #include <optional>

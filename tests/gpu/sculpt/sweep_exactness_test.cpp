@@ -2,7 +2,7 @@
 #include "gpu/gl_test.h"
 #include "reference/boundary.h"
 #include "reference/solids.h"
-#include "sculpt/sweep.h"
+#include "sculpt/radiation/sweep.h"
 
 #include <algorithm>
 #include <cmath>

@@ -3,10 +3,10 @@
 #include "reference/footprints.h"
 #include "reference/radiation.h"
 #include "reference/solids.h"
-#include "sculpt/precision.h"
-#include "sculpt/projection.h"
-#include "sculpt/raw_radiation.h"
-#include "sculpt/sweep.h"
+#include "sculpt/radiation/projection.h"
+#include "sculpt/radiation/raw_radiation.h"
+#include "sculpt/radiation/sweep.h"
+#include "sculpt/sculpture/precision.h"
 #include "surface_makers.h"
 
 #include <algorithm>

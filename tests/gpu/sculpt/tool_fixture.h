@@ -2,7 +2,7 @@
 #pragma once
 
 #include "gpu/gl_test.h"
-#include "sculpt/tool_cut.h"
+#include "sculpt/surface/tool_cut.h"
 #include "surface_makers.h"
 
 #include <vector>

@@ -3,8 +3,8 @@
 #include "field/cell_ranges.h"
 #include "gpu/gl_test.h"
 #include "gpu/segment/growth_cases.h"
-#include "segment/growth_undo.h"
-#include "segment/segmentation.h"
+#include "segment/growth/growth_undo.h"
+#include "segment/membership/segmentation.h"
 
 #include <algorithm>
 #include <cmath>
@@ -139,7 +139,7 @@ TEST_F(ContinuationTest, IncrementalUpdatesEqualFreshOnesByteForByte) {
 
 // A voxel on its own next to the cut face is seen there as it would be in the middle of the grid.
 TEST_F(ContinuationTest, WhatIsThinGoesOnToo) {
-    const auto volume = volume::makePhantom({24, 24, 24}, volume::ScalarType::UInt8, [](glm::dvec3 p) {
+    const auto volume = phantom::makePhantom({24, 24, 24}, volume::ScalarType::UInt8, [](glm::dvec3 p) {
         return p.x == 12 && p.y == 12 ? 100.0 : 10.0; // a wire
     });
     const field::Field field = field::uploadVolume(volume);
@@ -169,7 +169,7 @@ TEST_F(ContinuationTest, WhatIsThinGoesOnToo) {
 // added.
 TEST_F(ContinuationTest, WhatIsKnownBehindTheFaceIsLeftAlone) {
     const auto volume =
-        volume::makePhantom({40, 40, 40}, volume::ScalarType::UInt8, [](glm::dvec3) { return 100.0; });
+        phantom::makePhantom({40, 40, 40}, volume::ScalarType::UInt8, [](glm::dvec3) { return 100.0; });
     const field::Field field = field::uploadVolume(volume);
     Sculpted sculpted(volume.geometry.dims);
     sculpted.cut([](glm::dvec3 p) { return p.z - 20.4; });
@@ -204,7 +204,8 @@ TEST_F(ContinuationTest, WhatIsKnownBehindTheFaceIsLeftAlone) {
 
 TEST_F(ContinuationTest, SixBytesAVoxelAreStillEnough) {
     const glm::ivec3 dims(181, 217, 181);
-    const auto volume = volume::makePhantom(dims, volume::ScalarType::UInt8, [](glm::dvec3) { return 10.0; });
+    const auto volume =
+        phantom::makePhantom(dims, volume::ScalarType::UInt8, [](glm::dvec3) { return 10.0; });
     const field::Field field = field::uploadVolume(volume);
     Sculpted sculpted(dims);
     sculpted.cut([](glm::dvec3 p) { return p.z - 95.2; });

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "phantom/phantom.h"
 #include "reference/growth.h"
-#include "segment/growth.h"
-#include "volume/phantom.h"
+#include "segment/growth/growth.h"
 
 #include <cmath>
 #include <random>
@@ -15,7 +15,7 @@ inline volume::Volume randomVolume(glm::ivec3 dims, volume::ScalarType type, dou
                                    unsigned int seed = 7) {
     std::mt19937 random(seed);
     std::uniform_real_distribution<double> value(lo, hi);
-    return volume::makePhantom(dims, type, [&](glm::dvec3) { return value(random); });
+    return phantom::makePhantom(dims, type, [&](glm::dvec3) { return value(random); });
 }
 
 // What the reference admits: the volume's own values, and a sculpture given as one value a voxel (empty:

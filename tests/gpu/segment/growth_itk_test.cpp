@@ -5,7 +5,7 @@
 #include "gpu/gl_test.h"
 #include "gpu/segment/growth_cases.h"
 #include "gpu/segment/itk_growing.h"
-#include "volume/read.h"
+#include "volume/io/read.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -3,7 +3,7 @@
 // replays it.
 #include "gpu/gl_test.h"
 #include "gpu/segment/growth_cases.h"
-#include "segment/growth_undo.h"
+#include "segment/growth/growth_undo.h"
 
 #include <limits>
 
@@ -105,7 +105,7 @@ TEST_F(GrowthLogTest, AWiderRangeMidwayTakesUpWhatWasRefused) {
 
 TEST_F(GrowthLogTest, LateSeedsEnterAtThePlayhead) {
     const auto volume =
-        volume::makePhantom({40, 8, 8}, volume::ScalarType::UInt8, [](glm::dvec3) { return 10.0; });
+        phantom::makePhantom({40, 8, 8}, volume::ScalarType::UInt8, [](glm::dvec3) { return 10.0; });
     const field::Field field = field::uploadVolume(volume);
     Growth growth(field);
     Constraints constraints;
@@ -129,7 +129,7 @@ TEST_F(GrowthLogTest, LateSeedsEnterAtThePlayhead) {
 
 TEST_F(GrowthLogTest, RefusedSeedsLeaveHiddenGenerationsAlone) {
     const auto volume =
-        volume::makePhantom({16, 8, 8}, volume::ScalarType::UInt8, [](glm::dvec3 p) { return p.x; });
+        phantom::makePhantom({16, 8, 8}, volume::ScalarType::UInt8, [](glm::dvec3 p) { return p.x; });
     const field::Field field = field::uploadVolume(volume);
     Growth growth(field);
     Constraints constraints;

@@ -18,7 +18,7 @@ volume::Volume softVolume(volume::ScalarType type, glm::dvec3 spacing) {
     std::uniform_real_distribution<double> phase(0, 6.28);
     std::uniform_real_distribution<double> noise(-6, 6);
     const glm::dvec3 a(phase(random), phase(random), phase(random));
-    return volume::makePhantom(
+    return phantom::makePhantom(
         dims, type,
         [&](glm::dvec3 p) {
             return 100 + 35 * std::sin(0.31 * p.x + a.x) + 30 * std::cos(0.23 * p.y + a.y) +

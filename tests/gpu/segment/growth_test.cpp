@@ -93,7 +93,7 @@ TEST_F(GrowthTest, RepeatedRunsAreTheSame) {
 TEST_F(GrowthTest, CorridorOfThousandsOfGenerations) {
     // One voxel wide, winding through every second row of every second slice.
     const glm::ivec3 dims(41, 39, 9);
-    auto volume = volume::makePhantom(dims, volume::ScalarType::UInt8, [&](glm::dvec3 p) {
+    auto volume = phantom::makePhantom(dims, volume::ScalarType::UInt8, [&](glm::dvec3 p) {
         const glm::ivec3 v(p);
         if (v.z % 2 == 1) { // shafts between floors, alternately at the first and the last corner
             const bool atEnd = v.z / 2 % 2 == 0;
@@ -117,7 +117,7 @@ TEST_F(GrowthTest, CorridorOfThousandsOfGenerations) {
 TEST_F(GrowthTest, SolidBlockGrowsByDistance) {
     const glm::ivec3 dims(200);
     const auto volume =
-        volume::makePhantom(dims, volume::ScalarType::UInt8, [](glm::dvec3) { return 100.0; });
+        phantom::makePhantom(dims, volume::ScalarType::UInt8, [](glm::dvec3) { return 100.0; });
     const field::Field field = field::uploadVolume(volume);
     Growth growth(field);
     const glm::ivec3 seed(20, 100, 199);
@@ -161,25 +161,26 @@ TEST_F(GrowthTest, RangesAreComparedExactly) {
         }
         return growth.addSeeds(all).added;
     };
-    const auto ramp16 =
-        volume::makePhantom({256, 1, 1}, volume::ScalarType::Int16, [](glm::dvec3 p) { return 32512 + p.x; });
+    const auto ramp16 = phantom::makePhantom({256, 1, 1}, volume::ScalarType::Int16,
+                                             [](glm::dvec3 p) { return 32512 + p.x; });
     EXPECT_EQ(count(ramp16, {32600, 32700}), 101);
     EXPECT_EQ(count(ramp16, {32599.5, 32700.5}), 101);
     EXPECT_EQ(count(ramp16, {32600.1, 32600.9}), 0);
-    const auto low16 = volume::makePhantom({256, 1, 1}, volume::ScalarType::Int16,
-                                           [](glm::dvec3 p) { return -32768 + p.x; });
+    const auto low16 = phantom::makePhantom({256, 1, 1}, volume::ScalarType::Int16,
+                                            [](glm::dvec3 p) { return -32768 + p.x; });
     EXPECT_EQ(count(low16, {-1e9, -32700}), 69);
-    const auto large = volume::makePhantom({256, 1, 1}, volume::ScalarType::Int32,
-                                           [](glm::dvec3 p) { return 16776960 + p.x; });
+    const auto large = phantom::makePhantom({256, 1, 1}, volume::ScalarType::Int32,
+                                            [](glm::dvec3 p) { return 16776960 + p.x; });
     EXPECT_EQ(count(large, {16777000, 16777100}), 101);
     const auto tenths =
-        volume::makePhantom({11, 1, 1}, volume::ScalarType::Float32, [](glm::dvec3 p) { return p.x / 10; });
+        phantom::makePhantom({11, 1, 1}, volume::ScalarType::Float32, [](glm::dvec3 p) { return p.x / 10; });
     EXPECT_EQ(count(tenths, {0.1, 0.7}), 7) << "0.1F is above 0.1 and 0.7F below 0.7";
     EXPECT_EQ(count(tenths, {0.3, 0.6}), 4);
 }
 
 TEST_F(GrowthTest, NonFiniteVoxelsAreNeverEntered) {
-    auto volume = volume::makePhantom({8, 1, 1}, volume::ScalarType::Float32, [](glm::dvec3) { return 1.0; });
+    auto volume =
+        phantom::makePhantom({8, 1, 1}, volume::ScalarType::Float32, [](glm::dvec3) { return 1.0; });
     reinterpret_cast<float*>(volume.bytes.data())[4] = std::numeric_limits<float>::quiet_NaN();
     volume::computeRange(volume);
     const field::Field field = field::uploadVolume(volume);
@@ -194,7 +195,7 @@ TEST_F(GrowthTest, NonFiniteVoxelsAreNeverEntered) {
 
 TEST_F(GrowthTest, SeedsAreCountedAsAddedPresentOrRefused) {
     const auto volume =
-        volume::makePhantom({16, 16, 16}, volume::ScalarType::UInt8, [](glm::dvec3 p) { return p.x; });
+        phantom::makePhantom({16, 16, 16}, volume::ScalarType::UInt8, [](glm::dvec3 p) { return p.x; });
     const field::Field field = field::uploadVolume(volume);
     Growth growth(field);
     Constraints constraints;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/gl_test.h"
 #include "gpu/segment/growth_cases.h"
-#include "segment/growth.h"
-#include "segment/seeds.h"
+#include "segment/growth/growth.h"
+#include "segment/growth/seeds.h"
 
 #include <algorithm>
 #include <array>
@@ -27,7 +27,7 @@ TEST_F(SeedsTest, EachHitBecomesTheNearestVoxelInRangeOnce) {
     const glm::ivec3 dims(30, 20, 25);
     const glm::dvec3 spacing(1, 0.5, 2);
     std::mt19937 random(11);
-    const auto volume = volume::makePhantom(
+    const auto volume = phantom::makePhantom(
         dims, volume::ScalarType::UInt8, [&](glm::dvec3) { return double(random() % 100); }, spacing);
     const field::Field field = field::uploadVolume(volume);
     gl::Texture sculpture(dims, gl::Format::R8, gl::Filter::Linear, "test sculpture");
@@ -84,7 +84,7 @@ TEST_F(SeedsTest, EachHitBecomesTheNearestVoxelInRangeOnce) {
 
 TEST_F(SeedsTest, ManyHitsOnOneVoxelGiveOneSeed) {
     const auto volume =
-        volume::makePhantom({8, 8, 8}, volume::ScalarType::UInt8, [](glm::dvec3) { return 50.0; });
+        phantom::makePhantom({8, 8, 8}, volume::ScalarType::UInt8, [](glm::dvec3) { return 50.0; });
     const field::Field field = field::uploadVolume(volume);
     Constraints constraints;
     constraints.range = {0, 100};
@@ -108,7 +108,7 @@ TEST_F(SeedsTest, ManyHitsOnOneVoxelGiveOneSeed) {
 TEST_F(SeedsTest, FiveMillionHitsAreAllLookedAt) {
     const int side = 32;
     const auto volume =
-        volume::makePhantom(glm::ivec3(side), volume::ScalarType::UInt8, [](glm::dvec3) { return 50.0; });
+        phantom::makePhantom(glm::ivec3(side), volume::ScalarType::UInt8, [](glm::dvec3) { return 50.0; });
     const field::Field field = field::uploadVolume(volume);
     Constraints constraints;
     constraints.range = {0, 100};
@@ -130,7 +130,8 @@ TEST_F(SeedsTest, FiveMillionHitsAreAllLookedAt) {
 
 TEST_F(SeedsTest, FiveMillionVoxelsCanBeSeeds) {
     const glm::ivec3 dims(172); // 5.09 million
-    const auto volume = volume::makePhantom(dims, volume::ScalarType::UInt8, [](glm::dvec3) { return 50.0; });
+    const auto volume =
+        phantom::makePhantom(dims, volume::ScalarType::UInt8, [](glm::dvec3) { return 50.0; });
     const field::Field field = field::uploadVolume(volume);
     std::vector<glm::ivec3> seeds;
     for (int i = 0; i < dims.x * dims.y * dims.z; ++i) {

@@ -2,9 +2,9 @@
 #include "field/cell_ranges.h"
 #include "gpu/gl_test.h"
 #include "gpu/segment/growth_cases.h"
-#include "segment/growth_undo.h"
-#include "segment/membership.h"
-#include "segment/segmentation.h"
+#include "segment/growth/growth_undo.h"
+#include "segment/membership/membership.h"
+#include "segment/membership/segmentation.h"
 
 #include <cmath>
 #include <limits>
@@ -44,7 +44,7 @@ TEST_F(SegmentationTest, IsTheGaussianHeldToTheTruth) {
     const glm::ivec3 dims(37, 21, 19);
     const glm::dvec3 spacing(1, 1, 2.5);
     std::mt19937 random(3);
-    const auto volume = volume::makePhantom(
+    const auto volume = phantom::makePhantom(
         dims, volume::ScalarType::UInt8, [&](glm::dvec3) { return double(random() % 100); }, spacing);
     const field::Field field = field::uploadVolume(volume);
     Growth growth(field);
@@ -146,7 +146,7 @@ TEST_F(SegmentationTest, IncrementalUpdatesEqualFreshOnesByteForByte) {
 TEST_F(SegmentationTest, ASingleVoxelReachesTheTilesAround) {
     // Along a diagonal, so that each border of a 16^3 tile is met at every distance, on all axes at once.
     const auto volume =
-        volume::makePhantom({40, 40, 40}, volume::ScalarType::UInt8, [](glm::dvec3) { return 10.0; });
+        phantom::makePhantom({40, 40, 40}, volume::ScalarType::UInt8, [](glm::dvec3) { return 10.0; });
     const field::Field field = field::uploadVolume(volume);
     Growth growth(field);
     Constraints constraints;
@@ -173,7 +173,7 @@ TEST_F(SegmentationTest, SixBytesAVoxelAreEnough) {
     // A head, which fills its last bricks badly, and a cube, whose scratch memory counts for more.
     for (const glm::ivec3 dims : {glm::ivec3(181, 217, 181), glm::ivec3(256)}) {
         const auto volume =
-            volume::makePhantom(dims, volume::ScalarType::UInt8, [](glm::dvec3) { return 10.0; });
+            phantom::makePhantom(dims, volume::ScalarType::UInt8, [](glm::dvec3) { return 10.0; });
         const field::Field field = field::uploadVolume(volume);
         Growth growth(field);
         Constraints constraints;

@@ -15,7 +15,7 @@ using AboveRangeToolsTest = test::GlTest;
 constexpr double kRadius = 16;
 constexpr Range kShown{50, 100}; // the ball's inside is 200
 
-volume::Volume brightBall() { return volume::makeBall({64, 64, 64}, glm::dvec3(31.5), kRadius, 200, 0, 2); }
+volume::Volume brightBall() { return phantom::makeBall({64, 64, 64}, glm::dvec3(31.5), kRadius, 200, 0, 2); }
 
 Canvas canvasIn(render::Mode mode, Range range = kShown) {
     Canvas canvas = test::testCanvas(range);
@@ -66,7 +66,7 @@ TEST_F(AboveRangeToolsTest, ToolsInMipCutWhatTheyCutInXRay) {
 
 TEST_F(AboveRangeToolsTest, SeedsInMipLieAtTheMaximum) {
     // A bright bead inside a dimmer ball: seen in MIP, behind the surface.
-    Document document(volume::makePhantom({64, 64, 64}, volume::ScalarType::UInt8, [](glm::dvec3 p) {
+    Document document(phantom::makePhantom({64, 64, 64}, volume::ScalarType::UInt8, [](glm::dvec3 p) {
         const double r = glm::length(p - glm::dvec3(31.5));
         return r < 4 ? 200 : r < kRadius ? 80 : 0;
     }));

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "gpu/studio/test_segments.h"
-#include "render/ray_caster.h"
+#include "render/rays/ray_caster.h"
 
 #include <cmath>
 #include <functional>
@@ -36,7 +36,7 @@ struct Ball {
         return glm::dvec3(dims - 1) * 0.5 + glm::dvec3(0.3, -0.2, 0.1);
     }
     [[nodiscard]] volume::Volume volume() const {
-        return volume::makePhantom(
+        return phantom::makePhantom(
             dims, volume::ScalarType::UInt8,
             [&, this](glm::dvec3 v) {
                 const double r = glm::length((v - centreVoxel()) * spacing);

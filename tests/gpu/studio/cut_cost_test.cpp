@@ -2,7 +2,7 @@
 #include "field/field.h"
 #include "gpu/gl_test.h"
 #include "gpu/studio/test_head.h"
-#include "studio/cut_stroke.h"
+#include "studio/strokes/cut_stroke.h"
 
 namespace vs::studio {
 namespace {
@@ -11,7 +11,7 @@ using CutCostTest = test::GlTest;
 
 // A ball of radius 20 in the middle of a cube.
 volume::Volume ballIn(int side) {
-    return volume::makePhantom(glm::ivec3(side), volume::ScalarType::UInt8, [&](glm::dvec3 p) {
+    return phantom::makePhantom(glm::ivec3(side), volume::ScalarType::UInt8, [&](glm::dvec3 p) {
         return 200 * std::clamp((20 - glm::distance(p, glm::dvec3(0.5 * (side - 1)))) / 4 + 0.5, 0.0, 1.0);
     });
 }

@@ -2,7 +2,7 @@
 // Cut faces have no specks: one ray a pixel shows what many show.
 #include "gpu/gl_test.h"
 #include "gpu/sculpt/surface_makers.h"
-#include "render/ray_caster.h"
+#include "render/rays/ray_caster.h"
 #include "test_head.h"
 
 #include <algorithm>
@@ -18,7 +18,7 @@ constexpr glm::ivec2 kSize{240, 200};
 
 // A solid ball with a texture as coarse as tissue, and a scan's noise.
 volume::Volume texturedBall() {
-    return volume::makePhantom({72, 72, 72}, volume::ScalarType::UInt8, [](glm::dvec3 p) {
+    return phantom::makePhantom({72, 72, 72}, volume::ScalarType::UInt8, [](glm::dvec3 p) {
         const double r = glm::length(p - glm::dvec3(35.5));
         const double texture = 140 + 50 * std::sin(0.35 * p.x + 0.1 * p.z) * std::cos(0.3 * p.y);
         const double noise =

@@ -4,7 +4,7 @@
 #include "gpu/gl_test.h"
 #include "gpu/studio/cut_ball.h"
 #include "image/compare.h"
-#include "render/slice_renderer.h"
+#include "render/slices/slice_renderer.h"
 
 namespace vs::studio {
 namespace {

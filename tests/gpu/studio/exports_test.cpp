@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "studio/exports.h"
+#include "studio/exports/exports.h"
 
 #include "base/progress.h"
 #include "gpu/gl_test.h"

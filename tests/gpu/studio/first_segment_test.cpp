@@ -2,7 +2,7 @@
 // The segment that is there at first, and the one that is named first.
 #include "gpu/gl_test.h"
 #include "gpu/studio/test_segments.h"
-#include "studio/session.h"
+#include "studio/json/session.h"
 
 #include <unistd.h>
 

@@ -3,7 +3,7 @@
 #include "gpu/gl_test.h"
 #include "gpu/studio/test_labels.h"
 #include "gpu/studio/test_segments.h"
-#include "studio/session.h"
+#include "studio/json/session.h"
 
 namespace vs::studio {
 namespace {

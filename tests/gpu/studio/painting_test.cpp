@@ -2,8 +2,8 @@
 // Round brushes: segments painted and seeds placed with them.
 #include "gpu/gl_test.h"
 #include "gpu/studio/test_segments.h"
-#include "segment/set_algebra.h"
-#include "studio/trail.h"
+#include "segment/edits/set_algebra.h"
+#include "studio/operations/trail.h"
 
 namespace vs::studio {
 namespace {

@@ -3,9 +3,9 @@
 #include "gpu/gl_test.h"
 #include "gpu/studio/test_labels.h"
 #include "gpu/studio/test_segments.h"
-#include "segment/margins.h"
-#include "segment/set_algebra.h"
-#include "studio/operation_json.h"
+#include "segment/edits/margins.h"
+#include "segment/edits/set_algebra.h"
+#include "studio/json/operation_json.h"
 
 #include <nlohmann/json.hpp>
 

@@ -5,10 +5,10 @@
 #include "base/progress.h"
 #include "gpu/gl_test.h"
 #include "gpu/studio/test_segments.h"
-#include "segment/islands.h"
-#include "segment/margins.h"
-#include "segment/set_algebra.h"
-#include "segment/smoothing.h"
+#include "segment/edits/islands.h"
+#include "segment/edits/margins.h"
+#include "segment/edits/set_algebra.h"
+#include "segment/edits/smoothing.h"
 
 #include <functional>
 

@@ -3,7 +3,7 @@
 #include "gpu/gl_test.h"
 #include "gpu/studio/test_head.h"
 #include "image/compare.h"
-#include "studio/session.h"
+#include "studio/json/session.h"
 
 #include <unistd.h>
 

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "studio/document.h"
-#include "volume/phantom.h"
+#include "phantom/phantom.h"
+#include "studio/document/document.h"
 
 namespace vs::test {
 
 // A small head: air 0, a skull shell of 200, inside it brain of 100 with a dark core of 40; spacing 1 x 1
 // x 1.2 mm.
 inline volume::Volume testHead() {
-    return volume::makePhantom({72, 80, 60}, volume::ScalarType::UInt8,
-                               [](glm::dvec3 p) {
-                                   const double r = glm::length((p - glm::dvec3(35.5, 39.5, 29.5)) *
-                                                                glm::dvec3(1, 1, 1.2));
-                                   return r > 31 ? 0 : r > 27 ? 200 : r > 25 ? 10 : r > 8 ? 100 : 40;
-                               },
-                               {1, 1, 1.2});
+    return phantom::makePhantom({72, 80, 60}, volume::ScalarType::UInt8,
+                                [](glm::dvec3 p) {
+                                    const double r = glm::length((p - glm::dvec3(35.5, 39.5, 29.5)) *
+                                                                 glm::dvec3(1, 1, 1.2));
+                                    return r > 31 ? 0 : r > 27 ? 200 : r > 25 ? 10 : r > 8 ? 100 : 40;
+                                },
+                                {1, 1, 1.2});
 }
 
 inline studio::Canvas testCanvas(Range range = {50, 255}) {

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "gpu/studio/test_head.h"
-#include "volume/write.h"
+#include "volume/io/write.h"
 
 #include <unistd.h>
 

@@ -3,7 +3,7 @@
 
 #include "base/error.h"
 #include "gpu/studio/test_head.h"
-#include "segment/voxel_set.h"
+#include "segment/edits/voxel_set.h"
 
 namespace vs::test {
 

@@ -15,7 +15,7 @@ using ToolExactness = test::GlTest;
 // surface: the displayed range from kSurface up begins exactly on it.
 constexpr double kSurface = 20000;
 volume::Volume bodyOf(glm::ivec3 dims, glm::dvec3 spacing, const std::function<double(glm::dvec3)>& depth) {
-    return volume::makePhantom(
+    return phantom::makePhantom(
         dims, volume::ScalarType::UInt16,
         [=](glm::dvec3 voxel) { return std::clamp(kSurface + 3000 * depth(voxel * spacing), 0.0, 60000.0); },
         spacing);

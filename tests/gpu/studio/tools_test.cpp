@@ -371,7 +371,7 @@ TEST_F(ToolsTest, ALiveClipLeavesOnlyItsLastShape) {
 
 // Two balls; the smaller one is the table.
 volume::Volume twoBalls() {
-    return volume::makePhantom({64, 48, 48}, volume::ScalarType::UInt8, [](glm::dvec3 p) {
+    return phantom::makePhantom({64, 48, 48}, volume::ScalarType::UInt8, [](glm::dvec3 p) {
         const double a = 14 - glm::distance(p, {20, 24, 24});
         const double b = 6 - glm::distance(p, {48, 24, 24});
         return std::clamp(100 + 40 * std::max(a, b), 0.0, 200.0);

@@ -2,8 +2,8 @@
 #include "base/error.h"
 #include "gpu/gl_test.h"
 #include "gpu/studio/test_head.h"
-#include "sculpt/tool_cut.h"
-#include "studio/history.h"
+#include "sculpt/surface/tool_cut.h"
+#include "studio/state/history.h"
 
 #include <random>
 

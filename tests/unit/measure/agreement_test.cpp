@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "segment/agreement.h"
+#include "segment/measures/agreement.h"
 
 #include "masks.h"
 

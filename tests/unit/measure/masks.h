@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "volume/geometry.h"
+#include "volume/grid/geometry.h"
 
 #include <cstdint>
 #include <functional>

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "segment/statistics.h"
+#include "segment/measures/statistics.h"
 
 #include "base/statistics.h"
 #include "masks.h"
-#include "segment/surface_area.h"
-#include "volume/phantom.h"
+#include "phantom/phantom.h"
+#include "segment/measures/surface_area.h"
 
 #include <glm/gtc/constants.hpp>
 #include <glm/gtc/matrix_transform.hpp>
@@ -103,8 +103,8 @@ TEST(Statistics, AreThoseOfAPlainLoop) {
                                   ScalarType::UInt32, ScalarType::Int32, ScalarType::Float32}) {
         SCOPED_TRACE(volume::name(type));
         const double offset = type == ScalarType::UInt16 || type == ScalarType::UInt32 ? 3000 : 0;
-        auto volume = volume::makePhantom({37, 22, 19}, type,
-                                          [&](glm::dvec3) { return offset + normal(random); }, {0.7, 1, 2.5});
+        auto volume = phantom::makePhantom(
+            {37, 22, 19}, type, [&](glm::dvec3) { return offset + normal(random); }, {0.7, 1, 2.5});
         volume.geometry.worldFromVoxel =
             glm::rotate(glm::dmat4(1), 0.4, glm::dvec3(1, 1, 0)) * volume.geometry.worldFromVoxel;
         expectSame(volume, randomLabels(volume.geometry, random));
@@ -115,12 +115,12 @@ TEST(Statistics, OfWideWholeNumbersAndAwkwardFloats) {
     std::mt19937 random(5);
     std::uniform_real_distribution<double> wide(0, 4e9);
     const auto counts =
-        volume::makePhantom({20, 21, 22}, ScalarType::UInt32, [&](glm::dvec3) { return wide(random); });
+        phantom::makePhantom({20, 21, 22}, ScalarType::UInt32, [&](glm::dvec3) { return wide(random); });
     expectSame(counts, randomLabels(counts.geometry, random));
     // One voxel far away puts all others into one bin; infinities and NaN are left out.
     std::normal_distribution<double> normal(5, 1);
     auto floats =
-        volume::makePhantom({20, 21, 22}, ScalarType::Float32, [&](glm::dvec3) { return normal(random); });
+        phantom::makePhantom({20, 21, 22}, ScalarType::Float32, [&](glm::dvec3) { return normal(random); });
     const auto labels = randomLabels(floats.geometry, random);
     auto* values = reinterpret_cast<float*>(floats.bytes.data());
     values[17] = 1e30F;
@@ -135,7 +135,7 @@ TEST(Statistics, OfWideWholeNumbersAndAwkwardFloats) {
 }
 
 TEST(Statistics, OfOneValueAndOfNothing) {
-    const auto flat = volume::makePhantom({5, 4, 3}, ScalarType::Float32, [](glm::dvec3) { return -0.25; });
+    const auto flat = phantom::makePhantom({5, 4, 3}, ScalarType::Float32, [](glm::dvec3) { return -0.25; });
     const std::vector<std::uint8_t> all(60, 1);
     expectSame(flat, all);
     EXPECT_EQ(measure(flat, all).front().intensities.deviation, 0);
@@ -143,7 +143,7 @@ TEST(Statistics, OfOneValueAndOfNothing) {
 }
 
 TEST(Statistics, OfABall) {
-    const auto ball = volume::makeBall({60, 60, 60}, glm::dvec3(31, 28, 29), 20, 200, 0, 4);
+    const auto ball = phantom::makeBall({60, 60, 60}, glm::dvec3(31, 28, 29), 20, 200, 0, 4);
     const auto labels = labelsWhere(ball.geometry, [](glm::dvec3 p) {
         return isInEllipsoid(p - glm::dvec3(31, 28, 29), glm::dvec3(20));
     });

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "segment/surface_area.h"
+#include "segment/measures/surface_area.h"
 
 #include "masks.h"
 

@@ -4,7 +4,7 @@
 #include "masks.h"
 
 #include "mesh/segment_surface.h"
-#include "segment/label_sets.h"
+#include "segment/edits/label_sets.h"
 
 #include <cmath>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "image/drawing.h"
-#include "render/draw_annotations.h"
+#include "render/marks/draw_annotations.h"
 
 #include <gtest/gtest.h>
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/error.h"
-#include "render/background.h"
+#include "render/marks/background.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/classification_tables.h"
+#include "render/colours/classification_tables.h"
 
 #include <gtest/gtest.h>
 

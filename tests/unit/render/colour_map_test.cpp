@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/colour_map.h"
+#include "render/colours/colour_map.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/function_edits.h"
+#include "render/colours/function_edits.h"
 
-#include "render/colour_map.h"
-#include "render/transfer_function_json.h"
+#include "render/colours/colour_map.h"
+#include "render/colours/transfer_function_json.h"
 
 #include <nlohmann/json.hpp>
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // How slices lie in their pictures: conventions, letters, distances, on straight, flipped, oblique and
 // sheared grids.
-#include "render/slice_view.h"
+#include "render/slices/slice_view.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>

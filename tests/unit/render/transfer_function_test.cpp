@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "render/transfer_function.h"
+#include "render/colours/transfer_function.h"
 
-#include "render/colour_map.h"
+#include "render/colours/colour_map.h"
 
 #include <gtest/gtest.h>
 

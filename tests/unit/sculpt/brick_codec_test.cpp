@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sculpt/brick_codec.h"
+#include "sculpt/sculpture/brick_codec.h"
 
 #include <glm/gtc/packing.hpp>
 #include <gtest/gtest.h>

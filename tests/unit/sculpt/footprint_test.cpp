@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sculpt/footprint.h"
+#include "sculpt/radiation/footprint.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sculpt/outline_image.h"
+#include "sculpt/mask/outline_image.h"
 
 #include "base/error.h"
-#include "sculpt/mask.h"
+#include "sculpt/mask/mask.h"
 
 #include <gtest/gtest.h>
 

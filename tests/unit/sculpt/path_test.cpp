@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "sculpt/path.h"
+#include "sculpt/path/path.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "segment/label_sets.h"
+#include "segment/edits/label_sets.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "segment/margins.h"
+#include "segment/edits/margins.h"
 
 #include "base/error.h"
-#include "segment/set_algebra.h"
+#include "segment/edits/set_algebra.h"
 #include "test_sets.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "segment/separable.h"
+#include "segment/edits/separable.h"
 
 #include <gtest/gtest.h>
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "segment/voxel_set.h"
-#include "volume/geometry.h"
+#include "segment/edits/voxel_set.h"
+#include "volume/grid/geometry.h"
 
 #include <functional>
 #include <random>

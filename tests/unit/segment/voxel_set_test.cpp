@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "segment/set_algebra.h"
+#include "segment/edits/set_algebra.h"
 #include "test_sets.h"
 
 #include <gtest/gtest.h>

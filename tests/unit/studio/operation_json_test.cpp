@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/error.h"
-#include "studio/operation_json.h"
+#include "studio/json/operation_json.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "studio/sketch.h"
+#include "studio/operations/sketch.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "studio/spill_file.h"
+#include "studio/state/spill_file.h"
 
 #include "base/error.h"
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // DICOM series of real scanners: every slice must lie where its own header puts it.
 #include "base/error.h"
-#include "volume/read.h"
+#include "volume/io/read.h"
 
 #include "test_files.h"
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is written comes back with the same values in the same place, in every format.
 #include "base/error.h"
-#include "volume/read.h"
-#include "volume/write.h"
+#include "volume/io/read.h"
+#include "volume/io/write.h"
 
 #include "test_files.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "volume/geometry.h"
-#include "volume/phantom.h"
+#include "phantom/phantom.h"
+#include "volume/grid/geometry.h"
 
 #include <gtest/gtest.h>
 
@@ -30,7 +30,7 @@ TEST(Geometry, MeasuresOfABox) {
 }
 
 TEST(Phantom, BallHasItsMeanOnTheSphere) {
-    const auto ball = makeBall({41, 41, 41}, glm::dvec3(20), 12);
+    const auto ball = phantom::makeBall({41, 41, 41}, glm::dvec3(20), 12);
     EXPECT_EQ(ball.at({20, 20, 20}), 200);
     EXPECT_EQ(ball.at({0, 0, 0}), 0);
     EXPECT_EQ(ball.at({32, 20, 20}), 100);
@@ -40,7 +40,7 @@ TEST(Phantom, BallHasItsMeanOnTheSphere) {
 }
 
 TEST(Volume, ChecksumTellsValuesAndSizesApart) {
-    const auto a = makeBall({8, 8, 8}, glm::dvec3(4), 2);
+    const auto a = phantom::makeBall({8, 8, 8}, glm::dvec3(4), 2);
     auto b = a;
     EXPECT_EQ(checksum(a), checksum(b));
     b.bytes[5] = std::byte(1);

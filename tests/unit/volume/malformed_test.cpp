@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Files that are not what they claim are refused in one line that names them.
 #include "base/error.h"
-#include "volume/read.h"
-#include "volume/write.h"
+#include "volume/io/read.h"
+#include "volume/io/write.h"
 
 #include "test_files.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/error.h"
-#include "volume/read.h"
+#include "volume/io/read.h"
 
 #include "test_files.h"
 

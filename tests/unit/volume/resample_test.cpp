@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // A field that is linear in the world stays exactly what it is, however its slices lie: linear resampling is
 // exact on it, so any slice put in the wrong place shows.
-#include "volume/dicom.h"
+#include "volume/dicom/dicom.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "arguments/volume_argument.h"
+
+#include "reports/progress.h"
+
+#include "base/log.h"
+
+namespace vs::cli {
+
+std::shared_ptr<VolumeArgument> addVolumeArgument(CLI::App& command) {
+    auto argument = std::make_shared<VolumeArgument>();
+    command
+        .add_option(
+            "VOLUME", argument->path,
+            "NIfTI, NRRD, MetaImage or VTK legacy file, DICOM folder or one of its files, or a raw file")
+        ->required();
+    addReadOptions(command, *argument);
+    return argument;
+}
+
+void addReadOptions(CLI::App& command, VolumeArgument& argument) {
+    command.add_option("--raw", argument.rawLayout,
+                       "Layout of a headerless little-endian file, DIMS:TYPE[:SPACING[:OFFSET]], for example "
+                       "256x256x108:int16:0.957,0.957,1.5");
+    command.add_option("--series", argument.series,
+                       "DICOM series to read: its number in the list of choices or UID");
+    command.add_option("--frame", argument.frame, "Which volume of a 4D file to read, counted from 0");
+}
+
+volume::ReadOptions readOptions(const VolumeArgument& argument) {
+    volume::ReadOptions options;
+    if (argument.rawLayout) {
+        options.raw = volume::parseRawLayout(*argument.rawLayout);
+    }
+    options.series = argument.series;
+    options.frame = argument.frame;
+    return options;
+}
+
+volume::ReadResult loadVolume(const VolumeArgument& argument) {
+    auto result = [&] {
+        const Activity activity("reading " + argument.path);
+        return volume::readVolume(argument.path, readOptions(argument));
+    }();
+    for (const auto& notice : result.notices) {
+        logNotice(notice);
+    }
+    return result;
+}
+
+} // namespace vs::cli

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "commands/replay.h"
+
+#include "reports/progress.h"
+
+#include "base/error.h"
+#include "base/log.h"
+
+#include <fmt/format.h>
+
+#include <optional>
+
+namespace vs::cli {
+
+volume::Volume loadSessionVolume(const studio::Session& session, const std::string& sessionPath,
+                                 const VolumeArgument& instead, std::vector<std::string>& notices) {
+    const auto replacement =
+        instead.path.empty() ? std::nullopt : std::optional<std::filesystem::path>(instead.path);
+    auto volume = [&] {
+        const Activity activity("reading the volume of " + sessionPath);
+        return studio::openVolume(session, sessionPath, replacement, notices, readOptions(instead));
+    }();
+    for (const auto& notice : notices) {
+        logNotice(notice);
+    }
+    return volume;
+}
+
+studio::Outcome replayOperation(const studio::Session& session, const std::string& sessionPath,
+                                std::size_t index, studio::Document& document, const gl::Context& context,
+                                const std::filesystem::path& outputFolder) {
+    const studio::Operation& operation = session.operations[index];
+    try {
+        auto outcome = document.apply(operation, outputFolder);
+        context.requireNoErrors();
+        const bool isDrawn = studio::cuts(operation) || std::holds_alternative<studio::Seed>(operation);
+        if (isDrawn && outcome.voxelsTouched == 0) {
+            logNotice(fmt::format("operation {} ({}): {}", index + 1, outcome.name, outcome.message));
+        }
+        return outcome;
+    } catch (const std::exception& error) {
+        throw SessionError("{}: operation {} ({}): {}", sessionPath, index + 1, name(operation),
+                           error.what());
+    }
+}
+
+} // namespace vs::cli

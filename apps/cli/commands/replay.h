@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "arguments/volume_argument.h"
+
+#include "gl/context.h"
+#include "studio/document/document.h"
+#include "studio/json/session.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace vs::cli {
+
+// The session's volume, or what `instead` names, read as far as given as it says. Prints the notices and
+// appends them. Throws as studio::openVolume does.
+volume::Volume loadSessionVolume(const studio::Session& session, const std::string& sessionPath,
+                                 const VolumeArgument& instead, std::vector<std::string>& notices);
+
+// Applies operation `index` of a session and prints a notice if a stroke met nothing. Throws SessionError
+// naming file and operation, also for errors that OpenGL reports.
+studio::Outcome replayOperation(const studio::Session& session, const std::string& sessionPath,
+                                std::size_t index, studio::Document& document, const gl::Context& context,
+                                const std::filesystem::path& outputFolder);
+
+} // namespace vs::cli

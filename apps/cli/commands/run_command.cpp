@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "arguments/volume_argument.h"
+#include "commands/commands.h"
+#include "commands/replay.h"
+#include "reports/progress.h"
+
+#include "base/atomic_file.h"
+#include "base/error.h"
+#include "base/log.h"
+#include "base/timer.h"
+#include "gl/context.h"
+#include "studio/json/session.h"
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+
+#include <memory>
+
+namespace vs::cli {
+
+namespace {
+
+struct RunOptions {
+    std::string session;
+    std::string output;
+    VolumeArgument volume; // instead of the session's own, as far as given
+};
+
+using Json = nlohmann::ordered_json;
+
+Json entryOf(const studio::Outcome& outcome, std::size_t index) {
+    Json entry{{"operation", index + 1},
+               {"name", outcome.name},
+               {"milliseconds", outcome.milliseconds},
+               {"voxels", outcome.voxelsTouched}};
+    if (!outcome.message.empty()) {
+        entry["message"] = outcome.message;
+    }
+    return entry;
+}
+
+void makeFolder(const std::filesystem::path& folder) {
+    std::error_code error;
+    std::filesystem::create_directories(folder, error);
+    std::error_code ignored;
+    if (!std::filesystem::is_directory(folder, ignored)) {
+        throw WriteError("{}: cannot be made ({}); choose a folder that can be written to", folder.string(),
+                         error ? error.message() : "a file of that name exists");
+    }
+}
+
+// The folders of all files that the session writes, before any work is done.
+void makeFolders(const std::filesystem::path& folder, const std::vector<studio::Operation>& operations) {
+    makeFolder(folder);
+    for (const studio::Operation& operation : operations) {
+        std::visit(
+            [&folder](const auto& op) {
+                if constexpr (requires { op.file; }) {
+                    makeFolder((folder / op.file).parent_path());
+                }
+            },
+            operation);
+    }
+}
+
+// What a run has done so far, on disk at any moment: an older report must not be taken for this run's.
+class Report {
+public:
+    Report(const std::filesystem::path& folder, Json head)
+        : file_(folder / "report.json"), json_(std::move(head)) {
+        json_["complete"] = false;
+        json_["operations"] = Json::array();
+        write();
+    }
+
+    void add(const studio::Outcome& outcome) {
+        json_["operations"].push_back(entryOf(outcome, json_["operations"].size()));
+    }
+    void complete(const studio::UndoStatistics& undo) {
+        json_["undo"] = {{"steps", undo.steps},
+                         {"bytesInMemory", undo.bytesInMemory},
+                         {"bytesInFile", undo.bytesInFile},
+                         {"changedVoxels", undo.changedVoxels},
+                         {"bytesPerChangedVoxel", undo.bytesPerChangedVoxel()}};
+        json_["complete"] = true;
+        write();
+    }
+    void fail(const std::string& error) {
+        json_["error"] = error;
+        try {
+            write();
+        } catch (const WriteError& second) { // the first error is the one to tell
+            logNotice(second.what());
+        }
+    }
+
+private:
+    void write() const {
+        // File names need not be UTF-8, JSON must be.
+        writeFileAtomically(file_, json_.dump(2, ' ', false, Json::error_handler_t::replace) + "\n");
+    }
+
+    std::filesystem::path file_;
+    Json json_;
+};
+
+void replay(const studio::Session& session, const RunOptions& options, const gl::Context& context,
+            studio::Document& document, Report& report) {
+    Progress progress("replaying", session.operations.size());
+    for (std::size_t i = 0; i < session.operations.size(); ++i) {
+        report.add(replayOperation(session, options.session, i, document, context, options.output));
+        progress.advance();
+    }
+}
+
+void runSession(const RunOptions& options) {
+    const studio::Session session = studio::loadSession(options.session);
+    const std::filesystem::path folder = options.output;
+    std::vector<std::string> notices;
+    const Timer loading;
+    auto volume = loadSessionVolume(session, options.session, options.volume, notices);
+    const auto context = gl::Context::createHeadless();
+    const std::string volumeName = volume.name;
+    studio::Document document(std::move(volume), session.precision);
+    gl::Context::finish();
+    makeFolders(folder, session.operations);
+    Report report(folder, {{"session", options.session},
+                           {"volume", volumeName},
+                           {"device", context.device().renderer},
+                           {"loadMilliseconds", loading.milliseconds()},
+                           {"notices", notices}});
+    try {
+        replay(session, options, context, document, report);
+        gl::Context::finish();
+        context.requireNoErrors();
+    } catch (const std::exception& error) {
+        report.fail(error.what());
+        throw;
+    }
+    report.complete(document.undoStatistics());
+    fmt::print("{}: {} operations on {}; results in {}\n", options.session, session.operations.size(),
+               volumeName, folder.string());
+}
+
+} // namespace
+
+void addRunCommand(CLI::App& app) {
+    auto* command = app.add_subcommand("run", "Replay a session and write what it asks for, and report.json");
+    auto options = std::make_shared<RunOptions>();
+    command->add_option("session", options->session, "Session file (JSON, see doc/session.md)")->required();
+    command->add_option("-o,--output", options->output, "Folder for pictures, label maps and report.json")
+        ->required();
+    command->add_option("--volume", options->volume.path, "Use this volume instead of the session's own");
+    addReadOptions(*command, options->volume);
+    command->callback([options] { runSession(*options); });
+}
+
+} // namespace vs::cli

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: Apache-2.0
+// vstudio stats: what the labels of a label map, or the segments of a session, cover of a volume, as a table.
+#include "arguments/volume_argument.h"
+#include "commands/commands.h"
+#include "commands/replay.h"
+#include "reports/label_map.h"
+#include "reports/measurements.h"
+#include "reports/progress.h"
+
+#include "base/atomic_file.h"
+#include "base/check.h"
+#include "base/error.h"
+#include "gl/context.h"
+#include "segment/measures/statistics.h"
+#include "studio/document/document.h"
+#include "studio/json/session.h"
+
+#include <algorithm>
+#include <memory>
+#include <string>
+
+namespace vs::cli {
+namespace {
+
+struct StatsOptions {
+    std::string labels; // or a session
+    VolumeArgument volume;
+    std::string csv;
+};
+
+std::vector<MeasuredSegment> measureLabels(const StatsOptions& options) {
+    if (options.volume.path.empty()) {
+        throw UsageError("--volume is required: a label map does not say which volume it lies on");
+    }
+    const LabelMap map = readLabelMap(options.labels);
+    const volume::Volume volume = loadVolume(options.volume).volume;
+    requireSameGrid(map, volume.geometry, volume.path);
+    std::vector<MeasuredSegment> segments;
+    for (const auto& statistics : segment::measure(volume, map.labels)) {
+        segments.push_back({map.values[statistics.label], "", {}, statistics});
+    }
+    if (segments.empty()) {
+        throw Error("{}: holds no label; a label map has voxels other than 0", options.labels);
+    }
+    return segments;
+}
+
+// Replays everything but what writes files.
+std::vector<MeasuredSegment> measureSession(const StatsOptions& options) {
+    const studio::Session session = studio::loadSession(options.labels);
+    std::vector<std::string> notices;
+    auto volume = loadSessionVolume(session, options.labels, options.volume, notices);
+    const auto context = gl::Context::createHeadless();
+    studio::Document document(std::move(volume), session.precision);
+    Progress progress("replaying", session.operations.size());
+    for (std::size_t i = 0; i < session.operations.size(); ++i) {
+        if (!studio::isOutput(session.operations[i])) {
+            replayOperation(session, options.labels, i, document, context, {});
+        }
+        progress.advance();
+    }
+    const auto& infos = document.segments().segments;
+    std::vector<MeasuredSegment> segments;
+    for (const auto& statistics : segment::measure(document.volume(), document.labelMap())) {
+        const auto info = std::find_if(infos.begin(), infos.end(), [&](const studio::SegmentInfo& segment) {
+            return segment.label == statistics.label;
+        });
+        VS_CHECK(info != infos.end());
+        segments.push_back(
+            {info->label, info->name, glm::u8vec3(glm::round(info->colour * 255.0)), statistics});
+    }
+    context.requireNoErrors();
+    if (segments.empty()) {
+        throw Error("{}: leaves no voxel in a segment; a session to measure seeds and grows", options.labels);
+    }
+    return segments;
+}
+
+void run(const StatsOptions& options) {
+    if (!options.csv.empty()) { // what can be wrong is said before anything is read
+        if (!options.csv.ends_with(".csv")) {
+            throw UsageError("--csv {}: give a name that ends in .csv", options.csv);
+        }
+        outputFile(options.csv);
+    }
+    const auto segments =
+        options.labels.ends_with(".json") ? measureSession(options) : measureLabels(options);
+    if (!options.csv.empty()) {
+        writeFileAtomically(options.csv, csvOf(segments));
+    }
+    printTable(segments);
+}
+
+} // namespace
+
+void addStatsCommand(CLI::App& app) {
+    auto* command = app.add_subcommand(
+        "stats", "Measures what labels of a label map, or segments of a session, cover of a volume");
+    const auto options = std::make_shared<StatsOptions>();
+    command
+        ->add_option("LABELS", options->labels,
+                     "Label map (whole numbers, 0 for none, in any format that volumes are read from), or a "
+                     "session (.json), which is replayed without writing its files")
+        ->required();
+    command->add_option("--volume", options->volume.path,
+                        "The volume that it lies on; of a session, to be used instead of its own");
+    addReadOptions(*command, options->volume);
+    command->add_option("--csv", options->csv, "Write the table with all digits too (CSV)");
+    command->callback([options] { run(*options); });
+}
+
+} // namespace vs::cli

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "volume/io/label_map.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace vs::cli {
+
+using volume::LabelMap;
+using volume::requireSameGrid;
+
+// Reads any format that volumes are read from and prints its notices. Throws ReadError, also for values that
+// are no whole numbers and for more than 255 different ones.
+LabelMap readLabelMap(const std::filesystem::path& path);
+
+// The smallest number from 1 on that is no label yet.
+std::int64_t nextFreeValue(const LabelMap& map);
+
+// Writes a label map, whole numbers of the smallest of uint8, int16 and uint32 that hold all `values`: one
+// for each label that occurs, by label; what is 0 stays 0. Throws WriteError naming the file.
+void writeLabelMap(const std::filesystem::path& path, const volume::GridGeometry& geometry,
+                   std::span<const std::uint8_t> labels, std::span<const std::int64_t> values);
+
+} // namespace vs::cli

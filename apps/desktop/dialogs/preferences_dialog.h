@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "model/keepers/preferences.h"
+
+#include <QDialog>
+
+class QFormLayout;
+
+namespace vs::desktop {
+
+// Shows the preferences; each change counts at once.
+class PreferencesDialog : public QDialog {
+    Q_OBJECT
+
+public:
+    // Deletes itself when it closes.
+    PreferencesDialog(const Preferences& preferences, QWidget* parent);
+
+signals:
+    void changed(const vs::desktop::Preferences& preferences);
+
+private:
+    void addTheme(QFormLayout* form);
+    void addLanguage(QFormLayout* form);
+    void addUndo(QFormLayout* form);
+    void addRecordings(QFormLayout* form);
+    void addQuality(QFormLayout* form);
+    void tell() { emit changed(preferences_); }
+
+    Preferences preferences_;
+};
+
+} // namespace vs::desktop

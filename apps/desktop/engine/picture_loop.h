@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "base/timer.h"
+#include "render/rays/ray_caster.h"
+
+#include <QImage>
+
+#include <functional>
+#include <optional>
+
+namespace vs::studio {
+class Document;
+}
+
+namespace vs::desktop {
+
+// Keeps a picture of the document up to date in short slices. Whatever changed is shown first as a draft, as
+// coarse as it must be to hold the frame rate (scale 1 .. 1/4); when nothing has moved for a moment the
+// picture is made at full resolution and then refined to 8 samples per pixel. No widgets; the engine's
+// context must be current in every call.
+class PictureLoop {
+public:
+    static constexpr int kFullSamples = 8;
+
+    // Does what may take long, with the document and the engine's context.
+    using Run = std::function<void(const std::function<void()>& work)>;
+
+    // Framerate to hold while things move: lower on the software renderer.
+    PictureLoop(bool isSoftwareRenderer, Run run);
+
+    // Null: nothing to show. Forgets the picture.
+    void setDocument(studio::Document* document);
+    void setViewport(glm::ivec2 devicePixels);
+    // Something is moving now: only drafts until it has been calm for a moment.
+    void interact() { sinceInput_ = Timer(); }
+    // Throws Error when the picture cannot be made. A slice takes about `budgetMs`, or one tile where that is
+    // longer.
+    enum class State { Busy, Waiting, Complete };
+    State step(double budgetMs);
+
+    // A hand is at work, which is answered before what grew meanwhile is smoothed.
+    void setHurried(bool isHurried) { isHurried_ = isHurried; }
+    // Time that a frame needs beside its rays (changes of the document, painting the window): the next drafts
+    // are made so much smaller.
+    void charge(double milliseconds) { besideMs_ += milliseconds; }
+
+    // A draft is under way: finish it before changing the document again, or nothing is ever shown.
+    [[nodiscard]] bool isDrafting() const { return pass_ == Pass::Draft; }
+    // The picture shows the document as it is now, at full quality.
+    [[nodiscard]] bool isComplete() const;
+    [[nodiscard]] glm::ivec2 viewport() const { return viewport_; }
+    // What to show, in pixels of its own; null before the first picture. Replaced in step() only.
+    [[nodiscard]] const QImage& shown() const { return shown_; }
+    // Counts pictures shown.
+    [[nodiscard]] int pictures() const { return pictures_; }
+    // What the last draft took, macrocells and all.
+    [[nodiscard]] double draftMs() const { return lastDraftMs_; }
+    // Drafts per second of late; 0 when at rest.
+    [[nodiscard]] double framesPerSecond() const;
+    // How much of the full quality is done, 0 to 1, while a picture at rest takes long enough to be told of.
+    [[nodiscard]] std::optional<double> refined() const;
+    // The finished picture. isComplete() must hold.
+    image::Image readPicture() { return caster_.readPicture(); }
+
+private:
+    enum class Pass { None, Draft, Full };
+
+    void begin(Pass pass);
+    void show();
+    void finishDraft();
+    [[nodiscard]] double wantedScale() const;
+    [[nodiscard]] double segmentsMs() const;
+
+    Run run_;
+    render::RayCaster caster_;
+    studio::Document* document_ = nullptr;
+    glm::ivec2 viewport_{0};
+    double frameMs_; // time from picture to picture while things move
+    double lastDraftMs_ = 0;
+    double prepareMs_ = 0;     // of the running pass, before the first ray: macrocells and such
+    double scale_ = 2;         // draft pixels are this many times larger
+    double nanosPerPixel_ = 0; // running estimate; 0: not known yet
+    Pass pass_ = Pass::None;
+    std::optional<std::uint64_t> startedVersion_; // what the running or last pass shows
+    glm::ivec2 startedViewport_{0};
+    bool isFullDone_ = false;
+    bool isHurried_ = false;
+    bool isBehind_ = false; // the last pass does not have all that the document has
+    double passMs_ = 0;     // spent in this pass so far
+    double passShare_ = 0;  // how much of it is done, 0 to 1
+    Timer sinceInput_;
+    Timer sinceDraft_;
+    double meanFrameMs_ = 0; // running mean of the time from draft to draft
+    double besideMs_ = 0;    // charged since the last draft began
+    double meanBesideMs_ = 0;
+    int samplesShown_ = 0;
+    int pictures_ = 0;
+    QImage shown_;
+};
+
+} // namespace vs::desktop

@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "engine/volume_loader.h"
+
+#include "base/progress.h"
+#include "studio/json/journal.h"
+
+namespace vs::desktop {
+
+namespace {
+
+void load(Loaded& result) {
+    OpenRequest& request = result.request;
+    if (!request.journal.empty()) {
+        auto content = studio::readJournal(request.journal);
+        request.volume = content.session.volumePath;
+        request.session = content.savedAs;
+        result.session = std::move(content.session);
+        result.volume = studio::openVolume(*result.session, request.journal, std::nullopt, result.notices);
+        return;
+    }
+    if (!request.session.empty()) {
+        result.session = studio::loadSession(request.session);
+        const auto replacement =
+            request.volume.empty() ? std::nullopt : std::optional<std::filesystem::path>(request.volume);
+        result.volume = studio::openVolume(*result.session, request.session, replacement, result.notices);
+        return;
+    }
+    volume::ReadOptions options;
+    if (!request.rawLayout.empty()) {
+        options.raw = volume::parseRawLayout(request.rawLayout);
+    }
+    if (!request.series.empty()) {
+        options.series = request.series;
+    }
+    options.frame = request.frame;
+    auto read = volume::readVolume(request.volume, options);
+    result.volume = std::move(read.volume);
+    result.notices = std::move(read.notices);
+}
+
+} // namespace
+
+void VolumeLoader::start(const OpenRequest& request) {
+    isLoading_ = true;
+    isGivenUp_ = false;
+    auto result = std::make_shared<Loaded>();
+    result->request = request;
+    worker_ = std::jthread([this, result] {
+        const ProgressListener listener([this](std::optional<double>) { return !isGivenUp_; });
+        QString error;
+        std::vector<volume::SeriesChoice> choices;
+        try {
+            load(*result);
+            reportProgress();
+            result->checksum = volume::checksum(result->volume);
+        } catch (const volume::SeveralSeries& e) {
+            error = QString::fromUtf8(e.what());
+            choices = e.choices();
+        } catch (const std::exception& e) {
+            error = QString::fromUtf8(e.what());
+        }
+        QMetaObject::invokeMethod(
+            this, [this, result, error, choices] { finish(result, error, choices); }, Qt::QueuedConnection);
+    });
+}
+
+void VolumeLoader::finish(const std::shared_ptr<Loaded>& result, const QString& error,
+                          const std::vector<volume::SeriesChoice>& choices) {
+    isLoading_ = false;
+    if (isGivenUp_) {
+        emit givenUp();
+    } else if (error.isEmpty()) {
+        emit loaded(result);
+    } else if (!choices.empty() && result->request.session.empty()) {
+        emit severalSeries(result->request, choices);
+    } else {
+        emit failed(error);
+    }
+}
+
+} // namespace vs::desktop

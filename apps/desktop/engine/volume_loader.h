@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "studio/json/session.h"
+
+#include <QObject>
+
+#include <atomic>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <thread>
+#include <vector>
+
+namespace vs::desktop {
+
+// What to open: a volume, a session (which names its volume), or the journal of a document that was not
+// closed.
+struct OpenRequest {
+    std::filesystem::path volume;
+    std::filesystem::path session;
+    std::string rawLayout;
+    std::string series;
+    std::optional<int> frame;
+    std::filesystem::path journal = {};
+};
+
+struct Loaded {
+    OpenRequest request;
+    volume::Volume volume;
+    std::optional<studio::Session> session;
+    std::vector<std::string> notices;
+    std::string checksum; // of the volume
+};
+
+// Reads volumes on a thread of its own, so that the window answers meanwhile. No OpenGL here: a volume is
+// uploaded by the document, on the window's thread.
+class VolumeLoader : public QObject {
+    Q_OBJECT
+
+public:
+    using QObject::QObject;
+
+    // One at a time; must not be called while isLoading().
+    void start(const OpenRequest& request);
+    [[nodiscard]] bool isLoading() const { return isLoading_; }
+    // What is being read ends with givenUp() as soon as it asks.
+    void giveUp() { isGivenUp_ = true; }
+
+signals:
+    void loaded(const std::shared_ptr<vs::desktop::Loaded>& result);
+    void failed(const QString& message);
+    void givenUp();
+    // The volume of the request is one of several; a request that names its series would do.
+    void severalSeries(const vs::desktop::OpenRequest& request,
+                       const std::vector<vs::volume::SeriesChoice>& choices);
+
+private:
+    void finish(const std::shared_ptr<Loaded>& result, const QString& error,
+                const std::vector<volume::SeriesChoice>& choices);
+
+    bool isLoading_ = false;
+    std::atomic<bool> isGivenUp_ = false;
+    std::jthread worker_;
+};
+
+} // namespace vs::desktop

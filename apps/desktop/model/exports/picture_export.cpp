@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/exports/picture_export.h"
+
+#include "model/studio/studio_controller.h"
+
+#include "render/marks/draw_annotations.h"
+
+#include <fmt/format.h>
+
+namespace vs::desktop {
+
+namespace {
+constexpr double kSliceMs = 20;
+constexpr int kWaitMs = 50; // for the window's own picture
+} // namespace
+
+PictureExport::PictureExport(StudioController& studio) : studio_(studio) {
+    timer_.setSingleShot(true);
+    connect(&timer_, &QTimer::timeout, this, &PictureExport::tick);
+    // The caster looks into the document.
+    connect(&studio_, &StudioController::closed, this, &PictureExport::cancel);
+    connect(&studio_, &StudioController::opened, this, &PictureExport::cancel);
+}
+
+PictureExport::~PictureExport() {
+    studio_.host().makeCurrent();
+    caster_.reset();
+}
+
+void PictureExport::save(const studio::SavePicture& picture, const std::filesystem::path& folder,
+                         int pictures) {
+    folder_ = folder;
+    take_ = [this](const image::Image& made) {
+        studio_.runLong([&] { image::writePng(pathOf(done_), made); });
+    };
+    start(picture, pictures);
+}
+
+void PictureExport::make(const studio::SavePicture& picture,
+                         const std::function<void(const image::Image&)>& take) {
+    take_ = take;
+    start(picture, 1);
+}
+
+void PictureExport::start(const studio::SavePicture& picture, int pictures) {
+    if (!isRunning_ && studio_.document() != nullptr) {
+        picture_ = picture;
+        pictures_ = pictures;
+        done_ = 0;
+        isRunning_ = true;
+        timer_.start(0);
+    }
+}
+
+void PictureExport::begin() {
+    version_ = studio_.document()->version();
+    caster_.emplace();
+    startPicture();
+}
+
+void PictureExport::startPicture() {
+    auto camera = studio_.view().camera;
+    camera.azimuthDegrees += 360.0 * done_ / pictures_;
+    rays_ = render::viewRays(camera, *studio_.geometry(), picture_.size);
+    studio_.runLong([&] {
+        auto frame = studio_.document()->frame(picture_.size);
+        frame.samples = picture_.samples;
+        frame.background = picture_.background;
+        frame.rays = rays_;
+        caster_->start(frame);
+    });
+}
+
+void PictureExport::tick() {
+    auto* document = studio_.document();
+    if (!isRunning_) {
+        return;
+    }
+    if (!caster_ && !studio_.isIdle()) {
+        timer_.start(kWaitMs);
+        return;
+    }
+    if (document == nullptr || (caster_ && document->version() != version_)) {
+        stop(false, tr("The document changed: the pictures were given up"));
+        return;
+    }
+    const bool isFine = studio_.guard([this] {
+        if (!caster_) {
+            begin();
+            return;
+        }
+        bool isComplete = false;
+        studio_.runLong([&] { isComplete = caster_->renderSome(kSliceMs); });
+        if (isComplete) {
+            takePicture();
+        }
+    });
+    if (!isFine) {
+        stop(false, studio_.message());
+    } else if (done_ == pictures_) {
+        const QString name = QString::fromStdString(pathOf(pictures_ - 1).string());
+        stop(true, pictures_ > 1 ? tr("Saved %1 pictures up to %2").arg(pictures_).arg(name)
+                                 : tr("Saved picture %1").arg(name));
+    } else {
+        emit progressed(done_ * picture_.samples + caster_->completedSamples(), pictures_ * picture_.samples);
+        timer_.start(0);
+    }
+}
+
+void PictureExport::takePicture() {
+    image::Image made;
+    studio_.runLong([&] {
+        made = caster_->readPicture();
+        if (picture_.annotations) {
+            render::annotate(made, rays_, *studio_.geometry());
+        }
+    });
+    take_(made);
+    if (++done_ < pictures_) {
+        startPicture();
+    } else if (pictures_ == 1 && !picture_.file.empty()) {
+        studio_.document()->note(picture_);
+    }
+}
+
+std::filesystem::path PictureExport::pathOf(int picture) const {
+    const std::filesystem::path file(picture_.file);
+    return folder_ / (pictures_ == 1 ? file.string()
+                                     : fmt::format("{}-{:03}{}", file.stem().string(), picture + 1,
+                                                   file.extension().string()));
+}
+
+void PictureExport::cancel() {
+    if (isRunning_) {
+        stop(false, tr("Given up after %1 of %2 pictures").arg(done_).arg(pictures_));
+    }
+}
+
+void PictureExport::stop(bool isDone, const QString& message) {
+    timer_.stop();
+    isRunning_ = false;
+    studio_.host().makeCurrent();
+    caster_.reset();
+    emit finished(isDone, message);
+}
+
+} // namespace vs::desktop

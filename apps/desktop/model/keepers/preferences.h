@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "model/texts/language.h"
+#include "parts/theme.h"
+
+#include <QString>
+
+namespace vs::desktop {
+
+// What a person has chosen once for all documents. Kept in Settings.
+struct Preferences {
+    Theme theme = Theme::Dark;
+    Language language = Language::Desktop; // from the next start on
+    int undoMegabytes = 512;               // that undo keeps in memory; the rest is in a temporary file
+    QString recordings;                    // where dialogs that save begin; empty: where they like
+    bool smoothSampling = false;           // of volumes that are opened
+    bool shadows = false;                  // likewise
+
+    static Preferences load();
+    void save() const;
+
+    bool operator==(const Preferences&) const = default;
+};
+
+} // namespace vs::desktop

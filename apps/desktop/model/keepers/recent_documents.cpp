@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/keepers/recent_documents.h"
+
+#include "model/keepers/settings.h"
+#include "model/texts/library_texts.h"
+#include "model/texts/texts.h"
+
+#include <QCryptographicHash>
+#include <QDir>
+#include <QDirIterator>
+#include <QFile>
+#include <QFileInfo>
+#include <QStandardPaths>
+
+#include <algorithm>
+#include <array>
+
+namespace vs::desktop {
+
+namespace {
+
+constexpr int kMost = 24; // as many as fill a few rows: older ones are found by the file dialog
+
+QString text(const std::filesystem::path& path) { return QString::fromStdString(path.string()); }
+
+void write(Settings& settings, const KnownDocument& document) {
+    settings.setValue(document.isSession() ? "session" : "volume", document.path());
+    settings.setValue("raw", QString::fromStdString(document.request.rawLayout));
+    settings.setValue("series", QString::fromStdString(document.request.series));
+    settings.setValue("frame", document.request.frame ? QVariant(*document.request.frame) : QVariant());
+    settings.setValue("details", document.details);
+    settings.setValue("hasSegments", document.hasSegments);
+    settings.setValue("seen", document.seen);
+}
+
+KnownDocument read(const Settings& settings) {
+    KnownDocument document;
+    document.request.volume = settings.value("volume").toString().toStdString();
+    document.request.session = settings.value("session").toString().toStdString();
+    document.request.rawLayout = settings.value("raw").toString().toStdString();
+    document.request.series = settings.value("series").toString().toStdString();
+    if (const QVariant frame = settings.value("frame"); !frame.toString().isEmpty()) {
+        document.request.frame = frame.toInt();
+    }
+    document.details = settings.value("details").toString();
+    document.hasSegments = settings.value("hasSegments").toBool();
+    document.seen = settings.value("seen").toDateTime();
+    return document;
+}
+
+void writeAll(const std::vector<KnownDocument>& documents) {
+    Settings settings;
+    settings.remove("recent");
+    settings.beginWriteArray("recent", int(documents.size()));
+    for (int i = 0; i < int(documents.size()); ++i) {
+        settings.setArrayIndex(i);
+        write(settings, documents[std::size_t(i)]);
+    }
+    settings.endArray();
+}
+
+std::vector<KnownDocument> without(std::vector<KnownDocument> documents, const QString& key) {
+    std::erase_if(documents, [&](const KnownDocument& other) { return other.key() == key; });
+    return documents;
+}
+
+struct Example {
+    const char* path; // below a folder of shared data
+    const char* details;
+};
+// What is worth a look without knowing more about it.
+constexpr std::array<Example, 4> kPackaged{
+    {{"mricron/templates/ch2.nii.gz", "A head, magnetic resonance"},
+     {"mricron/templates/ch2better.nii.gz", "The same head, sharper"},
+     {"mricron/templates/ch2bet.nii.gz", "Its brain alone"},
+     {"mricron/templates/inia19-t1-brain.nii.gz", "A macaque's brain"}}};
+
+} // namespace
+
+QString KnownDocument::path() const { return text(isSession() ? request.session : request.volume); }
+
+QString KnownDocument::name() const { return QFileInfo(QDir::cleanPath(path())).fileName(); }
+
+bool KnownDocument::isMissing() const { return !QFileInfo::exists(path()); }
+
+QString KnownDocument::key() const {
+    const QString frame = request.frame ? QString::number(*request.frame) : QString();
+    return QStringList{path(), QString::fromStdString(request.rawLayout),
+                       QString::fromStdString(request.series), frame}
+        .join('\n');
+}
+
+QString KnownDocument::picturePath() const {
+    const auto hash = QCryptographicHash::hash(key().toUtf8(), QCryptographicHash::Sha1).toHex();
+    return QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + "/pictures/" + hash + ".png";
+}
+
+std::vector<KnownDocument> recentDocuments() {
+    Settings settings;
+    std::vector<KnownDocument> documents;
+    const int count = settings.beginReadArray("recent");
+    for (int i = 0; i < count; ++i) {
+        settings.setArrayIndex(i);
+        documents.push_back(read(settings));
+    }
+    std::erase_if(documents, [](const KnownDocument& document) { return document.path().isEmpty(); });
+    return documents;
+}
+
+void rememberDocument(const KnownDocument& document) {
+    auto documents = without(recentDocuments(), document.key());
+    documents.insert(documents.begin(), document);
+    for (; documents.size() > std::size_t(kMost); documents.pop_back()) {
+        QFile::remove(documents.back().picturePath());
+    }
+    writeAll(documents);
+}
+
+void forgetDocument(const KnownDocument& document) {
+    QFile::remove(document.picturePath());
+    writeAll(without(recentDocuments(), document.key()));
+}
+
+std::vector<KnownDocument> exampleDocuments() {
+    std::vector<KnownDocument> documents;
+    for (const Example& example : kPackaged) {
+        const QString found = QStandardPaths::locate(QStandardPaths::GenericDataLocation, example.path);
+        if (!found.isEmpty()) {
+            documents.push_back(
+                {{found.toStdString(), {}, {}, {}, {}}, libraryText(example.details), false, {}});
+        }
+    }
+    for (const QString& folder :
+         QStandardPaths::locateAll(QStandardPaths::GenericDataLocation, "volume-studio/examples",
+                                   QStandardPaths::LocateDirectory)) {
+        QStringList names;
+        for (QDirIterator it(folder, {"*.nii.gz", "*.nrrd", "*.mha", "*.json"}, QDir::Files); it.hasNext();) {
+            names << it.next();
+        }
+        names.sort();
+        for (const QString& name : names) {
+            KnownDocument document;
+            (name.endsWith(".json") ? document.request.session : document.request.volume) =
+                name.toStdString();
+            document.details = name.endsWith(".json") ? tr("A session to replay") : QString();
+            documents.push_back(document);
+        }
+    }
+    return documents;
+}
+
+} // namespace vs::desktop

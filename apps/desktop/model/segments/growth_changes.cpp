@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+// Scrubbing and changes of the rules: what is dragged, shown with the next picture, and one operation when it
+// is let go.
+#include "model/segments/growth_controller.h"
+#include "model/studio/studio_controller.h"
+
+namespace vs::desktop {
+
+// --- scrubbing
+
+void GrowthController::scrubTo(int generation) {
+    if (!canPlay() || studio_.document()->isStrokeOpen()) {
+        return;
+    }
+    if (isPlaying() || rules_) {
+        pause();
+    }
+    showRegion();
+    scrubbed_ = generation;
+    studio_.wake();
+}
+
+void GrowthController::showScrubbed() {
+    const int generation = *scrubbed_;
+    scrubbed_.reset();
+    studio_.workLong([&] {
+        if (generation != status().generation) {
+            studio_.document()->scrub(generation);
+        }
+    });
+    emit changed();
+}
+
+void GrowthController::endScrub() {
+    if (scrubbed_) {
+        showScrubbed();
+    }
+    if (studio_.document() != nullptr && studio_.document()->isScrubbing()) {
+        studio_.perform([&] { return studio_.document()->endScrub(); });
+        studio_.wake();
+    }
+    emit changed();
+}
+
+// --- rules
+
+void GrowthController::setTakesDisplayedRange(bool on) {
+    takesDisplayedRange_ = on;
+    heldRange_ = {};
+    if (!on && studio_.document() != nullptr) {
+        heldRange_ = range();
+    }
+    emit changed();
+}
+
+namespace {
+
+template <typename T>
+void takeOver(std::optional<T>& into, const std::optional<T>& from) {
+    if (from) {
+        into = from;
+    }
+}
+
+} // namespace
+
+void GrowthController::changeRules(const studio::SetGrowthRules& rules, bool isHeld) {
+    auto* document = studio_.document();
+    if (document == nullptr || document->isStrokeOpen() || studio_.isLoading()) {
+        return;
+    }
+    if (!rules_) {
+        const Run before = run_;
+        const bool hadRunOut = hasRunOut_;
+        pause();
+        rules_ = Rules{};
+        rules_->resumes = before == Run::Forward || before == Run::ToEnd ? before
+                          : hadRunOut && isAutoStart_                    ? Run::Forward
+                                                                         : Run::None;
+        if (document->growthRules().range == Range()) {
+            rules_->wanted.range = range(); // none so far: what a stroke would bring
+        }
+    }
+    takesDisplayedRange_ = takesDisplayedRange_ && !rules.range;
+    takeOver(rules_->wanted.range, rules.range);
+    takeOver(rules_->wanted.difference, rules.difference);
+    takeOver(rules_->wanted.gradient, rules.gradient);
+    takeOver(rules_->wanted.gradientDifference, rules.gradientDifference);
+    takeOver(rules_->wanted.connectivity, rules.connectivity);
+    takeOver(rules_->wanted.isLive, rules.isLive);
+    rules_->isStale = true;
+    if (isHeld) {
+        rulesCalm_.stop();
+    } else {
+        rulesCalm_.start();
+    }
+    studio_.wake();
+}
+
+void GrowthController::applyRules() {
+    rules_->isStale = false;
+    const studio::Operation change = rules_->wanted;
+    const bool isFirst = !std::exchange(rules_->isApplied, true);
+    studio_.canvas(); // the view as it is now is part of the log before the change
+    studio_.perform([&] {
+        auto& document = *studio_.document();
+        return isFirst ? document.apply(change) : document.replaceLast(change);
+    });
+    emit changed();
+}
+
+void GrowthController::releaseRules() {
+    if (rules_) {
+        finishRules(true);
+    }
+}
+
+void GrowthController::finishRules(bool resumes) {
+    rulesCalm_.stop();
+    if (rules_->isStale) {
+        applyRules();
+    }
+    const Run run = rules_->resumes;
+    rules_.reset();
+    if (resumes && run != Run::None && canPlay()) {
+        start(run);
+    }
+    studio_.wake();
+    emit changed();
+}
+
+} // namespace vs::desktop

@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/segments/growth_controller.h"
+
+#include "model/studio/studio_controller.h"
+#include "tools/seed_tool.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vs::desktop {
+
+namespace {
+constexpr double kSliceMs = 10;
+constexpr double kHurriedSliceMs = 3;
+constexpr int kMostAtOnce = 1000;  // generations, when the clock says that so many are due
+constexpr double kBackSeconds = 4; // for all of it, played backward at full speed
+constexpr double kLeastBack = 30;  // generations per second
+constexpr double kAbsorbing = 20;  // likewise at full speed: slow enough to be paused in time
+} // namespace
+
+GrowthController::GrowthController(StudioController& studio) : QObject(&studio), studio_(studio) {
+    constexpr int kCalmMs = 400;
+    rulesCalm_.setSingleShot(true);
+    rulesCalm_.setInterval(kCalmMs);
+    connect(&rulesCalm_, &QTimer::timeout, this, &GrowthController::releaseRules);
+    connect(&studio_, &StudioController::changed, this, [this] {
+        if (!takesDisplayedRange_ && !studio_.isAway() && studio_.document() != nullptr) {
+            heldRange_ = range();
+        }
+    });
+}
+
+studio::Document::GrowthStatus GrowthController::status() const {
+    return studio_.document() != nullptr ? studio_.document()->growth() : studio::Document::GrowthStatus{};
+}
+
+bool GrowthController::canPlay() const { return studio_.document() != nullptr && status().hasSeeds; }
+
+bool GrowthController::isBusy() const {
+    return isPlaying() || scrubbed_.has_value() || rules_.has_value() ||
+           (studio_.document() != nullptr && studio_.document()->isScrubbing());
+}
+
+void GrowthController::reset() {
+    hasShownRegion_ = false;
+    takesDisplayedRange_ = true;
+    heldRange_ = {};
+    hasRunOut_ = false;
+}
+
+Range GrowthController::range() const {
+    const Range own = studio_.document()->growthRules().range;
+    const Range otherwise =
+        takesDisplayedRange_ || heldRange_ == Range() ? studio_.visibleRange() : heldRange_;
+    return own == Range() ? otherwise : own;
+}
+
+void GrowthController::showRegion() {
+    if (hasShownRegion_) {
+        return;
+    }
+    hasShownRegion_ = true;
+    auto view = studio_.view();
+    if (view.mode == render::Mode::Surface) {
+        view.mode = render::Mode::Segment;
+    } else if (view.mode == render::Mode::Mip || view.mode == render::Mode::XRay) {
+        view.mode = render::Mode::Overlay;
+    }
+    studio_.look(view);
+}
+
+// --- strokes
+
+void GrowthController::addSeeds(const studio::Seed& seed) {
+    pause();
+    studio::Seed stroke = seed;
+    const auto rules = studio_.document()->growthRules();
+    stroke.connectivity = rules.connectivity;
+    if (!takesDisplayedRange_) {
+        stroke.range = range();
+    }
+    if (!studio_.apply(stroke)) {
+        return;
+    }
+    if (isAutoStart_ && status().hasSeeds) {
+        showRegion();
+        start(Run::Forward);
+    }
+    emit changed();
+}
+
+void GrowthController::absorb(const studio::Absorb& stroke) {
+    studio::Absorb first = stroke;
+    first.expansions = 1;
+    if (studio_.apply(first) && isAutoStart_ && lastAbsorbed() != nullptr) {
+        start(Run::Absorbing);
+    }
+    emit changed();
+}
+
+// The stroke that absorbing goes on with.
+const studio::Absorb* GrowthController::lastAbsorbed() const {
+    auto* document = studio_.document();
+    const auto* last = document != nullptr ? document->lastStep() : nullptr;
+    return last != nullptr && studio_.seedTool().isReversed() ? std::get_if<studio::Absorb>(last) : nullptr;
+}
+
+// --- playback
+
+void GrowthController::play() { start(lastAbsorbed() != nullptr ? Run::Absorbing : Run::Forward); }
+void GrowthController::toEnd() { start(Run::ToEnd); }
+void GrowthController::playBackward() { start(Run::Backward); }
+
+void GrowthController::start(Run run) {
+    if (!canPlay() || studio_.document()->isStrokeOpen()) {
+        return;
+    }
+    const bool goesOn = (run_ == Run::Forward || run_ == Run::ToEnd) &&
+                        (run == Run::Forward || run == Run::ToEnd); // only the pace changes
+    if (!goesOn) {
+        pause();
+        studio_.canvas(); // the view as it is now is part of the log before the run
+        if ((run == Run::Forward || run == Run::ToEnd) &&
+            !studio_.workLong([&] { studio_.document()->beginGrowth(); })) {
+            return;
+        }
+    }
+    run_ = run;
+    isWaiting_ = false;
+    hasRunOut_ = false;
+    sinceStart_ = Timer();
+    played_ = 0;
+    studio_.say(run == Run::Backward    ? tr("Playing backward")
+                : run == Run::Absorbing ? tr("Absorbing")
+                : run == Run::ToEnd     ? tr("Growing to the end")
+                                        : tr("Growing"));
+    studio_.wake();
+    emit changed();
+}
+
+// How many generations the clock wants now; none: it is waited for.
+int GrowthController::due() {
+    double perSecond = speed_;
+    if (speed_ == 0 && run_ == Run::Backward) {
+        perSecond = std::max(kLeastBack, status().extent / kBackSeconds);
+    } else if (speed_ == 0 && run_ == Run::Absorbing) {
+        perSecond = kAbsorbing;
+    } else if (speed_ == 0 || run_ == Run::ToEnd) {
+        return 1 << 20;
+    }
+    const double now = std::floor(sinceStart_.milliseconds() * 1e-3 * perSecond);
+    const int steps = int(std::min<double>(now - played_, kMostAtOnce));
+    isWaiting_ = steps < 1;
+    played_ = isWaiting_ ? played_ : now;
+    return std::max(steps, 0);
+}
+
+bool GrowthController::advance() {
+    if (rules_ && rules_->isStale) {
+        applyRules();
+        return true;
+    }
+    if (scrubbed_) {
+        showScrubbed();
+        return true;
+    }
+    switch (run_) {
+    case Run::None:
+        return false;
+    case Run::Backward:
+        return goBack();
+    case Run::Absorbing:
+        if (const int steps = due(); steps > 0) {
+            if (!absorbFurther(steps)) {
+                finish();
+            }
+            emit changed();
+            return true;
+        }
+        return false;
+    case Run::Forward:
+    case Run::ToEnd:
+        break;
+    }
+    return growOn();
+}
+
+bool GrowthController::growOn() {
+    const int steps = due();
+    if (steps == 0) {
+        return false;
+    }
+    const double sliceMs = studio_.isHandAtWork() ? kHurriedSliceMs : kSliceMs;
+    bool goesOn = false;
+    const bool done = studio_.workLong([&] { goesOn = studio_.document()->growFor(sliceMs, steps); });
+    if (!done || !goesOn) {
+        finish();
+        hasRunOut_ = done;
+    }
+    emit changed();
+    return true;
+}
+
+bool GrowthController::goBack() {
+    const int steps = due();
+    if (steps == 0) {
+        return false;
+    }
+    const int generation = std::max(1, status().generation - steps);
+    if (!studio_.workLong([&] { studio_.document()->scrub(generation); }) || generation == 1) {
+        finish();
+    }
+    emit changed();
+    return true;
+}
+
+// False: nothing is left, or it failed.
+bool GrowthController::absorbFurther(int expansions) {
+    const studio::Absorb* last = lastAbsorbed();
+    if (last == nullptr || !last->expansions) {
+        return false;
+    }
+    studio::Absorb further = *last;
+    *further.expansions += expansions;
+    const std::size_t before = status().voxels;
+    const bool done =
+        studio_.perform([&] { return studio_.document()->replaceLast(studio::Operation(further)); });
+    return done && status().voxels < before;
+}
+
+void GrowthController::finish() {
+    const Run run = std::exchange(run_, Run::None);
+    isWaiting_ = false;
+    if (run == Run::Forward || run == Run::ToEnd) {
+        studio_.perform([&] { return studio_.document()->endGrowth(); });
+    } else if (run == Run::Backward && studio_.document()->isScrubbing()) {
+        studio_.perform([&] { return studio_.document()->endScrub(); });
+    }
+}
+
+void GrowthController::pause() {
+    hasRunOut_ = false; // something else is about to be done
+    if (rules_) {
+        finishRules(false);
+    }
+    if (scrubbed_ ||
+        (run_ == Run::None && studio_.document() != nullptr && studio_.document()->isScrubbing())) {
+        endScrub();
+    }
+    if (isPlaying()) {
+        studio_.host().makeCurrent();
+        finish();
+        studio_.wake();
+        emit changed();
+    }
+}
+
+void GrowthController::whilePaused(const std::function<void()>& edit) {
+    const Run before = run_;
+    edit();
+    if (before == Run::Forward || before == Run::ToEnd) {
+        start(before);
+    }
+}
+
+void GrowthController::step() {
+    if (!canPlay()) {
+        return;
+    }
+    pause();
+    showRegion();
+    if (lastAbsorbed() != nullptr) {
+        absorbFurther(1);
+        studio_.wake();
+    } else {
+        studio_.apply(studio::Grow{1});
+    }
+    emit changed();
+}
+
+void GrowthController::stepBack() {
+    if (canPlay()) {
+        pause();
+        if (status().generation > 1) {
+            // Held down, the button goes faster the more there is to take back, and leaves one undo step.
+            const bool isHeld = sinceBack_.milliseconds() < 250;
+            studio_.rewind(isHeld ? 1 + status().generation / 60 : 1);
+            sinceBack_ = Timer();
+        }
+        emit changed();
+    }
+}
+
+void GrowthController::setAutoStart(bool on) {
+    isAutoStart_ = on;
+    emit changed();
+}
+
+void GrowthController::setSpeed(int generationsPerSecond) {
+    speed_ = generationsPerSecond;
+    sinceStart_ = Timer();
+    played_ = 0;
+    studio_.wake();
+    emit changed();
+}
+
+} // namespace vs::desktop

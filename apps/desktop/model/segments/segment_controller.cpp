@@ -1,0 +1,203 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/segments/segment_controller.h"
+
+#include "model/segments/growth_controller.h"
+#include "model/studio/studio_controller.h"
+
+#include <algorithm>
+
+namespace vs::desktop {
+
+SegmentController::SegmentController(StudioController& studio) : QObject(&studio), studio_(studio) {
+    for (const auto signal : {&StudioController::opened, &StudioController::closed}) {
+        connect(&studio_, signal, this, [this] {
+            ++documents_;
+            seen_ = {};
+        });
+    }
+}
+
+const SegmentController::Seen& SegmentController::seen() const {
+    if (studio_.isAway()) {
+        return seen_;
+    }
+    const auto* document = studio_.document();
+    const auto version = document != nullptr ? std::optional(document->version()) : std::nullopt;
+    if (version != seen_.version || document == nullptr) {
+        seen_ = {};
+        seen_.version = version;
+        if (document != nullptr) {
+            seen_.list = document->segments();
+            for (const auto& segment : seen_.list.segments) {
+                seen_.voxels[segment.label] = document->voxelCount(segment.label);
+            }
+        }
+    }
+    return seen_;
+}
+
+const studio::SegmentList& SegmentController::list() const { return seen().list; }
+std::size_t SegmentController::voxels(std::uint8_t label) const { return seen().voxels[label]; }
+
+double SegmentController::millilitres(std::uint8_t label) const {
+    const auto* geometry = studio_.geometry();
+    return geometry != nullptr ? double(voxels(label)) * geometry->voxelMm3() / 1000 : 0;
+}
+
+bool SegmentController::hasVoxels() const {
+    const auto& all = list().segments;
+    return std::any_of(all.begin(), all.end(),
+                       [this](const studio::SegmentInfo& segment) { return voxels(segment.label) > 0; });
+}
+
+bool SegmentController::canRemove() const {
+    return !list().working().isLocked && (list().segments.size() > 1 || voxels(list().atWork) > 0);
+}
+
+void SegmentController::workOn(const std::string& name) {
+    if (name == list().working().name || studio_.document() == nullptr) {
+        return;
+    }
+    const auto* last = studio_.document()->lastStep();
+    const auto* use = last != nullptr ? std::get_if<studio::UseSegment>(last) : nullptr;
+    const bool isOnlyGoing = use != nullptr && use->goesToWork && !use->name && !use->colour &&
+                             !use->opacity && !use->isVisible && !use->isLocked;
+    // One that was only looked at on the way, if the way there did not make it.
+    const bool wasThere = isOnlyGoing && use->segment == list().working().name && voxels(list().atWork) > 0;
+    const studio::UseSegment going{name};
+    studio_.change(
+        [&] { return wasThere ? studio_.document()->replaceLast(going) : studio_.document()->apply(going); });
+}
+
+void SegmentController::add() {
+    for (int number = int(list().segments.size()) + 1;; ++number) {
+        const std::string name = tr("Segment %1").arg(number).toStdString();
+        if (list().find(name) == nullptr) {
+            studio::UseSegment another{name};
+            another.takesFirst = false;
+            studio_.apply(another);
+            return;
+        }
+    }
+}
+
+void SegmentController::removeWorking() {
+    if (canRemove()) {
+        studio_.apply(studio::RemoveSegment{list().working().name});
+    }
+}
+
+// Looks are no business of what grows.
+void SegmentController::look(studio::UseSegment change) {
+    change.goesToWork = false;
+    studio_.growth().whilePaused([&] { studio_.apply(change); });
+}
+
+bool SegmentController::rename(const std::string& name, const QString& to) {
+    const QString trimmed = to.trimmed();
+    if (trimmed.toStdString() == name) {
+        return true;
+    }
+    constexpr std::size_t kLongest = 200; // bytes, as in session files
+    if (trimmed.toStdString().size() > kLongest) {
+        studio_.say(tr("A segment's name has at most %1 characters").arg(kLongest));
+        return false;
+    }
+    if (trimmed.isEmpty() || list().find(trimmed.toStdString()) != nullptr) {
+        studio_.say(trimmed.isEmpty()
+                        ? tr("A segment needs a name")
+                        : tr("There is a segment '%1' already; choose another name").arg(trimmed));
+        return false;
+    }
+    studio::UseSegment change{name};
+    change.name = trimmed.toStdString();
+    look(change);
+    return true;
+}
+
+void SegmentController::setColour(const std::string& name, const QColor& colour) {
+    studio::UseSegment change{name};
+    change.colour = glm::dvec3(colour.red(), colour.green(), colour.blue()) / 255.0;
+    look(change);
+}
+
+void SegmentController::setVisible(const std::string& name, bool isVisible) {
+    studio::UseSegment change{name};
+    change.isVisible = isVisible;
+    look(change);
+}
+
+void SegmentController::setLocked(const std::string& name, bool isLocked) {
+    studio::UseSegment change{name};
+    change.isLocked = isLocked;
+    look(change);
+}
+
+void SegmentController::setOpacity(double opacity, bool continues) {
+    studio::UseSegment change{list().working().name};
+    change.opacity = opacity;
+    change.goesToWork = false;
+    studio_.growth().whilePaused([&] {
+        studio_.change([&] {
+            return continues ? studio_.document()->replaceLast(change) : studio_.document()->apply(change);
+        });
+    });
+}
+
+void SegmentController::perform(const studio::Operation& operation) {
+    if (studio_.document() == nullptr || studio_.isLoading()) {
+        return;
+    }
+    studio_.say(tr("Working\u2026"));
+    studio_.apply(operation);
+}
+
+void SegmentController::openLabels(const std::filesystem::path& path) {
+    if (studio_.document() == nullptr || studio_.isLoading() || isReading_) {
+        return;
+    }
+    isReading_ = true;
+    studio_.say(tr("Reading %1").arg(QString::fromStdString(path.filename().string())));
+    emit studio_.progress(0, 0);
+    reader_ = std::jthread([this, path = std::filesystem::absolute(path), document = documents_] {
+        studio::LoadLabels labels{path};
+        QString error;
+        try {
+            std::vector<std::string> notices;
+            labels.map = std::make_shared<volume::LabelMap>(volume::readLabelMap(path, notices));
+        } catch (const std::exception& e) {
+            error = QString::fromUtf8(e.what());
+        }
+        const auto finish = [this, labels, error, document] {
+            isReading_ = false;
+            if (document != documents_ || studio_.isLoading()) {
+                studio_.say(tr("The label map was dropped: its volume is no longer open"));
+                if (!studio_.isLoading()) { // else the bar is that of the next volume
+                    emit studio_.progress(1, 1);
+                }
+                return;
+            }
+            if (error.isEmpty()) {
+                takeLabels(labels);
+            } else {
+                studio_.say(error);
+                emit studio_.openFailed(error);
+            }
+            emit studio_.progress(1, 1);
+        };
+        QMetaObject::invokeMethod(
+            this, [this, finish] { studio_.whenHere(finish); }, Qt::QueuedConnection);
+    });
+}
+
+void SegmentController::takeLabels(const studio::LoadLabels& labels) {
+    if (studio_.apply(labels)) {
+        if (studio_.view().mode == render::Mode::Surface) {
+            studio_.setMode(render::Mode::Overlay); // they may lie deep inside
+        }
+    } else {
+        emit studio_.openFailed(studio_.message());
+    }
+}
+
+} // namespace vs::desktop

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "studio/document/document.h"
+
+#include <QColor>
+#include <QObject>
+#include <QString>
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <thread>
+
+namespace vs::desktop {
+
+class StudioController;
+
+// The list of segments and what is done to finished ones. Every call is one operation; growing goes on after
+// those that only change how a segment looks.
+class SegmentController : public QObject {
+    Q_OBJECT
+
+public:
+    explicit SegmentController(StudioController& studio);
+
+    // One segment without voxels before something was opened. While the document is away, as they were
+    // before.
+    [[nodiscard]] const studio::SegmentList& list() const;
+    [[nodiscard]] std::size_t voxels(std::uint8_t label) const; // shown
+    [[nodiscard]] double millilitres(std::uint8_t label) const;
+    [[nodiscard]] bool hasVoxels() const; // any of them
+    // Not the only one left with nothing in it.
+    [[nodiscard]] bool canRemove() const;
+
+    // Goes to work on a segment: strokes and edits are its. Going on to another at once leaves one operation.
+    void workOn(const std::string& name);
+    void add(); // a fresh one, with a name that is free, and goes to work on it
+    void removeWorking();
+    // False: the name is empty or taken, and the message says so.
+    bool rename(const std::string& name, const QString& to);
+    void setColour(const std::string& name, const QColor& colour);
+    void setVisible(const std::string& name, bool isVisible);
+    void setLocked(const std::string& name, bool isLocked);
+    // Of the segment at work; `continues`: takes the place of the change before (a slider that is dragged).
+    void setOpacity(double opacity, bool continues);
+
+    // Edits of the segment at work, and cuts by it.
+    void perform(const studio::Operation& operation);
+
+    // Reads a label map on a thread of its own and makes its labels segments of the volume that is open.
+    void openLabels(const std::filesystem::path& path);
+    // Waits for what is being read; before the program ends.
+    void stop() { reader_ = {}; }
+
+private:
+    // What the document last said, for those that paint.
+    struct Seen {
+        std::optional<std::uint64_t> version;
+        studio::SegmentList list;
+        std::array<std::size_t, 256> voxels{};
+    };
+
+    const Seen& seen() const;
+    void takeLabels(const studio::LoadLabels& labels);
+    void look(studio::UseSegment change);
+
+    StudioController& studio_;
+    mutable Seen seen_;
+    bool isReading_ = false;
+    int documents_ = 0; // counts those opened and closed
+    std::jthread reader_;
+};
+
+} // namespace vs::desktop

@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/segments/segment_measurer.h"
+
+#include "model/segments/growth_controller.h"
+#include "model/segments/segment_controller.h"
+#include "model/studio/studio_controller.h"
+
+#include <algorithm>
+#include <new>
+
+namespace vs::desktop {
+
+namespace {
+
+// Of the voxels with a label, in equal bins over the volume's range.
+std::vector<std::uint32_t> histogramOf(const volume::Volume& volume, const std::vector<std::uint8_t>& labels,
+                                       std::uint8_t label, std::size_t bins) {
+    std::vector<std::uint32_t> counts(bins);
+    const Range range = volume.range;
+    if (range.width() <= 0 || bins == 0) {
+        return counts;
+    }
+    volume::visit(volume, [&](const auto* values) {
+        for (std::size_t i = 0; i < labels.size(); ++i) {
+            const auto value = double(values[i]);
+            if (labels[i] == label && range.contains(value)) {
+                const auto bin = std::size_t((value - range.lo) / range.width() * double(bins));
+                ++counts[std::min(bin, bins - 1)];
+            }
+        }
+    });
+    return counts;
+}
+
+std::vector<segment::MeasuredSegment> measureAll(const volume::Volume& volume,
+                                                 const std::vector<std::uint8_t>& labels,
+                                                 const std::vector<studio::SegmentInfo>& infos) {
+    std::vector<segment::MeasuredSegment> segments;
+    for (const auto& statistics : segment::measure(volume, labels)) {
+        const auto info = std::find_if(infos.begin(), infos.end(), [&](const studio::SegmentInfo& one) {
+            return one.label == statistics.label;
+        });
+        if (info != infos.end()) {
+            segments.push_back(
+                {info->label, info->name, glm::u8vec3(glm::round(info->colour * 255.0)), statistics});
+        }
+    }
+    return segments;
+}
+
+} // namespace
+
+SegmentMeasurer::SegmentMeasurer(StudioController& studio) : QObject(&studio), studio_(studio) {
+    constexpr int kCalmMs = 300;
+    calm_.setSingleShot(true);
+    calm_.setInterval(kCalmMs);
+    connect(&calm_, &QTimer::timeout, this, &SegmentMeasurer::look);
+    connect(&studio_, &StudioController::changed, this, [this] {
+        if (!wanting_.empty() && !(now() == key_)) {
+            if (!found_.segments.empty()) {
+                found_ = {}; // no longer true
+                emit changed();
+            }
+            calm_.start();
+        }
+    });
+}
+
+SegmentMeasurer::~SegmentMeasurer() = default;
+
+SegmentMeasurer::Key SegmentMeasurer::now() const {
+    auto* document = studio_.document();
+    return document == nullptr ? Key{} : Key{document->segmentsRevision(), document->segments().atWork};
+}
+
+void SegmentMeasurer::want(const QObject* who, bool wants) {
+    if (wants) {
+        wanting_.insert(who);
+        look();
+    } else {
+        wanting_.erase(who);
+    }
+}
+
+void SegmentMeasurer::stop() {
+    calm_.stop();
+    if (worker_.joinable()) {
+        worker_.join();
+    }
+    isMeasuring_ = false;
+    key_ = {};
+    found_ = {};
+    emit changed();
+}
+
+const segment::MeasuredSegment* SegmentMeasurer::working() const {
+    const int label = studio_.segments().list().atWork;
+    const auto found = std::find_if(found_.segments.begin(), found_.segments.end(),
+                                    [label](const auto& segment) { return segment.label == label; });
+    return found != found_.segments.end() ? &*found : nullptr;
+}
+
+// Begins when nothing is under way any more.
+void SegmentMeasurer::look() {
+    if (wanting_.empty() || studio_.document() == nullptr || now() == key_) {
+        return;
+    }
+    if (isMeasuring_ || studio_.isLoading() || studio_.growth().isBusy() ||
+        studio_.document()->isStrokeOpen()) {
+        calm_.start();
+        return;
+    }
+    begin(now());
+}
+
+void SegmentMeasurer::begin(const Key& key) {
+    const auto& document = *studio_.document();
+    std::vector<std::uint8_t> labels;
+    if (!studio_.workLong([&] { labels = document.labelMap(); })) {
+        key_ = key; // once is enough to be told
+        return;
+    }
+    isMeasuring_ = true;
+    emit changed();
+    // The volume stays as long as the document, and that goes only after stop().
+    worker_ = std::jthread([this, key, &volume = document.volume(), bins = document.histogram().size(),
+                            infos = document.segments().segments, labels = std::move(labels)] {
+        Found found;
+        try {
+            found.segments = measureAll(volume, labels, infos);
+            found.histogram = histogramOf(volume, labels, key.atWork, bins);
+        } catch (const std::bad_alloc&) { // nothing is known then
+        }
+        QMetaObject::invokeMethod(
+            this,
+            [this, key, found = std::move(found)] { studio_.whenHere([=, this] { finish(key, found); }); },
+            Qt::QueuedConnection);
+    });
+}
+
+void SegmentMeasurer::finish(const Key& key, Found found) {
+    if (!isMeasuring_) {
+        return; // stopped meanwhile
+    }
+    isMeasuring_ = false;
+    key_ = key;
+    found_ = std::move(found);
+    if (!(now() == key_)) {
+        found_ = {};
+        calm_.start();
+    }
+    emit changed();
+}
+
+} // namespace vs::desktop

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "render/colours/transfer_function.h"
+
+#include <QObject>
+
+#include <array>
+#include <functional>
+#include <optional>
+#include <vector>
+
+namespace vs::desktop {
+
+class StudioController;
+
+// The transfer functions under a person's hands: for each kind (intensity, gradient, both) one that can be
+// edited, of which the one in use colours the picture. Positions are absolute. No widgets.
+class FunctionEditor : public QObject {
+    Q_OBJECT
+
+public:
+    using Kind = render::FunctionKind;
+
+    explicit FunctionEditor(StudioController& studio);
+
+    // The one in use if it is of that kind, else the last that was, else one to begin with.
+    [[nodiscard]] const render::TransferFunction& function(Kind kind) const { return page(kind).function; }
+    // Whether it colours the picture.
+    [[nodiscard]] bool isUsed(Kind kind) const;
+    [[nodiscard]] std::optional<Kind> used() const;
+    // Number of the point or shape that keys and numbers are for.
+    [[nodiscard]] std::optional<std::size_t> chosen(Kind kind) const;
+    void choose(Kind kind, std::optional<std::size_t> number);
+
+    // Edits bring their function into use. All changes from one begin() to the next are one step of undo().
+    void begin() { isStepBegun_ = false; }
+    void change(Kind kind, const std::function<void(render::TransferFunction&)>& edit);
+    void use(Kind kind);
+    // A preset's, or a file's; nothing: the mode's own colours.
+    void take(const std::optional<render::TransferFunction>& function);
+    // A named map instead of the points' colours; empty: colours of their own.
+    void useColourMap(const std::string& map);
+    [[nodiscard]] bool canUndo() const { return !undo_.empty(); }
+    void undo();
+    // Whether something has changed since begin().
+    [[nodiscard]] bool isStepBegun() const { return isStepBegun_; }
+
+    // How far magnitudes go; 0: not known yet.
+    void setGradientTop(double top);
+
+signals:
+    void changed();
+
+private:
+    struct Page {
+        render::TransferFunction function;
+        std::optional<std::size_t> chosen;
+        bool isTouched = false; // it is not the one to begin with any more
+    };
+
+    [[nodiscard]] Page& page(Kind kind) { return pages_[std::size_t(kind)]; }
+    [[nodiscard]] const Page& page(Kind kind) const { return pages_[std::size_t(kind)]; }
+    void forget();
+    void followView();
+    void makeFirst();
+    void remember();
+    void publish(const std::optional<render::TransferFunction>& function);
+
+    StudioController& studio_;
+    std::array<Page, 3> pages_;
+    std::optional<render::TransferFunction> seen_; // of the view, when last looked at
+    std::vector<std::optional<render::TransferFunction>> undo_;
+    bool isStepBegun_ = false;
+    double gradientTop_ = 0;
+    Range firstRange_; // that the functions to begin with were made from
+};
+
+} // namespace vs::desktop

@@ -1,0 +1,170 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "panels/growth_panel.h"
+
+#include "model/segments/growth_controller.h"
+#include "model/segments/segment_controller.h"
+#include "model/studio/studio_controller.h"
+#include "panels/scrub_bar.h"
+#include "panels/segment_table.h"
+#include "parts/panel_parts.h"
+
+#include <QCheckBox>
+#include <QHBoxLayout>
+#include <QSignalBlocker>
+#include <QSpinBox>
+#include <QVBoxLayout>
+
+#include <cmath>
+
+namespace vs::desktop {
+
+namespace {
+
+QHBoxLayout* rowIn(QWidget* holder, int spacing) {
+    auto* row = new QHBoxLayout(holder);
+    row->setContentsMargins(0, 0, 0, 0);
+    row->setSpacing(spacing);
+    return row;
+}
+
+} // namespace
+
+GrowthPanel::GrowthPanel(StudioController& studio, QWidget* parent) : QWidget(parent), studio_(studio) {
+    auto* outer = new QVBoxLayout(this);
+    outer->setContentsMargins(0, 0, 0, 0);
+    QVBoxLayout* card = nullptr;
+    outer->addWidget(makeCard(tr("Segments"), card));
+    card->addWidget(named(new SegmentTable(studio_), "segments", tr("Segments")));
+    card->addWidget(makeListRow());
+    card->addWidget(makePlayback());
+    card->addWidget(makeScrubRow());
+    card->addWidget(makeOptions());
+    connect(&studio_, &StudioController::opened, this, [this] { setEnabled(true); });
+    connect(&studio_, &StudioController::changed, this, &GrowthPanel::refresh);
+    setEnabled(false);
+    refresh();
+}
+
+QWidget* GrowthPanel::makeListRow() {
+    auto& segments = studio_.segments();
+    auto* holder = new QWidget;
+    auto* row = rowIn(holder, 4);
+    auto* add = makeIconButton("add", "segmentAdd", tr("Add a segment"),
+                               tr("A fresh segment: new strokes go there (Ctrl+Shift+N)"));
+    remove_ = makeIconButton("remove", "segmentRemove", tr("Remove the segment"),
+                             tr("Erase the segment at work and forget its name (Delete in the list)"));
+    connect(add, &QToolButton::clicked, &segments, &SegmentController::add);
+    connect(remove_, &QToolButton::clicked, &segments, &SegmentController::removeWorking);
+    opacity_ = makeSlider("segmentOpacity", tr("Opacity of the segment at work, in percent"), 5, 100, 100);
+    opacity_->setToolTip(tr("How much the segment at work hides"));
+    connect(opacity_, &QSlider::valueChanged, this, [this](int percent) {
+        if (isShowing_) {
+            return;
+        }
+        const bool continues = opacity_->isSliderDown() && isOpacityDragged_;
+        isOpacityDragged_ = opacity_->isSliderDown();
+        studio_.segments().setOpacity(percent / 100.0, continues);
+    });
+    connect(opacity_, &QSlider::sliderReleased, this, [this] { isOpacityDragged_ = false; });
+    row->addWidget(add);
+    row->addWidget(remove_);
+    row->addSpacing(8);
+    row->addWidget(makeQuietLabel(tr("Opacity")));
+    row->addWidget(withValue(opacity_, [](int v) { return tr("%1 %").arg(v); }), 1);
+    return holder;
+}
+
+QWidget* GrowthPanel::makePlayback() {
+    auto& growth = studio_.growth();
+    auto* holder = new QWidget;
+    auto* row = rowIn(holder, 2);
+    back_ = makeIconButton("back", "growBack", tr("One generation back"),
+                           tr("One generation back; hold for more ( , )"));
+    backward_ = makeIconButton("backward", "growBackward", tr("Play backward"),
+                               tr("Play backward, down to the seeds (Shift+B)"));
+    pause_ = makeIconButton("pause", "growPause", tr("Pause"),
+                            tr("Pause: what has grown stays, and play goes on from it (Shift+G)"));
+    play_ = makeIconButton("play", "growPlay", tr("Play"), tr("Let the region grow (Shift+G)"));
+    step_ = makeIconButton("step", "growStep", tr("Step"), tr("One generation further; hold for more ( . )"));
+    end_ =
+        makeIconButton("end", "growEnd", tr("To the end"), tr("Grow until nothing grows any more (Ctrl+G)"));
+    back_->setAutoRepeat(true);
+    step_->setAutoRepeat(true);
+    connect(back_, &QToolButton::clicked, &growth, &GrowthController::stepBack);
+    connect(backward_, &QToolButton::clicked, &growth, &GrowthController::playBackward);
+    connect(pause_, &QToolButton::clicked, &growth, &GrowthController::pause);
+    connect(play_, &QToolButton::clicked, &growth, &GrowthController::play);
+    connect(step_, &QToolButton::clicked, &growth, &GrowthController::step);
+    connect(end_, &QToolButton::clicked, &growth, &GrowthController::toEnd);
+    for (QToolButton* button : {back_, backward_, pause_, play_, step_, end_}) {
+        button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+        row->addWidget(button);
+    }
+    return holder;
+}
+
+QWidget* GrowthPanel::makeScrubRow() {
+    auto& growth = studio_.growth();
+    auto* holder = new QWidget;
+    auto* row = rowIn(holder, 8);
+    scrub_ = named(new ScrubBar, "scrubBar", tr("Generation shown"));
+    scrub_->setToolTip(tr("Drag through the generations; growing goes on from the one shown"));
+    connect(scrub_, &ScrubBar::scrubbed, &growth, &GrowthController::scrubTo);
+    connect(scrub_, &ScrubBar::released, &growth, &GrowthController::endScrub);
+    generation_ = named(new QLabel, "generation", tr("Generation"));
+    generation_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    generation_->setMinimumWidth(76);
+    row->addWidget(scrub_, 1);
+    row->addWidget(generation_);
+    return holder;
+}
+
+QWidget* GrowthPanel::makeOptions() {
+    auto* holder = new QWidget;
+    auto* row = rowIn(holder, 8);
+    autoStart_ = makeCheckBox("autoStart", tr("Auto start"), tr("Start growing as soon as seeds are drawn"),
+                              studio_.growth().isAutoStart());
+    connect(autoStart_, &QCheckBox::toggled, &studio_.growth(), &GrowthController::setAutoStart);
+    speed_ = named(new QSpinBox, "growthSpeed", tr("Generations per second"));
+    speed_->setRange(0, 60);
+    speed_->setSpecialValueText(tr("full speed"));
+    speed_->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    speed_->setAlignment(Qt::AlignRight);
+    speed_->setSuffix(tr(" per s"));
+    speed_->setToolTip(tr("Generations per second; 0 grows as fast as it can"));
+    connect(speed_, &QAbstractSpinBox::editingFinished, speed_, &QWidget::clearFocus);
+    connect(speed_, &QSpinBox::valueChanged, &studio_.growth(), &GrowthController::setSpeed);
+    row->addWidget(autoStart_);
+    row->addStretch(1);
+    row->addWidget(speed_);
+    return holder;
+}
+
+void GrowthPanel::refresh() {
+    const auto& growth = studio_.growth();
+    const auto status = growth.status();
+    const bool canPlay = growth.canPlay() && !studio_.isLoading();
+    play_->setEnabled(canPlay && (!growth.isPlaying() || growth.isBackward()));
+    backward_->setEnabled(canPlay && status.generation > 1 && !growth.isBackward());
+    pause_->setEnabled(growth.isPlaying());
+    step_->setEnabled(canPlay);
+    back_->setEnabled(canPlay && status.generation > 1);
+    end_->setEnabled(canPlay && !growth.isToEnd());
+    scrub_->setEnabled(canPlay);
+    if (!scrub_->isSliderDown()) {
+        const QSignalBlocker blocker(scrub_);
+        scrub_->setRange(status.hasSeeds ? 1 : 0, status.hasSeeds ? status.extent : 1);
+        scrub_->setPageStep(std::max(1, status.extent / 10));
+        scrub_->setValue(status.generation);
+    }
+    generation_->setText(status.hasSeeds ? tr("%1 of %2").arg(status.generation).arg(status.extent)
+                                         : tr("no seeds yet"));
+    remove_->setEnabled(studio_.segments().canRemove());
+    if (!opacity_->isSliderDown()) {
+        isShowing_ = true;
+        opacity_->setValue(int(std::lround(100 * studio_.segments().list().working().opacity)));
+        isShowing_ = false;
+    }
+}
+
+} // namespace vs::desktop

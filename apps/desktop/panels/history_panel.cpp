@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "panels/history_panel.h"
+
+#include "model/studio/studio_controller.h"
+#include "model/texts/operation_texts.h"
+#include "parts/icons.h"
+#include "parts/panel_parts.h"
+#include "parts/theme.h"
+
+#include <QEvent>
+#include <QListWidget>
+
+namespace vs::desktop {
+
+HistoryPanel::HistoryPanel(StudioController& studio)
+    : studio_(studio), travel_(studio), list_(named(new QListWidget, "historyList", tr("History"))) {
+    named(this, "historyPanel", tr("History"));
+    setWindowTitle(tr("History"));
+    setAllowedAreas(Qt::LeftDockWidgetArea | Qt::RightDockWidgetArea);
+    list_->setUniformItemSizes(true);
+    list_->setIconSize(QSize(18, 18));
+    list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    list_->setMinimumWidth(190);
+    setWidget(list_);
+    const auto go = [this](QListWidgetItem* item) { travel_.goTo(std::size_t(list_->row(item))); };
+    connect(list_, &QListWidget::itemClicked, this, go);
+    connect(list_, &QListWidget::itemActivated, this, go);
+    connect(&studio_, &StudioController::opened, this, [this] {
+        seenOperations_ = 0;
+        refresh();
+    });
+    connect(&studio_, &StudioController::closed, list_, &QListWidget::clear);
+    connect(&studio_, &StudioController::changed, this, [this] {
+        const auto* document = studio_.document();
+        if (document != nullptr && document->log().size() != seenOperations_) {
+            refresh();
+        }
+    });
+}
+
+void HistoryPanel::showEvent(QShowEvent* event) {
+    QDockWidget::showEvent(event);
+    refresh();
+}
+
+void HistoryPanel::changeEvent(QEvent* event) {
+    QDockWidget::changeEvent(event);
+    if (event->type() == QEvent::PaletteChange) {
+        refresh();
+    }
+}
+
+void HistoryPanel::refresh() {
+    const auto* document = studio_.document();
+    if (document == nullptr || !isVisible() || studio_.isReplaying()) {
+        return; // looked at again when it is shown, or when the last operation is replayed
+    }
+    seenOperations_ = document->log().size();
+    const auto steps = document->steps();
+    list_->clear();
+    addRow("open", tr("Opened"), true);
+    for (std::size_t n = 0; n < steps.operations.size(); ++n) {
+        const auto& operation = *steps.operations[n];
+        addRow(iconName(operation), describe(operation), n < steps.done);
+    }
+    list_->setCurrentRow(int(steps.done));
+    list_->scrollToItem(list_->currentItem());
+}
+
+void HistoryPanel::addRow(const char* iconName, const QString& text, bool holds) {
+    const QIcon picture = icon(iconName);
+    auto* row = new QListWidgetItem(
+        holds ? picture : QIcon(picture.pixmap(list_->iconSize(), QIcon::Disabled)), text, list_);
+    row->setToolTip(holds ? tr("Go back to after this") : tr("Do this again"));
+    if (!holds) {
+        row->setForeground(theme::kDisabled);
+    }
+}
+
+} // namespace vs::desktop

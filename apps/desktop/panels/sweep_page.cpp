@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/studio/studio_controller.h"
+#include "model/texts/texts.h"
+#include "panels/cut_rows.h"
+#include "panels/tool_pages.h"
+#include "parts/panel_parts.h"
+#include "tools/sweep_tool.h"
+
+#include <QCheckBox>
+#include <QFormLayout>
+#include <QPushButton>
+
+#include <cmath>
+
+namespace vs::desktop {
+
+namespace {
+
+// A row with a slider for one of the numbers; `perUnit` positions of it are one.
+QWidget* addNumber(QFormLayout* form, SweepTool& tool, const char* objectName, const QString& text,
+                   const QString& tip, double SweepTool::Settings::*number, Range range, int perUnit) {
+    auto* slider = makeSlider(objectName, tip, int(perUnit * range.lo), int(perUnit * range.hi),
+                              int(std::lround(perUnit * tool.settings().*number)));
+    slider->setToolTip(tip);
+    QObject::connect(slider, &QSlider::valueChanged, &tool, [&tool, number, perUnit](int v) {
+        auto settings = tool.settings();
+        settings.*number = double(v) / perUnit;
+        tool.set(settings);
+    });
+    auto* row = withValue(
+        slider, [perUnit](int v) { return QString::number(double(v) / perUnit, 'f', perUnit > 1 ? 1 : 0); });
+    form->addRow(text, row);
+    return row;
+}
+
+} // namespace
+
+QWidget* makeSweepPage(StudioController& studio) {
+    auto* page = new QWidget;
+    auto* form = makeForm(page);
+    SweepTool& tool = studio.sweepTool();
+    addCutOrRestore(form, tool, studio, "sweep");
+    auto* way =
+        new ChoiceRow({{"sweepSurface", tr("On the surface"), tr("Draw the way on the surface")},
+                       {"sweepPlane", tr("Across the view"), tr("Draw the way in the plane across the view")},
+                       {"sweepLine", tr("Line inward"), tr("Straight along the view, through the shape")},
+                       {"sweepHelix", tr("Helix inward"), tr("A helix along the view, about the shape")}},
+                      int(tool.settings().way), 2);
+    QObject::connect(way, &ChoiceRow::chosen, &tool, [&tool](int n) {
+        auto settings = tool.settings();
+        settings.way = SweepTool::Way(n);
+        tool.set(settings);
+    });
+    form->addRow(way);
+    using Settings = SweepTool::Settings;
+    auto* length = addNumber(form, tool, "sweepLength", tr("Length (steps)"), tr("How far inward, in steps"),
+                             &Settings::length, {5, 200}, 1);
+    auto* radius = addNumber(form, tool, "sweepHelixRadius", tr("Helix radius (steps)"), tr("In steps"),
+                             &Settings::helixRadius, {2, 60}, 1);
+    auto* turns = addNumber(form, tool, "sweepTurns", tr("Turns"), tr("From end to end"), &Settings::turns,
+                            {0.5, 10}, 2);
+    auto* frame = new ChoiceRow(
+        {{"sweepParallel", tr("Parallel"), tr("The shape turns as little as it can along its way")},
+         {"sweepFrenet", tr("Frenet"), tr("The shape turns with the way's bends")}},
+        int(tool.settings().frame));
+    QObject::connect(frame, &ChoiceRow::chosen, &tool, [&tool](int n) {
+        auto settings = tool.settings();
+        settings.frame = sculpt::FrameKind(n);
+        tool.set(settings);
+    });
+    form->addRow(tr("Turning"), frame);
+    addRadius(form, tool, "sweep");
+    auto* atOnce = makeCheckBox("sweepAtPenUp", tr("At once when the pen is lifted"),
+                                tr("Instead of showing the way first"), tool.settings().cutsAtPenUp);
+    QObject::connect(atOnce, &QCheckBox::toggled, &tool, [&tool](bool on) {
+        auto settings = tool.settings();
+        settings.cutsAtPenUp = on;
+        tool.set(settings);
+    });
+    form->addRow(atOnce);
+    auto* apply = named(new QPushButton, "sweepApply", tr("Sweep what is shown"));
+    apply->setFocusPolicy(Qt::TabFocus);
+    QObject::connect(apply, &QPushButton::clicked, &tool, &SweepTool::accept);
+    form->addRow(apply);
+    const auto show = [&tool, form, length, radius, turns, apply] {
+        const auto now = tool.settings().way;
+        const bool isHelix = now == SweepTool::Way::Helix;
+        form->setRowVisible(length, isHelix || now == SweepTool::Way::Line);
+        form->setRowVisible(radius, isHelix);
+        form->setRowVisible(turns, isHelix);
+        apply->setText(tool.restores() ? tr("Restore what is shown (Enter)")
+                                       : tr("Cut what is shown (Enter)"));
+        apply->setEnabled(tool.canAccept());
+    };
+    QObject::connect(&tool, &Tool::overlayChanged, apply, show);
+    show();
+    return page;
+}
+
+} // namespace vs::desktop

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "testing/layout_reporter.h"
+
+#include "model/segments/growth_controller.h"
+#include "model/segments/segment_controller.h"
+#include "model/slices/slice_controller.h"
+#include "model/studio/studio_controller.h"
+#include "model/studio/tool.h"
+#include "parts/theme.h"
+#include "tools/measure_tool.h"
+#include "tools/move_tool.h"
+#include "view/view_widget.h"
+#include "window/main_window.h"
+
+#include "base/atomic_file.h"
+#include "base/error.h"
+#include "base/log.h"
+
+#include <nlohmann/json.hpp>
+
+#include <QApplication>
+#include <QComboBox>
+#include <QEvent>
+#include <QListWidget>
+#include <QWidget>
+
+#include <cmath>
+
+namespace vs::desktop {
+
+namespace {
+
+constexpr int kPollMs = 40;
+
+// Scripts point in the screen's own pixels, Qt thinks in scaled ones. Where the handles of pasted parts are
+// on the screen.
+nlohmann::json handlesOnScreen(const QWidget& view, const MoveTool& tool) {
+    const double scale = view.devicePixelRatioF();
+    nlohmann::json places = nlohmann::json::array();
+    for (const QPointF place : tool.handles()) {
+        const QPointF onScreen = (QPointF(view.mapToGlobal(QPoint(0, 0))) + place) * scale;
+        places.push_back({std::lround(onScreen.x()), std::lround(onScreen.y())});
+    }
+    return places;
+}
+
+// In mm and degrees.
+nlohmann::json measured(const MeasureTool& tool) {
+    nlohmann::json values = nlohmann::json::array();
+    for (const Measurement& measurement : tool.measurements()) {
+        values.push_back(valueOf(measurement));
+    }
+    return values;
+}
+
+// Height of a row of the history on the screen; 0: it is not shown.
+int historyRowHeight() {
+    for (const QWidget* widget : QApplication::allWidgets()) {
+        const auto* list = qobject_cast<const QListWidget*>(widget);
+        if (list != nullptr && list->isVisible() && list->objectName() == "historyList") {
+            return int(std::lround(list->sizeHintForRow(0) * list->devicePixelRatioF()));
+        }
+    }
+    return 0;
+}
+
+// In its property "report"; of lists of choices, what is chosen.
+QString reportOf(const QWidget& widget) {
+    const QString said = widget.property("report").toString();
+    const auto* choices = qobject_cast<const QComboBox*>(&widget);
+    return said.isEmpty() && choices != nullptr ? choices->currentText() : said;
+}
+
+nlohmann::json screenRect(const QWidget& widget) {
+    const double scale = widget.devicePixelRatioF();
+    const QPointF corner = QPointF(widget.mapToGlobal(QPoint(0, 0))) * scale;
+    return {std::lround(corner.x()), std::lround(corner.y()), std::lround(widget.width() * scale),
+            std::lround(widget.height() * scale)};
+}
+
+nlohmann::json listOf(const SegmentController& segments) {
+    nlohmann::json list = nlohmann::json::array();
+    for (const studio::SegmentInfo& info : segments.list().segments) {
+        list.push_back({{"name", info.name},
+                        {"voxels", segments.voxels(info.label)},
+                        {"visible", info.isVisible},
+                        {"locked", info.isLocked},
+                        {"opacity", info.opacity},
+                        {"working", info.label == segments.list().atWork}});
+    }
+    return list;
+}
+
+} // namespace
+
+LayoutReporter::LayoutReporter(StudioController& studio, MainWindow& window, std::filesystem::path path)
+    : QObject(&window), studio_(studio), window_(window), path_(std::move(path)), fence_(studio) {
+    connect(&fence_, &InputFence::isPassed, this, &LayoutReporter::write);
+    connect(&timer_, &QTimer::timeout, this, &LayoutReporter::write);
+    timer_.setProperty(LongWork::kRunsMeanwhile, true);
+    timer_.start(kPollMs);
+}
+
+nlohmann::json LayoutReporter::documentReport() const {
+    const auto* document = studio_.document();
+    const auto status = studio_.growth().status();
+    return {{"generation", status.generation},
+            {"extent", status.extent},
+            {"voxels", status.voxels},
+            {"segments", listOf(studio_.segments())},
+            {"operations", document != nullptr ? document->log().size() : 0},
+            {"steps", document != nullptr ? document->steps().operations.size() : 0},
+            {"stepsDone", document != nullptr ? document->steps().done : 0},
+            {"canUndo", document != nullptr && document->canUndo()},
+            {"canRedo", document != nullptr && document->canRedo()},
+            {"unsaved", studio_.hasUnsavedEdits()},
+            {"pictureComplete", studio_.picture().isComplete()},
+            {"handles", handlesOnScreen(window_.view(), studio_.moveTool())},
+            {"glErrors", studio_.host().errorCount()}};
+}
+
+void LayoutReporter::write() {
+    // Without the document, what is said of it would not go with what the window says.
+    if (studio_.isAway() && (ofDocument_.is_null() || !studio_.isLasting())) {
+        return;
+    }
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+    if (!studio_.isAway()) {
+        ofDocument_ = documentReport();
+    }
+    nlohmann::json widgets = nlohmann::json::object();
+    nlohmann::json windows = nlohmann::json::object(); // the X server's names of those that are shown
+    nlohmann::json disabled = nlohmann::json::array();
+    nlohmann::json reports = nlohmann::json::object(); // what widgets say of themselves
+    for (const QWidget* widget : QApplication::allWidgets()) {
+        const QString name = widget->objectName();
+        if (widget->isVisible() && !name.isEmpty() && !name.startsWith("qt_")) {
+            widgets[name.toStdString()] = screenRect(*widget);
+            if (widget->isWindow()) {
+                windows[name.toStdString()] = widget->winId();
+            }
+            if (!widget->isEnabled()) {
+                disabled.push_back(name.toStdString());
+            }
+            if (const QString said = reportOf(*widget); !said.isEmpty()) {
+                reports[name.toStdString()] = said.toStdString();
+            }
+        }
+    }
+    const QWidget* focused = QApplication::focusWidget();
+    const auto& view = studio_.view();
+    nlohmann::json report{
+        {"idle", studio_.isIdle()},
+        {"loading", studio_.isLoading()},
+        {"away", studio_.isAway()},
+        {"lasting", studio_.isLasting()},
+        {"tool", studio_.tool().name().toStdString()},
+        {"hint", studio_.tool().hint().toStdString()},
+        {"mode", render::name(view.mode)},
+        {"camera",
+         {{"azimuth", view.camera.azimuthDegrees},
+          {"elevation", view.camera.elevationDegrees},
+          {"roll", view.camera.rollDegrees},
+          {"zoom", view.camera.zoom},
+          {"pan", {view.camera.panMm.x, view.camera.panMm.y}}}},
+        {"range", {view.range.lo, view.range.hi}},
+        {"playing", studio_.growth().isPlaying()},
+        {"smooth", view.sampling == field::Sampling::Tricubic},
+        {"historyRow", historyRowHeight()},
+        {"message", studio_.message().toStdString()},
+        {"desktopLight", isDesktopLight()},
+        {"focus", focused != nullptr ? focused->objectName().toStdString() : std::string()},
+        {"title", window_.windowTitle().toStdString()},
+        {"viewRect", window_.view().isVisible() ? screenRect(window_.view()) : nlohmann::json::array()},
+        {"viewport", {studio_.picture().viewport().x, studio_.picture().viewport().y}},
+        {"crosshair",
+         {studio_.slices().crosshair().x, studio_.slices().crosshair().y, studio_.slices().crosshair().z}},
+        {"measurements", measured(studio_.measureTool())},
+        {"fence", fence_.window()},
+        {"passed", fence_.passed()},
+        {"windows", windows},
+        {"disabled", disabled},
+        {"reports", reports},
+        {"widgets", widgets}};
+    report.update(ofDocument_);
+    const std::string text = report.dump(1);
+    if (text == written_) {
+        return;
+    }
+    try {
+        writeFileAtomically(path_, text);
+        written_ = text;
+    } catch (const Error& e) {
+        logNotice(e.what());
+        timer_.stop(); // once is enough to be told
+    }
+}
+
+} // namespace vs::desktop

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "model/studio/tool.h"
+
+#include "base/math.h"
+
+namespace vs::desktop {
+
+class StudioController;
+
+// Turns the volume with the left button. Turning, moving and zooming are also there for the other buttons,
+// the wheel, fingers and keys whatever tool is chosen: that is turn(), pan(), zoom(), roll() and reset().
+class CameraTool : public Tool {
+    Q_OBJECT
+
+public:
+    explicit CameraTool(StudioController& studio);
+
+    [[nodiscard]] QString name() const override { return "camera"; }
+    [[nodiscard]] QString hint() const override;
+    [[nodiscard]] Qt::CursorShape cursor() const override;
+    void press(const Pen& pen) override;
+    void move(const Pen& pen) override;
+    void release(const Pen& pen) override;
+    void clear() override { isDragging_ = false; }
+    [[nodiscard]] bool isBusy() const override { return isDragging_; }
+
+    // By a movement in logical pixels.
+    void turn(QPointF delta);
+    void pan(QPointF delta);
+    // By a factor; the place under `anchor` (logical pixels of the view) stays there.
+    void zoom(double factor, QPointF anchor);
+    // About the line of sight, clockwise; the place under `anchor` stays there.
+    void roll(double degrees, QPointF anchor);
+    void reset();
+
+private:
+    // Of a place of the view (logical pixels) at the depth that is looked at, to the right and up.
+    [[nodiscard]] glm::dvec2 millimetresFromCentre(QPointF place) const;
+
+    StudioController& studio_;
+    QPointF last_;
+    bool isDragging_ = false;
+};
+
+} // namespace vs::desktop

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/cut_tool.h"
+
+#include "model/segments/segment_controller.h"
+#include "model/studio/sketch_hints.h"
+#include "model/studio/studio_controller.h"
+
+namespace vs::desktop {
+
+bool CutTool::actsOnSegment() const { return canActOnSegment() && studio_.brushesSegment(); }
+
+QString CutTool::withTarget(const QString& hint) const {
+    if (!actsOnSegment()) {
+        return hint;
+    }
+    if (const QString locked = lockedHint(studio_); !locked.isEmpty()) {
+        return locked;
+    }
+    if (isSketching()) {
+        return hint;
+    }
+    const QString name = QString::fromStdString(studio_.segments().list().working().name);
+    return hint + " " +
+           (adds() ? tr("What it takes is added to %1, the scan stays. R removes.").arg(name)
+                   : tr("What it takes is removed from %1, the scan stays. R adds.").arg(name));
+}
+
+QString CutTool::drawHint(const QString& what) const {
+    return actsOnSegment() ? what : what + " " + howToDraw(studio_.shape());
+}
+
+CutTool::CutTool(StudioController& studio) : Tool(&studio), studio_(studio) {}
+
+void CutTool::setRestores(bool restores) {
+    if (restores != restores_) {
+        restores_ = restores;
+        tell();
+    }
+}
+
+void CutTool::setRadius(int steps) {
+    if (steps != radius_) {
+        radius_ = steps;
+        tell();
+    }
+}
+
+void CutTool::tell() {
+    emit settingsChanged();
+    emit overlayChanged();
+}
+
+} // namespace vs::desktop

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "model/studio/tool.h"
+
+namespace vs::desktop {
+
+class StudioController;
+
+// A tool that cuts or, with its sign reversed, puts back what was cut. It remembers what was set for it.
+class CutTool : public Tool {
+    Q_OBJECT
+
+public:
+    static constexpr int kLeastRadius = 2;
+    static constexpr int kMostRadius = 4;
+
+    explicit CutTool(StudioController& studio);
+
+    [[nodiscard]] bool hasSign() const override { return true; }
+    [[nodiscard]] bool isReversed() const override { return restores_; }
+    void setReversed(bool reversed) override { setRestores(reversed); }
+    [[nodiscard]] bool restores() const { return restores_ && !actsOnSegment(); }
+    void setRestores(bool restores);
+    // Whether the tool can work on the segment at work instead of the scan, and whether it does: then it
+    // takes away from it, or adds to it with the sign reversed.
+    [[nodiscard]] virtual bool canActOnSegment() const { return false; }
+    [[nodiscard]] bool actsOnSegment() const;
+    [[nodiscard]] bool adds() const { return restores_ && actsOnSegment(); }
+    // Steps: the radiation's R. The larger, the rounder are a cut's edges.
+    [[nodiscard]] int radius() const { return radius_; }
+    void setRadius(int steps);
+
+signals:
+    void settingsChanged();
+
+protected:
+    [[nodiscard]] Overlay::Tint idleTint() const {
+        return restores_ ? Overlay::Tint::ReadyToRestore : Overlay::Tint::Idle;
+    }
+    [[nodiscard]] Overlay::Tint cuttingTint() const {
+        return restores_ ? Overlay::Tint::Restoring : Overlay::Tint::Cutting;
+    }
+    // A hint with what the tool works on when that is a segment, and how; a sketch says it by itself.
+    [[nodiscard]] QString withTarget(const QString& hint) const;
+    // What to draw, and how while there is room for it.
+    [[nodiscard]] QString drawHint(const QString& what) const;
+    // Tells everybody that something was set.
+    void tell();
+
+    StudioController& studio_;
+
+private:
+    bool restores_ = false;
+    int radius_ = 3;
+};
+
+} // namespace vs::desktop

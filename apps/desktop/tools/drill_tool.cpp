@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/drill_tool.h"
+
+namespace vs::desktop {
+
+DrillTool::DrillTool(StudioController& studio) : PenTool(studio, {8, 12, 10}) {}
+
+void DrillTool::setFollowsTilt(bool on) {
+    followsTilt_ = on;
+    tell();
+}
+
+PenTool::Words DrillTool::words() const {
+    const QString draw = tr("Draw the shape of the drill anywhere.");
+    if (restores()) {
+        return {
+            draw,
+            tr("The mask follows the pen. Press and move to fill in what was cut. Esc clears it for a new "
+               "shape."),
+            tr("Filling in: press harder to fill more. Let go to keep, Esc to undo.")};
+    }
+    return {draw, tr("The mask follows the pen. Press and move to drill. Esc clears it for a new shape."),
+            tr("Drilling: press harder to go deeper. Let go to keep, Esc to undo.")};
+}
+
+studio::Operation DrillTool::operation(const studio::PenCut& cut) const {
+    return studio::Drill{cut, followsTilt_};
+}
+
+} // namespace vs::desktop

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/move_tool.h"
+
+#include "model/studio/studio_controller.h"
+#include "model/studio/world_lines.h"
+#include "tools/camera_tool.h"
+
+#include <QFont>
+#include <QFontMetricsF>
+
+#include <algorithm>
+#include <cmath>
+#include <variant>
+
+namespace vs::desktop {
+
+namespace {
+constexpr double kHandle = 12; // radius, logical pixels
+constexpr double kReach = 18;  // of a click on it
+constexpr double kMargin = 6;  // around the chosen part's box
+constexpr double kDegreesPerPixel = 0.5;
+constexpr double kPerNotch = 1.08;
+} // namespace
+
+MoveTool::MoveTool(StudioController& studio) : Tool(&studio), studio_(studio) {
+    constexpr int kCalmMs = 350;
+    calm_.setSingleShot(true);
+    calm_.setInterval(kCalmMs);
+    connect(&calm_, &QTimer::timeout, this, &MoveTool::commit);
+    connect(&studio, &StudioController::changed, this, &MoveTool::lookForParts);
+    connect(&studio, &StudioController::opened, this, [this] { boxes_.clear(); });
+}
+
+int MoveTool::count() const { return int(studio_.view().pasted.size()); }
+
+QString MoveTool::hint() const {
+    if (count() == 0) {
+        return tr("Nothing is pasted yet: cut something out and paste it (Shift+V).");
+    }
+    if (isTurningView_) {
+        return tr("Turning the view. Press on the part to move that.");
+    }
+    if (before_ && !calm_.isActive()) {
+        return tr("Let go to leave the part there. Esc puts it back.");
+    }
+    const QString text =
+        tr("Drag the part to move it, with Shift to turn it, with Ctrl to roll it; the wheel scales it.");
+    return count() > 1 ? text + tr(" Tab: the next part.") : text;
+}
+
+Qt::CursorShape MoveTool::cursor() const {
+    return before_ ? Qt::ClosedHandCursor : isOver_ ? Qt::SizeAllCursor : Qt::OpenHandCursor;
+}
+
+// --- what is there
+
+// The boxes around the parts change with every edit but the moves of parts.
+void MoveTool::lookForParts() {
+    auto* document = studio_.document();
+    if (before_ || document == nullptr || studio_.isLoading() || document->isStrokeOpen() ||
+        document->isGrowing() || &studio_.tool() != this) {
+        return;
+    }
+    chosen_ = std::clamp(chosen_, 0, std::max(count() - 1, 0));
+    const auto& log = document->log();
+    const bool isNew = log.size() != seenEdits_ && !(log.size() == seenEdits_ + 1 && !log.empty() &&
+                                                     std::holds_alternative<studio::MovePart>(log.back()));
+    seenEdits_ = log.size();
+    if (isNew || int(boxes_.size()) != count()) {
+        boxes_.clear();
+        studio_.workLong([&] {
+            for (int part = 0; part < count(); ++part) {
+                boxes_.push_back(document->partBox(std::size_t(part)));
+            }
+        });
+        boxes_.resize(std::size_t(count()));
+    }
+    emit overlayChanged();
+}
+
+HeldPart MoveTool::held(int part) const {
+    const auto& geometry = *studio_.geometry();
+    const auto n = std::size_t(part);
+    glm::dvec3 centre = geometry.centreWorld();
+    if (n < boxes_.size() && !boxes_[n].isEmpty()) {
+        const glm::dvec3 voxel = 0.5 * glm::dvec3(boxes_[n].lo + boxes_[n].hi);
+        centre = glm::dvec3(geometry.worldFromVoxel * glm::dvec4(voxel, 1.0));
+    }
+    return {studio_.view().pasted[n], centre, geometry};
+}
+
+std::optional<render::Placement> MoveTool::place() const {
+    return chosen_ < count() ? std::optional(studio_.view().pasted[std::size_t(chosen_)]) : std::nullopt;
+}
+
+Overlays MoveTool::overlays() const {
+    Overlays overlays;
+    const auto* geometry = studio_.geometry();
+    if (geometry == nullptr) {
+        return overlays;
+    }
+    QFont font;
+    font.setPixelSize(14);
+    font.setBold(true);
+    for (int part = 0; part < count(); ++part) {
+        const bool isChosen = part == chosen_;
+        const auto tint = isChosen ? Overlay::Tint::Idle : Overlay::Tint::Pen;
+        const auto n = std::size_t(part);
+        if (isChosen && n < boxes_.size() && !boxes_[n].isEmpty()) {
+            const glm::dmat4 place =
+                render::worldFromPart(studio_.view().pasted[n], *geometry) * geometry->worldFromVoxel;
+            overlays.push_back(
+                {boxEdges(glm::dvec3(boxes_[n].lo), glm::dvec3(boxes_[n].hi), place, studio_), tint, 0, 1});
+        }
+        const QPointF at = studio_.seenAt(held(part).centre());
+        QPainterPath disc;
+        disc.addEllipse(at, kHandle, kHandle);
+        overlays.push_back({disc, tint, isChosen ? 0.6 : 0.2});
+        const QString number = QString::number(part + 1);
+        QPainterPath text;
+        text.addText(QPointF(0, 0), font, number);
+        text.translate(at - text.boundingRect().center());
+        overlays.push_back({text, Overlay::Tint::Pen, 1, 0});
+    }
+    return overlays;
+}
+
+std::vector<QPointF> MoveTool::handles() const {
+    std::vector<QPointF> places;
+    for (int part = 0; part < count(); ++part) {
+        places.push_back(studio_.seenAt(held(part).centre()));
+    }
+    return places;
+}
+
+std::optional<int> MoveTool::handleAt(QPointF position) const {
+    std::optional<int> nearest;
+    double least = kReach;
+    for (int part = 0; part < count(); ++part) {
+        const QPointF way = studio_.seenAt(held(part).centre()) - position;
+        const double distance = std::hypot(way.x(), way.y());
+        if (distance <= least) {
+            least = distance;
+            nearest = part;
+        }
+    }
+    return nearest;
+}
+
+bool MoveTool::isOverChosen(QPointF position) const {
+    const auto n = std::size_t(chosen_);
+    if (chosen_ >= count() || n >= boxes_.size() || boxes_[n].isEmpty()) {
+        return false;
+    }
+    const glm::dvec2 scale = studio_.devicePerLogical();
+    const QRectF seen = seenBox(boxes_[n], studio_.view().pasted[n], *studio_.geometry(), studio_.rays());
+    return seen.adjusted(-kMargin, -kMargin, kMargin, kMargin)
+        .contains(QPointF(position.x() * scale.x, position.y() * scale.y));
+}
+
+void MoveTool::choose(int part) {
+    settle();
+    chosen_ = std::clamp(part, 0, std::max(count() - 1, 0));
+    emit studio_.changed();
+    emit overlayChanged();
+}
+
+bool MoveTool::next(bool forward) {
+    if (count() < 2) {
+        return false;
+    }
+    choose((chosen_ + (forward ? 1 : count() - 1)) % count());
+    return true;
+}
+
+// --- by hand
+
+void MoveTool::press(const Pen& pen) {
+    settle();
+    last_ = pen.position;
+    const auto handle = count() > 0 ? handleAt(pen.position) : std::nullopt;
+    if (handle && *handle != chosen_) {
+        choose(*handle);
+    }
+    if (handle || isOverChosen(pen.position)) {
+        begin();
+    } else {
+        isTurningView_ = true;
+    }
+    emit overlayChanged();
+}
+
+void MoveTool::begin() {
+    if (!before_) {
+        before_ = studio_.view().pasted;
+    }
+}
+
+void MoveTool::move(const Pen& pen) {
+    const QPointF delta = pen.position - last_;
+    if (isTurningView_) {
+        studio_.cameraTool().turn(delta);
+    } else if (before_) {
+        HeldPart part = held(chosen_);
+        const auto rays = studio_.rays();
+        const glm::dvec3 right = glm::normalize(rays.right);
+        const glm::dvec3 up = glm::normalize(rays.up);
+        if (pen.modifiers.testFlag(Qt::ShiftModifier)) {
+            part.turn(up, kDegreesPerPixel * delta.x());
+            part.turn(right, kDegreesPerPixel * delta.y());
+        } else if (pen.modifiers.testFlag(Qt::ControlModifier)) {
+            const QPointF centre = studio_.seenAt(part.centre());
+            const QPointF from = last_ - centre;
+            const QPointF to = pen.position - centre;
+            const double angle = std::atan2(to.y(), to.x()) - std::atan2(from.y(), from.x());
+            part.turn(rays.forward, glm::degrees(angle)); // clockwise as seen, as y points down
+        } else {
+            const double mm = rays.pixelMm(part.centre()) * studio_.devicePerLogical().y;
+            part.move(mm * (delta.x() * right - delta.y() * up));
+        }
+        show(part.place());
+    }
+    last_ = pen.position;
+}
+
+void MoveTool::release(const Pen& pen) {
+    if (before_) {
+        move(pen);
+        commit();
+    }
+    isTurningView_ = false;
+    hover(pen);
+    emit overlayChanged();
+}
+
+void MoveTool::hover(const Pen& pen) {
+    const bool isOver = count() > 0 && (handleAt(pen.position) || isOverChosen(pen.position));
+    if (isOver != isOver_) {
+        isOver_ = isOver;
+        emit overlayChanged();
+    }
+}
+
+bool MoveTool::wheel(double notches, const Pen& pen) {
+    if (count() == 0 || !isOverChosen(pen.position)) {
+        return false;
+    }
+    begin();
+    HeldPart part = held(chosen_);
+    part.scale(std::pow(kPerNotch, notches));
+    show(part.place());
+    calm_.start();
+    return true;
+}
+
+void MoveTool::resetPlace() {
+    if (place()) {
+        begin();
+        show({});
+        commit();
+    }
+}
+
+// --- showing and keeping it
+
+void MoveTool::show(const render::Placement& place) {
+    auto view = studio_.view();
+    view.pasted[std::size_t(chosen_)] = place;
+    studio_.look(view);
+    emit overlayChanged();
+}
+
+// The document moves it itself, from where it was: so undo takes it back there.
+void MoveTool::commit() {
+    calm_.stop();
+    if (!before_) {
+        return;
+    }
+    const auto before = std::move(*before_);
+    before_.reset();
+    const auto place = studio_.view().pasted[std::size_t(chosen_)];
+    auto view = studio_.view();
+    view.pasted = before;
+    studio_.look(view);
+    if (!(place == before[std::size_t(chosen_)])) {
+        studio_.apply(studio::MovePart{chosen_, place});
+    }
+    emit overlayChanged();
+}
+
+void MoveTool::drop() {
+    calm_.stop();
+    if (before_) {
+        auto view = studio_.view();
+        view.pasted = *std::exchange(before_, std::nullopt);
+        studio_.look(view);
+    }
+    emit overlayChanged();
+}
+
+void MoveTool::settle() {
+    calm_.isActive() ? commit() : drop(); // what the wheel did was meant
+}
+
+void MoveTool::clear() {
+    isTurningView_ = false;
+    settle();
+}
+
+} // namespace vs::desktop

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "model/studio/tool.h"
+#include "tools/placement_by_hand.h"
+
+#include "base/math.h"
+
+#include <QTimer>
+
+#include <optional>
+
+namespace vs::desktop {
+
+class StudioController;
+
+// Moves, turns and scales pasted parts by hand. Each has a handle with its number; the chosen one has its box
+// around it. Seen while it moves; one operation when it is let go.
+class MoveTool : public Tool {
+    Q_OBJECT
+
+public:
+    explicit MoveTool(StudioController& studio);
+
+    [[nodiscard]] QString name() const override { return "move"; }
+    [[nodiscard]] QString hint() const override;
+    [[nodiscard]] Overlays overlays() const override;
+    [[nodiscard]] Qt::CursorShape cursor() const override;
+    void press(const Pen& pen) override;
+    void move(const Pen& pen) override;
+    void release(const Pen& pen) override;
+    void hover(const Pen& pen) override;
+    bool wheel(double notches, const Pen& pen) override;
+    [[nodiscard]] bool takesShift() const override { return isOver_; }
+    bool next(bool forward) override;
+    void clear() override;
+    void settle() override;
+    [[nodiscard]] bool isBusy() const override { return before_.has_value() || isTurningView_; }
+
+    // Counted from 0.
+    [[nodiscard]] int chosen() const { return chosen_; }
+    void choose(int part);
+    [[nodiscard]] int count() const;
+    // Where the parts' handles are, in logical pixels of the view.
+    [[nodiscard]] std::vector<QPointF> handles() const;
+    // The chosen part's place as it is shown; nothing if there is none.
+    [[nodiscard]] std::optional<render::Placement> place() const;
+    // Back where it was pasted from, upright and at its own size.
+    void resetPlace();
+
+private:
+    void lookForParts();
+    [[nodiscard]] HeldPart held(int part) const;
+    [[nodiscard]] std::optional<int> handleAt(QPointF position) const;
+    [[nodiscard]] bool isOverChosen(QPointF position) const;
+    void begin();
+    void show(const render::Placement& place);
+    void commit();
+    void drop();
+
+    StudioController& studio_;
+    int chosen_ = 0;
+    std::vector<Box3> boxes_;   // of the parts, where they were cut out
+    std::size_t seenEdits_ = 0; // operations in the log when they were looked for
+    bool isOver_ = false;       // the pen hovers over the chosen part or a handle
+    bool isTurningView_ = false;
+    std::optional<std::vector<render::Placement>> before_; // while one is in hand
+    QPointF last_;
+    QTimer calm_; // the wheel has no end of its own
+};
+
+} // namespace vs::desktop

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/pen_tool.h"
+
+#include "model/studio/sketch_hints.h"
+#include "model/studio/studio_controller.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vs::desktop {
+
+namespace {
+// Press and hold: from a light touch to full pressure.
+constexpr double kRampFrom = 0.2;
+constexpr double kRampMs = 1000;
+constexpr double kRampStep = 0.05; // of pressure: less would not be seen
+} // namespace
+
+PenTool::PenTool(StudioController& studio, Depths depths)
+    : CutTool(studio), depths_(depths), depth_(depths.usual) {}
+
+void PenTool::setDepth(double steps) {
+    depth_ = steps;
+    tell();
+}
+
+void PenTool::setKeepsDigging(bool on) {
+    keepsDigging_ = on;
+    tell();
+}
+
+QString PenTool::hint() const { return withTarget(doing()); }
+
+QString PenTool::doing() const {
+    switch (state_) {
+    case State::Empty:
+        return drawHint(words().draw);
+    case State::Sketching:
+        return sketchHint(pad_, SketchEnd::Mask);
+    case State::Ready:
+        return words().follow;
+    case State::Cutting:
+        break;
+    }
+    return words().cut;
+}
+
+Overlays PenTool::overlays() const {
+    switch (state_) {
+    case State::Empty:
+        return {};
+    case State::Sketching:
+        return sketchOverlays(pad_, idleTint());
+    case State::Ready:
+        return {{maskAtPen(), idleTint(), Overlay::kMaskFill}};
+    case State::Cutting:
+        break;
+    }
+    return {{maskAtPen(), cuttingTint(), Overlay::kMaskFill}};
+}
+
+QPainterPath PenTool::maskAtPen() const {
+    QPainterPath path = pad_.area();
+    if (isPenOver_) {
+        path.translate(pen_ - pad_.centre());
+    }
+    return path;
+}
+
+void PenTool::setState(State state) {
+    state_ = state;
+    emit overlayChanged();
+}
+
+void PenTool::press(const Pen& pen) {
+    pen_ = pen.position;
+    isPenOver_ = true;
+    if (state_ == State::Ready) {
+        beginCut(pen);
+    } else {
+        if (state_ != State::Sketching) { // else the next corner of a polyline
+            pad_.begin(studio_.shape(), pen.position, studio_.stencil());
+        }
+        pad_.press(pen);
+        setState(State::Sketching);
+    }
+}
+
+void PenTool::beginCut(const Pen& pen) {
+    studio::PenCut cut;
+    cut.mask = pad_.sketch(studio_.devicePerLogical());
+    cut.depthMax = depth_;
+    cut.radius = radius();
+    cut.restores = restores();
+    cut.keepsDigging = keepsDigging_;
+    if (!studio_.beginStroke([&](auto& document, const auto& canvas) {
+            cut.canvas = canvas;
+            document.beginStroke(operation(cut));
+        })) {
+        return;
+    }
+    waiting_.clear();
+    hasBegun_ = false;
+    last_ = {glm::dvec2(-1e9), 0};
+    sincePress_ = Timer();
+    ramping_.reset();
+    if (pen.isMouse && studio_.rampsPressure()) {
+        ramping_ = pen;
+    }
+    setState(State::Cutting);
+    enqueue(pen);
+}
+
+void PenTool::move(const Pen& pen) {
+    pen_ = pen.position;
+    if (state_ == State::Sketching) {
+        pad_.extend(pen.position);
+    } else if (state_ == State::Cutting) {
+        enqueue(pen);
+    }
+    emit overlayChanged();
+}
+
+void PenTool::release(const Pen& pen) {
+    if (state_ == State::Sketching) {
+        if (pad_.end(pen.position)) {
+            takeMask();
+        }
+        emit overlayChanged();
+    } else if (state_ == State::Cutting) {
+        ramping_.reset();
+        cut(1e9);                       // all that is waiting
+        if (state_ == State::Cutting) { // cut() may have failed
+            studio_.endStroke(true);
+            setState(State::Ready);
+        }
+    }
+}
+
+void PenTool::takeMask() {
+    isPenOver_ = false; // stays where it was drawn until the pen moves
+    if (pad_.isOfUse()) {
+        setState(State::Ready);
+    } else {
+        abandon();
+    }
+}
+
+bool PenTool::accept() {
+    const bool isDone = state_ == State::Sketching && pad_.finish();
+    if (isDone) {
+        takeMask();
+    }
+    return isDone;
+}
+
+void PenTool::hover(const Pen& pen) {
+    pen_ = pen.position;
+    isPenOver_ = true;
+    if (state_ == State::Sketching) {
+        pad_.extend(pen.position);
+    }
+    if (state_ != State::Empty) {
+        emit overlayChanged();
+    }
+}
+
+void PenTool::leave() {
+    isPenOver_ = false;
+    if (state_ == State::Ready) {
+        emit overlayChanged();
+    }
+}
+
+void PenTool::clear() {
+    if (state_ == State::Cutting) {
+        waiting_.clear();
+        studio_.endStroke(false);
+        setState(State::Ready);
+    } else {
+        abandon();
+    }
+}
+
+void PenTool::viewResized() {
+    if (state_ == State::Cutting) {
+        studio_.endStroke(false);
+    }
+    abandon();
+}
+
+void PenTool::abandon() {
+    pad_.clear();
+    waiting_.clear();
+    setState(State::Empty);
+}
+
+double PenTool::pressureOf(const Pen& pen) const {
+    return ramping_ ? std::min(kRampFrom + (1 - kRampFrom) * sincePress_.milliseconds() / kRampMs, 1.0)
+                    : pen.pressure;
+}
+
+void PenTool::enqueue(const Pen& pen) {
+    if (ramping_) {
+        ramping_ = pen;
+    }
+    const sculpt::PenPoint point{glm::dvec2(pen.position.x(), pen.position.y()) * studio_.devicePerLogical(),
+                                 pressureOf(pen), glm::dvec2(pen.tiltDegrees.x(), pen.tiltDegrees.y())};
+    // Energy counts once per place, so a report from the same place that presses no harder would change
+    // nothing.
+    if (glm::distance(point.pixel, last_.pixel) < 1 && point.pressure <= last_.pressure) {
+        return;
+    }
+    last_ = point;
+    waiting_.push_back(point);
+    studio_.wake();
+}
+
+void PenTool::advance() {
+    constexpr double kSliceMs = 18; // less, and a hasty pen would be followed ever later
+    ramp();
+    cut(kSliceMs);
+}
+
+// A mouse that is held still presses harder too.
+void PenTool::ramp() {
+    if (state_ != State::Cutting || !ramping_ || last_.pressure >= 1) {
+        return;
+    }
+    const double pressure = pressureOf(*ramping_);
+    if (waiting_.empty() && (pressure >= last_.pressure + kRampStep || pressure >= 1)) {
+        enqueue(*ramping_);
+    }
+    studio_.wake(); // until it is full
+}
+
+// A point costs as much as a whole stretch. Where the pen has gone on straight, the last of those that wait
+// says as much as all of them.
+void PenTool::straighten() {
+    constexpr double kWithinPixels = 1; // a mouse's places are rounded to whole ones
+    constexpr double kWithinPressure = 0.02;
+    const auto isOnWay = [&](const sculpt::PenPoint& point, const sculpt::PenPoint& end) {
+        const glm::dvec2 way = end.pixel - done_.pixel;
+        const double length = std::max(glm::length(way), 1e-9);
+        const double along = glm::dot(point.pixel - done_.pixel, way) / (length * length);
+        const glm::dvec2 nearest = done_.pixel + along * way;
+        const double pressure = glm::mix(done_.pressure, end.pressure, along);
+        return along >= 0 && along <= 1 && glm::distance(point.pixel, nearest) <= kWithinPixels &&
+               std::abs(point.pressure - pressure) <= kWithinPressure &&
+               glm::distance(point.tiltDegrees, end.tiltDegrees) <= 1;
+    };
+    const auto begin = waiting_.begin();
+    std::ptrdiff_t dropped = 0;
+    while (dropped + 1 < std::ptrdiff_t(waiting_.size()) &&
+           std::all_of(begin, begin + dropped + 1,
+                       [&](const auto& point) { return isOnWay(point, begin[dropped + 1]); })) {
+        ++dropped;
+    }
+    waiting_.erase(begin, begin + dropped);
+}
+
+void PenTool::cut(double budgetMs) {
+    const Timer timer;
+    while (state_ == State::Cutting && !waiting_.empty()) {
+        if (hasBegun_ && !keepsDigging_) {
+            straighten();
+        }
+        done_ = waiting_.front();
+        waiting_.pop_front();
+        hasBegun_ = true;
+        if (!studio_.workLong([&] { studio_.document()->updatePen(done_); })) {
+            waiting_.clear();
+            studio_.endStroke(false);
+            setState(State::Ready);
+            return;
+        }
+        if (timer.milliseconds() > budgetMs) {
+            studio_.wake();
+            return;
+        }
+    }
+}
+
+} // namespace vs::desktop

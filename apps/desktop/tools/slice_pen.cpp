@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/slice_pen.h"
+
+#include "model/segments/growth_controller.h"
+#include "model/slices/slice_controller.h"
+#include "model/studio/studio_controller.h"
+#include "tools/measure_tool.h"
+#include "tools/paint_tool.h"
+#include "tools/seed_tool.h"
+
+#include <utility>
+
+namespace vs::desktop {
+
+SlicePen::SlicePen(StudioController& studio) : QObject(&studio), studio_(studio) {
+    // A tool that is left, or told to clear, drops the stroke in hand.
+    connect(&studio_.seedTool(), &Tool::overlayChanged, this, &SlicePen::cancel);
+    connect(&studio_.paintTool(), &Tool::overlayChanged, this, &SlicePen::cancel);
+    connect(&studio_.paintTool(), &PaintTool::settingsChanged, this, &SlicePen::changed);
+}
+
+SlicePen::Use SlicePen::use() const {
+    const Tool* tool = &studio_.tool();
+    return tool == &studio_.seedTool()      ? Use::Seed
+           : tool == &studio_.paintTool()   ? Use::Paint
+           : tool == &studio_.measureTool() ? Use::Measure
+                                            : Use::Crosshair;
+}
+
+bool SlicePen::takesRightButton() const { return use() == Use::Paint; }
+
+std::optional<double> SlicePen::radiusMm(Kind kind) const {
+    switch (use()) {
+    case Use::Crosshair:
+    case Use::Measure:
+        return std::nullopt;
+    case Use::Seed: // as wide as on the 3D view
+        return 0.5 * studio_.seedTool().width() * studio_.slices().view(kind).pixelMm *
+               studio_.slices().pixelsPerLogical(kind);
+    case Use::Paint:
+        break;
+    }
+    return studio_.paintTool().radiusMm();
+}
+
+Overlay::Tint SlicePen::tint(bool isReversed) const {
+    if (use() == Use::Seed) {
+        return studio_.seedTool().isReversed() ? Overlay::Tint::Cutting : Overlay::Tint::Seed;
+    }
+    return studio_.paintTool().isToAdd() != isReversed ? Overlay::Tint::Idle : Overlay::Tint::Cutting;
+}
+
+bool SlicePen::press(Kind kind, glm::dvec2 place, bool isReversed, Qt::KeyboardModifiers modifiers) {
+    if (studio_.document() == nullptr || studio_.isLoading() || studio_.document()->isStrokeOpen()) {
+        return false;
+    }
+    if (use() == Use::Crosshair || modifiers.testFlag(Qt::ShiftModifier)) {
+        isLeading_ = true;
+        lead(kind, place);
+        return true;
+    }
+    isMeasuring_ = use() == Use::Measure;
+    if (isMeasuring_) {
+        studio_.measureTool().begin(worldAt(kind, place));
+        return true;
+    }
+    isReversed_ = use() == Use::Seed ? studio_.seedTool().isReversed()
+                                     : isReversed != modifiers.testFlag(Qt::ControlModifier);
+    const SliceController& slices = studio_.slices();
+    stroke_ = Stroke{kind,
+                     {place},
+                     radiusMm(kind).value_or(0),
+                     tint(isReversed_),
+                     slices.crosshair()[slices.geometry(kind).axis()]};
+    emit changed();
+    return true;
+}
+
+void SlicePen::lead(Kind kind, glm::dvec2 place) {
+    SliceController& slices = studio_.slices();
+    const render::SliceGeometry slice = slices.geometry(kind);
+    slices.setCrosshair(slice.voxelAt(place, slices.crosshair()[slice.axis()]));
+}
+
+void SlicePen::move(Kind kind, glm::dvec2 place) {
+    if (isLeading_) {
+        lead(kind, place);
+    } else if (isMeasuring_) {
+        studio_.measureTool().lead(worldAt(kind, place));
+    } else if (stroke_ && stroke_->kind == kind) {
+        // Places nearer than a small part of brush and pixel would change nothing.
+        const double apart = std::max(0.1 * stroke_->radiusMm, 0.25 * studio_.slices().view(kind).pixelMm);
+        if (glm::length(place - stroke_->places.back()) >= apart) {
+            stroke_->places.push_back(place);
+            emit changed();
+        }
+    }
+}
+
+glm::dvec3 SlicePen::worldAt(Kind kind, glm::dvec2 place) const {
+    const SliceController& slices = studio_.slices();
+    const render::SliceGeometry slice = slices.geometry(kind);
+    const glm::dvec3 voxel = slice.voxelAt(place, slices.crosshair()[slice.axis()]);
+    return glm::dvec3(studio_.geometry()->worldFromVoxel * glm::dvec4(voxel, 1.0));
+}
+
+studio::Trail SlicePen::trail() const {
+    const render::SliceGeometry slice = studio_.slices().geometry(stroke_->kind);
+    studio::Trail trail;
+    trail.radiusMm = stroke_->radiusMm;
+    trail.axis = slice.axis();
+    for (const glm::dvec2 place : stroke_->places) {
+        trail.points.push_back(slice.voxelAt(place, stroke_->index));
+    }
+    return trail;
+}
+
+void SlicePen::hover(Kind kind, glm::dvec2 place) {
+    if (use() == Use::Measure) {
+        studio_.measureTool().lead(worldAt(kind, place));
+    }
+}
+
+void SlicePen::release(bool isDrag) {
+    isLeading_ = false;
+    if (std::exchange(isMeasuring_, false)) {
+        studio_.measureTool().end(isDrag);
+    }
+    if (!stroke_) {
+        return;
+    }
+    const studio::Trail drawn = trail();
+    stroke_.reset();
+    if (use() == Use::Seed && isReversed_) {
+        studio_.apply(studio::PaintSegment{false, drawn, {}});
+    } else if (use() == Use::Seed) {
+        studio::Seed seed;
+        seed.trails = {drawn};
+        seed.canvas = studio_.canvas();
+        studio_.growth().addSeeds(seed);
+    } else {
+        studio_.paintTool().paint(drawn, isReversed_);
+    }
+    emit changed();
+}
+
+void SlicePen::cancel() {
+    isLeading_ = isMeasuring_ = false;
+    if (stroke_) {
+        stroke_.reset();
+        emit changed();
+    }
+}
+
+} // namespace vs::desktop

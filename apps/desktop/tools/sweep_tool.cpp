@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "tools/sweep_tool.h"
+
+#include "model/studio/sketch_hints.h"
+#include "model/studio/studio_controller.h"
+#include "tools/sweep_along_view.h"
+
+namespace vs::desktop {
+
+SweepTool::SweepTool(StudioController& studio) : CutTool(studio) {
+    connect(&studio, &StudioController::changed, this, &SweepTool::forgetOldView);
+    connect(this, &CutTool::settingsChanged, this, &SweepTool::prepare);
+    constexpr int kCalmMs = 150;
+    calm_.setSingleShot(true);
+    calm_.setInterval(kCalmMs);
+    connect(&calm_, &QTimer::timeout, this, &SweepTool::prepare);
+}
+
+QString SweepTool::hint() const {
+    switch (state_) {
+    case State::Empty:
+        return drawHint(tr("Draw the shape that is to be swept."));
+    case State::SketchingMask:
+        return sketchHint(mask_, SketchEnd::Mask);
+    case State::HasMask:
+        return isDrawn() ? tr("Draw the way that the shape goes. Esc clears it for a new shape.")
+                         : tr("Nothing is under the shape, so the way cannot begin there. Esc clears it.");
+    case State::DrawingWay:
+        return !settings_.cutsAtPenUp ? tr("Let go where the way ends. Esc drops it.")
+               : restores() ? tr("Let go where the way ends: what it covers is put back. Esc drops it.")
+                            : tr("Let go where the way ends: what it covers is cut. Esc drops it.");
+    case State::Ready:
+        break;
+    }
+    const QString what = restores() ? tr("Enter restores what is shown. ") : tr("Enter cuts what is shown. ");
+    return what + (isDrawn() ? tr("Draw again for another way. Esc drops it.")
+                             : tr("Draw again for another shape. Esc drops it."));
+}
+
+Overlays SweepTool::overlays() const {
+    Overlays overlays;
+    if (state_ == State::SketchingMask) {
+        overlays = sketchOverlays(mask_, idleTint());
+    } else if (state_ == State::HasMask || state_ == State::DrawingWay) {
+        overlays.push_back({mask_.area(), idleTint(), Overlay::kMaskFill});
+    }
+    if (state_ == State::Ready) {
+        overlays.push_back({outlines_, idleTint(), 0, 1.5});
+    }
+    if (state_ == State::DrawingWay || (state_ == State::Ready && isDrawn())) {
+        overlays.push_back({way_.outline(), Overlay::Tint::Pen});
+    }
+    return overlays;
+}
+
+bool SweepTool::isDrawn() const { return settings_.way == Way::Surface || settings_.way == Way::ViewPlane; }
+
+void SweepTool::setState(State state) {
+    state_ = state;
+    emit overlayChanged();
+}
+
+void SweepTool::set(const Settings& settings) {
+    const bool wasDrawn = isDrawn();
+    settings_ = settings;
+    if (wasDrawn != isDrawn() && state_ == State::Ready) {
+        sweep_.reset();
+        way_.clear();
+        state_ = State::HasMask;
+    }
+    tell();
+}
+
+void SweepTool::press(const Pen& pen) {
+    if (state_ == State::SketchingMask) { // the next corner of a polyline
+        mask_.press(pen);
+        emit overlayChanged();
+    } else if (state_ == State::Empty || !isDrawn()) {
+        beginMask(pen);
+    } else {
+        way_.begin(studio::Shape::FreeForm, pen.position);
+        setState(State::DrawingWay);
+    }
+}
+
+void SweepTool::beginMask(const Pen& pen) {
+    abandon();
+    mask_.begin(studio_.shape(), pen.position, studio_.stencil());
+    mask_.press(pen);
+    setState(State::SketchingMask);
+}
+
+void SweepTool::move(const Pen& pen) {
+    if (state_ == State::SketchingMask) {
+        mask_.extend(pen.position);
+    } else if (state_ == State::DrawingWay) {
+        way_.extend(pen.position);
+    }
+    emit overlayChanged();
+}
+
+void SweepTool::release(const Pen& pen) {
+    move(pen);
+    if (state_ == State::DrawingWay || (state_ == State::SketchingMask && mask_.end(pen.position))) {
+        takeSketch();
+    }
+    emit overlayChanged();
+}
+
+void SweepTool::takeSketch() {
+    if (state_ == State::SketchingMask && !mask_.isOfUse()) {
+        abandon();
+        return;
+    }
+    setState(State::HasMask);
+    prepare();
+    if (state_ == State::Ready && settings_.cutsAtPenUp) {
+        accept();
+    }
+}
+
+// What would be cut with the present settings, and its preview. Stays without a way until there is one.
+void SweepTool::prepare() {
+    if (state_ != State::HasMask && state_ != State::Ready) {
+        return;
+    }
+    sweep_ = drawnSweep();
+    state_ = State::HasMask;
+    if (sweep_) {
+        preview();
+    }
+    emit overlayChanged();
+}
+
+std::optional<studio::Sweep> SweepTool::drawnSweep() {
+    const glm::dvec2 scale = studio_.devicePerLogical();
+    const studio::Canvas canvas = studio_.canvas();
+    studio::Sweep sweep;
+    if (isDrawn()) {
+        if (way_.isEmpty()) {
+            return std::nullopt;
+        }
+        sweep.mask = mask_.sketch(scale);
+        sweep.path.kind = settings_.way == Way::Surface ? studio::SweepPath::Kind::Surface
+                                                        : studio::SweepPath::Kind::ViewPlane;
+        sweep.path.stroke = way_.sketch(scale).points;
+    } else {
+        const QPointF centre = mask_.centre();
+        std::optional<studio::Document::Probe> start;
+        studio_.workLong([&] {
+            start = studio_.document()->probe(glm::dvec2(centre.x(), centre.y()) * scale, canvas.viewport);
+        });
+        if (!start) {
+            return std::nullopt;
+        }
+        sweep = sweepAlongView(mask_.sketch(scale), *start, settings_, canvas, *studio_.geometry());
+    }
+    sweep.frame = settings_.frame;
+    sweep.radius = radius();
+    sweep.restores = restores();
+    sweep.canvas = canvas;
+    return sweep;
+}
+
+void SweepTool::preview() {
+    outlines_ = {};
+    std::vector<std::vector<glm::dvec2>> outlines;
+    studio_.workLong([&] { outlines = studio_.document()->outlinesAlongPath(*sweep_); });
+    for (const auto& outline : outlines) {
+        outlines_.addPath(closedPath(outline, studio_.devicePerLogical()));
+    }
+    if (outlines_.isEmpty()) {
+        sweep_.reset();
+        studio_.say(tr("The way leads nowhere: draw it on the object, or longer"));
+    } else {
+        state_ = State::Ready;
+    }
+}
+
+bool SweepTool::accept() {
+    if (state_ == State::SketchingMask && mask_.finish()) {
+        takeSketch();
+        return true;
+    }
+    if (state_ != State::Ready) {
+        return false;
+    }
+    const studio::Sweep sweep = *sweep_;
+    sweep_.reset();
+    way_.clear();
+    setState(State::HasMask); // for a further way
+    studio_.apply(sweep);
+    if (!isDrawn()) {
+        abandon(); // the same once more would cut nothing
+    }
+    return true;
+}
+
+// A way that was drawn on another view means something else on this one.
+void SweepTool::forgetOldView() {
+    if (state_ != State::Ready || !sweep_ || sweep_->canvas->view == studio_.view()) {
+        return;
+    }
+    way_.clear();
+    sweep_.reset();
+    setState(State::HasMask);
+    if (!isDrawn()) {
+        calm_.start();
+    }
+}
+
+void SweepTool::clear() {
+    if (state_ == State::Ready || state_ == State::DrawingWay) {
+        way_.clear();
+        sweep_.reset();
+        isDrawn() ? setState(State::HasMask) : abandon();
+    } else {
+        abandon();
+    }
+}
+
+void SweepTool::abandon() {
+    mask_.clear();
+    way_.clear();
+    sweep_.reset();
+    setState(State::Empty);
+}
+
+} // namespace vs::desktop

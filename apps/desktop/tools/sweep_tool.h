@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "model/studio/sketch_pad.h"
+#include "tools/cut_tool.h"
+
+#include "studio/operations/operation.h"
+
+#include <QTimer>
+
+#include <optional>
+
+namespace vs::desktop {
+
+// First a mask is sketched, then the way that it goes: on the surface, in the plane across the view, or
+// straight or in a helix along the view. Where the mask would go is shown before it is cut.
+class SweepTool : public CutTool {
+    Q_OBJECT
+
+public:
+    enum class Way { Surface, ViewPlane, Line, Helix };
+
+    struct Settings {
+        Way way = Way::Surface;
+        sculpt::FrameKind frame = sculpt::FrameKind::ParallelTransport;
+        bool cutsAtPenUp = false; // else when told to
+        // Steps, for a line and a helix.
+        double length = 40;
+        double helixRadius = 12;
+        double turns = 2;
+    };
+
+    explicit SweepTool(StudioController& studio);
+
+    [[nodiscard]] QString name() const override { return "sweep"; }
+    [[nodiscard]] QString hint() const override;
+    [[nodiscard]] Overlays overlays() const override;
+    void press(const Pen& pen) override;
+    void move(const Pen& pen) override;
+    void release(const Pen& pen) override;
+    void hover(const Pen& pen) override { move(pen); } // between a polyline's corners
+    void clear() override;
+    bool accept() override;
+    void viewResized() override { abandon(); }
+    [[nodiscard]] bool isBusy() const override { return isSketching(); }
+    [[nodiscard]] bool isSketching() const override {
+        return state_ == State::SketchingMask || state_ == State::DrawingWay;
+    }
+
+    [[nodiscard]] const Settings& settings() const { return settings_; }
+    void set(const Settings& settings);
+    // Whether a way is shown that can be cut.
+    [[nodiscard]] bool canAccept() const { return state_ == State::Ready; }
+
+private:
+    enum class State { Empty, SketchingMask, HasMask, DrawingWay, Ready };
+
+    void setState(State state);
+    [[nodiscard]] bool isDrawn() const;
+    void beginMask(const Pen& pen);
+    void takeSketch();
+    void prepare();
+    void preview();
+    void forgetOldView();
+    void abandon();
+    [[nodiscard]] std::optional<studio::Sweep> drawnSweep();
+
+    Settings settings_;
+    State state_ = State::Empty;
+    SketchPad mask_;
+    SketchPad way_;
+    std::optional<studio::Sweep> sweep_; // what would be cut, on the view that it was drawn on
+    QPainterPath outlines_;
+    QTimer calm_; // prepares again once the view is at rest
+};
+
+} // namespace vs::desktop

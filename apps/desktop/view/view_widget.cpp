@@ -1,0 +1,233 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "view/view_widget.h"
+
+#include "model/slices/slice_controller.h"
+#include "model/studio/studio_controller.h"
+#include "tools/camera_tool.h"
+#include "tools/measure_tool.h"
+#include "view/measure_overlay.h"
+#include "view/paint_overlay.h"
+
+#include <QMouseEvent>
+#include <QPainter>
+#include <QTabletEvent>
+#include <QWheelEvent>
+
+#include <cmath>
+
+namespace vs::desktop {
+
+ViewWidget::ViewWidget(StudioController& studio, QWidget* parent) : QWidget(parent), studio_(studio) {
+    setObjectName("view");
+    setAccessibleName(tr("Picture of the volume"));
+    setAttribute(Qt::WA_OpaquePaintEvent);
+    setMouseTracking(true);
+    setTabletTracking(true);
+    setFocusPolicy(Qt::StrongFocus);
+    setMinimumSize(320, 240);
+    // At once: an update that is only asked for waits behind the work on the next picture.
+    connect(&studio_, &StudioController::pictureChanged, this, qOverload<>(&QWidget::repaint));
+    connect(&studio_, &StudioController::overlayChanged, this, [this] {
+        setCursor(studio_.tool().cursor());
+        if (!studio_.isPictureComing()) { // which is painted together with it
+            update();
+        }
+    });
+    setCursor(studio_.tool().cursor());
+}
+
+glm::ivec2 ViewWidget::deviceSize() const {
+    const QSize size = this->size() * devicePixelRatioF();
+    return {size.width(), size.height()};
+}
+
+bool ViewWidget::event(QEvent* event) {
+    if (event->type() == QEvent::ScreenChangeInternal) { // perhaps of another scale
+        studio_.setViewport(QSizeF(size()), deviceSize());
+    }
+    return QWidget::event(event);
+}
+
+void ViewWidget::resizeEvent(QResizeEvent*) { studio_.setViewport(QSizeF(size()), deviceSize()); }
+
+void ViewWidget::paintEvent(QPaintEvent*) {
+    QPainter painter(this);
+    const QImage& picture = studio_.picture().shown();
+    if (picture.isNull()) {
+        painter.fillRect(rect(), Qt::black);
+    } else {
+        // Drafts are enlarged; a picture that has the view's pixels is copied.
+        painter.setRenderHint(QPainter::SmoothPixmapTransform,
+                              glm::ivec2(picture.width(), picture.height()) != deviceSize());
+        painter.drawImage(QRectF(rect()), picture, QRectF(picture.rect()));
+    }
+    const auto* geometry = studio_.geometry();
+    if (!picture.isNull() && isAnnotated_ && geometry != nullptr) {
+        annotations_.paint(painter, studio_.view().camera, *geometry, deviceSize());
+    }
+    if (geometry != nullptr) {
+        paintMeasurements(
+            painter, studio_.measureTool(), [this](glm::dvec3 world) { return seenAt(world); },
+            QRectF(rect()));
+    }
+    for (const auto& overlays : {studio_.slices().overlays(), studio_.tool().overlays()}) {
+        for (const Overlay& overlay : overlays) {
+            paintOverlay(painter, overlay, QRectF(rect()));
+        }
+    }
+    painter.end();
+    emit painted();
+}
+
+// Nothing for what is behind the viewer.
+std::optional<QPointF> ViewWidget::seenAt(glm::dvec3 world) const {
+    const auto rays = studio_.rays();
+    const bool isBehind = !rays.isOrthographic && glm::dot(world - rays.eye, rays.forward) < 1;
+    return isBehind ? std::nullopt : std::optional(studio_.seenAt(world));
+}
+
+void ViewWidget::setAnnotated(bool isAnnotated) {
+    isAnnotated_ = isAnnotated;
+    update();
+}
+
+Pen ViewWidget::penAt(QPointF inWindow, Qt::KeyboardModifiers modifiers) const {
+    // From the place in the window, because Qt rounds a mouse's place in the widget to whole logical pixels.
+    // A mouse reports a pixel's corner; what the person points with is its middle.
+    const double half = 0.5 / devicePixelRatioF();
+    return {mapFrom(window(), inWindow) + QPointF(half, half), studio_.mousePressure(), {}, true, modifiers};
+}
+
+void ViewWidget::press(const Pen& pen, Drag drag) {
+    const bool looks = drag == Drag::Pan || drag == Drag::Zoom;
+    drag_ = looks && studio_.tool().isSketching() ? Drag::None : drag; // the picture holds still
+    last_ = pressed_ = pen.position;
+    if (drag == Drag::Tool && studio_.document() != nullptr && !studio_.isLoading()) {
+        studio_.tool().press(pen);
+    } else if (drag == Drag::Tool) {
+        drag_ = Drag::None;
+    }
+}
+
+void ViewWidget::move(const Pen& pen) {
+    penPosition_ = pen.position;
+    const QPointF delta = pen.position - last_;
+    last_ = pen.position;
+    switch (drag_) {
+    case Drag::None:
+        if (studio_.tool().isSketching() && !hasFocus()) { // its keys end what is under way
+            setFocus(Qt::MouseFocusReason);
+        }
+        studio_.tool().hover(pen);
+        break;
+    case Drag::Tool:
+        studio_.tool().move(pen);
+        break;
+    case Drag::Pan:
+        studio_.cameraTool().pan(delta);
+        break;
+    case Drag::Zoom:
+        studio_.cameraTool().zoom(std::exp(-0.008 * delta.y()), pressed_); // up to come nearer
+        break;
+    }
+    emit penMoved();
+}
+
+void ViewWidget::release(const Pen& pen) {
+    if (drag_ == Drag::Tool) {
+        studio_.tool().release(pen);
+    }
+    drag_ = Drag::None;
+    button_ = Qt::NoButton;
+    emit penMoved();
+}
+
+void ViewWidget::mousePressEvent(QMouseEvent* event) {
+    if (drag_ != Drag::None) {
+        return; // a second button changes nothing
+    }
+    button_ = event->button();
+    Pen pen = penAt(event->scenePosition(), event->modifiers());
+    pen.isDoubleClick = event->type() == QEvent::MouseButtonDblClick;
+    if (button_ == Qt::LeftButton) {
+        const bool isPan = pen.modifiers.testFlag(Qt::ShiftModifier) && !studio_.tool().takesShift();
+        press(pen, isPan ? Drag::Pan : Drag::Tool);
+    } else if (button_ == Qt::MiddleButton) {
+        press(pen, Drag::Pan);
+    } else if (button_ == Qt::RightButton) {
+        press(pen, Drag::Zoom);
+    }
+}
+
+void ViewWidget::mouseMoveEvent(QMouseEvent* event) {
+    move(penAt(event->scenePosition(), event->modifiers()));
+}
+
+void ViewWidget::mouseReleaseEvent(QMouseEvent* event) {
+    if (event->button() == button_) {
+        release(penAt(event->scenePosition(), event->modifiers()));
+    }
+}
+
+// With the camera tool the slices go to the surface under the pen.
+void ViewWidget::mouseDoubleClickEvent(QMouseEvent* event) {
+    const bool centres = event->button() == Qt::LeftButton && studio_.slices().isAnyShown() &&
+                         &studio_.tool() == &studio_.cameraTool();
+    if (!centres || !studio_.slices().centreOnSurface(penAt(event->scenePosition(), {}).position)) {
+        mousePressEvent(event);
+    }
+}
+
+void ViewWidget::wheelEvent(QWheelEvent* event) {
+    const double notches = event->angleDelta().y() / 120.0;
+    // A wheel's place in the window is wrong where Qt passes the event on to a child.
+    const Pen pen = penAt(mapTo(window(), event->position()), event->modifiers());
+    if (drag_ == Drag::None && !studio_.tool().isSketching() && !studio_.tool().wheel(notches, pen)) {
+        constexpr double kPerNotch = 1.2;
+        studio_.cameraTool().zoom(std::pow(kPerNotch, notches), pen.position);
+    }
+    event->accept();
+}
+
+void ViewWidget::tabletEvent(QTabletEvent* event) {
+    const Pen pen{event->position(), // already finer than pixels
+                  event->pressure(), QPointF(event->xTilt(), event->yTilt()), false, event->modifiers()};
+    studio_.setTabletPressure(event->pressure());
+    switch (event->type()) {
+    case QEvent::TabletPress:
+        if (drag_ == Drag::None) {
+            button_ = event->button();
+            press(pen, button_ == Qt::LeftButton ? Drag::Tool : Drag::Pan);
+        }
+        break;
+    case QEvent::TabletRelease:
+        if (event->button() == button_) {
+            release(pen);
+        }
+        break;
+    default:
+        move(pen);
+    }
+    event->accept(); // or Qt would make a mouse event of it too
+}
+
+void ViewWidget::keyPressEvent(QKeyEvent* event) {
+    const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
+    if (!isEnter || !studio_.tool().accept()) {
+        QWidget::keyPressEvent(event);
+    }
+}
+
+bool ViewWidget::focusNextPrevChild(bool next) {
+    return studio_.tool().next(next) || QWidget::focusNextPrevChild(next);
+}
+
+void ViewWidget::leaveEvent(QEvent*) {
+    penPosition_.reset();
+    if (drag_ == Drag::None) {
+        studio_.tool().leave();
+    }
+    emit penMoved();
+}
+
+} // namespace vs::desktop

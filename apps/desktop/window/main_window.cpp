@@ -1,0 +1,307 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "window/main_window.h"
+
+#include "model/keepers/recovery_keeper.h"
+#include "model/keepers/thumbnail_keeper.h"
+#include "model/segments/growth_controller.h"
+#include "model/segments/segment_controller.h"
+#include "model/studio/pen_watch.h"
+#include "model/studio/studio_controller.h"
+#include "model/studio/tool.h"
+#include "panels/growth_panel.h"
+#include "panels/growth_rules_panel.h"
+#include "panels/histogram_panel.h"
+#include "panels/history_panel.h"
+#include "panels/segment_edit_panel.h"
+#include "panels/segment_numbers_panel.h"
+#include "panels/tool_panel.h"
+#include "parts/panel_parts.h"
+#include "start/welcome_page.h"
+#include "view/camera_keys.h"
+#include "view/slice_canvas.h"
+#include "view/touch_pad.h"
+#include "view/view_grid.h"
+#include "view/view_widget.h"
+#include "window/hint_line.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QDockWidget>
+#include <QLabel>
+#include <QMessageBox>
+#include <QProgressBar>
+#include <QScrollArea>
+#include <QStackedWidget>
+#include <QStatusBar>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include <set>
+
+namespace vs::desktop {
+
+namespace {
+
+constexpr int kProbeMs =
+    120; // after the pen came to rest: often enough to read, rarely enough not to disturb
+constexpr int kRateMs = 250;
+
+// Actions that need no document.
+const std::set<std::string> kAlways{"quit", "about", "shortcuts", "preferences"};
+
+// "L 12.3  P 4.5  S 30.2 mm": the patient's directions instead of signs.
+QString patientPlace(glm::dvec3 lps) {
+    const auto part = [](double value, const char* positive, const char* negative) {
+        return QString("%1 %2").arg(value < 0 ? negative : positive).arg(std::abs(value), 0, 'f', 1);
+    };
+    return part(lps.x, "L", "R") + "  " + part(lps.y, "P", "A") + "  " + part(lps.z, "S", "I") + " mm";
+}
+
+} // namespace
+
+MainWindow::MainWindow(StudioController& studio, QWidget* parent) : QMainWindow(parent), studio_(studio) {
+    setObjectName("mainWindow");
+    setWindowTitle(tr("Volume Studio"));
+    setAcceptDrops(true);
+    setContextMenuPolicy(Qt::NoContextMenu); // tool bars cannot be lost by a stray click
+    thumbnails_ = new ThumbnailKeeper(studio_);
+    recovery_ = new RecoveryKeeper(studio_);
+    makeCentre();
+    makeDock();
+    makeStatusBar();
+    makeFileActions();
+    makePictureActions();
+    makeEditActions();
+    makeViewActions();
+    makeSliceActions();
+    makeToolActions();
+    makeGrowthActions();
+    makeHelpActions();
+    makeMenus();
+    makeToolBars();
+    makeToolColumn();
+
+    connect(&studio_, &StudioController::changed, this, &MainWindow::refresh);
+    connect(&studio_, &StudioController::overlayChanged, this, &MainWindow::refreshHint);
+    connect(&studio_, &StudioController::messageChanged, this,
+            [this] { message_->setText(studio_.message()); });
+    connect(&studio_, &StudioController::progress, this, &MainWindow::showProgress);
+    connect(&studio_, &StudioController::opened, this, &MainWindow::showView);
+    connect(&studio_, &StudioController::openFailed, this, [this](const QString& message) {
+        auto* box =
+            new QMessageBox(QMessageBox::Warning, tr("Volume Studio"), message, QMessageBox::Ok, this);
+        box->setObjectName("openFailed");
+        box->setAttribute(Qt::WA_DeleteOnClose);
+        box->open();
+    });
+    connect(&studio_, &StudioController::seriesWanted, this, &MainWindow::chooseSeries);
+    connect(view_, &ViewWidget::penMoved, this, [this] { probeTimer_.start(kProbeMs); });
+    probeTimer_.setSingleShot(true);
+    connect(&probeTimer_, &QTimer::timeout, this, &MainWindow::refreshProbe);
+    connect(&rateTimer_, &QTimer::timeout, this, [this] {
+        const double rate = studio_.picture().framesPerSecond();
+        const auto refined = studio_.picture().refined();
+        rate_->setText(refined    ? tr("Refining %1 %").arg(int(100 * *refined))
+                       : rate > 0 ? tr("%1 fps").arg(rate, 0, 'f', rate < 10 ? 1 : 0)
+                                  : QString());
+    });
+    rateTimer_.setProperty(LongWork::kRunsMeanwhile, true);
+    rateTimer_.start(kRateMs);
+    refresh();
+    showStartScreen();
+}
+
+void MainWindow::makeCentre() {
+    centre_ = new QStackedWidget;
+    welcome_ = named(new WelcomePage, "welcome", tr("Start screen"));
+    connect(welcome_, &WelcomePage::openRequested, this, &MainWindow::openFile);
+    connect(welcome_, &WelcomePage::openFolderRequested, this, &MainWindow::openFolder);
+    connect(welcome_, &WelcomePage::documentChosen, this, &MainWindow::open);
+    connect(welcome_, &WelcomePage::recoverRequested, this, &MainWindow::recover);
+    welcome_->setSizePolicy(QSizePolicy::Ignored,
+                            QSizePolicy::Preferred); // its width is not the view's least
+    centre_->addWidget(welcome_);
+
+    auto* page = new QWidget;
+    auto* column = new QVBoxLayout(page);
+    column->setContentsMargins(0, 0, 0, 0);
+    column->setSpacing(0);
+    view_ = new ViewWidget(studio_);
+    grid_ = new ViewGrid(studio_, view_);
+    const auto* pen = new PenWatch(studio_, this);
+    lookByFingers(*view_, studio_, *pen);
+    for (SliceCanvas* canvas : grid_->findChildren<SliceCanvas*>()) {
+        lookByFingers(*canvas, studio_, *pen);
+    }
+    new CameraKeys(*view_, studio_); // the view owns it
+    column->addWidget(grid_, 1);
+    hint_ = named(new HintLine, "hint", tr("What to do next"));
+    column->addWidget(hint_);
+    centre_->addWidget(page);
+    setCentralWidget(centre_);
+}
+
+void MainWindow::makeDock() {
+    auto* dock = named(new QDockWidget(tr("Panels")), "panels", tr("Panels"));
+    dock->setFeatures(QDockWidget::NoDockWidgetFeatures);
+    dock->setTitleBarWidget(new QWidget(dock)); // none: the cards have their own titles
+    auto* content = new QWidget;
+    auto* column = new QVBoxLayout(content);
+    column->setContentsMargins(8, 8, 0, 8);
+    column->setSpacing(8);
+    column->addWidget(new HistogramPanel(studio_));
+    column->addWidget(new ToolPanel(studio_));
+    column->addWidget(new GrowthPanel(studio_));
+    column->addWidget(new GrowthRulesPanel(studio_));
+    column->addWidget(new SegmentEditPanel(studio_));
+    column->addWidget(new SegmentNumbersPanel(studio_));
+    column->addStretch(1);
+    constexpr int kPanelWidth = 300;
+    content->setFixedWidth(kPanelWidth);
+    auto* scroll = new QScrollArea; // small screens
+    scroll->setWidget(content);
+    scroll->setWidgetResizable(true);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setFocusPolicy(Qt::NoFocus); // Tab goes to what is in it
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setFixedWidth(kPanelWidth + 10); // room for the scroll bar
+    dock->setWidget(scroll);
+    addDockWidget(Qt::LeftDockWidgetArea, dock);
+    history_ = new HistoryPanel(studio_);
+    history_->hide(); // until it is asked for
+}
+
+void MainWindow::makeStatusBar() {
+    statusBar()->setSizeGripEnabled(false);
+    message_ = named(new QLabel, "message", tr("Message"));
+    message_->setMinimumWidth(1);
+    message_->setContentsMargins(8, 0, 8, 0);
+    statusBar()->addWidget(message_, 1);
+    progress_ = named(new QProgressBar, "progress", tr("Progress"));
+    progress_->setFixedWidth(150);
+    progress_->setTextVisible(false);
+    progress_->setMaximumHeight(12);
+    progress_->hide();
+    statusBar()->addPermanentWidget(progress_);
+    giveUp_ = named(new QToolButton, "giveUp", tr("Give up"));
+    giveUp_->setText(tr("Cancel"));
+    giveUp_->setToolTip(tr("End what takes so long, and leave everything as it was (Esc)"));
+    giveUp_->setFocusPolicy(Qt::NoFocus);
+    giveUp_->setProperty("slim", true);
+    giveUp_->setFixedHeight(message_->sizeHint().height()); // the bar stays as high as without it
+    giveUp_->hide();
+    connect(giveUp_, &QToolButton::clicked, &studio_, &StudioController::giveUp);
+    statusBar()->addPermanentWidget(giveUp_);
+    const auto add = [this](const char* objectName, const QString& accessibleName) {
+        auto* label = named(makeQuietLabel({}), objectName, accessibleName);
+        label->setContentsMargins(10, 0, 10, 0);
+        statusBar()->addPermanentWidget(label);
+        return label;
+    };
+    probe_ = add("probe", tr("Value and place under the pen"));
+    probe_->setProperty("quiet", false);
+    volume_ = add("volume", tr("Size and type of the volume"));
+    rate_ = add("rate", tr("Frame rate; at rest, how far the picture is refined"));
+    rate_->setText(tr("Refining %1 %").arg(100)); // the longest that it says
+    rate_->setFixedWidth(rate_->sizeHint().width());
+    rate_->clear();
+    rate_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    device_ = add("device", tr("Graphics device"));
+    const auto& device = studio_.host().device();
+    // "llvmpipe (LLVM 15.0.6, 256 bits)" is long; the whole of it is in the tooltip.
+    device_->setText(QString::fromStdString(device.renderer).section(" (", 0, 0));
+    device_->setToolTip(QString::fromStdString(device.renderer + ", OpenGL " + device.version));
+}
+
+void MainWindow::refresh() {
+    auto* document = studio_.document();
+    const bool hasDocument = document != nullptr && !studio_.isLoading();
+    refreshEnabled(hasDocument);
+    const auto& view = studio_.view();
+    action(std::string("mode." + std::string(render::name(view.mode))).c_str())->setChecked(true);
+    refreshColours();
+    action("shadows")->setChecked(view.shadows);
+    action("hideAbove")->setChecked(view.hidesAbove);
+    action("tintSegments")->setChecked(view.tintsSegments);
+    constexpr const char* kSculptureViews[] = {"viewWhole", "viewCut", "viewProbe"};
+    action(kSculptureViews[static_cast<int>(view.sculptureView)])->setChecked(true);
+    action("smoothSampling")->setChecked(view.sampling == field::Sampling::Tricubic);
+    refreshToolActions();
+    if (document != nullptr) {
+        const auto& volume = document->volume();
+        setWindowTitle(QString::fromStdString(volume.name) + tr(" – Volume Studio"));
+        const auto dims = volume.geometry.dims;
+        volume_->setText(
+            tr("%1 × %2 × %3  %4").arg(dims.x).arg(dims.y).arg(dims.z).arg(volume::name(volume.type)));
+    }
+    refreshHint();
+}
+
+// Each action is set once: its button is painted again for every change, even one that is taken back.
+void MainWindow::refreshEnabled(bool hasDocument) {
+    auto* document = studio_.document();
+    const bool canPlay = hasDocument && studio_.growth().canPlay();
+    const bool hasVoxels = hasDocument && studio_.segments().hasVoxels();
+    const std::map<std::string, bool> own{{"open", !studio_.isLoading()},
+                                          {"openFolder", !studio_.isLoading()},
+                                          {"undo", hasDocument && document->canUndo()},
+                                          {"redo", hasDocument && document->canRedo()},
+                                          {"playPause", canPlay},
+                                          {"growBackwardKey", canPlay},
+                                          {"growStepKey", canPlay},
+                                          {"growToEndKey", canPlay},
+                                          {"growBackKey", canPlay},
+                                          {"exportLabels", hasVoxels},
+                                          {"reSeed", hasVoxels},
+                                          {"restore", hasDocument && studio_.tool().hasSign()}};
+    for (const auto& [name, action] : actions_) {
+        const auto found = own.find(name);
+        action->setEnabled(found != own.end() ? found->second : hasDocument || kAlways.count(name) > 0);
+    }
+}
+
+void MainWindow::refreshHint() {
+    hint_->say(studio_.isLoading() ? tr("Please wait…") : studio_.tool().hint());
+}
+
+void MainWindow::refreshProbe() {
+    const auto pen = view_->penPosition();
+    if (!pen) {
+        probe_->clear();
+        return;
+    }
+    if (!studio_.isIdle()) {
+        probeTimer_.start(kProbeMs); // later, at rest
+        return;
+    }
+    const auto found = studio_.probe(*pen);
+    if (!found) {
+        probe_->setText(tr("nothing under the pen"));
+        return;
+    }
+    showProbe(found->value, found->voxel, found->world);
+}
+
+void MainWindow::showProbe(double value, glm::dvec3 place, glm::dvec3 world) {
+    const auto voxel = glm::ivec3(glm::round(place));
+    probe_->setText(tr("%1   at %2, %3, %4   %5")
+                        .arg(value, 0, 'g', 6)
+                        .arg(voxel.x)
+                        .arg(voxel.y)
+                        .arg(voxel.z)
+                        .arg(patientPlace(world)));
+}
+
+void MainWindow::showProgress(int done, int total) {
+    const bool isBusy = total == 0 || done < total;
+    progress_->setRange(0, total); // 0: a bar without an end
+    progress_->setValue(done);
+    progress_->setVisible(isBusy);
+    giveUp_->setVisible(isBusy);
+    if (isBusy != isBusyCursor_) {
+        isBusyCursor_ = isBusy;
+        isBusy ? QApplication::setOverrideCursor(Qt::BusyCursor) : QApplication::restoreOverrideCursor();
+    }
+}
+
+} // namespace vs::desktop

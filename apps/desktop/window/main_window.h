@@ -1,0 +1,176 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "engine/volume_loader.h"
+
+#include "base/timer.h"
+#include "render/slices/slice_view.h"
+
+#include <QMainWindow>
+#include <QTimer>
+
+#include <functional>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+class QActionGroup;
+class QDockWidget;
+class QFileDialog;
+class QLabel;
+class QProgressBar;
+class QStackedWidget;
+class QToolBar;
+class QToolButton;
+
+namespace vs::desktop {
+
+class HintLine;
+class HistoryPanel;
+class RecoveryKeeper;
+class StudioController;
+class ThumbnailKeeper;
+class PictureExport;
+class Tool;
+class ViewGrid;
+class ViewWidget;
+class WelcomePage;
+struct LostWork;
+
+// The window: tool bars and menus around the view, panels on the left, the line of hints below the picture
+// and the status bar. Holds no state of its own: it shows the controller's and calls it.
+class MainWindow : public QMainWindow {
+    Q_OBJECT
+
+public:
+    explicit MainWindow(StudioController& studio, QWidget* parent = nullptr);
+
+    [[nodiscard]] const ViewWidget& view() const { return *view_; }
+    // Opens a path given by a person: a session if it ends in .json, else a volume. Asks for the layout of
+    // raw files.
+    void openPath(const QString& path);
+
+protected:
+    void closeEvent(QCloseEvent* event) override;
+    void dragEnterEvent(QDragEnterEvent* event) override;
+    void dropEvent(QDropEvent* event) override;
+    void resizeEvent(QResizeEvent* event) override;
+    void keyReleaseEvent(QKeyEvent* event) override;
+
+private:
+    struct ActionText {
+        const char* name; // objectName of the action and of its button
+        const char* icon;
+        QString text;
+        QString tip;
+        QKeySequence shortcut;
+    };
+
+    // main_window_actions.cpp
+    QAction* addAction(const ActionText& text, const std::function<void()>& run);
+    QAction* addChoice(QActionGroup* group, const ActionText& text, const std::function<void()>& run);
+    void makeFileActions();
+    void makeEditActions();
+    void makeViewActions();
+    void makeGrowthActions();
+    [[nodiscard]] QAction* action(const char* name) const { return actions_.at(name); }
+
+    // main_window_tools.cpp
+    void makeToolActions();
+    void makeShapeActions();
+    void chooseStencil();
+    void refreshToolActions();
+    void refreshEnabled(bool hasDocument);
+    void reverseSign();
+
+    // main_window_slices.cpp
+    void makeSliceActions();
+    void makeSliceMenu();
+    void refreshSliceActions();
+    void showSliceProbe(render::SliceKind kind, std::optional<glm::dvec2> place);
+
+    // main_window_colours.cpp
+    void makeColourMenu();
+    void openTransferFunction();
+    void refreshColours();
+
+    // main_window_bars.cpp
+    void makeMenus();
+    void makeToolBars();
+    void fitToolBar(int width);
+    void makeToolColumn();
+
+    // main_window_files.cpp
+    void openFile();
+    void openFolder();
+    void openLabels();
+    void dropOn(const QString& path);
+    void saveSession();
+    void exportLabels();
+    void screenshot();
+    QFileDialog* makeFileDialog(const char* objectName, const QString& title, bool isSave,
+                                const QString& filter, const QString& suggestion);
+    void choose(const char* objectName, const QString& title, bool isSave, const QString& filter,
+                const QString& suggestion, const std::function<void(const QString&)>& take);
+    [[nodiscard]] QString suggestedName(const QString& suffix) const;
+    [[nodiscard]] QString suggestedSession() const;
+
+    // main_window_help.cpp
+    void makeHelpActions();
+    void showPreferences();
+    void about();
+
+    // main_window_start.cpp
+    bool mayLeave();
+    bool closeDialogs();
+    bool agreesToLeave();
+    bool saveBeforeLeaving();
+    void open(const OpenRequest& request);
+    void showStartScreen();
+    void leaveForStartScreen();
+    void recover(const LostWork& lost);
+    void chooseSeries(const OpenRequest& request, const std::vector<volume::SeriesChoice>& choices);
+    void showView();
+
+    // main_window_pictures.cpp
+    void makePictureActions();
+    void copyPicture();
+
+    void makeCentre();
+    void makeDock();
+    void makeStatusBar();
+    void refresh();
+    void refreshHint();
+    void refreshProbe();
+    void showProbe(double value, glm::dvec3 voxel, glm::dvec3 world);
+    void showProgress(int done, int total);
+
+    StudioController& studio_;
+    std::map<std::string, QAction*> actions_;
+    QToolBar* bar_ = nullptr;
+    QStackedWidget* centre_ = nullptr;
+    WelcomePage* welcome_ = nullptr;
+    ThumbnailKeeper* thumbnails_ = nullptr;
+    RecoveryKeeper* recovery_ = nullptr;
+    HistoryPanel* history_ = nullptr;
+    std::vector<QDockWidget*> hiddenDocks_; // while the start screen is shown
+    ViewWidget* view_ = nullptr;
+    ViewGrid* grid_ = nullptr; // it and the slices
+    HintLine* hint_ = nullptr;
+    QLabel* message_ = nullptr;
+    QLabel* probe_ = nullptr;
+    QLabel* volume_ = nullptr;
+    QLabel* rate_ = nullptr;
+    QLabel* device_ = nullptr;
+    QProgressBar* progress_ = nullptr;
+    QToolButton* giveUp_ = nullptr; // beside it
+    QTimer probeTimer_;
+    QTimer rateTimer_;
+    PictureExport* copying_ = nullptr; // to the clipboard
+    bool isBusyCursor_ = false;
+    bool isLeaving_ = false; // asks whether to
+    Timer sinceReversed_;    // the tool's sign: cut or restore
+};
+
+} // namespace vs::desktop

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "panels/history_panel.h"
+#include "parts/panel_parts.h"
+#include "window/main_window.h"
+#include "window/tool_column.h"
+
+#include <QDockWidget>
+#include <QMenuBar>
+#include <QResizeEvent>
+#include <QScrollArea>
+#include <QToolBar>
+#include <QToolButton>
+
+namespace vs::desktop {
+
+void MainWindow::makeMenus() {
+    const auto menu = [this](const QString& title, std::initializer_list<const char*> names) {
+        auto* list = menuBar()->addMenu(title);
+        for (const char* name : names) {
+            if (*name == '-') {
+                list->addSeparator();
+            } else {
+                list->QWidget::addAction(action(name));
+            }
+        }
+    };
+    menu(tr("&File"), {"open", "openFolder", "openLabels", "startScreen", "-", "saveSession", "exportLabels",
+                       "export", "screenshot", "exportPicture", "copyPicture", "-", "quit"});
+    menu(tr("&Edit"), {"undo", "redo", "showHistory", "-", "paste", "moveTool", "-", "unCut", "reSeed", "-",
+                       "clearSketch", "-", "preferences"});
+    menu(tr("&View"), {"resetView", "-", "mode.surface", "mode.mip", "mode.xray", "mode.overlay",
+                       "mode.segment", "mode.volume", "-", "viewCut", "viewProbe", "viewWhole", "-",
+                       "hideAbove", "tintSegments", "-", "smoothSampling", "shadows", "annotations"});
+    makeSliceMenu();
+    makeColourMenu();
+    menu(tr("&Tools"), {"cameraTool",   "-",         "peelTool",  "drillTool",   "laserTool", "sweepTool",
+                        "scissorsTool", "keepTool",  "clipTool",  "restore",     "-",         "seedTool",
+                        "islandTool",   "paintTool", "moveTool",  "measureTool", "-",         "freeForm",
+                        "ellipse",      "circle",    "rectangle", "polyline",    "stencil"});
+    menu(tr("&Segmentation"), {"addSegment", "islandTool", "paintTool", "-", "playPause", "growBackwardKey",
+                               "growStepKey", "growBackKey", "growToEndKey"});
+    menu(tr("&Help"), {"shortcuts", "about"});
+}
+
+void MainWindow::makeToolBars() {
+    bar_ = addToolBar(tr("File, view and mode"));
+    bar_->setObjectName("mainBar");
+    bar_->setAccessibleName(bar_->windowTitle());
+    bar_->setMovable(false);
+    bar_->setIconSize(QSize(22, 22));
+    for (const char* name : {"open",         "openFolder",  "startScreen", "saveSession",
+                             "exportLabels", "screenshot",  "-",           "undo",
+                             "redo",         "-",           "resetView",   "-",
+                             "mode.surface", "mode.mip",    "mode.xray",   "mode.overlay",
+                             "mode.segment", "mode.volume", "-",           "viewCut",
+                             "viewProbe",    "viewWhole",   "-",           "slices"}) {
+        if (*name == '-') {
+            bar_->addSeparator();
+            continue;
+        }
+        QAction* const shown = action(name);
+        bar_->QWidget::addAction(shown);
+        auto* button = qobject_cast<QToolButton*>(bar_->widgetForAction(shown));
+        button->setObjectName(name);
+        button->setAccessibleName(shown->text());
+        button->setFocusPolicy(Qt::TabFocus);
+    }
+    fitToolBar(width());
+}
+
+// A window too narrow for the texts shows the icons alone, so that no button is lost.
+void MainWindow::fitToolBar(int width) {
+    const auto show = [this](Qt::ToolButtonStyle style, int leastWidth) {
+        bar_->setToolButtonStyle(style);
+        for (auto* button : bar_->findChildren<QToolButton*>()) {
+            if (button->defaultAction() != nullptr) {
+                button->setMinimumWidth(leastWidth);
+            }
+        }
+        return bar_->sizeHint().width();
+    };
+    if (show(Qt::ToolButtonTextUnderIcon, 52) > width) {
+        show(Qt::ToolButtonIconOnly, 34);
+    }
+}
+
+void MainWindow::resizeEvent(QResizeEvent* event) {
+    QMainWindow::resizeEvent(event);
+    fitToolBar(event->size().width());
+}
+
+void MainWindow::makeToolColumn() {
+    auto* dock = named(new QDockWidget(tr("Tools and shapes")), "toolColumn", tr("Tools and shapes"));
+    dock->setFeatures(QDockWidget::NoDockWidgetFeatures);
+    dock->setTitleBarWidget(new QWidget(dock)); // none
+    auto* column = new ToolColumn;
+    for (const char* name :
+         {"cameraTool", "seedTool", "peelTool",   "drillTool", "laserTool",   "sweepTool", "scissorsTool",
+          "clipTool",   "keepTool", "islandTool", "paintTool", "measureTool", "restore",   "-",
+          "freeForm",   "ellipse",  "circle",     "rectangle", "polyline",    "stencil",   "clearSketch",
+          "-",          "paste",    "moveTool",   "-",         "unCut",       "reSeed"}) {
+        if (*name == '-') {
+            column->addSeparator();
+        } else {
+            column->add(action(name));
+        }
+    }
+    auto* scroll = new QScrollArea; // small screens
+    scroll->setWidget(column);
+    scroll->setFrameShape(QFrame::NoFrame);
+    scroll->setFocusPolicy(Qt::NoFocus); // Tab goes to what is in it
+    scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+    scroll->setFixedWidth(column->sizeHint().width() + 6);
+    dock->setWidget(scroll);
+    addDockWidget(Qt::RightDockWidgetArea, history_);
+    splitDockWidget(history_, dock, Qt::Horizontal); // the tools stay at the window's border
+    history_->hide();
+}
+
+} // namespace vs::desktop

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "window/main_window.h"
+
+#include "model/segments/segment_controller.h"
+#include "model/studio/studio_controller.h"
+
+#include "volume/io/read.h"
+
+#include <QApplication>
+#include <QDragEnterEvent>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QInputDialog>
+#include <QMessageBox>
+#include <QMimeData>
+#include <QPushButton>
+#include <QTimer>
+
+namespace vs::desktop {
+
+namespace {
+
+std::filesystem::path pathOf(const QString& text) { return {text.toStdString()}; }
+
+bool isHeaderless(const QString& path) {
+    const QString suffix = QFileInfo(path).suffix().toLower();
+    return suffix == "raw" || suffix == "bin";
+}
+
+// A local file or folder; empty: there is none. Of several the first: any slice stands for its series.
+QString droppedPath(const QMimeData& dropped) {
+    const auto urls = dropped.urls();
+    return urls.isEmpty() ? QString() : urls.front().toLocalFile();
+}
+
+} // namespace
+
+void MainWindow::openPath(const QString& path) {
+    OpenRequest request;
+    const bool isSession = path.endsWith(".json", Qt::CaseInsensitive);
+    (isSession ? request.session : request.volume) = pathOf(path);
+    if (isSession || !isHeaderless(path)) {
+        open(request);
+        return;
+    }
+    auto* dialog = new QInputDialog(this);
+    dialog->setObjectName("rawLayout");
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(tr("Layout of %1").arg(QFileInfo(path).fileName()));
+    dialog->setLabelText(
+        tr("This file has no header. Dimensions, type and spacing:\nDIMS:TYPE[:SPACING[:OFFSET]]"));
+    dialog->setTextValue("256x256x108:int16:0.957,0.957,1.5");
+    const auto openDescribed = [this, request](const QString& layout) {
+        auto described = request;
+        described.rawLayout = layout.trimmed().toStdString();
+        open(described);
+    };
+    connect(dialog, &QInputDialog::textValueSelected, this, openDescribed, Qt::QueuedConnection);
+    dialog->open();
+}
+
+QFileDialog* MainWindow::makeFileDialog(const char* objectName, const QString& title, bool isSave,
+                                        const QString& filter, const QString& suggestion) {
+    auto* dialog = new QFileDialog(this, title);
+    dialog->setObjectName(objectName);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setAcceptMode(isSave ? QFileDialog::AcceptSave : QFileDialog::AcceptOpen);
+    dialog->setFileMode(isSave ? QFileDialog::AnyFile : QFileDialog::ExistingFile);
+    if (filter.isEmpty()) {
+        dialog->setFileMode(QFileDialog::Directory);
+        dialog->setOption(QFileDialog::ShowDirsOnly);
+    } else {
+        dialog->setNameFilter(filter);
+    }
+    if (isSave) {
+        if (const QString& folder = studio_.preferences().recordings; QFileInfo(folder).isDir()) {
+            dialog->setDirectory(folder);
+        }
+        dialog->setDefaultSuffix(QFileInfo(suggestion).completeSuffix());
+        dialog->selectFile(suggestion);
+    }
+    return dialog;
+}
+
+void MainWindow::choose(const char* objectName, const QString& title, bool isSave, const QString& filter,
+                        const QString& suggestion, const std::function<void(const QString&)>& take) {
+    auto* dialog = makeFileDialog(objectName, title, isSave, filter, suggestion);
+    // Once the dialog has closed: what is asked then does not stand over it.
+    connect(dialog, &QFileDialog::fileSelected, this, take, Qt::QueuedConnection);
+    dialog->open();
+}
+
+QString MainWindow::suggestedName(const QString& suffix) const {
+    const auto* document = studio_.document();
+    const QString name = document != nullptr ? QString::fromStdString(document->volume().name) : "volume";
+    return QFileInfo(name).baseName() + suffix;
+}
+
+// The file that it was opened from or saved to, else named after the volume.
+QString MainWindow::suggestedSession() const {
+    const auto& session = studio_.source().session;
+    return session.empty() ? suggestedName(".json") : QString::fromStdString(session.string());
+}
+
+void MainWindow::openFile() {
+    choose("openDialog", tr("Open a volume or a session"), false,
+           tr("Volumes and sessions (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vtk *.dcm *.raw *.json);;All "
+              "files (*)"),
+           {}, [this](const QString& path) { openPath(path); });
+}
+
+void MainWindow::openFolder() {
+    choose("openFolderDialog", tr("Open a folder of DICOM slices"), false, {}, {},
+           [this](const QString& path) { openPath(path); });
+}
+
+void MainWindow::openLabels() {
+    choose("openLabelsDialog", tr("Open a label map"), false,
+           tr("Label maps (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vtk);;All files (*)"), {},
+           [this](const QString& path) { studio_.segments().openLabels(pathOf(path)); });
+}
+
+// A file on an open volume may be a label map of it: only the person knows.
+void MainWindow::dropOn(const QString& path) {
+    const bool isVolume = !path.endsWith(".json", Qt::CaseInsensitive) && QFileInfo(path).isFile() &&
+                          !volume::isHeaderless(pathOf(path));
+    if (studio_.document() == nullptr || studio_.isLoading() || !isVolume) {
+        openPath(path);
+        return;
+    }
+    auto* question =
+        new QMessageBox(QMessageBox::Question, tr("Volume Studio"),
+                        tr("What is %1?").arg(QFileInfo(path).fileName()), QMessageBox::NoButton, this);
+    question->setObjectName("dropQuestion");
+    question->setAttribute(Qt::WA_DeleteOnClose);
+    question->setInformativeText(tr("A label map of the open volume becomes segments of it."));
+    auto* labels = question->addButton(tr("&Label map"), QMessageBox::AcceptRole);
+    auto* volume = question->addButton(tr("Another &volume"), QMessageBox::ActionRole);
+    labels->setObjectName("dropLabels");
+    volume->setObjectName("dropVolume");
+    question->addButton(QMessageBox::Cancel);
+    question->setDefaultButton(labels);
+    const auto take = [this, path](const QAbstractButton* chosen) {
+        if (chosen->objectName() == "dropLabels") {
+            studio_.segments().openLabels(pathOf(path));
+        } else if (chosen->objectName() == "dropVolume") {
+            QTimer::singleShot(0, this, [this, path] { openPath(path); }); // once the question has closed
+        }
+    };
+    connect(question, &QMessageBox::buttonClicked, this, take);
+    question->open();
+}
+
+void MainWindow::saveSession() {
+    choose("saveDialog", tr("Save the session"), true, tr("Sessions (*.json)"), suggestedSession(),
+           [this](const QString& path) { studio_.saveSession(pathOf(path)); });
+}
+
+void MainWindow::exportLabels() {
+    choose("labelsDialog", tr("Export the label map"), true, tr("Label maps (*.nrrd *.nii *.nii.gz)"),
+           suggestedName("-labels.nrrd"),
+           [this](const QString& path) { studio_.exportLabels(pathOf(path)); });
+}
+
+void MainWindow::screenshot() {
+    choose("screenshotDialog", tr("Save the picture"), true, tr("Pictures (*.png)"), suggestedName(".png"),
+           [this](const QString& path) { studio_.takeScreenshot(pathOf(path)); });
+}
+
+// Not while a dialog waits for an answer.
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+    if (QApplication::activeModalWidget() == nullptr && !droppedPath(*event->mimeData()).isEmpty()) {
+        event->setDropAction(Qt::CopyAction);
+        event->accept();
+    }
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+    event->setDropAction(Qt::CopyAction); // whatever is proposed: what is moved, its owner deletes
+    event->accept();
+    const QString path = droppedPath(*event->mimeData());
+    if (!path.isEmpty()) { // else the other program has gone
+        // Afterwards, so that it need not wait for a question to be answered.
+        QTimer::singleShot(0, this, [this, path] { dropOn(path); });
+    }
+}
+
+} // namespace vs::desktop

@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "window/main_window.h"
+
+#include "dialogs/saving_dialog.h"
+#include "dialogs/series_dialog.h"
+#include "model/keepers/recovery_keeper.h"
+#include "model/keepers/thumbnail_keeper.h"
+#include "model/studio/studio_controller.h"
+#include "start/welcome_page.h"
+#include "view/view_widget.h"
+
+#include "volume/io/read.h"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QDockWidget>
+#include <QFileDialog>
+#include <QLabel>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QStackedWidget>
+
+namespace vs::desktop {
+
+// Dialogs that are open are dropped: nothing is asked over them. False: one of them is at work, or asks for
+// what this would ask too.
+bool MainWindow::closeDialogs() {
+    while (auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget())) {
+        const auto* saving = qobject_cast<const SavingDialog*>(dialog);
+        if (isLeaving_ || (saving != nullptr && saving->isSaving())) {
+            dialog->raise();
+            return false;
+        }
+        dialog->reject();
+        if (dialog->isVisible()) {
+            return false;
+        }
+    }
+    return true;
+}
+
+// Asks before work that no file holds is lost; false: the person wants to stay.
+bool MainWindow::mayLeave() {
+    if (!closeDialogs()) {
+        return false;
+    }
+    isLeaving_ = true;
+    const bool isAgreed = !studio_.hasUnsavedEdits() || agreesToLeave();
+    isLeaving_ = false;
+    return isAgreed;
+}
+
+bool MainWindow::agreesToLeave() {
+    QMessageBox question(QMessageBox::Warning, tr("Volume Studio"),
+                         tr("There are edits that no session file holds."), QMessageBox::NoButton, this);
+    question.setObjectName("unsavedEdits");
+    question.setInformativeText(tr("Save the session before leaving it?"));
+    auto* save = question.addButton(tr("&Save…"), QMessageBox::AcceptRole);
+    auto* discard = question.addButton(tr("&Discard"), QMessageBox::DestructiveRole);
+    auto* cancel = question.addButton(tr("&Cancel"), QMessageBox::RejectRole);
+    save->setObjectName("saveEdits");
+    discard->setObjectName("discardEdits");
+    cancel->setObjectName("cancelLeaving");
+    question.setDefaultButton(save);
+    question.exec();
+    if (question.clickedButton() == save) {
+        return saveBeforeLeaving();
+    }
+    return question.clickedButton() == discard;
+}
+
+// False: no name was chosen, or it could not be written; the message says why.
+bool MainWindow::saveBeforeLeaving() {
+    bool isSaved = false;
+    auto* dialog = makeFileDialog("saveDialog", tr("Save the session"), true, tr("Sessions (*.json)"),
+                                  suggestedSession());
+    connect(dialog, &QFileDialog::fileSelected, this,
+            [this, &isSaved](const QString& path) { isSaved = studio_.saveSession(path.toStdString()); });
+    dialog->exec();
+    return isSaved;
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+    event->setAccepted(mayLeave());
+    if (event->isAccepted()) {
+        thumbnails_->keep();
+        recovery_->finish();
+    }
+}
+
+void MainWindow::recover(const LostWork& lost) {
+    if (!recovery_->recover(lost)) {
+        studio_.say(tr("%1 is being recovered in another window").arg(lost.name));
+        welcome_->refresh();
+    }
+}
+
+void MainWindow::open(const OpenRequest& request) {
+    // What no reader knows is refused without a question: nothing is left for it.
+    const bool isRefused = request.rawLayout.empty() && volume::isHeaderless(request.volume);
+    if (isRefused || mayLeave()) {
+        thumbnails_->keep();
+        studio_.open(request);
+    }
+}
+
+void MainWindow::chooseSeries(const OpenRequest& request, const std::vector<volume::SeriesChoice>& choices) {
+    auto* dialog = new SeriesDialog(request, choices, this);
+    connect(dialog, &SeriesDialog::chosen, &studio_, &StudioController::open);
+    dialog->open();
+}
+
+void MainWindow::leaveForStartScreen() {
+    if (mayLeave()) {
+        thumbnails_->keep();
+        studio_.close();
+        showStartScreen();
+    }
+}
+
+// Panels have nothing to show there.
+void MainWindow::showStartScreen() {
+    for (QDockWidget* dock : findChildren<QDockWidget*>(Qt::FindDirectChildrenOnly)) {
+        if (!dock->isHidden()) {
+            dock->hide();
+            hiddenDocks_.push_back(dock);
+        }
+    }
+    centre_->setCurrentWidget(welcome_);
+    setWindowTitle(tr("Volume Studio"));
+    volume_->clear();
+    probe_->clear();
+    welcome_->setFocus();
+}
+
+void MainWindow::showView() {
+    for (QDockWidget* dock : hiddenDocks_) {
+        dock->show();
+    }
+    hiddenDocks_.clear();
+    centre_->setCurrentIndex(1);
+    view_->setFocus();
+}
+
+} // namespace vs::desktop

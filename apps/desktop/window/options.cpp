@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "window/options.h"
+
+#include "model/texts/texts.h"
+
+#include "base/error.h"
+
+#include <QCommandLineParser>
+#include <QCoreApplication>
+
+namespace vs::desktop {
+
+namespace {
+
+std::filesystem::path pathOf(const QString& text) { return {text.toStdString()}; }
+
+} // namespace
+
+Options parseOptions(const QCoreApplication& application) {
+    QCommandLineParser parser;
+    parser.setApplicationDescription(tr("Reshape a 3D scan with a pen, on the rendered picture itself."));
+    parser.addHelpOption();
+    parser.addVersionOption();
+    parser.addPositionalArgument(
+        "file", tr("Volume to open (a file or a DICOM folder), or a session (.json)."), "[FILE]");
+    const QCommandLineOption session(
+        "session", tr("Session to open and replay; FILE, if given, replaces its volume."), "SESSION.json");
+    const QCommandLineOption raw("raw", tr("FILE has no header: DIMS:TYPE[:SPACING[:OFFSET]]."), "LAYOUT");
+    const QCommandLineOption series("series", tr("Which DICOM series of a folder: its UID or its number."),
+                                    "SERIES");
+    const QCommandLineOption frame("frame", tr("Which volume of a 4D file, counted from 0."), "N");
+    const QCommandLineOption layout(
+        "layout-file",
+        tr("For tests and automation: keep PATH up to date with a JSON object of the program's state "
+           "(\"idle\", "
+           "\"tool\", \"mode\", \"generation\", \"voxels\", \"operations\", \"message\", \"pictureComplete\" "
+           "...) and the "
+           "rectangle [x, y, width, height] of the picture (\"viewRect\") and of each named button and field "
+           "(\"widgets\") in pixels of the screen. It is replaced as a whole whenever something changes."),
+        "PATH");
+    const QCommandLineOption timings(
+        "timings-file",
+        tr("When the program ends, write to PATH as JSON when each input arrived and was handled and shown "
+           "(\"inputs\"), when each picture was shown (\"frames\") and what kept the window from anything "
+           "else for "
+           "more than 40 ms (\"blocks\"), in milliseconds."),
+        "PATH");
+    parser.addOptions({session, raw, series, frame, layout, timings});
+    parser.process(application);
+
+    Options options;
+    const QStringList files = parser.positionalArguments();
+    if (files.size() > 1) {
+        throw UsageError("one file can be opened at a time, {} were given", files.size());
+    }
+    if (!files.isEmpty()) {
+        options.open.volume = pathOf(files.front());
+        if (files.front().endsWith(".json", Qt::CaseInsensitive) && !parser.isSet(session)) {
+            options.open.session = std::exchange(options.open.volume, {});
+        }
+    }
+    if (parser.isSet(session)) {
+        options.open.session = pathOf(parser.value(session));
+    }
+    options.open.rawLayout = parser.value(raw).toStdString();
+    options.open.series = parser.value(series).toStdString();
+    if (parser.isSet(frame)) {
+        bool isNumber = false;
+        options.open.frame = parser.value(frame).toInt(&isNumber);
+        if (!isNumber) {
+            throw UsageError("--frame {} is not a number; give 0, 1 ...", parser.value(frame).toStdString());
+        }
+    }
+    options.layoutFile = pathOf(parser.value(layout));
+    options.timingsFile = pathOf(parser.value(timings));
+    return options;
+}
+
+} // namespace vs::desktop

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/camera/camera.h"
+
+#include <cmath>
+
+namespace vs::render {
+
+namespace {
+
+// Vertical field of view: narrow, as in medical illustration, so that shapes are not distorted.
+constexpr double kHalfFov = 13.0 * 3.14159265358979323846 / 180.0;
+// Part of the grid's half diagonal that zoom 1 fits into the smaller side of the picture. Scans seldom fill
+// the corners of their box, and a tighter fit would cut the corners off only where there is nothing.
+constexpr double kFrame = 0.78;
+
+} // namespace
+
+ViewRays viewRays(const Camera& camera, const volume::GridGeometry& geometry, glm::ivec2 size) {
+    const double azimuth = glm::radians(camera.azimuthDegrees);
+    const double elevation = glm::radians(camera.elevationDegrees);
+    // LPS: x left, y posterior, z superior. The face looks along -y.
+    const glm::dvec3 toEye{std::sin(azimuth) * std::cos(elevation), -std::cos(azimuth) * std::cos(elevation),
+                           std::sin(elevation)};
+    const glm::dvec3 upright{-std::sin(azimuth) * std::sin(elevation),
+                             std::cos(azimuth) * std::sin(elevation), std::cos(elevation)};
+    const glm::dvec3 level{std::cos(azimuth), std::sin(azimuth), 0};
+    const double roll = glm::radians(camera.rollDegrees);
+    const glm::dvec3 up = std::cos(roll) * upright - std::sin(roll) * level;
+    const glm::dvec3 right = std::sin(roll) * upright + std::cos(roll) * level;
+
+    const double aspect = double(size.x) / double(size.y);
+    const double radius = kFrame * 0.5 * geometry.diagonalMm() / camera.zoom;
+    const double halfHeight = radius / std::min(1.0, aspect);
+    const double distance = halfHeight / std::tan(kHalfFov);
+    const glm::dvec3 target = geometry.centreWorld() + camera.panMm.x * right + camera.panMm.y * up;
+
+    ViewRays rays;
+    rays.forward = -toEye;
+    rays.size = size;
+    rays.isOrthographic = camera.projection == Projection::Orthographic;
+    // Orthographic rays start well outside the volume, whatever the zoom.
+    rays.eye = target + toEye * (rays.isOrthographic ? 4 * geometry.diagonalMm() : distance);
+    const double scale = rays.isOrthographic ? halfHeight : halfHeight / distance;
+    rays.up = up * scale;
+    rays.right = right * scale * aspect;
+    return rays;
+}
+
+ViewRays::Ray ViewRays::through(glm::dvec2 pixel) const {
+    const glm::dvec2 n = 2.0 * pixel / glm::dvec2(size) - 1.0;
+    const glm::dvec3 offset = n.x * right - n.y * up;
+    if (isOrthographic) {
+        return {eye + offset, forward};
+    }
+    return {eye, glm::normalize(forward + offset)};
+}
+
+glm::dvec2 ViewRays::project(glm::dvec3 world) const {
+    const glm::dvec3 d = world - eye;
+    const double scale = isOrthographic ? 1.0 : glm::dot(d, forward);
+    const glm::dvec2 n{glm::dot(d, right) / (glm::dot(right, right) * scale),
+                       -glm::dot(d, up) / (glm::dot(up, up) * scale)};
+    return 0.5 * (n + 1.0) * glm::dvec2(size);
+}
+
+double ViewRays::pixelMm(glm::dvec3 world) const {
+    const double perUnit = 2 * glm::length(up) / size.y;
+    return isOrthographic ? perUnit : perUnit * std::max(glm::dot(world - eye, forward), 1e-12);
+}
+
+} // namespace vs::render

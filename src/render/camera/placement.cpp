@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/camera/placement.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+namespace vs::render {
+
+namespace {
+
+glm::dmat3 turned(const glm::dvec3& degrees) {
+    const double angle = glm::length(degrees);
+    return angle > 0 ? glm::dmat3(glm::rotate(glm::dmat4(1), glm::radians(angle), degrees / angle))
+                     : glm::dmat3(1);
+}
+
+} // namespace
+
+glm::dmat4 worldFromPart(const Placement& placement, const volume::GridGeometry& geometry) {
+    const glm::dvec3 centre = geometry.centreWorld();
+    const glm::dmat4 there = glm::translate(glm::dmat4(1), centre + placement.moveMm);
+    const glm::dmat4 back = glm::translate(glm::dmat4(1), -centre);
+    return there * glm::dmat4(turned(placement.turnDegrees) * placement.scale) * back;
+}
+
+ViewRays seenFromPart(const ViewRays& rays, const Placement& placement,
+                      const volume::GridGeometry& geometry) {
+    const glm::dmat3 unturned = glm::transpose(turned(placement.turnDegrees));
+    ViewRays out = rays;
+    out.eye = glm::dvec3(glm::inverse(worldFromPart(placement, geometry)) * glm::dvec4(rays.eye, 1));
+    out.forward = unturned * rays.forward;
+    // An orthographic picture's width is a length; a perspective one's, per unit of distance, is not.
+    const double lengths = rays.isOrthographic ? 1 / placement.scale : 1;
+    out.right = unturned * rays.right * lengths;
+    out.up = unturned * rays.up * lengths;
+    return out;
+}
+
+} // namespace vs::render

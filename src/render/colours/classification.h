@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "field/field.h"
+#include "gl/buffer.h"
+#include "gl/program.h"
+#include "gl/texel_buffer.h"
+#include "render/colours/classification_tables.h"
+
+namespace vs::render {
+
+// What shaders need to look a value up; mirrors ClassificationBlock in render/shaders/classification.glsl
+// (std140).
+struct ClassificationBlock {
+    glm::vec4 valueAxis{
+        0}; // x scale, y offset to a table coordinate 0..1; z lowest value that counts, w columns
+    glm::vec4 gradientAxis{
+        0};                // x scale, y offset to a table coordinate 0..1; zw the same for values, to columns
+    glm::vec4 lighting{0}; // x amount, y gloss, z opacity per step that a pen meets
+};
+static_assert(sizeof(ClassificationBlock) == 48);
+
+// The tables of one transfer function on the device, resolved against one field. Shaders include
+// "render/shaders/classification.glsl" with TF_KIND defined as kindDefine() says. Textures 5, 7 and 10 and
+// uniform block 2 are taken while it is bound.
+class Classification {
+public:
+    Classification();
+
+    // Uploads the tables if function or field are others than last time; true if so. Relative positions are
+    // measured on the device, once for each field.
+    bool update(const TransferFunction& function, const field::Field& field);
+
+    // A function with absolute positions on a field: what update() would upload.
+    TransferFunction resolved(const TransferFunction& function, const field::Field& field) {
+        return resolve(function, anchorsFor(function, field));
+    }
+
+    void bind() const;
+
+    [[nodiscard]] FunctionKind kind() const { return function_.kind; }
+    // "0", "1", "2" for Intensity, Gradient, TwoD.
+    [[nodiscard]] const char* kindDefine() const;
+    // Moves whenever update() changed something: what was derived from the tables is stale.
+    [[nodiscard]] int version() const { return version_; }
+    // The function with absolute positions, as the tables hold it.
+    [[nodiscard]] const TransferFunction& resolved() const { return resolved_; }
+    // Everything sent to the device by update() so far.
+    [[nodiscard]] std::size_t uploadedBytes() const { return uploadedBytes_; }
+
+private:
+    Anchors anchorsFor(const TransferFunction& function, const field::Field& field);
+    void upload(gl::Texture& texture, glm::ivec2 size, gl::Format format, gl::Filter filter,
+                const char* label, std::span<const std::byte> texels);
+    void uploadTables(const ClassificationTables& tables);
+    void writeBlock(const ClassificationTables& tables, const field::Field& field);
+
+    gl::Buffer block_;
+    gl::Texture main_;
+    gl::TexelBuffer spans_;
+    gl::Texture visibleBefore_;
+
+    TransferFunction function_;
+    TransferFunction resolved_;
+    // Of the field with this serial number; measured when a function first needs them.
+    std::uint64_t anchorsSerial_ = 0;
+    std::optional<Range> robustValues_;
+    std::optional<double> gradientTop_;
+
+    std::uint64_t serial_ = 0; // of the field that the tables were made for
+    int version_ = 0;
+    std::size_t uploadedBytes_ = 0;
+};
+
+} // namespace vs::render

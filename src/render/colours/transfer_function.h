@@ -1,0 +1,141 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "base/math.h"
+#include "render/colours/colour.h"
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace vs::render {
+
+// What colour and opacity depend on: intensity, gradient magnitude, or both.
+enum class FunctionKind { Intensity, Gradient, TwoD };
+
+// What positions are measured in. Absolute: the volume's unit (HU, grey level), gradient magnitudes in that
+// unit per mm. Relative: intensities from 0 to 1 over all of the volume's values. Robust: from 0 to 1 between
+// its 0.1st and its 99.9th percentile, so that a few odd voxels do not matter. For both of these gradient
+// magnitudes run from 0 to 1 between none and their 99.9th percentile.
+enum class Positions { Absolute, Relative, Robust };
+
+// Opacity is linear between points, colour linear in OKLab; beyond the ends both stay as they are there.
+// Two points may share a position: a step.
+struct ControlPoint {
+    double position = 0;
+    double opacity = 0;
+    Colour colour{255}; // without meaning when a colour map is used
+
+    bool operator==(const ControlPoint&) const = default;
+};
+
+// A named colour map (render/colours/colour_map.h) spread over a range of positions.
+struct SpreadColours {
+    std::string map = "grey";
+    Range range{0, 1};
+
+    bool operator==(const SpreadColours&) const = default;
+};
+
+// A quadrilateral over intensity (across) and gradient magnitude (upwards): a box if base and top are the
+// same, a triangle if one of them is a single value (Kniss, Kindlmann, Hansen 2002, "Multidimensional
+// transfer functions for interactive volume rendering").
+struct Trapezoid {
+    Range base;      // intensities at gradients.lo
+    Range top;       // intensities at gradients.hi
+    Range gradients; // magnitudes
+    // How much of the way from edge to middle is spent on fading in, 0 (hard) to 1: x across, y upwards.
+    glm::dvec2 soft{0.5, 0.5};
+
+    bool operator==(const Trapezoid&) const = default;
+};
+
+// A painted grid of parts of the opacity, 0 to 255, between whose cells' centres they are linear.
+struct Painting {
+    Range values;
+    Range gradients;
+    glm::ivec2 size{0};              // cells along intensity and gradient
+    std::vector<std::uint8_t> cells; // intensity fastest, lowest gradient first
+
+    bool operator==(const Painting&) const = default;
+};
+
+struct Shape {
+    std::variant<Trapezoid, Painting> form;
+    Colour colour{255};
+    double opacity = 0.5;
+
+    bool operator==(const Shape&) const = default;
+};
+
+// How shapes that overlap combine: the first one lies in front, or the most opaque one counts alone.
+enum class Combine { Over, Max };
+
+// How what is seen is lit in volume mode.
+struct Lighting {
+    double amount = 1;   // 0: glows by itself, 1: lit as a surface
+    double gloss = 0.12; // strength of highlights
+
+    bool operator==(const Lighting&) const = default;
+};
+
+// Colour and opacity of every value of a volume. A value type: what panels edit, files hold
+// (doc/transfer_functions.md) and Classification takes to the device.
+struct TransferFunction {
+    std::string name;
+    std::string description;
+    FunctionKind kind = FunctionKind::Intensity;
+    Positions positions = Positions::Absolute;
+    // Opacities are per this many mm; nothing: per step (the volume's smallest spacing).
+    std::optional<double> unitMm;
+    Lighting lighting;
+
+    // Intensity and Gradient: at least one point, in ascending order.
+    std::vector<ControlPoint> points;
+    std::optional<SpreadColours> colours; // instead of the points' own
+
+    // TwoD.
+    std::vector<Shape> shapes;
+    Combine combine = Combine::Over;
+
+    bool operator==(const TransferFunction&) const = default;
+};
+
+// What relative positions are measured against.
+struct Anchors {
+    Range values;           // of all voxels
+    Range robustValues;     // 0.1st to 99.9th percentile
+    double gradientTop = 0; // 99.9th percentile of gradient magnitudes, unit per mm
+};
+
+// The same function with absolute positions.
+TransferFunction resolve(const TransferFunction& function, const Anchors& anchors);
+
+struct ColourMap;
+
+// Evaluates a function whose positions are absolute, at any place: what tables are made from and tests
+// compare with.
+class FunctionSampler {
+public:
+    explicit FunctionSampler(TransferFunction absolute);
+
+    // xyz linear colour, not multiplied by opacity; w opacity per the function's own unit. `value` has no
+    // influence on the Gradient kind, `gradient` none on the Intensity kind.
+    [[nodiscard]] glm::dvec4 at(double value, double gradient) const;
+
+private:
+    [[nodiscard]] glm::dvec4 alongPoints(double position) const;
+    [[nodiscard]] glm::dvec4 amongShapes(double value, double gradient) const;
+
+    TransferFunction function_;
+    const ColourMap* map_ = nullptr; // if the function uses one
+    std::vector<glm::dvec3> oklab_;  // of the points
+    std::vector<glm::dvec3> linear_; // of the shapes
+};
+
+// Opacity of a length of `steps` when it is `opacity` over a length of one.
+double opacityOver(double opacity, double steps);
+
+} // namespace vs::render

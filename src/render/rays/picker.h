@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "field/surface_points.h"
+#include "render/rays/ray_caster.h"
+
+#include <span>
+
+namespace vs::render {
+
+// Finds what lies under places of the picture: the first visible surface, or what a person points at. Same
+// rays, same surface as the picture shows.
+class Picker {
+public:
+    // What a ray meets. Surface: the first visible surface, in every mode, where tools begin. Brightest: in
+    // MIP the place of the greatest value instead, which is what is seen there. Segment: as Brightest, and in
+    // overlay mode, where segments are seen through the rest, the first segment.
+    enum class Meets { Surface, Brightest, Segment };
+
+    Picker();
+
+    // One surface point for each viewport position (pixels, y down), in order. `frame` says what is drawn and
+    // from where; its picture is not touched.
+    field::SurfacePoints pick(const Frame& frame, std::span<const glm::vec2> positions,
+                              Meets meets = Meets::Surface);
+
+    // As above, read back.
+    std::vector<field::SurfacePoint> pickPoints(const Frame& frame, std::span<const glm::vec2> positions,
+                                                Meets meets = Meets::Surface);
+
+private:
+    gl::Program& programFor(const Frame& frame, Meets meets);
+
+    std::map<int, gl::Program> programs_;
+    gl::Buffer view_;
+    gl::Buffer positions_;
+    field::SceneBinding sceneBinding_;
+};
+
+} // namespace vs::render

@@ -1,0 +1,383 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/rays/ray_caster.h"
+
+#include "base/check.h"
+#include "base/error.h"
+#include "base/timer.h"
+#include "gl/context.h"
+#include "gl/pass.h"
+
+#include <algorithm>
+#include <cmath>
+#include <thread>
+
+namespace vs::render {
+
+namespace {
+
+constexpr int kSquare = 8;           // pixels; a work group's
+constexpr int kFewSquares = 256;     // no submission is shorter, but for what is left
+constexpr double kSubmissionMs = 25; // nor much longer than this
+constexpr glm::vec2 kCentre{0.5F, 0.5F};
+constexpr int kSettling = 2; // samples, after which some squares may take no more
+
+// Evenly spread places in a pixel: the R2 sequence (Roberts 2018, "The unreasonable effectiveness of
+// quasirandom sequences"), starting at the centre so that one sample is the plain picture.
+glm::vec2 placeInPixel(int sample) {
+    constexpr double g = 1.32471795724474602596;
+    const double n = sample;
+    return glm::vec2(glm::fract(glm::dvec2(0.5 + n / g, 0.5 + n / (g * g))));
+}
+
+// Where along its rays a sample of the picture looks at the data in X-ray: places `step` apart, shifted by a
+// part of that.
+struct Lattice {
+    float step = 0; // steps
+    float shift = 0.5F;
+};
+
+// Samples of a pixel are averaged, so each after the first may be coarser where they lie between one another:
+// together they are as close as the first alone, which is seen on its own.
+Lattice latticeOf(int sample, int samples, double sampleStep) {
+    constexpr int mostCoarse = 4;
+    if (sample == 0) {
+        return {float(sampleStep)};
+    }
+    const int others = samples - 1;
+    const double golden = 0.61803398874989485; // any few in a row are spread evenly
+    return {float(std::min(others, mostCoarse) * sampleStep), float(glm::fract(0.5 + sample * golden))};
+}
+
+// Side of the square of pixels whose rays share a beam, as a power of 2; narrower ones bound values better,
+// but each takes memory.
+int beamShift(Mode mode, glm::ivec2 size) {
+    constexpr std::int64_t manyPixels = std::int64_t(1) << 22;
+    return mode == Mode::Mip && std::int64_t(size.x) * size.y <= manyPixels ? 2 : 3;
+}
+
+int beamPixels(Mode mode, glm::ivec2 size) { return 1 << beamShift(mode, size); }
+
+glm::ivec2 squareCount(glm::ivec2 size) { return (size + kSquare - 1) / kSquare; }
+
+// Work groups for so many squares: as many rows as a software renderer has threads; see squares.glsl.
+glm::ivec3 groupsFor(int squares) {
+    const int rows = std::clamp(int(std::thread::hardware_concurrency()), 1, 64);
+    return {(squares + rows - 1) / rows, rows, 1};
+}
+
+} // namespace
+
+const char* name(Mode mode) {
+    constexpr const char* names[] = {"surface", "mip", "xray", "overlay", "segment", "volume"};
+    return names[static_cast<int>(mode)];
+}
+
+Mode modeFromName(const std::string& text) {
+    for (const Mode mode : kModes) {
+        if (text == name(mode)) {
+            return mode;
+        }
+    }
+    throw UsageError("mode '{}' does not exist; choose surface, mip, xray, overlay, segment or volume", text);
+}
+
+ViewBlock viewBlock(const ViewRays& rays, const volume::GridGeometry& geometry) {
+    const glm::dmat4 voxelFromWorld = geometry.voxelFromWorld();
+    const auto direction = [&](glm::dvec3 world, double scale) {
+        return glm::vec4(glm::dmat3(voxelFromWorld) * (world * scale), 0.0);
+    };
+    // Directions are per step, except the picture's half width and height of an orthographic view, which are
+    // lengths.
+    const double step = geometry.stepMm();
+    const double offset = rays.isOrthographic ? 1.0 : step;
+    ViewBlock block;
+    block.forward = glm::vec4(rays.forward, rays.isOrthographic ? 1.0 : 0.0);
+    block.right = glm::vec4(glm::normalize(rays.right), 0.0);
+    block.up = glm::vec4(glm::normalize(rays.up), 0.0);
+    block.eyeVoxel = glm::vec4(voxelFromWorld * glm::dvec4(rays.eye, 1.0));
+    block.forwardVoxel = direction(rays.forward, step);
+    block.rightVoxel = direction(rays.right, offset);
+    block.upVoxel = direction(rays.up, offset);
+    block.viewport = {glm::vec2(rays.size), float(glm::length(rays.right)), float(glm::length(rays.up))};
+    return block;
+}
+
+RayCaster::RayCaster()
+    : resolve_("render/shaders/resolve_picture.comp"), findBeams_("render/shaders/find_beams.comp"),
+      listSquares_("render/shaders/list_squares.comp"), fillFilm_("render/shaders/fill_film.comp"),
+      squareCounts_(2 * sizeof(std::uint32_t), "square counts"),
+      segmentColours_(glm::ivec2(256, 1), gl::Format::RGBA32F, gl::Filter::Nearest, "segment colours") {}
+
+void RayCaster::start(const Frame& frame) {
+    VS_CHECK(frame.macrocells != nullptr);
+    VS_CHECK(frame.mode != Mode::Volume || frame.classification != nullptr);
+    frame_ = frame;
+    sample_ = 0;
+    square_ = 0;
+    const glm::ivec2 size = frame.rays.size;
+    if (glm::ivec2(accumulation_.size()) != size) {
+        accumulation_ = gl::Texture(size, gl::Format::RGBA32F, gl::Filter::Nearest, "accumulation");
+        picture_ = gl::Texture(size, gl::Format::RGBA8, gl::Filter::Linear, "picture");
+        const glm::ivec2 squares = squareCount(size);
+        const std::size_t bytes = std::size_t(squares.x * squares.y) * sizeof(std::uint32_t);
+        squares_.reserve(bytes);
+        placeOfSquare_.reserve(bytes);
+        contrasts_.reserve(bytes);
+        unsettled_.reserve(bytes);
+    }
+    if (!frame.pasted.empty() && glm::ivec2(seenFront_.size()) != size) {
+        seenFront_ = gl::Texture(size, gl::Format::RGBA32F, gl::Filter::Nearest, "seen in front");
+        seenBehind_ = gl::Texture(size, gl::Format::RGBA32F, gl::Filter::Nearest, "seen behind");
+    }
+    if (!frame.pasted.empty() && drawsTranslucent(frame) && glm::ivec2(seenGlass_.size()) != size) {
+        seenGlass_ = gl::Texture(size, gl::Format::RGBA32F, gl::Filter::Nearest, "seen glass");
+        seenGlassDepth_ = gl::Texture(size, gl::Format::R32F, gl::Filter::Nearest, "depth of seen glass");
+    }
+    segmentColours_.upload({glm::ivec3(0), segmentColours_.size()},
+                           std::as_bytes(std::span(frame.segmentColours.entries)));
+    arrangeParts();
+}
+
+void RayCaster::arrangeParts() {
+    parts_.resize(frame_.pasted.size() + 1);
+    const auto& geometry = frame_.scene.data->geometry;
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+        Part& part = parts_[i];
+        part.scene = frame_.scene;
+        part.macrocells = frame_.macrocells;
+        part.occlusion = frame_.occlusion;
+        part.rays = frame_.rays;
+        part.scale = 1;
+        if (i < frame_.pasted.size()) {
+            const PastedPart& pasted = frame_.pasted[i];
+            VS_CHECK(pasted.macrocells != nullptr);
+            part.scene.sculpture = pasted.sculpture;
+            part.scene.view = field::SculptureView::Probe;
+            if (pasted.segmentation != nullptr) {
+                part.scene.segmentation = pasted.segmentation;
+            }
+            part.macrocells = pasted.macrocells;
+            part.occlusion = pasted.occlusion;
+            part.rays = seenFromPart(frame_.rays, pasted.place, geometry);
+            part.scale = float(pasted.place.scale);
+        }
+        part.view.reserve(sizeof(ViewBlock));
+        part.view.writeValue(viewBlock(part.rays, geometry));
+        const int side = beamPixels(frame_.mode, frame_.rays.size);
+        const glm::ivec2 beams = (frame_.rays.size + side - 1) / side;
+        if (glm::ivec2(part.beams.size()) != beams) {
+            part.beams = gl::Texture(beams, gl::Format::RG32F, gl::Filter::Nearest, "beams");
+        }
+    }
+}
+
+void RayCaster::bindPart(const Part& part) {
+    sceneBinding_.bind(part.scene);
+    part.view.bindUniform(1);
+    part.macrocells->bind();
+    part.beams.bindTexture(8);
+    if (frame_.mode == Mode::Mip) {
+        part.slabs.bind();
+    }
+    if (frame_.segmentCells != nullptr) {
+        frame_.segmentCells->distances().bindTexture(11);
+    }
+    if (part.occlusion != nullptr) {
+        part.occlusion->bind({.towardsKey = towardsKeyLight(part.rays)});
+    }
+}
+
+double RayCaster::share() const {
+    const double ofSample = activeSquares_ > 0 ? double(square_) / activeSquares_ : 0;
+    return std::min((sample_ + ofSample) / std::max(frame_.samples, 1), 1.0);
+}
+
+bool RayCaster::isComplete() const { return sample_ >= frame_.samples; }
+
+void RayCaster::findBeams() {
+    const gl::Pass pass("find beams");
+    for (const Part& part : parts_) {
+        bindPart(part);
+        part.beams.bindImage(0, gl::Access::Write);
+        findBeams_.set(0, beamPixels(frame_.mode, frame_.rays.size));
+        findBeams_.dispatchOver(part.beams.size(), gl::Barrier::Texture);
+    }
+}
+
+void RayCaster::listSquares() {
+    const gl::Pass pass("list squares");
+    const glm::ivec2 count = squareCount(frame_.rays.size);
+    parts_.back().beams.bindTexture(8);
+    squares_.bindStorage(0);
+    placeOfSquare_.bindStorage(2);
+    squareCounts_.clear();
+    squareCounts_.bindStorage(1);
+    // Where parts are drawn beside one another, their beams differ.
+    listSquares_.set(0, count)
+        .set(1, beamPixels(frame_.mode, frame_.rays.size))
+        .set(2, parts_.size() > 1 ? 1 : 0);
+    listSquares_.dispatchOver({count, 1}, gl::Barrier::Storage);
+    occupiedSquares_ = activeSquares_ = int(squareCounts_.readValue<std::uint32_t>());
+    contrasts_.clear();
+}
+
+// After two samples: squares where they agree take no more.
+void RayCaster::setSettledAside() {
+    const gl::Pass pass("set settled squares aside");
+    if (!setAside_) { // compiled when first needed, not while a volume is opened
+        setAside_ = gl::Program("render/shaders/set_squares_aside.comp");
+    }
+    squares_.bindStorage(0);
+    squareCounts_.clear();
+    squareCounts_.bindStorage(1);
+    placeOfSquare_.bindStorage(2);
+    contrasts_.bindStorage(3);
+    unsettled_.bindStorage(4);
+    setAside_.set(0, squareCount(frame_.rays.size)).set(1, occupiedSquares_);
+    const glm::ivec2 all = squareCount(frame_.rays.size);
+    setAside_.dispatchOverList(std::size_t(all.x * all.y), gl::Barrier::Storage);
+    activeSquares_ = int(squareCounts_.readValue<std::uint32_t>());
+    std::swap(squares_, unsettled_);
+}
+
+void RayCaster::boundSlabs() {
+    if (frame_.mode != Mode::Mip) {
+        return;
+    }
+    for (Part& part : parts_) {
+        bindPart(part);
+        part.slabs.update(*part.macrocells, part.beams, beamPixels(frame_.mode, frame_.rays.size),
+                          float(frame_.sampleStep));
+    }
+}
+
+// Whether squares where nothing can be seen show more than the background: see behindFilm() in shading.glsl.
+bool RayCaster::hasFilm() const {
+    const bool isSeenAgainstFilm =
+        frame_.mode == Mode::Mip || frame_.mode == Mode::XRay || frame_.mode == Mode::Overlay;
+    const glm::vec3 brightest = glm::max(frame_.background.top, frame_.background.bottom);
+    return isSeenAgainstFilm && glm::any(glm::greaterThan(brightest, Background{}.bottom));
+}
+
+void RayCaster::fillFilm() {
+    const gl::Pass pass("fill film");
+    const glm::ivec2 all = squareCount(frame_.rays.size);
+    const int empty = all.x * all.y - occupiedSquares_;
+    fillFilm_.set(0, glm::ivec2(occupiedSquares_, empty))
+        .set(1, sample_ == 0 ? kCentre : placeInPixel(sample_))
+        .set(2, sample_ > 0 ? 1 : 0)
+        .set(7, glm::vec4(frame_.background.top, 0.0F))
+        .set(8, glm::vec4(frame_.background.bottom, 0.0F));
+    fillFilm_.dispatch(groupsFor(empty), gl::Barrier::Image);
+}
+
+int RayCaster::squaresFor(double milliseconds) const {
+    const double squares = squaresPerMs_ * std::min(milliseconds, kSubmissionMs);
+    return std::min(std::max(int(squares), kFewSquares), activeSquares_ - square_);
+}
+
+bool RayCaster::renderSome(double budgetMs) {
+    const Timer timer;
+    gl::Program& program = programFor(frame_);
+    if (sample_ == 0 && square_ == 0) {
+        findBeams();
+        listSquares();
+        boundSlabs();
+    }
+    if (frame_.mode == Mode::Mip) {
+        program.set(11, parts_.back().beams.size().x);
+    }
+    if (frame_.classification != nullptr) {
+        frame_.classification->bind();
+    }
+    accumulation_.bindImage(0, gl::Access::ReadWrite);
+    if (parts_.size() > 1) {
+        seenFront_.bindImage(1, gl::Access::ReadWrite);
+        seenBehind_.bindImage(2, gl::Access::ReadWrite);
+    }
+    if (parts_.size() > 1 && drawsTranslucent(frame_)) {
+        seenGlass_.bindImage(3, gl::Access::ReadWrite);
+        seenGlassDepth_.bindImage(4, gl::Access::ReadWrite);
+    }
+    segmentColours_.bindTexture(14);
+    squares_.bindStorage(0);
+    contrasts_.bindStorage(3);
+    const auto& geometry = frame_.scene.data->geometry;
+    program.set(3, glm::vec2(float(frame_.xrayGain), float(geometry.diagonalMm() / geometry.stepMm())))
+        .set(4, 8)
+        .set(5, float(frame_.sampleStep))
+        .set(6, beamShift(frame_.mode, frame_.rays.size))
+        .set(7, glm::vec4(frame_.background.top, frame_.background.isTransparent ? 1.0F : 0.0F))
+        .set(8, glm::vec4(frame_.background.bottom, 0.0F));
+    bindPart(parts_.back());
+    while (!isComplete()) {
+        if (square_ == 0 && hasFilm()) {
+            fillFilm();
+        }
+        const gl::Pass pass("cast rays");
+        const Timer submission;
+        const int count = squaresFor(budgetMs - timer.milliseconds());
+        if (frame_.mode == Mode::XRay || frame_.mode == Mode::Overlay) {
+            const Lattice lattice = latticeOf(sample_, frame_.samples, frame_.sampleStep);
+            program.set(12, glm::vec2(lattice.step, lattice.shift));
+        }
+        program.set(0, glm::ivec2(square_, count))
+            .set(1, sample_ == 0 ? kCentre : placeInPixel(sample_))
+            .set(2, sample_ > 0 ? 1 : 0)
+            .set(13, frame_.endsEarly && sample_ == 1 ? 1 : 0);
+        for (std::size_t i = 0; i < parts_.size(); ++i) {
+            if (parts_.size() > 1) {
+                bindPart(parts_[i]);
+                program.set(9, glm::ivec2(int(i), int(parts_.size()))).set(10, parts_[i].scale);
+            }
+            program.dispatch(groupsFor(count), gl::Barrier::Image);
+        }
+        gl::Context::finish(); // or the budget would count only submissions
+        squaresPerMs_ = count / std::max(submission.milliseconds(), 1e-3);
+        square_ += count;
+        if (square_ == activeSquares_) {
+            square_ = 0;
+            ++sample_;
+            if (frame_.endsEarly && sample_ == kSettling) {
+                setSettledAside();
+                squares_.bindStorage(0);
+            }
+        }
+        if (timer.milliseconds() >= budgetMs) {
+            break;
+        }
+    }
+    return isComplete();
+}
+
+void RayCaster::render(const Frame& frame) {
+    start(frame);
+    renderSome(1e9);
+}
+
+const gl::Texture& RayCaster::picture() {
+    const gl::Pass pass("resolve picture");
+    accumulation_.bindImage(0, gl::Access::Read);
+    picture_.bindImage(1, gl::Access::Write);
+    const Background& background = frame_.background;
+    placeOfSquare_.bindStorage(2);
+    resolve_.set(0, glm::ivec3(sample_, square_, occupiedSquares_))
+        .set(1, background.isTransparent ? 1 : 0)
+        .set(2, background.top == background.bottom ? 1 : 0)
+        .set(3, hasFilm() ? 0 : 1)
+        .set(4, glm::ivec2(activeSquares_, kSettling))
+        .set(7, glm::vec4(background.top, 0.0F))
+        .set(8, glm::vec4(background.bottom, 0.0F));
+    resolve_.dispatchOver(picture_.size(), gl::Barrier::All);
+    return picture_;
+}
+
+image::Image RayCaster::readPicture() {
+    image::Image out(frame_.rays.size.x, frame_.rays.size.y);
+    const auto texels = picture().download({glm::ivec3(0), picture_.size()});
+    std::transform(texels.begin(), texels.end(), out.rgba.begin(),
+                   [](std::byte b) { return std::uint8_t(b); });
+    return out;
+}
+
+} // namespace vs::render

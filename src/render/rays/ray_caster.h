@@ -1,0 +1,155 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "field/scene.h"
+#include "gl/program.h"
+#include "image/image.h"
+#include "render/camera/camera.h"
+#include "render/camera/placement.h"
+#include "render/colours/classification.h"
+#include "render/colours/segment_colours.h"
+#include "render/marks/background.h"
+#include "render/rays/occlusion.h"
+#include "render/space/macrocells.h"
+#include "render/space/slab_bounds.h"
+
+#include <map>
+#include <vector>
+
+namespace vs::render {
+
+enum class Mode { Surface, Mip, XRay, Overlay, Segment, Volume };
+inline constexpr Mode kModes[] = {Mode::Surface, Mode::Mip,     Mode::XRay,
+                                  Mode::Overlay, Mode::Segment, Mode::Volume};
+// "surface", "mip", "xray", "overlay", "segment", "volume".
+const char* name(Mode mode);
+// Throws UsageError listing the modes.
+Mode modeFromName(const std::string& name);
+
+// The view as shaders see it; mirrors ViewBlock in render/shaders/rays.glsl (std140).
+struct ViewBlock {
+    glm::vec4 forward{0}; // world, unit; w 1 if orthographic
+    glm::vec4 right{0};
+    glm::vec4 up{0};
+    glm::vec4 eyeVoxel{0}; // voxel space, per step
+    glm::vec4 forwardVoxel{0};
+    glm::vec4 rightVoxel{0};
+    glm::vec4 upVoxel{0};
+    glm::vec4 viewport{1};
+};
+static_assert(sizeof(ViewBlock) == 128);
+
+ViewBlock viewBlock(const ViewRays& rays, const volume::GridGeometry& geometry);
+
+// A part that was cut out, drawn again elsewhere (dual rendering, SPEC 3).
+struct PastedPart {
+    Placement place;
+    const gl::Texture* sculpture = nullptr;    // the part is where this is at least 0.5
+    const Macrocells* macrocells = nullptr;    // made for it in probe view
+    OcclusionVolume* occlusion = nullptr;      // where the frame has one
+    const gl::Texture* segmentation = nullptr; // instead of the scene's
+};
+
+// Everything one picture depends on. The pointers must stay alive until the picture is finished.
+struct Frame {
+    field::Scene scene;
+    const Macrocells* macrocells = nullptr;
+    // Where segments may be, whatever else is there: overlay and volume mode look for their surfaces in these
+    // cells only, most of which are empty. Null: wherever something may be.
+    const Macrocells* segmentCells = nullptr;
+    // Colours all modes, and says what is opaque in volume mode, which needs one. Null: ivory surfaces, white
+    // rays.
+    const Classification* classification = nullptr;
+    std::vector<PastedPart> pasted;
+    // Ambient occlusion and soft shadows; null: plain light.
+    OcclusionVolume* occlusion = nullptr;
+    ViewRays rays;
+    Mode mode = Mode::Surface;
+    // What is behind. A transparent picture has straight alpha: how much of the background each pixel hides.
+    Background background = {};
+    double xrayGain = 5;           // brightness of a ray through one whole diagonal at full value
+    SegmentColours segmentColours; // overlay and segment mode
+    double sampleStep = 0.5;       // steps between samples in MIP, X-ray and volume; more for drafts
+    int samples = 1;               // rays per pixel, evenly spread over it
+    // Squares of pixels whose first two samples agree are left at that: most of a picture that is much
+    // enlarged.
+    bool endsEarly = false;
+};
+
+// Casts rays (SPEC 3) in a compute shader, some squares of pixels at a time so that no single submission is
+// long. Start a frame, then render until it is complete; the picture can be looked at after every whole
+// sample. Squares where nothing can be seen are only filled.
+class RayCaster {
+public:
+    RayCaster();
+
+    // Starts over with a new picture.
+    void start(const Frame& frame);
+    // Renders squares for about `budgetMs`, some at the least. True when all samples of the frame are done.
+    bool renderSome(double budgetMs);
+    // start() and everything at once.
+    void render(const Frame& frame);
+
+    [[nodiscard]] bool isComplete() const;
+    // Samples per pixel that the picture holds everywhere so far.
+    [[nodiscard]] int completedSamples() const { return sample_; }
+    // How much of the frame is done, 0 to 1.
+    [[nodiscard]] double share() const;
+    // The samples so far, averaged, as an RGBA8 texture of the frame's size.
+    const gl::Texture& picture();
+    image::Image readPicture();
+
+private:
+    // What is drawn where: the pasted parts, and last what remains.
+    struct Part {
+        field::Scene scene;
+        const Macrocells* macrocells = nullptr;
+        OcclusionVolume* occlusion = nullptr;
+        ViewRays rays;
+        float scale = 1;
+        gl::Buffer view;
+        gl::Texture beams;
+        SlabBounds slabs; // in MIP
+    };
+    // Whether the picture may show surfaces of translucent segments.
+    static bool drawsTranslucent(const Frame& frame);
+    gl::Program& programFor(const Frame& frame);
+    void arrangeParts();
+    void bindPart(const Part& part);
+    void findBeams();
+    void listSquares();
+    void setSettledAside();
+    void boundSlabs();
+    [[nodiscard]] bool hasFilm() const;
+    void fillFilm();
+    int squaresFor(double milliseconds) const;
+
+    std::vector<Part> parts_;
+    gl::Texture seenFront_; // what the parts before the one in hand show; only where there are several
+    gl::Texture seenBehind_;
+    gl::Texture seenGlass_; // and where some segment is translucent
+    gl::Texture seenGlassDepth_;
+    std::map<int, gl::Program> programs_; // by mode, whether there is a sculpture, and sampling
+    gl::Program resolve_;
+    gl::Program findBeams_;
+    gl::Program listSquares_;
+    gl::Program setAside_;
+    gl::Program fillFilm_;
+    gl::Buffer squares_;       // those that may show something first
+    gl::Buffer placeOfSquare_; // in that list
+    gl::Buffer squareCounts_;
+    gl::Buffer contrasts_;       // of the first two samples, in each square
+    gl::Buffer unsettled_;       // the squares once more, in their new order
+    gl::Texture segmentColours_; // of the frame
+    field::SceneBinding sceneBinding_;
+    gl::Texture accumulation_;
+    gl::Texture picture_;
+    Frame frame_;
+    int sample_ = 0;
+    int square_ = 0;          // how many of the list this sample has
+    int occupiedSquares_ = 0; // how many of the list may show something
+    int activeSquares_ = 0;   // how many of these take the current sample
+    double squaresPerMs_ = 0; // of the last submission
+};
+
+} // namespace vs::render

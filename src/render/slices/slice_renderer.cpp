@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/slices/slice_renderer.h"
+
+#include "base/check.h"
+#include "gl/pass.h"
+
+#include <algorithm>
+
+namespace vs::render {
+
+namespace {
+
+gl::Defines definesFor(const SliceFrame& frame) {
+    gl::Defines defines;
+    if (frame.scene.sculpture != nullptr && frame.scene.view != field::SculptureView::Whole) {
+        defines.emplace_back("SCULPTED", "1");
+    }
+    if (frame.scene.segmentation != nullptr) {
+        defines.emplace_back("SEGMENTED", "1");
+    }
+    if (frame.classification != nullptr) {
+        defines.emplace_back("TF_KIND", frame.classification->kindDefine());
+    }
+    return defines;
+}
+
+glm::ivec3 unit(int axis) {
+    glm::ivec3 v(0);
+    v[axis] = 1;
+    return v;
+}
+
+} // namespace
+
+void SliceRenderer::render(const SliceFrame& frame) {
+    VS_CHECK(frame.scene.data != nullptr);
+    const gl::Pass pass("draw slice");
+    const SliceView& view = frame.view;
+    if (glm::ivec2(picture_.size()) != view.size) {
+        picture_ = gl::Texture(view.size, gl::Format::RGBA8, gl::Filter::Linear, "slice");
+    }
+    const SliceGeometry geometry(frame.scene.data->geometry, view.kind);
+    const glm::dvec3 first = geometry.voxelAt(view.placeAt({0.5, 0.5}), view.index);
+    gl::Program& program = draw_.with(definesFor(frame));
+    program.set(0, glm::vec3(first))
+        .set(1, glm::vec3(geometry.voxelsPerMmRight() * view.pixelMm))
+        .set(2, glm::vec3(geometry.voxelsPerMmDown() * view.pixelMm))
+        .set(3, unit(geometry.acrossAxis()))
+        .set(4, unit(geometry.downAxis()))
+        .set(5, frame.isSmooth ? 1 : 0)
+        .set(6, glm::vec2(frame.fill, frame.outlinePixels));
+    segmentColours_.upload({glm::ivec3(0), segmentColours_.size()},
+                           std::as_bytes(std::span(frame.segmentColours.entries)));
+    segmentColours_.bindTexture(14);
+    sceneBinding_.bind(frame.scene);
+    if (frame.classification != nullptr) {
+        frame.classification->bind();
+    }
+    picture_.bindImage(0, gl::Access::Write);
+    program.dispatchOver({view.size, 1}, gl::Barrier::All);
+}
+
+image::Image SliceRenderer::readPicture() const {
+    image::Image image(picture_.size().x, picture_.size().y);
+    const auto texels = picture_.download({glm::ivec3(0), picture_.size()});
+    std::transform(texels.begin(), texels.end(), image.rgba.begin(),
+                   [](std::byte value) { return std::uint8_t(value); });
+    return image;
+}
+
+} // namespace vs::render

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "field/scene.h"
+#include "gl/program.h"
+#include "image/image.h"
+#include "render/colours/classification.h"
+#include "render/colours/segment_colours.h"
+#include "render/slices/slice_view.h"
+
+namespace vs::render {
+
+// Everything one picture of a slice depends on. The pointers must stay alive until it is drawn.
+struct SliceFrame {
+    field::Scene scene;
+    // Colours what it makes visible; all else stays grey. Null: greys over the displayed range.
+    const Classification* classification = nullptr;
+    SegmentColours segmentColours;
+    SliceView view;
+    bool isSmooth = true; // interpolated between voxels; else every voxel is a plain area
+    float fill = 0.4F;    // opacity of the inside of opaque segments; their outlines always show
+    float outlinePixels = 1.25F;
+};
+
+// Draws slices in a compute shader: values in grey (black below the displayed range, white above) or in the
+// transfer function's colours, what the sculpture hides darkened and hatched, segments as a translucent area
+// with an outline. A slice lies on voxel centres, so its values are interpolated within it and with isSmooth
+// off they are the voxels' own. Membership of segments is that of the scene: exact at voxel centres, and
+// where two segments touch both have an outline.
+class SliceRenderer {
+public:
+    void render(const SliceFrame& frame);
+    // RGBA8, of the last frame's size, rows from the top.
+    [[nodiscard]] const gl::Texture& picture() const { return picture_; }
+    [[nodiscard]] image::Image readPicture() const;
+
+private:
+    gl::ProgramVariants draw_{"render/shaders/draw_slice.comp"};
+    field::SceneBinding sceneBinding_;
+    gl::Texture segmentColours_{glm::ivec2(256, 1), gl::Format::RGBA32F, gl::Filter::Nearest,
+                                "segment colours"};
+    gl::Texture picture_;
+};
+
+} // namespace vs::render

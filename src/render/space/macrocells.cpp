@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "render/space/macrocells.h"
+
+#include "gl/pass.h"
+
+#include <atomic>
+
+namespace vs::render {
+
+namespace {
+
+// Of cells; mirrors shaders/cell_bits.glsl.
+constexpr glm::ivec3 kBlock{32, 4, 1};
+
+std::uint64_t nextVersion() {
+    static std::atomic<std::uint64_t> last = 0;
+    return ++last;
+}
+
+gl::Defines definesFor(const Macrocells::Input& input) {
+    gl::Defines defines;
+    const auto define = [&](bool holds, const char* name) {
+        if (holds) {
+            defines.emplace_back(name, "1");
+        }
+    };
+    define(input.drawsData, "VS_DATA");
+    define(input.classification != nullptr, "VS_BY_FUNCTION");
+    define(input.segmentationCells != nullptr, "VS_SEGMENTATION");
+    // In probe view nothing is seen while nothing is cut.
+    define(input.view == field::SculptureView::Probe ||
+               (input.sculptureCells != nullptr && input.view == field::SculptureView::Cut),
+           "VS_SCULPTURE");
+    return defines;
+}
+
+} // namespace
+
+Macrocells::Macrocells()
+    : spreadInPlane_("render/shaders/spread_cells.comp"),
+      spreadAlongZ_("render/shaders/spread_cells.comp", {{"VS_ALONG_Z", "1"}}),
+      countSteps_("render/shaders/count_steps.comp"),
+      empty_(glm::ivec3(1), gl::Format::RG32F, gl::Filter::Nearest, "no cells") {}
+
+void Macrocells::bind() const {
+    distances_.bindTexture(3);
+    dataCells_->bindTexture(4);
+}
+
+void Macrocells::copyFrom(const Macrocells& other) {
+    const glm::ivec3 size = other.distances_.size();
+    if (distances_.size() != size) {
+        distances_ = gl::Texture(size, gl::Format::R32UI, gl::Filter::Nearest, "cell distances");
+        planes_ = {};
+    }
+    dataCells_ = other.dataCells_;
+    dilated_ = other.dilated_;
+    dilatedFrom_ = other.dilatedFrom_;
+    distances_.copyFrom(other.distances_, {glm::ivec3(0), size}, glm::ivec3(0));
+    version_ = nextVersion();
+}
+
+const gl::Texture& Macrocells::dilated(const gl::Texture& dataCells) {
+    if (dilatedFrom_ == &dataCells && dilated_->size() == dataCells.size()) {
+        return *dilated_;
+    }
+    if (!dilate_) {
+        dilate_ = gl::Program("render/shaders/dilate_ranges.comp");
+    }
+    dilated_ = std::make_shared<gl::Texture>(dataCells.size(), gl::Format::RG32F, gl::Filter::Nearest,
+                                             "dilated cell ranges");
+    dilatedFrom_ = &dataCells;
+    dataCells.bindTexture(0);
+    dilated_->bindImage(0, gl::Access::Write);
+    dilate_.dispatchOver(dilated_->size(), gl::Barrier::Texture);
+    return *dilated_;
+}
+
+// One step of one plane of bits into another.
+void Macrocells::spread(glm::ivec3 blocks, int from, int to, gl::Program& program) {
+    program.set(1, from).set(2, to);
+    program.dispatchOver(blocks, gl::Barrier::All);
+}
+
+void Macrocells::rebuild(const Input& input) {
+    const gl::Pass pass("macrocells");
+    const glm::ivec3 cells = input.dataCells->size();
+    dataCells_ = input.sampling == field::Sampling::Tricubic ? &dilated(*input.dataCells) : input.dataCells;
+    const glm::ivec3 blocks = (cells + kBlock - 1) / kBlock;
+    if (distances_.size() != cells || !planes_) {
+        const auto perPlane = std::size_t(blocks.x) * std::size_t(blocks.y) * std::size_t(blocks.z) + 1;
+        distances_ = gl::Texture(cells, gl::Format::R32UI, gl::Filter::Nearest, "cell distances");
+        planes_ = gl::TexelBuffer(perPlane * (kFar + 1), gl::Format::RGBA32UI, "cells within reach");
+    }
+    dataCells_->bindTexture(0);
+    (input.sculptureCells != nullptr ? *input.sculptureCells : empty_).bindTexture(1);
+    (input.segmentationCells != nullptr ? *input.segmentationCells : empty_).bindTexture(2);
+    if (input.classification != nullptr) {
+        input.classification->bind();
+    }
+    planes_.buffer().bindStorage(0);
+    gl::Program& classify = classify_.with(definesFor(input));
+    classify.set(0, cells)
+        .set(1, glm::vec2(float(input.displayedRange.lo - input.valueTolerance),
+                          float(input.displayedRange.hi + input.valueTolerance)))
+        .set(2, input.view == field::SculptureView::Probe ? 1 : 0);
+    classify.dispatchOver({blocks.x, cells.y, cells.z}, gl::Barrier::All);
+
+    planes_.bindTexture(0);
+    constexpr int scratch = kFar;
+    for (int r = 1; r < kFar; ++r) {
+        spread(blocks, r - 1, scratch, spreadInPlane_.set(0, cells));
+        spread(blocks, scratch, r, spreadAlongZ_.set(0, cells));
+    }
+    distances_.bindImage(0, gl::Access::Write);
+    countSteps_.set(0, cells).set(1, kFar);
+    countSteps_.dispatchOver(blocks, gl::Barrier::Texture);
+    version_ = nextVersion();
+}
+
+} // namespace vs::render

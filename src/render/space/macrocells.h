@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "field/cell_ranges.h"
+#include "field/scene.h"
+#include "gl/program.h"
+#include "gl/texel_buffer.h"
+#include "render/colours/classification.h"
+
+#include <memory>
+
+namespace vs::render {
+
+// What can be seen in which macrocell: per 4^3 cell the Chebyshev distance, in cells, to the nearest one that
+// may hold something visible (0: this one may; at most kFar). Knows displayed range or transfer function,
+// sculpture and segmentation.
+class Macrocells {
+public:
+    static constexpr int kFar = 24;
+
+    Macrocells();
+
+    struct Input {
+        const gl::Texture* dataCells = nullptr;         // field::CellRanges::cells
+        const gl::Texture* sculptureCells = nullptr;    // null: nothing cut
+        const gl::Texture* segmentationCells = nullptr; // null: segmentation is not drawn
+        Range displayedRange;
+        double valueTolerance = 0; // field::valueTolerance
+        field::SculptureView view = field::SculptureView::Cut;
+        bool drawsData = true; // false: only the segmentation counts
+        // The B-spline of tricubic sampling reaches a voxel further, into the cells around.
+        field::Sampling sampling = field::Sampling::Trilinear;
+        // Volume mode: its opacity says what can be seen, not the displayed range.
+        const Classification* classification = nullptr;
+    };
+    // Recomputes everything. The data's cells must outlive this and stay as they are.
+    void rebuild(const Input& input);
+
+    // Becomes what `other` is now.
+    void copyFrom(const Macrocells& other);
+
+    // R32UI: the distances.
+    [[nodiscard]] const gl::Texture& distances() const { return distances_; }
+    // How many cells there are along each axis.
+    [[nodiscard]] glm::ivec3 size() const { return distances_.size(); }
+    // Moves on with every change and is no other object's.
+    [[nodiscard]] std::uint64_t version() const { return version_; }
+
+    // Binds the distances as texture 3 and as texture 4 what samples in each cell can give: the data's cell
+    // ranges, with tricubic sampling those of the cells around too (render/shaders/rays.glsl, maximum.glsl).
+    void bind() const;
+
+private:
+    // Those of `dataCells` for tricubic sampling, made when first asked for.
+    const gl::Texture& dilated(const gl::Texture& dataCells);
+
+    void spread(glm::ivec3 blocks, int from, int to, gl::Program& program);
+
+    gl::ProgramVariants classify_{"render/shaders/classify_cells.comp"};
+    gl::Program spreadInPlane_;
+    gl::Program spreadAlongZ_;
+    gl::Program countSteps_;
+    gl::Texture distances_;
+    gl::TexelBuffer planes_;                 // see shaders/cell_bits.glsl
+    const gl::Texture* dataCells_ = nullptr; // what samples can give: the data's, or dilated_
+    gl::Program dilate_;                     // made when first used
+    const gl::Texture* dilatedFrom_ = nullptr;
+    std::shared_ptr<gl::Texture> dilated_; // shared with copies
+    gl::Texture empty_;
+    std::uint64_t version_ = 0;
+};
+
+} // namespace vs::render

@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sculpt/mask/mask.h"
+
+#include "base/error.h"
+#include "sculpt/mask/polygon_coverage.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace vs::sculpt {
+
+namespace {
+
+constexpr int kSub = MaskFilter::kSubSamples;
+
+// A number in [0, 1) from place and seed (Jarzynski and Olano 2020, "Hash Functions for GPU Rendering": pcg).
+double jitterAt(std::uint32_t x, std::uint32_t y, std::uint32_t seed) {
+    std::uint32_t state = (x * 1664525U + y * 22695477U + seed * 747796405U) + 2891336453U;
+    state = ((state >> ((state >> 28U) + 4U)) ^ state) * 277803737U;
+    state = (state >> 22U) ^ state;
+    return state * (1.0 / 4294967296.0);
+}
+
+// Edges in sub-sample cells: cell c spans [c, c + 1).
+struct Edge {
+    glm::dvec2 top; // smaller y
+    glm::dvec2 bottom;
+
+    [[nodiscard]] double xAt(double y) const {
+        return top.x + (bottom.x - top.x) * std::clamp((y - top.y) / (bottom.y - top.y), 0.0, 1.0);
+    }
+    [[nodiscard]] bool crosses(double y) const { return y >= top.y && y < bottom.y; }
+};
+
+// Cells [begin, end) of a row.
+struct Run {
+    int begin = 0;
+    int end = 0;
+};
+
+// Which sub-sample cells of one row are inside, as runs. Cells that an edge passes through are tested at
+// their (jittered) sample, the runs between them by one test each.
+class RowSampler {
+public:
+    RowSampler(std::vector<Edge> edges, int width, const MaskFilter& filter)
+        : edges_(std::move(edges)), width_(width), filter_(filter) {
+        std::sort(edges_.begin(), edges_.end(),
+                  [](const Edge& a, const Edge& b) { return a.top.y < b.top.y; });
+    }
+
+    // Rows must be asked for in ascending order.
+    const std::vector<Run>& row(int y) {
+        collectActive(y);
+        inside_.clear();
+        touched_.clear();
+        for (const Edge& edge : active_) {
+            const double x0 = edge.xAt(y);
+            const double x1 = edge.xAt(y + 1.0);
+            touched_.push_back({std::clamp(int(std::floor(std::min(x0, x1) - 1e-9)), 0, width_ - 1),
+                                std::clamp(int(std::floor(std::max(x0, x1) + 1e-9)), 0, width_ - 1) + 1});
+        }
+        std::sort(touched_.begin(), touched_.end(), [](Run a, Run b) { return a.begin < b.begin; });
+        int x = 0;
+        for (const Run& run : touched_) {
+            if (run.begin > x) {
+                addIf(isInside(x + 0.5, y + 0.5), {x, run.begin});
+                x = run.begin;
+            }
+            for (; x < run.end; ++x) {
+                addIf(isSampleInside(x, y), {x, x + 1});
+            }
+        }
+        if (x < width_ && !active_.empty()) {
+            addIf(isInside(x + 0.5, y + 0.5), {x, width_});
+        }
+        return inside_;
+    }
+
+private:
+    void collectActive(int y) {
+        std::erase_if(active_, [&](const Edge& edge) { return edge.bottom.y <= y; });
+        while (next_ < edges_.size() && edges_[next_].top.y < y + 1.0) {
+            if (edges_[next_].bottom.y > y) {
+                active_.push_back(edges_[next_]);
+            }
+            ++next_;
+        }
+    }
+
+    [[nodiscard]] bool isInside(double x, double y) const {
+        bool parity = false;
+        for (const Edge& edge : active_) {
+            parity = parity != (edge.crosses(y) && edge.xAt(y) <= x);
+        }
+        return parity;
+    }
+
+    [[nodiscard]] bool isSampleInside(int x, int y) const {
+        const bool jittered = filter_.sampling == Sampling::Jittered;
+        const auto ux = std::uint32_t(x);
+        const auto uy = std::uint32_t(y);
+        return isInside(x + (jittered ? jitterAt(ux, uy, filter_.seed * 2) : 0.5),
+                        y + (jittered ? jitterAt(ux, uy, filter_.seed * 2 + 1) : 0.5));
+    }
+
+    void addIf(bool isIn, Run run) {
+        if (isIn && !inside_.empty() && inside_.back().end == run.begin) {
+            inside_.back().end = run.end;
+        } else if (isIn) {
+            inside_.push_back(run);
+        }
+    }
+
+    std::vector<Edge> edges_;
+    std::vector<Edge> active_;
+    std::size_t next_ = 0;
+    int width_;
+    MaskFilter filter_;
+    std::vector<Run> touched_; // by edges
+    std::vector<Run> inside_;
+};
+
+std::vector<Edge> edgesOf(const Outline& outline, glm::dvec2 corner, double cell) {
+    std::vector<Edge> edges;
+    for (std::size_t n = 0; n < outline.size(); ++n) {
+        const glm::dvec2 a = (outline[n] - corner) / cell;
+        const glm::dvec2 b = (outline[(n + 1) % outline.size()] - corner) / cell;
+        if (a.y != b.y) {
+            edges.push_back(a.y < b.y ? Edge{a, b} : Edge{b, a});
+        }
+    }
+    return edges;
+}
+
+// Filters rows of sub-samples into elements: value i is the weighted sum of cells [first + i * kSub, +
+// width).
+class RowFilter {
+public:
+    RowFilter(const std::vector<float>& weights, int first)
+        : width_(int(weights.size())), first_(first), upTo_(weights.size() + 1, 0.0F) {
+        double sum = 0;
+        for (std::size_t n = 0; n < weights.size(); ++n) {
+            sum += weights[n];
+            upTo_[n + 1] = float(sum);
+        }
+        upTo_.back() = 1;
+    }
+
+    // Returns the elements that are not zero.
+    Run filter(const std::vector<Run>& inside, std::vector<float>& out) const {
+        const int count = int(out.size());
+        std::fill(out.begin(), out.end(), 0.0F);
+        Run all{count, 0};
+        for (const Run& run : inside) {
+            const int lo = std::max((run.begin - first_ - width_) / kSub, 0);
+            const int hi = std::min((run.end - 1 - first_) / kSub + 1, count);
+            for (int i = lo; i < hi; ++i) {
+                const int begin = first_ + i * kSub;
+                const int from = std::clamp(run.begin - begin, 0, width_);
+                const int to = std::clamp(run.end - begin, 0, width_);
+                out[std::size_t(i)] += upTo_[std::size_t(to)] - upTo_[std::size_t(from)];
+            }
+            all = {std::min(all.begin, lo), std::max(all.end, hi)};
+        }
+        return all;
+    }
+
+private:
+    int width_;
+    int first_;
+    std::vector<float> upTo_; // sum of the first n weights
+};
+
+// One test at each element's centre.
+void fillBinary(const Outline& outline, MaskRaster& mask) {
+    MaskFilter centres;
+    centres.sampling = Sampling::Uniform;
+    RowSampler sampler(edgesOf(outline, mask.origin - 0.5 * mask.pitch, mask.pitch), mask.size.x, centres);
+    for (int j = 0; j < mask.size.y; ++j) {
+        const auto row = mask.values.begin() + std::ptrdiff_t(j) * mask.size.x;
+        for (const Run& run : sampler.row(j)) {
+            std::fill(row + run.begin, row + run.end, 1.0F);
+        }
+    }
+}
+
+void fillFiltered(const Outline& outline, const MaskFilter& filter, MaskRaster& mask) {
+    const auto weights = reconstructionWeights(filter.reconstruction, filter.width);
+    const int width = int(weights.size());
+    const int first = kSub / 2 - width / 2; // of element 0: its support is centred on its centre
+    RowSampler sampler(edgesOf(outline, mask.origin - 0.5 * mask.pitch, mask.pitch / kSub),
+                       mask.size.x * kSub, filter);
+    const RowFilter rowFilter(weights, first);
+    std::vector<float> row(std::size_t(mask.size.x));
+    for (int y = 0; y < mask.size.y * kSub; ++y) {
+        const Run run = rowFilter.filter(sampler.row(y), row);
+        // This row of sub-samples is row (y - first - j * kSub) of the support of element row j.
+        const int top = y - first;
+        for (int j = std::max(0, (top - width + kSub) / kSub); j < mask.size.y && top - j * kSub >= 0; ++j) {
+            const float weight = weights[std::size_t(top - j * kSub)];
+            float* target = &mask.values[std::size_t(j) * std::size_t(mask.size.x)];
+            for (int i = run.begin; i < run.end; ++i) {
+                target[i] += weight * row[std::size_t(i)];
+            }
+        }
+    }
+    for (float& value : mask.values) {
+        value = std::clamp(value, 0.0F, 1.0F);
+    }
+}
+
+// Each element's square, exactly.
+void fillCoverage(const Outline& outline, MaskRaster& mask) {
+    Outline inElements;
+    for (const glm::dvec2& point : outline) {
+        inElements.push_back((point - mask.origin) / mask.pitch + 0.5);
+    }
+    mask.values = polygonCoverage(inElements, mask.size);
+}
+
+} // namespace
+
+MaskRaster rasterize(const Outline& outline, double pitch, const MaskFilter& filter) {
+    MaskRaster mask;
+    mask.pitch = pitch;
+    if (outline.size() < 3) {
+        return mask;
+    }
+    glm::dvec2 lo = outline.front();
+    glm::dvec2 hi = outline.front();
+    for (const glm::dvec2& point : outline) {
+        lo = glm::min(lo, point);
+        hi = glm::max(hi, point);
+    }
+    // Elements farther from the outline than half the filter's support are zero; one more closes the raster
+    // with zeros.
+    const bool isFiltered = filter.sampling == Sampling::Uniform || filter.sampling == Sampling::Jittered;
+    const double reach = isFiltered ? 0.5 * filter.width / kSub : 0.5;
+    const glm::dvec2 first = glm::floor(lo / pitch - reach) - 1.0;
+    const glm::dvec2 count = glm::ceil(hi / pitch + reach) + 2.0 - first;
+    if (!(count.x * count.y <= 64e6)) {
+        throw Error("a mask of {:.0f} x {:.0f} elements is more than 64 million; draw it smaller or coarser",
+                    count.x, count.y);
+    }
+    mask.origin = first * pitch;
+    mask.size = glm::ivec2(count);
+    mask.values.assign(std::size_t(mask.size.x) * std::size_t(mask.size.y), 0.0F);
+    if (filter.sampling == Sampling::None) {
+        fillBinary(outline, mask);
+    } else if (filter.sampling == Sampling::PolygonSmooth) {
+        fillCoverage(outline, mask);
+    } else {
+        fillFiltered(outline, filter, mask);
+    }
+    return mask;
+}
+
+} // namespace vs::sculpt

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "sculpt/mask/mask.h"
+#include "sculpt/path/path.h"
+#include "sculpt/radiation/radiation.h"
+#include "sculpt/radiation/tool_points.h"
+
+#include <span>
+
+namespace vs::sculpt {
+
+// The pitch, in steps, at which masks for sweeping are best rasterized: fine enough for the samples between
+// elements.
+inline constexpr double kSweepPitch = 0.5;
+
+// Voxels per step along each axis of a grid of this spacing (mm): takes paths and masks from the space of
+// steps to voxel space.
+glm::dvec3 voxelFromSteps(const glm::dvec3& spacing);
+
+// The footprint that solids made from nothing are radiated with on a grid of this spacing: the Gaussian of
+// `radius` (2, 3 or 4), smooth where slices are coarse.
+Footprint sweepFootprint(int radius, const glm::dvec3& spacing);
+
+// The grid that a sweep goes into.
+struct SweepGrid {
+    glm::dvec3 voxelFromSteps{1};
+    glm::vec3 density{1}; // as SweptPatches::setDensity() takes it
+    // What lies beyond these corners, in voxel space, may be left out.
+    glm::vec3 lo{-1e30F};
+    glm::vec3 hi{1e30F};
+};
+
+// The solid that a mask (in steps) sweeps along one piece of a path in the space of steps, as patches in
+// voxel space: density 1 inside, its ends exactly at the piece's ends. Nothing for pieces that move the mask
+// within its own plane.
+SweptPatches sweepPiece(const MaskRaster& mask, const PathPiece& piece, const SweepGrid& grid = {});
+
+// Radiates a mask (in steps) swept along a path in the space of steps into a volume built from nothing (SPEC
+// 6). Afterwards `radiator` holds the result. Returns the box of voxels that may have energy.
+Box3 sweepMask(Radiator& radiator, PointGenerator& generator, const MaskRaster& mask,
+               std::span<const PathPiece> path, glm::ivec3 dims, const Footprint& footprint,
+               const glm::dvec3& voxelFromSteps = glm::dvec3(1));
+
+} // namespace vs::sculpt

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sculpt/radiation/tool_points.h"
+
+#include "gl/pass.h"
+#include "sculpt/radiation/radiation.h"
+
+namespace vs::sculpt {
+
+static_assert(SweptPatches::kMaxPatchPoints <= Radiator::kMaxPoints);
+
+PointGenerator::PointGenerator()
+    : program_("sculpt/shaders/generate_tool_points.comp"), corners_(4, "tool corners"),
+      patches_(4, "tool patches"), points_(4, "tool points") {}
+
+void PointGenerator::generate(const SweptPatches& swept, const Consume& consume) {
+    const auto& all = swept.patches();
+    if (all.empty()) {
+        return;
+    }
+    corners_.reserve(swept.corners().size() * sizeof(SweptCorner));
+    corners_.write(std::span(swept.corners()));
+    patches_.reserve(all.size() * sizeof(SweptPatch));
+    patches_.write(std::span(all));
+    points_.reserve(std::min(swept.pointCount(), Radiator::kMaxPoints) * sizeof(glm::vec4));
+    const auto endOf = [&](std::size_t n) { return n < all.size() ? all[n].firstPoint : swept.pointCount(); };
+    for (std::size_t first = 0; first < all.size();) {
+        const std::size_t base = endOf(first);
+        std::size_t last = first + 1;
+        while (last < all.size() && endOf(last + 1) - base <= Radiator::kMaxPoints) {
+            ++last;
+        }
+        {
+            const gl::Pass pass("generate tool points");
+            corners_.bindStorage(0);
+            patches_.bindStorage(1);
+            points_.bindStorage(2);
+            program_.set(0, int(first))
+                .set(1, int(last - first))
+                .set(2, static_cast<unsigned int>(base))
+                .set(3, glm::vec2(swept.depthLo(), swept.depthHi()))
+                .set(4, float(swept.orientation()));
+            program_.dispatchOver({int(last - first), 1, 1}, gl::Barrier::Storage);
+        }
+        consume(points_, endOf(last) - base);
+        first = last;
+    }
+}
+
+} // namespace vs::sculpt

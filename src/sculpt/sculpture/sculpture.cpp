@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sculpt/sculpture/sculpture.h"
+
+#include "field/cell_ranges.h"
+#include "gl/pass.h"
+
+#include <algorithm>
+#include <string>
+
+namespace vs::sculpt {
+
+namespace {
+
+glm::ivec3 brickGrid(glm::ivec3 dims) { return divideUp(dims, field::kBrick); }
+
+// The cells that have corners among these voxels.
+Box3 cellsOf(const Box3& voxels, glm::ivec3 cellCount) {
+    return intersect({(voxels.lo - 1) / field::kCell, (voxels.hi - 1) / field::kCell + 1},
+                     {glm::ivec3(0), cellCount});
+}
+
+} // namespace
+
+Sculpture::Sculpture(glm::ivec3 dims, Precision precision)
+    : precision_(precision), texels_(dims, formatOf(precision), gl::Filter::Linear, "sculpture"),
+      cells_(field::cellDims(dims), gl::Format::RG32F, gl::Filter::Nearest, "sculpture cells"),
+      combine_("sculpt/shaders/combine_sculpture.comp", storedDefines(precision)),
+      summarize_("sculpt/shaders/summarize_tiles.comp"), changed_(sizeof(std::uint32_t), "changed voxels"),
+      touched_(Box3{glm::ivec3(0), brickGrid(dims)}.volume(), false) {}
+
+Box3 Sculpture::combine(const Radiator& radiation, Combine how) {
+    return combine(radiation, how, Base::Itself, nullptr);
+}
+
+Box3 Sculpture::combineWith(const gl::Texture* before, const Radiator& radiation) {
+    return combine(radiation, Combine::Cut, before != nullptr ? Base::Texture : Base::Nothing, before);
+}
+
+Box3 Sculpture::combine(const Radiator& radiation, Combine how, Base base, const gl::Texture* before) {
+    changed_.clear();
+    const Box3 box = radiation.resultBox();
+    if (box.isEmpty() || (how == Combine::Restore && isEmpty())) {
+        return {};
+    }
+    {
+        const gl::Pass pass("combine sculpture");
+        radiation.bindResultTiles(0);
+        changed_.bindStorage(1);
+        radiation.energy().bindImage(0, gl::Access::Read);
+        texels_.bindImage(1, gl::Access::ReadWrite);
+        (before != nullptr ? *before : texels_).bindImage(2, gl::Access::Read);
+        combine_.set(0, radiation.tileDims())
+            .set(1, radiation.originVoxel())
+            .set(2, dims())
+            .set(3, how == Combine::Restore ? 1 : 0)
+            .set(4, int(base));
+        combine_.dispatchIndirect(radiation.tileArguments(), 0, gl::Barrier::Texture);
+    }
+    // A cut only adds: what was not empty stays so.
+    const bool staysNonEmpty = how == Combine::Cut && base == Base::Itself && isEmpty_ == false;
+    summarizeTiles(radiation, box);
+    noteWritten(box);
+    if (staysNonEmpty) {
+        isEmpty_ = false;
+    }
+    return box;
+}
+
+// The macrocells that have a corner in the radiation's tiles; `box` holds those tiles.
+void Sculpture::summarizeTiles(const Radiator& radiation, const Box3& box) {
+    const gl::Pass pass("update cell ranges");
+    const Box3 cells = cellsOf(box, cells_.size());
+    texels_.bindTexture(0);
+    cells_.bindImage(0, gl::Access::Write);
+    radiation.bindStages(0);
+    summarize_.set(0, dims())
+        .set(1, cells.lo)
+        .set(2, cells.hi)
+        .set(3, radiation.originVoxel() / kTile)
+        .set(4, radiation.tileDims());
+    summarize_.dispatchOver(cells.size(), gl::Barrier::Texture);
+}
+
+std::uint64_t Sculpture::changedVoxels() const { return changed_.readValue<std::uint32_t>(); }
+
+void Sculpture::clear() {
+    Box3 all;
+    for (const Box3& brick : touchedBricks()) {
+        texels_.clear(brick);
+        cells_.clear(cellsOf(brick, cells_.size()));
+        all = unite(all, brick);
+    }
+    touched_.assign(touched_.size(), false);
+    isEmpty_ = true;
+    noteChange(all);
+}
+
+void Sculpture::noteChange(const Box3& box) {
+    constexpr std::size_t remembered = 64;
+    changes_.push_back({++version_, box});
+    contentVersion_ = version_;
+    if (changes_.size() > remembered) { // the oldest two become one
+        changes_[1].box = unite(changes_[0].box, changes_[1].box);
+        changes_.pop_front();
+    }
+}
+
+Box3 Sculpture::changedSince(std::uint64_t version) const {
+    Box3 all;
+    for (const Change& change : changes_) {
+        all = change.version > version ? unite(all, change.box) : all;
+    }
+    return all;
+}
+
+void Sculpture::markTouched(const Box3& box) {
+    const glm::ivec3 grid = brickGrid(dims());
+    const glm::ivec3 last = (box.hi - 1) / field::kBrick;
+    for (int z = box.lo.z / field::kBrick; z <= last.z; ++z) {
+        for (int y = box.lo.y / field::kBrick; y <= last.y; ++y) {
+            for (int x = box.lo.x / field::kBrick; x <= last.x; ++x) {
+                touched_[std::size_t((z * grid.y + y) * grid.x + x)] = true;
+            }
+        }
+    }
+}
+
+std::vector<Box3> Sculpture::touchedBricks() const {
+    const glm::ivec3 grid = brickGrid(dims());
+    std::vector<Box3> bricks;
+    for (std::size_t n = 0; n < touched_.size(); ++n) {
+        if (touched_[n]) {
+            const int number = int(n);
+            const glm::ivec3 lo =
+                glm::ivec3(number % grid.x, number / grid.x % grid.y, number / (grid.x * grid.y)) *
+                field::kBrick;
+            bricks.push_back(intersect({lo, lo + field::kBrick}, {glm::ivec3(0), dims()}));
+        }
+    }
+    return bricks;
+}
+
+void Sculpture::upload(const Box3& box, std::span<const std::byte> texels) {
+    texels_.upload(box, texels);
+    refresh(box);
+}
+
+void Sculpture::swap(BrickDelta& delta) {
+    delta.swap(texels_);
+    refresh(delta.box());
+}
+
+void Sculpture::refresh(const Box3& box) {
+    if (!box.isEmpty()) {
+        updater_.update(texels_, box, cells_);
+        noteWritten(box);
+    }
+}
+
+void Sculpture::noteWritten(const Box3& box) {
+    markTouched(box);
+    isEmpty_.reset();
+    noteChange(box);
+}
+
+bool Sculpture::isEmpty() const {
+    if (!isEmpty_) {
+        // The cells know: a voxel is a corner of some cell, and only where something was written can there be
+        // anything.
+        const auto bricks = touchedBricks();
+        isEmpty_ = std::none_of(bricks.begin(), bricks.end(), [&](const Box3& brick) {
+            const Box3 cells = cellsOf(brick, cells_.size());
+            const auto bytes = cells_.download(cells);
+            const auto* ranges = reinterpret_cast<const glm::vec2*>(bytes.data());
+            return std::any_of(ranges, ranges + cells.volume(), [](glm::vec2 range) { return range.y > 0; });
+        });
+    }
+    return *isEmpty_;
+}
+
+} // namespace vs::sculpt

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "base/math.h"
+#include "field/cell_ranges.h"
+#include "gl/buffer.h"
+#include "gl/program.h"
+#include "gl/texture.h"
+#include "sculpt/radiation/radiation.h"
+#include "sculpt/sculpture/brick_backup.h"
+#include "sculpt/sculpture/precision.h"
+
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace vs::sculpt {
+
+enum class Combine { Cut, Restore };
+
+// What has been cut away: a scalar from 0 (untouched) to 1 (cut) on the volume's grid, the cut face at 0.5.
+// Kept on the device, together with the range of each macrocell for skipping empty space.
+class Sculpture {
+public:
+    explicit Sculpture(glm::ivec3 dims, Precision precision = Precision::Bits16);
+
+    // Union with a radiation E, clamped to [0, 1]: S = max(S, E) for a cut, S = min(S, 1 - E) for a restore
+    // (SPEC 4). Where a restore has E >= 0.5 the result stays below 0.5, so nothing of the same stroke's cut
+    // remains visible. Returns the box of voxels that may have changed (tile-tight).
+    Box3 combine(const Radiator& radiation, Combine how);
+    // As a cut, but united with what the sculpture was in `before` (null: untouched) instead of what it is:
+    // in the tiles of the radiation it becomes that union. Puts back what an earlier such call cut too far.
+    Box3 combineWith(const gl::Texture* before, const Radiator& radiation);
+    // Voxels whose value the last combine() changed; waits for the device.
+    [[nodiscard]] std::uint64_t changedVoxels() const;
+
+    // Everything untouched again (Un-Cut). Costs what was touched, and so does its undo: touchedBricks() are
+    // what must be protected before.
+    void clear();
+    // The bricks (32^3) written to since the sculpture was made or cleared; elsewhere it is 0.
+    [[nodiscard]] std::vector<Box3> touchedBricks() const;
+    // Texels as they are stored (x fastest), and what they mean. upload() refreshes the macrocells.
+    [[nodiscard]] std::vector<std::byte> download(const Box3& box) const { return texels_.download(box); }
+    [[nodiscard]] std::vector<float> values(const Box3& box) const {
+        return valuesOf(download(box), precision_);
+    }
+    void upload(const Box3& box, std::span<const std::byte> texels);
+    // Undo or redo, with the macrocells.
+    void swap(BrickDelta& delta);
+    // After texels() was written by something else (BrickBackup::restore).
+    void refresh(const Box3& box);
+
+    [[nodiscard]] gl::Texture& texels() { return texels_; }
+    [[nodiscard]] const gl::Texture& texels() const { return texels_; }
+    // RG32F, field::cellDims(dims) texels: smallest and largest value per macrocell.
+    [[nodiscard]] const gl::Texture& cells() const { return cells_; }
+    [[nodiscard]] glm::ivec3 dims() const { return texels_.size(); }
+    [[nodiscard]] Precision precision() const { return precision_; }
+    // Counts every change.
+    [[nodiscard]] std::uint64_t version() const { return version_; }
+    // Numbers the contents: as version(), but what has been put back as it was can have its number again.
+    [[nodiscard]] std::uint64_t contentVersion() const { return contentVersion_; }
+    // The contents are what they were when contentVersion() was this.
+    void contentIsAsAt(std::uint64_t contentVersion) { contentVersion_ = contentVersion; }
+    // Voxels that may differ from what they were at an earlier version(). The longer ago, the more there may
+    // be that do not; at version 0 everything was 0.
+    [[nodiscard]] Box3 changedSince(std::uint64_t version) const;
+    // True when nothing is cut anywhere: a matter of content, so that undoing the first cut is as if it had
+    // never been. May wait for the device.
+    [[nodiscard]] bool isEmpty() const;
+
+private:
+    enum class Base { Itself, Texture, Nothing };
+    Box3 combine(const Radiator& radiation, Combine how, Base base, const gl::Texture* before);
+    void summarizeTiles(const Radiator& radiation, const Box3& box);
+    void noteWritten(const Box3& box);
+    void noteChange(const Box3& box);
+    void markTouched(const Box3& box);
+
+    Precision precision_;
+    gl::Texture texels_;
+    gl::Texture cells_;
+    gl::Program combine_;
+    gl::Program summarize_; // cells of the radiation's tiles
+    field::CellRangeUpdater updater_;
+    gl::Buffer changed_;
+    std::uint64_t version_ = 0;
+    std::uint64_t contentVersion_ = 0;
+    struct Change {
+        std::uint64_t version = 0; // the one it led to
+        Box3 box;
+    };
+    std::deque<Change> changes_;                 // oldest first; the first holds all that came before it
+    std::vector<bool> touched_;                  // by brick, since it was made or cleared
+    mutable std::optional<bool> isEmpty_ = true; // nothing: not known
+};
+
+} // namespace vs::sculpt

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "segment/growth/constraints.h"
+
+#include <cmath>
+#include <limits>
+
+namespace vs::segment {
+
+namespace {
+
+bool includes(const std::optional<Range>& wide, const std::optional<Range>& narrow) {
+    return !wide || (narrow && wide->lo <= narrow->lo && wide->hi >= narrow->hi);
+}
+
+gl::Defines definesOf(const Constraints& constraints) {
+    gl::Defines defines;
+    const auto define = [&](bool is, const char* name) {
+        if (is) {
+            defines.emplace_back(name, "1");
+        }
+    };
+    define(constraints.hasFence(), "VS_FENCED");
+    define(constraints.gradient.has_value(), "VS_GRADIENT");
+    define(constraints.difference.has_value(), "VS_DIFFERENCE");
+    define(constraints.gradientDifference.has_value(), "VS_GRADIENT_DIFFERENCE");
+    define(constraints.connectivity == Connectivity::TwentySix, "VS_NEIGHBOURS_26");
+    return defines;
+}
+
+// The ends rounded to float; nothing given: all there are.
+glm::vec2 ends(const std::optional<Range>& range) {
+    constexpr float all = std::numeric_limits<float>::max();
+    return range ? glm::vec2(float(range->lo), float(range->hi)) : glm::vec2(-all, all);
+}
+
+} // namespace
+
+bool includes(const Constraints& wide, const Constraints& narrow) {
+    const bool isSameFence =
+        !wide.hasFence() || (wide.sculpture == narrow.sculpture && wide.view == narrow.view &&
+                             wide.sculptureVersion == narrow.sculptureVersion);
+    return isSameFence && includes(std::optional(wide.range), std::optional(narrow.range)) &&
+           includes(wide.difference, narrow.difference) && includes(wide.gradient, narrow.gradient) &&
+           includes(wide.gradientDifference, narrow.gradientDifference) &&
+           (wide.connectivity == Connectivity::TwentySix || narrow.connectivity == Connectivity::Six);
+}
+
+glm::vec2 comparableRange(const field::Field& field, const Range& range) {
+    double lo = std::max(range.lo, field.range.lo);
+    double hi = std::min(range.hi, field.range.hi);
+    if (field.isIntegral) {
+        lo = std::ceil(lo);
+        hi = std::floor(hi);
+    }
+    // Rounding is monotonic, so no voxel inside the range is refused even where integers exceed float's
+    // precision.
+    glm::vec2 ends(static_cast<float>(lo), static_cast<float>(hi));
+    if (!(lo <= hi)) {
+        ends = {1.0F, 0.0F}; // rounding must not make an empty range hold a value
+    }
+    return ends;
+}
+
+bool isInRange(const field::Field& field, const Range& range, double value) {
+    const glm::vec2 ends = comparableRange(field, range);
+    const auto stored = static_cast<float>(value);
+    return stored >= ends.x && stored <= ends.y;
+}
+
+gl::Program& ConstrainedProgram::prepare(const field::Field& field, const Constraints& constraints,
+                                         const gl::Defines& more) {
+    gl::Defines defines = definesOf(constraints);
+    defines.insert(defines.end(), more.begin(), more.end());
+    gl::Program& program = variants_.with(defines);
+    field.texels.bindTexture(0);
+    // Columns of what turns differences along voxel axes into a gradient in world axes.
+    const glm::mat3 gradient(glm::transpose(glm::inverse(glm::dmat3(field.geometry.worldFromVoxel))) * 0.5);
+    program.set(20, field.geometry.dims)
+        .set(21, glm::vec3(field.valueScale, field.valueOffset, field.isIntegral ? 1.0F : 0.0F))
+        .set(22, comparableRange(field, constraints.range))
+        .set(24, gradient[0])
+        .set(25, gradient[1])
+        .set(26, gradient[2])
+        .set(27, ends(constraints.gradient))
+        .set(28, ends(constraints.difference))
+        .set(29, ends(constraints.gradientDifference));
+    if (constraints.hasFence()) {
+        constraints.sculpture->bindTexture(1);
+        program.set(23, constraints.view == field::SculptureView::Probe ? 1 : 0);
+    }
+    return program;
+}
+
+} // namespace vs::segment

@@ -1,0 +1,287 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "segment/growth/frontier.h"
+
+#include "base/check.h"
+#include "gl/pass.h"
+
+#include <algorithm>
+#include <cstddef>
+#include <utility>
+
+namespace vs::segment {
+
+namespace {
+
+constexpr std::uint32_t kTilesPerBrick = 64;
+constexpr std::uint32_t kTilesPerGroup = 16;
+constexpr std::size_t kWordsPerSlab = 4; // see shaders/words.glsl
+constexpr std::size_t kSlabBytes = kWordsPerSlab * sizeof(std::uint32_t);
+constexpr std::uint32_t kMaxGroups = 65535;
+// When rows of tiles are tested whole: measured on a software renderer, where both sides of a choice cost.
+constexpr std::uint64_t kManyVoxels = 4096; // in a generation
+constexpr std::uint64_t kManyInTile = 8;
+
+gl::Defines definesFor(Connectivity connectivity, gl::Defines more = {}) {
+    if (connectivity == Connectivity::TwentySix) {
+        more.emplace_back("VS_NEIGHBOURS_26", "1");
+    }
+    return more;
+}
+
+} // namespace
+
+// Mirrors Step in shaders/active_tiles.glsl (std430).
+struct Frontier::Step {
+    glm::uvec4 tiles{0, 1, 1, 0};
+    glm::uvec4 unmade{0, 1, 1, 0};
+    glm::uvec4 grown{0};
+
+    [[nodiscard]] std::uint64_t total() const { return std::uint64_t(grown.x) + grown.y + grown.z + grown.w; }
+};
+
+Frontier::Frontier(const SeedMap& seedMap)
+    : tileCount_(std::uint32_t(seedMap.bricks().count()) * kTilesPerBrick),
+      planeWords_(seedMap.planeBytes() / sizeof(std::uint32_t)),
+      allowed_(planeWords_ / kWordsPerSlab, gl::Format::RGBA32UI, "growth allowed"),
+      newest_(2 * planeWords_ / kWordsPerSlab, gl::Format::RGBA32UI, "growth newest"),
+      work_(std::size_t(tileCount_) * 10 * sizeof(std::uint32_t), "growth work"),
+      steps_((kMaxSteps + 1) * sizeof(Step), "growth steps"), list_(4, "growth seeds") {}
+
+void Frontier::invalidate() {
+    ++rulesNumber_; // what may be entered has changed
+    isValid_ = false;
+    added_.clear();
+}
+
+void Frontier::add(std::span<const std::uint32_t> voxels) {
+    if (isValid_) { // else all grown voxels are collected anyway
+        added_.insert(added_.end(), voxels.begin(), voxels.end());
+        newestIsLast_ = false; // unless they entered beside it
+    }
+}
+
+// Both planes are zero wherever no tile is at work.
+void Frontier::clearNewest() {
+    if (carried_ > 0) {
+        newest_.buffer().clear();
+    }
+    carried_ = 0;
+    if (carriedUnmade_ > 0) {
+        ++rulesNumber_; // they count as made
+    }
+    carriedUnmade_ = 0;
+    newestIsRegion_ = false;
+    ++stamp_; // no tile is noted any more
+}
+
+// The slab that one of the planes of newest voxels begins with.
+std::uint32_t Frontier::planeStart(int plane) const {
+    return std::uint32_t(std::size_t(plane) * planeWords_ / kWordsPerSlab);
+}
+
+void Frontier::prepareToNote(gl::Program& program, int step, int list, std::uint32_t stamp) const {
+    program.set(5, stamp).set(6, step).set(7, tileCount_).set(8, list).set(12, rulesNumber_);
+}
+
+void Frontier::collect(SeedMap& seedMap, const Rules& rules) {
+    gl::Defines defines = seedMap.widthDefines();
+    if (rules.owner.hasOthers || rules.frozen > 0) {
+        defines.emplace_back("VS_PARTLY", "1");
+    }
+    gl::Program& program = collect_.with(definesFor(rules.constraints->connectivity, std::move(defines)));
+    seedMap.grownTexels().bindTexture(6);
+    seedMap.bind(program);
+    seedMap.bindOwner(program, rules.owner);
+    prepareToNote(program, 0, now_, stamp_);
+    program.set(10, planeStart(now_)).set(11, std::uint32_t(rules.frozen));
+    seedMap.bricks().onDevice().bindStorage(8);
+    seedMap.dispatchOverBricks(program, seedMap.bricks().touched(), gl::Barrier::All, 1);
+    newestIsLast_ = false;
+    newestIsRegion_ = true;
+}
+
+void Frontier::push(const SeedMap& seedMap, std::span<const std::uint32_t> voxels,
+                    const Constraints& constraints, Into into) {
+    if (voxels.empty()) {
+        return;
+    }
+    const bool notesRows = into == Into::Newest && testing_ == Testing::ByRows;
+    gl::Program& program = push_.with(
+        definesFor(constraints.connectivity, notesRows ? gl::Defines{{"VS_BY_ROWS", "1"}} : gl::Defines{}));
+    list_.reserve(voxels.size() * sizeof(std::uint32_t));
+    list_.write(voxels);
+    list_.bindStorage(7);
+    program.set(0, seedMap.dims()).set(1, seedMap.bricks().brickDims()).set(9, int(voxels.size()));
+    prepareToNote(program, 0, now_, stamp_);
+    program.set(10, into == Into::PlaneWithin ? 0U : planeStart(now_) * std::uint32_t(kWordsPerSlab))
+        .set(11, into == Into::Newest ? 0 : 1);
+    program.dispatchOverList(voxels.size(), gl::Barrier::All);
+}
+
+// Opens a submission: the tiles to begin with are those carried over, and what is pushed or collected now.
+void Frontier::begin(int steps) {
+    std::vector<Step> table(std::size_t(steps) + 1);
+    const auto arguments = [](std::uint32_t tiles) {
+        return glm::uvec4(std::min((tiles + kTilesPerGroup - 1) / kTilesPerGroup, kMaxGroups), 1, 1, tiles);
+    };
+    table[0].tiles = arguments(carried_);
+    table[0].unmade = {std::min(carriedUnmade_, kMaxGroups), 1, 1, carriedUnmade_};
+    steps_.write(std::span<const Step>(table));
+    steps_.bindStorage(5);
+    work_.bindStorage(6);
+    newest_.buffer().bindStorage(2);
+}
+
+// Expands so many times, giving `generation` and those after it. Returns the voxels that joined each time.
+std::vector<std::uint64_t> Frontier::run(const SeedMap& seedMap, gl::Program& program, gl::Program* allow,
+                                         const Constraints& constraints, gl::Defines noteDefines,
+                                         int generation, int steps) {
+    gl::Program& note = note_.with(definesFor(constraints.connectivity, std::move(noteDefines)));
+    note.set(0, seedMap.dims()).set(1, seedMap.bricks().brickDims());
+    seedMap.bricks().onDevice().bindStorage(8);
+    newest_.bindTexture(4);
+    for (int i = 0; i < steps; ++i) {
+        const int next = 1 - now_;
+        if (allow != nullptr) {
+            prepareToNote(*allow, i + 1, next, stamp_);
+            allow->set(10, i);
+            allow->dispatchIndirect(steps_, std::size_t(i) * sizeof(Step) + offsetof(Step, unmade),
+                                    gl::Barrier::All);
+        }
+        prepareToNote(program, i + 1, next, ++stamp_);
+        program.set(10, i)
+            .set(11, std::uint32_t(generation + i))
+            .set(13, planeStart(now_))
+            .set(14, planeStart(next))
+            .set(15, newestIsLast_ ? 1 : 0);
+        program.dispatchIndirect(steps_, std::size_t(i) * sizeof(Step), gl::Barrier::Storage);
+        prepareToNote(note, i + 1, next, stamp_);
+        const bool clears = newestIsRegion_;
+        note.set(10, i).set(11, std::uint32_t(generation + i)).set(13, clears ? 0 : 1);
+        // Each expansion takes its tiles, and the newest voxels as texels, from the one before.
+        note.dispatchIndirect(steps_, std::size_t(i) * sizeof(Step), gl::Barrier::All);
+        if (clears) {
+            newest_.buffer().clear(planeStart(now_) * kSlabBytes, planeWords_ * sizeof(std::uint32_t));
+            newestIsRegion_ = false;
+        }
+        now_ = next;
+        newestIsLast_ = true;
+    }
+    const auto table = steps_.read<Step>(std::size_t(steps) + 1);
+    carried_ = table.back().tiles.w;
+    carriedUnmade_ = table.back().unmade.w;
+    judge(table[std::size_t(steps) - 1], steps);
+    std::vector<std::uint64_t> grown;
+    for (int i = 0; i < steps; ++i) {
+        grown.push_back(table[std::size_t(i)].total());
+    }
+    return grown;
+}
+
+// Whether so much grows that whole rows of tiles should be tested at once; or nothing, and what is left of
+// the planes can be cleared at once when something is to grow again.
+void Frontier::judge(const Step& last, int steps) {
+    growsMuch_ = last.total() > kManyVoxels && last.total() > kManyInTile * last.tiles.w;
+    isOver_ = last.total() == 0 && carriedUnmade_ == 0;
+    stepsByVoxel_ = std::min(stepsByVoxel_ + steps, kMaxSteps);
+}
+
+// From now on rows are noted with the tiles; those of the tiles carried over are here.
+void Frontier::goOverToRows(const SeedMap& seedMap) {
+    testing_ = Testing::ByRows;
+    gl::Program& program = noteRows_.with({});
+    program.set(0, seedMap.dims()).set(1, seedMap.bricks().brickDims());
+    prepareToNote(program, 0, now_, stamp_);
+    program.dispatchIndirect(steps_, 0, gl::Barrier::All);
+}
+
+std::vector<std::uint64_t> Frontier::expand(SeedMap& seedMap, const Rules& rules, int generation, int steps) {
+    VS_CHECK(steps >= 1 && steps <= kMaxSteps);
+    const gl::Pass pass("expand region");
+    if (generation + steps - 1 > SeedMap::kLongest16) {
+        seedMap.widen();
+    }
+    if (!isValid_ || isOver_) {
+        clearNewest();
+    }
+    if (!isValid_) {
+        testing_ = Testing::ByVoxel;
+        growsMuch_ = false;
+        stepsByVoxel_ = 0;
+    }
+    const bool goesOver = testing_ == Testing::ByVoxel && growsMuch_;
+    if (testing_ == Testing::ByVoxel && !goesOver) {
+        steps = std::min(steps, std::max(stepsByVoxel_, 1));
+    }
+    begin(steps);
+    if (goesOver) {
+        goOverToRows(seedMap);
+    }
+    allowed_.buffer().bindStorage(1);
+    if (isValid_) {
+        push(seedMap, added_, *rules.constraints);
+        added_.clear();
+    } else {
+        collect(seedMap, rules);
+        isValid_ = true;
+    }
+
+    const gl::Defines forbidden =
+        rules.forbidden != nullptr ? gl::Defines{{"VS_FORBIDDEN", "1"}} : gl::Defines{};
+    gl::Defines defines = seedMap.widthDefines();
+    gl::Program* allow = nullptr;
+    if (testing_ == Testing::ByRows) {
+        allow = &allow_.prepare(*rules.field, *rules.constraints, forbidden);
+        allow->set(0, seedMap.dims()).set(1, seedMap.bricks().brickDims());
+        allowed_.bindTexture(5);
+    } else {
+        defines.insert(defines.end(), forbidden.begin(), forbidden.end());
+        defines.emplace_back("VS_BY_VOXEL", "1");
+        seedMap.grownTexels().bindTexture(6);
+    }
+    gl::Program& program = expand_.prepare(*rules.field, *rules.constraints, defines);
+    seedMap.bind(program);
+    if (rules.forbidden != nullptr) {
+        rules.forbidden->bindStorage(7);
+    }
+    return run(seedMap, program, allow, *rules.constraints,
+               allow != nullptr ? gl::Defines{{"VS_BY_ROWS", "1"}} : gl::Defines{}, generation, steps);
+}
+
+int Frontier::flood(const SeedMap& seedMap, const Rules& rules, std::span<const std::uint32_t> seeds,
+                    const gl::TexelBuffer& region, const gl::Buffer& reached, int steps) {
+    const gl::Pass pass("flood region");
+    invalidate();
+    clearNewest();
+    const int atOnce = std::min(kMaxSteps, std::max(steps, 1));
+    begin(atOnce);
+    region.buffer().bindStorage(1);
+    push(seedMap, seeds, *rules.constraints, Into::NewestWithin);
+    reached.bindStorage(2); // and once more, into the set itself; the tiles are noted already
+    push(seedMap, seeds, *rules.constraints, Into::PlaneWithin);
+    newest_.buffer().bindStorage(2);
+
+    gl::Program& program = expand_.prepare(*rules.field, *rules.constraints, {{"VS_FLOOD", "1"}});
+    int found = 0;
+    for (bool goesOn = steps > 0; goesOn;) {
+        const int batch = std::min(atOnce, steps - found);
+        seedMap.bind(program);
+        reached.bindStorage(0);
+        region.bindTexture(5);
+        for (const std::uint64_t voxels :
+             run(seedMap, program, nullptr, *rules.constraints, {{"VS_FLOOD", "1"}}, 0, batch)) {
+            found += voxels > 0 ? 1 : 0;
+            goesOn = voxels > 0;
+        }
+        goesOn = goesOn && found < steps;
+        if (goesOn) {
+            begin(std::min(atOnce, steps - found));
+        }
+    }
+    carried_ = std::max(carried_, 1U); // the planes are not clean
+    clearNewest();
+    invalidate(); // tiles that the seeds lie in count as made
+    return found;
+}
+
+} // namespace vs::segment

@@ -1,0 +1,376 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "segment/growth/growth.h"
+
+#include "base/progress.h"
+#include "base/timer.h"
+#include "gl/pass.h"
+#include "segment/growth/growth_undo.h"
+
+#include <algorithm>
+#include <limits>
+#include <numeric>
+
+namespace vs::segment {
+
+namespace {
+
+constexpr int kNever = std::numeric_limits<int>::max();
+
+// What shaders/test_seeds.comp answers.
+enum Answer : std::uint32_t { Refused, Present, Admitted, AdmittedAgain };
+
+} // namespace
+
+Growth::Growth(const field::Field& field)
+    : field_(&field), seedMap_(field.geometry.dims), frontier_(seedMap_), answers_(4, "seed answers"),
+      kinds_(4, "kinds of segments") {}
+
+Frontier::Rules Growth::rules() const {
+    return {field_, &state_.constraints, forbidden_ ? &forbidden_ : nullptr, owner_, state_.frozen};
+}
+
+// --- rules
+
+void Growth::setConstraints(const Constraints& constraints, GrowthUndo* undo) {
+    if (undo != nullptr) {
+        undo->begin(*this);
+    }
+    if (constraints != state_.constraints) {
+        truncate(state_.playhead, undo);
+        const bool isWider = includes(constraints, state_.constraints);
+        state_.constraints = constraints;
+        frontier_.invalidate();
+        if (state_.isLive && !(state_.isConsistent && isWider)) {
+            retract(undo);
+        }
+        state_.isConsistent = state_.isLive || state_.extent == 0 || (state_.isConsistent && isWider);
+        state_.isFinished = false;
+        reinstateSeeds(undo);
+    }
+    if (undo != nullptr) {
+        undo->end(*this);
+    }
+}
+
+void Growth::setLive(bool isLive, GrowthUndo* undo) {
+    if (undo != nullptr) {
+        undo->begin(*this);
+    }
+    state_.isLive = isLive;
+    if (undo != nullptr) {
+        undo->end(*this);
+    }
+}
+
+// --- seeds
+
+std::vector<std::uint32_t> Growth::voxelsInGrid(std::span<const glm::ivec3> voxels) const {
+    std::vector<std::uint32_t> indices;
+    for (const glm::ivec3 v : voxels) {
+        if (glm::all(glm::greaterThanEqual(v, glm::ivec3(0))) &&
+            glm::all(glm::lessThan(v, field_->geometry.dims))) {
+            indices.push_back(seedMap_.indexOf(v));
+        }
+    }
+    return indices;
+}
+
+std::vector<std::uint32_t> Growth::testSeeds(const std::vector<std::uint32_t>& voxels) {
+    gl::Defines defines = seedMap_.widthDefines();
+    if (forbidden_) {
+        defines.emplace_back("VS_FORBIDDEN", "1");
+    }
+    gl::Program& test = testSeeds_.prepare(*field_, state_.constraints, defines);
+    answers_.reserve(voxels.size() * sizeof(std::uint32_t));
+    seedMap_.bind(test);
+    seedMap_.bindOwner(test, owner_);
+    seedMap_.bindList(voxels);
+    answers_.bindStorage(1);
+    if (forbidden_) {
+        forbidden_.bindStorage(2);
+    }
+    test.set(9, int(voxels.size())).set(10, std::uint32_t(state_.playhead));
+    test.dispatchOverList(voxels.size(), gl::Barrier::Storage);
+    return answers_.read<std::uint32_t>(voxels.size());
+}
+
+int Growth::enteringGeneration() const {
+    return std::max({1, state_.playhead, std::min(state_.frozen, state_.playhead) + 1});
+}
+
+SeedCounts Growth::addSeeds(std::span<const glm::ivec3> seeds, GrowthUndo* undo) {
+    const gl::Pass pass("add seeds");
+    if (undo != nullptr) {
+        undo->begin(*this);
+    }
+    std::vector<std::uint32_t> voxels = voxelsInGrid(seeds);
+    SeedCounts counts;
+    counts.refused = int(seeds.size() - voxels.size());
+    const std::size_t offered = voxels.size();
+    std::sort(voxels.begin(), voxels.end());
+    voxels.erase(std::unique(voxels.begin(), voxels.end()), voxels.end());
+    counts.present = int(offered - voxels.size());
+
+    const auto answers = testSeeds(voxels);
+    std::vector<std::uint32_t> added;
+    std::vector<std::uint32_t> allowedAgain;
+    for (std::size_t i = 0; i < voxels.size(); ++i) {
+        if (answers[i] >= Admitted) {
+            added.push_back(voxels[i]);
+            if (answers[i] == AdmittedAgain) {
+                allowedAgain.push_back(voxels[i]);
+            }
+        } else {
+            ++(answers[i] == Present ? counts.present : counts.refused);
+        }
+    }
+    counts.added = int(added.size());
+    if (!added.empty()) {
+        truncate(state_.playhead, undo);
+        if (!allowedAgain.empty()) {
+            passes_.setBits(seedMap_, forbidden_, allowedAgain, false);
+        }
+        enterSeeds(added);
+        auto remembered = *state_.seeds;
+        for (const std::uint32_t voxel : voxels) {
+            remembered.push_back({voxel, state_.extent});
+        }
+        state_.seeds = std::make_shared<const std::vector<Seed>>(std::move(remembered));
+    }
+    if (undo != nullptr) {
+        undo->addedSeeds_ = std::move(added);
+        undo->allowedAgain_ = std::move(allowedAgain);
+        undo->end(*this);
+    }
+    return counts;
+}
+
+void Growth::enterSeeds(std::span<const std::uint32_t> voxels) {
+    const int generation = enteringGeneration();
+    seedMap_.store(voxels, generation);
+    std::vector<std::uint32_t> touched;
+    for (const std::uint32_t voxel : voxels) {
+        seedMap_.bricks().add(seedMap_.voxelAt(voxel), generation);
+        touched.push_back(seedMap_.bricks().brickOf(seedMap_.voxelAt(voxel)));
+    }
+    seedMap_.bricks().upload();
+    seedMap_.bricks().markChanged(touched);
+    frontier_.add(voxels);
+    state_.voxels.resize(std::size_t(generation));
+    state_.voxels.back() += voxels.size();
+    state_.extent = generation;
+    state_.playhead = generation;
+    state_.isFinished = false;
+}
+
+// Seeds that the rules refused, or that were retracted, enter at the playhead where the present ones let them
+// in.
+void Growth::reinstateSeeds(GrowthUndo* undo) {
+    std::vector<std::uint32_t> voxels;
+    for (const Seed& seed : *state_.seeds) {
+        voxels.push_back(seed.voxel);
+    }
+    std::sort(voxels.begin(), voxels.end());
+    voxels.erase(std::unique(voxels.begin(), voxels.end()), voxels.end());
+    const auto answers = testSeeds(voxels);
+    std::vector<std::uint32_t> entering;
+    for (std::size_t i = 0; i < voxels.size(); ++i) {
+        if (answers[i] == Admitted) { // what was absorbed must be seeded anew
+            entering.push_back(voxels[i]);
+        }
+    }
+    if (!entering.empty()) {
+        enterSeeds(entering);
+        if (undo != nullptr) {
+            undo->addedSeeds_ = std::move(entering);
+        }
+    }
+}
+
+// --- playback
+
+int Growth::advance(int generations, GrowthUndo* undo) {
+    return advanceFor(std::numeric_limits<double>::infinity(), generations, undo);
+}
+
+int Growth::advanceFor(double budgetMs, int generations, GrowthUndo* undo) {
+    if (undo != nullptr) {
+        undo->begin(*this);
+    }
+    const Timer timer;
+    int shown = reveal(generations);
+    // Batches double while they fit into what is left of the time.
+    int batch = budgetMs < std::numeric_limits<double>::infinity() ? 1 : Frontier::kMaxSteps;
+    const auto end = [&] {
+        if (undo != nullptr) {
+            undo->end(*this);
+        }
+    };
+    try {
+        while (shown < generations && !isFinished() && (shown == 0 || timer.milliseconds() < budgetMs)) {
+            reportProgress();
+            const double began = timer.milliseconds();
+            shown += compute(std::min(batch, generations - shown));
+            const double ended = timer.milliseconds();
+            if (budgetMs - ended > 2 * (ended - began)) {
+                batch = std::min(2 * batch, Frontier::kMaxSteps);
+            } else {
+                batch = std::max(batch / 2, 1);
+            }
+        }
+    } catch (...) {
+        end(); // so that what has grown can be taken back
+        throw;
+    }
+    end();
+    return shown;
+}
+
+int Growth::reveal(int generations) {
+    const int kept = std::clamp(state_.extent - state_.playhead, 0, std::max(generations, 0));
+    movePlayhead(state_.playhead + kept);
+    return kept;
+}
+
+int Growth::compute(int generations) {
+    const int steps = std::min(generations, SeedMap::kLongest - state_.extent);
+    if (steps <= 0) {
+        state_.isFinished = true;
+        return 0;
+    }
+    const auto grown = frontier_.expand(seedMap_, rules(), state_.extent + 1, steps);
+    const auto tried = int(grown.size());
+    int added = 0;
+    while (added < tried && grown[std::size_t(added)] > 0) {
+        ++added;
+    }
+    state_.voxels.insert(state_.voxels.end(), grown.begin(), grown.begin() + added);
+    state_.extent += added;
+    state_.isFinished = added < tried;
+    if (added > 0) {
+        seedMap_.bricks().download();
+    }
+    movePlayhead(state_.extent);
+    return added;
+}
+
+int Growth::stepBack(int generations, GrowthUndo* undo) {
+    const int before = state_.playhead;
+    setPlayhead(before - std::clamp(generations, 0, before), undo);
+    return before - state_.playhead;
+}
+
+void Growth::setPlayhead(int generation, GrowthUndo* undo) {
+    if (undo != nullptr) {
+        undo->begin(*this);
+    }
+    movePlayhead(std::clamp(generation, 0, state_.extent));
+    if (undo != nullptr) {
+        undo->end(*this);
+    }
+}
+
+void Growth::movePlayhead(int generation) {
+    BrickTable& bricks = seedMap_.bricks();
+    bricks.markChanged(
+        bricks.holding(std::min(generation, state_.playhead), std::max(generation, state_.playhead)));
+    state_.playhead = generation;
+}
+
+// --- erasing
+
+void Growth::truncate(int last, GrowthUndo* undo) {
+    if (last >= state_.extent) {
+        return;
+    }
+    if (undo != nullptr) {
+        undo->save(*this, passes_.holding(seedMap_, owner_, {last, nullptr, true},
+                                          seedMap_.bricks().holding(last, kNever)));
+    }
+    eraseAfter(last);
+    state_.extent = last;
+    state_.frozen = std::min(state_.frozen, last);
+    state_.voxels.resize(std::size_t(last));
+    state_.isFinished = false;
+    state_.isConsistent = last == 0; // what stays may have been reached by what went
+    auto seeds = *state_.seeds;
+    std::erase_if(seeds, [&](const Seed& seed) { return seed.generation > last; });
+    state_.seeds = std::make_shared<const std::vector<Seed>>(std::move(seeds));
+}
+
+void Growth::eraseAfter(int last) {
+    const gl::Pass pass("erase generations");
+    BrickTable& bricks = seedMap_.bricks();
+    passes_.erase(seedMap_, owner_, {last, nullptr, true}, bricks.holding(last, kNever), 0);
+    bricks.truncate(last);
+    bricks.upload();
+    frontier_.invalidate();
+}
+
+void Growth::reset(GrowthUndo* undo) {
+    if (undo != nullptr) {
+        undo->begin(*this);
+        undo->keepForbidden(*this);
+    }
+    movePlayhead(0);
+    truncate(0, undo);
+    state_.seeds = std::make_shared<const std::vector<Seed>>();
+    state_.isConsistent = true;
+    forbidden_ = {};
+    frontier_.invalidate();
+    if (undo != nullptr) {
+        undo->end(*this);
+    }
+}
+
+// --- asking
+
+std::uint64_t Growth::voxelCount() const {
+    return std::accumulate(state_.voxels.begin(), state_.voxels.begin() + state_.playhead, std::uint64_t(0));
+}
+
+Box3 Growth::touchedBox() const {
+    Box3 box;
+    for (const std::uint32_t brick : seedMap_.bricks().touched()) {
+        box = unite(box, seedMap_.bricks().box(brick));
+    }
+    return box;
+}
+
+void Growth::show(const gl::Buffer& plane, const gl::Buffer& reach, const std::vector<std::uint32_t>& bricks,
+                  std::span<const std::uint32_t> kinds, std::uint32_t wanted) const {
+    gl::Defines defines = seedMap_.widthDefines();
+    if (owner_.hasOthers) {
+        defines.emplace_back("VS_OTHERS", "1");
+    }
+    if (state_.playhead < state_.extent) {
+        defines.emplace_back("VS_HIDES", "1");
+    }
+    gl::Program& show = show_.with(defines);
+    kinds_.reserve(kinds.size_bytes());
+    kinds_.write(kinds);
+    seedMap_.bind(show);
+    seedMap_.bindOwner(show, owner_);
+    kinds_.bindStorage(1);
+    plane.bindStorage(2);
+    reach.bindStorage(5);
+    show.set(10, std::uint32_t(state_.playhead)).set(12, wanted);
+    seedMap_.dispatchOverBricks(show, bricks, gl::Barrier::Storage);
+}
+
+std::vector<std::uint32_t> Growth::generations(bool upToPlayhead) const {
+    const glm::ivec3 dims = field_->geometry.dims;
+    auto values = seedMap_.downloadGenerations({glm::ivec3(0), dims});
+    const auto last = std::uint32_t(upToPlayhead ? state_.playhead : state_.extent);
+    std::replace_if(
+        values.begin(), values.end(), [&](std::uint32_t g) { return g > last; }, 0U);
+    if (owner_.hasOthers) {
+        syncLabels();
+        const auto labels = seedMap_.labels().downloadAll<std::uint8_t>();
+        std::transform(values.begin(), values.end(), labels.begin(), values.begin(),
+                       [&](std::uint32_t g, std::uint8_t label) { return label == owner_.label ? g : 0; });
+    }
+    return values;
+}
+
+} // namespace vs::segment

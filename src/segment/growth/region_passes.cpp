@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "segment/growth/region_passes.h"
+
+namespace vs::segment {
+
+namespace {
+
+RegionPasses::Bricks marked(const RegionPasses::Bricks& bricks, const std::vector<std::uint32_t>& marks) {
+    RegionPasses::Bricks some;
+    for (std::size_t i = 0; i < bricks.size(); ++i) {
+        if (marks[i] != 0) {
+            some.push_back(bricks[i]);
+        }
+    }
+    return some;
+}
+
+} // namespace
+
+gl::Program& RegionPasses::eraser(const SeedMap& seedMap, bool byPlane, bool looks) {
+    gl::Defines defines = seedMap.widthDefines();
+    if (byPlane) {
+        defines.emplace_back("VS_BY_PLANE", "1");
+    }
+    if (looks) {
+        defines.emplace_back("VS_LOOK", "1");
+    }
+    return erase_.with(defines);
+}
+
+void RegionPasses::prepare(gl::Program& program, SeedMap& seedMap, const Owner& owner, const Which& which) {
+    seedMap.bind(program);
+    seedMap.bindOwner(program, owner);
+    (which.plane != nullptr ? *which.plane : seedMap.grown()).bindStorage(1);
+    counts_.bindStorage(2);
+    program.set(10, std::uint32_t(which.last)).set(11, which.isInPlane ? 1 : 0);
+}
+
+RegionPasses::Bricks RegionPasses::holding(SeedMap& seedMap, const Owner& owner, const Which& which,
+                                           const Bricks& among) {
+    counts_.reserve(among.size() * sizeof(std::uint32_t));
+    counts_.clear();
+    gl::Program& program = eraser(seedMap, which.plane != nullptr, true);
+    prepare(program, seedMap, owner, which);
+    seedMap.dispatchOverBricks(program, among, gl::Barrier::All);
+    return marked(among, counts_.read<std::uint32_t>(among.size()));
+}
+
+std::vector<std::uint32_t> RegionPasses::erase(SeedMap& seedMap, const Owner& owner, const Which& which,
+                                               const Bricks& bricks, int extent) {
+    const std::size_t generations = std::size_t(extent) + 1;
+    counts_.reserve(generations * sizeof(std::uint32_t));
+    counts_.clear();
+    gl::Program& program = eraser(seedMap, which.plane != nullptr, false);
+    prepare(program, seedMap, owner, which);
+    seedMap.dispatchOverBricks(program, bricks, gl::Barrier::All);
+    return counts_.read<std::uint32_t>(generations);
+}
+
+RegionPasses::Bricks RegionPasses::withFree(SeedMap& seedMap, const gl::Buffer& plane, const Bricks& among) {
+    gl::Program& program = add_.with({{"VS_LOOK", "1"}});
+    counts_.reserve(among.size() * sizeof(std::uint32_t));
+    counts_.clear();
+    seedMap.bind(program);
+    plane.bindStorage(1);
+    counts_.bindStorage(2);
+    seedMap.dispatchOverBricks(program, among, gl::Barrier::All);
+    return marked(among, counts_.read<std::uint32_t>(among.size()));
+}
+
+std::uint32_t RegionPasses::add(SeedMap& seedMap, const gl::Buffer& plane, const Bricks& bricks,
+                                int generation) {
+    if (generation > SeedMap::kLongest16) {
+        seedMap.widen();
+    }
+    gl::Program& program = add_.with(seedMap.widthDefines());
+    counts_.reserve(sizeof(std::uint32_t));
+    counts_.clear();
+    seedMap.bind(program);
+    plane.bindStorage(1);
+    counts_.bindStorage(2);
+    program.set(10, std::uint32_t(generation));
+    seedMap.dispatchOverBricks(program, bricks, gl::Barrier::All);
+    return counts_.readValue<std::uint32_t>();
+}
+
+void RegionPasses::planeOf(SeedMap& seedMap, const Owner& owner, int last, const field::Field& field,
+                           const Constraints* constraints, const gl::Buffer* forbidden,
+                           const gl::Buffer& plane, const Bricks& bricks) {
+    gl::Defines defines = seedMap.widthDefines();
+    if (constraints != nullptr) {
+        defines.emplace_back("VS_ADMISSIBLE", "1");
+    }
+    if (forbidden != nullptr) {
+        defines.emplace_back("VS_FORBIDDEN", "1");
+        forbidden->bindStorage(6);
+    }
+    gl::Program& program = constraints != nullptr ? plane_.prepare(field, *constraints, defines)
+                                                  : ownPlane_.with(seedMap.widthDefines());
+    seedMap.bind(program);
+    seedMap.bindOwner(program, owner);
+    plane.bindStorage(2);
+    program.set(10, std::uint32_t(last));
+    seedMap.dispatchOverBricks(program, bricks, gl::Barrier::Storage);
+}
+
+void RegionPasses::setBits(SeedMap& seedMap, const gl::Buffer& plane, std::span<const std::uint32_t> voxels,
+                           bool isToSet) {
+    gl::Program& program = changeBits_.with({});
+    seedMap.bind(program);
+    seedMap.bindList(voxels);
+    plane.bindStorage(2);
+    program.set(9, int(voxels.size())).set(10, isToSet ? 1 : 0);
+    program.dispatchOverList(voxels.size(), gl::Barrier::Storage);
+}
+
+void RegionPasses::join(SeedMap& seedMap, const gl::Buffer& plane, const gl::Buffer& added) {
+    gl::Program& program = join_.with({});
+    const std::size_t words = seedMap.planeBytes() / sizeof(std::uint32_t);
+    added.bindStorage(1);
+    plane.bindStorage(2);
+    program.set(9, int(words));
+    program.dispatchOverList(words, gl::Barrier::Storage);
+}
+
+} // namespace vs::segment

@@ -1,0 +1,220 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "segment/growth/seed_map.h"
+
+#include "base/error.h"
+#include "field/field.h"
+
+#include <algorithm>
+#include <cstring>
+#include <limits>
+
+namespace vs::segment {
+
+namespace {
+
+constexpr std::size_t kMaxGroups = 65535;
+constexpr std::size_t kWordsPerBrick = 1024;
+constexpr std::size_t kSlabBytes = 16;
+constexpr std::size_t kGrownBytes = kWordsPerBrick * 4;
+constexpr std::size_t kGenerationBytes = kWordsPerBrick * 64;
+constexpr std::size_t kLateBytes = kWordsPerBrick * 32;
+
+glm::ivec3 checked(glm::ivec3 dims) {
+    if (double(dims.x) * dims.y * dims.z > double(std::numeric_limits<std::uint32_t>::max())) {
+        throw GlError("{} x {} x {} voxels are more than growing can name (4,294,967,295); use a smaller "
+                      "volume",
+                      dims.x, dims.y, dims.z);
+    }
+    return dims;
+}
+
+} // namespace
+
+SeedMap::SeedMap(glm::ivec3 dims)
+    : dims_(checked(dims)), bricks_(dims),
+      grown_(planeBytes() / kSlabBytes, gl::Format::RGBA32UI, "grown voxels"),
+      generations_(planeBytes() * 16, "generations"),
+      labels_(dims, gl::Format::R8UI, gl::Filter::Nearest, "segment labels"), list_(4, "growth list"),
+      writeLabels_("segment/shaders/write_labels.comp") {}
+
+std::size_t SeedMap::planeBytes() const {
+    return (bricks_.count() + 1) * kWordsPerBrick * sizeof(std::uint32_t);
+}
+
+void SeedMap::widen() {
+    if (!isWide()) {
+        late_ = gl::Buffer(planeBytes() * 8, "late generations");
+    }
+}
+
+void SeedMap::bind(gl::Program& program) const {
+    grown_.buffer().bindStorage(0);
+    generations_.bindStorage(3);
+    (isWide() ? late_ : generations_).bindStorage(4);
+    labels_.bindImage(0, gl::Access::ReadWrite);
+    program.set(0, dims_).set(1, bricks_.brickDims());
+}
+
+void SeedMap::bindOwner(gl::Program& program, const Owner& owner) const {
+    labels_.bindTexture(3);
+    program.set(3, std::uint32_t(owner.label)).set(4, owner.hasOthers ? 1 : 0);
+}
+
+void SeedMap::bindList(std::span<const std::uint32_t> numbers) {
+    list_.reserve(numbers.size() * sizeof(std::uint32_t));
+    list_.write(numbers);
+    list_.bindStorage(7);
+}
+
+void SeedMap::dispatchOverBricks(gl::Program& program, std::span<const std::uint32_t> bricks,
+                                 gl::Barrier after, int groupsPerBrick) {
+    bindList(bricks);
+    for (std::size_t first = 0; first < bricks.size(); first += kMaxGroups) {
+        program.set(9, int(first));
+        program.dispatch({groupsPerBrick, int(std::min(kMaxGroups, bricks.size() - first)), 1}, after);
+    }
+}
+
+void SeedMap::store(std::span<const std::uint32_t> voxels, int generation) {
+    if (generation > kLongest16) {
+        widen();
+    }
+    gl::Program& program = store_.with(widthDefines());
+    bind(program);
+    bindList(voxels);
+    program.set(9, int(voxels.size())).set(10, std::uint32_t(generation));
+    program.dispatchOverList(voxels.size(), gl::Barrier::All);
+}
+
+void SeedMap::writeLabels(std::span<const std::uint32_t> bricks, const Owner& owner) {
+    bind(writeLabels_);
+    bindOwner(writeLabels_, owner);
+    dispatchOverBricks(writeLabels_, bricks, gl::Barrier::Texture);
+}
+
+std::vector<std::byte> SeedMap::saveBrick(std::uint32_t brick) const {
+    const std::size_t late = isWide() ? kLateBytes : 0;
+    std::vector<std::byte> bytes(kGrownBytes + kGenerationBytes + late);
+    const std::span<std::byte> all(bytes);
+    grown_.buffer().read(all.first(kGrownBytes), brick * kGrownBytes);
+    generations_.read(all.subspan(kGrownBytes, kGenerationBytes), brick * kGenerationBytes);
+    if (isWide()) {
+        late_.read(all.last(late), brick * kLateBytes);
+    }
+    const auto labels = labels_.download(bricks_.box(brick));
+    bytes.insert(bytes.end(), labels.begin(), labels.end());
+    return bytes;
+}
+
+void SeedMap::restoreBrick(std::uint32_t brick, std::span<const std::byte> bytes) {
+    const std::size_t labelBytes = bricks_.box(brick).volume();
+    const bool hasLate = bytes.size() > kGrownBytes + kGenerationBytes + labelBytes;
+    grown_.buffer().write(bytes.first(kGrownBytes), brick * kGrownBytes);
+    generations_.write(bytes.subspan(kGrownBytes, kGenerationBytes), brick * kGenerationBytes);
+    if (hasLate) {
+        widen();
+        late_.write(bytes.subspan(kGrownBytes + kGenerationBytes, kLateBytes), brick * kLateBytes);
+    } else if (isWide()) {
+        late_.clear(brick * kLateBytes, kLateBytes);
+    }
+    const auto labels = bytes.last(labelBytes);
+    labels_.upload(bricks_.box(brick), std::vector<std::byte>(labels.begin(), labels.end()));
+}
+
+// As wordAt() and bitOf() of shaders/words.glsl.
+SeedMap::Place SeedMap::placeOf(glm::ivec3 voxel) const {
+    const glm::uvec3 v(voxel);
+    const std::uint32_t tile = (v.z & 24U) << 1U | (v.y & 24U) >> 1U | (v.x & 24U) >> 3U;
+    const std::uint32_t word = (v.z & 6U) << 1U | (v.y & 4U) >> 1U | (v.x & 4U) >> 2U;
+    return {bricks_.brickOf(voxel), tile << 4U | word, (v.z & 1U) << 4U | (v.y & 3U) << 2U | (v.x & 3U)};
+}
+
+namespace {
+
+// The bricks that a box touches, as ranges of brick coordinates.
+Box3 bricksAround(const Box3& box) { return {box.lo / field::kBrick, divideUp(box.hi, field::kBrick)}; }
+
+std::size_t indexIn(const Box3& box, glm::ivec3 voxel) {
+    const glm::ivec3 size = box.hi - box.lo;
+    const glm::ivec3 at = voxel - box.lo;
+    return (std::size_t(at.z) * std::size_t(size.y) + std::size_t(at.y)) * std::size_t(size.x) +
+           std::size_t(at.x);
+}
+
+template <typename Visit>
+void forEachVoxel(const Box3& box, const Visit& visit) {
+    glm::ivec3 v;
+    std::size_t i = 0;
+    for (v.z = box.lo.z; v.z < box.hi.z; ++v.z) {
+        for (v.y = box.lo.y; v.y < box.hi.y; ++v.y) {
+            for (v.x = box.lo.x; v.x < box.hi.x; ++v.x) {
+                visit(v, i++);
+            }
+        }
+    }
+}
+
+} // namespace
+
+std::vector<std::uint8_t> SeedMap::downloadPlane(const gl::Buffer& plane, const Box3& box) const {
+    std::vector<std::uint8_t> inside(box.volume(), 0);
+    forEachVoxel(bricksAround(box), [&](glm::ivec3 brickPlace, std::size_t) {
+        const std::uint32_t brick = bricks_.brickOf(brickPlace * field::kBrick);
+        const auto words = plane.read<std::uint32_t>(kWordsPerBrick, std::size_t(brick) * kGrownBytes);
+        forEachVoxel(intersect(bricks_.box(brick), box), [&](glm::ivec3 v, std::size_t) {
+            const Place place = placeOf(v);
+            inside[indexIn(box, v)] = words[place.word] >> place.bit & 1U;
+        });
+    });
+    return inside;
+}
+
+void SeedMap::uploadPlane(gl::Buffer& plane, const Box3& box, std::span<const std::uint8_t> inside) const {
+    std::vector<std::uint32_t> words(planeBytes() / sizeof(std::uint32_t), 0);
+    forEachVoxel(box, [&](glm::ivec3 v, std::size_t i) {
+        const Place place = placeOf(v);
+        words[std::size_t(place.brick) * kWordsPerBrick + place.word] |= (inside[i] != 0 ? 1U : 0U)
+                                                                         << place.bit;
+    });
+    plane.write(std::span<const std::uint32_t>(words));
+}
+
+std::vector<std::uint32_t> SeedMap::downloadGenerations(const Box3& box) const {
+    std::vector<std::uint32_t> values(box.volume(), 0);
+    forEachVoxel(bricksAround(box), [&](glm::ivec3 brickPlace, std::size_t) {
+        const std::uint32_t brick = bricks_.brickOf(brickPlace * field::kBrick);
+        if (!bricks_.isOccupied(brick)) {
+            return;
+        }
+        const auto grown = grown_.buffer().read<std::uint32_t>(kWordsPerBrick, brick * kGrownBytes);
+        const auto low = generations_.read<std::uint16_t>(kWordsPerBrick * 32, brick * kGenerationBytes);
+        const auto late = isWide() ? late_.read<std::uint8_t>(kWordsPerBrick * 32, brick * kLateBytes)
+                                   : std::vector<std::uint8_t>();
+        forEachVoxel(intersect(bricks_.box(brick), box), [&](glm::ivec3 v, std::size_t) {
+            const Place place = placeOf(v);
+            const std::size_t i = place.word * 32 + place.bit;
+            if ((grown[place.word] >> place.bit & 1U) != 0) {
+                values[indexIn(box, v)] = low[i] | (late.empty() ? 0U : std::uint32_t(late[i]) << 16U);
+            }
+        });
+    });
+    return values;
+}
+
+std::size_t SeedMap::deviceBytes() const {
+    const glm::i64vec3 dims(dims_);
+    return grown_.buffer().size() + generations_.size() + late_.size() + bricks_.onDevice().size() +
+           list_.size() + std::size_t(dims.x * dims.y * dims.z);
+}
+
+std::uint32_t SeedMap::indexOf(glm::ivec3 v) const {
+    return (std::uint32_t(v.z) * std::uint32_t(dims_.y) + std::uint32_t(v.y)) * std::uint32_t(dims_.x) +
+           std::uint32_t(v.x);
+}
+
+glm::ivec3 SeedMap::voxelAt(std::uint32_t index) const {
+    const glm::uvec3 dims(dims_);
+    return {int(index % dims.x), int(index / dims.x % dims.y), int(index / (dims.x * dims.y))};
+}
+
+} // namespace vs::segment

@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "gl/buffer.h"
+#include "gl/program.h"
+#include "gl/texel_buffer.h"
+#include "gl/texture.h"
+#include "segment/growth/brick_table.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace vs::segment {
+
+// The segment whose voxels have no label yet, and whether there are others.
+struct Owner {
+    std::uint8_t label = 1;
+    bool hasOthers = false;
+};
+
+// Which voxels belong to segments, to which, and since which generation, on the device: one bit, one byte and
+// 16 bits a voxel (of the grid filled up to whole bricks), and 8 bits more once generations above 65,535
+// occur. shaders/words.glsl draws the layout. Labels lag behind: a grown voxel without one belongs to the
+// segment at work. Internal to this folder.
+class SeedMap {
+public:
+    static constexpr int kLongest16 = 0xffff;
+    static constexpr int kLongest = 0xffffff;
+
+    // Throws GlError when the device has no room, or when there are more voxels than lists can name.
+    explicit SeedMap(glm::ivec3 dims);
+
+    [[nodiscard]] glm::ivec3 dims() const { return dims_; }
+    [[nodiscard]] std::size_t planeBytes() const; // of one bit a voxel, with the brick of zeros
+    [[nodiscard]] const gl::Buffer& grown() const { return grown_.buffer(); }
+    // The same as texels of four words (RGBA32UI), which software renderers read many times faster.
+    [[nodiscard]] const gl::TexelBuffer& grownTexels() const { return grown_; }
+    [[nodiscard]] const gl::Texture& labels() const { return labels_; } // R8UI
+    [[nodiscard]] BrickTable& bricks() { return bricks_; }
+    [[nodiscard]] const BrickTable& bricks() const { return bricks_; }
+
+    // Makes room for generations above kLongest16.
+    void widen();
+    [[nodiscard]] bool isWide() const { return bool(late_); }
+    // What shaders that include generations.glsl are to be compiled with.
+    [[nodiscard]] gl::Defines widthDefines() const {
+        return isWide() ? gl::Defines{{"VS_WIDE", "1"}} : gl::Defines{};
+    }
+
+    // What words.glsl and generations.glsl read: storage 0 (grown), 3 and 4, image 0 (labels), uniforms 0
+    // and 1.
+    void bind(gl::Program& program) const;
+    // And owners.glsl: texture 3, uniforms 3 and 4.
+    void bindOwner(gl::Program& program, const Owner& owner) const;
+    // Runs a program with a row of groups a brick; the bricks are in storage 7 and their first one's place in
+    // uniform 9.
+    void dispatchOverBricks(gl::Program& program, std::span<const std::uint32_t> bricks, gl::Barrier after,
+                            int groupsPerBrick = 16);
+    // Puts a list of numbers into storage 7.
+    void bindList(std::span<const std::uint32_t> numbers);
+
+    // Gives listed voxels (linear indices) a generation and no label; 0: takes it away.
+    void store(std::span<const std::uint32_t> voxels, int generation);
+    // Labels the voxels of the segment at work in these bricks.
+    void writeLabels(std::span<const std::uint32_t> bricks, const Owner& owner);
+
+    // All there is about a brick, for undo.
+    [[nodiscard]] std::vector<std::byte> saveBrick(std::uint32_t brick) const;
+    void restoreBrick(std::uint32_t brick, std::span<const std::byte> bytes);
+
+    // Downloads a plane (like grown()) as one byte a voxel of a box, x fastest.
+    [[nodiscard]] std::vector<std::uint8_t> downloadPlane(const gl::Buffer& plane, const Box3& box) const;
+    // Sets a plane's bits within a box from one byte a voxel; all others become zero.
+    void uploadPlane(gl::Buffer& plane, const Box3& box, std::span<const std::uint8_t> inside) const;
+    // Downloads the generations of a box; 0 where nothing has grown.
+    [[nodiscard]] std::vector<std::uint32_t> downloadGenerations(const Box3& box) const;
+
+    // What it takes on the device.
+    [[nodiscard]] std::size_t deviceBytes() const;
+
+    [[nodiscard]] std::uint32_t indexOf(glm::ivec3 voxel) const;
+    [[nodiscard]] glm::ivec3 voxelAt(std::uint32_t index) const;
+
+private:
+    // Where a voxel's bit is: in which word of which brick.
+    struct Place {
+        std::uint32_t brick = 0;
+        std::uint32_t word = 0;
+        std::uint32_t bit = 0;
+    };
+    [[nodiscard]] Place placeOf(glm::ivec3 voxel) const;
+
+    glm::ivec3 dims_;
+    BrickTable bricks_;
+    gl::TexelBuffer grown_;
+    gl::Buffer generations_;
+    gl::Buffer late_; // made by widen()
+    gl::Texture labels_;
+    gl::Buffer list_;
+    gl::ProgramVariants store_{"segment/shaders/store_generation.comp"};
+    gl::Program writeLabels_;
+};
+
+} // namespace vs::segment

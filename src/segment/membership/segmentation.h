@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "gl/buffer.h"
+#include "gl/program.h"
+#include "gl/texture.h"
+#include "segment/membership/continuation.h"
+
+#include <array>
+#include <cstdint>
+#include <deque>
+#include <optional>
+#include <vector>
+
+namespace vs::segment {
+
+// How a segment is to be seen: what is translucent is drawn with glass (render/colours/segment_colours.h).
+enum class Look : std::uint8_t { Hidden = 0, Opaque = 1, Translucent = 2 };
+using Looks = std::array<Look, 256>; // by label
+Looks allOpaque();
+
+// Smooth: the region radiated by a Gaussian. Plain: 1 inside and 0 outside, for scrubbing; what was updated
+// so is smoothed by the next smooth update.
+enum class Smoothing { Plain, Smooth };
+
+// The anti-aliased segments as renderer and surface extraction see them: the voxels shown by a Growth,
+// convolved with a separable Gaussian (sigma R/3 steps with R = 3, the same in mm along all axes; nothing
+// lies outside the grid), then held to the truth by mirroring at 0.5: at least 0.5 at each shown voxel's
+// centre, below 0.5 at every other. The surface is its 0.5 level. Behind a fence that ended a segment it goes
+// on for some voxels that are not the segment's (segment/membership/continuation.h).
+class Segmentation {
+public:
+    // Throws GlError when the device has no room: 1 byte and 1 bit a voxel, another bit once there has been a
+    // fence, as much again while there are translucent segments, and 12 MiB of scratch.
+    explicit Segmentation(const volume::GridGeometry& geometry);
+
+    // Brings the volume up to date with what `growth` shows of segments that are not hidden, always the same
+    // growth. Cost follows the number of tiles of 16^3 voxels around which membership changed. Smoothing ends
+    // when it has taken `budgetMs`, but not before the first tiles: what changed first is smoothed first, and
+    // the rest stays as it was until the next update; with no budget at all everything does. `fence` is what
+    // the picture does not show. Returns the box of voxels rewritten.
+    Box3 update(const Growth& growth, Smoothing smoothing = Smoothing::Smooth,
+                const Looks& looks = allOpaque(), double budgetMs = kNoHurry, const Fence& fence = {});
+    static constexpr double kNoHurry = 1e30;
+    // The last update was cut short.
+    [[nodiscard]] bool isBehind() const { return isBehind_; }
+
+    // Some of it may not be any segment's.
+    [[nodiscard]] bool goesOnBehindCuts() const { return continuation_.has_value(); }
+
+    // R8, linear filter, values in [0, 1]: the opaque segments together. RG8 while there are translucent
+    // ones: those together in g.
+    [[nodiscard]] const gl::Texture& texels() const { return texels_; }
+    // RG32F, smallest and largest value of each macrocell, as field::CellRangeUpdater makes them; after a
+    // plain update 0 and 1 where something has changed.
+    [[nodiscard]] const gl::Texture& cells() const { return cells_; }
+    // The same, downloaded, x fastest.
+    [[nodiscard]] std::vector<float> values() const;
+    // What it takes on the device at the moment.
+    [[nodiscard]] std::size_t deviceBytes() const;
+    // Counts the updates that changed something.
+    [[nodiscard]] std::uint64_t version() const { return version_; }
+
+private:
+    // One for the opaque segments, one for the translucent ones.
+    struct Channel {
+        gl::Buffer shown;  // one bit a voxel, laid out as in shaders/words.glsl
+        gl::Buffer turned; // likewise: counts as the opposite; made with the continuation
+        // Per tile: which of its 27 neighbours (itself included) changes there reach and that are not
+        // smoothed yet, bit (dx + 1) + 3 (dy + 1) + 9 (dz + 1).
+        std::vector<std::uint32_t> pending;
+        std::deque<std::uint32_t> queue; // tiles to smooth, the oldest first
+        std::vector<bool> isQueued;      // by tile
+    };
+
+    void takeLooks(const Looks& looks);
+    std::vector<std::uint32_t> show(const Growth& growth, int channel,
+                                    const std::vector<std::uint32_t>& bricks);
+    std::vector<std::uint32_t> staleBehind(const Growth& growth, const Fence& fence,
+                                           const std::vector<std::uint32_t>& changed);
+    std::vector<std::uint32_t> goOnBehind(const Growth& growth, const Fence& fence, Channel& channel,
+                                          const std::vector<std::uint32_t>& bricks);
+    void clearReach(const std::vector<std::uint32_t>& bricks);
+    std::vector<std::uint32_t> takeReach(const BrickTable& table, Channel& channel,
+                                         const std::vector<std::uint32_t>& bricks);
+    void bindMembers(const Channel& channel) const;
+    void queueTiles(Channel& channel) const;
+    std::vector<std::uint32_t> smoothQueued(int channel, double budgetMs);
+    void write(int channel, const std::vector<std::uint32_t>& tiles, Smoothing smoothing);
+    void smooth(int channel, std::uint32_t first, std::uint32_t count);
+    void summarize(const std::vector<std::uint32_t>& tiles, Smoothing smoothing);
+    void listTiles(const std::vector<std::uint32_t>& tiles);
+    [[nodiscard]] gl::Defines memberDefines() const;
+    [[nodiscard]] gl::Defines glassDefines() const;
+    [[nodiscard]] glm::ivec3 tileAt(std::uint32_t tile) const;
+    [[nodiscard]] std::uint32_t tileIndex(glm::ivec3 place) const;
+
+    glm::ivec3 dims_;
+    glm::ivec3 brickDims_;
+    glm::ivec3 tileDims_;
+    glm::vec4 weights_[3]; // per axis: the kernel at 0, 1, 2 and 3 voxels
+    gl::Texture texels_;
+    gl::Texture cells_;
+    std::uint64_t seenRevision_ = 0;
+    std::uint64_t version_ = 0;
+    std::vector<Channel> channels_;
+    Looks looks_ = allOpaque();
+    bool haveLooksChanged_ = false;
+    bool isBehind_ = false;
+    std::optional<Continuation> continuation_; // made with the first fence
+
+    gl::Buffer tiles_;
+    gl::Buffer reach_;
+    gl::Buffer rows_;
+    gl::Buffer alongXY_;
+    gl::ProgramVariants packRows_{"segment/shaders/pack_rows.comp"};
+    gl::Program smoothXY_;
+    gl::ProgramVariants smoothZ_{"segment/shaders/smooth_z.comp"};
+    gl::ProgramVariants writePlain_{"segment/shaders/write_membership.comp"};
+    gl::ProgramVariants summarize_{"segment/shaders/summarize_tiles.comp"};
+};
+
+} // namespace vs::segment

@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/document/pipeline.h"
+
+#include "render/colours/function_edits.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace vs::studio {
+
+Pipeline::Pipeline(const field::Field& field)
+    : field_(&field), cellRanges_(field::computeCellRanges(field)) {}
+
+namespace {
+
+segment::Looks looksOf(const SegmentList& list) {
+    segment::Looks looks = segment::allOpaque();
+    for (const SegmentInfo& segment : list.segments) {
+        looks[segment.label] = !segment.isVisible    ? segment::Look::Hidden
+                               : segment.opacity < 1 ? segment::Look::Translucent
+                                                     : segment::Look::Opaque;
+    }
+    return looks;
+}
+
+} // namespace
+
+render::TransferFunction Pipeline::resolved(const render::TransferFunction& function) {
+    if (!classification_) {
+        classification_.emplace();
+    }
+    return classification_->resolved(function, *field_);
+}
+
+const render::Classification* Pipeline::classify(const View& view) {
+    if (!view.transferFunction && view.mode != render::Mode::Volume) {
+        return nullptr;
+    }
+    if (!classification_) {
+        classification_.emplace();
+    }
+    classification_->update(
+        view.transferFunction ? *view.transferFunction : render::functionOfRange(view.range), *field_);
+    return &*classification_;
+}
+
+segment::Fence Pipeline::fence(const State& state, field::SculptureView view) {
+    if (state.sculpture->isEmpty()) {
+        return {};
+    }
+    segment::Fence fence{&state.sculpture->texels(), &state.sculpture->cells(), view};
+    // While a stroke cuts, what it hides is known, and need not be looked at before it has ended.
+    fence.version = state.cuttingSince.value_or(state.sculpture->version());
+    fence.changedSince = [sculpture = state.sculpture](std::uint64_t version) {
+        return sculpture->changedSince(version);
+    };
+    return fence;
+}
+
+const field::SmoothedField* Pipeline::smooth(const View& view) {
+    const bool showsSurface = view.mode == render::Mode::Surface || view.mode == render::Mode::Segment;
+    if (!showsSurface || view.surfaceSmoothing <= 0) {
+        return nullptr;
+    }
+    if (!smoothed_ || smoothed_->sigmaSteps != view.surfaceSmoothing) {
+        smoothed_.reset(); // there may be no room for two
+        smoothed_ = field::smoothField(*field_, view.surfaceSmoothing);
+    }
+    return &*smoothed_;
+}
+
+field::Scene Pipeline::scene(const State& state, bool wantsSegments) {
+    const bool hasSegmentation = wantsSegments && state.growth != nullptr;
+    if (hasSegmentation) {
+        if (!segmentation_) {
+            segmentation_.emplace(field_->geometry);
+        }
+        segmentation_->update(*state.growth, state.smoothing, looksOf(*state.segments), state.segmentsMs,
+                              fence(state, state.view->sculptureView));
+    }
+    isBehind_ = hasSegmentation && segmentation_->isBehind();
+    // With nothing cut yet the volume is drawn whole, in probe view too: there must be something to draw on.
+    const bool isSculpted = !state.sculpture->isEmpty();
+    field::Scene scene;
+    scene.data = field_;
+    scene.sculpture = isSculpted ? &state.sculpture->texels() : nullptr;
+    scene.segmentation = hasSegmentation ? &segmentation_->texels() : nullptr;
+    if (hasSegmentation && state.growth->hasOthers()) {
+        state.growth->syncLabels();
+        scene.segmentLabels = &state.growth->seedMap().labels();
+    }
+    scene.displayedRange = state.view->range;
+    scene.showsAbove = state.view->showsAbove();
+    scene.greyWindow = state.greyWindow;
+    scene.view = isSculpted ? state.view->sculptureView : field::SculptureView::Whole;
+    scene.sampling = state.view->sampling;
+    return scene;
+}
+
+render::SegmentColours Pipeline::segmentColours(const State& state) {
+    if (state.growth == nullptr) {
+        return {};
+    }
+    auto colours = state.segments->colours();
+    if (!state.growth->hasOthers()) {
+        colours.entries[1] = colours.entries[state.growth->activeLabel()];
+    }
+    return colours;
+}
+
+render::SliceFrame Pipeline::slice(const State& state, const render::SliceView& view) {
+    render::SliceFrame frame;
+    frame.scene = scene(state, true);
+    if (frame.scene.segmentation != nullptr && segmentation_->goesOnBehindCuts()) {
+        // Slices show what is grown and nothing more, which is what labels say.
+        state.growth->syncLabels();
+        frame.scene.segmentLabels = &state.growth->seedMap().labels();
+    }
+    frame.segmentColours = segmentColours(state);
+    frame.classification = state.view->transferFunction ? classify(*state.view) : nullptr;
+    frame.view = view;
+    return frame;
+}
+
+render::Frame Pipeline::frame(const State& state, glm::ivec2 size) {
+    const View& view = *state.view;
+    const bool drawsSegments = view.mode == render::Mode::Overlay || view.mode == render::Mode::Segment ||
+                               view.mode == render::Mode::Volume;
+    const bool tintsSegments =
+        view.tintsSegments && (view.mode == render::Mode::Mip || view.mode == render::Mode::XRay);
+    render::Frame frame;
+    frame.scene = scene(state, drawsSegments || tintsSegments);
+    const bool hasSegmentation = frame.scene.segmentation != nullptr;
+    const bool hasSurfaces = hasSegmentation && drawsSegments;
+    const bool isSculpted = frame.scene.sculpture != nullptr;
+    if (const field::SmoothedField* smoothed = smooth(view)) {
+        frame.scene.smoothed = &smoothed->field;
+    }
+    if (hasSegmentation) {
+        frame.segmentColours = segmentColours(state);
+    }
+    frame.rays = render::viewRays(view.camera, field_->geometry, size);
+    frame.mode = view.mode;
+    frame.classification = classify(view);
+    const bool byFunction = view.mode == render::Mode::Volume;
+
+    Key key{view.visibleRange(field_->range),
+            frame.scene.view,
+            state.sculpture->version(),
+            hasSurfaces ? segmentation_->version() : 0,
+            nullptr,
+            0,
+            hasSurfaces,
+            true,
+            byFunction ? classification_->version() : 0,
+            view.sampling,
+            frame.scene.smoothed != nullptr ? view.surfaceSmoothing : 0};
+    refresh(cells_, key, state, frame, isSculpted ? &state.sculpture->cells() : nullptr,
+            segmentation_ ? &*segmentation_ : nullptr);
+    frame.macrocells = &cells_.macrocells;
+    if (hasSurfaces && view.mode != render::Mode::Segment) {
+        refreshSegmentCells();
+        frame.segmentCells = &segmentCells_.macrocells;
+    }
+    if (view.shadows) {
+        refresh(light_, key, state, frame.scene, frame, cells_.macrocells);
+        frame.occlusion = &light_.occlusion;
+    }
+    if (isSculpted && !view.pasted.empty()) {
+        addParts(frame, key, state);
+        // Parts whose segments go on behind the other side of the cut have them in other cells.
+        const bool haveOthers = std::any_of(frame.pasted.begin(), frame.pasted.end(), [&](const auto& part) {
+            return part.segmentation != nullptr && part.segmentation != frame.scene.segmentation;
+        });
+        frame.segmentCells = haveOthers ? nullptr : frame.segmentCells;
+    }
+    return frame;
+}
+
+Pipeline::PartStages& Pipeline::stagesOf(const gl::Texture* texels) {
+    for (const auto& stages : partStages_) {
+        if (stages->texels == texels) {
+            return *stages;
+        }
+    }
+    partStages_.push_back(std::make_unique<PartStages>());
+    partStages_.back()->texels = texels;
+    return *partStages_.back();
+}
+
+const segment::Segmentation* Pipeline::segmentsOfParts(const State& state, const render::Frame& frame) {
+    const segment::Fence fence = Pipeline::fence(state, field::SculptureView::Probe);
+    const bool isDrawn = frame.scene.segmentation != nullptr;
+    if (!isDrawn || frame.scene.view == field::SculptureView::Probe ||
+        !segment::Continuation::isNeeded(*state.growth, fence)) {
+        partSegmentation_.reset();
+        return segmentation_ ? &*segmentation_ : nullptr;
+    }
+    if (!partSegmentation_) {
+        partSegmentation_.emplace(field_->geometry);
+    }
+    partSegmentation_->update(*state.growth, state.smoothing, looksOf(*state.segments), state.segmentsMs,
+                              fence);
+    isBehind_ = isBehind_ || partSegmentation_->isBehind();
+    return &*partSegmentation_;
+}
+
+void Pipeline::addParts(render::Frame& frame, Key key, const State& state) {
+    const View& view = *state.view;
+    const auto parts = pastedParts_.parts(*state.sculpture, *state.pasted, view.pasted.size());
+    std::erase_if(partStages_, [&](const auto& stages) {
+        return std::none_of(parts.begin(), parts.end(),
+                            [&](const auto& part) { return part.texels == stages->texels; });
+    });
+    key.view = field::SculptureView::Probe;
+    const segment::Segmentation* segmentation = segmentsOfParts(state, frame);
+    key.segmentationVersion = key.drawsSegmentation ? segmentation->version() : 0;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+        PartStages& stages = stagesOf(parts[i].texels);
+        key.part = parts[i].texels;
+        key.partMaking = parts[i].making;
+        refresh(stages.cells, key, state, frame, parts[i].cells, segmentation);
+        render::PastedPart part{view.pasted[i], parts[i].texels, &stages.cells.macrocells};
+        field::Scene scene = frame.scene;
+        scene.sculpture = part.sculpture;
+        if (key.drawsSegmentation) {
+            scene.segmentation = part.segmentation = &segmentation->texels();
+        }
+        if (view.shadows) {
+            refresh(stages.light, key, state, scene, frame, stages.cells.macrocells);
+            part.occlusion = &stages.light.occlusion;
+        }
+        frame.pasted.push_back(part);
+    }
+}
+
+void Pipeline::refresh(Cells& cells, const Key& key, const State& state, const render::Frame& frame,
+                       const gl::Texture* sculptureCells, const segment::Segmentation* segmentation) {
+    const auto& old = cells.key;
+    // In probe view a cut adds to what is seen, so there nothing can be kept.
+    const bool mayKeep =
+        state.cuttingSince && old && old->sculptureVersion == *state.cuttingSince &&
+        old->view != field::SculptureView::Probe && key.view != field::SculptureView::Probe &&
+        (old->view == key.view || old->view == field::SculptureView::Whole) && old->range == key.range &&
+        old->functionVersion == key.functionVersion && old->sampling == key.sampling &&
+        old->surfaceSmoothing == key.surfaceSmoothing && old->drawsSegmentation == key.drawsSegmentation &&
+        old->segmentationVersion == key.segmentationVersion;
+    if (mayKeep || old == key) {
+        return;
+    }
+    render::Macrocells::Input input;
+    input.dataCells = key.surfaceSmoothing > 0 ? &smoothed_->cells.cells : &cellRanges_.cells;
+    input.sculptureCells = sculptureCells;
+    input.segmentationCells = key.drawsSegmentation ? &segmentation->cells() : nullptr;
+    input.displayedRange = key.range; // what is visible of the values
+    input.valueTolerance = field::valueTolerance(*field_);
+    input.view = key.view;
+    input.sampling = key.sampling;
+    input.classification = frame.mode == render::Mode::Volume ? frame.classification : nullptr;
+    cells.macrocells.rebuild(input);
+    cells.key = key;
+}
+
+// Of the whole grid, whatever was cut: so a stroke leaves them as they are, and pasted parts share them.
+void Pipeline::refreshSegmentCells() {
+    Key key;
+    key.segmentationVersion = segmentation_->version();
+    key.drawsSegmentation = true;
+    if (segmentCells_.key == key) {
+        return;
+    }
+    render::Macrocells::Input input;
+    input.dataCells = &cellRanges_.cells;
+    input.segmentationCells = &segmentation_->cells();
+    input.view = field::SculptureView::Whole;
+    input.drawsData = false;
+    segmentCells_.macrocells.rebuild(input);
+    segmentCells_.key = key;
+}
+
+void Pipeline::refresh(Light& light, Key key, const State& state, const field::Scene& scene,
+                       const render::Frame& frame, const render::Macrocells& macrocells) {
+    key.drawsData = frame.mode != render::Mode::Overlay;
+    if (light.key == key) {
+        return;
+    }
+    render::OcclusionVolume::Input input;
+    input.scene = scene;
+    input.scene.view = key.view;
+    input.macrocells = &macrocells;
+    input.classification = frame.mode == render::Mode::Volume ? frame.classification : nullptr;
+    input.drawsData = key.drawsData;
+    input.drawsSegmentation = key.drawsSegmentation;
+    Key before = light.key.value_or(key);
+    const std::uint64_t version = std::exchange(before.sculptureVersion, key.sculptureVersion);
+    if (light.key && before == key) { // nothing but cuts since
+        light.occlusion.update(input, state.sculpture->changedSince(version));
+    } else {
+        light.occlusion.rebuild(input);
+    }
+    light.key = key;
+}
+
+} // namespace vs::studio

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "field/smoothed_field.h"
+#include "render/rays/ray_caster.h"
+#include "render/slices/slice_renderer.h"
+#include "render/space/macrocells.h"
+#include "sculpt/sculpture/sculpture.h"
+#include "segment/growth/growth.h"
+#include "segment/membership/segmentation.h"
+#include "studio/operations/operation.h"
+#include "studio/operations/segment_list.h"
+#include "studio/state/pasted_parts.h"
+
+#include <memory>
+
+namespace vs::studio {
+
+// From the document's state to something that can be rendered: notices what is stale and runs only those
+// stages (segmentation volume, then macrocells).
+class Pipeline {
+public:
+    explicit Pipeline(const field::Field& field);
+
+    struct State {
+        const View* view = nullptr;
+        const sculpt::Sculpture* sculpture = nullptr;
+        const PastedState* pasted = nullptr;     // whose part is drawn at which of the view's places
+        const segment::Growth* growth = nullptr; // null: nothing seeded yet
+        const SegmentList* segments = nullptr;   // how they look
+        segment::Smoothing smoothing = segment::Smoothing::Smooth;
+        double segmentsMs = segment::Segmentation::kNoHurry; // that bringing the segments up to date may take
+        Range greyWindow;
+        // The sculpture's version when the stroke in hand began. While it cuts, the macrocells of that moment
+        // hold everything that can be seen, and are kept so that a stamp costs only what it touches.
+        std::optional<std::uint64_t> cuttingSince;
+    };
+    render::Frame frame(const State& state, glm::ivec2 size);
+    // The same content on a slice. Segments are drawn whatever the view's mode is.
+    render::SliceFrame slice(const State& state, const render::SliceView& view);
+
+    // The segments of the last frame or slice are not up to date, because there was no time for it.
+    [[nodiscard]] bool isBehind() const { return isBehind_; }
+
+    // A transfer function with absolute positions on the field.
+    render::TransferFunction resolved(const render::TransferFunction& function);
+
+    [[nodiscard]] const field::CellRanges& cellRanges() const { return cellRanges_; }
+
+private:
+    // What the macrocells were last made from.
+    struct Key {
+        Range range;
+        field::SculptureView view = field::SculptureView::Cut;
+        std::uint64_t sculptureVersion = 0;
+        std::uint64_t segmentationVersion = 0;
+        const gl::Texture* part = nullptr; // instead of the sculpture
+        std::uint64_t partMaking = 0;
+        bool drawsSegmentation = false;
+        bool drawsData = true;   // as far as light is concerned
+        int functionVersion = 0; // of the transfer function, where it says what can be seen
+        field::Sampling sampling = field::Sampling::Trilinear;
+        double surfaceSmoothing = 0; // steps
+        bool operator==(const Key&) const = default;
+    };
+
+    const field::Field* field_;
+    field::CellRanges cellRanges_;
+    std::optional<segment::Segmentation> segmentation_; // made when first drawn
+    // The same for pasted parts, while they are drawn beside what is left and growth had a fence.
+    std::optional<segment::Segmentation> partSegmentation_;
+    bool isBehind_ = false;
+    // What shaders see of the document, with the segments if they are wanted; brings those up to date.
+    field::Scene scene(const State& state, bool wantsSegments);
+    // What the viewer does not see of the sculpture in a view.
+    static segment::Fence fence(const State& state, field::SculptureView view);
+    // The segments as pasted parts show them: their cut faces look the other way.
+    const segment::Segmentation* segmentsOfParts(const State& state, const render::Frame& frame);
+    // How segments look. When there is but one, labels may lag behind and are not asked.
+    static render::SegmentColours segmentColours(const State& state);
+
+    // The values that the view's surfaces are looked for in; null: the data's own. Made when they are not
+    // there.
+    const field::SmoothedField* smooth(const View& view);
+
+    // Brings the tables of the view's transfer function up to date; null if it has none and needs none.
+    const render::Classification* classify(const View& view);
+
+    // Macrocells and what they were made from.
+    struct Cells {
+        render::Macrocells macrocells;
+        std::optional<Key> key;
+    };
+    void refresh(Cells& cells, const Key& key, const State& state, const render::Frame& frame,
+                 const gl::Texture* sculptureCells, const segment::Segmentation* segmentation);
+
+    // Likewise what blocks the light in a scene; made when shadows are first wanted.
+    struct Light {
+        render::OcclusionVolume occlusion;
+        std::optional<Key> key;
+    };
+    void refresh(Light& light, Key key, const State& state, const field::Scene& scene,
+                 const render::Frame& frame, const render::Macrocells& macrocells);
+
+    // One for each texture that parts are drawn from: places that show the same share them.
+    struct PartStages {
+        const gl::Texture* texels = nullptr;
+        Cells cells;
+        Light light;
+    };
+    PartStages& stagesOf(const gl::Texture* texels);
+    void addParts(render::Frame& frame, Key key, const State& state);
+
+    // Brings the macrocells of the segments alone up to date.
+    void refreshSegmentCells();
+
+    Cells cells_;
+    Cells segmentCells_;
+    Light light_;
+    PastedParts pastedParts_;
+    std::vector<std::unique_ptr<PartStages>> partStages_;
+    std::optional<render::Classification> classification_; // made when first needed
+    std::optional<field::SmoothedField> smoothed_;         // the last one that a view wanted
+};
+
+} // namespace vs::studio

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "base/timer.h"
+#include "studio/exports/exports.h"
+
+#include <algorithm>
+
+namespace vs::studio {
+
+namespace {
+constexpr std::size_t kVoxelsAtOnce = 1 << 21; // of a sculpture: about 10 ms of downloading
+} // namespace
+
+std::vector<ExportedSegment> exportable(const Document& document) {
+    std::vector<ExportedSegment> found;
+    for (const SegmentInfo& info : document.segments().segments) {
+        if (document.voxelCount(info.label) > 0) {
+            found.push_back({info.label, info.label, info.name, info.colour, info.opacity});
+        }
+    }
+    return found;
+}
+
+ExportReader::ExportReader(Document& document, ExportSettings::What what,
+                           std::vector<ExportedSegment> segments)
+    : document_(document) {
+    source_.volume = &document.volume();
+    source_.geometry = document.volume().geometry;
+    source_.segments = std::move(segments);
+    source_.view = document.view().sculptureView;
+    needsLabels_ = what == ExportSettings::What::Segments;
+    if (what == ExportSettings::What::Volume) {
+        const auto& places = document.view().pasted;
+        for (const render::Placement& place : places) {
+            source_.parts.push_back({{}, place});
+        }
+        const bool isCut = document.isCut();
+        sculptures_ = isCut ? 1 + places.size() : 0;
+        if (!isCut) {
+            source_.parts.clear();
+        }
+    }
+}
+
+std::vector<std::uint16_t>& ExportReader::sculptureInHand() {
+    return at_ == 0 ? source_.sculpture : source_.parts[at_ - 1].sculpture;
+}
+
+void ExportReader::readSlab() {
+    const glm::ivec3 dims = source_.geometry.dims;
+    const std::size_t slice = std::size_t(dims.x) * std::size_t(dims.y);
+    const int to = std::min(dims.z, slice_ + int(std::max<std::size_t>(kVoxelsAtOnce / slice, 1)));
+    const Box3 slab{{0, 0, slice_}, {dims.x, dims.y, to}};
+    const auto values = at_ == 0 ? document_.sculptureValues(slab) : document_.partValues(at_ - 1, slab);
+    auto& sculpture = sculptureInHand();
+    sculpture.reserve(source_.geometry.voxelCount());
+    std::transform(values.begin(), values.end(), std::back_inserter(sculpture), mesh::packed);
+    slice_ = to;
+    if (slice_ == dims.z) {
+        slice_ = 0;
+        ++at_;
+    }
+}
+
+bool ExportReader::readSome(double budgetMs) {
+    const Timer timer;
+    if (needsLabels_) {
+        source_.labels = document_.labelMap();
+        needsLabels_ = false;
+    }
+    for (bool isFirst = true; at_ < sculptures_ && (isFirst || timer.milliseconds() < budgetMs);
+         isFirst = false) {
+        readSlab();
+    }
+    return at_ >= sculptures_;
+}
+
+double ExportReader::share() const {
+    return sculptures_ == 0 ? 1
+                            : (double(at_) + double(slice_) / source_.geometry.dims.z) / double(sculptures_);
+}
+
+} // namespace vs::studio

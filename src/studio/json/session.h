@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "studio/document/document.h"
+#include "volume/io/read.h"
+
+#include <filesystem>
+
+namespace vs::studio {
+
+// A session file: which volume, and what was done to it. doc/session.md describes it, doc/session.schema.json
+// is its schema.
+struct Session {
+    static constexpr int kVersion = 1;
+
+    // A volume made from nothing: every voxel 1. What is cut from it is built, and seen in probe view.
+    struct Block {
+        glm::ivec3 dims{128};
+        glm::dvec3 spacingMm{1};
+    };
+    std::optional<Block> block;       // else the volume is a file:
+    std::filesystem::path volumePath; // absolute, or relative to the session file
+    std::string volumeChecksum;       // empty: not checked
+    std::string rawLayout;            // set for headerless files
+    std::string series;               // set when a DICOM series was chosen
+    std::optional<int> frame;
+    sculpt::Precision precision = sculpt::Precision::Bits16; // of the sculpture
+    std::vector<Operation> operations;
+};
+
+// Throws SessionError naming file, operation and member, what is wrong and what would be right.
+Session loadSession(const std::filesystem::path& path);
+
+// Atomic. The volume's path is stored relative to the file when it lies below its folder. Throws WriteError,
+// also for names that are not UTF-8.
+void saveSession(const std::filesystem::path& path, const Session& session);
+
+// The session of a document as it is now: its log, ended by its current view. `source` says where the volume
+// came from (path, layout, series, frame); its operations are ignored.
+Session sessionOf(const Document& document, const Session& source);
+
+// Opens the session's volume (or `replacement` instead, with a notice if its content differs). Notices are
+// appended. What `overrides` sets takes the place of the session's layout, series and frame, which apply to a
+// replacement only where they fit it: the layout if it is headerless too, series and frame if it has them.
+volume::Volume openVolume(const Session& session, const std::filesystem::path& sessionPath,
+                          const std::optional<std::filesystem::path>& replacement,
+                          std::vector<std::string>& notices, const volume::ReadOptions& overrides = {});
+
+} // namespace vs::studio

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/operations/segment_list.h"
+
+#include "base/error.h"
+#include "render/colours/colour.h"
+
+#include <algorithm>
+#include <array>
+
+namespace vs::studio {
+
+namespace {
+
+// Okabe and Ito's palette, which people of all kinds of colour vision can tell apart, without black; the one
+// that stands out from ivory first.
+const std::array<glm::dvec3, 7> kPalette{{{0.855, 0.450, 0.221},
+                                          {0.0, 0.447, 0.698},
+                                          {0.0, 0.620, 0.451},
+                                          {0.902, 0.624, 0.0},
+                                          {0.800, 0.475, 0.655},
+                                          {0.337, 0.706, 0.914},
+                                          {0.941, 0.894, 0.259}}};
+
+constexpr int kMostLabels = 255;
+
+} // namespace
+
+bool isNumbered(const std::string& segment) {
+    const std::string_view begin = "Segment ";
+    return segment.starts_with(begin) && segment.size() > begin.size() &&
+           segment.find_first_not_of("0123456789", begin.size()) == std::string::npos;
+}
+
+SegmentList::SegmentList() { add(kFirstSegment); }
+
+SegmentInfo* SegmentList::find(const std::string& name) {
+    const auto found = std::find_if(segments.begin(), segments.end(),
+                                    [&](const SegmentInfo& segment) { return segment.name == name; });
+    return found == segments.end() ? nullptr : &*found;
+}
+
+const SegmentInfo* SegmentList::find(const std::string& name) const {
+    return const_cast<SegmentList*>(this)->find(name);
+}
+
+const SegmentInfo& SegmentList::working() const {
+    return *std::find_if(segments.begin(), segments.end(),
+                         [&](const SegmentInfo& segment) { return segment.label == atWork; });
+}
+
+SegmentInfo& SegmentList::add(const std::string& name) {
+    const auto isTaken = [&](int label) {
+        return std::any_of(segments.begin(), segments.end(),
+                           [&](const SegmentInfo& segment) { return segment.label == label; });
+    };
+    int label = 1;
+    while (label <= kMostLabels && isTaken(label)) {
+        ++label;
+    }
+    if (label > kMostLabels) {
+        throw Error("there are {} segments already; remove one first", kMostLabels);
+    }
+    segments.push_back({std::uint8_t(label), name, kPalette[std::size_t(label - 1) % kPalette.size()]});
+    return segments.back();
+}
+
+void SegmentList::remove(std::uint8_t label) {
+    std::erase_if(segments, [&](const SegmentInfo& segment) { return segment.label == label; });
+    if (segments.empty()) {
+        add(kFirstSegment);
+    }
+    if (atWork == label) {
+        atWork = segments.front().label;
+    }
+}
+
+render::SegmentColours SegmentList::colours() const {
+    render::SegmentColours colours;
+    for (const SegmentInfo& segment : segments) {
+        const glm::vec3 linear(render::linearFromColour(render::Colour(glm::round(segment.colour * 255.0))));
+        colours.entries[segment.label] = glm::vec4(linear, segment.isVisible ? float(segment.opacity) : 0.0F);
+    }
+    return colours;
+}
+
+} // namespace vs::studio

@@ -1,0 +1,53 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "render/colours/segment_colours.h"
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace vs::studio {
+
+// What a person says about a segment. Its voxels are in segment::Growth, under its label.
+struct SegmentInfo {
+    std::uint8_t label = 1;
+    std::string name;
+    glm::dvec3 colour{0}; // sRGB, 0 to 1
+    double opacity = 1;
+    bool isVisible = true;
+    bool isLocked = false;  // no tool changes it
+    bool isClaimed = false; // it took the first segment's place: labels that are loaded do not
+
+    bool operator==(const SegmentInfo&) const = default;
+};
+
+// The name of the segment that is there at first.
+inline constexpr const char* kFirstSegment = "Segment 1";
+// Whether it is a name that is given when nobody has chosen one: "Segment 2".
+bool isNumbered(const std::string& segment);
+
+// All segments in the order they were made, and which is at work. There is always one.
+struct SegmentList {
+    SegmentList();
+
+    std::vector<SegmentInfo> segments;
+    std::uint8_t atWork = 1; // a label
+
+    // Null when there is none of that name.
+    [[nodiscard]] SegmentInfo* find(const std::string& name);
+    [[nodiscard]] const SegmentInfo* find(const std::string& name) const;
+    [[nodiscard]] const SegmentInfo& working() const;
+    // Only the first segment is there, and nobody has said anything about it.
+    [[nodiscard]] bool isUntouched() const { return *this == SegmentList(); }
+    // Adds one with the next free label and a colour of its own. Throws Error when there are 255 already.
+    SegmentInfo& add(const std::string& name);
+    // Forgets one; another goes to work when it was the one at work. The last one is replaced by a fresh one.
+    void remove(std::uint8_t label);
+
+    [[nodiscard]] render::SegmentColours colours() const;
+
+    bool operator==(const SegmentList&) const = default;
+};
+
+} // namespace vs::studio

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "segment/edits/voxel_set.h"
+#include "studio/operations/operation.h"
+#include "volume/grid/geometry.h"
+
+namespace vs::studio {
+
+// The voxels of the grid under a trail (Trail says which), in a tight box.
+segment::VoxelSet voxelsAlong(const Trail& trail, const volume::GridGeometry& geometry);
+
+} // namespace vs::studio

@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "sculpt/sculpture/brick_backup.h"
+#include "segment/growth/growth_undo.h"
+#include "studio/operations/operation.h"
+#include "studio/operations/segment_list.h"
+#include "studio/state/pasted_parts.h"
+#include "studio/state/spill_file.h"
+
+#include <optional>
+#include <vector>
+
+namespace vs::studio {
+
+// One undoable edit: the operation, and what takes it back. A cut is a delta of bricks that swaps both ways;
+// a change of the region is undone by its records, newest first, and redone by applying the operation again.
+struct Step {
+    Operation operation;
+    std::optional<sculpt::BrickDelta> cut;
+    std::vector<segment::GrowthUndo> growth;
+    // Pasted parts before and after, where the operation changed them.
+    std::optional<PastedState> partsBefore = {};
+    std::optional<PastedState> partsAfter = {};
+    // The segments' names and looks, likewise.
+    std::optional<SegmentList> segmentsBefore = {};
+    std::optional<SegmentList> segmentsAfter = {};
+    // Where the cut's contents are while they are not in memory; History's own business.
+    std::optional<SpillFile::Block> spilled = {};
+};
+
+// What undo and redo of cuts hold: their contents, without the lists of bricks (some 30 bytes a brick).
+struct UndoStatistics {
+    std::size_t steps = 0;         // that can be undone or redone
+    std::size_t bytesInMemory = 0; // of the cuts among them
+    std::uint64_t bytesInFile = 0;
+    std::uint64_t fileBytes = 0; // length of the temporary file, with gaps
+    std::size_t changedVoxels = 0;
+
+    [[nodiscard]] double bytesPerChangedVoxel() const {
+        return changedVoxels == 0 ? 0 : double(bytesInMemory + bytesInFile) / double(changedVoxels);
+    }
+};
+
+// Undo and redo without limit. A new step forgets what could be redone. When the cuts' contents come to more
+// than memoryLimit() bytes, those farthest from being needed go to a temporary file. If that cannot be
+// written, everything stays in memory and a notice says so once.
+class History {
+public:
+    static constexpr std::size_t kUsualMemoryLimit = std::size_t(512) << 20;
+
+    History() = default;
+    // The temporary file lies in `folder`.
+    explicit History(const std::filesystem::path& folder) : file_(folder) {}
+
+    [[nodiscard]] std::size_t memoryLimit() const { return memoryLimit_; }
+    void setMemoryLimit(std::size_t bytes);
+
+    void push(Step step);
+    // The step that undo would take back is no more; its cut, if any, must be in memory.
+    void forgetLast() { done_.pop_back(); }
+    // The last two steps (both changes of the region alone) become one.
+    void mergeLastTwo();
+    [[nodiscard]] bool canUndo() const { return !done_.empty(); }
+    [[nodiscard]] bool canRedo() const { return !undone_.empty(); }
+    // What holds, the oldest first; and what was undone, the next to redo last.
+    [[nodiscard]] const std::vector<Step>& done() const { return done_; }
+    [[nodiscard]] const std::vector<Step>& undone() const { return undone_; }
+    [[nodiscard]] UndoStatistics statistics() const;
+
+    // The operation of the step that undo would take back; there must be one.
+    [[nodiscard]] Step& last() { return done_.back(); }
+    [[nodiscard]] Operation& lastOperation() { return done_.back().operation; }
+    [[nodiscard]] const Operation& lastOperation() const { return done_.back().operation; }
+
+    // The step to take back, in memory; once that is done, tookBack() makes it the one to redo. Throws
+    // ReadError when it cannot be read back from the file.
+    Step& toUndo() { return inMemory(done_.back()); }
+    void tookBack() { move(done_, undone_); }
+    // The step to apply again, likewise; once that is done, appliedAgain() makes it the one to undo.
+    Step& toRedo() { return inMemory(undone_.back()); }
+    void appliedAgain() { move(undone_, done_); }
+
+private:
+    void move(std::vector<Step>& from, std::vector<Step>& to);
+    Step& inMemory(Step& step);
+    void forget(std::vector<Step>& steps);
+    void keepToLimit();
+    void spill(Step& step);
+
+    std::vector<Step> done_;
+    std::vector<Step> undone_; // the next to redo last
+    SpillFile file_;
+    std::size_t memoryLimit_ = kUsualMemoryLimit;
+    bool hasComplained_ = false;
+};
+
+} // namespace vs::studio

@@ -1,0 +1,84 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "sculpt/sculpture/sculpture.h"
+#include "segment/edits/voxel_set.h"
+#include "segment/growth/growth_undo.h"
+#include "segment/growth/seeds.h"
+#include "studio/operations/operation.h"
+#include "studio/state/history.h"
+
+#include <memory>
+
+namespace vs::studio {
+
+// 6 or 26 neighbours.
+segment::Connectivity connectivityOf(int neighbours);
+
+// The segments of a document: made with the first seeds, since they need memory in proportion to the volume.
+// Everything happens to the segment at work. Each call returns or appends the records that undo it, in the
+// order in which they were made.
+class Region {
+public:
+    Region(const field::Field& field, const sculpt::Sculpture& sculpture)
+        : field_(&field), sculpture_(&sculpture) {}
+
+    using Records = std::vector<segment::GrowthUndo>;
+
+    // What growth may enter: the range, and the visible side of the sculpture.
+    [[nodiscard]] segment::Constraints constraints(const Range& range, field::SculptureView view,
+                                                   segment::Connectivity connectivity) const;
+
+    // The voxels that strokes found; none if nothing admissible was hit.
+    std::vector<glm::ivec3> findSeeds(const field::SurfacePoints& points,
+                                      const segment::Constraints& constraints);
+
+    segment::SeedCounts seed(const std::vector<glm::ivec3>& voxels, const segment::Constraints& constraints,
+                             Records& records);
+    // Generations really added. Takes in first what has happened to the sculpture since the last call.
+    int grow(int generations, field::SculptureView view, Records& records);
+    int rewind(int generations, Records& records);
+    void showGeneration(int generation, Records& records);
+    // The same without a record; for scrubbing, which ends where it began.
+    void scrub(int generation);
+    void setRules(const SetGrowthRules& rules, Records& records);
+    // Targeted shrink; returns how many expansions found something.
+    int absorb(const std::vector<glm::ivec3>& voxels, int expansions, Records& records);
+    // Voxels shown of any segment, and making the segment at work a set of them (as segment::Growth does).
+    segment::VoxelSet voxels(std::uint8_t label, Records& records);
+    void replace(const segment::VoxelSet& set, Records& records);
+    // Adds a set to the segment at work, or takes it away.
+    void paint(const segment::VoxelSet& set, bool isToAdd, Records& records);
+    // Goes to work on a segment.
+    void workOn(std::uint8_t label, Records& records);
+    // Erases the segment at work.
+    void clear(Records& records);
+    // It follows no rules any more, as one that has just been made.
+    void forgetRules(Records& records);
+    void undo(const Records& records);
+
+    // Live growth: begin, any number of slices, end. The records of begin() undo all of it.
+    void beginLive(field::SculptureView view, Records& records);
+    int growFor(double budgetMs, int maxGenerations);
+    static constexpr int kEndless = 1 << 30;
+    void endLive(Records& records);
+
+    [[nodiscard]] bool exists() const { return growth_ != nullptr; }
+    [[nodiscard]] bool hasSeeds() const { return growth_ != nullptr && growth_->extent() > 0; }
+    // The segment at work has no voxels and follows no rules, as one that has just been made.
+    [[nodiscard]] bool isUntouched() const;
+    // Rules of the segment at work; before the first seeds, those that were set so far.
+    [[nodiscard]] const segment::Constraints& rules() const;
+    [[nodiscard]] const segment::Growth* growth() const { return growth_.get(); }
+
+private:
+    segment::Growth& madeGrowth();
+    void refreshFence(field::SculptureView view, Records& records);
+
+    const field::Field* field_;
+    const sculpt::Sculpture* sculpture_;
+    std::unique_ptr<segment::Growth> growth_;
+    segment::SeedFinder finder_;
+};
+
+} // namespace vs::studio

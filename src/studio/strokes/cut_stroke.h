@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "sculpt/sculpture/brick_backup.h"
+#include "studio/operations/operation.h"
+#include "studio/strokes/cutter.h"
+
+#include <functional>
+#include <memory>
+
+namespace vs::studio {
+
+// What a stroke is drawn on, as it is now: the frame of the operation's canvas.
+using LookAgain = std::function<render::Frame()>;
+
+// One edit of the sculpture on its way. Whatever is done is in the sculpture at once; finish() gives the
+// delta that undoes it, discard() puts everything back.
+class CutStroke {
+public:
+    virtual ~CutStroke() = default;
+    CutStroke(const CutStroke&) = delete;
+    CutStroke& operator=(const CutStroke&) = delete;
+
+    // All that the operation says, at once.
+    virtual void replay() = 0;
+
+    // The operation as it has become: with the layers, or the pen points, so far.
+    [[nodiscard]] const Operation& operation() const { return operation_; }
+    // The sculpture's version at the beginning.
+    [[nodiscard]] std::uint64_t sculptureVersion() const { return sculptureVersion_; }
+    // Whether it only takes away: then all that can be seen could be seen at the beginning.
+    [[nodiscard]] bool onlyCuts() const { return how_ == sculpt::Combine::Cut; }
+    // Puts back what lies in voxels that no tool may cut.
+    void spare(const std::function<bool(glm::ivec3 voxel)>& isLocked);
+    // When nothing has changed after all, the sculpture counts as untouched.
+    sculpt::BrickDelta finish();
+    void discard();
+
+protected:
+    CutStroke(Cutter& cutter, Operation operation, bool restores)
+        : cutter_(&cutter), operation_(std::move(operation)),
+          how_(restores ? sculpt::Combine::Restore : sculpt::Combine::Cut),
+          sculptureVersion_(cutter.sculpture->version()), contentVersion_(cutter.sculpture->contentVersion()),
+          backup_(cutter.sculpture->texels()) {}
+
+    Cutter* cutter_;
+    Operation operation_;
+    sculpt::Combine how_;
+    std::uint64_t sculptureVersion_;
+    std::uint64_t contentVersion_;
+    sculpt::BrickBackup backup_;
+};
+
+// Where a raster's elements are in the picture when its origin is at a pixel.
+std::vector<glm::vec2> pixelsOf(const sculpt::MaskRaster& raster, glm::dvec2 centre);
+
+// A sketch as a tool uses it: its mask, centred on the origin, in pixels.
+struct ToolMask {
+    ToolMask(const Sketch& sketch, const render::Frame& frame, const volume::GridGeometry& geometry);
+
+    sculpt::MaskRaster raster;
+    glm::dvec2 drawnAt{0}; // the centre, where it was drawn
+    glm::dvec2 extent{0};  // width and height
+};
+
+} // namespace vs::studio

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/strokes/sweep_stroke.h"
+
+#include "base/error.h"
+#include "sculpt/radiation/projection.h"
+#include "sculpt/radiation/raw_radiation.h"
+#include "sculpt/radiation/sweep.h"
+#include "studio/operations/sketch.h"
+
+#include <cmath>
+
+namespace vs::studio {
+
+namespace {
+
+constexpr std::size_t kMostPreviews = 24;
+
+// A sweep in the space of steps: voxel space scaled to the smallest spacing (sculpt/path/path.h).
+struct Track {
+    std::vector<sculpt::PathPiece> pieces;
+    sculpt::Outline outline;
+};
+
+// Where a drawn stroke runs, in steps, and which way is up on it for the mask: out of the surface, or to the
+// viewer.
+struct DrawnPath {
+    std::vector<glm::dvec3> points;
+    glm::dvec3 up{0, 0, 1};
+    double stepsPerPixel = 1;
+};
+
+class TrackMaker {
+public:
+    TrackMaker(render::Picker& picker, const render::Frame& frame, const volume::GridGeometry& geometry)
+        : picker_(picker), frame_(frame), geometry_(geometry),
+          voxelFromSteps_(sculpt::voxelFromSteps(geometry.spacing())) {}
+
+    Track make(const Sweep& op) {
+        if (op.path.isDrawn()) {
+            return drawn(op);
+        }
+        Track track;
+        track.outline = outlineOf(op.mask);
+        std::vector<glm::dvec3> points;
+        for (const glm::dvec3& voxel : op.path.points) {
+            points.push_back(voxel / voxelFromSteps_);
+        }
+        switch (op.path.kind) {
+        case SweepPath::Kind::Spline:
+            track.pieces = sculpt::splinePath(points, op.frame);
+            break;
+        case SweepPath::Kind::Helix:
+            track.pieces =
+                sculpt::helixPath({points.at(0), points.at(1), op.path.helixRadius, op.path.turns}, op.frame);
+            break;
+        case SweepPath::Kind::Standing: {
+            const sculpt::MaskFrame frame = sculpt::frameFacing(points.at(0), points.at(1) - points.at(0));
+            track.pieces = {{frame, frame}};
+            break;
+        }
+        default:
+            track.pieces = sculpt::polylinePath(points, op.frame);
+        }
+        return track;
+    }
+
+private:
+    Track drawn(const Sweep& op) {
+        const DrawnPath path = op.path.kind == SweepPath::Kind::Surface ? onSurface(op.path.stroke)
+                                                                        : inViewPlane(op.path.stroke);
+        Track track;
+        track.pieces = sculpt::recordedPath(path.points, op.frame);
+        if (track.pieces.empty()) {
+            return track;
+        }
+        // The sketch's own up (y down in the picture) becomes the path's.
+        const sculpt::MaskFrame& first = track.pieces.front().from;
+        const glm::dvec2 up(glm::dot(path.up, first.x), glm::dot(path.up, first.y));
+        const double angle = glm::length(up) > 1e-6 ? std::atan2(-up.x, up.y) : 0.0;
+        const glm::dmat2 turn(std::cos(angle), std::sin(angle), -std::sin(angle), std::cos(angle));
+        const auto outline = outlineOf(op.mask);
+        const glm::dvec2 centre = centreOf(outline);
+        for (const glm::dvec2 pixel : outline) {
+            track.outline.push_back(turn * (path.stepsPerPixel * (pixel - centre) * glm::dvec2(1, -1)));
+        }
+        return track;
+    }
+
+    [[nodiscard]] glm::dvec3 stepsOf(const glm::dvec3& world) const {
+        return glm::dvec3(geometry_.voxelFromWorld() * glm::dvec4(world, 1.0)) / voxelFromSteps_;
+    }
+    [[nodiscard]] glm::dvec3 wayInSteps(const glm::dvec3& world) const {
+        return glm::dmat3(geometry_.voxelFromWorld()) * world / voxelFromSteps_;
+    }
+
+    DrawnPath onSurface(const std::vector<glm::dvec2>& stroke) {
+        const std::vector<glm::vec2> pixels(stroke.begin(), stroke.end());
+        DrawnPath path;
+        for (const auto& point : picker_.pickPoints(frame_, pixels)) {
+            if (point.voxel.w < 0.5F) {
+                continue; // beside the object the way is straight
+            }
+            if (path.points.empty()) {
+                const glm::dvec3 world(geometry_.worldFromVoxel * glm::dvec4(glm::dvec3(point.voxel), 1.0));
+                path.stepsPerPixel = frame_.rays.pixelMm(world) / geometry_.stepMm();
+                path.up = wayInSteps(glm::dvec3(point.normal));
+            }
+            path.points.push_back(glm::dvec3(point.voxel) / voxelFromSteps_);
+        }
+        return path;
+    }
+
+    // The plane across the view through the surface at the stroke's beginning, or through the grid's centre.
+    DrawnPath inViewPlane(const std::vector<glm::dvec2>& stroke) {
+        DrawnPath path;
+        if (stroke.empty()) {
+            return path;
+        }
+        const glm::vec2 begin(stroke.front());
+        const auto hit = picker_.pickPoints(frame_, std::span(&begin, 1)).front();
+        const glm::dvec3 anchor =
+            hit.voxel.w > 0.5F ? glm::dvec3(geometry_.worldFromVoxel * glm::dvec4(glm::dvec3(hit.voxel), 1.0))
+                               : geometry_.centreWorld();
+        path.stepsPerPixel = frame_.rays.pixelMm(anchor) / geometry_.stepMm();
+        path.up = wayInSteps(-frame_.rays.forward);
+        for (const glm::dvec2 pixel : stroke) {
+            const auto ray = frame_.rays.through(pixel);
+            const double t = glm::dot(anchor - ray.origin, frame_.rays.forward) /
+                             glm::dot(ray.direction, frame_.rays.forward);
+            path.points.push_back(stepsOf(ray.origin + t * ray.direction));
+        }
+        return path;
+    }
+
+    render::Picker& picker_;
+    const render::Frame& frame_;
+    const volume::GridGeometry& geometry_;
+    glm::dvec3 voxelFromSteps_;
+};
+
+// Where a mask of raw energy stands.
+std::vector<sculpt::MaskFrame> framesOf(const Sweep& op, const Track& track) {
+    return op.path.kind == SweepPath::Kind::Standing ? std::vector{track.pieces.front().from}
+                                                     : sculpt::framesEachStep(track.pieces);
+}
+
+} // namespace
+
+void SweepStroke::replay() {
+    const Sweep& op = std::get<Sweep>(operation_);
+    if (op.path.kind == SweepPath::Kind::Standing && !op.isRaw) {
+        throw Error("sweep: a mask that stands still sweeps nothing; give it a path, or raw energy");
+    }
+    const volume::GridGeometry& geometry = *cutter_->geometry;
+    const Track track = TrackMaker(cutter_->picker, frame_, geometry).make(op);
+    const auto outline = sculpt::subdivide(track.outline, op.subdivision, op.subdivisionLevels);
+    const auto mask = sculpt::rasterize(outline, op.pitch, op.filter);
+    if (track.pieces.empty() || mask.values.empty()) {
+        return;
+    }
+    const glm::dvec3 scale = sculpt::voxelFromSteps(geometry.spacing());
+    if (op.method == Sweep::Method::Projection) {
+        cutter_->solids.cutValues(*cutter_->sculpture,
+                                  sculpt::projectSweep(mask, track.pieces, geometry.dims, scale), how_,
+                                  backup_);
+        return;
+    }
+    const sculpt::Footprint footprint = sculpt::sweepFootprint(op.radius, geometry.spacing());
+    sculpt::Radiator& radiator = cutter_->tools.radiator();
+    const Box3 touched =
+        op.isRaw ? sculpt::radiateRaw(radiator, mask, framesOf(op, track), geometry.dims, footprint, scale)
+                 : sculpt::sweepMask(radiator, cutter_->tools.generator(), mask, track.pieces, geometry.dims,
+                                     footprint, scale);
+    backup_.protect(touched);
+    cutter_->sculpture->combine(radiator, how_);
+}
+
+std::vector<std::vector<glm::dvec2>> sweptOutlines(Cutter& cutter, const render::Frame& frame,
+                                                   const Sweep& operation) {
+    const volume::GridGeometry& geometry = *cutter.geometry;
+    const Track track = TrackMaker(cutter.picker, frame, geometry).make(operation);
+    const glm::dvec3 voxelFromSteps = sculpt::voxelFromSteps(geometry.spacing());
+    std::vector<std::vector<glm::dvec2>> outlines;
+    const std::size_t stride =
+        std::max<std::size_t>(1, (track.pieces.size() + kMostPreviews - 1) / kMostPreviews);
+    for (std::size_t n = 0; n <= track.pieces.size() && !track.pieces.empty(); n += stride) {
+        const std::size_t last = track.pieces.size() - 1;
+        const sculpt::MaskFrame& place = n > last ? track.pieces[last].to : track.pieces[n].from;
+        std::vector<glm::dvec2>& outline = outlines.emplace_back();
+        for (const glm::dvec2 element : track.outline) {
+            const glm::dvec3 voxel = voxelFromSteps * place.place(element);
+            outline.push_back(
+                frame.rays.project(glm::dvec3(geometry.worldFromVoxel * glm::dvec4(voxel, 1.0))));
+        }
+    }
+    return outlines;
+}
+
+} // namespace vs::studio

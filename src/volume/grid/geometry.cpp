@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "volume/grid/geometry.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <array>
+#include <cmath>
+
+namespace vs::volume {
+
+glm::dvec3 GridGeometry::spacing() const {
+    return {glm::length(glm::dvec3(worldFromVoxel[0])), glm::length(glm::dvec3(worldFromVoxel[1])),
+            glm::length(glm::dvec3(worldFromVoxel[2]))};
+}
+
+double GridGeometry::stepMm() const {
+    const auto s = spacing();
+    return std::min({s.x, s.y, s.z});
+}
+
+glm::dmat4 GridGeometry::voxelFromWorld() const { return glm::inverse(worldFromVoxel); }
+
+glm::dvec3 GridGeometry::centreWorld() const {
+    return glm::dvec3(worldFromVoxel * glm::dvec4(0.5 * (glm::dvec3(dims) - 1.0), 1.0));
+}
+
+double GridGeometry::diagonalMm() const {
+    double longest = 0;
+    for (const glm::dvec3 signs : {glm::dvec3{1, 1, 1}, {-1, 1, 1}, {1, -1, 1}, {1, 1, -1}}) {
+        const glm::dvec3 diagonal = glm::dmat3(worldFromVoxel) * (signs * glm::dvec3(dims));
+        longest = std::max(longest, glm::length(diagonal));
+    }
+    return longest;
+}
+
+double GridGeometry::voxelMm3() const { return std::abs(glm::determinant(glm::dmat3(worldFromVoxel))); }
+
+std::size_t GridGeometry::voxelCount() const {
+    return std::size_t(dims.x) * std::size_t(dims.y) * std::size_t(dims.z);
+}
+
+std::string GridGeometry::orientationCode() const {
+    constexpr std::array<const char*, 3> letters{"RL", "AP", "IS"}; // negative, positive along L, P, S
+    // Give each index axis the patient axis that it follows best, without using one twice.
+    std::array<int, 3> patientAxis{-1, -1, -1};
+    std::array<bool, 3> taken{};
+    for (int round = 0; round < 3; ++round) {
+        double best = -1;
+        int bestIndex = 0;
+        int bestPatient = 0;
+        for (int i = 0; i < 3; ++i) {
+            for (int p = 0; p < 3; ++p) {
+                const double c = std::abs(worldFromVoxel[i][p]) / glm::length(glm::dvec3(worldFromVoxel[i]));
+                if (patientAxis[std::size_t(i)] < 0 && !taken[std::size_t(p)] && c > best) {
+                    best = c;
+                    bestIndex = i;
+                    bestPatient = p;
+                }
+            }
+        }
+        patientAxis[std::size_t(bestIndex)] = bestPatient;
+        taken[std::size_t(bestPatient)] = true;
+    }
+    std::string code;
+    for (int i = 0; i < 3; ++i) {
+        const int p = patientAxis[std::size_t(i)];
+        code += letters[std::size_t(p)][worldFromVoxel[i][p] >= 0 ? 1 : 0];
+    }
+    return code;
+}
+
+GridGeometry makeGeometry(glm::ivec3 dims, glm::dvec3 spacing) {
+    return {dims, glm::scale(glm::dmat4(1.0), spacing)};
+}
+
+} // namespace vs::volume

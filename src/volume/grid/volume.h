@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "base/math.h"
+#include "volume/grid/geometry.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+namespace vs::volume {
+
+enum class ScalarType { UInt8, Int8, UInt16, Int16, UInt32, Int32, Float32 };
+
+// "uint8", "int16", "float32" ...: the names used on the command line, in JSON and in messages.
+const char* name(ScalarType type);
+std::size_t sizeOf(ScalarType type);
+
+// A scalar volume as it was read: values (rescale slope and intercept already applied) in one block, x
+// fastest, with their place in the patient. Never changed after reading. 64-bit inputs are held as Float32.
+struct Volume {
+    GridGeometry geometry;
+    ScalarType type = ScalarType::UInt8;
+    std::vector<std::byte> bytes;   // geometry.voxelCount() * sizeOf(type)
+    Range range;                    // smallest and largest finite value
+    std::size_t nonFiniteCount = 0; // NaN and infinite voxels; they lie outside every range
+    std::string name;               // file or folder name, for titles and messages
+    std::filesystem::path path;     // where it came from; empty for volumes made in memory
+    std::string unit;               // of the values, as people write it ("HU"); empty where none is known
+
+    // The value at one voxel; `index` must be inside the grid.
+    [[nodiscard]] double at(glm::ivec3 index) const;
+};
+
+// Calls `f` with a typed pointer to the volume's values: visit(volume, [&](const auto* values) { ... }).
+template <typename F>
+decltype(auto) visit(const Volume& volume, F&& f) {
+    const void* data = volume.bytes.data();
+    switch (volume.type) {
+    case ScalarType::UInt8:
+        return f(static_cast<const std::uint8_t*>(data));
+    case ScalarType::Int8:
+        return f(static_cast<const std::int8_t*>(data));
+    case ScalarType::UInt16:
+        return f(static_cast<const std::uint16_t*>(data));
+    case ScalarType::Int16:
+        return f(static_cast<const std::int16_t*>(data));
+    case ScalarType::UInt32:
+        return f(static_cast<const std::uint32_t*>(data));
+    case ScalarType::Int32:
+        return f(static_cast<const std::int32_t*>(data));
+    case ScalarType::Float32:
+        break;
+    }
+    return f(static_cast<const float*>(data));
+}
+
+// Fills in range and nonFiniteCount with one pass over the values.
+void computeRange(Volume& volume);
+
+// Counts of finite values in `bins` equal bins over volume.range, computed on the CPU (reference, `info`).
+std::vector<std::uint64_t> histogram(const Volume& volume, int bins);
+
+// The value that parts a histogram (equal bins over `range`) into background and object: Otsu's threshold,
+// the one with the largest variance between the two classes (Otsu 1979, "A threshold selection method from
+// gray-level histograms"). Where a gap in the histogram makes many equally good, their middle.
+double otsuThreshold(std::span<const std::uint64_t> counts, const Range& range);
+
+// Checksum of geometry and values (FNV-1a, 64 bit, as 16 hex digits): tells a session whether it has its
+// volume.
+std::string checksum(const Volume& volume);
+
+} // namespace vs::volume

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "base/error.h"
+#include "volume/io/read.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+// Inspection of headers before anything is allocated or given to a library. Internal to this folder.
+namespace vs::volume {
+
+// What a header promises, checked against the file that should hold it.
+struct Inspection {
+    std::vector<std::int64_t> sizes; // fastest axis first; three, or four when the last counts frames
+    std::vector<std::string> notices;
+};
+
+enum class Encoding { Raw, Deflated, Ascii };
+
+// Where the values of a file lie and how many bytes (for Ascii: how many numbers) they must be.
+struct DataBlock {
+    std::filesystem::path file;
+    std::uint64_t offset = 0;
+    Encoding encoding = Encoding::Raw;
+    std::uint64_t expected = 0;
+};
+
+// Throws ReadError "FILE: what is wrong; what would be right".
+[[noreturn]] void refuse(const std::filesystem::path& path, std::string_view wrong, std::string_view right);
+
+// The text with unprintable characters replaced and cut to a length that fits a message.
+std::string printable(std::string_view text);
+std::string lowerCase(std::string_view text);
+std::string trimmed(std::string_view text);
+// Whether the whole text is one number. Unlike streams it reads "nan", so that a check can refuse it.
+bool parseNumber(const std::string& text, double& value);
+// The numbers of a blank-separated list; refuses what is not a number. `what` names the field.
+std::vector<double> parseNumbers(const std::filesystem::path& path, std::string_view what,
+                                 const std::string& text);
+
+// The product of sizes and bytesPerVoxel. Refuses sizes below 1, products that overflow or exceed the
+// machine's memory.
+std::uint64_t checkedBytes(const std::filesystem::path& path, const std::vector<std::int64_t>& sizes,
+                           std::uint64_t bytesPerVoxel);
+// Refuses spacings that are zero, negative, not finite or absurd.
+void checkSpacing(const std::filesystem::path& path, double spacing);
+// Refuses geometries that are not finite or squash space.
+void checkGeometry(const std::filesystem::path& path, const GridGeometry& geometry);
+// Refuses a block that is missing, shorter than promised, corrupt, or that expands beyond its promise.
+// Trailing bytes of an uncompressed block give a notice.
+void checkDataBlock(const std::filesystem::path& path, const DataBlock& block,
+                    std::vector<std::string>& notices);
+// Reads bytes of a block that was checked: `out.size()` of them behind the first `skip`.
+void readBlock(const DataBlock& block, std::uint64_t skip, std::span<std::byte> out);
+// Which volume to read of a file that holds `frames`; refuses with the choices where that is not clear.
+int chosenFrame(const std::filesystem::path& path, std::int64_t frames, std::optional<int> frame);
+// The file that a header names beside itself. Refuses absolute names, those that leave the folder, and
+// missing files.
+std::filesystem::path siblingFile(const std::filesystem::path& header, const std::string& name);
+
+// First bytes of a file, inflated if it is a gzip file; fewer if the file is shorter.
+std::vector<unsigned char> readPrefix(const std::filesystem::path& path, std::size_t count,
+                                      bool inflated = false);
+bool hasGzipMagic(const std::filesystem::path& path);
+
+// What NIfTI needs beyond that: its values are read here, not by ITK (see read_nifti.cpp).
+struct NiftiInspection : Inspection {
+    DataBlock block;
+    std::uint64_t valuesAt = 0; // bytes of the (inflated) block before the first value
+    int datatype = 0;           // the format's code
+    bool swapped = false;       // values are in the other byte order
+    double slope = 1;           // 1 and 0 where the header asks for no scaling
+    double intercept = 0;
+    std::optional<glm::dmat4> sform; // LPS mm
+};
+
+// One per format. Each refuses what does not fit and returns what does.
+NiftiInspection inspectNifti(const std::filesystem::path& path);
+Inspection inspectNrrd(const std::filesystem::path& path);
+Inspection inspectMeta(const std::filesystem::path& path);
+Inspection inspectVtk(const std::filesystem::path& path);
+
+} // namespace vs::volume

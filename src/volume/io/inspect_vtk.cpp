@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "volume/io/inspect.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <fstream>
+#include <map>
+#include <sstream>
+
+namespace vs::volume {
+namespace {
+
+struct VtkHeader {
+    bool binary = false;
+    std::string dataset;
+    std::vector<double> dimensions;
+    std::vector<double> spacing;
+    std::vector<double> origin{0, 0, 0};
+    double points = 0;
+    std::string type;
+    std::string components = "1";
+    std::uint64_t bytes = 0;
+};
+
+std::string rest(std::istream& words) {
+    std::string text;
+    std::getline(words, text);
+    return trimmed(text);
+}
+
+// Lines up to the one before the values.
+VtkHeader readHeader(const std::filesystem::path& path) {
+    std::ifstream input(path, std::ios::binary);
+    std::string line;
+    VtkHeader header;
+    for (int number = 0; number < 64 && std::getline(input, line) && line.size() < 1024; ++number) {
+        std::istringstream words(line);
+        std::string key;
+        words >> key;
+        key = lowerCase(key);
+        if (number == 2) {
+            header.binary = key == "binary";
+            if (!header.binary && key != "ascii") {
+                refuse(path, fmt::format("its third line is \"{}\"", printable(line)),
+                       "it must be ASCII or BINARY");
+            }
+        } else if (number > 2 && key == "dataset") {
+            header.dataset = lowerCase(rest(words));
+        } else if (number > 2 && key == "dimensions") {
+            header.dimensions = parseNumbers(path, "DIMENSIONS", rest(words));
+        } else if (number > 2 && (key == "spacing" || key == "aspect_ratio")) {
+            header.spacing = parseNumbers(path, "SPACING", rest(words));
+        } else if (number > 2 && key == "origin") {
+            header.origin = parseNumbers(path, "ORIGIN", rest(words));
+        } else if (number > 2 && key == "point_data") {
+            words >> header.points;
+        } else if (number > 2 &&
+                   (key == "scalars" || key == "color_scalars" || key == "vectors" || key == "tensors")) {
+            std::string name;
+            words >> name >> header.type;
+            words >> header.components;
+            header.components = key == "scalars" ? header.components : key;
+        } else if (key == "lookup_table") {
+            header.bytes = std::uint64_t(input.tellg());
+            return header;
+        }
+    }
+    refuse(path, "its header names no scalars with a LOOKUP_TABLE line",
+           "STRUCTURED_POINTS with SCALARS are needed");
+}
+
+std::uint64_t voxelBytes(const std::filesystem::path& path, const VtkHeader& header) {
+    static const std::map<std::string, std::uint64_t> types{
+        {"unsigned_char", 1}, {"char", 1}, {"unsigned_short", 2}, {"short", 2},
+        {"unsigned_int", 4},  {"int", 4},  {"float", 4},          {"double", 8}};
+    const auto found = types.find(lowerCase(header.type));
+    if (found == types.end()) {
+        refuse(path, fmt::format("the type \"{}\" is not read here", printable(header.type)),
+               "use char, short, int (also unsigned_), float or double");
+    }
+    if (header.components != "1") {
+        refuse(path, fmt::format("it holds {} per voxel", printable(header.components)),
+               "one number per voxel is needed");
+    }
+    return found->second;
+}
+
+} // namespace
+
+Inspection inspectVtk(const std::filesystem::path& path) {
+    const VtkHeader header = readHeader(path);
+    if (header.dataset != "structured_points") {
+        refuse(path, fmt::format("its data set is \"{}\"", printable(header.dataset)),
+               "it must be STRUCTURED_POINTS");
+    }
+    if (header.dimensions.size() != 3 || header.spacing.size() != 3 || header.origin.size() != 3) {
+        refuse(path, "its dimensions, spacing or origin are not three numbers each", "a volume has 3 axes");
+    }
+    Inspection inspection;
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const double size = header.dimensions[axis];
+        if (!(size >= 1 && size <= 1e9) || size != std::floor(size)) {
+            refuse(path, fmt::format("size {} along one axis", size), "every axis needs at least one voxel");
+        }
+        inspection.sizes.push_back(std::int64_t(size));
+        checkSpacing(path, header.spacing[axis]);
+    }
+    const std::uint64_t bytesEach = voxelBytes(path, header);
+    const std::uint64_t bytes = checkedBytes(path, inspection.sizes, bytesEach);
+    const std::uint64_t count = bytes / bytesEach;
+    if (header.points != double(count)) {
+        refuse(path, fmt::format("POINT_DATA says {}, its dimensions {}", header.points, count),
+               "both must be the same");
+    }
+    checkDataBlock(path,
+                   {.file = path,
+                    .offset = header.bytes,
+                    .encoding = header.binary ? Encoding::Raw : Encoding::Ascii,
+                    .expected = header.binary ? bytes : count},
+                   inspection.notices);
+    return inspection;
+}
+
+} // namespace vs::volume

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "volume/io/itk_decode.h"
+
+#include <fmt/format.h>
+#include <gdcmTrace.h>
+#include <itkObject.h>
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+
+namespace vs::volume {
+namespace {
+
+int redirect(int descriptor) {
+    const int saved = dup(descriptor);
+    const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+    if (saved >= 0 && nowhere >= 0) {
+        dup2(nowhere, descriptor);
+    }
+    if (nowhere >= 0) {
+        close(nowhere);
+    }
+    return saved;
+}
+
+void restore(int saved, int descriptor) {
+    if (saved >= 0) {
+        dup2(saved, descriptor);
+        close(saved);
+    }
+}
+
+template <typename From>
+bool toFloat(const std::vector<std::byte>& from, std::vector<std::byte>& to) {
+    const std::size_t count = from.size() / sizeof(From);
+    to.resize(count * sizeof(float));
+    bool changed = false;
+    for (std::size_t i = 0; i < count; ++i) {
+        From value;
+        std::memcpy(&value, from.data() + i * sizeof(From), sizeof(From));
+        const float narrow = static_cast<float>(value);
+        // Long double holds every 64-bit integer, so the comparison is exact for all types.
+        changed = changed ||
+                  (static_cast<long double>(narrow) != static_cast<long double>(value) && value == value);
+        std::memcpy(to.data() + i * sizeof(float), &narrow, sizeof(float));
+    }
+    return changed;
+}
+
+// Takes one frame out of the values of all. NRRD files have it as the component of each voxel when the axis
+// of frames is a list: ITK turns such an axis into components.
+void keepFrame(std::vector<std::byte>& bytes, std::size_t frames, std::size_t frame, std::size_t voxelBytes,
+               bool interleaved) {
+    const std::size_t frameBytes = bytes.size() / frames;
+    if (interleaved) {
+        for (std::size_t i = 0; i < frameBytes / voxelBytes; ++i) {
+            std::memmove(bytes.data() + i * voxelBytes, bytes.data() + (i * frames + frame) * voxelBytes,
+                         voxelBytes);
+        }
+    } else {
+        std::memmove(bytes.data(), bytes.data() + frame * frameBytes, frameBytes);
+    }
+    bytes.resize(frameBytes);
+    bytes.shrink_to_fit();
+}
+
+} // namespace
+
+GridGeometry geometryOf(const itk::ImageIOBase& io) {
+    GridGeometry geometry;
+    for (unsigned axis = 0; axis < 3; ++axis) {
+        geometry.dims[int(axis)] = int(io.GetDimensions(axis));
+        const auto direction = io.GetDirection(axis);
+        for (unsigned row = 0; row < 3; ++row) {
+            geometry.worldFromVoxel[int(axis)][int(row)] = direction[row] * io.GetSpacing(axis);
+        }
+        geometry.worldFromVoxel[3][int(axis)] = io.GetOrigin(axis);
+    }
+    return geometry;
+}
+
+QuietLibraries::QuietLibraries() {
+    itk::Object::GlobalWarningDisplayOff();
+    gdcm::Trace::DebugOff();
+    gdcm::Trace::WarningOff();
+    gdcm::Trace::ErrorOff();
+    const char* level = std::getenv("VOLUME_STUDIO_LOG");
+    if (level == nullptr || std::strcmp(level, "debug") != 0) {
+        std::fflush(stdout);
+        savedError_ = redirect(STDERR_FILENO);
+        savedOutput_ = redirect(STDOUT_FILENO);
+    }
+}
+
+QuietLibraries::~QuietLibraries() {
+    if (savedOutput_ >= 0) {
+        std::fflush(stdout);
+    }
+    restore(savedError_, STDERR_FILENO);
+    restore(savedOutput_, STDOUT_FILENO);
+}
+
+std::string shortReason(const std::exception& error) {
+    std::string text = error.what();
+    if (const auto* itkError = dynamic_cast<const itk::ExceptionObject*>(&error)) {
+        text = itkError->GetDescription();
+    }
+    if (const auto colon = text.find("): "); text.starts_with("ITK ERROR: ") && colon != std::string::npos) {
+        text = text.substr(colon + 3);
+    }
+    text = trimmed(text);
+    for (char& c : text) {
+        c = c == '\n' ? ' ' : c;
+    }
+    return printable(text);
+}
+
+bool takeValues(Volume& volume, itk::IOComponentEnum component, std::vector<std::byte>&& bytes) {
+    using enum itk::CommonEnums::IOComponent;
+    const auto keep = [&](ScalarType type) {
+        volume.type = type;
+        volume.bytes = std::move(bytes);
+        return false;
+    };
+    const auto convert = [&](auto example) {
+        volume.type = ScalarType::Float32;
+        return toFloat<decltype(example)>(bytes, volume.bytes);
+    };
+    switch (component) {
+    case UCHAR:
+        return keep(ScalarType::UInt8);
+    case CHAR:
+        return keep(ScalarType::Int8);
+    case USHORT:
+        return keep(ScalarType::UInt16);
+    case SHORT:
+        return keep(ScalarType::Int16);
+    case UINT:
+        return keep(ScalarType::UInt32);
+    case INT:
+        return keep(ScalarType::Int32);
+    case FLOAT:
+        return keep(ScalarType::Float32);
+    case DOUBLE:
+        return convert(0.0);
+    case LONG:
+    case LONGLONG:
+        return convert(std::int64_t(0));
+    case ULONG:
+    case ULONGLONG:
+        return convert(std::uint64_t(0));
+    default:
+        throw std::runtime_error("a data type that is not read here");
+    }
+}
+
+ReadResult decodeWithItk(itk::ImageIOBase& io, const std::filesystem::path& path, Inspection&& inspection,
+                         std::optional<int> frame) {
+    const std::int64_t frames = inspection.sizes.size() > 3 ? inspection.sizes[3] : 1;
+    const int picked = chosenFrame(path, frames, frame);
+    ReadResult result;
+    result.notices = std::move(inspection.notices);
+    std::vector<std::byte> bytes;
+    try {
+        const QuietLibraries quiet;
+        io.SetFileName(path.string());
+        io.ReadImageInformation();
+        const unsigned dimensions = io.GetNumberOfDimensions();
+        itk::ImageIORegion region(dimensions);
+        std::uint64_t count = io.GetNumberOfComponents();
+        for (unsigned axis = 0; axis < dimensions; ++axis) {
+            region.SetSize(axis, io.GetDimensions(axis));
+            count *= io.GetDimensions(axis);
+        }
+        // What ITK is about to read must be what was inspected.
+        bool same = dimensions >= 3;
+        std::uint64_t inspected = 1;
+        for (std::size_t axis = 0; axis < inspection.sizes.size(); ++axis) {
+            inspected *= std::uint64_t(inspection.sizes[axis]);
+            same = same &&
+                   (axis > 2 || io.GetDimensions(unsigned(axis)) == std::uint64_t(inspection.sizes[axis]));
+        }
+        if (!same || count != inspected) {
+            throw std::runtime_error("the header is ambiguous");
+        }
+        io.SetIORegion(region);
+        bytes.resize(count * io.GetComponentSize());
+        io.Read(bytes.data());
+        if (frames > 1) {
+            keepFrame(bytes, std::size_t(frames), std::size_t(picked), io.GetComponentSize(),
+                      io.GetNumberOfComponents() > 1);
+        }
+        result.volume.geometry = geometryOf(io);
+        if (takeValues(result.volume, io.GetComponentType(), std::move(bytes))) {
+            result.notices.push_back(
+                fmt::format("{}: 64-bit values were rounded to 32-bit floats; some changed", path.string()));
+        }
+    } catch (const std::bad_alloc&) {
+        refuse(path, "it does not fit into memory", "crop it or use a machine with more");
+    } catch (const std::exception& error) {
+        refuse(path, fmt::format("it cannot be read ({})", shortReason(error)),
+               "check the header and the data");
+    }
+    return result;
+}
+
+} // namespace vs::volume

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "volume/io/label_map.h"
+
+#include "base/error.h"
+#include "volume/io/read.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <set>
+#include <sstream>
+
+namespace vs::volume {
+namespace {
+
+constexpr std::size_t kMostLabels = 255;
+constexpr std::size_t kLongestName = 200; // characters
+
+// The different values but 0, in their order.
+std::vector<std::int64_t> labelValues(const Volume& volume) {
+    std::set<std::int64_t> found;
+    visit(volume, [&](const auto* values) {
+        double last = 0;
+        for (std::size_t i = 0; i < volume.geometry.voxelCount(); ++i) {
+            const auto value = double(values[i]);
+            if (value == last) {
+                continue;
+            }
+            if (!(std::abs(value) < 1e15) || value != std::floor(value)) {
+                throw ReadError("{}: holds the value {:g}; a label map holds whole numbers only",
+                                volume.path.string(), value);
+            }
+            last = value;
+            if (value != 0 && found.insert(std::int64_t(value)).second && found.size() > kMostLabels) {
+                throw ReadError("{}: holds more than {} different values; a label map has at most so many",
+                                volume.path.string(), kMostLabels);
+            }
+        }
+    });
+    return {found.begin(), found.end()};
+}
+
+// Names and colours that 3D Slicer keeps in the header of a segmentation: "Segment0_Name:=Liver".
+std::map<std::int64_t, LabelMap::Look> looksIn(const std::filesystem::path& path) {
+    std::map<std::int64_t, LabelMap::Look> looks;
+    std::ifstream file(path, std::ios::binary);
+    std::string line;
+    if (!std::getline(file, line) || line.rfind("NRRD", 0) != 0) {
+        return looks;
+    }
+    std::map<std::string, std::map<std::string, std::string>> segments; // "Segment0" -> "Name" -> "Liver"
+    while (std::getline(file, line) && !line.empty() && line != "\r") {
+        const std::size_t assigns = line.find(":=");
+        const std::size_t underscore = line.find('_');
+        if (line.rfind("Segment", 0) == 0 && assigns != std::string::npos && underscore < assigns) {
+            const std::size_t end = line.find_last_not_of(" \r");
+            const std::size_t begin = line.find_first_not_of(' ', assigns + 2);
+            if (begin <= end && begin != std::string::npos) {
+                segments[line.substr(0, underscore)][line.substr(underscore + 1, assigns - underscore - 1)] =
+                    line.substr(begin, end - begin + 1);
+            }
+        }
+    }
+    for (auto& [id, fields] : segments) {
+        std::istringstream value(fields["LabelValue"]);
+        std::istringstream colour(fields["Color"]);
+        std::int64_t label = 0;
+        glm::dvec3 rgb{0};
+        if (value >> label) {
+            LabelMap::Look& look = looks[label];
+            look.name = fields["Name"].substr(0, kLongestName);
+            if (colour >> rgb.r >> rgb.g >> rgb.b) {
+                look.colour = glm::clamp(rgb, 0.0, 1.0);
+            }
+        }
+    }
+    return looks;
+}
+
+std::string sizeText(glm::ivec3 dims) { return fmt::format("{} x {} x {}", dims.x, dims.y, dims.z); }
+
+} // namespace
+
+LabelMap readLabelMap(const std::filesystem::path& path, std::vector<std::string>& notices) {
+    if (isHeaderless(path)) { // --raw is there for volumes
+        throw ReadError("{}: is of no known format; label maps are read from NIfTI, NRRD, MetaImage, VTK and "
+                        "DICOM files",
+                        path.string());
+    }
+    ReadResult read = readVolume(path);
+    const Volume& volume = read.volume;
+    notices.insert(notices.end(), read.notices.begin(), read.notices.end());
+    LabelMap map{path, volume.geometry, {}, labelValues(volume), checksum(volume), looksIn(path)};
+    map.labels.resize(volume.geometry.voxelCount());
+    map.values.insert(map.values.begin(), 0);
+    visit(volume, [&](const auto* values) {
+        std::int64_t last = 0;
+        std::uint8_t label = 0;
+        for (std::size_t i = 0; i < map.labels.size(); ++i) {
+            if (const auto value = std::int64_t(values[i]); value != last) {
+                const auto place = std::lower_bound(map.values.begin() + 1, map.values.end(), value);
+                label = std::uint8_t(value == 0 ? 0 : place - map.values.begin());
+                last = value;
+            }
+            map.labels[i] = label;
+        }
+    });
+    return map;
+}
+
+void requireSameGrid(const LabelMap& map, const GridGeometry& geometry, const std::filesystem::path& volume) {
+    if (map.geometry.dims != geometry.dims) {
+        throw Error("{}: has {} voxels and {} has {}; labels must lie on the volume's grid",
+                    map.path.string(), sizeText(map.geometry.dims), volume.string(), sizeText(geometry.dims));
+    }
+    double apart = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::ivec3 side(corner & 1, corner >> 1 & 1, corner >> 2);
+        const glm::dvec4 voxel(side * (geometry.dims - 1), 1);
+        const glm::dvec4 offset = (map.geometry.worldFromVoxel - geometry.worldFromVoxel) * voxel;
+        apart = std::max(apart, glm::length(glm::dvec3(offset)));
+    }
+    if (!(apart <= 0.1 * geometry.stepMm())) {
+        throw Error("{}: its voxels lie up to {:.3g} mm from those of {}; spacing, origin and direction of "
+                    "labels must be the volume's",
+                    map.path.string(), apart, volume.string());
+    }
+}
+
+} // namespace vs::volume

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "volume/grid/geometry.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace vs::volume {
+
+// A label map as read from a file: each voxel holds the number of its label, counted from 1 in the order of
+// the labels' values in the file; 0 is none.
+struct LabelMap {
+    std::filesystem::path path;
+    GridGeometry geometry;
+    std::vector<std::uint8_t> labels;
+    std::vector<std::int64_t> values; // by label; the first is 0
+    std::string checksum;             // of the file's values (volume.h)
+    // What the file says of a label, where it says so: 3D Slicer's .seg.nrrd does.
+    struct Look {
+        std::string name;                 // empty: none
+        std::optional<glm::dvec3> colour; // sRGB, 0 to 1
+    };
+    std::map<std::int64_t, Look> looks = {}; // by value
+};
+
+// Reads any format that volumes are read from; notices are appended. Throws ReadError, also for values that
+// are no whole numbers and for more than 255 different ones.
+LabelMap readLabelMap(const std::filesystem::path& path, std::vector<std::string>& notices);
+
+// Throws Error if the label map's grid is not that of the volume: other dimensions, or corners that lie more
+// than a tenth of a step apart, which is more than headers round.
+void requireSameGrid(const LabelMap& map, const GridGeometry& geometry, const std::filesystem::path& volume);
+
+} // namespace vs::volume

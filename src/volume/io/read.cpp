@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "volume/io/read.h"
+
+#include "volume/io/formats.h"
+#include "volume/io/inspect.h"
+#include "volume/io/itk_decode.h"
+
+#include <fmt/format.h>
+#include <itkMetaImageIO.h>
+#include <itkNrrdImageIO.h>
+#include <itkVTKImageIO.h>
+
+#include <fstream>
+#include <string_view>
+
+namespace vs::volume {
+namespace {
+
+enum class Format { Dicom, Nifti, Nrrd, Meta, Vtk, Raw };
+
+// By content where the content says so, else by the extension, so that a damaged file is judged as what it
+// claims to be. Raw: neither says anything.
+Format recognise(const std::filesystem::path& path) {
+    const auto start = readPrefix(path, 352);
+    const std::string_view text(reinterpret_cast<const char*>(start.data()), start.size());
+    const auto mark = [&](std::size_t at, std::string_view expected) {
+        return text.size() >= at + expected.size() && text.substr(at, expected.size()) == expected;
+    };
+    if (mark(0, "NRRD000")) {
+        return Format::Nrrd;
+    }
+    if (mark(128, "DICM")) {
+        return Format::Dicom;
+    }
+    if (mark(0, "# vtk DataFile")) {
+        return Format::Vtk;
+    }
+    if (mark(344, "n+1") || mark(344, "ni1")) {
+        return Format::Nifti;
+    }
+    const auto extension = lowerCase(path.extension().string());
+    const auto stem = lowerCase(path.stem().extension().string());
+    if (extension == ".nii" || extension == ".hdr" ||
+        (extension == ".gz" && (stem == ".nii" || stem == ".hdr"))) {
+        return Format::Nifti;
+    }
+    if (extension == ".nrrd" || extension == ".nhdr") {
+        return Format::Nrrd;
+    }
+    if (extension == ".mhd" || extension == ".mha" || mark(0, "ObjectType") || mark(0, "NDims")) {
+        return Format::Meta;
+    }
+    if (extension == ".vtk") {
+        return Format::Vtk;
+    }
+    if (extension == ".dcm" || extension == ".ima" || extension == ".dicom") {
+        return Format::Dicom;
+    }
+    return Format::Raw;
+}
+
+[[noreturn]] void refuseRaw(const std::filesystem::path& path) {
+    const auto extension = lowerCase(path.extension().string());
+    if (extension == ".img") {
+        refuse(path, "it is the data half of a pair", "open the .hdr file beside it");
+    }
+    if (extension == ".raw" || extension == ".bin") {
+        refuse(path, "a raw file has no header",
+               "describe it with --raw, for example --raw 256x256x128:uint8:1,1,2");
+    }
+    refuse(
+        path, "it is no volume of a known format",
+        "NIfTI (.nii, .nii.gz), NRRD, MetaImage, VTK legacy, DICOM or a raw file with --raw can be opened");
+}
+
+template <typename ImageIo>
+ReadResult decode(const std::filesystem::path& path, Inspection inspection, const ReadOptions& options) {
+    return decodeWithItk(*ImageIo::New(), path, std::move(inspection), options.frame);
+}
+
+ReadResult readFormat(const std::filesystem::path& path, const ReadOptions& options) {
+    std::error_code error;
+    const auto status = std::filesystem::status(path, error);
+    if (!std::filesystem::exists(status)) {
+        refuse(path, "there is no such file or folder", "check the name");
+    }
+    if (std::filesystem::is_directory(status)) {
+        if (options.raw) {
+            refuse(path, "it is a folder", "--raw describes one file");
+        }
+        return readDicom(path, options);
+    }
+    if (!std::filesystem::is_regular_file(status)) {
+        refuse(path, "it is neither a file nor a folder", "give a volume file or a DICOM folder");
+    }
+    if (!std::ifstream(path).good()) {
+        refuse(path, "it cannot be opened", "check its permissions");
+    }
+    if (options.raw) {
+        return readRaw(path, *options.raw);
+    }
+    if (std::filesystem::file_size(path) == 0) {
+        refuse(path, "it is empty", "get a complete copy of the file");
+    }
+    const Format format = recognise(path);
+    if (options.series && format != Format::Dicom) {
+        refuse(path, "it holds no DICOM series", "leave out --series");
+    }
+    switch (format) {
+    case Format::Nifti:
+        return readNifti(path, options);
+    case Format::Nrrd:
+        return decode<itk::NrrdImageIO>(path, inspectNrrd(path), options);
+    case Format::Meta:
+        return decode<itk::MetaImageIO>(path, inspectMeta(path), options);
+    case Format::Vtk:
+        return decode<itk::VTKImageIO>(path, inspectVtk(path), options);
+    case Format::Dicom:
+        return readDicom(path, options);
+    case Format::Raw:
+        break;
+    }
+    refuseRaw(path);
+}
+
+} // namespace
+
+bool isHeaderless(const std::filesystem::path& path) {
+    std::error_code error;
+    return std::filesystem::is_regular_file(path, error) && recognise(path) == Format::Raw;
+}
+
+ReadResult readVolume(const std::filesystem::path& path, const ReadOptions& options) {
+    try {
+        ReadResult result = readFormat(path, options);
+        Volume& volume = result.volume;
+        checkGeometry(path, volume.geometry);
+        volume.path = path;
+        const auto normal = path.lexically_normal();
+        volume.name = (normal.has_filename() ? normal.filename() : normal.parent_path().filename()).string();
+        computeRange(volume);
+        if (volume.nonFiniteCount > 0) {
+            result.notices.push_back(
+                fmt::format("{}: {} of {} voxels are not finite (NaN or infinite); they lie "
+                            "outside every range",
+                            path.string(), volume.nonFiniteCount, volume.geometry.voxelCount()));
+        }
+        return result;
+    } catch (const Error&) {
+        throw;
+    } catch (const std::bad_alloc&) {
+        refuse(path, "it does not fit into memory", "crop it or use a machine with more");
+    } catch (const std::exception& error) {
+        refuse(path, fmt::format("it cannot be read ({})", shortReason(error)), "check the file");
+    }
+}
+
+} // namespace vs::volume

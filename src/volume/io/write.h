@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "volume/grid/volume.h"
+
+#include <cstdint>
+#include <filesystem>
+#include <span>
+
+namespace vs::volume {
+
+// Throws WriteError if a file's extension is none that writeGrid knows.
+void checkGridName(const std::filesystem::path& path);
+
+// Each writes a grid (x fastest, geometry.voxelCount() values) with its place in the patient, as NIfTI, NRRD
+// or MetaImage by the file's extension (.nii .nii.gz .nrrd .mha .mhd), compressed where the format allows.
+// Atomic: a temporary file beside it, synced, then renamed. Throws WriteError naming the file.
+void writeGrid(const std::filesystem::path& path, const GridGeometry& geometry,
+               std::span<const std::uint8_t> values);
+void writeGrid(const std::filesystem::path& path, const GridGeometry& geometry,
+               std::span<const std::int16_t> values);
+void writeGrid(const std::filesystem::path& path, const GridGeometry& geometry,
+               std::span<const std::uint32_t> values);
+void writeGrid(const std::filesystem::path& path, const GridGeometry& geometry,
+               std::span<const float> values);
+// A volume's values in their own type.
+void writeVolume(const std::filesystem::path& path, const Volume& volume);
+
+} // namespace vs::volume

@@ -7,6 +7,7 @@
 #include "parts/theme.h"
 #include "testing/latency_recorder.h"
 #include "testing/layout_reporter.h"
+#include "tools/tool_box.h"
 #include "view/view_widget.h"
 #include "window/main_window.h"
 #include "window/options.h"
@@ -41,12 +42,13 @@ int run(vs::desktop::WatchedApplication& application) {
         QMessageBox::critical(nullptr, QApplication::applicationDisplayName(), QString::fromUtf8(e.what()));
         throw;
     }
-    MainWindow window(*studio);
+    auto& tools = *new ToolBox(*studio); // the studio owns it
+    MainWindow window(*studio, tools);
     const QSize screen = window.screen()->availableSize();
     window.resize(screen.boundedTo(QSize(1440, 900)));
     window.show();
     if (!options.layoutFile.empty()) {
-        new LayoutReporter(*studio, window, options.layoutFile); // the window owns it
+        new LayoutReporter(*studio, tools, window, window.view(), options.layoutFile); // the window owns it
     }
     if (!options.timingsFile.empty()) {
         new LatencyRecorder(application, *studio, window.view(), options.timingsFile); // the studio owns it

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dialogs/export_dialog.h"
 
-#include "model/segments/segment_checks.h"
+#include "dialogs/segment_checks.h"
 #include "model/segments/segment_controller.h"
 #include "model/studio/studio_controller.h"
 #include "parts/panel_parts.h"

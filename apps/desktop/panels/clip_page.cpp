@@ -5,6 +5,7 @@
 #include "panels/tool_pages.h"
 #include "parts/panel_parts.h"
 #include "tools/clip_tool.h"
+#include "tools/tool_box.h"
 
 #include <QFormLayout>
 #include <QPushButton>
@@ -121,11 +122,11 @@ void addPlane(QFormLayout* form, ClipTool& tool) {
 
 } // namespace
 
-QWidget* makeClipPage(StudioController& studio) {
+QWidget* makeClipPage(StudioController& studio, ToolBox& tools) {
     auto* page = new QWidget;
     auto* form = makeForm(page);
     form->setVerticalSpacing(5);
-    ClipTool& tool = studio.clipTool();
+    ClipTool& tool = tools.clip();
     addCutOrRestore(form, tool, studio, "clip");
     for (int axis = 0; axis < 3; ++axis) {
         addFace(form, tool, studio, axis, false);

@@ -4,6 +4,7 @@
 #include "panels/tool_pages.h"
 #include "parts/panel_parts.h"
 #include "tools/measure_tool.h"
+#include "tools/tool_box.h"
 
 #include <QFormLayout>
 #include <QHBoxLayout>
@@ -11,10 +12,10 @@
 
 namespace vs::desktop {
 
-QWidget* makeMeasurePage(StudioController& studio) {
+QWidget* makeMeasurePage(StudioController& studio, ToolBox& tools) {
     auto* page = new QWidget;
     auto* form = makeForm(page);
-    MeasureTool& tool = studio.measureTool();
+    MeasureTool& tool = tools.measure();
     auto* what =
         new ChoiceRow({{"measureDistance", tr("Distance"), tr("Between two places, in mm")},
                        {"measureAngle", tr("Angle"), tr("At the second of three places, in degrees")}},

@@ -4,6 +4,7 @@
 #include "panels/tool_pages.h"
 #include "parts/panel_parts.h"
 #include "tools/paint_tool.h"
+#include "tools/tool_box.h"
 
 #include <QCheckBox>
 #include <QFormLayout>
@@ -32,10 +33,10 @@ QString label(double mm) { return tr("%1 mm").arg(mm, 0, 'f', mm < 9.95 ? 1 : 0)
 
 } // namespace
 
-QWidget* makePaintPage(StudioController& studio) {
+QWidget* makePaintPage(StudioController& studio, ToolBox& tools) {
     auto* page = new QWidget;
     auto* form = makeForm(page);
-    PaintTool& tool = studio.paintTool();
+    PaintTool& tool = tools.paint();
     auto* sign = new ChoiceRow({{"paintAdds", tr("Add"), tr("What is painted joins the segment at work")},
                                 {"paintRemoves", tr("Remove"), tr("What is painted leaves it")}},
                                tool.isToAdd() ? 0 : 1);

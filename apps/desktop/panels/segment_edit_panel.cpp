@@ -7,6 +7,7 @@
 #include "parts/fold_card.h"
 #include "parts/panel_parts.h"
 #include "tools/island_tool.h"
+#include "tools/tool_box.h"
 
 #include <QComboBox>
 #include <QHBoxLayout>
@@ -86,8 +87,8 @@ const std::vector<Edit>& edits() {
 
 } // namespace
 
-SegmentEditPanel::SegmentEditPanel(StudioController& studio, QWidget* parent)
-    : QWidget(parent), studio_(studio), card_(new FoldCard(tr("Edit segment"), "editFold")) {
+SegmentEditPanel::SegmentEditPanel(StudioController& studio, ToolBox& tools, QWidget* parent)
+    : QWidget(parent), studio_(studio), tools_(tools), card_(new FoldCard(tr("Edit segment"), "editFold")) {
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     outer->addWidget(card_);
@@ -176,7 +177,7 @@ void SegmentEditPanel::perform() {
     amount_->interpretText();
     const double amount = edit.unit.isEmpty() ? 0 : amount_->value();
     if (edit.does == Edit::Does::Clicks) {
-        studio_.setTool(studio_.islandTool());
+        studio_.setTool(tools_.island());
     } else if (edit.does == Edit::Does::Edits) {
         studio::EditSegment operation;
         operation.kind = edit.kind;

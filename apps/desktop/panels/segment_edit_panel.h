@@ -12,13 +12,14 @@ namespace vs::desktop {
 
 class FoldCard;
 class StudioController;
+class ToolBox;
 
 // Edits of the segment at work, finished or not, and cuts by it: what to do, by how much, with which other.
 class SegmentEditPanel : public QWidget {
     Q_OBJECT
 
 public:
-    explicit SegmentEditPanel(StudioController& studio, QWidget* parent = nullptr);
+    SegmentEditPanel(StudioController& studio, ToolBox& tools, QWidget* parent = nullptr);
 
 private:
     void show();
@@ -26,6 +27,7 @@ private:
     void perform();
 
     StudioController& studio_;
+    ToolBox& tools_;
     FoldCard* card_;
     QComboBox* edit_;
     QLabel* explanation_;

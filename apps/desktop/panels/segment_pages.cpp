@@ -6,6 +6,7 @@
 #include "parts/panel_parts.h"
 #include "tools/island_tool.h"
 #include "tools/seed_tool.h"
+#include "tools/tool_box.h"
 
 #include <QFormLayout>
 
@@ -25,10 +26,10 @@ void addSign(QFormLayout* form, T& tool, const ChoiceRow::Choice& plain, const C
 
 } // namespace
 
-QWidget* makeSeedPage(StudioController& studio) {
+QWidget* makeSeedPage(StudioController& studio, ToolBox& tools) {
     auto* page = new QWidget;
     auto* form = makeForm(page);
-    SeedTool& tool = studio.seedTool();
+    SeedTool& tool = tools.seed();
     addSign(form, tool, {"seedSeeds", tr("Seed"), tr("Strokes are what the segment grows from (R)")},
             {"seedAbsorbs", tr("Absorb"), tr("Strokes take the segment away, from there outward (R)")});
     auto* width =
@@ -38,10 +39,10 @@ QWidget* makeSeedPage(StudioController& studio) {
     return page;
 }
 
-QWidget* makeIslandPage(StudioController& studio) {
+QWidget* makeIslandPage(StudioController& studio, ToolBox& tools) {
     auto* page = new QWidget;
     auto* form = makeForm(page);
-    addSign(form, studio.islandTool(),
+    addSign(form, tools.island(),
             {"islandDrops", tr("Drop"), tr("What is connected to the place clicked goes (R)")},
             {"islandKeeps", tr("Keep only"), tr("What is not connected to the place clicked goes (R)")});
     return page;

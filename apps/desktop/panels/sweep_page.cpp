@@ -5,6 +5,7 @@
 #include "panels/tool_pages.h"
 #include "parts/panel_parts.h"
 #include "tools/sweep_tool.h"
+#include "tools/tool_box.h"
 
 #include <QCheckBox>
 #include <QFormLayout>
@@ -35,10 +36,10 @@ QWidget* addNumber(QFormLayout* form, SweepTool& tool, const char* objectName, c
 
 } // namespace
 
-QWidget* makeSweepPage(StudioController& studio) {
+QWidget* makeSweepPage(StudioController& studio, ToolBox& tools) {
     auto* page = new QWidget;
     auto* form = makeForm(page);
-    SweepTool& tool = studio.sweepTool();
+    SweepTool& tool = tools.sweep();
     addCutOrRestore(form, tool, studio, "sweep");
     auto* way =
         new ChoiceRow({{"sweepSurface", tr("On the surface"), tr("Draw the way on the surface")},

@@ -11,6 +11,7 @@
 #include "tools/move_tool.h"
 #include "tools/peel_tool.h"
 #include "tools/scissors_tool.h"
+#include "tools/tool_box.h"
 
 #include <QCheckBox>
 #include <QFormLayout>
@@ -62,10 +63,10 @@ QWidget* makeCameraPage() {
     return note;
 }
 
-QWidget* makePeelPage(StudioController& studio) {
+QWidget* makePeelPage(StudioController& studio, ToolBox& tools) {
     auto* page = new QWidget;
     auto* form = makeForm(page);
-    PeelTool& tool = studio.peelTool();
+    PeelTool& tool = tools.peel();
     addCutOrRestore(form, tool, studio, "peel");
     addRadius(form, tool, "peel");
     auto* layers = named(new QLabel, "peelLayers", tr("Layers peeled"));
@@ -78,9 +79,9 @@ QWidget* makePeelPage(StudioController& studio) {
     return page;
 }
 
-QWidget* makeDrillPage(StudioController& studio) {
+QWidget* makeDrillPage(StudioController& studio, ToolBox& tools) {
     auto* page = new QWidget;
-    DrillTool& tool = studio.drillTool();
+    DrillTool& tool = tools.drill();
     auto* form = addPenRows(page, tool, studio, "drill");
     auto* tilt = makeCheckBox("drillFollowsTilt", tr("Follow the pen's tilt"),
                               tr("Drills the way that the tablet's pen points, instead of along the view"),
@@ -90,9 +91,9 @@ QWidget* makeDrillPage(StudioController& studio) {
     return page;
 }
 
-QWidget* makeLaserPage(StudioController& studio) {
+QWidget* makeLaserPage(StudioController& studio, ToolBox& tools) {
     auto* page = new QWidget;
-    addPenRows(page, studio.laserTool(), studio, "laser");
+    addPenRows(page, tools.laser(), studio, "laser");
     return page;
 }
 
@@ -124,10 +125,10 @@ QWidget* makePressureRows(StudioController& studio) {
     return rows;
 }
 
-QWidget* makeScissorsPage(StudioController& studio) {
+QWidget* makeScissorsPage(StudioController& studio, ToolBox& tools) {
     auto* page = new QWidget;
     auto* form = makeForm(page);
-    ScissorsTool& tool = studio.scissorsTool();
+    ScissorsTool& tool = tools.scissors();
     addCutOrRestore(form, tool, studio, "scissors");
     auto* side = new ChoiceRow({{"scissorsInside", tr("Inside"), tr("What is inside the stroke goes")},
                                 {"scissorsOutside", tr("Outside"), tr("What is outside the stroke goes")}},
@@ -151,10 +152,10 @@ QWidget* makeScissorsPage(StudioController& studio) {
     return page;
 }
 
-QWidget* makeKeepPage(StudioController& studio) {
+QWidget* makeKeepPage(StudioController& studio, ToolBox& tools) {
     auto* page = new QWidget;
     auto* form = makeForm(page);
-    KeepTool& tool = studio.keepTool();
+    KeepTool& tool = tools.keep();
     auto* joined = new ChoiceRow(
         {{"keepCorners", tr("Corners too"), tr("Voxels that touch at an edge or a corner are connected")},
          {"keepFaces", tr("Faces only"), tr("Only voxels that share a face are connected: keeps less")}},
@@ -167,10 +168,10 @@ QWidget* makeKeepPage(StudioController& studio) {
     return page;
 }
 
-QWidget* makeMovePage(StudioController& studio) {
+QWidget* makeMovePage(StudioController& studio, ToolBox& tools) {
     auto* page = new QWidget;
     auto* form = makeForm(page);
-    MoveTool& tool = studio.moveTool();
+    MoveTool& tool = tools.move();
     auto* part = named(new QLabel, "movePart", tr("The part in hand"));
     part->setAlignment(Qt::AlignRight);
     auto* size = named(new QLabel, "moveScale", tr("Its size"));

@@ -6,23 +6,24 @@ class QWidget;
 namespace vs::desktop {
 
 class StudioController;
+class ToolBox;
 
 // The tool panel's page for each tool: what can be set for it.
 QWidget* makeCameraPage();
-QWidget* makePeelPage(StudioController& studio);
-QWidget* makeDrillPage(StudioController& studio);
-QWidget* makeLaserPage(StudioController& studio);
-QWidget* makeSweepPage(StudioController& studio);
-QWidget* makeScissorsPage(StudioController& studio);
-QWidget* makeKeepPage(StudioController& studio);
-QWidget* makeClipPage(StudioController& studio);
-QWidget* makeSeedPage(StudioController& studio);
-QWidget* makeIslandPage(StudioController& studio);
-QWidget* makeMeasurePage(StudioController& studio);
-QWidget* makePaintPage(StudioController& studio);
-QWidget* makeMovePage(StudioController& studio);
+QWidget* makePeelPage(StudioController& studio, ToolBox& tools);
+QWidget* makeDrillPage(StudioController& studio, ToolBox& tools);
+QWidget* makeLaserPage(StudioController& studio, ToolBox& tools);
+QWidget* makeSweepPage(StudioController& studio, ToolBox& tools);
+QWidget* makeScissorsPage(StudioController& studio, ToolBox& tools);
+QWidget* makeKeepPage(StudioController& studio, ToolBox& tools);
+QWidget* makeClipPage(StudioController& studio, ToolBox& tools);
+QWidget* makeSeedPage(StudioController& studio, ToolBox& tools);
+QWidget* makeIslandPage(StudioController& studio, ToolBox& tools);
+QWidget* makeMeasurePage(StudioController& studio, ToolBox& tools);
+QWidget* makePaintPage(StudioController& studio, ToolBox& tools);
+QWidget* makeMovePage(StudioController& studio, ToolBox& tools);
 
 // What the pages of all tools that follow the pen share: its pressure.
-QWidget* makePressureRows(StudioController& studio);
+QWidget* makePressureRows(StudioController& studio, ToolBox& tools);
 
 } // namespace vs::desktop

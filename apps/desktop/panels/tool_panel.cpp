@@ -17,13 +17,15 @@
 #include "tools/scissors_tool.h"
 #include "tools/seed_tool.h"
 #include "tools/sweep_tool.h"
+#include "tools/tool_box.h"
 
 #include <QStyle>
 #include <QVBoxLayout>
 
 namespace vs::desktop {
 
-ToolPanel::ToolPanel(StudioController& studio, QWidget* parent) : QWidget(parent), studio_(studio) {
+ToolPanel::ToolPanel(StudioController& studio, ToolBox& tools, QWidget* parent)
+    : QWidget(parent), studio_(studio) {
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     QVBoxLayout* card = nullptr;
@@ -31,19 +33,19 @@ ToolPanel::ToolPanel(StudioController& studio, QWidget* parent) : QWidget(parent
     outer->addWidget(frame);
     title_ = frame->findChild<QLabel*>("cardTitle");
     pagesBelow_ = card;
-    add(studio_.cameraTool(), tr("Camera"), makeCameraPage());
-    add(studio_.peelTool(), tr("Peel"), makePeelPage(studio_));
-    add(studio_.drillTool(), tr("Drill"), makeDrillPage(studio_));
-    add(studio_.laserTool(), tr("Laser"), makeLaserPage(studio_));
-    add(studio_.sweepTool(), tr("Sweep"), makeSweepPage(studio_));
-    add(studio_.scissorsTool(), tr("Scissors"), makeScissorsPage(studio_));
-    add(studio_.keepTool(), tr("Keep connected"), makeKeepPage(studio_));
-    add(studio_.clipTool(), tr("Clip"), makeClipPage(studio_));
-    add(studio_.seedTool(), tr("Seed"), makeSeedPage(studio_));
-    add(studio_.islandTool(), tr("Island"), makeIslandPage(studio_));
-    add(studio_.measureTool(), tr("Measure"), makeMeasurePage(studio_));
-    add(studio_.paintTool(), tr("Paint"), makePaintPage(studio_));
-    add(studio_.moveTool(), tr("Move part"), makeMovePage(studio_));
+    add(tools.camera(), tr("Camera"), makeCameraPage());
+    add(tools.peel(), tr("Peel"), makePeelPage(studio_, tools));
+    add(tools.drill(), tr("Drill"), makeDrillPage(studio_, tools));
+    add(tools.laser(), tr("Laser"), makeLaserPage(studio_, tools));
+    add(tools.sweep(), tr("Sweep"), makeSweepPage(studio_, tools));
+    add(tools.scissors(), tr("Scissors"), makeScissorsPage(studio_, tools));
+    add(tools.keep(), tr("Keep connected"), makeKeepPage(studio_, tools));
+    add(tools.clip(), tr("Clip"), makeClipPage(studio_, tools));
+    add(tools.seed(), tr("Seed"), makeSeedPage(studio_, tools));
+    add(tools.island(), tr("Island"), makeIslandPage(studio_, tools));
+    add(tools.measure(), tr("Measure"), makeMeasurePage(studio_, tools));
+    add(tools.paint(), tr("Paint"), makePaintPage(studio_, tools));
+    add(tools.move(), tr("Move part"), makeMovePage(studio_, tools));
     pressure_ = makePressureRows(studio_);
     card->addWidget(pressure_);
     connect(&studio_, &StudioController::changed, this, &ToolPanel::refresh);
@@ -66,7 +68,7 @@ void ToolPanel::refresh() {
         }
     }
     pressure_->setVisible(qobject_cast<const PenTool*>(&studio_.tool()) != nullptr);
-    const auto* cutTool = studio_.cutTool();
+    const auto* cutTool = qobject_cast<CutTool*>(&studio_.tool());
     const bool restores = cutTool != nullptr && cutTool->restores();
     const bool isOnSegment = cutTool != nullptr && cutTool->actsOnSegment();
     title_->setText(restores ? tr("%1: restore").arg(page.title)

@@ -11,6 +11,7 @@ class QVBoxLayout;
 namespace vs::desktop {
 
 class StudioController;
+class ToolBox;
 class Tool;
 
 // Settings of the current tool.
@@ -18,7 +19,7 @@ class ToolPanel : public QWidget {
     Q_OBJECT
 
 public:
-    explicit ToolPanel(StudioController& studio, QWidget* parent = nullptr);
+    ToolPanel(StudioController& studio, ToolBox& tools, QWidget* parent = nullptr);
 
 private:
     struct Page {

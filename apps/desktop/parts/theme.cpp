@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "parts/theme.h"
 
+#include "model/keepers/preferences.h"
+
 #include "base/check.h"
 
 #include <QApplication>

@@ -9,11 +9,10 @@ class QApplication;
 
 namespace vs::desktop {
 
-// A calm window, dark at first, so that the picture is the brightest thing in it. Accents are of the
-// Okabe-Ito palette, which colour-blind people can tell apart.
-enum class Theme { Dark, Light, Desktop };
+enum class Theme; // model/keepers/preferences.h
 
-// The colours at present: applyTheme() sets them, so look each time something is painted.
+// The colours at present: applyTheme() sets them, so look each time something is painted. Accents are of the
+// Okabe-Ito palette, which colour-blind people can tell apart.
 namespace theme {
 
 inline QColor kWindow{0x1f, 0x22, 0x26};

@@ -9,8 +9,8 @@
 #include "parts/theme.h"
 #include "tools/measure_tool.h"
 #include "tools/move_tool.h"
+#include "tools/tool_box.h"
 #include "view/view_widget.h"
-#include "window/main_window.h"
 
 #include "base/atomic_file.h"
 #include "base/error.h"
@@ -93,8 +93,10 @@ nlohmann::json listOf(const SegmentController& segments) {
 
 } // namespace
 
-LayoutReporter::LayoutReporter(StudioController& studio, MainWindow& window, std::filesystem::path path)
-    : QObject(&window), studio_(studio), window_(window), path_(std::move(path)), fence_(studio) {
+LayoutReporter::LayoutReporter(StudioController& studio, ToolBox& tools, QWidget& window,
+                               const ViewWidget& view, std::filesystem::path path)
+    : QObject(&window), studio_(studio), tools_(tools), window_(window), view_(view), path_(std::move(path)),
+      fence_(studio) {
     connect(&fence_, &InputFence::isPassed, this, &LayoutReporter::write);
     connect(&timer_, &QTimer::timeout, this, &LayoutReporter::write);
     timer_.setProperty(LongWork::kRunsMeanwhile, true);
@@ -115,7 +117,7 @@ nlohmann::json LayoutReporter::documentReport() const {
             {"canRedo", document != nullptr && document->canRedo()},
             {"unsaved", studio_.hasUnsavedEdits()},
             {"pictureComplete", studio_.picture().isComplete()},
-            {"handles", handlesOnScreen(window_.view(), studio_.moveTool())},
+            {"handles", handlesOnScreen(view_, tools_.move())},
             {"glErrors", studio_.host().errorCount()}};
 }
 
@@ -171,11 +173,11 @@ void LayoutReporter::write() {
         {"desktopLight", isDesktopLight()},
         {"focus", focused != nullptr ? focused->objectName().toStdString() : std::string()},
         {"title", window_.windowTitle().toStdString()},
-        {"viewRect", window_.view().isVisible() ? screenRect(window_.view()) : nlohmann::json::array()},
+        {"viewRect", view_.isVisible() ? screenRect(view_) : nlohmann::json::array()},
         {"viewport", {studio_.picture().viewport().x, studio_.picture().viewport().y}},
         {"crosshair",
          {studio_.slices().crosshair().x, studio_.slices().crosshair().y, studio_.slices().crosshair().z}},
-        {"measurements", measured(studio_.measureTool())},
+        {"measurements", measured(tools_.measure())},
         {"fence", fence_.window()},
         {"passed", fence_.passed()},
         {"windows", windows},

@@ -12,8 +12,9 @@
 
 namespace vs::desktop {
 
-class MainWindow;
 class StudioController;
+class ToolBox;
+class ViewWidget;
 
 // Writes where everything is and what the program is doing into a JSON file whenever that changes, so that
 // scripts can find buttons, wait until the program is idle, and know which of their input it has answered
@@ -23,14 +24,17 @@ class LayoutReporter : public QObject {
     Q_OBJECT
 
 public:
-    LayoutReporter(StudioController& studio, MainWindow& window, std::filesystem::path path);
+    LayoutReporter(StudioController& studio, ToolBox& tools, QWidget& window, const ViewWidget& view,
+                   std::filesystem::path path);
 
 private:
     void write();
     [[nodiscard]] nlohmann::json documentReport() const;
 
     StudioController& studio_;
-    MainWindow& window_;
+    ToolBox& tools_;
+    QWidget& window_;
+    const ViewWidget& view_;
     std::filesystem::path path_;
     InputFence fence_;
     QTimer timer_;

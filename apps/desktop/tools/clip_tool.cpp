@@ -12,7 +12,7 @@
 
 namespace vs::desktop {
 
-ClipTool::ClipTool(StudioController& studio) : CutTool(studio) {
+ClipTool::ClipTool(StudioController& studio, CameraTool& camera) : CutTool(studio), camera_(camera) {
     constexpr int kCalmMs = 400;
     calm_.setSingleShot(true);
     calm_.setInterval(kCalmMs);
@@ -45,14 +45,14 @@ Overlays ClipTool::overlays() const {
     return {{boxEdges(frame.lo, frame.hi, geometry->worldFromVoxel, studio_), tint, 0, 1.2}};
 }
 
-Qt::CursorShape ClipTool::cursor() const { return studio_.cameraTool().cursor(); }
+Qt::CursorShape ClipTool::cursor() const { return camera_.cursor(); }
 
 void ClipTool::press(const Pen& pen) {
     settle(); // the view stands still while a clip is shown
-    studio_.cameraTool().press(pen);
+    camera_.press(pen);
 }
-void ClipTool::move(const Pen& pen) { studio_.cameraTool().move(pen); }
-void ClipTool::release(const Pen& pen) { studio_.cameraTool().release(pen); }
+void ClipTool::move(const Pen& pen) { camera_.move(pen); }
+void ClipTool::release(const Pen& pen) { camera_.release(pen); }
 
 // --- what is set
 

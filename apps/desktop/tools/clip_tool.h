@@ -11,6 +11,8 @@
 
 namespace vs::desktop {
 
+class CameraTool;
+
 // Cuts what lies outside a box along the grid, and what lies before a plane. Set in the tool panel and shown
 // at once; one operation when the slider is let go. As long as nothing else was done since, a further change
 // takes the place of the one before: it is taken back first. In the picture the left button turns the volume.
@@ -18,7 +20,7 @@ class ClipTool : public CutTool {
     Q_OBJECT
 
 public:
-    explicit ClipTool(StudioController& studio);
+    ClipTool(StudioController& studio, CameraTool& camera);
 
     [[nodiscard]] QString name() const override { return "clip"; }
     [[nodiscard]] QString hint() const override;
@@ -59,6 +61,7 @@ signals:
     void clipChanged();
 
 private:
+    CameraTool& camera_;
     void show(const studio::Clip& clip, bool isDragged);
     bool open();
     void drop();

@@ -25,14 +25,11 @@ public:
     // Whether the tool can work on the segment at work instead of the scan, and whether it does: then it
     // takes away from it, or adds to it with the sign reversed.
     [[nodiscard]] virtual bool canActOnSegment() const { return false; }
-    [[nodiscard]] bool actsOnSegment() const;
-    [[nodiscard]] bool adds() const { return restores_ && actsOnSegment(); }
+    [[nodiscard]] bool actsOnSegment() const override;
+    [[nodiscard]] bool adds() const override { return restores_ && actsOnSegment(); }
     // Steps: the radiation's R. The larger, the rounder are a cut's edges.
     [[nodiscard]] int radius() const { return radius_; }
     void setRadius(int steps);
-
-signals:
-    void settingsChanged();
 
 protected:
     [[nodiscard]] Overlay::Tint idleTint() const {

@@ -29,9 +29,6 @@ public:
     [[nodiscard]] bool isReversed() const override { return keeps_; }
     void setReversed(bool reversed) override;
 
-signals:
-    void settingsChanged();
-
 private:
     StudioController& studio_;
     bool keeps_ = false;

@@ -38,7 +38,8 @@ QString labelOf(const Measurement& measurement) {
     return tr("%1 mm").arg(value, 0, 'f', value < 9.995 ? 2 : 1);
 }
 
-MeasureTool::MeasureTool(StudioController& studio) : Tool(&studio), studio_(studio) {
+MeasureTool::MeasureTool(StudioController& studio, CameraTool& camera)
+    : Tool(&studio), studio_(studio), camera_(camera) {
     connect(&studio_, &StudioController::opened, this, &MeasureTool::removeAll);
     connect(&studio_, &StudioController::closed, this, &MeasureTool::removeAll);
 }
@@ -147,14 +148,14 @@ void MeasureTool::press(const Pen& pen) {
     if (world) {
         begin(*world);
     } else {
-        studio_.cameraTool().press(pen);
+        camera_.press(pen);
         tell();
     }
 }
 
 void MeasureTool::move(const Pen& pen) {
     if (isTurning_) {
-        studio_.cameraTool().move(pen);
+        camera_.move(pen);
     } else if (const auto world = surfaceAt(pen.position)) {
         lead(*world);
     }
@@ -162,7 +163,7 @@ void MeasureTool::move(const Pen& pen) {
 
 void MeasureTool::release(const Pen& pen) {
     if (isTurning_) {
-        studio_.cameraTool().release(pen);
+        camera_.release(pen);
         isTurning_ = false;
         tell();
     } else {

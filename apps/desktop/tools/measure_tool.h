@@ -10,6 +10,7 @@
 
 namespace vs::desktop {
 
+class CameraTool;
 class StudioController;
 
 // A distance between two places, or the angle at the second of three. In mm of the world.
@@ -29,7 +30,7 @@ class MeasureTool : public Tool {
     Q_OBJECT
 
 public:
-    explicit MeasureTool(StudioController& studio);
+    MeasureTool(StudioController& studio, CameraTool& camera);
 
     [[nodiscard]] QString name() const override { return "measure"; }
     [[nodiscard]] QString hint() const override;
@@ -63,6 +64,7 @@ private:
     void tell();
 
     StudioController& studio_;
+    CameraTool& camera_;
     std::vector<Measurement> measurements_;
     std::optional<Measurement> inHand_;
     bool measuresAngles_ = false;

@@ -22,12 +22,17 @@ constexpr double kDegreesPerPixel = 0.5;
 constexpr double kPerNotch = 1.08;
 } // namespace
 
-MoveTool::MoveTool(StudioController& studio) : Tool(&studio), studio_(studio) {
+MoveTool::MoveTool(StudioController& studio, CameraTool& camera)
+    : Tool(&studio), studio_(studio), camera_(camera) {
     constexpr int kCalmMs = 350;
     calm_.setSingleShot(true);
     calm_.setInterval(kCalmMs);
     connect(&calm_, &QTimer::timeout, this, &MoveTool::commit);
     connect(&studio, &StudioController::changed, this, &MoveTool::lookForParts);
+    connect(&studio, &StudioController::pasted, this, [this] {
+        studio_.setTool(*this);
+        choose(count() - 1);
+    });
     connect(&studio, &StudioController::opened, this, [this] { boxes_.clear(); });
 }
 
@@ -199,7 +204,7 @@ void MoveTool::begin() {
 void MoveTool::move(const Pen& pen) {
     const QPointF delta = pen.position - last_;
     if (isTurningView_) {
-        studio_.cameraTool().turn(delta);
+        camera_.turn(delta);
     } else if (before_) {
         HeldPart part = held(chosen_);
         const auto rays = studio_.rays();

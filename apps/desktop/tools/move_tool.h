@@ -12,6 +12,7 @@
 
 namespace vs::desktop {
 
+class CameraTool;
 class StudioController;
 
 // Moves, turns and scales pasted parts by hand. Each has a handle with its number; the chosen one has its box
@@ -20,7 +21,7 @@ class MoveTool : public Tool {
     Q_OBJECT
 
 public:
-    explicit MoveTool(StudioController& studio);
+    MoveTool(StudioController& studio, CameraTool& camera);
 
     [[nodiscard]] QString name() const override { return "move"; }
     [[nodiscard]] QString hint() const override;
@@ -59,6 +60,7 @@ private:
     void drop();
 
     StudioController& studio_;
+    CameraTool& camera_;
     int chosen_ = 0;
     std::vector<Box3> boxes_;   // of the parts, where they were cut out
     std::size_t seenEdits_ = 0; // operations in the log when they were looked for

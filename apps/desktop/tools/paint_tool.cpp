@@ -11,9 +11,8 @@
 
 namespace vs::desktop {
 
-PaintTool::PaintTool(StudioController& studio) : Tool(&studio), studio_(studio) {
-    connect(this, &PaintTool::settingsChanged, &studio_, &StudioController::changed); // the hint is another
-}
+PaintTool::PaintTool(StudioController& studio, CameraTool& camera)
+    : Tool(&studio), studio_(studio), camera_(camera) {}
 
 QString PaintTool::hint() const {
     if (!studio_.slices().isAnyShown()) {
@@ -30,13 +29,13 @@ QString PaintTool::hint() const {
                          "the brush, Shift leads the crosshair.");
 }
 
-Qt::CursorShape PaintTool::cursor() const { return studio_.cameraTool().cursor(); }
-void PaintTool::press(const Pen& pen) { studio_.cameraTool().press(pen); }
-void PaintTool::move(const Pen& pen) { studio_.cameraTool().move(pen); }
-void PaintTool::release(const Pen& pen) { studio_.cameraTool().release(pen); }
+Qt::CursorShape PaintTool::cursor() const { return camera_.cursor(); }
+void PaintTool::press(const Pen& pen) { camera_.press(pen); }
+void PaintTool::move(const Pen& pen) { camera_.move(pen); }
+void PaintTool::release(const Pen& pen) { camera_.release(pen); }
 
 void PaintTool::clear() {
-    studio_.cameraTool().clear();
+    camera_.clear();
     emit overlayChanged();
 }
 

@@ -7,6 +7,7 @@
 
 namespace vs::desktop {
 
+class CameraTool;
 class StudioController;
 
 // A round brush of a radius in mm, which adds to the segment at work or removes from it where it goes on a
@@ -18,7 +19,7 @@ public:
     static constexpr double kLeastMm = 0.1;
     static constexpr double kMostMm = 50;
 
-    explicit PaintTool(StudioController& studio);
+    PaintTool(StudioController& studio, CameraTool& camera);
 
     [[nodiscard]] QString name() const override { return "paint"; }
     [[nodiscard]] QString hint() const override;
@@ -44,11 +45,9 @@ public:
     // Where the brush has gone on a slice: one edit, one undo step.
     void paint(studio::Trail trail, bool isReversed);
 
-signals:
-    void settingsChanged();
-
 private:
     StudioController& studio_;
+    CameraTool& camera_;
     double radiusMm_ = 4;
     bool isToAdd_ = true;
     bool isBall_ = false;

@@ -39,6 +39,7 @@ Overlays SeedTool::overlays() const {
 void SeedTool::setReversed(bool reversed) {
     if (reversed != isReversed_) {
         isReversed_ = reversed;
+        studio_.growth().setStrokesAbsorb(reversed);
         emit settingsChanged();
         emit overlayChanged();
     }

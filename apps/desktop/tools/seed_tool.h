@@ -38,9 +38,6 @@ public:
     [[nodiscard]] double width() const { return width_; }
     void setWidth(double pixels) { width_ = pixels; }
 
-signals:
-    void settingsChanged();
-
 private:
     [[nodiscard]] QString doing() const; // the hint of a segment that can be worked on
     void takeStroke();

@@ -12,19 +12,20 @@
 
 namespace vs::desktop {
 
-SlicePen::SlicePen(StudioController& studio) : QObject(&studio), studio_(studio) {
+SlicePen::SlicePen(StudioController& studio, SeedTool& seed, PaintTool& paint, MeasureTool& measure)
+    : QObject(&studio), studio_(studio), seed_(seed), paint_(paint), measure_(measure) {
     // A tool that is left, or told to clear, drops the stroke in hand.
-    connect(&studio_.seedTool(), &Tool::overlayChanged, this, &SlicePen::cancel);
-    connect(&studio_.paintTool(), &Tool::overlayChanged, this, &SlicePen::cancel);
-    connect(&studio_.paintTool(), &PaintTool::settingsChanged, this, &SlicePen::changed);
+    connect(&seed_, &Tool::overlayChanged, this, &SlicePen::cancel);
+    connect(&paint_, &Tool::overlayChanged, this, &SlicePen::cancel);
+    connect(&paint_, &Tool::settingsChanged, this, &SlicePen::changed);
 }
 
 SlicePen::Use SlicePen::use() const {
     const Tool* tool = &studio_.tool();
-    return tool == &studio_.seedTool()      ? Use::Seed
-           : tool == &studio_.paintTool()   ? Use::Paint
-           : tool == &studio_.measureTool() ? Use::Measure
-                                            : Use::Crosshair;
+    return tool == &seed_      ? Use::Seed
+           : tool == &paint_   ? Use::Paint
+           : tool == &measure_ ? Use::Measure
+                               : Use::Crosshair;
 }
 
 bool SlicePen::takesRightButton() const { return use() == Use::Paint; }
@@ -35,19 +36,19 @@ std::optional<double> SlicePen::radiusMm(Kind kind) const {
     case Use::Measure:
         return std::nullopt;
     case Use::Seed: // as wide as on the 3D view
-        return 0.5 * studio_.seedTool().width() * studio_.slices().view(kind).pixelMm *
+        return 0.5 * seed_.width() * studio_.slices().view(kind).pixelMm *
                studio_.slices().pixelsPerLogical(kind);
     case Use::Paint:
         break;
     }
-    return studio_.paintTool().radiusMm();
+    return paint_.radiusMm();
 }
 
 Overlay::Tint SlicePen::tint(bool isReversed) const {
     if (use() == Use::Seed) {
-        return studio_.seedTool().isReversed() ? Overlay::Tint::Cutting : Overlay::Tint::Seed;
+        return seed_.isReversed() ? Overlay::Tint::Cutting : Overlay::Tint::Seed;
     }
-    return studio_.paintTool().isToAdd() != isReversed ? Overlay::Tint::Idle : Overlay::Tint::Cutting;
+    return paint_.isToAdd() != isReversed ? Overlay::Tint::Idle : Overlay::Tint::Cutting;
 }
 
 bool SlicePen::press(Kind kind, glm::dvec2 place, bool isReversed, Qt::KeyboardModifiers modifiers) {
@@ -61,11 +62,11 @@ bool SlicePen::press(Kind kind, glm::dvec2 place, bool isReversed, Qt::KeyboardM
     }
     isMeasuring_ = use() == Use::Measure;
     if (isMeasuring_) {
-        studio_.measureTool().begin(worldAt(kind, place));
+        measure_.begin(worldAt(kind, place));
         return true;
     }
-    isReversed_ = use() == Use::Seed ? studio_.seedTool().isReversed()
-                                     : isReversed != modifiers.testFlag(Qt::ControlModifier);
+    isReversed_ =
+        use() == Use::Seed ? seed_.isReversed() : isReversed != modifiers.testFlag(Qt::ControlModifier);
     const SliceController& slices = studio_.slices();
     stroke_ = Stroke{kind,
                      {place},
@@ -86,7 +87,7 @@ void SlicePen::move(Kind kind, glm::dvec2 place) {
     if (isLeading_) {
         lead(kind, place);
     } else if (isMeasuring_) {
-        studio_.measureTool().lead(worldAt(kind, place));
+        measure_.lead(worldAt(kind, place));
     } else if (stroke_ && stroke_->kind == kind) {
         // Places nearer than a small part of brush and pixel would change nothing.
         const double apart = std::max(0.1 * stroke_->radiusMm, 0.25 * studio_.slices().view(kind).pixelMm);
@@ -117,14 +118,14 @@ studio::Trail SlicePen::trail() const {
 
 void SlicePen::hover(Kind kind, glm::dvec2 place) {
     if (use() == Use::Measure) {
-        studio_.measureTool().lead(worldAt(kind, place));
+        measure_.lead(worldAt(kind, place));
     }
 }
 
 void SlicePen::release(bool isDrag) {
     isLeading_ = false;
     if (std::exchange(isMeasuring_, false)) {
-        studio_.measureTool().end(isDrag);
+        measure_.end(isDrag);
     }
     if (!stroke_) {
         return;
@@ -139,7 +140,7 @@ void SlicePen::release(bool isDrag) {
         seed.canvas = studio_.canvas();
         studio_.growth().addSeeds(seed);
     } else {
-        studio_.paintTool().paint(drawn, isReversed_);
+        paint_.paint(drawn, isReversed_);
     }
     emit changed();
 }

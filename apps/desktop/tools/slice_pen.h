@@ -11,6 +11,9 @@
 
 namespace vs::desktop {
 
+class MeasureTool;
+class PaintTool;
+class SeedTool;
 class StudioController;
 
 // What pens and mouse do on slices: with the seed tool they seed (turned round, they remove), with the paint
@@ -22,7 +25,7 @@ class SlicePen : public QObject {
 public:
     using Kind = render::SliceKind;
 
-    explicit SlicePen(StudioController& studio);
+    SlicePen(StudioController& studio, SeedTool& seed, PaintTool& paint, MeasureTool& measure);
 
     // Places in mm on the picture (render::SliceGeometry). Reversed: the other button, or Ctrl. False: a
     // press that is not for the pen.
@@ -63,6 +66,9 @@ private:
     [[nodiscard]] studio::Trail trail() const;
 
     StudioController& studio_;
+    SeedTool& seed_;
+    PaintTool& paint_;
+    MeasureTool& measure_;
     std::optional<Stroke> stroke_;
     bool isLeading_ = false;
     bool isMeasuring_ = false;

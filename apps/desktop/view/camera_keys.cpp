@@ -16,7 +16,8 @@ constexpr double kRollDegrees = 5;
 constexpr double kZoom = 1.2;
 } // namespace
 
-CameraKeys::CameraKeys(QWidget& view, StudioController& studio) : QObject(&view), studio_(studio) {
+CameraKeys::CameraKeys(QWidget& view, StudioController& studio, CameraTool& camera)
+    : QObject(&view), studio_(studio), camera_(camera) {
     view.installEventFilter(this);
 }
 
@@ -29,18 +30,17 @@ bool CameraKeys::press(const QKeyEvent& event) {
     if (studio_.document() == nullptr || studio_.tool().isBusy()) {
         return false; // the picture holds still under a stroke
     }
-    CameraTool& camera = studio_.cameraTool();
     const auto zoom = [&](double factor) {
-        camera.zoom(factor, studio_.viewCentre());
+        camera_.zoom(factor, studio_.viewCentre());
         return true;
     };
     const auto arrow = [&](int right, int down) {
         if (event.modifiers().testFlag(Qt::ControlModifier)) {
-            camera.roll(kRollDegrees * right, studio_.viewCentre());
+            camera_.roll(kRollDegrees * right, studio_.viewCentre());
         } else if (event.modifiers().testFlag(Qt::ShiftModifier)) {
-            camera.pan(kMovePixels * QPointF(right, down));
+            camera_.pan(kMovePixels * QPointF(right, down));
         } else {
-            camera.turn(kTurnPixels * QPointF(right, down));
+            camera_.turn(kTurnPixels * QPointF(right, down));
         }
         return true;
     };

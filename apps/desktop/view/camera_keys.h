@@ -8,6 +8,7 @@ class QWidget;
 
 namespace vs::desktop {
 
+class CameraTool;
 class StudioController;
 
 // Looks around by keys while the 3D view has the keyboard: arrow keys turn, with Shift they move the picture,
@@ -16,7 +17,7 @@ class CameraKeys : public QObject {
     Q_OBJECT
 
 public:
-    CameraKeys(QWidget& view, StudioController& studio);
+    CameraKeys(QWidget& view, StudioController& studio, CameraTool& camera);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -25,6 +26,7 @@ private:
     bool press(const QKeyEvent& event);
 
     StudioController& studio_;
+    CameraTool& camera_;
 };
 
 } // namespace vs::desktop

@@ -4,6 +4,7 @@
 #include "model/slices/slice_controller.h"
 #include "model/studio/studio_controller.h"
 #include "tools/measure_tool.h"
+#include "tools/tool_box.h"
 
 #include <QLineF>
 #include <QMouseEvent>
@@ -20,9 +21,9 @@ constexpr int kFastSlices = 10; // with Shift
 
 } // namespace
 
-SliceCanvas::SliceCanvas(StudioController& studio, render::SliceKind kind, QWidget* parent)
-    : QWidget(parent), studio_(studio), slices_(studio.slices()), pen_(studio.slicePen()),
-      measureTool_(studio.measureTool()), kind_(kind) {
+SliceCanvas::SliceCanvas(StudioController& studio, ToolBox& tools, render::SliceKind kind, QWidget* parent)
+    : QWidget(parent), studio_(studio), slices_(studio.slices()), pen_(tools.slicePen()),
+      measureTool_(tools.measure()), kind_(kind) {
     setMouseTracking(true);
     setTabletTracking(true);
     setFocusPolicy(Qt::StrongFocus);

@@ -13,6 +13,7 @@ namespace vs::desktop {
 class MeasureTool;
 class SliceController;
 class StudioController;
+class ToolBox;
 
 // The colour of a kind of slice: of its frame, and of the lines that show it on the others.
 QColor sliceColour(render::SliceKind kind);
@@ -24,7 +25,7 @@ class SliceCanvas : public QWidget {
     Q_OBJECT
 
 public:
-    SliceCanvas(StudioController& studio, render::SliceKind kind, QWidget* parent = nullptr);
+    SliceCanvas(StudioController& studio, ToolBox& tools, render::SliceKind kind, QWidget* parent = nullptr);
 
     // What is under the pen, in mm on the picture; nothing when it is elsewhere.
     [[nodiscard]] std::optional<glm::dvec2> placeUnderPen() const;

@@ -63,9 +63,9 @@ private:
 
 } // namespace
 
-SliceWidget::SliceWidget(StudioController& studio, render::SliceKind kind, QWidget* parent)
+SliceWidget::SliceWidget(StudioController& studio, ToolBox& tools, render::SliceKind kind, QWidget* parent)
     : QWidget(parent), slices_(studio.slices()), kind_(kind),
-      canvas_(named(new SliceCanvas(studio, kind), partName(kind, "Slice").constData(),
+      canvas_(named(new SliceCanvas(studio, tools, kind), partName(kind, "Slice").constData(),
                     tr("%1 slice").arg(title(kind)))) {
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 0);

@@ -11,12 +11,13 @@ class QToolButton;
 
 namespace vs::desktop {
 
+class ToolBox;
 // A slice with its name in its colour, a slider through all slices, and where it lies.
 class SliceWidget : public QWidget {
     Q_OBJECT
 
 public:
-    SliceWidget(StudioController& studio, render::SliceKind kind, QWidget* parent = nullptr);
+    SliceWidget(StudioController& studio, ToolBox& tools, render::SliceKind kind, QWidget* parent = nullptr);
 
     [[nodiscard]] render::SliceKind kind() const { return kind_; }
     [[nodiscard]] const SliceCanvas& canvas() const { return *canvas_; }

@@ -70,12 +70,11 @@ void TouchPad::follow(const QTouchEvent& touch) {
     }
 }
 
-void lookByFingers(ViewWidget& view, StudioController& studio, const PenWatch& pen) {
-    new TouchPad(view, pen, [&studio](const FingerMotion& motion) {
+void lookByFingers(ViewWidget& view, StudioController& studio, CameraTool& camera, const PenWatch& pen) {
+    new TouchPad(view, pen, [&studio, &camera](const FingerMotion& motion) {
         if (studio.document() == nullptr || studio.tool().isSketching()) {
             return; // the picture holds still under a stroke
         }
-        CameraTool& camera = studio.cameraTool();
         if (motion.fingers == 1) {
             camera.turn(motion.moved);
             return;

@@ -14,6 +14,7 @@ namespace vs::desktop {
 
 class PenWatch;
 class SliceCanvas;
+class CameraTool;
 class StudioController;
 class ViewWidget;
 
@@ -44,7 +45,7 @@ private:
 
 // One finger turns the volume; two move it, zoom by their distance and roll by their angle, so that what was
 // under them stays under them. The widget owns what is made.
-void lookByFingers(ViewWidget& view, StudioController& studio, const PenWatch& pen);
+void lookByFingers(ViewWidget& view, StudioController& studio, CameraTool& camera, const PenWatch& pen);
 
 // One finger goes from slice to slice, a tap leads the crosshair, two fingers move and zoom.
 void lookByFingers(SliceCanvas& canvas, StudioController& studio, const PenWatch& pen);

@@ -20,7 +20,7 @@ ViewGrid::Arrangement large(render::SliceKind kind) {
 
 } // namespace
 
-ViewGrid::ViewGrid(StudioController& studio, ViewWidget* view, QWidget* parent)
+ViewGrid::ViewGrid(StudioController& studio, ToolBox& tools, ViewWidget* view, QWidget* parent)
     : QWidget(parent), view_(view), grid_(new QGridLayout(this)) {
     constexpr int kFrame = 2; // where the frame of what has the keyboard is painted
     grid_->setContentsMargins(kFrame, kFrame, kFrame, kFrame);
@@ -28,7 +28,7 @@ ViewGrid::ViewGrid(StudioController& studio, ViewWidget* view, QWidget* parent)
     grid_->addWidget(view_, 0, 0);
     view_->installEventFilter(this);
     for (const auto kind : render::kSliceKinds) {
-        auto* slice = new SliceWidget(studio, kind, this);
+        auto* slice = new SliceWidget(studio, tools, kind, this);
         slice->hide();
         slice->findChild<SliceCanvas*>()->installEventFilter(this);
         connect(slice, &SliceWidget::enlargeRequested, this, [this, kind] { enlarge(kind); });

@@ -14,6 +14,7 @@ class QGridLayout;
 namespace vs::desktop {
 
 class StudioController;
+class ToolBox;
 class ViewWidget;
 
 // The 3D view and the three slices, in one of a few arrangements.
@@ -24,7 +25,7 @@ public:
     // Only3D; all four the same size; or one of the slices large and the rest in a column beside it.
     enum class Arrangement { Only3D, Four, Axial, Coronal, Sagittal };
 
-    ViewGrid(StudioController& studio, ViewWidget* view, QWidget* parent = nullptr);
+    ViewGrid(StudioController& studio, ToolBox& tools, ViewWidget* view, QWidget* parent = nullptr);
 
     [[nodiscard]] Arrangement arrangement() const { return arrangement_; }
     void arrange(Arrangement arrangement);

@@ -5,6 +5,7 @@
 #include "model/studio/studio_controller.h"
 #include "tools/camera_tool.h"
 #include "tools/measure_tool.h"
+#include "tools/tool_box.h"
 #include "view/measure_overlay.h"
 #include "view/paint_overlay.h"
 
@@ -17,7 +18,8 @@
 
 namespace vs::desktop {
 
-ViewWidget::ViewWidget(StudioController& studio, QWidget* parent) : QWidget(parent), studio_(studio) {
+ViewWidget::ViewWidget(StudioController& studio, ToolBox& tools, QWidget* parent)
+    : QWidget(parent), studio_(studio), tools_(tools) {
     setObjectName("view");
     setAccessibleName(tr("Picture of the volume"));
     setAttribute(Qt::WA_OpaquePaintEvent);
@@ -67,8 +69,7 @@ void ViewWidget::paintEvent(QPaintEvent*) {
     }
     if (geometry != nullptr) {
         paintMeasurements(
-            painter, studio_.measureTool(), [this](glm::dvec3 world) { return seenAt(world); },
-            QRectF(rect()));
+            painter, tools_.measure(), [this](glm::dvec3 world) { return seenAt(world); }, QRectF(rect()));
     }
     for (const auto& overlays : {studio_.slices().overlays(), studio_.tool().overlays()}) {
         for (const Overlay& overlay : overlays) {
@@ -124,10 +125,10 @@ void ViewWidget::move(const Pen& pen) {
         studio_.tool().move(pen);
         break;
     case Drag::Pan:
-        studio_.cameraTool().pan(delta);
+        tools_.camera().pan(delta);
         break;
     case Drag::Zoom:
-        studio_.cameraTool().zoom(std::exp(-0.008 * delta.y()), pressed_); // up to come nearer
+        tools_.camera().zoom(std::exp(-0.008 * delta.y()), pressed_); // up to come nearer
         break;
     }
     emit penMoved();
@@ -172,7 +173,7 @@ void ViewWidget::mouseReleaseEvent(QMouseEvent* event) {
 // With the camera tool the slices go to the surface under the pen.
 void ViewWidget::mouseDoubleClickEvent(QMouseEvent* event) {
     const bool centres = event->button() == Qt::LeftButton && studio_.slices().isAnyShown() &&
-                         &studio_.tool() == &studio_.cameraTool();
+                         &studio_.tool() == &tools_.camera();
     if (!centres || !studio_.slices().centreOnSurface(penAt(event->scenePosition(), {}).position)) {
         mousePressEvent(event);
     }
@@ -184,7 +185,7 @@ void ViewWidget::wheelEvent(QWheelEvent* event) {
     const Pen pen = penAt(mapTo(window(), event->position()), event->modifiers());
     if (drag_ == Drag::None && !studio_.tool().isSketching() && !studio_.tool().wheel(notches, pen)) {
         constexpr double kPerNotch = 1.2;
-        studio_.cameraTool().zoom(std::pow(kPerNotch, notches), pen.position);
+        tools_.camera().zoom(std::pow(kPerNotch, notches), pen.position);
     }
     event->accept();
 }

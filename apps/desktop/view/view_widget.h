@@ -11,6 +11,7 @@
 namespace vs::desktop {
 
 class StudioController;
+class ToolBox;
 struct Pen;
 
 // Shows the picture with annotations and the tool's overlay on top, and hands mouse, pen and wheel to the
@@ -19,7 +20,7 @@ class ViewWidget : public QWidget {
     Q_OBJECT
 
 public:
-    explicit ViewWidget(StudioController& studio, QWidget* parent = nullptr);
+    ViewWidget(StudioController& studio, ToolBox& tools, QWidget* parent = nullptr);
 
     // Where the pen is, if it is over the view.
     [[nodiscard]] std::optional<QPointF> penPosition() const { return penPosition_; }
@@ -55,6 +56,7 @@ private:
     void release(const Pen& pen);
 
     StudioController& studio_;
+    ToolBox& tools_;
     AnnotationOverlay annotations_;
     bool isAnnotated_ = true;
     Drag drag_ = Drag::None;

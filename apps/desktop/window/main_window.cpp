@@ -17,6 +17,7 @@
 #include "panels/tool_panel.h"
 #include "parts/panel_parts.h"
 #include "start/welcome_page.h"
+#include "tools/tool_box.h"
 #include "view/camera_keys.h"
 #include "view/slice_canvas.h"
 #include "view/touch_pad.h"
@@ -59,7 +60,8 @@ QString patientPlace(glm::dvec3 lps) {
 
 } // namespace
 
-MainWindow::MainWindow(StudioController& studio, QWidget* parent) : QMainWindow(parent), studio_(studio) {
+MainWindow::MainWindow(StudioController& studio, ToolBox& tools, QWidget* parent)
+    : QMainWindow(parent), studio_(studio), tools_(tools) {
     setObjectName("mainWindow");
     setWindowTitle(tr("Volume Studio"));
     setAcceptDrops(true);
@@ -126,14 +128,14 @@ void MainWindow::makeCentre() {
     auto* column = new QVBoxLayout(page);
     column->setContentsMargins(0, 0, 0, 0);
     column->setSpacing(0);
-    view_ = new ViewWidget(studio_);
-    grid_ = new ViewGrid(studio_, view_);
+    view_ = new ViewWidget(studio_, tools_);
+    grid_ = new ViewGrid(studio_, tools_, view_);
     const auto* pen = new PenWatch(studio_, this);
-    lookByFingers(*view_, studio_, *pen);
+    lookByFingers(*view_, studio_, tools_.camera(), *pen);
     for (SliceCanvas* canvas : grid_->findChildren<SliceCanvas*>()) {
         lookByFingers(*canvas, studio_, *pen);
     }
-    new CameraKeys(*view_, studio_); // the view owns it
+    new CameraKeys(*view_, studio_, tools_.camera()); // the view owns it
     column->addWidget(grid_, 1);
     hint_ = named(new HintLine, "hint", tr("What to do next"));
     column->addWidget(hint_);
@@ -150,10 +152,10 @@ void MainWindow::makeDock() {
     column->setContentsMargins(8, 8, 0, 8);
     column->setSpacing(8);
     column->addWidget(new HistogramPanel(studio_));
-    column->addWidget(new ToolPanel(studio_));
+    column->addWidget(new ToolPanel(studio_, tools_));
     column->addWidget(new GrowthPanel(studio_));
     column->addWidget(new GrowthRulesPanel(studio_));
-    column->addWidget(new SegmentEditPanel(studio_));
+    column->addWidget(new SegmentEditPanel(studio_, tools_));
     column->addWidget(new SegmentNumbersPanel(studio_));
     column->addStretch(1);
     constexpr int kPanelWidth = 300;

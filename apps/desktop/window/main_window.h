@@ -33,6 +33,7 @@ class StudioController;
 class ThumbnailKeeper;
 class PictureExport;
 class Tool;
+class ToolBox;
 class ViewGrid;
 class ViewWidget;
 class WelcomePage;
@@ -44,7 +45,7 @@ class MainWindow : public QMainWindow {
     Q_OBJECT
 
 public:
-    explicit MainWindow(StudioController& studio, QWidget* parent = nullptr);
+    MainWindow(StudioController& studio, ToolBox& tools, QWidget* parent = nullptr);
 
     [[nodiscard]] const ViewWidget& view() const { return *view_; }
     // Opens a path given by a person: a session if it ends in .json, else a volume. Asks for the layout of
@@ -147,6 +148,7 @@ private:
     void showProgress(int done, int total);
 
     StudioController& studio_;
+    ToolBox& tools_;
     std::map<std::string, QAction*> actions_;
     QToolBar* bar_ = nullptr;
     QStackedWidget* centre_ = nullptr;

@@ -8,6 +8,7 @@
 #include "panels/history_panel.h"
 #include "parts/icons.h"
 #include "tools/camera_tool.h"
+#include "tools/tool_box.h"
 #include "view/view_widget.h"
 
 #include <QActionGroup>
@@ -89,7 +90,7 @@ void MainWindow::makeEditActions() {
 
 void MainWindow::makeViewActions() {
     addAction({"resetView", "reset", tr("Reset"), tr("Look at the face again, all of it"), tr("Home")},
-              [this] { studio_.cameraTool().reset(); });
+              [this] { tools_.camera().reset(); });
     using render::Mode;
     auto* modes = new QActionGroup(this);
     const auto mode = [&](Mode value, const char* name, const char* iconName, const QString& text,

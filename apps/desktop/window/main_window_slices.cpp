@@ -3,6 +3,7 @@
 #include "model/slices/slice_controller.h"
 #include "model/studio/studio_controller.h"
 #include "tools/paint_tool.h"
+#include "tools/tool_box.h"
 #include "view/view_grid.h"
 #include "window/main_window.h"
 
@@ -58,10 +59,10 @@ void MainWindow::makeSliceActions() {
     constexpr double kPerKey = 1.15;
     addAction({"brushSmaller", nullptr, tr("Smaller brush"), tr("A smaller brush to paint on slices with"),
                tr("[")},
-              [this] { studio_.paintTool().resize(1 / kPerKey); });
+              [this] { tools_.paint().resize(1 / kPerKey); });
     addAction(
         {"brushLarger", nullptr, tr("Larger brush"), tr("A larger brush to paint on slices with"), tr("]")},
-        [this] { studio_.paintTool().resize(kPerKey); });
+        [this] { tools_.paint().resize(kPerKey); });
     connect(grid_, &ViewGrid::arranged, this, &MainWindow::refreshSliceActions);
     connect(grid_, &ViewGrid::penMoved, this, &MainWindow::showSliceProbe);
     refreshSliceActions();

@@ -13,6 +13,7 @@
 #include "tools/scissors_tool.h"
 #include "tools/seed_tool.h"
 #include "tools/sweep_tool.h"
+#include "tools/tool_box.h"
 #include "window/main_window.h"
 
 #include <QActionGroup>
@@ -36,25 +37,25 @@ void MainWindow::makeToolActions() {
         addChoice(tools, {name, iconName, text, tip, QKeySequence(key)},
                   [this, &tool] { studio_.setTool(tool); });
     };
-    add(studio_.cameraTool(), "cameraTool", "camera", tr("Camera"), tr("Turn the volume"), "V");
-    add(studio_.peelTool(), "peelTool", "peel", tr("Peel"), tr("Peel layers off the surface"), "P");
-    add(studio_.drillTool(), "drillTool", "drill", tr("Drill"), tr("Drill along the view"), "D");
-    add(studio_.laserTool(), "laserTool", "laser", tr("Laser"),
-        tr("Burn down from the surface along its normal"), "B");
-    add(studio_.sweepTool(), "sweepTool", "sweep", tr("Sweep"), tr("Sweep a shape along a way"), "W");
-    add(studio_.scissorsTool(), "scissorsTool", "scissors", tr("Scissors"),
+    add(tools_.camera(), "cameraTool", "camera", tr("Camera"), tr("Turn the volume"), "V");
+    add(tools_.peel(), "peelTool", "peel", tr("Peel"), tr("Peel layers off the surface"), "P");
+    add(tools_.drill(), "drillTool", "drill", tr("Drill"), tr("Drill along the view"), "D");
+    add(tools_.laser(), "laserTool", "laser", tr("Laser"), tr("Burn down from the surface along its normal"),
+        "B");
+    add(tools_.sweep(), "sweepTool", "sweep", tr("Sweep"), tr("Sweep a shape along a way"), "W");
+    add(tools_.scissors(), "scissorsTool", "scissors", tr("Scissors"),
         tr("Cut through everything inside a stroke, or outside it"), "X");
-    add(studio_.keepTool(), "keepTool", "keep", tr("Keep"),
+    add(tools_.keep(), "keepTool", "keep", tr("Keep"),
         tr("Keep what is connected to the place clicked, cut all else"), "K");
-    add(studio_.clipTool(), "clipTool", "clip", tr("Clip"), tr("Clip by a box and a plane"), "C");
-    add(studio_.seedTool(), "seedTool", "seed", tr("Seed"), tr("Mark what should be segmented"), "S");
-    add(studio_.islandTool(), "islandTool", "island", tr("Island"),
+    add(tools_.clip(), "clipTool", "clip", tr("Clip"), tr("Clip by a box and a plane"), "C");
+    add(tools_.seed(), "seedTool", "seed", tr("Seed"), tr("Mark what should be segmented"), "S");
+    add(tools_.island(), "islandTool", "island", tr("Island"),
         tr("Drop the part of the segment that is clicked, or keep only it"), "H");
-    add(studio_.paintTool(), "paintTool", "paint", tr("Paint"),
+    add(tools_.paint(), "paintTool", "paint", tr("Paint"),
         tr("Correct the segment with a brush, on the slices"), "T");
-    add(studio_.measureTool(), "measureTool", "measure", tr("Measure"),
+    add(tools_.measure(), "measureTool", "measure", tr("Measure"),
         tr("Measure distances and angles, on the surface and on slices"), "M");
-    add(studio_.moveTool(), "moveTool", "move", tr("Move"), tr("Move, turn and scale pasted parts"), "G");
+    add(tools_.move(), "moveTool", "move", tr("Move"), tr("Move, turn and scale pasted parts"), "G");
 
     QAction* restore = addAction(
         {"restore", "restore", tr("Restore"),

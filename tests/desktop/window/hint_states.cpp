@@ -35,8 +35,7 @@ public:
 
 private:
     void pens() {
-        for (PenTool* tool :
-             std::initializer_list<PenTool*>{&w_.studio().drillTool(), &w_.studio().laserTool()}) {
+        for (PenTool* tool : std::initializer_list<PenTool*>{&w_.tools().drill(), &w_.tools().laser()}) {
             const std::string name = tool->name().toStdString();
             choose(*tool);
             if (name == "drill") {
@@ -65,7 +64,7 @@ private:
         }
     }
     void peel() {
-        choose(w_.studio().peelTool());
+        choose(w_.tools().peel());
         polyline("peel");
         closePolyline();
         for (const bool isReversed : {false, true}) {
@@ -81,7 +80,7 @@ private:
         }
     }
     void sweep() {
-        SweepTool& tool = w_.studio().sweepTool();
+        SweepTool& tool = w_.tools().sweep();
         choose(tool);
         const auto before = tool.settings();
         for (const bool isAtOnce : {false, true}) {
@@ -116,7 +115,7 @@ private:
         tool.set(before);
     }
     void scissors() {
-        ScissorsTool& tool = w_.studio().scissorsTool();
+        ScissorsTool& tool = w_.tools().scissors();
         for (const bool isOutside : {false, true}) {
             for (const bool isReversed : {false, true}) {
                 choose(tool);
@@ -136,7 +135,7 @@ private:
         for (const bool starts : {true, false}) {
             for (const bool isReversed : {false, true}) {
                 growth.setAutoStart(starts);
-                choose(w_.studio().seedTool());
+                choose(w_.tools().seed());
                 w_.studio().tool().setReversed(isReversed);
                 const std::string name =
                     std::string(isReversed ? "absorb" : "seed") + (starts ? "" : ", no start");

@@ -39,7 +39,8 @@ private:
     // Tools that are clicked with.
     void clicks() {
         auto& studio = w_.studio();
-        choose(studio.cameraTool());
+        auto& tools = w_.tools();
+        choose(tools.camera());
         look("camera");
         w_.trigger("keepTool");
         look("keep");
@@ -51,14 +52,14 @@ private:
         look("clip");
         studio.tool().setReversed(true);
         look("clip, reversed");
-        studio.clipTool().setCutsInside(true);
+        tools.clip().setCutsInside(true);
         look("clip, inside, reversed");
         studio.tool().setReversed(false);
         look("clip, inside");
         w_.open(); // without it
-        choose(studio.measureTool());
+        choose(tools.measure());
         look("measure");
-        studio.measureTool().setMeasuresAngles(true);
+        tools.measure().setMeasuresAngles(true);
         look("measure, angle");
         mouse_.press(kA);
         look("measure, angle: held on the first place");
@@ -68,12 +69,12 @@ private:
         look("measure, angle: held on the second place");
         mouse_.release(kB);
         look("measure, angle: two places");
-        studio.measureTool().clear();
-        studio.measureTool().setMeasuresAngles(false);
+        tools.measure().clear();
+        tools.measure().setMeasuresAngles(false);
         mouse_.press({0.03, 0.97});
         look("measure: held beside the object");
         mouse_.release({0.03, 0.97});
-        choose(studio.islandTool());
+        choose(tools.island());
         look("island: empty segment");
         w_.trigger("paintTool");
         look("paint: no slices");
@@ -86,11 +87,12 @@ private:
     // Segments: with voxels, locked, and tools that act on one.
     void onASegment() {
         auto& studio = w_.studio();
-        choose(studio.seedTool());
+        auto& tools = w_.tools();
+        choose(tools.seed());
         studio.setShape(Shape::FreeForm);
         mouse_.drag({kA, kMiddle, kB});
         w_.settle();
-        choose(studio.islandTool());
+        choose(tools.island());
         look("island");
         mouse_.press(kMiddle);
         look("island: held");
@@ -101,15 +103,15 @@ private:
         look("island, reversed");
         studio.tool().setReversed(false);
         studio.setBrushesSegment(true);
-        choose(studio.scissorsTool());
+        choose(tools.scissors());
         sketch("scissors on a segment", Shape::FreeForm, "free-form");
         studio.tool().setReversed(true);
         sketch("scissors on a segment, reversed", Shape::FreeForm, "free-form");
-        choose(studio.peelTool());
+        choose(tools.peel());
         polyline("peel on a segment");
         closePolyline();
         look("peel on a segment: mask");
-        choose(studio.drillTool());
+        choose(tools.drill());
         look("drill on a segment: nothing drawn");
         studio.segments().setLocked("Segment 1", true);
         for (const char* tool : {"drillTool", "seedTool", "islandTool", "paintTool"}) {
@@ -123,16 +125,17 @@ private:
 
     void pasted() {
         auto& studio = w_.studio();
-        choose(studio.moveTool());
+        auto& tools = w_.tools();
+        choose(tools.move());
         look("move: nothing pasted");
-        choose(studio.scissorsTool());
+        choose(tools.scissors());
         studio.setShape(Shape::Ellipse);
         mouse_.drag({{0.45, 0.3}, {0.5, 0.35}, {0.55, 0.4}});
         w_.settle();
         studio.paste();
         w_.settle();
         look("move");
-        const QPointF handle = studio.moveTool().handles().front();
+        const QPointF handle = tools.move().handles().front();
         const QPointF place(handle.x() / w_.view().width(), handle.y() / w_.view().height());
         mouse_.press(place);
         mouse_.move(place + QPointF(0.02, 0));

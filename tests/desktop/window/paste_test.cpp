@@ -26,7 +26,7 @@ protected:
     studio::Document& document() { return *w.studio().document(); }
 
     void cut(QPointF from, QPointF to) {
-        w.studio().setTool(w.studio().scissorsTool());
+        w.studio().setTool(w.tools().scissors());
         w.studio().setShape(Shape::Ellipse);
         w.settle();
         mouse.drag({from, 0.5 * (from + to), to});

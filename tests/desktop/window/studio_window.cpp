@@ -37,7 +37,8 @@ StudioWindow::StudioWindow()
       eraser_("tablet eraser", 1002, Device::Stylus, Pointer::Eraser, kPenCan, 1, 3),
       screen_(QTest::createTouchDevice()) {
     studio_ = std::make_unique<StudioController>();
-    window_ = std::make_unique<MainWindow>(*studio_);
+    tools_ = new ToolBox(*studio_);
+    window_ = std::make_unique<MainWindow>(*studio_, *tools_);
     window_->resize(1100, 760);
     window_->show();
 }
@@ -84,7 +85,7 @@ void StudioWindow::open() {
     request.volume = volume;
     studio_->open(request);
     wait("the volume", [this] { return studio_->document() != nullptr && !studio_->isLoading(); });
-    studio_->setTool(studio_->cameraTool());
+    studio_->setTool(tools_->camera());
     settle();
 }
 

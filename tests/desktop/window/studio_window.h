@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/studio/studio_controller.h"
+#include "tools/tool_box.h"
 #include "window/main_window.h"
 
 #include <QEvent>
@@ -24,6 +25,7 @@ public:
     static std::filesystem::path volume;
 
     StudioController& studio() { return *studio_; }
+    ToolBox& tools() { return *tools_; }
     MainWindow& window() { return *window_; }
     QWidget& view() { return part("view"); }
     // A widget by its name; fails the test, with an exception, when there is none.
@@ -66,6 +68,7 @@ private:
     StudioWindow();
 
     std::unique_ptr<StudioController> studio_;
+    ToolBox* tools_ = nullptr; // the studio owns it
     std::unique_ptr<MainWindow> window_;
     QPointingDevice tip_;
     QPointingDevice eraser_;

@@ -20,7 +20,7 @@ class Fingers : public testing::Test {
 protected:
     void SetUp() override {
         w.open();
-        w.studio().setTool(w.studio().peelTool()); // that only the pen draws with
+        w.studio().setTool(w.tools().peel()); // that only the pen draws with
         middle = QPointF(w.view().width() / 2, w.view().height() / 2);
     }
     void TearDown() override {

@@ -23,7 +23,7 @@ protected:
     void TearDown() override { w.studio().growth().setAutoStart(true); }
     std::string message() { return w.studio().message().toStdString(); }
     void seed() {
-        w.studio().setTool(w.studio().seedTool());
+        w.studio().setTool(w.tools().seed());
         w.settle();
         mouse.drag({{0.45, 0.5}, {0.5, 0.51}, {0.55, 0.5}});
         w.settle();

@@ -2,11 +2,14 @@
 #pragma once
 
 #include "model/texts/language.h"
-#include "parts/theme.h"
 
 #include <QString>
 
 namespace vs::desktop {
+
+// How the window is coloured. It is calm, and dark at first, so that the picture is the brightest thing in
+// it; or light; or as the desktop's own windows are.
+enum class Theme { Dark, Light, Desktop };
 
 // What a person has chosen once for all documents. Kept in Settings.
 struct Preferences {

@@ -2,7 +2,6 @@
 #include "model/segments/growth_controller.h"
 
 #include "model/studio/studio_controller.h"
-#include "tools/seed_tool.h"
 
 #include <algorithm>
 #include <cmath>
@@ -102,7 +101,7 @@ void GrowthController::absorb(const studio::Absorb& stroke) {
 const studio::Absorb* GrowthController::lastAbsorbed() const {
     auto* document = studio_.document();
     const auto* last = document != nullptr ? document->lastStep() : nullptr;
-    return last != nullptr && studio_.seedTool().isReversed() ? std::get_if<studio::Absorb>(last) : nullptr;
+    return last != nullptr && strokesAbsorb_ ? std::get_if<studio::Absorb>(last) : nullptr;
 }
 
 // --- playback

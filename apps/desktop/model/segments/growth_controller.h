@@ -27,7 +27,10 @@ public:
     // Targeted shrink: one expansion, and on from there until paused, with auto start on.
     void absorb(const studio::Absorb& stroke);
 
-    // --- playback. While the seed tool absorbs, play and step go on with the stroke last drawn.
+    // The strokes of the seed tool absorb: play and step go on with the one last drawn.
+    void setStrokesAbsorb(bool on) { strokesAbsorb_ = on; }
+
+    // --- playback
     void play();
     void playBackward();
     void pause(); // also ends scrubbing and a change of rules in hand
@@ -106,6 +109,7 @@ private:
 
     StudioController& studio_;
     bool isAutoStart_ = true;
+    bool strokesAbsorb_ = false;
     Run run_ = Run::None;
     bool isWaiting_ = false;
     bool hasShownRegion_ = false;

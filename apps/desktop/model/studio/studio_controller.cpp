@@ -5,21 +5,8 @@
 #include "model/segments/segment_controller.h"
 #include "model/segments/segment_measurer.h"
 #include "model/slices/slice_controller.h"
+#include "model/studio/tool.h"
 #include "model/texts/library_texts.h"
-#include "tools/camera_tool.h"
-#include "tools/clip_tool.h"
-#include "tools/drill_tool.h"
-#include "tools/island_tool.h"
-#include "tools/keep_tool.h"
-#include "tools/laser_tool.h"
-#include "tools/measure_tool.h"
-#include "tools/move_tool.h"
-#include "tools/paint_tool.h"
-#include "tools/peel_tool.h"
-#include "tools/scissors_tool.h"
-#include "tools/seed_tool.h"
-#include "tools/slice_pen.h"
-#include "tools/sweep_tool.h"
 
 #include "base/progress.h"
 
@@ -29,38 +16,29 @@ namespace {
 constexpr double kPictureSliceMs = 8;
 constexpr int kCalmPollMs = 40; // until the picture may refine
 constexpr double kHandMs = 300; // after the last input: a hand that is at work is answered first
+
+// In hand before there are tools.
+class NoTool : public Tool {
+public:
+    using Tool::Tool;
+    [[nodiscard]] QString name() const override { return {}; }
+    [[nodiscard]] QString hint() const override { return {}; }
+    void press(const Pen&) override {}
+    void move(const Pen&) override {}
+    void release(const Pen&) override {}
+};
+
 } // namespace
 
 StudioController::StudioController()
     : picture_(std::make_unique<PictureLoop>(host_.device().isSoftware,
                                              [this](const auto& work) { longWork_.run(work); })),
-      cameraTool_(new CameraTool(*this)), peelTool_(new PeelTool(*this)), drillTool_(new DrillTool(*this)),
-      laserTool_(new LaserTool(*this)), sweepTool_(new SweepTool(*this)),
-      scissorsTool_(new ScissorsTool(*this)), keepTool_(new KeepTool(*this)), clipTool_(new ClipTool(*this)),
-      seedTool_(new SeedTool(*this)), moveTool_(new MoveTool(*this)), islandTool_(new IslandTool(*this)),
-      paintTool_(new PaintTool(*this)), measureTool_(new MeasureTool(*this)),
       segments_(new SegmentController(*this)), measurer_(new SegmentMeasurer(*this)),
-      growth_(new GrowthController(*this)), tool_(cameraTool_),
-      slices_(std::make_unique<SliceController>(*this)), slicePen_(new SlicePen(*this)) {
+      growth_(new GrowthController(*this)), tool_(new NoTool(this)),
+      slices_(std::make_unique<SliceController>(*this)) {
     timer_.setSingleShot(true);
     connect(&timer_, &QTimer::timeout, this, &StudioController::tick);
     connect(growth_, &GrowthController::changed, this, &StudioController::tellSoon);
-    for (Tool* tool : std::initializer_list<Tool*>{cameraTool_, peelTool_, drillTool_, laserTool_, sweepTool_,
-                                                   scissorsTool_, keepTool_, clipTool_, seedTool_, moveTool_,
-                                                   islandTool_, paintTool_, measureTool_}) {
-        connect(tool, &Tool::overlayChanged, this, &StudioController::overlayChanged);
-        // The picture held still while a sketch was drawn on it; what it still lacks goes on now.
-        connect(tool, &Tool::overlayChanged, this, [this] {
-            if (!tool_->isSketching() && document_ != nullptr && !picture_->isComplete()) {
-                schedule(0);
-            }
-        });
-        if (auto* cutTool = qobject_cast<CutTool*>(tool)) {
-            connect(cutTool, &CutTool::settingsChanged, this, &StudioController::changed);
-        }
-    }
-    connect(seedTool_, &SeedTool::settingsChanged, this, &StudioController::changed);
-    connect(islandTool_, &IslandTool::settingsChanged, this, &StudioController::changed);
     connect(&longWork_, &LongWork::lasts, this, [this](int thousandths) {
         if (!isReplaying()) { // which counts its operations
             thousandths < 0 ? emit progress(0, 0) : emit progress(thousandths, 1000);
@@ -312,7 +290,16 @@ void StudioController::setTool(Tool& tool) {
     }
 }
 
-CutTool* StudioController::cutTool() const { return qobject_cast<CutTool*>(tool_); }
+void StudioController::listenTo(Tool& tool) {
+    connect(&tool, &Tool::settingsChanged, this, &StudioController::changed);
+    connect(&tool, &Tool::overlayChanged, this, &StudioController::overlayChanged);
+    // The picture held still while a sketch was drawn on it; what it still lacks goes on now.
+    connect(&tool, &Tool::overlayChanged, this, [this] {
+        if (!tool_->isSketching() && document_ != nullptr && !picture_->isComplete()) {
+            schedule(0);
+        }
+    });
+}
 
 void StudioController::setShape(studio::Shape shape) {
     if (tool_->isSketching()) { // a polyline that was under way

@@ -19,25 +19,10 @@
 
 namespace vs::desktop {
 
-class CameraTool;
-class ClipTool;
-class CutTool;
-class DrillTool;
 class GrowthController;
-class IslandTool;
-class KeepTool;
-class LaserTool;
-class MeasureTool;
-class MoveTool;
-class PeelTool;
-class PaintTool;
-class ScissorsTool;
-class SeedTool;
 class SegmentController;
 class SegmentMeasurer;
 class SliceController;
-class SlicePen;
-class SweepTool;
 class Tool;
 
 // The model of the window: the document, its picture, the current tool, and the one timer that does all work
@@ -56,21 +41,7 @@ public:
     GrowthController& growth() { return *growth_; }
     SegmentController& segments() { return *segments_; }
     SegmentMeasurer& measurer() { return *measurer_; }
-    CameraTool& cameraTool() { return *cameraTool_; }
-    PeelTool& peelTool() { return *peelTool_; }
-    DrillTool& drillTool() { return *drillTool_; }
-    LaserTool& laserTool() { return *laserTool_; }
-    SweepTool& sweepTool() { return *sweepTool_; }
-    ScissorsTool& scissorsTool() { return *scissorsTool_; }
-    KeepTool& keepTool() { return *keepTool_; }
-    ClipTool& clipTool() { return *clipTool_; }
-    SeedTool& seedTool() { return *seedTool_; }
-    MoveTool& moveTool() { return *moveTool_; }
-    IslandTool& islandTool() { return *islandTool_; }
-    PaintTool& paintTool() { return *paintTool_; }
-    MeasureTool& measureTool() { return *measureTool_; }
     SliceController& slices() { return *slices_; }
-    SlicePen& slicePen() { return *slicePen_; }
     // Null before something was opened. With the engine's context current; waits while the document is away.
     studio::Document* document();
     // Long work has the document: nothing else can be done with it.
@@ -146,7 +117,7 @@ public:
     // Plays the region backward; one undo step with the rewinding before it.
     bool rewind(int generations);
     // Pastes what was cut since the last paste where there is room beside the object and the parts pasted
-    // before, and takes it in hand. The view steps back if it would not be seen.
+    // before. The view steps back if it would not be seen.
     bool paste();
     // Whether there are edits that no session file holds.
     [[nodiscard]] bool hasUnsavedEdits() const;
@@ -167,8 +138,8 @@ public:
     // Tools.
     [[nodiscard]] Tool& tool() const { return *tool_; }
     void setTool(Tool& tool);
-    // The current tool if it cuts, else null.
-    [[nodiscard]] CutTool* cutTool() const;
+    // Hears of what changes in a tool; each that can be taken in hand.
+    void listenTo(Tool& tool);
     [[nodiscard]] studio::Shape shape() const { return shape_; }
     // Shape::Stencil once there is a stencil.
     void setShape(studio::Shape shape);
@@ -210,8 +181,10 @@ public:
 signals:
     void givenUp(); // what goes on by itself ends
     void opened();
+    void closing(); // what is in hand is dropped
     void closed();
-    void saved(); // a session file holds all edits; source() names it
+    void pasted(); // a part that is to be moved now
+    void saved();  // a session file holds all edits; source() names it
     void openFailed(const QString& message);
     // Nothing was opened: the person must choose one of the series first.
     void seriesWanted(const vs::desktop::OpenRequest& request,
@@ -251,25 +224,11 @@ private:
     std::vector<std::function<void()>> waiting_;               // for the document to be back
     std::optional<std::pair<QSizeF, glm::ivec2>> newViewport_; // since it went
     std::filesystem::path screenshot_;                         // waiting for the picture
-    CameraTool* cameraTool_;
-    PeelTool* peelTool_;
-    DrillTool* drillTool_;
-    LaserTool* laserTool_;
-    SweepTool* sweepTool_;
-    ScissorsTool* scissorsTool_;
-    KeepTool* keepTool_;
-    ClipTool* clipTool_;
-    SeedTool* seedTool_;
-    MoveTool* moveTool_;
-    IslandTool* islandTool_;
-    PaintTool* paintTool_;
-    MeasureTool* measureTool_;
     SegmentController* segments_;
     SegmentMeasurer* measurer_;
     GrowthController* growth_;
     Tool* tool_;
     std::unique_ptr<SliceController> slices_;
-    SlicePen* slicePen_;
     studio::View view_;
     Preferences preferences_ = Preferences::load();
     bool isViewPending_ = false;

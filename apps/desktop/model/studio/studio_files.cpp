@@ -5,7 +5,6 @@
 #include "model/segments/segment_controller.h"
 #include "model/segments/segment_measurer.h"
 #include "model/studio/tool.h"
-#include "tools/camera_tool.h"
 
 #include "base/progress.h"
 #include "sculpt/mask/outline_image.h"
@@ -229,8 +228,7 @@ void StudioController::close() {
     host_.makeCurrent();
     growth_->pause();
     growth_->reset();
-    setTool(*cameraTool_); // drops what is in hand
-    cameraTool_->clear();
+    emit closing();
     measurer_->stop(); // it and the picture look into the document
     picture_->setDocument(nullptr);
     document_.reset();

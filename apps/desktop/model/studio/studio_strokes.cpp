@@ -3,8 +3,7 @@
 #include "model/segments/growth_controller.h"
 #include "model/studio/free_room.h"
 #include "model/studio/studio_controller.h"
-#include "tools/cut_tool.h"
-#include "tools/move_tool.h"
+#include "model/studio/tool.h"
 
 namespace vs::desktop {
 
@@ -19,7 +18,7 @@ void StudioController::endStroke(bool keep) {
     if (document_ == nullptr || !document_->isStrokeOpen()) {
         return;
     }
-    if (keep && cutTool() != nullptr && cutTool()->actsOnSegment()) {
+    if (keep && tool_->actsOnSegment()) {
         const studio::Operation stroke = document_->openStroke(); // it has shown what it takes
         workLong([&] { document_->discardStroke(); });
         cut(stroke);
@@ -35,11 +34,11 @@ void StudioController::endStroke(bool keep) {
 }
 
 bool StudioController::cut(const studio::Operation& stroke) {
-    if (cutTool() == nullptr || !cutTool()->actsOnSegment()) {
+    if (!tool_->actsOnSegment()) {
         return apply(stroke);
     }
     studio::BrushSegment brush;
-    brush.isToAdd = cutTool()->adds();
+    brush.isToAdd = tool_->adds();
     std::visit(
         [&](const auto& drawn) {
             if constexpr (std::is_constructible_v<decltype(brush.stroke), decltype(drawn)>) {
@@ -88,8 +87,7 @@ bool StudioController::paste() {
     auto view = view_;
     view.camera = camera;
     look(view);
-    setTool(*moveTool_);
-    moveTool_->choose(moveTool_->count() - 1);
+    emit pasted();
     return true;
 }
 

@@ -60,6 +60,9 @@ public:
     [[nodiscard]] virtual bool hasSign() const { return false; }
     [[nodiscard]] virtual bool isReversed() const { return false; }
     virtual void setReversed(bool) {}
+    // What it cuts is the segment at work, not the scan; and it adds to it.
+    [[nodiscard]] virtual bool actsOnSegment() const { return false; }
+    [[nodiscard]] virtual bool adds() const { return false; }
     // Enter: does what has been prepared. False: nothing was.
     virtual bool accept() { return false; }
     // Tab: goes to the next thing that can be worked on, or to the one before. False: there is no other.
@@ -80,7 +83,8 @@ public:
     [[nodiscard]] virtual bool isSketching() const { return false; }
 
 signals:
-    void overlayChanged(); // and the hint and the cursor with it
+    void overlayChanged();  // and the hint and the cursor with it
+    void settingsChanged(); // what is set for it: pages look again
 };
 
 } // namespace vs::desktop

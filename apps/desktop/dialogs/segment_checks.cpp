@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/segments/segment_checks.h"
+#include "dialogs/segment_checks.h"
 
 #include "parts/panel_parts.h"
 

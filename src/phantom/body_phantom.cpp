@@ -121,7 +121,7 @@ LabelledVolume makeBodyPhantom(const BodyPhantomOptions& options) {
     body.labels.resize(grid.voxelCount());
     auto* values = reinterpret_cast<std::int16_t*>(body.volume.bytes.data());
     const std::size_t slice = std::size_t(grid.dims.x) * std::size_t(grid.dims.y);
-    forEachSlice(grid.dims.z, [&](int z) {
+    volume::forEachSlice(grid.dims.z, [&](int z) {
         std::size_t n = slice * std::size_t(z);
         for (int y = 0; y < grid.dims.y; ++y) {
             for (int x = 0; x < grid.dims.x; ++x, ++n) {

@@ -55,7 +55,7 @@ LabelledVolume makeHeadPhantom(const HeadPhantomOptions& options) {
     std::vector<float> clean(grid.voxelCount());
     const std::size_t slice = std::size_t(grid.dims.x) * std::size_t(grid.dims.y);
     const auto forEachVoxel = [&](const auto& visitVoxel) {
-        forEachSlice(grid.dims.z, [&](int z) {
+        volume::forEachSlice(grid.dims.z, [&](int z) {
             std::size_t n = slice * std::size_t(z);
             for (int y = 0; y < grid.dims.y; ++y) {
                 for (int x = 0; x < grid.dims.x; ++x, ++n) {

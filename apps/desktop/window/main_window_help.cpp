@@ -4,6 +4,7 @@
 #include "dialogs/preferences_dialog.h"
 #include "dialogs/shortcut_sheet.h"
 #include "model/studio/studio_controller.h"
+#include "parts/theme.h"
 
 #include <QApplication>
 #include <QLabel>

@@ -39,6 +39,10 @@ ROOMS = {
                      "view": ["tools", "parts"], "transfer": ["model", "parts"], "panels": ["tools", "transfer"],
                      "dialogs": ["model", "parts"], "start": ["model", "parts"],
                      "window": ["view", "panels", "dialogs", "start"], "testing": ["view"]},
+    "apps/desktop/model": {"texts": [], "settings": ["texts"], "document": [], "hand": ["document"],
+                           "edits": ["hand", "texts"], "segments": ["edits"], "slices": ["hand"],
+                           "files": ["segments"], "studio": ["files", "slices", "settings"],
+                           "exports": ["studio"], "keepers": ["studio"]},
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s+["<]([^">]+)[">]')
 
@@ -82,7 +86,7 @@ def against_modules(module, target):
 def against_rooms(root, folder, path, target):
     """What is wrong with an include between two rooms of one folder."""
     # Modules are spelled from src, what belongs to a program from its folder.
-    base = root / "src" if folder.startswith("src/") else root / folder
+    base = root / ("src" if folder.startswith("src/") else "/".join(folder.split("/")[:2]))
     if not (base / target).is_file() or root / folder not in (base / target).parents:
         return
     parts = (path.relative_to(root / folder).parts, (base / target).relative_to(root / folder).parts)
@@ -99,10 +103,11 @@ def sources(folder):
 def complaints(root):
     for path in sources(root / "src") + sources(root / "apps"):
         parts = path.relative_to(root).parts
-        folder = "/".join(parts[:2])
+        folders = [folder for folder in ROOMS if root / folder in path.parents]
         for number, target in includes(path):
             wrong = list(against_modules(parts[1], target)) if parts[0] == "src" else []
-            wrong += against_rooms(root, folder, path, target) if folder in ROOMS else []
+            for folder in folders:
+                wrong += against_rooms(root, folder, path, target)
             for what in wrong:
                 yield f"{'/'.join(parts)}:{number}: {what}"
     yield from unknown_rooms(root)

@@ -1682,6 +1682,64 @@ Tab: der nächste Punkt; Pfeiltasten bewegen ihn; Entf; Eingabe: seine Farbe; St
     </message>
 </context>
 <context>
+    <name>vs::desktop::DocumentFiles</name>
+    <message>
+        <source>Given up: nothing was opened</source>
+        <translation>Abgebrochen: Nichts wurde geöffnet</translation>
+    </message>
+    <message>
+        <source>%1 holds several series</source>
+        <translation>%1 enthält mehrere Serien</translation>
+    </message>
+    <message>
+        <source>Still reading; open it again when that is done</source>
+        <translation>Liest noch; danach noch einmal öffnen</translation>
+    </message>
+    <message>
+        <source>Recovering</source>
+        <translation>Stellt wieder her</translation>
+    </message>
+    <message>
+        <source>Reading %1</source>
+        <translation>Liest %1</translation>
+    </message>
+    <message>
+        <source>Opened %1</source>
+        <translation>%1 geöffnet</translation>
+    </message>
+    <message>
+        <source>Replaying %1 of %2: %3</source>
+        <translation>Spielt %1 von %2 nach: %3</translation>
+    </message>
+    <message>
+        <source>Replayed up to operation %1 (%2): %3</source>
+        <translation>Nachgespielt bis Schritt %1 (%2): %3</translation>
+    </message>
+    <message>
+        <source>Replayed %1 operations</source>
+        <translation>%1 Schritte nachgespielt</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
+    </message>
+    <message>
+        <source>There is no segmentation to export yet: draw seeds first</source>
+        <translation>Noch keine Segmentierung zum Exportieren: zuerst säen</translation>
+    </message>
+    <message>
+        <source>Exported labels to %1</source>
+        <translation>Labels nach %1 exportiert</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::DocumentHost</name>
+    <message>
+        <source>Given up: nothing was changed</source>
+        <translation>Abgebrochen: Nichts wurde geändert</translation>
+    </message>
+</context>
+<context>
     <name>vs::desktop::DrillTool</name>
     <message>
         <source>The mask follows the pen. Press and move to fill in what was cut. Esc clears it for a new shape.</source>
@@ -1702,6 +1760,25 @@ Tab: der nächste Punkt; Pfeiltasten bewegen ihn; Entf; Eingabe: seine Farbe; St
     <message>
         <source>Draw the shape of the drill anywhere.</source>
         <translation>Die Form des Bohrers irgendwo zeichnen.</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::Editor</name>
+    <message>
+        <source>Undone: %1</source>
+        <translation>Rückgängig: %1</translation>
+    </message>
+    <message>
+        <source>Redone: %1</source>
+        <translation>Wiederholt: %1</translation>
+    </message>
+    <message>
+        <source>Nothing was changed</source>
+        <translation>Nichts wurde geändert</translation>
+    </message>
+    <message>
+        <source>Nothing to paste: nothing visible was cut since the last paste</source>
+        <translation>Nichts einzufügen: seit dem letzten Einfügen wurde nichts Sichtbares geschnitten</translation>
     </message>
 </context>
 <context>
@@ -2242,6 +2319,13 @@ Tab: der nächste Punkt; Pfeiltasten bewegen ihn; Entf; Eingabe: seine Farbe; St
     <message>
         <source>What was cut away fences it, as the view shows it (Cut, Probe, Whole).</source>
         <translation>Weggeschnittenes ist die Grenze, wie die Ansicht es zeigt (Schnitt, Probe, Ganz).</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::Hand</name>
+    <message>
+        <source>Drag a box for the shape of %1</source>
+        <translation>Einen Kasten aufziehen für die Form von %1</translation>
     </message>
 </context>
 <context>
@@ -4271,84 +4355,12 @@ Tab: die nächste Form; Pfeiltasten bewegen sie; Entf; Eingabe: ihre Farbe; Strg
 <context>
     <name>vs::desktop::StudioController</name>
     <message>
-        <source>Nothing to paste: nothing visible was cut since the last paste</source>
-        <translation>Nichts einzufügen: seit dem letzten Einfügen wurde nichts Sichtbares geschnitten</translation>
-    </message>
-    <message>
-        <source>%1 holds several series</source>
-        <translation>%1 enthält mehrere Serien</translation>
-    </message>
-    <message>
-        <source>Still reading; open it again when that is done</source>
-        <translation>Liest noch; danach noch einmal öffnen</translation>
-    </message>
-    <message>
-        <source>Recovering</source>
-        <translation>Stellt wieder her</translation>
-    </message>
-    <message>
-        <source>Reading %1</source>
-        <translation>Liest %1</translation>
-    </message>
-    <message>
-        <source>Opened %1</source>
-        <translation>%1 geöffnet</translation>
-    </message>
-    <message>
-        <source>Replaying %1 of %2: %3</source>
-        <translation>Spielt %1 von %2 nach: %3</translation>
-    </message>
-    <message>
-        <source>Replayed up to operation %1 (%2): %3</source>
-        <translation>Nachgespielt bis Schritt %1 (%2): %3</translation>
-    </message>
-    <message>
-        <source>Replayed %1 operations</source>
-        <translation>%1 Schritte nachgespielt</translation>
-    </message>
-    <message>
-        <source>Saved %1</source>
-        <translation>%1 gespeichert</translation>
-    </message>
-    <message>
-        <source>There is no segmentation to export yet: draw seeds first</source>
-        <translation>Noch keine Segmentierung zum Exportieren: zuerst säen</translation>
-    </message>
-    <message>
-        <source>Exported labels to %1</source>
-        <translation>Labels nach %1 exportiert</translation>
-    </message>
-    <message>
         <source>Finishing the picture</source>
         <translation>Das Bild wird fertig</translation>
     </message>
     <message>
         <source>Saved picture %1</source>
         <translation>Bild %1 gespeichert</translation>
-    </message>
-    <message>
-        <source>Drag a box for the shape of %1</source>
-        <translation>Einen Kasten aufziehen für die Form von %1</translation>
-    </message>
-    <message>
-        <source>Nothing was changed</source>
-        <translation>Nichts wurde geändert</translation>
-    </message>
-    <message>
-        <source>Given up: nothing was changed</source>
-        <translation>Abgebrochen: Nichts wurde geändert</translation>
-    </message>
-    <message>
-        <source>Given up: nothing was opened</source>
-        <translation>Abgebrochen: Nichts wurde geöffnet</translation>
-    </message>
-    <message>
-        <source>Undone: %1</source>
-        <translation>Rückgängig: %1</translation>
-    </message>
-    <message>
-        <source>Redone: %1</source>
-        <translation>Wiederholt: %1</translation>
     </message>
 </context>
 <context>

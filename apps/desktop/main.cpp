@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "engine/watched_application.h"
-#include "model/keepers/preferences.h"
+#include "model/settings/preferences.h"
 #include "model/studio/studio_controller.h"
 #include "model/texts/language.h"
 #include "parts/desktop_appearance.h"
@@ -54,7 +54,7 @@ int run(vs::desktop::WatchedApplication& application) {
         new LatencyRecorder(application, *studio, window.view(), options.timingsFile); // the studio owns it
     }
     if (!options.open.volume.empty() || !options.open.session.empty()) {
-        studio->open(options.open);
+        studio->files().open(options.open);
     }
     return QApplication::exec();
 }

@@ -63,7 +63,7 @@ ExportDialog::ExportDialog(StudioController& studio, const QString& folder, cons
          {"exportTable", tr("Table"), tr("The numbers of segments, for a spreadsheet")}},
         hasSegments ? 0 : 1);
     inner->addWidget(kinds);
-    list_ = new SegmentChecks(studio::exportable(*studio.document()));
+    list_ = new SegmentChecks(studio::exportable(*studio.host().document()));
     inner->addWidget(list_);
     connect(list_, &SegmentChecks::changed, this, &ExportDialog::refresh);
     auto* page = new QWidget;
@@ -112,8 +112,8 @@ void ExportDialog::makeSurfaceRows() {
 }
 
 void ExportDialog::makeVolumeRows() {
-    const volume::Volume& volume = studio_.document()->volume();
-    const Range range = studio_.view().range;
+    const volume::Volume& volume = studio_.host().document()->volume();
+    const Range range = studio_.view().shown().range;
     rangeRow_ = new QWidget;
     auto* row = new QHBoxLayout(rangeRow_);
     row->setContentsMargins(0, 0, 0, 0);
@@ -216,9 +216,9 @@ studio::ExportSettings ExportDialog::settings() const {
     settings.isEachAlone = isEachAlone_->isVisible() && isEachAlone_->isChecked();
     settings.refinement.smoothing = smoothing_->value();
     settings.refinement.share = share_->value() / 100.0;
-    const Range shown = studio_.view().range;
+    const Range shown = studio_.view().shown().range;
     settings.range = {numberIn(*least_, shown.lo), numberIn(*most_, shown.hi)};
-    settings.fill = numberIn(*fill_, studio_.document()->volume().range.lo);
+    settings.fill = numberIn(*fill_, studio_.host().document()->volume().range.lo);
     return settings;
 }
 

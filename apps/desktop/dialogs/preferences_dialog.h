@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "model/keepers/preferences.h"
+#include "model/settings/preferences.h"
 
 #include <QDialog>
 

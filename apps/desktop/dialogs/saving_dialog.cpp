@@ -17,7 +17,7 @@ void SavingDialog::lock() {
 }
 
 void SavingDialog::finish(bool isDone, const QString& message) {
-    studio_.say(message);
+    studio_.host().say(message);
     progress_->hide();
     fields_->setEnabled(true);
     save_->setEnabled(true);

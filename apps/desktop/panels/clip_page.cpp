@@ -78,14 +78,14 @@ void addFace(QFormLayout* form, ClipTool& tool, StudioController& studio, int ax
         tool.setBox(box, isDragged);
     });
     const auto show = [&tool, &studio, face, label, axis, isHi] {
-        if (studio.geometry() == nullptr) {
+        if (studio.host().geometry() == nullptr) {
             return;
         }
         const auto whole = tool.wholeBox();
         const auto box = tool.box();
         const double place = (isHi ? box.hi[axis] : box.lo[axis]) - whole.lo[axis];
-        face.show(0, studio.geometry()->dims[axis], int(std::lround(place)));
-        label->setText(ClipTool::directionOf(*studio.geometry(), axis, isHi));
+        face.show(0, studio.host().geometry()->dims[axis], int(std::lround(place)));
+        label->setText(ClipTool::directionOf(*studio.host().geometry(), axis, isHi));
     };
     QObject::connect(&tool, &ClipTool::clipChanged, label, show);
     show();

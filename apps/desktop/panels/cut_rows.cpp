@@ -21,8 +21,8 @@ void addTarget(QFormLayout* form, CutTool& tool, StudioController& studio, const
           CutTool::tr("Takes away from the segment at work, or adds to it; the scan stays as it is")}},
         tool.actsOnSegment() ? 1 : 0);
     QObject::connect(target, &ChoiceRow::chosen, &studio,
-                     [&studio](int n) { studio.setBrushesSegment(n == 1); });
-    QObject::connect(&studio, &StudioController::changed, target,
+                     [&studio](int n) { studio.hand().setBrushesSegment(n == 1); });
+    QObject::connect(&studio.host(), &DocumentHost::changed, target,
                      [&tool, target] { target->choose(tool.actsOnSegment() ? 1 : 0); });
     form->addRow(CutTool::tr("Acts on"), target);
 }
@@ -51,7 +51,7 @@ void addCutOrRestore(QFormLayout* form, CutTool& tool, StudioController& studio,
         new ChoiceRow({{cut.constData(), {}, {}}, {restore.constData(), {}, {}}}, tool.isReversed() ? 1 : 0);
     nameSigns(*sign, tool);
     QObject::connect(sign, &ChoiceRow::chosen, &tool, [&tool](int n) { tool.setRestores(n == 1); });
-    QObject::connect(&studio, &StudioController::changed, sign, [&tool, sign] {
+    QObject::connect(&studio.host(), &DocumentHost::changed, sign, [&tool, sign] {
         sign->choose(tool.isReversed() ? 1 : 0);
         nameSigns(*sign, tool);
     });

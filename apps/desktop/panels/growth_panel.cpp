@@ -39,8 +39,8 @@ GrowthPanel::GrowthPanel(StudioController& studio, QWidget* parent) : QWidget(pa
     card->addWidget(makePlayback());
     card->addWidget(makeScrubRow());
     card->addWidget(makeOptions());
-    connect(&studio_, &StudioController::opened, this, [this] { setEnabled(true); });
-    connect(&studio_, &StudioController::changed, this, &GrowthPanel::refresh);
+    connect(&studio_.host(), &DocumentHost::opened, this, [this] { setEnabled(true); });
+    connect(&studio_.host(), &DocumentHost::changed, this, &GrowthPanel::refresh);
     setEnabled(false);
     refresh();
 }
@@ -143,7 +143,7 @@ QWidget* GrowthPanel::makeOptions() {
 void GrowthPanel::refresh() {
     const auto& growth = studio_.growth();
     const auto status = growth.status();
-    const bool canPlay = growth.canPlay() && !studio_.isLoading();
+    const bool canPlay = growth.canPlay() && !studio_.host().isLoading();
     play_->setEnabled(canPlay && (!growth.isPlaying() || growth.isBackward()));
     backward_->setEnabled(canPlay && status.generation > 1 && !growth.isBackward());
     pause_->setEnabled(growth.isPlaying());

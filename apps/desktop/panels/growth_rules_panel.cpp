@@ -57,8 +57,8 @@ GrowthRulesPanel::GrowthRulesPanel(StudioController& studio, QWidget* parent)
         showOwnValues();
     });
     connect(&studio_.measurer(), &SegmentMeasurer::changed, this, &GrowthRulesPanel::showOwnValues);
-    connect(&studio_, &StudioController::opened, this, &GrowthRulesPanel::takeDocument);
-    connect(&studio_, &StudioController::changed, this, &GrowthRulesPanel::refresh);
+    connect(&studio_.host(), &DocumentHost::opened, this, &GrowthRulesPanel::takeDocument);
+    connect(&studio_.host(), &DocumentHost::changed, this, &GrowthRulesPanel::refresh);
     card_->content()->parentWidget()->setEnabled(false);
 }
 
@@ -159,7 +159,7 @@ QWidget* GrowthRulesPanel::makeRules() {
 
 void GrowthRulesPanel::takeDocument() {
     isShowing_ = true;
-    const auto* document = studio_.document();
+    const auto* document = studio_.host().document();
     const auto& volume = document->volume();
     const bool isWhole = volume.type != volume::ScalarType::Float32;
     const double width = std::max(volume.range.width(), 1e-9);
@@ -210,7 +210,7 @@ void GrowthRulesPanel::takeRow(const Row& row) {
 }
 
 void GrowthRulesPanel::refresh() {
-    const auto* document = studio_.document();
+    const auto* document = studio_.host().document();
     if (document == nullptr || studio_.growth().areRulesPending()) {
         return;
     }

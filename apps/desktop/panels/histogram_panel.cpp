@@ -22,7 +22,7 @@ constexpr int kGradientBins = 128;
 } // namespace
 
 HistogramPanel::HistogramPanel(StudioController& studio, QWidget* parent)
-    : QWidget(parent), studio_(studio), editor_(studio) {
+    : QWidget(parent), studio_(studio), editor_(studio.host(), studio.view()) {
     auto* outer = new QVBoxLayout(this);
     outer->setContentsMargins(0, 0, 0, 0);
     QVBoxLayout* card = nullptr;
@@ -45,7 +45,7 @@ HistogramPanel::HistogramPanel(StudioController& studio, QWidget* parent)
     }
     card->addWidget(new FunctionBar(studio_, editor_));
     connect(tabs, &ChoiceRow::chosen, this, &HistogramPanel::showPage);
-    connect(&studio_, &StudioController::opened, this, &HistogramPanel::takeDocument);
+    connect(&studio_.host(), &DocumentHost::opened, this, &HistogramPanel::takeDocument);
     connect(&editor_, &FunctionEditor::changed, this, &HistogramPanel::refreshStrip);
     countTimer_.setSingleShot(true);
     connect(&countTimer_, &QTimer::timeout, this, &HistogramPanel::countGradients);
@@ -54,7 +54,7 @@ HistogramPanel::HistogramPanel(StudioController& studio, QWidget* parent)
 }
 
 HistogramPanel::~HistogramPanel() {
-    studio_.host().makeCurrent(); // what is being counted lies on the device
+    studio_.host().gl().makeCurrent(); // what is being counted lies on the device
     counting_.reset();
 }
 
@@ -71,7 +71,7 @@ void HistogramPanel::showPage(int page) {
 }
 
 void HistogramPanel::takeDocument() {
-    studio_.host().makeCurrent();
+    studio_.host().gl().makeCurrent();
     counting_.reset();
     isCounted_ = false;
     range_->takeDocument();
@@ -96,7 +96,7 @@ void HistogramPanel::refreshStrip() {
 }
 
 void HistogramPanel::countGradients() {
-    auto* document = studio_.document();
+    auto* document = studio_.host().document();
     if (document == nullptr || isCounted_) {
         return;
     }
@@ -105,7 +105,7 @@ void HistogramPanel::countGradients() {
         return;
     }
     bool isDone = false;
-    const bool isFine = studio_.workLong([&] {
+    const bool isFine = studio_.host().workLong([&] {
         if (!counting_) {
             counting_.emplace(document->field(),
                               glm::ivec2(int(document->histogram().size()), kGradientBins));
@@ -127,7 +127,7 @@ void HistogramPanel::takeJoint() {
     for (std::size_t i = 0; i < joint.counts.size(); ++i) {
         byGradient[i / std::size_t(joint.bins.x)] += joint.counts[i];
     }
-    const QString unit = QString::fromStdString(studio_.document()->volume().unit);
+    const QString unit = QString::fromStdString(studio_.host().document()->volume().unit);
     editor_.setGradientTop(joint.gradients.hi);
     gradient_->setCounts(byGradient, joint.gradients, unit + tr("/mm"));
     both_->setJoint(joint);

@@ -13,7 +13,8 @@
 namespace vs::desktop {
 
 HistoryPanel::HistoryPanel(StudioController& studio)
-    : studio_(studio), travel_(studio), list_(named(new QListWidget, "historyList", tr("History"))) {
+    : studio_(studio), travel_(studio.host(), studio.editor()),
+      list_(named(new QListWidget, "historyList", tr("History"))) {
     named(this, "historyPanel", tr("History"));
     setWindowTitle(tr("History"));
     setAllowedAreas(Qt::LeftDockWidgetArea | Qt::RightDockWidgetArea);
@@ -25,13 +26,13 @@ HistoryPanel::HistoryPanel(StudioController& studio)
     const auto go = [this](QListWidgetItem* item) { travel_.goTo(std::size_t(list_->row(item))); };
     connect(list_, &QListWidget::itemClicked, this, go);
     connect(list_, &QListWidget::itemActivated, this, go);
-    connect(&studio_, &StudioController::opened, this, [this] {
+    connect(&studio_.host(), &DocumentHost::opened, this, [this] {
         seenOperations_ = 0;
         refresh();
     });
-    connect(&studio_, &StudioController::closed, list_, &QListWidget::clear);
-    connect(&studio_, &StudioController::changed, this, [this] {
-        const auto* document = studio_.document();
+    connect(&studio_.host(), &DocumentHost::closed, list_, &QListWidget::clear);
+    connect(&studio_.host(), &DocumentHost::changed, this, [this] {
+        const auto* document = studio_.host().document();
         if (document != nullptr && document->log().size() != seenOperations_) {
             refresh();
         }
@@ -51,8 +52,8 @@ void HistoryPanel::changeEvent(QEvent* event) {
 }
 
 void HistoryPanel::refresh() {
-    const auto* document = studio_.document();
-    if (document == nullptr || !isVisible() || studio_.isReplaying()) {
+    const auto* document = studio_.host().document();
+    if (document == nullptr || !isVisible() || studio_.host().isReplaying()) {
         return; // looked at again when it is shown, or when the last operation is replayed
     }
     seenOperations_ = document->log().size();

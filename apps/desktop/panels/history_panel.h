@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "model/studio/history_travel.h"
+#include "model/edits/history_travel.h"
 
 #include <QDockWidget>
 

@@ -44,9 +44,9 @@ RangePage::RangePage(StudioController& studio) : studio_(studio) {
 
     connect(view_, &HistogramView::rangeDragged, this, [this](Range range) {
         answer({});
-        studio_.setRange(range);
+        studio_.view().setRange(range);
     });
-    connect(&studio_, &StudioController::changed, this, &RangePage::refresh);
+    connect(&studio_.host(), &DocumentHost::changed, this, &RangePage::refresh);
     countTimer_.setSingleShot(true);
     connect(&countTimer_, &QTimer::timeout, this, &RangePage::countVisible);
 }
@@ -99,12 +99,12 @@ QWidget* RangePage::makeSmoothingRow() {
     row->addWidget(smoothing_, 1);
     row->addWidget(makeQuietLabel(tr("steps")));
     connect(smoothing_, &QDoubleSpinBox::valueChanged, this,
-            [this](double sigma) { studio_.setSurfaceSmoothing(sigma); });
+            [this](double sigma) { studio_.view().setSurfaceSmoothing(sigma); });
     return holder;
 }
 
 void RangePage::takeDocument() {
-    const auto* document = studio_.document();
+    const auto* document = studio_.host().document();
     const auto& volume = document->volume();
     const QString unit = QString::fromStdString(volume.unit);
     view_->setCounts(document->histogram(), volume.range, unit);
@@ -126,7 +126,7 @@ void RangePage::takeDocument() {
 }
 
 void RangePage::takeTyped() {
-    const Range& now = studio_.view().range;
+    const Range& now = studio_.view().shown().range;
     Range wanted{numberIn(*lo_, now.lo), numberIn(*hi_, now.hi)};
     const Range& full = view_->full();
     QString words;
@@ -141,7 +141,7 @@ void RangePage::takeTyped() {
                          written(full.hi));
     }
     answer(words);
-    studio_.setRange(taken);
+    studio_.view().setRange(taken);
     refresh(); // the numbers show what was taken, though the range may be the same as before
 }
 
@@ -149,14 +149,14 @@ void RangePage::answer(const QString& words) {
     note_->setText(words);
     note_->setVisible(!words.isEmpty());
     if (!words.isEmpty()) {
-        studio_.say(words);
+        studio_.host().say(words);
     }
 }
 
 void RangePage::refresh() {
-    const Range range = studio_.view().range;
+    const Range range = studio_.view().shown().range;
     view_->setRange(range);
-    const double smoothing = studio_.view().surfaceSmoothing;
+    const double smoothing = studio_.view().shown().surfaceSmoothing;
     for (auto [box, value] :
          {std::pair{lo_, range.lo}, std::pair{hi_, range.hi}, std::pair{smoothing_, smoothing}}) {
         if (box->value() != value) { // setting it paints it again even so
@@ -170,7 +170,7 @@ void RangePage::refresh() {
 }
 
 void RangePage::countVisible() {
-    auto* document = studio_.document();
+    auto* document = studio_.host().document();
     if (document == nullptr) {
         return;
     }
@@ -179,7 +179,7 @@ void RangePage::countVisible() {
         return;
     }
     const std::vector<std::uint32_t>* visible = nullptr;
-    if (!studio_.workLong([&] { visible = document->visibleHistogram(kCountMs); })) {
+    if (!studio_.host().workLong([&] { visible = document->visibleHistogram(kCountMs); })) {
         return;
     }
     if (visible == nullptr) {

@@ -128,7 +128,7 @@ SegmentEditPanel::SegmentEditPanel(StudioController& studio, ToolBox& tools, QWi
 
     connect(edit_, &QComboBox::currentIndexChanged, this, &SegmentEditPanel::show);
     connect(perform_, &QPushButton::clicked, this, &SegmentEditPanel::perform);
-    connect(&studio_, &StudioController::changed, this, &SegmentEditPanel::refresh);
+    connect(&studio_.host(), &DocumentHost::changed, this, &SegmentEditPanel::refresh);
     show();
 }
 
@@ -177,7 +177,7 @@ void SegmentEditPanel::perform() {
     amount_->interpretText();
     const double amount = edit.unit.isEmpty() ? 0 : amount_->value();
     if (edit.does == Edit::Does::Clicks) {
-        studio_.setTool(tools_.island());
+        studio_.hand().take(tools_.island());
     } else if (edit.does == Edit::Does::Edits) {
         studio::EditSegment operation;
         operation.kind = edit.kind;

@@ -56,7 +56,7 @@ SegmentNumbersPanel::SegmentNumbersPanel(StudioController& studio, QWidget* pare
         refreshLive();
         refreshMeasured();
     });
-    connect(&studio_, &StudioController::changed, this, &SegmentNumbersPanel::refreshLive);
+    connect(&studio_.host(), &DocumentHost::changed, this, &SegmentNumbersPanel::refreshLive);
     connect(&studio_.measurer(), &SegmentMeasurer::changed, this, &SegmentNumbersPanel::refreshMeasured);
 }
 
@@ -101,8 +101,8 @@ void SegmentNumbersPanel::copy() {
         }
     }
     QApplication::clipboard()->setText(QString::fromStdString(segment::csvOf(segments)));
-    studio_.say(segments.size() == 1 ? tr("Copied the numbers of one segment")
-                                     : tr("Copied the numbers of %1 segments").arg(segments.size()));
+    studio_.host().say(segments.size() == 1 ? tr("Copied the numbers of one segment")
+                                            : tr("Copied the numbers of %1 segments").arg(segments.size()));
 }
 
 } // namespace vs::desktop

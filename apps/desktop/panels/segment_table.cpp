@@ -43,7 +43,7 @@ SegmentTable::SegmentTable(StudioController& studio, QWidget* parent)
     setColumnWidth(SegmentModel::Volume, 72);
     setColumnWidth(SegmentModel::Eye, 28);
     setColumnWidth(SegmentModel::Lock, 28);
-    connect(&studio_, &StudioController::changed, this, &SegmentTable::refresh);
+    connect(&studio_.host(), &DocumentHost::changed, this, &SegmentTable::refresh);
     refresh();
 }
 

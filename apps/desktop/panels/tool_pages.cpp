@@ -103,13 +103,13 @@ QWidget* makePressureRows(StudioController& studio) {
     auto* mouse = makeSlider("mousePressure", tr("Pressure of the mouse, in percent"), 5, 100, 100);
     mouse->setToolTip(tr("How hard the mouse presses; a tablet's pen reports its own pressure"));
     QObject::connect(mouse, &QSlider::valueChanged, &studio,
-                     [&studio](int v) { studio.setMousePressure(v / 100.0); });
+                     [&studio](int v) { studio.hand().setMousePressure(v / 100.0); });
     form->addRow(tr("Mouse pressure"), withValue(mouse, [](int v) { return tr("%1 %").arg(v); }));
     auto* ramp =
         makeCheckBox("rampsPressure", tr("Press and hold presses harder"),
                      tr("A mouse that is held down goes from a light touch to full pressure in a second"),
-                     studio.rampsPressure());
-    QObject::connect(ramp, &QCheckBox::toggled, &studio, &StudioController::setRampsPressure);
+                     studio.hand().rampsPressure());
+    QObject::connect(ramp, &QCheckBox::toggled, &studio.hand(), &Hand::setRampsPressure);
     QObject::connect(ramp, &QCheckBox::toggled, mouse, &QSlider::setDisabled);
     form->addRow(ramp);
 
@@ -117,7 +117,7 @@ QWidget* makePressureRows(StudioController& studio) {
     pressure->setRange(0, 100);
     pressure->setValue(0); // or its text is not shown
     pressure->setFormat(tr("no tablet pen yet"));
-    QObject::connect(&studio, &StudioController::tabletPressureChanged, pressure, [pressure](double p) {
+    QObject::connect(&studio.hand(), &Hand::tabletPressureChanged, pressure, [pressure](double p) {
         pressure->setFormat("%p %");
         pressure->setValue(int(std::lround(100 * p)));
     });
@@ -189,7 +189,7 @@ QWidget* makeMovePage(StudioController& studio, ToolBox& tools) {
         size->setText(place ? tr("%1 %").arg(100 * place->scale, 0, 'f', 0) : QString("\u2013"));
         reset->setEnabled(place.has_value() && !(*place == render::Placement{}));
     };
-    QObject::connect(&studio, &StudioController::changed, part, show);
+    QObject::connect(&studio.host(), &DocumentHost::changed, part, show);
     show();
     return page;
 }

@@ -48,7 +48,7 @@ ToolPanel::ToolPanel(StudioController& studio, ToolBox& tools, QWidget* parent)
     add(tools.move(), tr("Move part"), makeMovePage(studio_, tools));
     pressure_ = makePressureRows(studio_);
     card->addWidget(pressure_);
-    connect(&studio_, &StudioController::changed, this, &ToolPanel::refresh);
+    connect(&studio_.host(), &DocumentHost::changed, this, &ToolPanel::refresh);
     refresh();
 }
 
@@ -59,7 +59,7 @@ void ToolPanel::add(const Tool& tool, const QString& title, QWidget* page) {
 }
 
 void ToolPanel::refresh() {
-    const Page& page = pages_.at(&studio_.tool());
+    const Page& page = pages_.at(&studio_.hand().tool());
     if (shown_ != page.widget) {
         shown_ = page.widget;
         // Not a stack, which would be as high as the highest page.
@@ -67,8 +67,8 @@ void ToolPanel::refresh() {
             other.widget->setVisible(other.widget == page.widget);
         }
     }
-    pressure_->setVisible(qobject_cast<const PenTool*>(&studio_.tool()) != nullptr);
-    const auto* cutTool = qobject_cast<CutTool*>(&studio_.tool());
+    pressure_->setVisible(qobject_cast<const PenTool*>(&studio_.hand().tool()) != nullptr);
+    const auto* cutTool = qobject_cast<CutTool*>(&studio_.hand().tool());
     const bool restores = cutTool != nullptr && cutTool->restores();
     const bool isOnSegment = cutTool != nullptr && cutTool->actsOnSegment();
     title_->setText(restores ? tr("%1: restore").arg(page.title)

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "parts/theme.h"
 
-#include "model/keepers/preferences.h"
+#include "model/settings/preferences.h"
 
 #include "base/check.h"
 

@@ -9,7 +9,7 @@ class QApplication;
 
 namespace vs::desktop {
 
-enum class Theme; // model/keepers/preferences.h
+enum class Theme; // model/settings/preferences.h
 
 // The colours at present: applyTheme() sets them, so look each time something is painted. Accents are of the
 // Okabe-Ito palette, which colour-blind people can tell apart.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "start/welcome_page.h"
 
-#include "model/slices/slice_pictures.h"
+#include "model/keepers/slice_pictures.h"
 #include "parts/icons.h"
 #include "parts/panel_parts.h"
 #include "start/card_grid.h"

@@ -65,16 +65,16 @@ bool InputFence::nativeEventFilter(const QByteArray& kind, void* message, qintpt
 void InputFence::goRound() { window_.setTitle(QString::number(++titles_)); }
 
 void InputFence::look() {
-    const bool isFree = !studio_.isAway() || studio_.isLasting();
-    const bool isSeen =
-        rounds_ == 0 || studio_.answeredMs() >= deliveredMs_ || studio_.isLoading() || studio_.isLasting();
+    const bool isFree = !studio_.host().isAway() || studio_.host().isLasting();
+    const bool isSeen = rounds_ == 0 || studio_.answeredMs() >= deliveredMs_ || studio_.host().isLoading() ||
+                        studio_.host().isLasting();
     if (!isFree || !isSeen) {
         timer_.start(kLookAgainMs);
         return;
     }
     if (rounds_ == 0) {
         deliveredMs_ = Timer::now();
-        studio_.workSoon();
+        studio_.host().workSoon();
     }
     if (++rounds_ < kRounds) {
         goRound();

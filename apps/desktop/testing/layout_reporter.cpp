@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "testing/layout_reporter.h"
 
+#include "model/hand/tool.h"
 #include "model/segments/growth_controller.h"
 #include "model/segments/segment_controller.h"
 #include "model/slices/slice_controller.h"
 #include "model/studio/studio_controller.h"
-#include "model/studio/tool.h"
 #include "parts/theme.h"
 #include "tools/measure_tool.h"
 #include "tools/move_tool.h"
@@ -104,7 +104,7 @@ LayoutReporter::LayoutReporter(StudioController& studio, ToolBox& tools, QWidget
 }
 
 nlohmann::json LayoutReporter::documentReport() const {
-    const auto* document = studio_.document();
+    const auto* document = studio_.host().document();
     const auto status = studio_.growth().status();
     return {{"generation", status.generation},
             {"extent", status.extent},
@@ -115,19 +115,19 @@ nlohmann::json LayoutReporter::documentReport() const {
             {"stepsDone", document != nullptr ? document->steps().done : 0},
             {"canUndo", document != nullptr && document->canUndo()},
             {"canRedo", document != nullptr && document->canRedo()},
-            {"unsaved", studio_.hasUnsavedEdits()},
+            {"unsaved", studio_.files().hasUnsavedEdits()},
             {"pictureComplete", studio_.picture().isComplete()},
             {"handles", handlesOnScreen(view_, tools_.move())},
-            {"glErrors", studio_.host().errorCount()}};
+            {"glErrors", studio_.host().gl().errorCount()}};
 }
 
 void LayoutReporter::write() {
     // Without the document, what is said of it would not go with what the window says.
-    if (studio_.isAway() && (ofDocument_.is_null() || !studio_.isLasting())) {
+    if (studio_.host().isAway() && (ofDocument_.is_null() || !studio_.host().isLasting())) {
         return;
     }
     QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
-    if (!studio_.isAway()) {
+    if (!studio_.host().isAway()) {
         ofDocument_ = documentReport();
     }
     nlohmann::json widgets = nlohmann::json::object();
@@ -150,14 +150,14 @@ void LayoutReporter::write() {
         }
     }
     const QWidget* focused = QApplication::focusWidget();
-    const auto& view = studio_.view();
+    const auto& view = studio_.view().shown();
     nlohmann::json report{
         {"idle", studio_.isIdle()},
-        {"loading", studio_.isLoading()},
-        {"away", studio_.isAway()},
-        {"lasting", studio_.isLasting()},
-        {"tool", studio_.tool().name().toStdString()},
-        {"hint", studio_.tool().hint().toStdString()},
+        {"loading", studio_.host().isLoading()},
+        {"away", studio_.host().isAway()},
+        {"lasting", studio_.host().isLasting()},
+        {"tool", studio_.hand().tool().name().toStdString()},
+        {"hint", studio_.hand().tool().hint().toStdString()},
         {"mode", render::name(view.mode)},
         {"camera",
          {{"azimuth", view.camera.azimuthDegrees},
@@ -169,7 +169,7 @@ void LayoutReporter::write() {
         {"playing", studio_.growth().isPlaying()},
         {"smooth", view.sampling == field::Sampling::Tricubic},
         {"historyRow", historyRowHeight()},
-        {"message", studio_.message().toStdString()},
+        {"message", studio_.host().message().toStdString()},
         {"desktopLight", isDesktopLight()},
         {"focus", focused != nullptr ? focused->objectName().toStdString() : std::string()},
         {"title", window_.windowTitle().toStdString()},

@@ -40,7 +40,7 @@ void CameraTool::release(const Pen&) {
 }
 
 void CameraTool::turn(QPointF delta) {
-    auto view = studio_.view();
+    auto view = studio_.view().shown();
     // As the hand moves in the picture before it is rolled.
     const double roll = glm::radians(view.camera.rollDegrees);
     const double across = std::cos(roll) * delta.x() + std::sin(roll) * delta.y();
@@ -50,26 +50,26 @@ void CameraTool::turn(QPointF delta) {
         std::remainder(view.camera.azimuthDegrees - kDegreesPerPixel * across, 360.0);
     view.camera.elevationDegrees =
         std::clamp(view.camera.elevationDegrees + kDegreesPerPixel * down, -90.0, 90.0);
-    studio_.look(view);
+    studio_.view().look(view);
 }
 
 void CameraTool::pan(QPointF delta) {
-    auto view = studio_.view();
-    const glm::dvec2 moved = studio_.millimetresPerPixel() * glm::dvec2(-delta.x(), delta.y());
+    auto view = studio_.view().shown();
+    const glm::dvec2 moved = studio_.view().millimetresPerPixel() * glm::dvec2(-delta.x(), delta.y());
     view.camera.panMm += moved;
-    studio_.look(view);
+    studio_.view().look(view);
 }
 
 void CameraTool::zoom(double factor, QPointF anchor) {
-    auto view = studio_.view();
+    auto view = studio_.view().shown();
     const double before = view.camera.zoom;
     view.camera.zoom = std::clamp(before * factor, kLeastZoom, kMostZoom);
     view.camera.panMm += millimetresFromCentre(anchor) * (1 - before / view.camera.zoom);
-    studio_.look(view);
+    studio_.view().look(view);
 }
 
 void CameraTool::roll(double degrees, QPointF anchor) {
-    auto view = studio_.view();
+    auto view = studio_.view().shown();
     const glm::dvec2 offset = millimetresFromCentre(anchor);
     const glm::dvec2 held = view.camera.panMm + offset; // the place under the anchor
     const double by = glm::radians(degrees);
@@ -77,18 +77,18 @@ void CameraTool::roll(double degrees, QPointF anchor) {
                             std::cos(by) * held.y - std::sin(by) * held.x};
     view.camera.rollDegrees = std::remainder(view.camera.rollDegrees + degrees, 360.0);
     view.camera.panMm = turned - offset;
-    studio_.look(view);
+    studio_.view().look(view);
 }
 
 glm::dvec2 CameraTool::millimetresFromCentre(QPointF place) const {
-    const QPointF fromCentre = place - studio_.viewCentre();
-    return studio_.millimetresPerPixel() * glm::dvec2(fromCentre.x(), -fromCentre.y());
+    const QPointF fromCentre = place - studio_.view().centre();
+    return studio_.view().millimetresPerPixel() * glm::dvec2(fromCentre.x(), -fromCentre.y());
 }
 
 void CameraTool::reset() {
-    auto view = studio_.view();
+    auto view = studio_.view().shown();
     view.camera = render::Camera{};
-    studio_.look(view);
+    studio_.view().look(view);
 }
 
 } // namespace vs::desktop

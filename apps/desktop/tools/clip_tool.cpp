@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/clip_tool.h"
 
+#include "model/hand/world_lines.h"
 #include "model/studio/studio_controller.h"
-#include "model/studio/world_lines.h"
 #include "tools/camera_tool.h"
 
 #include <algorithm>
@@ -17,7 +17,7 @@ ClipTool::ClipTool(StudioController& studio, CameraTool& camera) : CutTool(studi
     calm_.setSingleShot(true);
     calm_.setInterval(kCalmMs);
     connect(&calm_, &QTimer::timeout, this, &ClipTool::finish);
-    connect(&studio, &StudioController::changed, this, &ClipTool::takeStanding);
+    connect(&studio.host(), &DocumentHost::changed, this, &ClipTool::takeStanding);
     connect(this, &CutTool::settingsChanged, this, &ClipTool::settle); // a stroke stays what it began as
 }
 
@@ -36,13 +36,13 @@ QString ClipTool::hint() const {
 }
 
 Overlays ClipTool::overlays() const {
-    const auto* geometry = studio_.geometry();
+    const auto* geometry = studio_.host().geometry();
     if (geometry == nullptr) {
         return {};
     }
     const auto frame = box();
     const auto tint = isOpen_ ? cuttingTint() : idleTint();
-    return {{boxEdges(frame.lo, frame.hi, geometry->worldFromVoxel, studio_), tint, 0, 1.2}};
+    return {{boxEdges(frame.lo, frame.hi, geometry->worldFromVoxel, studio_.view()), tint, 0, 1.2}};
 }
 
 Qt::CursorShape ClipTool::cursor() const { return camera_.cursor(); }
@@ -57,7 +57,7 @@ void ClipTool::release(const Pen& pen) { camera_.release(pen); }
 // --- what is set
 
 studio::Clip::Box ClipTool::wholeBox() const {
-    const auto* geometry = studio_.geometry();
+    const auto* geometry = studio_.host().geometry();
     const glm::dvec3 dims = geometry != nullptr ? glm::dvec3(geometry->dims) : glm::dvec3(1);
     return {glm::dvec3(-0.5), dims - 0.5};
 }
@@ -70,12 +70,12 @@ studio::Clip::Box ClipTool::box() const {
 }
 
 double ClipTool::greatestOffset() const {
-    const auto* geometry = studio_.geometry();
+    const auto* geometry = studio_.host().geometry();
     return geometry != nullptr ? 0.5 * geometry->diagonalMm() : 1;
 }
 
 double ClipTool::planeOffset() const {
-    const auto* geometry = studio_.geometry();
+    const auto* geometry = studio_.host().geometry();
     if (!hasPlane() || geometry == nullptr) {
         return 0;
     }
@@ -98,10 +98,10 @@ void ClipTool::setBox(const studio::Clip::Box& box, bool isDragged) {
 }
 
 void ClipTool::setPlaneOffset(double mm, bool isDragged) {
-    if (hasPlane() && studio_.geometry() != nullptr) {
+    if (hasPlane() && studio_.host().geometry() != nullptr) {
         auto next = clip_;
         auto& plane = next.planes.front();
-        plane.point = studio_.geometry()->centreWorld() + mm * glm::normalize(plane.normal);
+        plane.point = studio_.host().geometry()->centreWorld() + mm * glm::normalize(plane.normal);
         show(next, isDragged);
     }
 }
@@ -113,11 +113,11 @@ void ClipTool::setCutsInside(bool inside) {
 }
 
 void ClipTool::facePlane() {
-    if (studio_.geometry() != nullptr) {
+    if (studio_.host().geometry() != nullptr) {
         const double offset = planeOffset();
-        const glm::dvec3 towards = -studio_.rays().forward;
+        const glm::dvec3 towards = -studio_.view().rays().forward;
         auto next = clip_;
-        next.planes = {{studio_.geometry()->centreWorld() + offset * towards, towards}};
+        next.planes = {{studio_.host().geometry()->centreWorld() + offset * towards, towards}};
         show(next, false);
     }
 }
@@ -163,7 +163,7 @@ void ClipTool::show(const studio::Clip& clip, bool isDragged) {
     clip_.restores = begun_.restores;
     clip_.radius = begun_.radius;
     isStale_ = true;
-    studio_.wake();
+    studio_.host().wake();
     if (isDragged) {
         calm_.stop();
     } else {
@@ -175,18 +175,19 @@ void ClipTool::show(const studio::Clip& clip, bool isDragged) {
 
 // Takes back the clip that stands, and begins a stroke that shows the one to come.
 bool ClipTool::open() {
-    auto* document = studio_.document();
-    if (document == nullptr || studio_.isLoading()) {
+    auto* document = studio_.host().document();
+    if (document == nullptr || studio_.host().isLoading()) {
         return false;
     }
     replaces_ = standing() != nullptr;
     isReplacing_ = true; // it is not somebody else who takes it back
-    const bool isBack = !replaces_ || studio_.apply(studio::Undo{});
+    const bool isBack = !replaces_ || studio_.editor().apply(studio::Undo{});
     isReplacing_ = false;
     begun_ = {};
     begun_.radius = radius();
     begun_.restores = restores();
-    isOpen_ = isBack && studio_.beginStroke([&](auto& open, const auto&) { open.beginStroke(begun_); });
+    isOpen_ =
+        isBack && studio_.editor().beginStroke([&](auto& open, const auto&) { open.beginStroke(begun_); });
     return isOpen_;
 }
 
@@ -194,7 +195,7 @@ void ClipTool::advance() {
     if (isOpen_ && isStale_) {
         isStale_ = false;
         studio::Clip clip = operation();
-        if (!studio_.workLong([&] { studio_.document()->updateClip(clip); })) {
+        if (!studio_.host().workLong([&] { studio_.host().document()->updateClip(clip); })) {
             drop();
         }
     }
@@ -209,9 +210,9 @@ void ClipTool::finish() {
     isOpen_ = false;
     const studio::Clip clip = operation();
     const bool clipsNothing = !clip.box && clip.planes.empty();
-    studio_.endStroke(!clipsNothing);
+    studio_.editor().endStroke(!clipsNothing);
     if (clipsNothing) {
-        studio_.say(tr("Nothing is clipped"));
+        studio_.host().say(tr("Nothing is clipped"));
     }
     emit overlayChanged();
 }
@@ -227,9 +228,9 @@ void ClipTool::drop() {
     calm_.stop();
     isStale_ = false;
     isOpen_ = false;
-    studio_.endStroke(false);
+    studio_.editor().endStroke(false);
     if (replaces_) {
-        studio_.apply(studio::Redo{});
+        studio_.editor().apply(studio::Redo{});
     }
     emit overlayChanged();
 }
@@ -242,15 +243,15 @@ void ClipTool::clear() {
 
 // The last thing done, if it was a clip that cuts, or restores, as the next one will.
 const studio::Clip* ClipTool::standing() const {
-    const auto* last = studio_.document()->lastStep();
+    const auto* last = studio_.host().document()->lastStep();
     const auto* clip = last != nullptr ? std::get_if<studio::Clip>(last) : nullptr;
     return clip != nullptr && clip->restores == restores() ? clip : nullptr;
 }
 
 // The panel shows the clip that a further change would take the place of, or none.
 void ClipTool::takeStanding() {
-    auto* document = studio_.document();
-    if (isOpen_ || isReplacing_ || document == nullptr || studio_.isLoading()) {
+    auto* document = studio_.host().document();
+    if (isOpen_ || isReplacing_ || document == nullptr || studio_.host().isLoading()) {
         return;
     }
     const auto* shown = standing();

@@ -2,12 +2,12 @@
 #include "tools/cut_tool.h"
 
 #include "model/segments/segment_controller.h"
-#include "model/studio/sketch_hints.h"
 #include "model/studio/studio_controller.h"
+#include "tools/sketch_hints.h"
 
 namespace vs::desktop {
 
-bool CutTool::actsOnSegment() const { return canActOnSegment() && studio_.brushesSegment(); }
+bool CutTool::actsOnSegment() const { return canActOnSegment() && studio_.hand().brushesSegment(); }
 
 QString CutTool::withTarget(const QString& hint) const {
     if (!actsOnSegment()) {
@@ -26,7 +26,7 @@ QString CutTool::withTarget(const QString& hint) const {
 }
 
 QString CutTool::drawHint(const QString& what) const {
-    return actsOnSegment() ? what : what + " " + howToDraw(studio_.shape());
+    return actsOnSegment() ? what : what + " " + howToDraw(studio_.hand().shape());
 }
 
 CutTool::CutTool(StudioController& studio) : Tool(&studio), studio_(studio) {}

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "model/studio/tool.h"
+#include "model/hand/tool.h"
 
 namespace vs::desktop {
 

@@ -2,8 +2,8 @@
 #include "tools/island_tool.h"
 
 #include "model/segments/segment_controller.h"
-#include "model/studio/sketch_hints.h"
 #include "model/studio/studio_controller.h"
+#include "tools/sketch_hints.h"
 
 namespace vs::desktop {
 
@@ -59,8 +59,8 @@ void IslandTool::release(const Pen&) {
     }
     studio::EditSegment edit;
     edit.kind = keeps_ ? studio::EditSegment::Kind::KeepIsland : studio::EditSegment::Kind::DropIsland;
-    edit.pixel = glm::dvec2(pressed_->x(), pressed_->y()) * studio_.devicePerLogical();
-    edit.canvas = studio_.canvas();
+    edit.pixel = glm::dvec2(pressed_->x(), pressed_->y()) * studio_.view().devicePerLogical();
+    edit.canvas = studio_.view().canvas();
     clear();
     studio_.segments().perform(edit);
 }

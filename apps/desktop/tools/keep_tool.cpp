@@ -35,11 +35,11 @@ void KeepTool::release(const Pen&) {
         return;
     }
     studio::KeepConnected keep;
-    keep.pixel = glm::dvec2(pressed_->x(), pressed_->y()) * studio_.devicePerLogical();
+    keep.pixel = glm::dvec2(pressed_->x(), pressed_->y()) * studio_.view().devicePerLogical();
     keep.connectivity = joinsCorners_ ? 26 : 6;
-    keep.canvas = studio_.canvas();
+    keep.canvas = studio_.view().canvas();
     clear();
-    studio_.apply(keep);
+    studio_.editor().apply(keep);
 }
 
 void KeepTool::clear() {

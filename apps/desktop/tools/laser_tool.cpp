@@ -63,12 +63,12 @@ void LaserTool::lay() {
         return;
     }
     const Timer timer;
-    const glm::dvec2 scale = studio_.devicePerLogical();
+    const glm::dvec2 scale = studio_.view().devicePerLogical();
     const glm::dvec2 pixel = glm::dvec2(penPosition().x(), penPosition().y()) * scale;
-    studio_.workLong([&] {
-        lying_ = closedPath(
-            studio_.document()->outlineOnSurface(pad().sketch(scale), pixel, studio_.picture().viewport()),
-            scale);
+    studio_.host().workLong([&] {
+        lying_ = closedPath(studio_.host().document()->outlineOnSurface(pad().sketch(scale), pixel,
+                                                                        studio_.picture().viewport()),
+                            scale);
     });
     lyingAt_ = penPosition();
     // On a slow device seldom enough that the hand does not feel it.

@@ -40,8 +40,8 @@ QString labelOf(const Measurement& measurement) {
 
 MeasureTool::MeasureTool(StudioController& studio, CameraTool& camera)
     : Tool(&studio), studio_(studio), camera_(camera) {
-    connect(&studio_, &StudioController::opened, this, &MeasureTool::removeAll);
-    connect(&studio_, &StudioController::closed, this, &MeasureTool::removeAll);
+    connect(&studio_.host(), &DocumentHost::opened, this, &MeasureTool::removeAll);
+    connect(&studio_.host(), &DocumentHost::closed, this, &MeasureTool::removeAll);
 }
 
 QString MeasureTool::hint() const {
@@ -135,9 +135,9 @@ void MeasureTool::removeAll() {
 
 std::optional<glm::dvec3> MeasureTool::surfaceAt(QPointF position) {
     std::optional<studio::Document::Probe> found;
-    const glm::dvec2 pixel = glm::dvec2(position.x(), position.y()) * studio_.devicePerLogical();
-    const auto viewport = studio_.canvas().viewport;
-    studio_.workLong([&] { found = studio_.document()->probe(pixel, viewport); });
+    const glm::dvec2 pixel = glm::dvec2(position.x(), position.y()) * studio_.view().devicePerLogical();
+    const auto viewport = studio_.view().canvas().viewport;
+    studio_.host().workLong([&] { found = studio_.host().document()->probe(pixel, viewport); });
     return found ? std::optional(found->world) : std::nullopt;
 }
 

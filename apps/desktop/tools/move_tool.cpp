@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/move_tool.h"
 
+#include "model/hand/world_lines.h"
 #include "model/studio/studio_controller.h"
-#include "model/studio/world_lines.h"
 #include "tools/camera_tool.h"
 
 #include <QFont>
@@ -28,15 +28,15 @@ MoveTool::MoveTool(StudioController& studio, CameraTool& camera)
     calm_.setSingleShot(true);
     calm_.setInterval(kCalmMs);
     connect(&calm_, &QTimer::timeout, this, &MoveTool::commit);
-    connect(&studio, &StudioController::changed, this, &MoveTool::lookForParts);
-    connect(&studio, &StudioController::pasted, this, [this] {
-        studio_.setTool(*this);
+    connect(&studio.host(), &DocumentHost::changed, this, &MoveTool::lookForParts);
+    connect(&studio.editor(), &Editor::pasted, this, [this] {
+        studio_.hand().take(*this);
         choose(count() - 1);
     });
-    connect(&studio, &StudioController::opened, this, [this] { boxes_.clear(); });
+    connect(&studio.host(), &DocumentHost::opened, this, [this] { boxes_.clear(); });
 }
 
-int MoveTool::count() const { return int(studio_.view().pasted.size()); }
+int MoveTool::count() const { return int(studio_.view().shown().pasted.size()); }
 
 QString MoveTool::hint() const {
     if (count() == 0) {
@@ -61,9 +61,9 @@ Qt::CursorShape MoveTool::cursor() const {
 
 // The boxes around the parts change with every edit but the moves of parts.
 void MoveTool::lookForParts() {
-    auto* document = studio_.document();
-    if (before_ || document == nullptr || studio_.isLoading() || document->isStrokeOpen() ||
-        document->isGrowing() || &studio_.tool() != this) {
+    auto* document = studio_.host().document();
+    if (before_ || document == nullptr || studio_.host().isLoading() || document->isStrokeOpen() ||
+        document->isGrowing() || &studio_.hand().tool() != this) {
         return;
     }
     chosen_ = std::clamp(chosen_, 0, std::max(count() - 1, 0));
@@ -73,7 +73,7 @@ void MoveTool::lookForParts() {
     seenEdits_ = log.size();
     if (isNew || int(boxes_.size()) != count()) {
         boxes_.clear();
-        studio_.workLong([&] {
+        studio_.host().workLong([&] {
             for (int part = 0; part < count(); ++part) {
                 boxes_.push_back(document->partBox(std::size_t(part)));
             }
@@ -84,23 +84,24 @@ void MoveTool::lookForParts() {
 }
 
 HeldPart MoveTool::held(int part) const {
-    const auto& geometry = *studio_.geometry();
+    const auto& geometry = *studio_.host().geometry();
     const auto n = std::size_t(part);
     glm::dvec3 centre = geometry.centreWorld();
     if (n < boxes_.size() && !boxes_[n].isEmpty()) {
         const glm::dvec3 voxel = 0.5 * glm::dvec3(boxes_[n].lo + boxes_[n].hi);
         centre = glm::dvec3(geometry.worldFromVoxel * glm::dvec4(voxel, 1.0));
     }
-    return {studio_.view().pasted[n], centre, geometry};
+    return {studio_.view().shown().pasted[n], centre, geometry};
 }
 
 std::optional<render::Placement> MoveTool::place() const {
-    return chosen_ < count() ? std::optional(studio_.view().pasted[std::size_t(chosen_)]) : std::nullopt;
+    return chosen_ < count() ? std::optional(studio_.view().shown().pasted[std::size_t(chosen_)])
+                             : std::nullopt;
 }
 
 Overlays MoveTool::overlays() const {
     Overlays overlays;
-    const auto* geometry = studio_.geometry();
+    const auto* geometry = studio_.host().geometry();
     if (geometry == nullptr) {
         return overlays;
     }
@@ -113,11 +114,12 @@ Overlays MoveTool::overlays() const {
         const auto n = std::size_t(part);
         if (isChosen && n < boxes_.size() && !boxes_[n].isEmpty()) {
             const glm::dmat4 place =
-                render::worldFromPart(studio_.view().pasted[n], *geometry) * geometry->worldFromVoxel;
+                render::worldFromPart(studio_.view().shown().pasted[n], *geometry) * geometry->worldFromVoxel;
             overlays.push_back(
-                {boxEdges(glm::dvec3(boxes_[n].lo), glm::dvec3(boxes_[n].hi), place, studio_), tint, 0, 1});
+                {boxEdges(glm::dvec3(boxes_[n].lo), glm::dvec3(boxes_[n].hi), place, studio_.view()), tint, 0,
+                 1});
         }
-        const QPointF at = studio_.seenAt(held(part).centre());
+        const QPointF at = studio_.view().seenAt(held(part).centre());
         QPainterPath disc;
         disc.addEllipse(at, kHandle, kHandle);
         overlays.push_back({disc, tint, isChosen ? 0.6 : 0.2});
@@ -133,7 +135,7 @@ Overlays MoveTool::overlays() const {
 std::vector<QPointF> MoveTool::handles() const {
     std::vector<QPointF> places;
     for (int part = 0; part < count(); ++part) {
-        places.push_back(studio_.seenAt(held(part).centre()));
+        places.push_back(studio_.view().seenAt(held(part).centre()));
     }
     return places;
 }
@@ -142,7 +144,7 @@ std::optional<int> MoveTool::handleAt(QPointF position) const {
     std::optional<int> nearest;
     double least = kReach;
     for (int part = 0; part < count(); ++part) {
-        const QPointF way = studio_.seenAt(held(part).centre()) - position;
+        const QPointF way = studio_.view().seenAt(held(part).centre()) - position;
         const double distance = std::hypot(way.x(), way.y());
         if (distance <= least) {
             least = distance;
@@ -157,8 +159,9 @@ bool MoveTool::isOverChosen(QPointF position) const {
     if (chosen_ >= count() || n >= boxes_.size() || boxes_[n].isEmpty()) {
         return false;
     }
-    const glm::dvec2 scale = studio_.devicePerLogical();
-    const QRectF seen = seenBox(boxes_[n], studio_.view().pasted[n], *studio_.geometry(), studio_.rays());
+    const glm::dvec2 scale = studio_.view().devicePerLogical();
+    const QRectF seen = seenBox(boxes_[n], studio_.view().shown().pasted[n], *studio_.host().geometry(),
+                                studio_.view().rays());
     return seen.adjusted(-kMargin, -kMargin, kMargin, kMargin)
         .contains(QPointF(position.x() * scale.x, position.y() * scale.y));
 }
@@ -166,7 +169,7 @@ bool MoveTool::isOverChosen(QPointF position) const {
 void MoveTool::choose(int part) {
     settle();
     chosen_ = std::clamp(part, 0, std::max(count() - 1, 0));
-    emit studio_.changed();
+    emit studio_.host().changed();
     emit overlayChanged();
 }
 
@@ -197,7 +200,7 @@ void MoveTool::press(const Pen& pen) {
 
 void MoveTool::begin() {
     if (!before_) {
-        before_ = studio_.view().pasted;
+        before_ = studio_.view().shown().pasted;
     }
 }
 
@@ -207,20 +210,20 @@ void MoveTool::move(const Pen& pen) {
         camera_.turn(delta);
     } else if (before_) {
         HeldPart part = held(chosen_);
-        const auto rays = studio_.rays();
+        const auto rays = studio_.view().rays();
         const glm::dvec3 right = glm::normalize(rays.right);
         const glm::dvec3 up = glm::normalize(rays.up);
         if (pen.modifiers.testFlag(Qt::ShiftModifier)) {
             part.turn(up, kDegreesPerPixel * delta.x());
             part.turn(right, kDegreesPerPixel * delta.y());
         } else if (pen.modifiers.testFlag(Qt::ControlModifier)) {
-            const QPointF centre = studio_.seenAt(part.centre());
+            const QPointF centre = studio_.view().seenAt(part.centre());
             const QPointF from = last_ - centre;
             const QPointF to = pen.position - centre;
             const double angle = std::atan2(to.y(), to.x()) - std::atan2(from.y(), from.x());
             part.turn(rays.forward, glm::degrees(angle)); // clockwise as seen, as y points down
         } else {
-            const double mm = rays.pixelMm(part.centre()) * studio_.devicePerLogical().y;
+            const double mm = rays.pixelMm(part.centre()) * studio_.view().devicePerLogical().y;
             part.move(mm * (delta.x() * right - delta.y() * up));
         }
         show(part.place());
@@ -269,9 +272,9 @@ void MoveTool::resetPlace() {
 // --- showing and keeping it
 
 void MoveTool::show(const render::Placement& place) {
-    auto view = studio_.view();
+    auto view = studio_.view().shown();
     view.pasted[std::size_t(chosen_)] = place;
-    studio_.look(view);
+    studio_.view().look(view);
     emit overlayChanged();
 }
 
@@ -283,12 +286,12 @@ void MoveTool::commit() {
     }
     const auto before = std::move(*before_);
     before_.reset();
-    const auto place = studio_.view().pasted[std::size_t(chosen_)];
-    auto view = studio_.view();
+    const auto place = studio_.view().shown().pasted[std::size_t(chosen_)];
+    auto view = studio_.view().shown();
     view.pasted = before;
-    studio_.look(view);
+    studio_.view().look(view);
     if (!(place == before[std::size_t(chosen_)])) {
-        studio_.apply(studio::MovePart{chosen_, place});
+        studio_.editor().apply(studio::MovePart{chosen_, place});
     }
     emit overlayChanged();
 }
@@ -296,9 +299,9 @@ void MoveTool::commit() {
 void MoveTool::drop() {
     calm_.stop();
     if (before_) {
-        auto view = studio_.view();
+        auto view = studio_.view().shown();
         view.pasted = *std::exchange(before_, std::nullopt);
-        studio_.look(view);
+        studio_.view().look(view);
     }
     emit overlayChanged();
 }

@@ -3,9 +3,9 @@
 
 #include "model/segments/growth_controller.h"
 #include "model/slices/slice_controller.h"
-#include "model/studio/sketch_hints.h"
 #include "model/studio/studio_controller.h"
 #include "tools/camera_tool.h"
+#include "tools/sketch_hints.h"
 
 #include <algorithm>
 
@@ -66,9 +66,10 @@ void PaintTool::paint(studio::Trail trail, bool isReversed) {
     studio::PaintSegment paint{isToAdd_ != isReversed, std::move(trail), {}};
     if (isInRangeOnly_) {
         const auto growth = studio_.growth().status();
-        paint.range = growth.hasSeeds && growth.range.width() > 0 ? growth.range : studio_.visibleRange();
+        paint.range =
+            growth.hasSeeds && growth.range.width() > 0 ? growth.range : studio_.view().visibleRange();
     }
-    studio_.apply(paint);
+    studio_.editor().apply(paint);
 }
 
 } // namespace vs::desktop

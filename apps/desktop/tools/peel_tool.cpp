@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/peel_tool.h"
 
-#include "model/studio/sketch_hints.h"
 #include "model/studio/studio_controller.h"
+#include "tools/sketch_hints.h"
 
 #include <algorithm>
 
@@ -66,8 +66,8 @@ void PeelTool::press(const Pen& pen) {
     if (state_ == State::Ready && pad_.area().contains(pen.position)) {
         pressed_ = pen.position;
         wanted_ = applied_ = 0;
-        const auto mask = pad_.sketch(studio_.devicePerLogical());
-        if (studio_.beginStroke([&](auto& document, const auto& canvas) {
+        const auto mask = pad_.sketch(studio_.view().devicePerLogical());
+        if (studio_.editor().beginStroke([&](auto& document, const auto& canvas) {
                 document.beginStroke(studio::Peel{mask, 0, radius(), restores(), canvas});
             })) {
             setState(State::Peeling);
@@ -75,7 +75,7 @@ void PeelTool::press(const Pen& pen) {
         return;
     }
     if (state_ != State::Sketching) { // else the next corner of a polyline
-        pad_.begin(studio_.shape(), pen.position, studio_.stencil());
+        pad_.begin(studio_.hand().shape(), pen.position, studio_.hand().stencil());
     }
     pad_.press(pen);
     setState(State::Sketching);
@@ -92,7 +92,7 @@ void PeelTool::move(const Pen& pen) {
 
 void PeelTool::peelTo(const Pen& pen) {
     wanted_ = std::max(0.0, kLayersPerPixel * (pen.position.y() - pressed_.y()));
-    studio_.wake();
+    studio_.host().wake();
     emit layersChanged();
     emit overlayChanged();
 }
@@ -107,7 +107,7 @@ void PeelTool::release(const Pen& pen) {
         peelTo(pen);
         advance();
         if (state_ == State::Peeling) { // advance() may have failed
-            studio_.endStroke(applied_ > 0);
+            studio_.editor().endStroke(applied_ > 0);
             setState(State::Ready);
         }
     }
@@ -145,7 +145,7 @@ void PeelTool::hover(const Pen& pen) {
 
 void PeelTool::clear() {
     if (state_ == State::Peeling) {
-        studio_.endStroke(false);
+        studio_.editor().endStroke(false);
         wanted_ = applied_ = 0;
         setState(State::Ready);
         emit layersChanged();
@@ -156,7 +156,7 @@ void PeelTool::clear() {
 
 void PeelTool::viewResized() {
     if (state_ == State::Peeling) {
-        studio_.endStroke(false);
+        studio_.editor().endStroke(false);
     }
     stop();
 }
@@ -170,10 +170,10 @@ void PeelTool::advance() {
     if (state_ != State::Peeling || wanted_ == applied_) {
         return;
     }
-    if (studio_.workLong([&] { studio_.document()->updatePeel(wanted_); })) {
+    if (studio_.host().workLong([&] { studio_.host().document()->updatePeel(wanted_); })) {
         applied_ = wanted_;
     } else {
-        studio_.endStroke(false);
+        studio_.editor().endStroke(false);
         setState(State::Ready);
     }
 }

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/pen_tool.h"
 
-#include "model/studio/sketch_hints.h"
 #include "model/studio/studio_controller.h"
+#include "tools/sketch_hints.h"
 
 #include <algorithm>
 #include <cmath>
@@ -79,7 +79,7 @@ void PenTool::press(const Pen& pen) {
         beginCut(pen);
     } else {
         if (state_ != State::Sketching) { // else the next corner of a polyline
-            pad_.begin(studio_.shape(), pen.position, studio_.stencil());
+            pad_.begin(studio_.hand().shape(), pen.position, studio_.hand().stencil());
         }
         pad_.press(pen);
         setState(State::Sketching);
@@ -88,12 +88,12 @@ void PenTool::press(const Pen& pen) {
 
 void PenTool::beginCut(const Pen& pen) {
     studio::PenCut cut;
-    cut.mask = pad_.sketch(studio_.devicePerLogical());
+    cut.mask = pad_.sketch(studio_.view().devicePerLogical());
     cut.depthMax = depth_;
     cut.radius = radius();
     cut.restores = restores();
     cut.keepsDigging = keepsDigging_;
-    if (!studio_.beginStroke([&](auto& document, const auto& canvas) {
+    if (!studio_.editor().beginStroke([&](auto& document, const auto& canvas) {
             cut.canvas = canvas;
             document.beginStroke(operation(cut));
         })) {
@@ -104,7 +104,7 @@ void PenTool::beginCut(const Pen& pen) {
     last_ = {glm::dvec2(-1e9), 0};
     sincePress_ = Timer();
     ramping_.reset();
-    if (pen.isMouse && studio_.rampsPressure()) {
+    if (pen.isMouse && studio_.hand().rampsPressure()) {
         ramping_ = pen;
     }
     setState(State::Cutting);
@@ -131,7 +131,7 @@ void PenTool::release(const Pen& pen) {
         ramping_.reset();
         cut(1e9);                       // all that is waiting
         if (state_ == State::Cutting) { // cut() may have failed
-            studio_.endStroke(true);
+            studio_.editor().endStroke(true);
             setState(State::Ready);
         }
     }
@@ -175,7 +175,7 @@ void PenTool::leave() {
 void PenTool::clear() {
     if (state_ == State::Cutting) {
         waiting_.clear();
-        studio_.endStroke(false);
+        studio_.editor().endStroke(false);
         setState(State::Ready);
     } else {
         abandon();
@@ -184,7 +184,7 @@ void PenTool::clear() {
 
 void PenTool::viewResized() {
     if (state_ == State::Cutting) {
-        studio_.endStroke(false);
+        studio_.editor().endStroke(false);
     }
     abandon();
 }
@@ -204,7 +204,8 @@ void PenTool::enqueue(const Pen& pen) {
     if (ramping_) {
         ramping_ = pen;
     }
-    const sculpt::PenPoint point{glm::dvec2(pen.position.x(), pen.position.y()) * studio_.devicePerLogical(),
+    const sculpt::PenPoint point{glm::dvec2(pen.position.x(), pen.position.y()) *
+                                     studio_.view().devicePerLogical(),
                                  pressureOf(pen), glm::dvec2(pen.tiltDegrees.x(), pen.tiltDegrees.y())};
     // Energy counts once per place, so a report from the same place that presses no harder would change
     // nothing.
@@ -213,7 +214,7 @@ void PenTool::enqueue(const Pen& pen) {
     }
     last_ = point;
     waiting_.push_back(point);
-    studio_.wake();
+    studio_.host().wake();
 }
 
 void PenTool::advance() {
@@ -231,7 +232,7 @@ void PenTool::ramp() {
     if (waiting_.empty() && (pressure >= last_.pressure + kRampStep || pressure >= 1)) {
         enqueue(*ramping_);
     }
-    studio_.wake(); // until it is full
+    studio_.host().wake(); // until it is full
 }
 
 // A point costs as much as a whole stretch. Where the pen has gone on straight, the last of those that wait
@@ -268,14 +269,14 @@ void PenTool::cut(double budgetMs) {
         done_ = waiting_.front();
         waiting_.pop_front();
         hasBegun_ = true;
-        if (!studio_.workLong([&] { studio_.document()->updatePen(done_); })) {
+        if (!studio_.host().workLong([&] { studio_.host().document()->updatePen(done_); })) {
             waiting_.clear();
-            studio_.endStroke(false);
+            studio_.editor().endStroke(false);
             setState(State::Ready);
             return;
         }
         if (timer.milliseconds() > budgetMs) {
-            studio_.wake();
+            studio_.host().wake();
             return;
         }
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/placement_by_hand.h"
 
-#include "model/studio/world_lines.h"
+#include "model/hand/world_lines.h"
 
 #include <QPolygonF>
 

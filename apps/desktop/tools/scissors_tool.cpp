@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/scissors_tool.h"
 
-#include "model/studio/sketch_hints.h"
 #include "model/studio/studio_controller.h"
+#include "tools/sketch_hints.h"
 
 namespace vs::desktop {
 
@@ -50,7 +50,7 @@ void ScissorsTool::setDepth(std::optional<double> steps) {
 
 void ScissorsTool::press(const Pen& pen) {
     if (!isSketching_) { // else the next corner of a polyline
-        pad_.begin(studio_.shape(), pen.position, studio_.stencil());
+        pad_.begin(studio_.hand().shape(), pen.position, studio_.hand().stencil());
     }
     pad_.press(pen);
     isSketching_ = true;
@@ -89,13 +89,13 @@ void ScissorsTool::cutSketch() {
         return;
     }
     studio::Scissors scissors;
-    scissors.outline = pad_.sketch(studio_.devicePerLogical());
+    scissors.outline = pad_.sketch(studio_.view().devicePerLogical());
     scissors.cutsOutside = cutsOutside_;
     scissors.depth = depth_;
     scissors.radius = radius();
     scissors.restores = restores();
-    scissors.canvas = studio_.canvas();
-    studio_.cut(scissors);
+    scissors.canvas = studio_.view().canvas();
+    studio_.editor().cut(scissors);
 }
 
 void ScissorsTool::clear() {

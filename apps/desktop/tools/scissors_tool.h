@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "model/studio/sketch_pad.h"
+#include "model/hand/sketch_pad.h"
 #include "tools/cut_tool.h"
 
 #include <optional>

@@ -2,8 +2,8 @@
 #include "tools/seed_tool.h"
 
 #include "model/segments/growth_controller.h"
-#include "model/studio/sketch_hints.h"
 #include "model/studio/studio_controller.h"
+#include "tools/sketch_hints.h"
 
 namespace vs::desktop {
 
@@ -19,7 +19,7 @@ QString SeedTool::doing() const {
         return sketchHint(pad_, isReversed_ ? SketchEnd::Absorb : SketchEnd::Seed);
     }
     const bool starts = studio_.growth().isAutoStart();
-    const QString how = " " + howToDraw(studio_.shape(), SketchPad::Needs::Line) + " ";
+    const QString how = " " + howToDraw(studio_.hand().shape(), SketchPad::Needs::Line) + " ";
     if (isReversed_) {
         return (starts ? tr("Draw on the segment: it is absorbed from there outward until you pause.")
                        : tr("Draw on the segment: it is absorbed there; Step and Play go on outward.")) +
@@ -47,7 +47,7 @@ void SeedTool::setReversed(bool reversed) {
 
 void SeedTool::press(const Pen& pen) {
     if (!isSketching_) { // else the next corner of a polyline
-        pad_.begin(studio_.shape(), pen.position, studio_.stencil(), SketchPad::Needs::Line);
+        pad_.begin(studio_.hand().shape(), pen.position, studio_.hand().stencil(), SketchPad::Needs::Line);
     }
     pad_.press(pen);
     isSketching_ = true;
@@ -85,11 +85,11 @@ void SeedTool::takeStroke() {
     if (!pad_.isOfUse()) {
         return;
     }
-    const glm::dvec2 scale = studio_.devicePerLogical();
+    const glm::dvec2 scale = studio_.view().devicePerLogical();
     const auto fill = [&](auto stroke) {
         stroke.strokes.push_back(pad_.sketch(scale));
         stroke.widthPixels = width_ * scale.y;
-        stroke.canvas = studio_.canvas();
+        stroke.canvas = studio_.view().canvas();
         return stroke;
     };
     if (isReversed_) {

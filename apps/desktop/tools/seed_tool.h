@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "model/studio/sketch_pad.h"
-#include "model/studio/tool.h"
+#include "model/hand/sketch_pad.h"
+#include "model/hand/tool.h"
 
 namespace vs::desktop {
 

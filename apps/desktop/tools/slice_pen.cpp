@@ -21,7 +21,7 @@ SlicePen::SlicePen(StudioController& studio, SeedTool& seed, PaintTool& paint, M
 }
 
 SlicePen::Use SlicePen::use() const {
-    const Tool* tool = &studio_.tool();
+    const Tool* tool = &studio_.hand().tool();
     return tool == &seed_      ? Use::Seed
            : tool == &paint_   ? Use::Paint
            : tool == &measure_ ? Use::Measure
@@ -52,7 +52,8 @@ Overlay::Tint SlicePen::tint(bool isReversed) const {
 }
 
 bool SlicePen::press(Kind kind, glm::dvec2 place, bool isReversed, Qt::KeyboardModifiers modifiers) {
-    if (studio_.document() == nullptr || studio_.isLoading() || studio_.document()->isStrokeOpen()) {
+    if (studio_.host().document() == nullptr || studio_.host().isLoading() ||
+        studio_.host().document()->isStrokeOpen()) {
         return false;
     }
     if (use() == Use::Crosshair || modifiers.testFlag(Qt::ShiftModifier)) {
@@ -102,7 +103,7 @@ glm::dvec3 SlicePen::worldAt(Kind kind, glm::dvec2 place) const {
     const SliceController& slices = studio_.slices();
     const render::SliceGeometry slice = slices.geometry(kind);
     const glm::dvec3 voxel = slice.voxelAt(place, slices.crosshair()[slice.axis()]);
-    return glm::dvec3(studio_.geometry()->worldFromVoxel * glm::dvec4(voxel, 1.0));
+    return glm::dvec3(studio_.host().geometry()->worldFromVoxel * glm::dvec4(voxel, 1.0));
 }
 
 studio::Trail SlicePen::trail() const {
@@ -133,11 +134,11 @@ void SlicePen::release(bool isDrag) {
     const studio::Trail drawn = trail();
     stroke_.reset();
     if (use() == Use::Seed && isReversed_) {
-        studio_.apply(studio::PaintSegment{false, drawn, {}});
+        studio_.editor().apply(studio::PaintSegment{false, drawn, {}});
     } else if (use() == Use::Seed) {
         studio::Seed seed;
         seed.trails = {drawn};
-        seed.canvas = studio_.canvas();
+        seed.canvas = studio_.view().canvas();
         studio_.growth().addSeeds(seed);
     } else {
         paint_.paint(drawn, isReversed_);

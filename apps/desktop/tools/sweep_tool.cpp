@@ -1,14 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/sweep_tool.h"
 
-#include "model/studio/sketch_hints.h"
 #include "model/studio/studio_controller.h"
+#include "tools/sketch_hints.h"
 #include "tools/sweep_along_view.h"
 
 namespace vs::desktop {
 
 SweepTool::SweepTool(StudioController& studio) : CutTool(studio) {
-    connect(&studio, &StudioController::changed, this, &SweepTool::forgetOldView);
+    connect(&studio.host(), &DocumentHost::changed, this, &SweepTool::forgetOldView);
     connect(this, &CutTool::settingsChanged, this, &SweepTool::prepare);
     constexpr int kCalmMs = 150;
     calm_.setSingleShot(true);
@@ -85,7 +85,7 @@ void SweepTool::press(const Pen& pen) {
 
 void SweepTool::beginMask(const Pen& pen) {
     abandon();
-    mask_.begin(studio_.shape(), pen.position, studio_.stencil());
+    mask_.begin(studio_.hand().shape(), pen.position, studio_.hand().stencil());
     mask_.press(pen);
     setState(State::SketchingMask);
 }
@@ -133,8 +133,8 @@ void SweepTool::prepare() {
 }
 
 std::optional<studio::Sweep> SweepTool::drawnSweep() {
-    const glm::dvec2 scale = studio_.devicePerLogical();
-    const studio::Canvas canvas = studio_.canvas();
+    const glm::dvec2 scale = studio_.view().devicePerLogical();
+    const studio::Canvas canvas = studio_.view().canvas();
     studio::Sweep sweep;
     if (isDrawn()) {
         if (way_.isEmpty()) {
@@ -147,13 +147,14 @@ std::optional<studio::Sweep> SweepTool::drawnSweep() {
     } else {
         const QPointF centre = mask_.centre();
         std::optional<studio::Document::Probe> start;
-        studio_.workLong([&] {
-            start = studio_.document()->probe(glm::dvec2(centre.x(), centre.y()) * scale, canvas.viewport);
+        studio_.host().workLong([&] {
+            start =
+                studio_.host().document()->probe(glm::dvec2(centre.x(), centre.y()) * scale, canvas.viewport);
         });
         if (!start) {
             return std::nullopt;
         }
-        sweep = sweepAlongView(mask_.sketch(scale), *start, settings_, canvas, *studio_.geometry());
+        sweep = sweepAlongView(mask_.sketch(scale), *start, settings_, canvas, *studio_.host().geometry());
     }
     sweep.frame = settings_.frame;
     sweep.radius = radius();
@@ -165,13 +166,13 @@ std::optional<studio::Sweep> SweepTool::drawnSweep() {
 void SweepTool::preview() {
     outlines_ = {};
     std::vector<std::vector<glm::dvec2>> outlines;
-    studio_.workLong([&] { outlines = studio_.document()->outlinesAlongPath(*sweep_); });
+    studio_.host().workLong([&] { outlines = studio_.host().document()->outlinesAlongPath(*sweep_); });
     for (const auto& outline : outlines) {
-        outlines_.addPath(closedPath(outline, studio_.devicePerLogical()));
+        outlines_.addPath(closedPath(outline, studio_.view().devicePerLogical()));
     }
     if (outlines_.isEmpty()) {
         sweep_.reset();
-        studio_.say(tr("The way leads nowhere: draw it on the object, or longer"));
+        studio_.host().say(tr("The way leads nowhere: draw it on the object, or longer"));
     } else {
         state_ = State::Ready;
     }
@@ -189,7 +190,7 @@ bool SweepTool::accept() {
     sweep_.reset();
     way_.clear();
     setState(State::HasMask); // for a further way
-    studio_.apply(sweep);
+    studio_.editor().apply(sweep);
     if (!isDrawn()) {
         abandon(); // the same once more would cut nothing
     }
@@ -198,7 +199,7 @@ bool SweepTool::accept() {
 
 // A way that was drawn on another view means something else on this one.
 void SweepTool::forgetOldView() {
-    if (state_ != State::Ready || !sweep_ || sweep_->canvas->view == studio_.view()) {
+    if (state_ != State::Ready || !sweep_ || sweep_->canvas->view == studio_.view().shown()) {
         return;
     }
     way_.clear();

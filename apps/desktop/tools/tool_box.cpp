@@ -31,11 +31,11 @@ ToolBox::ToolBox(StudioController& studio)
     for (Tool* tool :
          std::initializer_list<Tool*>{&camera_, &peel_, &drill_, &laser_, &sweep_, &scissors_, &keep_, &clip_,
                                       &seed_, &move_, &island_, &paint_, &measure_}) {
-        studio.listenTo(*tool);
+        studio.hand().listenTo(*tool);
     }
-    studio.setTool(camera_);
-    connect(&studio, &StudioController::closing, this, [this, &studio] {
-        studio.setTool(camera_); // which drops what another has in hand
+    studio.hand().take(camera_);
+    connect(&studio.host(), &DocumentHost::closing, this, [this, &studio] {
+        studio.hand().take(camera_); // which drops what another has in hand
         camera_.clear();
     });
 }

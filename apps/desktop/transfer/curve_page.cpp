@@ -50,7 +50,7 @@ CurvePage::CurvePage(StudioController& studio, FunctionEditor& editor, FunctionE
 }
 
 void CurvePage::takeDocument() {
-    const auto* document = studio_.document();
+    const auto* document = studio_.host().document();
     const auto& volume = document->volume();
     if (kind_ == FunctionEditor::Kind::Intensity) {
         const bool isWhole = volume.type != volume::ScalarType::Float32;
@@ -103,9 +103,9 @@ void CurvePage::takeTyped(double value) {
     edit([&](render::TransferFunction& f, std::size_t part) {
         render::movePoint(f, part, value, f.points[part].opacity);
         if (const double taken = f.points[part].position; taken != value) {
-            studio_.say(tr("%1 lies beyond the next point: this one was put to %2")
-                            .arg(value, 0, 'g', 6)
-                            .arg(taken, 0, 'g', 6));
+            studio_.host().say(tr("%1 lies beyond the next point: this one was put to %2")
+                                   .arg(value, 0, 'g', 6)
+                                   .arg(taken, 0, 'g', 6));
         }
     });
 }

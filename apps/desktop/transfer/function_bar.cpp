@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "transfer/function_bar.h"
 
-#include "model/studio/function_editor.h"
+#include "model/document/function_editor.h"
 #include "model/studio/studio_controller.h"
 #include "parts/panel_parts.h"
 #include "transfer/function_gallery.h"
@@ -64,7 +64,7 @@ void FunctionBar::showGallery() {
 }
 
 void FunctionBar::refresh() {
-    const auto& function = studio_.view().transferFunction;
+    const auto& function = studio_.view().shown().transferFunction;
     const QString name = !function                ? tr("The mode's own colours")
                          : function->name.empty() ? tr("Colours of your own")
                                                   : QString::fromStdString(function->name);
@@ -89,9 +89,9 @@ void FunctionBar::open() {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setFileMode(QFileDialog::ExistingFile);
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-        studio_.guard([&] {
+        studio_.host().guard([&] {
             editor_.take(render::loadTransferFunction(path.toStdString()));
-            studio_.say(tr("Opened colours %1").arg(path));
+            studio_.host().say(tr("Opened colours %1").arg(path));
         });
     });
     dialog->open();
@@ -106,9 +106,9 @@ void FunctionBar::save() {
     dialog->setDefaultSuffix("json");
     dialog->selectFile("colours.json");
     connect(dialog, &QFileDialog::fileSelected, this, [this](const QString& path) {
-        studio_.guard([&] {
-            render::saveTransferFunction(path.toStdString(), *studio_.view().transferFunction);
-            studio_.say(tr("Saved colours %1").arg(path));
+        studio_.host().guard([&] {
+            render::saveTransferFunction(path.toStdString(), *studio_.view().shown().transferFunction);
+            studio_.host().say(tr("Saved colours %1").arg(path));
         });
     });
     dialog->open();

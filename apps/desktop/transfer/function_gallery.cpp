@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "transfer/function_gallery.h"
 
-#include "model/studio/function_editor.h"
+#include "model/document/function_editor.h"
 #include "model/texts/library_texts.h"
 #include "parts/panel_parts.h"
 #include "transfer/function_picture.h"

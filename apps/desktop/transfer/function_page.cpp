@@ -18,7 +18,7 @@ FunctionPage::FunctionPage(StudioController& studio, FunctionEditor& editor, Fun
                            FunctionChart* chart, const QString& prefix)
     : studio_(studio), editor_(editor), kind_(kind), chart_(chart), prefix_(prefix) {
     connect(&editor_, &FunctionEditor::changed, this, &FunctionPage::refresh);
-    connect(&studio_, &StudioController::changed, this, &FunctionPage::refreshHint);
+    connect(&studio_.host(), &DocumentHost::changed, this, &FunctionPage::refreshHint);
 }
 
 QDoubleSpinBox* FunctionPage::makeNumber(const QString& name, const QString& accessibleName) {
@@ -94,7 +94,7 @@ void FunctionPage::addHint(QVBoxLayout* column) {
     hint_->setTextInteractionFlags(Qt::LinksAccessibleByMouse | Qt::LinksAccessibleByKeyboard);
     column->addWidget(hint_);
     connect(hint_, &QLabel::linkActivated, this, [this](const QString& link) {
-        link == "use" ? editor_.use(kind_) : studio_.setMode(render::Mode::Volume);
+        link == "use" ? editor_.use(kind_) : studio_.view().setMode(render::Mode::Volume);
     });
 }
 
@@ -140,7 +140,7 @@ void FunctionPage::refreshHint() {
     QString text;
     if (!editor_.isUsed(kind_)) {
         text = tr("Not in use: edit it, or <a href=\"use\">use it as it is</a>.");
-    } else if (studio_.view().mode != render::Mode::Volume) {
+    } else if (studio_.view().shown().mode != render::Mode::Volume) {
         text = tr("Opacities show in <a href=\"volume\">volume mode</a>.");
     }
     hint_->setText(text);

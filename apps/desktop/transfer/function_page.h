@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "model/studio/function_editor.h"
+#include "model/document/function_editor.h"
 
 #include <QWidget>
 

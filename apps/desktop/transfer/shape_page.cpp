@@ -92,14 +92,14 @@ QWidget* ShapePage::makeRange(const QString& text, const QString& name, QDoubleS
 Range ShapePage::typed(const QDoubleSpinBox& lo, const QDoubleSpinBox& hi, const Range& before) {
     const Range wanted{numberIn(lo, before.lo), numberIn(hi, before.hi)};
     if (wanted.lo > wanted.hi) {
-        studio_.say(tr("The ends are exchanged: the lower one comes first."));
+        studio_.host().say(tr("The ends are exchanged: the lower one comes first."));
         return {wanted.hi, wanted.lo};
     }
     return wanted;
 }
 
 void ShapePage::takeDocument() {
-    const auto& volume = studio_.document()->volume();
+    const auto& volume = studio_.host().document()->volume();
     const bool isWhole = volume.type != volume::ScalarType::Float32;
     chart_->setAxis(volume.range, QString::fromStdString(volume.unit));
     chart_->setQuantum(isWhole ? 1 : 0);

@@ -27,16 +27,16 @@ bool CameraKeys::eventFilter(QObject* watched, QEvent* event) {
 }
 
 bool CameraKeys::press(const QKeyEvent& event) {
-    if (studio_.document() == nullptr || studio_.tool().isBusy()) {
+    if (studio_.host().document() == nullptr || studio_.hand().tool().isBusy()) {
         return false; // the picture holds still under a stroke
     }
     const auto zoom = [&](double factor) {
-        camera_.zoom(factor, studio_.viewCentre());
+        camera_.zoom(factor, studio_.view().centre());
         return true;
     };
     const auto arrow = [&](int right, int down) {
         if (event.modifiers().testFlag(Qt::ControlModifier)) {
-            camera_.roll(kRollDegrees * right, studio_.viewCentre());
+            camera_.roll(kRollDegrees * right, studio_.view().centre());
         } else if (event.modifiers().testFlag(Qt::ShiftModifier)) {
             camera_.pan(kMovePixels * QPointF(right, down));
         } else {

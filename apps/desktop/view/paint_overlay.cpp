@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "view/paint_overlay.h"
 
-#include "model/studio/tool.h"
+#include "model/hand/tool.h"
 #include "parts/theme.h"
 
 #include <QImage>

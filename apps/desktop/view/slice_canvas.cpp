@@ -135,7 +135,7 @@ void SliceCanvas::mouseReleaseEvent(QMouseEvent* event) {
 // Finer than pixels, and with an eraser at the pen's other end.
 void SliceCanvas::tabletEvent(QTabletEvent* event) {
     const bool isEraser = event->pointerType() == QPointingDevice::PointerType::Eraser;
-    studio_.setTabletPressure(event->pressure());
+    studio_.hand().setTabletPressure(event->pressure());
     switch (event->type()) {
     case QEvent::TabletPress:
         if (drag_ == Drag::None && slices_.hasVolume()) {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "view/touch_pad.h"
 
+#include "model/hand/pen_watch.h"
 #include "model/slices/slice_controller.h"
-#include "model/studio/pen_watch.h"
 #include "model/studio/studio_controller.h"
 #include "tools/camera_tool.h"
 #include "view/slice_canvas.h"
@@ -72,7 +72,7 @@ void TouchPad::follow(const QTouchEvent& touch) {
 
 void lookByFingers(ViewWidget& view, StudioController& studio, CameraTool& camera, const PenWatch& pen) {
     new TouchPad(view, pen, [&studio, &camera](const FingerMotion& motion) {
-        if (studio.document() == nullptr || studio.tool().isSketching()) {
+        if (studio.host().document() == nullptr || studio.hand().tool().isSketching()) {
             return; // the picture holds still under a stroke
         }
         if (motion.fingers == 1) {

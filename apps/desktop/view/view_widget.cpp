@@ -29,13 +29,13 @@ ViewWidget::ViewWidget(StudioController& studio, ToolBox& tools, QWidget* parent
     setMinimumSize(320, 240);
     // At once: an update that is only asked for waits behind the work on the next picture.
     connect(&studio_, &StudioController::pictureChanged, this, qOverload<>(&QWidget::repaint));
-    connect(&studio_, &StudioController::overlayChanged, this, [this] {
-        setCursor(studio_.tool().cursor());
+    connect(&studio_.hand(), &Hand::overlayChanged, this, [this] {
+        setCursor(studio_.hand().tool().cursor());
         if (!studio_.isPictureComing()) { // which is painted together with it
             update();
         }
     });
-    setCursor(studio_.tool().cursor());
+    setCursor(studio_.hand().tool().cursor());
 }
 
 glm::ivec2 ViewWidget::deviceSize() const {
@@ -45,12 +45,12 @@ glm::ivec2 ViewWidget::deviceSize() const {
 
 bool ViewWidget::event(QEvent* event) {
     if (event->type() == QEvent::ScreenChangeInternal) { // perhaps of another scale
-        studio_.setViewport(QSizeF(size()), deviceSize());
+        studio_.view().setViewport(QSizeF(size()), deviceSize());
     }
     return QWidget::event(event);
 }
 
-void ViewWidget::resizeEvent(QResizeEvent*) { studio_.setViewport(QSizeF(size()), deviceSize()); }
+void ViewWidget::resizeEvent(QResizeEvent*) { studio_.view().setViewport(QSizeF(size()), deviceSize()); }
 
 void ViewWidget::paintEvent(QPaintEvent*) {
     QPainter painter(this);
@@ -63,15 +63,15 @@ void ViewWidget::paintEvent(QPaintEvent*) {
                               glm::ivec2(picture.width(), picture.height()) != deviceSize());
         painter.drawImage(QRectF(rect()), picture, QRectF(picture.rect()));
     }
-    const auto* geometry = studio_.geometry();
+    const auto* geometry = studio_.host().geometry();
     if (!picture.isNull() && isAnnotated_ && geometry != nullptr) {
-        annotations_.paint(painter, studio_.view().camera, *geometry, deviceSize());
+        annotations_.paint(painter, studio_.view().shown().camera, *geometry, deviceSize());
     }
     if (geometry != nullptr) {
         paintMeasurements(
             painter, tools_.measure(), [this](glm::dvec3 world) { return seenAt(world); }, QRectF(rect()));
     }
-    for (const auto& overlays : {studio_.slices().overlays(), studio_.tool().overlays()}) {
+    for (const auto& overlays : {studio_.slices().overlays(), studio_.hand().tool().overlays()}) {
         for (const Overlay& overlay : overlays) {
             paintOverlay(painter, overlay, QRectF(rect()));
         }
@@ -82,9 +82,9 @@ void ViewWidget::paintEvent(QPaintEvent*) {
 
 // Nothing for what is behind the viewer.
 std::optional<QPointF> ViewWidget::seenAt(glm::dvec3 world) const {
-    const auto rays = studio_.rays();
+    const auto rays = studio_.view().rays();
     const bool isBehind = !rays.isOrthographic && glm::dot(world - rays.eye, rays.forward) < 1;
-    return isBehind ? std::nullopt : std::optional(studio_.seenAt(world));
+    return isBehind ? std::nullopt : std::optional(studio_.view().seenAt(world));
 }
 
 void ViewWidget::setAnnotated(bool isAnnotated) {
@@ -96,15 +96,19 @@ Pen ViewWidget::penAt(QPointF inWindow, Qt::KeyboardModifiers modifiers) const {
     // From the place in the window, because Qt rounds a mouse's place in the widget to whole logical pixels.
     // A mouse reports a pixel's corner; what the person points with is its middle.
     const double half = 0.5 / devicePixelRatioF();
-    return {mapFrom(window(), inWindow) + QPointF(half, half), studio_.mousePressure(), {}, true, modifiers};
+    return {mapFrom(window(), inWindow) + QPointF(half, half),
+            studio_.hand().mousePressure(),
+            {},
+            true,
+            modifiers};
 }
 
 void ViewWidget::press(const Pen& pen, Drag drag) {
     const bool looks = drag == Drag::Pan || drag == Drag::Zoom;
-    drag_ = looks && studio_.tool().isSketching() ? Drag::None : drag; // the picture holds still
+    drag_ = looks && studio_.hand().tool().isSketching() ? Drag::None : drag; // the picture holds still
     last_ = pressed_ = pen.position;
-    if (drag == Drag::Tool && studio_.document() != nullptr && !studio_.isLoading()) {
-        studio_.tool().press(pen);
+    if (drag == Drag::Tool && studio_.host().document() != nullptr && !studio_.host().isLoading()) {
+        studio_.hand().tool().press(pen);
     } else if (drag == Drag::Tool) {
         drag_ = Drag::None;
     }
@@ -116,13 +120,13 @@ void ViewWidget::move(const Pen& pen) {
     last_ = pen.position;
     switch (drag_) {
     case Drag::None:
-        if (studio_.tool().isSketching() && !hasFocus()) { // its keys end what is under way
+        if (studio_.hand().tool().isSketching() && !hasFocus()) { // its keys end what is under way
             setFocus(Qt::MouseFocusReason);
         }
-        studio_.tool().hover(pen);
+        studio_.hand().tool().hover(pen);
         break;
     case Drag::Tool:
-        studio_.tool().move(pen);
+        studio_.hand().tool().move(pen);
         break;
     case Drag::Pan:
         tools_.camera().pan(delta);
@@ -136,7 +140,7 @@ void ViewWidget::move(const Pen& pen) {
 
 void ViewWidget::release(const Pen& pen) {
     if (drag_ == Drag::Tool) {
-        studio_.tool().release(pen);
+        studio_.hand().tool().release(pen);
     }
     drag_ = Drag::None;
     button_ = Qt::NoButton;
@@ -151,7 +155,7 @@ void ViewWidget::mousePressEvent(QMouseEvent* event) {
     Pen pen = penAt(event->scenePosition(), event->modifiers());
     pen.isDoubleClick = event->type() == QEvent::MouseButtonDblClick;
     if (button_ == Qt::LeftButton) {
-        const bool isPan = pen.modifiers.testFlag(Qt::ShiftModifier) && !studio_.tool().takesShift();
+        const bool isPan = pen.modifiers.testFlag(Qt::ShiftModifier) && !studio_.hand().tool().takesShift();
         press(pen, isPan ? Drag::Pan : Drag::Tool);
     } else if (button_ == Qt::MiddleButton) {
         press(pen, Drag::Pan);
@@ -173,7 +177,7 @@ void ViewWidget::mouseReleaseEvent(QMouseEvent* event) {
 // With the camera tool the slices go to the surface under the pen.
 void ViewWidget::mouseDoubleClickEvent(QMouseEvent* event) {
     const bool centres = event->button() == Qt::LeftButton && studio_.slices().isAnyShown() &&
-                         &studio_.tool() == &tools_.camera();
+                         &studio_.hand().tool() == &tools_.camera();
     if (!centres || !studio_.slices().centreOnSurface(penAt(event->scenePosition(), {}).position)) {
         mousePressEvent(event);
     }
@@ -183,7 +187,8 @@ void ViewWidget::wheelEvent(QWheelEvent* event) {
     const double notches = event->angleDelta().y() / 120.0;
     // A wheel's place in the window is wrong where Qt passes the event on to a child.
     const Pen pen = penAt(mapTo(window(), event->position()), event->modifiers());
-    if (drag_ == Drag::None && !studio_.tool().isSketching() && !studio_.tool().wheel(notches, pen)) {
+    if (drag_ == Drag::None && !studio_.hand().tool().isSketching() &&
+        !studio_.hand().tool().wheel(notches, pen)) {
         constexpr double kPerNotch = 1.2;
         tools_.camera().zoom(std::pow(kPerNotch, notches), pen.position);
     }
@@ -193,7 +198,7 @@ void ViewWidget::wheelEvent(QWheelEvent* event) {
 void ViewWidget::tabletEvent(QTabletEvent* event) {
     const Pen pen{event->position(), // already finer than pixels
                   event->pressure(), QPointF(event->xTilt(), event->yTilt()), false, event->modifiers()};
-    studio_.setTabletPressure(event->pressure());
+    studio_.hand().setTabletPressure(event->pressure());
     switch (event->type()) {
     case QEvent::TabletPress:
         if (drag_ == Drag::None) {
@@ -214,19 +219,19 @@ void ViewWidget::tabletEvent(QTabletEvent* event) {
 
 void ViewWidget::keyPressEvent(QKeyEvent* event) {
     const bool isEnter = event->key() == Qt::Key_Return || event->key() == Qt::Key_Enter;
-    if (!isEnter || !studio_.tool().accept()) {
+    if (!isEnter || !studio_.hand().tool().accept()) {
         QWidget::keyPressEvent(event);
     }
 }
 
 bool ViewWidget::focusNextPrevChild(bool next) {
-    return studio_.tool().next(next) || QWidget::focusNextPrevChild(next);
+    return studio_.hand().tool().next(next) || QWidget::focusNextPrevChild(next);
 }
 
 void ViewWidget::leaveEvent(QEvent*) {
     penPosition_.reset();
     if (drag_ == Drag::None) {
-        studio_.tool().leave();
+        studio_.hand().tool().leave();
     }
     emit penMoved();
 }

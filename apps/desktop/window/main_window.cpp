@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "window/main_window.h"
 
+#include "model/hand/pen_watch.h"
+#include "model/hand/tool.h"
 #include "model/keepers/recovery_keeper.h"
 #include "model/keepers/thumbnail_keeper.h"
 #include "model/segments/growth_controller.h"
 #include "model/segments/segment_controller.h"
-#include "model/studio/pen_watch.h"
 #include "model/studio/studio_controller.h"
-#include "model/studio/tool.h"
 #include "panels/growth_panel.h"
 #include "panels/growth_rules_panel.h"
 #include "panels/histogram_panel.h"
@@ -83,20 +83,20 @@ MainWindow::MainWindow(StudioController& studio, ToolBox& tools, QWidget* parent
     makeToolBars();
     makeToolColumn();
 
-    connect(&studio_, &StudioController::changed, this, &MainWindow::refresh);
-    connect(&studio_, &StudioController::overlayChanged, this, &MainWindow::refreshHint);
-    connect(&studio_, &StudioController::messageChanged, this,
-            [this] { message_->setText(studio_.message()); });
-    connect(&studio_, &StudioController::progress, this, &MainWindow::showProgress);
-    connect(&studio_, &StudioController::opened, this, &MainWindow::showView);
-    connect(&studio_, &StudioController::openFailed, this, [this](const QString& message) {
+    connect(&studio_.host(), &DocumentHost::changed, this, &MainWindow::refresh);
+    connect(&studio_.hand(), &Hand::overlayChanged, this, &MainWindow::refreshHint);
+    connect(&studio_.host(), &DocumentHost::messageChanged, this,
+            [this] { message_->setText(studio_.host().message()); });
+    connect(&studio_.host(), &DocumentHost::progress, this, &MainWindow::showProgress);
+    connect(&studio_.host(), &DocumentHost::opened, this, &MainWindow::showView);
+    connect(&studio_.host(), &DocumentHost::openFailed, this, [this](const QString& message) {
         auto* box =
             new QMessageBox(QMessageBox::Warning, tr("Volume Studio"), message, QMessageBox::Ok, this);
         box->setObjectName("openFailed");
         box->setAttribute(Qt::WA_DeleteOnClose);
         box->open();
     });
-    connect(&studio_, &StudioController::seriesWanted, this, &MainWindow::chooseSeries);
+    connect(&studio_.files(), &DocumentFiles::seriesWanted, this, &MainWindow::chooseSeries);
     connect(view_, &ViewWidget::penMoved, this, [this] { probeTimer_.start(kProbeMs); });
     probeTimer_.setSingleShot(true);
     connect(&probeTimer_, &QTimer::timeout, this, &MainWindow::refreshProbe);
@@ -130,7 +130,7 @@ void MainWindow::makeCentre() {
     column->setSpacing(0);
     view_ = new ViewWidget(studio_, tools_);
     grid_ = new ViewGrid(studio_, tools_, view_);
-    const auto* pen = new PenWatch(studio_, this);
+    const auto* pen = new PenWatch(studio_.hand(), this);
     lookByFingers(*view_, studio_, tools_.camera(), *pen);
     for (SliceCanvas* canvas : grid_->findChildren<SliceCanvas*>()) {
         lookByFingers(*canvas, studio_, *pen);
@@ -192,7 +192,7 @@ void MainWindow::makeStatusBar() {
     giveUp_->setProperty("slim", true);
     giveUp_->setFixedHeight(message_->sizeHint().height()); // the bar stays as high as without it
     giveUp_->hide();
-    connect(giveUp_, &QToolButton::clicked, &studio_, &StudioController::giveUp);
+    connect(giveUp_, &QToolButton::clicked, &studio_.host(), &DocumentHost::giveUp);
     statusBar()->addPermanentWidget(giveUp_);
     const auto add = [this](const char* objectName, const QString& accessibleName) {
         auto* label = named(makeQuietLabel({}), objectName, accessibleName);
@@ -209,17 +209,17 @@ void MainWindow::makeStatusBar() {
     rate_->clear();
     rate_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
     device_ = add("device", tr("Graphics device"));
-    const auto& device = studio_.host().device();
+    const auto& device = studio_.host().gl().device();
     // "llvmpipe (LLVM 15.0.6, 256 bits)" is long; the whole of it is in the tooltip.
     device_->setText(QString::fromStdString(device.renderer).section(" (", 0, 0));
     device_->setToolTip(QString::fromStdString(device.renderer + ", OpenGL " + device.version));
 }
 
 void MainWindow::refresh() {
-    auto* document = studio_.document();
-    const bool hasDocument = document != nullptr && !studio_.isLoading();
+    auto* document = studio_.host().document();
+    const bool hasDocument = document != nullptr && !studio_.host().isLoading();
     refreshEnabled(hasDocument);
-    const auto& view = studio_.view();
+    const auto& view = studio_.view().shown();
     action(std::string("mode." + std::string(render::name(view.mode))).c_str())->setChecked(true);
     refreshColours();
     action("shadows")->setChecked(view.shadows);
@@ -241,11 +241,11 @@ void MainWindow::refresh() {
 
 // Each action is set once: its button is painted again for every change, even one that is taken back.
 void MainWindow::refreshEnabled(bool hasDocument) {
-    auto* document = studio_.document();
+    auto* document = studio_.host().document();
     const bool canPlay = hasDocument && studio_.growth().canPlay();
     const bool hasVoxels = hasDocument && studio_.segments().hasVoxels();
-    const std::map<std::string, bool> own{{"open", !studio_.isLoading()},
-                                          {"openFolder", !studio_.isLoading()},
+    const std::map<std::string, bool> own{{"open", !studio_.host().isLoading()},
+                                          {"openFolder", !studio_.host().isLoading()},
                                           {"undo", hasDocument && document->canUndo()},
                                           {"redo", hasDocument && document->canRedo()},
                                           {"playPause", canPlay},
@@ -255,7 +255,7 @@ void MainWindow::refreshEnabled(bool hasDocument) {
                                           {"growBackKey", canPlay},
                                           {"exportLabels", hasVoxels},
                                           {"reSeed", hasVoxels},
-                                          {"restore", hasDocument && studio_.tool().hasSign()}};
+                                          {"restore", hasDocument && studio_.hand().tool().hasSign()}};
     for (const auto& [name, action] : actions_) {
         const auto found = own.find(name);
         action->setEnabled(found != own.end() ? found->second : hasDocument || kAlways.count(name) > 0);
@@ -263,7 +263,7 @@ void MainWindow::refreshEnabled(bool hasDocument) {
 }
 
 void MainWindow::refreshHint() {
-    hint_->say(studio_.isLoading() ? tr("Please wait…") : studio_.tool().hint());
+    hint_->say(studio_.host().isLoading() ? tr("Please wait…") : studio_.hand().tool().hint());
 }
 
 void MainWindow::refreshProbe() {

@@ -74,18 +74,18 @@ void MainWindow::makeFileActions() {
 
 void MainWindow::makeEditActions() {
     addAction({"undo", "undo", tr("Undo"), tr("Take the last change back"), tr("Ctrl+Z")},
-              [this] { studio_.apply(studio::Undo{}); });
+              [this] { studio_.editor().apply(studio::Undo{}); });
     addAction({"redo", "redo", tr("Redo"), tr("Do it again"), tr("Ctrl+Shift+Z")},
-              [this] { studio_.apply(studio::Redo{}); });
+              [this] { studio_.editor().apply(studio::Redo{}); });
     addAction({"showHistory", "history", tr("History"), tr("All steps, to go to any of them"), tr("Ctrl+H")},
               [this] { history_->setVisible(action("showHistory")->isChecked()); })
         ->setCheckable(true);
     connect(history_, &QDockWidget::visibilityChanged, this,
             [this] { action("showHistory")->setChecked(!history_->isHidden()); });
     addAction({"unCut", "uncut", tr("Un-Cut"), tr("Clear all cuts"), tr("Ctrl+Shift+U")},
-              [this] { studio_.apply(studio::UnCut{}); });
+              [this] { studio_.editor().apply(studio::UnCut{}); });
     addAction({"reSeed", "reseed", tr("Re-Seed"), tr("Clear the segmentation"), tr("Ctrl+Shift+R")},
-              [this] { studio_.apply(studio::ReSeed{}); });
+              [this] { studio_.editor().apply(studio::ReSeed{}); });
 }
 
 void MainWindow::makeViewActions() {
@@ -96,7 +96,7 @@ void MainWindow::makeViewActions() {
     const auto mode = [&](Mode value, const char* name, const char* iconName, const QString& text,
                           const QString& tip, const char* key) {
         addChoice(modes, {name, iconName, text, tip, QKeySequence(key)},
-                  [this, value] { studio_.setMode(value); });
+                  [this, value] { studio_.view().setMode(value); });
     };
     mode(Mode::Surface, "mode.surface", "surface", tr("Surface"), tr("The surface of the displayed range"),
          "1");
@@ -112,24 +112,24 @@ void MainWindow::makeViewActions() {
     using field::SculptureView;
     auto* views = new QActionGroup(this);
     addChoice(views, {"viewCut", "cut", tr("Cut"), tr("What remains after cutting"), tr("6")},
-              [this] { studio_.setSculptureView(SculptureView::Cut); });
+              [this] { studio_.view().setSculptureView(SculptureView::Cut); });
     addChoice(views, {"viewProbe", "probe", tr("Probe"), tr("What has been cut out"), tr("7")},
-              [this] { studio_.setSculptureView(SculptureView::Probe); });
+              [this] { studio_.view().setSculptureView(SculptureView::Probe); });
     addChoice(views, {"viewWhole", "whole", tr("Whole"), tr("The whole volume, without cuts"), tr("8")},
-              [this] { studio_.setSculptureView(SculptureView::Whole); });
+              [this] { studio_.view().setSculptureView(SculptureView::Whole); });
 
-    QAction* smooth =
-        addAction({"smoothSampling", nullptr, tr("Smooth sampling"),
-                   tr("Tricubic instead of trilinear: no facets where the picture is enlarged, but slower"),
-                   tr("Shift+S")},
-                  [this] {
-                      studio_.setSampling(action("smoothSampling")->isChecked() ? field::Sampling::Tricubic
-                                                                                : field::Sampling::Trilinear);
-                  });
+    QAction* smooth = addAction(
+        {"smoothSampling", nullptr, tr("Smooth sampling"),
+         tr("Tricubic instead of trilinear: no facets where the picture is enlarged, but slower"),
+         tr("Shift+S")},
+        [this] {
+            studio_.view().setSampling(action("smoothSampling")->isChecked() ? field::Sampling::Tricubic
+                                                                             : field::Sampling::Trilinear);
+        });
     smooth->setCheckable(true);
 
     addAction({"shadows", nullptr, tr("Shadows"), tr("Ambient occlusion and soft shadows"), tr("L")}, [this] {
-        studio_.setShadows(action("shadows")->isChecked());
+        studio_.view().setShadows(action("shadows")->isChecked());
     })->setCheckable(true);
 
     addAction(
@@ -137,11 +137,11 @@ void MainWindow::makeViewActions() {
          tr("MIP, X-ray and overlay: hide values above the displayed range, instead of showing them as its "
             "upper end"),
          tr("Shift+A")},
-        [this] { studio_.setHidesAbove(action("hideAbove")->isChecked()); })
+        [this] { studio_.view().setHidesAbove(action("hideAbove")->isChecked()); })
         ->setCheckable(true);
     addAction({"tintSegments", nullptr, tr("Tint segments"),
                tr("MIP and X-ray: what is in a segment has the segment's colour"), tr("Shift+T")},
-              [this] { studio_.setTintsSegments(action("tintSegments")->isChecked()); })
+              [this] { studio_.view().setTintsSegments(action("tintSegments")->isChecked()); })
         ->setCheckable(true);
 
     QAction* annotations =

@@ -27,7 +27,7 @@ void MainWindow::makeColourMenu() {
                   {"colours.none", nullptr, tr("The mode's own"),
                    tr("Ivory surfaces and white rays; the volume as the displayed range has it"), tr("0")},
                   [this] {
-                      studio_.setTransferFunction({});
+                      studio_.view().setTransferFunction({});
                       refreshColours();
                   });
     menu->QWidget::addAction(none);
@@ -38,7 +38,7 @@ void MainWindow::makeColourMenu() {
         QAction* choice = addChoice(
             functions, {id.c_str(), nullptr, libraryText(preset->name), libraryText(preset->description), {}},
             [this, preset] {
-                studio_.setTransferFunction(preset);
+                studio_.view().setTransferFunction(preset);
                 refreshColours(); // chosen again it is still the one
             });
         menu->QWidget::addAction(choice);
@@ -61,7 +61,7 @@ void MainWindow::openTransferFunction() {
         return;
     }
     try {
-        studio_.setTransferFunction(render::loadTransferFunction(path.toStdString()));
+        studio_.view().setTransferFunction(render::loadTransferFunction(path.toStdString()));
     } catch (const Error& error) {
         QMessageBox::warning(this, tr("Transfer function"), QString::fromUtf8(error.what()));
         refreshColours();
@@ -70,7 +70,7 @@ void MainWindow::openTransferFunction() {
 
 // The menu shows what the view has, whoever chose it.
 void MainWindow::refreshColours() {
-    const auto& function = studio_.view().transferFunction;
+    const auto& function = studio_.view().shown().transferFunction;
     std::string shown = function ? "" : "none";
     for (const std::string& name : render::presetNames()) {
         if (function && render::findPreset(name) == function) {

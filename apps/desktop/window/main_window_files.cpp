@@ -91,14 +91,14 @@ void MainWindow::choose(const char* objectName, const QString& title, bool isSav
 }
 
 QString MainWindow::suggestedName(const QString& suffix) const {
-    const auto* document = studio_.document();
+    const auto* document = studio_.host().document();
     const QString name = document != nullptr ? QString::fromStdString(document->volume().name) : "volume";
     return QFileInfo(name).baseName() + suffix;
 }
 
 // The file that it was opened from or saved to, else named after the volume.
 QString MainWindow::suggestedSession() const {
-    const auto& session = studio_.source().session;
+    const auto& session = studio_.files().source().session;
     return session.empty() ? suggestedName(".json") : QString::fromStdString(session.string());
 }
 
@@ -124,7 +124,7 @@ void MainWindow::openLabels() {
 void MainWindow::dropOn(const QString& path) {
     const bool isVolume = !path.endsWith(".json", Qt::CaseInsensitive) && QFileInfo(path).isFile() &&
                           !volume::isHeaderless(pathOf(path));
-    if (studio_.document() == nullptr || studio_.isLoading() || !isVolume) {
+    if (studio_.host().document() == nullptr || studio_.host().isLoading() || !isVolume) {
         openPath(path);
         return;
     }
@@ -153,13 +153,13 @@ void MainWindow::dropOn(const QString& path) {
 
 void MainWindow::saveSession() {
     choose("saveDialog", tr("Save the session"), true, tr("Sessions (*.json)"), suggestedSession(),
-           [this](const QString& path) { studio_.saveSession(pathOf(path)); });
+           [this](const QString& path) { studio_.files().saveSession(pathOf(path)); });
 }
 
 void MainWindow::exportLabels() {
     choose("labelsDialog", tr("Export the label map"), true, tr("Label maps (*.nrrd *.nii *.nii.gz)"),
            suggestedName("-labels.nrrd"),
-           [this](const QString& path) { studio_.exportLabels(pathOf(path)); });
+           [this](const QString& path) { studio_.files().exportLabels(pathOf(path)); });
 }
 
 void MainWindow::screenshot() {

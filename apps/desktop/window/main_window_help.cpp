@@ -37,7 +37,7 @@ void MainWindow::showPreferences() {
 }
 
 void MainWindow::about() {
-    const auto& device = studio_.host().device();
+    const auto& device = studio_.host().gl().device();
     const auto line = [](const QString& name, const QString& value) {
         return "<tr><td style='padding-right: 14px'>" + name + "</td><td>" + value.toHtmlEscaped() +
                "</td></tr>";

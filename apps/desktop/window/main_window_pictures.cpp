@@ -26,7 +26,7 @@ void MainWindow::makePictureActions() {
     copying_ = new PictureExport(studio_);
     copying_->setParent(this);
     connect(copying_, &PictureExport::finished, this, [this](bool isDone, const QString& message) {
-        studio_.say(isDone ? tr("The picture is on the clipboard") : message);
+        studio_.host().say(isDone ? tr("The picture is on the clipboard") : message);
     });
 }
 

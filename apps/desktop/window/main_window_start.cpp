@@ -45,7 +45,7 @@ bool MainWindow::mayLeave() {
         return false;
     }
     isLeaving_ = true;
-    const bool isAgreed = !studio_.hasUnsavedEdits() || agreesToLeave();
+    const bool isAgreed = !studio_.files().hasUnsavedEdits() || agreesToLeave();
     isLeaving_ = false;
     return isAgreed;
 }
@@ -74,8 +74,9 @@ bool MainWindow::saveBeforeLeaving() {
     bool isSaved = false;
     auto* dialog = makeFileDialog("saveDialog", tr("Save the session"), true, tr("Sessions (*.json)"),
                                   suggestedSession());
-    connect(dialog, &QFileDialog::fileSelected, this,
-            [this, &isSaved](const QString& path) { isSaved = studio_.saveSession(path.toStdString()); });
+    connect(dialog, &QFileDialog::fileSelected, this, [this, &isSaved](const QString& path) {
+        isSaved = studio_.files().saveSession(path.toStdString());
+    });
     dialog->exec();
     return isSaved;
 }
@@ -90,7 +91,7 @@ void MainWindow::closeEvent(QCloseEvent* event) {
 
 void MainWindow::recover(const LostWork& lost) {
     if (!recovery_->recover(lost)) {
-        studio_.say(tr("%1 is being recovered in another window").arg(lost.name));
+        studio_.host().say(tr("%1 is being recovered in another window").arg(lost.name));
         welcome_->refresh();
     }
 }
@@ -100,20 +101,20 @@ void MainWindow::open(const OpenRequest& request) {
     const bool isRefused = request.rawLayout.empty() && volume::isHeaderless(request.volume);
     if (isRefused || mayLeave()) {
         thumbnails_->keep();
-        studio_.open(request);
+        studio_.files().open(request);
     }
 }
 
 void MainWindow::chooseSeries(const OpenRequest& request, const std::vector<volume::SeriesChoice>& choices) {
     auto* dialog = new SeriesDialog(request, choices, this);
-    connect(dialog, &SeriesDialog::chosen, &studio_, &StudioController::open);
+    connect(dialog, &SeriesDialog::chosen, &studio_.files(), &DocumentFiles::open);
     dialog->open();
 }
 
 void MainWindow::leaveForStartScreen() {
     if (mayLeave()) {
         thumbnails_->keep();
-        studio_.close();
+        studio_.files().close();
         showStartScreen();
     }
 }

@@ -35,7 +35,7 @@ void MainWindow::makeToolActions() {
     const auto add = [&](Tool& tool, const char* name, const char* iconName, const QString& text,
                          const QString& tip, const char* key) {
         addChoice(tools, {name, iconName, text, tip, QKeySequence(key)},
-                  [this, &tool] { studio_.setTool(tool); });
+                  [this, &tool] { studio_.hand().take(tool); });
     };
     add(tools_.camera(), "cameraTool", "camera", tr("Camera"), tr("Turn the volume"), "V");
     add(tools_.peel(), "peelTool", "peel", tr("Peel"), tr("Peel layers off the surface"), "P");
@@ -68,12 +68,12 @@ void MainWindow::makeToolActions() {
     addAction({"paste", "paste", tr("Paste"),
                tr("Paste what was cut since the last paste beside the object, to be moved by hand"),
                tr("Shift+V")},
-              [this] { studio_.paste(); })
+              [this] { studio_.editor().paste(); })
         ->setAutoRepeat(false);
 
     makeShapeActions();
     addAction({"clearSketch", "clear", tr("Clear"), tr("Drop the stroke in hand, or the mask"), tr("Esc")},
-              [this] { studio_.tool().clear(); });
+              [this] { studio_.hand().tool().clear(); });
 }
 
 void MainWindow::makeShapeActions() {
@@ -81,7 +81,7 @@ void MainWindow::makeShapeActions() {
     const auto add = [&](studio::Shape shape, const char* iconName, const QString& text, const QString& tip,
                          const QString& key) {
         addChoice(shapes, {kShapeActions.at(std::size_t(shape)), iconName, text, tip, key},
-                  [this, shape] { studio_.setShape(shape); });
+                  [this, shape] { studio_.hand().setShape(shape); });
     };
     using studio::Shape;
     add(Shape::FreeForm, "freeform", tr("Free-form"), tr("Draw the outline by hand"), tr("F"));
@@ -100,12 +100,14 @@ void MainWindow::makeShapeActions() {
 void MainWindow::chooseStencil() {
     refreshToolActions(); // until there is one, the shape is what it was
     choose("stencilDialog", tr("A picture for the mask's shape"), false, tr("Pictures (*.png)"), {},
-           [this](const QString& path) { studio_.setStencil(std::filesystem::path(path.toStdString())); });
+           [this](const QString& path) {
+               studio_.hand().setStencil(std::filesystem::path(path.toStdString()));
+           });
 }
 
 void MainWindow::reverseSign() {
     sinceReversed_ = Timer();
-    Tool& tool = studio_.tool();
+    Tool& tool = studio_.hand().tool();
     tool.setReversed(!tool.isReversed());
 }
 
@@ -119,9 +121,9 @@ void MainWindow::keyReleaseEvent(QKeyEvent* event) {
 }
 
 void MainWindow::refreshToolActions() {
-    action((studio_.tool().name().toStdString() + "Tool").c_str())->setChecked(true);
-    action(kShapeActions.at(std::size_t(studio_.shape())))->setChecked(true);
-    action("restore")->setChecked(studio_.tool().isReversed());
+    action((studio_.hand().tool().name().toStdString() + "Tool").c_str())->setChecked(true);
+    action(kShapeActions.at(std::size_t(studio_.hand().shape())))->setChecked(true);
+    action("restore")->setChecked(studio_.hand().tool().isReversed());
 }
 
 } // namespace vs::desktop

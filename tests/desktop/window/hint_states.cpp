@@ -28,9 +28,9 @@ public:
         sweep();
         scissors();
         seeds();
-        w_.studio().tool().setReversed(false);
+        w_.studio().hand().tool().setReversed(false);
         w_.studio().growth().setAutoStart(true);
-        w_.studio().setShape(Shape::FreeForm);
+        w_.studio().hand().setShape(Shape::FreeForm);
     }
 
 private:
@@ -69,7 +69,7 @@ private:
         closePolyline();
         for (const bool isReversed : {false, true}) {
             const std::string name = isReversed ? "peel, reversed" : "peel";
-            w_.studio().tool().setReversed(isReversed);
+            w_.studio().hand().tool().setReversed(isReversed);
             mouse_.move(kMiddle);
             look(name + ": mask");
             mouse_.press(kMiddle);
@@ -103,7 +103,7 @@ private:
         auto settings = before;
         settings.way = SweepTool::Way::Line;
         tool.set(settings);
-        w_.studio().setShape(Shape::Polyline);
+        w_.studio().hand().setShape(Shape::Polyline);
         for (const QPointF place : {kA, kB, kC, kA}) {
             mouse_.click(place);
         }
@@ -136,7 +136,7 @@ private:
             for (const bool isReversed : {false, true}) {
                 growth.setAutoStart(starts);
                 choose(w_.tools().seed());
-                w_.studio().tool().setReversed(isReversed);
+                w_.studio().hand().tool().setReversed(isReversed);
                 const std::string name =
                     std::string(isReversed ? "absorb" : "seed") + (starts ? "" : ", no start");
                 sketch(name, Shape::FreeForm, "free-form");

@@ -32,7 +32,7 @@ public:
         onASegment();
         pasted();
         w_.studio().growth().setAutoStart(true);
-        w_.studio().setShape(Shape::FreeForm);
+        w_.studio().hand().setShape(Shape::FreeForm);
     }
 
 private:
@@ -46,15 +46,15 @@ private:
         look("keep");
         mouse_.press(kMiddle);
         look("keep: held");
-        studio.tool().clear();
+        studio.hand().tool().clear();
         mouse_.release(kMiddle);
         w_.trigger("clipTool");
         look("clip");
-        studio.tool().setReversed(true);
+        studio.hand().tool().setReversed(true);
         look("clip, reversed");
         tools.clip().setCutsInside(true);
         look("clip, inside, reversed");
-        studio.tool().setReversed(false);
+        studio.hand().tool().setReversed(false);
         look("clip, inside");
         w_.open(); // without it
         choose(tools.measure());
@@ -89,23 +89,23 @@ private:
         auto& studio = w_.studio();
         auto& tools = w_.tools();
         choose(tools.seed());
-        studio.setShape(Shape::FreeForm);
+        studio.hand().setShape(Shape::FreeForm);
         mouse_.drag({kA, kMiddle, kB});
         w_.settle();
         choose(tools.island());
         look("island");
         mouse_.press(kMiddle);
         look("island: held");
-        studio.tool().setReversed(true);
+        studio.hand().tool().setReversed(true);
         look("island, reversed: held");
-        studio.tool().clear();
+        studio.hand().tool().clear();
         mouse_.release(kMiddle);
         look("island, reversed");
-        studio.tool().setReversed(false);
-        studio.setBrushesSegment(true);
+        studio.hand().tool().setReversed(false);
+        studio.hand().setBrushesSegment(true);
         choose(tools.scissors());
         sketch("scissors on a segment", Shape::FreeForm, "free-form");
-        studio.tool().setReversed(true);
+        studio.hand().tool().setReversed(true);
         sketch("scissors on a segment, reversed", Shape::FreeForm, "free-form");
         choose(tools.peel());
         polyline("peel on a segment");
@@ -118,7 +118,7 @@ private:
             w_.trigger(tool);
             look(std::string(tool) + ": locked segment");
         }
-        studio.setBrushesSegment(false);
+        studio.hand().setBrushesSegment(false);
         w_.trigger("drillTool");
         look("drill on the scan: locked segment");
     }
@@ -129,10 +129,10 @@ private:
         choose(tools.move());
         look("move: nothing pasted");
         choose(tools.scissors());
-        studio.setShape(Shape::Ellipse);
+        studio.hand().setShape(Shape::Ellipse);
         mouse_.drag({{0.45, 0.3}, {0.5, 0.35}, {0.55, 0.4}});
         w_.settle();
-        studio.paste();
+        studio.editor().paste();
         w_.settle();
         look("move");
         const QPointF handle = tools.move().handles().front();
@@ -140,7 +140,7 @@ private:
         mouse_.press(place);
         mouse_.move(place + QPointF(0.02, 0));
         look("move: held");
-        studio.tool().clear();
+        studio.hand().tool().clear();
         mouse_.release(place);
         mouse_.press({0.02, 0.98});
         look("move: held beside it");

@@ -9,8 +9,8 @@ namespace vs::desktop {
 using studio::Shape;
 
 void HintWalk::choose(Tool& tool) {
-    w_.studio().tool().clear();
-    w_.studio().setTool(tool);
+    w_.studio().hand().tool().clear();
+    w_.studio().hand().take(tool);
     tool.setReversed(false);
     w_.settle();
 }
@@ -21,8 +21,8 @@ void HintWalk::look(const std::string& state) {
 
 // The shapes, drawn with one tool: up to where the sketch is finished.
 void HintWalk::sketch(const std::string& tool, Shape shape, const char* name) {
-    w_.studio().setShape(shape);
-    w_.studio().tool().clear();
+    w_.studio().hand().setShape(shape);
+    w_.studio().hand().tool().clear();
     mouse_.move(kA);
     look(tool + ", " + name + ": nothing drawn");
     mouse_.press(kA);
@@ -31,12 +31,12 @@ void HintWalk::sketch(const std::string& tool, Shape shape, const char* name) {
         mouse_.move(place);
     }
     look(tool + ", " + name + ": held");
-    w_.studio().tool().clear();
+    w_.studio().hand().tool().clear();
     mouse_.release(kC);
 }
 void HintWalk::polyline(const std::string& tool) {
-    w_.studio().setShape(Shape::Polyline);
-    w_.studio().tool().clear();
+    w_.studio().hand().setShape(Shape::Polyline);
+    w_.studio().hand().tool().clear();
     mouse_.move(kA);
     look(tool + ", polyline: nothing drawn");
     mouse_.press(kA);
@@ -60,7 +60,7 @@ void HintWalk::closePolyline() {
     w_.settle();
 }
 void HintWalk::dropPolyline() {
-    w_.studio().tool().clear();
+    w_.studio().hand().tool().clear();
     mouse_.release(kA);
 }
 
@@ -72,7 +72,7 @@ void HintWalk::takeStencil() {
     }
     const auto path = StudioWindow::folder / "stencil.png";
     square.save(QString::fromStdString(path.string()));
-    w_.studio().setStencil(path);
+    w_.studio().hand().setStencil(path);
 }
 
 } // namespace vs::desktop

@@ -3,7 +3,7 @@
 #include "hint_states.h"
 #include "window/hint_line.h"
 
-#include "model/studio/tool.h"
+#include "model/hand/tool.h"
 
 #include <gtest/gtest.h>
 
@@ -17,7 +17,7 @@ TEST(Hints, SayWhatHappensNext) {
     std::ofstream out(StudioWindow::folder / "hints.txt");
     const auto look = [&](const std::string& state) {
         const QString hint = w.part<QLabel>("hint").text();
-        EXPECT_EQ(hint, w.studio().tool().hint()) << state;
+        EXPECT_EQ(hint, w.studio().hand().tool().hint()) << state;
         out << state << " | " << hint.toStdString() << "\n";
     };
     forEachSketchHint(w, look);

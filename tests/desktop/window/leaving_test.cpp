@@ -37,7 +37,7 @@ protected:
     void SetUp() override {
         w.open();
         w.studio().segments().add();
-        ASSERT_TRUE(w.studio().hasUnsavedEdits());
+        ASSERT_TRUE(w.studio().files().hasUnsavedEdits());
     }
     void TearDown() override {
         while (auto* dialog = modal()) {
@@ -86,7 +86,7 @@ TEST_F(Leaving, AsksOverNoDialogThatChoosesWhatIsOpened) {
     dialog.findChild<QLineEdit*>("fileNameEdit")
         ->setText(QString::fromStdString(StudioWindow::volume.string()));
     EXPECT_EQ(asked([&] { dialog.accept(); }), alone);
-    EXPECT_TRUE(w.studio().hasUnsavedEdits()) << "the volume stayed";
+    EXPECT_TRUE(w.studio().files().hasUnsavedEdits()) << "the volume stayed";
 }
 
 TEST_F(Leaving, TheStartScreenAndAnotherVolumeAskOverNone) {

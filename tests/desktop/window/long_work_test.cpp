@@ -70,7 +70,7 @@ protected:
         QCoreApplication::processEvents();
     }
 
-    LongWork work{StudioWindow::instance().studio().host()};
+    LongWork work{StudioWindow::instance().studio().host().gl()};
     Pad pad;
     using Got = std::vector<std::pair<QEvent::Type, double>>;
     static constexpr auto kPress = QEvent::MouseButtonPress, kMove = QEvent::MouseMove,

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Tests in the window's own process, for what no X server without hardware can send: a pen with pressure,
 // fingers; and for what only the process itself knows of its widgets.
-#include "model/keepers/preferences.h"
+#include "model/settings/preferences.h"
 #include "parts/theme.h"
 #include "studio_window.h"
 

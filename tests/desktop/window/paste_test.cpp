@@ -20,29 +20,29 @@ protected:
         w.open();
     }
     void TearDown() override {
-        w.studio().setShape(Shape::FreeForm);
-        EXPECT_EQ(w.studio().host().errorCount(), 0);
+        w.studio().hand().setShape(Shape::FreeForm);
+        EXPECT_EQ(w.studio().host().gl().errorCount(), 0);
     }
-    studio::Document& document() { return *w.studio().document(); }
+    studio::Document& document() { return *w.studio().host().document(); }
 
     void cut(QPointF from, QPointF to) {
-        w.studio().setTool(w.tools().scissors());
-        w.studio().setShape(Shape::Ellipse);
+        w.studio().hand().take(w.tools().scissors());
+        w.studio().hand().setShape(Shape::Ellipse);
         w.settle();
         mouse.drag({from, 0.5 * (from + to), to});
         w.settle();
     }
     void paste() {
         const std::size_t before = document().pastedParts();
-        ASSERT_TRUE(w.studio().paste()) << w.studio().message().toStdString();
+        ASSERT_TRUE(w.studio().editor().paste()) << w.studio().host().message().toStdString();
         ASSERT_EQ(document().pastedParts(), before + 1);
         w.settle();
     }
     // Middles of macrocells of a part, where it was pasted; in mm.
     std::vector<glm::dvec3> placed(std::size_t part) {
-        const auto& geometry = *w.studio().geometry();
-        const glm::dmat4 world =
-            render::worldFromPart(w.studio().view().pasted.at(part), geometry) * geometry.worldFromVoxel;
+        const auto& geometry = *w.studio().host().geometry();
+        const glm::dmat4 world = render::worldFromPart(w.studio().view().shown().pasted.at(part), geometry) *
+                                 geometry.worldFromVoxel;
         std::vector<glm::dvec3> places;
         for (const glm::dvec3 cell : document().partCells(part)) {
             places.emplace_back(world * glm::dvec4(cell, 1.0));
@@ -52,7 +52,7 @@ protected:
     std::vector<glm::dvec3> remaining() {
         std::vector<glm::dvec3> places;
         for (const glm::dvec3 cell : document().remainingCells()) {
-            places.emplace_back(w.studio().geometry()->worldFromVoxel * glm::dvec4(cell, 1.0));
+            places.emplace_back(w.studio().host().geometry()->worldFromVoxel * glm::dvec4(cell, 1.0));
         }
         return places;
     }
@@ -64,11 +64,11 @@ protected:
                                [&](glm::dvec3 other) { return glm::distance(place, other) < mm; });
         }));
     }
-    double cellMm() { return field::kCell * w.studio().geometry()->stepMm(); }
+    double cellMm() { return field::kCell * w.studio().host().geometry()->stepMm(); }
     QRectF seen(const std::vector<glm::dvec3>& places) {
         QRectF box;
         for (const glm::dvec3 place : places) {
-            const QPointF at = w.studio().seenAt(place);
+            const QPointF at = w.studio().view().seenAt(place);
             box = box.isNull() ? QRectF(at, QSizeF(1e-3, 1e-3)) : box.united(QRectF(at, QSizeF(1e-3, 1e-3)));
         }
         return box;
@@ -93,10 +93,10 @@ TEST_F(Pasting, ASmallPartStandsToTheRight) {
     w.window().resize(1700, 760);
     w.settle();
     cut({0.46, 0.3}, {0.54, 0.4});
-    const auto camera = w.studio().view().camera;
+    const auto camera = w.studio().view().shown().camera;
     paste();
     expectFree(0);
-    EXPECT_EQ(w.studio().view().camera, camera) << "there was room in the picture";
+    EXPECT_EQ(w.studio().view().shown().camera, camera) << "there was room in the picture";
     EXPECT_GT(seen(placed(0)).left(), seen(remaining()).right());
     w.photograph(w.view(), "paste_small");
 }
@@ -123,18 +123,18 @@ TEST_F(Pasting, FromEverySideAndNearTheViewStepsBack) {
          {std::array{60.0, 30.0, 0.0, 1.0}, std::array{0.0, 80.0, 90.0, 1.0},
           std::array{20.0, 10.0, 0.0, 4.0}}) {
         w.open();
-        auto view = w.studio().view();
+        auto view = w.studio().view().shown();
         view.camera.azimuthDegrees = azimuth;
         view.camera.elevationDegrees = elevation;
         view.camera.rollDegrees = roll;
         view.camera.zoom = zoom;
-        w.studio().look(view);
+        w.studio().view().look(view);
         w.settle();
         cut({0.4, 0.4}, {0.6, 0.6});
         paste();
         expectFree(0);
         if (zoom > 1) {
-            EXPECT_LT(w.studio().view().camera.zoom, zoom);
+            EXPECT_LT(w.studio().view().shown().camera.zoom, zoom);
         }
     }
 }
@@ -147,7 +147,7 @@ TEST_F(Pasting, TheOperationSaysWhere) {
         return std::holds_alternative<studio::Paste>(operation);
     });
     ASSERT_NE(found, log.rend());
-    EXPECT_EQ(std::get<studio::Paste>(*found).place, w.studio().view().pasted.front());
+    EXPECT_EQ(std::get<studio::Paste>(*found).place, w.studio().view().shown().pasted.front());
 }
 
 } // namespace

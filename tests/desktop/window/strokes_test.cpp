@@ -24,21 +24,21 @@ protected:
         w.window().resize(1100, 760);
         w.open();
         w.studio().growth().setAutoStart(false);
-        w.studio().setShape(Shape::Polyline);
+        w.studio().hand().setShape(Shape::Polyline);
         w.view().setFocus();
     }
     void TearDown() override {
-        w.studio().tool().clear();
-        w.studio().setShape(Shape::FreeForm);
+        w.studio().hand().tool().clear();
+        w.studio().hand().setShape(Shape::FreeForm);
         w.studio().growth().setAutoStart(true);
-        EXPECT_EQ(w.studio().host().errorCount(), 0);
+        EXPECT_EQ(w.studio().host().gl().errorCount(), 0);
     }
     void choose(Tool& tool) {
-        w.studio().setTool(tool);
+        w.studio().hand().take(tool);
         w.settle();
     }
-    const std::vector<studio::Operation>& log() { return w.studio().document()->log(); }
-    std::size_t count() { return w.studio().document()->steps().done; }
+    const std::vector<studio::Operation>& log() { return w.studio().host().document()->log(); }
+    std::size_t count() { return w.studio().host().document()->steps().done; }
     template <class Operation>
     const Operation& last() {
         return std::get<Operation>(log().back());
@@ -133,10 +133,10 @@ TEST_F(Strokes, MasksEndByEnterToo) {
         w.trigger(name);
         w.settle();
         corners({a, b, c});
-        ASSERT_TRUE(w.studio().tool().isSketching()) << name;
+        ASSERT_TRUE(w.studio().hand().tool().isSketching()) << name;
         enter();
-        EXPECT_FALSE(w.studio().tool().isSketching()) << name;
-        EXPECT_FALSE(w.studio().tool().overlays().empty()) << name << " has no mask";
+        EXPECT_FALSE(w.studio().hand().tool().isSketching()) << name;
+        EXPECT_FALSE(w.studio().hand().tool().overlays().empty()) << name << " has no mask";
     }
     EXPECT_EQ(count(), 0U) << "a mask alone cuts nothing";
 }
@@ -183,7 +183,7 @@ TEST_F(Strokes, APolylineOfTwoPointsSeedsWhatItShows) {
     studio::Seed free = seed;
     free.voxels.clear();
     free.strokes.front().shape = Shape::FreeForm;
-    ASSERT_TRUE(w.studio().apply(free));
+    ASSERT_TRUE(w.studio().editor().apply(free));
     EXPECT_EQ(last<studio::Seed>().voxels, seed.voxels);
     tool.setWidth(5);
 }
@@ -208,7 +208,7 @@ TEST_F(Strokes, APictureSeedsItsArea) {
     QPainter(&star).fillRect(8, 8, 48, 48, Qt::white);
     const auto path = StudioWindow::folder / "square.png";
     ASSERT_TRUE(star.save(QString::fromStdString(path.string())));
-    ASSERT_TRUE(w.studio().setStencil(path));
+    ASSERT_TRUE(w.studio().hand().setStencil(path));
     auto& tool = w.tools().seed();
     choose(tool);
     mouse.press(a);
@@ -233,7 +233,7 @@ TEST_F(Strokes, APictureSeedsItsArea) {
     }
     EXPECT_NEAR((hi.x - lo.x) * (hi.y - lo.y), pixels, 0.03 * pixels);
     box.strokes = {{Shape::Rectangle, {lo, hi}}};
-    ASSERT_TRUE(w.studio().apply(box));
+    ASSERT_TRUE(w.studio().editor().apply(box));
     const auto& boxed = last<studio::Seed>().voxels;
     EXPECT_GT(seed.voxels.size(), 40U);
     EXPECT_NEAR(double(seed.voxels.size()), double(boxed.size()), 0.03 * double(boxed.size()));
@@ -241,14 +241,14 @@ TEST_F(Strokes, APictureSeedsItsArea) {
 
 TEST_F(Strokes, ThePictureHoldsStillUnderAPolyline) {
     choose(w.tools().scissors());
-    const auto camera = w.studio().view().camera;
+    const auto camera = w.studio().view().shown().camera;
     corners({a, b});
     const QPoint middle = w.view().mapTo(&w.window(), w.view().rect().center());
     auto* window = w.window().windowHandle();
     QTest::mousePress(window, Qt::MiddleButton, {}, middle);
     QTest::mouseMove(window, middle + QPoint(30, 30));
     QTest::mouseRelease(window, Qt::MiddleButton, {}, middle + QPoint(30, 30));
-    EXPECT_EQ(w.studio().view().camera, camera);
+    EXPECT_EQ(w.studio().view().shown().camera, camera);
     corners({c, a});
     w.settle();
     EXPECT_EQ(last<studio::Scissors>().outline.points.size(), 3U);
@@ -258,7 +258,7 @@ TEST_F(Strokes, AnotherShapeDropsThePolylineUnderWay) {
     choose(w.tools().scissors());
     corners({a, b});
     w.trigger("ellipse");
-    EXPECT_FALSE(w.studio().tool().isSketching());
+    EXPECT_FALSE(w.studio().hand().tool().isSketching());
     mouse.drag({a, {0.5, 0.5}, {0.55, 0.55}});
     w.settle();
     EXPECT_EQ(last<studio::Scissors>().outline.shape, Shape::Ellipse);

@@ -44,7 +44,7 @@ StudioWindow::StudioWindow()
 }
 
 void StudioWindow::close() {
-    studio_->close();
+    studio_->files().close();
     window_.reset();
     studio_.reset();
 }
@@ -67,7 +67,7 @@ void StudioWindow::wait(const char* what, const std::function<bool()>& condition
 // A hint of another length may give the view another size.
 void StudioWindow::settle() {
     const double done = Timer::now();
-    studio_->workSoon();
+    studio_->host().workSoon();
     const auto isSettled = [&] { return studio_->isSettled() && studio_->answeredMs() >= done; };
     wait("the document to be shown", isSettled);
     QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
@@ -80,12 +80,13 @@ void StudioWindow::rest() {
 
 void StudioWindow::open() {
     leaveTablet();
-    studio_->close();
+    studio_->files().close();
     OpenRequest request;
     request.volume = volume;
-    studio_->open(request);
-    wait("the volume", [this] { return studio_->document() != nullptr && !studio_->isLoading(); });
-    studio_->setTool(tools_->camera());
+    studio_->files().open(request);
+    wait("the volume",
+         [this] { return studio_->host().document() != nullptr && !studio_->host().isLoading(); });
+    studio_->hand().take(tools_->camera());
     settle();
 }
 

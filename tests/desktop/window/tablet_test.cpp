@@ -27,9 +27,9 @@ protected:
     void SetUp() override { w.open(); }
     void TearDown() override {
         w.leaveTablet();
-        EXPECT_EQ(w.studio().host().errorCount(), 0);
+        EXPECT_EQ(w.studio().host().gl().errorCount(), 0);
     }
-    const std::vector<studio::Operation>& log() { return w.studio().document()->log(); }
+    const std::vector<studio::Operation>& log() { return w.studio().host().document()->log(); }
     template <class Operation>
     const Operation& last() {
         for (auto it = log().rbegin(); it != log().rend(); ++it) {
@@ -51,7 +51,7 @@ protected:
     // What the tool lowers the surface by in the middle of the view, in steps.
     double sunk(Tool& tool, double pressure) {
         w.open();
-        w.studio().setTool(tool);
+        w.studio().hand().take(tool);
         const auto before = look();
         w.drawMask();
         w.stroke(w.view(), {{{0.5, 0.5}, pressure}});
@@ -62,20 +62,20 @@ protected:
         return before && after ? glm::distance(before->world, after->world) / step() : 0;
     }
     QPointF centre() { return {0.5 * w.view().width(), 0.5 * w.view().height()}; }
-    double step() { return w.studio().geometry()->stepMm(); }
+    double step() { return w.studio().host().geometry()->stepMm(); }
 
     StudioWindow& w = StudioWindow::instance();
 };
 
 TEST_F(Tablet, ADrillHoldsThePressuresAndTheTiltOfThePen) {
-    w.studio().setTool(w.tools().drill());
+    w.studio().hand().take(w.tools().drill());
     w.drawMask();
     const std::vector<Touch> way{
         {{0.45, 0.5}, 0.25, {10, -5}}, {{0.5, 0.5}, 0.5, {12, -5}}, {{0.55, 0.503}, 0.875, {14, -5}}};
     w.stroke(w.view(), way);
     w.settle();
     const auto& drill = last<studio::Drill>();
-    const glm::dvec2 scale = w.studio().devicePerLogical();
+    const glm::dvec2 scale = w.studio().view().devicePerLogical();
     ASSERT_EQ(drill.stroke.size(), way.size());
     for (std::size_t n = 0; n < way.size(); ++n) {
         const auto& point = drill.stroke[n];
@@ -105,7 +105,7 @@ TEST_F(Tablet, DrillAndLaserGoAsDeepAsThePenPresses) {
 TEST_F(Tablet, AMousePressesAsItsSliderSays) {
     auto& slider = w.part<QSlider>("mousePressure");
     slider.setValue(40);
-    w.studio().setTool(w.tools().drill());
+    w.studio().hand().take(w.tools().drill());
     w.drawMask();
     w.leaveTablet();
     const QPoint inWindow = w.view().mapTo(&w.window(), centre().toPoint());
@@ -121,7 +121,7 @@ TEST_F(Tablet, AMousePressesAsItsSliderSays) {
 TEST_F(Tablet, PeelGoesByTheWayOfThePenWhateverThePressure) {
     for (const double pressure : {0.1, 1.0}) {
         w.open();
-        w.studio().setTool(w.tools().peel());
+        w.studio().hand().take(w.tools().peel());
         w.drawMask();
         const double down = 40.0 / w.view().height(); // logical pixels: four layers
         w.stroke(w.view(),
@@ -133,19 +133,19 @@ TEST_F(Tablet, PeelGoesByTheWayOfThePenWhateverThePressure) {
 
 TEST_F(Tablet, SeedsLandUnderThePen) {
     w.studio().growth().setAutoStart(false);
-    w.studio().setTool(w.tools().seed());
+    w.studio().hand().take(w.tools().seed());
     w.stroke(w.view(), {{{0.45, 0.5}, 0.4}, {{0.5, 0.51}, 0.6}, {{0.55, 0.5}, 0.2}});
     w.settle();
     const auto& seed = last<studio::Seed>();
     ASSERT_EQ(seed.strokes.size(), 1U);
     EXPECT_FALSE(seed.voxels.empty());
     const auto& points = seed.strokes.front().points;
-    EXPECT_NEAR(points.front().x, 0.45 * w.view().width() * w.studio().devicePerLogical().x, 1e-6);
+    EXPECT_NEAR(points.front().x, 0.45 * w.view().width() * w.studio().view().devicePerLogical().x, 1e-6);
     w.studio().growth().setAutoStart(true);
 }
 
 TEST_F(Tablet, ThePressureIsShownWhileThePenDraws) {
-    w.studio().setTool(w.tools().drill());
+    w.studio().hand().take(w.tools().drill());
     auto& shown = w.part<QProgressBar>("penPressure");
     EXPECT_TRUE(shown.isVisible());
     w.drawMask();
@@ -163,7 +163,7 @@ TEST_F(Tablet, ThePressureIsShownWhileThePenDraws) {
 
 TEST_F(Tablet, TheEraserPutsBackWhatTheTipTook) {
     auto& drill = w.tools().drill();
-    w.studio().setTool(drill);
+    w.studio().hand().take(drill);
     w.drawMask();
     const auto before = look();
     w.stroke(w.view(), {{{0.5, 0.5}, 1.0}});
@@ -188,7 +188,7 @@ TEST_F(Tablet, TheEraserPutsBackWhatTheTipTook) {
 
 TEST_F(Tablet, TheEraserOfAReversedToolCuts) {
     auto& peel = w.tools().peel();
-    w.studio().setTool(peel);
+    w.studio().hand().take(peel);
     peel.setReversed(true);
     w.pen(QEvent::TabletMove, w.view(), {{0.5, 0.5}}, End::Eraser);
     EXPECT_FALSE(peel.isReversed());
@@ -196,7 +196,7 @@ TEST_F(Tablet, TheEraserOfAReversedToolCuts) {
     EXPECT_TRUE(peel.isReversed());
     // A tool that is left while the eraser is near is as it was.
     w.pen(QEvent::TabletMove, w.view(), {{0.5, 0.5}}, End::Eraser);
-    w.studio().setTool(w.tools().seed());
+    w.studio().hand().take(w.tools().seed());
     w.pen(QEvent::TabletMove, w.view(), {{0.5, 0.5}}, End::Eraser);
     EXPECT_TRUE(peel.isReversed());
     EXPECT_TRUE(w.tools().seed().isReversed());
@@ -210,21 +210,21 @@ TEST_F(Tablet, OnSlicesTheTipAddsAndTheEraserRemoves) {
     auto& slice = w.part("axialSlice");
     StudioWindow::wait("the slices", [&] { return slice.isVisible() && w.studio().isIdle(); });
     w.studio().growth().setAutoStart(false);
-    w.studio().setTool(w.tools().paint());
+    w.studio().hand().take(w.tools().paint());
     w.stroke(slice, {{{0.45, 0.5}, 0.5}, {{0.5, 0.5}, 0.5}, {{0.55, 0.5}, 0.5}});
     EXPECT_TRUE(last<studio::PaintSegment>().isToAdd);
-    const auto added = w.studio().document()->growth().voxels;
+    const auto added = w.studio().host().document()->growth().voxels;
     EXPECT_GT(added, 0U);
     w.stroke(slice, {{{0.5, 0.5}, 0.5}}, End::Eraser);
     EXPECT_FALSE(last<studio::PaintSegment>().isToAdd);
-    EXPECT_LT(w.studio().document()->growth().voxels, added);
+    EXPECT_LT(w.studio().host().document()->growth().voxels, added);
     // With the seed tool likewise.
-    w.studio().setTool(w.tools().seed());
+    w.studio().hand().take(w.tools().seed());
     w.stroke(slice, {{{0.5, 0.6}, 0.5}, {{0.55, 0.6}, 0.5}});
     EXPECT_EQ(last<studio::Seed>().trails.size(), 1U);
-    const auto seeded = w.studio().document()->growth().voxels;
+    const auto seeded = w.studio().host().document()->growth().voxels;
     w.stroke(slice, {{{0.5, 0.6}, 0.5}, {{0.55, 0.6}, 0.5}}, End::Eraser);
-    EXPECT_LT(w.studio().document()->growth().voxels, seeded);
+    EXPECT_LT(w.studio().host().document()->growth().voxels, seeded);
     EXPECT_FALSE(last<studio::PaintSegment>().isToAdd);
     w.leaveTablet(End::Eraser);
     w.settle();
@@ -235,22 +235,22 @@ TEST_F(Tablet, OnSlicesTheTipAddsAndTheEraserRemoves) {
 
 // For the replay without a window, which the script that runs this makes and compares.
 TEST_F(Tablet, ASessionDrawnWithThePenIsSaved) {
-    w.studio().setTool(w.tools().drill());
+    w.studio().hand().take(w.tools().drill());
     w.drawMask(0.05);
     w.stroke(w.view(), {{{0.45, 0.48}, 0.3}, {{0.5, 0.5}, 0.6}, {{0.56, 0.53}, 0.95}});
     w.settle();
-    w.studio().setTool(w.tools().laser());
+    w.studio().hand().take(w.tools().laser());
     w.drawMask(0.03);
     w.stroke(w.view(), {{{0.4, 0.4}, 0.5}, {{0.42, 0.45}, 0.7}});
     w.settle();
-    w.studio().setTool(w.tools().peel());
+    w.studio().hand().take(w.tools().peel());
     w.drawMask(0.08);
     w.stroke(w.view(), {{{0.5, 0.5}, 0.5}, {{0.5, 0.53}, 0.7}});
     w.settle();
     w.stroke(w.view(), {{{0.5, 0.5}, 0.5}, {{0.5, 0.51}, 0.7}}, End::Eraser);
     w.leaveTablet(End::Eraser);
     w.studio().growth().setAutoStart(false);
-    w.studio().setTool(w.tools().seed());
+    w.studio().hand().take(w.tools().seed());
     w.stroke(w.view(), {{{0.46, 0.5}, 0.4}, {{0.54, 0.5}, 0.4}});
     w.settle();
     w.studio().growth().setAutoStart(true);
@@ -258,7 +258,7 @@ TEST_F(Tablet, ASessionDrawnWithThePenIsSaved) {
     w.rest();
     w.studio().takeScreenshot(StudioWindow::folder / "tablet.png");
     StudioWindow::wait("the screenshot", [] { return exists(StudioWindow::folder / "tablet.png"); });
-    ASSERT_TRUE(w.studio().saveSession(StudioWindow::folder / "tablet.json"));
+    ASSERT_TRUE(w.studio().files().saveSession(StudioWindow::folder / "tablet.json"));
 }
 
 } // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Fingers look around, whatever the tool; a palm beside a pen does nothing.
+#include "model/hand/pen_watch.h"
 #include "model/slices/slice_controller.h"
-#include "model/studio/pen_watch.h"
 #include "studio_window.h"
 #include "tools/camera_tool.h"
 #include "tools/peel_tool.h"
@@ -20,20 +20,21 @@ class Fingers : public testing::Test {
 protected:
     void SetUp() override {
         w.open();
-        w.studio().setTool(w.tools().peel()); // that only the pen draws with
+        w.studio().hand().take(w.tools().peel()); // that only the pen draws with
         middle = QPointF(w.view().width() / 2, w.view().height() / 2);
     }
     void TearDown() override {
         w.fingers(w.view(), {});
-        EXPECT_TRUE(w.studio().document()->log().empty() || !w.studio().document()->canUndo())
+        EXPECT_TRUE(w.studio().host().document()->log().empty() || !w.studio().host().document()->canUndo())
             << "fingers changed the document";
     }
-    const render::Camera& camera() { return w.studio().view().camera; }
+    const render::Camera& camera() { return w.studio().view().shown().camera; }
     // In the plane that is looked at: what is under a place of the view.
     glm::dvec3 under(QPointF place) {
-        const auto rays = w.studio().rays();
-        const auto ray = rays.through(glm::dvec2(place.x(), place.y()) * w.studio().devicePerLogical());
-        const auto depth = glm::dot(w.studio().geometry()->centreWorld() - rays.eye, rays.forward);
+        const auto rays = w.studio().view().rays();
+        const auto ray =
+            rays.through(glm::dvec2(place.x(), place.y()) * w.studio().view().devicePerLogical());
+        const auto depth = glm::dot(w.studio().host().geometry()->centreWorld() - rays.eye, rays.forward);
         return ray.origin + ray.direction * (depth / glm::dot(ray.direction, rays.forward));
     }
 
@@ -82,7 +83,7 @@ TEST_F(Fingers, ATwistRollsByItsAngle) {
     EXPECT_NEAR(camera().rollDegrees, 30, 0.2);
     EXPECT_NEAR(camera().zoom, 1, 0.005);
     // The middle of two rounded places is half a pixel off at most.
-    EXPECT_LT(glm::distance(under(place), held), w.studio().millimetresPerPixel());
+    EXPECT_LT(glm::distance(under(place), held), w.studio().view().millimetresPerPixel());
 }
 
 TEST_F(Fingers, BothFingersKeepWhatIsUnderThemThroughAnyMotion) {
@@ -100,7 +101,7 @@ TEST_F(Fingers, BothFingersKeepWhatIsUnderThemThroughAnyMotion) {
     }
     w.fingers(w.view(), {});
     // Two fingers say what move, size and angle are, so both places are held, to the rounding of the steps.
-    const double pixel = w.studio().millimetresPerPixel();
+    const double pixel = w.studio().view().millimetresPerPixel();
     EXPECT_LT(glm::distance(under(a1), heldA), 1.5 * pixel);
     EXPECT_LT(glm::distance(under(b1), heldB), 1.5 * pixel);
 }

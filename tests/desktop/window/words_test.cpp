@@ -17,18 +17,20 @@ class Window : public testing::Test {
 protected:
     void SetUp() override {
         w.open();
-        w.studio().setShape(studio::Shape::FreeForm);
+        w.studio().hand().setShape(studio::Shape::FreeForm);
         w.studio().growth().setAutoStart(false);
     }
     void TearDown() override { w.studio().growth().setAutoStart(true); }
-    std::string message() { return w.studio().message().toStdString(); }
+    std::string message() { return w.studio().host().message().toStdString(); }
     void seed() {
-        w.studio().setTool(w.tools().seed());
+        w.studio().hand().take(w.tools().seed());
         w.settle();
         mouse.drag({{0.45, 0.5}, {0.5, 0.51}, {0.55, 0.5}});
         w.settle();
     }
-    const studio::Seed& lastSeed() { return std::get<studio::Seed>(w.studio().document()->log().back()); }
+    const studio::Seed& lastSeed() {
+        return std::get<studio::Seed>(w.studio().host().document()->log().back());
+    }
 
     StudioWindow& w = StudioWindow::instance();
     Mouse mouse{w};
@@ -74,7 +76,7 @@ TEST_F(Window, AddsASecondSegmentBesideTheFirst) {
     ASSERT_EQ(segments.list().segments.size(), 2U);
     EXPECT_EQ(segments.list().segments.front().name, "Segment 1");
     EXPECT_EQ(segments.list().working().label, 2);
-    EXPECT_EQ(std::get<studio::UseSegment>(w.studio().document()->log().back()).takesFirst, false);
+    EXPECT_EQ(std::get<studio::UseSegment>(w.studio().host().document()->log().back()).takesFirst, false);
 }
 
 TEST_F(Window, ANewSegmentGrowsInTheRangeThatIsSet) {
@@ -87,12 +89,12 @@ TEST_F(Window, ANewSegmentGrowsInTheRangeThatIsSet) {
     w.settle();
     seed();
     w.studio().segments().add();
-    w.studio().setRange({150, 200}); // the display moves on
+    w.studio().view().setRange({150, 200}); // the display moves on
     w.settle();
     EXPECT_EQ(growth.range(), (Range{110, 130}));
     EXPECT_EQ(w.part<QDoubleSpinBox>("growthLo").value(), 110);
     EXPECT_EQ(w.part<QDoubleSpinBox>("growthHi").value(), 130);
-    w.studio().setRange({100, 200});
+    w.studio().view().setRange({100, 200});
     w.settle();
     mouse.drag({{0.45, 0.56}, {0.5, 0.57}, {0.55, 0.56}});
     w.settle();

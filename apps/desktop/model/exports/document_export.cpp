@@ -29,16 +29,17 @@ DocumentExport::~DocumentExport() {
 
 void DocumentExport::save(const std::filesystem::path& path, const studio::ExportSettings& settings,
                           std::vector<studio::ExportedSegment> segments) {
-    if (isRunning_ || studio_.document() == nullptr) {
+    if (isRunning_ || studio_.host().document() == nullptr) {
         return;
     }
     studio_.growth().pause();
-    (void)studio_.canvas(); // what was looked at last belongs to the document
+    (void)studio_.view().canvas(); // what was looked at last belongs to the document
     path_ = path;
     settings_ = settings;
-    version_ = studio_.document()->version();
-    reader_ = std::make_unique<studio::ExportReader>(*studio_.document(), settings.what, std::move(segments));
-    const OpenRequest& origin = studio_.source();
+    version_ = studio_.host().document()->version();
+    reader_ = std::make_unique<studio::ExportReader>(*studio_.host().document(), settings.what,
+                                                     std::move(segments));
+    const OpenRequest& origin = studio_.files().source();
     reader_->setReading(
         {{}, origin.series.empty() ? std::nullopt : std::optional(origin.series), origin.frame});
     shared_ = std::make_shared<Shared>();
@@ -63,13 +64,13 @@ void DocumentExport::read() {
         end(false, tr("The export was given up"));
         return;
     }
-    if (studio_.document() == nullptr || studio_.document()->version() != version_) {
+    if (studio_.host().document() == nullptr || studio_.host().document()->version() != version_) {
         end(false, tr("The document changed: the export was given up"));
         return;
     }
     bool isAllRead = false;
-    if (!studio_.workLong([&] { isAllRead = reader_->readSome(kSliceMs); })) {
-        end(false, studio_.message());
+    if (!studio_.host().workLong([&] { isAllRead = reader_->readSome(kSliceMs); })) {
+        end(false, studio_.host().message());
         return;
     }
     emit progressed(int(1000 * kReading * reader_->share()));
@@ -124,11 +125,11 @@ void DocumentExport::end(bool isDone, const QString& message) {
 
 void DocumentExport::estimate() {
     std::vector<std::uint8_t> labels;
-    if (studio_.document() == nullptr || estimator_.joinable() ||
-        !studio_.workLong([&] { labels = studio_.document()->labelMap(); })) {
+    if (studio_.host().document() == nullptr || estimator_.joinable() ||
+        !studio_.host().workLong([&] { labels = studio_.host().document()->labelMap(); })) {
         return;
     }
-    estimator_ = std::jthread([this, labels = std::move(labels), dims = studio_.geometry()->dims] {
+    estimator_ = std::jthread([this, labels = std::move(labels), dims = studio_.host().geometry()->dims] {
         const auto triangles = studio::estimatedTriangles(labels, dims);
         QMetaObject::invokeMethod(
             this,

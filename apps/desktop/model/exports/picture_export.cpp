@@ -18,12 +18,12 @@ PictureExport::PictureExport(StudioController& studio) : studio_(studio) {
     timer_.setSingleShot(true);
     connect(&timer_, &QTimer::timeout, this, &PictureExport::tick);
     // The caster looks into the document.
-    connect(&studio_, &StudioController::closed, this, &PictureExport::cancel);
-    connect(&studio_, &StudioController::opened, this, &PictureExport::cancel);
+    connect(&studio_.host(), &DocumentHost::closed, this, &PictureExport::cancel);
+    connect(&studio_.host(), &DocumentHost::opened, this, &PictureExport::cancel);
 }
 
 PictureExport::~PictureExport() {
-    studio_.host().makeCurrent();
+    studio_.host().gl().makeCurrent();
     caster_.reset();
 }
 
@@ -31,7 +31,7 @@ void PictureExport::save(const studio::SavePicture& picture, const std::filesyst
                          int pictures) {
     folder_ = folder;
     take_ = [this](const image::Image& made) {
-        studio_.runLong([&] { image::writePng(pathOf(done_), made); });
+        studio_.host().runLong([&] { image::writePng(pathOf(done_), made); });
     };
     start(picture, pictures);
 }
@@ -43,7 +43,7 @@ void PictureExport::make(const studio::SavePicture& picture,
 }
 
 void PictureExport::start(const studio::SavePicture& picture, int pictures) {
-    if (!isRunning_ && studio_.document() != nullptr) {
+    if (!isRunning_ && studio_.host().document() != nullptr) {
         picture_ = picture;
         pictures_ = pictures;
         done_ = 0;
@@ -53,17 +53,17 @@ void PictureExport::start(const studio::SavePicture& picture, int pictures) {
 }
 
 void PictureExport::begin() {
-    version_ = studio_.document()->version();
+    version_ = studio_.host().document()->version();
     caster_.emplace();
     startPicture();
 }
 
 void PictureExport::startPicture() {
-    auto camera = studio_.view().camera;
+    auto camera = studio_.view().shown().camera;
     camera.azimuthDegrees += 360.0 * done_ / pictures_;
-    rays_ = render::viewRays(camera, *studio_.geometry(), picture_.size);
-    studio_.runLong([&] {
-        auto frame = studio_.document()->frame(picture_.size);
+    rays_ = render::viewRays(camera, *studio_.host().geometry(), picture_.size);
+    studio_.host().runLong([&] {
+        auto frame = studio_.host().document()->frame(picture_.size);
         frame.samples = picture_.samples;
         frame.background = picture_.background;
         frame.rays = rays_;
@@ -72,7 +72,7 @@ void PictureExport::startPicture() {
 }
 
 void PictureExport::tick() {
-    auto* document = studio_.document();
+    auto* document = studio_.host().document();
     if (!isRunning_) {
         return;
     }
@@ -84,19 +84,19 @@ void PictureExport::tick() {
         stop(false, tr("The document changed: the pictures were given up"));
         return;
     }
-    const bool isFine = studio_.guard([this] {
+    const bool isFine = studio_.host().guard([this] {
         if (!caster_) {
             begin();
             return;
         }
         bool isComplete = false;
-        studio_.runLong([&] { isComplete = caster_->renderSome(kSliceMs); });
+        studio_.host().runLong([&] { isComplete = caster_->renderSome(kSliceMs); });
         if (isComplete) {
             takePicture();
         }
     });
     if (!isFine) {
-        stop(false, studio_.message());
+        stop(false, studio_.host().message());
     } else if (done_ == pictures_) {
         const QString name = QString::fromStdString(pathOf(pictures_ - 1).string());
         stop(true, pictures_ > 1 ? tr("Saved %1 pictures up to %2").arg(pictures_).arg(name)
@@ -109,17 +109,17 @@ void PictureExport::tick() {
 
 void PictureExport::takePicture() {
     image::Image made;
-    studio_.runLong([&] {
+    studio_.host().runLong([&] {
         made = caster_->readPicture();
         if (picture_.annotations) {
-            render::annotate(made, rays_, *studio_.geometry());
+            render::annotate(made, rays_, *studio_.host().geometry());
         }
     });
     take_(made);
     if (++done_ < pictures_) {
         startPicture();
     } else if (pictures_ == 1 && !picture_.file.empty()) {
-        studio_.document()->note(picture_);
+        studio_.host().document()->note(picture_);
     }
 }
 
@@ -139,7 +139,7 @@ void PictureExport::cancel() {
 void PictureExport::stop(bool isDone, const QString& message) {
     timer_.stop();
     isRunning_ = false;
-    studio_.host().makeCurrent();
+    studio_.host().gl().makeCurrent();
     caster_.reset();
     emit finished(isDone, message);
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/keepers/recent_documents.h"
 
-#include "model/keepers/settings.h"
+#include "model/settings/settings.h"
 #include "model/texts/library_texts.h"
 #include "model/texts/texts.h"
 

@@ -59,12 +59,12 @@ LostWork describe(const QFileInfo& file) {
 } // namespace
 
 RecoveryKeeper::RecoveryKeeper(StudioController& studio) : QObject(&studio), studio_(studio) {
-    connect(&studio, &StudioController::opened, this, &RecoveryKeeper::begin);
-    connect(&studio, &StudioController::changed, this, &RecoveryKeeper::follow);
-    connect(&studio, &StudioController::saved, this, &RecoveryKeeper::noteSaved);
-    connect(&studio, &StudioController::closed, this, &RecoveryKeeper::finish);
-    connect(&studio, &StudioController::openFailed, this, [this] { endRecovery(false); });
-    connect(&studio, &StudioController::givenUp, this, [this] { endRecovery(false); });
+    connect(&studio.host(), &DocumentHost::opened, this, &RecoveryKeeper::begin);
+    connect(&studio.host(), &DocumentHost::changed, this, &RecoveryKeeper::follow);
+    connect(&studio.files(), &DocumentFiles::saved, this, &RecoveryKeeper::noteSaved);
+    connect(&studio.host(), &DocumentHost::closed, this, &RecoveryKeeper::finish);
+    connect(&studio.host(), &DocumentHost::openFailed, this, [this] { endRecovery(false); });
+    connect(&studio.host(), &DocumentHost::givenUp, this, [this] { endRecovery(false); });
 }
 
 // Without finish() the journal stays: the program ends by an error.
@@ -98,20 +98,20 @@ bool RecoveryKeeper::discard(const LostWork& lost) {
 
 bool RecoveryKeeper::recover(const LostWork& lost) {
     auto lock = lockOf(lost.journal);
-    if (!lock || studio_.isLoading()) {
+    if (!lock || studio_.host().isLoading()) {
         return false;
     }
     recoveredLock_ = std::move(lock);
     recovered_ = lost.journal;
     OpenRequest request;
     request.journal = lost.journal;
-    studio_.open(request);
+    studio_.files().open(request);
     return true;
 }
 
 void RecoveryKeeper::begin() {
     finish();
-    isReplaying_ = studio_.isReplaying();
+    isReplaying_ = studio_.host().isReplaying();
     // The process, the time and a number: no two are the same.
     static int count = 0;
     const QString name = QString("%1-%2-%3.jsonl")
@@ -122,7 +122,7 @@ void RecoveryKeeper::begin() {
     QDir().mkpath(journalFolder());
     lock_ = lockOf(path);
     try {
-        journal_ = std::make_unique<studio::Journal>(path, studio_.provenance());
+        journal_ = std::make_unique<studio::Journal>(path, studio_.files().provenance());
     } catch (const std::exception& e) {
         complain(e.what());
     }
@@ -130,18 +130,18 @@ void RecoveryKeeper::begin() {
 }
 
 void RecoveryKeeper::follow() {
-    if (journal_ == nullptr || studio_.document() == nullptr) {
+    if (journal_ == nullptr || studio_.host().document() == nullptr) {
         return;
     }
     try {
-        journal_->follow(studio_.document()->log());
+        journal_->follow(studio_.host().document()->log());
     } catch (const std::exception& e) {
         complain(e.what());
         return;
     }
     // A session that has been replayed whole is in its file; what was recovered is in none.
-    if (std::exchange(isReplaying_, studio_.isReplaying()) && !studio_.isReplaying()) {
-        if (!studio_.hasUnsavedEdits() && !studio_.source().session.empty()) {
+    if (std::exchange(isReplaying_, studio_.host().isReplaying()) && !studio_.host().isReplaying()) {
+        if (!studio_.files().hasUnsavedEdits() && !studio_.files().source().session.empty()) {
             noteSaved();
         }
         endRecovery(true);
@@ -151,8 +151,8 @@ void RecoveryKeeper::follow() {
 void RecoveryKeeper::noteSaved() {
     if (journal_ != nullptr) {
         try {
-            journal_->follow(studio_.document()->log());
-            journal_->noteSaved(std::filesystem::absolute(studio_.source().session));
+            journal_->follow(studio_.host().document()->log());
+            journal_->noteSaved(std::filesystem::absolute(studio_.files().source().session));
         } catch (const std::exception& e) {
             complain(e.what());
         }
@@ -161,7 +161,7 @@ void RecoveryKeeper::noteSaved() {
 
 // The old journal goes only when all of it is in the new one.
 void RecoveryKeeper::endRecovery(bool isDone) {
-    if (recoveredLock_ && isDone && studio_.hasUnsavedEdits()) {
+    if (recoveredLock_ && isDone && studio_.files().hasUnsavedEdits()) {
         removeJournal(recovered_);
     }
     recoveredLock_.reset();
@@ -178,7 +178,7 @@ void RecoveryKeeper::finish() {
 // Once: without a journal the work goes on.
 void RecoveryKeeper::complain(const char* problem) {
     journal_.reset();
-    studio_.say(QString::fromUtf8(problem));
+    studio_.host().say(QString::fromUtf8(problem));
 }
 
 } // namespace vs::desktop

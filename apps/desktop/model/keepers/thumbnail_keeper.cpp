@@ -45,8 +45,8 @@ ThumbnailKeeper::ThumbnailKeeper(StudioController& studio) : QObject(&studio), s
     calm_.setInterval(kCalmMs);
     connect(&calm_, &QTimer::timeout, this, &ThumbnailKeeper::keep);
     connect(&studio, &StudioController::pictureChanged, &calm_, qOverload<>(&QTimer::start));
-    connect(&studio, &StudioController::opened, this, &ThumbnailKeeper::remember);
-    connect(&studio, &StudioController::saved, this, [this] {
+    connect(&studio.host(), &DocumentHost::opened, this, &ThumbnailKeeper::remember);
+    connect(&studio.files(), &DocumentFiles::saved, this, [this] {
         taken_ = -1; // the session is another document than its volume
         remember();
         keep();
@@ -54,10 +54,10 @@ ThumbnailKeeper::ThumbnailKeeper(StudioController& studio) : QObject(&studio), s
 }
 
 KnownDocument ThumbnailKeeper::present() const {
-    const auto* document = studio_.document();
+    const auto* document = studio_.host().document();
     const auto dims = document->volume().geometry.dims;
     KnownDocument known;
-    known.request = studio_.source();
+    known.request = studio_.files().source();
     for (auto* path : {&known.request.volume, &known.request.session}) {
         *path = path->empty() ? *path : std::filesystem::absolute(*path).lexically_normal();
     }
@@ -76,14 +76,14 @@ void ThumbnailKeeper::remember() {
 }
 
 void ThumbnailKeeper::keep() {
-    if (studio_.document() == nullptr || !studio_.isIdle() || studio_.picture().pictures() == taken_) {
+    if (studio_.host().document() == nullptr || !studio_.isIdle() || studio_.picture().pictures() == taken_) {
         return;
     }
     const KnownDocument known = present();
     if (known.path().isEmpty()) {
         return;
     }
-    studio_.guard([&] {
+    studio_.host().guard([&] {
         taken_ = studio_.picture().pictures();
         rememberDocument(known);
         QThreadPool::globalInstance()->start([path = known.picturePath(), guard = QPointer(this),

@@ -1,15 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scrubbing and changes of the rules: what is dragged, shown with the next picture, and one operation when it
 // is let go.
+#include "model/document/document_host.h"
+#include "model/document/view_model.h"
+#include "model/edits/editor.h"
 #include "model/segments/growth_controller.h"
-#include "model/studio/studio_controller.h"
 
 namespace vs::desktop {
 
 // --- scrubbing
 
 void GrowthController::scrubTo(int generation) {
-    if (!canPlay() || studio_.document()->isStrokeOpen()) {
+    if (!canPlay() || host_.document()->isStrokeOpen()) {
         return;
     }
     if (isPlaying() || rules_) {
@@ -17,15 +19,15 @@ void GrowthController::scrubTo(int generation) {
     }
     showRegion();
     scrubbed_ = generation;
-    studio_.wake();
+    host_.wake();
 }
 
 void GrowthController::showScrubbed() {
     const int generation = *scrubbed_;
     scrubbed_.reset();
-    studio_.workLong([&] {
+    host_.workLong([&] {
         if (generation != status().generation) {
-            studio_.document()->scrub(generation);
+            host_.document()->scrub(generation);
         }
     });
     emit changed();
@@ -35,9 +37,9 @@ void GrowthController::endScrub() {
     if (scrubbed_) {
         showScrubbed();
     }
-    if (studio_.document() != nullptr && studio_.document()->isScrubbing()) {
-        studio_.perform([&] { return studio_.document()->endScrub(); });
-        studio_.wake();
+    if (host_.document() != nullptr && host_.document()->isScrubbing()) {
+        editor_.perform([&] { return host_.document()->endScrub(); });
+        host_.wake();
     }
     emit changed();
 }
@@ -47,7 +49,7 @@ void GrowthController::endScrub() {
 void GrowthController::setTakesDisplayedRange(bool on) {
     takesDisplayedRange_ = on;
     heldRange_ = {};
-    if (!on && studio_.document() != nullptr) {
+    if (!on && host_.document() != nullptr) {
         heldRange_ = range();
     }
     emit changed();
@@ -65,8 +67,8 @@ void takeOver(std::optional<T>& into, const std::optional<T>& from) {
 } // namespace
 
 void GrowthController::changeRules(const studio::SetGrowthRules& rules, bool isHeld) {
-    auto* document = studio_.document();
-    if (document == nullptr || document->isStrokeOpen() || studio_.isLoading()) {
+    auto* document = host_.document();
+    if (document == nullptr || document->isStrokeOpen() || host_.isLoading()) {
         return;
     }
     if (!rules_) {
@@ -94,16 +96,16 @@ void GrowthController::changeRules(const studio::SetGrowthRules& rules, bool isH
     } else {
         rulesCalm_.start();
     }
-    studio_.wake();
+    host_.wake();
 }
 
 void GrowthController::applyRules() {
     rules_->isStale = false;
     const studio::Operation change = rules_->wanted;
     const bool isFirst = !std::exchange(rules_->isApplied, true);
-    studio_.canvas(); // the view as it is now is part of the log before the change
-    studio_.perform([&] {
-        auto& document = *studio_.document();
+    view_.flush(); // the view as it is now is part of the log before the change
+    editor_.perform([&] {
+        auto& document = *host_.document();
         return isFirst ? document.apply(change) : document.replaceLast(change);
     });
     emit changed();
@@ -125,7 +127,7 @@ void GrowthController::finishRules(bool resumes) {
     if (resumes && run != Run::None && canPlay()) {
         start(run);
     }
-    studio_.wake();
+    host_.wake();
     emit changed();
 }
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/segments/growth_controller.h"
 
-#include "model/studio/studio_controller.h"
+#include "model/document/document_host.h"
+#include "model/document/view_model.h"
+#include "model/edits/editor.h"
 
 #include <algorithm>
 #include <cmath>
@@ -17,27 +19,31 @@ constexpr double kLeastBack = 30;  // generations per second
 constexpr double kAbsorbing = 20;  // likewise at full speed: slow enough to be paused in time
 } // namespace
 
-GrowthController::GrowthController(StudioController& studio) : QObject(&studio), studio_(studio) {
+GrowthController::GrowthController(DocumentHost& host, ViewModel& view, Editor& editor)
+    : host_(host), view_(view), editor_(editor) {
     constexpr int kCalmMs = 400;
     rulesCalm_.setSingleShot(true);
     rulesCalm_.setInterval(kCalmMs);
+    connect(&editor_, &Editor::interrupting, this, &GrowthController::pause);
+    connect(&host_, &DocumentHost::opened, this, &GrowthController::reset);
+    connect(&host_, &DocumentHost::closing, this, &GrowthController::reset);
     connect(&rulesCalm_, &QTimer::timeout, this, &GrowthController::releaseRules);
-    connect(&studio_, &StudioController::changed, this, [this] {
-        if (!takesDisplayedRange_ && !studio_.isAway() && studio_.document() != nullptr) {
+    connect(&host_, &DocumentHost::changed, this, [this] {
+        if (!takesDisplayedRange_ && !host_.isAway() && host_.document() != nullptr) {
             heldRange_ = range();
         }
     });
 }
 
 studio::Document::GrowthStatus GrowthController::status() const {
-    return studio_.document() != nullptr ? studio_.document()->growth() : studio::Document::GrowthStatus{};
+    return host_.document() != nullptr ? host_.document()->growth() : studio::Document::GrowthStatus{};
 }
 
-bool GrowthController::canPlay() const { return studio_.document() != nullptr && status().hasSeeds; }
+bool GrowthController::canPlay() const { return host_.document() != nullptr && status().hasSeeds; }
 
 bool GrowthController::isBusy() const {
     return isPlaying() || scrubbed_.has_value() || rules_.has_value() ||
-           (studio_.document() != nullptr && studio_.document()->isScrubbing());
+           (host_.document() != nullptr && host_.document()->isScrubbing());
 }
 
 void GrowthController::reset() {
@@ -48,9 +54,8 @@ void GrowthController::reset() {
 }
 
 Range GrowthController::range() const {
-    const Range own = studio_.document()->growthRules().range;
-    const Range otherwise =
-        takesDisplayedRange_ || heldRange_ == Range() ? studio_.visibleRange() : heldRange_;
+    const Range own = host_.document()->growthRules().range;
+    const Range otherwise = takesDisplayedRange_ || heldRange_ == Range() ? view_.visibleRange() : heldRange_;
     return own == Range() ? otherwise : own;
 }
 
@@ -59,13 +64,13 @@ void GrowthController::showRegion() {
         return;
     }
     hasShownRegion_ = true;
-    auto view = studio_.view();
+    auto view = view_.shown();
     if (view.mode == render::Mode::Surface) {
         view.mode = render::Mode::Segment;
     } else if (view.mode == render::Mode::Mip || view.mode == render::Mode::XRay) {
         view.mode = render::Mode::Overlay;
     }
-    studio_.look(view);
+    view_.look(view);
 }
 
 // --- strokes
@@ -73,12 +78,12 @@ void GrowthController::showRegion() {
 void GrowthController::addSeeds(const studio::Seed& seed) {
     pause();
     studio::Seed stroke = seed;
-    const auto rules = studio_.document()->growthRules();
+    const auto rules = host_.document()->growthRules();
     stroke.connectivity = rules.connectivity;
     if (!takesDisplayedRange_) {
         stroke.range = range();
     }
-    if (!studio_.apply(stroke)) {
+    if (!editor_.apply(stroke)) {
         return;
     }
     if (isAutoStart_ && status().hasSeeds) {
@@ -91,7 +96,7 @@ void GrowthController::addSeeds(const studio::Seed& seed) {
 void GrowthController::absorb(const studio::Absorb& stroke) {
     studio::Absorb first = stroke;
     first.expansions = 1;
-    if (studio_.apply(first) && isAutoStart_ && lastAbsorbed() != nullptr) {
+    if (editor_.apply(first) && isAutoStart_ && lastAbsorbed() != nullptr) {
         start(Run::Absorbing);
     }
     emit changed();
@@ -99,7 +104,7 @@ void GrowthController::absorb(const studio::Absorb& stroke) {
 
 // The stroke that absorbing goes on with.
 const studio::Absorb* GrowthController::lastAbsorbed() const {
-    auto* document = studio_.document();
+    auto* document = host_.document();
     const auto* last = document != nullptr ? document->lastStep() : nullptr;
     return last != nullptr && strokesAbsorb_ ? std::get_if<studio::Absorb>(last) : nullptr;
 }
@@ -111,16 +116,16 @@ void GrowthController::toEnd() { start(Run::ToEnd); }
 void GrowthController::playBackward() { start(Run::Backward); }
 
 void GrowthController::start(Run run) {
-    if (!canPlay() || studio_.document()->isStrokeOpen()) {
+    if (!canPlay() || host_.document()->isStrokeOpen()) {
         return;
     }
     const bool goesOn = (run_ == Run::Forward || run_ == Run::ToEnd) &&
                         (run == Run::Forward || run == Run::ToEnd); // only the pace changes
     if (!goesOn) {
         pause();
-        studio_.canvas(); // the view as it is now is part of the log before the run
+        view_.flush(); // the view as it is now is part of the log before the run
         if ((run == Run::Forward || run == Run::ToEnd) &&
-            !studio_.workLong([&] { studio_.document()->beginGrowth(); })) {
+            !host_.workLong([&] { host_.document()->beginGrowth(); })) {
             return;
         }
     }
@@ -129,11 +134,11 @@ void GrowthController::start(Run run) {
     hasRunOut_ = false;
     sinceStart_ = Timer();
     played_ = 0;
-    studio_.say(run == Run::Backward    ? tr("Playing backward")
-                : run == Run::Absorbing ? tr("Absorbing")
-                : run == Run::ToEnd     ? tr("Growing to the end")
-                                        : tr("Growing"));
-    studio_.wake();
+    host_.say(run == Run::Backward    ? tr("Playing backward")
+              : run == Run::Absorbing ? tr("Absorbing")
+              : run == Run::ToEnd     ? tr("Growing to the end")
+                                      : tr("Growing"));
+    host_.wake();
     emit changed();
 }
 
@@ -189,9 +194,9 @@ bool GrowthController::growOn() {
     if (steps == 0) {
         return false;
     }
-    const double sliceMs = studio_.isHandAtWork() ? kHurriedSliceMs : kSliceMs;
+    const double sliceMs = host_.isHandAtWork() ? kHurriedSliceMs : kSliceMs;
     bool goesOn = false;
-    const bool done = studio_.workLong([&] { goesOn = studio_.document()->growFor(sliceMs, steps); });
+    const bool done = host_.workLong([&] { goesOn = host_.document()->growFor(sliceMs, steps); });
     if (!done || !goesOn) {
         finish();
         hasRunOut_ = done;
@@ -206,7 +211,7 @@ bool GrowthController::goBack() {
         return false;
     }
     const int generation = std::max(1, status().generation - steps);
-    if (!studio_.workLong([&] { studio_.document()->scrub(generation); }) || generation == 1) {
+    if (!host_.workLong([&] { host_.document()->scrub(generation); }) || generation == 1) {
         finish();
     }
     emit changed();
@@ -223,7 +228,7 @@ bool GrowthController::absorbFurther(int expansions) {
     *further.expansions += expansions;
     const std::size_t before = status().voxels;
     const bool done =
-        studio_.perform([&] { return studio_.document()->replaceLast(studio::Operation(further)); });
+        editor_.perform([&] { return host_.document()->replaceLast(studio::Operation(further)); });
     return done && status().voxels < before;
 }
 
@@ -231,9 +236,9 @@ void GrowthController::finish() {
     const Run run = std::exchange(run_, Run::None);
     isWaiting_ = false;
     if (run == Run::Forward || run == Run::ToEnd) {
-        studio_.perform([&] { return studio_.document()->endGrowth(); });
-    } else if (run == Run::Backward && studio_.document()->isScrubbing()) {
-        studio_.perform([&] { return studio_.document()->endScrub(); });
+        editor_.perform([&] { return host_.document()->endGrowth(); });
+    } else if (run == Run::Backward && host_.document()->isScrubbing()) {
+        editor_.perform([&] { return host_.document()->endScrub(); });
     }
 }
 
@@ -242,14 +247,13 @@ void GrowthController::pause() {
     if (rules_) {
         finishRules(false);
     }
-    if (scrubbed_ ||
-        (run_ == Run::None && studio_.document() != nullptr && studio_.document()->isScrubbing())) {
+    if (scrubbed_ || (run_ == Run::None && host_.document() != nullptr && host_.document()->isScrubbing())) {
         endScrub();
     }
     if (isPlaying()) {
-        studio_.host().makeCurrent();
+        host_.gl().makeCurrent();
         finish();
-        studio_.wake();
+        host_.wake();
         emit changed();
     }
 }
@@ -270,9 +274,9 @@ void GrowthController::step() {
     showRegion();
     if (lastAbsorbed() != nullptr) {
         absorbFurther(1);
-        studio_.wake();
+        host_.wake();
     } else {
-        studio_.apply(studio::Grow{1});
+        editor_.apply(studio::Grow{1});
     }
     emit changed();
 }
@@ -283,7 +287,7 @@ void GrowthController::stepBack() {
         if (status().generation > 1) {
             // Held down, the button goes faster the more there is to take back, and leaves one undo step.
             const bool isHeld = sinceBack_.milliseconds() < 250;
-            studio_.rewind(isHeld ? 1 + status().generation / 60 : 1);
+            editor_.rewind(isHeld ? 1 + status().generation / 60 : 1);
             sinceBack_ = Timer();
         }
         emit changed();
@@ -299,7 +303,7 @@ void GrowthController::setSpeed(int generationsPerSecond) {
     speed_ = generationsPerSecond;
     sinceStart_ = Timer();
     played_ = 0;
-    studio_.wake();
+    host_.wake();
     emit changed();
 }
 

@@ -11,7 +11,9 @@
 
 namespace vs::desktop {
 
-class StudioController;
+class DocumentHost;
+class Editor;
+class ViewModel;
 
 // Playback of the segmentation and its rules: plays in short slices between pictures, forward, backward and
 // (after an absorbing stroke) taking away; scrubs. Each run is one operation, appended when it pauses or when
@@ -20,7 +22,7 @@ class GrowthController : public QObject {
     Q_OBJECT
 
 public:
-    explicit GrowthController(StudioController& studio);
+    GrowthController(DocumentHost& host, ViewModel& view, Editor& editor);
 
     // --- strokes
     void addSeeds(const studio::Seed& seed); // and plays, with auto start on
@@ -107,7 +109,9 @@ private:
     void applyRules();
     void finishRules(bool resumes);
 
-    StudioController& studio_;
+    DocumentHost& host_;
+    ViewModel& view_;
+    Editor& editor_;
     bool isAutoStart_ = true;
     bool strokesAbsorb_ = false;
     Run run_ = Run::None;

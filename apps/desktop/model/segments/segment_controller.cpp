@@ -1,16 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/segments/segment_controller.h"
 
+#include "model/document/document_host.h"
+#include "model/document/view_model.h"
+#include "model/edits/editor.h"
 #include "model/segments/growth_controller.h"
-#include "model/studio/studio_controller.h"
 
 #include <algorithm>
 
 namespace vs::desktop {
 
-SegmentController::SegmentController(StudioController& studio) : QObject(&studio), studio_(studio) {
-    for (const auto signal : {&StudioController::opened, &StudioController::closed}) {
-        connect(&studio_, signal, this, [this] {
+SegmentController::SegmentController(DocumentHost& host, ViewModel& view, Editor& editor,
+                                     GrowthController& growth)
+    : host_(host), view_(view), editor_(editor), growth_(growth) {
+    for (const auto signal : {&DocumentHost::opened, &DocumentHost::closed}) {
+        connect(&host_, signal, this, [this] {
             ++documents_;
             seen_ = {};
         });
@@ -18,10 +22,10 @@ SegmentController::SegmentController(StudioController& studio) : QObject(&studio
 }
 
 const SegmentController::Seen& SegmentController::seen() const {
-    if (studio_.isAway()) {
+    if (host_.isAway()) {
         return seen_;
     }
-    const auto* document = studio_.document();
+    const auto* document = host_.document();
     const auto version = document != nullptr ? std::optional(document->version()) : std::nullopt;
     if (version != seen_.version || document == nullptr) {
         seen_ = {};
@@ -40,7 +44,7 @@ const studio::SegmentList& SegmentController::list() const { return seen().list;
 std::size_t SegmentController::voxels(std::uint8_t label) const { return seen().voxels[label]; }
 
 double SegmentController::millilitres(std::uint8_t label) const {
-    const auto* geometry = studio_.geometry();
+    const auto* geometry = host_.geometry();
     return geometry != nullptr ? double(voxels(label)) * geometry->voxelMm3() / 1000 : 0;
 }
 
@@ -55,18 +59,18 @@ bool SegmentController::canRemove() const {
 }
 
 void SegmentController::workOn(const std::string& name) {
-    if (name == list().working().name || studio_.document() == nullptr) {
+    if (name == list().working().name || host_.document() == nullptr) {
         return;
     }
-    const auto* last = studio_.document()->lastStep();
+    const auto* last = host_.document()->lastStep();
     const auto* use = last != nullptr ? std::get_if<studio::UseSegment>(last) : nullptr;
     const bool isOnlyGoing = use != nullptr && use->goesToWork && !use->name && !use->colour &&
                              !use->opacity && !use->isVisible && !use->isLocked;
     // One that was only looked at on the way, if the way there did not make it.
     const bool wasThere = isOnlyGoing && use->segment == list().working().name && voxels(list().atWork) > 0;
     const studio::UseSegment going{name};
-    studio_.change(
-        [&] { return wasThere ? studio_.document()->replaceLast(going) : studio_.document()->apply(going); });
+    editor_.change(
+        [&] { return wasThere ? host_.document()->replaceLast(going) : host_.document()->apply(going); });
 }
 
 void SegmentController::add() {
@@ -75,7 +79,7 @@ void SegmentController::add() {
         if (list().find(name) == nullptr) {
             studio::UseSegment another{name};
             another.takesFirst = false;
-            studio_.apply(another);
+            editor_.apply(another);
             return;
         }
     }
@@ -83,14 +87,14 @@ void SegmentController::add() {
 
 void SegmentController::removeWorking() {
     if (canRemove()) {
-        studio_.apply(studio::RemoveSegment{list().working().name});
+        editor_.apply(studio::RemoveSegment{list().working().name});
     }
 }
 
 // Looks are no business of what grows.
 void SegmentController::look(studio::UseSegment change) {
     change.goesToWork = false;
-    studio_.growth().whilePaused([&] { studio_.apply(change); });
+    growth_.whilePaused([&] { editor_.apply(change); });
 }
 
 bool SegmentController::rename(const std::string& name, const QString& to) {
@@ -100,13 +104,13 @@ bool SegmentController::rename(const std::string& name, const QString& to) {
     }
     constexpr std::size_t kLongest = 200; // bytes, as in session files
     if (trimmed.toStdString().size() > kLongest) {
-        studio_.say(tr("A segment's name has at most %1 characters").arg(kLongest));
+        host_.say(tr("A segment's name has at most %1 characters").arg(kLongest));
         return false;
     }
     if (trimmed.isEmpty() || list().find(trimmed.toStdString()) != nullptr) {
-        studio_.say(trimmed.isEmpty()
-                        ? tr("A segment needs a name")
-                        : tr("There is a segment '%1' already; choose another name").arg(trimmed));
+        host_.say(trimmed.isEmpty()
+                      ? tr("A segment needs a name")
+                      : tr("There is a segment '%1' already; choose another name").arg(trimmed));
         return false;
     }
     studio::UseSegment change{name};
@@ -137,28 +141,28 @@ void SegmentController::setOpacity(double opacity, bool continues) {
     studio::UseSegment change{list().working().name};
     change.opacity = opacity;
     change.goesToWork = false;
-    studio_.growth().whilePaused([&] {
-        studio_.change([&] {
-            return continues ? studio_.document()->replaceLast(change) : studio_.document()->apply(change);
+    growth_.whilePaused([&] {
+        editor_.change([&] {
+            return continues ? host_.document()->replaceLast(change) : host_.document()->apply(change);
         });
     });
 }
 
 void SegmentController::perform(const studio::Operation& operation) {
-    if (studio_.document() == nullptr || studio_.isLoading()) {
+    if (host_.document() == nullptr || host_.isLoading()) {
         return;
     }
-    studio_.say(tr("Working\u2026"));
-    studio_.apply(operation);
+    host_.say(tr("Working\u2026"));
+    editor_.apply(operation);
 }
 
 void SegmentController::openLabels(const std::filesystem::path& path) {
-    if (studio_.document() == nullptr || studio_.isLoading() || isReading_) {
+    if (host_.document() == nullptr || host_.isLoading() || isReading_) {
         return;
     }
     isReading_ = true;
-    studio_.say(tr("Reading %1").arg(QString::fromStdString(path.filename().string())));
-    emit studio_.progress(0, 0);
+    host_.say(tr("Reading %1").arg(QString::fromStdString(path.filename().string())));
+    emit host_.progress(0, 0);
     reader_ = std::jthread([this, path = std::filesystem::absolute(path), document = documents_] {
         studio::LoadLabels labels{path};
         QString error;
@@ -170,33 +174,33 @@ void SegmentController::openLabels(const std::filesystem::path& path) {
         }
         const auto finish = [this, labels, error, document] {
             isReading_ = false;
-            if (document != documents_ || studio_.isLoading()) {
-                studio_.say(tr("The label map was dropped: its volume is no longer open"));
-                if (!studio_.isLoading()) { // else the bar is that of the next volume
-                    emit studio_.progress(1, 1);
+            if (document != documents_ || host_.isLoading()) {
+                host_.say(tr("The label map was dropped: its volume is no longer open"));
+                if (!host_.isLoading()) { // else the bar is that of the next volume
+                    emit host_.progress(1, 1);
                 }
                 return;
             }
             if (error.isEmpty()) {
                 takeLabels(labels);
             } else {
-                studio_.say(error);
-                emit studio_.openFailed(error);
+                host_.say(error);
+                emit host_.openFailed(error);
             }
-            emit studio_.progress(1, 1);
+            emit host_.progress(1, 1);
         };
         QMetaObject::invokeMethod(
-            this, [this, finish] { studio_.whenHere(finish); }, Qt::QueuedConnection);
+            this, [this, finish] { host_.whenHere(finish); }, Qt::QueuedConnection);
     });
 }
 
 void SegmentController::takeLabels(const studio::LoadLabels& labels) {
-    if (studio_.apply(labels)) {
-        if (studio_.view().mode == render::Mode::Surface) {
-            studio_.setMode(render::Mode::Overlay); // they may lie deep inside
+    if (editor_.apply(labels)) {
+        if (view_.shown().mode == render::Mode::Surface) {
+            view_.setMode(render::Mode::Overlay); // they may lie deep inside
         }
     } else {
-        emit studio_.openFailed(studio_.message());
+        emit host_.openFailed(host_.message());
     }
 }
 

@@ -14,7 +14,10 @@
 
 namespace vs::desktop {
 
-class StudioController;
+class DocumentHost;
+class Editor;
+class GrowthController;
+class ViewModel;
 
 // The list of segments and what is done to finished ones. Every call is one operation; growing goes on after
 // those that only change how a segment looks.
@@ -22,7 +25,7 @@ class SegmentController : public QObject {
     Q_OBJECT
 
 public:
-    explicit SegmentController(StudioController& studio);
+    SegmentController(DocumentHost& host, ViewModel& view, Editor& editor, GrowthController& growth);
 
     // One segment without voxels before something was opened. While the document is away, as they were
     // before.
@@ -65,7 +68,10 @@ private:
     void takeLabels(const studio::LoadLabels& labels);
     void look(studio::UseSegment change);
 
-    StudioController& studio_;
+    DocumentHost& host_;
+    ViewModel& view_;
+    Editor& editor_;
+    GrowthController& growth_;
     mutable Seen seen_;
     bool isReading_ = false;
     int documents_ = 0; // counts those opened and closed

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/segments/segment_measurer.h"
 
+#include "model/document/document_host.h"
 #include "model/segments/growth_controller.h"
 #include "model/segments/segment_controller.h"
-#include "model/studio/studio_controller.h"
 
 #include <algorithm>
 #include <new>
@@ -50,12 +50,13 @@ std::vector<segment::MeasuredSegment> measureAll(const volume::Volume& volume,
 
 } // namespace
 
-SegmentMeasurer::SegmentMeasurer(StudioController& studio) : QObject(&studio), studio_(studio) {
+SegmentMeasurer::SegmentMeasurer(DocumentHost& host, SegmentController& list, GrowthController& growth)
+    : host_(host), list_(list), growth_(growth) {
     constexpr int kCalmMs = 300;
     calm_.setSingleShot(true);
     calm_.setInterval(kCalmMs);
     connect(&calm_, &QTimer::timeout, this, &SegmentMeasurer::look);
-    connect(&studio_, &StudioController::changed, this, [this] {
+    connect(&host_, &DocumentHost::changed, this, [this] {
         if (!wanting_.empty() && !(now() == key_)) {
             if (!found_.segments.empty()) {
                 found_ = {}; // no longer true
@@ -69,7 +70,7 @@ SegmentMeasurer::SegmentMeasurer(StudioController& studio) : QObject(&studio), s
 SegmentMeasurer::~SegmentMeasurer() = default;
 
 SegmentMeasurer::Key SegmentMeasurer::now() const {
-    auto* document = studio_.document();
+    auto* document = host_.document();
     return document == nullptr ? Key{} : Key{document->segmentsRevision(), document->segments().atWork};
 }
 
@@ -94,7 +95,7 @@ void SegmentMeasurer::stop() {
 }
 
 const segment::MeasuredSegment* SegmentMeasurer::working() const {
-    const int label = studio_.segments().list().atWork;
+    const int label = list_.list().atWork;
     const auto found = std::find_if(found_.segments.begin(), found_.segments.end(),
                                     [label](const auto& segment) { return segment.label == label; });
     return found != found_.segments.end() ? &*found : nullptr;
@@ -102,11 +103,10 @@ const segment::MeasuredSegment* SegmentMeasurer::working() const {
 
 // Begins when nothing is under way any more.
 void SegmentMeasurer::look() {
-    if (wanting_.empty() || studio_.document() == nullptr || now() == key_) {
+    if (wanting_.empty() || host_.document() == nullptr || now() == key_) {
         return;
     }
-    if (isMeasuring_ || studio_.isLoading() || studio_.growth().isBusy() ||
-        studio_.document()->isStrokeOpen()) {
+    if (isMeasuring_ || host_.isLoading() || growth_.isBusy() || host_.document()->isStrokeOpen()) {
         calm_.start();
         return;
     }
@@ -114,9 +114,9 @@ void SegmentMeasurer::look() {
 }
 
 void SegmentMeasurer::begin(const Key& key) {
-    const auto& document = *studio_.document();
+    const auto& document = *host_.document();
     std::vector<std::uint8_t> labels;
-    if (!studio_.workLong([&] { labels = document.labelMap(); })) {
+    if (!host_.workLong([&] { labels = document.labelMap(); })) {
         key_ = key; // once is enough to be told
         return;
     }
@@ -133,7 +133,7 @@ void SegmentMeasurer::begin(const Key& key) {
         }
         QMetaObject::invokeMethod(
             this,
-            [this, key, found = std::move(found)] { studio_.whenHere([=, this] { finish(key, found); }); },
+            [this, key, found = std::move(found)] { host_.whenHere([=, this] { finish(key, found); }); },
             Qt::QueuedConnection);
     });
 }

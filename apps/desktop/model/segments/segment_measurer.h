@@ -13,7 +13,9 @@
 
 namespace vs::desktop {
 
-class StudioController;
+class DocumentHost;
+class GrowthController;
+class SegmentController;
 
 // Measures all segments on a thread of its own when they have come to rest, as long as somebody wants to
 // know. What is shown meanwhile is what was measured last, or nothing if that is no longer true.
@@ -21,7 +23,7 @@ class SegmentMeasurer : public QObject {
     Q_OBJECT
 
 public:
-    explicit SegmentMeasurer(StudioController& studio);
+    SegmentMeasurer(DocumentHost& host, SegmentController& list, GrowthController& growth);
     ~SegmentMeasurer() override;
 
     // Whether `who` looks at the numbers.
@@ -56,7 +58,9 @@ private:
     void finish(const Key& key, Found found);
     [[nodiscard]] Key now() const;
 
-    StudioController& studio_;
+    DocumentHost& host_;
+    SegmentController& list_;
+    GrowthController& growth_;
     std::set<const QObject*> wanting_;
     QTimer calm_;
     Key key_;

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/slices/slice_controller.h"
 
-#include "model/studio/studio_controller.h"
+#include "model/document/document_host.h"
+#include "model/document/view_model.h"
 
 #include <algorithm>
 
@@ -13,18 +14,18 @@ constexpr double kMostZoom = 64;
 constexpr double kSegmentsMs = 10; // a slice, to smooth what grew
 } // namespace
 
-SliceController::SliceController(StudioController& studio) : QObject(&studio), studio_(studio) {
-    connect(&studio_, &StudioController::opened, this, &SliceController::reset);
-    connect(&studio_, &StudioController::changed, this, &SliceController::touch);
+SliceController::SliceController(DocumentHost& host, ViewModel& view) : host_(host), view_(view) {
+    connect(&host_, &DocumentHost::opened, this, &SliceController::reset);
+    connect(&host_, &DocumentHost::changed, this, &SliceController::touch);
 }
 
-bool SliceController::hasVolume() const { return studio_.geometry() != nullptr; }
+bool SliceController::hasVolume() const { return host_.geometry() != nullptr; }
 
 void SliceController::reset() {
-    if (studio_.geometry() == nullptr) {
+    if (host_.geometry() == nullptr) {
         return;
     }
-    crosshair_ = studio_.geometry()->dims / 2;
+    crosshair_ = host_.geometry()->dims / 2;
     for (Pane& pane : panes_) {
         pane.zoom = 1;
         pane.centreMm = {};
@@ -36,7 +37,7 @@ void SliceController::reset() {
 // Something is stale perhaps: drawn when nothing else waits.
 void SliceController::touch() {
     if (isAnyShown()) {
-        studio_.workSoon();
+        host_.workSoon();
     }
     emit changed();
 }
@@ -58,12 +59,12 @@ void SliceController::setSmooth(bool isSmooth) {
 }
 
 void SliceController::setCrosshair(glm::dvec3 voxel) {
-    const glm::ivec3 last = studio_.geometry()->dims - 1;
+    const glm::ivec3 last = host_.geometry()->dims - 1;
     const glm::ivec3 next(glm::clamp(glm::floor(voxel + 0.5), glm::dvec3(0), glm::dvec3(last)));
     if (next != crosshair_) {
         crosshair_ = next;
         touch();
-        emit studio_.overlayChanged();
+        emit crosshairMoved();
     }
 }
 
@@ -75,13 +76,13 @@ void SliceController::scroll(Kind kind, int slices) {
 }
 
 bool SliceController::centreOnSurface(QPointF place) {
-    if (studio_.document() == nullptr || studio_.isLoading() || studio_.document()->isStrokeOpen()) {
+    if (host_.document() == nullptr || host_.isLoading() || host_.document()->isStrokeOpen()) {
         return false;
     }
     std::optional<studio::Document::Probe> found;
-    const glm::dvec2 pixel = glm::dvec2(place.x(), place.y()) * studio_.devicePerLogical();
-    const auto viewport = studio_.canvas().viewport;
-    studio_.workLong([&] { found = studio_.document()->probe(pixel, viewport); });
+    const glm::dvec2 pixel = glm::dvec2(place.x(), place.y()) * view_.devicePerLogical();
+    const auto viewport = view_.canvas().viewport;
+    host_.workLong([&] { found = host_.document()->probe(pixel, viewport); });
     if (found) {
         setCrosshair(found->voxel);
     }
@@ -89,11 +90,11 @@ bool SliceController::centreOnSurface(QPointF place) {
 }
 
 glm::dvec3 SliceController::voxelAt(glm::dvec3 world) const {
-    return glm::dvec3(studio_.geometry()->voxelFromWorld() * glm::dvec4(world, 1.0));
+    return glm::dvec3(host_.geometry()->voxelFromWorld() * glm::dvec4(world, 1.0));
 }
 
 render::SliceGeometry SliceController::geometry(Kind kind) const {
-    return render::SliceGeometry(*studio_.geometry(), kind);
+    return render::SliceGeometry(*host_.geometry(), kind);
 }
 
 render::SliceView SliceController::view(Kind kind) const {
@@ -130,7 +131,7 @@ void SliceController::showAll(Kind kind) {
 }
 
 std::optional<studio::Document::Probe> SliceController::probe(Kind kind, glm::dvec2 place) {
-    const auto* document = studio_.document();
+    const auto* document = host_.document();
     if (document == nullptr) {
         return std::nullopt;
     }
@@ -147,7 +148,7 @@ std::optional<studio::Document::Probe> SliceController::probe(Kind kind, glm::dv
 }
 
 SliceController::Key SliceController::wanted(Kind kind) const {
-    return {view(kind), studio_.documentVersion(), isSmooth_};
+    return {view(kind), host_.version(), isSmooth_};
 }
 
 bool SliceController::isStale(Kind kind) const {
@@ -156,7 +157,7 @@ bool SliceController::isStale(Kind kind) const {
 }
 
 bool SliceController::step() {
-    if (studio_.geometry() == nullptr || studio_.isLoading()) {
+    if (host_.geometry() == nullptr || host_.isLoading()) {
         return false;
     }
     std::optional<Kind> next;
@@ -174,9 +175,8 @@ bool SliceController::step() {
 }
 
 bool SliceController::isComplete() {
-    return studio_.geometry() == nullptr ||
-           std::none_of(render::kSliceKinds.begin(), render::kSliceKinds.end(),
-                        [&](Kind kind) { return isStale(kind); });
+    return host_.geometry() == nullptr || std::none_of(render::kSliceKinds.begin(), render::kSliceKinds.end(),
+                                                       [&](Kind kind) { return isStale(kind); });
 }
 
 void SliceController::draw(Kind kind) {
@@ -186,12 +186,12 @@ void SliceController::draw(Kind kind) {
     shown.drawn = key; // also when it fails: once is enough to be told
     bool isBehind = false;
     image::Image image;
-    const bool isDrawn = studio_.workLong([&] {
+    const bool isDrawn = host_.workLong([&] {
         if (!renderer_) {
             renderer_ = std::make_unique<render::SliceRenderer>();
         }
-        render::SliceFrame frame = studio_.document()->slice(key.view, kSegmentsMs);
-        isBehind = studio_.document()->isBehind();
+        render::SliceFrame frame = host_.document()->slice(key.view, kSegmentsMs);
+        isBehind = host_.document()->isBehind();
         frame.isSmooth = key.isSmooth;
         frame.outlinePixels = float(1.25 * shown.perLogical);
         renderer_->render(frame);
@@ -210,15 +210,15 @@ void SliceController::draw(Kind kind) {
 }
 
 Overlays SliceController::overlays() const {
-    if (!isAnyShown() || studio_.geometry() == nullptr) {
+    if (!isAnyShown() || host_.geometry() == nullptr) {
         return {};
     }
-    const glm::dvec4 world = studio_.geometry()->worldFromVoxel * glm::dvec4(glm::dvec3(crosshair_), 1.0);
-    const auto rays = studio_.rays();
+    const glm::dvec4 world = host_.geometry()->worldFromVoxel * glm::dvec4(glm::dvec3(crosshair_), 1.0);
+    const auto rays = view_.rays();
     if (!rays.isOrthographic && glm::dot(glm::dvec3(world) - rays.eye, rays.forward) < 1) {
         return {}; // behind the viewer
     }
-    const QPointF at = studio_.seenAt(glm::dvec3(world));
+    const QPointF at = view_.seenAt(glm::dvec3(world));
     QPainterPath mark;
     constexpr double kGap = 4;
     constexpr double kReach = 11;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "model/studio/tool.h"
+#include "model/hand/tool.h"
 
 #include "render/slices/slice_renderer.h"
 #include "studio/document/document.h"
@@ -15,7 +15,8 @@
 
 namespace vs::desktop {
 
-class StudioController;
+class DocumentHost;
+class ViewModel;
 
 // The model of the three slices: the crosshair that links them, what part of each is looked at, and their
 // pictures, which follow the document after the 3D one. No widgets.
@@ -25,7 +26,7 @@ class SliceController : public QObject {
 public:
     using Kind = render::SliceKind;
 
-    explicit SliceController(StudioController& studio);
+    SliceController(DocumentHost& host, ViewModel& view);
 
     // Another document: the crosshair goes to its middle, and all of each slice is looked at.
     void reset();
@@ -74,6 +75,7 @@ public:
 
 signals:
     void changed(); // crosshair, zoom, document: positions and lines look again
+    void crosshairMoved();
     void pictureChanged(render::SliceKind kind);
 
 private:
@@ -102,7 +104,8 @@ private:
     void draw(Kind kind);
     void touch();
 
-    StudioController& studio_;
+    DocumentHost& host_;
+    ViewModel& view_;
     std::unique_ptr<render::SliceRenderer> renderer_; // made when first needed
     std::array<Pane, 3> panes_;
     glm::ivec3 crosshair_{0};

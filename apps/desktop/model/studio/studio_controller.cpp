@@ -1,139 +1,147 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/studio/studio_controller.h"
 
+#include "model/hand/tool.h"
 #include "model/segments/growth_controller.h"
 #include "model/segments/segment_controller.h"
 #include "model/segments/segment_measurer.h"
 #include "model/slices/slice_controller.h"
-#include "model/studio/tool.h"
-#include "model/texts/library_texts.h"
 
-#include "base/progress.h"
+#include <utility>
 
 namespace vs::desktop {
 
 namespace {
 constexpr double kPictureSliceMs = 8;
 constexpr int kCalmPollMs = 40; // until the picture may refine
-constexpr double kHandMs = 300; // after the last input: a hand that is at work is answered first
-
-// In hand before there are tools.
-class NoTool : public Tool {
-public:
-    using Tool::Tool;
-    [[nodiscard]] QString name() const override { return {}; }
-    [[nodiscard]] QString hint() const override { return {}; }
-    void press(const Pen&) override {}
-    void move(const Pen&) override {}
-    void release(const Pen&) override {}
-};
-
 } // namespace
 
 StudioController::StudioController()
-    : picture_(std::make_unique<PictureLoop>(host_.device().isSoftware,
-                                             [this](const auto& work) { longWork_.run(work); })),
-      segments_(new SegmentController(*this)), measurer_(new SegmentMeasurer(*this)),
-      growth_(new GrowthController(*this)), tool_(new NoTool(this)),
-      slices_(std::make_unique<SliceController>(*this)) {
+    : picture_(std::make_unique<PictureLoop>(host_.gl().device().isSoftware,
+                                             [this](const auto& work) { host_.runLong(work); })) {
     timer_.setSingleShot(true);
     connect(&timer_, &QTimer::timeout, this, &StudioController::tick);
-    connect(growth_, &GrowthController::changed, this, &StudioController::tellSoon);
-    connect(&longWork_, &LongWork::lasts, this, [this](int thousandths) {
-        if (!isReplaying()) { // which counts its operations
-            thousandths < 0 ? emit progress(0, 0) : emit progress(thousandths, 1000);
-        }
-    });
-    connectLoader();
+    connectParts();
+    growth_ = std::make_unique<GrowthController>(host_, view_, editor_);
+    segments_ = std::make_unique<SegmentController>(host_, view_, editor_, *growth_);
+    measurer_ = std::make_unique<SegmentMeasurer>(host_, *segments_, *growth_);
+    slices_ = std::make_unique<SliceController>(host_, view_);
+    files_ = std::make_unique<DocumentFiles>(
+        DocumentFiles::Model{host_, view_, hand_, editor_, *growth_, *segments_});
+    connect(growth_.get(), &GrowthController::changed, &host_, &DocumentHost::tellSoon);
+    connect(slices_.get(), &SliceController::crosshairMoved, &hand_, &Hand::overlayChanged);
+    connect(&host_, &DocumentHost::leaving, this, &StudioController::letGo);
 }
 
 StudioController::~StudioController() {
-    host_.makeCurrent();
-    measurer_->stop();
+    host_.gl().makeCurrent();
     segments_->stop();
-    document_.reset(); // before the ray caster: its frames point into it
+    host_.replace(nullptr); // before the ray caster: its frames point into it
+    files_.reset();
     slices_.reset();
     picture_.reset();
 }
 
-studio::Document* StudioController::document() {
-    host_.makeCurrent();
-    return document_.get();
+void StudioController::connectParts() {
+    connect(&host_, &DocumentHost::woken, this, [this] {
+        picture_->interact();
+        schedule(0);
+    });
+    connect(&host_, &DocumentHost::workWaits, this, [this] { schedule(0); });
+    connect(&host_, &DocumentHost::ready, this, &StudioController::showDocument);
+    connect(&host_, &DocumentHost::opened, this, [this] {
+        host_.document()->setUndoMemory(std::size_t(preferences_.undoMegabytes) << 20);
+        if (!host_.isReplaying()) {
+            prefer();
+        }
+    });
+    connect(&host_, &DocumentHost::closed, this, &StudioController::pictureChanged);
+    connect(&view_, &ViewModel::resized, this, [this] {
+        picture_->setViewport(view_.viewport());
+        hand_.tool().viewResized();
+    });
+    // The picture held still while a sketch was drawn on it; what it still lacks goes on now.
+    connect(&hand_, &Hand::overlayChanged, this, [this] {
+        if (!hand_.tool().isSketching() && host_.geometry() != nullptr && !picture_->isComplete()) {
+            schedule(0);
+        }
+    });
 }
 
-void StudioController::giveUp() {
-    longWork_.giveUp();
-    loader_.giveUp();
-    isReplayGivenUp_ = true;
-    emit givenUp();
+void StudioController::showDocument() { picture_->setDocument(host_.document()); }
+
+// Of the document, which is about to go.
+void StudioController::letGo() {
+    measurer_->stop();
+    picture_->setDocument(nullptr);
+    screenshot_.clear(); // it was to be of this one
 }
 
-std::uint64_t StudioController::documentVersion() const {
-    if (!isAway()) {
-        versionSeen_ = document_ ? document_->version() : 0;
-    }
-    return versionSeen_;
-}
+// --- one slice of work
 
 void StudioController::tick() {
-    host_.makeCurrent();
-    for (const auto& work : std::exchange(waiting_, {})) {
-        work();
-    }
-    if (const auto viewport = std::exchange(newViewport_, {})) {
-        setViewport(viewport->first, viewport->second);
-    }
-    if (isReplaying()) {
-        replayOne();
+    if (takeUpWaiting()) {
         schedule(0);
         return;
     }
     // A draft that has begun is finished first: one picture for each change, however fast they come.
-    if (!picture_->isDrafting()) {
-        const Timer edits;
-        picture_->setHurried(isHandAtWork());
-        flushView();
-        tool_->advance();
-        caughtUpMs_ = tool_->isBehind() ? caughtUpMs_ : Timer::now();
-        const bool growsOn = !tool_->isSketching() && grow();
-        picture_->charge(edits.milliseconds());
-        if (growsOn) {
-            schedule(0);
-            return;
-        }
+    if (!picture_->isDrafting() && takeInput()) {
+        schedule(0);
+        return;
     }
     auto state = PictureLoop::State::Complete;
-    if (!tool_->isSketching()) {
-        if (!guard([&] { state = picture_->step(kPictureSliceMs); })) {
-            tell();
+    if (!hand_.tool().isSketching()) {
+        if (!host_.guard([&] { state = picture_->step(kPictureSliceMs); })) {
+            host_.tell();
             return;
         }
-        answeredMs_ = picture_->isDrafting() ? answeredMs_ : caughtUpMs_;
-        if (picture_->pictures() != picturesSeen_) {
-            picturesSeen_ = picture_->pictures();
-            const Timer painting;
-            tell();
-            emit pictureChanged();
-            picture_->charge(painting.milliseconds());
-        }
-        if (picture_->isComplete()) {
-            writeScreenshot();
-        }
+        show();
     }
     if (!picture_->isDrafting()) {
-        tell();
+        host_.tell();
     }
     // After the picture, a slice at a time.
     const bool slicesWait = !picture_->isDrafting() && slices_->step();
-    const bool isPlayingNow = growth_->isPlaying() && !growth_->isWaiting() && !tool_->isSketching();
-    if (state == PictureLoop::State::Busy || isViewPending_ || isPlayingNow || slicesWait) {
-        schedule(0);
-    } else if (state == PictureLoop::State::Waiting || growth_->isWaiting()) {
-        schedule(growth_->isWaiting() ? 5 : kCalmPollMs);
-    }
+    scheduleNext(state, slicesWait);
 }
 
-bool StudioController::isHandAtWork() const { return sinceWoken_.milliseconds() < kHandMs; }
+// What waited for the document to be back. True: a session is being replayed, and nothing else is done.
+bool StudioController::takeUpWaiting() {
+    host_.doWaiting();
+    view_.takeWaitingViewport();
+    if (host_.isReplaying()) {
+        files_->replayOne();
+        return true;
+    }
+    return false;
+}
+
+// What the person and growth have done since the last picture. True: more growth before the next.
+bool StudioController::takeInput() {
+    const Timer edits;
+    picture_->setHurried(host_.isHandAtWork());
+    view_.flush();
+    hand_.tool().advance();
+    caughtUpMs_ = hand_.tool().isBehind() ? caughtUpMs_ : Timer::now();
+    const bool growsOn = !hand_.tool().isSketching() && grow();
+    picture_->charge(edits.milliseconds());
+    return growsOn;
+}
+
+// What has been drawn, if it is a picture.
+void StudioController::show() {
+    answeredMs_ = picture_->isDrafting() ? answeredMs_ : caughtUpMs_;
+    if (picture_->pictures() != picturesSeen_) {
+        picturesSeen_ = picture_->pictures();
+        const Timer painting;
+        host_.tell();
+        emit pictureChanged();
+        picture_->charge(painting.milliseconds());
+    }
+    if (picture_->isComplete()) {
+        writeScreenshot();
+    }
+}
 
 bool StudioController::grow() {
     const Timer timer;
@@ -144,7 +152,7 @@ bool StudioController::grow() {
     growthMs_ += timer.milliseconds();
     // Growing and drawing take turns: as long as the last picture took, or longer when only the end matters.
     constexpr double kToEndMs = 500;
-    const double turnMs = isHandAtWork() ? 0 : growth_->isToEnd() ? kToEndMs : picture_->draftMs();
+    const double turnMs = host_.isHandAtWork() ? 0 : growth_->isToEnd() ? kToEndMs : picture_->draftMs();
     if (growth_->isPlaying() && growthMs_ < turnMs) {
         return true;
     }
@@ -152,15 +160,12 @@ bool StudioController::grow() {
     return false;
 }
 
-// changed() with the next picture: painting a label alone costs the window as much as painting all of it.
-void StudioController::tellSoon() {
-    isToldSoon_ = true;
-    schedule(0);
-}
-
-void StudioController::tell() {
-    if (std::exchange(isToldSoon_, false)) {
-        emit changed();
+void StudioController::scheduleNext(PictureLoop::State state, bool slicesWait) {
+    const bool isPlayingNow = growth_->isPlaying() && !growth_->isWaiting() && !hand_.tool().isSketching();
+    if (state == PictureLoop::State::Busy || view_.isPending() || isPlayingNow || slicesWait) {
+        schedule(0);
+    } else if (state == PictureLoop::State::Waiting || growth_->isWaiting()) {
+        schedule(growth_->isWaiting() ? 5 : kCalmPollMs);
     }
 }
 
@@ -170,175 +175,83 @@ void StudioController::schedule(int milliseconds) {
     }
 }
 
-void StudioController::wake() {
-    sinceWoken_ = Timer();
-    picture_->interact();
-    schedule(0);
+// --- preferences
+
+void StudioController::setPreferences(const Preferences& preferences) {
+    const bool isQualityNew = preferences.smoothSampling != preferences_.smoothSampling ||
+                              preferences.shadows != preferences_.shadows;
+    preferences_ = preferences;
+    if (host_.document() != nullptr) {
+        host_.document()->setUndoMemory(std::size_t(preferences_.undoMegabytes) << 20);
+        if (isQualityNew && !host_.isReplaying()) {
+            prefer();
+        }
+    }
 }
 
-void StudioController::look(const studio::View& view) {
-    if (document_ == nullptr || view == view_) {
+// A view of the preferred quality. A session has its own.
+void StudioController::prefer() {
+    auto view = view_.shown();
+    view.sampling = preferences_.smoothSampling ? field::Sampling::Tricubic : field::Sampling::Trilinear;
+    view.shadows = preferences_.shadows;
+    view_.look(view);
+}
+
+// --- what is shown
+
+void StudioController::takeScreenshot(const std::filesystem::path& path) {
+    if (host_.geometry() == nullptr || host_.isLoading()) {
         return;
     }
-    view_ = view;
-    isViewPending_ = true;
-    wake();
+    editor_.interrupt();
+    screenshot_ = path;
+    host_.say(tr("Finishing the picture"));
+    schedule(0);
+    emit host_.changed();
 }
 
-void StudioController::flushView() {
-    if (isViewPending_ && document_ != nullptr && !document_->isStrokeOpen()) {
-        isViewPending_ = false;
-        guard([this] { document_->look(view_); });
-        tellSoon();
+void StudioController::writeScreenshot() {
+    if (screenshot_.empty()) {
+        return;
     }
-}
-
-studio::Canvas StudioController::canvas() {
-    host_.makeCurrent();
-    flushView();
-    return {view_, picture_->viewport()};
-}
-
-bool StudioController::guard(const std::function<void()>& work) {
-    host_.makeCurrent();
-    try {
-        work();
-        return true;
-    } catch (const GivenUp&) {
-        say(tr("Given up: nothing was changed"));
-        return false;
-    } catch (const std::exception& e) {
-        say(QString::fromUtf8(e.what()));
-        return false;
+    const auto path = std::exchange(screenshot_, {});
+    if (host_.workLong([&] { image::writePng(path, picture_->readPicture()); })) {
+        host_.say(tr("Saved picture %1").arg(QString::fromStdString(path.string())));
     }
+    emit host_.changed();
 }
-
-bool StudioController::workLong(const std::function<void()>& work) {
-    return guard([&] { longWork_.run(work); });
-}
-
-bool StudioController::perform(const std::function<studio::Outcome()>& edit) {
-    studio::Outcome outcome;
-    const bool isDone = guard([&] { longWork_.run([&] { outcome = edit(); }, LongWork::Input::GivesUp); });
-    if (isDone) {
-        report(outcome);
-    }
-    return isDone;
-}
-
-void StudioController::whenHere(std::function<void()> work) {
-    if (isAway()) {
-        waiting_.push_back(std::move(work));
-        schedule(0);
-    } else {
-        work();
-    }
-}
-
-bool StudioController::apply(const studio::Operation& operation, const std::filesystem::path& outputFolder) {
-    return change([&] { return document_->apply(operation, outputFolder); });
-}
-
-bool StudioController::rewind(int generations) {
-    return change([&] { return document_->rewindFurther(generations); });
-}
-
-bool StudioController::change(const std::function<studio::Outcome()>& edit) {
-    if (document_ == nullptr || isLoading() || isAway()) {
-        return false;
-    }
-    tool_->settle();
-    if (document_->isStrokeOpen()) {
-        return false;
-    }
-    growth_->pause(); // what has grown so far is an operation of its own
-    flushView();
-    const bool done = perform(edit);
-    view_ = document_->view();
-    wake();
-    emit changed();
-    return done;
-}
-
-// "Peel: 120 voxels changed", "Undone: peel"; and "Nothing was cut: ...", which says by itself what was
-// tried.
-void StudioController::report(const studio::Outcome& outcome) {
-    const auto capitalised = [](const QString& text) { return text.left(1).toUpper() + text.mid(1); };
-    const QString name = capitalised(libraryText(outcome.name));
-    const QString message = libraryText(outcome.message);
-    if (outcome.name == "undo" || outcome.name == "redo") {
-        say((outcome.name == "undo" ? tr("Undone: %1") : tr("Redone: %1")).arg(message));
-    } else if (outcome.message.starts_with("nothing ")) {
-        say(capitalised(message));
-    } else {
-        say(message.isEmpty() ? name : name + ": " + message);
-    }
-}
-
-void StudioController::say(const QString& message) {
-    message_ = message;
-    emit messageChanged();
-}
-
-void StudioController::setTool(Tool& tool) {
-    if (tool_ != &tool) {
-        tool_->clear(); // leaving a tool changes nothing: a stroke in hand is dropped
-        tool_ = &tool;
-        wake();
-        emit overlayChanged();
-        emit changed();
-    }
-}
-
-void StudioController::listenTo(Tool& tool) {
-    connect(&tool, &Tool::settingsChanged, this, &StudioController::changed);
-    connect(&tool, &Tool::overlayChanged, this, &StudioController::overlayChanged);
-    // The picture held still while a sketch was drawn on it; what it still lacks goes on now.
-    connect(&tool, &Tool::overlayChanged, this, [this] {
-        if (!tool_->isSketching() && document_ != nullptr && !picture_->isComplete()) {
-            schedule(0);
-        }
-    });
-}
-
-void StudioController::setShape(studio::Shape shape) {
-    if (tool_->isSketching()) { // a polyline that was under way
-        tool_->clear();
-    }
-    shape_ = shape;
-    emit overlayChanged(); // the hint
-    emit changed();
-}
-
-void StudioController::setTabletPressure(double pressure) { emit tabletPressureChanged(pressure); }
 
 std::optional<studio::Document::Probe> StudioController::probe(QPointF position) {
     std::optional<studio::Document::Probe> found;
-    if (isIdle() && document_ != nullptr) {
-        const glm::dvec2 pixel = glm::dvec2(position.x(), position.y()) * devicePerLogical();
-        workLong([&] { found = document_->probe(pixel, picture_->viewport()); });
+    if (isIdle() && host_.geometry() != nullptr) {
+        const glm::dvec2 pixel = glm::dvec2(position.x(), position.y()) * view_.devicePerLogical();
+        host_.workLong([&] { found = host_.document()->probe(pixel, view_.viewport()); });
     }
     return found;
 }
 
 bool StudioController::isSettled() {
-    return !isAway() && !newViewport_ && document_ != nullptr && !isLoading() && !isViewPending_ &&
-           !picture_->isDrafting() && !growth_->isBusy() && !document_->isStrokeOpen();
+    return !host_.isAway() && !view_.isViewportWaiting() && host_.document() != nullptr &&
+           !host_.isLoading() && !view_.isPending() && !picture_->isDrafting() && !growth_->isBusy() &&
+           !host_.document()->isStrokeOpen();
 }
 
 // While the pen sketches, its stroke over the picture is the answer.
-double StudioController::answeredMs() const { return tool_->isSketching() ? Timer::now() : answeredMs_; }
+double StudioController::answeredMs() const {
+    return hand_.tool().isSketching() ? Timer::now() : answeredMs_;
+}
 
 bool StudioController::isPictureComing() const {
-    return !tool_->isSketching() && (picture_->isDrafting() || isViewPending_ || tool_->isBehind());
+    const Tool& tool = hand_.tool();
+    return !tool.isSketching() && (picture_->isDrafting() || view_.isPending() || tool.isBehind());
 }
 
 bool StudioController::isIdle() {
-    if (isAway() || newViewport_ || isToldSoon_ || isLoading() || tool_->isBusy() || growth_->isBusy() ||
-        isViewPending_ || !screenshot_.empty()) {
+    if (host_.isAway() || view_.isViewportWaiting() || host_.isToldSoon() || host_.isLoading() ||
+        hand_.tool().isBusy() || growth_->isBusy() || view_.isPending() || !screenshot_.empty()) {
         return false;
     }
-    return document_ == nullptr || (picture_->isComplete() && slices_->isComplete());
+    return host_.geometry() == nullptr || (picture_->isComplete() && slices_->isComplete());
 }
 
 } // namespace vs::desktop

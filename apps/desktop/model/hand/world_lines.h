@@ -9,14 +9,13 @@
 
 namespace vs::desktop {
 
-class StudioController;
+class ViewModel;
 
 // The corners of a box in a space of its own, in the world.
 std::array<glm::dvec3, 8> boxCorners(glm::dvec3 lo, glm::dvec3 hi, const glm::dmat4& worldFromBox);
 
 // The twelve edges of such a box as they are seen, in logical pixels of the view; those behind the viewer are
 // left out.
-QPainterPath boxEdges(glm::dvec3 lo, glm::dvec3 hi, const glm::dmat4& worldFromBox,
-                      const StudioController& studio);
+QPainterPath boxEdges(glm::dvec3 lo, glm::dvec3 hi, const glm::dmat4& worldFromBox, const ViewModel& view);
 
 } // namespace vs::desktop

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/studio/free_room.h"
+#include "model/edits/free_room.h"
 
 #include "field/cell_ranges.h"
 

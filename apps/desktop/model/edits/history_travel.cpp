@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/studio/history_travel.h"
+#include "model/edits/history_travel.h"
 
-#include "model/studio/studio_controller.h"
+#include "model/document/document_host.h"
+#include "model/edits/editor.h"
 
 #include "base/timer.h"
 
@@ -13,15 +14,15 @@ namespace {
 constexpr double kSliceMs = 40;
 } // namespace
 
-HistoryTravel::HistoryTravel(StudioController& studio) : studio_(studio) {
+HistoryTravel::HistoryTravel(DocumentHost& host, Editor& editor) : host_(host), editor_(editor) {
     connect(&timer_, &QTimer::timeout, this, &HistoryTravel::advance);
-    connect(&studio, &StudioController::closed, this, &HistoryTravel::stop);
-    connect(&studio, &StudioController::givenUp, this, &HistoryTravel::stop);
+    connect(&host_, &DocumentHost::closed, this, &HistoryTravel::stop);
+    connect(&host_, &DocumentHost::givenUp, this, &HistoryTravel::stop);
 }
 
 void HistoryTravel::goTo(std::size_t steps) {
-    auto* document = studio_.document();
-    if (document == nullptr || studio_.isLoading() || steps > document->steps().operations.size()) {
+    auto* document = host_.document();
+    if (document == nullptr || host_.isLoading() || steps > document->steps().operations.size()) {
         return;
     }
     from_ = at_ = document->steps().done;
@@ -33,20 +34,20 @@ void HistoryTravel::goTo(std::size_t steps) {
 void HistoryTravel::advance() {
     const Timer timer;
     while (target_ && timer.milliseconds() < kSliceMs) {
-        if (studio_.document() == nullptr || studio_.document()->steps().done != at_ || at_ == *target_ ||
+        if (host_.document() == nullptr || host_.document()->steps().done != at_ || at_ == *target_ ||
             !takeOne()) {
             stop();
         }
     }
     if (target_) {
         const auto way = [](std::size_t a, std::size_t b) { return std::abs(int(a) - int(b)); };
-        emit studio_.progress(way(at_, from_), way(*target_, from_));
+        emit host_.progress(way(at_, from_), way(*target_, from_));
     }
 }
 
 bool HistoryTravel::takeOne() {
-    const bool isDone = at_ > *target_ ? studio_.apply(studio::Undo{}) : studio_.apply(studio::Redo{});
-    at_ = isDone ? studio_.document()->steps().done : at_;
+    const bool isDone = at_ > *target_ ? editor_.apply(studio::Undo{}) : editor_.apply(studio::Redo{});
+    at_ = isDone ? host_.document()->steps().done : at_;
     return isDone;
 }
 
@@ -54,7 +55,7 @@ void HistoryTravel::stop() {
     if (target_) {
         target_.reset();
         timer_.stop();
-        emit studio_.progress(1, 1);
+        emit host_.progress(1, 1);
     }
 }
 

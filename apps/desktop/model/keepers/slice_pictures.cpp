@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/slices/slice_pictures.h"
+#include "model/keepers/slice_pictures.h"
 
 #include "model/keepers/thumbnail_keeper.h"
 

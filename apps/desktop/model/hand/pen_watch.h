@@ -8,7 +8,7 @@
 
 namespace vs::desktop {
 
-class StudioController;
+class Hand;
 class Tool;
 
 // Knows where the tablet's pen is: watches the program's tablet events before any widget has them. While the
@@ -19,7 +19,7 @@ class PenWatch : public QObject {
 
 public:
     // Watches for as long as it lives. Needs a QApplication.
-    explicit PenWatch(StudioController& studio, QObject* parent = nullptr);
+    explicit PenWatch(Hand& hand, QObject* parent = nullptr);
 
     // Down, or hovering within the tablet's reach. Tablets that never say that the pen has left count as left
     // after kForgottenMs without a report.
@@ -33,7 +33,7 @@ private:
     void see(bool isEraser);
     void turn(Tool* tool);
 
-    StudioController& studio_;
+    Hand& hand_;
     QPointer<Tool> turned_; // by the eraser end
     bool isNear_ = false;
     bool isDown_ = false;

@@ -12,7 +12,8 @@
 
 namespace vs::desktop {
 
-class StudioController;
+class DocumentHost;
+class ViewModel;
 
 // The transfer functions under a person's hands: for each kind (intensity, gradient, both) one that can be
 // edited, of which the one in use colours the picture. Positions are absolute. No widgets.
@@ -22,7 +23,7 @@ class FunctionEditor : public QObject {
 public:
     using Kind = render::FunctionKind;
 
-    explicit FunctionEditor(StudioController& studio);
+    FunctionEditor(DocumentHost& host, ViewModel& view);
 
     // The one in use if it is of that kind, else the last that was, else one to begin with.
     [[nodiscard]] const render::TransferFunction& function(Kind kind) const { return page(kind).function; }
@@ -67,7 +68,8 @@ private:
     void remember();
     void publish(const std::optional<render::TransferFunction>& function);
 
-    StudioController& studio_;
+    DocumentHost& host_;
+    ViewModel& view_;
     std::array<Page, 3> pages_;
     std::optional<render::TransferFunction> seen_; // of the view, when last looked at
     std::vector<std::optional<render::TransferFunction>> undo_;

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/studio/pen_watch.h"
+#include "model/hand/pen_watch.h"
 
-#include "model/studio/studio_controller.h"
-#include "model/studio/tool.h"
+#include "model/hand/hand.h"
+#include "model/hand/tool.h"
 
 #include <QApplication>
 #include <QTabletEvent>
 
 namespace vs::desktop {
 
-PenWatch::PenWatch(StudioController& studio, QObject* parent) : QObject(parent), studio_(studio) {
+PenWatch::PenWatch(Hand& hand, QObject* parent) : QObject(parent), hand_(hand) {
     qApp->installEventFilter(this);
 }
 
@@ -42,7 +42,7 @@ bool PenWatch::eventFilter(QObject*, QEvent* event) {
 void PenWatch::see(bool isEraser) {
     isNear_ = true;
     sinceReport_ = Timer();
-    Tool& tool = studio_.tool();
+    Tool& tool = hand_.tool();
     if (!tool.isBusy()) { // a stroke goes on as it was begun
         turn(isEraser && tool.hasSign() ? &tool : nullptr);
     }

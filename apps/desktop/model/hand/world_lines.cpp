@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/studio/world_lines.h"
+#include "model/hand/world_lines.h"
 
-#include "model/studio/studio_controller.h"
+#include "model/document/view_model.h"
 
 namespace vs::desktop {
 
@@ -15,10 +15,9 @@ std::array<glm::dvec3, 8> boxCorners(glm::dvec3 lo, glm::dvec3 hi, const glm::dm
     return corners;
 }
 
-QPainterPath boxEdges(glm::dvec3 lo, glm::dvec3 hi, const glm::dmat4& worldFromBox,
-                      const StudioController& studio) {
+QPainterPath boxEdges(glm::dvec3 lo, glm::dvec3 hi, const glm::dmat4& worldFromBox, const ViewModel& view) {
     const auto corners = boxCorners(lo, hi, worldFromBox);
-    const auto rays = studio.rays();
+    const auto rays = view.rays();
     const auto isBehind = [&](glm::dvec3 corner) {
         constexpr double kNearestMm = 1;
         return !rays.isOrthographic && glm::dot(corner - rays.eye, rays.forward) < kNearestMm;
@@ -28,8 +27,8 @@ QPainterPath boxEdges(glm::dvec3 lo, glm::dvec3 hi, const glm::dmat4& worldFromB
         for (const unsigned axis : {1U, 2U, 4U}) {
             const unsigned other = n | axis;
             if (other != n && !isBehind(corners[n]) && !isBehind(corners[other])) {
-                path.moveTo(studio.seenAt(corners[n]));
-                path.lineTo(studio.seenAt(corners[other]));
+                path.moveTo(view.seenAt(corners[n]));
+                path.lineTo(view.seenAt(corners[other]));
             }
         }
     }

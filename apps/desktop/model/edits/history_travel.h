@@ -8,7 +8,8 @@
 
 namespace vs::desktop {
 
-class StudioController;
+class DocumentHost;
+class Editor;
 
 // Goes to any state of the history, by undo and redo in short slices, so that the window answers meanwhile.
 // Another edit made on the way ends the journey where it is.
@@ -16,7 +17,7 @@ class HistoryTravel : public QObject {
     Q_OBJECT
 
 public:
-    explicit HistoryTravel(StudioController& studio);
+    HistoryTravel(DocumentHost& host, Editor& editor);
     // To where so many of the steps hold.
     void goTo(std::size_t steps);
     [[nodiscard]] bool isUnderWay() const { return target_.has_value(); }
@@ -26,7 +27,8 @@ private:
     void stop();
     bool takeOne();
 
-    StudioController& studio_;
+    DocumentHost& host_;
+    Editor& editor_;
     QTimer timer_;
     std::optional<std::size_t> target_;
     std::size_t from_ = 0;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/studio/sketch_pad.h"
+#include "model/hand/sketch_pad.h"
 
-#include "model/studio/tool.h"
+#include "model/hand/tool.h"
 
 #include <QPolygonF>
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/studio/function_editor.h"
+#include "model/document/function_editor.h"
 
-#include "model/studio/studio_controller.h"
+#include "model/document/document_host.h"
+#include "model/document/view_model.h"
 
 #include "render/colours/function_edits.h"
 
@@ -11,16 +12,16 @@ namespace {
 constexpr std::size_t kMostSteps = 200;
 }
 
-FunctionEditor::FunctionEditor(StudioController& studio) : studio_(studio) {
+FunctionEditor::FunctionEditor(DocumentHost& host, ViewModel& view) : host_(host), view_(view) {
     makeFirst();
-    connect(&studio_, &StudioController::opened, this, &FunctionEditor::forget);
-    connect(&studio_, &StudioController::changed, this, &FunctionEditor::followView);
+    connect(&host_, &DocumentHost::opened, this, &FunctionEditor::forget);
+    connect(&host_, &DocumentHost::changed, this, &FunctionEditor::followView);
 }
 
 bool FunctionEditor::isUsed(Kind kind) const { return used() == kind; }
 
 std::optional<FunctionEditor::Kind> FunctionEditor::used() const {
-    const auto& function = studio_.view().transferFunction;
+    const auto& function = view_.shown().transferFunction;
     return function ? std::optional(function->kind) : std::nullopt;
 }
 
@@ -47,7 +48,7 @@ void FunctionEditor::forget() {
 
 // Until they are touched, the functions to begin with follow the displayed range.
 void FunctionEditor::makeFirst() {
-    firstRange_ = studio_.view().range;
+    firstRange_ = view_.shown().range;
     const double top = gradientTop_ > 0 ? gradientTop_ : 1;
     const auto put = [this](const render::TransferFunction& function) {
         if (!page(function.kind).isTouched) {
@@ -67,16 +68,16 @@ void FunctionEditor::setGradientTop(double top) {
 
 void FunctionEditor::followView() {
     bool isNew = false;
-    if (!(studio_.view().range == firstRange_)) {
+    if (!(view_.shown().range == firstRange_)) {
         makeFirst();
         isNew = true;
     }
-    const auto& function = studio_.view().transferFunction;
+    const auto& function = view_.shown().transferFunction;
     if (!(function == seen_)) {
         seen_ = function;
         isNew = true;
-        if (auto* document = studio_.document(); function && document != nullptr) {
-            studio_.workLong([&] { page(function->kind).function = document->resolved(*function); });
+        if (auto* document = host_.document(); function && document != nullptr) {
+            host_.workLong([&] { page(function->kind).function = document->resolved(*function); });
             page(function->kind).isTouched = true;
         }
     }
@@ -88,7 +89,7 @@ void FunctionEditor::followView() {
 void FunctionEditor::remember() {
     if (!isStepBegun_) {
         isStepBegun_ = true;
-        undo_.push_back(studio_.view().transferFunction);
+        undo_.push_back(view_.shown().transferFunction);
         if (undo_.size() > kMostSteps) {
             undo_.erase(undo_.begin());
         }
@@ -96,13 +97,13 @@ void FunctionEditor::remember() {
 }
 
 void FunctionEditor::publish(const std::optional<render::TransferFunction>& function) {
-    studio_.setTransferFunction(function);
+    view_.setTransferFunction(function);
     followView();
     emit changed();
 }
 
 void FunctionEditor::change(Kind kind, const std::function<void(render::TransferFunction&)>& edit) {
-    if (studio_.document() == nullptr || studio_.isLoading()) {
+    if (host_.document() == nullptr || host_.isLoading()) {
         return;
     }
     auto function = page(kind).function;
@@ -132,7 +133,7 @@ void FunctionEditor::take(const std::optional<render::TransferFunction>& functio
 void FunctionEditor::useColourMap(const std::string& map) {
     const Kind kind = used().value_or(Kind::Intensity);
     if (kind == Kind::TwoD) {
-        studio_.say(
+        host_.say(
             tr("A colour table is for functions over intensity or gradient; shapes have a colour each"));
         return;
     }

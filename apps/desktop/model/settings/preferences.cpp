@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/keepers/preferences.h"
+#include "model/settings/preferences.h"
 
-#include "model/keepers/settings.h"
+#include "model/settings/settings.h"
 
 #include <algorithm>
 

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/document/document_host.h"
+
+#include "base/progress.h"
+#include "studio/document/document.h"
+
+#include <utility>
+
+namespace vs::desktop {
+
+namespace {
+constexpr double kHandMs = 300; // after the last input
+} // namespace
+
+DocumentHost::DocumentHost() {
+    connect(&longWork_, &LongWork::lasts, this, [this](int thousandths) {
+        if (!isReplaying()) { // which counts its operations
+            thousandths < 0 ? emit progress(0, 0) : emit progress(thousandths, 1000);
+        }
+    });
+}
+
+DocumentHost::~DocumentHost() = default;
+
+studio::Document* DocumentHost::document() {
+    gl_.makeCurrent();
+    return document_.get();
+}
+
+const volume::Volume* DocumentHost::volume() const { return document_ ? &document_->volume() : nullptr; }
+
+const volume::GridGeometry* DocumentHost::geometry() const {
+    return document_ ? &document_->volume().geometry : nullptr;
+}
+
+std::uint64_t DocumentHost::version() const {
+    if (!isAway()) {
+        versionSeen_ = document_ ? document_->version() : 0;
+    }
+    return versionSeen_;
+}
+
+void DocumentHost::replace(std::unique_ptr<studio::Document> document) {
+    gl_.makeCurrent();
+    emit leaving();
+    document_ = std::move(document);
+}
+
+bool DocumentHost::guard(const std::function<void()>& work) {
+    gl_.makeCurrent();
+    try {
+        work();
+        return true;
+    } catch (const GivenUp&) {
+        say(tr("Given up: nothing was changed"));
+        return false;
+    } catch (const std::exception& e) {
+        say(QString::fromUtf8(e.what()));
+        return false;
+    }
+}
+
+bool DocumentHost::workLong(const std::function<void()>& work, LongWork::Input input) {
+    return guard([&] { longWork_.run(work, input); });
+}
+
+void DocumentHost::whenHere(std::function<void()> work) {
+    if (isAway()) {
+        waiting_.push_back(std::move(work));
+        workSoon();
+    } else {
+        work();
+    }
+}
+
+void DocumentHost::doWaiting() {
+    gl_.makeCurrent();
+    for (const auto& work : std::exchange(waiting_, {})) {
+        work();
+    }
+}
+
+void DocumentHost::giveUp() {
+    longWork_.giveUp();
+    emit givenUp();
+}
+
+void DocumentHost::say(const QString& message) {
+    message_ = message;
+    emit messageChanged();
+}
+
+void DocumentHost::wake() {
+    sinceWoken_ = Timer();
+    emit woken();
+}
+
+bool DocumentHost::isHandAtWork() const { return sinceWoken_.milliseconds() < kHandMs; }
+
+void DocumentHost::tellSoon() {
+    isToldSoon_ = true;
+    workSoon();
+}
+
+void DocumentHost::tell() {
+    if (std::exchange(isToldSoon_, false)) {
+        emit changed();
+    }
+}
+
+} // namespace vs::desktop

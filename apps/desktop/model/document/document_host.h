@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "engine/gl_host.h"
+#include "engine/long_work.h"
+
+#include "base/timer.h"
+
+#include <QObject>
+#include <QString>
+
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <vector>
+
+namespace vs::studio {
+class Document;
+}
+namespace vs::volume {
+struct GridGeometry;
+struct Volume;
+} // namespace vs::volume
+
+namespace vs::desktop {
+
+// Has the open document and the engine's context, and runs all work on them: everything in the window that
+// reads or changes the document does it through here. Says what became of it, to whoever shows messages.
+//
+// Work that may last goes through workLong(): the document is away meanwhile, on a thread of its own, and the
+// window paints. Work that is over at once goes through guard(). Both turn what is thrown into the message.
+class DocumentHost : public QObject {
+    Q_OBJECT
+
+public:
+    // Needs a QApplication. Throws GlError if there is no OpenGL 4.5.
+    DocumentHost();
+    ~DocumentHost() override;
+
+    [[nodiscard]] GlHost& gl() { return gl_; }
+    // Null before something was opened. With the engine's context current; waits while the document is away.
+    [[nodiscard]] studio::Document* document();
+    // The volume that is open, and its grid; null before something was opened. Also while the document is
+    // away.
+    [[nodiscard]] const volume::Volume* volume() const;
+    [[nodiscard]] const volume::GridGeometry* geometry() const;
+    // Document::version(), as it was when the document was last here; 0 before something was opened.
+    [[nodiscard]] std::uint64_t version() const;
+    // Another document, or none. What looks into the former one lets go of it first (leaving()).
+    void replace(std::unique_ptr<studio::Document> document);
+
+    // Long work has the document: nothing else can be done with it.
+    [[nodiscard]] bool isAway() const { return longWork_.isRunning(); }
+    // It lasts, and all that a person can do meanwhile is to give it up.
+    [[nodiscard]] bool isLasting() const { return longWork_.isShown(); }
+    // What is being opened: first the file is read, then a session's operations are done again.
+    enum class Opening { Nothing, Reading, Replaying };
+    [[nodiscard]] bool isLoading() const { return opening_ != Opening::Nothing; }
+    [[nodiscard]] bool isReplaying() const { return opening_ == Opening::Replaying; }
+    void setOpening(Opening opening) { opening_ = opening; }
+
+    // Does it at once. False: it failed, and the message says why.
+    bool guard(const std::function<void()>& work);
+    // Does something with the document that may take long while the window goes on painting and input waits
+    // (LongWork). False: it failed, and the message says why.
+    bool workLong(const std::function<void()>& work, LongWork::Input input = LongWork::Input::Waits);
+    // The same, but what it throws is thrown.
+    void runLong(const std::function<void()>& work, LongWork::Input input = LongWork::Input::Waits) {
+        longWork_.run(work, input);
+    }
+    // Does it now, or once the document is back: for what ends on other threads.
+    void whenHere(std::function<void()> work);
+    // Does what waited for the document. Called by the scheduler when it is here.
+    void doWaiting();
+    // Ends what takes long, if it can be ended: as if it had not been begun.
+    void giveUp();
+
+    void say(const QString& message);
+    [[nodiscard]] const QString& message() const { return message_; }
+    // A person did something: it is answered soon, by a draft.
+    void wake();
+    // For a moment after that: it is answered first, and what goes on by itself gives way.
+    [[nodiscard]] bool isHandAtWork() const;
+    // Something beside the picture waits to be done.
+    void workSoon() { emit workWaits(); }
+    // changed() with the next picture: painting a label alone costs the window as much as painting all of it.
+    void tellSoon();
+    [[nodiscard]] bool isToldSoon() const { return isToldSoon_; }
+    void tell(); // what tellSoon() left
+
+signals:
+    void leaving(); // the document is about to go: what looks into it lets go
+    void ready();   // there is a document that can be shown
+    void opened();
+    void closing(); // a person closes the document: what is in hand is dropped
+    void closed();
+    void openFailed(const QString& message);
+    void changed(); // document, view, tool or playback: panels and actions look again
+    void messageChanged();
+    void progress(int done, int total); // total 0: unknown; done == total > 0: finished
+    void givenUp();                     // what goes on by itself ends
+    void woken();
+    void workWaits();
+
+private:
+    GlHost gl_;
+    LongWork longWork_{gl_};
+    std::unique_ptr<studio::Document> document_;
+    mutable std::uint64_t versionSeen_ = 0; // when the document was last here
+    Opening opening_ = Opening::Nothing;
+    std::vector<std::function<void()>> waiting_; // for the document to be back
+    QString message_;
+    bool isToldSoon_ = false;
+    Timer sinceWoken_;
+};
+
+} // namespace vs::desktop

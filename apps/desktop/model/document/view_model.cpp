@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/document/view_model.h"
+
+#include "model/document/document_host.h"
+
+namespace vs::desktop {
+
+ViewModel::ViewModel(DocumentHost& host) : host_(host) {}
+
+void ViewModel::look(const studio::View& view) {
+    if (host_.geometry() == nullptr || view == view_) {
+        return;
+    }
+    view_ = view;
+    isPending_ = true;
+    host_.wake();
+}
+
+void ViewModel::setMode(render::Mode mode) {
+    auto next = view_;
+    next.mode = mode;
+    look(next);
+}
+
+void ViewModel::setTransferFunction(const std::optional<render::TransferFunction>& function) {
+    auto next = view_;
+    next.transferFunction = function;
+    look(next);
+}
+
+void ViewModel::setSculptureView(field::SculptureView sculptureView) {
+    auto next = view_;
+    next.sculptureView = sculptureView;
+    look(next);
+}
+
+void ViewModel::setShadows(bool shadows) {
+    auto next = view_;
+    next.shadows = shadows;
+    look(next);
+}
+
+void ViewModel::setRange(Range range) {
+    auto next = view_;
+    next.range = range;
+    look(next);
+}
+
+void ViewModel::setHidesAbove(bool hidesAbove) {
+    auto next = view_;
+    next.hidesAbove = hidesAbove;
+    look(next);
+}
+
+void ViewModel::setSurfaceSmoothing(double sigma) {
+    auto next = view_;
+    next.surfaceSmoothing = sigma;
+    look(next);
+}
+
+void ViewModel::setTintsSegments(bool tintsSegments) {
+    auto next = view_;
+    next.tintsSegments = tintsSegments;
+    look(next);
+}
+
+void ViewModel::setSampling(field::Sampling sampling) {
+    auto next = view_;
+    next.sampling = sampling;
+    look(next);
+}
+
+Range ViewModel::visibleRange() const { return view_.visibleRange(host_.volume()->range); }
+
+void ViewModel::flush() {
+    if (isPending_ && host_.document() != nullptr && !host_.document()->isStrokeOpen()) {
+        isPending_ = false;
+        host_.guard([this] { host_.document()->look(view_); });
+        host_.tellSoon();
+    }
+}
+
+void ViewModel::adopt() { view_ = host_.document()->view(); }
+
+void ViewModel::forget() {
+    view_ = {};
+    isPending_ = false;
+}
+
+studio::Canvas ViewModel::canvas() {
+    host_.gl().makeCurrent();
+    flush();
+    return {view_, viewport_};
+}
+
+void ViewModel::setViewport(QSizeF logical, glm::ivec2 device) {
+    if (host_.isAway()) { // with the viewport as it was
+        waiting_ = {logical, device};
+        host_.workSoon();
+        return;
+    }
+    waiting_.reset(); // an older one
+    logical_ = logical;
+    if (device != viewport_) {
+        viewport_ = device;
+        emit resized();
+        host_.wake();
+    }
+}
+
+void ViewModel::takeWaitingViewport() {
+    if (const auto viewport = std::exchange(waiting_, {})) {
+        setViewport(viewport->first, viewport->second);
+    }
+}
+
+glm::dvec2 ViewModel::devicePerLogical() const {
+    return glm::dvec2(viewport_) / glm::dvec2(logical_.width(), logical_.height());
+}
+
+QPointF ViewModel::centre() const { return {0.5 * logical_.width(), 0.5 * logical_.height()}; }
+
+render::ViewRays ViewModel::rays() const {
+    return render::viewRays(view_.camera, *host_.geometry(), glm::max(viewport_, glm::ivec2(1)));
+}
+
+QPointF ViewModel::seenAt(glm::dvec3 world) const {
+    const glm::dvec2 logical = rays().project(world) / devicePerLogical();
+    return {logical.x, logical.y};
+}
+
+double ViewModel::millimetresPerPixel() const {
+    return host_.geometry() == nullptr
+               ? 1
+               : rays().pixelMm(host_.geometry()->centreWorld()) * devicePerLogical().y;
+}
+
+} // namespace vs::desktop

@@ -1,0 +1,143 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/edits/editor.h"
+
+#include "model/document/document_host.h"
+#include "model/document/view_model.h"
+#include "model/edits/free_room.h"
+#include "model/hand/hand.h"
+#include "model/hand/tool.h"
+#include "model/texts/library_texts.h"
+
+namespace vs::desktop {
+
+Editor::Editor(DocumentHost& host, ViewModel& view, Hand& hand) : host_(host), view_(view), hand_(hand) {}
+
+bool Editor::apply(const studio::Operation& operation, const std::filesystem::path& outputFolder) {
+    return change([&] { return host_.document()->apply(operation, outputFolder); });
+}
+
+bool Editor::rewind(int generations) {
+    return change([&] { return host_.document()->rewindFurther(generations); });
+}
+
+bool Editor::change(const std::function<studio::Outcome()>& edit) {
+    if (host_.geometry() == nullptr || host_.isLoading() || host_.isAway()) {
+        return false;
+    }
+    hand_.tool().settle();
+    if (host_.document()->isStrokeOpen()) {
+        return false;
+    }
+    interrupt(); // what has grown so far is an operation of its own
+    view_.flush();
+    const bool done = perform(edit);
+    view_.adopt();
+    host_.wake();
+    emit host_.changed();
+    return done;
+}
+
+bool Editor::perform(const std::function<studio::Outcome()>& edit) {
+    studio::Outcome outcome;
+    const bool isDone = host_.workLong([&] { outcome = edit(); }, LongWork::Input::GivesUp);
+    if (isDone) {
+        report(outcome);
+    }
+    return isDone;
+}
+
+// "Peel: 120 voxels changed", "Undone: peel"; and "Nothing was cut: ...", which says by itself what was
+// tried.
+void Editor::report(const studio::Outcome& outcome) {
+    const auto capitalised = [](const QString& text) { return text.left(1).toUpper() + text.mid(1); };
+    const QString name = capitalised(libraryText(outcome.name));
+    const QString message = libraryText(outcome.message);
+    if (outcome.name == "undo" || outcome.name == "redo") {
+        host_.say((outcome.name == "undo" ? tr("Undone: %1") : tr("Redone: %1")).arg(message));
+    } else if (outcome.message.starts_with("nothing ")) {
+        host_.say(capitalised(message));
+    } else {
+        host_.say(message.isEmpty() ? name : name + ": " + message);
+    }
+}
+
+bool Editor::beginStroke(const std::function<void(studio::Document&, const studio::Canvas&)>& begin) {
+    interrupt();
+    const auto on = view_.canvas();
+    return host_.workLong([&] { begin(*host_.document(), on); });
+}
+
+void Editor::endStroke(bool keep) {
+    if (host_.geometry() == nullptr || !host_.document()->isStrokeOpen()) {
+        return;
+    }
+    if (keep && hand_.tool().actsOnSegment()) {
+        const studio::Operation stroke = host_.document()->openStroke(); // it has shown what it takes
+        host_.workLong([&] { host_.document()->discardStroke(); });
+        cut(stroke);
+        return;
+    }
+    if (keep) {
+        perform([&] { return host_.document()->commitStroke(); });
+    } else if (host_.workLong([&] { host_.document()->discardStroke(); })) {
+        host_.say(tr("Nothing was changed"));
+    }
+    host_.wake();
+    emit host_.changed();
+}
+
+bool Editor::cut(const studio::Operation& stroke) {
+    if (!hand_.tool().actsOnSegment()) {
+        return apply(stroke);
+    }
+    studio::BrushSegment brush;
+    brush.isToAdd = hand_.tool().adds();
+    std::visit(
+        [&](const auto& drawn) {
+            if constexpr (std::is_constructible_v<decltype(brush.stroke), decltype(drawn)>) {
+                brush.stroke = drawn;
+            }
+        },
+        stroke);
+    return apply(brush);
+}
+
+bool Editor::paste() {
+    if (host_.geometry() == nullptr || host_.isLoading()) {
+        return false;
+    }
+    render::Placement place;
+    render::Camera camera;
+    bool isSomething = false;
+    view_.flush();
+    const bool isPlaced = host_.workLong([&] {
+        auto& document = *host_.document();
+        const studio::View& view = view_.shown();
+        FreeRoom room(view.camera, *host_.geometry(), view_.viewport());
+        room.take(document.remainingCells());
+        for (std::size_t part = 0; part < view.pasted.size(); ++part) {
+            room.take(document.partCells(part), view.pasted[part]);
+        }
+        const auto part = document.partCells(document.pastedParts());
+        isSomething = !part.empty();
+        if (isSomething) {
+            place = room.find(part);
+            room.take(part, place);
+            camera = room.cameraOnAll();
+        }
+    });
+    if (isPlaced && !isSomething) {
+        host_.say(tr("Nothing to paste: nothing visible was cut since the last paste"));
+        return false;
+    }
+    if (!isPlaced || !apply(studio::Paste{place})) {
+        return false;
+    }
+    auto view = view_.shown();
+    view.camera = camera;
+    view_.look(view);
+    emit pasted();
+    return true;
+}
+
+} // namespace vs::desktop

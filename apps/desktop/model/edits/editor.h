@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "studio/document/document.h"
+
+#include <QObject>
+
+#include <filesystem>
+#include <functional>
+
+namespace vs::desktop {
+
+class DocumentHost;
+class Hand;
+class ViewModel;
+
+// Changes the document: everything that a person does to it ends in one of these calls. Each tells what came
+// of it; false: it failed, and the message says why.
+//
+// apply() and change() first let what is under way come to its end (interrupting()), so that their edit is an
+// operation of its own. perform() does not: it is for what is under way itself.
+class Editor : public QObject {
+    Q_OBJECT
+
+public:
+    Editor(DocumentHost& host, ViewModel& view, Hand& hand);
+
+    bool apply(const studio::Operation& operation, const std::filesystem::path& outputFolder = ".");
+    bool change(const std::function<studio::Outcome()>& edit);
+    // On the thread for long work; when it takes long, it can be given up.
+    bool perform(const std::function<studio::Outcome()>& edit);
+    // Plays the region backward; one undo step with the rewinding before it.
+    bool rewind(int generations);
+    // What goes on by itself or waits for a moment of calm is done first.
+    void interrupt() { emit interrupting(); }
+
+    // Runs `begin`, which opens a live stroke on the view's canvas.
+    bool beginStroke(const std::function<void(studio::Document&, const studio::Canvas&)>& begin);
+    void endStroke(bool keep);
+    // Does a whole stroke, to the scan or, if the tool acts on it, to the segment at work.
+    bool cut(const studio::Operation& stroke);
+    // Pastes what was cut since the last paste where there is room beside the object and the parts pasted
+    // before. The view steps back if it would not be seen.
+    bool paste();
+
+signals:
+    void interrupting();
+    void pasted(); // a part that is to be moved now
+
+private:
+    void report(const studio::Outcome& outcome);
+
+    DocumentHost& host_;
+    ViewModel& view_;
+    Hand& hand_;
+};
+
+} // namespace vs::desktop

@@ -1,0 +1,251 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "model/files/document_files.h"
+
+#include "model/document/document_host.h"
+#include "model/document/view_model.h"
+#include "model/edits/editor.h"
+#include "model/hand/hand.h"
+#include "model/hand/tool.h"
+#include "model/segments/growth_controller.h"
+#include "model/segments/segment_controller.h"
+
+#include "base/progress.h"
+
+#include <algorithm>
+#include <exception>
+
+namespace vs::desktop {
+
+namespace {
+QString text(const std::filesystem::path& path) { return QString::fromStdString(path.string()); }
+} // namespace
+
+DocumentFiles::DocumentFiles(const Model& model) : model_(model), host_(model.host) {
+    connectLoader();
+    connect(&host_, &DocumentHost::givenUp, this, [this] {
+        loader_.giveUp();
+        isReplayGivenUp_ = true;
+    });
+}
+
+std::size_t DocumentFiles::countEdits() const {
+    if (host_.geometry() == nullptr) {
+        return 0;
+    }
+    const auto& log = host_.document()->log();
+    return std::size_t(std::count_if(log.begin(), log.end(), studio::isEdit));
+}
+
+// --- opening
+
+void DocumentFiles::connectLoader() {
+    connect(&loader_, &VolumeLoader::loaded, this, [this](const auto& loaded) {
+        host_.setOpening(DocumentHost::Opening::Nothing);
+        host_.whenHere([this, loaded] { finishOpening(loaded); });
+    });
+    connect(&loader_, &VolumeLoader::failed, this, [this](const QString& message) {
+        host_.say(message);
+        endReading();
+        emit host_.openFailed(message);
+    });
+    connect(&loader_, &VolumeLoader::givenUp, this, [this] {
+        host_.say(tr("Given up: nothing was opened"));
+        endReading();
+    });
+    connect(&loader_, &VolumeLoader::severalSeries, this,
+            [this](const OpenRequest& request, const auto& choices) {
+                host_.say(tr("%1 holds several series").arg(text(request.volume.filename())));
+                endReading();
+                emit seriesWanted(request, choices);
+            });
+}
+
+// Without a volume.
+void DocumentFiles::endReading() {
+    host_.setOpening(DocumentHost::Opening::Nothing);
+    emit host_.progress(1, 1);
+    emit host_.changed();
+}
+
+void DocumentFiles::open(const OpenRequest& request) {
+    if (host_.isLoading()) {
+        host_.say(tr("Still reading; open it again when that is done"));
+        return;
+    }
+    host_.gl().makeCurrent();
+    model_.editor.interrupt();
+    model_.hand.tool().clear();
+    host_.say(request.volume.empty() && request.session.empty()
+                  ? tr("Recovering")
+                  : tr("Reading %1")
+                        .arg(text((request.session.empty() ? request.volume : request.session).filename())));
+    host_.setOpening(DocumentHost::Opening::Reading);
+    loader_.start(request);
+    emit host_.progress(0, 0);
+    emit host_.changed();
+}
+
+void DocumentFiles::finishOpening(const std::shared_ptr<Loaded>& loaded) {
+    const bool done = host_.guard([&] {
+        std::unique_ptr<studio::Document> fresh;
+        host_.runLong([&] {
+            fresh = std::make_unique<studio::Document>(std::move(loaded->volume),
+                                                       loaded->session ? loaded->session->precision
+                                                                       : sculpt::Precision::Bits16);
+        });
+        host_.replace(std::move(fresh));
+    });
+    emit host_.progress(1, 1);
+    if (!done) {
+        emit host_.changed();
+        emit host_.openFailed(host_.message());
+        return;
+    }
+    source_ = loaded->request;
+    checksum_ = loaded->checksum;
+    if (loaded->session) {
+        takeSession(*loaded->session);
+    }
+    savedEdits_ = 0;
+    model_.view.forget();
+    model_.view.adopt();
+    if (!host_.isReplaying()) {
+        emit host_.ready();
+    }
+    host_.say(loaded->notices.empty() ? tr("Opened %1").arg(QString::fromStdString(host_.volume()->name))
+                                      : QString::fromStdString(loaded->notices.front()));
+    host_.wake();
+    emit host_.opened();
+    emit host_.changed();
+}
+
+void DocumentFiles::takeSession(const studio::Session& session) {
+    source_.rawLayout = session.rawLayout;
+    source_.series = session.series;
+    source_.frame = session.frame;
+    replay_.assign(session.operations.begin(), session.operations.end());
+    replayTotal_ = int(replay_.size());
+    isReplayGivenUp_ = false;
+    host_.setOpening(replay_.empty() ? DocumentHost::Opening::Nothing : DocumentHost::Opening::Replaying);
+}
+
+void DocumentFiles::replayOne() {
+    const auto operation = replay_.front();
+    const int number = replayTotal_ - int(replay_.size()) + 1;
+    host_.say(tr("Replaying %1 of %2: %3").arg(number).arg(replayTotal_).arg(studio::name(operation)));
+    emit host_.progress(number - 1, replayTotal_);
+    QString error;
+    bool isGivenUp = false;
+    try {
+        if (isReplayGivenUp_) {
+            throw GivenUp("it was given up");
+        }
+        // A picture or label map that the session asks for was written when it was made; opening writes
+        // nothing.
+        if (studio::isOutput(operation)) {
+            host_.document()->note(operation);
+        } else {
+            host_.runLong([&] { host_.document()->apply(operation); }, LongWork::Input::GivesUp);
+        }
+        replay_.pop_front();
+    } catch (const std::exception& e) {
+        isGivenUp = dynamic_cast<const GivenUp*>(&e) != nullptr;
+        error = tr("Replayed up to operation %1 (%2): %3")
+                    .arg(number)
+                    .arg(studio::name(operation), QString::fromUtf8(e.what()));
+        replay_.clear();
+    }
+    if (replay_.empty()) {
+        finishReplay(error, isGivenUp);
+    }
+    emit host_.changed();
+}
+
+void DocumentFiles::finishReplay(const QString& error, bool isGivenUp) {
+    host_.setOpening(DocumentHost::Opening::Nothing);
+    // What was recovered is in no session file.
+    savedEdits_ = source_.journal.empty() ? countEdits() : 0;
+    source_.journal.clear();
+    host_.document()->seal();
+    model_.view.adopt();
+    emit host_.ready();
+    host_.say(error.isEmpty() ? tr("Replayed %1 operations").arg(replayTotal_) : error);
+    emit host_.progress(1, 1);
+    host_.wake();
+    if (!error.isEmpty() && !isGivenUp) {
+        emit host_.openFailed(error);
+    }
+}
+
+// --- saving
+
+studio::Session DocumentFiles::provenance() const {
+    studio::Session source;
+    const auto& volume = *host_.volume();
+    if (volume.path.empty()) { // made from nothing
+        source.block = studio::Session::Block{volume.geometry.dims, volume.geometry.spacing()};
+    } else {
+        source.volumePath = std::filesystem::absolute(volume.path);
+    }
+    source.volumeChecksum = checksum_;
+    source.precision = host_.document()->precision();
+    source.rawLayout = source_.rawLayout;
+    source.series = source_.series;
+    source.frame = source_.frame;
+    return source;
+}
+
+bool DocumentFiles::hasUnsavedEdits() const {
+    return !host_.isReplaying() && (model_.growth.isPlaying() || countEdits() != savedEdits_);
+}
+
+bool DocumentFiles::saveSession(const std::filesystem::path& path) {
+    if (host_.geometry() == nullptr || host_.isLoading()) {
+        return false;
+    }
+    model_.hand.tool().settle();
+    if (host_.document()->isStrokeOpen()) {
+        return false;
+    }
+    model_.editor.interrupt();
+    return host_.guard([&] {
+        model_.view.flush();
+        studio::saveSession(path, studio::sessionOf(*host_.document(), provenance()));
+        savedEdits_ = countEdits();
+        host_.document()->seal();
+        source_.session = path;
+        host_.say(tr("Saved %1").arg(text(path)));
+        emit saved();
+    });
+}
+
+bool DocumentFiles::exportLabels(const std::filesystem::path& path) {
+    if (!model_.segments.hasVoxels()) {
+        host_.say(tr("There is no segmentation to export yet: draw seeds first"));
+        return false;
+    }
+    const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
+    const bool done = model_.editor.apply(studio::SaveLabels{path.filename().string()}, folder);
+    if (done) {
+        host_.say(tr("Exported labels to %1").arg(text(path)));
+    }
+    return done;
+}
+
+void DocumentFiles::close() {
+    if (host_.geometry() == nullptr || host_.isLoading()) {
+        return;
+    }
+    host_.gl().makeCurrent();
+    model_.editor.interrupt();
+    emit host_.closing();
+    host_.replace(nullptr);
+    source_ = {};
+    savedEdits_ = 0;
+    model_.view.forget();
+    host_.say({});
+    emit host_.closed();
+    emit host_.changed();
+}
+
+} // namespace vs::desktop

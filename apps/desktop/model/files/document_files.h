@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "engine/volume_loader.h"
+
+#include "studio/json/session.h"
+
+#include <QObject>
+
+#include <deque>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
+namespace vs::desktop {
+
+class DocumentHost;
+class Editor;
+class GrowthController;
+class Hand;
+class SegmentController;
+class ViewModel;
+
+// Opens volumes and sessions, saves sessions and label maps, and knows where the open document comes from.
+class DocumentFiles : public QObject {
+    Q_OBJECT
+
+public:
+    // What of the model it asks and tells.
+    struct Model {
+        DocumentHost& host;
+        ViewModel& view;
+        Hand& hand;
+        Editor& editor;
+        GrowthController& growth;
+        SegmentController& segments;
+    };
+    explicit DocumentFiles(const Model& model);
+
+    // Returns at once; DocumentHost::opened() or openFailed() tells how it ended.
+    void open(const OpenRequest& request);
+    [[nodiscard]] const OpenRequest& source() const { return source_; }
+    // Where the volume comes from, as a session without operations. There must be a volume.
+    [[nodiscard]] studio::Session provenance() const;
+    bool saveSession(const std::filesystem::path& path);
+    bool exportLabels(const std::filesystem::path& path);
+    // Back to how it was before anything was opened; what was not saved is gone.
+    void close();
+    // Whether there are edits that no session file holds.
+    [[nodiscard]] bool hasUnsavedEdits() const;
+    // Does the next operation of the session that is being opened. Called by the scheduler.
+    void replayOne();
+
+signals:
+    void saved(); // a session file holds all edits; source() names it
+    // Nothing was opened: the person must choose one of the series first.
+    void seriesWanted(const vs::desktop::OpenRequest& request,
+                      const std::vector<vs::volume::SeriesChoice>& choices);
+
+private:
+    void connectLoader();
+    void finishOpening(const std::shared_ptr<Loaded>& loaded);
+    void takeSession(const studio::Session& session);
+    void finishReplay(const QString& error, bool isGivenUp);
+    void endReading();
+    [[nodiscard]] std::size_t countEdits() const;
+
+    Model model_;
+    DocumentHost& host_;
+    VolumeLoader loader_;
+    OpenRequest source_;
+    std::string checksum_;                 // of the volume
+    std::size_t savedEdits_ = 0;           // edits in the log when it was last saved or opened
+    std::deque<studio::Operation> replay_; // of the session being opened
+    int replayTotal_ = 0;
+    bool isReplayGivenUp_ = false;
+};
+
+} // namespace vs::desktop

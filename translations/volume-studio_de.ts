@@ -1418,6 +1418,110 @@
         <source>Depth (steps)</source>
         <translation>Tiefe (Schritte)</translation>
     </message>
+    <message>
+        <source>Camera</source>
+        <translation>Kamera</translation>
+    </message>
+    <message>
+        <source>Turn the volume</source>
+        <translation>Das Volumen drehen</translation>
+    </message>
+    <message>
+        <source>Peel</source>
+        <translation>Schälen</translation>
+    </message>
+    <message>
+        <source>Peel layers off the surface</source>
+        <translation>Lagen von der Oberfläche schälen</translation>
+    </message>
+    <message>
+        <source>Drill</source>
+        <translation>Bohren</translation>
+    </message>
+    <message>
+        <source>Drill along the view</source>
+        <translation>In Blickrichtung bohren</translation>
+    </message>
+    <message>
+        <source>Laser</source>
+        <translation>Laser</translation>
+    </message>
+    <message>
+        <source>Burn down from the surface along its normal</source>
+        <translation>Von der Oberfläche entlang ihrer Normale hineinbrennen</translation>
+    </message>
+    <message>
+        <source>Sweep</source>
+        <translation>Austragen</translation>
+    </message>
+    <message>
+        <source>Sweep a shape along a way</source>
+        <translation>Eine Form entlang eines Wegs austragen</translation>
+    </message>
+    <message>
+        <source>Scissors</source>
+        <translation>Schere</translation>
+    </message>
+    <message>
+        <source>Cut through everything inside a stroke, or outside it</source>
+        <translation>Durch alles in einem Strich schneiden, oder durch alles außerhalb</translation>
+    </message>
+    <message>
+        <source>Keep</source>
+        <translation>Behalten</translation>
+    </message>
+    <message>
+        <source>Keep what is connected to the place clicked, cut all else</source>
+        <translation>Behalten, was mit der angeklickten Stelle verbunden ist, alles andere schneiden</translation>
+    </message>
+    <message>
+        <source>Keep connected</source>
+        <translation>Verbundenes behalten</translation>
+    </message>
+    <message>
+        <source>Clip</source>
+        <translation>Beschneiden</translation>
+    </message>
+    <message>
+        <source>Clip by a box and a plane</source>
+        <translation>Mit Quader und Ebene beschneiden</translation>
+    </message>
+    <message>
+        <source>Mark what should be segmented</source>
+        <translation>Markieren, was segmentiert werden soll</translation>
+    </message>
+    <message>
+        <source>Island</source>
+        <translation>Insel</translation>
+    </message>
+    <message>
+        <source>Drop the part of the segment that is clicked, or keep only it</source>
+        <translation>Das angeklickte Teil des Segments verwerfen, oder nur es behalten</translation>
+    </message>
+    <message>
+        <source>Paint</source>
+        <translation>Malen</translation>
+    </message>
+    <message>
+        <source>Correct the segment with a brush, on the slices</source>
+        <translation>Das Segment auf den Schichten mit dem Pinsel verbessern</translation>
+    </message>
+    <message>
+        <source>Measure distances and angles, on the surface and on slices</source>
+        <translation>Abstände und Winkel messen, auf der Oberfläche und auf Schichten</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Bewegen</translation>
+    </message>
+    <message>
+        <source>Move, turn and scale pasted parts</source>
+        <translation>Eingefügte Teile bewegen, drehen und skalieren</translation>
+    </message>
+    <message>
+        <source>Move part</source>
+        <translation>Teil bewegen</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::CameraTool</name>
@@ -3193,110 +3297,6 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
         <translation>%1 wird in einem anderen Fenster wiederhergestellt</translation>
     </message>
     <message>
-        <source>Camera</source>
-        <translation>Kamera</translation>
-    </message>
-    <message>
-        <source>Turn the volume</source>
-        <translation>Das Volumen drehen</translation>
-    </message>
-    <message>
-        <source>Peel</source>
-        <translation>Schälen</translation>
-    </message>
-    <message>
-        <source>Peel layers off the surface</source>
-        <translation>Lagen von der Oberfläche schälen</translation>
-    </message>
-    <message>
-        <source>Drill</source>
-        <translation>Bohren</translation>
-    </message>
-    <message>
-        <source>Drill along the view</source>
-        <translation>In Blickrichtung bohren</translation>
-    </message>
-    <message>
-        <source>Laser</source>
-        <translation>Laser</translation>
-    </message>
-    <message>
-        <source>Burn down from the surface along its normal</source>
-        <translation>Von der Oberfläche entlang ihrer Normale hineinbrennen</translation>
-    </message>
-    <message>
-        <source>Sweep</source>
-        <translation>Austragen</translation>
-    </message>
-    <message>
-        <source>Sweep a shape along a way</source>
-        <translation>Eine Form entlang eines Wegs austragen</translation>
-    </message>
-    <message>
-        <source>Scissors</source>
-        <translation>Schere</translation>
-    </message>
-    <message>
-        <source>Cut through everything inside a stroke, or outside it</source>
-        <translation>Durch alles in einem Strich schneiden, oder durch alles außerhalb</translation>
-    </message>
-    <message>
-        <source>Keep</source>
-        <translation>Behalten</translation>
-    </message>
-    <message>
-        <source>Keep what is connected to the place clicked, cut all else</source>
-        <translation>Behalten, was mit der angeklickten Stelle verbunden ist, alles andere schneiden</translation>
-    </message>
-    <message>
-        <source>Clip</source>
-        <translation>Beschneiden</translation>
-    </message>
-    <message>
-        <source>Clip by a box and a plane</source>
-        <translation>Mit Quader und Ebene beschneiden</translation>
-    </message>
-    <message>
-        <source>Seed</source>
-        <translation>Säen</translation>
-    </message>
-    <message>
-        <source>Mark what should be segmented</source>
-        <translation>Markieren, was segmentiert werden soll</translation>
-    </message>
-    <message>
-        <source>Island</source>
-        <translation>Insel</translation>
-    </message>
-    <message>
-        <source>Drop the part of the segment that is clicked, or keep only it</source>
-        <translation>Das angeklickte Teil des Segments verwerfen, oder nur es behalten</translation>
-    </message>
-    <message>
-        <source>Paint</source>
-        <translation>Malen</translation>
-    </message>
-    <message>
-        <source>Correct the segment with a brush, on the slices</source>
-        <translation>Das Segment auf den Schichten mit dem Pinsel verbessern</translation>
-    </message>
-    <message>
-        <source>Measure</source>
-        <translation>Messen</translation>
-    </message>
-    <message>
-        <source>Measure distances and angles, on the surface and on slices</source>
-        <translation>Abstände und Winkel messen, auf der Oberfläche und auf Schichten</translation>
-    </message>
-    <message>
-        <source>Move</source>
-        <translation>Bewegen</translation>
-    </message>
-    <message>
-        <source>Move, turn and scale pasted parts</source>
-        <translation>Eingefügte Teile bewegen, drehen und skalieren</translation>
-    </message>
-    <message>
         <source>Restore</source>
         <translation>Umkehren</translation>
     </message>
@@ -4422,58 +4422,6 @@ Tab: die nächste Form; Pfeiltasten bewegen sie; Entf; Eingabe: ihre Farbe; Strg
     <message>
         <source>Tool</source>
         <translation>Werkzeug</translation>
-    </message>
-    <message>
-        <source>Camera</source>
-        <translation>Kamera</translation>
-    </message>
-    <message>
-        <source>Peel</source>
-        <translation>Schälen</translation>
-    </message>
-    <message>
-        <source>Drill</source>
-        <translation>Bohren</translation>
-    </message>
-    <message>
-        <source>Laser</source>
-        <translation>Laser</translation>
-    </message>
-    <message>
-        <source>Sweep</source>
-        <translation>Austragen</translation>
-    </message>
-    <message>
-        <source>Scissors</source>
-        <translation>Schere</translation>
-    </message>
-    <message>
-        <source>Keep connected</source>
-        <translation>Verbundenes behalten</translation>
-    </message>
-    <message>
-        <source>Clip</source>
-        <translation>Beschneiden</translation>
-    </message>
-    <message>
-        <source>Seed</source>
-        <translation>Säen</translation>
-    </message>
-    <message>
-        <source>Island</source>
-        <translation>Insel</translation>
-    </message>
-    <message>
-        <source>Measure</source>
-        <translation>Messen</translation>
-    </message>
-    <message>
-        <source>Paint</source>
-        <translation>Malen</translation>
-    </message>
-    <message>
-        <source>Move part</source>
-        <translation>Teil bewegen</translation>
     </message>
     <message>
         <source>%1: restore</source>

@@ -126,7 +126,7 @@ QWidget* makeClipPage(StudioController& studio, ToolBox& tools) {
     auto* page = new QWidget;
     auto* form = makeForm(page);
     form->setVerticalSpacing(5);
-    ClipTool& tool = tools.clip();
+    ClipTool& tool = tools.get<ClipTool>();
     addCutOrRestore(form, tool, studio, "clip");
     for (int axis = 0; axis < 3; ++axis) {
         addFace(form, tool, studio, axis, false);

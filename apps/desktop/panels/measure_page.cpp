@@ -15,7 +15,7 @@ namespace vs::desktop {
 QWidget* makeMeasurePage(StudioController& studio, ToolBox& tools) {
     auto* page = new QWidget;
     auto* form = makeForm(page);
-    MeasureTool& tool = tools.measure();
+    MeasureTool& tool = tools.get<MeasureTool>();
     auto* what =
         new ChoiceRow({{"measureDistance", tr("Distance"), tr("Between two places, in mm")},
                        {"measureAngle", tr("Angle"), tr("At the second of three places, in degrees")}},

@@ -36,7 +36,7 @@ QString label(double mm) { return tr("%1 mm").arg(mm, 0, 'f', mm < 9.95 ? 1 : 0)
 QWidget* makePaintPage(StudioController& studio, ToolBox& tools) {
     auto* page = new QWidget;
     auto* form = makeForm(page);
-    PaintTool& tool = tools.paint();
+    PaintTool& tool = tools.get<PaintTool>();
     auto* sign = new ChoiceRow({{"paintAdds", tr("Add"), tr("What is painted joins the segment at work")},
                                 {"paintRemoves", tr("Remove"), tr("What is painted leaves it")}},
                                tool.isToAdd() ? 0 : 1);

@@ -177,7 +177,7 @@ void SegmentEditPanel::perform() {
     amount_->interpretText();
     const double amount = edit.unit.isEmpty() ? 0 : amount_->value();
     if (edit.does == Edit::Does::Clicks) {
-        studio_.hand().take(tools_.island());
+        studio_.hand().take(tools_.get<IslandTool>());
     } else if (edit.does == Edit::Does::Edits) {
         studio::EditSegment operation;
         operation.kind = edit.kind;

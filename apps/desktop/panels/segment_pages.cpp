@@ -29,7 +29,7 @@ void addSign(QFormLayout* form, T& tool, const ChoiceRow::Choice& plain, const C
 QWidget* makeSeedPage(StudioController& studio, ToolBox& tools) {
     auto* page = new QWidget;
     auto* form = makeForm(page);
-    SeedTool& tool = tools.seed();
+    SeedTool& tool = tools.get<SeedTool>();
     addSign(form, tool, {"seedSeeds", tr("Seed"), tr("Strokes are what the segment grows from (R)")},
             {"seedAbsorbs", tr("Absorb"), tr("Strokes take the segment away, from there outward (R)")});
     auto* width =
@@ -42,7 +42,7 @@ QWidget* makeSeedPage(StudioController& studio, ToolBox& tools) {
 QWidget* makeIslandPage(StudioController& studio, ToolBox& tools) {
     auto* page = new QWidget;
     auto* form = makeForm(page);
-    addSign(form, tools.island(),
+    addSign(form, tools.get<IslandTool>(),
             {"islandDrops", tr("Drop"), tr("What is connected to the place clicked goes (R)")},
             {"islandKeeps", tr("Keep only"), tr("What is not connected to the place clicked goes (R)")});
     return page;

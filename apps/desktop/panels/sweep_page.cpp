@@ -39,7 +39,7 @@ QWidget* addNumber(QFormLayout* form, SweepTool& tool, const char* objectName, c
 QWidget* makeSweepPage(StudioController& studio, ToolBox& tools) {
     auto* page = new QWidget;
     auto* form = makeForm(page);
-    SweepTool& tool = tools.sweep();
+    SweepTool& tool = tools.get<SweepTool>();
     addCutOrRestore(form, tool, studio, "sweep");
     auto* way =
         new ChoiceRow({{"sweepSurface", tr("On the surface"), tr("Draw the way on the surface")},

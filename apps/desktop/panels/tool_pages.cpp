@@ -56,7 +56,7 @@ QFormLayout* addPenRows(QWidget* page, PenTool& tool, StudioController& studio, 
 
 } // namespace
 
-QWidget* makeCameraPage() {
+QWidget* makeCameraPage(StudioController&, ToolBox&) {
     auto* note = makeQuietLabel(tr("Drag in the picture to turn the volume."));
     note->setWordWrap(true);
     note->setAlignment(Qt::AlignTop | Qt::AlignLeft);
@@ -66,7 +66,7 @@ QWidget* makeCameraPage() {
 QWidget* makePeelPage(StudioController& studio, ToolBox& tools) {
     auto* page = new QWidget;
     auto* form = makeForm(page);
-    PeelTool& tool = tools.peel();
+    PeelTool& tool = tools.get<PeelTool>();
     addCutOrRestore(form, tool, studio, "peel");
     addRadius(form, tool, "peel");
     auto* layers = named(new QLabel, "peelLayers", tr("Layers peeled"));
@@ -81,7 +81,7 @@ QWidget* makePeelPage(StudioController& studio, ToolBox& tools) {
 
 QWidget* makeDrillPage(StudioController& studio, ToolBox& tools) {
     auto* page = new QWidget;
-    DrillTool& tool = tools.drill();
+    DrillTool& tool = tools.get<DrillTool>();
     auto* form = addPenRows(page, tool, studio, "drill");
     auto* tilt = makeCheckBox("drillFollowsTilt", tr("Follow the pen's tilt"),
                               tr("Drills the way that the tablet's pen points, instead of along the view"),
@@ -93,7 +93,7 @@ QWidget* makeDrillPage(StudioController& studio, ToolBox& tools) {
 
 QWidget* makeLaserPage(StudioController& studio, ToolBox& tools) {
     auto* page = new QWidget;
-    addPenRows(page, tools.laser(), studio, "laser");
+    addPenRows(page, tools.get<LaserTool>(), studio, "laser");
     return page;
 }
 
@@ -128,7 +128,7 @@ QWidget* makePressureRows(StudioController& studio) {
 QWidget* makeScissorsPage(StudioController& studio, ToolBox& tools) {
     auto* page = new QWidget;
     auto* form = makeForm(page);
-    ScissorsTool& tool = tools.scissors();
+    ScissorsTool& tool = tools.get<ScissorsTool>();
     addCutOrRestore(form, tool, studio, "scissors");
     auto* side = new ChoiceRow({{"scissorsInside", tr("Inside"), tr("What is inside the stroke goes")},
                                 {"scissorsOutside", tr("Outside"), tr("What is outside the stroke goes")}},
@@ -155,7 +155,7 @@ QWidget* makeScissorsPage(StudioController& studio, ToolBox& tools) {
 QWidget* makeKeepPage(StudioController& studio, ToolBox& tools) {
     auto* page = new QWidget;
     auto* form = makeForm(page);
-    KeepTool& tool = tools.keep();
+    KeepTool& tool = tools.get<KeepTool>();
     auto* joined = new ChoiceRow(
         {{"keepCorners", tr("Corners too"), tr("Voxels that touch at an edge or a corner are connected")},
          {"keepFaces", tr("Faces only"), tr("Only voxels that share a face are connected: keeps less")}},
@@ -171,7 +171,7 @@ QWidget* makeKeepPage(StudioController& studio, ToolBox& tools) {
 QWidget* makeMovePage(StudioController& studio, ToolBox& tools) {
     auto* page = new QWidget;
     auto* form = makeForm(page);
-    MoveTool& tool = tools.move();
+    MoveTool& tool = tools.get<MoveTool>();
     auto* part = named(new QLabel, "movePart", tr("The part in hand"));
     part->setAlignment(Qt::AlignRight);
     auto* size = named(new QLabel, "moveScale", tr("Its size"));

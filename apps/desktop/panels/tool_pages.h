@@ -9,7 +9,7 @@ class StudioController;
 class ToolBox;
 
 // The tool panel's page for each tool: what can be set for it.
-QWidget* makeCameraPage();
+QWidget* makeCameraPage(StudioController& studio, ToolBox& tools);
 QWidget* makePeelPage(StudioController& studio, ToolBox& tools);
 QWidget* makeDrillPage(StudioController& studio, ToolBox& tools);
 QWidget* makeLaserPage(StudioController& studio, ToolBox& tools);
@@ -24,6 +24,6 @@ QWidget* makePaintPage(StudioController& studio, ToolBox& tools);
 QWidget* makeMovePage(StudioController& studio, ToolBox& tools);
 
 // What the pages of all tools that follow the pen share: its pressure.
-QWidget* makePressureRows(StudioController& studio, ToolBox& tools);
+QWidget* makePressureRows(StudioController& studio);
 
 } // namespace vs::desktop

@@ -3,21 +3,10 @@
 
 #include "model/studio/studio_controller.h"
 #include "panels/tool_pages.h"
+#include "panels/tool_rows.h"
 #include "parts/panel_parts.h"
-#include "tools/camera_tool.h"
-#include "tools/clip_tool.h"
-#include "tools/drill_tool.h"
-#include "tools/island_tool.h"
-#include "tools/keep_tool.h"
-#include "tools/laser_tool.h"
-#include "tools/measure_tool.h"
-#include "tools/move_tool.h"
-#include "tools/paint_tool.h"
-#include "tools/peel_tool.h"
-#include "tools/scissors_tool.h"
-#include "tools/seed_tool.h"
-#include "tools/sweep_tool.h"
-#include "tools/tool_box.h"
+#include "tools/cut_tool.h"
+#include "tools/pen_tool.h"
 
 #include <QStyle>
 #include <QVBoxLayout>
@@ -33,29 +22,16 @@ ToolPanel::ToolPanel(StudioController& studio, ToolBox& tools, QWidget* parent)
     outer->addWidget(frame);
     title_ = frame->findChild<QLabel*>("cardTitle");
     pagesBelow_ = card;
-    add(tools.camera(), tr("Camera"), makeCameraPage());
-    add(tools.peel(), tr("Peel"), makePeelPage(studio_, tools));
-    add(tools.drill(), tr("Drill"), makeDrillPage(studio_, tools));
-    add(tools.laser(), tr("Laser"), makeLaserPage(studio_, tools));
-    add(tools.sweep(), tr("Sweep"), makeSweepPage(studio_, tools));
-    add(tools.scissors(), tr("Scissors"), makeScissorsPage(studio_, tools));
-    add(tools.keep(), tr("Keep connected"), makeKeepPage(studio_, tools));
-    add(tools.clip(), tr("Clip"), makeClipPage(studio_, tools));
-    add(tools.seed(), tr("Seed"), makeSeedPage(studio_, tools));
-    add(tools.island(), tr("Island"), makeIslandPage(studio_, tools));
-    add(tools.measure(), tr("Measure"), makeMeasurePage(studio_, tools));
-    add(tools.paint(), tr("Paint"), makePaintPage(studio_, tools));
-    add(tools.move(), tr("Move part"), makeMovePage(studio_, tools));
+    for (const ToolRow& row : toolRows(tools)) {
+        QWidget* page = row.makePage(studio_, tools);
+        page->hide();
+        pagesBelow_->addWidget(page);
+        pages_[&row.tool] = {row.title, page};
+    }
     pressure_ = makePressureRows(studio_);
     card->addWidget(pressure_);
     connect(&studio_.host(), &DocumentHost::changed, this, &ToolPanel::refresh);
     refresh();
-}
-
-void ToolPanel::add(const Tool& tool, const QString& title, QWidget* page) {
-    page->hide();
-    pagesBelow_->addWidget(page);
-    pages_[&tool] = {title, page};
 }
 
 void ToolPanel::refresh() {

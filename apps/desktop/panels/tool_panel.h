@@ -27,7 +27,6 @@ private:
         QWidget* widget = nullptr;
     };
 
-    void add(const Tool& tool, const QString& title, QWidget* page);
     void refresh();
 
     StudioController& studio_;

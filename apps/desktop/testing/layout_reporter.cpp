@@ -117,7 +117,7 @@ nlohmann::json LayoutReporter::documentReport() const {
             {"canRedo", document != nullptr && document->canRedo()},
             {"unsaved", studio_.files().hasUnsavedEdits()},
             {"pictureComplete", studio_.picture().isComplete()},
-            {"handles", handlesOnScreen(view_, tools_.move())},
+            {"handles", handlesOnScreen(view_, tools_.get<MoveTool>())},
             {"glErrors", studio_.host().gl().errorCount()}};
 }
 
@@ -177,7 +177,7 @@ void LayoutReporter::write() {
         {"viewport", {studio_.picture().viewport().x, studio_.picture().viewport().y}},
         {"crosshair",
          {studio_.slices().crosshair().x, studio_.slices().crosshair().y, studio_.slices().crosshair().z}},
-        {"measurements", measured(tools_.measure())},
+        {"measurements", measured(tools_.get<MeasureTool>())},
         {"fence", fence_.window()},
         {"passed", fence_.passed()},
         {"windows", windows},

@@ -20,23 +20,32 @@
 namespace vs::desktop {
 
 // The studio owns the tools as it owns the box.
-ToolBox::ToolBox(StudioController& studio)
-    : QObject(&studio), camera_(*new CameraTool(studio)), peel_(*new PeelTool(studio)),
-      drill_(*new DrillTool(studio)), laser_(*new LaserTool(studio)), sweep_(*new SweepTool(studio)),
-      scissors_(*new ScissorsTool(studio)), keep_(*new KeepTool(studio)),
-      clip_(*new ClipTool(studio, camera_)), seed_(*new SeedTool(studio)),
-      move_(*new MoveTool(studio, camera_)), island_(*new IslandTool(studio)),
-      paint_(*new PaintTool(studio, camera_)), measure_(*new MeasureTool(studio, camera_)),
-      slicePen_(*new SlicePen(studio, seed_, paint_, measure_)) {
-    for (Tool* tool :
-         std::initializer_list<Tool*>{&camera_, &peel_, &drill_, &laser_, &sweep_, &scissors_, &keep_, &clip_,
-                                      &seed_, &move_, &island_, &paint_, &measure_}) {
+ToolBox::ToolBox(StudioController& studio) : QObject(&studio) {
+    auto* camera = new CameraTool(studio);
+    auto* seed = new SeedTool(studio);
+    auto* paint = new PaintTool(studio, *camera);
+    auto* measure = new MeasureTool(studio, *camera);
+    tools_ = {camera,
+              new PeelTool(studio),
+              new DrillTool(studio),
+              new LaserTool(studio),
+              new SweepTool(studio),
+              new ScissorsTool(studio),
+              new KeepTool(studio),
+              new ClipTool(studio, *camera),
+              seed,
+              new MoveTool(studio, *camera),
+              new IslandTool(studio),
+              paint,
+              measure};
+    slicePen_ = new SlicePen(studio, *seed, *paint, *measure);
+    for (Tool* tool : tools_) {
         studio.hand().listenTo(*tool);
     }
-    studio.hand().take(camera_);
-    connect(&studio.host(), &DocumentHost::closing, this, [this, &studio] {
-        studio.hand().take(camera_); // which drops what another has in hand
-        camera_.clear();
+    studio.hand().take(*camera);
+    connect(&studio.host(), &DocumentHost::closing, this, [&studio, camera] {
+        studio.hand().take(*camera); // which drops what another has in hand
+        camera->clear();
     });
 }
 

@@ -23,7 +23,7 @@ constexpr int kFastSlices = 10; // with Shift
 
 SliceCanvas::SliceCanvas(StudioController& studio, ToolBox& tools, render::SliceKind kind, QWidget* parent)
     : QWidget(parent), studio_(studio), slices_(studio.slices()), pen_(tools.slicePen()),
-      measureTool_(tools.measure()), kind_(kind) {
+      measureTool_(tools.get<MeasureTool>()), kind_(kind) {
     setMouseTracking(true);
     setTabletTracking(true);
     setFocusPolicy(Qt::StrongFocus);

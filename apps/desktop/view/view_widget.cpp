@@ -69,7 +69,8 @@ void ViewWidget::paintEvent(QPaintEvent*) {
     }
     if (geometry != nullptr) {
         paintMeasurements(
-            painter, tools_.measure(), [this](glm::dvec3 world) { return seenAt(world); }, QRectF(rect()));
+            painter, tools_.get<MeasureTool>(), [this](glm::dvec3 world) { return seenAt(world); },
+            QRectF(rect()));
     }
     for (const auto& overlays : {studio_.slices().overlays(), studio_.hand().tool().overlays()}) {
         for (const Overlay& overlay : overlays) {
@@ -129,10 +130,10 @@ void ViewWidget::move(const Pen& pen) {
         studio_.hand().tool().move(pen);
         break;
     case Drag::Pan:
-        tools_.camera().pan(delta);
+        tools_.get<CameraTool>().pan(delta);
         break;
     case Drag::Zoom:
-        tools_.camera().zoom(std::exp(-0.008 * delta.y()), pressed_); // up to come nearer
+        tools_.get<CameraTool>().zoom(std::exp(-0.008 * delta.y()), pressed_); // up to come nearer
         break;
     }
     emit penMoved();
@@ -177,7 +178,7 @@ void ViewWidget::mouseReleaseEvent(QMouseEvent* event) {
 // With the camera tool the slices go to the surface under the pen.
 void ViewWidget::mouseDoubleClickEvent(QMouseEvent* event) {
     const bool centres = event->button() == Qt::LeftButton && studio_.slices().isAnyShown() &&
-                         &studio_.hand().tool() == &tools_.camera();
+                         &studio_.hand().tool() == &tools_.get<CameraTool>();
     if (!centres || !studio_.slices().centreOnSurface(penAt(event->scenePosition(), {}).position)) {
         mousePressEvent(event);
     }
@@ -190,7 +191,7 @@ void ViewWidget::wheelEvent(QWheelEvent* event) {
     if (drag_ == Drag::None && !studio_.hand().tool().isSketching() &&
         !studio_.hand().tool().wheel(notches, pen)) {
         constexpr double kPerNotch = 1.2;
-        tools_.camera().zoom(std::pow(kPerNotch, notches), pen.position);
+        tools_.get<CameraTool>().zoom(std::pow(kPerNotch, notches), pen.position);
     }
     event->accept();
 }

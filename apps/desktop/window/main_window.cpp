@@ -17,6 +17,7 @@
 #include "panels/tool_panel.h"
 #include "parts/panel_parts.h"
 #include "start/welcome_page.h"
+#include "tools/camera_tool.h"
 #include "tools/tool_box.h"
 #include "view/camera_keys.h"
 #include "view/slice_canvas.h"
@@ -131,11 +132,11 @@ void MainWindow::makeCentre() {
     view_ = new ViewWidget(studio_, tools_);
     grid_ = new ViewGrid(studio_, tools_, view_);
     const auto* pen = new PenWatch(studio_.hand(), this);
-    lookByFingers(*view_, studio_, tools_.camera(), *pen);
+    lookByFingers(*view_, studio_, tools_.get<CameraTool>(), *pen);
     for (SliceCanvas* canvas : grid_->findChildren<SliceCanvas*>()) {
         lookByFingers(*canvas, studio_, *pen);
     }
-    new CameraKeys(*view_, studio_, tools_.camera()); // the view owns it
+    new CameraKeys(*view_, studio_, tools_.get<CameraTool>()); // the view owns it
     column->addWidget(grid_, 1);
     hint_ = named(new HintLine, "hint", tr("What to do next"));
     column->addWidget(hint_);

@@ -90,7 +90,7 @@ void MainWindow::makeEditActions() {
 
 void MainWindow::makeViewActions() {
     addAction({"resetView", "reset", tr("Reset"), tr("Look at the face again, all of it"), tr("Home")},
-              [this] { tools_.camera().reset(); });
+              [this] { tools_.get<CameraTool>().reset(); });
     using render::Mode;
     auto* modes = new QActionGroup(this);
     const auto mode = [&](Mode value, const char* name, const char* iconName, const QString& text,

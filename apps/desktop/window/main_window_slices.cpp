@@ -59,10 +59,10 @@ void MainWindow::makeSliceActions() {
     constexpr double kPerKey = 1.15;
     addAction({"brushSmaller", nullptr, tr("Smaller brush"), tr("A smaller brush to paint on slices with"),
                tr("[")},
-              [this] { tools_.paint().resize(1 / kPerKey); });
+              [this] { tools_.get<PaintTool>().resize(1 / kPerKey); });
     addAction(
         {"brushLarger", nullptr, tr("Larger brush"), tr("A larger brush to paint on slices with"), tr("]")},
-        [this] { tools_.paint().resize(kPerKey); });
+        [this] { tools_.get<PaintTool>().resize(kPerKey); });
     connect(grid_, &ViewGrid::arranged, this, &MainWindow::refreshSliceActions);
     connect(grid_, &ViewGrid::penMoved, this, &MainWindow::showSliceProbe);
     refreshSliceActions();

@@ -1,19 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "model/hand/tool.h"
 #include "model/studio/studio_controller.h"
-#include "tools/camera_tool.h"
-#include "tools/clip_tool.h"
-#include "tools/drill_tool.h"
-#include "tools/island_tool.h"
-#include "tools/keep_tool.h"
-#include "tools/laser_tool.h"
-#include "tools/measure_tool.h"
-#include "tools/move_tool.h"
-#include "tools/paint_tool.h"
-#include "tools/peel_tool.h"
-#include "tools/scissors_tool.h"
-#include "tools/seed_tool.h"
-#include "tools/sweep_tool.h"
-#include "tools/tool_box.h"
+#include "panels/tool_rows.h"
 #include "window/main_window.h"
 
 #include <QActionGroup>
@@ -32,30 +20,11 @@ constexpr std::array<const char*, 6> kShapeActions{"freeForm",  "ellipse",  "cir
 // One for each tool, the sign of those that cut, pasting, and the shapes that are sketched.
 void MainWindow::makeToolActions() {
     auto* tools = new QActionGroup(this);
-    const auto add = [&](Tool& tool, const char* name, const char* iconName, const QString& text,
-                         const QString& tip, const char* key) {
-        addChoice(tools, {name, iconName, text, tip, QKeySequence(key)},
-                  [this, &tool] { studio_.hand().take(tool); });
-    };
-    add(tools_.camera(), "cameraTool", "camera", tr("Camera"), tr("Turn the volume"), "V");
-    add(tools_.peel(), "peelTool", "peel", tr("Peel"), tr("Peel layers off the surface"), "P");
-    add(tools_.drill(), "drillTool", "drill", tr("Drill"), tr("Drill along the view"), "D");
-    add(tools_.laser(), "laserTool", "laser", tr("Laser"), tr("Burn down from the surface along its normal"),
-        "B");
-    add(tools_.sweep(), "sweepTool", "sweep", tr("Sweep"), tr("Sweep a shape along a way"), "W");
-    add(tools_.scissors(), "scissorsTool", "scissors", tr("Scissors"),
-        tr("Cut through everything inside a stroke, or outside it"), "X");
-    add(tools_.keep(), "keepTool", "keep", tr("Keep"),
-        tr("Keep what is connected to the place clicked, cut all else"), "K");
-    add(tools_.clip(), "clipTool", "clip", tr("Clip"), tr("Clip by a box and a plane"), "C");
-    add(tools_.seed(), "seedTool", "seed", tr("Seed"), tr("Mark what should be segmented"), "S");
-    add(tools_.island(), "islandTool", "island", tr("Island"),
-        tr("Drop the part of the segment that is clicked, or keep only it"), "H");
-    add(tools_.paint(), "paintTool", "paint", tr("Paint"),
-        tr("Correct the segment with a brush, on the slices"), "T");
-    add(tools_.measure(), "measureTool", "measure", tr("Measure"),
-        tr("Measure distances and angles, on the surface and on slices"), "M");
-    add(tools_.move(), "moveTool", "move", tr("Move"), tr("Move, turn and scale pasted parts"), "G");
+    for (const ToolRow& row : toolRows(tools_)) {
+        const std::string icon = row.tool.name().toStdString();
+        addChoice(tools, {(icon + "Tool").c_str(), icon.c_str(), row.text, row.tip, QKeySequence(row.key)},
+                  [this, &tool = row.tool] { studio_.hand().take(tool); });
+    }
 
     QAction* restore = addAction(
         {"restore", "restore", tr("Restore"),

@@ -35,7 +35,8 @@ public:
 
 private:
     void pens() {
-        for (PenTool* tool : std::initializer_list<PenTool*>{&w_.tools().drill(), &w_.tools().laser()}) {
+        for (PenTool* tool :
+             std::initializer_list<PenTool*>{&w_.tools().get<DrillTool>(), &w_.tools().get<LaserTool>()}) {
             const std::string name = tool->name().toStdString();
             choose(*tool);
             if (name == "drill") {
@@ -64,7 +65,7 @@ private:
         }
     }
     void peel() {
-        choose(w_.tools().peel());
+        choose(w_.tools().get<PeelTool>());
         polyline("peel");
         closePolyline();
         for (const bool isReversed : {false, true}) {
@@ -80,7 +81,7 @@ private:
         }
     }
     void sweep() {
-        SweepTool& tool = w_.tools().sweep();
+        SweepTool& tool = w_.tools().get<SweepTool>();
         choose(tool);
         const auto before = tool.settings();
         for (const bool isAtOnce : {false, true}) {
@@ -115,7 +116,7 @@ private:
         tool.set(before);
     }
     void scissors() {
-        ScissorsTool& tool = w_.tools().scissors();
+        ScissorsTool& tool = w_.tools().get<ScissorsTool>();
         for (const bool isOutside : {false, true}) {
             for (const bool isReversed : {false, true}) {
                 choose(tool);
@@ -135,7 +136,7 @@ private:
         for (const bool starts : {true, false}) {
             for (const bool isReversed : {false, true}) {
                 growth.setAutoStart(starts);
-                choose(w_.tools().seed());
+                choose(w_.tools().get<SeedTool>());
                 w_.studio().hand().tool().setReversed(isReversed);
                 const std::string name =
                     std::string(isReversed ? "absorb" : "seed") + (starts ? "" : ", no start");

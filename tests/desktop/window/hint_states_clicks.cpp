@@ -40,7 +40,7 @@ private:
     void clicks() {
         auto& studio = w_.studio();
         auto& tools = w_.tools();
-        choose(tools.camera());
+        choose(tools.get<CameraTool>());
         look("camera");
         w_.trigger("keepTool");
         look("keep");
@@ -52,14 +52,14 @@ private:
         look("clip");
         studio.hand().tool().setReversed(true);
         look("clip, reversed");
-        tools.clip().setCutsInside(true);
+        tools.get<ClipTool>().setCutsInside(true);
         look("clip, inside, reversed");
         studio.hand().tool().setReversed(false);
         look("clip, inside");
         w_.open(); // without it
-        choose(tools.measure());
+        choose(tools.get<MeasureTool>());
         look("measure");
-        tools.measure().setMeasuresAngles(true);
+        tools.get<MeasureTool>().setMeasuresAngles(true);
         look("measure, angle");
         mouse_.press(kA);
         look("measure, angle: held on the first place");
@@ -69,12 +69,12 @@ private:
         look("measure, angle: held on the second place");
         mouse_.release(kB);
         look("measure, angle: two places");
-        tools.measure().clear();
-        tools.measure().setMeasuresAngles(false);
+        tools.get<MeasureTool>().clear();
+        tools.get<MeasureTool>().setMeasuresAngles(false);
         mouse_.press({0.03, 0.97});
         look("measure: held beside the object");
         mouse_.release({0.03, 0.97});
-        choose(tools.island());
+        choose(tools.get<IslandTool>());
         look("island: empty segment");
         w_.trigger("paintTool");
         look("paint: no slices");
@@ -88,11 +88,11 @@ private:
     void onASegment() {
         auto& studio = w_.studio();
         auto& tools = w_.tools();
-        choose(tools.seed());
+        choose(tools.get<SeedTool>());
         studio.hand().setShape(Shape::FreeForm);
         mouse_.drag({kA, kMiddle, kB});
         w_.settle();
-        choose(tools.island());
+        choose(tools.get<IslandTool>());
         look("island");
         mouse_.press(kMiddle);
         look("island: held");
@@ -103,15 +103,15 @@ private:
         look("island, reversed");
         studio.hand().tool().setReversed(false);
         studio.hand().setBrushesSegment(true);
-        choose(tools.scissors());
+        choose(tools.get<ScissorsTool>());
         sketch("scissors on a segment", Shape::FreeForm, "free-form");
         studio.hand().tool().setReversed(true);
         sketch("scissors on a segment, reversed", Shape::FreeForm, "free-form");
-        choose(tools.peel());
+        choose(tools.get<PeelTool>());
         polyline("peel on a segment");
         closePolyline();
         look("peel on a segment: mask");
-        choose(tools.drill());
+        choose(tools.get<DrillTool>());
         look("drill on a segment: nothing drawn");
         studio.segments().setLocked("Segment 1", true);
         for (const char* tool : {"drillTool", "seedTool", "islandTool", "paintTool"}) {
@@ -126,16 +126,16 @@ private:
     void pasted() {
         auto& studio = w_.studio();
         auto& tools = w_.tools();
-        choose(tools.move());
+        choose(tools.get<MoveTool>());
         look("move: nothing pasted");
-        choose(tools.scissors());
+        choose(tools.get<ScissorsTool>());
         studio.hand().setShape(Shape::Ellipse);
         mouse_.drag({{0.45, 0.3}, {0.5, 0.35}, {0.55, 0.4}});
         w_.settle();
         studio.editor().paste();
         w_.settle();
         look("move");
-        const QPointF handle = tools.move().handles().front();
+        const QPointF handle = tools.get<MoveTool>().handles().front();
         const QPointF place(handle.x() / w_.view().width(), handle.y() / w_.view().height());
         mouse_.press(place);
         mouse_.move(place + QPointF(0.02, 0));

@@ -26,7 +26,7 @@ protected:
     studio::Document& document() { return *w.studio().host().document(); }
 
     void cut(QPointF from, QPointF to) {
-        w.studio().hand().take(w.tools().scissors());
+        w.studio().hand().take(w.tools().get<ScissorsTool>());
         w.studio().hand().setShape(Shape::Ellipse);
         w.settle();
         mouse.drag({from, 0.5 * (from + to), to});

@@ -79,7 +79,7 @@ protected:
 };
 
 TEST_F(Strokes, APolylineEndsByEnter) {
-    choose(w.tools().scissors());
+    choose(w.tools().get<ScissorsTool>());
     const std::size_t before = count();
     corners({a, b, c});
     mouse.move({0.3, 0.3}); // where no corner was set
@@ -91,7 +91,7 @@ TEST_F(Strokes, APolylineEndsByEnter) {
 }
 
 TEST_F(Strokes, APolylineEndsByADoubleClickWhichIsItsLastCorner) {
-    choose(w.tools().scissors());
+    choose(w.tools().get<ScissorsTool>());
     const std::size_t before = count();
     corners({a, b});
     mouse.doubleClick(c);
@@ -101,7 +101,7 @@ TEST_F(Strokes, APolylineEndsByADoubleClickWhichIsItsLastCorner) {
 }
 
 TEST_F(Strokes, APolylineEndsOnItsFirstCornerAndNotBesideIt) {
-    choose(w.tools().scissors());
+    choose(w.tools().get<ScissorsTool>());
     const std::size_t before = count();
     const QPointF pixel(1.0 / w.view().width(), 1.0 / w.view().height());
     corners({a, b, c, {a.x() + 16 * pixel.x(), a.y()}});
@@ -113,8 +113,8 @@ TEST_F(Strokes, APolylineEndsOnItsFirstCornerAndNotBesideIt) {
 }
 
 TEST_F(Strokes, EscapeDropsAPolylineOfEveryTool) {
-    for (Tool* tool : std::initializer_list<Tool*>{&w.tools().scissors(), &w.tools().peel(),
-                                                   &w.tools().seed(), &w.tools().sweep()}) {
+    for (Tool* tool : std::initializer_list<Tool*>{&w.tools().get<ScissorsTool>(), &w.tools().get<PeelTool>(),
+                                                   &w.tools().get<SeedTool>(), &w.tools().get<SweepTool>()}) {
         choose(*tool);
         const QString begin = tool->hint();
         corners({a, b, c});
@@ -142,7 +142,7 @@ TEST_F(Strokes, MasksEndByEnterToo) {
 }
 
 TEST_F(Strokes, TheFirstCornerLightsUpWhereAClickClosesThePolyline) {
-    auto& tool = w.tools().peel();
+    auto& tool = w.tools().get<PeelTool>();
     choose(tool);
     const auto ring = [&] { return tool.overlays().back(); };
     corners({a, b});
@@ -163,7 +163,7 @@ TEST_F(Strokes, TheFirstCornerLightsUpWhereAClickClosesThePolyline) {
 }
 
 TEST_F(Strokes, APolylineOfTwoPointsSeedsWhatItShows) {
-    auto& tool = w.tools().seed();
+    auto& tool = w.tools().get<SeedTool>();
     choose(tool);
     tool.setWidth(9);
     mouse.click(a);
@@ -189,7 +189,7 @@ TEST_F(Strokes, APolylineOfTwoPointsSeedsWhatItShows) {
 }
 
 TEST_F(Strokes, ASeedLineThatIsClosedSeedsItsLastStretchToo) {
-    auto& tool = w.tools().seed();
+    auto& tool = w.tools().get<SeedTool>();
     choose(tool);
     corners({a, b, c});
     mouse.move(a);
@@ -209,7 +209,7 @@ TEST_F(Strokes, APictureSeedsItsArea) {
     const auto path = StudioWindow::folder / "square.png";
     ASSERT_TRUE(star.save(QString::fromStdString(path.string())));
     ASSERT_TRUE(w.studio().hand().setStencil(path));
-    auto& tool = w.tools().seed();
+    auto& tool = w.tools().get<SeedTool>();
     choose(tool);
     mouse.press(a);
     mouse.move({0.5, 0.5});
@@ -240,7 +240,7 @@ TEST_F(Strokes, APictureSeedsItsArea) {
 }
 
 TEST_F(Strokes, ThePictureHoldsStillUnderAPolyline) {
-    choose(w.tools().scissors());
+    choose(w.tools().get<ScissorsTool>());
     const auto camera = w.studio().view().shown().camera;
     corners({a, b});
     const QPoint middle = w.view().mapTo(&w.window(), w.view().rect().center());
@@ -255,7 +255,7 @@ TEST_F(Strokes, ThePictureHoldsStillUnderAPolyline) {
 }
 
 TEST_F(Strokes, AnotherShapeDropsThePolylineUnderWay) {
-    choose(w.tools().scissors());
+    choose(w.tools().get<ScissorsTool>());
     corners({a, b});
     w.trigger("ellipse");
     EXPECT_FALSE(w.studio().hand().tool().isSketching());

@@ -86,7 +86,7 @@ void StudioWindow::open() {
     studio_->files().open(request);
     wait("the volume",
          [this] { return studio_->host().document() != nullptr && !studio_->host().isLoading(); });
-    studio_->hand().take(tools_->camera());
+    studio_->hand().take(tools_->get<CameraTool>());
     settle();
 }
 

@@ -68,7 +68,7 @@ protected:
 };
 
 TEST_F(Tablet, ADrillHoldsThePressuresAndTheTiltOfThePen) {
-    w.studio().hand().take(w.tools().drill());
+    w.studio().hand().take(w.tools().get<DrillTool>());
     w.drawMask();
     const std::vector<Touch> way{
         {{0.45, 0.5}, 0.25, {10, -5}}, {{0.5, 0.5}, 0.5, {12, -5}}, {{0.55, 0.503}, 0.875, {14, -5}}};
@@ -89,8 +89,8 @@ TEST_F(Tablet, ADrillHoldsThePressuresAndTheTiltOfThePen) {
 }
 
 TEST_F(Tablet, DrillAndLaserGoAsDeepAsThePenPresses) {
-    for (PenTool* tool :
-         {static_cast<PenTool*>(&w.tools().drill()), static_cast<PenTool*>(&w.tools().laser())}) {
+    for (PenTool* tool : {static_cast<PenTool*>(&w.tools().get<DrillTool>()),
+                          static_cast<PenTool*>(&w.tools().get<LaserTool>())}) {
         // In steps; the skull between 4 and 7 is not in the displayed range, so no floor can be seen there.
         for (const double depth : {3.0, tool->depth()}) {
             const double pressure = depth / tool->depth();
@@ -105,7 +105,7 @@ TEST_F(Tablet, DrillAndLaserGoAsDeepAsThePenPresses) {
 TEST_F(Tablet, AMousePressesAsItsSliderSays) {
     auto& slider = w.part<QSlider>("mousePressure");
     slider.setValue(40);
-    w.studio().hand().take(w.tools().drill());
+    w.studio().hand().take(w.tools().get<DrillTool>());
     w.drawMask();
     w.leaveTablet();
     const QPoint inWindow = w.view().mapTo(&w.window(), centre().toPoint());
@@ -121,7 +121,7 @@ TEST_F(Tablet, AMousePressesAsItsSliderSays) {
 TEST_F(Tablet, PeelGoesByTheWayOfThePenWhateverThePressure) {
     for (const double pressure : {0.1, 1.0}) {
         w.open();
-        w.studio().hand().take(w.tools().peel());
+        w.studio().hand().take(w.tools().get<PeelTool>());
         w.drawMask();
         const double down = 40.0 / w.view().height(); // logical pixels: four layers
         w.stroke(w.view(),
@@ -133,7 +133,7 @@ TEST_F(Tablet, PeelGoesByTheWayOfThePenWhateverThePressure) {
 
 TEST_F(Tablet, SeedsLandUnderThePen) {
     w.studio().growth().setAutoStart(false);
-    w.studio().hand().take(w.tools().seed());
+    w.studio().hand().take(w.tools().get<SeedTool>());
     w.stroke(w.view(), {{{0.45, 0.5}, 0.4}, {{0.5, 0.51}, 0.6}, {{0.55, 0.5}, 0.2}});
     w.settle();
     const auto& seed = last<studio::Seed>();
@@ -145,7 +145,7 @@ TEST_F(Tablet, SeedsLandUnderThePen) {
 }
 
 TEST_F(Tablet, ThePressureIsShownWhileThePenDraws) {
-    w.studio().hand().take(w.tools().drill());
+    w.studio().hand().take(w.tools().get<DrillTool>());
     auto& shown = w.part<QProgressBar>("penPressure");
     EXPECT_TRUE(shown.isVisible());
     w.drawMask();
@@ -162,7 +162,7 @@ TEST_F(Tablet, ThePressureIsShownWhileThePenDraws) {
 }
 
 TEST_F(Tablet, TheEraserPutsBackWhatTheTipTook) {
-    auto& drill = w.tools().drill();
+    auto& drill = w.tools().get<DrillTool>();
     w.studio().hand().take(drill);
     w.drawMask();
     const auto before = look();
@@ -187,7 +187,7 @@ TEST_F(Tablet, TheEraserPutsBackWhatTheTipTook) {
 }
 
 TEST_F(Tablet, TheEraserOfAReversedToolCuts) {
-    auto& peel = w.tools().peel();
+    auto& peel = w.tools().get<PeelTool>();
     w.studio().hand().take(peel);
     peel.setReversed(true);
     w.pen(QEvent::TabletMove, w.view(), {{0.5, 0.5}}, End::Eraser);
@@ -196,12 +196,12 @@ TEST_F(Tablet, TheEraserOfAReversedToolCuts) {
     EXPECT_TRUE(peel.isReversed());
     // A tool that is left while the eraser is near is as it was.
     w.pen(QEvent::TabletMove, w.view(), {{0.5, 0.5}}, End::Eraser);
-    w.studio().hand().take(w.tools().seed());
+    w.studio().hand().take(w.tools().get<SeedTool>());
     w.pen(QEvent::TabletMove, w.view(), {{0.5, 0.5}}, End::Eraser);
     EXPECT_TRUE(peel.isReversed());
-    EXPECT_TRUE(w.tools().seed().isReversed());
+    EXPECT_TRUE(w.tools().get<SeedTool>().isReversed());
     w.leaveTablet(End::Eraser);
-    EXPECT_FALSE(w.tools().seed().isReversed());
+    EXPECT_FALSE(w.tools().get<SeedTool>().isReversed());
     peel.setReversed(false);
 }
 
@@ -210,7 +210,7 @@ TEST_F(Tablet, OnSlicesTheTipAddsAndTheEraserRemoves) {
     auto& slice = w.part("axialSlice");
     StudioWindow::wait("the slices", [&] { return slice.isVisible() && w.studio().isIdle(); });
     w.studio().growth().setAutoStart(false);
-    w.studio().hand().take(w.tools().paint());
+    w.studio().hand().take(w.tools().get<PaintTool>());
     w.stroke(slice, {{{0.45, 0.5}, 0.5}, {{0.5, 0.5}, 0.5}, {{0.55, 0.5}, 0.5}});
     EXPECT_TRUE(last<studio::PaintSegment>().isToAdd);
     const auto added = w.studio().host().document()->growth().voxels;
@@ -219,7 +219,7 @@ TEST_F(Tablet, OnSlicesTheTipAddsAndTheEraserRemoves) {
     EXPECT_FALSE(last<studio::PaintSegment>().isToAdd);
     EXPECT_LT(w.studio().host().document()->growth().voxels, added);
     // With the seed tool likewise.
-    w.studio().hand().take(w.tools().seed());
+    w.studio().hand().take(w.tools().get<SeedTool>());
     w.stroke(slice, {{{0.5, 0.6}, 0.5}, {{0.55, 0.6}, 0.5}});
     EXPECT_EQ(last<studio::Seed>().trails.size(), 1U);
     const auto seeded = w.studio().host().document()->growth().voxels;
@@ -235,22 +235,22 @@ TEST_F(Tablet, OnSlicesTheTipAddsAndTheEraserRemoves) {
 
 // For the replay without a window, which the script that runs this makes and compares.
 TEST_F(Tablet, ASessionDrawnWithThePenIsSaved) {
-    w.studio().hand().take(w.tools().drill());
+    w.studio().hand().take(w.tools().get<DrillTool>());
     w.drawMask(0.05);
     w.stroke(w.view(), {{{0.45, 0.48}, 0.3}, {{0.5, 0.5}, 0.6}, {{0.56, 0.53}, 0.95}});
     w.settle();
-    w.studio().hand().take(w.tools().laser());
+    w.studio().hand().take(w.tools().get<LaserTool>());
     w.drawMask(0.03);
     w.stroke(w.view(), {{{0.4, 0.4}, 0.5}, {{0.42, 0.45}, 0.7}});
     w.settle();
-    w.studio().hand().take(w.tools().peel());
+    w.studio().hand().take(w.tools().get<PeelTool>());
     w.drawMask(0.08);
     w.stroke(w.view(), {{{0.5, 0.5}, 0.5}, {{0.5, 0.53}, 0.7}});
     w.settle();
     w.stroke(w.view(), {{{0.5, 0.5}, 0.5}, {{0.5, 0.51}, 0.7}}, End::Eraser);
     w.leaveTablet(End::Eraser);
     w.studio().growth().setAutoStart(false);
-    w.studio().hand().take(w.tools().seed());
+    w.studio().hand().take(w.tools().get<SeedTool>());
     w.stroke(w.view(), {{{0.46, 0.5}, 0.4}, {{0.54, 0.5}, 0.4}});
     w.settle();
     w.studio().growth().setAutoStart(true);

@@ -20,7 +20,7 @@ class Fingers : public testing::Test {
 protected:
     void SetUp() override {
         w.open();
-        w.studio().hand().take(w.tools().peel()); // that only the pen draws with
+        w.studio().hand().take(w.tools().get<PeelTool>()); // that only the pen draws with
         middle = QPointF(w.view().width() / 2, w.view().height() / 2);
     }
     void TearDown() override {

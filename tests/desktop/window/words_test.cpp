@@ -23,7 +23,7 @@ protected:
     void TearDown() override { w.studio().growth().setAutoStart(true); }
     std::string message() { return w.studio().host().message().toStdString(); }
     void seed() {
-        w.studio().hand().take(w.tools().seed());
+        w.studio().hand().take(w.tools().get<SeedTool>());
         w.settle();
         mouse.drag({{0.45, 0.5}, {0.5, 0.51}, {0.55, 0.5}});
         w.settle();

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "panels/tool_rows.h"
+
+#include "model/texts/texts.h"
+#include "panels/tool_pages.h"
+#include "tools/camera_tool.h"
+#include "tools/clip_tool.h"
+#include "tools/drill_tool.h"
+#include "tools/island_tool.h"
+#include "tools/keep_tool.h"
+#include "tools/laser_tool.h"
+#include "tools/measure_tool.h"
+#include "tools/move_tool.h"
+#include "tools/paint_tool.h"
+#include "tools/peel_tool.h"
+#include "tools/scissors_tool.h"
+#include "tools/seed_tool.h"
+#include "tools/sweep_tool.h"
+#include "tools/tool_box.h"
+
+namespace vs::desktop {
+
+std::vector<ToolRow> toolRows(ToolBox& tools) {
+    return {
+        {tools.get<CameraTool>(), "V", tr("Camera"), tr("Turn the volume"), tr("Camera"), makeCameraPage},
+        {tools.get<PeelTool>(), "P", tr("Peel"), tr("Peel layers off the surface"), tr("Peel"), makePeelPage},
+        {tools.get<DrillTool>(), "D", tr("Drill"), tr("Drill along the view"), tr("Drill"), makeDrillPage},
+        {tools.get<LaserTool>(), "B", tr("Laser"), tr("Burn down from the surface along its normal"),
+         tr("Laser"), makeLaserPage},
+        {tools.get<SweepTool>(), "W", tr("Sweep"), tr("Sweep a shape along a way"), tr("Sweep"),
+         makeSweepPage},
+        {tools.get<ScissorsTool>(), "X", tr("Scissors"),
+         tr("Cut through everything inside a stroke, or outside it"), tr("Scissors"), makeScissorsPage},
+        {tools.get<KeepTool>(), "K", tr("Keep"),
+         tr("Keep what is connected to the place clicked, cut all else"), tr("Keep connected"), makeKeepPage},
+        {tools.get<ClipTool>(), "C", tr("Clip"), tr("Clip by a box and a plane"), tr("Clip"), makeClipPage},
+        {tools.get<SeedTool>(), "S", tr("Seed"), tr("Mark what should be segmented"), tr("Seed"),
+         makeSeedPage},
+        {tools.get<IslandTool>(), "H", tr("Island"),
+         tr("Drop the part of the segment that is clicked, or keep only it"), tr("Island"), makeIslandPage},
+        {tools.get<PaintTool>(), "T", tr("Paint"), tr("Correct the segment with a brush, on the slices"),
+         tr("Paint"), makePaintPage},
+        {tools.get<MeasureTool>(), "M", tr("Measure"),
+         tr("Measure distances and angles, on the surface and on slices"), tr("Measure"), makeMeasurePage},
+        {tools.get<MoveTool>(), "G", tr("Move"), tr("Move, turn and scale pasted parts"), tr("Move part"),
+         makeMovePage},
+    };
+}
+
+} // namespace vs::desktop

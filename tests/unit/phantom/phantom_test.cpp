@@ -226,7 +226,7 @@ TEST(HeadPhantom, BiasVariesByAsMuchAsAskedForOverTheBrain) {
 
 TEST(BodyPhantom, AirAroundItIsOneRegionThatLungsDoNotTouch) {
     const auto made = makeBodyPhantom({.dims = glm::ivec3(128)});
-    ASSERT_EQ(made.volume.type, ScalarType::Int16);
+    ASSERT_EQ(made.volume.type, volume::ScalarType::Int16);
     const auto* values = reinterpret_cast<const std::int16_t*>(made.volume.bytes.data());
     const auto isAir = [&](std::size_t n) { return values[n] < -500; };
     const auto air = regionFrom(made, 0, isAir);

@@ -100,7 +100,7 @@ public:
         scene.points.bindStorage(0);
         splatted_.bindImage(0, gl::Access::ReadWrite);
         energy_.bindImage(1, gl::Access::Write);
-        splat_.set(0, int(scene.count)).set(1, box_.lo);
+        splat_.set("count", int(scene.count)).set("originVoxel", box_.lo);
         splat_.dispatchOver({int(scene.count) * slices_, 1, 1}, gl::Barrier::All);
         resolve_.dispatchOver(box_.size(), gl::Barrier::All);
     }

@@ -7,8 +7,8 @@ layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer Points { vec4 points[]; };
 layout(r32ui, binding = 0) uniform uimage3D energy;
 
-layout(location = 0) uniform int count;
-layout(location = 1) uniform ivec3 originVoxel; // of texel 0
+uniform int count;
+uniform ivec3 originVoxel; // of texel 0
 
 const int WIDTH = 2 * RADIUS;
 

@@ -17,7 +17,10 @@ void summarize(gl::Program& program, const gl::Texture& texels, glm::vec2 valueS
                const Box3& cellBox, gl::Texture& cells) {
     texels.bindTexture(0);
     cells.bindImage(0, gl::Access::Write);
-    program.set(0, texels.size()).set(1, cellBox.lo).set(2, cellBox.hi).set(3, valueScaleOffset);
+    program.set("dims", texels.size())
+        .set("cellLo", cellBox.lo)
+        .set("cellHi", cellBox.hi)
+        .set("valueScaleOffset", valueScaleOffset);
     program.dispatchOver(cellBox.size(), gl::Barrier::Texture);
 }
 

@@ -26,23 +26,22 @@ struct Magnitudes {
     double largest = 0;
 };
 
-constexpr int kRowUniform = 5;
-
 // What every variant of the counting shader needs.
 void bind(gl::Program& program, const Field& field, const Range& gradients, glm::ivec2 bins) {
     field.texels.bindTexture(0);
-    program.set(0, field.geometry.dims)
-        .set(1, bins)
-        .set(2, glm::vec3(field.valueScale, field.valueOffset, field.isIntegral ? 1 : 0))
-        .set(3, glm::vec4(float(field.range.lo), float(field.range.hi), float(gradients.lo),
-                          float(gradients.hi)))
-        .set(4, glm::mat4(glm::transpose(glm::dmat3(field.geometry.voxelFromWorld()))));
+    program.set("dims", field.geometry.dims)
+        .set("bins", bins)
+        .set("valueScale", glm::vec3(field.valueScale, field.valueOffset, field.isIntegral ? 1 : 0))
+        .set("ranges", glm::vec4(float(field.range.lo), float(field.range.hi), float(gradients.lo),
+                                 float(gradients.hi)))
+        .set("worldFromVoxelGradient",
+             glm::mat4(glm::transpose(glm::dmat3(field.geometry.voxelFromWorld()))));
 }
 
 // Runs one variant over the whole field.
 void count(gl::Program& program, const Field& field, const Range& gradients, glm::ivec2 bins) {
     bind(program, field, gradients, bins);
-    VoxelRows(field.geometry.dims).advance(program, kRowUniform, kUnlimitedMs);
+    VoxelRows(field.geometry.dims).advance(program, kUnlimitedMs);
 }
 
 Magnitudes readMagnitudes(const gl::Buffer& counts) {
@@ -121,14 +120,14 @@ bool JointCounting::advance(double budgetMs) {
     if (!measured_.isDone()) {
         magnitudes_.bindStorage(0);
         bind(measure_, *field_, {}, {kLogBins, 1});
-        if (measured_.advance(measure_, kRowUniform, budgetMs)) {
+        if (measured_.advance(measure_, budgetMs)) {
             joint_.gradients = usualRange(readMagnitudes(magnitudes_));
         }
         return false;
     }
     counts_.bindStorage(0);
     bind(count_, *field_, joint_.gradients, joint_.bins);
-    if (!counted_.advance(count_, kRowUniform, budgetMs)) {
+    if (!counted_.advance(count_, budgetMs)) {
         return false;
     }
     if (joint_.counts.empty()) {

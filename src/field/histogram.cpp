@@ -11,15 +11,13 @@ namespace vs::field {
 
 namespace {
 
-constexpr int kRowUniform = 4;
-
 void bind(gl::Program& program, const Field& field, int bins, const gl::Buffer& counts) {
     counts.bindStorage(0);
     field.texels.bindTexture(0);
-    program.set(0, field.geometry.dims)
-        .set(1, bins)
-        .set(2, glm::vec2(field.valueScale, field.valueOffset))
-        .set(3, glm::vec2(float(field.range.lo), float(field.range.hi)));
+    program.set("dims", field.geometry.dims)
+        .set("bins", bins)
+        .set("valueScaleOffset", glm::vec2(field.valueScale, field.valueOffset))
+        .set("valueRange", glm::vec2(float(field.range.lo), float(field.range.hi)));
 }
 
 } // namespace
@@ -30,7 +28,7 @@ std::vector<std::uint32_t> intensityHistogram(const Field& field, int bins) {
     gl::Program program("field/shaders/count_histogram.comp", {{"VISIBLE", "0"}});
     gl::Buffer counts(std::size_t(bins) * sizeof(std::uint32_t), "histogram");
     bind(program, field, bins, counts);
-    VoxelRows(field.geometry.dims).advance(program, kRowUniform, kUnlimitedMs);
+    VoxelRows(field.geometry.dims).advance(program, kUnlimitedMs);
     return counts.read<std::uint32_t>(std::size_t(bins));
 }
 
@@ -50,8 +48,8 @@ bool VisibleHistogram::advance(const gl::Texture& sculpture, double budgetMs) {
     const gl::Pass pass("visible histogram");
     bind(program_, *field_, bins_, counts_);
     sculpture.bindTexture(1);
-    program_.set(5, view_ == SculptureView::Cut ? 1 : 2);
-    return rows_.advance(program_, kRowUniform, budgetMs);
+    program_.set("sculptureView", view_ == SculptureView::Cut ? 1 : 2);
+    return rows_.advance(program_, budgetMs);
 }
 
 std::vector<std::uint32_t> VisibleHistogram::counts() const {

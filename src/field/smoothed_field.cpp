@@ -66,13 +66,14 @@ public:
         gl::Program& program = programs_.with(defines);
         source.bindTexture(0);
         target.bindImage(0, gl::Access::Write);
-        program.set(0, dims_)
-            .set(1, axis)
-            .set(2, glm::ivec2(first, end))
-            .set(3, glm::ivec3(sourceFirst, source.size().z, targetFirst))
-            .set(4, scaleAndOffset)
-            .set(5, glm::vec4(kernel.weights[0], kernel.weights[1], kernel.weights[2], kernel.weights[3]))
-            .set(6, glm::vec3(kernel.weights[4], kernel.weights[5], kernel.weights[6]));
+        program.set("dims", dims_)
+            .set("axisAtWork", axis)
+            .set("task", glm::ivec2(first, end))
+            .set("slices", glm::ivec3(sourceFirst, source.size().z, targetFirst))
+            .set("map", scaleAndOffset)
+            .set("near",
+                 glm::vec4(kernel.weights[0], kernel.weights[1], kernel.weights[2], kernel.weights[3]))
+            .set("far", glm::vec3(kernel.weights[4], kernel.weights[5], kernel.weights[6]));
         glm::ivec3 runs{dims_.x, dims_.y, end - first};
         runs[axis] = (runs[axis] + kRun - 1) / kRun;
         program.dispatchOver(runs, gl::Barrier::All);
@@ -94,7 +95,7 @@ void fillQuads(Field& field) {
                      {{"VS_FORMAT", field.texels.format() == gl::Format::R16 ? "rgba16" : "rgba32f"}});
     field.texels.bindTexture(0);
     field.quads.bindImage(0, gl::Access::Write);
-    fill.set(0, field.geometry.dims);
+    fill.set("dims", field.geometry.dims);
     fill.dispatchOver(field.geometry.dims, gl::Barrier::Texture);
 }
 

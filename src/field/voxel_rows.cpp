@@ -9,14 +9,14 @@
 
 namespace vs::field {
 
-bool VoxelRows::advance(gl::Program& program, int rowUniform, double budgetMs) {
+bool VoxelRows::advance(gl::Program& program, double budgetMs) {
     constexpr std::size_t kAtOnce = std::size_t(1) << 22;
     const Timer timer;
     const int rows = divideUp(dims_.y, 8);
     const std::size_t perRow = std::size_t(dims_.x) * 8 * std::size_t(dims_.z);
     const int rowsAtOnce = std::max(1, int(kAtOnce / std::max(perRow, std::size_t(1))));
     while (next_ < rows) {
-        program.set(rowUniform, next_);
+        program.set("firstRow", next_);
         program.dispatch({divideUp(dims_.x, 8), std::min(rowsAtOnce, rows - next_), 1}, gl::Barrier::Storage);
         next_ += rowsAtOnce;
         if (std::isfinite(budgetMs)) {

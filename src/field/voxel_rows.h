@@ -12,7 +12,7 @@ inline constexpr double kUnlimitedMs = std::numeric_limits<double>::infinity();
 
 // One pass over all voxels by a shader whose work groups go along 8 x 8 columns in z, split so that there is
 // no long submission (some 40 ms on two cores of a software renderer). The shader takes the number of its
-// first row of work groups as a uniform.
+// first row of work groups as the uniform `firstRow`.
 class VoxelRows {
 public:
     VoxelRows() = default;
@@ -20,7 +20,7 @@ public:
 
     // Dispatches the next rows for about `budgetMs`, at least once. True when all voxels are done. With a
     // limit it waits for the device after each dispatch.
-    bool advance(gl::Program& program, int rowUniform, double budgetMs);
+    bool advance(gl::Program& program, double budgetMs);
     [[nodiscard]] bool isDone() const { return next_ >= divideUp(dims_.y, 8); }
 
 private:

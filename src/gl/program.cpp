@@ -7,6 +7,10 @@
 
 #include <glm/gtc/type_ptr.hpp>
 
+#include <array>
+#include <cctype>
+#include <vector>
+
 namespace vs::gl {
 
 static_assert(std::is_nothrow_move_constructible_v<Program>);
@@ -42,9 +46,28 @@ void addBarrier(Barrier after) {
     }
 }
 
+// Names behind the word "uniform", up to the semicolon; blocks have none of their own.
+std::vector<std::string_view> declaredUniforms(std::string_view source) {
+    constexpr std::string_view kWord = "uniform ";
+    const auto isOfName = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
+    std::vector<std::string_view> names;
+    for (auto at = source.find(kWord); at != source.npos; at = source.find(kWord, at + 1)) {
+        const auto end = source.find_first_of(";{[", at);
+        if (end == source.npos || source[end] == '{') {
+            continue;
+        }
+        std::size_t begin = end;
+        while (isOfName(source[begin - 1])) {
+            --begin;
+        }
+        names.push_back(source.substr(begin, end - begin));
+    }
+    return names;
+}
+
 } // namespace
 
-Program::Program(const std::string& path, const Defines& defines) {
+Program::Program(const std::string& path, const Defines& defines) : path_(path) {
     const ExpandedSource source = expandSource(path, defines);
     const char* text = source.text.c_str();
     const GLuint program = glCreateShaderProgramv(GL_COMPUTE_SHADER, 1, &text);
@@ -57,42 +80,84 @@ Program::Program(const std::string& path, const Defines& defines) {
     }
     glObjectLabel(GL_PROGRAM, program, -1, path.c_str());
     glGetProgramiv(program, GL_COMPUTE_WORK_GROUP_SIZE, glm::value_ptr(localSize_));
+    readUniforms(source.text);
 }
 
-Program& Program::set(int location, int value) {
-    glProgramUniform1i(name(), location, value);
+// Those that the shader declares, and where the driver put those that it kept.
+void Program::readUniforms(const std::string& source) {
+    for (const std::string_view declared : declaredUniforms(source)) {
+        uniforms_.emplace(declared, Uniform{});
+    }
+    GLint count = 0;
+    glGetProgramiv(name(), GL_ACTIVE_UNIFORMS, &count);
+    for (GLuint n = 0; n < GLuint(count); ++n) {
+        std::array<char, 256> text{};
+        GLint size = 0;
+        GLenum type = 0;
+        glGetActiveUniform(name(), n, GLsizei(text.size()), nullptr, &size, &type, text.data());
+        const std::string_view found(text.data());
+        const auto bracket = found.find('['); // of an array: its first element
+        uniforms_[std::string(found.substr(0, bracket))] = {glGetUniformLocation(name(), text.data()), type};
+    }
+}
+
+int Program::find(std::string_view uniform, unsigned int type) const {
+    const auto found = uniforms_.find(uniform);
+    if (found == uniforms_.end()) {
+        throw GlError("{} has no uniform '{}'", path_, uniform);
+    }
+    const Uniform& it = found->second;
+    if (it.location >= 0 && it.type != type) {
+        throw GlError("{}: the uniform '{}' has another type", path_, uniform);
+    }
+    return it.location; // a location of -1 is ignored by glProgramUniform
+}
+
+Program& Program::set(std::string_view uniform, int value) {
+    glProgramUniform1i(name(), find(uniform, GL_INT), value);
     return *this;
 }
-Program& Program::set(int location, unsigned int value) {
-    glProgramUniform1ui(name(), location, value);
+Program& Program::set(std::string_view uniform, unsigned int value) {
+    glProgramUniform1ui(name(), find(uniform, GL_UNSIGNED_INT), value);
     return *this;
 }
-Program& Program::set(int location, float value) {
-    glProgramUniform1f(name(), location, value);
+Program& Program::set(std::string_view uniform, float value) {
+    glProgramUniform1f(name(), find(uniform, GL_FLOAT), value);
     return *this;
 }
-Program& Program::set(int location, glm::vec2 value) {
-    glProgramUniform2fv(name(), location, 1, glm::value_ptr(value));
+Program& Program::set(std::string_view uniform, glm::vec2 value) {
+    glProgramUniform2fv(name(), find(uniform, GL_FLOAT_VEC2), 1, glm::value_ptr(value));
     return *this;
 }
-Program& Program::set(int location, glm::vec3 value) {
-    glProgramUniform3fv(name(), location, 1, glm::value_ptr(value));
+Program& Program::set(std::string_view uniform, glm::vec3 value) {
+    glProgramUniform3fv(name(), find(uniform, GL_FLOAT_VEC3), 1, glm::value_ptr(value));
     return *this;
 }
-Program& Program::set(int location, glm::vec4 value) {
-    glProgramUniform4fv(name(), location, 1, glm::value_ptr(value));
+Program& Program::set(std::string_view uniform, glm::vec4 value) {
+    glProgramUniform4fv(name(), find(uniform, GL_FLOAT_VEC4), 1, glm::value_ptr(value));
     return *this;
 }
-Program& Program::set(int location, glm::ivec2 value) {
-    glProgramUniform2iv(name(), location, 1, glm::value_ptr(value));
+Program& Program::set(std::string_view uniform, glm::ivec2 value) {
+    glProgramUniform2iv(name(), find(uniform, GL_INT_VEC2), 1, glm::value_ptr(value));
     return *this;
 }
-Program& Program::set(int location, glm::ivec3 value) {
-    glProgramUniform3iv(name(), location, 1, glm::value_ptr(value));
+Program& Program::set(std::string_view uniform, glm::ivec3 value) {
+    glProgramUniform3iv(name(), find(uniform, GL_INT_VEC3), 1, glm::value_ptr(value));
     return *this;
 }
-Program& Program::set(int location, const glm::mat4& value) {
-    glProgramUniformMatrix4fv(name(), location, 1, GL_FALSE, glm::value_ptr(value));
+Program& Program::set(std::string_view uniform, const glm::mat4& value) {
+    glProgramUniformMatrix4fv(name(), find(uniform, GL_FLOAT_MAT4), 1, GL_FALSE, glm::value_ptr(value));
+    return *this;
+}
+Program& Program::set(std::string_view uniform, std::span<const float> values) {
+    glProgramUniform1fv(name(), find(uniform, GL_FLOAT), GLsizei(values.size()), values.data());
+    return *this;
+}
+Program& Program::set(std::string_view uniform, std::span<const glm::vec4> values) {
+    if (!values.empty()) {
+        glProgramUniform4fv(name(), find(uniform, GL_FLOAT_VEC4), GLsizei(values.size()),
+                            glm::value_ptr(values.front()));
+    }
     return *this;
 }
 

@@ -6,8 +6,11 @@
 #include "gl/handle.h"
 #include "gl/shader_source.h"
 
+#include <functional>
 #include <map>
+#include <span>
 #include <string>
+#include <string_view>
 
 namespace vs::gl {
 
@@ -18,7 +21,7 @@ void deleteProgram(unsigned int name);
 // What a dispatch's results are used for next; stands beside the dispatch that needs it.
 enum class Barrier { None, Image, Texture, Storage, Indirect, All };
 
-// One compute shader, ready to run. Uniforms have explicit locations in the shader.
+// One compute shader, ready to run. The shader declares its uniforms; here they are set by their names.
 class Program {
 public:
     Program() = default;
@@ -29,15 +32,20 @@ public:
     [[nodiscard]] unsigned int name() const { return handle_.name(); }
     explicit operator bool() const { return bool(handle_); }
 
-    Program& set(int location, int value);
-    Program& set(int location, unsigned int value);
-    Program& set(int location, float value);
-    Program& set(int location, glm::vec2 value);
-    Program& set(int location, glm::vec3 value);
-    Program& set(int location, glm::vec4 value);
-    Program& set(int location, glm::ivec2 value);
-    Program& set(int location, glm::ivec3 value);
-    Program& set(int location, const glm::mat4& value);
+    // Does nothing for a uniform that the shader declares and this variant of it does not use. Throws GlError
+    // for a name that the shader does not have, and for a value of another type than the uniform's.
+    Program& set(std::string_view uniform, int value);
+    Program& set(std::string_view uniform, unsigned int value);
+    Program& set(std::string_view uniform, float value);
+    Program& set(std::string_view uniform, glm::vec2 value);
+    Program& set(std::string_view uniform, glm::vec3 value);
+    Program& set(std::string_view uniform, glm::vec4 value);
+    Program& set(std::string_view uniform, glm::ivec2 value);
+    Program& set(std::string_view uniform, glm::ivec3 value);
+    Program& set(std::string_view uniform, const glm::mat4& value);
+    // The first elements of an array.
+    Program& set(std::string_view uniform, std::span<const float> values);
+    Program& set(std::string_view uniform, std::span<const glm::vec4> values);
 
     // Runs the given number of work groups; nothing if one of them is 0. `after` makes the writes visible to
     // what follows.
@@ -52,7 +60,16 @@ public:
     void dispatchIndirect(const Buffer& arguments, std::size_t offset, Barrier after);
 
 private:
+    struct Uniform {
+        int location = -1; // below 0: this variant does not use it
+        unsigned int type = 0;
+    };
+    [[nodiscard]] int find(std::string_view uniform, unsigned int type) const;
+    void readUniforms(const std::string& source);
+
     Handle<detail::deleteProgram> handle_;
+    std::string path_;
+    std::map<std::string, Uniform, std::less<>> uniforms_;
     glm::ivec3 localSize_{1};
 };
 

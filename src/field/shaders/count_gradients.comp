@@ -9,12 +9,12 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform sampler3D dataTexture;
 layout(std430, binding = 0) buffer Counts { uint counts[]; };
 
-layout(location = 0) uniform ivec3 dims;
-layout(location = 1) uniform ivec2 bins;
-layout(location = 2) uniform vec3 valueScale; // x scale, y offset, z 1 if values are whole numbers
-layout(location = 3) uniform vec4 ranges; // xy values, zw magnitudes
-layout(location = 4) uniform mat4 worldFromVoxelGradient;
-layout(location = 5) uniform int firstRow; // of work groups
+uniform ivec3 dims;
+uniform ivec2 bins;
+uniform vec3 valueScale; // x scale, y offset, z 1 if values are whole numbers
+uniform vec4 ranges; // xy values, zw magnitudes
+uniform mat4 worldFromVoxelGradient;
+uniform int firstRow; // of work groups
 
 const uint kLogFirst = (127u - 64u) << 5;
 

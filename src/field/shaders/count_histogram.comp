@@ -8,14 +8,14 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform sampler3D dataTexture;
 layout(std430, binding = 0) buffer Counts { uint counts[]; };
 
-layout(location = 0) uniform ivec3 dims;
-layout(location = 1) uniform int bins;
-layout(location = 2) uniform vec2 valueScaleOffset;
-layout(location = 3) uniform vec2 valueRange;
-layout(location = 4) uniform int firstRow; // of work groups
+uniform ivec3 dims;
+uniform int bins;
+uniform vec2 valueScaleOffset;
+uniform vec2 valueRange;
+uniform int firstRow; // of work groups
 #if VISIBLE
 layout(binding = 1) uniform sampler3D sculptureTexture;
-layout(location = 5) uniform int sculptureView; // 1 cut, 2 probe
+uniform int sculptureView; // 1 cut, 2 probe
 
 bool isVisible(ivec3 voxel) {
     float sculpture = texelFetch(sculptureTexture, voxel, 0).r;

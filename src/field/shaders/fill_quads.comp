@@ -6,7 +6,7 @@ layout(local_size_x = 64) in;
 layout(binding = 0) uniform sampler3D texels;
 layout(VS_FORMAT, binding = 0) uniform writeonly imageBuffer quads;
 
-layout(location = 0) uniform ivec3 dims;
+uniform ivec3 dims;
 
 float texelAt(ivec3 voxel) { return texelFetch(texels, min(voxel, dims - 1), 0).r; }
 

@@ -9,13 +9,13 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 0) uniform sampler3D source;
 layout(VS_FORMAT, binding = 0) uniform writeonly image3D target;
 
-layout(location = 0) uniform ivec3 dims;
-layout(location = 1) uniform int axisAtWork;
-layout(location = 2) uniform ivec2 task;   // of the grid's slices: the first to smooth, and the one past the last
-layout(location = 3) uniform ivec3 slices; // x the grid's slice that is the source's first, y how many it has, z the target's first
-layout(location = 4) uniform vec2 map;     // of values (x scale, y offset) when read, along z when written
-layout(location = 5) uniform vec4 near;    // weights of voxels at distance 0, 1, 2, 3
-layout(location = 6) uniform vec3 far;     // 4, 5, 6
+uniform ivec3 dims;
+uniform int axisAtWork;
+uniform ivec2 task;   // of the grid's slices: the first to smooth, and the one past the last
+uniform ivec3 slices; // x the grid's slice that is the source's first, y how many it has, z the target's first
+uniform vec2 map;     // of values (x scale, y offset) when read, along z when written
+uniform vec4 near;    // weights of voxels at distance 0, 1, 2, 3
+uniform vec3 far;     // 4, 5, 6
 
 const int kRun = 16;
 const int kReach = VS_REACH;

@@ -5,10 +5,10 @@ layout(local_size_x = 8, local_size_y = 4, local_size_z = 2) in;
 layout(binding = 0) uniform sampler3D values;
 layout(rg32f, binding = 0) uniform writeonly image3D cells;
 
-layout(location = 0) uniform ivec3 dims;
-layout(location = 1) uniform ivec3 cellLo;
-layout(location = 2) uniform ivec3 cellHi;
-layout(location = 3) uniform vec2 valueScaleOffset;
+uniform ivec3 dims;
+uniform ivec3 cellLo;
+uniform ivec3 cellHi;
+uniform vec2 valueScaleOffset;
 
 void main() {
     ivec3 cell = cellLo + ivec3(gl_GlobalInvocationID);

@@ -99,19 +99,19 @@ void OcclusionVolume::fill(const Input& input, const Box3& texels) {
     const bool isInOneCell = glm::all(glm::lessThanEqual(blockSize_, glm::ivec3(field::kCell)));
     const int farEnough = input.macrocells == nullptr ? 256 : isInOneCell ? 2 : 3;
     texels_.bindImage(0, gl::Access::Write, 0);
-    program.set(0, texels.lo)
-        .set(1, texels.hi)
-        .set(2, blockSize_)
-        .set(3, farEnough)
-        .set(4, float(texelMm(geometry_, blockSize_) / geometry_.stepMm()))
-        .set(5, 8);
+    program.set("texelLo", texels.lo)
+        .set("texelHi", texels.hi)
+        .set("blockSize", blockSize_)
+        .set("farEnough", farEnough)
+        .set("texelSteps", float(texelMm(geometry_, blockSize_) / geometry_.stepMm()))
+        .set("places", 8);
     program.dispatchOver(texels.size(), gl::Barrier::Texture);
 }
 
 void OcclusionVolume::average(int level, const Box3& texels) {
     texels_.bindTexture(9);
     texels_.bindImage(0, gl::Access::Write, level);
-    average_.set(0, texels.lo).set(1, texels.hi).set(2, level - 1);
+    average_.set("texelLo", texels.lo).set("texelHi", texels.hi).set("level", level - 1);
     average_.dispatchOver(texels.size(), gl::Barrier::Texture);
 }
 

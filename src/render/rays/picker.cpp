@@ -75,7 +75,7 @@ field::SurfacePoints Picker::pick(const Frame& frame, std::span<const glm::vec2>
     positions_.write(positions);
     positions_.bindStorage(0);
     out.points.bindStorage(1);
-    program.set(0, int(positions.size()));
+    program.set("count", int(positions.size()));
     program.dispatchOverList(positions.size(), gl::Barrier::Storage);
     return out;
 }

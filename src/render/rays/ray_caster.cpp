@@ -199,7 +199,7 @@ void RayCaster::findBeams() {
     for (const Part& part : parts_) {
         bindPart(part);
         part.beams.bindImage(0, gl::Access::Write);
-        findBeams_.set(0, beamPixels(frame_.mode, frame_.rays.size));
+        findBeams_.set("beamPixels", beamPixels(frame_.mode, frame_.rays.size));
         findBeams_.dispatchOver(part.beams.size(), gl::Barrier::Texture);
     }
 }
@@ -213,9 +213,9 @@ void RayCaster::listSquares() {
     squareCounts_.clear();
     squareCounts_.bindStorage(1);
     // Where parts are drawn beside one another, their beams differ.
-    listSquares_.set(0, count)
-        .set(1, beamPixels(frame_.mode, frame_.rays.size))
-        .set(2, parts_.size() > 1 ? 1 : 0);
+    listSquares_.set("squareCount", count)
+        .set("beamPixels", beamPixels(frame_.mode, frame_.rays.size))
+        .set("takeAll", parts_.size() > 1 ? 1 : 0);
     listSquares_.dispatchOver({count, 1}, gl::Barrier::Storage);
     occupiedSquares_ = activeSquares_ = int(squareCounts_.readValue<std::uint32_t>());
     contrasts_.clear();
@@ -233,7 +233,7 @@ void RayCaster::setSettledAside() {
     placeOfSquare_.bindStorage(2);
     contrasts_.bindStorage(3);
     unsettled_.bindStorage(4);
-    setAside_.set(0, squareCount(frame_.rays.size)).set(1, occupiedSquares_);
+    setAside_.set("squareCount", squareCount(frame_.rays.size)).set("occupied", occupiedSquares_);
     const glm::ivec2 all = squareCount(frame_.rays.size);
     setAside_.dispatchOverList(std::size_t(all.x * all.y), gl::Barrier::Storage);
     activeSquares_ = int(squareCounts_.readValue<std::uint32_t>());
@@ -263,11 +263,11 @@ void RayCaster::fillFilm() {
     const gl::Pass pass("fill film");
     const glm::ivec2 all = squareCount(frame_.rays.size);
     const int empty = all.x * all.y - occupiedSquares_;
-    fillFilm_.set(0, glm::ivec2(occupiedSquares_, empty))
-        .set(1, sample_ == 0 ? kCentre : placeInPixel(sample_))
-        .set(2, sample_ > 0 ? 1 : 0)
-        .set(7, glm::vec4(frame_.background.top, 0.0F))
-        .set(8, glm::vec4(frame_.background.bottom, 0.0F));
+    fillFilm_.set("squareRange", glm::ivec2(occupiedSquares_, empty))
+        .set("pixelOffset", sample_ == 0 ? kCentre : placeInPixel(sample_))
+        .set("addToPrevious", sample_ > 0 ? 1 : 0)
+        .set("backgroundTop", glm::vec4(frame_.background.top, 0.0F))
+        .set("backgroundBottom", glm::vec4(frame_.background.bottom, 0.0F));
     fillFilm_.dispatch(groupsFor(empty), gl::Barrier::Image);
 }
 
@@ -285,7 +285,7 @@ bool RayCaster::renderSome(double budgetMs) {
         boundSlabs();
     }
     if (frame_.mode == Mode::Mip) {
-        program.set(11, parts_.back().beams.size().x);
+        program.set("beamsAcross", parts_.back().beams.size().x);
     }
     if (frame_.classification != nullptr) {
         frame_.classification->bind();
@@ -303,12 +303,13 @@ bool RayCaster::renderSome(double budgetMs) {
     squares_.bindStorage(0);
     contrasts_.bindStorage(3);
     const auto& geometry = frame_.scene.data->geometry;
-    program.set(3, glm::vec2(float(frame_.xrayGain), float(geometry.diagonalMm() / geometry.stepMm())))
-        .set(4, 8)
-        .set(5, float(frame_.sampleStep))
-        .set(6, beamShift(frame_.mode, frame_.rays.size))
-        .set(7, glm::vec4(frame_.background.top, frame_.background.isTransparent ? 1.0F : 0.0F))
-        .set(8, glm::vec4(frame_.background.bottom, 0.0F));
+    program
+        .set("exposure", glm::vec2(float(frame_.xrayGain), float(geometry.diagonalMm() / geometry.stepMm())))
+        .set("corners", 8)
+        .set("sampleStep", float(frame_.sampleStep))
+        .set("beamShift", beamShift(frame_.mode, frame_.rays.size))
+        .set("backgroundTop", glm::vec4(frame_.background.top, frame_.background.isTransparent ? 1.0F : 0.0F))
+        .set("backgroundBottom", glm::vec4(frame_.background.bottom, 0.0F));
     bindPart(parts_.back());
     while (!isComplete()) {
         if (square_ == 0 && hasFilm()) {
@@ -319,16 +320,17 @@ bool RayCaster::renderSome(double budgetMs) {
         const int count = squaresFor(budgetMs - timer.milliseconds());
         if (frame_.mode == Mode::XRay || frame_.mode == Mode::Overlay) {
             const Lattice lattice = latticeOf(sample_, frame_.samples, frame_.sampleStep);
-            program.set(12, glm::vec2(lattice.step, lattice.shift));
+            program.set("lattice", glm::vec2(lattice.step, lattice.shift));
         }
-        program.set(0, glm::ivec2(square_, count))
-            .set(1, sample_ == 0 ? kCentre : placeInPixel(sample_))
-            .set(2, sample_ > 0 ? 1 : 0)
-            .set(13, frame_.endsEarly && sample_ == 1 ? 1 : 0);
+        program.set("squareRange", glm::ivec2(square_, count))
+            .set("pixelOffset", sample_ == 0 ? kCentre : placeInPixel(sample_))
+            .set("addToPrevious", sample_ > 0 ? 1 : 0)
+            .set("measuresContrast", frame_.endsEarly && sample_ == 1 ? 1 : 0);
         for (std::size_t i = 0; i < parts_.size(); ++i) {
             if (parts_.size() > 1) {
                 bindPart(parts_[i]);
-                program.set(9, glm::ivec2(int(i), int(parts_.size()))).set(10, parts_[i].scale);
+                program.set("partOfPicture", glm::ivec2(int(i), int(parts_.size())))
+                    .set("partScale", parts_[i].scale);
             }
             program.dispatch(groupsFor(count), gl::Barrier::Image);
         }
@@ -361,13 +363,13 @@ const gl::Texture& RayCaster::picture() {
     picture_.bindImage(1, gl::Access::Write);
     const Background& background = frame_.background;
     placeOfSquare_.bindStorage(2);
-    resolve_.set(0, glm::ivec3(sample_, square_, occupiedSquares_))
-        .set(1, background.isTransparent ? 1 : 0)
-        .set(2, background.top == background.bottom ? 1 : 0)
-        .set(3, hasFilm() ? 0 : 1)
-        .set(4, glm::ivec2(activeSquares_, kSettling))
-        .set(7, glm::vec4(background.top, 0.0F))
-        .set(8, glm::vec4(background.bottom, 0.0F));
+    resolve_.set("progress", glm::ivec3(sample_, square_, occupiedSquares_))
+        .set("isTransparent", background.isTransparent ? 1 : 0)
+        .set("isFlat", background.top == background.bottom ? 1 : 0)
+        .set("isBare", hasFilm() ? 0 : 1)
+        .set("settled", glm::ivec2(activeSquares_, kSettling))
+        .set("backgroundTop", glm::vec4(background.top, 0.0F))
+        .set("backgroundBottom", glm::vec4(background.bottom, 0.0F));
     resolve_.dispatchOver(picture_.size(), gl::Barrier::All);
     return picture_;
 }

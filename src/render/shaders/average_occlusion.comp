@@ -10,9 +10,9 @@ layout(r8, binding = 0) uniform writeonly image3D averages;
 // is nowhere behind anything else. Between the two thin walls stay seen from afar without solids growing.
 const float kInTheWay = 0.6;
 
-layout(location = 0) uniform ivec3 texelLo;
-layout(location = 1) uniform ivec3 texelHi;
-layout(location = 2) uniform int level; // the level before
+uniform ivec3 texelLo;
+uniform ivec3 texelHi;
+uniform int level; // the level before
 
 void main() {
     ivec3 texel = texelLo + ivec3(gl_GlobalInvocationID);

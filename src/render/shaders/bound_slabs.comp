@@ -13,8 +13,8 @@ layout(binding = 8) uniform sampler2D beams;
 layout(binding = 12) uniform usampler3D cellTops;
 layout(r16ui, binding = 0) uniform writeonly uimageBuffer lists;
 
-layout(location = 0) uniform int beamPixels; // side of a square
-layout(location = 1) uniform float dt;       // steps between samples
+uniform int beamPixels; // side of a square
+uniform float dt;       // steps between samples
 
 // Each invocation's own: no other reads it.
 const int kBuckets = 33;

@@ -33,20 +33,20 @@ layout(local_size_x = 64) in;
 
 layout(binding = 8) uniform sampler2D beams; // where along its rays each square of pixels may show something
 
-layout(location = 3) uniform vec2 exposure;     // x: X-ray gain per diagonal; y: volume's diagonal in steps
+uniform vec2 exposure;     // x: X-ray gain per diagonal; y: volume's diagonal in steps
 // 8, of a voxel. Loops over a number that the compiler does not know stay loops, which a software renderer leaves after one
 // turn where nothing was met.
-layout(location = 4) uniform int corners;
-layout(location = 5) uniform float sampleStep;   // steps between samples in MIP and volume mode
-layout(location = 6) uniform int beamShift;      // side of a beam's square: 1 << this; division is slow
-layout(location = 7) uniform vec4 backgroundTop; // display colour; w 1: there is none, and it is black
-layout(location = 8) uniform vec4 backgroundBottom;
+uniform int corners;
+uniform float sampleStep;   // steps between samples in MIP and volume mode
+uniform int beamShift;      // side of a beam's square: 1 << this; division is slow
+uniform vec4 backgroundTop; // display colour; w 1: there is none, and it is black
+uniform vec4 backgroundBottom;
 #if MODE == 2 || MODE == 3
-layout(location = 12) uniform vec2 lattice; // of samples in an X-ray: x steps between them, y what part of that they are shifted by
+uniform vec2 lattice; // of samples in an X-ray: x steps between them, y what part of that they are shifted by
 #endif
 #ifdef PARTS
-layout(location = 9) uniform ivec2 partOfPicture;      // which one this is, how many there are
-layout(location = 10) uniform float partScale; // how large it is drawn
+uniform ivec2 partOfPicture;      // which one this is, how many there are
+uniform float partScale; // how large it is drawn
 layout(rgba32f, binding = 1) uniform image2D seenFront; // what the parts before this one show
 layout(rgba32f, binding = 2) uniform image2D seenBehind;
 #ifdef TRANSLUCENT

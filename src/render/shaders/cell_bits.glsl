@@ -1,11 +1,11 @@
 // Macrocells as bits, in blocks of 32 x 4 x 1: a component a row, bit x of it a cell. Blocks are numbered x fastest; after a
 // plane's last block comes one of zeros, which stands for everything outside the grid. Plane r holds the cells that are at most r
 // from one that may hold something; one more plane is scratch.
-// Spaces: cells. Binding: uniform 0.
+// Spaces: cells.
 
 const ivec3 kBlock = ivec3(32, 4, 1);
 
-layout(location = 0) uniform ivec3 cells;
+uniform ivec3 cells;
 
 ivec3 blocks() { return (cells + kBlock - 1) / kBlock; }
 int blockCount() {

@@ -10,8 +10,8 @@ layout(binding = 0) uniform sampler3D dataCells;
 layout(binding = 1) uniform sampler3D sculptureCells;
 layout(binding = 2) uniform sampler3D segmentationCells;
 
-layout(location = 1) uniform vec2 displayedRange;
-layout(location = 2) uniform int isProbe; // 1: what was cut away is seen, else what is left
+uniform vec2 displayedRange;
+uniform int isProbe; // 1: what was cut away is seen, else what is left
 
 #include "render/shaders/cell_bits.glsl"
 layout(std430, binding = 0) writeonly buffer Planes { uint planes[]; };

@@ -8,7 +8,7 @@ layout(local_size_x = 4, local_size_y = 16) in;
 layout(binding = 0) uniform usamplerBuffer planes;
 layout(r32ui, binding = 0) uniform writeonly uimage3D distances;
 
-layout(location = 1) uniform int far;
+uniform int far;
 
 void main() {
     ivec3 place = ivec3(gl_GlobalInvocationID);

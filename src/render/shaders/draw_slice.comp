@@ -14,13 +14,13 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = 14) uniform sampler2D segmentColours; // one row of 256, by label: linear, a opacity
 layout(binding = 0, rgba8) uniform writeonly image2D picture;
 
-layout(location = 0) uniform vec3 first;    // voxel space: the first pixel's centre
-layout(location = 1) uniform vec3 perRight; // per pixel
-layout(location = 2) uniform vec3 perDown;
-layout(location = 3) uniform ivec3 across; // unit steps within the slice
-layout(location = 4) uniform ivec3 down;
-layout(location = 5) uniform int isSmooth;
-layout(location = 6) uniform vec2 segmentLook; // opacity of insides, width of outlines in pixels
+uniform vec3 first;    // voxel space: the first pixel's centre
+uniform vec3 perRight; // per pixel
+uniform vec3 perDown;
+uniform ivec3 across; // unit steps within the slice
+uniform ivec3 down;
+uniform int isSmooth;
+uniform vec2 segmentLook; // opacity of insides, width of outlines in pixels
 
 const vec3 kOutside = vec3(0.043, 0.051, 0.059);
 

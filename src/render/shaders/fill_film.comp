@@ -7,8 +7,8 @@ layout(local_size_x = 64) in;
 #include "render/shaders/squares.glsl"
 #include "render/shaders/shading.glsl"
 
-layout(location = 7) uniform vec4 backgroundTop; // display colour
-layout(location = 8) uniform vec4 backgroundBottom;
+uniform vec4 backgroundTop; // display colour
+uniform vec4 backgroundBottom;
 
 void main() {
     ivec2 pixel = pixelOfInvocation();

@@ -13,12 +13,12 @@ layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 layout(binding = 3) uniform usampler3D cellDistances;
 layout(r8, binding = 0) uniform writeonly image3D occlusion;
 
-layout(location = 0) uniform ivec3 texelLo;
-layout(location = 1) uniform ivec3 texelHi;
-layout(location = 2) uniform ivec3 blockSize; // voxels of a texel
-layout(location = 3) uniform int farEnough;   // a macrocell this far from all visible ones: nothing in the texel is visible
-layout(location = 4) uniform float texelSteps; // length of a texel in steps
-layout(location = 5) uniform int places;       // 8. Loops over a number that the compiler does not know stay loops, which a
+uniform ivec3 texelLo;
+uniform ivec3 texelHi;
+uniform ivec3 blockSize; // voxels of a texel
+uniform int farEnough;   // a macrocell this far from all visible ones: nothing in the texel is visible
+uniform float texelSteps; // length of a texel in steps
+uniform int places;       // 8. Loops over a number that the compiler does not know stay loops, which a
                                                // software renderer leaves after one turn where nothing is visible
 
 // Eight values in a texel, half its width apart.

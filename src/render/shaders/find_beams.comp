@@ -9,7 +9,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(rg32f, binding = 0) uniform writeonly image2D beams;
 
-layout(location = 0) uniform int beamPixels; // side of a square
+uniform int beamPixels; // side of a square
 
 // From t, where nothing before it (walking forward) or after it (backward) can be seen, to the farthest such t that the
 // distances around the central ray vouch for; `limit` at the most.

@@ -10,9 +10,9 @@ layout(std430, binding = 1) buffer Counts { uint counts[2]; };
 
 layout(std430, binding = 2) writeonly buffer Places { uint places[]; };
 
-layout(location = 0) uniform ivec2 squareCount;
-layout(location = 1) uniform int beamPixels; // side of a beam's square; at most 8
-layout(location = 2) uniform int takeAll;    // 1: as if all of them might
+uniform ivec2 squareCount;
+uniform int beamPixels; // side of a beam's square; at most 8
+uniform int takeAll;    // 1: as if all of them might
 
 void main() {
     ivec2 square = ivec2(gl_GlobalInvocationID.xy);

@@ -23,7 +23,7 @@ struct SurfacePoint {
 layout(std430, binding = 0) readonly buffer Positions { vec2 positions[]; };
 layout(std430, binding = 1) writeonly buffer Points { SurfacePoint points[]; };
 
-layout(location = 0) uniform int count;
+uniform int count;
 
 #ifdef PICK_MAXIMUM
 Hit findMaximum(Ray ray) {

@@ -10,13 +10,13 @@ layout(rgba8, binding = 1) uniform writeonly image2D picture;
 layout(std430, binding = 2) readonly buffer Places { uint places[]; }; // of squares of pixels, see list_squares.comp
 
 // Whole samples; squares that have one more; squares that may show something: the others have it with the first of them.
-layout(location = 0) uniform ivec3 progress;
-layout(location = 1) uniform int isTransparent;
-layout(location = 2) uniform int isFlat; // the background is of one colour, which stays exactly that
-layout(location = 3) uniform int isBare;  // no samples are taken of squares where nothing can be seen: there is the background
-layout(location = 4) uniform ivec2 settled; // x the place from which on squares have settled, y after how many samples
-layout(location = 7) uniform vec4 backgroundTop; // display colour
-layout(location = 8) uniform vec4 backgroundBottom;
+uniform ivec3 progress;
+uniform int isTransparent;
+uniform int isFlat; // the background is of one colour, which stays exactly that
+uniform int isBare;  // no samples are taken of squares where nothing can be seen: there is the background
+uniform ivec2 settled; // x the place from which on squares have settled, y after how many samples
+uniform vec4 backgroundTop; // display colour
+uniform vec4 backgroundBottom;
 
 int placeOfSquareAt(ivec2 pixel) {
     int squaresAcross = (imageSize(picture).x + 7) / 8;

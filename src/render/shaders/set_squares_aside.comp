@@ -12,8 +12,8 @@ layout(std430, binding = 2) writeonly buffer Places { uint places[]; };
 layout(std430, binding = 3) readonly buffer Contrasts { uint contrasts[]; };
 layout(std430, binding = 4) writeonly buffer Ordered { uint ordered[]; };
 
-layout(location = 0) uniform ivec2 squareCount;
-layout(location = 1) uniform int occupied;
+uniform ivec2 squareCount;
+uniform int occupied;
 
 // Five of 255 levels: the mean of two samples that far apart is off by hardly more than two, less than an edge or a speck makes.
 const uint kMostContrast = 5u * 257u;

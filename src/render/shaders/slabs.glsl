@@ -8,7 +8,7 @@ const int kMostSlabs = 192; // in a beam
 const int kEntriesOfBeam = kMostSlabs + 1;
 const int kSlabBatch = 8; // samples in a slab, or a multiple of that for a long beam
 
-layout(location = 11) uniform int beamsAcross;
+uniform int beamsAcross;
 
 struct Slabs {
     float first; // number of the first sample

@@ -8,8 +8,8 @@ layout(local_size_x = 4, local_size_y = 16) in;
 layout(binding = 0) uniform usamplerBuffer planesBefore; // much faster than a storage block on software renderers
 layout(std430, binding = 0) writeonly buffer Planes { uvec4 planes[]; };
 
-layout(location = 1) uniform int from; // plane
-layout(location = 2) uniform int to;   // plane
+uniform int from; // plane
+uniform int to;   // plane
 
 uvec4 bitsAt(ivec3 place) { return texelFetch(planesBefore, from * blocksPerPlane() + blockAt(place)); }
 

@@ -1,15 +1,15 @@
 // Squares of 8 x 8 pixels, those that may show something first: one work group of 64 invocations each.
-// Bindings: storage 0 the squares (list_squares.comp), storage 3 how far two samples are apart in each, image 0 (rgba32f) sums of display colours and coverage; uniforms 0 to 2. Include
+// Bindings: storage 0 the squares (list_squares.comp), storage 3 how far two samples are apart in each, image 0 (rgba32f) sums of display colours and coverage. Include
 // "render/shaders/rays.glsl" first.
 
 layout(std430, binding = 0) readonly buffer Squares { uint squares[]; }; // column, row << 16
 
 layout(rgba32f, binding = 0) uniform image2D accumulation;
 
-layout(location = 0) uniform ivec2 squareRange; // of the list: first square, how many
-layout(location = 1) uniform vec2 pixelOffset; // where in the pixel this sample lies, 0..1
-layout(location = 2) uniform int addToPrevious;
-layout(location = 13) uniform int measuresContrast; // 1: this is the second sample, to be compared with the first
+uniform ivec2 squareRange; // of the list: first square, how many
+uniform vec2 pixelOffset; // where in the pixel this sample lies, 0..1
+uniform int addToPrevious;
+uniform int measuresContrast; // 1: this is the second sample, to be compared with the first
 
 layout(std430, binding = 3) buffer Contrasts { uint contrasts[]; }; // of 65535, by row and column of squares
 

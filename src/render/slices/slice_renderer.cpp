@@ -42,13 +42,13 @@ void SliceRenderer::render(const SliceFrame& frame) {
     const SliceGeometry geometry(frame.scene.data->geometry, view.kind);
     const glm::dvec3 first = geometry.voxelAt(view.placeAt({0.5, 0.5}), view.index);
     gl::Program& program = draw_.with(definesFor(frame));
-    program.set(0, glm::vec3(first))
-        .set(1, glm::vec3(geometry.voxelsPerMmRight() * view.pixelMm))
-        .set(2, glm::vec3(geometry.voxelsPerMmDown() * view.pixelMm))
-        .set(3, unit(geometry.acrossAxis()))
-        .set(4, unit(geometry.downAxis()))
-        .set(5, frame.isSmooth ? 1 : 0)
-        .set(6, glm::vec2(frame.fill, frame.outlinePixels));
+    program.set("first", glm::vec3(first))
+        .set("perRight", glm::vec3(geometry.voxelsPerMmRight() * view.pixelMm))
+        .set("perDown", glm::vec3(geometry.voxelsPerMmDown() * view.pixelMm))
+        .set("across", unit(geometry.acrossAxis()))
+        .set("down", unit(geometry.downAxis()))
+        .set("isSmooth", frame.isSmooth ? 1 : 0)
+        .set("segmentLook", glm::vec2(frame.fill, frame.outlinePixels));
     segmentColours_.upload({glm::ivec3(0), segmentColours_.size()},
                            std::as_bytes(std::span(frame.segmentColours.entries)));
     segmentColours_.bindTexture(14);

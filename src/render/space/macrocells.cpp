@@ -78,7 +78,7 @@ const gl::Texture& Macrocells::dilated(const gl::Texture& dataCells) {
 
 // One step of one plane of bits into another.
 void Macrocells::spread(glm::ivec3 blocks, int from, int to, gl::Program& program) {
-    program.set(1, from).set(2, to);
+    program.set("from", from).set("to", to);
     program.dispatchOver(blocks, gl::Barrier::All);
 }
 
@@ -100,20 +100,20 @@ void Macrocells::rebuild(const Input& input) {
     }
     planes_.buffer().bindStorage(0);
     gl::Program& classify = classify_.with(definesFor(input));
-    classify.set(0, cells)
-        .set(1, glm::vec2(float(input.displayedRange.lo - input.valueTolerance),
-                          float(input.displayedRange.hi + input.valueTolerance)))
-        .set(2, input.view == field::SculptureView::Probe ? 1 : 0);
+    classify.set("cells", cells)
+        .set("displayedRange", glm::vec2(float(input.displayedRange.lo - input.valueTolerance),
+                                         float(input.displayedRange.hi + input.valueTolerance)))
+        .set("isProbe", input.view == field::SculptureView::Probe ? 1 : 0);
     classify.dispatchOver({blocks.x, cells.y, cells.z}, gl::Barrier::All);
 
     planes_.bindTexture(0);
     constexpr int scratch = kFar;
     for (int r = 1; r < kFar; ++r) {
-        spread(blocks, r - 1, scratch, spreadInPlane_.set(0, cells));
-        spread(blocks, scratch, r, spreadAlongZ_.set(0, cells));
+        spread(blocks, r - 1, scratch, spreadInPlane_.set("cells", cells));
+        spread(blocks, scratch, r, spreadAlongZ_.set("cells", cells));
     }
     distances_.bindImage(0, gl::Access::Write);
-    countSteps_.set(0, cells).set(1, kFar);
+    countSteps_.set("cells", cells).set("far", kFar);
     countSteps_.dispatchOver(blocks, gl::Barrier::Texture);
     version_ = nextVersion();
 }

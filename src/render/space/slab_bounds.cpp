@@ -36,7 +36,7 @@ void SlabBounds::update(const Macrocells& macrocells, const gl::Texture& beams, 
     }
     tops_.bindTexture(12);
     lists_.bindImage(0, gl::Access::Write);
-    bound_.set(0, beamPixels).set(1, sampleStep).set(11, beams.size().x);
+    bound_.set("beamPixels", beamPixels).set("dt", sampleStep).set("beamsAcross", beams.size().x);
     bound_.dispatchOver(beams.size(), gl::Barrier::Texture);
 }
 

@@ -155,12 +155,12 @@ void Radiator::add(const gl::Buffer& points, std::size_t count, bool takesBack) 
     const glm::ivec3 degrees(axes[0].degree, axes[1].degree, axes[2].degree);
     const bool isCubic = glm::any(glm::equal(degrees, glm::ivec3(3)));
     gl::Program& program = deposits_[isCubic ? 1 : 0];
-    program.set(0, int(count))
-        .set(1, origin_)
-        .set(2, tileDims_)
-        .set(3, degrees)
-        .set(4, round_)
-        .set(5, running_ ? (takesBack ? -1 : 1) : 0);
+    program.set("count", int(count))
+        .set("originVoxel", origin_)
+        .set("tileDims", tileDims_)
+        .set("degrees", degrees)
+        .set("round", round_)
+        .set("running", running_ ? (takesBack ? -1 : 1) : 0);
     // Further deposits and the convolution read both images and marks.
     program.dispatchOver({int(count), 1, 1}, gl::Barrier::All);
 }
@@ -173,10 +173,9 @@ void Radiator::convolve(int axis, const gl::Texture& from, const gl::Texture& to
     deposited_.bindImage(0, gl::Access::ReadWrite);
     from.bindImage(1, gl::Access::Read);
     to.bindImage(2, gl::Access::Write);
-    program.set(0, tileDims_).set(6, running_ ? 1 : 0);
-    for (int k = 0; k <= shape.reach; ++k) {
-        program.set(1 + k, shape.taps[std::size_t(k)]);
-    }
+    program.set("tileDims", tileDims_)
+        .set("keepsDeposits", running_ ? 1 : 0)
+        .set("taps", std::span(shape.taps).first(std::size_t(shape.reach) + 1));
     program.dispatchIndirect(lists_[std::size_t(axis)], 0, gl::Barrier::Texture);
 }
 
@@ -193,7 +192,10 @@ Box3 Radiator::finish() {
         lists_[axis].bindStorage(2 + axis);
     }
     bounds_.bindStorage(5);
-    list_.set(0, tileDims_).set(1, tileOf(-origin_)).set(2, tileOf(dims_ - 1 - origin_) + 1).set(3, round_);
+    list_.set("tileDims", tileDims_)
+        .set("insideLo", tileOf(-origin_))
+        .set("insideHi", tileOf(dims_ - 1 - origin_) + 1)
+        .set("round", round_);
     list_.dispatchOver(tileDims_, gl::Barrier::All); // lists are read as arguments, by shaders and below
     const gl::Texture& alongX = running_ ? scratchC_ : scratchA_;
     convolve(0, scratchB_, alongX);

@@ -34,11 +34,11 @@ void PointGenerator::generate(const SweptPatches& swept, const Consume& consume)
             corners_.bindStorage(0);
             patches_.bindStorage(1);
             points_.bindStorage(2);
-            program_.set(0, int(first))
-                .set(1, int(last - first))
-                .set(2, static_cast<unsigned int>(base))
-                .set(3, glm::vec2(swept.depthLo(), swept.depthHi()))
-                .set(4, float(swept.orientation()));
+            program_.set("firstPatch", int(first))
+                .set("patchCount", int(last - first))
+                .set("basePoint", static_cast<unsigned int>(base))
+                .set("depths", glm::vec2(swept.depthLo(), swept.depthHi()))
+                .set("orientation", float(swept.orientation()));
             program_.dispatchOver({int(last - first), 1, 1}, gl::Barrier::Storage);
         }
         consume(points_, endOf(last) - base);

@@ -49,11 +49,11 @@ Box3 Sculpture::combine(const Radiator& radiation, Combine how, Base base, const
         radiation.energy().bindImage(0, gl::Access::Read);
         texels_.bindImage(1, gl::Access::ReadWrite);
         (before != nullptr ? *before : texels_).bindImage(2, gl::Access::Read);
-        combine_.set(0, radiation.tileDims())
-            .set(1, radiation.originVoxel())
-            .set(2, dims())
-            .set(3, how == Combine::Restore ? 1 : 0)
-            .set(4, int(base));
+        combine_.set("tileDims", radiation.tileDims())
+            .set("originVoxel", radiation.originVoxel())
+            .set("dims", dims())
+            .set("isRestore", how == Combine::Restore ? 1 : 0)
+            .set("base", int(base));
         combine_.dispatchIndirect(radiation.tileArguments(), 0, gl::Barrier::Texture);
     }
     // A cut only adds: what was not empty stays so.
@@ -73,11 +73,11 @@ void Sculpture::summarizeTiles(const Radiator& radiation, const Box3& box) {
     texels_.bindTexture(0);
     cells_.bindImage(0, gl::Access::Write);
     radiation.bindStages(0);
-    summarize_.set(0, dims())
-        .set(1, cells.lo)
-        .set(2, cells.hi)
-        .set(3, radiation.originVoxel() / kTile)
-        .set(4, radiation.tileDims());
+    summarize_.set("dims", dims())
+        .set("cellLo", cells.lo)
+        .set("cellHi", cells.hi)
+        .set("originTile", radiation.originVoxel() / kTile)
+        .set("tileDims", radiation.tileDims());
     summarize_.dispatchOver(cells.size(), gl::Barrier::Texture);
 }
 

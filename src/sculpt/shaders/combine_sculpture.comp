@@ -11,11 +11,11 @@ layout(r32f, binding = 0) uniform readonly image3D energy;
 layout(SCULPTURE_FORMAT, binding = 1) uniform image3D sculpture;
 layout(SCULPTURE_FORMAT, binding = 2) uniform readonly image3D earlier;
 
-layout(location = 0) uniform ivec3 tileDims;
-layout(location = 1) uniform ivec3 originVoxel;
-layout(location = 2) uniform ivec3 dims;
-layout(location = 3) uniform int isRestore;
-layout(location = 4) uniform int base; // united with: 0 the sculpture as it is, 1 the earlier one, 2 nothing
+uniform ivec3 tileDims;
+uniform ivec3 originVoxel;
+uniform ivec3 dims;
+uniform int isRestore;
+uniform int base; // united with: 0 the sculpture as it is, 1 the earlier one, 2 nothing
 
 #include "sculpt/shaders/tiles.glsl"
 

@@ -13,9 +13,9 @@ layout(r32ui, binding = 0) uniform uimage3D deposits;
 layout(r32f, binding = 1) uniform readonly image3D source;
 layout(r32f, binding = 2) uniform writeonly image3D result;
 
-layout(location = 0) uniform ivec3 tileDims;
-layout(location = 1) uniform float taps[5];
-layout(location = 6) uniform int keepsDeposits;
+uniform ivec3 tileDims;
+uniform float taps[5];
+uniform int keepsDeposits;
 
 #include "sculpt/shaders/tiles.glsl"
 

@@ -10,11 +10,11 @@ layout(binding = 0) uniform sampler2D outlineDistances;
 layout(binding = 1) uniform sampler2D ownDepths;
 layout(binding = 2) uniform sampler2D frontDepths;
 
-layout(location = 5) uniform mat4 pixelFromVoxel;
-layout(location = 6) uniform vec4 outlinePlace; // origin of the raster in pixels, band in pixels, mm of a pixel at w = 1
-layout(location = 7) uniform vec4 eye;          // mm; w 1: orthographic
-layout(location = 8) uniform vec3 forward;
-layout(location = 9) uniform vec3 kind;         // x 1: outside; y 1: to a depth; z radius in mm
+uniform mat4 pixelFromVoxel;
+uniform vec4 outlinePlace; // origin of the raster in pixels, band in pixels, mm of a pixel at w = 1
+uniform vec4 eye;          // mm; w 1: orthographic
+uniform vec3 forward;
+uniform vec3 kind;         // x 1: outside; y 1: to a depth; z radius in mm
 
 // Pixels from the outline, positive inside; beyond the band as far as can be.
 float outlineAt(vec2 pixel) {

@@ -3,8 +3,8 @@
 // In/out: image 0 sculpture.
 #include "sculpt/shaders/cut_solid.glsl"
 
-layout(location = 5) uniform ivec2 kind;             // x number of planes, y 1: cuts the inside
-layout(location = 6) uniform vec4 planes[MAX_PLANES]; // unit normal outwards, offset; world, mm
+uniform ivec2 kind;             // x number of planes, y 1: cuts the inside
+uniform vec4 planes[MAX_PLANES]; // unit normal outwards, offset; world, mm
 
 float energyAt(vec3 voxel) {
     vec3 world = (worldFromVoxel * vec4(voxel, 1.0)).xyz;

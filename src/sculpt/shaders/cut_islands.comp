@@ -10,8 +10,8 @@ layout(SCULPTURE_FORMAT, binding = 1) uniform writeonly image3D sculpture;
 layout(std430, binding = 0) readonly buffer Islands { uint islands[]; };
 layout(std430, binding = 1) readonly buffer Kept { uint kept[]; };
 
-layout(location = 0) uniform ivec3 words;
-layout(location = 1) uniform ivec3 dims;
+uniform ivec3 words;
+uniform ivec3 dims;
 
 bool isInside(ivec3 word) { return all(greaterThanEqual(word, ivec3(0))) && all(lessThan(word, words)); }
 

@@ -8,11 +8,11 @@ layout(SCULPTURE_FORMAT, binding = 0) uniform image3D sculpture;
 
 layout(std430, binding = 0) readonly buffer TileList { uint tileList[]; };
 
-layout(location = 0) uniform ivec3 tileDims;
-layout(location = 1) uniform ivec3 dims;
-layout(location = 2) uniform int isRestore;
-layout(location = 3) uniform mat4 worldFromVoxel;
-layout(location = 4) uniform float sigma; // of the edge, mm
+uniform ivec3 tileDims;
+uniform ivec3 dims;
+uniform int isRestore;
+uniform mat4 worldFromVoxel;
+uniform float sigma; // of the edge, mm
 
 #include "sculpt/shaders/tiles.glsl"
 

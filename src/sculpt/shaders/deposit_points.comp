@@ -8,12 +8,12 @@ layout(std430, binding = 0) readonly buffer Points { vec4 points[]; };
 layout(std430, binding = 1) buffer Marks { uint marks[]; };
 layout(r32ui, binding = 0) uniform uimage3D deposits;
 
-layout(location = 0) uniform int count;
-layout(location = 1) uniform ivec3 originVoxel; // of texel 0
-layout(location = 2) uniform ivec3 tileDims;
-layout(location = 3) uniform ivec3 degrees;
-layout(location = 4) uniform int round; // what is marked
-layout(location = 5) uniform int running; // 0: sums are held to the limit; else 1 adds, -1 takes back, to the last bit
+uniform int count;
+uniform ivec3 originVoxel; // of texel 0
+uniform ivec3 tileDims;
+uniform ivec3 degrees;
+uniform int round; // what is marked
+uniform int running; // 0: sums are held to the limit; else 1 adds, -1 takes back, to the last bit
 
 // Weights of the WIDTH voxels from the first on, along one axis; x: where the point lies beyond that first voxel.
 #if WIDTH == 3

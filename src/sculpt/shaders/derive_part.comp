@@ -10,9 +10,9 @@ layout(binding = 2) uniform sampler3D from;
 
 layout(SCULPTURE_FORMAT, binding = 0) uniform writeonly image3D part;
 
-layout(location = 0) uniform ivec3 first;
-layout(location = 1) uniform ivec3 last; // exclusive
-layout(location = 2) uniform ivec2 has;  // x: there is an end, y: there is a beginning
+uniform ivec3 first;
+uniform ivec3 last; // exclusive
+uniform ivec2 has;  // x: there is an end, y: there is a beginning
 
 void main() {
     ivec3 voxel = first + ivec3(gl_GlobalInvocationID);

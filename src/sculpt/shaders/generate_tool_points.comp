@@ -22,11 +22,11 @@ layout(std430, binding = 0) readonly buffer Corners { Corner corners[]; };
 layout(std430, binding = 1) readonly buffer Patches { Patch patches[]; };
 layout(std430, binding = 2) writeonly buffer Points { vec4 points[]; };
 
-layout(location = 0) uniform int firstPatch;
-layout(location = 1) uniform int patchCount;
-layout(location = 2) uniform uint basePoint; // the buffer's first place belongs to this point
-layout(location = 3) uniform vec2 depths;    // of the whole sweep: from, to
-layout(location = 4) uniform float orientation; // sign of forward motion; 0: each patch's own near depth 0, until paths meet
+uniform int firstPatch;
+uniform int patchCount;
+uniform uint basePoint; // the buffer's first place belongs to this point
+uniform vec2 depths;    // of the whole sweep: from, to
+uniform float orientation; // sign of forward motion; 0: each patch's own near depth 0, until paths meet
 
 vec4 bilinear(vec4 a, vec4 b, vec4 c, vec4 d, vec2 uv) { return mix(mix(a, b, uv.x), mix(c, d, uv.x), uv.y); }
 

@@ -12,10 +12,10 @@ layout(std430, binding = 3) buffer ListY { uint listY[]; };
 layout(std430, binding = 4) buffer ListZ { uint listZ[]; };
 layout(std430, binding = 5) buffer Bounds { int bounds[6]; };
 
-layout(location = 0) uniform ivec3 tileDims;
-layout(location = 1) uniform ivec3 insideLo; // tiles that reach into the grid: only those are results
-layout(location = 2) uniform ivec3 insideHi;
-layout(location = 3) uniform int round;
+uniform ivec3 tileDims;
+uniform ivec3 insideLo; // tiles that reach into the grid: only those are results
+uniform ivec3 insideHi;
+uniform int round;
 
 const uint tileListRow = 32768u; // work groups along x, as in tiles.glsl
 

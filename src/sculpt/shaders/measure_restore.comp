@@ -15,8 +15,8 @@ layout(std430, binding = 0) readonly buffer Points { SurfacePoint points[]; };
 layout(std430, binding = 1) readonly buffer Ways { vec4 ways[]; };
 layout(std430, binding = 2) writeonly buffer Reach { float reach[]; };
 
-layout(location = 0) uniform int count;
-layout(location = 1) uniform float radius; // steps
+uniform int count;
+uniform float radius; // steps
 
 const float stride = 0.5; // steps
 const float near = 1.0;   // within this of the point the cut face's own blur may say anything

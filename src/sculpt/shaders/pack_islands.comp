@@ -10,7 +10,7 @@ layout(std430, binding = 0) writeonly buffer Islands { uint islands[]; };
 layout(std430, binding = 1) writeonly buffer Kept { uint kept[]; };
 layout(std430, binding = 2) buffer Bounds { int bounds[6]; };
 
-layout(location = 0) uniform ivec3 words;
+uniform ivec3 words;
 
 void main() {
     ivec3 word = ivec3(gl_GlobalInvocationID);

@@ -7,11 +7,11 @@ layout(std430, binding = 0) readonly buffer Stages { uint stages[]; };
 layout(binding = 0) uniform sampler3D sculpture;
 layout(rg32f, binding = 0) uniform writeonly image3D cells;
 
-layout(location = 0) uniform ivec3 dims;
-layout(location = 1) uniform ivec3 cellLo;
-layout(location = 2) uniform ivec3 cellHi;
-layout(location = 3) uniform ivec3 originTile; // of stages
-layout(location = 4) uniform ivec3 tileDims;
+uniform ivec3 dims;
+uniform ivec3 cellLo;
+uniform ivec3 cellHi;
+uniform ivec3 originTile; // of stages
+uniform ivec3 tileDims;
 
 bool isResult(ivec3 tile) {
     bool inside = all(greaterThanEqual(tile, ivec3(0))) && all(lessThan(tile, tileDims));

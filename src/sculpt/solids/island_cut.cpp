@@ -36,7 +36,7 @@ Box3 IslandCutter::cut(Sculpture& sculpture, const field::Scene& scene, const gl
         const gl::Pass pass("find islands");
         binding_.bind(scene);
         region.bindImage(0, gl::Access::Read);
-        pack_.set(0, words);
+        pack_.set("words", words);
         pack_.dispatchOver(words, gl::Barrier::All);
     }
     const auto found = bounds_.read<glm::ivec3>(2);
@@ -48,7 +48,7 @@ Box3 IslandCutter::cut(Sculpture& sculpture, const field::Scene& scene, const gl
     {
         const gl::Pass pass("cut islands");
         sculpture.texels().bindImage(1, gl::Access::ReadWrite);
-        cut_.set(0, words).set(1, dims);
+        cut_.set("words", words).set("dims", dims);
         cut_.dispatchOver(words, gl::Barrier::Texture);
     }
     sculpture.refresh(box);

@@ -195,11 +195,11 @@ void SolidCutter::dispatch(gl::Program& program, const std::vector<std::uint32_t
     list_.reserve(list.size() * sizeof(std::uint32_t));
     list_.write(std::span<const std::uint32_t>(list));
     list_.bindStorage(0);
-    program.set(0, divideUp(geometry_.dims, kTile))
-        .set(1, geometry_.dims)
-        .set(2, how == Combine::Restore ? 1 : 0)
-        .set(3, glm::mat4(geometry_.worldFromVoxel))
-        .set(4, float(radius / 3.0 * geometry_.stepMm()));
+    program.set("tileDims", divideUp(geometry_.dims, kTile))
+        .set("dims", geometry_.dims)
+        .set("isRestore", how == Combine::Restore ? 1 : 0)
+        .set("worldFromVoxel", glm::mat4(geometry_.worldFromVoxel))
+        .set("sigma", float(radius / 3.0 * geometry_.stepMm()));
     const std::size_t rows = (tiles.size() + row - 1) / row;
     program.dispatch({int(std::min(tiles.size(), row)), int(rows), 1}, gl::Barrier::Texture);
 }
@@ -242,11 +242,11 @@ Box3 SolidCutter::extrude(Sculpture& sculpture, const Extrusion& solid, Combine 
         own.bindTexture(1);
         front.bindTexture(2);
     }
-    extrude_.set(5, glm::mat4(view.pixelFromWorld * geometry_.worldFromVoxel))
-        .set(6, glm::vec4(distances.origin, band, view.pixelMm))
-        .set(7, glm::vec4(view.eye, view.isOrthographic ? 1.0 : 0.0))
-        .set(8, glm::vec3(view.forward))
-        .set(9, glm::vec3(solid.cutsOutside ? 1.0 : 0.0, hasDepth ? 1.0 : 0.0, solid.radius * step));
+    extrude_.set("pixelFromVoxel", glm::mat4(view.pixelFromWorld * geometry_.worldFromVoxel))
+        .set("outlinePlace", glm::vec4(distances.origin, band, view.pixelMm))
+        .set("eye", glm::vec4(view.eye, view.isOrthographic ? 1.0 : 0.0))
+        .set("forward", glm::vec3(view.forward))
+        .set("kind", glm::vec3(solid.cutsOutside ? 1.0 : 0.0, hasDepth ? 1.0 : 0.0, solid.radius * step));
     const Box3 box = solid.cutsOutside ? geometry_.box() : boxSeenThrough(distances, view, geometry_);
     Tiles tiles = find(box, solid.radius, [&](const glm::dvec3& centre) {
         const double depth = depthInOutline(distances, view, centre, geometry_.diagonalMm());
@@ -269,10 +269,9 @@ Box3 SolidCutter::clip(Sculpture& sculpture, const HalfSpaces& solid, Combine ho
         defines.emplace_back("MAX_PLANES", std::to_string(kMaxPlanes));
         clip_ = gl::Program("sculpt/shaders/cut_half_spaces.comp", defines);
     }
-    clip_.set(5, glm::ivec2(int(solid.planes.size()), solid.cutsInside ? 1 : 0));
-    for (std::size_t n = 0; n < solid.planes.size(); ++n) {
-        clip_.set(6 + int(n), glm::vec4(solid.planes[n]));
-    }
+    clip_.set("kind", glm::ivec2(int(solid.planes.size()), solid.cutsInside ? 1 : 0));
+    const std::vector<glm::vec4> planes(solid.planes.begin(), solid.planes.end());
+    clip_.set("planes", planes);
     const Tiles tiles = find(geometry_.box(), solid.radius, [&](const glm::dvec3& centre) {
         double outside = -1e30;
         for (const glm::dvec4& plane : solid.planes) {

@@ -36,7 +36,7 @@ std::vector<float> RestoreReach::measure(const field::Scene& scene,
     points_.bindStorage(0);
     directions_.bindStorage(1);
     reach_.bindStorage(2);
-    program_.set(0, int(points.size())).set(1, float(radius));
+    program_.set("count", int(points.size())).set("radius", float(radius));
     program_.dispatchOverList(points.size(), gl::Barrier::Storage);
     return reach_.read<float>(points.size());
 }

@@ -75,18 +75,18 @@ gl::Program& ConstrainedProgram::prepare(const field::Field& field, const Constr
     field.texels.bindTexture(0);
     // Columns of what turns differences along voxel axes into a gradient in world axes.
     const glm::mat3 gradient(glm::transpose(glm::inverse(glm::dmat3(field.geometry.worldFromVoxel))) * 0.5);
-    program.set(20, field.geometry.dims)
-        .set(21, glm::vec3(field.valueScale, field.valueOffset, field.isIntegral ? 1.0F : 0.0F))
-        .set(22, comparableRange(field, constraints.range))
-        .set(24, gradient[0])
-        .set(25, gradient[1])
-        .set(26, gradient[2])
-        .set(27, ends(constraints.gradient))
-        .set(28, ends(constraints.difference))
-        .set(29, ends(constraints.gradientDifference));
+    program.set("gridDims", field.geometry.dims)
+        .set("valueScale", glm::vec3(field.valueScale, field.valueOffset, field.isIntegral ? 1.0F : 0.0F))
+        .set("valueRange", comparableRange(field, constraints.range))
+        .set("gradientAlongX", gradient[0])
+        .set("gradientAlongY", gradient[1])
+        .set("gradientAlongZ", gradient[2])
+        .set("gradientRange", ends(constraints.gradient))
+        .set("differenceRange", ends(constraints.difference))
+        .set("gradientDifferenceRange", ends(constraints.gradientDifference));
     if (constraints.hasFence()) {
         constraints.sculpture->bindTexture(1);
-        program.set(23, constraints.view == field::SculptureView::Probe ? 1 : 0);
+        program.set("keepsCutPart", constraints.view == field::SculptureView::Probe ? 1 : 0);
     }
     return program;
 }

@@ -57,7 +57,7 @@ public:
     explicit ConstrainedProgram(std::string path) : variants_(std::move(path)) {}
 
     // Ready to run under these constraints, as far as constraints.glsl is concerned: texture 0 (data),
-    // texture 1 (sculpture, when fenced), uniforms 20 to 29.
+    // texture 1 (sculpture, when fenced).
     gl::Program& prepare(const field::Field& field, const Constraints& constraints,
                          const gl::Defines& more = {});
 

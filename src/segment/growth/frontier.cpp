@@ -80,7 +80,11 @@ std::uint32_t Frontier::planeStart(int plane) const {
 }
 
 void Frontier::prepareToNote(gl::Program& program, int step, int list, std::uint32_t stamp) const {
-    program.set(5, stamp).set(6, step).set(7, tileCount_).set(8, list).set(12, rulesNumber_);
+    program.set("stamp", stamp)
+        .set("stepNoted", step)
+        .set("tileCount", tileCount_)
+        .set("listNoted", list)
+        .set("rulesNumber", rulesNumber_);
 }
 
 void Frontier::collect(SeedMap& seedMap, const Rules& rules) {
@@ -93,7 +97,7 @@ void Frontier::collect(SeedMap& seedMap, const Rules& rules) {
     seedMap.bind(program);
     seedMap.bindOwner(program, rules.owner);
     prepareToNote(program, 0, now_, stamp_);
-    program.set(10, planeStart(now_)).set(11, std::uint32_t(rules.frozen));
+    program.set("newestAt", planeStart(now_)).set("frozen", std::uint32_t(rules.frozen));
     seedMap.bricks().onDevice().bindStorage(8);
     seedMap.dispatchOverBricks(program, seedMap.bricks().touched(), gl::Barrier::All, 1);
     newestIsLast_ = false;
@@ -111,10 +115,12 @@ void Frontier::push(const SeedMap& seedMap, std::span<const std::uint32_t> voxel
     list_.reserve(voxels.size() * sizeof(std::uint32_t));
     list_.write(voxels);
     list_.bindStorage(7);
-    program.set(0, seedMap.dims()).set(1, seedMap.bricks().brickDims()).set(9, int(voxels.size()));
+    program.set("dims", seedMap.dims())
+        .set("brickDims", seedMap.bricks().brickDims())
+        .set("count", int(voxels.size()));
     prepareToNote(program, 0, now_, stamp_);
-    program.set(10, into == Into::PlaneWithin ? 0U : planeStart(now_) * std::uint32_t(kWordsPerSlab))
-        .set(11, into == Into::Newest ? 0 : 1);
+    program.set("newestAt", into == Into::PlaneWithin ? 0U : planeStart(now_) * std::uint32_t(kWordsPerSlab))
+        .set("isWithin", into == Into::Newest ? 0 : 1);
     program.dispatchOverList(voxels.size(), gl::Barrier::All);
 }
 
@@ -137,27 +143,29 @@ std::vector<std::uint64_t> Frontier::run(const SeedMap& seedMap, gl::Program& pr
                                          const Constraints& constraints, gl::Defines noteDefines,
                                          int generation, int steps) {
     gl::Program& note = note_.with(definesFor(constraints.connectivity, std::move(noteDefines)));
-    note.set(0, seedMap.dims()).set(1, seedMap.bricks().brickDims());
+    note.set("dims", seedMap.dims()).set("brickDims", seedMap.bricks().brickDims());
     seedMap.bricks().onDevice().bindStorage(8);
     newest_.bindTexture(4);
     for (int i = 0; i < steps; ++i) {
         const int next = 1 - now_;
         if (allow != nullptr) {
             prepareToNote(*allow, i + 1, next, stamp_);
-            allow->set(10, i);
+            allow->set("stepIndex", i);
             allow->dispatchIndirect(steps_, std::size_t(i) * sizeof(Step) + offsetof(Step, unmade),
                                     gl::Barrier::All);
         }
         prepareToNote(program, i + 1, next, ++stamp_);
-        program.set(10, i)
-            .set(11, std::uint32_t(generation + i))
-            .set(13, planeStart(now_))
-            .set(14, planeStart(next))
-            .set(15, newestIsLast_ ? 1 : 0);
+        program.set("stepIndex", i)
+            .set("generation", std::uint32_t(generation + i))
+            .set("newestAt", planeStart(now_))
+            .set("nextAt", planeStart(next))
+            .set("isBefore", newestIsLast_ ? 1 : 0);
         program.dispatchIndirect(steps_, std::size_t(i) * sizeof(Step), gl::Barrier::Storage);
         prepareToNote(note, i + 1, next, stamp_);
         const bool clears = newestIsRegion_;
-        note.set(10, i).set(11, std::uint32_t(generation + i)).set(13, clears ? 0 : 1);
+        note.set("stepIndex", i)
+            .set("generation", std::uint32_t(generation + i))
+            .set("cleansUp", clears ? 0 : 1);
         // Each expansion takes its tiles, and the newest voxels as texels, from the one before.
         note.dispatchIndirect(steps_, std::size_t(i) * sizeof(Step), gl::Barrier::All);
         if (clears) {
@@ -190,7 +198,7 @@ void Frontier::judge(const Step& last, int steps) {
 void Frontier::goOverToRows(const SeedMap& seedMap) {
     testing_ = Testing::ByRows;
     gl::Program& program = noteRows_.with({});
-    program.set(0, seedMap.dims()).set(1, seedMap.bricks().brickDims());
+    program.set("dims", seedMap.dims()).set("brickDims", seedMap.bricks().brickDims());
     prepareToNote(program, 0, now_, stamp_);
     program.dispatchIndirect(steps_, 0, gl::Barrier::All);
 }
@@ -232,7 +240,7 @@ std::vector<std::uint64_t> Frontier::expand(SeedMap& seedMap, const Rules& rules
     gl::Program* allow = nullptr;
     if (testing_ == Testing::ByRows) {
         allow = &allow_.prepare(*rules.field, *rules.constraints, forbidden);
-        allow->set(0, seedMap.dims()).set(1, seedMap.bricks().brickDims());
+        allow->set("dims", seedMap.dims()).set("brickDims", seedMap.bricks().brickDims());
         allowed_.bindTexture(5);
     } else {
         defines.insert(defines.end(), forbidden.begin(), forbidden.end());

@@ -89,7 +89,7 @@ std::vector<std::uint32_t> Growth::testSeeds(const std::vector<std::uint32_t>& v
     if (forbidden_) {
         forbidden_.bindStorage(2);
     }
-    test.set(9, int(voxels.size())).set(10, std::uint32_t(state_.playhead));
+    test.set("count", int(voxels.size())).set("playhead", std::uint32_t(state_.playhead));
     test.dispatchOverList(voxels.size(), gl::Barrier::Storage);
     return answers_.read<std::uint32_t>(voxels.size());
 }
@@ -354,7 +354,7 @@ void Growth::show(const gl::Buffer& plane, const gl::Buffer& reach, const std::v
     kinds_.bindStorage(1);
     plane.bindStorage(2);
     reach.bindStorage(5);
-    show.set(10, std::uint32_t(state_.playhead)).set(12, wanted);
+    show.set("playhead", std::uint32_t(state_.playhead)).set("wanted", wanted);
     seedMap_.dispatchOverBricks(show, bricks, gl::Barrier::Storage);
 }
 

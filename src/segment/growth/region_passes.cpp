@@ -33,7 +33,7 @@ void RegionPasses::prepare(gl::Program& program, SeedMap& seedMap, const Owner& 
     seedMap.bindOwner(program, owner);
     (which.plane != nullptr ? *which.plane : seedMap.grown()).bindStorage(1);
     counts_.bindStorage(2);
-    program.set(10, std::uint32_t(which.last)).set(11, which.isInPlane ? 1 : 0);
+    program.set("last", std::uint32_t(which.last)).set("erasesPlane", which.isInPlane ? 1 : 0);
 }
 
 RegionPasses::Bricks RegionPasses::holding(SeedMap& seedMap, const Owner& owner, const Which& which,
@@ -79,7 +79,7 @@ std::uint32_t RegionPasses::add(SeedMap& seedMap, const gl::Buffer& plane, const
     seedMap.bind(program);
     plane.bindStorage(1);
     counts_.bindStorage(2);
-    program.set(10, std::uint32_t(generation));
+    program.set("generation", std::uint32_t(generation));
     seedMap.dispatchOverBricks(program, bricks, gl::Barrier::All);
     return counts_.readValue<std::uint32_t>();
 }
@@ -100,7 +100,7 @@ void RegionPasses::planeOf(SeedMap& seedMap, const Owner& owner, int last, const
     seedMap.bind(program);
     seedMap.bindOwner(program, owner);
     plane.bindStorage(2);
-    program.set(10, std::uint32_t(last));
+    program.set("last", std::uint32_t(last));
     seedMap.dispatchOverBricks(program, bricks, gl::Barrier::Storage);
 }
 
@@ -110,7 +110,7 @@ void RegionPasses::setBits(SeedMap& seedMap, const gl::Buffer& plane, std::span<
     seedMap.bind(program);
     seedMap.bindList(voxels);
     plane.bindStorage(2);
-    program.set(9, int(voxels.size())).set(10, isToSet ? 1 : 0);
+    program.set("count", int(voxels.size())).set("isToSet", isToSet ? 1 : 0);
     program.dispatchOverList(voxels.size(), gl::Barrier::Storage);
 }
 
@@ -119,7 +119,7 @@ void RegionPasses::join(SeedMap& seedMap, const gl::Buffer& plane, const gl::Buf
     const std::size_t words = seedMap.planeBytes() / sizeof(std::uint32_t);
     added.bindStorage(1);
     plane.bindStorage(2);
-    program.set(9, int(words));
+    program.set("count", int(words));
     program.dispatchOverList(words, gl::Barrier::Storage);
 }
 

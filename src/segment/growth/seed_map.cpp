@@ -52,12 +52,12 @@ void SeedMap::bind(gl::Program& program) const {
     generations_.bindStorage(3);
     (isWide() ? late_ : generations_).bindStorage(4);
     labels_.bindImage(0, gl::Access::ReadWrite);
-    program.set(0, dims_).set(1, bricks_.brickDims());
+    program.set("dims", dims_).set("brickDims", bricks_.brickDims());
 }
 
 void SeedMap::bindOwner(gl::Program& program, const Owner& owner) const {
     labels_.bindTexture(3);
-    program.set(3, std::uint32_t(owner.label)).set(4, owner.hasOthers ? 1 : 0);
+    program.set("activeLabel", std::uint32_t(owner.label)).set("hasOthers", owner.hasOthers ? 1 : 0);
 }
 
 void SeedMap::bindList(std::span<const std::uint32_t> numbers) {
@@ -70,7 +70,7 @@ void SeedMap::dispatchOverBricks(gl::Program& program, std::span<const std::uint
                                  gl::Barrier after, int groupsPerBrick) {
     bindList(bricks);
     for (std::size_t first = 0; first < bricks.size(); first += kMaxGroups) {
-        program.set(9, int(first));
+        program.set("firstBrick", int(first));
         program.dispatch({groupsPerBrick, int(std::min(kMaxGroups, bricks.size() - first)), 1}, after);
     }
 }
@@ -82,7 +82,7 @@ void SeedMap::store(std::span<const std::uint32_t> voxels, int generation) {
     gl::Program& program = store_.with(widthDefines());
     bind(program);
     bindList(voxels);
-    program.set(9, int(voxels.size())).set(10, std::uint32_t(generation));
+    program.set("count", int(voxels.size())).set("generation", std::uint32_t(generation));
     program.dispatchOverList(voxels.size(), gl::Barrier::All);
 }
 

@@ -48,13 +48,12 @@ public:
         return isWide() ? gl::Defines{{"VS_WIDE", "1"}} : gl::Defines{};
     }
 
-    // What words.glsl and generations.glsl read: storage 0 (grown), 3 and 4, image 0 (labels), uniforms 0
-    // and 1.
+    // What words.glsl and generations.glsl read: storage 0 (grown), 3 and 4, image 0 (labels).
     void bind(gl::Program& program) const;
-    // And owners.glsl: texture 3, uniforms 3 and 4.
+    // And owners.glsl: texture 3.
     void bindOwner(gl::Program& program, const Owner& owner) const;
     // Runs a program with a row of groups a brick; the bricks are in storage 7 and their first one's place in
-    // uniform 9.
+    // the uniform firstBrick.
     void dispatchOverBricks(gl::Program& program, std::span<const std::uint32_t> bricks, gl::Barrier after,
                             int groupsPerBrick = 16);
     // Puts a list of numbers into storage 7.

@@ -27,9 +27,9 @@ std::vector<glm::ivec3> SeedFinder::find(const field::SurfacePoints& points, con
     points.points.bindStorage(0);
     table_.bindStorage(1);
     found_.bindStorage(2);
-    program.set(0, int(count))
-        .set(1, std::uint32_t(slots - 1))
-        .set(2, glm::mat4(field.geometry.worldFromVoxel));
+    program.set("count", int(count))
+        .set("tableMask", std::uint32_t(slots - 1))
+        .set("worldFromVoxel", glm::mat4(field.geometry.worldFromVoxel));
     program.dispatchOverList(count, gl::Barrier::Storage);
 
     auto voxels = found_.read<std::uint32_t>(found_.readValue<std::uint32_t>(), sizeof(std::uint32_t));

@@ -42,7 +42,7 @@ void bindFence(gl::Program& program, const Fence& fence) {
         fence.cells->bindTexture(4);
     }
     const field::SculptureView view = shownBy(fence);
-    program.set(13, view == field::SculptureView::Cut ? 1 : view == field::SculptureView::Probe ? 2 : 0);
+    program.set("hides", view == field::SculptureView::Cut ? 1 : view == field::SculptureView::Probe ? 2 : 0);
 }
 
 bool touches(const Box3& a, const Box3& b) { return !intersect(a, b).isEmpty(); }
@@ -116,7 +116,7 @@ std::vector<std::uint32_t> Continuation::takeFence(const BrickTable& table, cons
     answers_.reserve(listed.size() * sizeof(std::uint32_t));
     answers_.bindStorage(1);
     bindFence(findFences_, fence);
-    findFences_.set(1, table.brickDims()).set(9, int(listed.size()));
+    findFences_.set("brickDims", table.brickDims()).set("count", int(listed.size()));
     findFences_.dispatchOverList(listed.size(), gl::Barrier::Storage);
     const auto answers = answers_.read<std::uint32_t>(listed.size());
     std::vector<std::uint32_t> affected;
@@ -181,11 +181,11 @@ void Continuation::run(const Growth& growth, const Fence& fence, const gl::Buffe
     bindFence(program, fence);
     const glm::dvec3 spacing = growth.field().geometry.spacing();
     const glm::dvec3 aside = std::max({spacing.x, spacing.y, spacing.z}) / spacing;
-    program.set(10, takesAway_ ? 1 : 0)
-        .set(14, glm::ivec3(glm::round(glm::min(aside, glm::dvec3(kFarthestAside)))));
+    program.set("takesAway", takesAway_ ? 1 : 0)
+        .set("aside", glm::ivec3(glm::round(glm::min(aside, glm::dvec3(kFarthestAside)))));
     constexpr int groupsPerBrick = 16;
     for (std::size_t first = 0; first < bricks.size(); first += kMaxGroups) {
-        program.set(9, int(first));
+        program.set("firstBrick", int(first));
         program.dispatch({groupsPerBrick, int(std::min(kMaxGroups, bricks.size() - first)), 1},
                          gl::Barrier::Storage);
     }

@@ -118,16 +118,20 @@ void Segmentation::smooth(int channel, std::uint32_t first, std::uint32_t count)
     rows_.bindStorage(1);
     alongXY_.bindStorage(2);
     const auto prepare = [&](gl::Program& program, int axis) {
-        program.set(0, dims_).set(1, brickDims_).set(2, tileDims_).set(3, int(first)).set(4, weights_[axis]);
+        program.set("dims", dims_)
+            .set("brickDims", brickDims_)
+            .set("tileDims", tileDims_)
+            .set("firstTile", int(first))
+            .set("weights", weights_[axis]);
     };
     gl::Program& packRows = packRows_.with(memberDefines());
     gl::Program& smoothZ = smoothZ_.with(glassDefines());
     prepare(packRows, 0);
     prepare(smoothXY_, 1);
-    smoothXY_.set(5, weights_[0]);
+    smoothXY_.set("weightsX", weights_[0]);
     prepare(smoothZ, 2);
     if (channels_.size() > 1) {
-        smoothZ.set(6, channel);
+        smoothZ.set("channel", channel);
     }
     // Each pass reads what the one before it has written.
     packRows.dispatchOver({kPadded * kPadded, int(count), 1}, gl::Barrier::Storage);
@@ -150,9 +154,12 @@ void Segmentation::write(int channel, const std::vector<std::uint32_t>& tiles, S
             gl::Program& writePlain = writePlain_.with(defines);
             bindMembers(channels_[std::size_t(channel)]);
             texels_.bindImage(0, gl::Access::ReadWrite);
-            writePlain.set(0, dims_).set(1, brickDims_).set(2, tileDims_).set(3, int(first));
+            writePlain.set("dims", dims_)
+                .set("brickDims", brickDims_)
+                .set("tileDims", tileDims_)
+                .set("firstTile", int(first));
             if (channels_.size() > 1) {
-                writePlain.set(6, channel);
+                writePlain.set("channel", channel);
             }
             writePlain.dispatchOver({kTile * kTile, int(count), 1}, gl::Barrier::Texture);
         }
@@ -167,7 +174,11 @@ void Segmentation::summarize(const std::vector<std::uint32_t>& tiles, Smoothing 
     cells_.bindImage(1, gl::Access::Write);
     const auto total = std::uint32_t(tiles.size());
     for (std::uint32_t first = 0; first < total; first += kMaxGroups) {
-        program.set(0, dims_).set(1, brickDims_).set(2, tileDims_).set(3, int(first)).set(5, cells_.size());
+        program.set("dims", dims_)
+            .set("brickDims", brickDims_)
+            .set("tileDims", tileDims_)
+            .set("firstTile", int(first))
+            .set("cellDims", cells_.size());
         program.dispatch({1, int(std::min(kMaxGroups, total - first)), 1}, gl::Barrier::Texture);
     }
 }

@@ -1,5 +1,5 @@
 // The tiles that the next expansion has to look at, each once. Include after words.glsl.
-// Bindings: storage 5 (steps), 6 (work), uniforms 5 to 8 and 12. With VS_BY_ROWS, rows that are near for the first time are noted
+// Bindings: storage 5 (steps), 6 (work). With VS_BY_ROWS, rows that are near for the first time are noted
 // too.
 
 const uint kTilesPerGroup = 16u;
@@ -19,11 +19,11 @@ layout(std430, binding = 5) buffer Steps { Step steps[]; };
 // of its list: from bit 8 on voxels that joined, bit 6 whether there were newest ones, below the sides that some touch.
 layout(std430, binding = 6) buffer Work { uint work[]; };
 
-layout(location = 5) uniform uint stamp;    // of the expansion that tiles are noted for
-layout(location = 6) uniform int stepNoted; // its place in `steps`
-layout(location = 7) uniform uint tileCount;
-layout(location = 8) uniform int listNoted;     // 0 or 1: which of the lists it takes
-layout(location = 12) uniform uint rulesNumber; // of the present rules
+uniform uint stamp;    // of the expansion that tiles are noted for
+uniform int stepNoted; // its place in `steps`
+uniform uint tileCount;
+uniform int listNoted;     // 0 or 1: which of the lists it takes
+uniform uint rulesNumber; // of the present rules
 
 uint listStart(int list) { return (2u + uint(list)) * tileCount; }
 uint unmadeStart(int list) { return (4u + uint(list)) * tileCount; }

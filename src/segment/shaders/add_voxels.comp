@@ -13,8 +13,8 @@ layout(std430, binding = 1) readonly buffer Plane { uint plane[]; };
 layout(std430, binding = 2) buffer Gains { uint gains[]; };
 layout(std430, binding = 7) readonly buffer Bricks { uint bricks[]; };
 
-layout(location = 9) uniform int firstBrick;
-layout(location = 10) uniform uint generation;
+uniform int firstBrick;
+uniform uint generation;
 
 void main() {
     uint item = uint(firstBrick) + gl_WorkGroupID.y;

@@ -14,7 +14,7 @@ layout(std430, binding = 1) writeonly buffer Allowed { uint allowed[]; };
 layout(std430, binding = 7) readonly buffer Forbidden { uint forbidden[]; };
 #endif
 
-layout(location = 10) uniform int stepIndex;
+uniform int stepIndex;
 
 void main() {
     uint count = steps[stepIndex].unmade.w;

@@ -9,8 +9,8 @@ layout(local_size_x = 64) in;
 layout(std430, binding = 2) buffer Plane { uint plane[]; };
 layout(std430, binding = 7) readonly buffer Voxels { uint voxels[]; };
 
-layout(location = 9) uniform int count;
-layout(location = 10) uniform int isToSet;
+uniform int count;
+uniform int isToSet;
 
 void main() {
     uint i = itemIndex();

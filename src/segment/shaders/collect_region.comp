@@ -15,9 +15,9 @@ layout(std430, binding = 2) writeonly buffer Newest { uvec4 newest[]; };
 layout(std430, binding = 7) readonly buffer Numbers { uint numbers[]; };
 layout(std430, binding = 8) readonly buffer Bricks { uvec2 bricks[]; };
 
-layout(location = 9) uniform int firstBrick;
-layout(location = 10) uniform uint newestAt;
-layout(location = 11) uniform uint frozen; // generations up to this one do not grow any more
+uniform int firstBrick;
+uniform uint newestAt;
+uniform uint frozen; // generations up to this one do not grow any more
 
 // Of a slab's grown voxels, those that may be grown from: all, but with VS_PARTLY.
 uvec4 growing(uint slab, uvec4 bits) {

@@ -1,24 +1,24 @@
 // Whether growth may enter a voxel. Set by segment::bindConstraints. Which rules there are is said by VS_FENCED (the sculpture),
 // VS_GRADIENT, VS_DIFFERENCE and VS_GRADIENT_DIFFERENCE.
-// Spaces: voxel indices. Bindings: texture 0 data, texture 1 sculpture, uniforms 20 to 29.
+// Spaces: voxel indices. Bindings: texture 0 data, texture 1 sculpture.
 #if defined(VS_DIFFERENCE) || defined(VS_GRADIENT_DIFFERENCE)
 #define VS_PAIRED // rules that ask for the parent too
 #endif
 
 layout(binding = 0) uniform sampler3D dataTexture;
-layout(location = 20) uniform ivec3 gridDims;
-layout(location = 21) uniform vec3 valueScale; // x scale, y offset, z 1 if values are whole numbers
-layout(location = 22) uniform vec2 valueRange; // all ranges are closed; in the volume's unit
+uniform ivec3 gridDims;
+uniform vec3 valueScale; // x scale, y offset, z 1 if values are whole numbers
+uniform vec2 valueRange; // all ranges are closed; in the volume's unit
 #ifdef VS_FENCED
 layout(binding = 1) uniform sampler3D sculptureTexture;
-layout(location = 23) uniform int keepsCutPart; // 1: only where the sculpture is >= 0.5; 0: only where it is < 0.5
+uniform int keepsCutPart; // 1: only where the sculpture is >= 0.5; 0: only where it is < 0.5
 #endif
-layout(location = 24) uniform vec3 gradientAlongX; // of a difference of 1 across two voxels: 1 / mm, in world axes
-layout(location = 25) uniform vec3 gradientAlongY;
-layout(location = 26) uniform vec3 gradientAlongZ;
-layout(location = 27) uniform vec2 gradientRange;   // the volume's unit per mm
-layout(location = 28) uniform vec2 differenceRange; // child - parent
-layout(location = 29) uniform vec2 gradientDifferenceRange;
+uniform vec3 gradientAlongX; // of a difference of 1 across two voxels: 1 / mm, in world axes
+uniform vec3 gradientAlongY;
+uniform vec3 gradientAlongZ;
+uniform vec2 gradientRange;   // the volume's unit per mm
+uniform vec2 differenceRange; // child - parent
+uniform vec2 gradientDifferenceRange;
 
 bool isInside(ivec3 voxel) {
     // As unsigned numbers, negative coordinates are too large as well.

@@ -33,8 +33,8 @@ layout(std430, binding = 2) readonly buffer Shown { uint shown[]; };
 layout(std430, binding = 6) buffer Turned { uint turned[]; };
 layout(std430, binding = 7) readonly buffer Bricks { uint bricks[]; };
 
-layout(location = 10) uniform int takesAway; // 1: some run is fenced to what is hidden
-layout(location = 14) uniform ivec3 aside;   // voxels along each axis that are about as far as one across thick slices
+uniform int takesAway; // 1: some run is fenced to what is hidden
+uniform ivec3 aside;   // voxels along each axis that are about as far as one across thick slices
 
 const int kLayers = 3; // as far as a kernel sees
 

@@ -15,9 +15,9 @@ layout(std430, binding = 2) buffer Losses { uint losses[]; };
 layout(std430, binding = 7) readonly buffer Bricks { uint bricks[]; };
 layout(r8ui, binding = 0) uniform writeonly uimage3D labels;
 
-layout(location = 9) uniform int firstBrick;
-layout(location = 10) uniform uint last;
-layout(location = 11) uniform int erasesPlane; // 1: what is in the plane; 0: what is not
+uniform int firstBrick;
+uniform uint last;
+uniform int erasesPlane; // 1: what is in the plane; 0: what is not
 
 void main() {
     uint item = uint(firstBrick) + gl_WorkGroupID.y;

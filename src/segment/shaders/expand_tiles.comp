@@ -26,11 +26,11 @@ layout(std430, binding = 7) readonly buffer Forbidden { uvec4 forbidden[]; };
 layout(binding = 5) uniform usamplerBuffer allowedTexels;
 #endif
 
-layout(location = 10) uniform int stepIndex;
-layout(location = 11) uniform uint generation;
-layout(location = 15) uniform int isBefore;     // 1: the newest voxels have the generation before this one; 0: any
-layout(location = 13) uniform uint newestAt;    // the slab that begins the plane which is read
-layout(location = 14) uniform uint nextAt;      // and the one which is written
+uniform int stepIndex;
+uniform uint generation;
+uniform int isBefore;     // 1: the newest voxels have the generation before this one; 0: any
+uniform uint newestAt;    // the slab that begins the plane which is read
+uniform uint nextAt;      // and the one which is written
 
 // Read as texels, which is many times faster on software renderers.
 uvec4 bitsOf(uint slab) { return texelFetch(newestTexels, int(newestAt + slab)); }

@@ -1,10 +1,10 @@
 // Where the sculpture hides part of the grid. Spaces: voxel indices.
-// Bindings: texture 1 the sculpture, 4 the ranges of its macrocells (rg); uniform 13.
+// Bindings: texture 1 the sculpture, 4 the ranges of its macrocells (rg).
 
 layout(binding = 1) uniform sampler3D sculptureTexture;
 layout(binding = 4) uniform sampler3D sculptureCells;
 
-layout(location = 13) uniform int hides; // 0: nothing; 1: where the sculpture is >= 0.5; 2: where it is < 0.5
+uniform int hides; // 0: nothing; 1: where the sculpture is >= 0.5; 2: where it is < 0.5
 
 bool isHiding(float value) { return hides != 0 && (value >= 0.5) == (hides == 1); }
 

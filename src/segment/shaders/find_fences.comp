@@ -11,7 +11,7 @@ layout(local_size_x = 16) in;
 layout(std430, binding = 1) writeonly buffer Answers { uint answers[]; };
 layout(std430, binding = 7) readonly buffer Bricks { uint bricks[]; };
 
-layout(location = 9) uniform int count;
+uniform int count;
 
 const int kCellsPerBrick = 8;
 

@@ -19,9 +19,9 @@ layout(std430, binding = 2) buffer Found {
     uint found[];
 };
 
-layout(location = 0) uniform int count;
-layout(location = 1) uniform uint tableMask;
-layout(location = 2) uniform mat4 worldFromVoxel;
+uniform int count;
+uniform uint tableMask;
+uniform mat4 worldFromVoxel;
 
 // Puts a voxel into the set; true for the invocation that put it there.
 bool insert(uint voxel) {

@@ -6,7 +6,7 @@ layout(local_size_x = 64) in;
 layout(std430, binding = 1) readonly buffer Added { uint added[]; };
 layout(std430, binding = 2) buffer Plane { uint plane[]; };
 
-layout(location = 9) uniform int count;
+uniform int count;
 
 void main() {
     uint i = itemIndex();

@@ -1,10 +1,10 @@
 // Which tiles of 16^3 voxels a kernel of 3 voxels carries changes of a plane of bits into.
 // Include after words.glsl. Bindings: storage 5, for each of a listed brick's eight tiles a bit for each of the 27 around it
-// (itself included), zeros at first; uniform 9. One row of groups a brick, an invocation a word.
+// (itself included), zeros at first. One row of groups a brick, an invocation a word.
 
 layout(std430, binding = 5) buffer Reach { uint reach[]; };
 
-layout(location = 9) uniform int firstBrick;
+uniform int firstBrick;
 
 // Bits 0 to 2: the tile before, this one, and the next.
 uint along(bool isNearBefore, bool isNearNext) { return 2u | uint(isNearBefore) | uint(isNearNext) << 2; }

@@ -8,9 +8,9 @@ layout(local_size_x = 16) in;
 
 layout(std430, binding = 8) buffer Bricks { uvec2 bricks[]; };
 
-layout(location = 10) uniform int stepIndex;
-layout(location = 11) uniform uint generation;
-layout(location = 13) uniform int cleansUp; // 0: the plane that the expansion read will be cleared
+uniform int stepIndex;
+uniform uint generation;
+uniform int cleansUp; // 0: the plane that the expansion read will be cleared
 
 // Generations only rise, and all of this dispatch write the same one.
 void noteInBrick(uint brick) {

@@ -1,11 +1,11 @@
 // Which segment a grown voxel belongs to. The label texture is written after growing, not while: a grown voxel without a
 // label belongs to the segment at work.
-// Include after words.glsl. Bindings: texture 3, uniforms 3 and 4.
+// Include after words.glsl. Binding: texture 3.
 
 layout(binding = 3) uniform usampler3D labelTexture;
 
-layout(location = 3) uniform uint activeLabel;
-layout(location = 4) uniform int hasOthers; // 0: there is no other segment
+uniform uint activeLabel;
+uniform int hasOthers; // 0: there is no other segment
 
 uint ownerOf(ivec3 voxel) {
     uint label = texelFetch(labelTexture, voxel, 0).r;

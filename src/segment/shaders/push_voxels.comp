@@ -11,9 +11,9 @@ layout(std430, binding = 1) buffer Region { uint region[]; };
 layout(std430, binding = 2) buffer Newest { uint newest[]; };
 layout(std430, binding = 7) readonly buffer Voxels { uint voxels[]; };
 
-layout(location = 9) uniform int count;
-layout(location = 10) uniform uint newestAt;
-layout(location = 11) uniform int isWithin;
+uniform int count;
+uniform uint newestAt;
+uniform int isWithin;
 
 void main() {
     uint i = itemIndex();

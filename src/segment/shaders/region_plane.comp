@@ -16,8 +16,8 @@ layout(std430, binding = 6) readonly buffer Forbidden { uint forbidden[]; };
 #endif
 layout(std430, binding = 7) readonly buffer Bricks { uint bricks[]; };
 
-layout(location = 9) uniform int firstBrick;
-layout(location = 10) uniform uint last;
+uniform int firstBrick;
+uniform uint last;
 
 void main() {
     uint word = bricks[uint(firstBrick) + gl_WorkGroupID.y] * kWordsPerBrick + gl_GlobalInvocationID.x;

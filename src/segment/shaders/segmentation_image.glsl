@@ -2,7 +2,7 @@
 
 #ifdef VS_GLASS
 layout(rg8, binding = 0) uniform image3D segmentation;
-layout(location = 6) uniform int channel;
+uniform int channel;
 
 void storeMembership(ivec3 voxel, float value) {
     vec2 both = imageLoad(segmentation, voxel).rg;

@@ -15,8 +15,8 @@ layout(std430, binding = 1) readonly buffer Kinds { uint kinds[]; };
 layout(std430, binding = 2) buffer Shown { uint shown[]; };
 layout(std430, binding = 7) readonly buffer Bricks { uint bricks[]; };
 
-layout(location = 10) uniform uint playhead;
-layout(location = 12) uniform uint wanted;   // the number that makes a label's voxels appear in this plane
+uniform uint playhead;
+uniform uint wanted;   // the number that makes a label's voxels appear in this plane
 
 uint visibleIn(uint word) {
     uint bits = grown[word];

@@ -8,7 +8,7 @@ layout(local_size_x = 64) in;
 layout(std430, binding = 1) readonly buffer Rows { uint rows[]; };
 layout(std430, binding = 2) writeonly buffer AlongXY { float alongXY[]; };
 
-layout(location = 5) uniform vec4 weightsX;
+uniform vec4 weightsX;
 
 // The lowest seven bits smoothed along x, at the middle one.
 float alongX(uint bits) {

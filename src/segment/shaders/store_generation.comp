@@ -11,8 +11,8 @@ layout(std430, binding = 0) buffer Grown { uint grown[]; };
 layout(std430, binding = 7) readonly buffer Voxels { uint voxels[]; };
 layout(r8ui, binding = 0) uniform writeonly uimage3D labels;
 
-layout(location = 9) uniform int count;
-layout(location = 10) uniform uint generation;
+uniform int count;
+uniform uint generation;
 
 void main() {
     uint i = itemIndex();

@@ -9,7 +9,7 @@ layout(local_size_x = 128) in;
 layout(binding = 1) uniform sampler3D segmentation;
 layout(rg32f, binding = 1) uniform writeonly image3D cells;
 
-layout(location = 5) uniform ivec3 cellDims;
+uniform ivec3 cellDims;
 
 const int kCell = 4;
 const int kCellsAround = kTile / kCell + 1; // along an axis: those inside, and the one whose last corner is the first voxel

@@ -18,8 +18,8 @@ layout(std430, binding = 2) readonly buffer Forbidden { uint forbidden[]; };
 #endif
 layout(std430, binding = 7) readonly buffer Voxels { uint voxels[]; };
 
-layout(location = 9) uniform int count;
-layout(location = 10) uniform uint playhead;
+uniform int count;
+uniform uint playhead;
 
 void main() {
     uint i = itemIndex();

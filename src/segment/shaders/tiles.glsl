@@ -1,6 +1,6 @@
 // Segmentation is updated in tiles of 16^3 voxels; smoothing looks 3 voxels beyond. Two scratch blocks hold, for each tile
 // at work, membership in 22 x 22 rows of 22 bits, and values smoothed along x and y (16 x 16 x 22, x fastest).
-// Spaces: voxel indices. Bindings: storage 0 tile indices, 3 the voxels shown, one bit each; uniforms 0 to 4. With VS_CONTINUED
+// Spaces: voxel indices. Bindings: storage 0 tile indices, 3 the voxels shown, one bit each. With VS_CONTINUED
 // storage 4 has the voxels that count as the opposite (continue_segments.comp).
 #include "segment/shaders/words.glsl"
 
@@ -17,9 +17,9 @@ uint membersIn(uint word) { return shown[word] ^ turned[word]; }
 uint membersIn(uint word) { return shown[word]; }
 #endif
 
-layout(location = 2) uniform ivec3 tileDims;
-layout(location = 3) uniform int firstTile;
-layout(location = 4) uniform vec4 weights; // along the axis at work, of voxels at distance 0, 1, 2, 3
+uniform ivec3 tileDims;
+uniform int firstTile;
+uniform vec4 weights; // along the axis at work, of voxels at distance 0, 1, 2, 3
 
 ivec3 tileOrigin(uint place) {
     uint index = tiles[uint(firstTile) + place];

@@ -10,8 +10,8 @@ const uint kWordsPerBrick = 1024u;
 const uint kSlabsPerTile = 4u;
 const uint kSlabsPerBrick = 256u;
 
-layout(location = 0) uniform ivec3 dims;
-layout(location = 1) uniform ivec3 brickDims;
+uniform ivec3 dims;
+uniform ivec3 brickDims;
 
 uint brickCount() { return uint(brickDims.x * brickDims.y * brickDims.z); }
 

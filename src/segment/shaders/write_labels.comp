@@ -9,7 +9,7 @@ layout(std430, binding = 0) readonly buffer Grown { uint grown[]; };
 layout(std430, binding = 7) readonly buffer Bricks { uint bricks[]; };
 layout(r8ui, binding = 0) uniform writeonly uimage3D labels;
 
-layout(location = 9) uniform int firstBrick;
+uniform int firstBrick;
 
 void main() {
     uint word = bricks[uint(firstBrick) + gl_WorkGroupID.y] * kWordsPerBrick + gl_GlobalInvocationID.x;

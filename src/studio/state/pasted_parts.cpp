@@ -64,7 +64,9 @@ void PastedParts::derive(Derived& part, const sculpt::Sculpture& sculpture, cons
     (part.upTo ? *part.upTo : sculpture.texels()).bindTexture(1);
     (part.from ? *part.from : sculpture.texels()).bindTexture(2);
     part.texels.bindImage(0, gl::Access::Write);
-    program_.set(0, box.lo).set(1, box.hi).set(2, glm::ivec2(part.upTo ? 1 : 0, part.from ? 1 : 0));
+    program_.set("first", box.lo)
+        .set("last", box.hi)
+        .set("has", glm::ivec2(part.upTo ? 1 : 0, part.from ? 1 : 0));
     program_.dispatchOver(box.size(), gl::Barrier::Texture);
     updater_.update(part.texels, box, part.cells);
 }

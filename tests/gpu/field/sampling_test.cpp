@@ -39,7 +39,7 @@ protected:
         in.write(std::span<const glm::vec4>(places));
         in.bindStorage(0);
         out.bindStorage(1);
-        program.set(0, int(places.size()));
+        program.set("count", int(places.size()));
         program.dispatchOver({int(places.size()), 1, 1}, gl::Barrier::Storage);
         return out.read<glm::vec4>(places.size());
     }

@@ -4,7 +4,10 @@
 #include "gl/texture.h"
 #include "gpu/gl_test.h"
 
+#include "base/error.h"
+
 #include <algorithm>
+#include <array>
 #include <cstdlib>
 #include <numeric>
 #include <optional>
@@ -86,6 +89,21 @@ TEST_F(GlObjectsTest, ABufferThatFindsNoRoomIsRefusedWithItsSize) {
     // Told by the exception, so not counted besides: the fixture checks that.
 }
 
+TEST_F(GlObjectsTest, UniformsAreKnownByTheirNamesAndTypes) {
+    setenv("VOLUME_STUDIO_SHADER_DIR", VS_TEST_SHADERS, 1);
+    Program program("name_uniforms.comp");
+    unsetenv("VOLUME_STUDIO_SHADER_DIR");
+    Buffer answers(4 * sizeof(float), "answers");
+    answers.bindStorage(0);
+    const std::array<float, 3> taps{1, 2, 4};
+    program.set("offset", 10.0F).set("taps", taps).set("unused", 3);
+    program.dispatch({1, 1, 1}, Barrier::Storage);
+    EXPECT_EQ(answers.read<float>(3), (std::vector<float>{11, 12, 14}));
+    EXPECT_THROW(program.set("offest", 1.0F), GlError);
+    EXPECT_THROW(program.set("offset", 1), GlError); // it is a float
+    EXPECT_THROW(program.set("Block", 1), GlError);  // which is no uniform but holds some
+}
+
 TEST_F(GlObjectsTest, AListLongerThanOneRowOfGroupsIsWorkedOnOnce) {
     setenv("VOLUME_STUDIO_SHADER_DIR", VS_TEST_SHADERS, 1);
     Program program("count_items.comp");
@@ -93,7 +111,7 @@ TEST_F(GlObjectsTest, AListLongerThanOneRowOfGroupsIsWorkedOnOnce) {
     for (const std::size_t count : {1, 64, 65535 * 64, 65535 * 64 + 1, 5000000}) {
         Buffer visits((count + 100) * sizeof(std::uint32_t), "visits");
         visits.bindStorage(0);
-        program.set(0, int(count));
+        program.set("count", int(count));
         program.dispatchOverList(count, Barrier::Storage);
         const auto times = visits.read<std::uint32_t>(count + 100);
         EXPECT_EQ(std::count(times.begin(), times.begin() + std::ptrdiff_t(count), 1U), count);

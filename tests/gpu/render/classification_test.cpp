@@ -38,7 +38,7 @@ protected:
         in.bindStorage(0);
         out.bindStorage(1);
         classification.bind();
-        program.set(0, int(queries.size()));
+        program.set("count", int(queries.size()));
         program.dispatchOver({int(queries.size()), 1, 1}, gl::Barrier::Storage);
         return out.read<Answer>(queries.size());
     }

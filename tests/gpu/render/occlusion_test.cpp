@@ -90,7 +90,7 @@ struct Stage {
         in.bindStorage(0);
         out.bindStorage(1);
         occlusion.bind(light);
-        program.set(0, int(queries.size()));
+        program.set("count", int(queries.size()));
         program.dispatchOver({int(queries.size()), 1, 1}, gl::Barrier::Storage);
         return out.read<Answer>(queries.size());
     }

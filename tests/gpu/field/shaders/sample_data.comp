@@ -7,7 +7,7 @@ layout(local_size_x = 64) in;
 layout(std430, binding = 0) readonly buffer Places { vec4 places[]; };
 layout(std430, binding = 1) writeonly buffer Answers { vec4 answers[]; };
 
-layout(location = 0) uniform int count;
+uniform int count;
 
 void main() {
     int i = int(gl_GlobalInvocationID.x);

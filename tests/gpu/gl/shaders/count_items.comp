@@ -2,7 +2,7 @@
 layout(local_size_x = 64) in;
 #include "gl/shaders/items.glsl"
 layout(std430, binding = 0) buffer Visits { uint visits[]; };
-layout(location = 0) uniform int count;
+uniform int count;
 void main() {
     uint i = itemIndex();
     if (i < uint(count)) {

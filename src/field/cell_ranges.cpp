@@ -7,6 +7,10 @@
 
 namespace vs::field {
 
+namespace {
+#include "field/shaders/bindings.glsl"
+} // namespace
+
 glm::ivec3 cellDims(glm::ivec3 dims) { return glm::max(divideUp(dims - 1, kCell), glm::ivec3(1)); }
 
 namespace {
@@ -15,8 +19,8 @@ constexpr const char* kShader = "field/shaders/summarize_cells.comp";
 
 void summarize(gl::Program& program, const gl::Texture& texels, glm::vec2 valueScaleOffset,
                const Box3& cellBox, gl::Texture& cells) {
-    texels.bindTexture(0);
-    cells.bindImage(0, gl::Access::Write);
+    texels.bindTexture(kValuesTexture);
+    cells.bindImage(kCellsImage, gl::Access::Write);
     program.set("dims", texels.size())
         .set("cellLo", cellBox.lo)
         .set("cellHi", cellBox.hi)

@@ -11,6 +11,10 @@
 namespace vs::field {
 
 namespace {
+#include "field/shaders/bindings.glsl"
+} // namespace
+
+namespace {
 
 // Logarithmic bins of count_gradients.comp: 32 to an octave, the lowest one from 0 to 2^-64.
 constexpr int kLogBins = 4096;
@@ -28,7 +32,7 @@ struct Magnitudes {
 
 // What every variant of the counting shader needs.
 void bind(gl::Program& program, const Field& field, const Range& gradients, glm::ivec2 bins) {
-    field.texels.bindTexture(0);
+    field.texels.bindTexture(kDataTexture);
     program.set("dims", field.geometry.dims)
         .set("bins", bins)
         .set("valueScale", glm::vec3(field.valueScale, field.valueOffset, field.isIntegral ? 1 : 0))
@@ -56,7 +60,7 @@ Magnitudes countMagnitudes(const Field& field) {
     const gl::Pass pass("gradient range");
     gl::Program program("field/shaders/count_gradients.comp", {{"COUNT", "0"}});
     gl::Buffer counts((kLogBins + 1) * sizeof(std::uint32_t), "gradient magnitudes");
-    counts.bindStorage(0);
+    counts.bindStorage(kCountsStorage);
     count(program, field, {}, {kLogBins, 1});
     return readMagnitudes(counts);
 }
@@ -89,7 +93,7 @@ std::vector<std::uint32_t> gradientHistogram(const Field& field, const Range& gr
     const gl::Pass pass("gradient histogram");
     gl::Program program("field/shaders/count_gradients.comp", {{"COUNT", "1"}});
     gl::Buffer counts(std::size_t(bins) * sizeof(std::uint32_t), "gradient histogram");
-    counts.bindStorage(0);
+    counts.bindStorage(kCountsStorage);
     count(program, field, gradients, {bins, 1});
     return counts.read<std::uint32_t>(std::size_t(bins));
 }
@@ -100,7 +104,7 @@ JointHistogram jointHistogram(const Field& field, const Range& gradients, glm::i
     gl::Program program("field/shaders/count_gradients.comp", {{"COUNT", "2"}});
     const std::size_t all = std::size_t(bins.x) * std::size_t(bins.y);
     gl::Buffer counts(all * sizeof(std::uint32_t), "joint histogram");
-    counts.bindStorage(0);
+    counts.bindStorage(kCountsStorage);
     count(program, field, gradients, bins);
     return {bins, field.range, gradients, counts.read<std::uint32_t>(all)};
 }
@@ -118,14 +122,14 @@ JointCounting::JointCounting(const Field& field, glm::ivec2 bins)
 bool JointCounting::advance(double budgetMs) {
     const gl::Pass pass("joint histogram in slices");
     if (!measured_.isDone()) {
-        magnitudes_.bindStorage(0);
+        magnitudes_.bindStorage(kCountsStorage);
         bind(measure_, *field_, {}, {kLogBins, 1});
         if (measured_.advance(measure_, budgetMs)) {
             joint_.gradients = usualRange(readMagnitudes(magnitudes_));
         }
         return false;
     }
-    counts_.bindStorage(0);
+    counts_.bindStorage(kCountsStorage);
     bind(count_, *field_, joint_.gradients, joint_.bins);
     if (!counted_.advance(count_, budgetMs)) {
         return false;

@@ -10,10 +10,14 @@
 namespace vs::field {
 
 namespace {
+#include "field/shaders/bindings.glsl"
+} // namespace
+
+namespace {
 
 void bind(gl::Program& program, const Field& field, int bins, const gl::Buffer& counts) {
-    counts.bindStorage(0);
-    field.texels.bindTexture(0);
+    counts.bindStorage(kCountsStorage);
+    field.texels.bindTexture(kDataTexture);
     program.set("dims", field.geometry.dims)
         .set("bins", bins)
         .set("valueScaleOffset", glm::vec2(field.valueScale, field.valueOffset))
@@ -47,7 +51,7 @@ void VisibleHistogram::start(SculptureView view) {
 bool VisibleHistogram::advance(const gl::Texture& sculpture, double budgetMs) {
     const gl::Pass pass("visible histogram");
     bind(program_, *field_, bins_, counts_);
-    sculpture.bindTexture(1);
+    sculpture.bindTexture(kSculptureTexture);
     program_.set("sculptureView", view_ == SculptureView::Cut ? 1 : 2);
     return rows_.advance(program_, budgetMs);
 }

@@ -7,6 +7,10 @@
 
 namespace vs::field {
 
+namespace {
+#include "field/shaders/bindings.glsl"
+} // namespace
+
 SceneBinding::SceneBinding()
     : block_(sizeof(SceneBlock), "scene"),
       empty_(glm::ivec3(1), gl::Format::R8, gl::Filter::Nearest, "empty"),
@@ -39,20 +43,20 @@ void SceneBinding::bind(const Scene& scene) {
         block.limits.z = scene.smoothed->valueOffset;
     }
     block_.writeValue(block);
-    block_.bindUniform(0);
-    data.texels.bindTexture(0);
+    block_.bindUniform(kSceneBlock);
+    data.texels.bindTexture(kDataTexture);
     if (data.quads) {
-        data.quads.bindTexture(6);
+        data.quads.bindTexture(kQuadsTexture);
     }
     if (scene.smoothed != nullptr) {
-        scene.smoothed->texels.bindTexture(15);
+        scene.smoothed->texels.bindTexture(kSmoothedTexture);
         if (scene.smoothed->quads) {
-            scene.smoothed->quads.bindTexture(12);
+            scene.smoothed->quads.bindTexture(kSmoothedQuadsTexture);
         }
     }
-    (scene.sculpture != nullptr ? *scene.sculpture : empty_).bindTexture(1);
-    (scene.segmentation != nullptr ? *scene.segmentation : empty_).bindTexture(2);
-    (scene.segmentLabels != nullptr ? *scene.segmentLabels : segment1_).bindTexture(13);
+    (scene.sculpture != nullptr ? *scene.sculpture : empty_).bindTexture(kSculptureTexture);
+    (scene.segmentation != nullptr ? *scene.segmentation : empty_).bindTexture(kSegmentationTexture);
+    (scene.segmentLabels != nullptr ? *scene.segmentLabels : segment1_).bindTexture(kSegmentLabelsTexture);
 }
 
 } // namespace vs::field

@@ -11,6 +11,10 @@
 namespace vs::field {
 
 namespace {
+#include "field/shaders/bindings.glsl"
+} // namespace
+
+namespace {
 
 constexpr int kMostReach = 6; // voxels, as in smooth_values.comp
 constexpr int kSlab = 32;     // slices smoothed at a time
@@ -64,8 +68,8 @@ public:
             defines.emplace_back("VS_MASKED", "1");
         }
         gl::Program& program = programs_.with(defines);
-        source.bindTexture(0);
-        target.bindImage(0, gl::Access::Write);
+        source.bindTexture(kSourceTexture);
+        target.bindImage(kTargetImage, gl::Access::Write);
         program.set("dims", dims_)
             .set("axisAtWork", axis)
             .set("task", glm::ivec2(first, end))
@@ -93,8 +97,8 @@ void fillQuads(Field& field) {
     }
     gl::Program fill("field/shaders/fill_quads.comp",
                      {{"VS_FORMAT", field.texels.format() == gl::Format::R16 ? "rgba16" : "rgba32f"}});
-    field.texels.bindTexture(0);
-    field.quads.bindImage(0, gl::Access::Write);
+    field.texels.bindTexture(kTexelsTexture);
+    field.quads.bindImage(kQuadsImage, gl::Access::Write);
     fill.set("dims", field.geometry.dims);
     fill.dispatchOver(field.geometry.dims, gl::Barrier::Texture);
 }

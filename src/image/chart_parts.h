@@ -53,7 +53,7 @@ struct Layout {
 double widest(const std::vector<Tick>& ticks, double size);
 std::vector<Tick> linearTicks(const Range& range, double pixels, double perTick);
 
-// Of counts, by a function from counts to parts of the axis.
+// Ticks for an axis of counts; `part` says which part of the axis is below a count.
 template <typename F>
 std::vector<Tick> countTicks(double greatest, bool isLogarithmic, double pixels, double perTick, F part) {
     const int most = std::clamp(int(pixels / perTick), 2, 10);

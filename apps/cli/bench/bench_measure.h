@@ -15,7 +15,8 @@ struct Measurement {
     std::string kind; // "data", "mode" or "edit"
     std::string name;
     std::vector<double> milliseconds; // wall clock of each run, until the device has finished
-    // Of one run, by the names of gl::Pass: medians over runs of their own, as timing passes slows them down.
+    // What each pass takes in one run, by the names of gl::Pass: medians over runs of their own, since timing
+    // passes slows them down.
     std::map<std::string, gl::PassTimes> passes;
 
     [[nodiscard]] double medianMilliseconds() const;

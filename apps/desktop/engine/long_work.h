@@ -29,7 +29,7 @@ public:
     explicit LongWork(GlHost& host);
     ~LongWork() override;
 
-    // Of what lasts, when a person presses something meanwhile.
+    // What becomes of input that comes while work lasts.
     enum class Input {
         Waits,   // until it is done
         GivesUp, // Esc or the button named "giveUp" do; all else is dropped

@@ -13,8 +13,8 @@ class WatchedApplication : public QApplication {
 public:
     using QApplication::QApplication;
 
-    // Of an event that a loop delivered; what loops within it delivered is counted for themselves. Times of
-    // Timer::now(), and how much processor time the window's thread and the whole program had meanwhile,
+    // How long an event that a loop delivered took; what loops within it delivered counts for itself. Times
+    // of Timer::now(), and how much processor time the window's thread and the whole program had meanwhile,
     // which other programs on the machine do not lengthen; names of the receiver and its class, and the
     // event's type (QEvent::Type).
     struct Busy {

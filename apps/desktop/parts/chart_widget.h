@@ -26,7 +26,7 @@ public:
     void setCounts(const std::vector<std::uint32_t>& counts);
     // What stands in the middle while there are no counts.
     void setEmptyText(const QString& text);
-    // Of these so many can be seen; empty: all.
+    // How many of those in each bin can be seen in the picture; empty: all.
     void setVisibleCounts(const std::vector<std::uint32_t>& counts);
     void setLogarithmic(bool isLogarithmic);
     [[nodiscard]] bool isLogarithmic() const { return isLogarithmic_; }

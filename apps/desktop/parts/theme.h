@@ -24,7 +24,7 @@ inline QColor kQuiet{0x9a, 0xa3, 0xad};
 inline QColor kDisabled{0x5f, 0x67, 0x70};
 inline QColor kAccent{0x56, 0xb4, 0xe9}; // sky blue
 
-// Of what is drawn on the picture, which is the same in both.
+// Colours of what is drawn on the picture, which are the same in every theme.
 inline const QColor kIdle{0x2f, 0xc9,
                           0x8f}; // bluish green, lighter than the palette's to show on dark pictures
 inline const QColor kCutting{0xe6, 0x4b, 0x1e};   // vermilion

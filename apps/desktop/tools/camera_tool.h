@@ -36,7 +36,8 @@ public:
     void reset();
 
 private:
-    // Of a place of the view (logical pixels) at the depth that is looked at, to the right and up.
+    // How far a place of the view (logical pixels) is from its centre to the right and up, at the depth that
+    // is looked at.
     [[nodiscard]] glm::dvec2 millimetresFromCentre(QPointF place) const;
 
     StudioController& studio_;

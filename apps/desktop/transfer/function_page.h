@@ -46,7 +46,7 @@ protected:
     virtual void setOpacity(render::TransferFunction& function, std::size_t part, double opacity) const = 0;
     virtual void setColour(render::TransferFunction& function, std::size_t part,
                            render::Colour colour) const = 0;
-    // Of the chosen part, if any.
+    // Shows the numbers of the chosen part, if there is one.
     virtual void refreshNumbers(std::optional<std::size_t> part) = 0;
     // One edit of the chosen part, a step of its own.
     void edit(const std::function<void(render::TransferFunction&, std::size_t)>& change);

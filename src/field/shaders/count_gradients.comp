@@ -6,8 +6,9 @@
 // variants: COUNT=0;COUNT=1;COUNT=2
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(binding = 0) uniform sampler3D dataTexture;
-layout(std430, binding = 0) buffer Counts { uint counts[]; };
+#include "field/shaders/bindings.glsl"
+layout(binding = kDataTexture) uniform sampler3D dataTexture;
+layout(std430, binding = kCountsStorage) buffer Counts { uint counts[]; };
 
 uniform ivec3 dims;
 uniform ivec2 bins;

@@ -5,8 +5,9 @@
 // variants: VISIBLE=0;VISIBLE=1
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(binding = 0) uniform sampler3D dataTexture;
-layout(std430, binding = 0) buffer Counts { uint counts[]; };
+#include "field/shaders/bindings.glsl"
+layout(binding = kDataTexture) uniform sampler3D dataTexture;
+layout(std430, binding = kCountsStorage) buffer Counts { uint counts[]; };
 
 uniform ivec3 dims;
 uniform int bins;
@@ -14,7 +15,7 @@ uniform vec2 valueScaleOffset;
 uniform vec2 valueRange;
 uniform int firstRow; // of work groups
 #if VISIBLE
-layout(binding = 1) uniform sampler3D sculptureTexture;
+layout(binding = kSculptureTexture) uniform sampler3D sculptureTexture;
 uniform int sculptureView; // 1 cut, 2 probe
 
 bool isVisible(ivec3 voxel) {

@@ -3,8 +3,9 @@
 // variants: VS_FORMAT=rgba16;VS_FORMAT=rgba32f
 layout(local_size_x = 64) in;
 
-layout(binding = 0) uniform sampler3D texels;
-layout(VS_FORMAT, binding = 0) uniform writeonly imageBuffer quads;
+#include "field/shaders/bindings.glsl"
+layout(binding = kTexelsTexture) uniform sampler3D texels;
+layout(VS_FORMAT, binding = kQuadsImage) uniform writeonly imageBuffer quads;
 
 uniform ivec3 dims;
 

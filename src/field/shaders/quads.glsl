@@ -1,10 +1,11 @@
 // Trilinear samples of the data from its quads (field/quads.h): what a texture unit would do, for renderers without one.
 // Bindings: texture 6, with SMOOTHED 12. Included by scene.glsl.
 
+#include "field/shaders/bindings.glsl"
 #ifdef SMOOTHED
-layout(binding = 12) uniform samplerBuffer quads;
+layout(binding = kSmoothedQuadsTexture) uniform samplerBuffer quads;
 #else
-layout(binding = 6) uniform samplerBuffer quads;
+layout(binding = kQuadsTexture) uniform samplerBuffer quads;
 #endif
 
 // The stored value at p, 0 to 1 for whole numbers. Beyond the grid values are those at its border. Voxel space.

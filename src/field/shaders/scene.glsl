@@ -6,7 +6,8 @@
 // (field::SceneBinding). ALL_SEGMENTS: translucent segments count as opaque ones do. SMOOTHED: dataAt() gives smoothed values,
 // of textures 15 and 12, sectionValueAt() the values themselves.
 
-layout(std140, binding = 0) uniform SceneBlock {
+#include "field/shaders/bindings.glsl"
+layout(std140, binding = kSceneBlock) uniform SceneBlock {
     mat4 worldFromVoxel;
     mat4 voxelFromWorld;
     ivec4 dims;      // xyz voxels, w sculpture view: 0 whole, 1 cut, 2 probe
@@ -19,16 +20,16 @@ layout(std140, binding = 0) uniform SceneBlock {
 };
 
 #ifdef SMOOTHED
-layout(binding = 15) uniform sampler3D dataTexture;
-layout(binding = 0) uniform sampler3D sectionTexture; // the values themselves
+layout(binding = kSmoothedTexture) uniform sampler3D dataTexture;
+layout(binding = kSectionTexture) uniform sampler3D sectionTexture; // the values themselves
 vec2 dataScale() { return limits.yz; }
 #else
-layout(binding = 0) uniform sampler3D dataTexture;
+layout(binding = kDataTexture) uniform sampler3D dataTexture;
 vec2 dataScale() { return valueScale.xy; }
 #endif
-layout(binding = 1) uniform sampler3D sculptureTexture;
-layout(binding = 2) uniform sampler3D segmentationTexture; // r opaque segments, g translucent ones
-layout(binding = 13) uniform usampler3D segmentLabels;     // or one texel for all voxels
+layout(binding = kSculptureTexture) uniform sampler3D sculptureTexture;
+layout(binding = kSegmentationTexture) uniform sampler3D segmentationTexture; // r opaque segments, g translucent ones
+layout(binding = kSegmentLabelsTexture) uniform usampler3D segmentLabels;     // or one texel for all voxels
 
 struct SceneSample {
     float value;        // in the volume's unit

@@ -6,8 +6,9 @@
 // variants: VS_FORMAT=r32f VS_REACH=6 VS_MASKED=1;VS_FORMAT=r16 VS_REACH=1;VS_FORMAT=r32f VS_REACH=3
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(binding = 0) uniform sampler3D source;
-layout(VS_FORMAT, binding = 0) uniform writeonly image3D target;
+#include "field/shaders/bindings.glsl"
+layout(binding = kSourceTexture) uniform sampler3D source;
+layout(VS_FORMAT, binding = kTargetImage) uniform writeonly image3D target;
 
 uniform ivec3 dims;
 uniform int axisAtWork;

@@ -2,8 +2,9 @@
 // In: texture 0 values. Out: image 0 (rg32f) one texel a cell.
 layout(local_size_x = 8, local_size_y = 4, local_size_z = 2) in;
 
-layout(binding = 0) uniform sampler3D values;
-layout(rg32f, binding = 0) uniform writeonly image3D cells;
+#include "field/shaders/bindings.glsl"
+layout(binding = kValuesTexture) uniform sampler3D values;
+layout(rg32f, binding = kCellsImage) uniform writeonly image3D cells;
 
 uniform ivec3 dims;
 uniform ivec3 cellLo;

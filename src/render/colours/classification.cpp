@@ -8,6 +8,10 @@
 namespace vs::render {
 
 namespace {
+#include "render/shaders/bindings.glsl"
+} // namespace
+
+namespace {
 
 // Texture coordinate from a value, so that the ends of `span` fall on the centres of the outermost of `count`
 // texels: x scale, y offset. A span of one value is all one texel.
@@ -118,12 +122,12 @@ void Classification::writeBlock(const ClassificationTables& tables, const field:
 }
 
 void Classification::bind() const {
-    main_.bindTexture(5);
+    main_.bindTexture(kFunctionTableTexture);
     if (spans_) {
-        spans_.bindTexture(10);
+        spans_.bindTexture(kFunctionSpansTexture);
     }
-    visibleBefore_.bindTexture(7);
-    block_.bindUniform(2);
+    visibleBefore_.bindTexture(kVisibleBeforeTexture);
+    block_.bindUniform(kClassificationBlock);
 }
 
 const char* Classification::kindDefine() const {

@@ -62,7 +62,7 @@ private:
 
     TransferFunction function_;
     TransferFunction resolved_;
-    // Of the field with this serial number; measured when a function first needs them.
+    // What functions are anchored to, in the field with this serial number; measured when one first needs it.
     std::uint64_t anchorsSerial_ = 0;
     std::optional<Range> robustValues_;
     std::optional<double> gradientTop_;

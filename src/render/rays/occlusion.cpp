@@ -9,6 +9,10 @@
 namespace vs::render {
 
 namespace {
+#include "render/shaders/bindings.glsl"
+} // namespace
+
+namespace {
 
 // Length in mm that distances are measured in: the edge of a cube as large as a texel.
 double texelMm(const volume::GridGeometry& geometry, glm::ivec3 block) {
@@ -98,7 +102,7 @@ void OcclusionVolume::fill(const Input& input, const Box3& texels) {
     // take two cells.
     const bool isInOneCell = glm::all(glm::lessThanEqual(blockSize_, glm::ivec3(field::kCell)));
     const int farEnough = input.macrocells == nullptr ? 256 : isInOneCell ? 2 : 3;
-    texels_.bindImage(0, gl::Access::Write, 0);
+    texels_.bindImage(kOcclusionImage, gl::Access::Write, 0);
     program.set("texelLo", texels.lo)
         .set("texelHi", texels.hi)
         .set("blockSize", blockSize_)
@@ -109,8 +113,8 @@ void OcclusionVolume::fill(const Input& input, const Box3& texels) {
 }
 
 void OcclusionVolume::average(int level, const Box3& texels) {
-    texels_.bindTexture(9);
-    texels_.bindImage(0, gl::Access::Write, level);
+    texels_.bindTexture(kOcclusionTexture);
+    texels_.bindImage(kAveragesImage, gl::Access::Write, level);
     average_.set("texelLo", texels.lo).set("texelHi", texels.hi).set("level", level - 1);
     average_.dispatchOver(texels.size(), gl::Barrier::Texture);
 }
@@ -152,8 +156,8 @@ void OcclusionVolume::bind(const Light& light) {
     data.strengths = glm::vec4(glm::dvec4(light.ambientOcclusion, light.shadows, 0, 0));
     data.levels = glm::ivec4(kLevels, kLevels - 1, 0, 0);
     block_.writeValue(data);
-    block_.bindUniform(3);
-    texels_.bindTexture(9);
+    block_.bindUniform(kOcclusionBlock);
+    texels_.bindTexture(kOcclusionTexture);
 }
 
 } // namespace vs::render

@@ -5,6 +5,10 @@
 
 namespace vs::render {
 
+namespace {
+#include "render/shaders/bindings.glsl"
+} // namespace
+
 Picker::Picker() : view_(sizeof(ViewBlock), "picker view") {}
 
 gl::Program& Picker::programFor(const Frame& frame, Meets meets) {
@@ -66,15 +70,15 @@ field::SurfacePoints Picker::pick(const Frame& frame, std::span<const glm::vec2>
     gl::Program& program = programFor(frame, meets);
     sceneBinding_.bind(frame.scene);
     view_.writeValue(viewBlock(frame.rays, frame.scene.data->geometry));
-    view_.bindUniform(1);
+    view_.bindUniform(kViewBlock);
     frame.macrocells->bind();
     if (frame.mode == Mode::Volume) {
         frame.classification->bind();
     }
     positions_.reserve(positions.size_bytes());
     positions_.write(positions);
-    positions_.bindStorage(0);
-    out.points.bindStorage(1);
+    positions_.bindStorage(kPositionsStorage);
+    out.points.bindStorage(kPointsStorage);
     program.set("count", int(positions.size()));
     program.dispatchOverList(positions.size(), gl::Barrier::Storage);
     return out;

@@ -14,6 +14,10 @@
 namespace vs::render {
 
 namespace {
+#include "render/shaders/bindings.glsl"
+} // namespace
+
+namespace {
 
 constexpr int kSquare = 8;           // pixels; a work group's
 constexpr int kFewSquares = 256;     // no submission is shorter, but for what is left
@@ -173,14 +177,14 @@ void RayCaster::arrangeParts() {
 
 void RayCaster::bindPart(const Part& part) {
     sceneBinding_.bind(part.scene);
-    part.view.bindUniform(1);
+    part.view.bindUniform(kViewBlock);
     part.macrocells->bind();
-    part.beams.bindTexture(8);
+    part.beams.bindTexture(kBeamsTexture);
     if (frame_.mode == Mode::Mip) {
         part.slabs.bind();
     }
     if (frame_.segmentCells != nullptr) {
-        frame_.segmentCells->distances().bindTexture(11);
+        frame_.segmentCells->distances().bindTexture(kSegmentCellDistancesTexture);
     }
     if (part.occlusion != nullptr) {
         part.occlusion->bind({.towardsKey = towardsKeyLight(part.rays)});
@@ -198,7 +202,7 @@ void RayCaster::findBeams() {
     const gl::Pass pass("find beams");
     for (const Part& part : parts_) {
         bindPart(part);
-        part.beams.bindImage(0, gl::Access::Write);
+        part.beams.bindImage(kBeamsImage, gl::Access::Write);
         findBeams_.set("beamPixels", beamPixels(frame_.mode, frame_.rays.size));
         findBeams_.dispatchOver(part.beams.size(), gl::Barrier::Texture);
     }
@@ -207,11 +211,11 @@ void RayCaster::findBeams() {
 void RayCaster::listSquares() {
     const gl::Pass pass("list squares");
     const glm::ivec2 count = squareCount(frame_.rays.size);
-    parts_.back().beams.bindTexture(8);
-    squares_.bindStorage(0);
-    placeOfSquare_.bindStorage(2);
+    parts_.back().beams.bindTexture(kBeamsTexture);
+    squares_.bindStorage(kSquaresStorage);
+    placeOfSquare_.bindStorage(kPlacesStorage);
     squareCounts_.clear();
-    squareCounts_.bindStorage(1);
+    squareCounts_.bindStorage(kSquareCountsStorage);
     // Where parts are drawn beside one another, their beams differ.
     listSquares_.set("squareCount", count)
         .set("beamPixels", beamPixels(frame_.mode, frame_.rays.size))
@@ -227,12 +231,12 @@ void RayCaster::setSettledAside() {
     if (!setAside_) { // compiled when first needed, not while a volume is opened
         setAside_ = gl::Program("render/shaders/set_squares_aside.comp");
     }
-    squares_.bindStorage(0);
+    squares_.bindStorage(kSquaresStorage);
     squareCounts_.clear();
-    squareCounts_.bindStorage(1);
-    placeOfSquare_.bindStorage(2);
-    contrasts_.bindStorage(3);
-    unsettled_.bindStorage(4);
+    squareCounts_.bindStorage(kSquareCountsStorage);
+    placeOfSquare_.bindStorage(kPlacesStorage);
+    contrasts_.bindStorage(kContrastsStorage);
+    unsettled_.bindStorage(kOrderedStorage);
     setAside_.set("squareCount", squareCount(frame_.rays.size)).set("occupied", occupiedSquares_);
     const glm::ivec2 all = squareCount(frame_.rays.size);
     setAside_.dispatchOverList(std::size_t(all.x * all.y), gl::Barrier::Storage);
@@ -290,18 +294,18 @@ bool RayCaster::renderSome(double budgetMs) {
     if (frame_.classification != nullptr) {
         frame_.classification->bind();
     }
-    accumulation_.bindImage(0, gl::Access::ReadWrite);
+    accumulation_.bindImage(kAccumulationImage, gl::Access::ReadWrite);
     if (parts_.size() > 1) {
-        seenFront_.bindImage(1, gl::Access::ReadWrite);
-        seenBehind_.bindImage(2, gl::Access::ReadWrite);
+        seenFront_.bindImage(kSeenFrontImage, gl::Access::ReadWrite);
+        seenBehind_.bindImage(kSeenBehindImage, gl::Access::ReadWrite);
     }
     if (parts_.size() > 1 && drawsTranslucent(frame_)) {
-        seenGlass_.bindImage(3, gl::Access::ReadWrite);
-        seenGlassDepth_.bindImage(4, gl::Access::ReadWrite);
+        seenGlass_.bindImage(kSeenGlassImage, gl::Access::ReadWrite);
+        seenGlassDepth_.bindImage(kSeenGlassDepthImage, gl::Access::ReadWrite);
     }
-    segmentColours_.bindTexture(14);
-    squares_.bindStorage(0);
-    contrasts_.bindStorage(3);
+    segmentColours_.bindTexture(kSegmentColoursTexture);
+    squares_.bindStorage(kSquaresStorage);
+    contrasts_.bindStorage(kContrastsStorage);
     const auto& geometry = frame_.scene.data->geometry;
     program
         .set("exposure", glm::vec2(float(frame_.xrayGain), float(geometry.diagonalMm() / geometry.stepMm())))
@@ -342,7 +346,7 @@ bool RayCaster::renderSome(double budgetMs) {
             ++sample_;
             if (frame_.endsEarly && sample_ == kSettling) {
                 setSettledAside();
-                squares_.bindStorage(0);
+                squares_.bindStorage(kSquaresStorage);
             }
         }
         if (timer.milliseconds() >= budgetMs) {
@@ -359,10 +363,10 @@ void RayCaster::render(const Frame& frame) {
 
 const gl::Texture& RayCaster::picture() {
     const gl::Pass pass("resolve picture");
-    accumulation_.bindImage(0, gl::Access::Read);
-    picture_.bindImage(1, gl::Access::Write);
+    accumulation_.bindImage(kAccumulationImage, gl::Access::Read);
+    picture_.bindImage(kPictureImage, gl::Access::Write);
     const Background& background = frame_.background;
-    placeOfSquare_.bindStorage(2);
+    placeOfSquare_.bindStorage(kPlacesStorage);
     resolve_.set("progress", glm::ivec3(sample_, square_, occupiedSquares_))
         .set("isTransparent", background.isTransparent ? 1 : 0)
         .set("isFlat", background.top == background.bottom ? 1 : 0)

@@ -3,8 +3,9 @@
 // In: texture 9. Out: image 0 (r8), the next level, texels [texelLo, texelHi).
 layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 
-layout(binding = 9) uniform sampler3D occlusion;
-layout(r8, binding = 0) uniform writeonly image3D averages;
+#include "render/shaders/bindings.glsl"
+layout(binding = kOcclusionTexture) uniform sampler3D occlusion;
+layout(r8, binding = kAveragesImage) uniform writeonly image3D averages;
 
 // 0: texels hold the part of their space that is filled; 1: the part of the light that something in them holds back, if it
 // is nowhere behind anything else. Between the two thin walls stay seen from afar without solids growing.

@@ -9,9 +9,10 @@ layout(local_size_x = 8, local_size_y = 4) in;
 #include "render/shaders/beam.glsl"
 #include "render/shaders/slabs.glsl"
 
-layout(binding = 8) uniform sampler2D beams;
-layout(binding = 12) uniform usampler3D cellTops;
-layout(r16ui, binding = 0) uniform writeonly uimageBuffer lists;
+#include "render/shaders/bindings.glsl"
+layout(binding = kBeamsTexture) uniform sampler2D beams;
+layout(binding = kCellTopsTexture) uniform usampler3D cellTops;
+layout(r16ui, binding = kListsImage) uniform writeonly uimageBuffer lists;
 
 uniform int beamPixels; // side of a square
 uniform float dt;       // steps between samples

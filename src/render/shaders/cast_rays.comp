@@ -11,6 +11,8 @@
 // variants: MODE=0 CONTENT=0;MODE=0 CONTENT=0 SCULPTED=1;MODE=1 CONTENT=0;MODE=2 CONTENT=0 SCULPTED=1;MODE=3 CONTENT=1 SCULPTED=1 SEGMENT_CELLS=1;MODE=4 CONTENT=2;MODE=3 CONTENT=1 SCULPTED=1 TRANSLUCENT=1 PARTS=1;MODE=4 CONTENT=2 TRANSLUCENT=1 LIT=1;MODE=5 CONTENT=0 TF_KIND=0;MODE=5 CONTENT=0 SCULPTED=1 TF_KIND=2;MODE=0 CONTENT=0 TF_KIND=1;MODE=1 CONTENT=0 TF_KIND=0;MODE=2 CONTENT=0 TF_KIND=2;MODE=0 CONTENT=0 TRICUBIC=1;MODE=0 CONTENT=0 LIT=1;MODE=5 CONTENT=0 TF_KIND=0 LIT=1 PARTS=1;MODE=3 CONTENT=1 SCULPTED=1 PARTS=1;MODE=1 CONTENT=0 PARTS=1;MODE=0 CONTENT=0 QUADS=1;MODE=4 CONTENT=2 SCULPTED=1 QUADS=1 SMOOTHED=1;MODE=0 CONTENT=0 SCULPTED=1 TRICUBIC=1 SMOOTHED=1 TF_KIND=0;MODE=5 CONTENT=0 SCULPTED=1 TF_KIND=0 QUADS=1 TRICUBIC=1;MODE=5 CONTENT=1 SCULPTED=1 TF_KIND=0 SEGMENTS=1 SEGMENT_CELLS=1 TRANSLUCENT=1 PARTS=1;MODE=5 CONTENT=1 TF_KIND=2 SEGMENTS=1 LIT=1;MODE=1 CONTENT=0 SEGMENTS=1;MODE=1 CONTENT=0 TF_KIND=0 SEGMENTS=1;MODE=2 CONTENT=0 SCULPTED=1 SEGMENTS=1;MODE=2 CONTENT=0 TF_KIND=1 SEGMENTS=1
 layout(local_size_x = 64) in;
 
+#include "field/shaders/bindings.glsl"
+#include "render/shaders/bindings.glsl"
 #include "field/shaders/scene.glsl"
 #include "render/shaders/rays.glsl"
 #include "render/shaders/squares.glsl"
@@ -31,7 +33,7 @@ layout(local_size_x = 64) in;
 #include "render/shaders/composite.glsl"
 #endif
 
-layout(binding = 8) uniform sampler2D beams; // where along its rays each square of pixels may show something
+layout(binding = kBeamsTexture) uniform sampler2D beams; // where along its rays each square of pixels may show something
 
 uniform vec2 exposure;     // x: X-ray gain per diagonal; y: volume's diagonal in steps
 // 8, of a voxel. Loops over a number that the compiler does not know stay loops, which a software renderer leaves after one
@@ -47,11 +49,11 @@ uniform vec2 lattice; // of samples in an X-ray: x steps between them, y what pa
 #ifdef PARTS
 uniform ivec2 partOfPicture;      // which one this is, how many there are
 uniform float partScale; // how large it is drawn
-layout(rgba32f, binding = 1) uniform image2D seenFront; // what the parts before this one show
-layout(rgba32f, binding = 2) uniform image2D seenBehind;
+layout(rgba32f, binding = kSeenFrontImage) uniform image2D seenFront; // what the parts before this one show
+layout(rgba32f, binding = kSeenBehindImage) uniform image2D seenBehind;
 #ifdef TRANSLUCENT
-layout(rgba32f, binding = 3) uniform image2D seenGlass;
-layout(r32f, binding = 4) uniform image2D seenGlassDepth;
+layout(rgba32f, binding = kSeenGlassImage) uniform image2D seenGlass;
+layout(r32f, binding = kSeenGlassDepthImage) uniform image2D seenGlassDepth;
 #endif
 #else
 const float partScale = 1.0;

@@ -4,15 +4,16 @@
 // magnitudes in that unit per mm (length of dataGradient()).
 // Bindings: uniform block 2; textures 5 the function, 7 counts of visible values, 10 the function over spans (kind 0).
 
-layout(std140, binding = 2) uniform ClassificationBlock {
+#include "render/shaders/bindings.glsl"
+layout(std140, binding = kClassificationBlock) uniform ClassificationBlock {
     vec4 valueAxis;         // x scale, y offset to a table coordinate 0..1; z lowest value that counts, w columns
     vec4 gradientAxis;      // x scale, y offset to a table coordinate 0..1; zw the same for values, to columns
     vec4 lightingOfFunction; // x amount: 0 glows by itself, 1 lit as a surface; y gloss; z opacity per
     // step that a pen meets
 };
 
-layout(binding = 5) uniform sampler2D functionTable;
-layout(binding = 7) uniform usampler2D visibleBefore;
+layout(binding = kFunctionTableTexture) uniform sampler2D functionTable;
+layout(binding = kVisibleBeforeTexture) uniform usampler2D visibleBefore;
 
 // Linear colour, opacity per step; not premultiplied.
 vec4 classify(float value, float gradientMagnitude) {
@@ -29,7 +30,7 @@ vec4 classify(float value, float gradientMagnitude) {
 }
 
 #if TF_KIND == 0
-layout(binding = 10) uniform samplerBuffer functionSpans;
+layout(binding = kFunctionSpansTexture) uniform samplerBuffer functionSpans;
 
 // Where a value lies in the tables, in columns; far below what counts as nothing.
 float columnOf(float value) {

@@ -6,15 +6,16 @@
 // Out: storage 0 planes.
 layout(local_size_x = 4, local_size_y = 16) in;
 
-layout(binding = 0) uniform sampler3D dataCells;
-layout(binding = 1) uniform sampler3D sculptureCells;
-layout(binding = 2) uniform sampler3D segmentationCells;
+#include "render/shaders/bindings.glsl"
+layout(binding = kDataCellsTexture) uniform sampler3D dataCells;
+layout(binding = kSculptureCellsTexture) uniform sampler3D sculptureCells;
+layout(binding = kSegmentationCellsTexture) uniform sampler3D segmentationCells;
 
 uniform vec2 displayedRange;
 uniform int isProbe; // 1: what was cut away is seen, else what is left
 
 #include "render/shaders/cell_bits.glsl"
-layout(std430, binding = 0) writeonly buffer Planes { uint planes[]; };
+layout(std430, binding = kPlanesStorage) writeonly buffer Planes { uint planes[]; };
 
 #ifdef VS_BY_FUNCTION
 #define TF_KIND 0

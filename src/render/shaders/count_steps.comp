@@ -5,8 +5,9 @@
 
 layout(local_size_x = 4, local_size_y = 16) in;
 
-layout(binding = 0) uniform usamplerBuffer planes;
-layout(r32ui, binding = 0) uniform writeonly uimage3D distances;
+#include "render/shaders/bindings.glsl"
+layout(binding = kPlanesTexture) uniform usamplerBuffer planes;
+layout(r32ui, binding = kDistancesImage) uniform writeonly uimage3D distances;
 
 uniform int far;
 

@@ -2,8 +2,9 @@
 // In: texture 0 ranges (rg: smallest, largest value in the cell). Out: image 0 (rg32f) the same size.
 layout(local_size_x = 8, local_size_y = 4, local_size_z = 2) in;
 
-layout(binding = 0) uniform sampler3D ranges;
-layout(rg32f, binding = 0) uniform writeonly image3D dilated;
+#include "render/shaders/bindings.glsl"
+layout(binding = kRangesTexture) uniform sampler3D ranges;
+layout(rg32f, binding = kDilatedImage) uniform writeonly image3D dilated;
 
 void main() {
     ivec3 cell = ivec3(gl_GlobalInvocationID);

@@ -5,14 +5,16 @@
 // In: the scene, texture 14 segment colours. Out: image 0.
 layout(local_size_x = 8, local_size_y = 8) in;
 
+#include "field/shaders/bindings.glsl"
+#include "render/shaders/bindings.glsl"
 #include "field/shaders/scene.glsl"
 #ifdef TF_KIND
 #include "render/shaders/classification.glsl"
 #endif
 #include "render/shaders/shading.glsl"
 
-layout(binding = 14) uniform sampler2D segmentColours; // one row of 256, by label: linear, a opacity
-layout(binding = 0, rgba8) uniform writeonly image2D picture;
+layout(binding = kSegmentColoursTexture) uniform sampler2D segmentColours; // one row of 256, by label: linear, a opacity
+layout(binding = kSlicePictureImage, rgba8) uniform writeonly image2D picture;
 
 uniform vec3 first;    // voxel space: the first pixel's centre
 uniform vec3 perRight; // per pixel

@@ -5,13 +5,15 @@
 // variants: CONTENT=0 ON_VOXELS=1;CONTENT=0;CONTENT=1 SCULPTED=1;CONTENT=2;CONTENT=3 TF_KIND=0 SCULPTED=1 ON_VOXELS=1;CONTENT=3 TF_KIND=2
 layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 
+#include "field/shaders/bindings.glsl"
+#include "render/shaders/bindings.glsl"
 #include "field/shaders/scene.glsl"
 #if CONTENT == 3
 #include "render/shaders/classification.glsl"
 #endif
 
-layout(binding = 3) uniform usampler3D cellDistances;
-layout(r8, binding = 0) uniform writeonly image3D occlusion;
+layout(binding = kCellDistancesTexture) uniform usampler3D cellDistances;
+layout(r8, binding = kOcclusionImage) uniform writeonly image3D occlusion;
 
 uniform ivec3 texelLo;
 uniform ivec3 texelHi;

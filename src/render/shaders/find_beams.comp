@@ -7,7 +7,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "render/shaders/rays.glsl"
 #include "render/shaders/beam.glsl"
 
-layout(rg32f, binding = 0) uniform writeonly image2D beams;
+#include "render/shaders/bindings.glsl"
+layout(rg32f, binding = kBeamsImage) uniform writeonly image2D beams;
 
 uniform int beamPixels; // side of a square
 

@@ -3,12 +3,13 @@
 // them may show something, and how many not, storage 2 each square's place in the list.
 layout(local_size_x = 16, local_size_y = 16) in;
 
-layout(binding = 8) uniform sampler2D beams;
+#include "render/shaders/bindings.glsl"
+layout(binding = kBeamsTexture) uniform sampler2D beams;
 
-layout(std430, binding = 0) writeonly buffer Squares { uint squares[]; };
-layout(std430, binding = 1) buffer Counts { uint counts[2]; };
+layout(std430, binding = kSquaresStorage) writeonly buffer Squares { uint squares[]; };
+layout(std430, binding = kSquareCountsStorage) buffer Counts { uint counts[2]; };
 
-layout(std430, binding = 2) writeonly buffer Places { uint places[]; };
+layout(std430, binding = kPlacesStorage) writeonly buffer Places { uint places[]; };
 
 uniform ivec2 squareCount;
 uniform int beamPixels; // side of a beam's square; at most 8

@@ -1,7 +1,8 @@
 // The greatest visible value along a ray (MIP), and where it is.
 // Bindings: texture 4 value ranges of the macrocells (rg). Include "render/shaders/surface.glsl" first.
 
-layout(binding = 4) uniform sampler3D dataCellRanges;
+#include "render/shaders/bindings.glsl"
+layout(binding = kDataCellRangesTexture) uniform sampler3D dataCellRanges;
 
 struct Greatest {
     float value; // -1e30 when nothing is visible
@@ -38,7 +39,7 @@ Greatest findGreatest(Ray ray, float dt) {
 }
 
 #ifdef SLABS
-layout(binding = 11) uniform usamplerBuffer slabLists;
+layout(binding = kSlabListsTexture) uniform usamplerBuffer slabLists;
 
 // Looks at the samples of one slab.
 void lookAtSlab(Ray ray, Slabs slabs, int slab, float dt, inout Greatest best) {

@@ -5,7 +5,8 @@
 // its eight is lit, and would go through all of them unrolled.
 // Bindings: uniform block 3, texture 9.
 
-layout(std140, binding = 3) uniform OcclusionBlock {
+#include "render/shaders/bindings.glsl"
+layout(std140, binding = kOcclusionBlock) uniform OcclusionBlock {
     vec4 occlusionScale;      // xyz texture coordinate per voxel
     vec4 occlusionOffset;     // xyz texture coordinate of voxel 0
     vec4 occlusionFromWorld[3]; // texture coordinates per texel length along the world's x, y, z
@@ -15,7 +16,7 @@ layout(std140, binding = 3) uniform OcclusionBlock {
     ivec4 occlusionLevels;    // x that ambient cones reach, y shadows
 };
 
-layout(binding = 9) uniform sampler3D occlusionTexture;
+layout(binding = kOcclusionTexture) uniform sampler3D occlusionTexture;
 
 // A level's texels are blurred into one another with a standard deviation of about 0.65 of their width. Farther than this
 // many widths from a plane next to nothing of it is left.

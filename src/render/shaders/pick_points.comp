@@ -6,6 +6,8 @@
 layout(local_size_x = 64) in;
 
 #define ALL_SEGMENTS
+#include "field/shaders/bindings.glsl"
+#include "render/shaders/bindings.glsl"
 #include "field/shaders/scene.glsl"
 #include "gl/shaders/items.glsl"
 #include "render/shaders/rays.glsl"
@@ -20,8 +22,8 @@ struct SurfacePoint {
     vec4 normal;
 };
 
-layout(std430, binding = 0) readonly buffer Positions { vec2 positions[]; };
-layout(std430, binding = 1) writeonly buffer Points { SurfacePoint points[]; };
+layout(std430, binding = kPositionsStorage) readonly buffer Positions { vec2 positions[]; };
+layout(std430, binding = kPointsStorage) writeonly buffer Points { SurfacePoint points[]; };
 
 uniform int count;
 

@@ -3,7 +3,8 @@
 // Bindings: uniform block 1 (render::ViewBlock), texture 3 macrocell distances, with SEGMENT_CELLS 11 those of cells where
 // segments may be. Include "field/shaders/scene.glsl" first.
 
-layout(std140, binding = 1) uniform ViewBlock {
+#include "render/shaders/bindings.glsl"
+layout(std140, binding = kViewBlock) uniform ViewBlock {
     // World, for shading: unit vectors.
     vec4 viewForward; // w 1 if orthographic
     vec4 viewRight;
@@ -17,9 +18,9 @@ layout(std140, binding = 1) uniform ViewBlock {
     vec4 viewport; // xy size in pixels, zw tangents of half the picture's width and height (perspective)
 };
 
-layout(binding = 3) uniform usampler3D cellDistances;
+layout(binding = kCellDistancesTexture) uniform usampler3D cellDistances;
 #ifdef SEGMENT_CELLS
-layout(binding = 11) uniform usampler3D segmentCellDistances;
+layout(binding = kSegmentCellDistancesTexture) uniform usampler3D segmentCellDistances;
 #endif
 
 struct Ray {

@@ -4,10 +4,11 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 #include "render/shaders/shading.glsl"
 
-layout(rgba32f, binding = 0) uniform readonly image2D accumulation;
-layout(rgba8, binding = 1) uniform writeonly image2D picture;
+#include "render/shaders/bindings.glsl"
+layout(rgba32f, binding = kAccumulationImage) uniform readonly image2D accumulation;
+layout(rgba8, binding = kPictureImage) uniform writeonly image2D picture;
 
-layout(std430, binding = 2) readonly buffer Places { uint places[]; }; // of squares of pixels, see list_squares.comp
+layout(std430, binding = kPlacesStorage) readonly buffer Places { uint places[]; }; // of squares of pixels, see list_squares.comp
 
 // Whole samples; squares that have one more; squares that may show something: the others have it with the first of them.
 uniform ivec3 progress;

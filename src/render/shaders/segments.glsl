@@ -1,7 +1,8 @@
 // What colour segments have where a ray meets them.
 // Bindings: texture 14 (render::SegmentColours). Include "field/shaders/scene.glsl" first; declare `corners`.
 
-layout(binding = 14) uniform sampler2D segmentColours; // one row of 256, by label: linear, a opacity
+#include "render/shaders/bindings.glsl"
+layout(binding = kSegmentColoursTexture) uniform sampler2D segmentColours; // one row of 256, by label: linear, a opacity
 
 vec4 entryOf(uint segment) { return texelFetch(segmentColours, ivec2(int(segment), 0), 0); }
 

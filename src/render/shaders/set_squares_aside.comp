@@ -6,11 +6,12 @@ layout(local_size_x = 64) in;
 
 #include "gl/shaders/items.glsl"
 
-layout(std430, binding = 0) readonly buffer Squares { uint squares[]; };
-layout(std430, binding = 1) buffer Counts { uint counts[2]; };
-layout(std430, binding = 2) writeonly buffer Places { uint places[]; };
-layout(std430, binding = 3) readonly buffer Contrasts { uint contrasts[]; };
-layout(std430, binding = 4) writeonly buffer Ordered { uint ordered[]; };
+#include "render/shaders/bindings.glsl"
+layout(std430, binding = kSquaresStorage) readonly buffer Squares { uint squares[]; };
+layout(std430, binding = kSquareCountsStorage) buffer Counts { uint counts[2]; };
+layout(std430, binding = kPlacesStorage) writeonly buffer Places { uint places[]; };
+layout(std430, binding = kContrastsStorage) readonly buffer Contrasts { uint contrasts[]; };
+layout(std430, binding = kOrderedStorage) writeonly buffer Ordered { uint ordered[]; };
 
 uniform ivec2 squareCount;
 uniform int occupied;

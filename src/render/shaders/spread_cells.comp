@@ -5,8 +5,9 @@
 
 layout(local_size_x = 4, local_size_y = 16) in;
 
-layout(binding = 0) uniform usamplerBuffer planesBefore; // much faster than a storage block on software renderers
-layout(std430, binding = 0) writeonly buffer Planes { uvec4 planes[]; };
+#include "render/shaders/bindings.glsl"
+layout(binding = kPlanesBeforeTexture) uniform usamplerBuffer planesBefore; // much faster than a storage block on software renderers
+layout(std430, binding = kPlanesStorage) writeonly buffer Planes { uvec4 planes[]; };
 
 uniform int from; // plane
 uniform int to;   // plane

@@ -2,16 +2,17 @@
 // Bindings: storage 0 the squares (list_squares.comp), storage 3 how far two samples are apart in each, image 0 (rgba32f) sums of display colours and coverage. Include
 // "render/shaders/rays.glsl" first.
 
-layout(std430, binding = 0) readonly buffer Squares { uint squares[]; }; // column, row << 16
+#include "render/shaders/bindings.glsl"
+layout(std430, binding = kSquaresStorage) readonly buffer Squares { uint squares[]; }; // column, row << 16
 
-layout(rgba32f, binding = 0) uniform image2D accumulation;
+layout(rgba32f, binding = kAccumulationImage) uniform image2D accumulation;
 
 uniform ivec2 squareRange; // of the list: first square, how many
 uniform vec2 pixelOffset; // where in the pixel this sample lies, 0..1
 uniform int addToPrevious;
 uniform int measuresContrast; // 1: this is the second sample, to be compared with the first
 
-layout(std430, binding = 3) buffer Contrasts { uint contrasts[]; }; // of 65535, by row and column of squares
+layout(std430, binding = kContrastsStorage) buffer Contrasts { uint contrasts[]; }; // of 65535, by row and column of squares
 
 const ivec2 kNowhere = ivec2(1 << 30);
 

@@ -8,9 +8,10 @@ layout(local_size_x = 8, local_size_y = 4, local_size_z = 2) in;
 #include "field/shaders/scene.glsl"
 #include "render/shaders/slabs.glsl"
 
-layout(binding = 3) uniform usampler3D cellDistances;
-layout(binding = 4) uniform sampler3D dataCellRanges;
-layout(r32ui, binding = 0) uniform writeonly uimage3D tops;
+#include "render/shaders/bindings.glsl"
+layout(binding = kCellDistancesTexture) uniform usampler3D cellDistances;
+layout(binding = kDataCellRangesTexture) uniform sampler3D dataCellRanges;
+layout(r32ui, binding = kTopsImage) uniform writeonly uimage3D tops;
 
 uint codeOfCell(ivec3 cell) {
     ivec3 member = min(cell, textureSize(cellDistances, 0) - 1);

@@ -9,6 +9,10 @@
 namespace vs::render {
 
 namespace {
+#include "render/shaders/bindings.glsl"
+} // namespace
+
+namespace {
 
 gl::Defines definesFor(const SliceFrame& frame) {
     gl::Defines defines;
@@ -51,12 +55,12 @@ void SliceRenderer::render(const SliceFrame& frame) {
         .set("segmentLook", glm::vec2(frame.fill, frame.outlinePixels));
     segmentColours_.upload({glm::ivec3(0), segmentColours_.size()},
                            std::as_bytes(std::span(frame.segmentColours.entries)));
-    segmentColours_.bindTexture(14);
+    segmentColours_.bindTexture(kSegmentColoursTexture);
     sceneBinding_.bind(frame.scene);
     if (frame.classification != nullptr) {
         frame.classification->bind();
     }
-    picture_.bindImage(0, gl::Access::Write);
+    picture_.bindImage(kSlicePictureImage, gl::Access::Write);
     program.dispatchOver({view.size, 1}, gl::Barrier::All);
 }
 

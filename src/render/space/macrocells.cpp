@@ -8,6 +8,10 @@
 namespace vs::render {
 
 namespace {
+#include "render/shaders/bindings.glsl"
+} // namespace
+
+namespace {
 
 // Of cells; mirrors shaders/cell_bits.glsl.
 constexpr glm::ivec3 kBlock{32, 4, 1};
@@ -43,8 +47,8 @@ Macrocells::Macrocells()
       empty_(glm::ivec3(1), gl::Format::RG32F, gl::Filter::Nearest, "no cells") {}
 
 void Macrocells::bind() const {
-    distances_.bindTexture(3);
-    dataCells_->bindTexture(4);
+    distances_.bindTexture(kCellDistancesTexture);
+    dataCells_->bindTexture(kDataCellRangesTexture);
 }
 
 void Macrocells::copyFrom(const Macrocells& other) {
@@ -70,8 +74,8 @@ const gl::Texture& Macrocells::dilated(const gl::Texture& dataCells) {
     dilated_ = std::make_shared<gl::Texture>(dataCells.size(), gl::Format::RG32F, gl::Filter::Nearest,
                                              "dilated cell ranges");
     dilatedFrom_ = &dataCells;
-    dataCells.bindTexture(0);
-    dilated_->bindImage(0, gl::Access::Write);
+    dataCells.bindTexture(kRangesTexture);
+    dilated_->bindImage(kDilatedImage, gl::Access::Write);
     dilate_.dispatchOver(dilated_->size(), gl::Barrier::Texture);
     return *dilated_;
 }
@@ -92,13 +96,14 @@ void Macrocells::rebuild(const Input& input) {
         distances_ = gl::Texture(cells, gl::Format::R32UI, gl::Filter::Nearest, "cell distances");
         planes_ = gl::TexelBuffer(perPlane * (kFar + 1), gl::Format::RGBA32UI, "cells within reach");
     }
-    dataCells_->bindTexture(0);
-    (input.sculptureCells != nullptr ? *input.sculptureCells : empty_).bindTexture(1);
-    (input.segmentationCells != nullptr ? *input.segmentationCells : empty_).bindTexture(2);
+    dataCells_->bindTexture(kDataCellsTexture);
+    (input.sculptureCells != nullptr ? *input.sculptureCells : empty_).bindTexture(kSculptureCellsTexture);
+    (input.segmentationCells != nullptr ? *input.segmentationCells : empty_)
+        .bindTexture(kSegmentationCellsTexture);
     if (input.classification != nullptr) {
         input.classification->bind();
     }
-    planes_.buffer().bindStorage(0);
+    planes_.buffer().bindStorage(kPlanesStorage);
     gl::Program& classify = classify_.with(definesFor(input));
     classify.set("cells", cells)
         .set("displayedRange", glm::vec2(float(input.displayedRange.lo - input.valueTolerance),
@@ -106,13 +111,13 @@ void Macrocells::rebuild(const Input& input) {
         .set("isProbe", input.view == field::SculptureView::Probe ? 1 : 0);
     classify.dispatchOver({blocks.x, cells.y, cells.z}, gl::Barrier::All);
 
-    planes_.bindTexture(0);
+    planes_.bindTexture(kPlanesBeforeTexture);
     constexpr int scratch = kFar;
     for (int r = 1; r < kFar; ++r) {
         spread(blocks, r - 1, scratch, spreadInPlane_.set("cells", cells));
         spread(blocks, scratch, r, spreadAlongZ_.set("cells", cells));
     }
-    distances_.bindImage(0, gl::Access::Write);
+    distances_.bindImage(kDistancesImage, gl::Access::Write);
     countSteps_.set("cells", cells).set("far", kFar);
     countSteps_.dispatchOver(blocks, gl::Barrier::Texture);
     version_ = nextVersion();

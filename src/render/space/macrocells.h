@@ -51,7 +51,7 @@ public:
     void bind() const;
 
 private:
-    // Those of `dataCells` for tricubic sampling, made when first asked for.
+    // The ranges that tricubic samples can have in each cell of `dataCells`, made when first asked for.
     const gl::Texture& dilated(const gl::Texture& dataCells);
 
     void spread(glm::ivec3 blocks, int from, int to, gl::Program& program);

@@ -6,6 +6,10 @@
 namespace vs::render {
 
 namespace {
+#include "render/shaders/bindings.glsl"
+} // namespace
+
+namespace {
 constexpr int kEntriesOfBeam = 193; // as in slabs.glsl
 }
 
@@ -21,7 +25,7 @@ void SlabBounds::widenTops(const Macrocells& macrocells) {
     if (tops_.size() != size) {
         tops_ = gl::Texture(size, gl::Format::R32UI, gl::Filter::Nearest, "tops of cells");
     }
-    tops_.bindImage(0, gl::Access::Write);
+    tops_.bindImage(kTopsImage, gl::Access::Write);
     widen_.dispatchOver(macrocells.size(), gl::Barrier::Texture);
     topsVersion_ = macrocells.version();
 }
@@ -34,10 +38,12 @@ void SlabBounds::update(const Macrocells& macrocells, const gl::Texture& beams, 
     if (lists_.texels() < entries) {
         lists_ = gl::TexelBuffer(entries, gl::Format::R16UI, "lists of slabs");
     }
-    tops_.bindTexture(12);
-    lists_.bindImage(0, gl::Access::Write);
+    tops_.bindTexture(kCellTopsTexture);
+    lists_.bindImage(kListsImage, gl::Access::Write);
     bound_.set("beamPixels", beamPixels).set("dt", sampleStep).set("beamsAcross", beams.size().x);
     bound_.dispatchOver(beams.size(), gl::Barrier::Texture);
 }
+
+void SlabBounds::bind() const { lists_.bindTexture(kSlabListsTexture); }
 
 } // namespace vs::render

@@ -20,7 +20,7 @@ public:
     void update(const Macrocells& macrocells, const gl::Texture& beams, int beamPixels, float sampleStep);
 
     // Binds them as texture 11.
-    void bind() const { lists_.bindTexture(11); }
+    void bind() const;
 
 private:
     void widenTops(const Macrocells& macrocells);

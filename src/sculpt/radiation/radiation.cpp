@@ -11,6 +11,10 @@
 namespace vs::sculpt {
 
 namespace {
+#include "sculpt/shaders/bindings.glsl"
+} // namespace
+
+namespace {
 
 // Fixed point: 22 bits after the point round a weight to 1.2e-7, and leave room for 1024 before the sum would
 // wrap; it is brought back to the limit at a quarter of that (see deposit_points.comp).
@@ -148,9 +152,9 @@ void Radiator::add(const gl::Buffer& points, std::size_t count, bool takesBack) 
     }
     VS_CHECK(count <= kMaxPoints && count * sizeof(glm::vec4) <= points.size());
     const gl::Pass pass("deposit points");
-    points.bindStorage(0);
-    marks_.bindStorage(1);
-    deposited_.bindImage(0, gl::Access::ReadWrite);
+    points.bindStorage(kPointsStorage);
+    marks_.bindStorage(kMarksStorage);
+    deposited_.bindImage(kDepositsImage, gl::Access::ReadWrite);
     const auto& axes = footprint_.axes;
     const glm::ivec3 degrees(axes[0].degree, axes[1].degree, axes[2].degree);
     const bool isCubic = glm::any(glm::equal(degrees, glm::ivec3(3)));
@@ -168,11 +172,11 @@ void Radiator::add(const gl::Buffer& points, std::size_t count, bool takesBack) 
 void Radiator::convolve(int axis, const gl::Texture& from, const gl::Texture& to) {
     const AxisFootprint& shape = footprint_.axes[std::size_t(axis)];
     gl::Program& program = convolution(axis, shape.reach);
-    lists_[std::size_t(axis)].bindStorage(0);
-    stages_.bindStorage(1);
-    deposited_.bindImage(0, gl::Access::ReadWrite);
-    from.bindImage(1, gl::Access::Read);
-    to.bindImage(2, gl::Access::Write);
+    lists_[std::size_t(axis)].bindStorage(kTileListStorage);
+    stages_.bindStorage(kStagesStorage);
+    deposited_.bindImage(kDepositsImage, gl::Access::ReadWrite);
+    from.bindImage(kSourceImage, gl::Access::Read);
+    to.bindImage(kResultImage, gl::Access::Write);
     program.set("tileDims", tileDims_)
         .set("keepsDeposits", running_ ? 1 : 0)
         .set("taps", std::span(shape.taps).first(std::size_t(shape.reach) + 1));
@@ -186,12 +190,12 @@ Box3 Radiator::finish() {
     }
     open_ = false;
     const gl::Pass pass("convolve radiation");
-    marks_.bindStorage(0);
-    stages_.bindStorage(1);
+    marks_.bindStorage(kMarkedTilesStorage);
+    stages_.bindStorage(kStagesStorage);
     for (unsigned int axis = 0; axis < 3; ++axis) {
-        lists_[axis].bindStorage(2 + axis);
+        lists_[axis].bindStorage(kListXStorage + axis);
     }
-    bounds_.bindStorage(5);
+    bounds_.bindStorage(kTileBoundsStorage);
     list_.set("tileDims", tileDims_)
         .set("insideLo", tileOf(-origin_))
         .set("insideHi", tileOf(dims_ - 1 - origin_) + 1)

@@ -6,6 +6,10 @@
 
 namespace vs::sculpt {
 
+namespace {
+#include "sculpt/shaders/bindings.glsl"
+} // namespace
+
 static_assert(SweptPatches::kMaxPatchPoints <= Radiator::kMaxPoints);
 
 PointGenerator::PointGenerator()
@@ -31,9 +35,9 @@ void PointGenerator::generate(const SweptPatches& swept, const Consume& consume)
         }
         {
             const gl::Pass pass("generate tool points");
-            corners_.bindStorage(0);
-            patches_.bindStorage(1);
-            points_.bindStorage(2);
+            corners_.bindStorage(kCornersStorage);
+            patches_.bindStorage(kPatchesStorage);
+            points_.bindStorage(kToolPointsStorage);
             program_.set("firstPatch", int(first))
                 .set("patchCount", int(last - first))
                 .set("basePoint", static_cast<unsigned int>(base))

@@ -10,6 +10,10 @@
 namespace vs::sculpt {
 
 namespace {
+#include "sculpt/shaders/bindings.glsl"
+} // namespace
+
+namespace {
 
 glm::ivec3 brickGrid(glm::ivec3 dims) { return divideUp(dims, field::kBrick); }
 
@@ -45,10 +49,10 @@ Box3 Sculpture::combine(const Radiator& radiation, Combine how, Base base, const
     {
         const gl::Pass pass("combine sculpture");
         radiation.bindResultTiles(0);
-        changed_.bindStorage(1);
-        radiation.energy().bindImage(0, gl::Access::Read);
-        texels_.bindImage(1, gl::Access::ReadWrite);
-        (before != nullptr ? *before : texels_).bindImage(2, gl::Access::Read);
+        changed_.bindStorage(kChangedStorage);
+        radiation.energy().bindImage(kEnergyImage, gl::Access::Read);
+        texels_.bindImage(kSculptureImage, gl::Access::ReadWrite);
+        (before != nullptr ? *before : texels_).bindImage(kEarlierImage, gl::Access::Read);
         combine_.set("tileDims", radiation.tileDims())
             .set("originVoxel", radiation.originVoxel())
             .set("dims", dims())
@@ -70,8 +74,8 @@ Box3 Sculpture::combine(const Radiator& radiation, Combine how, Base base, const
 void Sculpture::summarizeTiles(const Radiator& radiation, const Box3& box) {
     const gl::Pass pass("update cell ranges");
     const Box3 cells = cellsOf(box, cells_.size());
-    texels_.bindTexture(0);
-    cells_.bindImage(0, gl::Access::Write);
+    texels_.bindTexture(kWholeSculptureTexture);
+    cells_.bindImage(kSculptureCellsImage, gl::Access::Write);
     radiation.bindStages(0);
     summarize_.set("dims", dims())
         .set("cellLo", cells.lo)

@@ -4,12 +4,13 @@
 // variants: SCULPTURE_BITS=8;SCULPTURE_BITS=16;SCULPTURE_BITS=32
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(std430, binding = 0) readonly buffer TileList { uint tileList[]; };
-layout(std430, binding = 1) buffer Changed { uint changed; };
-layout(r32f, binding = 0) uniform readonly image3D energy;
+#include "sculpt/shaders/bindings.glsl"
+layout(std430, binding = kTileListStorage) readonly buffer TileList { uint tileList[]; };
+layout(std430, binding = kChangedStorage) buffer Changed { uint changed; };
+layout(r32f, binding = kEnergyImage) uniform readonly image3D energy;
 #include "sculpt/shaders/stored_values.glsl"
-layout(SCULPTURE_FORMAT, binding = 1) uniform image3D sculpture;
-layout(SCULPTURE_FORMAT, binding = 2) uniform readonly image3D earlier;
+layout(SCULPTURE_FORMAT, binding = kSculptureImage) uniform image3D sculpture;
+layout(SCULPTURE_FORMAT, binding = kEarlierImage) uniform readonly image3D earlier;
 
 uniform ivec3 tileDims;
 uniform ivec3 originVoxel;

@@ -7,11 +7,12 @@
 // Out: image 2 result. Texels of tiles that the pass before has not computed are stale and count as zero.
 layout(local_size_x = 8, local_size_y = 8) in;
 
-layout(std430, binding = 0) readonly buffer TileList { uint tileList[]; };
-layout(std430, binding = 1) readonly buffer Stages { uint stages[]; };
-layout(r32ui, binding = 0) uniform uimage3D deposits;
-layout(r32f, binding = 1) uniform readonly image3D source;
-layout(r32f, binding = 2) uniform writeonly image3D result;
+#include "sculpt/shaders/bindings.glsl"
+layout(std430, binding = kTileListStorage) readonly buffer TileList { uint tileList[]; };
+layout(std430, binding = kStagesStorage) readonly buffer Stages { uint stages[]; };
+layout(r32ui, binding = kDepositsImage) uniform uimage3D deposits;
+layout(r32f, binding = kSourceImage) uniform readonly image3D source;
+layout(r32f, binding = kResultImage) uniform writeonly image3D result;
 
 uniform ivec3 tileDims;
 uniform float taps[5];

@@ -6,9 +6,10 @@
 // variants: SCULPTURE_BITS=16
 #include "sculpt/shaders/cut_solid.glsl"
 
-layout(binding = 0) uniform sampler2D outlineDistances;
-layout(binding = 1) uniform sampler2D ownDepths;
-layout(binding = 2) uniform sampler2D frontDepths;
+#include "sculpt/shaders/bindings.glsl"
+layout(binding = kOutlineDistancesTexture) uniform sampler2D outlineDistances;
+layout(binding = kOwnDepthsTexture) uniform sampler2D ownDepths;
+layout(binding = kFrontDepthsTexture) uniform sampler2D frontDepths;
 
 uniform mat4 pixelFromVoxel;
 uniform vec4 outlinePlace; // origin of the raster in pixels, band in pixels, mm of a pixel at w = 1

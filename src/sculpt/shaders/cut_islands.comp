@@ -6,9 +6,10 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 #include "sculpt/shaders/stored_values.glsl"
 
-layout(SCULPTURE_FORMAT, binding = 1) uniform writeonly image3D sculpture;
-layout(std430, binding = 0) readonly buffer Islands { uint islands[]; };
-layout(std430, binding = 1) readonly buffer Kept { uint kept[]; };
+#include "sculpt/shaders/bindings.glsl"
+layout(SCULPTURE_FORMAT, binding = kSculptureImage) uniform writeonly image3D sculpture;
+layout(std430, binding = kIslandsStorage) readonly buffer Islands { uint islands[]; };
+layout(std430, binding = kKeptStorage) readonly buffer Kept { uint kept[]; };
 
 uniform ivec3 words;
 uniform ivec3 dims;

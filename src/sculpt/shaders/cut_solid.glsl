@@ -4,9 +4,10 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 #include "sculpt/shaders/stored_values.glsl"
 
-layout(SCULPTURE_FORMAT, binding = 0) uniform image3D sculpture;
+#include "sculpt/shaders/bindings.glsl"
+layout(SCULPTURE_FORMAT, binding = kSolidSculptureImage) uniform image3D sculpture;
 
-layout(std430, binding = 0) readonly buffer TileList { uint tileList[]; };
+layout(std430, binding = kTileListStorage) readonly buffer TileList { uint tileList[]; };
 
 uniform ivec3 tileDims;
 uniform ivec3 dims;

@@ -3,7 +3,8 @@
 // variants: SCULPTURE_BITS=16
 #include "sculpt/shaders/cut_solid.glsl"
 
-layout(r32f, binding = 1) uniform readonly image3D energies;
+#include "sculpt/shaders/bindings.glsl"
+layout(r32f, binding = kEnergiesImage) uniform readonly image3D energies;
 
 void main() {
     ivec3 voxel;

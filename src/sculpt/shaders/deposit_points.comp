@@ -4,9 +4,10 @@
 // In: storage 0 points (xyz voxel space, w energy). In/out: image 0 deposits, storage 1 one mark a tile: the round.
 layout(local_size_x = 64) in;
 
-layout(std430, binding = 0) readonly buffer Points { vec4 points[]; };
-layout(std430, binding = 1) buffer Marks { uint marks[]; };
-layout(r32ui, binding = 0) uniform uimage3D deposits;
+#include "sculpt/shaders/bindings.glsl"
+layout(std430, binding = kPointsStorage) readonly buffer Points { vec4 points[]; };
+layout(std430, binding = kMarksStorage) buffer Marks { uint marks[]; };
+layout(r32ui, binding = kDepositsImage) uniform uimage3D deposits;
 
 uniform int count;
 uniform ivec3 originVoxel; // of texel 0

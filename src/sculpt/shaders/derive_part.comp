@@ -3,12 +3,13 @@
 // In: textures 0 sculpture, 1 at its own paste, 2 at the paste before. Out: image 0 the part.
 layout(local_size_x = 8, local_size_y = 4, local_size_z = 2) in;
 
-layout(binding = 0) uniform sampler3D sculpture;
-layout(binding = 1) uniform sampler3D upTo;
-layout(binding = 2) uniform sampler3D from;
+#include "sculpt/shaders/bindings.glsl"
+layout(binding = kWholeSculptureTexture) uniform sampler3D sculpture;
+layout(binding = kUpToTexture) uniform sampler3D upTo;
+layout(binding = kFromTexture) uniform sampler3D from;
 #include "sculpt/shaders/stored_values.glsl"
 
-layout(SCULPTURE_FORMAT, binding = 0) uniform writeonly image3D part;
+layout(SCULPTURE_FORMAT, binding = kPartImage) uniform writeonly image3D part;
 
 uniform ivec3 first;
 uniform ivec3 last; // exclusive

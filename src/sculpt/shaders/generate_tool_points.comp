@@ -18,9 +18,10 @@ struct Patch {
     float depthHi;
 };
 
-layout(std430, binding = 0) readonly buffer Corners { Corner corners[]; };
-layout(std430, binding = 1) readonly buffer Patches { Patch patches[]; };
-layout(std430, binding = 2) writeonly buffer Points { vec4 points[]; };
+#include "sculpt/shaders/bindings.glsl"
+layout(std430, binding = kCornersStorage) readonly buffer Corners { Corner corners[]; };
+layout(std430, binding = kPatchesStorage) readonly buffer Patches { Patch patches[]; };
+layout(std430, binding = kToolPointsStorage) writeonly buffer Points { vec4 points[]; };
 
 uniform int firstPatch;
 uniform int patchCount;

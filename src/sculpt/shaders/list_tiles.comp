@@ -5,12 +5,13 @@
 // passes (see tiles.glsl), storage 5 lowest and highest tile of the last.
 layout(local_size_x = 8, local_size_y = 4, local_size_z = 2) in;
 
-layout(std430, binding = 0) readonly buffer Marks { uint marks[]; };
-layout(std430, binding = 1) writeonly buffer Stages { uint stages[]; };
-layout(std430, binding = 2) buffer ListX { uint listX[]; };
-layout(std430, binding = 3) buffer ListY { uint listY[]; };
-layout(std430, binding = 4) buffer ListZ { uint listZ[]; };
-layout(std430, binding = 5) buffer Bounds { int bounds[6]; };
+#include "sculpt/shaders/bindings.glsl"
+layout(std430, binding = kMarkedTilesStorage) readonly buffer Marks { uint marks[]; };
+layout(std430, binding = kStagesStorage) writeonly buffer Stages { uint stages[]; };
+layout(std430, binding = kListXStorage) buffer ListX { uint listX[]; };
+layout(std430, binding = kListYStorage) buffer ListY { uint listY[]; };
+layout(std430, binding = kListZStorage) buffer ListZ { uint listZ[]; };
+layout(std430, binding = kTileBoundsStorage) buffer Bounds { int bounds[6]; };
 
 uniform ivec3 tileDims;
 uniform ivec3 insideLo; // tiles that reach into the grid: only those are results

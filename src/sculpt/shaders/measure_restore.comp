@@ -11,9 +11,10 @@ struct SurfacePoint {
     vec4 normal;
 };
 
-layout(std430, binding = 0) readonly buffer Points { SurfacePoint points[]; };
-layout(std430, binding = 1) readonly buffer Ways { vec4 ways[]; };
-layout(std430, binding = 2) writeonly buffer Reach { float reach[]; };
+#include "sculpt/shaders/bindings.glsl"
+layout(std430, binding = kPointsStorage) readonly buffer Points { SurfacePoint points[]; };
+layout(std430, binding = kWaysStorage) readonly buffer Ways { vec4 ways[]; };
+layout(std430, binding = kReachStorage) writeonly buffer Reach { float reach[]; };
 
 uniform int count;
 uniform float radius; // steps

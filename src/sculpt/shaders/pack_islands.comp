@@ -5,10 +5,11 @@ layout(local_size_x = 8, local_size_y = 8) in;
 
 #include "field/shaders/scene.glsl"
 
-layout(r8ui, binding = 0) uniform readonly uimage3D region;
-layout(std430, binding = 0) writeonly buffer Islands { uint islands[]; };
-layout(std430, binding = 1) writeonly buffer Kept { uint kept[]; };
-layout(std430, binding = 2) buffer Bounds { int bounds[6]; };
+#include "sculpt/shaders/bindings.glsl"
+layout(r8ui, binding = kRegionImage) uniform readonly uimage3D region;
+layout(std430, binding = kIslandsStorage) writeonly buffer Islands { uint islands[]; };
+layout(std430, binding = kKeptStorage) writeonly buffer Kept { uint kept[]; };
+layout(std430, binding = kIslandBoundsStorage) buffer Bounds { int bounds[6]; };
 
 uniform ivec3 words;
 

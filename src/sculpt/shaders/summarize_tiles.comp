@@ -3,9 +3,10 @@
 // In: texture 0 sculpture, storage 0 stages (list_tiles.comp). Out: image 0 (rg32f) one texel a cell.
 layout(local_size_x = 8, local_size_y = 4, local_size_z = 2) in;
 
-layout(std430, binding = 0) readonly buffer Stages { uint stages[]; };
-layout(binding = 0) uniform sampler3D sculpture;
-layout(rg32f, binding = 0) uniform writeonly image3D cells;
+#include "sculpt/shaders/bindings.glsl"
+layout(std430, binding = kSummaryStagesStorage) readonly buffer Stages { uint stages[]; };
+layout(binding = kWholeSculptureTexture) uniform sampler3D sculpture;
+layout(rg32f, binding = kSculptureCellsImage) uniform writeonly image3D cells;
 
 uniform ivec3 dims;
 uniform ivec3 cellLo;

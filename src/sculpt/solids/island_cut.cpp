@@ -9,6 +9,10 @@
 namespace vs::sculpt {
 
 namespace {
+#include "sculpt/shaders/bindings.glsl"
+} // namespace
+
+namespace {
 
 constexpr int kWord = 32;       // voxels along x
 constexpr int kIslandReach = 2; // voxels cut around an island
@@ -29,13 +33,13 @@ Box3 IslandCutter::cut(Sculpture& sculpture, const field::Scene& scene, const gl
     islands_.reserve(bytes);
     kept_.reserve(bytes);
     bounds_.write(std::span<const int>(std::array<int, 6>{1 << 30, 1 << 30, 1 << 30, -1, -1, -1}));
-    islands_.bindStorage(0);
-    kept_.bindStorage(1);
-    bounds_.bindStorage(2);
+    islands_.bindStorage(kIslandsStorage);
+    kept_.bindStorage(kKeptStorage);
+    bounds_.bindStorage(kIslandBoundsStorage);
     {
         const gl::Pass pass("find islands");
         binding_.bind(scene);
-        region.bindImage(0, gl::Access::Read);
+        region.bindImage(kRegionImage, gl::Access::Read);
         pack_.set("words", words);
         pack_.dispatchOver(words, gl::Barrier::All);
     }
@@ -47,7 +51,7 @@ Box3 IslandCutter::cut(Sculpture& sculpture, const field::Scene& scene, const gl
     backup.protect(box);
     {
         const gl::Pass pass("cut islands");
-        sculpture.texels().bindImage(1, gl::Access::ReadWrite);
+        sculpture.texels().bindImage(kSculptureImage, gl::Access::ReadWrite);
         cut_.set("words", words).set("dims", dims);
         cut_.dispatchOver(words, gl::Barrier::Texture);
     }

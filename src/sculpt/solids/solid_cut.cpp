@@ -12,6 +12,10 @@
 namespace vs::sculpt {
 
 namespace {
+#include "sculpt/shaders/bindings.glsl"
+} // namespace
+
+namespace {
 
 constexpr double kMostBand = 256; // pixels
 constexpr double kLeaning = 0.9;  // cosine of the steepest ray to the picture's middle
@@ -177,7 +181,7 @@ Box3 SolidCutter::run(gl::Program& program, const Tiles& tiles, Sculpture& sculp
         fill_ = gl::Program("sculpt/shaders/cut_all.comp", storedDefines(sculpture.precision()));
     }
     const gl::Pass pass("cut solid");
-    sculpture.texels().bindImage(0, gl::Access::ReadWrite);
+    sculpture.texels().bindImage(kSolidSculptureImage, gl::Access::ReadWrite);
     dispatch(program, tiles.partly, radius, how);
     dispatch(fill_, tiles.wholly, radius, how);
     sculpture.refresh(all);
@@ -194,7 +198,7 @@ void SolidCutter::dispatch(gl::Program& program, const std::vector<std::uint32_t
     list.insert(list.end(), tiles.begin(), tiles.end());
     list_.reserve(list.size() * sizeof(std::uint32_t));
     list_.write(std::span<const std::uint32_t>(list));
-    list_.bindStorage(0);
+    list_.bindStorage(kTileListStorage);
     program.set("tileDims", divideUp(geometry_.dims, kTile))
         .set("dims", geometry_.dims)
         .set("isRestore", how == Combine::Restore ? 1 : 0)
@@ -223,7 +227,7 @@ Box3 SolidCutter::extrude(Sculpture& sculpture, const Extrusion& solid, Combine 
     }
     const auto outline = asTexture(distances.size, std::span<const float>(distances.values), gl::Format::R32F,
                                    gl::Filter::Linear, "outline distances");
-    outline.bindTexture(0);
+    outline.bindTexture(kOutlineDistancesTexture);
     const bool hasDepth = !solid.beginMm.empty();
     gl::Texture own;
     gl::Texture front;
@@ -239,8 +243,8 @@ Box3 SolidCutter::extrude(Sculpture& sculpture, const Extrusion& solid, Combine 
         };
         own = upload(spans, "depths under pixels");
         front = upload(nearest, "depths in front");
-        own.bindTexture(1);
-        front.bindTexture(2);
+        own.bindTexture(kOwnDepthsTexture);
+        front.bindTexture(kFrontDepthsTexture);
     }
     extrude_.set("pixelFromVoxel", glm::mat4(view.pixelFromWorld * geometry_.worldFromVoxel))
         .set("outlinePlace", glm::vec4(distances.origin, band, view.pixelMm))
@@ -291,7 +295,7 @@ Box3 SolidCutter::cutValues(Sculpture& sculpture, std::span<const float> energie
     }
     gl::Texture texels(geometry_.dims, gl::Format::R32F, gl::Filter::Nearest, "energies");
     texels.upload(grid, std::as_bytes(energies));
-    texels.bindImage(1, gl::Access::Read);
+    texels.bindImage(kEnergiesImage, gl::Access::Read);
     const Tiles tiles = find(grid, 3, [](const glm::dvec3&) { return 0.0; });
     return run(cutValues_, tiles, sculpture, 3, how, backup);
 }

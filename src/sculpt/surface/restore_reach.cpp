@@ -6,6 +6,10 @@
 
 namespace vs::sculpt {
 
+namespace {
+#include "sculpt/shaders/bindings.glsl"
+} // namespace
+
 RestoreReach::RestoreReach()
     : program_("sculpt/shaders/measure_restore.comp"), points_(4, "restored points"),
       directions_(4, "restored directions"), reach_(4, "restore reach") {}
@@ -33,9 +37,9 @@ std::vector<float> RestoreReach::measure(const field::Scene& scene,
     directions_.write(std::span<const glm::vec4>(ways));
     reach_.reserve(points.size() * sizeof(float));
     binding_.bind(scene);
-    points_.bindStorage(0);
-    directions_.bindStorage(1);
-    reach_.bindStorage(2);
+    points_.bindStorage(kPointsStorage);
+    directions_.bindStorage(kWaysStorage);
+    reach_.bindStorage(kReachStorage);
     program_.set("count", int(points.size())).set("radius", float(radius));
     program_.dispatchOverList(points.size(), gl::Barrier::Storage);
     return reach_.read<float>(points.size());

@@ -7,6 +7,10 @@
 namespace vs::segment {
 
 namespace {
+#include "segment/shaders/bindings.glsl"
+} // namespace
+
+namespace {
 
 bool includes(const std::optional<Range>& wide, const std::optional<Range>& narrow) {
     return !wide || (narrow && wide->lo <= narrow->lo && wide->hi >= narrow->hi);
@@ -72,7 +76,7 @@ gl::Program& ConstrainedProgram::prepare(const field::Field& field, const Constr
     gl::Defines defines = definesOf(constraints);
     defines.insert(defines.end(), more.begin(), more.end());
     gl::Program& program = variants_.with(defines);
-    field.texels.bindTexture(0);
+    field.texels.bindTexture(kDataTexture);
     // Columns of what turns differences along voxel axes into a gradient in world axes.
     const glm::mat3 gradient(glm::transpose(glm::inverse(glm::dmat3(field.geometry.worldFromVoxel))) * 0.5);
     program.set("gridDims", field.geometry.dims)
@@ -85,7 +89,7 @@ gl::Program& ConstrainedProgram::prepare(const field::Field& field, const Constr
         .set("differenceRange", ends(constraints.difference))
         .set("gradientDifferenceRange", ends(constraints.gradientDifference));
     if (constraints.hasFence()) {
-        constraints.sculpture->bindTexture(1);
+        constraints.sculpture->bindTexture(kSculptureTexture);
         program.set("keepsCutPart", constraints.view == field::SculptureView::Probe ? 1 : 0);
     }
     return program;

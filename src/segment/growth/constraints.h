@@ -19,12 +19,13 @@ enum class Connectivity { Six, TwentySix };
 struct Constraints {
     Range range; // of intensity, in the volume's unit; float volumes are compared with its ends rounded to
                  // float
-    // Of child - parent, where the child is the voxel entered and the parent the one it is entered from.
+    // What child - parent may be, where the child is the voxel entered and the parent the one it is entered
+    // from.
     std::optional<Range> difference = {};
-    // Of the gradient's magnitude at the child, in the volume's unit per mm: central differences, beyond the
-    // grid the values at its border.
+    // What the gradient's magnitude may be at the child, in the volume's unit per mm: central differences,
+    // beyond the grid the values at its border.
     std::optional<Range> gradient = {};
-    // Of the gradient's magnitude, child - parent.
+    // What the difference of the gradient's magnitudes may be, child - parent.
     std::optional<Range> gradientDifference = {};
     // Null: no fence. Must live on the volume's grid for as long as these constraints are in use.
     const gl::Texture* sculpture = nullptr;

@@ -11,6 +11,10 @@
 namespace vs::segment {
 
 namespace {
+#include "segment/shaders/bindings.glsl"
+} // namespace
+
+namespace {
 
 constexpr std::uint32_t kTilesPerBrick = 64;
 constexpr std::uint32_t kTilesPerGroup = 16;
@@ -93,12 +97,12 @@ void Frontier::collect(SeedMap& seedMap, const Rules& rules) {
         defines.emplace_back("VS_PARTLY", "1");
     }
     gl::Program& program = collect_.with(definesFor(rules.constraints->connectivity, std::move(defines)));
-    seedMap.grownTexels().bindTexture(6);
+    seedMap.grownTexels().bindTexture(kGrownTexelsTexture);
     seedMap.bind(program);
     seedMap.bindOwner(program, rules.owner);
     prepareToNote(program, 0, now_, stamp_);
     program.set("newestAt", planeStart(now_)).set("frozen", std::uint32_t(rules.frozen));
-    seedMap.bricks().onDevice().bindStorage(8);
+    seedMap.bricks().onDevice().bindStorage(kBrickNumbersStorage);
     seedMap.dispatchOverBricks(program, seedMap.bricks().touched(), gl::Barrier::All, 1);
     newestIsLast_ = false;
     newestIsRegion_ = true;
@@ -114,7 +118,7 @@ void Frontier::push(const SeedMap& seedMap, std::span<const std::uint32_t> voxel
         definesFor(constraints.connectivity, notesRows ? gl::Defines{{"VS_BY_ROWS", "1"}} : gl::Defines{}));
     list_.reserve(voxels.size() * sizeof(std::uint32_t));
     list_.write(voxels);
-    list_.bindStorage(7);
+    list_.bindStorage(kVoxelsStorage);
     program.set("dims", seedMap.dims())
         .set("brickDims", seedMap.bricks().brickDims())
         .set("count", int(voxels.size()));
@@ -133,9 +137,9 @@ void Frontier::begin(int steps) {
     table[0].tiles = arguments(carried_);
     table[0].unmade = {std::min(carriedUnmade_, kMaxGroups), 1, 1, carriedUnmade_};
     steps_.write(std::span<const Step>(table));
-    steps_.bindStorage(5);
-    work_.bindStorage(6);
-    newest_.buffer().bindStorage(2);
+    steps_.bindStorage(kStepsStorage);
+    work_.bindStorage(kWorkStorage);
+    newest_.buffer().bindStorage(kNewestStorage);
 }
 
 // Expands so many times, giving `generation` and those after it. Returns the voxels that joined each time.
@@ -144,8 +148,8 @@ std::vector<std::uint64_t> Frontier::run(const SeedMap& seedMap, gl::Program& pr
                                          int generation, int steps) {
     gl::Program& note = note_.with(definesFor(constraints.connectivity, std::move(noteDefines)));
     note.set("dims", seedMap.dims()).set("brickDims", seedMap.bricks().brickDims());
-    seedMap.bricks().onDevice().bindStorage(8);
-    newest_.bindTexture(4);
+    seedMap.bricks().onDevice().bindStorage(kBrickNumbersStorage);
+    newest_.bindTexture(kNewestTexelsTexture);
     for (int i = 0; i < steps; ++i) {
         const int next = 1 - now_;
         if (allow != nullptr) {
@@ -225,7 +229,7 @@ std::vector<std::uint64_t> Frontier::expand(SeedMap& seedMap, const Rules& rules
     if (goesOver) {
         goOverToRows(seedMap);
     }
-    allowed_.buffer().bindStorage(1);
+    allowed_.buffer().bindStorage(kAllowedStorage);
     if (isValid_) {
         push(seedMap, added_, *rules.constraints);
         added_.clear();
@@ -241,16 +245,16 @@ std::vector<std::uint64_t> Frontier::expand(SeedMap& seedMap, const Rules& rules
     if (testing_ == Testing::ByRows) {
         allow = &allow_.prepare(*rules.field, *rules.constraints, forbidden);
         allow->set("dims", seedMap.dims()).set("brickDims", seedMap.bricks().brickDims());
-        allowed_.bindTexture(5);
+        allowed_.bindTexture(kAllowedTexelsTexture);
     } else {
         defines.insert(defines.end(), forbidden.begin(), forbidden.end());
         defines.emplace_back("VS_BY_VOXEL", "1");
-        seedMap.grownTexels().bindTexture(6);
+        seedMap.grownTexels().bindTexture(kGrownTexelsTexture);
     }
     gl::Program& program = expand_.prepare(*rules.field, *rules.constraints, defines);
     seedMap.bind(program);
     if (rules.forbidden != nullptr) {
-        rules.forbidden->bindStorage(7);
+        rules.forbidden->bindStorage(kForbiddenToGrowStorage);
     }
     return run(seedMap, program, allow, *rules.constraints,
                allow != nullptr ? gl::Defines{{"VS_BY_ROWS", "1"}} : gl::Defines{}, generation, steps);
@@ -263,19 +267,19 @@ int Frontier::flood(const SeedMap& seedMap, const Rules& rules, std::span<const 
     clearNewest();
     const int atOnce = std::min(kMaxSteps, std::max(steps, 1));
     begin(atOnce);
-    region.buffer().bindStorage(1);
+    region.buffer().bindStorage(kRegionStorage);
     push(seedMap, seeds, *rules.constraints, Into::NewestWithin);
-    reached.bindStorage(2); // and once more, into the set itself; the tiles are noted already
+    reached.bindStorage(kNewestStorage); // and once more, into the set itself; the tiles are noted already
     push(seedMap, seeds, *rules.constraints, Into::PlaneWithin);
-    newest_.buffer().bindStorage(2);
+    newest_.buffer().bindStorage(kNewestStorage);
 
     gl::Program& program = expand_.prepare(*rules.field, *rules.constraints, {{"VS_FLOOD", "1"}});
     int found = 0;
     for (bool goesOn = steps > 0; goesOn;) {
         const int batch = std::min(atOnce, steps - found);
         seedMap.bind(program);
-        reached.bindStorage(0);
-        region.bindTexture(5);
+        reached.bindStorage(kGrownStorage);
+        region.bindTexture(kAllowedTexelsTexture);
         for (const std::uint64_t voxels :
              run(seedMap, program, nullptr, *rules.constraints, {{"VS_FLOOD", "1"}}, 0, batch)) {
             found += voxels > 0 ? 1 : 0;

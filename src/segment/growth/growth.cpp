@@ -13,6 +13,10 @@
 namespace vs::segment {
 
 namespace {
+#include "segment/shaders/bindings.glsl"
+} // namespace
+
+namespace {
 
 constexpr int kNever = std::numeric_limits<int>::max();
 
@@ -85,9 +89,9 @@ std::vector<std::uint32_t> Growth::testSeeds(const std::vector<std::uint32_t>& v
     seedMap_.bind(test);
     seedMap_.bindOwner(test, owner_);
     seedMap_.bindList(voxels);
-    answers_.bindStorage(1);
+    answers_.bindStorage(kAnswersStorage);
     if (forbidden_) {
-        forbidden_.bindStorage(2);
+        forbidden_.bindStorage(kForbiddenToSeedStorage);
     }
     test.set("count", int(voxels.size())).set("playhead", std::uint32_t(state_.playhead));
     test.dispatchOverList(voxels.size(), gl::Barrier::Storage);
@@ -351,9 +355,9 @@ void Growth::show(const gl::Buffer& plane, const gl::Buffer& reach, const std::v
     kinds_.write(kinds);
     seedMap_.bind(show);
     seedMap_.bindOwner(show, owner_);
-    kinds_.bindStorage(1);
-    plane.bindStorage(2);
-    reach.bindStorage(5);
+    kinds_.bindStorage(kKindsStorage);
+    plane.bindStorage(kShownBitsStorage);
+    reach.bindStorage(kReachStorage);
     show.set("playhead", std::uint32_t(state_.playhead)).set("wanted", wanted);
     seedMap_.dispatchOverBricks(show, bricks, gl::Barrier::Storage);
 }

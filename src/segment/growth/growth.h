@@ -115,7 +115,7 @@ public:
     [[nodiscard]] std::uint64_t voxelCount(std::uint8_t label) const;
     [[nodiscard]] const Constraints& constraints() const { return state_.constraints; }
     [[nodiscard]] const GrowthState& state() const { return state_; }
-    // Of any segment; a fresh state if it has not been at work.
+    // How far any segment has grown; a fresh state if it has not been at work.
     [[nodiscard]] const GrowthState& state(std::uint8_t label) const;
     [[nodiscard]] bool hasOthers() const { return owner_.hasOthers; }
     [[nodiscard]] const Owner& owner() const { return owner_; }

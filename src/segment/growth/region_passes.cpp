@@ -4,6 +4,10 @@
 namespace vs::segment {
 
 namespace {
+#include "segment/shaders/bindings.glsl"
+} // namespace
+
+namespace {
 
 RegionPasses::Bricks marked(const RegionPasses::Bricks& bricks, const std::vector<std::uint32_t>& marks) {
     RegionPasses::Bricks some;
@@ -31,8 +35,8 @@ gl::Program& RegionPasses::eraser(const SeedMap& seedMap, bool byPlane, bool loo
 void RegionPasses::prepare(gl::Program& program, SeedMap& seedMap, const Owner& owner, const Which& which) {
     seedMap.bind(program);
     seedMap.bindOwner(program, owner);
-    (which.plane != nullptr ? *which.plane : seedMap.grown()).bindStorage(1);
-    counts_.bindStorage(2);
+    (which.plane != nullptr ? *which.plane : seedMap.grown()).bindStorage(kPlaneStorage);
+    counts_.bindStorage(kLossesStorage);
     program.set("last", std::uint32_t(which.last)).set("erasesPlane", which.isInPlane ? 1 : 0);
 }
 
@@ -62,8 +66,8 @@ RegionPasses::Bricks RegionPasses::withFree(SeedMap& seedMap, const gl::Buffer& 
     counts_.reserve(among.size() * sizeof(std::uint32_t));
     counts_.clear();
     seedMap.bind(program);
-    plane.bindStorage(1);
-    counts_.bindStorage(2);
+    plane.bindStorage(kPlaneStorage);
+    counts_.bindStorage(kGainsStorage);
     seedMap.dispatchOverBricks(program, among, gl::Barrier::All);
     return marked(among, counts_.read<std::uint32_t>(among.size()));
 }
@@ -77,8 +81,8 @@ std::uint32_t RegionPasses::add(SeedMap& seedMap, const gl::Buffer& plane, const
     counts_.reserve(sizeof(std::uint32_t));
     counts_.clear();
     seedMap.bind(program);
-    plane.bindStorage(1);
-    counts_.bindStorage(2);
+    plane.bindStorage(kPlaneStorage);
+    counts_.bindStorage(kGainsStorage);
     program.set("generation", std::uint32_t(generation));
     seedMap.dispatchOverBricks(program, bricks, gl::Barrier::All);
     return counts_.readValue<std::uint32_t>();
@@ -93,13 +97,13 @@ void RegionPasses::planeOf(SeedMap& seedMap, const Owner& owner, int last, const
     }
     if (forbidden != nullptr) {
         defines.emplace_back("VS_FORBIDDEN", "1");
-        forbidden->bindStorage(6);
+        forbidden->bindStorage(kForbiddenInPlaneStorage);
     }
     gl::Program& program = constraints != nullptr ? plane_.prepare(field, *constraints, defines)
                                                   : ownPlane_.with(seedMap.widthDefines());
     seedMap.bind(program);
     seedMap.bindOwner(program, owner);
-    plane.bindStorage(2);
+    plane.bindStorage(kMadePlaneStorage);
     program.set("last", std::uint32_t(last));
     seedMap.dispatchOverBricks(program, bricks, gl::Barrier::Storage);
 }
@@ -109,7 +113,7 @@ void RegionPasses::setBits(SeedMap& seedMap, const gl::Buffer& plane, std::span<
     gl::Program& program = changeBits_.with({});
     seedMap.bind(program);
     seedMap.bindList(voxels);
-    plane.bindStorage(2);
+    plane.bindStorage(kMadePlaneStorage);
     program.set("count", int(voxels.size())).set("isToSet", isToSet ? 1 : 0);
     program.dispatchOverList(voxels.size(), gl::Barrier::Storage);
 }
@@ -117,8 +121,8 @@ void RegionPasses::setBits(SeedMap& seedMap, const gl::Buffer& plane, std::span<
 void RegionPasses::join(SeedMap& seedMap, const gl::Buffer& plane, const gl::Buffer& added) {
     gl::Program& program = join_.with({});
     const std::size_t words = seedMap.planeBytes() / sizeof(std::uint32_t);
-    added.bindStorage(1);
-    plane.bindStorage(2);
+    added.bindStorage(kAddedStorage);
+    plane.bindStorage(kMadePlaneStorage);
     program.set("count", int(words));
     program.dispatchOverList(words, gl::Barrier::Storage);
 }

@@ -23,13 +23,13 @@ public:
 
     using Bricks = std::vector<std::uint32_t>;
 
-    // Those of the bricks that hold such voxels.
+    // Which of the bricks `among` hold voxels like `which`.
     Bricks holding(SeedMap& seedMap, const Owner& owner, const Which& which, const Bricks& among);
     // Takes such voxels away. With a plane, returns how many were taken of each generation up to `extent`.
     std::vector<std::uint32_t> erase(SeedMap& seedMap, const Owner& owner, const Which& which,
                                      const Bricks& bricks, int extent);
 
-    // Those of the bricks in which a plane has voxels that are nobody's.
+    // In which of the bricks `among` a plane has voxels that are nobody's.
     Bricks withFree(SeedMap& seedMap, const gl::Buffer& plane, const Bricks& among);
     // Gives them to the segment at work, with one generation. Returns how many there were.
     std::uint32_t add(SeedMap& seedMap, const gl::Buffer& plane, const Bricks& bricks, int generation);

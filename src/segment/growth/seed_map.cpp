@@ -11,6 +11,10 @@
 namespace vs::segment {
 
 namespace {
+#include "segment/shaders/bindings.glsl"
+} // namespace
+
+namespace {
 
 constexpr std::size_t kMaxGroups = 65535;
 constexpr std::size_t kWordsPerBrick = 1024;
@@ -48,22 +52,22 @@ void SeedMap::widen() {
 }
 
 void SeedMap::bind(gl::Program& program) const {
-    grown_.buffer().bindStorage(0);
-    generations_.bindStorage(3);
-    (isWide() ? late_ : generations_).bindStorage(4);
-    labels_.bindImage(0, gl::Access::ReadWrite);
+    grown_.buffer().bindStorage(kGrownStorage);
+    generations_.bindStorage(kGenerationsStorage);
+    (isWide() ? late_ : generations_).bindStorage(kLateGenerationsStorage);
+    labels_.bindImage(kLabelsImage, gl::Access::ReadWrite);
     program.set("dims", dims_).set("brickDims", bricks_.brickDims());
 }
 
 void SeedMap::bindOwner(gl::Program& program, const Owner& owner) const {
-    labels_.bindTexture(3);
+    labels_.bindTexture(kLabelTexture);
     program.set("activeLabel", std::uint32_t(owner.label)).set("hasOthers", owner.hasOthers ? 1 : 0);
 }
 
 void SeedMap::bindList(std::span<const std::uint32_t> numbers) {
     list_.reserve(numbers.size() * sizeof(std::uint32_t));
     list_.write(numbers);
-    list_.bindStorage(7);
+    list_.bindStorage(kBricksStorage);
 }
 
 void SeedMap::dispatchOverBricks(gl::Program& program, std::span<const std::uint32_t> bricks,

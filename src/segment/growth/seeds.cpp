@@ -9,6 +9,10 @@
 
 namespace vs::segment {
 
+namespace {
+#include "segment/shaders/bindings.glsl"
+} // namespace
+
 std::vector<glm::ivec3> SeedFinder::find(const field::SurfacePoints& points, const field::Field& field,
                                          const Constraints& constraints) {
     const std::size_t count = std::size_t(points.size.x) * std::size_t(points.size.y);
@@ -24,9 +28,9 @@ std::vector<glm::ivec3> SeedFinder::find(const field::SurfacePoints& points, con
     found_.reserve((count + 1) * sizeof(std::uint32_t));
     found_.clear(0, sizeof(std::uint32_t));
 
-    points.points.bindStorage(0);
-    table_.bindStorage(1);
-    found_.bindStorage(2);
+    points.points.bindStorage(kPointsStorage);
+    table_.bindStorage(kTableStorage);
+    found_.bindStorage(kFoundStorage);
     program.set("count", int(count))
         .set("tableMask", std::uint32_t(slots - 1))
         .set("worldFromVoxel", glm::mat4(field.geometry.worldFromVoxel));

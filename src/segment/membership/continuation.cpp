@@ -10,6 +10,10 @@
 namespace vs::segment {
 
 namespace {
+#include "segment/shaders/bindings.glsl"
+} // namespace
+
+namespace {
 
 constexpr std::size_t kLabels = 256;
 constexpr std::size_t kMaxGroups = 65535;
@@ -38,8 +42,8 @@ field::SculptureView shownBy(const Fence& fence) {
 
 void bindFence(gl::Program& program, const Fence& fence) {
     if (fence.sculpture != nullptr) {
-        fence.sculpture->bindTexture(1);
-        fence.cells->bindTexture(4);
+        fence.sculpture->bindTexture(kSculptureTexture);
+        fence.cells->bindTexture(kSculptureCellsTexture);
     }
     const field::SculptureView view = shownBy(fence);
     program.set("hides", view == field::SculptureView::Cut ? 1 : view == field::SculptureView::Probe ? 2 : 0);
@@ -112,9 +116,9 @@ std::vector<std::uint32_t> Continuation::takeFence(const BrickTable& table, cons
     }
     list_.reserve(listed.size() * sizeof(std::uint32_t));
     list_.write(std::span<const std::uint32_t>(listed));
-    list_.bindStorage(7);
+    list_.bindStorage(kBricksStorage);
     answers_.reserve(listed.size() * sizeof(std::uint32_t));
-    answers_.bindStorage(1);
+    answers_.bindStorage(kAnswersStorage);
     bindFence(findFences_, fence);
     findFences_.set("brickDims", table.brickDims()).set("count", int(listed.size()));
     findFences_.dispatchOverList(listed.size(), gl::Barrier::Storage);
@@ -171,13 +175,13 @@ void Continuation::run(const Growth& growth, const Fence& fence, const gl::Buffe
     gl::Program& program = continue_.prepare(growth.field(), {}, defines);
     growth.seedMap().bind(program);
     growth.seedMap().bindOwner(program, growth.owner());
-    rulesOnDevice_.bindStorage(1);
-    shown.bindStorage(2);
-    reach.bindStorage(5);
-    turned.bindStorage(6);
+    rulesOnDevice_.bindStorage(kRulesOfLabelsStorage);
+    shown.bindStorage(kShownBitsStorage);
+    reach.bindStorage(kReachStorage);
+    turned.bindStorage(kTurnedBitsStorage);
     list_.reserve(bricks.size() * sizeof(std::uint32_t));
     list_.write(std::span<const std::uint32_t>(bricks));
-    list_.bindStorage(7);
+    list_.bindStorage(kBricksStorage);
     bindFence(program, fence);
     const glm::dvec3 spacing = growth.field().geometry.spacing();
     const glm::dvec3 aside = std::max({spacing.x, spacing.y, spacing.z}) / spacing;

@@ -43,7 +43,7 @@ public:
              const gl::Buffer& reach, const std::vector<std::uint32_t>& bricks);
 
 private:
-    // Of one label; mirrors Rules in shaders/continue_segments.comp (std430).
+    // How the segment with one label goes on; mirrors Rules in shaders/continue_segments.comp (std430).
     struct Rules {
         glm::vec4 voxel{0};
         glm::vec4 pair{0};

@@ -12,6 +12,10 @@
 namespace vs::segment {
 
 namespace {
+#include "segment/shaders/bindings.glsl"
+} // namespace
+
+namespace {
 
 constexpr int kTile = 16;
 constexpr int kReach = 3; // voxels that the kernel reaches to either side
@@ -47,9 +51,9 @@ gl::Defines Segmentation::memberDefines() const {
 
 // For shaders that include shaders/tiles.glsl.
 void Segmentation::bindMembers(const Channel& channel) const {
-    channel.shown.bindStorage(3);
+    channel.shown.bindStorage(kShownStorage);
     if (channel.turned) {
-        channel.turned.bindStorage(4);
+        channel.turned.bindStorage(kTurnedStorage);
     }
 }
 
@@ -65,7 +69,7 @@ glm::ivec3 Segmentation::tileAt(std::uint32_t tile) const {
 void Segmentation::listTiles(const std::vector<std::uint32_t>& tiles) {
     tiles_.reserve(tiles.size() * sizeof(std::uint32_t));
     tiles_.write(std::span<const std::uint32_t>(tiles));
-    tiles_.bindStorage(0);
+    tiles_.bindStorage(kTilesStorage);
 }
 
 // Queues the tiles that pending changes reach.
@@ -115,8 +119,8 @@ std::vector<std::uint32_t> Segmentation::smoothQueued(int channel, double budget
 // Smooths tiles [first, first + count) of the list on the device.
 void Segmentation::smooth(int channel, std::uint32_t first, std::uint32_t count) {
     bindMembers(channels_[std::size_t(channel)]);
-    rows_.bindStorage(1);
-    alongXY_.bindStorage(2);
+    rows_.bindStorage(kRowsStorage);
+    alongXY_.bindStorage(kAlongXYStorage);
     const auto prepare = [&](gl::Program& program, int axis) {
         program.set("dims", dims_)
             .set("brickDims", brickDims_)
@@ -136,7 +140,7 @@ void Segmentation::smooth(int channel, std::uint32_t first, std::uint32_t count)
     // Each pass reads what the one before it has written.
     packRows.dispatchOver({kPadded * kPadded, int(count), 1}, gl::Barrier::Storage);
     smoothXY_.dispatchOver({kPadded * kTile, int(count), 1}, gl::Barrier::Storage);
-    texels_.bindImage(0, gl::Access::ReadWrite);
+    texels_.bindImage(kSegmentationImage, gl::Access::ReadWrite);
     smoothZ.dispatchOver({kTile * kTile, int(count), 1}, gl::Barrier::Texture);
 }
 
@@ -153,7 +157,7 @@ void Segmentation::write(int channel, const std::vector<std::uint32_t>& tiles, S
             defines.insert(defines.end(), glass.begin(), glass.end());
             gl::Program& writePlain = writePlain_.with(defines);
             bindMembers(channels_[std::size_t(channel)]);
-            texels_.bindImage(0, gl::Access::ReadWrite);
+            texels_.bindImage(kSegmentationImage, gl::Access::ReadWrite);
             writePlain.set("dims", dims_)
                 .set("brickDims", brickDims_)
                 .set("tileDims", tileDims_)
@@ -170,8 +174,8 @@ void Segmentation::summarize(const std::vector<std::uint32_t>& tiles, Smoothing 
     gl::Program& program =
         summarize_.with(smoothing == Smoothing::Plain ? gl::Defines{{"VS_LOOSE", "1"}} : gl::Defines{});
     listTiles(tiles);
-    texels_.bindTexture(1);
-    cells_.bindImage(1, gl::Access::Write);
+    texels_.bindTexture(kSegmentationTexture);
+    cells_.bindImage(kCellsImage, gl::Access::Write);
     const auto total = std::uint32_t(tiles.size());
     for (std::uint32_t first = 0; first < total; first += kMaxGroups) {
         program.set("dims", dims_)

@@ -12,12 +12,13 @@ struct Step {
     uvec4 unmade; // likewise, a group a row, those rows that are near for the first time
     uvec4 grown;  // x + y + z + w: voxels grown
 };
-layout(std430, binding = 5) buffer Steps { Step steps[]; };
+#include "segment/shaders/bindings.glsl"
+layout(std430, binding = kStepsStorage) buffer Steps { Step steps[]; };
 // Six parts, a number for each tile: the last expansion that was to look at it; the rules under which the words of a row of four
 // tiles (a brick's along x, one after the other) in the plane `allowed` are made; two lists of tiles, and two of rows that are
 // not made, which is cheaper together: a row of values shares a cache line. And four for what an expansion found in each tile
 // of its list: from bit 8 on voxels that joined, bit 6 whether there were newest ones, below the sides that some touch.
-layout(std430, binding = 6) buffer Work { uint work[]; };
+layout(std430, binding = kWorkStorage) buffer Work { uint work[]; };
 
 uniform uint stamp;    // of the expansion that tiles are noted for
 uniform int stepNoted; // its place in `steps`

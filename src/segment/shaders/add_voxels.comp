@@ -8,10 +8,11 @@
 
 layout(local_size_x = 64) in;
 
-layout(std430, binding = 0) buffer Grown { uint grown[]; };
-layout(std430, binding = 1) readonly buffer Plane { uint plane[]; };
-layout(std430, binding = 2) buffer Gains { uint gains[]; };
-layout(std430, binding = 7) readonly buffer Bricks { uint bricks[]; };
+#include "segment/shaders/bindings.glsl"
+layout(std430, binding = kGrownStorage) buffer Grown { uint grown[]; };
+layout(std430, binding = kPlaneStorage) readonly buffer Plane { uint plane[]; };
+layout(std430, binding = kGainsStorage) buffer Gains { uint gains[]; };
+layout(std430, binding = kBricksStorage) readonly buffer Bricks { uint bricks[]; };
 
 uniform int firstBrick;
 uniform uint generation;

@@ -8,10 +8,11 @@
 
 layout(local_size_x = 64) in;
 
-layout(std430, binding = 0) readonly buffer Grown { uint grown[]; };
-layout(std430, binding = 1) writeonly buffer Allowed { uint allowed[]; };
+#include "segment/shaders/bindings.glsl"
+layout(std430, binding = kGrownStorage) readonly buffer Grown { uint grown[]; };
+layout(std430, binding = kAllowedStorage) writeonly buffer Allowed { uint allowed[]; };
 #ifdef VS_FORBIDDEN
-layout(std430, binding = 7) readonly buffer Forbidden { uint forbidden[]; };
+layout(std430, binding = kForbiddenToGrowStorage) readonly buffer Forbidden { uint forbidden[]; };
 #endif
 
 uniform int stepIndex;

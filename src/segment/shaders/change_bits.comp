@@ -6,8 +6,9 @@ layout(local_size_x = 64) in;
 
 #include "gl/shaders/items.glsl"
 
-layout(std430, binding = 2) buffer Plane { uint plane[]; };
-layout(std430, binding = 7) readonly buffer Voxels { uint voxels[]; };
+#include "segment/shaders/bindings.glsl"
+layout(std430, binding = kMadePlaneStorage) buffer Plane { uint plane[]; };
+layout(std430, binding = kVoxelsStorage) readonly buffer Voxels { uint voxels[]; };
 
 uniform int count;
 uniform int isToSet;

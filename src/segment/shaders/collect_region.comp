@@ -10,10 +10,11 @@
 
 layout(local_size_x = 64) in;
 
-layout(binding = 6) uniform usamplerBuffer grownTexels; // much faster than a storage block on software renderers
-layout(std430, binding = 2) writeonly buffer Newest { uvec4 newest[]; };
-layout(std430, binding = 7) readonly buffer Numbers { uint numbers[]; };
-layout(std430, binding = 8) readonly buffer Bricks { uvec2 bricks[]; };
+#include "segment/shaders/bindings.glsl"
+layout(binding = kGrownTexelsTexture) uniform usamplerBuffer grownTexels; // much faster than a storage block on software renderers
+layout(std430, binding = kNewestStorage) writeonly buffer Newest { uvec4 newest[]; };
+layout(std430, binding = kNumbersStorage) readonly buffer Numbers { uint numbers[]; };
+layout(std430, binding = kBrickNumbersStorage) readonly buffer Bricks { uvec2 bricks[]; };
 
 uniform int firstBrick;
 uniform uint newestAt;

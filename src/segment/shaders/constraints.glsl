@@ -5,12 +5,13 @@
 #define VS_PAIRED // rules that ask for the parent too
 #endif
 
-layout(binding = 0) uniform sampler3D dataTexture;
+#include "segment/shaders/bindings.glsl"
+layout(binding = kDataTexture) uniform sampler3D dataTexture;
 uniform ivec3 gridDims;
 uniform vec3 valueScale; // x scale, y offset, z 1 if values are whole numbers
 uniform vec2 valueRange; // all ranges are closed; in the volume's unit
 #ifdef VS_FENCED
-layout(binding = 1) uniform sampler3D sculptureTexture;
+layout(binding = kSculptureTexture) uniform sampler3D sculptureTexture;
 uniform int keepsCutPart; // 1: only where the sculpture is >= 0.5; 0: only where it is < 0.5
 #endif
 uniform vec3 gradientAlongX; // of a difference of 1 across two voxels: 1 / mm, in world axes

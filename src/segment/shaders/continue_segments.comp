@@ -27,11 +27,12 @@ struct Rules {
     uvec4 run;  // x its fence, y the last generation that an edit has made
 };
 
-layout(std430, binding = 0) readonly buffer Grown { uint grown[]; };
-layout(std430, binding = 1) readonly buffer RulesOfLabels { Rules rules[]; };
-layout(std430, binding = 2) readonly buffer Shown { uint shown[]; };
-layout(std430, binding = 6) buffer Turned { uint turned[]; };
-layout(std430, binding = 7) readonly buffer Bricks { uint bricks[]; };
+#include "segment/shaders/bindings.glsl"
+layout(std430, binding = kGrownStorage) readonly buffer Grown { uint grown[]; };
+layout(std430, binding = kRulesOfLabelsStorage) readonly buffer RulesOfLabels { Rules rules[]; };
+layout(std430, binding = kShownBitsStorage) readonly buffer Shown { uint shown[]; };
+layout(std430, binding = kTurnedBitsStorage) buffer Turned { uint turned[]; };
+layout(std430, binding = kBricksStorage) readonly buffer Bricks { uint bricks[]; };
 
 uniform int takesAway; // 1: some run is fenced to what is hidden
 uniform ivec3 aside;   // voxels along each axis that are about as far as one across thick slices

@@ -9,11 +9,12 @@
 
 layout(local_size_x = 64) in;
 
-layout(std430, binding = 0) buffer Grown { uint grown[]; };
-layout(std430, binding = 1) readonly buffer Plane { uint plane[]; };
-layout(std430, binding = 2) buffer Losses { uint losses[]; };
-layout(std430, binding = 7) readonly buffer Bricks { uint bricks[]; };
-layout(r8ui, binding = 0) uniform writeonly uimage3D labels;
+#include "segment/shaders/bindings.glsl"
+layout(std430, binding = kGrownStorage) buffer Grown { uint grown[]; };
+layout(std430, binding = kPlaneStorage) readonly buffer Plane { uint plane[]; };
+layout(std430, binding = kLossesStorage) buffer Losses { uint losses[]; };
+layout(std430, binding = kBricksStorage) readonly buffer Bricks { uint bricks[]; };
+layout(r8ui, binding = kLabelsImage) uniform writeonly uimage3D labels;
 
 uniform int firstBrick;
 uniform uint last;

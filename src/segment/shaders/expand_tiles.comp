@@ -13,17 +13,18 @@
 
 layout(local_size_x = 64) in;
 
-layout(std430, binding = 0) buffer Grown { uvec4 grown[]; };
-layout(std430, binding = 1) writeonly buffer Allowed { uvec4 allowed[]; };
-layout(std430, binding = 2) writeonly buffer Newest { uvec4 newest[]; };
-layout(binding = 4) uniform usamplerBuffer newestTexels;
+#include "segment/shaders/bindings.glsl"
+layout(std430, binding = kGrownStorage) buffer Grown { uvec4 grown[]; };
+layout(std430, binding = kAllowedStorage) writeonly buffer Allowed { uvec4 allowed[]; };
+layout(std430, binding = kNewestStorage) writeonly buffer Newest { uvec4 newest[]; };
+layout(binding = kNewestTexelsTexture) uniform usamplerBuffer newestTexels;
 #ifdef VS_BY_VOXEL
-layout(binding = 6) uniform usamplerBuffer grownTexels;
+layout(binding = kGrownTexelsTexture) uniform usamplerBuffer grownTexels;
 #ifdef VS_FORBIDDEN
-layout(std430, binding = 7) readonly buffer Forbidden { uvec4 forbidden[]; };
+layout(std430, binding = kForbiddenToGrowStorage) readonly buffer Forbidden { uvec4 forbidden[]; };
 #endif
 #else
-layout(binding = 5) uniform usamplerBuffer allowedTexels;
+layout(binding = kAllowedTexelsTexture) uniform usamplerBuffer allowedTexels;
 #endif
 
 uniform int stepIndex;

@@ -1,8 +1,9 @@
 // Where the sculpture hides part of the grid. Spaces: voxel indices.
 // Bindings: texture 1 the sculpture, 4 the ranges of its macrocells (rg).
 
-layout(binding = 1) uniform sampler3D sculptureTexture;
-layout(binding = 4) uniform sampler3D sculptureCells;
+#include "segment/shaders/bindings.glsl"
+layout(binding = kSculptureTexture) uniform sampler3D sculptureTexture;
+layout(binding = kSculptureCellsTexture) uniform sampler3D sculptureCells;
 
 uniform int hides; // 0: nothing; 1: where the sculpture is >= 0.5; 2: where it is < 0.5
 

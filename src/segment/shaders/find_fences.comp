@@ -8,8 +8,9 @@ layout(local_size_x = 16) in;
 
 #include "gl/shaders/items.glsl"
 
-layout(std430, binding = 1) writeonly buffer Answers { uint answers[]; };
-layout(std430, binding = 7) readonly buffer Bricks { uint bricks[]; };
+#include "segment/shaders/bindings.glsl"
+layout(std430, binding = kAnswersStorage) writeonly buffer Answers { uint answers[]; };
+layout(std430, binding = kBricksStorage) readonly buffer Bricks { uint bricks[]; };
 
 uniform int count;
 

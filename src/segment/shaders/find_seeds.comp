@@ -12,9 +12,10 @@ struct SurfacePoint {
     vec4 voxel;  // w 1 = hit
     vec4 normal;
 };
-layout(std430, binding = 0) readonly buffer Points { SurfacePoint points[]; };
-layout(std430, binding = 1) buffer Table { uint table[]; };
-layout(std430, binding = 2) buffer Found {
+#include "segment/shaders/bindings.glsl"
+layout(std430, binding = kPointsStorage) readonly buffer Points { SurfacePoint points[]; };
+layout(std430, binding = kTableStorage) buffer Table { uint table[]; };
+layout(std430, binding = kFoundStorage) buffer Found {
     uint foundCount;
     uint found[];
 };

@@ -2,9 +2,10 @@
 // more bits in a buffer of their own, four voxels to a number. What has no generation reads 0.
 // Include after words.glsl. Bindings: storage 3 and 4.
 
-layout(std430, binding = 3) buffer Generations { uint generations[]; };
+#include "segment/shaders/bindings.glsl"
+layout(std430, binding = kGenerationsStorage) buffer Generations { uint generations[]; };
 #ifdef VS_WIDE
-layout(std430, binding = 4) buffer LateGenerations { uint lateBits[]; };
+layout(std430, binding = kLateGenerationsStorage) buffer LateGenerations { uint lateBits[]; };
 #endif
 
 // Gives the chosen voxels of a word this generation. The word must be the caller's own.

@@ -3,8 +3,9 @@ layout(local_size_x = 64) in;
 
 #include "gl/shaders/items.glsl"
 
-layout(std430, binding = 1) readonly buffer Added { uint added[]; };
-layout(std430, binding = 2) buffer Plane { uint plane[]; };
+#include "segment/shaders/bindings.glsl"
+layout(std430, binding = kAddedStorage) readonly buffer Added { uint added[]; };
+layout(std430, binding = kMadePlaneStorage) buffer Plane { uint plane[]; };
 
 uniform int count;
 

@@ -2,7 +2,8 @@
 // Include after words.glsl. Bindings: storage 5, for each of a listed brick's eight tiles a bit for each of the 27 around it
 // (itself included), zeros at first. One row of groups a brick, an invocation a word.
 
-layout(std430, binding = 5) buffer Reach { uint reach[]; };
+#include "segment/shaders/bindings.glsl"
+layout(std430, binding = kReachStorage) buffer Reach { uint reach[]; };
 
 uniform int firstBrick;
 

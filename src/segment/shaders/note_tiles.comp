@@ -6,7 +6,8 @@
 
 layout(local_size_x = 16) in;
 
-layout(std430, binding = 8) buffer Bricks { uvec2 bricks[]; };
+#include "segment/shaders/bindings.glsl"
+layout(std430, binding = kBrickNumbersStorage) buffer Bricks { uvec2 bricks[]; };
 
 uniform int stepIndex;
 uniform uint generation;

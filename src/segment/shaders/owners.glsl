@@ -2,7 +2,8 @@
 // label belongs to the segment at work.
 // Include after words.glsl. Binding: texture 3.
 
-layout(binding = 3) uniform usampler3D labelTexture;
+#include "segment/shaders/bindings.glsl"
+layout(binding = kLabelTexture) uniform usampler3D labelTexture;
 
 uniform uint activeLabel;
 uniform int hasOthers; // 0: there is no other segment

@@ -5,7 +5,8 @@
 
 layout(local_size_x = 64) in;
 
-layout(std430, binding = 1) writeonly buffer Rows { uint rows[]; };
+#include "segment/shaders/bindings.glsl"
+layout(std430, binding = kRowsStorage) writeonly buffer Rows { uint rows[]; };
 
 void main() {
     int row = int(gl_GlobalInvocationID.x); // y + 22 z

@@ -7,9 +7,10 @@ layout(local_size_x = 64) in;
 
 #include "gl/shaders/items.glsl"
 
-layout(std430, binding = 1) buffer Region { uint region[]; };
-layout(std430, binding = 2) buffer Newest { uint newest[]; };
-layout(std430, binding = 7) readonly buffer Voxels { uint voxels[]; };
+#include "segment/shaders/bindings.glsl"
+layout(std430, binding = kRegionStorage) buffer Region { uint region[]; };
+layout(std430, binding = kNewestStorage) buffer Newest { uint newest[]; };
+layout(std430, binding = kVoxelsStorage) readonly buffer Voxels { uint voxels[]; };
 
 uniform int count;
 uniform uint newestAt;

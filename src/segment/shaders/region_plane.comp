@@ -9,12 +9,13 @@
 
 layout(local_size_x = 64) in;
 
-layout(std430, binding = 0) readonly buffer Grown { uint grown[]; };
-layout(std430, binding = 2) writeonly buffer Plane { uint plane[]; };
+#include "segment/shaders/bindings.glsl"
+layout(std430, binding = kGrownStorage) readonly buffer Grown { uint grown[]; };
+layout(std430, binding = kMadePlaneStorage) writeonly buffer Plane { uint plane[]; };
 #ifdef VS_FORBIDDEN
-layout(std430, binding = 6) readonly buffer Forbidden { uint forbidden[]; };
+layout(std430, binding = kForbiddenInPlaneStorage) readonly buffer Forbidden { uint forbidden[]; };
 #endif
-layout(std430, binding = 7) readonly buffer Bricks { uint bricks[]; };
+layout(std430, binding = kBricksStorage) readonly buffer Bricks { uint bricks[]; };
 
 uniform int firstBrick;
 uniform uint last;

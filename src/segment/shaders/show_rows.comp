@@ -10,10 +10,11 @@
 
 layout(local_size_x = 64) in;
 
-layout(std430, binding = 0) readonly buffer Grown { uint grown[]; };
-layout(std430, binding = 1) readonly buffer Kinds { uint kinds[]; };
-layout(std430, binding = 2) buffer Shown { uint shown[]; };
-layout(std430, binding = 7) readonly buffer Bricks { uint bricks[]; };
+#include "segment/shaders/bindings.glsl"
+layout(std430, binding = kGrownStorage) readonly buffer Grown { uint grown[]; };
+layout(std430, binding = kKindsStorage) readonly buffer Kinds { uint kinds[]; };
+layout(std430, binding = kShownBitsStorage) buffer Shown { uint shown[]; };
+layout(std430, binding = kBricksStorage) readonly buffer Bricks { uint bricks[]; };
 
 uniform uint playhead;
 uniform uint wanted;   // the number that makes a label's voxels appear in this plane

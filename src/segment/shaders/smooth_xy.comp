@@ -5,8 +5,9 @@
 
 layout(local_size_x = 64) in;
 
-layout(std430, binding = 1) readonly buffer Rows { uint rows[]; };
-layout(std430, binding = 2) writeonly buffer AlongXY { float alongXY[]; };
+#include "segment/shaders/bindings.glsl"
+layout(std430, binding = kRowsStorage) readonly buffer Rows { uint rows[]; };
+layout(std430, binding = kAlongXYStorage) writeonly buffer AlongXY { float alongXY[]; };
 
 uniform vec4 weightsX;
 

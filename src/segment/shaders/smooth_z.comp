@@ -7,7 +7,8 @@
 layout(local_size_x = 64) in;
 
 #include "segment/shaders/segmentation_image.glsl"
-layout(std430, binding = 2) readonly buffer AlongXY { float alongXY[]; };
+#include "segment/shaders/bindings.glsl"
+layout(std430, binding = kAlongXYStorage) readonly buffer AlongXY { float alongXY[]; };
 
 void main() {
     uint row = gl_GlobalInvocationID.x; // x + 16 y

@@ -7,9 +7,10 @@ layout(local_size_x = 64) in;
 
 #include "gl/shaders/items.glsl"
 
-layout(std430, binding = 0) buffer Grown { uint grown[]; };
-layout(std430, binding = 7) readonly buffer Voxels { uint voxels[]; };
-layout(r8ui, binding = 0) uniform writeonly uimage3D labels;
+#include "segment/shaders/bindings.glsl"
+layout(std430, binding = kGrownStorage) buffer Grown { uint grown[]; };
+layout(std430, binding = kVoxelsStorage) readonly buffer Voxels { uint voxels[]; };
+layout(r8ui, binding = kLabelsImage) uniform writeonly uimage3D labels;
 
 uniform int count;
 uniform uint generation;

@@ -6,8 +6,9 @@
 
 layout(local_size_x = 128) in;
 
-layout(binding = 1) uniform sampler3D segmentation;
-layout(rg32f, binding = 1) uniform writeonly image3D cells;
+#include "segment/shaders/bindings.glsl"
+layout(binding = kSegmentationTexture) uniform sampler3D segmentation;
+layout(rg32f, binding = kCellsImage) uniform writeonly image3D cells;
 
 uniform ivec3 cellDims;
 

@@ -11,12 +11,13 @@ layout(local_size_x = 64) in;
 
 #include "gl/shaders/items.glsl"
 
-layout(std430, binding = 0) readonly buffer Grown { uint grown[]; };
-layout(std430, binding = 1) writeonly buffer Answers { uint answers[]; };
+#include "segment/shaders/bindings.glsl"
+layout(std430, binding = kGrownStorage) readonly buffer Grown { uint grown[]; };
+layout(std430, binding = kAnswersStorage) writeonly buffer Answers { uint answers[]; };
 #ifdef VS_FORBIDDEN
-layout(std430, binding = 2) readonly buffer Forbidden { uint forbidden[]; };
+layout(std430, binding = kForbiddenToSeedStorage) readonly buffer Forbidden { uint forbidden[]; };
 #endif
-layout(std430, binding = 7) readonly buffer Voxels { uint voxels[]; };
+layout(std430, binding = kVoxelsStorage) readonly buffer Voxels { uint voxels[]; };
 
 uniform int count;
 uniform uint playhead;

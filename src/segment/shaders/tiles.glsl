@@ -8,10 +8,11 @@ const int kTile = 16;
 const int kReach = 3;
 const int kPadded = kTile + 2 * kReach;
 
-layout(std430, binding = 0) readonly buffer Tiles { uint tiles[]; };
-layout(std430, binding = 3) readonly buffer Shown { uint shown[]; };
+#include "segment/shaders/bindings.glsl"
+layout(std430, binding = kTilesStorage) readonly buffer Tiles { uint tiles[]; };
+layout(std430, binding = kShownStorage) readonly buffer Shown { uint shown[]; };
 #ifdef VS_CONTINUED
-layout(std430, binding = 4) readonly buffer Turned { uint turned[]; };
+layout(std430, binding = kTurnedStorage) readonly buffer Turned { uint turned[]; };
 uint membersIn(uint word) { return shown[word] ^ turned[word]; }
 #else
 uint membersIn(uint word) { return shown[word]; }

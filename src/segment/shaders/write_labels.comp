@@ -5,9 +5,10 @@
 
 layout(local_size_x = 64) in;
 
-layout(std430, binding = 0) readonly buffer Grown { uint grown[]; };
-layout(std430, binding = 7) readonly buffer Bricks { uint bricks[]; };
-layout(r8ui, binding = 0) uniform writeonly uimage3D labels;
+#include "segment/shaders/bindings.glsl"
+layout(std430, binding = kGrownStorage) readonly buffer Grown { uint grown[]; };
+layout(std430, binding = kBricksStorage) readonly buffer Bricks { uint bricks[]; };
+layout(r8ui, binding = kLabelsImage) uniform writeonly uimage3D labels;
 
 uniform int firstBrick;
 

@@ -189,7 +189,7 @@ public:
     // part where it is at least a half.
     [[nodiscard]] std::vector<float> sculptureValues(const Box3& box) const;
     std::vector<float> partValues(std::size_t place, const Box3& box);
-    // Of the segment at work, at the generation shown; 0 = not grown.
+    // For each voxel the generation in which the segment at work took it, as far as is shown; 0 = not grown.
     [[nodiscard]] std::vector<std::uint32_t> generations() const;
     // 1 = in the segment at work.
     [[nodiscard]] std::vector<std::uint8_t> labels() const;

@@ -5,6 +5,10 @@
 
 namespace vs::studio {
 
+namespace {
+#include "sculpt/shaders/bindings.glsl"
+} // namespace
+
 std::shared_ptr<const gl::Texture> PastedParts::remember(const sculpt::Sculpture& sculpture) {
     const gl::Texture& texels = sculpture.texels();
     gl::Texture copy(texels.size(), texels.format(), gl::Filter::Linear, "sculpture at a paste");
@@ -60,10 +64,10 @@ void PastedParts::derive(Derived& part, const sculpt::Sculpture& sculpture, cons
         part.cells = gl::Texture(sculpture.cells().size(), gl::Format::RG32F, gl::Filter::Nearest,
                                  "pasted part cells");
     }
-    sculpture.texels().bindTexture(0);
-    (part.upTo ? *part.upTo : sculpture.texels()).bindTexture(1);
-    (part.from ? *part.from : sculpture.texels()).bindTexture(2);
-    part.texels.bindImage(0, gl::Access::Write);
+    sculpture.texels().bindTexture(kWholeSculptureTexture);
+    (part.upTo ? *part.upTo : sculpture.texels()).bindTexture(kUpToTexture);
+    (part.from ? *part.from : sculpture.texels()).bindTexture(kFromTexture);
+    part.texels.bindImage(kPartImage, gl::Access::Write);
     program_.set("first", box.lo)
         .set("last", box.hi)
         .set("has", glm::ivec2(part.upTo ? 1 : 0, part.from ? 1 : 0));

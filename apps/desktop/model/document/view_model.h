@@ -59,11 +59,11 @@ public:
     [[nodiscard]] glm::ivec2 viewport() const { return viewport_; } // device pixels
     [[nodiscard]] glm::dvec2 devicePerLogical() const;
     [[nodiscard]] QPointF centre() const; // logical pixels
-    // Of the view as the person sees it, on the viewport. There must be a volume.
+    // The rays of the view as the person sees it, on the viewport. There must be a volume.
     [[nodiscard]] render::ViewRays rays() const;
     // Where a place in the world appears, in logical pixels of the view.
     [[nodiscard]] QPointF seenAt(glm::dvec3 world) const;
-    // Of one logical pixel, in the middle of what is looked at.
+    // How much one logical pixel covers, in the middle of what is looked at.
     [[nodiscard]] double millimetresPerPixel() const;
 
 signals:

@@ -42,7 +42,7 @@ public:
     [[nodiscard]] bool isHeld() const { return isHeld_; }
     // A line for those that need no area: open, unless it ends on its first corner.
     [[nodiscard]] bool isLine() const;
-    // Of a polyline, without the place of the pen.
+    // How many corners a polyline has, without the place of the pen.
     [[nodiscard]] std::size_t corners() const { return points_.size(); }
     // Encloses something (at least a few pixels wide and high), or is a line.
     [[nodiscard]] bool isOfUse() const;

@@ -56,7 +56,7 @@ private:
     std::unique_ptr<QLockFile> lock_;
     std::unique_ptr<studio::Journal> journal_;
     bool isReplaying_ = false;
-    // Of the document that is being recovered.
+    // The lock and the file of the document that is being recovered.
     std::unique_ptr<QLockFile> recoveredLock_;
     std::filesystem::path recovered_;
 };

@@ -45,7 +45,8 @@ public:
     void setColour(const std::string& name, const QColor& colour);
     void setVisible(const std::string& name, bool isVisible);
     void setLocked(const std::string& name, bool isLocked);
-    // Of the segment at work; `continues`: takes the place of the change before (a slider that is dragged).
+    // How opaque the segment at work is; `continues`: takes the place of the change before (a slider that is
+    // dragged).
     void setOpacity(double opacity, bool continues);
 
     // Edits of the segment at work, and cuts by it.

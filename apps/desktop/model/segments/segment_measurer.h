@@ -31,9 +31,9 @@ public:
     // Before the document goes: waits for what is under way, and forgets what was found.
     void stop();
 
-    // Of segments with voxels, in the order of their labels; empty while nothing is known.
+    // All segments that have voxels, in the order of their labels; empty while nothing is known.
     [[nodiscard]] const std::vector<segment::MeasuredSegment>& segments() const { return found_.segments; }
-    // Of the segment at work; null: not known, or it is empty.
+    // The segment at work; null: not known, or it is empty.
     [[nodiscard]] const segment::MeasuredSegment* working() const;
     // Its values, in the bins of the document's histogram; empty when not known.
     [[nodiscard]] const std::vector<std::uint32_t>& histogram() const { return found_.histogram; }

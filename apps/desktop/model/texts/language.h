@@ -14,7 +14,8 @@ enum class Language { Desktop, English, German };
 // Makes tr() and Qt's own texts speak it. Before the first widget: those that are there keep their texts.
 void speak(QCoreApplication& application, Language language);
 
-// Of the texts: for dates. Numbers have points in every language, as in boxes, session files and tables.
+// The locale of the texts, for dates. Numbers have points in every language, as in boxes, session files and
+// tables.
 QLocale textLocale();
 
 } // namespace vs::desktop

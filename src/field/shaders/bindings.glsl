@@ -1,0 +1,26 @@
+// Where programs of this module find their resources: the numbers of the bindings, for GLSL and C++ alike, which is why there is
+// nothing else in here. Numbers of one kind that one program uses differ; programs that do not meet share them.
+
+// Texture units.
+const int kDataTexture = 0;
+const int kSectionTexture = 0;
+const int kSourceTexture = 0;
+const int kTexelsTexture = 0;
+const int kValuesTexture = 0;
+const int kSculptureTexture = 1;
+const int kSegmentationTexture = 2;
+const int kQuadsTexture = 6;
+const int kSmoothedQuadsTexture = 12;
+const int kSegmentLabelsTexture = 13;
+const int kSmoothedTexture = 15;
+
+// Image units.
+const int kCellsImage = 0;
+const int kQuadsImage = 0;
+const int kTargetImage = 0;
+
+// Storage blocks.
+const int kCountsStorage = 0;
+
+// Uniform blocks.
+const int kSceneBlock = 0;

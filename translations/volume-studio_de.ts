@@ -2835,20 +2835,12 @@ Rad: näher; Umschalt+Rad: entlang. Pfeiltasten: das Band, mit Strg sein unteres
         <translation>Was nach dem Schneiden bleibt</translation>
     </message>
     <message>
-        <source>6</source>
-        <translation>6</translation>
-    </message>
-    <message>
         <source>Probe</source>
         <translation>Probe</translation>
     </message>
     <message>
         <source>What has been cut out</source>
         <translation>Was herausgeschnitten wurde</translation>
-    </message>
-    <message>
-        <source>7</source>
-        <translation>7</translation>
     </message>
     <message>
         <source>Whole</source>
@@ -2859,10 +2851,6 @@ Rad: näher; Umschalt+Rad: entlang. Pfeiltasten: das Band, mit Strg sein unteres
         <translation>Das ganze Volumen, ohne Schnitte</translation>
     </message>
     <message>
-        <source>8</source>
-        <translation>8</translation>
-    </message>
-    <message>
         <source>Smooth sampling</source>
         <translation>Glatte Abtastung</translation>
     </message>
@@ -2871,20 +2859,12 @@ Rad: näher; Umschalt+Rad: entlang. Pfeiltasten: das Band, mit Strg sein unteres
         <translation>Trikubisch statt trilinear: keine Facetten in der Vergrößerung, aber langsamer</translation>
     </message>
     <message>
-        <source>Shift+S</source>
-        <translation>Shift+S</translation>
-    </message>
-    <message>
         <source>Shadows</source>
         <translation>Schatten</translation>
     </message>
     <message>
         <source>Ambient occlusion and soft shadows</source>
         <translation>Umgebungsverdeckung und weiche Schatten</translation>
-    </message>
-    <message>
-        <source>L</source>
-        <translation>L</translation>
     </message>
     <message>
         <source>Annotations</source>
@@ -3441,20 +3421,12 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
         <translation>MIP, Röntgen und Overlay: Werte über dem angezeigten Bereich ausblenden, statt sie als dessen oberes Ende zu zeigen</translation>
     </message>
     <message>
-        <source>Shift+A</source>
-        <translation>Shift+A</translation>
-    </message>
-    <message>
         <source>Tint segments</source>
         <translation>Segmente färben</translation>
     </message>
     <message>
         <source>MIP and X-ray: what is in a segment has the segment&apos;s colour</source>
         <translation>MIP und Röntgen: Was in einem Segment liegt, hat dessen Farbe</translation>
-    </message>
-    <message>
-        <source>Shift+T</source>
-        <translation>Shift+T</translation>
     </message>
     <message>
         <source>Click corner after corner; Enter, a double click or the first corner ends it</source>

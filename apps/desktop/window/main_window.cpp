@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "window/main_window.h"
+#include "window/action_table.h"
 
 #include "model/hand/pen_watch.h"
 #include "model/hand/tool.h"
@@ -49,7 +50,6 @@ constexpr int kProbeMs =
 constexpr int kRateMs = 250;
 
 // Actions that need no document.
-const std::set<std::string> kAlways{"quit", "about", "shortcuts", "preferences"};
 
 // "L 12.3  P 4.5  S 30.2 mm": the patient's directions instead of signs.
 QString patientPlace(glm::dvec3 lps) {
@@ -72,6 +72,7 @@ MainWindow::MainWindow(StudioController& studio, ToolBox& tools, QWidget* parent
     makeCentre();
     makeDock();
     makeStatusBar();
+    actions_ = new ActionTable(*this, [this] { return isOpen(); });
     makeFileActions();
     makePictureActions();
     makeEditActions();
@@ -217,50 +218,14 @@ void MainWindow::makeStatusBar() {
 }
 
 void MainWindow::refresh() {
-    auto* document = studio_.host().document();
-    const bool hasDocument = document != nullptr && !studio_.host().isLoading();
-    refreshEnabled(hasDocument);
-    const auto& view = studio_.view().shown();
-    action(std::string("mode." + std::string(render::name(view.mode))).c_str())->setChecked(true);
-    refreshColours();
-    action("shadows")->setChecked(view.shadows);
-    action("hideAbove")->setChecked(view.hidesAbove);
-    action("tintSegments")->setChecked(view.tintsSegments);
-    constexpr const char* kSculptureViews[] = {"viewWhole", "viewCut", "viewProbe"};
-    action(kSculptureViews[static_cast<int>(view.sculptureView)])->setChecked(true);
-    action("smoothSampling")->setChecked(view.sampling == field::Sampling::Tricubic);
-    refreshToolActions();
-    if (document != nullptr) {
-        const auto& volume = document->volume();
-        setWindowTitle(QString::fromStdString(volume.name) + tr(" – Volume Studio"));
-        const auto dims = volume.geometry.dims;
+    actions_->refresh();
+    if (const volume::Volume* volume = studio_.host().volume()) {
+        setWindowTitle(QString::fromStdString(volume->name) + tr(" – Volume Studio"));
+        const auto dims = volume->geometry.dims;
         volume_->setText(
-            tr("%1 × %2 × %3  %4").arg(dims.x).arg(dims.y).arg(dims.z).arg(volume::name(volume.type)));
+            tr("%1 × %2 × %3  %4").arg(dims.x).arg(dims.y).arg(dims.z).arg(volume::name(volume->type)));
     }
     refreshHint();
-}
-
-// Each action is set once: its button is painted again for every change, even one that is taken back.
-void MainWindow::refreshEnabled(bool hasDocument) {
-    auto* document = studio_.host().document();
-    const bool canPlay = hasDocument && studio_.growth().canPlay();
-    const bool hasVoxels = hasDocument && studio_.segments().hasVoxels();
-    const std::map<std::string, bool> own{{"open", !studio_.host().isLoading()},
-                                          {"openFolder", !studio_.host().isLoading()},
-                                          {"undo", hasDocument && document->canUndo()},
-                                          {"redo", hasDocument && document->canRedo()},
-                                          {"playPause", canPlay},
-                                          {"growBackwardKey", canPlay},
-                                          {"growStepKey", canPlay},
-                                          {"growToEndKey", canPlay},
-                                          {"growBackKey", canPlay},
-                                          {"exportLabels", hasVoxels},
-                                          {"reSeed", hasVoxels},
-                                          {"restore", hasDocument && studio_.hand().tool().hasSign()}};
-    for (const auto& [name, action] : actions_) {
-        const auto found = own.find(name);
-        action->setEnabled(found != own.end() ? found->second : hasDocument || kAlways.count(name) > 0);
-    }
 }
 
 void MainWindow::refreshHint() {

@@ -10,12 +10,9 @@
 #include <QTimer>
 
 #include <functional>
-#include <map>
 #include <optional>
-#include <string>
 #include <vector>
 
-class QActionGroup;
 class QDockWidget;
 class QFileDialog;
 class QLabel;
@@ -26,6 +23,7 @@ class QToolButton;
 
 namespace vs::desktop {
 
+class ActionTable;
 class HintLine;
 class HistoryPanel;
 class RecoveryKeeper;
@@ -60,29 +58,21 @@ protected:
     void keyReleaseEvent(QKeyEvent* event) override;
 
 private:
-    struct ActionText {
-        const char* name; // objectName of the action and of its button
-        const char* icon;
-        QString text;
-        QString tip;
-        QKeySequence shortcut;
-    };
-
     // main_window_actions.cpp
-    QAction* addAction(const ActionText& text, const std::function<void()>& run);
-    QAction* addChoice(QActionGroup* group, const ActionText& text, const std::function<void()>& run);
+    [[nodiscard]] bool isOpen();
+    [[nodiscard]] bool hasVoxels();
     void makeFileActions();
     void makeEditActions();
     void makeViewActions();
+    void makeModeActions();
+    void makeLookActions();
     void makeGrowthActions();
-    [[nodiscard]] QAction* action(const char* name) const { return actions_.at(name); }
+    void showExport();
 
     // main_window_tools.cpp
     void makeToolActions();
     void makeShapeActions();
     void chooseStencil();
-    void refreshToolActions();
-    void refreshEnabled(bool hasDocument);
     void reverseSign();
 
     // main_window_slices.cpp
@@ -94,7 +84,6 @@ private:
     // main_window_colours.cpp
     void makeColourMenu();
     void openTransferFunction();
-    void refreshColours();
 
     // main_window_bars.cpp
     void makeMenus();
@@ -149,7 +138,7 @@ private:
 
     StudioController& studio_;
     ToolBox& tools_;
-    std::map<std::string, QAction*> actions_;
+    ActionTable* actions_ = nullptr;
     QToolBar* bar_ = nullptr;
     QStackedWidget* centre_ = nullptr;
     WelcomePage* welcome_ = nullptr;

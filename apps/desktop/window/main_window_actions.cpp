@@ -1,175 +1,180 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "window/main_window.h"
-
+// Rows of the table of actions: files, edits, the view and growth.
 #include "dialogs/export_dialog.h"
+#include "model/hand/tool.h"
 #include "model/segments/growth_controller.h"
 #include "model/segments/segment_controller.h"
 #include "model/studio/studio_controller.h"
 #include "panels/history_panel.h"
-#include "parts/icons.h"
 #include "tools/camera_tool.h"
 #include "tools/tool_box.h"
 #include "view/view_widget.h"
+#include "window/action_table.h"
+#include "window/main_window.h"
 
 #include <QActionGroup>
-#include <QApplication>
 
 namespace vs::desktop {
 
-QAction* MainWindow::addAction(const ActionText& text, const std::function<void()>& run) {
-    auto* action = new QAction(text.text, this);
-    action->setObjectName(text.name);
-    if (text.icon != nullptr) {
-        action->setIcon(icon(text.icon));
-    }
-    const QString keys = text.shortcut.toString(QKeySequence::NativeText);
-    action->setToolTip(keys.isEmpty() ? text.tip : text.tip + "  (" + keys + ")");
-    action->setStatusTip(QString());
-    action->setShortcut(text.shortcut);
-    QWidget::addAction(action);
-    connect(action, &QAction::triggered, this, run);
-    actions_[text.name] = action;
-    return action;
-}
+bool MainWindow::isOpen() { return studio_.host().geometry() != nullptr && !studio_.host().isLoading(); }
 
-QAction* MainWindow::addChoice(QActionGroup* group, const ActionText& text,
-                               const std::function<void()>& run) {
-    QAction* action = addAction(text, run);
-    action->setCheckable(true);
-    group->addAction(action);
-    return action;
-}
+bool MainWindow::hasVoxels() { return isOpen() && studio_.segments().hasVoxels(); }
 
 void MainWindow::makeFileActions() {
-    addAction({"open", "open", tr("Open"), tr("Open a volume or a session"), QKeySequence::Open},
-              [this] { openFile(); });
-    addAction({"openFolder", "folder", tr("DICOM"), tr("Open a folder of DICOM slices"), tr("Ctrl+Shift+O")},
-              [this] { openFolder(); });
-    addAction({"openLabels", "labels", tr("Open label map\u2026"),
-               tr("Make segments of the labels of a label map on the volume's grid"), tr("Ctrl+L")},
-              [this] { openLabels(); });
-    addAction({"startScreen", "start", tr("Start"), tr("Close this and go back to the start screen"),
-               QKeySequence::Close},
-              [this] { leaveForStartScreen(); });
-    addAction({"saveSession", "save", tr("Save"),
-               tr("Save the session: everything done so far, to go on or replay"), QKeySequence::Save},
-              [this] { saveSession(); });
-    addAction(
-        {"exportLabels", "labels", tr("Labels"), tr("Export the segmentation as a label map"), tr("Ctrl+E")},
-        [this] { exportLabels(); });
-    addAction({"export", "save", tr("Export\u2026"),
-               tr("Surfaces, DICOM segmentations, the sculpted volume and tables, for other programs"),
-               tr("Ctrl+Shift+E")},
-              [this] {
-                  auto* dialog =
-                      new ExportDialog(studio_, studio_.preferences().recordings, suggestedName({}), this);
-                  dialog->setAttribute(Qt::WA_DeleteOnClose);
-                  dialog->open();
-              });
-    addAction({"screenshot", "screenshot", tr("Picture"), tr("Save the picture as PNG, at full quality"),
-               tr("F12")},
-              [this] { screenshot(); });
-    addAction({"quit", "quit", tr("Quit"), tr("Leave Volume Studio"), tr("Ctrl+Q")}, [this] { close(); });
+    const auto canOpen = [this] { return !studio_.host().isLoading(); };
+    actions_->add({"open", "open", tr("Open"), tr("Open a volume or a session"), QKeySequence::Open,
+                   [this] { openFile(); }, canOpen});
+    actions_->add({"openFolder", "folder", tr("DICOM"), tr("Open a folder of DICOM slices"),
+                   tr("Ctrl+Shift+O"), [this] { openFolder(); }, canOpen});
+    actions_->add({"openLabels", "labels", tr("Open label map\u2026"),
+                   tr("Make segments of the labels of a label map on the volume's grid"), tr("Ctrl+L"),
+                   [this] { openLabels(); }});
+    actions_->add({"startScreen", "start", tr("Start"), tr("Close this and go back to the start screen"),
+                   QKeySequence::Close, [this] { leaveForStartScreen(); }});
+    actions_->add({"saveSession", "save", tr("Save"),
+                   tr("Save the session: everything done so far, to go on or replay"), QKeySequence::Save,
+                   [this] { saveSession(); }});
+    actions_->add({"exportLabels", "labels", tr("Labels"), tr("Export the segmentation as a label map"),
+                   tr("Ctrl+E"), [this] { exportLabels(); }, [this] { return hasVoxels(); }});
+    actions_->add({"export", "save", tr("Export\u2026"),
+                   tr("Surfaces, DICOM segmentations, the sculpted volume and tables, for other programs"),
+                   tr("Ctrl+Shift+E"), [this] { showExport(); }});
+    actions_->add({"screenshot", "screenshot", tr("Picture"), tr("Save the picture as PNG, at full quality"),
+                   tr("F12"), [this] { screenshot(); }});
+    actions_->add({"quit", "quit", tr("Quit"), tr("Leave Volume Studio"), tr("Ctrl+Q"), [this] { close(); },
+                   [] { return true; }});
+}
+
+void MainWindow::showExport() {
+    auto* dialog = new ExportDialog(studio_, studio_.preferences().recordings, suggestedName({}), this);
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->open();
 }
 
 void MainWindow::makeEditActions() {
-    addAction({"undo", "undo", tr("Undo"), tr("Take the last change back"), tr("Ctrl+Z")},
-              [this] { studio_.editor().apply(studio::Undo{}); });
-    addAction({"redo", "redo", tr("Redo"), tr("Do it again"), tr("Ctrl+Shift+Z")},
-              [this] { studio_.editor().apply(studio::Redo{}); });
-    addAction({"showHistory", "history", tr("History"), tr("All steps, to go to any of them"), tr("Ctrl+H")},
-              [this] { history_->setVisible(action("showHistory")->isChecked()); })
-        ->setCheckable(true);
+    const auto apply = [this](const studio::Operation& operation) {
+        return [this, operation] { studio_.editor().apply(operation); };
+    };
+    actions_->add({"undo", "undo", tr("Undo"), tr("Take the last change back"), tr("Ctrl+Z"),
+                   apply(studio::Undo{}),
+                   [this] { return isOpen() && studio_.host().document()->canUndo(); }});
+    actions_->add({"redo", "redo", tr("Redo"), tr("Do it again"), tr("Ctrl+Shift+Z"), apply(studio::Redo{}),
+                   [this] { return isOpen() && studio_.host().document()->canRedo(); }});
+    QAction* history = actions_->add(
+        {"showHistory", "history", tr("History"), tr("All steps, to go to any of them"), tr("Ctrl+H"), {}});
+    history->setCheckable(true);
+    connect(history, &QAction::triggered, history_, &QWidget::setVisible);
     connect(history_, &QDockWidget::visibilityChanged, this,
-            [this] { action("showHistory")->setChecked(!history_->isHidden()); });
-    addAction({"unCut", "uncut", tr("Un-Cut"), tr("Clear all cuts"), tr("Ctrl+Shift+U")},
-              [this] { studio_.editor().apply(studio::UnCut{}); });
-    addAction({"reSeed", "reseed", tr("Re-Seed"), tr("Clear the segmentation"), tr("Ctrl+Shift+R")},
-              [this] { studio_.editor().apply(studio::ReSeed{}); });
+            [this, history] { history->setChecked(!history_->isHidden()); });
+    actions_->add(
+        {"unCut", "uncut", tr("Un-Cut"), tr("Clear all cuts"), tr("Ctrl+Shift+U"), apply(studio::UnCut{})});
+    actions_->add({"reSeed", "reseed", tr("Re-Seed"), tr("Clear the segmentation"), tr("Ctrl+Shift+R"),
+                   apply(studio::ReSeed{}), [this] { return hasVoxels(); }});
 }
 
 void MainWindow::makeViewActions() {
-    addAction({"resetView", "reset", tr("Reset"), tr("Look at the face again, all of it"), tr("Home")},
-              [this] { tools_.get<CameraTool>().reset(); });
+    actions_->add({"resetView", "reset", tr("Reset"), tr("Look at the face again, all of it"), tr("Home"),
+                   [this] { tools_.get<CameraTool>().reset(); }});
+    makeModeActions();
+    makeLookActions();
+    QAction* annotations =
+        actions_->add({"annotations",
+                       nullptr,
+                       tr("Annotations"),
+                       tr("Scale bar and orientation marker over the view; saved pictures have none"),
+                       tr("A"),
+                       {}});
+    annotations->setCheckable(true);
+    annotations->setChecked(true);
+    connect(annotations, &QAction::triggered, view_, &ViewWidget::setAnnotated);
+}
+
+// One of each group is checked, as the view has it.
+void MainWindow::makeModeActions() {
     using render::Mode;
     auto* modes = new QActionGroup(this);
-    const auto mode = [&](Mode value, const char* name, const char* iconName, const QString& text,
-                          const QString& tip, const char* key) {
-        addChoice(modes, {name, iconName, text, tip, QKeySequence(key)},
-                  [this, value] { studio_.view().setMode(value); });
+    const auto mode = [&](Mode value, const char* name, const QString& text, const QString& tip,
+                          const char* key) {
+        actions_->addChoice(modes, {"mode." + std::string(name),
+                                    name,
+                                    text,
+                                    tip,
+                                    QKeySequence(key),
+                                    [this, value] { studio_.view().setMode(value); },
+                                    {},
+                                    [this, value] { return studio_.view().shown().mode == value; }});
     };
-    mode(Mode::Surface, "mode.surface", "surface", tr("Surface"), tr("The surface of the displayed range"),
-         "1");
-    mode(Mode::Mip, "mode.mip", "mip", tr("MIP"), tr("The greatest value along each ray"), "2");
-    mode(Mode::XRay, "mode.xray", "xray", tr("X-ray"), tr("The sum of the values along each ray"), "3");
-    mode(Mode::Overlay, "mode.overlay", "overlay", tr("Overlay"),
-         tr("The segmentation in an X-ray of the rest"), "4");
-    mode(Mode::Segment, "mode.segment", "segment", tr("Segment"),
-         tr("The segmentation and the surface around it"), "5");
-    mode(Mode::Volume, "mode.volume", "volume", tr("Volume"),
+    mode(Mode::Surface, "surface", tr("Surface"), tr("The surface of the displayed range"), "1");
+    mode(Mode::Mip, "mip", tr("MIP"), tr("The greatest value along each ray"), "2");
+    mode(Mode::XRay, "xray", tr("X-ray"), tr("The sum of the values along each ray"), "3");
+    mode(Mode::Overlay, "overlay", tr("Overlay"), tr("The segmentation in an X-ray of the rest"), "4");
+    mode(Mode::Segment, "segment", tr("Segment"), tr("The segmentation and the surface around it"), "5");
+    mode(Mode::Volume, "volume", tr("Volume"),
          tr("Everything that the transfer function shows, seen through"), "9");
 
     using field::SculptureView;
     auto* views = new QActionGroup(this);
-    addChoice(views, {"viewCut", "cut", tr("Cut"), tr("What remains after cutting"), tr("6")},
-              [this] { studio_.view().setSculptureView(SculptureView::Cut); });
-    addChoice(views, {"viewProbe", "probe", tr("Probe"), tr("What has been cut out"), tr("7")},
-              [this] { studio_.view().setSculptureView(SculptureView::Probe); });
-    addChoice(views, {"viewWhole", "whole", tr("Whole"), tr("The whole volume, without cuts"), tr("8")},
-              [this] { studio_.view().setSculptureView(SculptureView::Whole); });
+    const auto sculpture = [&](SculptureView value, const char* name, const char* icon, const QString& text,
+                               const QString& tip, const char* key) {
+        actions_->addChoice(views, {name,
+                                    icon,
+                                    text,
+                                    tip,
+                                    QKeySequence(key),
+                                    [this, value] { studio_.view().setSculptureView(value); },
+                                    {},
+                                    [this, value] { return studio_.view().shown().sculptureView == value; }});
+    };
+    sculpture(SculptureView::Cut, "viewCut", "cut", tr("Cut"), tr("What remains after cutting"), "6");
+    sculpture(SculptureView::Probe, "viewProbe", "probe", tr("Probe"), tr("What has been cut out"), "7");
+    sculpture(SculptureView::Whole, "viewWhole", "whole", tr("Whole"), tr("The whole volume, without cuts"),
+              "8");
+}
 
-    QAction* smooth = addAction(
-        {"smoothSampling", nullptr, tr("Smooth sampling"),
-         tr("Tricubic instead of trilinear: no facets where the picture is enlarged, but slower"),
-         tr("Shift+S")},
-        [this] {
-            studio_.view().setSampling(action("smoothSampling")->isChecked() ? field::Sampling::Tricubic
-                                                                             : field::Sampling::Trilinear);
-        });
-    smooth->setCheckable(true);
-
-    addAction({"shadows", nullptr, tr("Shadows"), tr("Ambient occlusion and soft shadows"), tr("L")}, [this] {
-        studio_.view().setShadows(action("shadows")->isChecked());
-    })->setCheckable(true);
-
-    addAction(
-        {"hideAbove", nullptr, tr("Hide above"),
-         tr("MIP, X-ray and overlay: hide values above the displayed range, instead of showing them as its "
-            "upper end"),
-         tr("Shift+A")},
-        [this] { studio_.view().setHidesAbove(action("hideAbove")->isChecked()); })
-        ->setCheckable(true);
-    addAction({"tintSegments", nullptr, tr("Tint segments"),
-               tr("MIP and X-ray: what is in a segment has the segment's colour"), tr("Shift+T")},
-              [this] { studio_.view().setTintsSegments(action("tintSegments")->isChecked()); })
-        ->setCheckable(true);
-
-    QAction* annotations =
-        addAction({"annotations", nullptr, tr("Annotations"),
-                   tr("Scale bar and orientation marker over the view; saved pictures have none"), tr("A")},
-                  [this] { view_->setAnnotated(action("annotations")->isChecked()); });
-    annotations->setCheckable(true);
-    annotations->setChecked(true);
+// Each changes one part of the view, and is checked as long as the view has it.
+void MainWindow::makeLookActions() {
+    auto& view = studio_.view();
+    const auto add = [this](const char* name, const QString& text, const QString& tip, const char* key,
+                            const std::function<void(bool)>& set, const std::function<bool()>& isSet) {
+        actions_->add(
+            {name, nullptr, text, tip, QKeySequence(key), [set, isSet] { set(!isSet()); }, {}, isSet});
+    };
+    add(
+        "smoothSampling", tr("Smooth sampling"),
+        tr("Tricubic instead of trilinear: no facets where the picture is enlarged, but slower"), "Shift+S",
+        [&view](bool on) { view.setSampling(on ? field::Sampling::Tricubic : field::Sampling::Trilinear); },
+        [&view] { return view.shown().sampling == field::Sampling::Tricubic; });
+    add(
+        "shadows", tr("Shadows"), tr("Ambient occlusion and soft shadows"), "L",
+        [&view](bool on) { view.setShadows(on); }, [&view] { return view.shown().shadows; });
+    add(
+        "hideAbove", tr("Hide above"),
+        tr("MIP, X-ray and overlay: hide values above the displayed range, instead of showing them as its "
+           "upper end"),
+        "Shift+A", [&view](bool on) { view.setHidesAbove(on); }, [&view] { return view.shown().hidesAbove; });
+    add(
+        "tintSegments", tr("Tint segments"),
+        tr("MIP and X-ray: what is in a segment has the segment's colour"), "Shift+T",
+        [&view](bool on) { view.setTintsSegments(on); }, [&view] { return view.shown().tintsSegments; });
 }
 
 void MainWindow::makeGrowthActions() {
     auto& growth = studio_.growth();
-    addAction(
-        {"playPause", "play", tr("Play or pause"), tr("Let the region grow, or pause it"), tr("Shift+G")},
-        [&growth] { growth.isPlaying() ? growth.pause() : growth.play(); });
-    addAction({"growBackwardKey", "backward", tr("Play backward"),
-               tr("Play the growth backward, to its seeds"), tr("Shift+B")},
-              [&growth] { growth.isBackward() ? growth.pause() : growth.playBackward(); });
-    addAction({"addSegment", "add", tr("Add a segment"), tr("A fresh segment: new strokes go there"),
-               tr("Ctrl+Shift+N")},
-              [this] { studio_.segments().add(); });
-    addAction({"growStepKey", "step", tr("Step"), tr("One generation further"), tr(".")},
-              [&growth] { growth.step(); });
-    addAction({"growBackKey", "back", tr("Backward"), tr("One generation back"), tr(",")},
-              [&growth] { growth.stepBack(); });
-    addAction(
-        {"growToEndKey", "end", tr("To the end"), tr("Grow until nothing grows any more"), tr("Ctrl+G")},
-        [&growth] { growth.toEnd(); });
+    const auto canPlay = [this, &growth] { return isOpen() && growth.canPlay(); };
+    actions_->add({"playPause", "play", tr("Play or pause"), tr("Let the region grow, or pause it"),
+                   tr("Shift+G"), [&growth] { growth.isPlaying() ? growth.pause() : growth.play(); },
+                   canPlay});
+    actions_->add({"growBackwardKey", "backward", tr("Play backward"),
+                   tr("Play the growth backward, to its seeds"), tr("Shift+B"),
+                   [&growth] { growth.isBackward() ? growth.pause() : growth.playBackward(); }, canPlay});
+    actions_->add({"addSegment", "add", tr("Add a segment"), tr("A fresh segment: new strokes go there"),
+                   tr("Ctrl+Shift+N"), [this] { studio_.segments().add(); }});
+    actions_->add({"growStepKey", "step", tr("Step"), tr("One generation further"), tr("."),
+                   [&growth] { growth.step(); }, canPlay});
+    actions_->add({"growBackKey", "back", tr("Backward"), tr("One generation back"), tr(","),
+                   [&growth] { growth.stepBack(); }, canPlay});
+    actions_->add({"growToEndKey", "end", tr("To the end"), tr("Grow until nothing grows any more"),
+                   tr("Ctrl+G"), [&growth] { growth.toEnd(); }, canPlay});
 }
 
 } // namespace vs::desktop

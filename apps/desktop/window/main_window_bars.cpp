@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "panels/history_panel.h"
 #include "parts/panel_parts.h"
+#include "window/action_table.h"
 #include "window/main_window.h"
 #include "window/tool_column.h"
 
@@ -20,7 +21,7 @@ void MainWindow::makeMenus() {
             if (*name == '-') {
                 list->addSeparator();
             } else {
-                list->QWidget::addAction(action(name));
+                list->QWidget::addAction(actions_->find(name));
             }
         }
     };
@@ -58,7 +59,7 @@ void MainWindow::makeToolBars() {
             bar_->addSeparator();
             continue;
         }
-        QAction* const shown = action(name);
+        QAction* const shown = actions_->find(name);
         bar_->QWidget::addAction(shown);
         auto* button = qobject_cast<QToolButton*>(bar_->widgetForAction(shown));
         button->setObjectName(name);
@@ -102,7 +103,7 @@ void MainWindow::makeToolColumn() {
         if (*name == '-') {
             column->addSeparator();
         } else {
-            column->add(action(name));
+            column->add(actions_->find(name));
         }
     }
     auto* scroll = new QScrollArea; // small screens

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "window/action_table.h"
 #include "window/main_window.h"
 
 #include "dialogs/preferences_dialog.h"
@@ -13,14 +14,15 @@
 namespace vs::desktop {
 
 void MainWindow::makeHelpActions() {
-    addAction(
-        {"shortcuts", "keys", tr("Keyboard shortcuts"), tr("All keys, and what the mouse does"), tr("F1")},
-        [this] { (new ShortcutSheet(*this))->open(); })
+    const auto always = [] { return true; };
+    actions_
+        ->add({"shortcuts", "keys", tr("Keyboard shortcuts"), tr("All keys, and what the mouse does"),
+               tr("F1"), [this] { (new ShortcutSheet(*this))->open(); }, always})
         ->setShortcuts({QKeySequence(Qt::Key_F1), QKeySequence("?")});
-    addAction({"preferences", "preferences", tr("Preferences…"), tr("Theme, memory, folders, quality"),
-               tr("Ctrl+,")},
-              [this] { showPreferences(); });
-    addAction({"about", "about", tr("About"), tr("About Volume Studio"), {}}, [this] { about(); });
+    actions_->add({"preferences", "preferences", tr("Preferences…"), tr("Theme, memory, folders, quality"),
+                   tr("Ctrl+,"), [this] { showPreferences(); }, always});
+    actions_->add(
+        {"about", "about", tr("About"), tr("About Volume Studio"), {}, [this] { about(); }, always});
 }
 
 void MainWindow::showPreferences() {

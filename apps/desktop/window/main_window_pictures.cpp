@@ -2,6 +2,7 @@
 #include "dialogs/picture_dialog.h"
 #include "model/exports/picture_export.h"
 #include "model/studio/studio_controller.h"
+#include "window/action_table.h"
 #include "window/main_window.h"
 
 #include <QAction>
@@ -12,17 +13,16 @@
 namespace vs::desktop {
 
 void MainWindow::makePictureActions() {
-    addAction({"exportPicture", "screenshot", tr("Pictures\u2026"),
-               tr("Save the picture at any size, with scale bar or without, or a turntable of pictures"),
-               tr("Shift+F12")},
-              [this] {
-                  auto* dialog = new PictureDialog(studio_, suggestedName(".png"), this);
-                  dialog->setAttribute(Qt::WA_DeleteOnClose);
-                  dialog->open();
-              });
-    addAction({"copyPicture", nullptr, tr("Copy picture"),
-               tr("The picture as it is seen, for another program"), QKeySequence::Copy},
-              [this] { copyPicture(); });
+    actions_->add({"exportPicture", "screenshot", tr("Pictures\u2026"),
+                   tr("Save the picture at any size, with scale bar or without, or a turntable of pictures"),
+                   tr("Shift+F12"), [this] {
+                       auto* dialog = new PictureDialog(studio_, suggestedName(".png"), this);
+                       dialog->setAttribute(Qt::WA_DeleteOnClose);
+                       dialog->open();
+                   }});
+    actions_->add({"copyPicture", nullptr, tr("Copy picture"),
+                   tr("The picture as it is seen, for another program"), QKeySequence::Copy,
+                   [this] { copyPicture(); }});
     copying_ = new PictureExport(studio_);
     copying_->setParent(this);
     connect(copying_, &PictureExport::finished, this, [this](bool isDone, const QString& message) {
@@ -33,7 +33,7 @@ void MainWindow::makePictureActions() {
 void MainWindow::copyPicture() {
     studio::SavePicture picture;
     picture.size = studio_.picture().viewport();
-    picture.annotations = action("annotations")->isChecked();
+    picture.annotations = actions_->find("annotations")->isChecked();
     copying_->make(picture, [](const image::Image& made) {
         const QImage seen(made.rgba.data(), made.width, made.height, 4 * made.width, QImage::Format_RGBA8888);
         QApplication::clipboard()->setImage(seen.copy());

@@ -5,6 +5,7 @@
 #include "tools/paint_tool.h"
 #include "tools/tool_box.h"
 #include "view/view_grid.h"
+#include "window/action_table.h"
 #include "window/main_window.h"
 
 #include <QActionGroup>
@@ -23,8 +24,14 @@ void MainWindow::makeSliceActions() {
     auto* group = new QActionGroup(this);
     const auto add = [&](ViewGrid::Arrangement arrangement, const QString& text, const QString& tip,
                          const char* key) {
-        addChoice(group, {kArrangements[int(arrangement)], nullptr, text, tip, QKeySequence(key)},
-                  [this, arrangement] { grid_->arrange(arrangement); });
+        actions_->addChoice(group, {kArrangements[int(arrangement)],
+                                    nullptr,
+                                    text,
+                                    tip,
+                                    QKeySequence(key),
+                                    [this, arrangement] { grid_->arrange(arrangement); },
+                                    {},
+                                    [this, arrangement] { return grid_->arrangement() == arrangement; }});
     };
     using Arrangement = ViewGrid::Arrangement;
     add(Arrangement::Only3D, tr("3D only"), tr("The 3D view alone"), "F5");
@@ -34,35 +41,37 @@ void MainWindow::makeSliceActions() {
     add(Arrangement::Coronal, tr("Coronal large"), tr("The coronal slice large, all else beside it"), "F8");
     add(Arrangement::Sagittal, tr("Sagittal large"), tr("The sagittal slice large, all else beside it"),
         "F9");
-    addAction({"slices", "slices", tr("Slices"), tr("Axial, coronal and sagittal slices beside the 3D view"),
-               tr("F4")},
-              [this] {
-                  grid_->arrange(grid_->arrangement() == Arrangement::Only3D ? Arrangement::Four
-                                                                             : Arrangement::Only3D);
-              })
-        ->setCheckable(true);
-    QAction* smooth = addAction({"smoothSlices",
-                                 nullptr,
-                                 tr("Smooth slices"),
-                                 tr("Slices interpolated between voxels, instead of every voxel as an area"),
-                                 {}},
-                                [this] { studio_.slices().setSmooth(action("smoothSlices")->isChecked()); });
-    smooth->setCheckable(true);
-    smooth->setChecked(true);
-    addAction({"resetSlices", nullptr, tr("All of each slice"), tr("Show all of each slice again"),
-               tr("Shift+Home")},
-              [this] {
-                  for (const auto kind : render::kSliceKinds) {
-                      studio_.slices().showAll(kind);
-                  }
-              });
+    const auto hasSlices = [this] { return grid_->arrangement() != Arrangement::Only3D; };
+    actions_->add(
+        {"slices",
+         "slices",
+         tr("Slices"),
+         tr("Axial, coronal and sagittal slices beside the 3D view"),
+         tr("F4"),
+         [this, hasSlices] { grid_->arrange(hasSlices() ? Arrangement::Only3D : Arrangement::Four); },
+         {},
+         hasSlices});
+    auto& slices = studio_.slices();
+    actions_->add({"smoothSlices",
+                   nullptr,
+                   tr("Smooth slices"),
+                   tr("Slices interpolated between voxels, instead of every voxel as an area"),
+                   {},
+                   [&slices] { slices.setSmooth(!slices.isSmooth()); },
+                   {},
+                   [&slices] { return slices.isSmooth(); }});
+    actions_->add({"resetSlices", nullptr, tr("All of each slice"), tr("Show all of each slice again"),
+                   tr("Shift+Home"), [this] {
+                       for (const auto kind : render::kSliceKinds) {
+                           studio_.slices().showAll(kind);
+                       }
+                   }});
     constexpr double kPerKey = 1.15;
-    addAction({"brushSmaller", nullptr, tr("Smaller brush"), tr("A smaller brush to paint on slices with"),
-               tr("[")},
-              [this] { tools_.get<PaintTool>().resize(1 / kPerKey); });
-    addAction(
-        {"brushLarger", nullptr, tr("Larger brush"), tr("A larger brush to paint on slices with"), tr("]")},
-        [this] { tools_.get<PaintTool>().resize(kPerKey); });
+    actions_->add({"brushSmaller", nullptr, tr("Smaller brush"),
+                   tr("A smaller brush to paint on slices with"), tr("["),
+                   [this] { tools_.get<PaintTool>().resize(1 / kPerKey); }});
+    actions_->add({"brushLarger", nullptr, tr("Larger brush"), tr("A larger brush to paint on slices with"),
+                   tr("]"), [this] { tools_.get<PaintTool>().resize(kPerKey); }});
     connect(grid_, &ViewGrid::arranged, this, &MainWindow::refreshSliceActions);
     connect(grid_, &ViewGrid::penMoved, this, &MainWindow::showSliceProbe);
     refreshSliceActions();
@@ -75,13 +84,12 @@ void MainWindow::makeSliceMenu() {
     for (const char* name :
          {"slices", kArrangements[0], kArrangements[1], kArrangements[2], kArrangements[3], kArrangements[4],
           "resetSlices", "smoothSlices", "brushSmaller", "brushLarger"}) {
-        view->QWidget::addAction(action(name));
+        view->QWidget::addAction(actions_->find(name));
     }
 }
 
 void MainWindow::refreshSliceActions() {
-    action(kArrangements[int(grid_->arrangement())])->setChecked(true);
-    action("slices")->setChecked(grid_->arrangement() != ViewGrid::Arrangement::Only3D);
+    actions_->refresh();
     refreshHint(); // painting goes on slices
 }
 

@@ -12,7 +12,7 @@
 
 namespace vs::desktop {
 
-QWidget* makeMeasurePage(StudioController& studio, ToolBox& tools) {
+QWidget* makeMeasurePage(StudioController&, ToolBox& tools) {
     auto* page = new QWidget;
     auto* form = makeForm(page);
     MeasureTool& tool = tools.get<MeasureTool>();

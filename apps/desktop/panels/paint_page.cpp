@@ -33,7 +33,7 @@ QString label(double mm) { return tr("%1 mm").arg(mm, 0, 'f', mm < 9.95 ? 1 : 0)
 
 } // namespace
 
-QWidget* makePaintPage(StudioController& studio, ToolBox& tools) {
+QWidget* makePaintPage(StudioController&, ToolBox& tools) {
     auto* page = new QWidget;
     auto* form = makeForm(page);
     PaintTool& tool = tools.get<PaintTool>();

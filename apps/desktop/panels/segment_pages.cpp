@@ -26,7 +26,7 @@ void addSign(QFormLayout* form, T& tool, const ChoiceRow::Choice& plain, const C
 
 } // namespace
 
-QWidget* makeSeedPage(StudioController& studio, ToolBox& tools) {
+QWidget* makeSeedPage(StudioController&, ToolBox& tools) {
     auto* page = new QWidget;
     auto* form = makeForm(page);
     SeedTool& tool = tools.get<SeedTool>();
@@ -39,7 +39,7 @@ QWidget* makeSeedPage(StudioController& studio, ToolBox& tools) {
     return page;
 }
 
-QWidget* makeIslandPage(StudioController& studio, ToolBox& tools) {
+QWidget* makeIslandPage(StudioController&, ToolBox& tools) {
     auto* page = new QWidget;
     auto* form = makeForm(page);
     addSign(form, tools.get<IslandTool>(),

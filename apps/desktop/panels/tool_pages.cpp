@@ -152,7 +152,7 @@ QWidget* makeScissorsPage(StudioController& studio, ToolBox& tools) {
     return page;
 }
 
-QWidget* makeKeepPage(StudioController& studio, ToolBox& tools) {
+QWidget* makeKeepPage(StudioController&, ToolBox& tools) {
     auto* page = new QWidget;
     auto* form = makeForm(page);
     KeepTool& tool = tools.get<KeepTool>();

@@ -58,7 +58,7 @@ GrowingCase compactCase(std::uint64_t voxels, bool isSpeckled) {
                 const glm::dvec3 squares = q * q;
                 if (glm::dot(squares, squares) < 1) {
                     const std::size_t n = indexIn(cube.geometry.dims, {x, y, z});
-                    const bool isSpeckle = isSpeckled && volume::randomBits(n) % 100 == 0;
+                    const bool isSpeckle = isSpeckled && phantom::randomBits(n) % 100 == 0;
                     cube.bytes[n] = std::byte(isSpeckle ? kSpeckle : kInside);
                 }
             }

@@ -142,7 +142,7 @@ ScrubCost measureScrubbing(const GrowingCase& task, int moves) {
     result.generations = grower.growth().extent();
     const auto generationCount = std::uint64_t(result.generations);
     for (int move = 0; move <= moves; ++move) {
-        const int generation = 1 + int(volume::randomBits(std::uint64_t(move)) % generationCount);
+        const int generation = 1 + int(phantom::randomBits(std::uint64_t(move)) % generationCount);
         const double milliseconds = timed([&] {
             grower.growth().setPlayhead(generation);
             segmentation.update(grower.growth(), segment::Smoothing::Plain);

@@ -39,8 +39,6 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 
-#include <set>
-
 namespace vs::desktop {
 
 namespace {
@@ -48,8 +46,6 @@ namespace {
 constexpr int kProbeMs =
     120; // after the pen came to rest: often enough to read, rarely enough not to disturb
 constexpr int kRateMs = 250;
-
-// Actions that need no document.
 
 // "L 12.3  P 4.5  S 30.2 mm": the patient's directions instead of signs.
 QString patientPlace(glm::dvec3 lps) {

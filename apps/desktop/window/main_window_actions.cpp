@@ -136,8 +136,8 @@ void MainWindow::makeLookActions() {
     auto& view = studio_.view();
     const auto add = [this](const char* name, const QString& text, const QString& tip, const char* key,
                             const std::function<void(bool)>& set, const std::function<bool()>& isSet) {
-        actions_->add(
-            {name, nullptr, text, tip, QKeySequence(key), [set, isSet] { set(!isSet()); }, {}, isSet});
+        QAction* action = actions_->add({name, nullptr, text, tip, QKeySequence(key), {}, {}, isSet});
+        connect(action, &QAction::triggered, this, set);
     };
     add(
         "smoothSampling", tr("Smooth sampling"),

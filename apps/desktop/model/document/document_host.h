@@ -94,6 +94,7 @@ signals:
     void opened();
     void closing(); // a person closes the document: what is in hand is dropped
     void closed();
+    void emptied(); // after a document was closed, when all have heard of it: nothing is shown any more
     void openFailed(const QString& message);
     void changed(); // document, view, tool or playback: panels and actions look again
     void messageChanged();

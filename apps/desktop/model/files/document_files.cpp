@@ -246,6 +246,7 @@ void DocumentFiles::close() {
     host_.say({});
     emit host_.closed();
     emit host_.changed();
+    emit host_.emptied();
 }
 
 } // namespace vs::desktop

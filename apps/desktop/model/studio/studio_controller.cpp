@@ -55,7 +55,7 @@ void StudioController::connectParts() {
             prefer();
         }
     });
-    connect(&host_, &DocumentHost::closed, this, &StudioController::pictureChanged);
+    connect(&host_, &DocumentHost::emptied, this, &StudioController::pictureChanged);
     connect(&view_, &ViewModel::resized, this, [this] {
         picture_->setViewport(view_.viewport());
         hand_.tool().viewResized();

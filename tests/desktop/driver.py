@@ -74,7 +74,8 @@ class Studio:
     program writes how many fences it has passed (apps/desktop/testing/input_fence.h says what that takes) into its layout file, together
     with the state that the input led to. Whoever looks at a state afterwards therefore never sees one from before the input, and
     whoever acts again acts on what the input led to; nothing here waits for a time and hopes. What the program then goes on with by
-    itself (a picture at full quality, growth, files) is waited for with wait() and wait_idle().
+    itself (a picture at full quality, growth, files) is waited for with wait() and wait_idle(): for what stays once it is there, never
+    for what passes (growth under way), which a busy machine may not see.
 
     A place is the name of a widget, a point of the screen, or a function without arguments that gives the point: the first and
     the last are looked at again when the pointer has arrived, for a panel may have moved meanwhile."""

@@ -179,8 +179,9 @@ def main(display, arguments, folder):
     filing(steps, folder)
     studio.quit()
     longest = steps.report(json.loads(timings_file.read_text())["blocks"], by_processor if arguments.busy else by_clock)
-    late = {name: ms for name, ms in longest.items() if ms > arguments.slack * MOST_MS}
-    need(not late, f"the window was kept longer than {MOST_MS} ms by {', '.join(late)}")
+    bound = arguments.slack * MOST_MS
+    late = [f"{name} ({ms:.0f} ms)" for name, ms in longest.items() if ms > bound]
+    need(not late, f"the window was kept longer than {bound:.0f} ms by {', '.join(late)}")
 
 
 if __name__ == "__main__":

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Brings translations/*.ts up to date with the texts in the window's sources; new ones are marked unfinished until somebody
+# Brings translations/*.ts up to date with the texts in the window's sources and those that the library marks with VS_TEXT; new ones are marked unfinished until somebody
 # translates them (doc/translating.md). `tools/update_translations.sh FILE.ts` updates another file: a copy, for tests.
 set -euo pipefail
 ROOT=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
@@ -7,5 +7,6 @@ for lupdate in /usr/lib/qt6/bin/lupdate lupdate6 lupdate; do
   command -v "$lupdate" >/dev/null && break
 done
 cd "$ROOT/apps/desktop"
-"$lupdate" -silent -no-obsolete -locations none -source-language en -target-language de . -ts "${1:-$ROOT/translations/volume-studio_de.ts}" \
+"$lupdate" -silent -no-obsolete -locations none -source-language en -target-language de \
+  -tr-function-alias QT_TRANSLATE_NOOP+=VS_TEXT . "$ROOT/src" -ts "${1:-$ROOT/translations/volume-studio_de.ts}" \
   2> >(grep -v "lacks Q_OBJECT macro" >&2)

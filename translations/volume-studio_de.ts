@@ -447,6 +447,54 @@
         <source>part %1</source>
         <translation>Teil %1</translation>
     </message>
+    <message>
+        <source>restore</source>
+        <translation>auffüllen</translation>
+    </message>
+    <message>
+        <source>“%1”</source>
+        <translation>“%1”</translation>
+    </message>
+    <message>
+        <source>one generation</source>
+        <translation>eine Generation</translation>
+    </message>
+    <message>
+        <source>%1 generations</source>
+        <translation>%1 Generationen</translation>
+    </message>
+    <message>
+        <source>%1 layers</source>
+        <translation>%1 Lagen</translation>
+    </message>
+    <message>
+        <source>outside</source>
+        <translation>außen</translation>
+    </message>
+    <message>
+        <source>inside</source>
+        <translation>innen</translation>
+    </message>
+    <message>
+        <source>to the end</source>
+        <translation>bis zum Ende</translation>
+    </message>
+    <message>
+        <source>add</source>
+        <translation>hinzufügen</translation>
+    </message>
+    <message>
+        <source>remove</source>
+        <translation>entfernen</translation>
+    </message>
+    <message>
+        <source>all but it</source>
+        <translation>alles andere</translation>
+    </message>
+    <message>
+        <source>away</source>
+        <translation>weg</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop</name>
@@ -1709,57 +1757,6 @@ Tab: der nächste Punkt; Pfeiltasten bewegen ihn; Entf; Eingabe: seine Farbe; St
     <message>
         <source>Radius (steps)</source>
         <translation>Radius (Schritte)</translation>
-    </message>
-</context>
-<context>
-    <name>vs::desktop::Details</name>
-    <message>
-        <source>%1 layers</source>
-        <translation>%1 Lagen</translation>
-    </message>
-    <message>
-        <source>outside</source>
-        <translation>außen</translation>
-    </message>
-    <message>
-        <source>inside</source>
-        <translation>innen</translation>
-    </message>
-    <message>
-        <source>part %1</source>
-        <translation>Teil %1</translation>
-    </message>
-    <message>
-        <source>to the end</source>
-        <translation>bis zum Ende</translation>
-    </message>
-    <message>
-        <source>add</source>
-        <translation>hinzufügen</translation>
-    </message>
-    <message>
-        <source>remove</source>
-        <translation>entfernen</translation>
-    </message>
-    <message>
-        <source>all but it</source>
-        <translation>alles andere</translation>
-    </message>
-    <message>
-        <source>away</source>
-        <translation>weg</translation>
-    </message>
-    <message>
-        <source>restore</source>
-        <translation>auffüllen</translation>
-    </message>
-    <message>
-        <source>one generation</source>
-        <translation>eine Generation</translation>
-    </message>
-    <message>
-        <source>%1 generations</source>
-        <translation>%1 Generationen</translation>
     </message>
 </context>
 <context>

@@ -9,6 +9,7 @@
 #include <array>
 #include <cmath>
 #include <initializer_list>
+#include <span>
 #include <string>
 
 namespace vs {
@@ -42,8 +43,16 @@ public:
         }
     }
 
+    [[nodiscard]] bool has(const char* key) const {
+        expectObject();
+        return json_.contains(key);
+    }
+
     // Complains about members that mean nothing here: a misspelt one must not be ignored.
     void allow(std::initializer_list<const char*> keys) const {
+        allow(std::span<const char* const>(keys.begin(), keys.size()));
+    }
+    void allow(std::span<const char* const> keys) const {
         expectObject();
         for (const auto& item : json_.items()) {
             if (std::find(keys.begin(), keys.end(), item.key()) == keys.end()) {
@@ -130,11 +139,15 @@ public:
     // One of the names, as the enumerator of the same place.
     template <typename Enum, std::size_t N>
     [[nodiscard]] Enum choice(const std::array<const char*, N>& names) const {
+        return static_cast<Enum>(indexAmong(names));
+    }
+    // The same for texts that no enum stands behind.
+    [[nodiscard]] std::size_t indexAmong(std::span<const char* const> names) const {
         const std::string value = text();
         std::string all;
-        for (std::size_t i = 0; i < N; ++i) {
+        for (std::size_t i = 0; i < names.size(); ++i) {
             if (value == names[i]) {
-                return static_cast<Enum>(i);
+                return i;
             }
             all += std::string(all.empty() ? "" : ", ") + names[i];
         }

@@ -4,14 +4,20 @@
 #include "field/field.h"
 #include "gl/buffer.h"
 
+#include <array>
+
 namespace vs::field {
 
 enum class SculptureView { Whole, Cut, Probe };
+inline constexpr std::array<const char*, 3> kSculptureViews{"whole", "cut", "probe"};
+constexpr const auto& namesOf(SculptureView) { return kSculptureViews; }
 
 // What the data is between voxel centres. Tricubic is the cubic B-spline of the stored values, not
 // prefiltered: smooth without the facets of trilinear interpolation, and a little softer than the data (a
 // voxel counts with 8/27 at its own centre). Shaders sample that way with TRICUBIC defined.
 enum class Sampling { Trilinear, Tricubic };
+inline constexpr std::array<const char*, 2> kSamplings{"linear", "cubic"};
+constexpr const auto& namesOf(Sampling) { return kSamplings; }
 
 // What every shader that samples the document needs to know; mirrors SceneBlock in field/shaders/scene.glsl
 // (std140).

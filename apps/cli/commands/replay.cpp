@@ -35,7 +35,8 @@ studio::Outcome replayOperation(const studio::Session& session, const std::strin
         context.requireNoErrors();
         const bool isDrawn = studio::cuts(operation) || std::holds_alternative<studio::Seed>(operation);
         if (isDrawn && outcome.voxelsTouched == 0) {
-            logNotice(fmt::format("operation {} ({}): {}", index + 1, outcome.name, outcome.message));
+            logNotice(
+                fmt::format("operation {} ({}): {}", index + 1, outcome.name, outcome.message.english()));
         }
         return outcome;
     } catch (const std::exception& error) {

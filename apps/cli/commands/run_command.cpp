@@ -33,8 +33,8 @@ Json entryOf(const studio::Outcome& outcome, std::size_t index) {
                {"name", outcome.name},
                {"milliseconds", outcome.milliseconds},
                {"voxels", outcome.voxelsTouched}};
-    if (!outcome.message.empty()) {
-        entry["message"] = outcome.message;
+    if (!outcome.message.isEmpty()) {
+        entry["message"] = outcome.message.english();
     }
     return entry;
 }

@@ -4,9 +4,13 @@
 #include "base/math.h"
 #include "volume/grid/geometry.h"
 
+#include <array>
+
 namespace vs::render {
 
 enum class Projection { Perspective, Orthographic };
+inline constexpr std::array<const char*, 2> kProjections{"perspective", "orthographic"};
+constexpr const auto& namesOf(Projection) { return kProjections; }
 
 // A viewer on an orbit around a target. Azimuth 0, elevation 0 looks at the patient's face with superior up;
 // positive azimuth moves the viewer to the patient's left, positive elevation up (SPEC 3). Zoom 1 frames the

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/colours/colour_map.h"
 
+#include "base/phrase.h"
+
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -25,28 +27,28 @@ struct Recipe {
 
 std::vector<Recipe> recipes() {
     return {
-        {"grey", "black to white", {{0, 0, 0}, {1, 0, 0}}},
-        {"ivory",
-         "bone: umber shadows to ivory",
+        {VS_TEXT("library", "grey"), VS_TEXT("library", "black to white"), {{0, 0, 0}, {1, 0, 0}}},
+        {VS_TEXT("library", "ivory"),
+         VS_TEXT("library", "bone: umber shadows to ivory"),
          {{0.20, 0.040, 50}, {0.46, 0.075, 62}, {0.72, 0.070, 78}, {0.97, 0.022, 95}}},
-        {"ember",
-         "night, embers, flame",
+        {VS_TEXT("library", "ember"),
+         VS_TEXT("library", "night, embers, flame"),
          {{0.12, 0.050, 300}, {0.33, 0.125, 355}, {0.54, 0.175, 30}, {0.75, 0.155, 62}, {0.95, 0.090, 100}}},
-        {"marine",
-         "deep sea to foam",
+        {VS_TEXT("library", "marine"),
+         VS_TEXT("library", "deep sea to foam"),
          {{0.15, 0.070, 275},
           {0.36, 0.115, 258},
           {0.57, 0.100, 225},
           {0.77, 0.090, 190},
           {0.96, 0.035, 175}}},
-        {"flesh",
-         "muscle to pale skin",
+        {VS_TEXT("library", "flesh"),
+         VS_TEXT("library", "muscle to pale skin"),
          {{0.22, 0.080, 20}, {0.46, 0.125, 27}, {0.70, 0.095, 40}, {0.94, 0.030, 65}}},
-        {"vessel",
-         "dark blood to bright blood",
+        {VS_TEXT("library", "vessel"),
+         VS_TEXT("library", "dark blood to bright blood"),
          {{0.20, 0.080, 20}, {0.43, 0.165, 25}, {0.62, 0.200, 30}, {0.78, 0.120, 50}, {0.95, 0.045, 80}}},
-        {"tide",
-         "blue below, orange above, pale in the middle",
+        {VS_TEXT("library", "tide"),
+         VS_TEXT("library", "blue below, orange above, pale in the middle"),
          {{0.38, 0.110, 260},
           {0.66, 0.105, 250},
           {0.95, 0, 245},

@@ -71,16 +71,9 @@ glm::ivec3 groupsFor(int squares) {
 
 } // namespace
 
-const char* name(Mode mode) {
-    constexpr const char* names[] = {"surface", "mip", "xray", "overlay", "segment", "volume"};
-    return names[static_cast<int>(mode)];
-}
-
 Mode modeFromName(const std::string& text) {
-    for (const Mode mode : kModes) {
-        if (text == name(mode)) {
-            return mode;
-        }
+    if (const auto mode = enumeratorOf<Mode>(text)) {
+        return *mode;
     }
     throw UsageError("mode '{}' does not exist; choose surface, mip, xray, overlay, segment or volume", text);
 }

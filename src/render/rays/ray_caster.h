@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "base/names.h"
 #include "field/scene.h"
 #include "gl/program.h"
 #include "image/image.h"
@@ -13,6 +14,7 @@
 #include "render/space/macrocells.h"
 #include "render/space/slab_bounds.h"
 
+#include <array>
 #include <map>
 #include <vector>
 
@@ -21,8 +23,10 @@ namespace vs::render {
 enum class Mode { Surface, Mip, XRay, Overlay, Segment, Volume };
 inline constexpr Mode kModes[] = {Mode::Surface, Mode::Mip,     Mode::XRay,
                                   Mode::Overlay, Mode::Segment, Mode::Volume};
-// "surface", "mip", "xray", "overlay", "segment", "volume".
-const char* name(Mode mode);
+inline constexpr std::array<const char*, 6> kModeNames{"surface", "mip",     "xray",
+                                                       "overlay", "segment", "volume"};
+constexpr const auto& namesOf(Mode) { return kModeNames; }
+constexpr const char* name(Mode mode) { return nameOf(mode); }
 // Throws UsageError listing the modes.
 Mode modeFromName(const std::string& name);
 

@@ -14,8 +14,8 @@ namespace vs::sculpt {
 
 // Where an element's value comes from: its centre, the part of its square that is inside, or sub-samples.
 enum class Sampling { None, PolygonSmooth, Uniform, Jittered };
-// Their names on command lines, in the order of the enumeration.
 inline constexpr std::array<const char*, 4> kMaskSamplings{"none", "polygon", "uniform", "jittered"};
+constexpr const auto& namesOf(Sampling) { return kMaskSamplings; }
 
 // How an outline becomes grey values (thesis 3.5.2). Sampling::None takes each element's centre, 0 or 1;
 // PolygonSmooth the exact part of the element's square that the outline covers. Otherwise every element has

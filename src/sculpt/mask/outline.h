@@ -30,8 +30,8 @@ Outline clipToBox(Outline outline, glm::dvec2 lo, glm::dvec2 hi);
 
 // Schemes that round an outline's corners.
 enum class Subdivision { CubicBSpline, Chaikin };
-// Their names on command lines, in the order of the enumeration.
 inline constexpr std::array<const char*, 2> kSubdivisions{"bspline", "chaikin"};
+constexpr const auto& namesOf(Subdivision) { return kSubdivisions; }
 
 // Subdivides a closed outline `levels` times, each of which doubles its points: towards the uniform cubic
 // B-spline curve (Lane and Riesenfeld 1980) or the quadratic one (Chaikin 1974) that has the outline as its

@@ -8,10 +8,9 @@ namespace vs::sculpt {
 
 // Filters that make a mask's grey values of its sub-samples (thesis 3.5.2).
 enum class Reconstruction { Box, Tent, Gaussian, CatmullRom, MitchellNetravali, BSpline };
-
-// Their names on command lines, in the order of the enumeration.
 inline constexpr std::array<const char*, 6> kReconstructions{"box",         "tent",     "gaussian",
                                                              "catmull-rom", "mitchell", "bspline"};
+constexpr const auto& namesOf(Reconstruction) { return kReconstructions; }
 
 // The cubic B-spline, support [-2, 2] (thesis 3.5.2, as corrected in the errata).
 double cubicBSpline(double x);

@@ -3,6 +3,7 @@
 
 #include <glm/glm.hpp>
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -36,6 +37,8 @@ struct PathPiece {
 // on straight parts, which have none, the last normal is kept (before the first bend, the first to come), and
 // where the curve's bend changes sides, x does not jump over but stays on its side.
 enum class FrameKind { ParallelTransport, Frenet };
+inline constexpr std::array<const char*, 2> kFrameKinds{"parallel", "frenet"};
+constexpr const auto& namesOf(FrameKind) { return kFrameKinds; }
 
 // The frame of a mask at `origin` that faces `direction` (not zero): x along the first axis (x, else y) that
 // is not along the direction, made perpendicular to it. A mask facing +z has x = +x and y = +y. Paths by

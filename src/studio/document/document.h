@@ -22,7 +22,7 @@ struct Outcome {
     std::string name;
     double milliseconds = 0;
     std::size_t voxelsTouched = 0; // sculpture voxels changed, or voxels grown or taken back
-    std::string message;           // for the status line, one line
+    Phrase message;                // for the status line, one line
 };
 
 // A volume with everything a person has done to it. All edits go through apply(), or through one of the live

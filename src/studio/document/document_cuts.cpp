@@ -59,10 +59,11 @@ Outcome Document::Impl::endStroke() {
     }
     Outcome outcome;
     outcome.voxelsTouched = delta.changedVoxels();
-    outcome.message = !delta.isEmpty() ? fmt::format("{} voxels changed", delta.changedVoxels())
-                      : stroke->onlyCuts()
-                          ? "nothing was cut: nothing visible lies there that was not cut already"
-                          : "nothing was restored: nothing was cut away there";
+    outcome.message =
+        !delta.isEmpty() ? say(VS_TEXT("library", "%1 voxels changed"), delta.changedVoxels())
+        : stroke->onlyCuts()
+            ? say(VS_TEXT("library", "nothing was cut: nothing visible lies there that was not cut already"))
+            : say(VS_TEXT("library", "nothing was restored: nothing was cut away there"));
     if (!delta.isEmpty()) {
         remember(stroke->operation(), std::move(delta), {});
     }
@@ -105,7 +106,7 @@ Outcome Document::Impl::run(UnCut& op, const std::filesystem::path&) {
     // Parts that were pasted are gone with what they were cut from.
     arrangeParts(op, pasted.sculptures.empty() ? PastedState{view.pasted, {}} : PastedState{},
                  std::move(delta));
-    return {{}, 0, changed, "all cuts cleared"};
+    return {{}, 0, changed, say(VS_TEXT("library", "all cuts cleared"))};
 }
 
 // --- pasting
@@ -137,7 +138,7 @@ Outcome Document::Impl::run(Paste& op, const std::filesystem::path&) {
     state.sculptures.push_back(PastedParts::remember(sculpture));
     state.places.push_back(op.place);
     arrangeParts(op, state);
-    return {{}, 0, 0, fmt::format("part {}", pasted.sculptures.size())};
+    return {{}, 0, 0, say(VS_TEXT("library", "part %1"), pasted.sculptures.size())};
 }
 
 Outcome Document::Impl::run(MovePart& op, const std::filesystem::path&) {
@@ -147,7 +148,7 @@ Outcome Document::Impl::run(MovePart& op, const std::filesystem::path&) {
     PastedState state{view.pasted, pasted.sculptures};
     state.places[std::size_t(op.part)] = op.place;
     arrangeParts(op, state);
-    return {{}, 0, 0, fmt::format("part {}", op.part + 1)};
+    return {{}, 0, 0, say(VS_TEXT("library", "part %1"), op.part + 1)};
 }
 
 } // namespace vs::studio

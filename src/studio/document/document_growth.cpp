@@ -25,14 +25,26 @@ std::size_t Document::Impl::grownVoxels() const {
     return region.exists() ? std::size_t(region.growth()->voxelCount()) : 0;
 }
 
+std::string Document::Impl::millilitres(std::size_t voxels) const {
+    return fmt::format("{:.1f}", double(voxels) * volume.geometry.voxelMm3() / 1000);
+}
+
+Phrase Document::Impl::describeChange(std::size_t voxelsBefore, std::size_t voxelsNow) {
+    return voxelsNow > voxelsBefore ? say(VS_TEXT("library", "%1 voxels added"), voxelsNow - voxelsBefore)
+                                    : say(VS_TEXT("library", "%1 voxels removed"), voxelsBefore - voxelsNow);
+}
+
 Outcome Document::Impl::describeGrowth(int generations, std::size_t voxelsBefore) const {
     const std::size_t now = grownVoxels();
+    const bool isOne = std::abs(generations) == 1;
+    const char* grown = isOne ? VS_TEXT("library", "%1 generation; %2 voxels, %3 ml")
+                              : VS_TEXT("library", "%1 generations; %2 voxels, %3 ml");
+    const char* back = isOne ? VS_TEXT("library", "%1 generation back; %2 voxels, %3 ml")
+                             : VS_TEXT("library", "%1 generations back; %2 voxels, %3 ml");
     return {{},
             0,
             now > voxelsBefore ? now - voxelsBefore : voxelsBefore - now,
-            fmt::format("{} generation{}{}; {} voxels, {:.1f} ml", std::abs(generations),
-                        std::abs(generations) == 1 ? "" : "s", generations < 0 ? " back" : "", now,
-                        double(now) * volume.geometry.voxelMm3() / 1000)};
+            say(generations < 0 ? back : grown, std::abs(generations), now, millilitres(now))};
 }
 
 void Document::Impl::workUnlocked(Region::Records& records) {
@@ -76,17 +88,17 @@ Outcome Document::Impl::run(Seed& op, const std::filesystem::path&) {
         }
     }
     if (op.voxels.empty()) {
-        return {{}, 0, 0, "nothing seeded: no voxel in range lies under the stroke"};
+        return {{}, 0, 0, say(VS_TEXT("library", "nothing seeded: no voxel in range lies under the stroke"))};
     }
     const segment::SeedCounts counts = change(op);
     return {{},
             0,
             std::size_t(counts.added),
             counts.refused > 0
-                ? fmt::format("{} voxels seeded, {} refused (outside the grid or the range, cut "
-                              "away, or another segment's)",
-                              counts.added, counts.refused)
-                : fmt::format("{} voxels seeded", counts.added)};
+                ? say(VS_TEXT("library", "%1 voxels seeded, %2 refused (outside the grid or the range, cut "
+                                         "away, or another segment's)"),
+                      counts.added, counts.refused)
+                : say(VS_TEXT("library", "%1 voxels seeded"), counts.added)};
 }
 
 int Document::Impl::perform(const Grow& op, Region::Records& records) {
@@ -132,7 +144,8 @@ Outcome Document::Impl::run(SetGrowthRules& op, const std::filesystem::path&) {
     change(op);
     Outcome outcome = describeGrowth(0, before);
     const Range& range = region.rules().range;
-    outcome.message = fmt::format("growing in {:g} to {:g}; {} voxels", range.lo, range.hi, grownVoxels());
+    outcome.message = say(VS_TEXT("library", "growing in %1 to %2; %3 voxels"), fmt::format("{:g}", range.lo),
+                          fmt::format("{:g}", range.hi), grownVoxels());
     return outcome;
 }
 
@@ -154,8 +167,8 @@ Outcome Document::Impl::run(Absorb& op, const std::filesystem::path&) {
     return {{},
             0,
             taken,
-            taken == 0 ? "nothing absorbed: the stroke does not lie on the segment"
-                       : fmt::format("{} voxels absorbed in {} expansions", taken, expansions)};
+            taken == 0 ? say(VS_TEXT("library", "nothing absorbed: the stroke does not lie on the segment"))
+                       : say(VS_TEXT("library", "%1 voxels absorbed in %2 expansions"), taken, expansions)};
 }
 
 void Document::Impl::perform(const ReSeed&, Region::Records& records) {
@@ -171,7 +184,7 @@ void Document::Impl::perform(const ReSeed&, Region::Records& records) {
 Outcome Document::Impl::run(ReSeed& op, const std::filesystem::path&) {
     const std::size_t before = grownVoxels();
     change(op);
-    return {{}, 0, before - grownVoxels(), "segmentation cleared"};
+    return {{}, 0, before - grownVoxels(), say(VS_TEXT("library", "segmentation cleared"))};
 }
 
 } // namespace vs::studio

@@ -83,7 +83,12 @@ Outcome Document::Impl::run(LoadLabels& op, const std::filesystem::path&) {
                     op.path.string(), labels, kept, kMostSegments - kept);
     }
     const std::size_t voxels = change(op);
-    return {{}, 0, voxels, fmt::format("{} segment{}, {} voxels", labels, labels == 1 ? "" : "s", voxels)};
+    return {{},
+            0,
+            voxels,
+            say(labels == 1 ? VS_TEXT("library", "%1 segment, %2 voxels")
+                            : VS_TEXT("library", "%1 segments, %2 voxels"),
+                labels, voxels)};
 }
 
 } // namespace vs::studio

@@ -71,7 +71,7 @@ Outcome Document::Impl::travel(Step& step, bool isUndo) {
     if (const auto& parts = isUndo ? step.partsBefore : step.partsAfter) {
         showParts(*parts);
     }
-    outcome.message = name(step.operation);
+    outcome.message = {name(step.operation)};
     ++version;
     return outcome;
 }
@@ -133,20 +133,20 @@ Outcome Document::Impl::run(SavePicture& op, const std::filesystem::path& folder
         render::annotate(pixels, picture.rays, volume.geometry);
     }
     image::writePng(folder / op.file, pixels);
-    return {{}, 0, 0, op.file};
+    return {{}, 0, 0, say("%1", op.file)};
 }
 
 Outcome Document::Impl::run(SaveLabels& op, const std::filesystem::path& folder) {
     const auto labels = region.exists() ? region.growth()->labelMap()
                                         : std::vector<std::uint8_t>(volume.geometry.voxelCount(), 0);
     volume::writeGrid(folder / op.file, volume.geometry, std::span<const std::uint8_t>(labels));
-    return {{}, 0, grownVoxels(), op.file};
+    return {{}, 0, grownVoxels(), say("%1", op.file)};
 }
 
 Outcome Document::Impl::run(SaveSculpture& op, const std::filesystem::path& folder) {
     const std::vector<float> values = cutter.sculptureAsFloats();
     volume::writeGrid(folder / op.file, volume.geometry, std::span<const float>(values));
-    return {{}, 0, 0, op.file};
+    return {{}, 0, 0, say("%1", op.file)};
 }
 
 } // namespace vs::studio

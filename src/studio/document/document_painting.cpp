@@ -21,7 +21,7 @@ void Document::Impl::perform(const PaintSegment& op, Region::Records& records) {
 
 Outcome Document::Impl::run(PaintSegment& op, const std::filesystem::path&) {
     if (voxelsUnder(op.trail, op.range).count() == 0) {
-        return {{}, 0, 0, "nothing changed: no voxel lies under the brush"};
+        return {{}, 0, 0, say(VS_TEXT("library", "nothing changed: no voxel lies under the brush"))};
     }
     const std::size_t before = grownVoxels();
     change(op);
@@ -30,8 +30,9 @@ Outcome Document::Impl::run(PaintSegment& op, const std::filesystem::path&) {
     return {{},
             0,
             changed,
-            changed == 0 ? "nothing changed: no voxel under the brush could be added or removed"
-                         : fmt::format("{} voxels {}", changed, now > before ? "added" : "removed")};
+            changed == 0 ? say(VS_TEXT("library",
+                                       "nothing changed: no voxel under the brush could be added or removed"))
+                         : describeChange(before, now)};
 }
 
 } // namespace vs::studio

@@ -16,6 +16,8 @@ namespace {
 
 using Kind = EditSegment::Kind;
 
+std::string quoted(const std::string& segment) { return "'" + segment + "'"; }
+
 bool needsVoxel(Kind kind) { return kind == Kind::KeepIsland || kind == Kind::DropIsland; }
 bool needsOther(Kind kind) {
     return kind == Kind::Unite || kind == Kind::Subtract || kind == Kind::Intersect;
@@ -112,8 +114,8 @@ Outcome Document::Impl::run(UseSegment& op, const std::filesystem::path&) {
     return {{},
             0,
             0,
-            op.goesToWork ? fmt::format("at work on '{}'", segments.working().name)
-                          : fmt::format("'{}' changed", op.name.value_or(op.segment))};
+            op.goesToWork ? say(VS_TEXT("library", "at work on %1"), quoted(segments.working().name))
+                          : say(VS_TEXT("library", "%1 changed"), quoted(op.name.value_or(op.segment)))};
 }
 
 void Document::Impl::perform(const RemoveSegment& op, Region::Records& records) {
@@ -133,7 +135,7 @@ void Document::Impl::perform(const RemoveSegment& op, Region::Records& records) 
 
 Outcome Document::Impl::run(RemoveSegment& op, const std::filesystem::path&) {
     change(op);
-    return {{}, 0, 0, fmt::format("'{}'", op.segment)};
+    return {{}, 0, 0, say("%1", quoted(op.segment))};
 }
 
 std::function<bool(glm::ivec3)> Document::Impl::lockedVoxels() const {
@@ -213,8 +215,7 @@ Outcome Document::Impl::run(EditSegment& op, const std::filesystem::path&) {
     return {{},
             0,
             now > before ? now - before : before - now,
-            fmt::format("{} voxels, {:.1f} ml; {} before", now,
-                        double(now) * volume.geometry.voxelMm3() / 1000, before)};
+            say(VS_TEXT("library", "%1 voxels, %2 ml; %3 before"), now, millilitres(now), before)};
 }
 
 // What a stroke would cut: the sculpture is left as it was.
@@ -271,9 +272,9 @@ Outcome Document::Impl::run(BrushSegment& op, const std::filesystem::path&) {
     return {{},
             0,
             now > before ? now - before : before - now,
-            now == before ? "nothing changed: the stroke does not reach the segment's surface"
-                          : fmt::format("{} voxels {}", now > before ? now - before : before - now,
-                                        now > before ? "added" : "removed")};
+            now == before
+                ? say(VS_TEXT("library", "nothing changed: the stroke does not reach the segment's surface"))
+                : describeChange(before, now)};
 }
 
 Outcome Document::Impl::run(CutSegment& op, const std::filesystem::path&) {
@@ -307,7 +308,7 @@ Outcome Document::Impl::run(CutSegment& op, const std::filesystem::path&) {
     if (!delta.isEmpty()) {
         remember(op, std::move(delta), {});
     }
-    return {{}, 0, changed, fmt::format("{} voxels changed", changed)};
+    return {{}, 0, changed, say(VS_TEXT("library", "%1 voxels changed"), changed)};
 }
 
 } // namespace vs::studio

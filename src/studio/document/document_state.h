@@ -104,6 +104,10 @@ struct Document::Impl {
     std::vector<glm::dvec3> seenCells(const std::function<bool(std::size_t)>& isThere);
     [[nodiscard]] std::size_t grownVoxels() const;
     [[nodiscard]] Outcome describeGrowth(int generations, std::size_t voxelsBefore) const;
+    // So many voxels in ml, with one decimal.
+    [[nodiscard]] std::string millilitres(std::size_t voxels) const;
+    // "120 voxels added", "7 voxels removed".
+    static Phrase describeChange(std::size_t voxelsBefore, std::size_t voxelsNow);
     Region::Records repeat(const Operation& operation);
     void remember(Operation operation, std::optional<sculpt::BrickDelta> cut, Region::Records growth);
     Outcome travel(Step& step, bool isUndo);

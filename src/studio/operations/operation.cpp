@@ -1,43 +1,47 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/operations/operation.h"
 
-#include "studio/operations/operation_names.h"
-
-#include <algorithm>
+#include <utility>
 
 namespace vs::studio {
 
-bool View::showsAbove() const {
-    return !hidesAbove &&
-           (mode == render::Mode::Mip || mode == render::Mode::XRay || mode == render::Mode::Overlay);
+namespace {
+
+template <std::size_t... I>
+std::vector<const char*> namesOfAll(std::index_sequence<I...>) {
+    return {std::variant_alternative_t<I, Operation>::kAbout.name...};
 }
 
-Range View::visibleRange(const Range& data) const {
-    return {range.lo, showsAbove() ? std::max(range.hi, data.hi) : range.hi};
+} // namespace
+
+const About& about(const Operation& operation) {
+    return std::visit([](const auto& op) -> const About& { return op.kAbout; }, operation);
 }
 
-SetView lookAs(const View& view) {
-    return {view.camera,       view.mode,     view.range,   view.sculptureView, view.transferFunction,
-            view.pasted,       view.sampling, view.shadows, view.hidesAbove,    view.surfaceSmoothing,
-            view.tintsSegments};
+std::vector<const char*> operationNames() {
+    return namesOfAll(std::make_index_sequence<std::variant_size_v<Operation>>());
 }
 
-const char* name(const Operation& operation) { return kOperationNames[operation.index()]; }
+const char* name(const Operation& operation) { return about(operation).name; }
 
-bool cuts(const Operation& operation) {
-    return std::holds_alternative<Peel>(operation) || std::holds_alternative<Drill>(operation) ||
-           std::holds_alternative<Laser>(operation) || std::holds_alternative<Sweep>(operation) ||
-           std::holds_alternative<Scissors>(operation) || std::holds_alternative<Clip>(operation) ||
-           std::holds_alternative<KeepConnected>(operation) || std::holds_alternative<CutSegment>(operation);
+std::vector<Phrase> details(const Operation& operation) {
+    return std::visit(
+        [](const auto& op) {
+            if constexpr (requires { op.details(); }) {
+                return op.details();
+            } else {
+                return std::vector<Phrase>();
+            }
+        },
+        operation);
 }
+
+bool cuts(const Operation& operation) { return about(operation).effect == Effect::Cuts; }
 
 bool isEdit(const Operation& operation) {
-    return !isOutput(operation) && !std::holds_alternative<SetView>(operation);
+    return !isOutput(operation) && about(operation).effect != Effect::Looks;
 }
 
-bool isOutput(const Operation& operation) {
-    return std::holds_alternative<SavePicture>(operation) || std::holds_alternative<SaveLabels>(operation) ||
-           std::holds_alternative<SaveSculpture>(operation);
-}
+bool isOutput(const Operation& operation) { return about(operation).effect == Effect::Writes; }
 
 } // namespace vs::studio

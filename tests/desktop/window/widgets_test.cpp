@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // What every widget owes to those who do not see or do not point: a name, a tip, the keyboard; and room for
 // its text, in every language.
+#include "model/texts/language.h"
 #include "model/texts/library_texts.h"
 #include "window_states.h"
 
 #include "render/colours/colour_map.h"
 #include "render/colours/transfer_function_json.h"
-#include "studio/operations/operation_names.h"
+#include "studio/operations/operation.h"
 
 #include <gtest/gtest.h>
 
@@ -129,33 +130,44 @@ TEST(Texts, FitTheirPlaces) {
 
 TEST(Texts, AreKnownForWhatTheLibraryNames) {
     std::set<std::string> known;
-    for (const char* text : knownLibraryTexts()) {
+    for (const char* text : presetTexts()) {
         known.insert(text);
     }
-    const auto expectKnown = [&](std::string_view text) {
-        EXPECT_EQ(known.count(std::string(text)), 1U) << text;
-    };
-    for (const char* name : studio::kOperationNames) {
-        expectKnown(name);
-    }
-    for (const char* name : studio::kSegmentEdits) {
-        expectKnown(name);
-    }
     for (const std::string& name : render::presetNames()) {
-        expectKnown(render::findPreset(name)->name);
-        expectKnown(render::findPreset(name)->description);
+        EXPECT_TRUE(known.contains(render::findPreset(name)->name)) << name;
+        EXPECT_TRUE(known.contains(render::findPreset(name)->description)) << name;
+    }
+}
+
+TEST(Texts, AreTranslatedForWhatTheLibraryNames) {
+    if (textLocale().language() != QLocale::German) {
+        GTEST_SKIP() << "English is spoken";
+    }
+    std::vector<std::string> texts;
+    for (const char* name : studio::operationNames()) {
+        texts.emplace_back(name);
+    }
+    for (const char* name : studio::EditSegment::kKinds) {
+        texts.emplace_back(name);
     }
     for (const auto& map : render::colourMaps()) {
-        expectKnown(map.name);
-        expectKnown(map.description);
+        texts.emplace_back(map.name);
+        texts.emplace_back(map.description);
+    }
+    for (const std::string& text : texts) {
+        EXPECT_NE(libraryText(text).toStdString(), text);
     }
 }
 
 TEST(Texts, KeepTheirNumbers) {
-    const QString said = libraryText("3 generations; 120 voxels, 0.4 ml");
+    const Phrase phrase = say(VS_TEXT("library", "%1 generations; %2 voxels, %3 ml"), 3, 120, "0.4");
+    EXPECT_EQ(phrase.english(), "3 generations; 120 voxels, 0.4 ml");
+    const QString said = libraryText(phrase);
     for (const char* number : {"3", "120", "0.4"}) {
         EXPECT_TRUE(said.contains(number)) << said.toStdString();
     }
+    const bool isGerman = textLocale().language() == QLocale::German;
+    EXPECT_EQ(said.contains("Generationen"), isGerman) << said.toStdString();
     EXPECT_EQ(libraryText("the disk is full"), "the disk is full") << "errors stay as they are";
 }
 

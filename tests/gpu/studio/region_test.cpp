@@ -229,7 +229,7 @@ TEST_F(RegionTest, SeedsOutsideTheGridAreReported) {
     Document document(testHead());
     Seed seed = brainSeed();
     seed.voxels.emplace_back(500, 1, 1);
-    EXPECT_NE(document.apply(seed).message.find("1 refused"), std::string::npos);
+    EXPECT_NE(document.apply(seed).message.english().find("1 refused"), std::string::npos);
 }
 
 } // namespace

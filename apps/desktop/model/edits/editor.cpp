@@ -54,7 +54,7 @@ void Editor::report(const studio::Outcome& outcome) {
     const QString message = libraryText(outcome.message);
     if (outcome.name == "undo" || outcome.name == "redo") {
         host_.say((outcome.name == "undo" ? tr("Undone: %1") : tr("Redone: %1")).arg(message));
-    } else if (outcome.message.starts_with("nothing ")) {
+    } else if (std::string_view(outcome.message.text).starts_with("nothing ")) {
         host_.say(capitalised(message));
     } else {
         host_.say(message.isEmpty() ? name : name + ": " + message);

@@ -5,6 +5,7 @@
 #include "model/texts/library_texts.h"
 #include "model/texts/texts.h"
 
+#include <QCoreApplication>
 #include <QCryptographicHash>
 #include <QDir>
 #include <QDirIterator>
@@ -70,10 +71,10 @@ struct Example {
 };
 // What is worth a look without knowing more about it.
 constexpr std::array<Example, 4> kPackaged{
-    {{"mricron/templates/ch2.nii.gz", "A head, magnetic resonance"},
-     {"mricron/templates/ch2better.nii.gz", "The same head, sharper"},
-     {"mricron/templates/ch2bet.nii.gz", "Its brain alone"},
-     {"mricron/templates/inia19-t1-brain.nii.gz", "A macaque's brain"}}};
+    {{"mricron/templates/ch2.nii.gz", QT_TRANSLATE_NOOP("library", "A head, magnetic resonance")},
+     {"mricron/templates/ch2better.nii.gz", QT_TRANSLATE_NOOP("library", "The same head, sharper")},
+     {"mricron/templates/ch2bet.nii.gz", QT_TRANSLATE_NOOP("library", "Its brain alone")},
+     {"mricron/templates/inia19-t1-brain.nii.gz", QT_TRANSLATE_NOOP("library", "A macaque's brain")}}};
 
 } // namespace
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "base/phrase.h"
+
 #include <QString>
 
 #include <string_view>
@@ -8,12 +10,12 @@
 
 namespace vs::desktop {
 
-// What the core library calls things and says of what was done, in the person's language: names of
-// operations, presets and colour tables, messages with numbers and 'quoted' names in them. What has no
-// translation stays English, as the library's error messages do.
+// What the core library calls things and says of what was done, in the person's language: texts that are
+// marked with VS_TEXT there. What has no translation stays English, as the library's error messages do.
 QString libraryText(std::string_view english);
+QString libraryText(const Phrase& phrase);
 
-// The texts that libraryText() knows, with %1, %2 ... where numbers and quoted names stand.
-std::vector<const char*> knownLibraryTexts();
+// The names and descriptions of presets that are translated.
+std::vector<const char*> presetTexts();
 
 } // namespace vs::desktop

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: Apache-2.0
+// What there is to say of operations besides their names.
+#include "studio/operations/operation.h"
+
+#include <fmt/format.h>
+
+namespace vs::studio {
+
+namespace {
+
+constexpr const char* kRestore = VS_TEXT("library", "restore");
+
+template <typename Cut>
+std::vector<Phrase> withRestore(const Cut& cut, std::vector<Phrase> said = {}) {
+    if (cut.restores) {
+        said.push_back({kRestore});
+    }
+    return said;
+}
+
+Phrase quoted(const std::string& segment) { return {VS_TEXT("library", "“%1”"), {segment}}; }
+
+Phrase generationsSaid(int count) {
+    return count == 1 ? Phrase{VS_TEXT("library", "one generation")}
+                      : Phrase{VS_TEXT("library", "%1 generations"), {std::to_string(count)}};
+}
+
+} // namespace
+
+std::vector<Phrase> Peel::details() const {
+    return withRestore(*this, {{VS_TEXT("library", "%1 layers"), {fmt::format("{:.3g}", layers)}}});
+}
+
+std::vector<Phrase> Drill::details() const { return withRestore(*this); }
+std::vector<Phrase> Laser::details() const { return withRestore(*this); }
+std::vector<Phrase> Sweep::details() const { return withRestore(*this); }
+std::vector<Phrase> Clip::details() const { return withRestore(*this); }
+
+std::vector<Phrase> Scissors::details() const {
+    return withRestore(*this, {{cutsOutside ? VS_TEXT("library", "outside") : VS_TEXT("library", "inside")}});
+}
+
+std::vector<Phrase> MovePart::details() const {
+    return {{VS_TEXT("library", "part %1"), {std::to_string(part + 1)}}};
+}
+
+std::vector<Phrase> Grow::details() const {
+    return {generations ? generationsSaid(*generations) : Phrase{VS_TEXT("library", "to the end")}};
+}
+
+std::vector<Phrase> Rewind::details() const { return {generationsSaid(generations)}; }
+
+std::vector<Phrase> ShowGeneration::details() const { return {{"%1", {std::to_string(generation)}}}; }
+
+std::vector<Phrase> UseSegment::details() const { return {quoted(name.value_or(segment))}; }
+
+std::vector<Phrase> RemoveSegment::details() const { return {quoted(segment)}; }
+
+std::vector<Phrase> EditSegment::details() const { return {{nameOf(kind)}}; }
+
+std::vector<Phrase> BrushSegment::details() const {
+    return {{isToAdd ? VS_TEXT("library", "add") : VS_TEXT("library", "remove")}};
+}
+
+std::vector<Phrase> CutSegment::details() const {
+    return {{keeps ? VS_TEXT("library", "all but it") : VS_TEXT("library", "away")}};
+}
+
+} // namespace vs::studio

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "render/marks/background.h"
+#include "studio/operations/drawing.h"
+
+namespace vs::studio {
+
+// The operations that go through the history, and those that write what there is into files.
+
+struct Undo {
+    static constexpr About kAbout{VS_TEXT("library", "undo"), Effect::Travels, "one edit back"};
+    static constexpr auto fields() { return std::tuple{}; }
+};
+
+struct Redo {
+    static constexpr About kAbout{VS_TEXT("library", "redo"), Effect::Travels, "one edit forward"};
+    static constexpr auto fields() { return std::tuple{}; }
+};
+
+// Clears all cuts.
+struct UnCut {
+    static constexpr About kAbout{VS_TEXT("library", "un-cut"), Effect::ClearsCuts, "clears all cuts",
+                                  "uncut"};
+    static constexpr auto fields() { return std::tuple{}; }
+};
+
+inline constexpr Rule kOutputFile{.isOutputFile = true};
+
+// Writes the view as a PNG into the output folder, with a scale bar and an orientation marker if asked for.
+// Does not change the document.
+struct SavePicture {
+    static constexpr About kAbout{VS_TEXT("library", "picture"), Effect::Writes, "writes the view as PNG"};
+
+    std::string file;
+    glm::ivec2 size{1230, 870};
+    int samples = 8;
+    render::Background background = {};
+    bool annotations = false;
+
+    static constexpr auto fields() {
+        return std::tuple{required("file", &SavePicture::file, kOutputFile),
+                          written("size", &SavePicture::size, kPictureSize),
+                          written("samples", &SavePicture::samples, {.least = 1, .most = 256}, "a pixel"),
+                          written("background", &SavePicture::background),
+                          written("annotations", &SavePicture::annotations)};
+    }
+};
+
+// Writes the segments as a label map (uint8, numbered in the order they were made, 0 = none) into the output
+// folder.
+struct SaveLabels {
+    static constexpr About kAbout{
+        VS_TEXT("library", "labels"), Effect::Writes,
+        "writes the segments as a label map (uint8, numbered in the order they were made)"};
+
+    std::string file;
+
+    static constexpr auto fields() { return std::tuple{required("file", &SaveLabels::file, kOutputFile)}; }
+};
+
+// Writes the sculpture volume (float, 0 untouched .. 1 cut away) into the output folder.
+struct SaveSculpture {
+    static constexpr About kAbout{VS_TEXT("library", "sculpture"), Effect::Writes,
+                                  "writes the sculpture volume (float, 0 untouched to 1 cut away)"};
+
+    std::string file;
+
+    static constexpr auto fields() { return std::tuple{required("file", &SaveSculpture::file, kOutputFile)}; }
+};
+
+} // namespace vs::studio

@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "base/phrase.h"
+#include "field/scene.h"
+#include "render/camera/placement.h"
+#include "render/colours/transfer_function.h"
+#include "render/rays/ray_caster.h"
+#include "studio/operations/description.h"
+
+#include <optional>
+#include <vector>
+
+namespace vs::studio {
+
+// How the document is looked at. Not an edit, but edits are drawn on a view, so sessions keep it.
+struct View {
+    render::Camera camera;
+    render::Mode mode = render::Mode::Surface;
+    Range range; // displayed range, in the volume's unit
+    field::SculptureView sculptureView = field::SculptureView::Cut;
+    // Colours every mode; nothing: ivory surfaces and white rays, and in volume mode one made from the
+    // displayed range.
+    std::optional<render::TransferFunction> transferFunction = {};
+    // Where copies of what was cut out are drawn too. They can be looked at; pens go through them.
+    std::vector<render::Placement> pasted = {};
+    field::Sampling sampling = field::Sampling::Trilinear;
+    bool shadows = false; // ambient occlusion and soft shadows
+    // In MIP, X-ray and overlay: values above the displayed range are hidden instead of counting as its end.
+    bool hidesAbove = false;
+    // The Gaussian that the values are smoothed by before surfaces are looked for: sigma in steps, 0 for
+    // none. In surface and segment mode, for pictures and picking; what cut faces show stays as it is.
+    double surfaceSmoothing = 0;
+    bool tintsSegments = false; // in MIP and X-ray: what is in a visible segment has its colour
+
+    // Values above the displayed range are visible too: in MIP, X-ray and overlay, unless they are hidden.
+    [[nodiscard]] bool showsAbove() const;
+    // What of a volume's values, which go from data.lo to data.hi, is visible: the displayed range, up to the
+    // greatest value where those above it are visible too. Seeds, tools and growth go by it.
+    [[nodiscard]] Range visibleRange(const Range& data) const;
+
+    bool operator==(const View&) const = default;
+};
+
+inline constexpr double kMostSurfaceSmoothing = 2; // steps
+inline constexpr Rule kSurfaceSmoothing{.least = 0, .most = kMostSurfaceSmoothing, .unit = "steps"};
+inline constexpr Rule kPlacements{.mostCount = 16};
+
+// Looks from elsewhere, at another range, in another mode. What is not set stays.
+struct SetView {
+    static constexpr About kAbout{VS_TEXT("library", "view"), Effect::Looks,
+                                  "looks from elsewhere; what is not given stays"};
+
+    std::optional<render::Camera> camera;
+    std::optional<render::Mode> mode;
+    std::optional<Range> range;
+    std::optional<field::SculptureView> sculptureView;
+    // Set to nothing: without one.
+    std::optional<std::optional<render::TransferFunction>> transferFunction = {};
+    std::optional<std::vector<render::Placement>> pasted = {};
+    std::optional<field::Sampling> sampling = {};
+    std::optional<bool> shadows = {};
+    std::optional<bool> hidesAbove = {};
+    std::optional<double> surfaceSmoothing = {};
+    std::optional<bool> tintsSegments = {};
+
+    static constexpr auto fields() {
+        return std::tuple{sparse("camera", &SetView::camera),
+                          sparse("mode", &SetView::mode),
+                          sparse("range", &SetView::range),
+                          sparse("sculptureView", &SetView::sculptureView),
+                          sparse("transferFunction", &SetView::transferFunction, {.mayBeNull = true}),
+                          sparse("pasted", &SetView::pasted, kPlacements),
+                          sparse("sampling", &SetView::sampling),
+                          sparse("shadows", &SetView::shadows),
+                          sparse("hideAbove", &SetView::hidesAbove),
+                          sparse("smoothSurface", &SetView::surfaceSmoothing, kSurfaceSmoothing),
+                          sparse("tintSegments", &SetView::tintsSegments)};
+    }
+};
+// The whole of a view.
+SetView lookAs(const View& view);
+
+template <>
+struct Description<render::Camera> {
+    static constexpr bool isElsewhere = true;
+    static constexpr const char* name() { return "camera"; }
+    static constexpr auto fields() {
+        using render::Camera;
+        return std::tuple{written("azimuth", &Camera::azimuthDegrees, {.unit = "degrees"},
+                                  "positive moves the viewer left"),
+                          written("elevation", &Camera::elevationDegrees, {.unit = "degrees"},
+                                  "positive moves the viewer up"),
+                          written("roll", &Camera::rollDegrees, {.unit = "degrees"},
+                                  "positive turns the picture clockwise"),
+                          written("zoom", &Camera::zoom, {.least = 1e-3, .most = 1e3}, "1 frames the volume"),
+                          written("pan", &Camera::panMm, {.unit = "mm"}),
+                          written("projection", &Camera::projection)};
+    }
+};
+
+template <>
+struct Description<render::Placement> {
+    static constexpr bool isElsewhere = true;
+    static constexpr const char* name() { return "placement"; }
+    static constexpr auto fields() {
+        using render::Placement;
+        return std::tuple{written("move", &Placement::moveMm, {.least = -1e6, .most = 1e6, .unit = "mm"},
+                                  "towards the patient's left, back and head"),
+                          written("turn", &Placement::turnDegrees,
+                                  {.least = -360, .most = 360, .unit = "degrees"},
+                                  "about the axis that it points along"),
+                          written("scale", &Placement::scale, {.least = 0.01, .most = 100})};
+    }
+};
+
+} // namespace vs::studio

@@ -16,7 +16,7 @@ namespace {
 
 using Kind = EditSegment::Kind;
 
-std::string quoted(const std::string& segment) { return "'" + segment + "'"; }
+std::string inQuotes(const std::string& segment) { return "'" + segment + "'"; }
 
 bool needsVoxel(Kind kind) { return kind == Kind::KeepIsland || kind == Kind::DropIsland; }
 bool needsOther(Kind kind) {
@@ -114,8 +114,8 @@ Outcome Document::Impl::run(UseSegment& op, const std::filesystem::path&) {
     return {{},
             0,
             0,
-            op.goesToWork ? say(VS_TEXT("library", "at work on %1"), quoted(segments.working().name))
-                          : say(VS_TEXT("library", "%1 changed"), quoted(op.name.value_or(op.segment)))};
+            op.goesToWork ? say(VS_TEXT("library", "at work on %1"), inQuotes(segments.working().name))
+                          : say(VS_TEXT("library", "%1 changed"), inQuotes(op.name.value_or(op.segment)))};
 }
 
 void Document::Impl::perform(const RemoveSegment& op, Region::Records& records) {
@@ -135,7 +135,7 @@ void Document::Impl::perform(const RemoveSegment& op, Region::Records& records) 
 
 Outcome Document::Impl::run(RemoveSegment& op, const std::filesystem::path&) {
     change(op);
-    return {{}, 0, 0, say("%1", quoted(op.segment))};
+    return {{}, 0, 0, say("%1", inQuotes(op.segment))};
 }
 
 std::function<bool(glm::ivec3)> Document::Impl::lockedVoxels() const {

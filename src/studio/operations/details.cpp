@@ -18,7 +18,7 @@ std::vector<Phrase> withRestore(const Cut& cut, std::vector<Phrase> said = {}) {
     return said;
 }
 
-Phrase quoted(const std::string& segment) { return {VS_TEXT("library", "“%1”"), {segment}}; }
+Phrase inQuotes(const std::string& segment) { return {VS_TEXT("library", "“%1”"), {segment}}; }
 
 Phrase generationsSaid(int count) {
     return count == 1 ? Phrase{VS_TEXT("library", "one generation")}
@@ -52,9 +52,9 @@ std::vector<Phrase> Rewind::details() const { return {generationsSaid(generation
 
 std::vector<Phrase> ShowGeneration::details() const { return {{"%1", {std::to_string(generation)}}}; }
 
-std::vector<Phrase> UseSegment::details() const { return {quoted(name.value_or(segment))}; }
+std::vector<Phrase> UseSegment::details() const { return {inQuotes(name.value_or(segment))}; }
 
-std::vector<Phrase> RemoveSegment::details() const { return {quoted(segment)}; }
+std::vector<Phrase> RemoveSegment::details() const { return {inQuotes(segment)}; }
 
 std::vector<Phrase> EditSegment::details() const { return {{nameOf(kind)}}; }
 

@@ -495,6 +495,10 @@
         <source>away</source>
         <translation>weg</translation>
     </message>
+    <message>
+        <source>note</source>
+        <translation>Notiz</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop</name>
@@ -3428,6 +3432,26 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
     <message>
         <source>Click corner after corner; Enter, a double click or the first corner ends it</source>
         <translation>Ecke um Ecke klicken; Enter, ein Doppelklick oder die erste Ecke beendet ihn</translation>
+    </message>
+    <message>
+        <source>Note…</source>
+        <translation>Notiz …</translation>
+    </message>
+    <message>
+        <source>Write a line into the history: why something was done, what to look at</source>
+        <translation>Eine Zeile in den Verlauf schreiben: warum etwas getan wurde, worauf zu achten ist</translation>
+    </message>
+    <message>
+        <source>Ctrl+N</source>
+        <translation>Ctrl+N</translation>
+    </message>
+    <message>
+        <source>Note</source>
+        <translation>Notiz</translation>
+    </message>
+    <message>
+        <source>A line for the history:</source>
+        <translation>Eine Zeile für den Verlauf:</translation>
     </message>
 </context>
 <context>

@@ -4,6 +4,7 @@ shortcut sheet is complete, and preferences count at once and are kept."""
 
 import argparse
 import configparser
+import json
 import sys
 
 from driver import need, run_test, start
@@ -64,6 +65,23 @@ def travel(studio, folder, vstudio):
                                   "--mean", 0.01).strip())
 
 
+def note(studio, text):
+    """Writes a line into the history, which becomes a step of its own."""
+    steps = studio.state()["stepsDone"]
+    studio.key("ctrl+n")
+    studio.wait("the question for a note", lambda s: "note" in s["windows"])
+    studio.focus("note")
+    studio.type(text)
+    studio.key("Return")
+    studio.wait("the note", lambda s: "note" not in s["windows"] and s["stepsDone"] == steps + 1)
+    studio.focus()
+
+
+def need_note(session, text):
+    operations = json.loads(session.read_text())["operations"]
+    need({"op": "note", "text": text} in operations, f"the session has no note '{text}'")
+
+
 def shortcuts(studio):
     studio.key("F1")
     state = studio.wait("the shortcuts", lambda s: "shortcutSheet" in s["widgets"])
@@ -99,9 +117,11 @@ def main(display, arguments, folder):
     studio.wait_idle("the volume", lambda s: s["pictureComplete"])
     studio.move(studio.view_point(0.5, 0.5))
     travel(studio, folder, arguments.vstudio)
+    note(studio, "two cuts are enough")
     studio.key("ctrl+s")
     studio.type_path("saveDialog", folder / "session.json")
     studio.wait_idle("the session", lambda s: "session.json" in s["message"])
+    need_note(folder / "session.json", "two cuts are enough")
     shortcuts(studio)
     preferences(studio, folder)
     state = studio.state()

@@ -11,6 +11,7 @@
 
 #include <functional>
 #include <optional>
+#include <string>
 #include <vector>
 
 class QDockWidget;
@@ -68,6 +69,7 @@ private:
     void makeLookActions();
     void makeGrowthActions();
     void showExport();
+    void askForNote();
 
     // main_window_tools.cpp
     void makeToolActions();
@@ -87,6 +89,7 @@ private:
 
     // main_window_bars.cpp
     void makeMenus();
+    std::vector<std::string> toolNames();
     void makeToolBars();
     void fitToolBar(int width);
     void makeToolColumn();

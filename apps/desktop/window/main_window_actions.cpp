@@ -13,6 +13,7 @@
 #include "window/main_window.h"
 
 #include <QActionGroup>
+#include <QInputDialog>
 
 namespace vs::desktop {
 
@@ -66,10 +67,30 @@ void MainWindow::makeEditActions() {
     connect(history, &QAction::triggered, history_, &QWidget::setVisible);
     connect(history_, &QDockWidget::visibilityChanged, this,
             [this, history] { history->setChecked(!history_->isHidden()); });
+    actions_->add({"addNote", "freeform", tr("Note\u2026"),
+                   tr("Write a line into the history: why something was done, what to look at"), tr("Ctrl+N"),
+                   [this] { askForNote(); }});
     actions_->add(
         {"unCut", "uncut", tr("Un-Cut"), tr("Clear all cuts"), tr("Ctrl+Shift+U"), apply(studio::UnCut{})});
     actions_->add({"reSeed", "reseed", tr("Re-Seed"), tr("Clear the segmentation"), tr("Ctrl+Shift+R"),
                    apply(studio::ReSeed{}), [this] { return hasVoxels(); }});
+}
+
+void MainWindow::askForNote() {
+    auto* dialog = new QInputDialog(this);
+    dialog->setObjectName("note");
+    dialog->setAttribute(Qt::WA_DeleteOnClose);
+    dialog->setWindowTitle(tr("Note"));
+    dialog->setLabelText(tr("A line for the history:"));
+    const auto add = [this](const QString& text) {
+        constexpr int mostBytes = 4; // of a character in UTF-8
+        const QString line = text.simplified().left(studio::kMostNote / mostBytes);
+        if (!line.isEmpty()) {
+            studio_.editor().apply(studio::Note{line.toStdString()});
+        }
+    };
+    connect(dialog, &QInputDialog::textValueSelected, this, add, Qt::QueuedConnection);
+    dialog->open();
 }
 
 void MainWindow::makeViewActions() {

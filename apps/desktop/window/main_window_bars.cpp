@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "model/hand/tool.h"
 #include "panels/history_panel.h"
+#include "panels/tool_rows.h"
 #include "parts/panel_parts.h"
 #include "window/action_table.h"
 #include "window/main_window.h"
@@ -12,13 +14,41 @@
 #include <QToolBar>
 #include <QToolButton>
 
+#include <map>
+
 namespace vs::desktop {
 
+namespace {
+
+std::string nameOfAction(const ToolRow& row) { return row.tool.name().toStdString() + "Tool"; }
+
+} // namespace
+
+// The names of the tools' actions, of the reversed sign after those that cut, and of the shapes.
+std::vector<std::string> MainWindow::toolNames() {
+    std::vector<std::string> names;
+    auto group = ToolRow::Group::Looks;
+    for (const ToolRow& row : toolRows(tools_)) {
+        if (row.group != group) {
+            if (group == ToolRow::Group::Cuts) {
+                names.emplace_back("restore");
+            }
+            names.emplace_back("-");
+            group = row.group;
+        }
+        names.push_back(nameOfAction(row));
+    }
+    for (const char* name : {"-", "freeForm", "ellipse", "circle", "rectangle", "polyline", "stencil"}) {
+        names.emplace_back(name);
+    }
+    return names;
+}
+
 void MainWindow::makeMenus() {
-    const auto menu = [this](const QString& title, std::initializer_list<const char*> names) {
+    const auto menu = [this](const QString& title, const std::vector<std::string>& names) {
         auto* list = menuBar()->addMenu(title);
-        for (const char* name : names) {
-            if (*name == '-') {
+        for (const std::string& name : names) {
+            if (name == "-") {
                 list->addSeparator();
             } else {
                 list->QWidget::addAction(actions_->find(name));
@@ -27,17 +57,14 @@ void MainWindow::makeMenus() {
     };
     menu(tr("&File"), {"open", "openFolder", "openLabels", "startScreen", "-", "saveSession", "exportLabels",
                        "export", "screenshot", "exportPicture", "copyPicture", "-", "quit"});
-    menu(tr("&Edit"), {"undo", "redo", "showHistory", "-", "paste", "moveTool", "-", "unCut", "reSeed", "-",
-                       "clearSketch", "-", "preferences"});
+    menu(tr("&Edit"), {"undo", "redo", "showHistory", "addNote", "-", "paste", "moveTool", "-", "unCut",
+                       "reSeed", "-", "clearSketch", "-", "preferences"});
     menu(tr("&View"), {"resetView", "-", "mode.surface", "mode.mip", "mode.xray", "mode.overlay",
                        "mode.segment", "mode.volume", "-", "viewCut", "viewProbe", "viewWhole", "-",
                        "hideAbove", "tintSegments", "-", "smoothSampling", "shadows", "annotations"});
     makeSliceMenu();
     makeColourMenu();
-    menu(tr("&Tools"), {"cameraTool",   "-",         "peelTool",  "drillTool",   "laserTool", "sweepTool",
-                        "scissorsTool", "keepTool",  "clipTool",  "restore",     "-",         "seedTool",
-                        "islandTool",   "paintTool", "moveTool",  "measureTool", "-",         "freeForm",
-                        "ellipse",      "circle",    "rectangle", "polyline",    "stencil"});
+    menu(tr("&Tools"), toolNames());
     menu(tr("&Segmentation"), {"addSegment", "islandTool", "paintTool", "-", "playPause", "growBackwardKey",
                                "growStepKey", "growBackKey", "growToEndKey"});
     menu(tr("&Help"), {"shortcuts", "about"});
@@ -95,11 +122,17 @@ void MainWindow::makeToolColumn() {
     dock->setFeatures(QDockWidget::NoDockWidgetFeatures);
     dock->setTitleBarWidget(new QWidget(dock)); // none
     auto* column = new ToolColumn;
-    for (const char* name :
-         {"cameraTool", "seedTool", "peelTool",   "drillTool", "laserTool",   "sweepTool", "scissorsTool",
-          "clipTool",   "keepTool", "islandTool", "paintTool", "measureTool", "restore",   "-",
-          "freeForm",   "ellipse",  "circle",     "rectangle", "polyline",    "stencil",   "clearSketch",
-          "-",          "paste",    "moveTool",   "-",         "unCut",       "reSeed"}) {
+    std::map<int, std::string> byPlace;
+    for (const ToolRow& row : toolRows(tools_)) {
+        if (row.button > 0) {
+            byPlace[row.button] = nameOfAction(row);
+        }
+    }
+    for (const auto& [place, name] : byPlace) {
+        column->add(actions_->find(name));
+    }
+    for (const char* name : {"restore", "-", "freeForm", "ellipse", "circle", "rectangle", "polyline",
+                             "stencil", "clearSketch", "-", "paste", "moveTool", "-", "unCut", "reSeed"}) {
         if (*name == '-') {
             column->addSeparator();
         } else {

@@ -141,7 +141,7 @@ Outcome Document::apply(const Operation& operation, const std::filesystem::path&
     return outcome;
 }
 
-void Document::note(const Operation& operation) {
+void Document::logOutput(const Operation& operation) {
     VS_CHECK(isOutput(operation));
     impl_->record(operation);
 }

@@ -67,7 +67,7 @@ public:
 
     // Appends an operation that only writes a file (isOutput) to the log without writing it again: a session
     // that is opened in the window keeps what it asks for.
-    void note(const Operation& operation);
+    void logOutput(const Operation& operation);
 
     // Changes the view without logging; used while the view is being dragged. The next apply() logs it first.
     void look(const View& view);

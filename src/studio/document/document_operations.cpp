@@ -118,6 +118,13 @@ Region::Records Document::Impl::repeat(const Operation& operation) {
     return records;
 }
 
+// --- remarks
+
+Outcome Document::Impl::run(Note& op, const std::filesystem::path&) {
+    remember(op, {}, {});
+    return {{}, 0, 0, say("%1", op.text)};
+}
+
 // --- saving
 
 Outcome Document::Impl::run(SavePicture& op, const std::filesystem::path& folder) {

@@ -51,6 +51,7 @@ struct Document::Impl {
     Outcome run(Redo& op, const std::filesystem::path& folder);
     Outcome run(UnCut& op, const std::filesystem::path& folder);
     Outcome run(ReSeed& op, const std::filesystem::path& folder);
+    Outcome run(Note& op, const std::filesystem::path& folder);
     Outcome run(SavePicture& op, const std::filesystem::path& folder);
     Outcome run(SaveLabels& op, const std::filesystem::path& folder);
     Outcome run(SaveSculpture& op, const std::filesystem::path& folder);

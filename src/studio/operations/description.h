@@ -151,6 +151,7 @@ enum class Effect {
     Parts,      // places pasted parts
     Segments,   // changes segments, or what they may grow into
     Travels,    // goes back and forward in the history
+    Remarks,    // changes nothing that can be seen: stands in the history to be read
     Writes      // writes a file
 };
 

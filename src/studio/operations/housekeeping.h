@@ -4,9 +4,11 @@
 #include "render/marks/background.h"
 #include "studio/operations/drawing.h"
 
+#include <variant>
+
 namespace vs::studio {
 
-// The operations that go through the history, and those that write what there is into files.
+// The operations that go through the history, remark on it, and write what there is into files.
 
 struct Undo {
     static constexpr About kAbout{VS_TEXT("library", "undo"), Effect::Travels, "one edit back"};
@@ -23,6 +25,22 @@ struct UnCut {
     static constexpr About kAbout{VS_TEXT("library", "un-cut"), Effect::ClearsCuts, "clears all cuts",
                                   "uncut"};
     static constexpr auto fields() { return std::tuple{}; }
+};
+
+inline constexpr int kMostNote = 1000; // bytes of UTF-8
+
+// A line of text for those who read the history: why something was done, what to look at. Changes nothing
+// else.
+struct Note {
+    static constexpr About kAbout{VS_TEXT("library", "note"), Effect::Remarks,
+                                  "stands in the history to be read; changes nothing"};
+
+    std::string text;
+
+    static constexpr auto fields() {
+        return std::tuple{required("text", &Note::text, {.leastCount = 1, .mostCount = kMostNote})};
+    }
+    [[nodiscard]] std::vector<Phrase> details() const { return {{"%1", {text}}}; }
 };
 
 inline constexpr Rule kOutputFile{.isOutputFile = true};
@@ -68,5 +86,7 @@ struct SaveSculpture {
 
     static constexpr auto fields() { return std::tuple{required("file", &SaveSculpture::file, kOutputFile)}; }
 };
+
+using HousekeepingOperations = std::variant<Undo, Redo, UnCut, Note, SavePicture, SaveLabels, SaveSculpture>;
 
 } // namespace vs::studio

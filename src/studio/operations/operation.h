@@ -10,12 +10,20 @@
 
 namespace vs::studio {
 
+template <typename... Variants>
+struct JoinedVariants;
+template <typename... A>
+struct JoinedVariants<std::variant<A...>> {
+    using Type = std::variant<A...>;
+};
+template <typename... A, typename... B, typename... More>
+struct JoinedVariants<std::variant<A...>, std::variant<B...>, More...>
+    : JoinedVariants<std::variant<A..., B...>, More...> {};
+
 // The operations: one document change each, as values. The window, the command line and a replayed session
 // all make these, and nothing else changes a document. doc/contributing.md says how to add one.
-using Operation = std::variant<SetView, Peel, Drill, Laser, Sweep, Scissors, Clip, KeepConnected, Paste,
-                               MovePart, Seed, Grow, Rewind, ShowGeneration, SetGrowthRules, Absorb,
-                               UseSegment, LoadLabels, RemoveSegment, EditSegment, BrushSegment, PaintSegment,
-                               CutSegment, Undo, Redo, UnCut, ReSeed, SavePicture, SaveLabels, SaveSculpture>;
+using Operation = JoinedVariants<std::variant<SetView>, SculptingOperations, SweepingOperations,
+                                 SegmentingOperations, HousekeepingOperations>::Type;
 
 // What an operation is called, what it does, and its icon.
 const About& about(const Operation& operation);

@@ -4,6 +4,8 @@
 #include "sculpt/surface/stroke.h"
 #include "studio/operations/drawing.h"
 
+#include <variant>
+
 namespace vs::studio {
 
 // The operations that cut the sculpture, restore it, or place what was cut out. A canvas that is not set
@@ -222,5 +224,7 @@ struct MovePart {
     }
     [[nodiscard]] std::vector<Phrase> details() const;
 };
+
+using SculptingOperations = std::variant<Peel, Drill, Laser, Scissors, Clip, KeepConnected, Paste, MovePart>;
 
 } // namespace vs::studio

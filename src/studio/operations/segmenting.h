@@ -322,4 +322,8 @@ struct ReSeed {
     static constexpr auto fields() { return std::tuple{}; }
 };
 
+using SegmentingOperations =
+    std::variant<Seed, Grow, Rewind, ShowGeneration, SetGrowthRules, Absorb, UseSegment, LoadLabels,
+                 RemoveSegment, EditSegment, BrushSegment, PaintSegment, CutSegment, ReSeed>;
+
 } // namespace vs::studio

@@ -87,4 +87,6 @@ struct Sweep {
 };
 constexpr const auto& namesOf(Sweep::Method) { return Sweep::kMethods; }
 
+using SweepingOperations = std::variant<Sweep>;
+
 } // namespace vs::studio

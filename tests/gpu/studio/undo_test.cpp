@@ -169,6 +169,22 @@ TEST_F(UndoTest, StepsAreListedInTheirOrderWhateverOfThemHolds) {
     EXPECT_EQ(document.steps().done, 2U);
 }
 
+TEST_F(UndoTest, ANoteIsAStepThatChangesNothing) {
+    Document document(testHead());
+    document.apply(somePeel(2));
+    const Bytes cut = document.sculptureBytes();
+    const Outcome outcome = document.apply(Note{"the left side is for the second opinion"});
+    EXPECT_EQ(outcome.message.english(), "the left side is for the second opinion");
+    EXPECT_EQ(document.steps().done, 2U);
+    EXPECT_TRUE(document.sculptureBytes() == cut);
+    document.apply(Undo{});
+    EXPECT_STREQ(name(*document.lastStep()), "peel");
+    EXPECT_TRUE(document.sculptureBytes() == cut) << "only the note was taken back";
+    document.apply(Redo{});
+    EXPECT_EQ(details(*document.lastStep()).front().english(), "the left side is for the second opinion");
+    EXPECT_TRUE(document.sculptureBytes() == cut);
+}
+
 TEST_F(UndoTest, BytesAChangedVoxelStayBelowTheLimitBothWays) {
     Document document(testHead());
     for (int n = 0; n < 5; ++n) {

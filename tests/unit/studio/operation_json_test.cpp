@@ -143,6 +143,7 @@ TEST(OperationJson, EveryKindComesBackAsItWas) {
         Redo{},
         UnCut{},
         ReSeed{},
+        Note{"Left for the second opinion"},
         SavePicture{"a/b.png", {320, 200}, 2},
         SavePicture{"c.png", {320, 200}, 2, render::backgroundFromName("#FFFFFF:#C0D0E0"), true},
         SaveLabels{"l.nii.gz"},

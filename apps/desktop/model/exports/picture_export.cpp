@@ -119,7 +119,7 @@ void PictureExport::takePicture() {
     if (++done_ < pictures_) {
         startPicture();
     } else if (pictures_ == 1 && !picture_.file.empty()) {
-        studio_.host().document()->note(picture_);
+        studio_.host().document()->logOutput(picture_);
     }
 }
 

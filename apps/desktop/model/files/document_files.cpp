@@ -143,7 +143,7 @@ void DocumentFiles::replayOne() {
         // A picture or label map that the session asks for was written when it was made; opening writes
         // nothing.
         if (studio::isOutput(operation)) {
-            host_.document()->note(operation);
+            host_.document()->logOutput(operation);
         } else {
             host_.runLong([&] { host_.document()->apply(operation); }, LongWork::Input::GivesUp);
         }

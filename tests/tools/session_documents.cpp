@@ -4,7 +4,7 @@
 //
 // usage: session_documents ROOT [--fix]
 // ROOT: of the repository; with --fix the documents are brought up to date.
-#include "studio/json/session_schema.h"
+#include "session_schema.h"
 
 #include <nlohmann/json.hpp>
 

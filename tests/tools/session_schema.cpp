@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "studio/json/session_schema.h"
+#include "session_schema.h"
 
 #include "studio/json/described_json.h"
 

@@ -17,10 +17,13 @@ namespace vs::studio {
 //     struct Rewind {
 //         static constexpr About kAbout{"rewind", Effect::Segments, "plays backward"};
 //         int generations = 1;
+//         template <typename = void>
 //         static constexpr auto fields() {
 //             return std::tuple{required("generations", &Rewind::generations, kGenerations, "how many")};
 //         }
 //     };
+//
+// fields() is a template so that only the few files that use it pay for its making when they are compiled.
 
 // What a value may be. Bounds hold for every number in it: for each coordinate, for each element of a list.
 struct Rule {

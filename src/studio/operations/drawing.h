@@ -27,6 +27,7 @@ struct Sketch {
     Shape shape = Shape::FreeForm;
     std::vector<glm::dvec2> points;
 
+    template <typename = void>
     static constexpr auto fields() {
         return std::tuple{required("shape", &Sketch::shape), required("points", &Sketch::points, kPixels)};
     }
@@ -42,6 +43,7 @@ struct Canvas {
     View view;
     glm::ivec2 viewport{1230, 870}; // pixels
 
+    template <typename = void>
     static constexpr auto fields() {
         constexpr auto of = [](auto member) { return through(&Canvas::view, member); };
         return std::tuple{required("viewport", &Canvas::viewport, kPictureSize),
@@ -71,6 +73,7 @@ struct Trail {
     double radiusMm = 0;
     std::optional<int> axis = {};
 
+    template <typename = void>
     static constexpr auto fields() {
         return std::tuple{
             required("points", &Trail::points,

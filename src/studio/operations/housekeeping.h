@@ -12,19 +12,28 @@ namespace vs::studio {
 
 struct Undo {
     static constexpr About kAbout{VS_TEXT("library", "undo"), Effect::Travels, "one edit back"};
-    static constexpr auto fields() { return std::tuple{}; }
+    template <typename = void>
+    static constexpr auto fields() {
+        return std::tuple{};
+    }
 };
 
 struct Redo {
     static constexpr About kAbout{VS_TEXT("library", "redo"), Effect::Travels, "one edit forward"};
-    static constexpr auto fields() { return std::tuple{}; }
+    template <typename = void>
+    static constexpr auto fields() {
+        return std::tuple{};
+    }
 };
 
 // Clears all cuts.
 struct UnCut {
     static constexpr About kAbout{VS_TEXT("library", "un-cut"), Effect::ClearsCuts, "clears all cuts",
                                   "uncut"};
-    static constexpr auto fields() { return std::tuple{}; }
+    template <typename = void>
+    static constexpr auto fields() {
+        return std::tuple{};
+    }
 };
 
 inline constexpr int kMostNote = 1000; // bytes of UTF-8
@@ -37,6 +46,7 @@ struct Note {
 
     std::string text;
 
+    template <typename = void>
     static constexpr auto fields() {
         return std::tuple{required("text", &Note::text, {.leastCount = 1, .mostCount = kMostNote})};
     }
@@ -56,6 +66,7 @@ struct SavePicture {
     render::Background background = {};
     bool annotations = false;
 
+    template <typename = void>
     static constexpr auto fields() {
         return std::tuple{required("file", &SavePicture::file, kOutputFile),
                           written("size", &SavePicture::size, kPictureSize),
@@ -74,7 +85,10 @@ struct SaveLabels {
 
     std::string file;
 
-    static constexpr auto fields() { return std::tuple{required("file", &SaveLabels::file, kOutputFile)}; }
+    template <typename = void>
+    static constexpr auto fields() {
+        return std::tuple{required("file", &SaveLabels::file, kOutputFile)};
+    }
 };
 
 // Writes the sculpture volume (float, 0 untouched .. 1 cut away) into the output folder.
@@ -84,7 +98,10 @@ struct SaveSculpture {
 
     std::string file;
 
-    static constexpr auto fields() { return std::tuple{required("file", &SaveSculpture::file, kOutputFile)}; }
+    template <typename = void>
+    static constexpr auto fields() {
+        return std::tuple{required("file", &SaveSculpture::file, kOutputFile)};
+    }
 };
 
 using HousekeepingOperations = std::variant<Undo, Redo, UnCut, Note, SavePicture, SaveLabels, SaveSculpture>;

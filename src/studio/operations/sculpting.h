@@ -44,6 +44,7 @@ struct Peel {
     bool restores = false;
     std::optional<Canvas> canvas;
 
+    template <typename = void>
     static constexpr auto fields() {
         return std::tuple_cat(
             std::tuple{required("layers", &Peel::layers, kDepth), required("mask", &Peel::mask)},
@@ -66,6 +67,7 @@ struct PenCut {
     bool keepsDigging = false;
     std::optional<Canvas> canvas;
 
+    template <typename = void>
     static constexpr auto fields() {
         return std::tuple_cat(
             std::tuple{written("depthMax", &PenCut::depthMax, kDepth, "at full pressure"),
@@ -86,6 +88,7 @@ struct Drill : PenCut {
 
     bool followsTilt = false;
 
+    template <typename = void>
     static constexpr auto fields() {
         return std::tuple_cat(
             std::tuple{sparse("followTilt", &Drill::followsTilt, {}, "drills along the pen's tilt")},
@@ -119,6 +122,7 @@ struct Scissors {
     bool restores = false;
     std::optional<Canvas> canvas = {};
 
+    template <typename = void>
     static constexpr auto fields() {
         return std::tuple_cat(std::tuple{required("outline", &Scissors::outline),
                                          written("outside", &Scissors::cutsOutside),
@@ -149,6 +153,7 @@ struct Clip {
         glm::dvec3 point{0};
         glm::dvec3 normal{0, 0, 1};
 
+        template <typename = void>
         static constexpr auto fields() {
             return std::tuple{required("point", &Plane::point, kPlaceInMm),
                               required("normal", &Plane::normal, kPlaceInMm)};
@@ -163,6 +168,7 @@ struct Clip {
     int radius = 3;
     bool restores = false;
 
+    template <typename = void>
     static constexpr auto fields() {
         return std::tuple_cat(std::tuple{sparse("box", &Clip::box, kPlaceInVoxels),
                                          sparse("planes", &Clip::planes, {.mostCount = 24}),
@@ -187,6 +193,7 @@ struct KeepConnected {
     int connectivity = 26;
     std::optional<Canvas> canvas = {};
 
+    template <typename = void>
     static constexpr auto fields() {
         return std::tuple_cat(
             std::tuple{written("pixel", &KeepConnected::pixel, kPixels),
@@ -207,7 +214,10 @@ struct Paste {
 
     render::Placement place;
 
-    static constexpr auto fields() { return std::tuple{spread(&Paste::place)}; }
+    template <typename = void>
+    static constexpr auto fields() {
+        return std::tuple{spread(&Paste::place)};
+    }
 };
 
 // Moves, turns and scales a pasted part (counted from 0).
@@ -218,6 +228,7 @@ struct MovePart {
     int part = 0;
     render::Placement place;
 
+    template <typename = void>
     static constexpr auto fields() {
         return std::tuple{required("part", &MovePart::part, {.least = 0, .most = 15}),
                           spread(&MovePart::place)};

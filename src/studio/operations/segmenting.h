@@ -37,6 +37,7 @@ struct Seed {
     std::optional<Canvas> canvas;
     std::vector<Trail> trails = {};
 
+    template <typename = void>
     static constexpr auto fields() {
         return std::tuple{written("width", &Seed::widthPixels, kLineWidth, "of strokes that are open lines"),
                           written("connectivity", &Seed::connectivity, kConnectivity),
@@ -60,6 +61,7 @@ struct Grow {
     std::optional<int> generations = {};
     std::optional<field::SculptureView> sculptureView = {};
 
+    template <typename = void>
     static constexpr auto fields() {
         return std::tuple{sparse("generations", &Grow::generations, kGenerations),
                           sparse("sculptureView", &Grow::sculptureView)};
@@ -73,6 +75,7 @@ struct Rewind {
 
     int generations = 1;
 
+    template <typename = void>
     static constexpr auto fields() {
         return std::tuple{required("generations", &Rewind::generations, kGenerations)};
     }
@@ -87,6 +90,7 @@ struct ShowGeneration {
 
     int generation = 0;
 
+    template <typename = void>
     static constexpr auto fields() {
         return std::tuple{required("generation", &ShowGeneration::generation, kGenerations)};
     }
@@ -111,6 +115,7 @@ struct SetGrowthRules {
     std::optional<int> connectivity = {};                        // 6 or 26
     std::optional<bool> isLive = {}; // from now on new rules also take away what they do not reach
 
+    template <typename = void>
     static constexpr auto fields() {
         constexpr Rule rule{.mayBeNull = true};
         return std::tuple{sparse("range", &SetGrowthRules::range),
@@ -137,6 +142,7 @@ struct Absorb {
     std::vector<glm::ivec3> voxels = {};
     std::optional<Canvas> canvas = {};
 
+    template <typename = void>
     static constexpr auto fields() {
         return std::tuple{
             written("width", &Absorb::widthPixels, kLineWidth, "of strokes that are open lines"),
@@ -168,6 +174,7 @@ struct UseSegment {
     bool goesToWork = true;
     std::optional<bool> takesFirst = {};
 
+    template <typename = void>
     static constexpr auto fields() {
         return std::tuple{
             required("segment", &UseSegment::segment, kSegmentName),
@@ -199,6 +206,7 @@ struct LoadLabels {
     // What was read; when it is set the file is not read again. Not in files.
     std::shared_ptr<const volume::LabelMap> map = {};
 
+    template <typename = void>
     static constexpr auto fields() {
         return std::tuple{required("path", &LoadLabels::path), sparse("checksum", &LoadLabels::checksum)};
     }
@@ -210,6 +218,7 @@ struct RemoveSegment {
 
     std::string segment;
 
+    template <typename = void>
     static constexpr auto fields() {
         return std::tuple{required("segment", &RemoveSegment::segment, kSegmentName)};
     }
@@ -251,6 +260,7 @@ struct EditSegment {
     std::optional<glm::ivec3> voxel = {}; // what was found under the pixel
     std::optional<Canvas> canvas = {};
 
+    template <typename = void>
     static constexpr auto fields() {
         return std::tuple{
             required("edit", &EditSegment::kind),
@@ -275,6 +285,7 @@ struct BrushSegment {
     bool isToAdd = false;
     std::variant<Peel, Drill, Laser, Scissors> stroke;
 
+    template <typename = void>
     static constexpr auto fields() {
         return std::tuple{required("adds", &BrushSegment::isToAdd),
                           required("stroke", &BrushSegment::stroke)};
@@ -294,6 +305,7 @@ struct PaintSegment {
     Trail trail;
     std::optional<Range> range = {};
 
+    template <typename = void>
     static constexpr auto fields() {
         return std::tuple{required("adds", &PaintSegment::isToAdd), required("trail", &PaintSegment::trail),
                           sparse("range", &PaintSegment::range)};
@@ -308,6 +320,7 @@ struct CutSegment {
     bool keeps = false;
     double marginMm = 0;
 
+    template <typename = void>
     static constexpr auto fields() {
         return std::tuple{written("keeps", &CutSegment::keeps),
                           written("margin", &CutSegment::marginMm, kMillimetres)};
@@ -319,7 +332,10 @@ struct CutSegment {
 struct ReSeed {
     static constexpr About kAbout{VS_TEXT("library", "re-seed"), Effect::Segments,
                                   "empties all segments that are not locked", "reseed"};
-    static constexpr auto fields() { return std::tuple{}; }
+    template <typename = void>
+    static constexpr auto fields() {
+        return std::tuple{};
+    }
 };
 
 using SegmentingOperations =

@@ -24,6 +24,7 @@ struct SweepPath {
 
     [[nodiscard]] constexpr bool isDrawn() const { return kind == Kind::Surface || kind == Kind::ViewPlane; }
 
+    template <typename = void>
     static constexpr auto fields() {
         constexpr auto isDrawn = [](const SweepPath& path) { return path.isDrawn(); };
         constexpr auto isPlaced = [](const SweepPath& path) { return !path.isDrawn(); };
@@ -62,6 +63,7 @@ struct Sweep {
     bool restores = false;
     std::optional<Canvas> canvas = {};
 
+    template <typename = void>
     static constexpr auto fields() {
         using sculpt::MaskFilter;
         constexpr auto of = [](auto member) { return through(&Sweep::filter, member); };

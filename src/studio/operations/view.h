@@ -64,6 +64,7 @@ struct SetView {
     std::optional<double> surfaceSmoothing = {};
     std::optional<bool> tintsSegments = {};
 
+    template <typename = void>
     static constexpr auto fields() {
         return std::tuple{sparse("camera", &SetView::camera),
                           sparse("mode", &SetView::mode),
@@ -85,6 +86,7 @@ template <>
 struct Description<render::Camera> {
     static constexpr bool isElsewhere = true;
     static constexpr const char* name() { return "camera"; }
+    template <typename = void>
     static constexpr auto fields() {
         using render::Camera;
         return std::tuple{written("azimuth", &Camera::azimuthDegrees, {.unit = "degrees"},
@@ -103,6 +105,7 @@ template <>
 struct Description<render::Placement> {
     static constexpr bool isElsewhere = true;
     static constexpr const char* name() { return "placement"; }
+    template <typename = void>
     static constexpr auto fields() {
         using render::Placement;
         return std::tuple{written("move", &Placement::moveMm, {.least = -1e6, .most = 1e6, .unit = "mm"},

@@ -1,20 +1,45 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/log.h"
 
+#include <array>
 #include <cstdio>
 #include <cstdlib>
 
 namespace vs {
 
-void logNotice(std::string_view message) { fmt::print(stderr, "note: {}\n", message); }
+namespace {
 
-void logDebug(std::string_view message) {
-    static const bool enabled = [] {
-        const char* level = std::getenv("VOLUME_STUDIO_LOG");
-        return level != nullptr && std::string_view(level) == "debug";
-    }();
-    if (enabled) {
-        fmt::print(stderr, "debug: {}\n", message);
+constexpr std::array<const char*, 3> kNames{"notice", "performance", "debug"};
+constexpr std::array<const char*, 3> kBeginnings{"note", "performance", "debug"};
+
+void print(LogLevel level, std::string_view message) {
+    fmt::print(stderr, "{}: {}\n", kBeginnings[std::size_t(level)], message);
+}
+
+LogLevel chosenLevel() {
+    const char* chosen = std::getenv("VOLUME_STUDIO_LOG");
+    for (std::size_t i = 0; chosen != nullptr && i < kNames.size(); ++i) {
+        if (std::string_view(chosen) == kNames[i]) {
+            return LogLevel(i);
+        }
+    }
+    if (chosen != nullptr && *chosen != '\0') {
+        print(LogLevel::Notice,
+              fmt::format("VOLUME_STUDIO_LOG={} is not known; choose notice, performance or debug", chosen));
+    }
+    return LogLevel::Notice;
+}
+
+} // namespace
+
+bool isLogged(LogLevel level) {
+    static const LogLevel chosen = chosenLevel();
+    return level <= chosen;
+}
+
+void tell(LogLevel level, std::string_view message) {
+    if (isLogged(level)) {
+        print(level, message);
     }
 }
 

@@ -7,9 +7,18 @@
 
 namespace vs {
 
-// Messages for whoever runs the program, on standard error, one line each. Notices tell what was done with
-// unusual input; debug lines appear only when VOLUME_STUDIO_LOG=debug is set.
-void logNotice(std::string_view message);
-void logDebug(std::string_view message);
+// How much is told to whoever runs the program, on standard error, one line a message. The environment
+// variable VOLUME_STUDIO_LOG chooses it: "notice" (as without it), "performance" or "debug", each with all
+// that those before it have.
+enum class LogLevel {
+    Notice,      // what was done with unusual input
+    Performance, // what the driver says is slow
+    Debug        // whatever else the driver and the libraries that read files say
+};
+
+[[nodiscard]] bool isLogged(LogLevel level);
+// Tells it if its level is logged: "note: ...", "performance: ...", "debug: ...".
+void tell(LogLevel level, std::string_view message);
+inline void logNotice(std::string_view message) { tell(LogLevel::Notice, message); }
 
 } // namespace vs

@@ -39,29 +39,6 @@ CellRanges computeCellRanges(const Field& field) {
     gl::Program program(kShader);
     summarize(program, field.texels, {field.valueScale, field.valueOffset}, {glm::ivec3(0), cellCount},
               out.cells);
-
-    // Bricks from cells: eight cells along each axis.
-    constexpr int cellsPerBrick = kBrick / kCell;
-    out.brickDims = divideUp(dims, kBrick);
-    constexpr double inf = std::numeric_limits<double>::infinity();
-    out.bricks.assign(std::size_t(out.brickDims.x) * std::size_t(out.brickDims.y) *
-                          std::size_t(out.brickDims.z),
-                      {inf, -inf});
-    const glm::vec<3, std::size_t> brickCount(out.brickDims);
-    const auto cells = out.cells.downloadAll<glm::vec2>();
-    std::size_t i = 0;
-    for (int z = 0; z < cellCount.z; ++z) {
-        for (int y = 0; y < cellCount.y; ++y) {
-            for (int x = 0; x < cellCount.x; ++x, ++i) {
-                const glm::ivec3 b = glm::ivec3(x, y, z) / cellsPerBrick;
-                Range& brick =
-                    out.bricks[(std::size_t(b.z) * brickCount.y + std::size_t(b.y)) * brickCount.x +
-                               std::size_t(b.x)];
-                brick.lo = std::min(brick.lo, double(cells[i].x));
-                brick.hi = std::max(brick.hi, double(cells[i].y));
-            }
-        }
-    }
     return out;
 }
 

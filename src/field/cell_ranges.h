@@ -4,8 +4,6 @@
 #include "field/field.h"
 #include "gl/program.h"
 
-#include <vector>
-
 namespace vs::field {
 
 // Macrocells of 4^3 voxels. Cell c covers the voxel-space box [4c, 4c + 4] between voxel centres, so what
@@ -14,11 +12,9 @@ namespace vs::field {
 inline constexpr int kCell = 4;
 glm::ivec3 cellDims(glm::ivec3 dims);
 
-// Smallest and largest value per macrocell (RG32F, values in the field's unit) and per 32^3 brick.
+// Smallest and largest value per macrocell (RG32F, values in the field's unit).
 struct CellRanges {
     gl::Texture cells;
-    glm::ivec3 brickDims{0};
-    std::vector<Range> bricks; // x fastest
 };
 
 CellRanges computeCellRanges(const Field& field);

@@ -2,6 +2,7 @@
 #include "gl/context.h"
 
 #include "base/error.h"
+#include "base/log.h"
 #include "gl/errors.h"
 
 #include <epoxy/egl.h>
@@ -53,9 +54,14 @@ DeviceInfo describeCurrent() {
 
 void GLAPIENTRY onMessage(GLenum source, GLenum type, GLuint, GLenum, GLsizei, const GLchar* message,
                           const void* user) {
-    // What the shader compiler says is thrown by Program, with the file's name.
-    if (type == GL_DEBUG_TYPE_ERROR && source != GL_DEBUG_SOURCE_SHADER_COMPILER) {
+    if (type == GL_DEBUG_TYPE_ERROR && source == GL_DEBUG_SOURCE_SHADER_COMPILER) {
+        return; // Program throws what the shader compiler says, with the file's name
+    }
+    if (type == GL_DEBUG_TYPE_ERROR) {
         addErrorMessage(*static_cast<ErrorCount*>(const_cast<void*>(user)), message);
+    } else if (type != GL_DEBUG_TYPE_PUSH_GROUP && type != GL_DEBUG_TYPE_POP_GROUP) {
+        tell(type == GL_DEBUG_TYPE_PERFORMANCE ? LogLevel::Performance : LogLevel::Debug,
+             fmt::format("OpenGL: {}", message));
     }
 }
 

@@ -261,6 +261,12 @@ class Commands(unittest.TestCase):
         self.assertEqual(len(result.stderr.splitlines()), 1, result.stderr)
         self.assertIn("VOLUME_STUDIO_DEVICE=abc", result.stderr)
 
+    def test_a_level_of_the_log_that_is_not_known_is_said_and_harms_nothing(self):
+        result = call("render", self.raw, *self.layout, "-o", self.folder / "p.png", VOLUME_STUDIO_LOG="loud")
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("note: VOLUME_STUDIO_LOG=loud is not known; choose notice, performance or debug",
+                      result.stderr.splitlines())
+
     def test_output_that_cannot_be_printed_is_an_error(self):
         for arguments in (["info", self.raw, *self.layout], ["info", self.raw, *self.layout, "--json"], ["--help"]):
             with open("/dev/full", "w") as full:

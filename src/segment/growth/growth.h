@@ -132,12 +132,8 @@ public:
         return seedMap_.deviceBytes() + frontier_.deviceBytes() + forbidden_.size() + answers_.size();
     }
 
-    // Counts changes of what is shown. Bricks of 32^3 voxels whose shown voxels may differ from those at an
-    // earlier count.
+    // Counts changes of what is shown.
     [[nodiscard]] std::uint64_t revision() const { return seedMap_.bricks().revision(); }
-    [[nodiscard]] std::vector<std::uint32_t> bricksChangedSince(std::uint64_t revision) const {
-        return seedMap_.bricks().changedSince(revision);
-    }
 
     // Writes what is shown in some bricks into a plane of bits (laid out as in shaders/words.glsl): the
     // voxels of segments whose number in `kinds` (one for each label) is `wanted`, of the segment at work up

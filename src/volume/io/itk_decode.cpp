@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "volume/io/itk_decode.h"
 
+#include "base/log.h"
+
 #include <fmt/format.h>
 #include <gdcmTrace.h>
 #include <itkObject.h>
@@ -89,8 +91,7 @@ QuietLibraries::QuietLibraries() {
     gdcm::Trace::DebugOff();
     gdcm::Trace::WarningOff();
     gdcm::Trace::ErrorOff();
-    const char* level = std::getenv("VOLUME_STUDIO_LOG");
-    if (level == nullptr || std::strcmp(level, "debug") != 0) {
+    if (!isLogged(LogLevel::Debug)) {
         std::fflush(stdout);
         savedError_ = redirect(STDERR_FILENO);
         savedOutput_ = redirect(STDOUT_FILENO);

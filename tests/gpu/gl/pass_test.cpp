@@ -1,11 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gl/pass.h"
 
+#include "base/log.h"
 #include "gl/texture.h"
 #include "gpu/gl_test.h"
 
+#include <epoxy/gl.h>
+
+#include <cstdlib>
+
 namespace vs::gl {
 namespace {
+
+// The level is chosen when something is logged first: before the tests begin.
+const bool kIsLevelSet = setenv("VOLUME_STUDIO_LOG", "performance", 1) == 0;
 
 class PassTest : public test::GlTest {
 protected:
@@ -61,6 +69,19 @@ TEST_F(PassTest, NothingIsNotedWhileTimingIsOff) {
         Pass::enableTiming(true); // too late for the pass that is open
     }
     EXPECT_TRUE(Pass::times().empty());
+}
+
+TEST_F(PassTest, WhatTheDriverSaysIsLoggedByItsLevel) {
+    ASSERT_TRUE(kIsLevelSet && isLogged(LogLevel::Performance) && !isLogged(LogLevel::Debug));
+    testing::internal::CaptureStderr();
+    const auto say = [](GLenum type, const char* message) {
+        glDebugMessageInsert(GL_DEBUG_SOURCE_APPLICATION, type, 1, GL_DEBUG_SEVERITY_MEDIUM, -1, message);
+    };
+    say(GL_DEBUG_TYPE_PERFORMANCE, "a copy through the processor");
+    say(GL_DEBUG_TYPE_OTHER, "idle talk");
+    const std::string said = testing::internal::GetCapturedStderr();
+    EXPECT_NE(said.find("performance: OpenGL: a copy through the processor\n"), std::string::npos) << said;
+    EXPECT_EQ(said.find("idle talk"), std::string::npos) << said;
 }
 
 } // namespace

@@ -2,10 +2,10 @@
 #pragma once
 
 #include <array>
-#include <concepts>
 #include <cstddef>
 #include <optional>
 #include <string_view>
+#include <type_traits>
 
 namespace vs {
 
@@ -13,7 +13,7 @@ namespace vs {
 // namesOf(E), which gives the names as an array of texts in the enumerators' order.
 template <typename E>
 concept Named = std::is_enum_v<E> && requires(E e) {
-    { namesOf(e)[0] } -> std::convertible_to<std::string_view>;
+    std::string_view(namesOf(e)[0]);
 };
 
 template <Named E>

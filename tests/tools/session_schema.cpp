@@ -213,13 +213,16 @@ std::string inWords(const Json& schema) {
         return schema.contains("prefixItems") ? "a list of numbers" : count + inWords(items);
     }
     if (schema.contains("minimum")) {
-        return fmt::format("{}{} to {}", type == "integer" ? "whole, " : "", schema["minimum"].dump(),
-                           schema["maximum"].dump());
+        return fmt::format("{}{:.10g} to {:.10g}", type == "integer" ? "whole, " : "",
+                           schema["minimum"].get<double>(), schema["maximum"].get<double>());
     }
     return type == "boolean" ? "`true`, `false`"
            : type == "null"  ? "`null`"
            : type.is_array() ? "a text or an object"
-                             : "a " + (type == "string" ? std::string("text") : type.get<std::string>());
+           : schema.contains("maxLength")
+               ? fmt::format("a text of {} to {} characters", schema["minLength"].dump(),
+                             schema["maxLength"].dump())
+               : "a " + (type == "string" ? std::string("text") : type.get<std::string>());
 }
 
 template <typename T, typename Fields, typename Add>

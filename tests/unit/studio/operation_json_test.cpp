@@ -190,7 +190,7 @@ TEST(OperationJson, ComplaintsAboutSegmentsNameThePlace) {
     expect(R"({"op": "absorb", "expansions": 3})", "needs 'strokes' or 'voxels'");
     expect(R"({"op": "absorb", "voxels": [[1, 2]]})", "voxels[0]: must be a list of 3 numbers");
     expect(R"({"op": "segment"})", "the member 'segment' is missing");
-    expect(R"({"op": "segment", "segment": ""})", "segment: must be a name of 1 to 200 characters");
+    expect(R"({"op": "segment", "segment": ""})", "segment: must be a text of 1 to 200 characters");
     expect(R"({"op": "segment", "segment": "A", "color": [0, 0, 0]})",
            "the member 'color' is not known here; known are op, segment, name, colour, opacity, visible, "
            "locked, work, first");
@@ -207,7 +207,7 @@ TEST(OperationJson, ComplaintsAboutSegmentsNameThePlace) {
            "amount: 100000 is out of bounds; -10000 to 10000 is allowed");
     expect(R"({"op": "brush segment", "adds": true})", "the member 'stroke' is missing");
     expect(R"({"op": "brush segment", "adds": true, "stroke": {"op": "undo"}})",
-           "stroke: must be a peel, drill, laser or scissors");
+           "stroke.op: 'undo' is not known; choose one of peel, drill, laser, scissors");
     expect(R"({"op": "brush segment", "adds": true, "stroke": {"op": "peel", "layers": 1}})",
            "stroke: the member 'mask' is missing");
     expect(R"({"op": "cut segment", "keep": true})",

@@ -70,6 +70,13 @@ void listenForErrors(ErrorCount& count) {
     glEnable(GL_DEBUG_OUTPUT);
     glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
     glDebugMessageCallback(onMessage, &count);
+    // What nobody is told need not be made.
+    const auto listen = [](GLenum type, LogLevel level) {
+        glDebugMessageControl(GL_DONT_CARE, type, GL_DONT_CARE, 0, nullptr,
+                              isLogged(level) ? GL_TRUE : GL_FALSE);
+    };
+    listen(GL_DEBUG_TYPE_PERFORMANCE, LogLevel::Performance);
+    listen(GL_DEBUG_TYPE_OTHER, LogLevel::Debug);
 }
 
 // The displays that could carry a context without a window: each EGL device, then Mesa's surfaceless

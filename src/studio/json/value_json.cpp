@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/json/value_json.h"
 
+#include "base/check.h"
 #include "render/colours/transfer_function_json.h"
 
 #include <fmt/ranges.h>
@@ -28,6 +29,12 @@ std::string readOutputFile(const JsonReader& reader) {
         reader.fail("report.json is what the replay itself writes; choose another name");
     }
     return path.string();
+}
+
+// The bounds of a whole number; a rule for one that has none is a mistake in a description.
+std::pair<long, long> wholeBounds(const Rule& rule) {
+    VS_CHECK(rule.hasBounds());
+    return {long(rule.least), long(rule.most)};
 }
 
 Json numberSchema(const char* type, const Rule& rule) {
@@ -69,7 +76,8 @@ void read(const JsonReader& reader, int& value, const Rule& rule) {
         value = int(reader.indexAmong(rule.choices));
         return;
     }
-    value = int(reader.integerBetween(long(rule.least), long(rule.most)));
+    const auto [least, most] = wholeBounds(rule);
+    value = int(reader.integerBetween(least, most));
     if (!rule.among.empty() && std::find(rule.among.begin(), rule.among.end(), value) == rule.among.end()) {
         reader.fail(fmt::format("must be {}", fmt::join(rule.among, " or ")));
     }
@@ -82,7 +90,8 @@ Json schemaOf(Type<int>, const Rule& rule, Json&) {
 }
 
 void read(const JsonReader& reader, std::uint32_t& value, const Rule& rule) {
-    value = std::uint32_t(reader.integerBetween(long(rule.least), long(rule.most)));
+    const auto [least, most] = wholeBounds(rule);
+    value = std::uint32_t(reader.integerBetween(least, most));
 }
 Json write(std::uint32_t value, const Rule&) { return value; }
 Json schemaOf(Type<std::uint32_t>, const Rule& rule, Json&) { return numberSchema("integer", rule); }

@@ -38,7 +38,8 @@ struct Rule {
     bool mayBeNull = false;    // an optional value, of which null means that there is none
 
     [[nodiscard]] constexpr bool hasBounds() const {
-        return least > -std::numeric_limits<double>::infinity();
+        return least > -std::numeric_limits<double>::infinity() &&
+               most < std::numeric_limits<double>::infinity();
     }
 };
 

@@ -132,7 +132,9 @@ void read(const JsonReader& reader, std::optional<T>& value, const Rule& rule) {
     if (!isOptional<T> && rule.mayBeNull && reader.isNull()) {
         value.reset();
     } else {
-        read(reader, value.emplace(), rule);
+        T inner{};
+        read(reader, inner, rule);
+        value = std::move(inner);
     }
 }
 template <typename T>

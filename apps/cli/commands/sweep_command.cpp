@@ -10,6 +10,7 @@
 #include "sculpt/radiation/raw_radiation.h"
 #include "sculpt/radiation/sweep.h"
 #include "sculpt/sculpture/precision.h"
+#include "studio/operations/sweeping.h"
 #include "volume/io/write.h"
 
 #include <CLI/CLI.hpp>
@@ -23,10 +24,7 @@ namespace vs::cli {
 namespace {
 
 enum class Energy { Calibrated, Raw };
-constexpr std::array<const char*, 2> kEnergies{"calibrated", "raw"};
-enum class Method { Radiation, Projection };
-constexpr std::array<const char*, 2> kMethods{"radiation", "projection"};
-constexpr std::array<const char*, 2> kFrameKinds{"parallel", "frenet"};
+using Method = studio::Sweep::Method;
 
 // The command line's texts.
 struct SweepOptions {
@@ -95,9 +93,9 @@ Sweeping understand(const SweepOptions& options, const volume::Volume* clipped) 
                             : volume::makeGeometry(parseDims(options.dims), parseSpacing(options.spacing));
     sweeping.footprint = parseFootprint(options.footprint, options.radius);
     sweeping.precision = choose<sculpt::Precision>(options.precision, sculpt::kPrecisions, "--precision");
-    sweeping.energy = choose<Energy>(options.energy, kEnergies, "--energy");
-    sweeping.method = choose<Method>(options.method, kMethods, "--method");
-    const auto kind = choose<sculpt::FrameKind>(options.frame, kFrameKinds, "--frame");
+    sweeping.energy = choose<Energy>(options.energy, studio::Sweep::kEnergies, "--energy");
+    sweeping.method = choose<Method>(options.method, studio::Sweep::kMethods, "--method");
+    const auto kind = choose<sculpt::FrameKind>(options.frame, sculpt::kFrameKinds, "--frame");
     for (const std::string& path : options.paths) {
         sweeping.paths.push_back(parseSweepPath(path, kind, sweeping.geometry.spacing()));
     }

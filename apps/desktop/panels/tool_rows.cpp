@@ -20,6 +20,8 @@
 
 namespace vs::desktop {
 
+std::string ToolRow::actionName() const { return tool.name().toStdString() + "Tool"; }
+
 std::vector<ToolRow> toolRows(ToolBox& tools) {
     using Group = ToolRow::Group;
     return {

@@ -3,6 +3,7 @@
 
 #include <QString>
 
+#include <string>
 #include <vector>
 
 class QWidget;
@@ -25,6 +26,8 @@ struct ToolRow {
     QString tip;
     QString title;                                     // of its page
     QWidget* (*makePage)(StudioController&, ToolBox&); // what can be set for it
+
+    [[nodiscard]] std::string actionName() const;
 };
 
 // All tools, in the order of their pages.

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "model/hand/tool.h"
 #include "panels/history_panel.h"
 #include "panels/tool_rows.h"
 #include "parts/panel_parts.h"
@@ -18,12 +17,6 @@
 
 namespace vs::desktop {
 
-namespace {
-
-std::string nameOfAction(const ToolRow& row) { return row.tool.name().toStdString() + "Tool"; }
-
-} // namespace
-
 // The names of the tools' actions, of the reversed sign after those that cut, and of the shapes.
 std::vector<std::string> MainWindow::toolNames() {
     std::vector<std::string> names;
@@ -36,7 +29,7 @@ std::vector<std::string> MainWindow::toolNames() {
             names.emplace_back("-");
             group = row.group;
         }
-        names.push_back(nameOfAction(row));
+        names.push_back(row.actionName());
     }
     for (const char* name : {"-", "freeForm", "ellipse", "circle", "rectangle", "polyline", "stencil"}) {
         names.emplace_back(name);
@@ -125,7 +118,7 @@ void MainWindow::makeToolColumn() {
     std::map<int, std::string> byPlace;
     for (const ToolRow& row : toolRows(tools_)) {
         if (row.button > 0) {
-            byPlace[row.button] = nameOfAction(row);
+            byPlace[row.button] = row.actionName();
         }
     }
     for (const auto& [place, name] : byPlace) {

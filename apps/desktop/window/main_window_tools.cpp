@@ -15,7 +15,7 @@ void MainWindow::makeToolActions() {
     auto* tools = new QActionGroup(this);
     for (const ToolRow& row : toolRows(tools_)) {
         const QByteArray name = row.tool.name().toUtf8(); // its picture's too
-        actions_->addChoice(tools, {name.toStdString() + "Tool",
+        actions_->addChoice(tools, {row.actionName(),
                                     name.constData(),
                                     row.text,
                                     row.tip,

@@ -4,6 +4,10 @@
 #include "field/histogram.h"
 #include "render/rays/ray_caster.h"
 #include "render/space/macrocells.h"
+#include "studio/document/document_facts.h"
+#include "studio/document/live_growth.h"
+#include "studio/document/live_stroke.h"
+#include "studio/document/surface_queries.h"
 
 #include <algorithm>
 #include <limits>
@@ -39,12 +43,12 @@ void seed(studio::Document& document, glm::ivec2 size, glm::dvec2 place) {
 }
 
 void grow(studio::Document& document) {
-    if (!document.growth().hasSeeds) {
+    if (!document.facts()->growth.hasSeeds) {
         return;
     }
-    document.beginGrowth();
-    document.growFor(std::numeric_limits<double>::infinity(), kGenerations);
-    document.endGrowth();
+    document.growing().begin();
+    document.growing().growFor(std::numeric_limits<double>::infinity(), kGenerations);
+    document.growing().end();
 }
 
 void benchDrill(const BenchSettings& settings, studio::Document& document, glm::dvec2 place,
@@ -53,42 +57,43 @@ void benchDrill(const BenchSettings& settings, studio::Document& document, glm::
     const Work stamps{
         .run =
             [&](int run) {
-                document.updatePen({place + glm::dvec2(kStampWay * run, 0), 1.0});
+                document.stroke().drawAt({place + glm::dvec2(kStampWay * run, 0), 1.0});
             },
         .prepare =
             [&](int run) {
                 if (run == 0) { // every series of stamps begins on what is untouched
-                    if (document.isStrokeOpen()) {
-                        document.discardStroke();
+                    if (document.facts()->isStrokeOpen()) {
+                        document.stroke().discard();
                     }
                     studio::Drill drill;
                     drill.mask = circle(place, kMaskRadius);
                     drill.canvas = canvas;
-                    document.beginStroke(drill);
+                    document.stroke().begin(drill);
                 }
             },
     };
     results.push_back(measure("edit", "drill stamp", settings.frames, stamps));
-    document.discardStroke();
+    document.stroke().discard();
 }
 
 void benchPeel(const BenchSettings& settings, studio::Document& document, glm::dvec2 place,
                std::vector<Measurement>& results) {
     const studio::Canvas canvas{document.view(), settings.size};
     const Work stamps{
-        .run = [&](int run) { document.updatePeel(kLayersEach * (run + 1)); },
+        .run = [&](int run) { document.stroke().peelTo(kLayersEach * (run + 1)); },
         .prepare =
             [&](int run) {
                 if (run == 0) {
-                    if (document.isStrokeOpen()) {
-                        document.discardStroke();
+                    if (document.facts()->isStrokeOpen()) {
+                        document.stroke().discard();
                     }
-                    document.beginStroke(studio::Peel{circle(place, 2 * kMaskRadius), 0, 3, false, canvas});
+                    document.stroke().begin(
+                        studio::Peel{circle(place, 2 * kMaskRadius), 0, 3, false, canvas});
                 }
             },
     };
     results.push_back(measure("edit", "peel step", settings.frames, stamps));
-    document.discardStroke();
+    document.stroke().discard();
 }
 
 } // namespace
@@ -102,8 +107,9 @@ std::optional<glm::dvec2> findSurface(studio::Document& document, glm::ivec2 siz
     const auto fromMiddle = [&](glm::dvec2 p) { return glm::distance(p, 0.5 * glm::dvec2(size)); };
     std::stable_sort(places.begin(), places.end(),
                      [&](glm::dvec2 a, glm::dvec2 b) { return fromMiddle(a) < fromMiddle(b); });
-    const auto found = std::find_if(places.begin(), places.end(),
-                                    [&](glm::dvec2 p) { return document.probe(p, size).has_value(); });
+    const auto found = std::find_if(places.begin(), places.end(), [&](glm::dvec2 p) {
+        return document.surface().probe(p, size).has_value();
+    });
     return found == places.end() ? std::nullopt : std::optional(*found);
 }
 
@@ -145,7 +151,7 @@ void benchData(const BenchSettings& settings, const volume::Volume& volume, cons
 void benchMode(const BenchSettings& settings, studio::Document& document, render::Mode mode,
                std::vector<Measurement>& results) {
     const bool showsRegion = mode == render::Mode::Overlay || mode == render::Mode::Segment;
-    if (showsRegion && !document.growth().hasSeeds) {
+    if (showsRegion && !document.facts()->growth.hasSeeds) {
         aim(document, render::Mode::Surface, settings.orbit.camera(0));
         if (const auto place = findSurface(document, settings.size)) {
             seed(document, settings.size, *place);

@@ -2,6 +2,8 @@
 #include "bench/bench_strokes.h"
 
 #include "phantom/phantom.h"
+#include "studio/document/document_facts.h"
+#include "studio/document/live_stroke.h"
 
 #include <fmt/format.h>
 
@@ -21,7 +23,7 @@ void beginDrill(studio::Document& document, const studio::Sketch& mask, const st
     studio::Drill drill;
     drill.mask = mask;
     drill.canvas = canvas;
-    document.beginStroke(drill);
+    document.stroke().begin(drill);
 }
 
 // The radius in pixels of a circle whose mask is so many elements wide.
@@ -33,8 +35,8 @@ double radiusOf(double elements, const studio::Document& document, glm::ivec2 si
 
 // Whatever was drawn is gone, and what a picture needs is up to date again.
 void clearStroke(studio::Document& document, glm::ivec2 size) {
-    if (document.isStrokeOpen()) {
-        document.discardStroke();
+    if (document.facts()->isStrokeOpen()) {
+        document.stroke().discard();
         document.frame(size);
     }
 }
@@ -46,11 +48,11 @@ void benchDrillStrokes(const BenchSettings& settings, studio::Document& document
     const double radius = radiusOf(100, document, settings.size);
     const auto begin = [&] { beginDrill(document, circle(place, radius), canvas); };
     const auto stamp = [&](int n) {
-        document.updatePen({place + glm::dvec2(0.25 * radius * (4 + n % 4), 0), 1.0});
+        document.stroke().drawAt({place + glm::dvec2(0.25 * radius * (4 + n % 4), 0), 1.0});
     };
     begin();
-    document.updatePen({place, 1.0});
-    document.commitStroke();
+    document.stroke().drawAt({place, 1.0});
+    document.stroke().commit();
     document.frame(settings.size);
 
     const Work penDown{.run =
@@ -71,10 +73,10 @@ void benchDrillStrokes(const BenchSettings& settings, studio::Document& document
                           }};
     results.push_back(measure("stroke", "drill stamp", settings.frames, stamps));
     clearStroke(document, settings.size);
-    const Work penUp{.run = [&](int) { document.commitStroke(); },
+    const Work penUp{.run = [&](int) { document.stroke().commit(); },
                      .prepare =
                          [&](int run) {
-                             if (document.canUndo()) { // the stroke beside, or the last one
+                             if (document.facts()->canUndo()) { // the stroke beside, or the last one
                                  document.apply(studio::Undo{});
                              }
                              begin();
@@ -88,26 +90,27 @@ void benchPeelLayer(const BenchSettings& settings, studio::Document& document, g
                     std::vector<Measurement>& results) {
     const studio::Canvas canvas{document.view(), settings.size};
     const double radius = radiusOf(300, document, settings.size);
-    const Work layer{.run =
-                         [&](int) {
-                             document.beginStroke(studio::Peel{circle(place, radius), 0, 3, false, canvas});
-                             document.updatePeel(1);
-                         },
-                     .prepare = [&](int) { clearStroke(document, settings.size); }};
+    const Work layer{
+        .run =
+            [&](int) {
+                document.stroke().begin(studio::Peel{circle(place, radius), 0, 3, false, canvas});
+                document.stroke().peelTo(1);
+            },
+        .prepare = [&](int) { clearStroke(document, settings.size); }};
     results.push_back(measure("stroke", "peel, first layer", settings.frames, layer));
-    document.discardStroke();
+    document.stroke().discard();
 }
 
 void benchPeelDrag(const BenchSettings& settings, studio::Document& document, glm::dvec2 place,
                    std::vector<Measurement>& results) {
     const studio::Canvas canvas{document.view(), settings.size};
     constexpr int updates = 40;
-    document.beginStroke(studio::Peel{circle(place, 150), 0, 3, false, canvas});
-    const Work down{.run = [&](int run) { document.updatePeel(0.1 + 0.5 * run); }};
+    document.stroke().begin(studio::Peel{circle(place, 150), 0, 3, false, canvas});
+    const Work down{.run = [&](int run) { document.stroke().peelTo(0.1 + 0.5 * run); }};
     results.push_back(measure("stroke", "peel, drawn down", updates, down));
-    const Work up{.run = [&](int run) { document.updatePeel(0.1 + 0.5 * (updates - 1 - run)); }};
+    const Work up{.run = [&](int run) { document.stroke().peelTo(0.1 + 0.5 * (updates - 1 - run)); }};
     results.push_back(measure("stroke", "peel, drawn up", updates, up));
-    document.discardStroke();
+    document.stroke().discard();
 }
 
 } // namespace

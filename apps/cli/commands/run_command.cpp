@@ -137,7 +137,7 @@ void runSession(const RunOptions& options) {
         report.fail(error.what());
         throw;
     }
-    report.complete(document.undoStatistics());
+    report.complete(document.history().statistics());
     fmt::print("{}: {} operations on {}; results in {}\n", options.session, session.operations.size(),
                volumeName, folder.string());
 }

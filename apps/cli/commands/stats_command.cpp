@@ -14,6 +14,7 @@
 #include "segment/measures/statistics.h"
 #include "studio/document/document.h"
 #include "studio/json/session.h"
+#include "studio/state/region.h"
 
 #include <algorithm>
 #include <memory>
@@ -61,7 +62,7 @@ std::vector<MeasuredSegment> measureSession(const StatsOptions& options) {
     }
     const auto& infos = document.segments().segments;
     std::vector<MeasuredSegment> segments;
-    for (const auto& statistics : segment::measure(document.volume(), document.labelMap())) {
+    for (const auto& statistics : segment::measure(document.volume(), document.region().labelMap())) {
         const auto info = std::find_if(infos.begin(), infos.end(), [&](const studio::SegmentInfo& segment) {
             return segment.label == statistics.label;
         });

@@ -9,6 +9,7 @@
 #include "panels/histogram_view.h"
 #include "parts/fold_card.h"
 #include "parts/panel_parts.h"
+#include "studio/document/document_facts.h"
 
 #include <QCheckBox>
 #include <QGridLayout>
@@ -210,12 +211,11 @@ void GrowthRulesPanel::takeRow(const Row& row) {
 }
 
 void GrowthRulesPanel::refresh() {
-    const auto* document = studio_.host().document();
-    if (document == nullptr || studio_.growth().areRulesPending()) {
+    if (studio_.host().geometry() == nullptr || studio_.growth().areRulesPending()) {
         return;
     }
     isShowing_ = true;
-    const auto rules = document->growthRules();
+    const auto rules = studio_.host().facts()->rules;
     const Range range = studio_.growth().range();
     histogram_->setRange(range);
     lo_->setValue(range.lo);

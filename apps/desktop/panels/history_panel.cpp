@@ -6,6 +6,7 @@
 #include "parts/icons.h"
 #include "parts/panel_parts.h"
 #include "parts/theme.h"
+#include "studio/document/document_facts.h"
 
 #include <QEvent>
 #include <QListWidget>
@@ -32,8 +33,7 @@ HistoryPanel::HistoryPanel(StudioController& studio)
     });
     connect(&studio_.host(), &DocumentHost::closed, list_, &QListWidget::clear);
     connect(&studio_.host(), &DocumentHost::changed, this, [this] {
-        const auto* document = studio_.host().document();
-        if (document != nullptr && document->log().size() != seenOperations_) {
+        if (studio_.host().facts()->logged != seenOperations_) {
             refresh();
         }
     });
@@ -52,12 +52,12 @@ void HistoryPanel::changeEvent(QEvent* event) {
 }
 
 void HistoryPanel::refresh() {
-    const auto* document = studio_.host().document();
-    if (document == nullptr || !isVisible() || studio_.host().isReplaying()) {
+    if (studio_.host().geometry() == nullptr || !isVisible() || studio_.host().isReplaying()) {
         return; // looked at again when it is shown, or when the last operation is replayed
     }
-    seenOperations_ = document->log().size();
-    const auto steps = document->steps();
+    const auto facts = studio_.host().facts();
+    seenOperations_ = facts->logged;
+    const studio::Steps& steps = *facts->steps;
     list_->clear();
     addRow("open", tr("Opened"), true);
     for (std::size_t n = 0; n < steps.operations.size(); ++n) {

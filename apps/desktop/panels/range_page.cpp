@@ -4,6 +4,7 @@
 #include "model/studio/studio_controller.h"
 #include "panels/histogram_view.h"
 #include "parts/panel_parts.h"
+#include "studio/document/document_facts.h"
 
 #include <QHBoxLayout>
 #include <QSignalBlocker>
@@ -174,7 +175,7 @@ void RangePage::countVisible() {
     if (document == nullptr) {
         return;
     }
-    if (!studio_.isIdle() || document->isStrokeOpen()) {
+    if (!studio_.isIdle() || studio_.host().facts()->isStrokeOpen()) {
         countTimer_.start(kRestMs);
         return;
     }

@@ -15,6 +15,7 @@
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/log.h"
+#include "studio/document/document_facts.h"
 
 #include <nlohmann/json.hpp>
 
@@ -104,17 +105,17 @@ LayoutReporter::LayoutReporter(StudioController& studio, ToolBox& tools, QWidget
 }
 
 nlohmann::json LayoutReporter::documentReport() const {
-    const auto* document = studio_.host().document();
+    const auto facts = studio_.host().facts();
     const auto status = studio_.growth().status();
     return {{"generation", status.generation},
             {"extent", status.extent},
             {"voxels", status.voxels},
             {"segments", listOf(studio_.segments())},
-            {"operations", document != nullptr ? document->log().size() : 0},
-            {"steps", document != nullptr ? document->steps().operations.size() : 0},
-            {"stepsDone", document != nullptr ? document->steps().done : 0},
-            {"canUndo", document != nullptr && document->canUndo()},
-            {"canRedo", document != nullptr && document->canRedo()},
+            {"operations", facts->logged},
+            {"steps", facts->steps->operations.size()},
+            {"stepsDone", facts->steps->done},
+            {"canUndo", facts->canUndo()},
+            {"canRedo", facts->canRedo()},
             {"unsaved", studio_.files().hasUnsavedEdits()},
             {"pictureComplete", studio_.picture().isComplete()},
             {"handles", handlesOnScreen(view_, tools_.get<MoveTool>())},

@@ -3,6 +3,8 @@
 
 #include "model/hand/world_lines.h"
 #include "model/studio/studio_controller.h"
+#include "studio/document/document_facts.h"
+#include "studio/document/live_stroke.h"
 #include "tools/camera_tool.h"
 
 #include <algorithm>
@@ -187,7 +189,7 @@ bool ClipTool::open() {
     begun_.radius = radius();
     begun_.restores = restores();
     isOpen_ =
-        isBack && studio_.editor().beginStroke([&](auto& open, const auto&) { open.beginStroke(begun_); });
+        isBack && studio_.editor().beginStroke([&](auto& open, const auto&) { open.stroke().begin(begun_); });
     return isOpen_;
 }
 
@@ -195,7 +197,7 @@ void ClipTool::advance() {
     if (isOpen_ && isStale_) {
         isStale_ = false;
         studio::Clip clip = operation();
-        if (!studio_.host().workLong([&] { studio_.host().document()->updateClip(clip); })) {
+        if (!studio_.host().workLong([&] { studio_.host().document()->stroke().clipTo(clip); })) {
             drop();
         }
     }
@@ -243,7 +245,7 @@ void ClipTool::clear() {
 
 // The last thing done, if it was a clip that cuts, or restores, as the next one will.
 const studio::Clip* ClipTool::standing() const {
-    const auto* last = studio_.host().document()->lastStep();
+    const auto* last = studio_.host().facts()->lastStep();
     const auto* clip = last != nullptr ? std::get_if<studio::Clip>(last) : nullptr;
     return clip != nullptr && clip->restores == restores() ? clip : nullptr;
 }

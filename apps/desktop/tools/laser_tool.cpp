@@ -4,6 +4,7 @@
 #include "model/studio/studio_controller.h"
 
 #include "base/timer.h"
+#include "studio/document/surface_queries.h"
 
 #include <algorithm>
 
@@ -66,8 +67,8 @@ void LaserTool::lay() {
     const glm::dvec2 scale = studio_.view().devicePerLogical();
     const glm::dvec2 pixel = glm::dvec2(penPosition().x(), penPosition().y()) * scale;
     studio_.host().workLong([&] {
-        lying_ = closedPath(studio_.host().document()->outlineOnSurface(pad().sketch(scale), pixel,
-                                                                        studio_.picture().viewport()),
+        lying_ = closedPath(studio_.host().document()->surface().outlineOnSurface(
+                                pad().sketch(scale), pixel, studio_.picture().viewport()),
                             scale);
     });
     lyingAt_ = penPosition();

@@ -3,6 +3,7 @@
 
 #include "model/studio/studio_controller.h"
 #include "model/texts/texts.h"
+#include "studio/document/surface_queries.h"
 #include "tools/camera_tool.h"
 
 #include <QLineF>
@@ -134,10 +135,10 @@ void MeasureTool::removeAll() {
 // --- in the 3D view
 
 std::optional<glm::dvec3> MeasureTool::surfaceAt(QPointF position) {
-    std::optional<studio::Document::Probe> found;
+    std::optional<studio::Probe> found;
     const glm::dvec2 pixel = glm::dvec2(position.x(), position.y()) * studio_.view().devicePerLogical();
     const auto viewport = studio_.view().canvas().viewport;
-    studio_.host().workLong([&] { found = studio_.host().document()->probe(pixel, viewport); });
+    studio_.host().workLong([&] { found = studio_.host().document()->surface().probe(pixel, viewport); });
     return found ? std::optional(found->world) : std::nullopt;
 }
 

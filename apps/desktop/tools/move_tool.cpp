@@ -3,6 +3,8 @@
 
 #include "model/hand/world_lines.h"
 #include "model/studio/studio_controller.h"
+#include "studio/document/document_facts.h"
+#include "studio/document/part_queries.h"
 #include "tools/camera_tool.h"
 
 #include <QFont>
@@ -62,8 +64,9 @@ Qt::CursorShape MoveTool::cursor() const {
 // The boxes around the parts change with every edit but the moves of parts.
 void MoveTool::lookForParts() {
     auto* document = studio_.host().document();
-    if (before_ || document == nullptr || studio_.host().isLoading() || document->isStrokeOpen() ||
-        document->isGrowing() || &studio_.hand().tool() != this) {
+    if (before_ || document == nullptr || studio_.host().isLoading() ||
+        studio_.host().facts()->isStrokeOpen() || studio_.host().facts()->isGrowing() ||
+        &studio_.hand().tool() != this) {
         return;
     }
     chosen_ = std::clamp(chosen_, 0, std::max(count() - 1, 0));
@@ -75,7 +78,7 @@ void MoveTool::lookForParts() {
         boxes_.clear();
         studio_.host().workLong([&] {
             for (int part = 0; part < count(); ++part) {
-                boxes_.push_back(document->partBox(std::size_t(part)));
+                boxes_.push_back(document->parts().box(std::size_t(part)));
             }
         });
         boxes_.resize(std::size_t(count()));

@@ -2,6 +2,7 @@
 #include "tools/peel_tool.h"
 
 #include "model/studio/studio_controller.h"
+#include "studio/document/live_stroke.h"
 #include "tools/sketch_hints.h"
 
 #include <algorithm>
@@ -68,7 +69,7 @@ void PeelTool::press(const Pen& pen) {
         wanted_ = applied_ = 0;
         const auto mask = pad_.sketch(studio_.view().devicePerLogical());
         if (studio_.editor().beginStroke([&](auto& document, const auto& canvas) {
-                document.beginStroke(studio::Peel{mask, 0, radius(), restores(), canvas});
+                document.stroke().begin(studio::Peel{mask, 0, radius(), restores(), canvas});
             })) {
             setState(State::Peeling);
         }
@@ -170,7 +171,7 @@ void PeelTool::advance() {
     if (state_ != State::Peeling || wanted_ == applied_) {
         return;
     }
-    if (studio_.host().workLong([&] { studio_.host().document()->updatePeel(wanted_); })) {
+    if (studio_.host().workLong([&] { studio_.host().document()->stroke().peelTo(wanted_); })) {
         applied_ = wanted_;
     } else {
         studio_.editor().endStroke(false);

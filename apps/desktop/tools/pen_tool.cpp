@@ -2,6 +2,7 @@
 #include "tools/pen_tool.h"
 
 #include "model/studio/studio_controller.h"
+#include "studio/document/live_stroke.h"
 #include "tools/sketch_hints.h"
 
 #include <algorithm>
@@ -95,7 +96,7 @@ void PenTool::beginCut(const Pen& pen) {
     cut.keepsDigging = keepsDigging_;
     if (!studio_.editor().beginStroke([&](auto& document, const auto& canvas) {
             cut.canvas = canvas;
-            document.beginStroke(operation(cut));
+            document.stroke().begin(operation(cut));
         })) {
         return;
     }
@@ -269,7 +270,7 @@ void PenTool::cut(double budgetMs) {
         done_ = waiting_.front();
         waiting_.pop_front();
         hasBegun_ = true;
-        if (!studio_.host().workLong([&] { studio_.host().document()->updatePen(done_); })) {
+        if (!studio_.host().workLong([&] { studio_.host().document()->stroke().drawAt(done_); })) {
             waiting_.clear();
             studio_.editor().endStroke(false);
             setState(State::Ready);

@@ -4,6 +4,7 @@
 #include "model/segments/growth_controller.h"
 #include "model/slices/slice_controller.h"
 #include "model/studio/studio_controller.h"
+#include "studio/document/document_facts.h"
 #include "tools/measure_tool.h"
 #include "tools/paint_tool.h"
 #include "tools/seed_tool.h"
@@ -53,7 +54,7 @@ Overlay::Tint SlicePen::tint(bool isReversed) const {
 
 bool SlicePen::press(Kind kind, glm::dvec2 place, bool isReversed, Qt::KeyboardModifiers modifiers) {
     if (studio_.host().document() == nullptr || studio_.host().isLoading() ||
-        studio_.host().document()->isStrokeOpen()) {
+        studio_.host().facts()->isStrokeOpen()) {
         return false;
     }
     if (use() == Use::Crosshair || modifiers.testFlag(Qt::ShiftModifier)) {

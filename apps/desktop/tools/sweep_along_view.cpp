@@ -2,6 +2,7 @@
 #include "tools/sweep_along_view.h"
 
 #include "sculpt/path/path.h"
+#include "studio/document/surface_queries.h"
 #include "studio/operations/sketch.h"
 
 #include <cmath>
@@ -30,7 +31,7 @@ studio::Sketch maskInSteps(const studio::Sketch& drawn, const sculpt::MaskFrame&
 
 } // namespace
 
-studio::Sweep sweepAlongView(const studio::Sketch& mask, const studio::Document::Probe& start,
+studio::Sweep sweepAlongView(const studio::Sketch& mask, const studio::Probe& start,
                              const SweepTool::Settings& settings, const studio::Canvas& canvas,
                              const volume::GridGeometry& geometry) {
     const auto rays = render::viewRays(canvas.view.camera, geometry, canvas.viewport);

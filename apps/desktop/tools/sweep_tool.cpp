@@ -2,6 +2,7 @@
 #include "tools/sweep_tool.h"
 
 #include "model/studio/studio_controller.h"
+#include "studio/document/surface_queries.h"
 #include "tools/sketch_hints.h"
 #include "tools/sweep_along_view.h"
 
@@ -146,10 +147,10 @@ std::optional<studio::Sweep> SweepTool::drawnSweep() {
         sweep.path.stroke = way_.sketch(scale).points;
     } else {
         const QPointF centre = mask_.centre();
-        std::optional<studio::Document::Probe> start;
+        std::optional<studio::Probe> start;
         studio_.host().workLong([&] {
-            start =
-                studio_.host().document()->probe(glm::dvec2(centre.x(), centre.y()) * scale, canvas.viewport);
+            start = studio_.host().document()->surface().probe(glm::dvec2(centre.x(), centre.y()) * scale,
+                                                               canvas.viewport);
         });
         if (!start) {
             return std::nullopt;
@@ -166,7 +167,8 @@ std::optional<studio::Sweep> SweepTool::drawnSweep() {
 void SweepTool::preview() {
     outlines_ = {};
     std::vector<std::vector<glm::dvec2>> outlines;
-    studio_.host().workLong([&] { outlines = studio_.host().document()->outlinesAlongPath(*sweep_); });
+    studio_.host().workLong(
+        [&] { outlines = studio_.host().document()->surface().outlinesAlongPath(*sweep_); });
     for (const auto& outline : outlines) {
         outlines_.addPath(closedPath(outline, studio_.view().devicePerLogical()));
     }

@@ -6,6 +6,7 @@
 #include "model/segments/segment_controller.h"
 #include "model/studio/studio_controller.h"
 #include "panels/history_panel.h"
+#include "studio/document/document_facts.h"
 #include "tools/camera_tool.h"
 #include "tools/tool_box.h"
 #include "view/view_widget.h"
@@ -57,10 +58,9 @@ void MainWindow::makeEditActions() {
         return [this, operation] { studio_.editor().apply(operation); };
     };
     actions_->add({"undo", "undo", tr("Undo"), tr("Take the last change back"), tr("Ctrl+Z"),
-                   apply(studio::Undo{}),
-                   [this] { return isOpen() && studio_.host().document()->canUndo(); }});
+                   apply(studio::Undo{}), [this] { return isOpen() && studio_.host().facts()->canUndo(); }});
     actions_->add({"redo", "redo", tr("Redo"), tr("Do it again"), tr("Ctrl+Shift+Z"), apply(studio::Redo{}),
-                   [this] { return isOpen() && studio_.host().document()->canRedo(); }});
+                   [this] { return isOpen() && studio_.host().facts()->canRedo(); }});
     QAction* history = actions_->add(
         {"showHistory", "history", tr("History"), tr("All steps, to go to any of them"), tr("Ctrl+H"), {}});
     history->setCheckable(true);

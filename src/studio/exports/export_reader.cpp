@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/timer.h"
+#include "studio/document/part_queries.h"
 #include "studio/exports/exports.h"
+#include "studio/state/region.h"
 
 #include <algorithm>
 
@@ -13,7 +15,7 @@ constexpr std::size_t kVoxelsAtOnce = 1 << 21; // of a sculpture: about 10 ms of
 std::vector<ExportedSegment> exportable(const Document& document) {
     std::vector<ExportedSegment> found;
     for (const SegmentInfo& info : document.segments().segments) {
-        if (document.voxelCount(info.label) > 0) {
+        if (document.region().voxelCount(info.label) > 0) {
             found.push_back({info.label, info.label, info.name, info.colour, info.opacity});
         }
     }
@@ -33,7 +35,7 @@ ExportReader::ExportReader(Document& document, ExportSettings::What what,
         for (const render::Placement& place : places) {
             source_.parts.push_back({{}, place});
         }
-        const bool isCut = document.isCut();
+        const bool isCut = !document.sculpture().isEmpty();
         sculptures_ = isCut ? 1 + places.size() : 0;
         if (!isCut) {
             source_.parts.clear();
@@ -50,7 +52,8 @@ void ExportReader::readSlab() {
     const std::size_t slice = std::size_t(dims.x) * std::size_t(dims.y);
     const int to = std::min(dims.z, slice_ + int(std::max<std::size_t>(kVoxelsAtOnce / slice, 1)));
     const Box3 slab{{0, 0, slice_}, {dims.x, dims.y, to}};
-    const auto values = at_ == 0 ? document_.sculptureValues(slab) : document_.partValues(at_ - 1, slab);
+    const auto values =
+        at_ == 0 ? document_.sculpture().values(slab) : document_.parts().values(at_ - 1, slab);
     auto& sculpture = sculptureInHand();
     sculpture.reserve(source_.geometry.voxelCount());
     std::transform(values.begin(), values.end(), std::back_inserter(sculpture), mesh::packed);
@@ -64,7 +67,7 @@ void ExportReader::readSlab() {
 bool ExportReader::readSome(double budgetMs) {
     const Timer timer;
     if (needsLabels_) {
-        source_.labels = document_.labelMap();
+        source_.labels = document_.region().labelMap();
         needsLabels_ = false;
     }
     for (bool isFirst = true; at_ < sculptures_ && (isFirst || timer.milliseconds() < budgetMs);

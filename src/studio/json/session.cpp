@@ -192,7 +192,7 @@ Session sessionOf(const Document& document, const Session& source) {
         session.block = Session::Block{geometry.dims, geometry.spacing()};
     }
     session.volumeChecksum = volume::checksum(document.volume());
-    session.precision = document.precision();
+    session.precision = document.sculpture().precision();
     session.operations = document.log();
     const View& view = document.view();
     session.operations.emplace_back(lookAs(view));

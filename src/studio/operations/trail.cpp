@@ -99,4 +99,15 @@ segment::VoxelSet voxelsAlong(const Trail& trail, const volume::GridGeometry& ge
     return set.tight();
 }
 
+segment::VoxelSet voxelsAlong(const Trail& trail, const volume::Volume& volume,
+                              const std::optional<Range>& range) {
+    VoxelSet set = voxelsAlong(trail, volume.geometry);
+    for (std::size_t i = 0; range && i < set.inside.size(); ++i) {
+        if (set.inside[i] != 0 && !range->contains(volume.at(set.voxelAt(i)))) {
+            set.inside[i] = 0;
+        }
+    }
+    return set;
+}
+
 } // namespace vs::studio

@@ -26,6 +26,16 @@ void History::setMemoryLimit(std::size_t bytes) {
     keepToLimit();
 }
 
+void History::forgetLast() {
+    done_.pop_back();
+    ++revision_;
+}
+
+void History::renameLast(Operation operation) {
+    done_.back().operation = std::make_shared<const Operation>(std::move(operation));
+    ++revision_;
+}
+
 void History::push(Step step) {
     forget(undone_);
     done_.push_back(std::move(step));
@@ -38,6 +48,7 @@ void History::mergeLastTwo() {
     for (auto& record : last.growth) {
         done_.back().growth.push_back(std::move(record));
     }
+    ++revision_;
 }
 
 void History::move(std::vector<Step>& from, std::vector<Step>& to) {
@@ -65,6 +76,7 @@ Step& History::inMemory(Step& step) {
 
 // What is farthest from being needed goes first: the oldest to undo, then the newest to redo.
 void History::keepToLimit() {
+    ++revision_; // each change of the steps ends here
     std::size_t bytes = bytesInMemory(done_) + bytesInMemory(undone_);
     try {
         for (std::vector<Step>* steps : {&done_, &undone_}) {

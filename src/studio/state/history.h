@@ -8,6 +8,7 @@
 #include "studio/state/pasted_parts.h"
 #include "studio/state/spill_file.h"
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -16,7 +17,8 @@ namespace vs::studio {
 // One undoable edit: the operation, and what takes it back. A cut is a delta of bricks that swaps both ways;
 // a change of the region is undone by its records, newest first, and redone by applying the operation again.
 struct Step {
-    Operation operation;
+    // Shared with those who show what undo and redo go through.
+    std::shared_ptr<const Operation> operation;
     std::optional<sculpt::BrickDelta> cut;
     std::vector<segment::GrowthUndo> growth;
     // Pasted parts before and after, where the operation changed them.
@@ -28,6 +30,11 @@ struct Step {
     // Where the cut's contents are while they are not in memory; History's own business.
     std::optional<SpillFile::Block> spilled = {};
 };
+
+// An operation as steps have it.
+inline std::shared_ptr<const Operation> shared(Operation operation) {
+    return std::make_shared<const Operation>(std::move(operation));
+}
 
 // What undo and redo of cuts hold: their contents, without the lists of bricks (some 30 bytes a brick).
 struct UndoStatistics {
@@ -58,7 +65,7 @@ public:
 
     void push(Step step);
     // The step that undo would take back is no more; its cut, if any, must be in memory.
-    void forgetLast() { done_.pop_back(); }
+    void forgetLast();
     // The last two steps (both changes of the region alone) become one.
     void mergeLastTwo();
     [[nodiscard]] bool canUndo() const { return !done_.empty(); }
@@ -69,9 +76,11 @@ public:
     [[nodiscard]] UndoStatistics statistics() const;
 
     // The operation of the step that undo would take back; there must be one.
-    [[nodiscard]] Step& last() { return done_.back(); }
-    [[nodiscard]] Operation& lastOperation() { return done_.back().operation; }
-    [[nodiscard]] const Operation& lastOperation() const { return done_.back().operation; }
+    [[nodiscard]] const Operation& lastOperation() const { return *done_.back().operation; }
+    // That step was done by another operation, into which several were merged.
+    void renameLast(Operation operation);
+    // Counts changes of all this.
+    [[nodiscard]] std::uint64_t revision() const { return revision_; }
 
     // The step to take back, in memory; once that is done, tookBack() makes it the one to redo. Throws
     // ReadError when it cannot be read back from the file.
@@ -93,6 +102,7 @@ private:
     SpillFile file_;
     std::size_t memoryLimit_ = kUsualMemoryLimit;
     bool hasComplained_ = false;
+    std::uint64_t revision_ = 0;
 };
 
 } // namespace vs::studio

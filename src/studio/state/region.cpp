@@ -159,4 +159,23 @@ int Region::growFor(double budgetMs, int maxGenerations) {
 
 void Region::endLive(Records& records) { records.back().continueTo(*growth_); }
 
+std::size_t Region::voxelCount(std::uint8_t label) const {
+    return exists() ? std::size_t(growth_->voxelCount(label)) : 0;
+}
+
+std::uint64_t Region::revision() const { return exists() ? growth_->revision() : 0; }
+
+std::vector<std::uint32_t> Region::generations() const {
+    return exists() ? growth_->generations(true)
+                    : std::vector<std::uint32_t>(field_->geometry.voxelCount(), 0);
+}
+
+std::vector<std::uint8_t> Region::labels() const {
+    return exists() ? growth_->labels() : std::vector<std::uint8_t>(field_->geometry.voxelCount(), 0);
+}
+
+std::vector<std::uint8_t> Region::labelMap() const {
+    return exists() ? growth_->labelMap() : std::vector<std::uint8_t>(field_->geometry.voxelCount(), 0);
+}
+
 } // namespace vs::studio

@@ -71,6 +71,16 @@ public:
     [[nodiscard]] const segment::Constraints& rules() const;
     [[nodiscard]] const segment::Growth* growth() const { return growth_.get(); }
 
+    // Voxels shown of a segment, by its label.
+    [[nodiscard]] std::size_t voxelCount(std::uint8_t label) const;
+    // Counts changes of what is shown of segments.
+    [[nodiscard]] std::uint64_t revision() const;
+    // For each voxel, x fastest: the generation in which the segment at work took it, as far as is shown, 0
+    // where it has not grown; 1 where it is in the segment at work, else 0; its segment's label, 0 in none.
+    [[nodiscard]] std::vector<std::uint32_t> generations() const;
+    [[nodiscard]] std::vector<std::uint8_t> labels() const;
+    [[nodiscard]] std::vector<std::uint8_t> labelMap() const;
+
 private:
     segment::Growth& madeGrowth();
     void refreshFence(field::SculptureView view, Records& records);

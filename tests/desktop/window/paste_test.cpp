@@ -5,6 +5,7 @@
 #include "tools/scissors_tool.h"
 
 #include "field/cell_ranges.h"
+#include "studio/document/part_queries.h"
 
 #include <gtest/gtest.h>
 
@@ -33,9 +34,9 @@ protected:
         w.settle();
     }
     void paste() {
-        const std::size_t before = document().pastedParts();
+        const std::size_t before = document().parts().count();
         ASSERT_TRUE(w.studio().editor().paste()) << w.studio().host().message().toStdString();
-        ASSERT_EQ(document().pastedParts(), before + 1);
+        ASSERT_EQ(document().parts().count(), before + 1);
         w.settle();
     }
     // Middles of macrocells of a part, where it was pasted; in mm.
@@ -44,14 +45,14 @@ protected:
         const glm::dmat4 world = render::worldFromPart(w.studio().view().shown().pasted.at(part), geometry) *
                                  geometry.worldFromVoxel;
         std::vector<glm::dvec3> places;
-        for (const glm::dvec3 cell : document().partCells(part)) {
+        for (const glm::dvec3 cell : document().parts().cells(part)) {
             places.emplace_back(world * glm::dvec4(cell, 1.0));
         }
         return places;
     }
     std::vector<glm::dvec3> remaining() {
         std::vector<glm::dvec3> places;
-        for (const glm::dvec3 cell : document().remainingCells()) {
+        for (const glm::dvec3 cell : document().parts().remainingCells()) {
             places.emplace_back(w.studio().host().geometry()->worldFromVoxel * glm::dvec4(cell, 1.0));
         }
         return places;

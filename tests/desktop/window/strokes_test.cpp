@@ -2,6 +2,7 @@
 // How sketches end, and that what is shown of them is what they come to.
 #include "model/segments/growth_controller.h"
 #include "mouse.h"
+#include "studio/document/document_facts.h"
 #include "tools/peel_tool.h"
 #include "tools/scissors_tool.h"
 #include "tools/seed_tool.h"
@@ -38,7 +39,7 @@ protected:
         w.settle();
     }
     const std::vector<studio::Operation>& log() { return w.studio().host().document()->log(); }
-    std::size_t count() { return w.studio().host().document()->steps().done; }
+    std::size_t count() { return w.studio().host().facts()->steps->done; }
     template <class Operation>
     const Operation& last() {
         return std::get<Operation>(log().back());

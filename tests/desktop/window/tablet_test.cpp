@@ -2,6 +2,8 @@
 // A pen with pressure, through the real window.
 #include "model/segments/growth_controller.h"
 #include "model/slices/slice_controller.h"
+#include "studio/document/document_facts.h"
+#include "studio/document/surface_queries.h"
 #include "studio_window.h"
 #include "tools/camera_tool.h"
 #include "tools/drill_tool.h"
@@ -39,8 +41,8 @@ protected:
         }
         throw std::runtime_error("no such operation was made");
     }
-    std::optional<studio::Document::Probe> look() {
-        std::optional<studio::Document::Probe> seen;
+    std::optional<studio::Probe> look() {
+        std::optional<studio::Probe> seen;
         // Nothing while things move.
         StudioWindow::wait("something to be seen", [&] {
             seen = w.studio().probe(centre());
@@ -213,18 +215,18 @@ TEST_F(Tablet, OnSlicesTheTipAddsAndTheEraserRemoves) {
     w.studio().hand().take(w.tools().get<PaintTool>());
     w.stroke(slice, {{{0.45, 0.5}, 0.5}, {{0.5, 0.5}, 0.5}, {{0.55, 0.5}, 0.5}});
     EXPECT_TRUE(last<studio::PaintSegment>().isToAdd);
-    const auto added = w.studio().host().document()->growth().voxels;
+    const auto added = w.studio().host().facts()->growth.voxels;
     EXPECT_GT(added, 0U);
     w.stroke(slice, {{{0.5, 0.5}, 0.5}}, End::Eraser);
     EXPECT_FALSE(last<studio::PaintSegment>().isToAdd);
-    EXPECT_LT(w.studio().host().document()->growth().voxels, added);
+    EXPECT_LT(w.studio().host().facts()->growth.voxels, added);
     // With the seed tool likewise.
     w.studio().hand().take(w.tools().get<SeedTool>());
     w.stroke(slice, {{{0.5, 0.6}, 0.5}, {{0.55, 0.6}, 0.5}});
     EXPECT_EQ(last<studio::Seed>().trails.size(), 1U);
-    const auto seeded = w.studio().host().document()->growth().voxels;
+    const auto seeded = w.studio().host().facts()->growth.voxels;
     w.stroke(slice, {{{0.5, 0.6}, 0.5}, {{0.55, 0.6}, 0.5}}, End::Eraser);
-    EXPECT_LT(w.studio().host().document()->growth().voxels, seeded);
+    EXPECT_LT(w.studio().host().facts()->growth.voxels, seeded);
     EXPECT_FALSE(last<studio::PaintSegment>().isToAdd);
     w.leaveTablet(End::Eraser);
     w.settle();

@@ -2,6 +2,7 @@
 // Fingers look around, whatever the tool; a palm beside a pen does nothing.
 #include "model/hand/pen_watch.h"
 #include "model/slices/slice_controller.h"
+#include "studio/document/document_facts.h"
 #include "studio_window.h"
 #include "tools/camera_tool.h"
 #include "tools/peel_tool.h"
@@ -25,7 +26,7 @@ protected:
     }
     void TearDown() override {
         w.fingers(w.view(), {});
-        EXPECT_TRUE(w.studio().host().document()->log().empty() || !w.studio().host().document()->canUndo())
+        EXPECT_TRUE(w.studio().host().document()->log().empty() || !w.studio().host().facts()->canUndo())
             << "fingers changed the document";
     }
     const render::Camera& camera() { return w.studio().view().shown().camera; }

@@ -2,6 +2,8 @@
 // Strokes in MIP and X-ray, where values above the displayed range are visible too: where tools begin, where
 // seeds land, and what they take along.
 #include "gpu/gl_test.h"
+#include "gpu/studio/sculpture_bytes.h"
+#include "studio/state/region.h"
 #include "test_head.h"
 
 #include <algorithm>
@@ -59,7 +61,7 @@ TEST_F(AboveRangeToolsTest, ToolsInMipCutWhatTheyCutInXRay) {
         Peel peel = test::somePeel(4);
         peel.canvas = canvasIn(mode, {50, 120});
         document.apply(peel);
-        cuts.push_back(document.sculptureBytes());
+        cuts.push_back(test::sculptureBytes(document));
     }
     EXPECT_TRUE(cuts[0] == cuts[1]);
 }
@@ -87,7 +89,8 @@ TEST_F(AboveRangeToolsTest, SeedsGrowInAllThatIsVisible) {
         EXPECT_EQ(lastSeed(document).range->lo, kShown.lo);
         EXPECT_EQ(lastSeed(document).range->hi, document.volume().range.hi);
         document.apply(Grow{});
-        EXPECT_EQ(document.voxelCount(1), voxelsFrom(document.volume(), kShown.lo)) << render::name(mode);
+        EXPECT_EQ(document.region().voxelCount(1), voxelsFrom(document.volume(), kShown.lo))
+            << render::name(mode);
     }
 }
 
@@ -97,7 +100,7 @@ TEST_F(AboveRangeToolsTest, SeedsLandOnACutFaceWithinTheBall) {
         Drill drill = test::drillOf(test::ellipseAt(200, 150, 20, 20), canvasIn(mode));
         drill.depthMax = 12;
         document.apply(drill);
-        EXPECT_TRUE(document.isCut());
+        EXPECT_TRUE(!document.sculpture().isEmpty());
         document.apply(seedInTheMiddle(canvasIn(mode)));
         const auto& voxels = lastSeed(document).voxels;
         ASSERT_FALSE(voxels.empty()) << render::name(mode);
@@ -120,7 +123,8 @@ TEST_F(AboveRangeToolsTest, HiddenAboveIsTheOldWay) {
         EXPECT_LE(document.volume().at(voxel), kShown.hi);
     }
     document.apply(Grow{});
-    EXPECT_LT(document.voxelCount(1), voxelsFrom(document.volume(), kShown.hi) / 2) << "the ball's edge only";
+    EXPECT_LT(document.region().voxelCount(1), voxelsFrom(document.volume(), kShown.hi) / 2)
+        << "the ball's edge only";
 }
 
 } // namespace

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "field/field.h"
 #include "gpu/gl_test.h"
+#include "gpu/studio/sculpture_bytes.h"
 #include "gpu/studio/test_head.h"
+#include "studio/document/live_stroke.h"
 #include "studio/strokes/cut_stroke.h"
 
 namespace vs::studio {
@@ -69,11 +71,11 @@ TEST_F(CutCostTest, ASnapshotIsTheSculptureWhateverHappenedSince) {
         for (const Operation& operation : operations) {
             fresh.apply(operation);
         }
-        fresh.beginStroke(Peel{test::somePeel().mask, 0, 3, false, test::testCanvas()});
-        fresh.updatePeel(9);
-        fresh.updatePeel(4);
-        fresh.commitStroke();
-        return fresh.sculptureBytes();
+        fresh.stroke().begin(Peel{test::somePeel().mask, 0, 3, false, test::testCanvas()});
+        fresh.stroke().peelTo(9);
+        fresh.stroke().peelTo(4);
+        fresh.stroke().commit();
+        return test::sculptureBytes(fresh);
     };
     Drill drill;
     drill.mask = test::ellipseAt(210, 120, 14, 14);

@@ -2,6 +2,7 @@
 // Cut faces have no specks: one ray a pixel shows what many show.
 #include "gpu/gl_test.h"
 #include "gpu/sculpt/surface_makers.h"
+#include "gpu/studio/sculpture_bytes.h"
 #include "render/rays/ray_caster.h"
 #include "test_head.h"
 
@@ -45,7 +46,7 @@ image::Image pictureOf(Document& document, int samples) {
 
 // Which pixels show a cut face, and nothing else two pixels around.
 std::vector<bool> pixelsWithinFaces(Document& document) {
-    const auto values = sculpt::valuesOf(document.sculptureBytes(), sculpt::Precision::Bits16);
+    const auto values = sculpt::valuesOf(test::sculptureBytes(document), sculpt::Precision::Bits16);
     std::vector<glm::vec2> pixels;
     for (int y = 0; y < kSize.y; ++y) {
         for (int x = 0; x < kSize.x; ++x) {

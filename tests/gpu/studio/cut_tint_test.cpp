@@ -5,6 +5,7 @@
 #include "gpu/studio/cut_ball.h"
 #include "image/compare.h"
 #include "render/slices/slice_renderer.h"
+#include "studio/state/region.h"
 
 namespace vs::studio {
 namespace {
@@ -148,9 +149,9 @@ TEST_F(CutTintTest, OverlayShowsTheDiscAlone) {
 TEST_F(CutTintTest, NothingIsLeftOfItWhenTheCutIsPutBack) {
     CutBall cut({}, {33, 21, 10}, Order::CutThenGrown);
     cut.picture();
-    const auto labels = cut.document.labelMap();
+    const auto labels = cut.document.region().labelMap();
     cut.document.apply(UnCut{});
-    EXPECT_EQ(cut.document.labelMap(), labels);
+    EXPECT_EQ(cut.document.region().labelMap(), labels);
     const auto seen = cut.picture();
     CutBall never({}, {33, 21, 10}, Order::CutThenGrown); // no picture of it was made while it was cut
     never.document.apply(UnCut{});
@@ -207,7 +208,7 @@ TEST_F(CutTintTest, SlicesShowWhatHasGrown) {
     };
     const auto seen = slice();
     const auto without = cut.with([](UseSegment& use) { use.isVisible = false; }, slice);
-    const auto labels = cut.document.labelMap();
+    const auto labels = cut.document.region().labelMap();
     int grown = 0;
     for (int y = 0; y < view.size.y; ++y) {
         for (int x = 0; x < view.size.x; ++x) {

@@ -1,7 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/error.h"
 #include "gpu/gl_test.h"
+#include "gpu/studio/sculpture_bytes.h"
 #include "gpu/studio/test_head.h"
+#include "studio/document/document_facts.h"
+#include "studio/document/live_stroke.h"
+#include "studio/document/part_queries.h"
+#include "studio/document/surface_queries.h"
+#include "studio/state/region.h"
 
 #include <algorithm>
 #include <random>
@@ -20,11 +26,11 @@ using test::testHead;
 
 TEST_F(DocumentTest, APeelOpensTheSkullAndUndoPutsBackEveryByte) {
     Document document(testHead());
-    const auto untouched = document.sculptureBytes();
+    const auto untouched = test::sculptureBytes(document);
     const Outcome peel = document.apply(somePeel());
     EXPECT_EQ(peel.name, "peel");
     EXPECT_GT(peel.voxelsTouched, 500U);
-    const auto peeled = document.sculptureBytes();
+    const auto peeled = test::sculptureBytes(document);
     EXPECT_NE(peeled, untouched);
 
     Drill drill;
@@ -32,43 +38,43 @@ TEST_F(DocumentTest, APeelOpensTheSkullAndUndoPutsBackEveryByte) {
     drill.canvas = testCanvas();
     drill.stroke = {{{200, 180}, 0.5}, {{230, 185}, 1}};
     EXPECT_GT(document.apply(drill).voxelsTouched, 100U);
-    const auto drilled = document.sculptureBytes();
+    const auto drilled = test::sculptureBytes(document);
 
     document.apply(Undo{});
-    EXPECT_EQ(document.sculptureBytes(), peeled);
+    EXPECT_EQ(test::sculptureBytes(document), peeled);
     document.apply(Undo{});
-    EXPECT_EQ(document.sculptureBytes(), untouched);
+    EXPECT_EQ(test::sculptureBytes(document), untouched);
     document.apply(Redo{});
     document.apply(Redo{});
-    EXPECT_EQ(document.sculptureBytes(), drilled);
+    EXPECT_EQ(test::sculptureBytes(document), drilled);
     document.apply(UnCut{});
-    EXPECT_EQ(document.sculptureBytes(), untouched);
+    EXPECT_EQ(test::sculptureBytes(document), untouched);
     document.apply(Undo{});
-    EXPECT_EQ(document.sculptureBytes(), drilled);
+    EXPECT_EQ(test::sculptureBytes(document), drilled);
 }
 
 TEST_F(DocumentTest, WhatUndoWouldTakeBackIsTold) {
     Document document(testHead());
-    EXPECT_EQ(document.lastStep(), nullptr);
+    EXPECT_EQ(document.facts()->lastStep(), nullptr);
     document.apply(somePeel());
-    EXPECT_STREQ(name(*document.lastStep()), "peel");
+    EXPECT_STREQ(name(*document.facts()->lastStep()), "peel");
     document.apply(Paste{});
-    EXPECT_STREQ(name(*document.lastStep()), "paste");
+    EXPECT_STREQ(name(*document.facts()->lastStep()), "paste");
     document.apply(Undo{});
-    EXPECT_STREQ(name(*document.lastStep()), "peel");
+    EXPECT_STREQ(name(*document.facts()->lastStep()), "peel");
     document.apply(Undo{});
-    EXPECT_EQ(document.lastStep(), nullptr);
+    EXPECT_EQ(document.facts()->lastStep(), nullptr);
 }
 
 TEST_F(DocumentTest, TheBoxOfAPastedPartLiesAroundWhatWasCutSinceTheLastPaste) {
     Document document(testHead());
     document.look(testCanvas().view);
-    EXPECT_TRUE(document.partBox(0).isEmpty());
+    EXPECT_TRUE(document.parts().box(0).isEmpty());
     const auto drillAt = [&](glm::dvec2 place) {
         Drill drill;
         drill.mask = ellipseAt(place.x, place.y, 12, 12);
         drill.canvas = testCanvas();
-        const glm::dvec3 surface = document.probe(place, testCanvas().viewport).value().voxel;
+        const glm::dvec3 surface = document.surface().probe(place, testCanvas().viewport).value().voxel;
         EXPECT_GT(document.apply(drill).voxelsTouched, 100U);
         return surface;
     };
@@ -77,25 +83,25 @@ TEST_F(DocumentTest, TheBoxOfAPastedPartLiesAroundWhatWasCutSinceTheLastPaste) {
                glm::all(glm::lessThan(voxel, glm::dvec3(box.hi)));
     };
     const glm::dvec3 first = drillAt({170, 150});
-    const Box3 next = document.partBox(0);
+    const Box3 next = document.parts().box(0);
     EXPECT_TRUE(isIn(next, first));
     document.apply(Paste{});
-    EXPECT_EQ(document.partBox(0), next);
-    EXPECT_TRUE(document.partBox(1).isEmpty()) << "nothing was cut since";
+    EXPECT_EQ(document.parts().box(0), next);
+    EXPECT_TRUE(document.parts().box(1).isEmpty()) << "nothing was cut since";
     const glm::dvec3 second = drillAt({235, 150});
-    EXPECT_TRUE(isIn(document.partBox(1), second));
+    EXPECT_TRUE(isIn(document.parts().box(1), second));
     document.apply(Paste{});
-    EXPECT_TRUE(isIn(document.partBox(0), first));
-    EXPECT_FALSE(isIn(document.partBox(0), second));
-    EXPECT_TRUE(isIn(document.partBox(1), second));
-    EXPECT_FALSE(isIn(document.partBox(1), first));
+    EXPECT_TRUE(isIn(document.parts().box(0), first));
+    EXPECT_FALSE(isIn(document.parts().box(0), second));
+    EXPECT_TRUE(isIn(document.parts().box(1), second));
+    EXPECT_FALSE(isIn(document.parts().box(1), first));
 }
 
 TEST_F(DocumentTest, SamplingIsPartOfTheView) {
     Document document(testHead());
     SetView cubic;
     cubic.sampling = field::Sampling::Tricubic;
-    const auto surface = [&] { return document.probe({200, 150}, {400, 300}).value().voxel; };
+    const auto surface = [&] { return document.surface().probe({200, 150}, {400, 300}).value().voxel; };
     const glm::dvec3 linearly = surface();
     document.apply(cubic);
     EXPECT_EQ(document.view().sampling, field::Sampling::Tricubic);
@@ -110,9 +116,9 @@ TEST_F(DocumentTest, SamplingIsPartOfTheView) {
 TEST_F(DocumentTest, TheSurfaceUnderAPeelLiesAsManyStepsDeeper) {
     Document document(testHead());
     document.look(testCanvas().view);
-    const auto before = document.probe({200, 110}, {400, 300});
+    const auto before = document.surface().probe({200, 110}, {400, 300});
     document.apply(somePeel(3));
-    const auto after = document.probe({200, 110}, {400, 300});
+    const auto after = document.surface().probe({200, 110}, {400, 300});
     ASSERT_TRUE(before && after);
     // The skull is a shell around the grid's centre: a peel of 3 steps (3 mm) lowers its radius by 3.
     const auto centre = document.volume().geometry.centreWorld();
@@ -121,22 +127,22 @@ TEST_F(DocumentTest, TheSurfaceUnderAPeelLiesAsManyStepsDeeper) {
 
 TEST_F(DocumentTest, ALiveStrokeEndsAsTheSameOperationWould) {
     Document live(testHead());
-    live.beginStroke(Peel{somePeel().mask, 0, 3, false, testCanvas()});
+    live.stroke().begin(Peel{somePeel().mask, 0, 3, false, testCanvas()});
     for (const double layers : {1.0, 4.5, 9.0, 8.0}) {
-        live.updatePeel(layers);
+        live.stroke().peelTo(layers);
     }
-    live.commitStroke();
-    live.beginStroke(test::drillOf(ellipseAt(200, 180, 12, 12), testCanvas()));
-    live.updatePen({{200, 180}, 0.5});
-    live.updatePen({{230, 185}, 1});
-    live.commitStroke();
+    live.stroke().commit();
+    live.stroke().begin(test::drillOf(ellipseAt(200, 180, 12, 12), testCanvas()));
+    live.stroke().drawAt({{200, 180}, 0.5});
+    live.stroke().drawAt({{230, 185}, 1});
+    live.stroke().commit();
 
     Document replayed(testHead());
     for (const Operation& operation : live.log()) {
         replayed.apply(operation);
     }
     EXPECT_EQ(live.log().size(), 2U);
-    EXPECT_EQ(replayed.sculptureBytes(), live.sculptureBytes());
+    EXPECT_EQ(test::sculptureBytes(replayed), test::sculptureBytes(live));
 }
 
 TEST_F(DocumentTest, ThePrecisionOfCutsCanBeChosen) {
@@ -146,52 +152,54 @@ TEST_F(DocumentTest, ThePrecisionOfCutsCanBeChosen) {
                                            {sculpt::Precision::Bits16, 2U},
                                            {sculpt::Precision::Bits32, 4U}}) {
         Document document(testHead(), precision);
-        const auto untouched = document.sculptureBytes();
+        const auto untouched = test::sculptureBytes(document);
         EXPECT_EQ(untouched.size(), voxels * bytes);
         const std::size_t touched = document.apply(somePeel()).voxelsTouched;
         EXPECT_GE(touched, changed) << "finer steps, more of the edge";
         EXPECT_GT(touched, 500U);
         changed = touched;
         document.apply(Undo{});
-        EXPECT_EQ(document.sculptureBytes(), untouched);
+        EXPECT_EQ(test::sculptureBytes(document), untouched);
     }
 }
 
 TEST_F(DocumentTest, ADiscardedOrFruitlessStrokeLeavesNoTrace) {
     Document document(testHead());
-    const auto untouched = document.sculptureBytes();
-    document.beginStroke(Peel{somePeel().mask, 0, 3, false, testCanvas()});
-    document.updatePeel(6);
-    EXPECT_NE(document.sculptureBytes(), untouched);
-    document.discardStroke();
-    EXPECT_EQ(document.sculptureBytes(), untouched);
-    document.beginStroke(Peel{ellipseAt(5, 5, 4, 4), 0, 3, false, testCanvas()}); // beside the head
-    document.updatePeel(6);
-    EXPECT_EQ(document.commitStroke().voxelsTouched, 0U);
-    document.beginStroke(test::drillOf(ellipseAt(200, 150, 9, 9), testCanvas()));
-    document.updatePen({{200, 150}, 0}); // the pen hovers
-    EXPECT_EQ(document.commitStroke().voxelsTouched, 0U);
+    const auto untouched = test::sculptureBytes(document);
+    document.stroke().begin(Peel{somePeel().mask, 0, 3, false, testCanvas()});
+    document.stroke().peelTo(6);
+    EXPECT_NE(test::sculptureBytes(document), untouched);
+    document.stroke().discard();
+    EXPECT_EQ(test::sculptureBytes(document), untouched);
+    document.stroke().begin(Peel{ellipseAt(5, 5, 4, 4), 0, 3, false, testCanvas()}); // beside the head
+    document.stroke().peelTo(6);
+    EXPECT_EQ(document.stroke().commit().voxelsTouched, 0U);
+    document.stroke().begin(test::drillOf(ellipseAt(200, 150, 9, 9), testCanvas()));
+    document.stroke().drawAt({{200, 150}, 0}); // the pen hovers
+    EXPECT_EQ(document.stroke().commit().voxelsTouched, 0U);
     EXPECT_TRUE(document.log().empty());
-    EXPECT_FALSE(document.canUndo());
+    EXPECT_FALSE(document.facts()->canUndo());
 }
 
 TEST_F(DocumentTest, HoldingThePenStillChangesNothingAfterTheFirstStamp) {
     Document document(testHead());
-    document.beginStroke(test::drillOf(ellipseAt(200, 150, 9, 9), testCanvas()));
-    document.updatePen({{200, 150}, 0.8});
-    const auto once = document.sculptureBytes();
+    document.stroke().begin(test::drillOf(ellipseAt(200, 150, 9, 9), testCanvas()));
+    document.stroke().drawAt({{200, 150}, 0.8});
+    const auto once = test::sculptureBytes(document);
     for (int i = 0; i < 5; ++i) {
-        document.updatePen({{200, 150}, 0.8});
+        document.stroke().drawAt({{200, 150}, 0.8});
     }
-    EXPECT_EQ(document.sculptureBytes(), once);
-    document.commitStroke();
+    EXPECT_EQ(test::sculptureBytes(document), once);
+    document.stroke().commit();
 }
 
 TEST_F(DocumentTest, UndoAndRedoAtRandomReturnToTheSameStates) {
     Document document(testHead());
     std::mt19937 random(3);
     std::vector<std::pair<std::vector<std::byte>, std::vector<std::uint32_t>>> states;
-    const auto state = [&] { return std::pair(document.sculptureBytes(), document.generations()); };
+    const auto state = [&] {
+        return std::pair(test::sculptureBytes(document), document.region().generations());
+    };
     states.push_back(state());
     for (int i = 0; i < 8; ++i) {
         const double x = 150 + double(random() % 100);
@@ -221,7 +229,7 @@ TEST_F(DocumentTest, UndoAndRedoAtRandomReturnToTheSameStates) {
     std::size_t at = states.size() - 1;
     for (int i = 0; i < 40; ++i) {
         const bool back = random() % 2 == 0;
-        if (back ? document.canUndo() : document.canRedo()) {
+        if (back ? document.facts()->canUndo() : document.facts()->canRedo()) {
             document.apply(back ? Operation(Undo{}) : Operation(Redo{}));
             at += back ? std::size_t(-1) : 1;
         }
@@ -249,9 +257,9 @@ TEST_F(DocumentTest, UndoingTheFirstCutIsAsIfNothingHadBeenCut) {
     document.apply(UnCut{});
     document.apply(Undo{});
     EXPECT_EQ(picture(), whole);
-    document.beginStroke(Peel{somePeel().mask, 0, 3, false, testCanvas()});
-    document.updatePeel(5);
-    document.discardStroke();
+    document.stroke().begin(Peel{somePeel().mask, 0, 3, false, testCanvas()});
+    document.stroke().peelTo(5);
+    document.stroke().discard();
     EXPECT_EQ(picture(), whole);
 }
 
@@ -259,15 +267,15 @@ TEST_F(DocumentTest, PicturesDrawnDuringAStrokeDoNotChangeIt) {
     const auto drilled = [](bool drawsFrames) {
         Document document(testHead());
         document.look(probeView());
-        document.beginStroke(drillInProbeView());
+        document.stroke().begin(drillInProbeView());
         for (const double x : {150.0, 180.0, 210.0, 240.0}) {
-            document.updatePen({{x, 150}, 1});
+            document.stroke().drawAt({{x, 150}, 1});
             if (drawsFrames) {
                 render::RayCaster().render(document.frame({80, 60}));
             }
         }
-        document.commitStroke();
-        return document.sculptureBytes();
+        document.stroke().commit();
+        return test::sculptureBytes(document);
     };
     EXPECT_EQ(drilled(true), drilled(false));
 }

@@ -4,6 +4,7 @@
 #include "base/progress.h"
 #include "gpu/gl_test.h"
 #include "gpu/studio/test_head.h"
+#include "studio/state/region.h"
 
 #include <cmath>
 #include <filesystem>
@@ -55,7 +56,7 @@ TEST_F(ExportsTest, PiecesAreAsGoodAsTheWhole) {
     const auto once = read(document, What::Volume);
     const auto pieces = read(document, What::Volume, 0);
     EXPECT_TRUE(once.sculpture == pieces.sculpture);
-    const auto values = document.sculptureValues(document.volume().geometry.box());
+    const auto values = document.sculpture().values(document.volume().geometry.box());
     for (std::size_t i = 0; i < values.size(); ++i) {
         ASSERT_EQ(once.sculpture[i], mesh::packed(values[i]));
     }
@@ -72,7 +73,7 @@ TEST_F(ExportsTest, TheSculptedVolumeIsWhatIsSeen) {
     Document document(testHead());
     document.apply(somePeel());
     const auto& whole = document.volume();
-    const auto cuts = document.sculptureValues(whole.geometry.box());
+    const auto cuts = document.sculpture().values(whole.geometry.box());
     for (const auto view : {field::SculptureView::Cut, field::SculptureView::Probe}) {
         SetView look;
         look.sculptureView = view;
@@ -119,7 +120,7 @@ TEST_F(ExportsTest, SegmentsWithVoxelsAreExported) {
     ASSERT_EQ(exportable(document).size(), 1U);
     const auto source = read(document, What::Segments);
     const double drawn = millilitresOf(writeExport(path, source, {}).front());
-    const double grown = double(document.voxelCount(1)) * source.geometry.voxelMm3() / 1000;
+    const double grown = double(document.region().voxelCount(1)) * source.geometry.voxelMm3() / 1000;
     EXPECT_NEAR(drawn / grown, 1, 0.03) << "the surface encloses what was grown";
     const auto triangles = estimatedTriangles(source.labels, source.geometry.dims);
     const auto lines = writeExport(path, source, {});

@@ -3,6 +3,7 @@
 #include "gpu/gl_test.h"
 #include "gpu/studio/test_segments.h"
 #include "studio/json/session.h"
+#include "studio/state/region.h"
 
 #include <unistd.h>
 
@@ -33,7 +34,7 @@ TEST_F(FirstSegment, GivesItsPlaceToTheFirstThatIsNamed) {
     document.apply(seedAt({35, 20, 29}));
     document.apply(UseSegment{"Skull"});
     EXPECT_EQ(namesOf(document), (Names{"1 Brain", "2 Skull"}));
-    EXPECT_EQ(document.labelMap()[std::size_t(
+    EXPECT_EQ(document.region().labelMap()[std::size_t(
                   (29 * document.volume().geometry.dims.y + 20) * document.volume().geometry.dims.x + 35)],
               1);
 }

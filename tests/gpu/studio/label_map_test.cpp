@@ -3,7 +3,9 @@
 #include "gpu/gl_test.h"
 #include "gpu/studio/test_labels.h"
 #include "gpu/studio/test_segments.h"
+#include "studio/document/document_facts.h"
 #include "studio/json/session.h"
+#include "studio/state/region.h"
 
 namespace vs::studio {
 namespace {
@@ -26,7 +28,7 @@ TEST_F(LoadLabelsTest, EachLabelBecomesASegmentAndUndoTakesThemBack) {
     ASSERT_EQ(list.size(), 2U) << "the empty one is used";
     EXPECT_EQ(list[0].name, "Label 7");
     EXPECT_EQ(list[1].name, "Label 250");
-    const auto map = document.labelMap();
+    const auto map = document.region().labelMap();
     for (std::size_t i = 0; i < map.size(); ++i) {
         const int value = LabelFile::valueAt(int(i), document.volume().geometry.dims);
         ASSERT_EQ(map[i], value == 7 ? 1 : value == 250 ? 2 : 0) << i;
@@ -48,7 +50,7 @@ TEST_F(LoadLabelsTest, WhatIsThereStays) {
     ASSERT_EQ(document.segments().segments.size(), 3U);
     EXPECT_EQ(document.segments().working().name, "Segment 1");
     EXPECT_TRUE(setOf(document, 1) == brain);
-    const auto map = document.labelMap();
+    const auto map = document.region().labelMap();
     for (std::size_t i = 0; i < map.size(); ++i) {
         const int value = LabelFile::valueAt(int(i), document.volume().geometry.dims);
         ASSERT_EQ(map[i], map[i] == 1 ? 1 : value == 7 ? 2 : value == 250 ? 3 : 0) << i;
@@ -71,7 +73,7 @@ TEST_F(LoadLabelsTest, AnotherFileOrGridIsRefused) {
     EXPECT_NE(refusal(document, LoadLabels{file.path()}).find("labels must lie on the volume's grid"),
               std::string::npos);
     EXPECT_TRUE(stateOf(document) == before);
-    EXPECT_FALSE(document.canUndo());
+    EXPECT_FALSE(document.facts()->canUndo());
 }
 
 // A session names the file relative to itself, so that both can move together.
@@ -109,13 +111,13 @@ TEST_F(ReplaceLastTest, OnlyTheLastOneWasEverDone) {
     dragged.apply(test::seedAt({35, 20, 29}, {30, 120}));
     dragged.apply(Grow{});
     const auto before = stateOf(dragged);
-    const std::size_t steps = dragged.undoStatistics().steps;
+    const std::size_t steps = dragged.history().statistics().steps;
     const std::size_t logged = dragged.log().size();
     dragged.apply(liveRange({110, 120}));
     for (const double lo : {100.0, 60.0, 105.0, 80.0}) {
         dragged.replaceLast(liveRange({lo, 120}));
     }
-    EXPECT_EQ(dragged.undoStatistics().steps, steps + 1);
+    EXPECT_EQ(dragged.history().statistics().steps, steps + 1);
     EXPECT_EQ(dragged.log().size(), logged + 1);
 
     Document plain(testHead());
@@ -151,9 +153,9 @@ TEST_F(ReplaceLastTest, WhatWasSavedStays) {
 TEST_F(ReplaceLastTest, OfAnotherKindIsDoneAfterIt) {
     Document document(testHead());
     grownBrain(document, 6);
-    const std::size_t steps = document.undoStatistics().steps;
+    const std::size_t steps = document.history().statistics().steps;
     document.replaceLast(UseSegment{"Liver"});
-    EXPECT_EQ(document.undoStatistics().steps, steps + 1);
+    EXPECT_EQ(document.history().statistics().steps, steps + 1);
     EXPECT_GT(setOf(document, 1).count(), 0U);
 }
 

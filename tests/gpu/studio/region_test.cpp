@@ -1,7 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/error.h"
 #include "gpu/gl_test.h"
+#include "gpu/studio/sculpture_bytes.h"
 #include "gpu/studio/test_head.h"
+#include "studio/document/document_facts.h"
+#include "studio/document/live_growth.h"
+#include "studio/state/region.h"
 
 #include <algorithm>
 
@@ -20,43 +24,43 @@ TEST_F(RegionTest, GrowthFillsTheBrainAndStepsBothWaysExactly) {
     Document document(testHead());
     document.apply(brainSeed());
     document.apply(Grow{10});
-    const auto ten = document.generations();
+    const auto ten = document.region().generations();
     document.apply(Grow{});
-    const auto all = document.generations();
+    const auto all = document.region().generations();
     const auto isBrain = [&](std::size_t i) { return std::uint8_t(document.volume().bytes[i]) == 100; };
     for (std::size_t i = 0; i < all.size(); ++i) {
         ASSERT_EQ(all[i] > 0, isBrain(i)) << i;
     }
-    const int last = document.growth().generation;
+    const int last = document.facts()->growth.generation;
     document.apply(Rewind{last - 11});
-    EXPECT_EQ(document.generations(), ten);
+    EXPECT_EQ(document.region().generations(), ten);
     document.apply(Grow{last - 11});
-    EXPECT_EQ(document.generations(), all);
+    EXPECT_EQ(document.region().generations(), all);
     document.apply(Undo{});
-    EXPECT_EQ(document.generations(), ten);
+    EXPECT_EQ(document.region().generations(), ten);
     document.apply(Undo{});
-    EXPECT_EQ(document.generations(), all);
+    EXPECT_EQ(document.region().generations(), all);
 }
 
 TEST_F(RegionTest, ScrubbingShowsAnyGenerationAndEndsAsOneOperation) {
     Document document(testHead());
     document.apply(brainSeed());
     document.apply(Grow{20});
-    const auto whole = document.generations();
+    const auto whole = document.region().generations();
     const std::size_t logged = document.log().size();
     for (const int generation : {3, 17, 1, 9}) {
-        document.scrub(generation);
+        document.growing().scrub(generation);
         document.frame({64, 64});
         auto expected = whole;
         std::replace_if(
             expected.begin(), expected.end(), [&](auto g) { return int(g) > generation; }, 0U);
-        EXPECT_TRUE(document.generations() == expected) << generation;
+        EXPECT_TRUE(document.region().generations() == expected) << generation;
     }
-    document.endScrub();
-    EXPECT_EQ(document.growth().generation, 9);
+    document.growing().endScrub();
+    EXPECT_EQ(document.facts()->growth.generation, 9);
     EXPECT_EQ(document.log().size(), logged + 1);
     document.apply(Undo{});
-    EXPECT_TRUE(document.generations() == whole);
+    EXPECT_TRUE(document.region().generations() == whole);
 }
 
 TEST_F(RegionTest, GrowthNeverEntersWhatWasCutAway) {
@@ -64,8 +68,8 @@ TEST_F(RegionTest, GrowthNeverEntersWhatWasCutAway) {
     document.apply(somePeel(14));
     document.apply(brainSeed());
     document.apply(Grow{});
-    const auto labels = document.labels();
-    const auto cuts = sculpt::valuesOf(document.sculptureBytes(), sculpt::Precision::Bits16);
+    const auto labels = document.region().labels();
+    const auto cuts = sculpt::valuesOf(test::sculptureBytes(document), sculpt::Precision::Bits16);
     std::size_t fenced = 0;
     for (std::size_t i = 0; i < labels.size(); ++i) {
         const bool isCut = cuts[i] >= 0.5F;
@@ -78,21 +82,21 @@ TEST_F(RegionTest, GrowthNeverEntersWhatWasCutAway) {
 TEST_F(RegionTest, LiveGrowthEndsAsOneOperation) {
     Document document(testHead());
     document.apply(brainSeed());
-    const auto seeds = document.generations();
-    document.beginGrowth();
-    while (document.growFor(0.1, 3)) {
+    const auto seeds = document.region().generations();
+    document.growing().begin();
+    while (document.growing().growFor(0.1, 3)) {
     }
-    const Outcome outcome = document.endGrowth();
-    const auto all = document.generations();
-    EXPECT_EQ(outcome.voxelsTouched + 1, document.growth().voxels);
+    const Outcome outcome = document.growing().end();
+    const auto all = document.region().generations();
+    EXPECT_EQ(outcome.voxelsTouched + 1, document.facts()->growth.voxels);
     EXPECT_EQ(document.log().size(), 2U);
     document.apply(Undo{});
-    EXPECT_EQ(document.generations(), seeds);
+    EXPECT_EQ(document.region().generations(), seeds);
     document.apply(Undo{});
-    EXPECT_EQ(document.growth().voxels, 0U);
+    EXPECT_EQ(document.facts()->growth.voxels, 0U);
     document.apply(Redo{});
     document.apply(Redo{});
-    EXPECT_EQ(document.generations(), all);
+    EXPECT_EQ(document.region().generations(), all);
 }
 
 TEST_F(RegionTest, StrokesFindSeedsOnTheVisibleSurface) {
@@ -107,7 +111,7 @@ TEST_F(RegionTest, StrokesFindSeedsOnTheVisibleSurface) {
     for (const glm::ivec3 v : logged.voxels) {
         EXPECT_EQ(document.volume().at(v), 200) << "on the skull";
     }
-    EXPECT_EQ(document.growth().range, (Range{50, 255})) << "the run takes the displayed range";
+    EXPECT_EQ(document.facts()->growth.range, (Range{50, 255})) << "the run takes the displayed range";
 }
 
 TEST_F(RegionTest, RedoWorksAfterTheFirstCutOfAProbeView) {
@@ -117,17 +121,17 @@ TEST_F(RegionTest, RedoWorksAfterTheFirstCutOfAProbeView) {
     seed.canvas->view = probeView();
     document.apply(seed);
     document.apply(Grow{3});
-    const auto grown = document.generations();
+    const auto grown = document.region().generations();
     document.apply(drillInProbeView());
     for (int i = 0; i < 3; ++i) {
         document.apply(Undo{});
     }
     document.apply(Redo{});
     document.apply(Redo{});
-    EXPECT_EQ(document.generations(), grown);
+    EXPECT_EQ(document.region().generations(), grown);
     document.apply(Undo{});
     document.apply(Undo{});
-    EXPECT_FALSE(document.canUndo());
+    EXPECT_FALSE(document.facts()->canUndo());
 }
 
 TEST_F(RegionTest, GrowthIsFencedByTheViewThatItBeganIn) {
@@ -135,24 +139,24 @@ TEST_F(RegionTest, GrowthIsFencedByTheViewThatItBeganIn) {
     document.look(testCanvas().view);
     document.apply(somePeel(14));
     document.apply(brainSeed());
-    document.beginGrowth();
-    document.growFor(0, 2);
+    document.growing().begin();
+    document.growing().growFor(0, 2);
     View whole = testCanvas().view;
     whole.sculptureView = field::SculptureView::Whole;
     document.look(whole); // while it plays
-    while (document.growFor(1, 1000)) {
+    while (document.growing().growFor(1, 1000)) {
     }
-    document.endGrowth();
-    const auto fenced = document.generations();
+    document.growing().end();
+    const auto fenced = document.region().generations();
     document.apply(Undo{});
     document.apply(Redo{});
-    EXPECT_EQ(document.generations(), fenced);
+    EXPECT_EQ(document.region().generations(), fenced);
 
     Document replayed(testHead());
     for (const Operation& operation : document.log()) {
         replayed.apply(operation);
     }
-    EXPECT_EQ(replayed.generations(), fenced);
+    EXPECT_EQ(replayed.region().generations(), fenced);
     EXPECT_EQ(replayed.view(), document.view());
 }
 
@@ -162,10 +166,10 @@ TEST_F(RegionTest, RedoOfGrowthKeepsItsFenceWhateverTheViewIsNow) {
     document.apply(somePeel(14));
     document.apply(brainSeed());
     document.apply(Grow{12});
-    const auto fenced = document.generations();
+    const auto fenced = document.region().generations();
     document.apply(Rewind{1});
     document.apply(Grow{1});
-    EXPECT_EQ(document.generations(), fenced);
+    EXPECT_EQ(document.region().generations(), fenced);
     View whole = testCanvas().view;
     whole.sculptureView = field::SculptureView::Whole;
     document.look(whole);
@@ -176,7 +180,7 @@ TEST_F(RegionTest, RedoOfGrowthKeepsItsFenceWhateverTheViewIsNow) {
         for (int i = 0; i < steps; ++i) {
             document.apply(Redo{});
         }
-        EXPECT_EQ(document.generations(), fenced);
+        EXPECT_EQ(document.region().generations(), fenced);
     }
 }
 
@@ -184,22 +188,22 @@ TEST_F(RegionTest, RewindingOnAndOnIsOneStep) {
     Document document(testHead());
     document.apply(brainSeed());
     document.apply(Grow{12});
-    const auto grown = document.generations();
+    const auto grown = document.region().generations();
     for (const int generations : {1, 1, 3}) {
         document.rewindFurther(generations);
     }
-    EXPECT_EQ(document.growth().generation, 8);
+    EXPECT_EQ(document.facts()->growth.generation, 8);
     EXPECT_EQ(document.log().size(), 3U);
-    const auto rewound = document.generations();
+    const auto rewound = document.region().generations();
     document.apply(Undo{});
-    EXPECT_EQ(document.generations(), grown);
+    EXPECT_EQ(document.region().generations(), grown);
     document.apply(Redo{});
-    EXPECT_EQ(document.generations(), rewound);
+    EXPECT_EQ(document.region().generations(), rewound);
     Document replayed(testHead());
     for (const Operation& operation : document.log()) {
         replayed.apply(operation);
     }
-    EXPECT_EQ(replayed.generations(), rewound);
+    EXPECT_EQ(replayed.region().generations(), rewound);
 }
 
 TEST_F(RegionTest, AFewSeedsCanBeSeen) {

@@ -2,8 +2,10 @@
 #pragma once
 
 #include "base/error.h"
+#include "gpu/studio/sculpture_bytes.h"
 #include "gpu/studio/test_head.h"
 #include "segment/edits/voxel_set.h"
+#include "studio/state/region.h"
 
 namespace vs::test {
 
@@ -18,12 +20,13 @@ struct DocumentState {
 };
 
 inline DocumentState stateOf(const studio::Document& document) {
-    return {document.generations(), document.labelMap(), document.sculptureBytes(), document.segments()};
+    return {document.region().generations(), document.region().labelMap(), test::sculptureBytes(document),
+            document.segments()};
 }
 
 // The voxels of a label.
 inline segment::VoxelSet setOf(const studio::Document& document, std::uint8_t label) {
-    segment::VoxelSet set{document.volume().geometry.box(), document.labelMap()};
+    segment::VoxelSet set{document.volume().geometry.box(), document.region().labelMap()};
     for (std::uint8_t& value : set.inside) {
         value = value == label ? 1 : 0;
     }

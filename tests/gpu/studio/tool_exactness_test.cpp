@@ -2,6 +2,7 @@
 // Tools on analytic bodies, through the whole chain: pen, rays, surface, mask, radiation, sculpture.
 #include "gpu/gl_test.h"
 #include "gpu/sculpt/surface_makers.h"
+#include "gpu/studio/sculpture_bytes.h"
 #include "test_head.h"
 
 #include <cmath>
@@ -32,7 +33,7 @@ Canvas canvasOf(glm::ivec2 viewport, double azimuth, double elevation, double zo
 // The sculpture of a document, to be sampled in millimetres.
 struct Cut {
     Cut(const Document& document, glm::dvec3 gridSpacing)
-        : values(sculpt::valuesOf(document.sculptureBytes(), sculpt::Precision::Bits16)),
+        : values(sculpt::valuesOf(test::sculptureBytes(document), sculpt::Precision::Bits16)),
           dims(document.volume().geometry.dims), spacing(gridSpacing) {}
 
     [[nodiscard]] double at(glm::dvec3 world) const {
@@ -209,8 +210,8 @@ TEST_F(ToolExactness, LayersComeOffAHollowBallFromInside) {
 }
 
 double largestDifference(const Document& a, const Document& b) {
-    const auto x = sculpt::valuesOf(a.sculptureBytes(), sculpt::Precision::Bits16);
-    const auto y = sculpt::valuesOf(b.sculptureBytes(), sculpt::Precision::Bits16);
+    const auto x = sculpt::valuesOf(test::sculptureBytes(a), sculpt::Precision::Bits16);
+    const auto y = sculpt::valuesOf(test::sculptureBytes(b), sculpt::Precision::Bits16);
     double worst = 0;
     for (std::size_t n = 0; n < x.size(); ++n) {
         worst = std::max(worst, std::abs(double(x[n]) - y[n]));
@@ -256,7 +257,7 @@ TEST_F(ToolExactness, TheZoomDoesNotMatter) {
                       {middle - zoom * glm::dvec2(20, 15), middle + zoom * glm::dvec2(20, 15)}};
         drill.stroke = {{middle - zoom * glm::dvec2(20, 5), 1}, {middle + zoom * glm::dvec2(15, 5), 1}};
         document.apply(drill);
-        return sculpt::valuesOf(document.sculptureBytes(), sculpt::Precision::Bits16);
+        return sculpt::valuesOf(test::sculptureBytes(document), sculpt::Precision::Bits16);
     };
     const auto once = drilled(1);
     for (const double zoom : {0.6, 2.5}) {

@@ -5,6 +5,12 @@
 #include "test_head.h"
 
 #include "base/error.h"
+#include "gpu/studio/sculpture_bytes.h"
+#include "studio/document/document_facts.h"
+#include "studio/document/live_stroke.h"
+#include "studio/document/part_queries.h"
+#include "studio/document/surface_queries.h"
+#include "studio/state/region.h"
 
 #include <cmath>
 
@@ -73,19 +79,19 @@ Operation restoring(Operation operation) {
 }
 
 std::vector<float> sculptureOf(const Document& document) {
-    return sculpt::valuesOf(document.sculptureBytes(), sculpt::Precision::Bits16);
+    return sculpt::valuesOf(test::sculptureBytes(document), sculpt::Precision::Bits16);
 }
 
 TEST_F(ToolsTest, UndoAndRedoGiveEveryByteBack) {
     for (const Operation& tool : toolsAt(200, 130)) {
         Head document;
-        const auto untouched = document.sculptureBytes();
+        const auto untouched = test::sculptureBytes(document);
         EXPECT_GT(document.apply(tool).voxelsTouched, 100U) << name(tool);
-        const auto once = document.sculptureBytes();
+        const auto once = test::sculptureBytes(document);
         document.apply(Undo{});
-        EXPECT_TRUE(document.sculptureBytes() == untouched) << name(tool);
+        EXPECT_TRUE(test::sculptureBytes(document) == untouched) << name(tool);
         document.apply(Redo{});
-        EXPECT_TRUE(document.sculptureBytes() == once) << name(tool);
+        EXPECT_TRUE(test::sculptureBytes(document) == once) << name(tool);
     }
 }
 
@@ -126,7 +132,7 @@ TEST_F(ToolsTest, BesideTheVolumeNothingHappens) {
             continue; // cuts the air there
         }
         EXPECT_EQ(outcome.voxelsTouched, 0U) << name(tool);
-        EXPECT_FALSE(document.canUndo()) << name(tool);
+        EXPECT_FALSE(document.facts()->canUndo()) << name(tool);
     }
 }
 
@@ -148,14 +154,14 @@ TEST_F(ToolsTest, EmptySketchesAndNoPressureDoNothing) {
 TEST_F(ToolsTest, HoldingThePenStillChangesNothingMore) {
     for (Operation tool : std::vector<Operation>{penAt<Drill>(200, 130, 10), penAt<Laser>(200, 130, 10)}) {
         Head document;
-        document.beginStroke(tool);
-        document.updatePen({{200, 130}, 0.8});
-        const auto once = document.sculptureBytes();
+        document.stroke().begin(tool);
+        document.stroke().drawAt({{200, 130}, 0.8});
+        const auto once = test::sculptureBytes(document);
         for (int n = 0; n < 3; ++n) {
-            document.updatePen({{200, 130}, 0.8});
+            document.stroke().drawAt({{200, 130}, 0.8});
         }
-        EXPECT_TRUE(document.sculptureBytes() == once) << name(tool);
-        EXPECT_GT(document.commitStroke().voxelsTouched, 100U);
+        EXPECT_TRUE(test::sculptureBytes(document) == once) << name(tool);
+        EXPECT_GT(document.stroke().commit().voxelsTouched, 100U);
     }
 }
 
@@ -169,7 +175,7 @@ TEST_F(ToolsTest, TheOrderOfDisjointStrokesDoesNotMatter) {
         Head b;
         b.apply(right[n]);
         b.apply(left[n]);
-        EXPECT_TRUE(a.sculptureBytes() == b.sculptureBytes()) << name(left[n]);
+        EXPECT_TRUE(test::sculptureBytes(a) == test::sculptureBytes(b)) << name(left[n]);
     }
 }
 
@@ -226,23 +232,23 @@ TEST_F(ToolsTest, RestoreNeverPassesTheUncutSurface) {
     back.canvas->view.range = {50, 255};
     document.apply(back);
     // Through the hole the far wall of nothing is seen: nothing to restore from.
-    const auto seen = document.probe({200, 130}, {400, 300});
+    const auto seen = document.surface().probe({200, 130}, {400, 300});
     EXPECT_FALSE(seen.has_value());
 
     Head drilled;
     Drill drill = penAt<Drill>(200, 130, 14);
     drilled.apply(drill);
-    const glm::dvec3 floor = drilled.probe({200, 130}, {400, 300})->world;
+    const glm::dvec3 floor = drilled.surface().probe({200, 130}, {400, 300})->world;
     drill.restores = true;
     drill.depthMax = 2;
     drilled.apply(drill);
-    const glm::dvec3 raised = drilled.probe({200, 130}, {400, 300})->world;
+    const glm::dvec3 raised = drilled.surface().probe({200, 130}, {400, 300})->world;
     EXPECT_NEAR(glm::distance(floor, raised), 2, 0.3) << "steps of 1 mm";
     drill.depthMax = 1000;
     drilled.apply(drill);
-    const glm::dvec3 whole = drilled.probe({200, 130}, {400, 300})->world;
+    const glm::dvec3 whole = drilled.surface().probe({200, 130}, {400, 300})->world;
     Head untouched;
-    EXPECT_LT(glm::distance(whole, untouched.probe({200, 130}, {400, 300})->world), 0.05);
+    EXPECT_LT(glm::distance(whole, untouched.surface().probe({200, 130}, {400, 300})->world), 0.05);
 }
 
 TEST_F(ToolsTest, KeepingOnDiggingGoesDeeper) {
@@ -252,9 +258,9 @@ TEST_F(ToolsTest, KeepingOnDiggingGoesDeeper) {
         drill.keepsDigging = keepsDigging;
         drill.depthMax = 4;
         document.apply(drill);
-        const auto place = document.probe({200, 130}, {400, 300});
+        const auto place = document.surface().probe({200, 130}, {400, 300});
         Head whole;
-        return glm::distance(place->world, whole.probe({200, 130}, {400, 300})->world);
+        return glm::distance(place->world, whole.surface().probe({200, 130}, {400, 300})->world);
     };
     EXPECT_NEAR(depthOf(false), 2.4, 0.3);
     EXPECT_GT(depthOf(true), 5.5);
@@ -265,8 +271,8 @@ TEST_F(ToolsTest, PressureThatRisesFromZeroLooksAtTheSurfaceAgain) {
     once.apply(penAt<Drill>(200, 130, 12, {{{200, 130}, 0.15}, {{200, 130}, 0.15}}));
     Head twice;
     twice.apply(penAt<Drill>(200, 130, 12, {{{200, 130}, 0.15}, {{200, 130}, 0}, {{200, 130}, 0.15}}));
-    const glm::dvec3 a = once.probe({200, 130}, {400, 300})->world;
-    const glm::dvec3 b = twice.probe({200, 130}, {400, 300})->world;
+    const glm::dvec3 a = once.surface().probe({200, 130}, {400, 300})->world;
+    const glm::dvec3 b = twice.surface().probe({200, 130}, {400, 300})->world;
     EXPECT_NEAR(glm::distance(a, b), 1.35, 0.3);
 }
 
@@ -276,12 +282,12 @@ TEST_F(ToolsTest, TheDrillFollowsThePensTiltWhenAsked) {
         Drill drill = penAt<Drill>(200, 130, 8, {{{200, 130}, 1, {40, 0}}});
         drill.followsTilt = follows;
         document.apply(drill);
-        return document.sculptureBytes();
+        return test::sculptureBytes(document);
     };
     Head upright;
     upright.apply(penAt<Drill>(200, 130, 8));
-    EXPECT_TRUE(cut(false) == upright.sculptureBytes());
-    EXPECT_FALSE(cut(true) == upright.sculptureBytes());
+    EXPECT_TRUE(cut(false) == test::sculptureBytes(upright));
+    EXPECT_FALSE(cut(true) == test::sculptureBytes(upright));
 }
 
 TEST_F(ToolsTest, ScissorsCutWhatIsSeenInsideTheOutlineOrOutsideIt) {
@@ -296,7 +302,7 @@ TEST_F(ToolsTest, ScissorsCutWhatIsSeenInsideTheOutlineOrOutsideIt) {
                 if (std::abs(r - 40) < 2) {
                     continue;
                 }
-                const bool isSeen = document.probe({x, y}, {400, 300}).has_value();
+                const bool isSeen = document.surface().probe({x, y}, {400, 300}).has_value();
                 EXPECT_FALSE(isSeen && (r < 40) != outside) << x << " " << y;
             }
         }
@@ -358,15 +364,15 @@ TEST_F(ToolsTest, ALiveClipLeavesOnlyItsLastShape) {
     Clip clip;
     clip.planes = {{{35, 39, 30}, {0, 0, 1}}};
     Head live;
-    live.beginStroke(clip);
+    live.stroke().begin(clip);
     for (const double z : {10.0, 50.0, 22.5}) {
         clip.planes[0].point.z = z;
-        live.updateClip(clip);
+        live.stroke().clipTo(clip);
     }
-    live.commitStroke();
+    live.stroke().commit();
     Head once;
     once.apply(clip);
-    EXPECT_TRUE(live.sculptureBytes() == once.sculptureBytes());
+    EXPECT_TRUE(test::sculptureBytes(live) == test::sculptureBytes(once));
 }
 
 // Two balls; the smaller one is the table.
@@ -387,17 +393,17 @@ TEST_F(ToolsTest, OnlyWhatIsConnectedToThePlaceUnderThePenIsKept) {
     op.pixel = rays.project({20, 24, 24});
     const glm::dvec2 other = rays.project({48, 24, 24});
     document.apply(SetView{op.canvas->view.camera, {}, Range{100, 255}, {}});
-    const auto kept = document.probe(op.pixel, {400, 300});
-    ASSERT_TRUE(kept && document.probe(other, {400, 300}));
+    const auto kept = document.surface().probe(op.pixel, {400, 300});
+    ASSERT_TRUE(kept && document.surface().probe(other, {400, 300}));
     EXPECT_GT(document.apply(op).voxelsTouched, 100U);
-    EXPECT_FALSE(document.probe(other, {400, 300}));
-    const auto still = document.probe(op.pixel, {400, 300});
+    EXPECT_FALSE(document.surface().probe(other, {400, 300}));
+    const auto still = document.surface().probe(op.pixel, {400, 300});
     ASSERT_TRUE(still);
     EXPECT_EQ(still->voxel, kept->voxel) << "its surface is as it was";
     // Nothing of the other is seen anywhere.
     for (int y = 0; y < 300; y += 3) {
         for (int x = 0; x < 400; x += 3) {
-            const auto hit = document.probe({x, y}, {400, 300});
+            const auto hit = document.surface().probe({x, y}, {400, 300});
             EXPECT_TRUE(!hit || hit->voxel.x < 36) << x << " " << y;
         }
     }
@@ -407,7 +413,7 @@ TEST_F(ToolsTest, OnlyWhatIsConnectedToThePlaceUnderThePenIsKept) {
     op.pixel = {1, 1};
     EXPECT_THROW(document.apply(op), Error);
     document.apply(Undo{});
-    EXPECT_TRUE(document.probe(other, {400, 300}));
+    EXPECT_TRUE(document.surface().probe(other, {400, 300}));
 }
 
 // Where parts are seen: pixels of the pictures of each.
@@ -427,7 +433,7 @@ TEST_F(ToolsTest, EachPasteIsAPartOfItsOwn) {
     document.apply(scissorsAt(230, 130, 15));
     EXPECT_TRUE(part(0) == sculptureOf(document)) << "until the next paste it takes in what is cut";
     document.apply(Paste{{{-200, 0, 0}, {}, 1}});
-    EXPECT_EQ(document.pastedParts(), 2U);
+    EXPECT_EQ(document.parts().count(), 2U);
     EXPECT_TRUE(part(0) == first) << "then it is what it was";
     const auto second = part(1);
     const auto all = sculptureOf(document);
@@ -450,9 +456,9 @@ TEST_F(ToolsTest, EachPasteIsAPartOfItsOwn) {
     document.apply(Redo{});
     EXPECT_TRUE(part(1) == second);
     document.apply(UnCut{});
-    EXPECT_EQ(document.pastedParts(), 0U);
+    EXPECT_EQ(document.parts().count(), 0U);
     document.apply(Undo{});
-    EXPECT_EQ(document.pastedParts(), 2U);
+    EXPECT_EQ(document.parts().count(), 2U);
     EXPECT_TRUE(part(1) == second);
     EXPECT_THROW(document.apply(MovePart{2, {}}), Error);
 }
@@ -466,15 +472,15 @@ TEST_F(ToolsTest, LiveStrokesEndAsTheirOperationsWould) {
     digging.keepsDigging = true;
     for (const Operation& tool : std::vector<Operation>{drill, laser, digging}) {
         Head live;
-        live.beginStroke(tool);
+        live.stroke().begin(tool);
         for (const auto& pen : stroke) {
-            live.updatePen(pen);
+            live.stroke().drawAt(pen);
             live.frame({100, 80}); // pictures are drawn meanwhile
         }
-        live.commitStroke();
+        live.stroke().commit();
         Head once;
         once.apply(tool);
-        EXPECT_TRUE(live.sculptureBytes() == once.sculptureBytes()) << name(tool);
+        EXPECT_TRUE(test::sculptureBytes(live) == test::sculptureBytes(once)) << name(tool);
     }
 }
 
@@ -492,12 +498,12 @@ TEST_F(ToolsTest, ADiscardedStrokeDoesNotChangeGrowth) {
         if (draws) {
             Peel peel = test::somePeel();
             peel.layers = 0;
-            document.beginStroke(peel);
-            document.updatePeel(3);
-            document.discardStroke();
+            document.stroke().begin(peel);
+            document.stroke().peelTo(3);
+            document.stroke().discard();
         }
         document.apply(Grow{7, {}});
-        return document.generations();
+        return document.region().generations();
     };
     EXPECT_TRUE(grown(true) == grown(false));
 }
@@ -527,7 +533,7 @@ TEST_F(ToolsTest, SketchesFarBeyondThePictureCutAsTheirPartInIt) {
     Head far;
     op.outline = {Shape::Rectangle, {{-9e5, 100}, {9e5, 140}}};
     far.apply(op);
-    EXPECT_TRUE(near.sculptureBytes() == far.sculptureBytes());
+    EXPECT_TRUE(test::sculptureBytes(near) == test::sculptureBytes(far));
 }
 
 } // namespace

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/error.h"
 #include "gpu/gl_test.h"
+#include "gpu/studio/sculpture_bytes.h"
 #include "gpu/studio/test_head.h"
 #include "sculpt/surface/tool_cut.h"
+#include "studio/document/document_facts.h"
 #include "studio/state/history.h"
 
 #include <random>
@@ -28,27 +30,27 @@ TEST_F(UndoTest, UnderATinyLimitDeltasGoToAFileAndComeBack) {
     Document document(testHead());
     constexpr std::size_t limit = 8000;
     document.setUndoMemory(limit);
-    std::vector<Bytes> states{document.sculptureBytes()};
+    std::vector<Bytes> states{test::sculptureBytes(document)};
     for (int n = 0; n < 12; ++n) {
         const Operation operation =
             n % 3 == 0 ? Operation(somePeel(2 + n)) : Operation(drillAt(160 + 8 * n, 120 + 5 * n, 14));
         document.apply(operation);
-        states.push_back(document.sculptureBytes());
-        EXPECT_LE(document.undoStatistics().bytesInMemory, limit);
+        states.push_back(test::sculptureBytes(document));
+        EXPECT_LE(document.history().statistics().bytesInMemory, limit);
     }
-    EXPECT_GT(document.undoStatistics().bytesInFile, 0U);
+    EXPECT_GT(document.history().statistics().bytesInFile, 0U);
     for (int round = 0; round < 2; ++round) {
         for (std::size_t at = states.size() - 1; at-- > 0;) {
             document.apply(Undo{});
-            ASSERT_TRUE(document.sculptureBytes() == states[at]) << at;
-            ASSERT_LE(document.undoStatistics().bytesInMemory, limit);
+            ASSERT_TRUE(test::sculptureBytes(document) == states[at]) << at;
+            ASSERT_LE(document.history().statistics().bytesInMemory, limit);
         }
         // Held results are the larger ones.
-        EXPECT_GT(document.undoStatistics().bytesInFile, 4 * limit);
+        EXPECT_GT(document.history().statistics().bytesInFile, 4 * limit);
         for (std::size_t at = 1; at < states.size(); ++at) {
             document.apply(Redo{});
-            ASSERT_TRUE(document.sculptureBytes() == states[at]) << at;
-            ASSERT_LE(document.undoStatistics().bytesInMemory, limit);
+            ASSERT_TRUE(test::sculptureBytes(document) == states[at]) << at;
+            ASSERT_LE(document.history().statistics().bytesInMemory, limit);
         }
     }
 }
@@ -62,13 +64,13 @@ TEST_F(UndoTest, TheFileShrinksWhenWhatCouldBeRedoneIsForgotten) {
     for (int n = 0; n < 6; ++n) {
         document.apply(Undo{});
     }
-    const auto full = document.undoStatistics();
+    const auto full = document.history().statistics();
     EXPECT_EQ(full.steps, 6U);
     EXPECT_GT(full.fileBytes, 10000U);
     document.apply(drillAt(40, 40, 3)); // meets nothing: forgets nothing
-    EXPECT_EQ(document.undoStatistics().steps, 6U);
+    EXPECT_EQ(document.history().statistics().steps, 6U);
     document.apply(drillAt(200, 150, 5));
-    const auto rest = document.undoStatistics();
+    const auto rest = document.history().statistics();
     EXPECT_EQ(rest.steps, 1U);
     EXPECT_LT(rest.fileBytes, full.fileBytes / 4);
 }
@@ -150,7 +152,7 @@ TEST_F(UndoTest, StepsAreListedInTheirOrderWhateverOfThemHolds) {
     document.apply(somePeel(3));
     const auto names = [&document] {
         std::vector<std::string> result;
-        for (const Operation* operation : document.steps().operations) {
+        for (const Operation* operation : document.facts()->steps->operations) {
             result.emplace_back(name(*operation));
         }
         return result;
@@ -158,31 +160,32 @@ TEST_F(UndoTest, StepsAreListedInTheirOrderWhateverOfThemHolds) {
     const std::vector<std::string> all{"peel", "drill", "peel"};
     for (std::size_t undone = 0; undone <= all.size(); ++undone) {
         EXPECT_EQ(names(), all);
-        EXPECT_EQ(document.steps().done, all.size() - undone);
-        if (document.canUndo()) {
+        EXPECT_EQ(document.facts()->steps->done, all.size() - undone);
+        if (document.facts()->canUndo()) {
             document.apply(Undo{});
         }
     }
     document.apply(Redo{});
     document.apply(drillAt(170, 130, 10)); // what could be redone is gone
     EXPECT_EQ(names(), (std::vector<std::string>{"peel", "drill"}));
-    EXPECT_EQ(document.steps().done, 2U);
+    EXPECT_EQ(document.facts()->steps->done, 2U);
 }
 
 TEST_F(UndoTest, ANoteIsAStepThatChangesNothing) {
     Document document(testHead());
     document.apply(somePeel(2));
-    const Bytes cut = document.sculptureBytes();
+    const Bytes cut = test::sculptureBytes(document);
     const Outcome outcome = document.apply(Note{"the left side is for the second opinion"});
     EXPECT_EQ(outcome.message.english(), "the left side is for the second opinion");
-    EXPECT_EQ(document.steps().done, 2U);
-    EXPECT_TRUE(document.sculptureBytes() == cut);
+    EXPECT_EQ(document.facts()->steps->done, 2U);
+    EXPECT_TRUE(test::sculptureBytes(document) == cut);
     document.apply(Undo{});
-    EXPECT_STREQ(name(*document.lastStep()), "peel");
-    EXPECT_TRUE(document.sculptureBytes() == cut) << "only the note was taken back";
+    EXPECT_STREQ(name(*document.facts()->lastStep()), "peel");
+    EXPECT_TRUE(test::sculptureBytes(document) == cut) << "only the note was taken back";
     document.apply(Redo{});
-    EXPECT_EQ(details(*document.lastStep()).front().english(), "the left side is for the second opinion");
-    EXPECT_TRUE(document.sculptureBytes() == cut);
+    EXPECT_EQ(details(*document.facts()->lastStep()).front().english(),
+              "the left side is for the second opinion");
+    EXPECT_TRUE(test::sculptureBytes(document) == cut);
 }
 
 TEST_F(UndoTest, BytesAChangedVoxelStayBelowTheLimitBothWays) {
@@ -191,13 +194,13 @@ TEST_F(UndoTest, BytesAChangedVoxelStayBelowTheLimitBothWays) {
         document.apply(drillAt(160 + 12 * n, 120 + 10 * n, 14));
         document.apply(somePeel(1 + 2 * n));
     }
-    const auto undo = document.undoStatistics();
+    const auto undo = document.history().statistics();
     EXPECT_GT(undo.changedVoxels, 5000U);
     EXPECT_LT(undo.bytesPerChangedVoxel(), 1.6);
-    while (document.canUndo()) {
+    while (document.facts()->canUndo()) {
         document.apply(Undo{});
     }
-    const auto redo = document.undoStatistics();
+    const auto redo = document.history().statistics();
     EXPECT_EQ(redo.changedVoxels, undo.changedVoxels);
     EXPECT_LT(redo.bytesPerChangedVoxel(), 1.9) << "stamps as small as these are nearly all edge";
 }

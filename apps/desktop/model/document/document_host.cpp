@@ -3,6 +3,7 @@
 
 #include "base/progress.h"
 #include "studio/document/document.h"
+#include "studio/document/document_facts.h"
 
 #include <utility>
 
@@ -12,7 +13,7 @@ namespace {
 constexpr double kHandMs = 300; // after the last input
 } // namespace
 
-DocumentHost::DocumentHost() {
+DocumentHost::DocumentHost() : facts_(std::make_shared<const studio::DocumentFacts>()) {
     connect(&longWork_, &LongWork::lasts, this, [this](int thousandths) {
         if (!isReplaying()) { // which counts its operations
             thousandths < 0 ? emit progress(0, 0) : emit progress(thousandths, 1000);
@@ -33,11 +34,11 @@ const volume::GridGeometry* DocumentHost::geometry() const {
     return document_ ? &document_->volume().geometry : nullptr;
 }
 
-std::uint64_t DocumentHost::version() const {
+std::shared_ptr<const studio::DocumentFacts> DocumentHost::facts() const {
     if (!isAway()) {
-        versionSeen_ = document_ ? document_->version() : 0;
+        facts_ = document_ ? document_->facts() : std::make_shared<const studio::DocumentFacts>();
     }
-    return versionSeen_;
+    return facts_;
 }
 
 void DocumentHost::replace(std::unique_ptr<studio::Document> document) {
@@ -60,8 +61,13 @@ bool DocumentHost::guard(const std::function<void()>& work) {
     }
 }
 
+void DocumentHost::runLong(const std::function<void()>& work, LongWork::Input input) {
+    facts(); // those that hold until it is back
+    longWork_.run(work, input);
+}
+
 bool DocumentHost::workLong(const std::function<void()>& work, LongWork::Input input) {
-    return guard([&] { longWork_.run(work, input); });
+    return guard([&] { runLong(work, input); });
 }
 
 void DocumentHost::whenHere(std::function<void()> work) {

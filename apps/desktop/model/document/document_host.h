@@ -9,14 +9,14 @@
 #include <QObject>
 #include <QString>
 
-#include <cstdint>
 #include <functional>
 #include <memory>
 #include <vector>
 
 namespace vs::studio {
 class Document;
-}
+struct DocumentFacts;
+} // namespace vs::studio
 namespace vs::volume {
 struct GridGeometry;
 struct Volume;
@@ -44,8 +44,9 @@ public:
     // away.
     [[nodiscard]] const volume::Volume* volume() const;
     [[nodiscard]] const volume::GridGeometry* geometry() const;
-    // Document::version(), as it was when the document was last here; 0 before something was opened.
-    [[nodiscard]] std::uint64_t version() const;
+    // What is known of the document, as it was when it was last here: what panels show, also while it is
+    // away. Never null; before something was opened, those of nothing.
+    [[nodiscard]] std::shared_ptr<const studio::DocumentFacts> facts() const;
     // Another document, or none. What looks into the former one lets go of it first (leaving()).
     void replace(std::unique_ptr<studio::Document> document);
 
@@ -65,9 +66,7 @@ public:
     // (LongWork). False: it failed, and the message says why.
     bool workLong(const std::function<void()>& work, LongWork::Input input = LongWork::Input::Waits);
     // The same, but what it throws is thrown.
-    void runLong(const std::function<void()>& work, LongWork::Input input = LongWork::Input::Waits) {
-        longWork_.run(work, input);
-    }
+    void runLong(const std::function<void()>& work, LongWork::Input input = LongWork::Input::Waits);
     // Does it now, or once the document is back: for what ends on other threads.
     void whenHere(std::function<void()> work);
     // Does what waited for the document. Called by the scheduler when it is here.
@@ -107,7 +106,7 @@ private:
     GlHost gl_;
     LongWork longWork_{gl_};
     std::unique_ptr<studio::Document> document_;
-    mutable std::uint64_t versionSeen_ = 0; // when the document was last here
+    mutable std::shared_ptr<const studio::DocumentFacts> facts_; // as they were last published
     Opening opening_ = Opening::Nothing;
     std::vector<std::function<void()>> waiting_; // for the document to be back
     QString message_;

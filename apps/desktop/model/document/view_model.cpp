@@ -2,6 +2,7 @@
 #include "model/document/view_model.h"
 
 #include "model/document/document_host.h"
+#include "studio/document/document_facts.h"
 
 namespace vs::desktop {
 
@@ -73,7 +74,7 @@ void ViewModel::setSampling(field::Sampling sampling) {
 Range ViewModel::visibleRange() const { return view_.visibleRange(host_.volume()->range); }
 
 void ViewModel::flush() {
-    if (isPending_ && host_.document() != nullptr && !host_.document()->isStrokeOpen()) {
+    if (isPending_ && host_.document() != nullptr && !host_.facts()->isStrokeOpen()) {
         isPending_ = false;
         host_.guard([this] { host_.document()->look(view_); });
         host_.tellSoon();

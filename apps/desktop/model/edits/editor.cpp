@@ -7,6 +7,9 @@
 #include "model/hand/hand.h"
 #include "model/hand/tool.h"
 #include "model/texts/library_texts.h"
+#include "studio/document/document_facts.h"
+#include "studio/document/live_stroke.h"
+#include "studio/document/part_queries.h"
 
 namespace vs::desktop {
 
@@ -25,7 +28,7 @@ bool Editor::change(const std::function<studio::Outcome()>& edit) {
         return false;
     }
     hand_.tool().settle();
-    if (host_.document()->isStrokeOpen()) {
+    if (host_.facts()->isStrokeOpen()) {
         return false;
     }
     interrupt(); // what has grown so far is an operation of its own
@@ -68,18 +71,18 @@ bool Editor::beginStroke(const std::function<void(studio::Document&, const studi
 }
 
 void Editor::endStroke(bool keep) {
-    if (host_.geometry() == nullptr || !host_.document()->isStrokeOpen()) {
+    if (host_.geometry() == nullptr || !host_.facts()->isStrokeOpen()) {
         return;
     }
     if (keep && hand_.tool().actsOnSegment()) {
-        const studio::Operation stroke = host_.document()->openStroke(); // it has shown what it takes
-        host_.workLong([&] { host_.document()->discardStroke(); });
+        const studio::Operation stroke = host_.document()->stroke().operation(); // it has shown what it takes
+        host_.workLong([&] { host_.document()->stroke().discard(); });
         cut(stroke);
         return;
     }
     if (keep) {
-        perform([&] { return host_.document()->commitStroke(); });
-    } else if (host_.workLong([&] { host_.document()->discardStroke(); })) {
+        perform([&] { return host_.document()->stroke().commit(); });
+    } else if (host_.workLong([&] { host_.document()->stroke().discard(); })) {
         host_.say(tr("Nothing was changed"));
     }
     host_.wake();
@@ -114,11 +117,11 @@ bool Editor::paste() {
         auto& document = *host_.document();
         const studio::View& view = view_.shown();
         FreeRoom room(view.camera, *host_.geometry(), view_.viewport());
-        room.take(document.remainingCells());
+        room.take(document.parts().remainingCells());
         for (std::size_t part = 0; part < view.pasted.size(); ++part) {
-            room.take(document.partCells(part), view.pasted[part]);
+            room.take(document.parts().cells(part), view.pasted[part]);
         }
-        const auto part = document.partCells(document.pastedParts());
+        const auto part = document.parts().cells(document.parts().count());
         isSomething = !part.empty();
         if (isSomething) {
             place = room.find(part);

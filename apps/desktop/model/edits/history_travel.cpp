@@ -5,6 +5,7 @@
 #include "model/edits/editor.h"
 
 #include "base/timer.h"
+#include "studio/document/document_facts.h"
 
 #include <cstdlib>
 
@@ -22,10 +23,10 @@ HistoryTravel::HistoryTravel(DocumentHost& host, Editor& editor) : host_(host), 
 
 void HistoryTravel::goTo(std::size_t steps) {
     auto* document = host_.document();
-    if (document == nullptr || host_.isLoading() || steps > document->steps().operations.size()) {
+    if (document == nullptr || host_.isLoading() || steps > host_.facts()->steps->operations.size()) {
         return;
     }
-    from_ = at_ = document->steps().done;
+    from_ = at_ = host_.facts()->steps->done;
     target_ = steps;
     timer_.start(0);
     advance(); // a short way at once
@@ -34,7 +35,7 @@ void HistoryTravel::goTo(std::size_t steps) {
 void HistoryTravel::advance() {
     const Timer timer;
     while (target_ && timer.milliseconds() < kSliceMs) {
-        if (host_.document() == nullptr || host_.document()->steps().done != at_ || at_ == *target_ ||
+        if (host_.document() == nullptr || host_.facts()->steps->done != at_ || at_ == *target_ ||
             !takeOne()) {
             stop();
         }
@@ -47,7 +48,7 @@ void HistoryTravel::advance() {
 
 bool HistoryTravel::takeOne() {
     const bool isDone = at_ > *target_ ? editor_.apply(studio::Undo{}) : editor_.apply(studio::Redo{});
-    at_ = isDone ? host_.document()->steps().done : at_;
+    at_ = isDone ? host_.facts()->steps->done : at_;
     return isDone;
 }
 

@@ -5,6 +5,7 @@
 #include "model/studio/studio_controller.h"
 
 #include "base/progress.h"
+#include "studio/state/region.h"
 
 #include <exception>
 
@@ -126,7 +127,7 @@ void DocumentExport::end(bool isDone, const QString& message) {
 void DocumentExport::estimate() {
     std::vector<std::uint8_t> labels;
     if (studio_.host().document() == nullptr || estimator_.joinable() ||
-        !studio_.host().workLong([&] { labels = studio_.host().document()->labelMap(); })) {
+        !studio_.host().workLong([&] { labels = studio_.host().document()->region().labelMap(); })) {
         return;
     }
     estimator_ = std::jthread([this, labels = std::move(labels), dims = studio_.host().geometry()->dims] {

@@ -10,6 +10,7 @@
 #include "model/segments/segment_controller.h"
 
 #include "base/progress.h"
+#include "studio/document/document_facts.h"
 
 #include <algorithm>
 #include <exception>
@@ -188,7 +189,7 @@ studio::Session DocumentFiles::provenance() const {
         source.volumePath = std::filesystem::absolute(volume.path);
     }
     source.volumeChecksum = checksum_;
-    source.precision = host_.document()->precision();
+    source.precision = host_.document()->sculpture().precision();
     source.rawLayout = source_.rawLayout;
     source.series = source_.series;
     source.frame = source_.frame;
@@ -204,7 +205,7 @@ bool DocumentFiles::saveSession(const std::filesystem::path& path) {
         return false;
     }
     model_.hand.tool().settle();
-    if (host_.document()->isStrokeOpen()) {
+    if (host_.facts()->isStrokeOpen()) {
         return false;
     }
     model_.editor.interrupt();

@@ -2,6 +2,7 @@
 #include "model/keepers/thumbnail_keeper.h"
 
 #include "model/studio/studio_controller.h"
+#include "studio/document/document_facts.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -63,7 +64,7 @@ KnownDocument ThumbnailKeeper::present() const {
     }
     known.details = tr("%1 × %2 × %3").arg(dims.x).arg(dims.y).arg(dims.z);
     const auto& segments = document->segments().segments;
-    known.hasSegments = document->growth().voxels > 0 || segments.size() > 1;
+    known.hasSegments = studio_.host().facts()->growth.voxels > 0 || segments.size() > 1;
     known.seen = QDateTime::currentDateTime();
     return known;
 }

@@ -5,13 +5,15 @@
 #include "model/document/view_model.h"
 #include "model/edits/editor.h"
 #include "model/segments/growth_controller.h"
+#include "studio/document/document_facts.h"
+#include "studio/document/live_growth.h"
 
 namespace vs::desktop {
 
 // --- scrubbing
 
 void GrowthController::scrubTo(int generation) {
-    if (!canPlay() || host_.document()->isStrokeOpen()) {
+    if (!canPlay() || host_.facts()->isStrokeOpen()) {
         return;
     }
     if (isPlaying() || rules_) {
@@ -27,7 +29,7 @@ void GrowthController::showScrubbed() {
     scrubbed_.reset();
     host_.workLong([&] {
         if (generation != status().generation) {
-            host_.document()->scrub(generation);
+            host_.document()->growing().scrub(generation);
         }
     });
     emit changed();
@@ -37,8 +39,8 @@ void GrowthController::endScrub() {
     if (scrubbed_) {
         showScrubbed();
     }
-    if (host_.document() != nullptr && host_.document()->isScrubbing()) {
-        editor_.perform([&] { return host_.document()->endScrub(); });
+    if (host_.facts()->isScrubbing()) {
+        editor_.perform([&] { return host_.document()->growing().endScrub(); });
         host_.wake();
     }
     emit changed();
@@ -68,7 +70,7 @@ void takeOver(std::optional<T>& into, const std::optional<T>& from) {
 
 void GrowthController::changeRules(const studio::SetGrowthRules& rules, bool isHeld) {
     auto* document = host_.document();
-    if (document == nullptr || document->isStrokeOpen() || host_.isLoading()) {
+    if (document == nullptr || host_.facts()->isStrokeOpen() || host_.isLoading()) {
         return;
     }
     if (!rules_) {
@@ -79,7 +81,7 @@ void GrowthController::changeRules(const studio::SetGrowthRules& rules, bool isH
         rules_->resumes = before == Run::Forward || before == Run::ToEnd ? before
                           : hadRunOut && isAutoStart_                    ? Run::Forward
                                                                          : Run::None;
-        if (document->growthRules().range == Range()) {
+        if (host_.facts()->rules.range == Range()) {
             rules_->wanted.range = range(); // none so far: what a stroke would bring
         }
     }

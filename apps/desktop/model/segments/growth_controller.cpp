@@ -4,6 +4,8 @@
 #include "model/document/document_host.h"
 #include "model/document/view_model.h"
 #include "model/edits/editor.h"
+#include "studio/document/document_facts.h"
+#include "studio/document/live_growth.h"
 
 #include <algorithm>
 #include <cmath>
@@ -35,15 +37,12 @@ GrowthController::GrowthController(DocumentHost& host, ViewModel& view, Editor& 
     });
 }
 
-studio::Document::GrowthStatus GrowthController::status() const {
-    return host_.document() != nullptr ? host_.document()->growth() : studio::Document::GrowthStatus{};
-}
+studio::GrowthStatus GrowthController::status() const { return host_.facts()->growth; }
 
-bool GrowthController::canPlay() const { return host_.document() != nullptr && status().hasSeeds; }
+bool GrowthController::canPlay() const { return status().hasSeeds; }
 
 bool GrowthController::isBusy() const {
-    return isPlaying() || scrubbed_.has_value() || rules_.has_value() ||
-           (host_.document() != nullptr && host_.document()->isScrubbing());
+    return isPlaying() || scrubbed_.has_value() || rules_.has_value() || host_.facts()->isScrubbing();
 }
 
 void GrowthController::reset() {
@@ -54,7 +53,7 @@ void GrowthController::reset() {
 }
 
 Range GrowthController::range() const {
-    const Range own = host_.document()->growthRules().range;
+    const Range own = host_.facts()->rules.range;
     const Range otherwise = takesDisplayedRange_ || heldRange_ == Range() ? view_.visibleRange() : heldRange_;
     return own == Range() ? otherwise : own;
 }
@@ -78,7 +77,7 @@ void GrowthController::showRegion() {
 void GrowthController::addSeeds(const studio::Seed& seed) {
     pause();
     studio::Seed stroke = seed;
-    const auto rules = host_.document()->growthRules();
+    const auto rules = host_.facts()->rules;
     stroke.connectivity = rules.connectivity;
     if (!takesDisplayedRange_) {
         stroke.range = range();
@@ -105,7 +104,7 @@ void GrowthController::absorb(const studio::Absorb& stroke) {
 // The stroke that absorbing goes on with.
 const studio::Absorb* GrowthController::lastAbsorbed() const {
     auto* document = host_.document();
-    const auto* last = document != nullptr ? document->lastStep() : nullptr;
+    const auto* last = host_.facts()->lastStep();
     return last != nullptr && strokesAbsorb_ ? std::get_if<studio::Absorb>(last) : nullptr;
 }
 
@@ -116,7 +115,7 @@ void GrowthController::toEnd() { start(Run::ToEnd); }
 void GrowthController::playBackward() { start(Run::Backward); }
 
 void GrowthController::start(Run run) {
-    if (!canPlay() || host_.document()->isStrokeOpen()) {
+    if (!canPlay() || host_.facts()->isStrokeOpen()) {
         return;
     }
     const bool goesOn = (run_ == Run::Forward || run_ == Run::ToEnd) &&
@@ -125,7 +124,7 @@ void GrowthController::start(Run run) {
         pause();
         view_.flush(); // the view as it is now is part of the log before the run
         if ((run == Run::Forward || run == Run::ToEnd) &&
-            !host_.workLong([&] { host_.document()->beginGrowth(); })) {
+            !host_.workLong([&] { host_.document()->growing().begin(); })) {
             return;
         }
     }
@@ -196,7 +195,7 @@ bool GrowthController::growOn() {
     }
     const double sliceMs = host_.isHandAtWork() ? kHurriedSliceMs : kSliceMs;
     bool goesOn = false;
-    const bool done = host_.workLong([&] { goesOn = host_.document()->growFor(sliceMs, steps); });
+    const bool done = host_.workLong([&] { goesOn = host_.document()->growing().growFor(sliceMs, steps); });
     if (!done || !goesOn) {
         finish();
         hasRunOut_ = done;
@@ -211,7 +210,7 @@ bool GrowthController::goBack() {
         return false;
     }
     const int generation = std::max(1, status().generation - steps);
-    if (!host_.workLong([&] { host_.document()->scrub(generation); }) || generation == 1) {
+    if (!host_.workLong([&] { host_.document()->growing().scrub(generation); }) || generation == 1) {
         finish();
     }
     emit changed();
@@ -236,9 +235,9 @@ void GrowthController::finish() {
     const Run run = std::exchange(run_, Run::None);
     isWaiting_ = false;
     if (run == Run::Forward || run == Run::ToEnd) {
-        editor_.perform([&] { return host_.document()->endGrowth(); });
-    } else if (run == Run::Backward && host_.document()->isScrubbing()) {
-        editor_.perform([&] { return host_.document()->endScrub(); });
+        editor_.perform([&] { return host_.document()->growing().end(); });
+    } else if (run == Run::Backward && host_.facts()->isScrubbing()) {
+        editor_.perform([&] { return host_.document()->growing().endScrub(); });
     }
 }
 
@@ -247,7 +246,7 @@ void GrowthController::pause() {
     if (rules_) {
         finishRules(false);
     }
-    if (scrubbed_ || (run_ == Run::None && host_.document() != nullptr && host_.document()->isScrubbing())) {
+    if (scrubbed_ || (run_ == Run::None && host_.facts()->isScrubbing())) {
         endScrub();
     }
     if (isPlaying()) {

@@ -3,6 +3,7 @@
 
 #include "base/timer.h"
 #include "studio/document/document.h"
+#include "studio/document/document_facts.h"
 
 #include <QObject>
 #include <QTimer>
@@ -76,7 +77,7 @@ public:
     [[nodiscard]] bool canPlay() const;
     // Something is under way or waits for the next picture.
     [[nodiscard]] bool isBusy() const;
-    [[nodiscard]] studio::Document::GrowthStatus status() const;
+    [[nodiscard]] studio::GrowthStatus status() const;
 
     // Called between pictures. True: the region changed, or wants to be called again soon.
     bool advance();

@@ -5,6 +5,7 @@
 #include "model/document/view_model.h"
 #include "model/edits/editor.h"
 #include "model/segments/growth_controller.h"
+#include "studio/document/document_facts.h"
 
 #include <algorithm>
 
@@ -14,34 +15,16 @@ SegmentController::SegmentController(DocumentHost& host, ViewModel& view, Editor
                                      GrowthController& growth)
     : host_(host), view_(view), editor_(editor), growth_(growth) {
     for (const auto signal : {&DocumentHost::opened, &DocumentHost::closed}) {
-        connect(&host_, signal, this, [this] {
-            ++documents_;
-            seen_ = {};
-        });
+        connect(&host_, signal, this, [this] { ++documents_; });
     }
 }
 
-const SegmentController::Seen& SegmentController::seen() const {
-    if (host_.isAway()) {
-        return seen_;
-    }
-    const auto* document = host_.document();
-    const auto version = document != nullptr ? std::optional(document->version()) : std::nullopt;
-    if (version != seen_.version || document == nullptr) {
-        seen_ = {};
-        seen_.version = version;
-        if (document != nullptr) {
-            seen_.list = document->segments();
-            for (const auto& segment : seen_.list.segments) {
-                seen_.voxels[segment.label] = document->voxelCount(segment.label);
-            }
-        }
-    }
-    return seen_;
+const studio::SegmentList& SegmentController::list() const {
+    listed_ = host_.facts();
+    return listed_->segments;
 }
 
-const studio::SegmentList& SegmentController::list() const { return seen().list; }
-std::size_t SegmentController::voxels(std::uint8_t label) const { return seen().voxels[label]; }
+std::size_t SegmentController::voxels(std::uint8_t label) const { return host_.facts()->voxels[label]; }
 
 double SegmentController::millilitres(std::uint8_t label) const {
     const auto* geometry = host_.geometry();
@@ -62,7 +45,7 @@ void SegmentController::workOn(const std::string& name) {
     if (name == list().working().name || host_.document() == nullptr) {
         return;
     }
-    const auto* last = host_.document()->lastStep();
+    const auto* last = host_.facts()->lastStep();
     const auto* use = last != nullptr ? std::get_if<studio::UseSegment>(last) : nullptr;
     const bool isOnlyGoing = use != nullptr && use->goesToWork && !use->name && !use->colour &&
                              !use->opacity && !use->isVisible && !use->isLocked;

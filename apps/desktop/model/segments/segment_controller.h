@@ -28,7 +28,7 @@ public:
     SegmentController(DocumentHost& host, ViewModel& view, Editor& editor, GrowthController& growth);
 
     // One segment without voxels before something was opened. While the document is away, as they were
-    // before.
+    // before. Valid until it is asked for again.
     [[nodiscard]] const studio::SegmentList& list() const;
     [[nodiscard]] std::size_t voxels(std::uint8_t label) const; // shown
     [[nodiscard]] double millilitres(std::uint8_t label) const;
@@ -58,14 +58,6 @@ public:
     void stop() { reader_ = {}; }
 
 private:
-    // What the document last said, for those that paint.
-    struct Seen {
-        std::optional<std::uint64_t> version;
-        studio::SegmentList list;
-        std::array<std::size_t, 256> voxels{};
-    };
-
-    const Seen& seen() const;
     void takeLabels(const studio::LoadLabels& labels);
     void look(studio::UseSegment change);
 
@@ -73,7 +65,7 @@ private:
     ViewModel& view_;
     Editor& editor_;
     GrowthController& growth_;
-    mutable Seen seen_;
+    mutable std::shared_ptr<const studio::DocumentFacts> listed_; // whose list was last asked for
     bool isReading_ = false;
     int documents_ = 0; // counts those opened and closed
     std::jthread reader_;

@@ -4,6 +4,8 @@
 #include "model/document/document_host.h"
 #include "model/segments/growth_controller.h"
 #include "model/segments/segment_controller.h"
+#include "studio/document/document_facts.h"
+#include "studio/state/region.h"
 
 #include <algorithm>
 #include <new>
@@ -71,7 +73,7 @@ SegmentMeasurer::~SegmentMeasurer() = default;
 
 SegmentMeasurer::Key SegmentMeasurer::now() const {
     auto* document = host_.document();
-    return document == nullptr ? Key{} : Key{document->segmentsRevision(), document->segments().atWork};
+    return document == nullptr ? Key{} : Key{host_.facts()->segmentsRevision, host_.facts()->segments.atWork};
 }
 
 void SegmentMeasurer::want(const QObject* who, bool wants) {
@@ -106,7 +108,7 @@ void SegmentMeasurer::look() {
     if (wanting_.empty() || host_.document() == nullptr || now() == key_) {
         return;
     }
-    if (isMeasuring_ || host_.isLoading() || growth_.isBusy() || host_.document()->isStrokeOpen()) {
+    if (isMeasuring_ || host_.isLoading() || growth_.isBusy() || host_.facts()->isStrokeOpen()) {
         calm_.start();
         return;
     }
@@ -116,7 +118,7 @@ void SegmentMeasurer::look() {
 void SegmentMeasurer::begin(const Key& key) {
     const auto& document = *host_.document();
     std::vector<std::uint8_t> labels;
-    if (!host_.workLong([&] { labels = document.labelMap(); })) {
+    if (!host_.workLong([&] { labels = document.region().labelMap(); })) {
         key_ = key; // once is enough to be told
         return;
     }

@@ -3,6 +3,8 @@
 
 #include "model/document/document_host.h"
 #include "model/document/view_model.h"
+#include "studio/document/document_facts.h"
+#include "studio/document/surface_queries.h"
 
 #include <algorithm>
 
@@ -76,13 +78,13 @@ void SliceController::scroll(Kind kind, int slices) {
 }
 
 bool SliceController::centreOnSurface(QPointF place) {
-    if (host_.document() == nullptr || host_.isLoading() || host_.document()->isStrokeOpen()) {
+    if (host_.document() == nullptr || host_.isLoading() || host_.facts()->isStrokeOpen()) {
         return false;
     }
-    std::optional<studio::Document::Probe> found;
+    std::optional<studio::Probe> found;
     const glm::dvec2 pixel = glm::dvec2(place.x(), place.y()) * view_.devicePerLogical();
     const auto viewport = view_.canvas().viewport;
-    host_.workLong([&] { found = host_.document()->probe(pixel, viewport); });
+    host_.workLong([&] { found = host_.document()->surface().probe(pixel, viewport); });
     if (found) {
         setCrosshair(found->voxel);
     }
@@ -130,7 +132,7 @@ void SliceController::showAll(Kind kind) {
     touch();
 }
 
-std::optional<studio::Document::Probe> SliceController::probe(Kind kind, glm::dvec2 place) {
+std::optional<studio::Probe> SliceController::probe(Kind kind, glm::dvec2 place) {
     const auto* document = host_.document();
     if (document == nullptr) {
         return std::nullopt;
@@ -143,12 +145,12 @@ std::optional<studio::Document::Probe> SliceController::probe(Kind kind, glm::dv
         glm::any(glm::greaterThanEqual(nearest, grid.dims))) {
         return std::nullopt;
     }
-    return studio::Document::Probe{voxel, glm::dvec3(grid.worldFromVoxel * glm::dvec4(voxel, 1.0)),
-                                   document->volume().at(nearest)};
+    return studio::Probe{voxel, glm::dvec3(grid.worldFromVoxel * glm::dvec4(voxel, 1.0)),
+                         document->volume().at(nearest)};
 }
 
 SliceController::Key SliceController::wanted(Kind kind) const {
-    return {view(kind), host_.version(), isSmooth_};
+    return {view(kind), host_.facts()->version, isSmooth_};
 }
 
 bool SliceController::isStale(Kind kind) const {

@@ -5,6 +5,7 @@
 
 #include "render/slices/slice_renderer.h"
 #include "studio/document/document.h"
+#include "studio/document/surface_queries.h"
 
 #include <QImage>
 #include <QObject>
@@ -62,7 +63,7 @@ public:
     void showAll(Kind kind);
 
     // Value and place under a place of a slice; nothing outside the grid.
-    [[nodiscard]] std::optional<studio::Document::Probe> probe(Kind kind, glm::dvec2 place);
+    [[nodiscard]] std::optional<studio::Probe> probe(Kind kind, glm::dvec2 place);
 
     // The latest picture; empty before the first.
     [[nodiscard]] const QImage& picture(Kind kind) const { return pane(kind).picture; }

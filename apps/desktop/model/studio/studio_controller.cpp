@@ -6,6 +6,8 @@
 #include "model/segments/segment_controller.h"
 #include "model/segments/segment_measurer.h"
 #include "model/slices/slice_controller.h"
+#include "studio/document/document_facts.h"
+#include "studio/document/surface_queries.h"
 
 #include <utility>
 
@@ -221,11 +223,11 @@ void StudioController::writeScreenshot() {
     emit host_.changed();
 }
 
-std::optional<studio::Document::Probe> StudioController::probe(QPointF position) {
-    std::optional<studio::Document::Probe> found;
+std::optional<studio::Probe> StudioController::probe(QPointF position) {
+    std::optional<studio::Probe> found;
     if (isIdle() && host_.geometry() != nullptr) {
         const glm::dvec2 pixel = glm::dvec2(position.x(), position.y()) * view_.devicePerLogical();
-        host_.workLong([&] { found = host_.document()->probe(pixel, view_.viewport()); });
+        host_.workLong([&] { found = host_.document()->surface().probe(pixel, view_.viewport()); });
     }
     return found;
 }
@@ -233,7 +235,7 @@ std::optional<studio::Document::Probe> StudioController::probe(QPointF position)
 bool StudioController::isSettled() {
     return !host_.isAway() && !view_.isViewportWaiting() && host_.document() != nullptr &&
            !host_.isLoading() && !view_.isPending() && !picture_->isDrafting() && !growth_->isBusy() &&
-           !host_.document()->isStrokeOpen();
+           !host_.facts()->isStrokeOpen();
 }
 
 // While the pen sketches, its stroke over the picture is the answer.

@@ -8,6 +8,7 @@
 #include "model/files/document_files.h"
 #include "model/hand/hand.h"
 #include "model/settings/preferences.h"
+#include "studio/document/surface_queries.h"
 
 #include <QObject>
 #include <QPointF>
@@ -53,7 +54,7 @@ public:
     // Written as soon as the picture is at full quality.
     void takeScreenshot(const std::filesystem::path& path);
     // What lies under a place of the view. Nothing while things move.
-    std::optional<studio::Document::Probe> probe(QPointF position);
+    std::optional<studio::Probe> probe(QPointF position);
 
     // The picture shows the document, though perhaps as a draft, and nothing is changing it: the time to look
     // at what is under the pen.

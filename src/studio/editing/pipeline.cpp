@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "studio/document/pipeline.h"
+#include "studio/editing/pipeline.h"
 
 #include "render/colours/function_edits.h"
 

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/document/document_facts.h"
+
+#include "studio/editing/contents.h"
+
+#include <algorithm>
+#include <iterator>
+
+namespace vs::studio {
+
+namespace {
+
+std::shared_ptr<const Steps> stepsOf(const History& history) {
+    auto steps = std::make_shared<Steps>();
+    const auto operation = [](const Step& step) { return step.operation; };
+    std::transform(history.done().begin(), history.done().end(), std::back_inserter(steps->operations),
+                   operation);
+    std::transform(history.undone().rbegin(), history.undone().rend(), std::back_inserter(steps->operations),
+                   operation);
+    steps->done = history.done().size();
+    steps->statistics = history.statistics();
+    steps->revision = history.revision();
+    return steps;
+}
+
+GrowthStatus statusOf(const Contents& contents) {
+    GrowthStatus status;
+    if (const segment::Growth* growth = contents.region.growth()) {
+        status.generation = growth->playhead();
+        status.extent = growth->extent();
+        status.voxels = std::size_t(growth->voxelCount());
+        status.millilitres = double(status.voxels) * contents.scan.volume.geometry.voxelMm3() / 1000;
+        status.range = growth->constraints().range;
+        status.hasSeeds = contents.region.hasSeeds();
+    }
+    return status;
+}
+
+GrowthRules rulesOf(const Region& region) {
+    const segment::Constraints& rules = region.rules();
+    GrowthRules result{rules.range, rules.difference, rules.gradient, rules.gradientDifference};
+    result.connectivity = rules.connectivity == segment::Connectivity::TwentySix ? 26 : 6;
+    result.isLive = region.exists() && region.growth()->state().isLive;
+    return result;
+}
+
+} // namespace
+
+std::shared_ptr<const DocumentFacts> factsOf(const Contents& contents, std::size_t logged,
+                                             const DocumentFacts& before) {
+    auto facts = std::make_shared<DocumentFacts>();
+    facts->version = contents.version;
+    facts->logged = logged;
+    facts->inHand = contents.inHand;
+    facts->view = contents.view;
+    facts->steps =
+        before.steps->revision == contents.history.revision() ? before.steps : stepsOf(contents.history);
+    facts->segments = contents.segments;
+    for (const SegmentInfo& segment : contents.segments.segments) {
+        facts->voxels[segment.label] = contents.region.voxelCount(segment.label);
+    }
+    facts->segmentsRevision = contents.region.revision();
+    facts->growth = statusOf(contents);
+    facts->rules = rulesOf(contents.region);
+    return facts;
+}
+
+} // namespace vs::studio

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "studio/editing/in_hand.h"
+#include "studio/operations/operation.h"
+#include "studio/operations/segment_list.h"
+#include "studio/state/history.h"
+
+#include <array>
+#include <memory>
+#include <vector>
+
+namespace vs::studio {
+
+struct Contents;
+
+// How far the segment at work has grown.
+struct GrowthStatus {
+    int generation = 0;     // the one shown
+    int extent = 0;         // the last one computed
+    std::size_t voxels = 0; // grown at the generation shown
+    double millilitres = 0;
+    Range range; // intensity range of the run
+    bool hasSeeds = false;
+};
+
+// What the segment at work may grow into; before its first seeds the rules that were set so far.
+struct GrowthRules {
+    Range range;
+    std::optional<Range> difference;
+    std::optional<Range> gradient;
+    std::optional<Range> gradientDifference;
+    int connectivity = 6;
+    bool isLive = false;
+};
+
+// All that undo and redo go through, the oldest first; so many hold now.
+struct Steps {
+    std::vector<std::shared_ptr<const Operation>> operations;
+    std::size_t done = 0;
+    UndoStatistics statistics;
+    std::uint64_t revision = 0; // History::revision()
+};
+
+// What is known of a document at one moment, as a value that stays as it is while the document goes on: what
+// panels show, without asking a document that may be at work elsewhere.
+struct DocumentFacts {
+    std::uint64_t version = 0; // Document::version()
+    std::size_t logged = 0;    // operations in the log
+    InHand inHand = InHand::Nothing;
+    View view;
+    std::shared_ptr<const Steps> steps = std::make_shared<Steps>();
+    SegmentList segments;
+    std::array<std::size_t, 256> voxels{}; // shown of each segment, by its label
+    std::uint64_t segmentsRevision = 0;    // counts changes of what is shown of segments
+    GrowthStatus growth;
+    GrowthRules rules;
+
+    [[nodiscard]] bool isStrokeOpen() const { return inHand == InHand::Stroke; }
+    [[nodiscard]] bool isGrowing() const { return inHand == InHand::Growth; }
+    [[nodiscard]] bool isScrubbing() const { return inHand == InHand::Scrub; }
+    [[nodiscard]] bool canUndo() const { return steps->done > 0; }
+    [[nodiscard]] bool canRedo() const { return steps->done < steps->operations.size(); }
+    // What undo would take back; null: nothing.
+    [[nodiscard]] const Operation* lastStep() const {
+        return canUndo() ? steps->operations[steps->done - 1].get() : nullptr;
+    }
+};
+
+// The facts of a document's contents, of which `before` are those of a moment ago: what has not changed since
+// is shared with them. Needs no OpenGL context.
+std::shared_ptr<const DocumentFacts> factsOf(const Contents& contents, std::size_t logged,
+                                             const DocumentFacts& before);
+
+} // namespace vs::studio

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/document/document_impl.h"
+
+#include "base/error.h"
+#include "studio/editing/segment_change.h"
+
+namespace vs::studio {
+
+namespace {
+
+// Carries out an operation by the first of the editors that has a run() for it. An operation that none has
+// does not compile.
+template <typename Op, typename First, typename... Rest>
+Outcome runByOneOf(Op& op, First& first, Rest&... rest) {
+    if constexpr (requires { first.run(op); }) {
+        return first.run(op);
+    } else {
+        return runByOneOf(op, rest...);
+    }
+}
+
+// The same for doing it again.
+template <typename Op, typename First, typename... Rest>
+void performByOneOf(const Op& op, Region::Records& records, First& first, Rest&... rest) {
+    if constexpr (requires { first.perform(op, records); }) {
+        first.perform(op, records);
+    } else if constexpr (sizeof...(rest) > 0) {
+        performByOneOf(op, records, rest...);
+    }
+}
+
+} // namespace
+
+Document::Impl::Impl(volume::Volume volume, sculpt::Precision precision)
+    : contents(std::move(volume), precision) {}
+
+Outcome Document::Impl::run(Operation& operation, const std::filesystem::path& folder) {
+    return std::visit(
+        [&](auto& op) {
+            if constexpr (requires { files.run(op, folder); }) {
+                return files.run(op, folder);
+            } else if constexpr (requires { run(op); }) {
+                return run(op);
+            } else {
+                return runByOneOf(op, cuts, parts, growth, segmentList, segmentShapes);
+            }
+        },
+        operation);
+}
+
+Outcome Document::Impl::run(SetView& op) {
+    View& view = contents.view;
+    view.camera = op.camera.value_or(view.camera);
+    view.mode = op.mode.value_or(view.mode);
+    view.range = op.range.value_or(view.range);
+    view.sculptureView = op.sculptureView.value_or(view.sculptureView);
+    view.transferFunction = op.transferFunction.value_or(view.transferFunction);
+    view.pasted = op.pasted.value_or(view.pasted);
+    view.sampling = op.sampling.value_or(view.sampling);
+    view.shadows = op.shadows.value_or(view.shadows);
+    view.hidesAbove = op.hidesAbove.value_or(view.hidesAbove);
+    view.surfaceSmoothing = op.surfaceSmoothing.value_or(view.surfaceSmoothing);
+    view.tintsSegments = op.tintsSegments.value_or(view.tintsSegments);
+    // Logged whole: what was looked at before is part of it.
+    op = lookAs(view);
+    ++contents.version;
+    return {};
+}
+
+Outcome Document::Impl::run(Undo&) {
+    if (!contents.history.canUndo()) {
+        throw Error("nothing to undo");
+    }
+    Outcome outcome = travel(contents.history.toUndo(), true);
+    contents.history.tookBack();
+    return outcome;
+}
+
+Outcome Document::Impl::run(Redo&) {
+    if (!contents.history.canRedo()) {
+        throw Error("nothing to redo");
+    }
+    Outcome outcome = travel(contents.history.toRedo(), false);
+    contents.history.appliedAgain();
+    return outcome;
+}
+
+Outcome Document::Impl::run(const Note& op) {
+    contents.remember({shared(op), {}, {}});
+    return {{}, 0, 0, say("%1", op.text)};
+}
+
+Outcome Document::Impl::travel(Step& step, bool isUndo) {
+    const std::size_t before = contents.grownVoxels();
+    Outcome outcome;
+    if (step.cut) {
+        contents.sculpture.swap(*step.cut);
+        outcome.voxelsTouched = step.cut->changedVoxels();
+    }
+    if (!step.growth.empty() || step.segmentsAfter) {
+        if (isUndo) {
+            contents.region.undo(step.growth);
+            contents.segments = step.segmentsBefore.value_or(contents.segments);
+        } else {
+            step.growth = repeat(*step.operation);
+        }
+        outcome.voxelsTouched = describeGrowth(contents, 0, before).voxelsTouched;
+    }
+    if (const auto& places = isUndo ? step.partsBefore : step.partsAfter) {
+        parts.show(*places);
+        log.placesAre(contents.view.pasted);
+    }
+    outcome.message = {name(*step.operation)};
+    ++contents.version;
+    return outcome;
+}
+
+Region::Records Document::Impl::repeat(const Operation& operation) {
+    Region::Records records;
+    changeOrNothing(contents, records, [&] {
+        std::visit([&](const auto& op) { performByOneOf(op, records, growth, segmentList, segmentShapes); },
+                   operation);
+    });
+    return records;
+}
+
+} // namespace vs::studio

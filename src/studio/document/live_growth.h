@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "base/timer.h"
+#include "studio/editing/outcome.h"
+#include "studio/state/region.h"
+
+namespace vs::studio {
+
+struct Contents;
+class GrowthEditor;
+class OperationLog;
+
+// Growth that is shown while it goes on: growing in portions of time, and scrubbing over generations. Each
+// ends as one operation and one undo step. Nothing else may be done with the document meanwhile.
+class LiveGrowth {
+public:
+    // All three must outlive it.
+    LiveGrowth(Contents& contents, GrowthEditor& editor, OperationLog& log)
+        : contents_(contents), editor_(editor), log_(log) {}
+
+    // Grows the segment at work: any number of portions of about `budgetMs`, of at most so many generations.
+    // growFor() returns false when nothing grows any more. end() appends one Grow operation for all of them.
+    void begin();
+    bool growFor(double budgetMs, int maxGenerations);
+    [[nodiscard]] bool isGrowing() const;
+    Outcome end();
+
+    // Shows a generation at once, unsmoothed. There must be seeds. endScrub() appends one ShowGeneration
+    // operation for all that was shown.
+    void scrub(int generation);
+    [[nodiscard]] bool isScrubbing() const;
+    Outcome endScrub();
+
+private:
+    struct Run {
+        Region::Records records;
+        int generations = 0;
+        std::size_t voxelsBefore = 0;
+        field::SculptureView sculptureView = field::SculptureView::Cut;
+        Timer timer;
+    };
+
+    Contents& contents_;
+    GrowthEditor& editor_;
+    OperationLog& log_;
+    Run run_;
+    int scrubbedFrom_ = 0; // the generation shown before
+};
+
+} // namespace vs::studio

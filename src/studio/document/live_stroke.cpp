@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/document/live_stroke.h"
+
+#include "base/check.h"
+#include "studio/document/operation_log.h"
+#include "studio/editing/cut_editor.h"
+#include "studio/strokes/peel_stroke.h"
+#include "studio/strokes/pen_stroke.h"
+#include "studio/strokes/solid_strokes.h"
+
+namespace vs::studio {
+
+void LiveStroke::begin(Operation operation) {
+    VS_CHECK(contents_.inHand == InHand::Nothing);
+    std::visit(
+        [&](auto& op) {
+            if constexpr (requires { op.canvas; }) {
+                contents_.fillIn(op.canvas);
+            }
+        },
+        operation);
+    timer_ = Timer();
+    cuts_.begin(operation);
+    contents_.inHand = InHand::Stroke;
+}
+
+bool LiveStroke::isOpen() const { return contents_.inHand == InHand::Stroke; }
+
+template <typename Stroke>
+Stroke& LiveStroke::stroke() {
+    VS_CHECK(isOpen());
+    ++contents_.version;
+    return dynamic_cast<Stroke&>(cuts_.stroke());
+}
+
+void LiveStroke::peelTo(double layers) { stroke<PeelStroke>().peelTo(layers); }
+void LiveStroke::drawAt(const sculpt::PenPoint& pen) { stroke<PenStroke>().drawAt(pen); }
+void LiveStroke::clipTo(const Clip& clip) { stroke<ClipStroke>().clipTo(clip); }
+
+Operation LiveStroke::operation() const {
+    VS_CHECK(isOpen());
+    return cuts_.stroke().operation();
+}
+
+Outcome LiveStroke::commit() {
+    const Operation operation = this->operation();
+    contents_.inHand = InHand::Nothing; // also when there is no memory for what would undo it
+    Outcome outcome = cuts_.finish();
+    outcome.name = name(operation);
+    outcome.milliseconds = timer_.milliseconds();
+    if (outcome.voxelsTouched > 0) {
+        log_.record(operation, contents_.view);
+    }
+    return outcome;
+}
+
+void LiveStroke::discard() {
+    VS_CHECK(isOpen());
+    contents_.inHand = InHand::Nothing;
+    cuts_.discard();
+}
+
+} // namespace vs::studio

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "studio/operations/operation.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace vs::studio {
+
+// All operations on a document, in order: what a session saves. The view is logged when something is done in
+// it, not whenever it changes.
+class OperationLog {
+public:
+    // The view that a document begins with.
+    explicit OperationLog(View view) : shown_(std::move(view)) {}
+
+    [[nodiscard]] const std::vector<Operation>& operations() const { return operations_; }
+
+    // Appends an operation that was done in the view `before` and left the view `after`.
+    void record(Operation operation, const View& before, const View& after);
+    // Appends an operation that leaves the view as it is.
+    void record(Operation operation, const View& view) { record(std::move(operation), view, view); }
+
+    // A file holds what is logged so far: what comes is not merged with it any more.
+    void seal() { sealed_ = operations_.size(); }
+    // The last operation is not sealed, and the view has not changed since: what comes may be merged with it.
+    [[nodiscard]] bool canMerge(const View& view) const {
+        return operations_.size() > sealed_ && view == shown_;
+    }
+    [[nodiscard]] Operation& last() { return operations_.back(); }
+    // Takes the last operation out of the log.
+    Operation takeLast();
+    // Undo or redo has brought pasted parts to other places: the view changed, but nobody has looked around.
+    void placesAre(const std::vector<render::Placement>& places) { shown_.pasted = places; }
+
+private:
+    std::vector<Operation> operations_;
+    std::size_t sealed_ = 0; // so many operations are never replaced
+    View shown_;             // what replaying the log would show
+};
+
+} // namespace vs::studio

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "base/math.h"
+
+#include <glm/glm.hpp>
+
+#include <cstddef>
+#include <functional>
+#include <vector>
+
+namespace vs::studio {
+
+class Display;
+struct Contents;
+
+// Where pasted parts, and what remains of the volume, can be seen. Parts are counted from 0 in the order in
+// which they were pasted; the view's places may be more or fewer.
+class PartQueries {
+public:
+    // Both must outlive it.
+    PartQueries(const Contents& contents, Display& display) : contents_(contents), display_(display) {}
+
+    [[nodiscard]] std::size_t count() const;
+    // Voxels around what can be seen of a pasted part, where it was cut out; empty when that is nothing.
+    // box(count()): around what the next paste would take, all that was cut since the last one.
+    Box3 box(std::size_t part);
+    // The middles (voxel space) of the macrocells in which something of such a part can be seen; and of those
+    // in which something of what remains can, as the view shows the sculpture.
+    std::vector<glm::dvec3> cells(std::size_t part);
+    std::vector<glm::dvec3> remainingCells();
+    // What is drawn at a place of the view, x fastest in the box: the part where it is at least a half.
+    std::vector<float> values(std::size_t place, const Box3& box);
+
+private:
+    std::vector<glm::dvec3> seenCells(const std::function<bool(std::size_t)>& isThere);
+
+    const Contents& contents_;
+    Display& display_;
+};
+
+} // namespace vs::studio

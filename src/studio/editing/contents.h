@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "sculpt/sculpture/sculpture.h"
+#include "studio/editing/in_hand.h"
+#include "studio/editing/scan.h"
+#include "studio/operations/segment_list.h"
+#include "studio/operations/view.h"
+#include "studio/state/history.h"
+#include "studio/state/pasted_parts.h"
+#include "studio/state/region.h"
+
+#include <functional>
+#include <optional>
+#include <string>
+
+namespace vs::studio {
+
+// All that a document holds and that pictures, files and undo depend on. The editors change it, each its own
+// part, and keep history: what they change is one step.
+struct Contents {
+    Contents(volume::Volume volume, sculpt::Precision precision);
+    Contents(const Contents&) = delete;
+    Contents& operator=(const Contents&) = delete;
+
+    // An undoable change was made.
+    void remember(Step step);
+    // The canvas that an operation was drawn on, where it does not say: the present view on the usual
+    // viewport.
+    void fillIn(std::optional<Canvas>& canvas) const;
+    // Voxels shown of the segment at work.
+    [[nodiscard]] std::size_t grownVoxels() const;
+    // So many voxels in ml, with one decimal.
+    [[nodiscard]] std::string millilitres(std::size_t voxels) const;
+    // Whether a voxel, or one next to it, is of a locked segment, so that cutting it would cut that; empty
+    // when nothing is locked.
+    [[nodiscard]] std::function<bool(glm::ivec3)> lockedVoxels() const;
+
+    Scan scan;
+    sculpt::Sculpture sculpture;
+    PastedState pasted;
+    Region region;
+    SegmentList segments;
+    View view;
+    History history;
+    std::uint64_t version = 0; // counts changes that a picture can show
+    InHand inHand = InHand::Nothing;
+    // The sculpture's version when the cut in hand began; not while it restores (Pipeline::State).
+    std::optional<std::uint64_t> cuttingSince;
+};
+
+} // namespace vs::studio

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/editing/cut_editor.h"
+
+#include "base/check.h"
+#include "base/error.h"
+#include "base/progress.h"
+#include "segment/edits/margins.h"
+#include "segment/membership/segmentation.h"
+#include "studio/strokes/peel_stroke.h"
+#include "studio/strokes/pen_stroke.h"
+#include "studio/strokes/solid_strokes.h"
+#include "studio/strokes/sweep_stroke.h"
+
+#include <algorithm>
+
+namespace vs::studio {
+
+namespace {
+
+constexpr double kSliceMs = 100; // between asking whether to go on
+
+// A segment's smooth membership on the whole grid: 0.5 at its surface.
+std::vector<float> smoothMembership(const field::Field& field, const segment::VoxelSet& set) {
+    segment::Growth growth(field);
+    growth.replace(set.box, set.inside);
+    segment::Segmentation segmentation(field.geometry);
+    do {
+        segmentation.update(growth, segment::Smoothing::Smooth, segment::allOpaque(), kSliceMs);
+        reportProgress();
+    } while (segmentation.isBehind());
+    return segmentation.values();
+}
+
+} // namespace
+
+void CutEditor::begin(const Operation& operation) {
+    const auto onCanvas = [this](const std::optional<Canvas>& canvas) {
+        return [this, canvas] { return display_.frame(canvas->view, canvas->viewport); };
+    };
+    const auto make = [&](const auto& op) -> std::unique_ptr<CutStroke> {
+        using Op = std::decay_t<decltype(op)>;
+        if constexpr (std::is_same_v<Op, Peel>) {
+            return std::make_unique<PeelStroke>(cutter_, onCanvas(op.canvas), op);
+        } else if constexpr (std::is_same_v<Op, Drill> || std::is_same_v<Op, Laser>) {
+            return std::make_unique<PenStroke>(cutter_, onCanvas(op.canvas), op);
+        } else if constexpr (std::is_same_v<Op, Sweep>) {
+            return std::make_unique<SweepStroke>(cutter_, onCanvas(op.canvas), op);
+        } else if constexpr (std::is_same_v<Op, Scissors>) {
+            return std::make_unique<ScissorsStroke>(cutter_, onCanvas(op.canvas), op);
+        } else if constexpr (std::is_same_v<Op, Clip>) {
+            return std::make_unique<ClipStroke>(cutter_, op);
+        } else if constexpr (std::is_same_v<Op, KeepConnected>) {
+            return std::make_unique<KeepConnectedStroke>(cutter_, onCanvas(op.canvas), contents_.region, op);
+        } else {
+            return nullptr;
+        }
+    };
+    stroke_ = std::visit(make, operation);
+    VS_CHECK(stroke_ != nullptr);
+    if (stroke_->onlyCuts()) {
+        contents_.cuttingSince = stroke_->sculptureVersion();
+    }
+}
+
+void CutEditor::forget() {
+    stroke_.reset();
+    contents_.cuttingSince.reset();
+}
+
+void CutEditor::discard() {
+    stroke_->discard();
+    forget();
+    ++contents_.version;
+}
+
+Outcome CutEditor::finish() {
+    sculpt::BrickDelta delta;
+    try {
+        if (const auto isLocked = contents_.lockedVoxels()) {
+            stroke_->spare(isLocked);
+        }
+        delta = stroke_->finish();
+    } catch (...) { // no memory to hold what would undo it
+        discard();
+        throw;
+    }
+    Outcome outcome;
+    outcome.voxelsTouched = delta.changedVoxels();
+    outcome.message =
+        !delta.isEmpty() ? say(VS_TEXT("library", "%1 voxels changed"), delta.changedVoxels())
+        : stroke_->onlyCuts()
+            ? say(VS_TEXT("library", "nothing was cut: nothing visible lies there that was not cut already"))
+            : say(VS_TEXT("library", "nothing was restored: nothing was cut away there"));
+    if (!delta.isEmpty()) {
+        contents_.remember({shared(stroke_->operation()), std::move(delta), {}});
+    }
+    forget();
+    return outcome;
+}
+
+template <typename Cut>
+Outcome CutEditor::cutAtOnce(Cut& op) {
+    if constexpr (requires { op.canvas; }) {
+        contents_.fillIn(op.canvas);
+    }
+    begin(op);
+    try {
+        stroke_->replay();
+    } catch (...) {
+        discard();
+        throw;
+    }
+    op = std::get<Cut>(stroke_->operation());
+    return finish();
+}
+
+Outcome CutEditor::run(Peel& op) { return cutAtOnce(op); }
+Outcome CutEditor::run(Drill& op) { return cutAtOnce(op); }
+Outcome CutEditor::run(Laser& op) { return cutAtOnce(op); }
+Outcome CutEditor::run(Sweep& op) { return cutAtOnce(op); }
+Outcome CutEditor::run(Scissors& op) { return cutAtOnce(op); }
+Outcome CutEditor::run(Clip& op) { return cutAtOnce(op); }
+Outcome CutEditor::run(KeepConnected& op) { return cutAtOnce(op); }
+
+// What a stroke would cut: the sculpture is left as it was.
+segment::VoxelSet CutEditor::wouldCut(const BrushSegment& op) {
+    const std::uint64_t content = contents_.sculpture.contentVersion();
+    std::visit([&](const auto& drawn) { begin(drawn); }, op.stroke);
+    sculpt::BrickDelta delta;
+    try {
+        stroke_->replay();
+        delta = stroke_->finish();
+    } catch (...) {
+        discard();
+        throw;
+    }
+    forget();
+    if (delta.isEmpty()) {
+        return {};
+    }
+    segment::VoxelSet set = segment::emptySet(delta.box());
+    std::vector<std::vector<float>> after;
+    for (const Box3& brick : delta.bricks()) {
+        after.push_back(contents_.sculpture.values(brick));
+    }
+    contents_.sculpture.swap(delta);
+    contents_.sculpture.contentIsAsAt(content);
+    const Range seen = std::visit(
+        [&](const auto& drawn) { return drawn.canvas->view.visibleRange(contents_.scan.volume.range); },
+        op.stroke);
+    for (std::size_t n = 0; n < delta.bricks().size(); ++n) {
+        const segment::VoxelSet brick{delta.bricks()[n], {}};
+        const auto before = contents_.sculpture.values(brick.box);
+        for (std::size_t i = 0; i < before.size(); ++i) {
+            const glm::ivec3 voxel = brick.voxelAt(i);
+            const bool isCut = before[i] < 0.5F && after[n][i] >= 0.5F;
+            if (isCut && (!op.isToAdd || seen.contains(contents_.scan.volume.at(voxel)))) {
+                set.inside[set.indexOf(voxel)] = 1;
+            }
+        }
+    }
+    return set;
+}
+
+Outcome CutEditor::run(CutSegment& op) {
+    Region::Records records;
+    const segment::VoxelSet set = contents_.region.voxels(contents_.segments.atWork, records);
+    contents_.region.undo(records);
+    if (set.count() == 0) {
+        throw Error("the segment '{}' is empty; there is nothing to cut by",
+                    contents_.segments.working().name);
+    }
+    const auto inside = smoothMembership(
+        contents_.scan.field, segment::changeMargin(set, contents_.scan.volume.geometry, op.marginMm));
+    reportProgress();
+    const Box3 box = contents_.scan.volume.geometry.box();
+    std::vector<float> values = contents_.sculpture.values(box);
+    reportProgress();
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        values[i] = std::max(values[i], op.keeps ? 1 - inside[i] : inside[i]);
+    }
+    const auto texels = sculpt::texelsOf(values, contents_.sculpture.precision());
+    reportProgress(); // from here on it is done to the end
+    sculpt::BrickBackup backup(contents_.sculpture.texels());
+    backup.protect(box);
+    contents_.sculpture.upload(box, texels);
+    if (const auto isLocked = contents_.lockedVoxels()) {
+        const Box3 spared = backup.spare(isLocked);
+        if (!spared.isEmpty()) {
+            contents_.sculpture.refresh(spared);
+        }
+    }
+    sculpt::BrickDelta delta = backup.finish();
+    const std::size_t changed = delta.changedVoxels();
+    if (!delta.isEmpty()) {
+        contents_.remember({shared(op), std::move(delta), {}});
+    }
+    return {{}, 0, changed, say(VS_TEXT("library", "%1 voxels changed"), changed)};
+}
+
+} // namespace vs::studio

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "segment/edits/voxel_set.h"
+#include "studio/editing/contents.h"
+#include "studio/editing/display.h"
+#include "studio/editing/outcome.h"
+#include "studio/strokes/cut_stroke.h"
+
+#include <memory>
+
+namespace vs::studio {
+
+// Carries out the operations that cut and restore, all at once or as a stroke that is seen while it goes on.
+// run() writes what the stroke has found into the operation and remembers it as a step; it throws Error
+// before anything has changed. If something is thrown in the midst of a stroke (a device without room),
+// everything is as before.
+class CutEditor {
+public:
+    // All three must outlive it.
+    CutEditor(Contents& contents, Display& display, Cutter& cutter)
+        : contents_(contents), display_(display), cutter_(cutter) {}
+
+    Outcome run(Peel& op);
+    Outcome run(Drill& op);
+    Outcome run(Laser& op);
+    Outcome run(Sweep& op);
+    Outcome run(Scissors& op);
+    Outcome run(Clip& op);
+    Outcome run(KeepConnected& op);
+    Outcome run(CutSegment& op);
+
+    // Opens the stroke of an operation that cuts, whose canvas is set; then there is a stroke(), until
+    // finish() makes a step of it or discard() leaves no trace.
+    void begin(const Operation& operation);
+    [[nodiscard]] CutStroke& stroke() { return *stroke_; }
+    [[nodiscard]] const CutStroke& stroke() const { return *stroke_; }
+    Outcome finish();
+    void discard();
+
+    // The voxels that a stroke would cut, and for adding only those that the view shows: the sculpture is
+    // left as it was.
+    segment::VoxelSet wouldCut(const BrushSegment& op);
+
+private:
+    template <typename Cut>
+    Outcome cutAtOnce(Cut& op);
+    void forget(); // the stroke
+
+    Contents& contents_;
+    Display& display_;
+    Cutter& cutter_;
+    std::unique_ptr<CutStroke> stroke_; // the one that is open
+};
+
+} // namespace vs::studio

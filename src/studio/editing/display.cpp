@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/editing/display.h"
+
+namespace vs::studio {
+
+Pipeline::State Display::stateOf(const View& from, double segmentsMs) const {
+    Pipeline::State state;
+    state.view = &from;
+    state.sculpture = &contents_->sculpture;
+    state.pasted = &contents_->pasted;
+    state.growth = contents_->region.growth();
+    state.segments = &contents_->segments;
+    state.smoothing =
+        contents_->inHand == InHand::Scrub ? segment::Smoothing::Plain : segment::Smoothing::Smooth;
+    state.segmentsMs = segmentsMs;
+    state.greyWindow = contents_->scan.grey;
+    state.cuttingSince = contents_->cuttingSince;
+    return state;
+}
+
+render::Frame Display::frame(const View& from, glm::ivec2 size, double segmentsMs) {
+    return pipeline_.frame(stateOf(from, segmentsMs), size);
+}
+
+render::SliceFrame Display::slice(const render::SliceView& view, double segmentsMs) {
+    return pipeline_.slice(stateOf(contents_->view, segmentsMs), view);
+}
+
+} // namespace vs::studio

@@ -1,0 +1,36 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "studio/editing/contents.h"
+#include "studio/editing/pipeline.h"
+
+namespace vs::studio {
+
+// Frames of a document's contents as they are now, for pictures and for picking. What a frame is made from is
+// brought up to date first; it is valid until the contents change or another frame is made.
+class Display {
+public:
+    // The contents must outlive it.
+    explicit Display(const Contents& contents) : contents_(&contents), pipeline_(contents.scan.field) {}
+
+    // `segmentsMs` is the time that bringing the segments' surfaces up to date may take.
+    render::Frame frame(const View& from, glm::ivec2 size,
+                        double segmentsMs = segment::Segmentation::kNoHurry);
+    render::SliceFrame slice(const render::SliceView& view, double segmentsMs);
+    // The segments in the last frame or slice are not up to date: there was no time for it.
+    [[nodiscard]] bool isBehind() const { return pipeline_.isBehind(); }
+
+    // A transfer function with absolute positions on the volume.
+    render::TransferFunction resolved(const render::TransferFunction& function) {
+        return pipeline_.resolved(function);
+    }
+    [[nodiscard]] const field::CellRanges& cellRanges() const { return pipeline_.cellRanges(); }
+
+private:
+    [[nodiscard]] Pipeline::State stateOf(const View& from, double segmentsMs) const;
+
+    const Contents* contents_;
+    Pipeline pipeline_;
+};
+
+} // namespace vs::studio

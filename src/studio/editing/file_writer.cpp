@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/editing/file_writer.h"
+
+#include "image/png.h"
+#include "render/marks/draw_annotations.h"
+#include "volume/io/write.h"
+
+#include <span>
+
+namespace vs::studio {
+
+Outcome FileWriter::run(const SavePicture& op, const std::filesystem::path& folder) {
+    if (!caster_) {
+        caster_.emplace();
+    }
+    render::Frame picture = display_.frame(contents_.view, op.size);
+    picture.samples = op.samples;
+    picture.background = op.background;
+    caster_->render(picture);
+    image::Image pixels = caster_->readPicture();
+    if (op.annotations) {
+        render::annotate(pixels, picture.rays, contents_.scan.volume.geometry);
+    }
+    image::writePng(folder / op.file, pixels);
+    return {{}, 0, 0, say("%1", op.file)};
+}
+
+Outcome FileWriter::run(const SaveLabels& op, const std::filesystem::path& folder) {
+    const auto labels = contents_.region.labelMap();
+    volume::writeGrid(folder / op.file, contents_.scan.volume.geometry,
+                      std::span<const std::uint8_t>(labels));
+    return {{}, 0, contents_.grownVoxels(), say("%1", op.file)};
+}
+
+Outcome FileWriter::run(const SaveSculpture& op, const std::filesystem::path& folder) {
+    const std::vector<float> values = cutter_.sculptureAsFloats();
+    volume::writeGrid(folder / op.file, contents_.scan.volume.geometry, std::span<const float>(values));
+    return {{}, 0, 0, say("%1", op.file)};
+}
+
+} // namespace vs::studio

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "render/rays/ray_caster.h"
+#include "studio/editing/contents.h"
+#include "studio/editing/display.h"
+#include "studio/editing/outcome.h"
+#include "studio/strokes/cutter.h"
+
+#include <filesystem>
+#include <optional>
+
+namespace vs::studio {
+
+// Carries out the operations that write a file, into a folder: pictures, label maps, the sculpture. They
+// change nothing. Throws WriteError.
+class FileWriter {
+public:
+    // All three must outlive it.
+    FileWriter(const Contents& contents, Display& display, const Cutter& cutter)
+        : contents_(contents), display_(display), cutter_(cutter) {}
+
+    Outcome run(const SavePicture& op, const std::filesystem::path& folder);
+    Outcome run(const SaveLabels& op, const std::filesystem::path& folder);
+    Outcome run(const SaveSculpture& op, const std::filesystem::path& folder);
+
+private:
+    const Contents& contents_;
+    Display& display_;
+    const Cutter& cutter_;
+    std::optional<render::RayCaster> caster_; // made when first used
+};
+
+} // namespace vs::studio

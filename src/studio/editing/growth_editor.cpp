@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/editing/growth_editor.h"
+
+#include "base/error.h"
+#include "studio/editing/segment_change.h"
+#include "studio/operations/sketch.h"
+#include "studio/operations/trail.h"
+
+#include <cstdlib>
+
+namespace vs::studio {
+
+namespace {
+
+// The voxels of a set, after those there are.
+void addTo(std::vector<glm::ivec3>& voxels, const segment::VoxelSet& set) {
+    for (std::size_t i = 0; i < set.inside.size(); ++i) {
+        if (set.inside[i] != 0) {
+            voxels.push_back(set.voxelAt(i));
+        }
+    }
+}
+
+} // namespace
+
+std::vector<glm::ivec3> GrowthEditor::voxelsUnder(const std::vector<Sketch>& strokes, double widthPixels,
+                                                  const Canvas& canvas,
+                                                  const segment::Constraints& constraints) {
+    const auto pixels = pixelsUnder(strokes, widthPixels, canvas.viewport);
+    return contents_.region.findSeeds(cutter_.picker.pick(display_.frame(canvas.view, canvas.viewport),
+                                                          pixels, render::Picker::Meets::Brightest),
+                                      constraints);
+}
+
+segment::SeedCounts GrowthEditor::perform(const Seed& op, Region::Records& records) {
+    workUnlocked(contents_, records);
+    return contents_.region.seed(op.voxels,
+                                 contents_.region.constraints(*op.range, op.canvas->view.sculptureView,
+                                                              connectivityOf(op.connectivity)),
+                                 records);
+}
+
+Outcome GrowthEditor::run(Seed& op) {
+    contents_.fillIn(op.canvas);
+    if (!op.range) {
+        op.range = op.canvas->view.visibleRange(contents_.scan.volume.range);
+    }
+    if (op.voxels.empty()) {
+        if (!op.strokes.empty()) {
+            op.voxels = voxelsUnder(op.strokes, op.widthPixels, *op.canvas,
+                                    contents_.region.constraints(*op.range, op.canvas->view.sculptureView,
+                                                                 connectivityOf(op.connectivity)));
+        }
+        for (const Trail& trail : op.trails) {
+            addTo(op.voxels, voxelsAlong(trail, contents_.scan.volume, op.range));
+        }
+    }
+    if (op.voxels.empty()) {
+        return {{}, 0, 0, say(VS_TEXT("library", "nothing seeded: no voxel in range lies under the stroke"))};
+    }
+    const segment::SeedCounts counts = changeSegments(contents_, *this, op);
+    return {{},
+            0,
+            std::size_t(counts.added),
+            counts.refused > 0
+                ? say(VS_TEXT("library", "%1 voxels seeded, %2 refused (outside the grid or the range, cut "
+                                         "away, or another segment's)"),
+                      counts.added, counts.refused)
+                : say(VS_TEXT("library", "%1 voxels seeded"), counts.added)};
+}
+
+int GrowthEditor::perform(const Grow& op, Region::Records& records) {
+    workUnlocked(contents_, records);
+    return contents_.region.grow(op.generations.value_or(Region::kEndless), *op.sculptureView, records);
+}
+
+Outcome GrowthEditor::run(Grow& op) {
+    const std::size_t before = contents_.grownVoxels();
+    op.sculptureView = op.sculptureView.value_or(contents_.view.sculptureView);
+    return describeGrowth(contents_, changeSegments(contents_, *this, op), before);
+}
+
+int GrowthEditor::perform(const Rewind& op, Region::Records& records) {
+    workUnlocked(contents_, records);
+    return contents_.region.rewind(op.generations, records);
+}
+
+Outcome GrowthEditor::run(Rewind& op) {
+    const std::size_t before = contents_.grownVoxels();
+    return describeGrowth(contents_, -changeSegments(contents_, *this, op), before);
+}
+
+void GrowthEditor::perform(const ShowGeneration& op, Region::Records& records) {
+    workUnlocked(contents_, records);
+    contents_.region.showGeneration(op.generation, records);
+}
+
+Outcome GrowthEditor::run(ShowGeneration& op) {
+    const std::size_t before = contents_.grownVoxels();
+    const int generation = contents_.region.exists() ? contents_.region.growth()->playhead() : 0;
+    changeSegments(contents_, *this, op);
+    return describeGrowth(contents_, contents_.region.growth()->playhead() - generation, before);
+}
+
+void GrowthEditor::perform(const SetGrowthRules& op, Region::Records& records) {
+    workUnlocked(contents_, records);
+    contents_.region.setRules(op, records);
+}
+
+Outcome GrowthEditor::run(SetGrowthRules& op) {
+    const std::size_t before = contents_.grownVoxels();
+    changeSegments(contents_, *this, op);
+    Outcome outcome = describeGrowth(contents_, 0, before);
+    const Range& range = contents_.region.rules().range;
+    outcome.message = say(VS_TEXT("library", "growing in %1 to %2; %3 voxels"), fmt::format("{:g}", range.lo),
+                          fmt::format("{:g}", range.hi), contents_.grownVoxels());
+    return outcome;
+}
+
+int GrowthEditor::perform(const Absorb& op, Region::Records& records) {
+    workUnlocked(contents_, records);
+    return contents_.region.absorb(op.voxels, op.expansions.value_or(Region::kEndless), records);
+}
+
+Outcome GrowthEditor::run(Absorb& op) {
+    contents_.fillIn(op.canvas);
+    if (op.voxels.empty()) {
+        segment::Constraints anything; // of what is seen: only the segment's own voxels are taken
+        anything.range = contents_.scan.volume.range;
+        op.voxels = voxelsUnder(op.strokes, op.widthPixels, *op.canvas, anything);
+    }
+    const std::size_t before = contents_.grownVoxels();
+    const int expansions = changeSegments(contents_, *this, op);
+    const std::size_t taken = before - contents_.grownVoxels();
+    return {{},
+            0,
+            taken,
+            taken == 0 ? say(VS_TEXT("library", "nothing absorbed: the stroke does not lie on the segment"))
+                       : say(VS_TEXT("library", "%1 voxels absorbed in %2 expansions"), taken, expansions)};
+}
+
+void GrowthEditor::perform(const ReSeed&, Region::Records& records) {
+    for (const SegmentInfo& segment : contents_.segments.segments) {
+        if (!segment.isLocked) {
+            contents_.region.workOn(segment.label, records);
+            contents_.region.clear(records);
+        }
+    }
+    contents_.region.workOn(contents_.segments.atWork, records);
+}
+
+Outcome GrowthEditor::run(ReSeed& op) {
+    const std::size_t before = contents_.grownVoxels();
+    changeSegments(contents_, *this, op);
+    return {{}, 0, before - contents_.grownVoxels(), say(VS_TEXT("library", "segmentation cleared"))};
+}
+
+} // namespace vs::studio

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/editing/scan.h"
+
+#include "field/histogram.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vs::studio {
+
+namespace {
+
+// Greys of cut faces: the values of the object (those above `objectFrom`) without the darkest hundredth and
+// the brightest three.
+Range greyWindow(const std::vector<std::uint32_t>& histogram, const Range& range, double objectFrom) {
+    const double binWidth = range.width() / double(histogram.size());
+    const auto countsFrom = [&](std::size_t bin) {
+        return range.lo + double(bin + 1) * binWidth > objectFrom;
+    };
+    double total = 0;
+    for (std::size_t i = 0; i < histogram.size(); ++i) {
+        total += countsFrom(i) ? histogram[i] : 0;
+    }
+    Range window{range.lo, range.hi};
+    double seen = 0;
+    for (std::size_t i = 0; i < histogram.size(); ++i) {
+        const double before = seen;
+        seen += countsFrom(i) ? histogram[i] : 0;
+        if (before <= 0.01 * total && seen > 0.01 * total) {
+            window.lo = range.lo + double(i) * binWidth;
+        }
+        if (before < 0.97 * total && seen >= 0.97 * total) {
+            window.hi = range.lo + double(i + 1) * binWidth;
+        }
+    }
+    // The darkest tissue of the object is dark grey, not black.
+    window.lo = std::max(range.lo, window.lo - 0.25 * window.width());
+    return window;
+}
+
+// 256 bins, or one for each step from value to value where whole numbers are fewer: bins of uneven size would
+// comb.
+int histogramBins(const field::Field& field) {
+    return field.isIntegral ? std::clamp(int(std::min(field.range.width(), 256.0)), 1, 256) : 256;
+}
+
+} // namespace
+
+Scan::Scan(volume::Volume opened)
+    : volume(std::move(opened)), field(field::uploadVolume(volume)),
+      histogram(field::intensityHistogram(field, histogramBins(field))) {
+    shown = field::suggestRange(histogram, volume.range);
+    if (volume.range.width() <= 0) { // one value all over: all of it is the object
+        shown = {volume.range.lo - 0.5, volume.range.hi + 0.5};
+    } else if (field.isIntegral) {
+        shown.lo = std::ceil(shown.lo);
+    }
+    grey = volume.range.width() > 0 ? greyWindow(histogram, volume.range, shown.lo)
+                                    : Range{volume.range.lo - 3, volume.range.hi + 1};
+}
+
+} // namespace vs::studio

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "field/field.h"
+#include "volume/grid/volume.h"
+
+#include <cstdint>
+#include <vector>
+
+namespace vs::studio {
+
+// The volume that a document is about, on the host and on the device, and what its values suggest. It never
+// changes. Needs a current OpenGL context.
+struct Scan {
+    explicit Scan(volume::Volume opened);
+
+    volume::Volume volume;
+    field::Field field;
+    std::vector<std::uint32_t> histogram; // voxel counts in equal bins over volume.range, at most 256
+    Range shown;                          // the displayed range to begin with
+    Range grey;                           // the values that cut faces show from black to white
+};
+
+} // namespace vs::studio

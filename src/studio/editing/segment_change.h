@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: Apache-2.0
+// How operations on segments are done, remembered and given up: for the editors of growth and of segments.
+#pragma once
+
+#include "base/error.h"
+#include "studio/editing/contents.h"
+#include "studio/editing/outcome.h"
+
+#include <type_traits>
+#include <utility>
+
+namespace vs::studio {
+
+// Does something to segments that may throw midway (a device without room, a person who gives up). When it
+// throws, segments are as before.
+template <typename Work>
+auto changeOrNothing(Contents& contents, Region::Records& records, Work work) {
+    const SegmentList before = contents.segments;
+    try {
+        return work();
+    } catch (...) {
+        contents.region.undo(records);
+        contents.segments = before;
+        throw;
+    }
+}
+
+// An editor does an operation on segments, perform(op, records), and it is remembered as one step. Returns
+// what perform() does.
+template <typename Editor, typename Op>
+auto changeSegments(Contents& contents, Editor& editor, const Op& op) {
+    Region::Records records;
+    const SegmentList before = contents.segments;
+    const auto remember = [&] {
+        Step step{shared(op), {}, std::move(records)};
+        if (!(contents.segments == before)) {
+            step.segmentsBefore = before;
+            step.segmentsAfter = contents.segments;
+        }
+        contents.remember(std::move(step));
+    };
+    return changeOrNothing(contents, records, [&] {
+        if constexpr (std::is_void_v<decltype(editor.perform(op, records))>) {
+            editor.perform(op, records);
+            remember();
+        } else {
+            auto result = editor.perform(op, records);
+            remember();
+            return result;
+        }
+    });
+}
+
+// Goes to work on the segment at work. Throws Error when it is locked.
+void workUnlocked(Contents& contents, Region::Records& records);
+
+// "120 voxels added", "7 voxels removed".
+Phrase describeChange(std::size_t voxelsBefore, std::size_t voxelsNow);
+
+// What so many generations, forward or (negative) back, have made of the segment at work.
+Outcome describeGrowth(const Contents& contents, int generations, std::size_t voxelsBefore);
+
+} // namespace vs::studio

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/editing/segment_list_editor.h"
+
+#include "base/progress.h"
+#include "segment/edits/label_sets.h"
+#include "studio/editing/segment_change.h"
+#include "volume/io/label_map.h"
+
+namespace vs::studio {
+
+namespace {
+
+constexpr std::size_t kMostSegments = 255;
+
+std::string inQuotes(const std::string& segment) { return "'" + segment + "'"; }
+
+std::string freeName(const SegmentList& segments, const std::string& wanted) {
+    std::string name = wanted;
+    for (int number = 2; segments.find(name) != nullptr; ++number) {
+        name = fmt::format("{} ({})", wanted, number);
+    }
+    return name;
+}
+
+std::shared_ptr<const volume::LabelMap> readMap(const LoadLabels& op) {
+    std::vector<std::string> notices; // of geometry: requireSameGrid() says what matters
+    auto map = std::make_shared<volume::LabelMap>(volume::readLabelMap(op.path, notices));
+    if (!op.checksum.empty() && op.checksum != map->checksum) {
+        throw Error(
+            "{}: is not the label map that was opened (checksum {}, wanted {}); bring that one back, or "
+            "take the checksum out to use this one",
+            op.path.string(), map->checksum, op.checksum);
+    }
+    return map;
+}
+
+} // namespace
+
+void SegmentListEditor::perform(const UseSegment& op, Region::Records& records) {
+    SegmentInfo* segment = contents_.segments.find(op.segment);
+    if (segment == nullptr && op.takesFirst.value_or(false)) {
+        segment = &contents_.segments.segments.front();
+        segment->name = op.segment;
+        segment->isClaimed = true;
+    } else if (segment == nullptr) {
+        segment = &contents_.segments.add(op.segment);
+    }
+    if (op.name && *op.name != op.segment && contents_.segments.find(*op.name) != nullptr) {
+        throw Error("there is a segment '{}' already; choose another name", *op.name);
+    }
+    segment->name = op.name.value_or(segment->name);
+    segment->colour = op.colour.value_or(segment->colour);
+    segment->opacity = op.opacity.value_or(segment->opacity);
+    segment->isVisible = op.isVisible.value_or(segment->isVisible);
+    segment->isLocked = op.isLocked.value_or(segment->isLocked);
+    if (op.goesToWork) {
+        contents_.segments.atWork = segment->label;
+        contents_.region.workOn(contents_.segments.atWork, records);
+    }
+}
+
+Outcome SegmentListEditor::run(UseSegment& op) {
+    if (contents_.segments.find(op.segment) == nullptr) {
+        const bool canTake =
+            op.goesToWork && contents_.segments.isUntouched() && contents_.region.isUntouched();
+        if (op.takesFirst.value_or(false) && !canTake) {
+            throw Error("'{}' cannot take the place of the first segment, which is in use already; leave "
+                        "'first' out",
+                        op.segment);
+        }
+        if (canTake) {
+            op.takesFirst = op.takesFirst.value_or(!isNumbered(op.segment));
+        }
+    }
+    changeSegments(contents_, *this, op);
+    return {{},
+            0,
+            0,
+            op.goesToWork
+                ? say(VS_TEXT("library", "at work on %1"), inQuotes(contents_.segments.working().name))
+                : say(VS_TEXT("library", "%1 changed"), inQuotes(op.name.value_or(op.segment)))};
+}
+
+void SegmentListEditor::perform(const RemoveSegment& op, Region::Records& records) {
+    const SegmentInfo* segment = contents_.segments.find(op.segment);
+    if (segment == nullptr) {
+        throw Error("there is no segment '{}' to remove", op.segment);
+    }
+    if (segment->isLocked) {
+        throw Error("the segment '{}' is locked; unlock it first", op.segment);
+    }
+    contents_.region.workOn(segment->label, records);
+    contents_.region.clear(records);
+    contents_.region.forgetRules(records);
+    contents_.segments.remove(segment->label);
+    contents_.region.workOn(contents_.segments.atWork, records);
+}
+
+Outcome SegmentListEditor::run(RemoveSegment& op) {
+    changeSegments(contents_, *this, op);
+    return {{}, 0, 0, say("%1", inQuotes(op.segment))};
+}
+
+// --- from a label map
+
+std::size_t SegmentListEditor::perform(const LoadLabels& op, Region::Records& records) {
+    const volume::LabelMap& map = *op.map;
+    const auto boxes = segment::labelBoxes(map.labels, contents_.scan.volume.geometry.dims);
+    const std::uint8_t wasAtWork = contents_.segments.atWork;
+    bool usesFirst = contents_.segments.segments.size() == 1 && !contents_.segments.working().isLocked &&
+                     !contents_.segments.working().isClaimed && !contents_.region.hasSeeds();
+    std::size_t voxels = 0;
+    for (std::size_t n = 1; n < map.values.size(); ++n) {
+        reportProgress(double(n) / double(map.values.size()));
+        const auto look = map.looks.find(map.values[n]);
+        const bool hasLook = look != map.looks.end();
+        const std::string wanted = hasLook && !look->second.name.empty()
+                                       ? look->second.name
+                                       : fmt::format("Label {}", map.values[n]);
+        SegmentInfo& info = usesFirst ? contents_.segments.segments.front()
+                                      : contents_.segments.add(freeName(segments, wanted));
+        if (usesFirst) {
+            info.name = wanted;
+            usesFirst = false;
+        }
+        if (hasLook) {
+            info.colour = look->second.colour.value_or(info.colour);
+        }
+        const std::uint8_t label = info.label;
+        contents_.region.workOn(label, records);
+        contents_.region.replace(
+            segment::setOf(map.labels, contents_.scan.volume.geometry.dims, std::uint8_t(n), boxes[n]),
+            records);
+        voxels += std::size_t(contents_.region.growth()->voxelCount());
+    }
+    contents_.region.workOn(wasAtWork, records);
+    return voxels;
+}
+
+Outcome SegmentListEditor::run(LoadLabels& op) {
+    if (!op.map) {
+        op.map = readMap(op);
+    }
+    op.checksum = op.map->checksum;
+    volume::requireSameGrid(*op.map, contents_.scan.volume.geometry,
+                            contents_.scan.volume.path.empty() ? "the volume" : contents_.scan.volume.path);
+    const std::size_t labels = op.map->values.size() - 1;
+    if (labels == 0) {
+        throw Error("{}: holds no label; a label map has voxels other than 0", op.path.string());
+    }
+    const std::size_t kept = contents_.segments.segments.size() == 1 &&
+                                     !contents_.segments.working().isClaimed && !contents_.region.hasSeeds()
+                                 ? 0
+                                 : contents_.segments.segments.size();
+    if (labels + kept > kMostSegments) {
+        throw Error("{}: holds {} labels; beside the {} segments there are there is room for {}",
+                    op.path.string(), labels, kept, kMostSegments - kept);
+    }
+    const std::size_t voxels = changeSegments(contents_, *this, op);
+    return {{},
+            0,
+            voxels,
+            say(labels == 1 ? VS_TEXT("library", "%1 segment, %2 voxels")
+                            : VS_TEXT("library", "%1 segments, %2 voxels"),
+                labels, voxels)};
+}
+
+} // namespace vs::studio

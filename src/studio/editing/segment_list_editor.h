@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "studio/editing/contents.h"
+#include "studio/editing/outcome.h"
+
+namespace vs::studio {
+
+// Carries out the operations on the list of segments: which there are, how they look, which is at work, and
+// those that a label map brings. run() and perform() are as in GrowthEditor.
+class SegmentListEditor {
+public:
+    // The contents must outlive it.
+    explicit SegmentListEditor(Contents& contents) : contents_(contents) {}
+
+    Outcome run(UseSegment& op);
+    Outcome run(RemoveSegment& op);
+    Outcome run(LoadLabels& op);
+
+    void perform(const UseSegment& op, Region::Records& records);
+    void perform(const RemoveSegment& op, Region::Records& records);
+    // Returns how many voxels the segments got.
+    std::size_t perform(const LoadLabels& op, Region::Records& records);
+
+private:
+    Contents& contents_;
+};
+
+} // namespace vs::studio

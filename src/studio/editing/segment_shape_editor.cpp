@@ -1,0 +1,159 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/editing/segment_shape_editor.h"
+
+#include "segment/edits/islands.h"
+#include "segment/edits/margins.h"
+#include "segment/edits/set_algebra.h"
+#include "segment/edits/smoothing.h"
+#include "studio/editing/segment_change.h"
+#include "studio/operations/trail.h"
+
+namespace vs::studio {
+
+namespace {
+
+using Kind = EditSegment::Kind;
+
+bool needsVoxel(Kind kind) { return kind == Kind::KeepIsland || kind == Kind::DropIsland; }
+bool needsOther(Kind kind) {
+    return kind == Kind::Unite || kind == Kind::Subtract || kind == Kind::Intersect;
+}
+
+segment::VoxelSet edited(const EditSegment& op, const segment::VoxelSet& set, const segment::VoxelSet& other,
+                         const volume::GridGeometry& geometry, segment::Connectivity connectivity) {
+    switch (op.kind) {
+    case Kind::KeepIsland:
+        return segment::keepIsland(set, *op.voxel, connectivity);
+    case Kind::DropIsland:
+        return segment::dropIsland(set, *op.voxel, connectivity);
+    case Kind::KeepLargest:
+        return segment::keepLargestIsland(set, connectivity);
+    case Kind::DropSmall:
+        return segment::dropSmallIslands(set, geometry, op.amount, connectivity);
+    case Kind::FillHoles:
+        return op.amount > 0 ? segment::fillHoles(set, geometry, op.amount)
+                             : segment::fillHoles(set, geometry);
+    case Kind::Margin:
+        return segment::changeMargin(set, geometry, op.amount);
+    case Kind::Open:
+        return segment::opening(set, geometry, op.amount);
+    case Kind::Close:
+        return segment::closing(set, geometry, op.amount);
+    case Kind::Smooth:
+        return segment::smooth(set, geometry, op.amount);
+    case Kind::Hollow:
+        return segment::hollow(set, geometry, op.amount);
+    case Kind::Unite:
+        return segment::unite(set, other);
+    case Kind::Subtract:
+        return segment::subtract(set, segment::changeMargin(other, geometry, op.amount));
+    case Kind::Intersect:
+        return segment::intersect(set, segment::changeMargin(other, geometry, op.amount));
+    }
+    throw Error("an edit of a segment that is not known");
+}
+
+} // namespace
+
+// --- edits
+
+segment::VoxelSet SegmentShapeEditor::takeOther(const EditSegment& op, Region::Records& records) {
+    const std::uint8_t atWork = contents_.segments.atWork;
+    const SegmentInfo* other = contents_.segments.find(op.other);
+    if (other == nullptr || other->label == atWork) {
+        throw Error("'{}' is no other segment; name one", op.other);
+    }
+    if (op.kind == Kind::Unite && other->isLocked) {
+        throw Error("the segment '{}' is locked; unlock it first", op.other);
+    }
+    segment::VoxelSet set = contents_.region.voxels(other->label, records);
+    if (op.kind == Kind::Unite) {
+        contents_.region.workOn(other->label, records);
+        contents_.region.clear(records);
+        contents_.region.workOn(atWork, records);
+    }
+    return set;
+}
+
+void SegmentShapeEditor::perform(const EditSegment& op, Region::Records& records) {
+    workUnlocked(contents_, records);
+    const segment::VoxelSet other = needsOther(op.kind) ? takeOther(op, records) : segment::VoxelSet();
+    const segment::VoxelSet set = contents_.region.voxels(contents_.segments.atWork, records);
+    contents_.region.replace(
+        edited(op, set, other, contents_.scan.volume.geometry, contents_.region.rules().connectivity),
+        records);
+}
+
+Outcome SegmentShapeEditor::run(EditSegment& op) {
+    if (!contents_.region.exists() || contents_.region.growth()->voxelCount(contents_.segments.atWork) == 0) {
+        if (op.kind != Kind::Unite) {
+            throw Error("the segment '{}' is empty; there is nothing to edit",
+                        contents_.segments.working().name);
+        }
+    }
+    if (needsVoxel(op.kind) && !op.voxel) {
+        if (!op.pixel) {
+            throw Error("'{}' needs a pixel on the island, or one of its voxels", name(op));
+        }
+        contents_.fillIn(op.canvas);
+        const glm::vec2 pixel(*op.pixel);
+        const auto points = cutter_.picker.pickPoints(display_.frame(op.canvas->view, op.canvas->viewport),
+                                                      std::span(&pixel, 1), render::Picker::Meets::Segment);
+        if (points.front().voxel.w < 0.5F) {
+            throw Error("nothing lies under pixel {:g}, {:g}; point at an island", pixel.x, pixel.y);
+        }
+        op.voxel = glm::ivec3(glm::round(glm::vec3(points.front().voxel)));
+    }
+    const std::size_t before =
+        contents_.region.exists() ? contents_.region.growth()->voxelCount(contents_.segments.atWork) : 0;
+    changeSegments(contents_, *this, op);
+    const std::size_t now = contents_.grownVoxels();
+    return {{},
+            0,
+            now > before ? now - before : before - now,
+            say(VS_TEXT("library", "%1 voxels, %2 ml; %3 before"), now, contents_.millilitres(now), before)};
+}
+
+void SegmentShapeEditor::perform(const BrushSegment& op, Region::Records& records) {
+    workUnlocked(contents_, records);
+    const segment::VoxelSet brush = cuts_.wouldCut(op);
+    const segment::VoxelSet set = contents_.region.voxels(contents_.segments.atWork, records);
+    contents_.region.replace(op.isToAdd ? segment::unite(set, brush) : segment::subtract(set, brush),
+                             records);
+}
+
+Outcome SegmentShapeEditor::run(BrushSegment& op) {
+    std::visit([&](auto& drawn) { contents_.fillIn(drawn.canvas); }, op.stroke);
+    const std::size_t before = contents_.grownVoxels();
+    changeSegments(contents_, *this, op);
+    const std::size_t now = contents_.grownVoxels();
+    return {{},
+            0,
+            now > before ? now - before : before - now,
+            now == before
+                ? say(VS_TEXT("library", "nothing changed: the stroke does not reach the segment's surface"))
+                : describeChange(before, now)};
+}
+
+void SegmentShapeEditor::perform(const PaintSegment& op, Region::Records& records) {
+    workUnlocked(contents_, records);
+    contents_.region.paint(voxelsAlong(op.trail, contents_.scan.volume, op.range), op.isToAdd, records);
+}
+
+Outcome SegmentShapeEditor::run(PaintSegment& op) {
+    if (voxelsAlong(op.trail, contents_.scan.volume, op.range).count() == 0) {
+        return {{}, 0, 0, say(VS_TEXT("library", "nothing changed: no voxel lies under the brush"))};
+    }
+    const std::size_t before = contents_.grownVoxels();
+    changeSegments(contents_, *this, op);
+    const std::size_t now = contents_.grownVoxels();
+    const std::size_t changed = now > before ? now - before : before - now;
+    return {{},
+            0,
+            changed,
+            changed == 0 ? say(VS_TEXT("library",
+                                       "nothing changed: no voxel under the brush could be added or removed"))
+                         : describeChange(before, now)};
+}
+
+} // namespace vs::studio

@@ -14,8 +14,8 @@ namespace vs::field {
 // voxels are left out.
 std::vector<std::uint32_t> intensityHistogram(const Field& field, int bins = 256);
 
-// As intensityHistogram(), but of the voxels that a sculpture lets be seen, and counted in slices, so that a
-// window can answer between them.
+// Counts the voxels that a sculpture lets be seen in bins like those of intensityHistogram(), in portions, so
+// that a window can answer between them.
 class VisibleHistogram {
 public:
     VisibleHistogram(const Field& field, int bins);

@@ -34,7 +34,7 @@ struct ViewRays {
     glm::dvec3 eye{0};
     glm::dvec3 forward{0}; // unit
     glm::dvec3 right{0}; // half the picture's width: per unit distance (perspective) or in mm (orthographic)
-    glm::dvec3 up{0};    // likewise
+    glm::dvec3 up{0};    // half the picture's height, in the same unit
     glm::ivec2 size{1};
     bool isOrthographic = false;
 

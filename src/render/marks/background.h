@@ -18,7 +18,7 @@ struct Background {
     bool operator==(const Background&) const = default;
 };
 
-// The same colours in linear light.
+// The background's colours in linear light.
 glm::vec3 linearTop(const Background& background);
 glm::vec3 linearBottom(const Background& background);
 

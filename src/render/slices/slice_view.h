@@ -47,13 +47,14 @@ public:
     [[nodiscard]] glm::dvec2 placeOf(glm::dvec3 voxel) const;
     // What is at a place of the slice with that index, in voxel space.
     [[nodiscard]] glm::dvec3 voxelAt(glm::dvec2 place, double index) const;
-    // In voxel space, per mm to the right and down of the picture.
+    // How far in voxel space one mm to the right and one mm down on the picture lead.
     [[nodiscard]] glm::dvec3 voxelsPerMmRight() const { return voxelsRight_; }
     [[nodiscard]] glm::dvec3 voxelsPerMmDown() const { return voxelsDown_; }
     // Half the width and height in mm of the grid's box as it appears, voxel borders included.
     [[nodiscard]] glm::dvec2 halfExtentMm() const;
 
-    // Which directions of the patient its edges face: "L", or on oblique grids "LA", the nearest first.
+    // The directions of the patient that the picture's edges face: "L", or on oblique grids "LA", the nearest
+    // first.
     struct Letters {
         std::string left;
         std::string right;
@@ -82,7 +83,7 @@ private:
 // by more than 15 degrees: "L", "PS".
 std::string directionLetters(glm::dvec3 world);
 
-// Which slice is looked at, and what part of it.
+// Says which slice is looked at, and what part of it.
 struct SliceView {
     SliceKind kind = SliceKind::Axial;
     int index = 0;
@@ -102,7 +103,8 @@ struct SliceView {
     bool operator==(const SliceView&) const = default;
 };
 
-// mm a pixel at which all of a slice is seen in a picture of that size, with a little room around it.
+// The size of a pixel, in mm, at which all of a slice is seen in a picture of that size, with a little room
+// around it.
 double pixelMmToShowAll(const SliceGeometry& geometry, glm::ivec2 size);
 
 } // namespace vs::render

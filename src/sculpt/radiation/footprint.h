@@ -30,7 +30,7 @@ struct Footprint {
 };
 
 enum class FootprintKind { Gaussian, Ellipsoid, Cube };
-// Their names on command lines, in the order of the enumeration.
+// The names of footprint shapes on command lines, in the order of the enumeration.
 inline constexpr std::array<const char*, 3> kFootprintKinds{"gaussian", "ellipsoid", "cube"};
 
 // What a point's energy is spread over (SPEC 4), in steps, hence the same in millimetres on every spacing:
@@ -56,7 +56,7 @@ struct FootprintShape {
 // those of the cube are exact.
 Footprint fitFootprint(const FootprintShape& shape, glm::dvec3 spacing = glm::dvec3(1.0));
 
-// The Gaussian one. `radius` must be 2, 3 or 4.
+// The Gaussian footprint of a radius, which must be 2, 3 or 4.
 Footprint fitFootprint(int radius, glm::dvec3 spacing = glm::dvec3(1.0));
 
 // The definition that the fast radiation is fitted to (SPEC 4, thesis 3.4): weights along one axis of the 2 *
@@ -66,10 +66,10 @@ struct ReferenceWeights {
     int halfWidth = 3;
     std::array<double, 10> weights{};
 };
-// A Gaussian of `sigma` voxels, at most kMaxSigmaVoxels.
+// The weights of a Gaussian of `sigma` voxels, at most kMaxSigmaVoxels.
 ReferenceWeights referenceWeights(double sigma, double offset);
-// A box of half-width `halfWidthVoxels`, at most AxisFootprint::kMaxReach: the parts of the voxels' cells
-// that it covers when centred on a voxel, interpolated linearly between voxels.
+// The weights of a box of half-width `halfWidthVoxels`, at most AxisFootprint::kMaxReach: the parts of the
+// voxels' cells that it covers when centred on a voxel, interpolated linearly between voxels.
 ReferenceWeights cubeReferenceWeights(double halfWidthVoxels, double offset);
 
 } // namespace vs::sculpt

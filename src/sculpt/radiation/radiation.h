@@ -45,9 +45,9 @@ public:
     // Convolves. Returns the box of voxels that may have energy: touched tiles, clipped to the grid.
     Box3 finish();
 
-    // As begin(), for rounds of deposit(), takeBack() and finish() until the next begin of either kind.
-    // Results and their lists are those of the last round's tiles; resultBox() is where energies may have
-    // changed.
+    // Begins a running radiation: rounds of deposit(), takeBack() and finish() until the next begin of either
+    // kind. Takes what begin() takes. Results and their lists are those of the last round's tiles;
+    // resultBox() is where energies may have changed.
     void beginRunning(const Box3& points, glm::ivec3 dims, const Footprint& footprint);
     // Undoes a deposit() of the very same points.
     void takeBack(const gl::Buffer& points, std::size_t count);

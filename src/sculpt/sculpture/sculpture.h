@@ -30,8 +30,9 @@ public:
     // (SPEC 4). Where a restore has E >= 0.5 the result stays below 0.5, so nothing of the same stroke's cut
     // remains visible. Returns the box of voxels that may have changed (tile-tight).
     Box3 combine(const Radiator& radiation, Combine how);
-    // As a cut, but united with what the sculpture was in `before` (null: untouched) instead of what it is:
-    // in the tiles of the radiation it becomes that union. Puts back what an earlier such call cut too far.
+    // Cuts like combine(), but unites the radiation with what the sculpture was in `before` (null: untouched)
+    // instead of what it is: in the tiles of the radiation it becomes that union. Puts back what an earlier
+    // such call cut too far.
     Box3 combineWith(const gl::Texture* before, const Radiator& radiation);
     // Voxels whose value the last combine() changed; waits for the device.
     [[nodiscard]] std::uint64_t changedVoxels() const;
@@ -49,7 +50,7 @@ public:
     void upload(const Box3& box, std::span<const std::byte> texels);
     // Undo or redo, with the macrocells.
     void swap(BrickDelta& delta);
-    // After texels() was written by something else (BrickBackup::restore).
+    // Brings the macrocells up to date after texels() was written by something else (BrickBackup::restore).
     void refresh(const Box3& box);
 
     [[nodiscard]] gl::Texture& texels() { return texels_; }
@@ -62,7 +63,7 @@ public:
     [[nodiscard]] std::uint64_t version() const { return version_; }
     // Numbers the contents: as version(), but what has been put back as it was can have its number again.
     [[nodiscard]] std::uint64_t contentVersion() const { return contentVersion_; }
-    // The contents are what they were when contentVersion() was this.
+    // Says that the contents are what they were when contentVersion() was this.
     void contentIsAsAt(std::uint64_t contentVersion) { contentVersion_ = contentVersion; }
     // Voxels that may differ from what they were at an earlier version(). The longer ago, the more there may
     // be that do not; at version 0 everything was 0.

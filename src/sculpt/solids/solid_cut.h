@@ -57,7 +57,8 @@ public:
     // fewer than three points and empty lists of planes change nothing.
     Box3 extrude(Sculpture& sculpture, const Extrusion& solid, Combine how, BrickBackup& backup);
     Box3 clip(Sculpture& sculpture, const HalfSpaces& solid, Combine how, BrickBackup& backup);
-    // The same with energies from elsewhere, one for each voxel of the grid, x fastest.
+    // Cuts a solid that is given by its energies, one for each voxel of the grid, x fastest. Bricks are
+    // protected in `backup` before they change; returns the box that may have changed.
     Box3 cutValues(Sculpture& sculpture, std::span<const float> energies, Combine how, BrickBackup& backup);
 
 private:

@@ -64,7 +64,8 @@ private:
     void clearNewest();
     [[nodiscard]] std::uint32_t planeStart(int plane) const;
     void collect(SeedMap& seedMap, const Rules& rules);
-    // Into the newest; into the newest or a plane in storage 2, but only what lies in the plane in storage 1.
+    // Where voxels are put: into the newest; or into the newest or a plane in storage 2, but only what lies
+    // in the plane in storage 1.
     enum class Into { Newest, NewestWithin, PlaneWithin };
     void push(const SeedMap& seedMap, std::span<const std::uint32_t> voxels, const Constraints& constraints,
               Into into = Into::Newest);

@@ -23,7 +23,7 @@ void writeGrid(const std::filesystem::path& path, const GridGeometry& geometry,
                std::span<const std::uint32_t> values);
 void writeGrid(const std::filesystem::path& path, const GridGeometry& geometry,
                std::span<const float> values);
-// A volume's values in their own type.
+// Writes a volume's values in their own type.
 void writeVolume(const std::filesystem::path& path, const Volume& volume);
 
 } // namespace vs::volume

@@ -1,4 +1,4 @@
-// Volume mode: front-to-back compositing of what the transfer function shows (SPEC 3; Max 1995, "Optical models for direct
+// Volume mode: front-to-back compositing of what the transfer function shows (doc/behaviour.md, "Pictures"; Max 1995, "Optical models for direct
 // volume rendering"). A ray is cut into pieces between neighbouring samples, along which the value is taken to go evenly; the
 // transfer function counts with all that it has between their ends, so that what is thin in it is not missed.
 // Include "render/shaders/surface.glsl", "classification.glsl" and "shading.glsl" first. Defines: TF_KIND, SCULPTED.

@@ -16,11 +16,11 @@ namespace vs::sculpt {
 // Tiles of 8^3 voxels: what the radiation keeps track of, so that its cost follows what is touched.
 inline constexpr int kTile = 8;
 
-// Spreads points' energy over the voxels around them (SPEC 4): E(v) = sum over points of w * Gaussian(v - p).
-// By linearity the points are first deposited into single voxels with B-spline weights, then the touched
-// tiles are convolved with the separable taps of a Footprint. Deposits are fixed-point integer atomics, so
-// the result does not depend on the order of execution. Use: begin(), deposit() any number of times,
-// finish(), then read energy() until the next begin().
+// Spreads points' energy over the voxels around them (doc/behaviour.md, "Point radiation"): E(v) = sum over
+// points of w * Gaussian(v - p). By linearity the points are first deposited into single voxels with B-spline
+// weights, then the touched tiles are convolved with the separable taps of a Footprint. Deposits are
+// fixed-point integer atomics, so the result does not depend on the order of execution. Use: begin(),
+// deposit() any number of times, finish(), then read energy() until the next begin().
 //
 // A running radiation (beginRunning) keeps its deposits and what was convolved before: after each finish()
 // points may be deposited further, or taken back to the last bit, and the next finish() convolves only the

@@ -23,7 +23,7 @@ struct SweptPatch {
     std::array<std::uint32_t, 4> corners{}; // (0,0) (1,0) (0,1) (1,1)
     std::uint32_t firstPoint = 0;           // among all points of its SweptPatches
     std::uint32_t counts = 0;               // samples along u (8 bits), v (8 bits) and depth (16 bits)
-    float mask = -1;          // the same for the whole patch; bilinear between the corners' when negative
+    float mask = -1;          // one value for the whole patch; bilinear between the corners' when negative
     std::uint32_t offset = 0; // of a single sample from the middle in u and v, as two 16-bit signed fractions
     float depthLo = 0;
     float depthHi = 0;

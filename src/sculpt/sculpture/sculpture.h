@@ -27,8 +27,9 @@ public:
     explicit Sculpture(glm::ivec3 dims, Precision precision = Precision::Bits16);
 
     // Union with a radiation E, clamped to [0, 1]: S = max(S, E) for a cut, S = min(S, 1 - E) for a restore
-    // (SPEC 4). Where a restore has E >= 0.5 the result stays below 0.5, so nothing of the same stroke's cut
-    // remains visible. Returns the box of voxels that may have changed (tile-tight).
+    // (doc/behaviour.md, "Point radiation"). Where a restore has E >= 0.5 the result stays below 0.5, so
+    // nothing of the same stroke's cut remains visible. Returns the box of voxels that may have changed
+    // (tile-tight).
     Box3 combine(const Radiator& radiation, Combine how);
     // Cuts like combine(), but unites the radiation with what the sculpture was in `before` (null: untouched)
     // instead of what it is: in the tiles of the radiation it becomes that union. Puts back what an earlier

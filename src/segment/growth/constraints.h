@@ -14,8 +14,8 @@ namespace vs::segment {
 // Neighbours across faces, or across faces, edges and corners.
 enum class Connectivity { Six, TwentySix };
 
-// Which voxels growth may enter, and from where (SPEC 8). Every rule given must be kept; all ranges are
-// closed.
+// The rules of growth: which voxels it may enter, and from where (doc/behaviour.md, "Growth"). Every rule
+// given must be kept; all ranges are closed.
 struct Constraints {
     Range range; // of intensity, in the volume's unit; float volumes are compared with its ends rounded to
                  // float

@@ -36,12 +36,12 @@ struct JointHistogram {
 // Counts voxels by intensity and gradient magnitude. Magnitudes above `gradients` are left out.
 JointHistogram jointHistogram(const Field& field, const Range& gradients, glm::ivec2 bins = {256, 256});
 
-// The joint histogram over gradientRange(), counted in slices, so that a window can answer between them.
+// The joint histogram over gradientRange(), counted in portions, so that a window can answer between them.
 class JointCounting {
 public:
     explicit JointCounting(const Field& field, glm::ivec2 bins = {256, 256});
 
-    // Goes on for about `budgetMs`, or for one slice where that takes longer (tens of milliseconds on a
+    // Goes on for about `budgetMs`, or for one portion where that takes longer (tens of milliseconds on a
     // software renderer). True when all is counted.
     bool advance(double budgetMs);
     // Complete once advance() has said so.

@@ -22,7 +22,7 @@ public:
 
     // Begins anew.
     void start(SculptureView view);
-    // Goes on for about `budgetMs`, or for one slice where that takes longer (tens of milliseconds on a
+    // Goes on for about `budgetMs`, or for one portion where that takes longer (tens of milliseconds on a
     // software renderer). The sculpture must not have changed since start(). True when all is counted.
     bool advance(const gl::Texture& sculpture, double budgetMs);
     [[nodiscard]] std::vector<std::uint32_t> counts() const;

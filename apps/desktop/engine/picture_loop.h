@@ -15,8 +15,8 @@ class Document;
 
 namespace vs::desktop {
 
-// Keeps a picture of the document up to date in short slices. Whatever changed is shown first as a draft, as
-// coarse as it must be to hold the frame rate (scale 1 .. 1/4); when nothing has moved for a moment the
+// Keeps a picture of the document up to date in short portions. Whatever changed is shown first as a draft,
+// as coarse as it must be to hold the frame rate (scale 1 .. 1/4); when nothing has moved for a moment the
 // picture is made at full resolution and then refined to 8 samples per pixel. No widgets; the engine's
 // context must be current in every call.
 class PictureLoop {
@@ -34,8 +34,8 @@ public:
     void setViewport(glm::ivec2 devicePixels);
     // Says that something is moving: only drafts are made until it has been calm for a moment.
     void interact() { sinceInput_ = Timer(); }
-    // Throws Error when the picture cannot be made. A slice takes about `budgetMs`, or one tile where that is
-    // longer.
+    // Throws Error when the picture cannot be made. A portion takes about `budgetMs`, or one tile where that
+    // is longer.
     enum class State { Busy, Waiting, Complete };
     State step(double budgetMs);
 

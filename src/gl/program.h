@@ -32,8 +32,9 @@ public:
     [[nodiscard]] unsigned int name() const { return handle_.name(); }
     explicit operator bool() const { return bool(handle_); }
 
-    // Does nothing for a uniform that the shader declares and this variant of it does not use. Throws GlError
-    // for a name that the shader does not have, and for a value of another type than the uniform's.
+    // Sets a uniform. Does nothing for one that the shader declares and this variant of it does not use.
+    // Throws GlError for a name that the shader does not have, and for a value of another type than the
+    // uniform's.
     Program& set(std::string_view uniform, int value);
     Program& set(std::string_view uniform, unsigned int value);
     Program& set(std::string_view uniform, float value);

@@ -12,7 +12,7 @@
 
 namespace vs::cli {
 
-// From where frames are rendered, one after the other.
+// The cameras from which frames are rendered, one after the other.
 struct Orbit {
     std::vector<double> azimuths{0, 45, 90, 135, 180, 225, 270, 315}; // degrees
     double elevation = 15;

@@ -34,8 +34,8 @@ public:
     void setViewport(glm::ivec2 devicePixels);
     // Says that something is moving: only drafts are made until it has been calm for a moment.
     void interact() { sinceInput_ = Timer(); }
-    // Throws Error when the picture cannot be made. A portion takes about `budgetMs`, or one tile where that
-    // is longer.
+    // Works on the picture for a portion, which takes about `budgetMs`, or one tile where that is longer.
+    // Throws Error when the picture cannot be made.
     enum class State { Busy, Waiting, Complete };
     State step(double budgetMs);
 

@@ -50,7 +50,7 @@ public:
     void end(bool isDrag);
 
     [[nodiscard]] const std::vector<Measurement>& measurements() const { return measurements_; }
-    // With the place under the pen as its last.
+    // The measurement in hand, with the place under the pen as its last.
     [[nodiscard]] const std::optional<Measurement>& inHand() const { return inHand_; }
     void removeLast();
     void removeAll();

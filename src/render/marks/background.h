@@ -25,7 +25,7 @@ glm::vec3 linearBottom(const Background& background);
 // "studio", "white", "black", "transparent", "#RRGGBB" (one colour) or "#RRGGBB:#RRGGBB" (top and bottom):
 // how backgrounds stand on command lines and in sessions.
 std::string name(const Background& background);
-// Throws UsageError saying what can be written.
+// Reads a background as it stands on command lines. Throws UsageError saying what can be written.
 Background backgroundFromName(const std::string& name);
 
 } // namespace vs::render

@@ -27,7 +27,7 @@ inline constexpr std::array<const char*, 6> kModeNames{"surface", "mip",     "xr
                                                        "overlay", "segment", "volume"};
 constexpr const auto& namesOf(Mode) { return kModeNames; }
 constexpr const char* name(Mode mode) { return nameOf(mode); }
-// Throws UsageError listing the modes.
+// The mode of a name. Throws UsageError listing the modes.
 Mode modeFromName(const std::string& name);
 
 // The view as shaders see it; mirrors ViewBlock in render/shaders/rays.glsl (std140).

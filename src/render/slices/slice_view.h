@@ -43,7 +43,7 @@ public:
     // Where a slice lies along its normal, in mm: on straight grids one of the world's coordinates.
     [[nodiscard]] double positionMm(double index) const;
 
-    // Where a place in voxel space appears.
+    // The place on the picture at which a place in voxel space appears.
     [[nodiscard]] glm::dvec2 placeOf(glm::dvec3 voxel) const;
     // What is at a place of the slice with that index, in voxel space.
     [[nodiscard]] glm::dvec3 voxelAt(glm::dvec2 place, double index) const;
@@ -91,8 +91,8 @@ struct SliceView {
     double pixelMm = 1;
     glm::ivec2 size{1}; // pixels
 
-    // From a place on the slice to pixels of the picture (y down, the first pixel's centre at 0.5, 0.5), and
-    // back.
+    // Leads from a place on the slice to pixels of the picture (y down, the first pixel's centre at 0.5,
+    // 0.5), and back.
     [[nodiscard]] glm::dvec2 pixelOf(glm::dvec2 place) const {
         return (place - centreMm) / pixelMm + 0.5 * glm::dvec2(size);
     }

@@ -69,7 +69,7 @@ public:
     // Voxels that may differ from what they were at an earlier version(). The longer ago, the more there may
     // be that do not; at version 0 everything was 0.
     [[nodiscard]] Box3 changedSince(std::uint64_t version) const;
-    // True when nothing is cut anywhere: a matter of content, so that undoing the first cut is as if it had
+    // Whether nothing is cut anywhere: a matter of content, so that undoing the first cut is as if it had
     // never been. May wait for the device.
     [[nodiscard]] bool isEmpty() const;
 

@@ -14,7 +14,7 @@
 
 namespace vs::sculpt {
 
-// From the world (mm) to a picture, as far as cutting along its rays needs to know.
+// The way from the world (mm) to a picture, as far as cutting along its rays needs to know it.
 struct Projector {
     glm::dmat4 pixelFromWorld{1}; // (x w, y w, any, w): w is the distance along `forward`, 1 if orthographic
     glm::dvec3 eye{0};           // distances along rays are counted from here, or from the plane through here

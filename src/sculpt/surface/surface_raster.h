@@ -47,7 +47,8 @@ protected:
     // Whether two neighbouring elements lie on one piece of surface.
     [[nodiscard]] bool isJoined(glm::ivec2 a, glm::ivec2 b) const;
     [[nodiscard]] glm::vec3 meanDirection() const;
-    // From one element to the next along an axis of the raster, in steps, across the tool's direction.
+    // The mean way from one element to the next along an axis of the raster, in steps, across the tool's
+    // direction.
     [[nodiscard]] glm::vec3 meanStep(glm::ivec2 axis) const;
     // The step in voxel space from one element to the next along an axis of the raster, as a hit's neighbours
     // tell it: along the surface where they belong together, else only across the element's own path.

@@ -27,7 +27,8 @@ struct Constraints {
     std::optional<Range> gradient = {};
     // What the difference of the gradient's magnitudes may be, child - parent.
     std::optional<Range> gradientDifference = {};
-    // Null: no fence. Must live on the volume's grid for as long as these constraints are in use.
+    // The sculpture that fences growth; null: no fence. Must live on the volume's grid for as long as these
+    // constraints are in use.
     const gl::Texture* sculpture = nullptr;
     // Tells one content of the sculpture from another: growth tests refused voxels again when this changes.
     std::uint64_t sculptureVersion = 0;

@@ -20,10 +20,10 @@ namespace vs::segment {
 // two generations. All of it can be made anew from the seed map. Internal to this folder.
 class Frontier {
 public:
-    // At most this many expansions in one submission.
+    // The most expansions in one submission.
     static constexpr int kMaxExpansions = 128;
 
-    // Throws GlError when there is no room on the device.
+    // Makes room for a seed map's grid. Throws GlError when there is none on the device.
     explicit Frontier(const SeedMap& seedMap);
 
     // What a run's expansions go by.

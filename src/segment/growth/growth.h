@@ -41,7 +41,7 @@ struct GrowthState {
     std::vector<std::uint64_t> voxels; // grown by generations 1, 2, ...; `extent` numbers
     Constraints constraints;
     bool isLive = false;
-    // In live mode: everything grown can be reached under the present rules.
+    // Whether everything grown can be reached under the present rules; in live mode only.
     bool isConsistent = true;
     // Generations up to this one are what an edit or a label map gave: they do not grow, nor are they
     // retracted.

@@ -28,7 +28,8 @@ public:
     static constexpr int kLongest16 = 0xffff;
     static constexpr int kLongest = 0xffffff;
 
-    // Throws GlError when the device has no room, or when there are more voxels than lists can name.
+    // Makes an empty map of a grid. Throws GlError when the device has no room, or when there are more voxels
+    // than lists can name.
     explicit SeedMap(glm::ivec3 dims);
 
     [[nodiscard]] glm::ivec3 dims() const { return dims_; }

@@ -31,7 +31,7 @@ struct DataBlock {
     std::uint64_t expected = 0;
 };
 
-// Throws ReadError "FILE: what is wrong; what would be right".
+// Refuses a file: throws ReadError "FILE: what is wrong; what would be right".
 [[noreturn]] void refuse(const std::filesystem::path& path, std::string_view wrong, std::string_view right);
 
 // The text with unprintable characters replaced and cut to a length that fits a message.

@@ -9,7 +9,7 @@
 
 namespace vs::volume {
 
-// Throws WriteError if a file's extension is none that writeGrid knows.
+// Checks the name of a file to write: throws WriteError if its extension is none that writeGrid knows.
 void checkGridName(const std::filesystem::path& path);
 
 // Each writes a grid (x fastest, geometry.voxelCount() values) with its place in the patient, as NIfTI, NRRD

@@ -38,7 +38,8 @@ public:
     ~DocumentHost() override;
 
     [[nodiscard]] GlHost& gl() { return gl_; }
-    // Null before something was opened. With the engine's context current; waits while the document is away.
+    // The open document, with the engine's context current; null before something was opened. Waits while the
+    // document is away.
     [[nodiscard]] studio::Document* document();
     // The volume that is open, and its grid; null before something was opened. Also while the document is
     // away.

@@ -57,7 +57,7 @@ public:
     [[nodiscard]] QPainterPath outline() const;
     // What the sketch comes to if it ends now: closed and filled by the even-odd rule; a line as it is.
     [[nodiscard]] QPainterPath area() const;
-    // From a polyline's last corner to the pen; empty when it has ended.
+    // The line from a polyline's last corner to the pen; empty when it has ended.
     [[nodiscard]] QPainterPath stretchToPen() const;
     // The ring around a polyline's first corner, in which a click closes it.
     [[nodiscard]] QPainterPath firstCorner() const;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measures how far swept solids are from what was meant, for the comparisons of thesis 3.6, and prints the
+// Measures how far swept solids are from what was meant, for the comparisons of the thesis, section 3.6, and prints the
 // tables of doc/boundary_errors.md. usage: boundary_errors
 #include "gl/context.h"
 #include "reference/boundary.h"

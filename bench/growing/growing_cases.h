@@ -16,7 +16,7 @@ struct GrowingCase {
     volume::Volume volume;
     std::vector<glm::ivec3> seeds;
     Range range;
-    std::optional<Range> wider; // the same region and some more
+    std::optional<Range> wider; // a range that reaches that region and some more
 };
 
 // The brain of Debian's example head ch2better.nii.gz, or nothing where there is no such file.

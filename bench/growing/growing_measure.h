@@ -5,7 +5,7 @@
 
 namespace vs {
 
-// The same region grown on the device and by ITK, in turns. Times in milliseconds, one a run.
+// One region grown on the device and by ITK, in turns. Times in milliseconds, one a run.
 struct Comparison {
     std::string name;
     std::uint64_t voxels = 0;

@@ -136,12 +136,12 @@ public:
         return value;
     }
 
-    // One of the names, as the enumerator of the same place.
+    // Reads a text that is one of the names, as the enumerator of the same place.
     template <typename Enum, std::size_t N>
     [[nodiscard]] Enum choice(const std::array<const char*, N>& names) const {
         return static_cast<Enum>(indexAmong(names));
     }
-    // The same for texts that no enum stands behind.
+    // Reads a text that is one of the names, and gives its place: for texts that no enum stands behind.
     [[nodiscard]] std::size_t indexAmong(std::span<const char* const> names) const {
         const std::string value = text();
         std::string all;

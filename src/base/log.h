@@ -17,7 +17,7 @@ enum class LogLevel {
 };
 
 [[nodiscard]] bool isLogged(LogLevel level);
-// Tells it if its level is logged: "note: ...", "performance: ...", "debug: ...".
+// Writes a message if its level is logged: "note: ...", "performance: ...", "debug: ...".
 void tell(LogLevel level, std::string_view message);
 inline void logNotice(std::string_view message) { tell(LogLevel::Notice, message); }
 

@@ -21,7 +21,7 @@ constexpr const char* nameOf(E e) {
     return namesOf(e)[std::size_t(e)];
 }
 
-// Nothing when no enumerator has that name.
+// The enumerator that has a name; nothing when there is none.
 template <Named E>
 constexpr std::optional<E> enumeratorOf(std::string_view name) {
     const auto& names = namesOf(E());

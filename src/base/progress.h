@@ -16,8 +16,8 @@ public:
     using Error::Error;
 };
 
-// As long as it lives, what this thread reports goes to `listen`, which gets the share that is done (0 to 1,
-// if that is known) and returns false to give up. The one before comes back after it.
+// While it lives, what this thread reports goes to `listen`, which gets the share that is done (0 to 1, if
+// that is known) and returns false to give up. The listener before it comes back afterwards.
 class ProgressListener {
 public:
     using Listen = std::function<bool(std::optional<double> share)>;

@@ -33,7 +33,7 @@ float valueTolerance(const Field& field);
 // A serial number that no field has yet.
 std::uint64_t nextSerial();
 
-// Throws GlError if the device has no room.
+// Uploads a volume. Throws GlError if the device has no room.
 Field uploadVolume(const volume::Volume& volume);
 
 // Bricks of 32^3 voxels: the unit of dirty tracking, undo and summaries.

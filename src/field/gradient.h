@@ -16,9 +16,10 @@ namespace vs::field {
 // those at its border. Voxels that are, or touch, a non-finite one are left out everywhere. Counted on the
 // device, one pass over the voxels each.
 
-// From 0 to the 99.9th percentile (to about a hundredth of itself): what most of the volume needs.
+// The gradient magnitudes from 0 to the 99.9th percentile (to about a hundredth of itself): what most of the
+// volume needs.
 Range gradientRange(const Field& field);
-// From 0 to the largest of all.
+// The gradient magnitudes from 0 to the largest of all.
 Range fullGradientRange(const Field& field);
 
 // Counts of voxels in `bins` (at most 4096) equal bins over `gradients`. Magnitudes above it are left out.
@@ -32,15 +33,15 @@ struct JointHistogram {
     std::vector<std::uint32_t> counts; // intensity fastest
 };
 
-// Magnitudes above `gradients` are left out.
+// Counts voxels by intensity and gradient magnitude. Magnitudes above `gradients` are left out.
 JointHistogram jointHistogram(const Field& field, const Range& gradients, glm::ivec2 bins = {256, 256});
 
-// The joint histogram over gradientRange(), counted in slices, so that a window can answer between them.
+// The joint histogram over gradientRange(), counted in portions, so that a window can answer between them.
 class JointCounting {
 public:
     explicit JointCounting(const Field& field, glm::ivec2 bins = {256, 256});
 
-    // Goes on for about `budgetMs`, or for one slice where that takes longer (tens of milliseconds on a
+    // Goes on for about `budgetMs`, or for one portion where that takes longer (tens of milliseconds on a
     // software renderer). True when all is counted.
     bool advance(double budgetMs);
     // Complete once advance() has said so.

@@ -14,15 +14,15 @@ namespace vs::field {
 // voxels are left out.
 std::vector<std::uint32_t> intensityHistogram(const Field& field, int bins = 256);
 
-// As intensityHistogram(), but of the voxels that a sculpture lets be seen, and counted in slices, so that a
-// window can answer between them.
+// Counts the voxels that a sculpture lets be seen in bins like those of intensityHistogram(), in portions, so
+// that a window can answer between them.
 class VisibleHistogram {
 public:
     VisibleHistogram(const Field& field, int bins);
 
     // Begins anew.
     void start(SculptureView view);
-    // Goes on for about `budgetMs`, or for one slice where that takes longer (tens of milliseconds on a
+    // Goes on for about `budgetMs`, or for one portion where that takes longer (tens of milliseconds on a
     // software renderer). The sculpture must not have changed since start(). True when all is counted.
     bool advance(const gl::Texture& sculpture, double budgetMs);
     [[nodiscard]] std::vector<std::uint32_t> counts() const;

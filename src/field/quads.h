@@ -14,8 +14,8 @@ namespace vs::field {
 // (field/shaders/quads.glsl), a third faster on llvmpipe than its own filter, at four times the memory of the
 // data. Texels are as Field::texels has them; x fastest, then y, then z.
 
-// With more than this they no longer stay in a processor's caches, and are no faster than the filter
-// (doc/performance.md).
+// The most bytes of quads that are made: larger ones no longer stay in a processor's caches, and are no
+// faster than the filter (doc/performance.md).
 inline constexpr std::size_t kMostQuadBytes = std::size_t(256) << 20;
 
 // Room for the quads of a volume of these voxels, or nothing where they would be of no use: for large

@@ -33,12 +33,13 @@ public:
     Context& operator=(Context&&) noexcept;
     ~Context();
 
-    // On this thread. One that was adopted is made current by its host first.
+    // Makes this the context of the calling thread. One that was adopted is made current by its host first.
     void makeCurrent();
     [[nodiscard]] const DeviceInfo& device() const;
-    // GL errors that the driver has reported, or kept for whoever asks, since the context was made.
+    // The number of GL errors that the driver has reported, or kept for whoever asks, since the context was
+    // made.
     [[nodiscard]] int errorCount() const;
-    // Throws GlError if there are any: what was computed cannot be relied on.
+    // Throws GlError if there were GL errors: what was computed cannot be relied on.
     void requireNoErrors() const;
     // Whether the current context renders on the CPU.
     static bool isSoftware();

@@ -32,8 +32,9 @@ public:
     [[nodiscard]] unsigned int name() const { return handle_.name(); }
     explicit operator bool() const { return bool(handle_); }
 
-    // Does nothing for a uniform that the shader declares and this variant of it does not use. Throws GlError
-    // for a name that the shader does not have, and for a value of another type than the uniform's.
+    // Sets a uniform. Does nothing for one that the shader declares and this variant of it does not use.
+    // Throws GlError for a name that the shader does not have, and for a value of another type than the
+    // uniform's.
     Program& set(std::string_view uniform, int value);
     Program& set(std::string_view uniform, unsigned int value);
     Program& set(std::string_view uniform, float value);
@@ -43,20 +44,20 @@ public:
     Program& set(std::string_view uniform, glm::ivec2 value);
     Program& set(std::string_view uniform, glm::ivec3 value);
     Program& set(std::string_view uniform, const glm::mat4& value);
-    // The first elements of an array.
+    // Sets the first elements of an array.
     Program& set(std::string_view uniform, std::span<const float> values);
     Program& set(std::string_view uniform, std::span<const glm::vec4> values);
 
     // Runs the given number of work groups; nothing if one of them is 0. `after` makes the writes visible to
     // what follows.
     void dispatch(glm::ivec3 groups, Barrier after);
-    // Enough groups of the shader's own local size to cover `items`.
+    // Runs enough groups of the shader's own local size to cover `items`.
     void dispatchOver(glm::ivec3 items, Barrier after);
-    // The same for a list of any length, for shaders with a local size along x only that take their item from
-    // gl/shaders/items.glsl: OpenGL promises no more than 65535 groups along an axis, and one row of them is
-    // soon used up.
+    // Runs enough groups to cover a list of any length, for shaders with a local size along x only that take
+    // their item from gl/shaders/items.glsl: OpenGL promises no more than 65535 groups along an axis, and one
+    // row of them is soon used up.
     void dispatchOverList(std::size_t items, Barrier after);
-    // Group counts are three unsigned ints in `arguments` at `offset` bytes.
+    // Runs as many groups as three unsigned ints in `arguments` say, at `offset` bytes.
     void dispatchIndirect(const Buffer& arguments, std::size_t offset, Barrier after);
 
 private:

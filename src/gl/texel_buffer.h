@@ -18,9 +18,9 @@ public:
     [[nodiscard]] std::size_t texels() const { return texels_; }
     explicit operator bool() const { return bool(view_); }
 
-    // Tightly packed texels, from the one with number `first` on.
+    // Writes tightly packed texels, from the one with number `first` on.
     void write(std::span<const std::byte> bytes, std::size_t first);
-    // The same memory as shaders write it.
+    // The texels' memory as a buffer, for shaders that write it.
     [[nodiscard]] Buffer& buffer() { return buffer_; }
     [[nodiscard]] const Buffer& buffer() const { return buffer_; }
 

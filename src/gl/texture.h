@@ -45,14 +45,15 @@ unsigned int glAccess(Access access); // OpenGL's name for it
 class Texture {
 public:
     Texture() = default;
-    // 3D. Contents start as zeros. Throws GlError when the device cannot hold it, naming size and limit.
+    // Makes a 3D texture. Contents start as zeros. Throws GlError when the device cannot hold it, naming size
+    // and limit.
     Texture(glm::ivec3 size, Format format, Filter filter, const std::string& label);
-    // 2D. Contents start as zeros.
+    // Makes a 2D texture. Contents start as zeros.
     Texture(glm::ivec2 size, Format format, Filter filter, const std::string& label);
 
-    // 3D with `levels` levels, each half as wide as the one before (rounded down), for shaders to look up
-    // with textureLod(): linear within the nearest level. Coordinates outside give zero. Contents start as
-    // zeros.
+    // Makes a 3D texture with `levels` levels, each half as wide as the one before (rounded down), for
+    // shaders to look up with textureLod(): linear within the nearest level. Coordinates outside give zero.
+    // Contents start as zeros.
     static Texture pyramid(glm::ivec3 size, Format format, int levels, const std::string& label);
 
     [[nodiscard]] glm::ivec3 size() const { return size_; }
@@ -63,7 +64,8 @@ public:
     [[nodiscard]] std::size_t bytes() const;
     explicit operator bool() const { return bool(handle_); }
 
-    // Texels of `box` (half open, must lie inside), x fastest, tightly packed in the texture's own format.
+    // Writes the texels of `box` (half open, must lie inside), x fastest, tightly packed in the texture's own
+    // format.
     void upload(const Box3& box, std::span<const std::byte> texels);
     [[nodiscard]] std::vector<std::byte> download(const Box3& box, int level = 0) const;
     template <typename T>

@@ -43,7 +43,7 @@ struct Layout {
         return {lo.x + part.x * (hi.x - lo.x), hi.y - part.y * (hi.y - lo.y)};
     }
     [[nodiscard]] double hairline() const { return std::max(1.0, std::round(scale)); }
-    // Between the edge of the picture and anything, and between two things.
+    // The room between the edge of the picture and anything, and between two things.
     [[nodiscard]] double margin() const { return 20 * scale; }
     [[nodiscard]] double gap() const { return 9 * scale; }
     // Height of a range's label above the plot.
@@ -85,7 +85,7 @@ void drawHeading(Drawing& drawing, const Layout& layout, const std::string& titl
 void drawAcross(Drawing& drawing, const Layout& layout, const std::vector<Tick>& ticks,
                 const std::string& label);
 void drawUp(Drawing& drawing, const Layout& layout, const std::vector<Tick>& ticks, const std::string& label);
-// Above a range of the axis across (its parts), but not beyond the plot.
+// Draws a label above a range of the axis across (given as its parts), but not beyond the plot.
 void drawRangeLabel(Drawing& drawing, const Layout& layout, const Range& parts, const std::string& label);
 
 Image paper(glm::ivec2 size);

@@ -12,7 +12,7 @@ struct Difference {
     double changedFraction = 0; // pixels of which some channel differs by more than 8
 };
 
-// Throws Error if the sizes differ, naming both.
+// Compares two pictures. Throws Error if their sizes differ, naming both.
 Difference compare(const Image& a, const Image& b);
 
 } // namespace vs::image

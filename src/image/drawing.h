@@ -56,14 +56,14 @@ public:
     Drawing& operator=(Drawing&&) noexcept;
 
     void fill(const Outline& outline, Colour colour);
-    // The box between two corners.
+    // Fills the box between two corners.
     void fillBox(glm::dvec2 lo, glm::dvec2 hi, Colour colour);
-    // An open line with butt ends.
+    // Draws an open line with butt ends.
     void line(const Outline& points, double width, Colour colour);
-    // Closed lines with round corners. Where several overlap the colour counts once.
+    // Draws closed lines with round corners. Where several overlap the colour counts once.
     void border(const std::vector<Outline>& outlines, double width, Colour colour);
     void text(const Text& text, Colour colour);
-    // A line around the text's glyphs, half of it outside: drawn before the text, it sets it off.
+    // Draws a line around the text's glyphs, half of it outside: drawn before the text, it sets it off.
     void textBorder(const Text& text, double width, Colour colour);
     // What is drawn later shows only between two corners, until the next call of showAll().
     void showOnly(glm::dvec2 lo, glm::dvec2 hi);

@@ -27,7 +27,7 @@ struct Image {
 // Writes a PNG atomically (temporary file, sync, rename). Throws WriteError naming the file.
 void writePng(const std::filesystem::path& path, const Image& image);
 
-// Throws ReadError naming the file.
+// Reads a PNG. Throws ReadError naming the file.
 Image readPng(const std::filesystem::path& path);
 
 } // namespace vs::image

@@ -41,8 +41,8 @@ Mesh halfWay(const segment::VoxelSet& padded) {
 }
 
 // Where a point half way between two voxels belongs, in voxel space.
-glm::dvec3 settled(glm::dvec3 point, const segment::VoxelSet& set, const Box3& grid,
-                   const Crossing& crossing) {
+glm::dvec3 movedToCrossing(glm::dvec3 point, const segment::VoxelSet& set, const Box3& grid,
+                           const Crossing& crossing) {
     const glm::ivec3 below(glm::floor(point));
     const glm::ivec3 above(glm::ceil(point));
     const bool isInsideBelow = set.contains(below);
@@ -67,8 +67,8 @@ Mesh contour(const segment::VoxelSet& set, const volume::GridGeometry& geometry,
     segment::inParallel(divideUp(count, kPointsAtOnce), [&](int part) {
         for (int i = part * kPointsAtOnce; i < std::min(count, (part + 1) * kPointsAtOnce); ++i) {
             glm::vec3& point = mesh.points[std::size_t(i)];
-            const glm::dvec3 voxel =
-                settled(glm::dvec3(point) + glm::dvec3(padded.box.lo), padded, geometry.box(), crossing);
+            const glm::dvec3 voxel = movedToCrossing(glm::dvec3(point) + glm::dvec3(padded.box.lo), padded,
+                                                     geometry.box(), crossing);
             point = glm::vec3(geometry.worldFromVoxel * glm::dvec4(voxel, 1));
         }
     });

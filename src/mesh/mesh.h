@@ -15,7 +15,7 @@ namespace vs::mesh {
 struct Mesh {
     std::vector<glm::vec3> points;
     std::vector<glm::uvec3> triangles;
-    // For formats that know of it.
+    // The mesh's name, for formats that hold one.
     std::string name;
     glm::dvec3 colour{0.8}; // sRGB, 0 to 1
     double opacity = 1;
@@ -28,11 +28,11 @@ using Progress = std::function<bool(double share)>;
 // Tells `progress`; throws vs::GivenUp if it says so.
 void report(const Progress& progress, double share);
 
-// The share [from, to] of a longer work.
+// The progress of a part of longer work, which takes the share [from, to] of all of it.
 Progress partOf(const Progress& progress, double from, double to);
 
 double areaMm2(const Mesh& mesh);
-// What it encloses; below zero when it is inside out.
+// The volume that a mesh encloses; below zero when it is inside out.
 double volumeMm3(const Mesh& mesh);
 
 // How the triangles hang together. A surface is closed when each edge is passed as often one way as the

@@ -17,7 +17,7 @@ inline constexpr const char* kSpaceNote = "Volume Studio, millimetres, SPACE=LPS
 
 // Wavefront OBJ; `materials` is the name of its material file.
 std::string objText(std::span<const Mesh> meshes, const std::string& materials);
-// That material file.
+// The text of the material file that objText() refers to.
 std::string mtlText(std::span<const Mesh> meshes);
 
 // The bytes of a binary glTF 2.0 file. Throws std::length_error when there are more than it holds (4 GiB).

@@ -17,7 +17,7 @@ struct Refinement {
     // How many triangles are to be left of how many, by quadric error metrics (Garland and Heckbert 1997;
     // VTK's, with the volume kept); 1: all.
     double share = 1;
-    // At most about so many triangles.
+    // The number of triangles that are left at most, about.
     std::optional<std::size_t> mostTriangles = {};
 };
 

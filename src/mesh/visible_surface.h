@@ -21,12 +21,12 @@ struct VisibleVolume {
     [[nodiscard]] bool isVisible(std::size_t voxel) const;
 };
 
-// The sculpture's values as they are kept above.
+// A value of the sculpture, from 0 to 1, as VisibleVolume holds it.
 std::uint16_t packed(float sculpture);
 
-// Its surface: where trilinear values cross an end of the range, capped where the sculpture crosses 0.5 and
-// at the grid's border. Each point lies where the line between two voxels leaves what is visible, so cut
-// faces stay smooth. Empty when nothing is visible.
+// The surface of what is visible: where trilinear values cross an end of the range, capped where the
+// sculpture crosses 0.5 and at the grid's border. Each point lies where the line between two voxels leaves
+// what is visible, so cut faces stay smooth. Empty when nothing is visible.
 Mesh visibleSurface(const VisibleVolume& visible);
 
 } // namespace vs::mesh

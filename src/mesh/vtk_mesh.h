@@ -11,7 +11,7 @@ class vtkAlgorithm;
 // Meshes as VTK has them. Internal to this folder.
 namespace vs::mesh {
 
-// VTK says nothing on the terminal as long as this lives: what failed is seen by what is missing.
+// While it lives, VTK says nothing on the terminal: what failed is seen by what is missing.
 class QuietVtk {
 public:
     QuietVtk();
@@ -23,9 +23,9 @@ private:
     int before_;
 };
 
-// Name, colour and opacity are lost.
+// A mesh's points and triangles for VTK; its name, colour and opacity are left out.
 vtkSmartPointer<vtkPolyData> toVtk(const Mesh& mesh);
-// Only triangles.
+// A mesh of VTK's points and triangles; its other polygons are left out.
 Mesh fromVtk(vtkPolyData& data);
 
 // Runs a filter. Throws GivenUp when `progress` says so.

@@ -21,7 +21,7 @@ FoldedSheet cerebrum(glm::dvec3 p, double room);
 
 // Signed distance to the cerebellum without its folds.
 double cerebellumHull(glm::dvec3 p, double room);
-// The same with folia: sheets that fan out from the fourth ventricle.
+// The cerebellum with its folia: sheets that fan out from the fourth ventricle.
 FoldedSheet cerebellum(glm::dvec3 p, double room);
 
 // Signed distance to the corpus callosum, the white bridge at the bottom of the fissure.

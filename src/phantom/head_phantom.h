@@ -11,7 +11,8 @@ namespace vs::phantom {
 
 // What a made head is measured with.
 struct HeadPhantomOptions {
-    // The same head at any resolution: the grid always covers 181 x 217 x 181 mm.
+    // Voxels along each axis. The head is the same at any resolution: the grid always covers 181 x 217 x 181
+    // mm.
     glm::ivec3 dims{181, 217, 181};
     // Standard deviation of the noise in each of the two channels whose magnitude is taken (Rician noise), in
     // percent of white matter.

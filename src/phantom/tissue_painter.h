@@ -10,10 +10,10 @@ namespace vs::phantom {
 // through the voxel mixes both sides by their shares (partial volume); the label is that of the larger one.
 class TissuePainter {
 public:
-    // `value`: that of the background, whose label is 0.
+    // `value` is that of the background, whose label is 0.
     TissuePainter(double voxelMm, double value) : spreadMm_(kSpreadVoxels * voxelMm), value_(value) {}
 
-    // A solid whose signed distance in mm (negative inside) is known at the voxel's centre.
+    // Paints a solid whose signed distance in mm (negative inside) is known at the voxel's centre.
     void paint(double distance, double value, std::uint8_t label) {
         const double share = std::clamp(0.5 - distance / spreadMm_, 0.0, 1.0);
         value_ += share * (value - value_);
@@ -23,7 +23,7 @@ public:
     [[nodiscard]] std::uint8_t label() const { return label_; }
 
 private:
-    // What a border is spread over: a little more than a voxel, as scanners do.
+    // The width over which a border is spread: a little more than a voxel, as scanners do.
     static constexpr double kSpreadVoxels = 1.4;
 
     double spreadMm_;

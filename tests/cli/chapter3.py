@@ -56,7 +56,7 @@ with tempfile.TemporaryDirectory() as name:
         # Some filters differ by less than a small picture shows.
         assert len(set(pictures)) > 0.6 * len(pictures) or not pictures, f"{path.name}: pictures are the same"
 
-# Planes get thicker with the radius of the radiation (thesis 3.6.1). Each is swept as two ellipses.
+# Planes get thicker with the radius of the radiation (thesis, section 3.6.1). Each is swept as two ellipses.
 first = cuts(reports["crossing_ellipses"])
 assert first[0] < first[2] < first[4], first
 # Filters change the edge and no more (what is counted holds its faint fringe too).

@@ -42,7 +42,7 @@ struct GrowRequest {
     std::optional<MaskArgument> truth;
 };
 
-// Throws UsageError for what makes no sense, names of files to write included.
+// Understands what was written. Throws UsageError for what makes no sense, names of files to write included.
 GrowRequest understand(const GrowOptions& options);
 
 } // namespace vs::cli

@@ -16,8 +16,8 @@ struct MaskArgument {
     std::vector<std::int64_t> labels; // that are inside; none: everything but 0 is
 };
 
-// Throws UsageError, which begins with the option, if what follows the last colon is no list of labels. A
-// file whose name has a colon and is there is taken as it is.
+// Takes the text of a mask apart. Throws UsageError, which begins with the option, if what follows the last
+// colon is no list of labels. A file whose name has a colon and is there is taken as it is.
 MaskArgument parseMask(const std::string& text, const std::string& option);
 
 // 1 inside, else 0, on the volume's grid. Throws ReadError as readLabelMap does, Error for another grid and

@@ -150,9 +150,9 @@ double grow(segment::Growth& growth, const GrowRequest& request, const GrowInput
     growth.addSeeds(seeds);
     Progress progress("growing", 0);
     if (progress.isTerminal()) {
-        constexpr double sliceMs = 300;
+        constexpr double portionMs = 300;
         for (int left = request.steps; left > 0 && !growth.isFinished();) {
-            left -= growth.advanceFor(sliceMs, left);
+            left -= growth.advanceFor(portionMs, left);
             progress.show(fmt::format("{} voxels, generation {}", growth.voxelCount(), growth.playhead()));
         }
     } else {

@@ -23,7 +23,7 @@ public:
 
     void advance(std::size_t amount = 1);
     void show(const std::string& soFar);
-    // False when nothing would be shown: then the work need not be cut into pieces.
+    // Whether the bar would be shown; if not, the work need not be cut into pieces.
     [[nodiscard]] bool isTerminal() const { return isTerminal_; }
 
 private:

@@ -23,7 +23,7 @@ struct SteppedValues {
     std::vector<std::uint64_t> counts; // of volume.range.lo + i * pitch
 };
 
-// Nothing if the values do not come in steps, or in more than 65536.
+// Counts a volume's values by their steps; nothing if they do not come in steps, or in more than 65536.
 std::optional<SteppedValues> countSteps(const volume::Volume& volume);
 
 } // namespace vs::cli

@@ -34,17 +34,18 @@ public:
         Waits,   // until it is done
         GivesUp, // Esc or the button named "giveUp" do; all else is dropped
     };
-    // Returns when it is done; throws what it throws. Work may report how far it is (base/progress.h).
+    // Runs the work; returns when it is done and throws what it throws. Work may report how far it is
+    // (base/progress.h).
     void run(const std::function<void()>& work, Input input = Input::Waits);
     [[nodiscard]] bool isRunning() const { return isRunning_; }
-    // It lasts and can be given up: all other input is dropped.
+    // Whether work is under way that lasts and can be given up: all other input is dropped meanwhile.
     [[nodiscard]] bool isShown() const { return isShown_; }
-    // Work that asks ends with GivenUp.
+    // Asks the work to stop: it ends with GivenUp the next time that it reports how far it is.
     void giveUp() { isGivenUp_ = true; }
 
 signals:
-    // It lasts and can be given up; how far it is, in thousandths, below zero when nobody knows. Once with
-    // 1000 when it has ended.
+    // Work lasts and can be given up: tells how far it is, in thousandths, below zero when nobody knows, and
+    // once 1000 when it has ended.
     void lasts(int thousandths);
 
 protected:
@@ -62,7 +63,7 @@ private:
     QObject runner_; // lives on the thread
     bool isRunning_ = false;
     bool isShown_ = false;
-    // What goes on with or ends what began before; delivered afterwards.
+    // An input event that goes on with, or ends, what began before the work; it is delivered afterwards.
     struct Held {
         QPointer<QObject> receiver;
         std::unique_ptr<QEvent> event;

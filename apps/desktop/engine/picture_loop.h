@@ -15,39 +15,40 @@ class Document;
 
 namespace vs::desktop {
 
-// Keeps a picture of the document up to date in short slices. Whatever changed is shown first as a draft, as
-// coarse as it must be to hold the frame rate (scale 1 .. 1/4); when nothing has moved for a moment the
+// Keeps a picture of the document up to date in short portions. Whatever changed is shown first as a draft,
+// as coarse as it must be to hold the frame rate (scale 1 .. 1/4); when nothing has moved for a moment the
 // picture is made at full resolution and then refined to 8 samples per pixel. No widgets; the engine's
 // context must be current in every call.
 class PictureLoop {
 public:
     static constexpr int kFullSamples = 8;
 
-    // Does what may take long, with the document and the engine's context.
+    // A function that does what may take long while it has the document and the engine's context.
     using Run = std::function<void(const std::function<void()>& work)>;
 
-    // Framerate to hold while things move: lower on the software renderer.
+    // The frame rate that is held while things move is lower on the software renderer.
     PictureLoop(bool isSoftwareRenderer, Run run);
 
-    // Null: nothing to show. Forgets the picture.
+    // Shows another document, or nothing for null, and forgets the picture of the one before.
     void setDocument(studio::Document* document);
     void setViewport(glm::ivec2 devicePixels);
-    // Something is moving now: only drafts until it has been calm for a moment.
+    // Says that something is moving: only drafts are made until it has been calm for a moment.
     void interact() { sinceInput_ = Timer(); }
-    // Throws Error when the picture cannot be made. A slice takes about `budgetMs`, or one tile where that is
-    // longer.
+    // Works on the picture for a portion, which takes about `budgetMs`, or one tile where that is longer.
+    // Throws Error when the picture cannot be made.
     enum class State { Busy, Waiting, Complete };
     State step(double budgetMs);
 
-    // A hand is at work, which is answered before what grew meanwhile is smoothed.
+    // Says whether a hand is at work: it is answered before what grew meanwhile is smoothed.
     void setHurried(bool isHurried) { isHurried_ = isHurried; }
-    // Time that a frame needs beside its rays (changes of the document, painting the window): the next drafts
-    // are made so much smaller.
+    // Takes note of time that a frame needs beside its rays (changes of the document, painting the window):
+    // the next drafts are made so much smaller.
     void charge(double milliseconds) { besideMs_ += milliseconds; }
 
-    // A draft is under way: finish it before changing the document again, or nothing is ever shown.
+    // Whether a draft is under way: it must be finished before the document changes again, or nothing is ever
+    // shown.
     [[nodiscard]] bool isDrafting() const { return pass_ == Pass::Draft; }
-    // The picture shows the document as it is now, at full quality.
+    // Whether the picture shows the document as it is now, at full quality.
     [[nodiscard]] bool isComplete() const;
     [[nodiscard]] glm::ivec2 viewport() const { return viewport_; }
     // What to show, in pixels of its own; null before the first picture. Replaced in step() only.

@@ -42,10 +42,10 @@ class VolumeLoader : public QObject {
 public:
     using QObject::QObject;
 
-    // One at a time; must not be called while isLoading().
+    // Begins to read. Must not be called while isLoading(): one volume is read at a time.
     void start(const OpenRequest& request);
     [[nodiscard]] bool isLoading() const { return isLoading_; }
-    // What is being read ends with givenUp() as soon as it asks.
+    // Asks for reading to stop: it ends with givenUp() the next time that it reports how far it is.
     void giveUp() { isGivenUp_ = true; }
 
 signals:

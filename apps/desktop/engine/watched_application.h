@@ -27,8 +27,8 @@ public:
     };
     void watch(std::function<void(const Busy&)> tell) { tell_ = std::move(tell); }
 
-    // As long as it lives, the event that is being delivered lets others be delivered (processEvents()):
-    // those count for themselves, and waiting for them does not count at all.
+    // While it lives, the event that is being delivered lets others be delivered (processEvents()): those
+    // count for themselves, and waiting for them does not count at all.
     class Answering {
     public:
         Answering();

@@ -30,7 +30,7 @@ private:
     void showPage(int page);
     void takeDocument();
     void refreshStrip();
-    // What gradients need is counted when it is first wanted, in slices.
+    // What gradients need is counted when it is first wanted, in portions.
     void countGradients();
     void takeJoint();
 

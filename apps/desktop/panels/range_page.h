@@ -25,7 +25,7 @@ class RangePage : public QWidget {
 public:
     explicit RangePage(StudioController& studio);
 
-    // A volume was opened.
+    // Takes in a volume that was opened.
     void takeDocument();
     // The colours of what is displayed, over intensity; null: not by intensity.
     void setColourStrip(const std::function<QColor(double)>& colourAt);
@@ -36,7 +36,7 @@ private:
     void takeTyped();
     void refresh();
     void countVisible();
-    // What was wrong with what was typed; empty: nothing.
+    // Says what was wrong with what was typed; empty: nothing.
     void answer(const QString& words);
 
     StudioController& studio_;

@@ -19,7 +19,7 @@ public:
 
     explicit SegmentTable(StudioController& studio, QWidget* parent = nullptr);
 
-    // As high as its rows, within reason.
+    // Asks for the height of all its rows, within reason.
     [[nodiscard]] QSize sizeHint() const override;
     [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
 

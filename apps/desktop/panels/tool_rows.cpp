@@ -25,7 +25,7 @@ std::string ToolRow::actionName() const { return tool.name().toStdString() + "To
 std::vector<ToolRow> toolRows(ToolBox& tools) {
     using Group = ToolRow::Group;
     return {
-        {tools.get<CameraTool>(), Group::Looks, 1, "V", tr("Camera"), tr("Turn the volume"), tr("Camera"),
+        {tools.get<CameraTool>(), Group::Views, 1, "V", tr("Camera"), tr("Turn the volume"), tr("Camera"),
          makeCameraPage},
         {tools.get<PeelTool>(), Group::Cuts, 3, "P", tr("Peel"), tr("Peel layers off the surface"),
          tr("Peel"), makePeelPage},

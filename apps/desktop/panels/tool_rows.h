@@ -17,7 +17,7 @@ class ToolBox;
 // What the window says and shows of a tool: its button and its page. The action is named after the tool
 // ("peelTool"), the picture on its button too.
 struct ToolRow {
-    enum class Group { Looks, Cuts, Marks }; // in the menu
+    enum class Group { Views, Cuts, Marks }; // in the menu
     Tool& tool;
     Group group;
     int button;      // its place in the column of tools, from 1; 0: it stands elsewhere there

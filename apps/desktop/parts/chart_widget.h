@@ -26,7 +26,7 @@ public:
     void setCounts(const std::vector<std::uint32_t>& counts);
     // What stands in the middle while there are no counts.
     void setEmptyText(const QString& text);
-    // How many of those in each bin can be seen in the picture; empty: all.
+    // Sets how many of the counted voxels in each bin can be seen in the picture; empty: all of them.
     void setVisibleCounts(const std::vector<std::uint32_t>& counts);
     void setLogarithmic(bool isLogarithmic);
     [[nodiscard]] bool isLogarithmic() const { return isLogarithmic_; }
@@ -41,11 +41,12 @@ public:
     // Where a value of the axis is, in the widget's pixels, and back (rounded to the quantum).
     [[nodiscard]] double xOf(double value) const;
     [[nodiscard]] double valueAt(double x) const;
-    // Where the bars are.
+    // The area that the bars stand in, in the widget's pixels.
     [[nodiscard]] QRectF area() const;
 
     [[nodiscard]] QSize sizeHint() const override { return {260, 150}; }
-    // Never lower: what is under the pen must not move when rows around it come and go.
+    // The chart is never lower than this: what is under the pen must not move when rows around it come and
+    // go.
     [[nodiscard]] QSize minimumSizeHint() const override { return {120, sizeHint().height()}; }
 
 signals:
@@ -54,8 +55,8 @@ signals:
 protected:
     void wheelEvent(QWheelEvent* event) override;
 
-    // In this order, with what is a kind's own between: frame, bars (`emphasised` of them in the accent
-    // colour), axis.
+    // What every chart paints, in this order, with a kind's own between: the frame, the bars (`emphasised` of
+    // them in the accent colour), the axis.
     void paintFrame(QPainter& painter) const;
     void paintBars(QPainter& painter, const Range* emphasised) const;
     // Bars of a part of the counts, over the others; nothing if there are not as many.
@@ -64,7 +65,7 @@ protected:
     // A word in an upper corner.
     void paintNote(QPainter& painter, Qt::AlignmentFlag side, const QString& text) const;
     [[nodiscard]] const Range& shown() const { return shown_; }
-    // One bin, or one step of the quantum.
+    // The least by which keys move a value: one bin, or one quantum.
     [[nodiscard]] double smallestStep() const;
 
 private:

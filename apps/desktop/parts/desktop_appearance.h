@@ -21,7 +21,8 @@ public:
     explicit DesktopAppearance(QApplication& application);
 
 signals:
-    // Nothing: there is no portal, or it has no preference; the colours that Qt takes from the desktop count.
+    // The desktop's windows are light or dark from now on. Nothing: there is no portal, or it has no
+    // preference; the colours that Qt takes from the desktop count.
     void changed(std::optional<bool> isLight);
 
 protected:

@@ -13,7 +13,7 @@ class FoldCard : public QFrame {
     Q_OBJECT
 
 public:
-    // The title's button has this object name.
+    // `buttonName` is the object name of the title's button.
     FoldCard(const QString& title, const char* buttonName, QWidget* parent = nullptr);
 
     // What is shown when it is open.

@@ -76,7 +76,7 @@ QDoubleSpinBox* makeSpinBox(const char* objectName, const QString& accessibleNam
 // What a box says that showed `before`, which it may have rounded.
 double numberIn(const QDoubleSpinBox& box, double before);
 
-// With separators between thousands.
+// A number with separators between thousands.
 QString grouped(qulonglong number);
 
 } // namespace vs::desktop

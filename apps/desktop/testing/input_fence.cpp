@@ -14,7 +14,7 @@ namespace vs::desktop {
 
 namespace {
 
-constexpr int kLookAgainMs = 2;
+constexpr int kPollMs = 2;
 // The first ends with the input delivered, the second with the picture shown. A dialog that came with it is
 // mapped in the third, gets the keyboard in the fourth and hears of it in the fifth.
 constexpr int kRounds = 5;
@@ -24,7 +24,7 @@ constexpr int kRounds = 5;
 InputFence::InputFence(StudioController& studio) : studio_(studio) {
     timer_.setSingleShot(true);
     timer_.setProperty(LongWork::kRunsMeanwhile, true);
-    connect(&timer_, &QTimer::timeout, this, &InputFence::look);
+    connect(&timer_, &QTimer::timeout, this, &InputFence::poll);
     window_.create();
     qApp->installNativeEventFilter(this);
 }
@@ -64,12 +64,12 @@ bool InputFence::nativeEventFilter(const QByteArray& kind, void* message, qintpt
 // Qt has heard of it.
 void InputFence::goRound() { window_.setTitle(QString::number(++titles_)); }
 
-void InputFence::look() {
+void InputFence::poll() {
     const bool isFree = !studio_.host().isAway() || studio_.host().isLasting();
     const bool isSeen = rounds_ == 0 || studio_.answeredMs() >= deliveredMs_ || studio_.host().isLoading() ||
                         studio_.host().isLasting();
     if (!isFree || !isSeen) {
-        timer_.start(kLookAgainMs);
+        timer_.start(kPollMs);
         return;
     }
     if (rounds_ == 0) {

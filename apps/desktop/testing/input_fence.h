@@ -34,7 +34,7 @@ signals:
 
 private:
     void goRound();
-    void look();
+    void poll();
 
     StudioController& studio_;
     QWindow window_; // never shown

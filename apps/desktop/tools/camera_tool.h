@@ -26,12 +26,12 @@ public:
     void clear() override { isDragging_ = false; }
     [[nodiscard]] bool isBusy() const override { return isDragging_; }
 
-    // By a movement in logical pixels.
+    // Turns the volume by a movement in logical pixels.
     void turn(QPointF delta);
     void pan(QPointF delta);
-    // By a factor; the place under `anchor` (logical pixels of the view) stays there.
+    // Zooms by a factor; the place under `anchor` (logical pixels of the view) stays there.
     void zoom(double factor, QPointF anchor);
-    // About the line of sight, clockwise; the place under `anchor` stays there.
+    // Rolls about the line of sight, clockwise; the place under `anchor` stays there.
     void roll(double degrees, QPointF anchor);
     void reset();
 

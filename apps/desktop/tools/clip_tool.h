@@ -44,7 +44,7 @@ public:
     [[nodiscard]] double greatestOffset() const;
     [[nodiscard]] bool cutsInside() const { return clip_.cutsInside; }
 
-    // Which way a face of the box looks in the patient: "left", "superior" ...
+    // The patient's direction that a face of the box looks in: "left", "superior" ...
     static QString directionOf(const volume::GridGeometry& geometry, int axis, bool isHi);
 
     // `isDragged`: more of it will come until finish(). Else it ends by itself when nothing comes any more.

@@ -27,7 +27,7 @@ public:
     [[nodiscard]] virtual bool canActOnSegment() const { return false; }
     [[nodiscard]] bool actsOnSegment() const override;
     [[nodiscard]] bool adds() const override { return restores_ && actsOnSegment(); }
-    // Steps: the radiation's R. The larger, the rounder are a cut's edges.
+    // The radiation's radius R, in steps. The larger, the rounder are a cut's edges.
     [[nodiscard]] int radius() const { return radius_; }
     void setRadius(int steps);
 

@@ -19,9 +19,9 @@ struct Measurement {
 
     [[nodiscard]] bool isAngle() const { return places.size() > 2; }
 };
-// In mm, or in degrees; 0 while there is nothing to measure.
+// What a measurement gives, in mm or in degrees; 0 while there is nothing to measure.
 double valueOf(const Measurement& measurement);
-// "12.3 mm", "90.5°".
+// A measurement's value as people read it: "12.3 mm", "90.5°".
 QString labelOf(const Measurement& measurement);
 
 // Measures between places that are clicked, on the surface seen or on slices; a drag from one to the next
@@ -50,7 +50,7 @@ public:
     void end(bool isDrag);
 
     [[nodiscard]] const std::vector<Measurement>& measurements() const { return measurements_; }
-    // With the place under the pen as its last.
+    // The measurement in hand, with the place under the pen as its last.
     [[nodiscard]] const std::optional<Measurement>& inHand() const { return inHand_; }
     void removeLast();
     void removeAll();

@@ -38,7 +38,7 @@ public:
     void settle() override;
     [[nodiscard]] bool isBusy() const override { return before_.has_value() || isTurningView_; }
 
-    // Counted from 0.
+    // The number of the chosen part, counted from 0.
     [[nodiscard]] int chosen() const { return chosen_; }
     void choose(int part);
     [[nodiscard]] int count() const;
@@ -46,7 +46,7 @@ public:
     [[nodiscard]] std::vector<QPointF> handles() const;
     // The chosen part's place as it is shown; nothing if there is none.
     [[nodiscard]] std::optional<render::Placement> place() const;
-    // Back where it was pasted from, upright and at its own size.
+    // Puts the chosen part back where it was pasted from, upright and at its own size.
     void resetPlace();
 
 private:

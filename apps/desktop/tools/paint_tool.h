@@ -38,11 +38,12 @@ public:
     // A ball, which reaches into the neighbouring slices, or a disc on the one drawn on.
     [[nodiscard]] bool isBall() const { return isBall_; }
     void setBall(bool isBall);
-    // Only voxels in the growth's range of intensities; in the displayed one when nothing has grown yet.
+    // Whether only voxels in the growth's range of intensities are painted; in the displayed one when nothing
+    // has grown yet.
     [[nodiscard]] bool isInRangeOnly() const { return isInRangeOnly_; }
     void setInRangeOnly(bool isInRangeOnly);
 
-    // Where the brush has gone on a slice: one edit, one undo step.
+    // Paints where the brush has gone on a slice: one edit of the document.
     void paint(studio::Trail trail, bool isReversed);
 
 private:

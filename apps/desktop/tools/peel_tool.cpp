@@ -10,7 +10,7 @@
 namespace vs::desktop {
 
 namespace {
-constexpr double kLayersPerPixel = 0.1; // SPEC 7: 10 logical pixels are one layer
+constexpr double kLayersPerPixel = 0.1; // thesis, section 4.4: 10 pixels are one layer
 }
 
 PeelTool::PeelTool(StudioController& studio) : CutTool(studio) {}

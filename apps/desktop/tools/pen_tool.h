@@ -46,7 +46,7 @@ public:
     [[nodiscard]] bool isSketching() const override { return state_ == State::Sketching; }
 
     [[nodiscard]] const Depths& depths() const { return depths_; }
-    // Steps at full pressure.
+    // The depth at full pressure, in steps.
     [[nodiscard]] double depth() const { return depth_; }
     void setDepth(double steps);
     // Surfaces are seen again at every change of place or pressure, so that the pen works its way in.

@@ -16,11 +16,11 @@ public:
         : place_(place), centre_(centre), geometry_(&geometry) {}
 
     [[nodiscard]] const render::Placement& place() const { return place_; }
-    // Where its centre is now.
+    // The place where the part's centre is now.
     [[nodiscard]] glm::dvec3 centre() const;
 
     void move(glm::dvec3 mm) { place_.moveMm += mm; }
-    // About an axis of the world (unit length) through its centre.
+    // Turns the part about an axis of the world (unit length) through its centre.
     void turn(glm::dvec3 axis, double degrees);
     void scale(double factor);
 

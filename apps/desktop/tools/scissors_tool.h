@@ -32,7 +32,7 @@ public:
 
     [[nodiscard]] bool cutsOutside() const { return cutsOutside_; }
     void setCutsOutside(bool outside);
-    // Steps below the surface; nothing: through everything.
+    // How deep below the surface is cut, in steps; nothing: through everything.
     [[nodiscard]] std::optional<double> depth() const { return depth_; }
     void setDepth(std::optional<double> steps);
 

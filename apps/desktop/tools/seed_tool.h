@@ -34,7 +34,7 @@ public:
     [[nodiscard]] bool isReversed() const override { return isReversed_; }
     void setReversed(bool reversed) override;
 
-    // Logical pixels.
+    // The width of strokes that are lines, in logical pixels.
     [[nodiscard]] double width() const { return width_; }
     void setWidth(double pixels) { width_ = pixels; }
 

@@ -32,7 +32,7 @@ public:
     bool press(Kind kind, glm::dvec2 place, bool isReversed, Qt::KeyboardModifiers modifiers);
     void move(Kind kind, glm::dvec2 place);
     void release(bool isDrag);
-    // With no button down.
+    // The pen moves over a slice with no button down.
     void hover(Kind kind, glm::dvec2 place);
     void cancel();
     // Whether the right button is the pen's too, as the eraser.

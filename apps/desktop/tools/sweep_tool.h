@@ -24,7 +24,7 @@ public:
         Way way = Way::Surface;
         sculpt::FrameKind frame = sculpt::FrameKind::ParallelTransport;
         bool cutsAtPenUp = false; // else when told to
-        // Steps, for a line and a helix.
+        // The length of a line and the height of a helix, in steps.
         double length = 40;
         double helixRadius = 12;
         double turns = 2;

@@ -16,7 +16,7 @@ public:
               const QString& prefix);
 
     void takeDocument() override;
-    // For gradients, whose histogram is counted when it is first wanted.
+    // Shows the histogram of gradients, which is counted when it is first wanted.
     void setCounts(const std::vector<std::uint32_t>& counts, Range range, const QString& unit);
     [[nodiscard]] CurveView& chart() { return *chart_; }
 

@@ -10,8 +10,8 @@ namespace vs::desktop {
 class FunctionEditor;
 class StudioController;
 
-// Which transfer function is in use, with its picture; a click opens the gallery. Beside it: reset, open and
-// save as a file.
+// Shows which transfer function is in use, with its picture; a click opens the gallery. Beside it stand
+// buttons to reset it, to open one and to save it as a file.
 class FunctionBar : public QWidget {
     Q_OBJECT
 

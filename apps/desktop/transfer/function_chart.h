@@ -28,7 +28,7 @@ protected:
     bool focusNextPrevChild(bool next) override;
 
     [[nodiscard]] virtual std::size_t partCount() const = 0;
-    // By steps: one bin or quantum across, a hundredth of the axis upwards.
+    // Moves the chosen part by steps: one bin or quantum across, a hundredth of the axis upwards.
     virtual void moveChosen(glm::dvec2 steps) = 0;
     [[nodiscard]] const render::TransferFunction& function() const { return editor_.function(kind_); }
     [[nodiscard]] std::optional<std::size_t> chosen() const { return editor_.chosen(kind_); }

@@ -22,7 +22,7 @@ public:
 
     void setJoint(const field::JointHistogram& joint);
     void setDrawing(Drawing drawing) { drawing_ = drawing; }
-    // Pixels.
+    // Sets the radius of the brush, in pixels.
     void setBrush(double radius) { brush_ = radius; }
     void forgetJoint();
 

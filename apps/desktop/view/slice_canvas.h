@@ -30,7 +30,7 @@ public:
     // What is under the pen, in mm on the picture; nothing when it is elsewhere.
     [[nodiscard]] std::optional<glm::dvec2> placeUnderPen() const;
     [[nodiscard]] render::SliceKind kind() const { return kind_; }
-    // In mm on the picture, of a place of the widget.
+    // Where a place of the widget lies, in mm on the slice's picture.
     [[nodiscard]] glm::dvec2 placeAt(QPointF inWidget) const;
 
 signals:

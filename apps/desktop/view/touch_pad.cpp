@@ -70,7 +70,7 @@ void TouchPad::follow(const QTouchEvent& touch) {
     }
 }
 
-void lookByFingers(ViewWidget& view, StudioController& studio, CameraTool& camera, const PenWatch& pen) {
+void steerByFingers(ViewWidget& view, StudioController& studio, CameraTool& camera, const PenWatch& pen) {
     new TouchPad(view, pen, [&studio, &camera](const FingerMotion& motion) {
         if (studio.host().document() == nullptr || studio.hand().tool().isSketching()) {
             return; // the picture holds still under a stroke
@@ -86,7 +86,7 @@ void lookByFingers(ViewWidget& view, StudioController& studio, CameraTool& camer
     });
 }
 
-void lookByFingers(SliceCanvas& canvas, StudioController& studio, const PenWatch& pen) {
+void steerByFingers(SliceCanvas& canvas, StudioController& studio, const PenWatch& pen) {
     SliceController& slices = studio.slices();
     const auto left = std::make_shared<double>(0); // of the finger's way, not used for a slice yet
     const auto move = [&slices, &canvas, left](const FingerMotion& motion) {

@@ -45,9 +45,9 @@ private:
 
 // One finger turns the volume; two move it, zoom by their distance and roll by their angle, so that what was
 // under them stays under them. The widget owns what is made.
-void lookByFingers(ViewWidget& view, StudioController& studio, CameraTool& camera, const PenWatch& pen);
+void steerByFingers(ViewWidget& view, StudioController& studio, CameraTool& camera, const PenWatch& pen);
 
 // One finger goes from slice to slice, a tap leads the crosshair, two fingers move and zoom.
-void lookByFingers(SliceCanvas& canvas, StudioController& studio, const PenWatch& pen);
+void steerByFingers(SliceCanvas& canvas, StudioController& studio, const PenWatch& pen);
 
 } // namespace vs::desktop

@@ -105,8 +105,8 @@ Pen ViewWidget::penAt(QPointF inWindow, Qt::KeyboardModifiers modifiers) const {
 }
 
 void ViewWidget::press(const Pen& pen, Drag drag) {
-    const bool looks = drag == Drag::Pan || drag == Drag::Zoom;
-    drag_ = looks && studio_.hand().tool().isSketching() ? Drag::None : drag; // the picture holds still
+    const bool moves = drag == Drag::Pan || drag == Drag::Zoom;
+    drag_ = moves && studio_.hand().tool().isSketching() ? Drag::None : drag; // the picture holds still
     last_ = pressed_ = pen.position;
     if (drag == Drag::Tool && studio_.host().document() != nullptr && !studio_.host().isLoading()) {
         studio_.hand().tool().press(pen);

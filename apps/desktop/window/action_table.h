@@ -38,7 +38,7 @@ public:
     ActionTable(QWidget& window, std::function<bool()> isOpen);
 
     QAction* add(ActionRow row);
-    // One of several, of which one is checked.
+    // Adds one of several actions of which one is checked.
     QAction* addChoice(QActionGroup* group, ActionRow row);
     // The action of a row that there is.
     [[nodiscard]] QAction* find(const std::string& name) const { return actions_.at(name); }

@@ -13,7 +13,7 @@ public:
         1000; // logical pixels: the longest hint of either language is so long
 
     HintLine();
-    // Its tip says it too, for the longest ones in the narrowest windows.
+    // Shows a hint, also as the line's tip, for the longest ones in the narrowest windows.
     void say(const QString& hint);
 
 protected:

@@ -129,9 +129,9 @@ void MainWindow::makeCentre() {
     view_ = new ViewWidget(studio_, tools_);
     grid_ = new ViewGrid(studio_, tools_, view_);
     const auto* pen = new PenWatch(studio_.hand(), this);
-    lookByFingers(*view_, studio_, tools_.get<CameraTool>(), *pen);
+    steerByFingers(*view_, studio_, tools_.get<CameraTool>(), *pen);
     for (SliceCanvas* canvas : grid_->findChildren<SliceCanvas*>()) {
-        lookByFingers(*canvas, studio_, *pen);
+        steerByFingers(*canvas, studio_, *pen);
     }
     new CameraKeys(*view_, studio_, tools_.get<CameraTool>()); // the view owns it
     column->addWidget(grid_, 1);

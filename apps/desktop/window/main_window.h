@@ -39,7 +39,10 @@ class WelcomePage;
 struct LostWork;
 
 // The window: tool bars and menus around the view, panels on the left, the line of hints below the picture
-// and the status bar. Holds no state of its own: it shows the controller's and calls it.
+// and the status bar. What it shows and changes is the controller's. It owns the keepers of recent documents'
+// pictures and of lost work, and remembers only what is its own business: which panels the start screen has
+// hidden, whether it asks if it may close, when the tool's sign was last reversed, and a copy to the
+// clipboard that is under way.
 class MainWindow : public QMainWindow {
     Q_OBJECT
 
@@ -150,7 +153,7 @@ private:
     HistoryPanel* history_ = nullptr;
     std::vector<QDockWidget*> hiddenDocks_; // while the start screen is shown
     ViewWidget* view_ = nullptr;
-    ViewGrid* grid_ = nullptr; // it and the slices
+    ViewGrid* grid_ = nullptr; // the 3D view and the slices
     HintLine* hint_ = nullptr;
     QLabel* message_ = nullptr;
     QLabel* probe_ = nullptr;
@@ -158,7 +161,7 @@ private:
     QLabel* rate_ = nullptr;
     QLabel* device_ = nullptr;
     QProgressBar* progress_ = nullptr;
-    QToolButton* giveUp_ = nullptr; // beside it
+    QToolButton* giveUp_ = nullptr; // beside the progress bar
     QTimer probeTimer_;
     QTimer rateTimer_;
     PictureExport* copying_ = nullptr; // to the clipboard

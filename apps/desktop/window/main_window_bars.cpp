@@ -20,7 +20,7 @@ namespace vs::desktop {
 // The names of the tools' actions, of the reversed sign after those that cut, and of the shapes.
 std::vector<std::string> MainWindow::toolNames() {
     std::vector<std::string> names;
-    auto group = ToolRow::Group::Looks;
+    auto group = ToolRow::Group::Views;
     for (const ToolRow& row : toolRows(tools_)) {
         if (row.group != group) {
             if (group == ToolRow::Group::Cuts) {

@@ -13,8 +13,8 @@ inline constexpr std::array<const char*, 2> kProjections{"perspective", "orthogr
 constexpr const auto& namesOf(Projection) { return kProjections; }
 
 // A viewer on an orbit around a target. Azimuth 0, elevation 0 looks at the patient's face with superior up;
-// positive azimuth moves the viewer to the patient's left, positive elevation up (SPEC 3). Zoom 1 frames the
-// volume; flying in is allowed. World is LPS millimetres.
+// positive azimuth moves the viewer to the patient's left, positive elevation up (doc/behaviour.md,
+// "Pictures"). Zoom 1 frames the volume; flying in is allowed. World is LPS millimetres.
 struct Camera {
     double azimuthDegrees = 0;
     double elevationDegrees = 0;
@@ -34,7 +34,7 @@ struct ViewRays {
     glm::dvec3 eye{0};
     glm::dvec3 forward{0}; // unit
     glm::dvec3 right{0}; // half the picture's width: per unit distance (perspective) or in mm (orthographic)
-    glm::dvec3 up{0};    // likewise
+    glm::dvec3 up{0};    // half the picture's height, in the same unit
     glm::ivec2 size{1};
     bool isOrthographic = false;
 

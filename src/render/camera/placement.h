@@ -17,8 +17,8 @@ struct Placement {
 
 glm::dmat4 worldFromPart(const Placement& placement, const volume::GridGeometry& geometry);
 
-// The same rays in the part's own space: what is seen along them there is what a viewer sees of the part
-// where it was placed. A length there is `placement.scale` times as long in the world.
+// The rays of a view in the space that a part was cut out of: what is seen along them there is what a viewer
+// sees of the part where it was placed. A length there is `placement.scale` times as long in the world.
 ViewRays seenFromPart(const ViewRays& rays, const Placement& placement, const volume::GridGeometry& geometry);
 
 } // namespace vs::render

@@ -39,9 +39,10 @@ public:
     void bind() const;
 
     [[nodiscard]] FunctionKind kind() const { return function_.kind; }
-    // "0", "1", "2" for Intensity, Gradient, TwoD.
+    // What TF_KIND is to be defined as: "0", "1", "2" for Intensity, Gradient, TwoD.
     [[nodiscard]] const char* kindDefine() const;
-    // Moves whenever update() changed something: what was derived from the tables is stale.
+    // A number that moves whenever update() changed something: what was derived from the tables is stale
+    // then.
     [[nodiscard]] int version() const { return version_; }
     // The function with absolute positions, as the tables hold it.
     [[nodiscard]] const TransferFunction& resolved() const { return resolved_; }

@@ -5,7 +5,7 @@
 
 namespace vs::render {
 
-// So many along a curve that it needs no interpolation, and over a plane.
+// Texels along a curve, so many that it needs no interpolation, and along the two sides of a plane.
 inline constexpr int kCurveTexels = 4089;
 inline constexpr glm::ivec2 kPlaneTexels{512, 256};
 
@@ -31,12 +31,13 @@ struct ClassificationTables {
     std::vector<std::uint32_t> visibleBefore;
 };
 
-// Four widths an octave, from one column to more than all; so many texels before and after what stands for
-// columns.
+// Rows of spans, four widths an octave, from one column to more than all of them; and texels before and after
+// those that stand for columns.
 inline constexpr int kSpanRows = 49;
 inline constexpr int kSpanMargin = 8;
 
-// `dataValues` are the values that there are at all. Positions must be absolute.
+// Makes the tables of a function whose positions are absolute; `dataValues` are the values that there are at
+// all.
 ClassificationTables makeTables(const TransferFunction& absolute, const Range& dataValues, double stepMm);
 
 } // namespace vs::render

@@ -25,9 +25,9 @@ struct ColourMap {
 
 // All maps, made when first asked for.
 std::span<const ColourMap> colourMaps();
-// Null if there is none of that name.
+// The map of a name; null if there is none.
 const ColourMap* findColourMap(std::string_view name);
-// "grey, ivory, ...": for messages.
+// The names of all maps, for messages: "grey, ivory, ...".
 std::string colourMapNames();
 
 } // namespace vs::render

@@ -12,7 +12,7 @@ struct EmbeddedPreset {
     std::string_view text;
 };
 
-// In alphabetical order (generated at build).
+// All presets, in alphabetical order (generated at build).
 std::span<const EmbeddedPreset> embeddedPresets();
 
 } // namespace vs::render

@@ -20,7 +20,7 @@ inline constexpr std::array<Colour, 7> kSafeColours{{{230, 159, 0},
                                                      {0, 114, 178},
                                                      {213, 94, 0},
                                                      {204, 121, 167}}};
-// The first of them that a function does not use yet.
+// The first of kSafeColours that a function does not use yet.
 Colour nextSafeColour(const TransferFunction& function);
 
 // What volume mode shows when no transfer function was chosen: the displayed range, thin at its lower end.
@@ -34,11 +34,11 @@ TransferFunction functionOfBoth(const Range& range, double gradientTop);
 
 // A new point with the colour that the function has there; returns its number.
 std::size_t addPoint(TransferFunction& function, double at, double opacity);
-// Between its neighbours.
+// Moves a point, between its neighbours.
 void movePoint(TransferFunction& function, std::size_t point, double at, double opacity);
-// False: it is the last one, which stays.
+// Removes a point. False: it is the last one, which stays.
 bool removePoint(TransferFunction& function, std::size_t point);
-// A function with a colour map gets colours of its own first.
+// Gives a point a colour. A function with a colour map gets colours of its own first.
 void paintPoint(TransferFunction& function, std::size_t point, Colour colour);
 
 // Points from one without opacity to the next one without: what looks like a hill or a box on the chart.
@@ -56,23 +56,24 @@ void moveHill(TransferFunction& function, const Hill& hill, double by, double ti
 // A box with sloping sides instead of what the function has over a range.
 Hill addBox(TransferFunction& function, const Range& range, double opacity, Colour colour);
 
-// A named map over all points, instead of their colours.
+// Spreads a named map over all points, instead of their colours.
 void useColourMap(TransferFunction& function, const std::string& map);
 // Each point gets the colour that it has by the map.
 void useOwnColours(TransferFunction& function);
 
 // --- shapes (TwoD); a place is (intensity, gradient magnitude)
 
-// In front of all others, as number 0.
+// Adds a shape in front of all others, as number 0.
 void addShape(TransferFunction& function, Shape shape);
 void removeShape(TransferFunction& function, std::size_t shape);
 // The foremost shape at a place; of paintings, only where something is painted.
 std::optional<std::size_t> shapeAt(const TransferFunction& function, glm::dvec2 place);
 void moveShape(Shape& shape, glm::dvec2 by);
 
-// Lower left, lower right, upper left, upper right.
+// The corners of a trapezoid: lower left, lower right, upper left, upper right.
 std::array<glm::dvec2, 4> cornersOf(const Trapezoid& trapezoid);
-// Ends that are a single point stay one, so that triangles stay triangles; no corner passes its opposite.
+// Moves a corner. Ends that are a single point stay one, so that triangles stay triangles; no corner passes
+// its opposite.
 void moveCorner(Trapezoid& trapezoid, std::size_t corner, glm::dvec2 to);
 
 // An empty canvas to paint on.

@@ -92,11 +92,11 @@ struct TransferFunction {
     std::optional<double> unitMm;
     Lighting lighting;
 
-    // Intensity and Gradient: at least one point, in ascending order.
+    // The points of a function over intensity or over gradient magnitude: at least one, in ascending order.
     std::vector<ControlPoint> points;
     std::optional<SpreadColours> colours; // instead of the points' own
 
-    // TwoD.
+    // The shapes of a function over both.
     std::vector<Shape> shapes;
     Combine combine = Combine::Over;
 
@@ -110,7 +110,7 @@ struct Anchors {
     double gradientTop = 0; // 99.9th percentile of gradient magnitudes, unit per mm
 };
 
-// The same function with absolute positions.
+// A function with its positions made absolute.
 TransferFunction resolve(const TransferFunction& function, const Anchors& anchors);
 
 struct ColourMap;

@@ -18,14 +18,14 @@ struct Background {
     bool operator==(const Background&) const = default;
 };
 
-// The same colours in linear light.
+// The background's colours in linear light.
 glm::vec3 linearTop(const Background& background);
 glm::vec3 linearBottom(const Background& background);
 
 // "studio", "white", "black", "transparent", "#RRGGBB" (one colour) or "#RRGGBB:#RRGGBB" (top and bottom):
 // how backgrounds stand on command lines and in sessions.
 std::string name(const Background& background);
-// Throws UsageError saying what can be written.
+// Reads a background as it stands on command lines. Throws UsageError saying what can be written.
 Background backgroundFromName(const std::string& name);
 
 } // namespace vs::render

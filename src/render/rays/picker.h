@@ -24,7 +24,7 @@ public:
     field::SurfacePoints pick(const Frame& frame, std::span<const glm::vec2> positions,
                               Meets meets = Meets::Surface);
 
-    // As above, read back.
+    // Picks as pick() does and reads the points back from the device.
     std::vector<field::SurfacePoint> pickPoints(const Frame& frame, std::span<const glm::vec2> positions,
                                                 Meets meets = Meets::Surface);
 

@@ -27,7 +27,7 @@ inline constexpr std::array<const char*, 6> kModeNames{"surface", "mip",     "xr
                                                        "overlay", "segment", "volume"};
 constexpr const auto& namesOf(Mode) { return kModeNames; }
 constexpr const char* name(Mode mode) { return nameOf(mode); }
-// Throws UsageError listing the modes.
+// The mode of a name. Throws UsageError listing the modes.
 Mode modeFromName(const std::string& name);
 
 // The view as shaders see it; mirrors ViewBlock in render/shaders/rays.glsl (std140).
@@ -45,7 +45,7 @@ static_assert(sizeof(ViewBlock) == 128);
 
 ViewBlock viewBlock(const ViewRays& rays, const volume::GridGeometry& geometry);
 
-// A part that was cut out, drawn again elsewhere (dual rendering, SPEC 3).
+// A part that was cut out, drawn again elsewhere (dual rendering: thesis, section 4.5).
 struct PastedPart {
     Placement place;
     const gl::Texture* sculpture = nullptr;    // the part is where this is at least 0.5
@@ -80,9 +80,9 @@ struct Frame {
     bool endsEarly = false;
 };
 
-// Casts rays (SPEC 3) in a compute shader, some squares of pixels at a time so that no single submission is
-// long. Start a frame, then render until it is complete; the picture can be looked at after every whole
-// sample. Squares where nothing can be seen are only filled.
+// Casts rays (doc/behaviour.md, "Pictures") in a compute shader, some squares of pixels at a time so that no
+// single submission is long. Start a frame, then render until it is complete; the picture can be looked at
+// after every whole sample. Squares where nothing can be seen are only filled.
 class RayCaster {
 public:
     RayCaster();

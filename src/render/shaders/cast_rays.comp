@@ -65,7 +65,7 @@ const float partScale = 1.0;
 #ifdef TRANSLUCENT
 #include "render/shaders/glass.glsl"
 #endif
-#include "render/shaders/look.glsl"
+#include "render/shaders/seen.glsl"
 
 // Different for each pixel and sample, the same each time (interleaved gradient noise, Jimenez 2014).
 float startJitter(ivec2 pixel) {
@@ -83,7 +83,7 @@ void main() {
     ray.beamEnds = texelFetch(beams, ray.beam, 0).rg;
     ray.tBegin = max(ray.tBegin, ray.beamEnds.x);
     ray.tEnd = min(ray.tEnd, ray.beamEnds.y);
-    Seen seen = look(ray, startJitter(pixel), partScale);
+    Seen seen = seenAlong(ray, startJitter(pixel), partScale);
 #ifdef PARTS
     if (partOfPicture.x > 0) {
         Seen before;

@@ -1,15 +1,15 @@
-// Volume mode: front-to-back compositing of what the transfer function shows (SPEC 3; Max 1995, "Optical models for direct
+// Volume mode: front-to-back compositing of what the transfer function shows (doc/behaviour.md, "Pictures"; Max 1995, "Optical models for direct
 // volume rendering"). A ray is cut into pieces between neighbouring samples, along which the value is taken to go evenly; the
 // transfer function counts with all that it has between their ends, so that what is thin in it is not missed.
 // Include "render/shaders/surface.glsl", "classification.glsl" and "shading.glsl" first. Defines: TF_KIND, SCULPTED.
 
 const float kOpaque = 0.99;         // nothing behind this much opacity is looked at
-const float kLitShare = 0.06;       // one look at the light for pieces that together make this much of the pixel,
+const float kLitShare = 0.06;       // the light is asked once for pieces that together make this much of the pixel,
 const int kLitTurns = 2;            // or for this many turns of kPieces pieces
 const int kPieces = 4;              // several a turn: on a software renderer the turn itself costs as much as they do.
                                     // Turns begin at every fourth sample, so that what is lit together does not depend on
                                     // what was skipped
-const int kLooks = 2;               // at a transfer function of gradients, for each piece
+const int kColoursAPiece = 2;       // of a transfer function of gradients, that are mixed
 const float kUnseen = 1.0 / 2048.0; // pieces that make less of the pixel than this are not lit, only coloured
 
 // The part of the way from one place to the next that lies on the visible side: x where it begins, y where it ends.
@@ -44,11 +44,11 @@ vec4 colourOfPiece(float front, float back, vec3 middle, float steps, float dt) 
 #else
     float gradient = length(dataGradient(middle));
     vec4 sum = vec4(0.0);
-    for (int look = 0; look < kLooks; ++look) {
-        vec4 c = classify(mix(front, back, (float(look) + 0.5) / float(kLooks)), gradient);
-        // Opacities are per step; here for half a step or, in drafts, a whole one, shared by the looks.
+    for (int i = 0; i < kColoursAPiece; ++i) {
+        vec4 c = classify(mix(front, back, (float(i) + 0.5) / float(kColoursAPiece)), gradient);
+        // Opacities are per step; here for half a step or, in drafts, a whole one, shared by the colours.
         float a = dt > 0.75 ? c.a : 1.0 - sqrt(1.0 - c.a);
-        a = opacityOfPart(a, steps / (dt * float(kLooks)));
+        a = opacityOfPart(a, steps / (dt * float(kColoursAPiece)));
         sum += (1.0 - sum.a) * a * vec4(c.rgb, 1.0);
     }
     return sum;
@@ -81,7 +81,7 @@ vec3 litInVolume(vec4 colour, Ray ray, vec3 p, bool isCut) {
     return mix(albedo, light, lightingOfFunction.x * surface) * colour.a;
 }
 
-// How far a ray has come, and what it has found since the light was last looked at.
+// How far a ray has come, and what it has found since the light was last asked.
 struct Walk {
     float number; // of the sample where the next piece begins, counted from the eye
     float from;  // the same within the grid's box

@@ -42,7 +42,7 @@ Greatest findGreatest(Ray ray, float dt) {
 layout(binding = kSlabListsTexture) uniform usamplerBuffer slabLists;
 
 // Looks at the samples of one slab.
-void lookAtSlab(Ray ray, Slabs slabs, int slab, float dt, inout Greatest best) {
+void searchSlab(Ray ray, Slabs slabs, int slab, float dt, inout Greatest best) {
     float number = slabs.first + float(slab * slabs.samples) + 0.5;
     float end = number + float(slabs.samples);
     float highest = limits.x + valueScale.w;
@@ -76,7 +76,7 @@ Greatest findGreatestInSlabs(Ray ray, float dt) {
     uint entry = texelFetch(slabLists, list).r;
     bool isOver;
     do {
-        lookAtSlab(ray, slabs, int(entry >> 8), dt, best);
+        searchSlab(ray, slabs, int(entry >> 8), dt, best);
         uint code = best.value > lowest ? codeOfGreatest(best.value) : 0u;
 #ifdef SEGMENTS
         code = min(code, 254u); // the very greatest, of all values above the range too: its place says what tints it

@@ -1,4 +1,4 @@
-// Casts one ray through each given viewport position and writes the surface point that it meets (SPEC 7).
+// Casts one ray through each given viewport position and writes the surface point that it meets (doc/behaviour.md, "What is visible").
 // Translucent segments are met as opaque ones are: to reach through one, hide it.
 // PICK_MAXIMUM: the place of the greatest value instead (what is seen in MIP). CONTENT and SCULPTED: see surface.glsl.
 // In: storage 0 positions in pixels. Out: storage 1 field::SurfacePoint, one each.

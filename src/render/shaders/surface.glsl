@@ -99,7 +99,7 @@ const int kBatch = 4; // samples a turn: on a software renderer the turn itself 
 
 // Looks at the samples of one turn, from crossing.t on, and moves t to the first that is visible or past them all. `last` is
 // the visibility's parts (content, side) at the sample before them.
-void lookAtBatch(Ray ray, inout Crossing crossing, inout vec2 last) {
+void testBatch(Ray ray, inout Crossing crossing, inout vec2 last) {
     float first = float(kBatch);
 #ifdef SCULPTED
     vec2 before = last;
@@ -153,7 +153,7 @@ Crossing firstVisible(Ray ray, float jitter) {
         last = hasSkipped ? vec2(-1.0) : last;
         crossing.t -= hasSkipped && crossing.t - kDt >= ray.tNear ? kDt : 0.0;
 #endif
-        lookAtBatch(ray, crossing, last);
+        testBatch(ray, crossing, last);
     } while (crossing.value < 0.0 && crossing.t < ray.tEnd);
     // The sample before: of a sliver it is nearer than a whole distance of samples.
     const float hair = 1e-3;

@@ -30,7 +30,7 @@ struct SliceFrame {
 class SliceRenderer {
 public:
     void render(const SliceFrame& frame);
-    // RGBA8, of the last frame's size, rows from the top.
+    // The picture: RGBA8, of the last frame's size, rows from the top.
     [[nodiscard]] const gl::Texture& picture() const { return picture_; }
     [[nodiscard]] image::Image readPicture() const;
 

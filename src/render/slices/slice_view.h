@@ -43,17 +43,18 @@ public:
     // Where a slice lies along its normal, in mm: on straight grids one of the world's coordinates.
     [[nodiscard]] double positionMm(double index) const;
 
-    // Where a place in voxel space appears.
+    // The place on the picture at which a place in voxel space appears.
     [[nodiscard]] glm::dvec2 placeOf(glm::dvec3 voxel) const;
     // What is at a place of the slice with that index, in voxel space.
     [[nodiscard]] glm::dvec3 voxelAt(glm::dvec2 place, double index) const;
-    // In voxel space, per mm to the right and down of the picture.
+    // How far in voxel space one mm to the right and one mm down on the picture lead.
     [[nodiscard]] glm::dvec3 voxelsPerMmRight() const { return voxelsRight_; }
     [[nodiscard]] glm::dvec3 voxelsPerMmDown() const { return voxelsDown_; }
     // Half the width and height in mm of the grid's box as it appears, voxel borders included.
     [[nodiscard]] glm::dvec2 halfExtentMm() const;
 
-    // Which directions of the patient its edges face: "L", or on oblique grids "LA", the nearest first.
+    // The directions of the patient that the picture's edges face: "L", or on oblique grids "LA", the nearest
+    // first.
     struct Letters {
         std::string left;
         std::string right;
@@ -82,7 +83,7 @@ private:
 // by more than 15 degrees: "L", "PS".
 std::string directionLetters(glm::dvec3 world);
 
-// Which slice is looked at, and what part of it.
+// Says which slice is looked at, and what part of it.
 struct SliceView {
     SliceKind kind = SliceKind::Axial;
     int index = 0;
@@ -90,8 +91,8 @@ struct SliceView {
     double pixelMm = 1;
     glm::ivec2 size{1}; // pixels
 
-    // From a place on the slice to pixels of the picture (y down, the first pixel's centre at 0.5, 0.5), and
-    // back.
+    // Leads from a place on the slice to pixels of the picture (y down, the first pixel's centre at 0.5,
+    // 0.5), and back.
     [[nodiscard]] glm::dvec2 pixelOf(glm::dvec2 place) const {
         return (place - centreMm) / pixelMm + 0.5 * glm::dvec2(size);
     }
@@ -102,7 +103,8 @@ struct SliceView {
     bool operator==(const SliceView&) const = default;
 };
 
-// mm a pixel at which all of a slice is seen in a picture of that size, with a little room around it.
+// The size of a pixel, in mm, at which all of a slice is seen in a picture of that size, with a little room
+// around it.
 double pixelMmToShowAll(const SliceGeometry& geometry, glm::ivec2 size);
 
 } // namespace vs::render

@@ -43,7 +43,7 @@ public:
     [[nodiscard]] const gl::Texture& distances() const { return distances_; }
     // How many cells there are along each axis.
     [[nodiscard]] glm::ivec3 size() const { return distances_.size(); }
-    // Moves on with every change and is no other object's.
+    // A number that moves on with every change and is no other object's.
     [[nodiscard]] std::uint64_t version() const { return version_; }
 
     // Binds the distances as texture 3 and as texture 4 what samples in each cell can give: the data's cell

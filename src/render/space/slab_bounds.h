@@ -19,7 +19,7 @@ public:
     // and `beams` (texture 8) must be bound.
     void update(const Macrocells& macrocells, const gl::Texture& beams, int beamPixels, float sampleStep);
 
-    // Binds them as texture 11.
+    // Binds the bounds as texture 11.
     void bind() const;
 
 private:

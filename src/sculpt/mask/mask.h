@@ -17,18 +17,18 @@ enum class Sampling { None, PolygonSmooth, Uniform, Jittered };
 inline constexpr std::array<const char*, 4> kMaskSamplings{"none", "polygon", "uniform", "jittered"};
 constexpr const auto& namesOf(Sampling) { return kMaskSamplings; }
 
-// How an outline becomes grey values (thesis 3.5.2). Sampling::None takes each element's centre, 0 or 1;
-// PolygonSmooth the exact part of the element's square that the outline covers. Otherwise every element has
-// kSubSamples^2 sub-samples, at the middles of their cells or jittered within them (seeded: the same outline
-// always gives the same mask), and `width` of them along each axis, weighted by the reconstruction filter,
-// make one value. Filters with negative lobes (Catmull-Rom, Mitchell-Netravali) overshoot on both sides of an
-// edge; masks hold values from 0 to 1, so what goes beyond is cut off.
+// How an outline becomes grey values (thesis, section 3.5.2). Sampling::None takes each element's centre, 0
+// or 1; PolygonSmooth the exact part of the element's square that the outline covers. Otherwise every element
+// has kSubSamples^2 sub-samples, at the middles of their cells or jittered within them (seeded: the same
+// outline always gives the same mask), and `width` of them along each axis, weighted by the reconstruction
+// filter, make one value. Filters with negative lobes (Catmull-Rom, Mitchell-Netravali) overshoot on both
+// sides of an edge; masks hold values from 0 to 1, so what goes beyond is cut off.
 //
-// Reading of thesis 3.5.2, which gives a cubic B-spline of "width 40" without saying what is counted: 40
-// sub-samples are the filter's whole support, four B-spline intervals of 10 sub-samples, and 10 sub-samples
-// span one element. So the filter has its natural size, one interval an element: it is symmetric, hence
-// leaves the 0.5 level of straight edges on the outline, and rises from 0.1 to 0.9 within 1.5 elements. The
-// natural widths are 10 for the box, 20 for the tent and 40 for the others.
+// Our reading of the thesis, section 3.6.2, which gives a cubic B-spline of "width 40" without saying what is
+// counted: 40 sub-samples are the filter's whole support, four B-spline intervals of 10 sub-samples, and 10
+// sub-samples span one element. So the filter has its natural size, one interval an element: it is symmetric,
+// hence leaves the 0.5 level of straight edges on the outline, and rises from 0.1 to 0.9 within 1.5 elements.
+// The natural widths are 10 for the box, 20 for the tent and 40 for the others.
 struct MaskFilter {
     static constexpr int kSubSamples = 10;
     Sampling sampling = Sampling::Jittered;

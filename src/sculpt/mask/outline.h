@@ -16,9 +16,9 @@ using Outline = std::vector<glm::dvec2>;
 Outline freeFormOutline(std::span<const glm::dvec2> points);
 Outline ellipseOutline(glm::dvec2 centre, glm::dvec2 radii);
 Outline circleOutline(glm::dvec2 centre, double radius);
-// `a` and `b` are opposite corners.
+// A rectangle; `a` and `b` are opposite corners.
 Outline rectangleOutline(glm::dvec2 a, glm::dvec2 b);
-// Corners joined by straight lines, closed.
+// A polyline: corners joined by straight lines, closed.
 Outline polylineOutline(std::span<const glm::dvec2> corners);
 // A star of `points` tips at distance `outer` from the centre, the first in the direction of +y, and as many
 // inner corners at distance `inner`, halfway between them.

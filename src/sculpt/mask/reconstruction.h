@@ -6,13 +6,14 @@
 
 namespace vs::sculpt {
 
-// Filters that make a mask's grey values of its sub-samples (thesis 3.5.2).
+// Filters that make a mask's grey values of its sub-samples (thesis, section 3.5.2).
 enum class Reconstruction { Box, Tent, Gaussian, CatmullRom, MitchellNetravali, BSpline };
 inline constexpr std::array<const char*, 6> kReconstructions{"box",         "tent",     "gaussian",
                                                              "catmull-rom", "mitchell", "bspline"};
 constexpr const auto& namesOf(Reconstruction) { return kReconstructions; }
 
-// The cubic B-spline, support [-2, 2] (thesis 3.5.2, as corrected in the errata).
+// The cubic B-spline, support [-2, 2] (thesis, section 3.5.2, as corrected in doc/behaviour.md, "Where we
+// part from the thesis").
 double cubicBSpline(double x);
 
 // The family of cubics of Mitchell and Netravali 1988, "Reconstruction filters in computer graphics", support

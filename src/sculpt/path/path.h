@@ -13,8 +13,8 @@ namespace vs::sculpt {
 // isotropic grid. There frames are orthonormal, so a mask is swept undistorted in millimetres; sweepMask()
 // scales to the voxels of the grid (voxelFromSteps()).
 
-// Where a mask is and how it is turned: element (xi, eta) lies at origin + xi * x + eta * y (thesis 3.5.3,
-// equation 3.7). x and y are unit vectors, and x cross y is the direction of the path.
+// Where a mask is and how it is turned: element (xi, eta) lies at origin + xi * x + eta * y (thesis, section
+// 3.5.3, equation 3.7). x and y are unit vectors, and x cross y is the direction of the path.
 struct MaskFrame {
     glm::dvec3 origin{0};
     glm::dvec3 x{1, 0, 0};

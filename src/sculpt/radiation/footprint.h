@@ -30,14 +30,14 @@ struct Footprint {
 };
 
 enum class FootprintKind { Gaussian, Ellipsoid, Cube };
-// Their names on command lines, in the order of the enumeration.
+// The names of footprint shapes on command lines, in the order of the enumeration.
 inline constexpr std::array<const char*, 3> kFootprintKinds{"gaussian", "ellipsoid", "cube"};
 
-// What a point's energy is spread over (SPEC 4), in steps, hence the same in millimetres on every spacing:
+// What a point's energy is spread over (doc/behaviour.md, "Point radiation"), in steps, hence the same in
+// millimetres on every spacing:
 // - Gaussian: sigma = radius / 3 along every axis.
 // - Ellipsoid: a Gaussian of `sigmaSteps` along each axis of the grid, the axis-aligned form of the
-// elliptical
-//   kernels of Zwicker et al. 2001 ("EWA volume splatting").
+//   elliptical kernels of Zwicker et al. 2001 ("EWA volume splatting").
 // - Cube: a box of half-width `radius`, its faces as soft as linear interpolation between voxels makes them.
 struct FootprintShape {
     static constexpr double kMaxSigmaVoxels = 4.0 / 3; // three of them are AxisFootprint::kMaxReach
@@ -56,20 +56,20 @@ struct FootprintShape {
 // those of the cube are exact.
 Footprint fitFootprint(const FootprintShape& shape, glm::dvec3 spacing = glm::dvec3(1.0));
 
-// The Gaussian one. `radius` must be 2, 3 or 4.
+// The Gaussian footprint of a radius, which must be 2, 3 or 4.
 Footprint fitFootprint(int radius, glm::dvec3 spacing = glm::dvec3(1.0));
 
-// The definition that the fast radiation is fitted to (SPEC 4, thesis 3.4): weights along one axis of the 2 *
-// halfWidth voxels around a point at `offset` (in [0, 1)) beyond voxel 0; element n belongs to voxel n + 1 -
-// halfWidth. The weights sum to 1.
+// The definition that the fast radiation is fitted to (doc/behaviour.md, "Point radiation"; thesis,
+// section 3.4.1): weights along one axis of the 2 * halfWidth voxels around a point at `offset` (in [0, 1))
+// beyond voxel 0; element n belongs to voxel n + 1 - halfWidth. The weights sum to 1.
 struct ReferenceWeights {
     int halfWidth = 3;
     std::array<double, 10> weights{};
 };
-// A Gaussian of `sigma` voxels, at most kMaxSigmaVoxels.
+// The weights of a Gaussian of `sigma` voxels, at most kMaxSigmaVoxels.
 ReferenceWeights referenceWeights(double sigma, double offset);
-// A box of half-width `halfWidthVoxels`, at most AxisFootprint::kMaxReach: the parts of the voxels' cells
-// that it covers when centred on a voxel, interpolated linearly between voxels.
+// The weights of a box of half-width `halfWidthVoxels`, at most AxisFootprint::kMaxReach: the parts of the
+// voxels' cells that it covers when centred on a voxel, interpolated linearly between voxels.
 ReferenceWeights cubeReferenceWeights(double halfWidthVoxels, double offset);
 
 } // namespace vs::sculpt

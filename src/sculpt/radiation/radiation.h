@@ -16,11 +16,11 @@ namespace vs::sculpt {
 // Tiles of 8^3 voxels: what the radiation keeps track of, so that its cost follows what is touched.
 inline constexpr int kTile = 8;
 
-// Spreads points' energy over the voxels around them (SPEC 4): E(v) = sum over points of w * Gaussian(v - p).
-// By linearity the points are first deposited into single voxels with B-spline weights, then the touched
-// tiles are convolved with the separable taps of a Footprint. Deposits are fixed-point integer atomics, so
-// the result does not depend on the order of execution. Use: begin(), deposit() any number of times,
-// finish(), then read energy() until the next begin().
+// Spreads points' energy over the voxels around them (doc/behaviour.md, "Point radiation"): E(v) = sum over
+// points of w * Gaussian(v - p). By linearity the points are first deposited into single voxels with B-spline
+// weights, then the touched tiles are convolved with the separable taps of a Footprint. Deposits are
+// fixed-point integer atomics, so the result does not depend on the order of execution. Use: begin(),
+// deposit() any number of times, finish(), then read energy() until the next begin().
 //
 // A running radiation (beginRunning) keeps its deposits and what was convolved before: after each finish()
 // points may be deposited further, or taken back to the last bit, and the next finish() convolves only the
@@ -45,9 +45,9 @@ public:
     // Convolves. Returns the box of voxels that may have energy: touched tiles, clipped to the grid.
     Box3 finish();
 
-    // As begin(), for rounds of deposit(), takeBack() and finish() until the next begin of either kind.
-    // Results and their lists are those of the last round's tiles; resultBox() is where energies may have
-    // changed.
+    // Begins a running radiation: rounds of deposit(), takeBack() and finish() until the next begin of either
+    // kind. Takes what begin() takes. Results and their lists are those of the last round's tiles;
+    // resultBox() is where energies may have changed.
     void beginRunning(const Box3& points, glm::ivec3 dims, const Footprint& footprint);
     // Undoes a deposit() of the very same points.
     void takeBack(const gl::Buffer& points, std::size_t count);

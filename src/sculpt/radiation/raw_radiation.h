@@ -10,7 +10,7 @@
 
 namespace vs::sculpt {
 
-// The uncalibrated energy of the thesis (3.4, 3.6.1), for its experiments: each element of a mask radiates
+// The uncalibrated energy of the thesis, section B.5.3, for its experiments: each element of a mask radiates
 // this strength times its value wherever the mask stands, whatever the mask's pitch and the footprint. So
 // what is inside grows with the number of elements a voxel and, for a mask standing still, with the
 // footprint's radius.

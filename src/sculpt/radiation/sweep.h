@@ -36,8 +36,9 @@ struct SweepGrid {
 // within its own plane.
 SweptPatches sweepPiece(const MaskRaster& mask, const PathPiece& piece, const SweepGrid& grid = {});
 
-// Radiates a mask (in steps) swept along a path in the space of steps into a volume built from nothing (SPEC
-// 6). Afterwards `radiator` holds the result. Returns the box of voxels that may have energy.
+// Radiates a mask (in steps) swept along a path in the space of steps into a volume built from nothing
+// (doc/behaviour.md, "Sweeps"). Afterwards `radiator` holds the result. Returns the box of voxels that may
+// have energy.
 Box3 sweepMask(Radiator& radiator, PointGenerator& generator, const MaskRaster& mask,
                std::span<const PathPiece> path, glm::ivec3 dims, const Footprint& footprint,
                const glm::dvec3& voxelFromSteps = glm::dvec3(1));

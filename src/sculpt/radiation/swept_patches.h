@@ -23,7 +23,7 @@ struct SweptPatch {
     std::array<std::uint32_t, 4> corners{}; // (0,0) (1,0) (0,1) (1,1)
     std::uint32_t firstPoint = 0;           // among all points of its SweptPatches
     std::uint32_t counts = 0;               // samples along u (8 bits), v (8 bits) and depth (16 bits)
-    float mask = -1;          // the same for the whole patch; bilinear between the corners' when negative
+    float mask = -1;          // one value for the whole patch; bilinear between the corners' when negative
     std::uint32_t offset = 0; // of a single sample from the middle in u and v, as two 16-bit signed fractions
     float depthLo = 0;
     float depthHi = 0;
@@ -51,7 +51,7 @@ public:
     SweptPatches(float depthLo, float depthHi, int orientation)
         : depthLo_(depthLo), depthHi_(depthHi), orientation_(orientation) {}
 
-    // From now on only what reaches between these corners, in voxel space, is added.
+    // Leaves out, from now on, what does not reach between these corners, in voxel space.
     void clipTo(const glm::vec3& lo, const glm::vec3& hi) {
         clipLo_ = lo;
         clipHi_ = hi;
@@ -76,7 +76,7 @@ public:
     void addBlock(const std::array<std::uint32_t, 4>& corners, float mask, glm::vec2 centroid);
     void reserve(std::size_t corners, std::size_t patches);
 
-    // From now on what is added is only noted, and sweepPiece() makes the patches.
+    // Only notes what is added from now on; sweepPiece() makes the patches.
     void sweepInPieces() { inPieces_ = true; }
     // The patches become those of everything added, between these depths of the whole sweep. A piece's
     // samples do not depend on other pieces: whoever adds up adjoining ones has the whole, and can take one

@@ -22,8 +22,8 @@ class BrickEncoder {
 public:
     explicit BrickEncoder(std::size_t texelBytes);
 
-    // The next brick, of `size` texels: `held` is what is to be kept, `current` what the decoder will have.
-    // Returns how many texels differ.
+    // Adds the next brick, of `size` texels: `held` is what is to be kept, `current` what the decoder will
+    // have. Returns how many texels differ.
     std::size_t add(glm::ivec3 size, std::span<const std::byte> held, std::span<const std::byte> current);
     // All bricks added, encoded. Throws Error when there is no memory for it.
     [[nodiscard]] std::vector<std::byte> finish() const;
@@ -39,7 +39,7 @@ public:
     // `encoded` is what finish() of an encoder of the same texelBytes gave; it is not needed any more later.
     BrickDecoder(std::size_t texelBytes, std::span<const std::byte> encoded);
 
-    // The next brick, in the order and of the size in which they were added: turns `texels` from what
+    // Decodes the next brick, in the order and of the size in which they were added: turns `texels` from what
     // `current` was there into what `held` was.
     void next(glm::ivec3 size, std::span<std::byte> texels);
 

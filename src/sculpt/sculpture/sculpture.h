@@ -27,11 +27,13 @@ public:
     explicit Sculpture(glm::ivec3 dims, Precision precision = Precision::Bits16);
 
     // Union with a radiation E, clamped to [0, 1]: S = max(S, E) for a cut, S = min(S, 1 - E) for a restore
-    // (SPEC 4). Where a restore has E >= 0.5 the result stays below 0.5, so nothing of the same stroke's cut
-    // remains visible. Returns the box of voxels that may have changed (tile-tight).
+    // (doc/behaviour.md, "Point radiation"). Where a restore has E >= 0.5 the result stays below 0.5, so
+    // nothing of the same stroke's cut remains visible. Returns the box of voxels that may have changed
+    // (tile-tight).
     Box3 combine(const Radiator& radiation, Combine how);
-    // As a cut, but united with what the sculpture was in `before` (null: untouched) instead of what it is:
-    // in the tiles of the radiation it becomes that union. Puts back what an earlier such call cut too far.
+    // Cuts like combine(), but unites the radiation with what the sculpture was in `before` (null: untouched)
+    // instead of what it is: in the tiles of the radiation it becomes that union. Puts back what an earlier
+    // such call cut too far.
     Box3 combineWith(const gl::Texture* before, const Radiator& radiation);
     // Voxels whose value the last combine() changed; waits for the device.
     [[nodiscard]] std::uint64_t changedVoxels() const;
@@ -49,7 +51,7 @@ public:
     void upload(const Box3& box, std::span<const std::byte> texels);
     // Undo or redo, with the macrocells.
     void swap(BrickDelta& delta);
-    // After texels() was written by something else (BrickBackup::restore).
+    // Brings the macrocells up to date after texels() was written by something else (BrickBackup::restore).
     void refresh(const Box3& box);
 
     [[nodiscard]] gl::Texture& texels() { return texels_; }
@@ -62,12 +64,12 @@ public:
     [[nodiscard]] std::uint64_t version() const { return version_; }
     // Numbers the contents: as version(), but what has been put back as it was can have its number again.
     [[nodiscard]] std::uint64_t contentVersion() const { return contentVersion_; }
-    // The contents are what they were when contentVersion() was this.
+    // Says that the contents are what they were when contentVersion() was this.
     void contentIsAsAt(std::uint64_t contentVersion) { contentVersion_ = contentVersion; }
     // Voxels that may differ from what they were at an earlier version(). The longer ago, the more there may
     // be that do not; at version 0 everything was 0.
     [[nodiscard]] Box3 changedSince(std::uint64_t version) const;
-    // True when nothing is cut anywhere: a matter of content, so that undoing the first cut is as if it had
+    // Whether nothing is cut anywhere: a matter of content, so that undoing the first cut is as if it had
     // never been. May wait for the device.
     [[nodiscard]] bool isEmpty() const;
 

@@ -8,7 +8,8 @@
 
 namespace vs::sculpt {
 
-// Cuts what is visible but does not belong to a region: the table below a patient (SPEC 7).
+// Cuts what is visible but does not belong to a region: the table below a patient (doc/behaviour.md,
+// "Tools").
 class IslandCutter {
 public:
     // Cuts every voxel of `scene` that is in the displayed range, visible, and not in `region` (R8UI, 0 =

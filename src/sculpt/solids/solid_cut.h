@@ -14,7 +14,7 @@
 
 namespace vs::sculpt {
 
-// From the world (mm) to a picture, as far as cutting along its rays needs to know.
+// The way from the world (mm) to a picture, as far as cutting along its rays needs to know it.
 struct Projector {
     glm::dmat4 pixelFromWorld{1}; // (x w, y w, any, w): w is the distance along `forward`, 1 if orthographic
     glm::dvec3 eye{0};           // distances along rays are counted from here, or from the plane through here
@@ -57,7 +57,8 @@ public:
     // fewer than three points and empty lists of planes change nothing.
     Box3 extrude(Sculpture& sculpture, const Extrusion& solid, Combine how, BrickBackup& backup);
     Box3 clip(Sculpture& sculpture, const HalfSpaces& solid, Combine how, BrickBackup& backup);
-    // The same with energies from elsewhere, one for each voxel of the grid, x fastest.
+    // Cuts a solid that is given by its energies, one for each voxel of the grid, x fastest. Bricks are
+    // protected in `backup` before they change; returns the box that may have changed.
     Box3 cutValues(Sculpture& sculpture, std::span<const float> energies, Combine how, BrickBackup& backup);
 
 private:

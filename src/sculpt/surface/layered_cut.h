@@ -37,7 +37,7 @@ private:
         float hi = 0;
         bool operator==(const Piece&) const = default;
     };
-    // Where it stands: so many whole layers, then a partial one (none: hi == lo).
+    // The depth that the cut has: so many whole layers, then a partial one (none: hi == lo).
     struct State {
         int layers = 0;
         Piece partial;

@@ -11,7 +11,7 @@
 
 namespace vs::sculpt {
 
-// How far what was cut away can be put back on a surface (SPEC 7, restore).
+// How far what was cut away can be put back on a surface (doc/behaviour.md, "Tools").
 class RestoreReach {
 public:
     RestoreReach();

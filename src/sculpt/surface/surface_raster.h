@@ -17,7 +17,7 @@ public:
     SurfaceRaster(std::span<const field::SurfacePoint> points, const MaskRaster& mask,
                   const volume::GridGeometry& geometry, const ToolSweep& sweep);
 
-    // Leaves them in unit length, in steps along the world's axes.
+    // Finds which way the tool moves from each element: unit vectors, in steps along the world's axes.
     void findDirections();
     [[nodiscard]] std::vector<glm::vec3> takeDirections() { return std::move(directions_); }
 
@@ -32,7 +32,7 @@ protected:
     // Offset in steps (world axes) between two places in voxel space.
     [[nodiscard]] glm::vec3 inSteps(const glm::vec3& voxels) const { return stepsFromVoxel_ * voxels; }
     [[nodiscard]] bool restores() const { return !sweep_.outwardSteps.empty(); }
-    // Then depths are fractions of each element's own.
+    // Whether each element has a depth of its own; what is swept then has depths that are fractions of it.
     [[nodiscard]] bool hasOwnDepths() const { return restores() || !sweep_.depths.empty(); }
     [[nodiscard]] bool isSweptFrom(std::size_t n) const {
         return points_[n].voxel.w > 0.5F && (!restores() || sweep_.outwardSteps[n] > 0) &&
@@ -47,7 +47,8 @@ protected:
     // Whether two neighbouring elements lie on one piece of surface.
     [[nodiscard]] bool isJoined(glm::ivec2 a, glm::ivec2 b) const;
     [[nodiscard]] glm::vec3 meanDirection() const;
-    // From one element to the next along an axis of the raster, in steps, across the tool's direction.
+    // The mean way from one element to the next along an axis of the raster, in steps, across the tool's
+    // direction.
     [[nodiscard]] glm::vec3 meanStep(glm::ivec2 axis) const;
     // The step in voxel space from one element to the next along an axis of the raster, as a hit's neighbours
     // tell it: along the surface where they belong together, else only across the element's own path.
@@ -64,12 +65,12 @@ protected:
     std::vector<glm::vec3> directions_;
 
 private:
-    // Unit directions in steps along the world's axes.
+    // Chooses the tool's directions: unit vectors, in steps along the world's axes.
     void chooseDirections();
-    // The median distance, in steps, between the paths of neighbouring hits.
+    // Measures the median distance, in steps, between the paths of neighbouring hits.
     void measureSpacing();
-    // Normals over an eighth of the mask's size, so that a rough surface does not scatter its paths; at least
-    // over what the radiation cannot resolve, and never so far that the shape of an organ is lost.
+    // Smooths normals over an eighth of the mask's size, so that a rough surface does not scatter its paths;
+    // at least over what the radiation cannot resolve, and never so far that the shape of an organ is lost.
     void smoothDirections();
 };
 

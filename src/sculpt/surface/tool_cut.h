@@ -26,7 +26,7 @@ public:
     // Returns the box of voxels that may have changed; empty when the stamp does nothing.
     Box3 cut(Sculpture& sculpture, const field::SurfacePoints& surface, const MaskRaster& mask,
              const ToolCut& cut, BrickBackup* backup);
-    // The same with the surface points at hand.
+    // Runs a stamp whose surface points are at hand in memory.
     Box3 cut(Sculpture& sculpture, std::span<const field::SurfacePoint> surface, const MaskRaster& mask,
              const ToolCut& cut, BrickBackup* backup);
 

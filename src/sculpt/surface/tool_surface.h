@@ -25,7 +25,7 @@ struct ToolSweep {
     ToolDirection direction = ToolDirection::Common;
     glm::dvec3 directionWorld{0, 0, 1}; // for Common; of any length but 0
     double depthSteps = 10;
-    // One depth per element instead (0: nothing there).
+    // One depth for each element, which takes the place of `depthSteps` (0: nothing there).
     std::span<const float> depths = {};
     // The sweep begins this far outside the surface, so that the first layer goes too; negative: the radius.
     double outsideSteps = -1;
@@ -35,11 +35,12 @@ struct ToolSweep {
     // For restoring: the sweep goes the other way, from the radius inside the surface to so many steps
     // outside it, one number per element (0: nothing there). See RestoreReach.
     std::span<const float> outwardSteps = {};
-    // Nothing is swept yet, only noted for SweptPatches::sweepPiece().
+    // Whether nothing is swept yet, only noted for SweptPatches::sweepPiece().
     bool inPieces = false;
 };
 
-// Which way the tool moves from each point: unit directions (world), normals smoothed over the mask's scale.
+// The direction in which the tool moves from each point: unit vectors (world), from normals that are smoothed
+// over the mask's scale.
 std::vector<glm::vec3> toolDirections(std::span<const field::SurfacePoint> points, const MaskRaster& mask,
                                       const volume::GridGeometry& geometry, const ToolSweep& sweep);
 

@@ -23,15 +23,15 @@ std::vector<Island> islands(const VoxelSet& set, Connectivity connectivity = Con
 // smoothed surface, not in the set.
 inline constexpr int kIslandReach = 3;
 
-// Only the island at `voxel`, or everything but that island. The island is the one with the voxel nearest to
-// `voxel`, at most kIslandReach voxels away. Throws Error when there is none.
+// Keeps only the island at `voxel`, or everything but that island. The island is the one with the voxel
+// nearest to `voxel`, at most kIslandReach voxels away. Throws Error when there is none.
 VoxelSet keepIsland(const VoxelSet& set, glm::ivec3 voxel, Connectivity connectivity = Connectivity::Six);
 VoxelSet dropIsland(const VoxelSet& set, glm::ivec3 voxel, Connectivity connectivity = Connectivity::Six);
 
-// Only the island with the most voxels.
+// Keeps only the island with the most voxels.
 VoxelSet keepLargestIsland(const VoxelSet& set, Connectivity connectivity = Connectivity::Six);
 
-// Everything but islands of less than `minimumMl` millilitres.
+// Keeps everything but islands of less than `minimumMl` millilitres.
 VoxelSet dropSmallIslands(const VoxelSet& set, const volume::GridGeometry& geometry, double minimumMl,
                           Connectivity connectivity = Connectivity::Six);
 

@@ -22,7 +22,8 @@ VoxelSet closing(const VoxelSet& set, const volume::GridGeometry& geometry, doub
 // Where the wall of a hollow set lies: within the set, around it, or half and half.
 enum class Wall { Inside, Outside, Centred };
 
-// Only a wall of this thickness along the set's surface. A wall outside holds nothing of the set itself.
+// Keeps only a wall of this thickness along the set's surface. A wall outside holds nothing of the set
+// itself.
 VoxelSet hollow(const VoxelSet& set, const volume::GridGeometry& geometry, double thicknessMm,
                 Wall wall = Wall::Inside);
 

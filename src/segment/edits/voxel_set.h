@@ -18,11 +18,11 @@ struct VoxelSet {
     [[nodiscard]] std::size_t count() const;
     // Smallest box that holds the set; the default box for the empty set.
     [[nodiscard]] Box3 tightBox() const;
-    // The same mask on another box: voxels outside of it are lost.
+    // The set as a mask on another box: voxels outside of it are lost.
     [[nodiscard]] VoxelSet within(const Box3& other) const;
-    // The same set in its tight box, grown by `padding` voxels and clipped to the grid.
+    // The set in its tight box, grown by `padding` voxels and clipped to the grid.
     [[nodiscard]] VoxelSet cropped(int padding, glm::ivec3 gridDims) const;
-    // The same set in its tight box.
+    // The set in its tight box.
     [[nodiscard]] VoxelSet tight() const { return within(tightBox()); }
 
     // Place of a voxel of the box in `inside`.
@@ -30,7 +30,7 @@ struct VoxelSet {
     [[nodiscard]] glm::ivec3 voxelAt(std::size_t index) const;
 };
 
-// No voxel of `box` is in it yet.
+// A set on `box` that no voxel is in yet.
 VoxelSet emptySet(const Box3& box);
 
 // Whether both hold the same voxels, whatever their boxes.

@@ -40,15 +40,16 @@ public:
     // Bricks that may hold a generation in (after, upTo]; all that hold anything.
     [[nodiscard]] std::vector<std::uint32_t> holding(int after, int upTo) const;
     [[nodiscard]] std::vector<std::uint32_t> touched() const;
-    // The same for all segments.
+    // Bricks that may hold voxels of any segment.
     [[nodiscard]] std::vector<std::uint32_t> occupied() const;
 
-    // Reads what the device has written; the other way round after changes made here.
+    // Reads what the device has written.
     void download();
+    // Writes for the device what was changed here.
     void upload();
     // Widens a brick's span by a voxel of this generation, which must not be older than any in it.
     void add(glm::ivec3 voxel, int generation);
-    // The same for whole bricks.
+    // Widens the spans of whole bricks by a generation, which must not be older than any in them.
     void widen(const std::vector<std::uint32_t>& bricks, int generation);
     // Takes another segment's spans (empty: it has none yet) for those there are, which it returns.
     std::vector<GenerationSpan> exchangeSpans(std::vector<GenerationSpan> spans);

@@ -14,8 +14,8 @@ namespace vs::segment {
 // Neighbours across faces, or across faces, edges and corners.
 enum class Connectivity { Six, TwentySix };
 
-// Which voxels growth may enter, and from where (SPEC 8). Every rule given must be kept; all ranges are
-// closed.
+// The rules of growth: which voxels it may enter, and from where (doc/behaviour.md, "Growth"). Every rule
+// given must be kept; all ranges are closed.
 struct Constraints {
     Range range; // of intensity, in the volume's unit; float volumes are compared with its ends rounded to
                  // float
@@ -27,7 +27,8 @@ struct Constraints {
     std::optional<Range> gradient = {};
     // What the difference of the gradient's magnitudes may be, child - parent.
     std::optional<Range> gradientDifference = {};
-    // Null: no fence. Must live on the volume's grid for as long as these constraints are in use.
+    // The sculpture that fences growth; null: no fence. Must live on the volume's grid for as long as these
+    // constraints are in use.
     const gl::Texture* sculpture = nullptr;
     // Tells one content of the sculpture from another: growth tests refused voxels again when this changes.
     std::uint64_t sculptureVersion = 0;

@@ -34,8 +34,8 @@ gl::Defines definesFor(Connectivity connectivity, gl::Defines more = {}) {
 
 } // namespace
 
-// Mirrors Step in shaders/active_tiles.glsl (std430).
-struct Frontier::Step {
+// Mirrors Expansion in shaders/active_tiles.glsl (std430).
+struct Frontier::Expansion {
     glm::uvec4 tiles{0, 1, 1, 0};
     glm::uvec4 unmade{0, 1, 1, 0};
     glm::uvec4 grown{0};
@@ -49,7 +49,7 @@ Frontier::Frontier(const SeedMap& seedMap)
       allowed_(planeWords_ / kWordsPerSlab, gl::Format::RGBA32UI, "growth allowed"),
       newest_(2 * planeWords_ / kWordsPerSlab, gl::Format::RGBA32UI, "growth newest"),
       work_(std::size_t(tileCount_) * 10 * sizeof(std::uint32_t), "growth work"),
-      steps_((kMaxSteps + 1) * sizeof(Step), "growth steps"), list_(4, "growth seeds") {}
+      expansions_((kMaxExpansions + 1) * sizeof(Expansion), "growth expansions"), list_(4, "growth seeds") {}
 
 void Frontier::invalidate() {
     ++rulesNumber_; // what may be entered has changed
@@ -83,9 +83,9 @@ std::uint32_t Frontier::planeStart(int plane) const {
     return std::uint32_t(std::size_t(plane) * planeWords_ / kWordsPerSlab);
 }
 
-void Frontier::prepareToNote(gl::Program& program, int step, int list, std::uint32_t stamp) const {
+void Frontier::prepareToNote(gl::Program& program, int expansion, int list, std::uint32_t stamp) const {
     program.set("stamp", stamp)
-        .set("stepNoted", step)
+        .set("expansionNoted", expansion)
         .set("tileCount", tileCount_)
         .set("listNoted", list)
         .set("rulesNumber", rulesNumber_);
@@ -129,15 +129,15 @@ void Frontier::push(const SeedMap& seedMap, std::span<const std::uint32_t> voxel
 }
 
 // Opens a submission: the tiles to begin with are those carried over, and what is pushed or collected now.
-void Frontier::begin(int steps) {
-    std::vector<Step> table(std::size_t(steps) + 1);
+void Frontier::begin(int expansions) {
+    std::vector<Expansion> table(std::size_t(expansions) + 1);
     const auto arguments = [](std::uint32_t tiles) {
         return glm::uvec4(std::min((tiles + kTilesPerGroup - 1) / kTilesPerGroup, kMaxGroups), 1, 1, tiles);
     };
     table[0].tiles = arguments(carried_);
     table[0].unmade = {std::min(carriedUnmade_, kMaxGroups), 1, 1, carriedUnmade_};
-    steps_.write(std::span<const Step>(table));
-    steps_.bindStorage(kStepsStorage);
+    expansions_.write(std::span<const Expansion>(table));
+    expansions_.bindStorage(kExpansionsStorage);
     work_.bindStorage(kWorkStorage);
     newest_.buffer().bindStorage(kNewestStorage);
 }
@@ -145,33 +145,34 @@ void Frontier::begin(int steps) {
 // Expands so many times, giving `generation` and those after it. Returns the voxels that joined each time.
 std::vector<std::uint64_t> Frontier::run(const SeedMap& seedMap, gl::Program& program, gl::Program* allow,
                                          const Constraints& constraints, gl::Defines noteDefines,
-                                         int generation, int steps) {
+                                         int generation, int expansions) {
     gl::Program& note = note_.with(definesFor(constraints.connectivity, std::move(noteDefines)));
     note.set("dims", seedMap.dims()).set("brickDims", seedMap.bricks().brickDims());
     seedMap.bricks().onDevice().bindStorage(kBrickNumbersStorage);
     newest_.bindTexture(kNewestTexelsTexture);
-    for (int i = 0; i < steps; ++i) {
+    for (int i = 0; i < expansions; ++i) {
         const int next = 1 - now_;
         if (allow != nullptr) {
             prepareToNote(*allow, i + 1, next, stamp_);
-            allow->set("stepIndex", i);
-            allow->dispatchIndirect(steps_, std::size_t(i) * sizeof(Step) + offsetof(Step, unmade),
+            allow->set("expansionIndex", i);
+            allow->dispatchIndirect(expansions_,
+                                    std::size_t(i) * sizeof(Expansion) + offsetof(Expansion, unmade),
                                     gl::Barrier::All);
         }
         prepareToNote(program, i + 1, next, ++stamp_);
-        program.set("stepIndex", i)
+        program.set("expansionIndex", i)
             .set("generation", std::uint32_t(generation + i))
             .set("newestAt", planeStart(now_))
             .set("nextAt", planeStart(next))
             .set("isBefore", newestIsLast_ ? 1 : 0);
-        program.dispatchIndirect(steps_, std::size_t(i) * sizeof(Step), gl::Barrier::Storage);
+        program.dispatchIndirect(expansions_, std::size_t(i) * sizeof(Expansion), gl::Barrier::Storage);
         prepareToNote(note, i + 1, next, stamp_);
         const bool clears = newestIsRegion_;
-        note.set("stepIndex", i)
+        note.set("expansionIndex", i)
             .set("generation", std::uint32_t(generation + i))
             .set("cleansUp", clears ? 0 : 1);
         // Each expansion takes its tiles, and the newest voxels as texels, from the one before.
-        note.dispatchIndirect(steps_, std::size_t(i) * sizeof(Step), gl::Barrier::All);
+        note.dispatchIndirect(expansions_, std::size_t(i) * sizeof(Expansion), gl::Barrier::All);
         if (clears) {
             newest_.buffer().clear(planeStart(now_) * kSlabBytes, planeWords_ * sizeof(std::uint32_t));
             newestIsRegion_ = false;
@@ -179,12 +180,12 @@ std::vector<std::uint64_t> Frontier::run(const SeedMap& seedMap, gl::Program& pr
         now_ = next;
         newestIsLast_ = true;
     }
-    const auto table = steps_.read<Step>(std::size_t(steps) + 1);
+    const auto table = expansions_.read<Expansion>(std::size_t(expansions) + 1);
     carried_ = table.back().tiles.w;
     carriedUnmade_ = table.back().unmade.w;
-    judge(table[std::size_t(steps) - 1], steps);
+    judge(table[std::size_t(expansions) - 1], expansions);
     std::vector<std::uint64_t> grown;
-    for (int i = 0; i < steps; ++i) {
+    for (int i = 0; i < expansions; ++i) {
         grown.push_back(table[std::size_t(i)].total());
     }
     return grown;
@@ -192,10 +193,10 @@ std::vector<std::uint64_t> Frontier::run(const SeedMap& seedMap, gl::Program& pr
 
 // Whether so much grows that whole rows of tiles should be tested at once; or nothing, and what is left of
 // the planes can be cleared at once when something is to grow again.
-void Frontier::judge(const Step& last, int steps) {
+void Frontier::judge(const Expansion& last, int expansions) {
     growsMuch_ = last.total() > kManyVoxels && last.total() > kManyInTile * last.tiles.w;
     isOver_ = last.total() == 0 && carriedUnmade_ == 0;
-    stepsByVoxel_ = std::min(stepsByVoxel_ + steps, kMaxSteps);
+    expansionsByVoxel_ = std::min(expansionsByVoxel_ + expansions, kMaxExpansions);
 }
 
 // From now on rows are noted with the tiles; those of the tiles carried over are here.
@@ -204,13 +205,14 @@ void Frontier::goOverToRows(const SeedMap& seedMap) {
     gl::Program& program = noteRows_.with({});
     program.set("dims", seedMap.dims()).set("brickDims", seedMap.bricks().brickDims());
     prepareToNote(program, 0, now_, stamp_);
-    program.dispatchIndirect(steps_, 0, gl::Barrier::All);
+    program.dispatchIndirect(expansions_, 0, gl::Barrier::All);
 }
 
-std::vector<std::uint64_t> Frontier::expand(SeedMap& seedMap, const Rules& rules, int generation, int steps) {
-    VS_CHECK(steps >= 1 && steps <= kMaxSteps);
+std::vector<std::uint64_t> Frontier::expand(SeedMap& seedMap, const Rules& rules, int generation,
+                                            int expansions) {
+    VS_CHECK(expansions >= 1 && expansions <= kMaxExpansions);
     const gl::Pass pass("expand region");
-    if (generation + steps - 1 > SeedMap::kLongest16) {
+    if (generation + expansions - 1 > SeedMap::kLongest16) {
         seedMap.widen();
     }
     if (!isValid_ || isOver_) {
@@ -219,13 +221,13 @@ std::vector<std::uint64_t> Frontier::expand(SeedMap& seedMap, const Rules& rules
     if (!isValid_) {
         testing_ = Testing::ByVoxel;
         growsMuch_ = false;
-        stepsByVoxel_ = 0;
+        expansionsByVoxel_ = 0;
     }
     const bool goesOver = testing_ == Testing::ByVoxel && growsMuch_;
     if (testing_ == Testing::ByVoxel && !goesOver) {
-        steps = std::min(steps, std::max(stepsByVoxel_, 1));
+        expansions = std::min(expansions, std::max(expansionsByVoxel_, 1));
     }
-    begin(steps);
+    begin(expansions);
     if (goesOver) {
         goOverToRows(seedMap);
     }
@@ -257,15 +259,15 @@ std::vector<std::uint64_t> Frontier::expand(SeedMap& seedMap, const Rules& rules
         rules.forbidden->bindStorage(kForbiddenToGrowStorage);
     }
     return run(seedMap, program, allow, *rules.constraints,
-               allow != nullptr ? gl::Defines{{"VS_BY_ROWS", "1"}} : gl::Defines{}, generation, steps);
+               allow != nullptr ? gl::Defines{{"VS_BY_ROWS", "1"}} : gl::Defines{}, generation, expansions);
 }
 
 int Frontier::flood(const SeedMap& seedMap, const Rules& rules, std::span<const std::uint32_t> seeds,
-                    const gl::TexelBuffer& region, const gl::Buffer& reached, int steps) {
+                    const gl::TexelBuffer& region, const gl::Buffer& reached, int expansions) {
     const gl::Pass pass("flood region");
     invalidate();
     clearNewest();
-    const int atOnce = std::min(kMaxSteps, std::max(steps, 1));
+    const int atOnce = std::min(kMaxExpansions, std::max(expansions, 1));
     begin(atOnce);
     region.buffer().bindStorage(kRegionStorage);
     push(seedMap, seeds, *rules.constraints, Into::NewestWithin);
@@ -275,8 +277,8 @@ int Frontier::flood(const SeedMap& seedMap, const Rules& rules, std::span<const 
 
     gl::Program& program = expand_.prepare(*rules.field, *rules.constraints, {{"VS_FLOOD", "1"}});
     int found = 0;
-    for (bool goesOn = steps > 0; goesOn;) {
-        const int batch = std::min(atOnce, steps - found);
+    for (bool goesOn = expansions > 0; goesOn;) {
+        const int batch = std::min(atOnce, expansions - found);
         seedMap.bind(program);
         reached.bindStorage(kGrownStorage);
         region.bindTexture(kAllowedTexelsTexture);
@@ -285,9 +287,9 @@ int Frontier::flood(const SeedMap& seedMap, const Rules& rules, std::span<const 
             found += voxels > 0 ? 1 : 0;
             goesOn = voxels > 0;
         }
-        goesOn = goesOn && found < steps;
+        goesOn = goesOn && found < expansions;
         if (goesOn) {
-            begin(std::min(atOnce, steps - found));
+            begin(std::min(atOnce, expansions - found));
         }
     }
     carried_ = std::max(carried_, 1U); // the planes are not clean

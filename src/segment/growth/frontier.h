@@ -20,10 +20,10 @@ namespace vs::segment {
 // two generations. All of it can be made anew from the seed map. Internal to this folder.
 class Frontier {
 public:
-    // At most this many expansions in one submission.
-    static constexpr int kMaxSteps = 128;
+    // The most expansions in one submission.
+    static constexpr int kMaxExpansions = 128;
 
-    // Throws GlError when there is no room on the device.
+    // Makes room for a seed map's grid. Throws GlError when there is none on the device.
     explicit Frontier(const SeedMap& seedMap);
 
     // What a run's expansions go by.
@@ -41,13 +41,13 @@ public:
     // Voxels (linear indices) that were given the newest generation.
     void add(std::span<const std::uint32_t> voxels);
 
-    // Tries at most `steps` (at most kMaxSteps) expansions; the first gives `generation`. Returns the voxels
-    // grown by each one tried.
-    std::vector<std::uint64_t> expand(SeedMap& seedMap, const Rules& rules, int generation, int steps);
+    // Tries at most `expansions` (at most kMaxExpansions) expansions; the first gives `generation`. Returns
+    // the voxels grown by each one tried.
+    std::vector<std::uint64_t> expand(SeedMap& seedMap, const Rules& rules, int generation, int expansions);
 
     // What it takes on the device.
     [[nodiscard]] std::size_t deviceBytes() const {
-        return allowed_.buffer().size() + newest_.buffer().size() + work_.size() + steps_.size() +
+        return allowed_.buffer().size() + newest_.buffer().size() + work_.size() + expansions_.size() +
                list_.size();
     }
 
@@ -55,33 +55,34 @@ public:
     // so many expansions. Only the connectivity and the rules for pairs of the constraints count. Returns how
     // many expansions found something. Invalidates.
     int flood(const SeedMap& seedMap, const Rules& rules, std::span<const std::uint32_t> seeds,
-              const gl::TexelBuffer& region, const gl::Buffer& reached, int steps);
+              const gl::TexelBuffer& region, const gl::Buffer& reached, int expansions);
 
 private:
-    struct Step;
+    struct Expansion;
     enum class Testing { ByVoxel, ByRows };
 
     void clearNewest();
     [[nodiscard]] std::uint32_t planeStart(int plane) const;
     void collect(SeedMap& seedMap, const Rules& rules);
-    // Into the newest; into the newest or a plane in storage 2, but only what lies in the plane in storage 1.
+    // Where voxels are put: into the newest; or into the newest or a plane in storage 2, but only what lies
+    // in the plane in storage 1.
     enum class Into { Newest, NewestWithin, PlaneWithin };
     void push(const SeedMap& seedMap, std::span<const std::uint32_t> voxels, const Constraints& constraints,
               Into into = Into::Newest);
-    void prepareToNote(gl::Program& program, int step, int list, std::uint32_t stamp) const;
-    void begin(int steps);
+    void prepareToNote(gl::Program& program, int expansion, int list, std::uint32_t stamp) const;
+    void begin(int expansions);
     void goOverToRows(const SeedMap& seedMap);
-    void judge(const Step& last, int steps);
+    void judge(const Expansion& last, int expansions);
     std::vector<std::uint64_t> run(const SeedMap& seedMap, gl::Program& program, gl::Program* allow,
                                    const Constraints& constraints, gl::Defines noteDefines, int generation,
-                                   int steps);
+                                   int expansions);
 
     std::uint32_t tileCount_;
     std::size_t planeWords_;
     gl::TexelBuffer allowed_;
     gl::TexelBuffer newest_; // two planes
     gl::Buffer work_;        // see shaders/active_tiles.glsl
-    gl::Buffer steps_;
+    gl::Buffer expansions_;
     gl::Buffer list_; // voxel numbers on their way to the device
     std::vector<std::uint32_t> added_;
     std::uint32_t rulesNumber_ = 1;
@@ -92,7 +93,7 @@ private:
     bool isValid_ = false;
     Testing testing_ = Testing::ByVoxel;
     bool growsMuch_ = false;      // enough for rows
-    int stepsByVoxel_ = 0;        // tried since the rules changed; the next submission tries as many
+    int expansionsByVoxel_ = 0;   // tried since the rules changed; the next submission tries as many
     bool isOver_ = false;         // nothing grew at last
     bool newestIsLast_ = false;   // the newest voxels have the generation before the next; else any
     bool newestIsRegion_ = false; // the newest voxels are the whole region's

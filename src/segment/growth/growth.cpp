@@ -204,7 +204,7 @@ int Growth::advanceFor(double budgetMs, int generations, GrowthUndo* undo) {
     const Timer timer;
     int shown = reveal(generations);
     // Batches double while they fit into what is left of the time.
-    int batch = budgetMs < std::numeric_limits<double>::infinity() ? 1 : Frontier::kMaxSteps;
+    int batch = budgetMs < std::numeric_limits<double>::infinity() ? 1 : Frontier::kMaxExpansions;
     const auto end = [&] {
         if (undo != nullptr) {
             undo->end(*this);
@@ -217,7 +217,7 @@ int Growth::advanceFor(double budgetMs, int generations, GrowthUndo* undo) {
             shown += compute(std::min(batch, generations - shown));
             const double ended = timer.milliseconds();
             if (budgetMs - ended > 2 * (ended - began)) {
-                batch = std::min(2 * batch, Frontier::kMaxSteps);
+                batch = std::min(2 * batch, Frontier::kMaxExpansions);
             } else {
                 batch = std::max(batch / 2, 1);
             }
@@ -237,12 +237,12 @@ int Growth::reveal(int generations) {
 }
 
 int Growth::compute(int generations) {
-    const int steps = std::min(generations, SeedMap::kLongest - state_.extent);
-    if (steps <= 0) {
+    const int expansions = std::min(generations, SeedMap::kLongest - state_.extent);
+    if (expansions <= 0) {
         state_.isFinished = true;
         return 0;
     }
-    const auto grown = frontier_.expand(seedMap_, rules(), state_.extent + 1, steps);
+    const auto grown = frontier_.expand(seedMap_, rules(), state_.extent + 1, expansions);
     const auto tried = int(grown.size());
     int added = 0;
     while (added < tried && grown[std::size_t(added)] > 0) {

@@ -41,7 +41,7 @@ struct GrowthState {
     std::vector<std::uint64_t> voxels; // grown by generations 1, 2, ...; `extent` numbers
     Constraints constraints;
     bool isLive = false;
-    // In live mode: everything grown can be reached under the present rules.
+    // Whether everything grown can be reached under the present rules; in live mode only.
     bool isConsistent = true;
     // Generations up to this one are what an edit or a label map gave: they do not grow, nor are they
     // retracted.
@@ -69,7 +69,7 @@ public:
     // the run, 1 byte for the segments, of the grid filled up to bricks of 32^3 voxels.
     explicit Growth(const field::Field& field);
 
-    // Nothing happens if they equal the present ones.
+    // Changes the rules. Nothing happens if they equal the present ones.
     void setConstraints(const Constraints& constraints, GrowthUndo* undo = nullptr);
     // Live mode: later changes of the constraints take away what is no longer reachable.
     void setLive(bool isLive, GrowthUndo* undo = nullptr);
@@ -79,7 +79,8 @@ public:
     // Shows up to `generations` more: those kept first, then new ones. Returns how many there were; fewer
     // than asked for when nothing more grows.
     int advance(int generations, GrowthUndo* undo = nullptr);
-    // As above, until about `budgetMs` milliseconds have passed (at least one generation).
+    // Shows more generations, as advance() does, until about `budgetMs` milliseconds have passed (at least
+    // one generation).
     int advanceFor(double budgetMs, int generations, GrowthUndo* undo = nullptr);
     // Hides the newest generations shown. Returns how many.
     int stepBack(int generations, GrowthUndo* undo = nullptr);
@@ -93,7 +94,8 @@ public:
     // Makes the segment what an edit has made of it: one byte a voxel of a box, nothing outside. Voxels of
     // other segments stay theirs. New voxels get the playhead's generation; from then on only new seeds grow.
     void replace(const Box3& box, std::span<const std::uint8_t> inside, GrowthUndo* undo = nullptr);
-    // As replace() with these voxels more, or without them: a brush. Cost follows the bricks of the box.
+    // Adds voxels to the segment or takes them away, with the consequences that replace() has: a brush. The
+    // cost follows the bricks of the box.
     void paint(const Box3& box, std::span<const std::uint8_t> inside, bool isToAdd,
                GrowthUndo* undo = nullptr);
     // Voxels that no segment may grow into (one byte a voxel of the grid, 0 = forbidden), until reset.
@@ -108,7 +110,7 @@ public:
 
     [[nodiscard]] int playhead() const { return state_.playhead; }
     [[nodiscard]] int extent() const { return state_.extent; }
-    // Everything computed is shown, and under these rules nothing more grows.
+    // Whether everything computed is shown, and nothing more grows under these rules.
     [[nodiscard]] bool isFinished() const { return state_.isFinished && state_.playhead == state_.extent; }
     // Voxels shown, of the segment at work and of any.
     [[nodiscard]] std::uint64_t voxelCount() const;

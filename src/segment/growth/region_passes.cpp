@@ -27,7 +27,7 @@ gl::Program& RegionPasses::eraser(const SeedMap& seedMap, bool byPlane, bool loo
         defines.emplace_back("VS_BY_PLANE", "1");
     }
     if (looks) {
-        defines.emplace_back("VS_LOOK", "1");
+        defines.emplace_back("VS_NOTE", "1");
     }
     return erase_.with(defines);
 }
@@ -62,7 +62,7 @@ std::vector<std::uint32_t> RegionPasses::erase(SeedMap& seedMap, const Owner& ow
 }
 
 RegionPasses::Bricks RegionPasses::withFree(SeedMap& seedMap, const gl::Buffer& plane, const Bricks& among) {
-    gl::Program& program = add_.with({{"VS_LOOK", "1"}});
+    gl::Program& program = add_.with({{"VS_NOTE", "1"}});
     counts_.reserve(among.size() * sizeof(std::uint32_t));
     counts_.clear();
     seedMap.bind(program);

@@ -13,8 +13,8 @@ namespace vs::segment {
 // Changes of the segment at work other than growing, as passes over whole bricks. Internal to this folder.
 class RegionPasses {
 public:
-    // Which voxels of the segment at work: those of generations after `last`; with a plane only those of them
-    // that are in it, or (not isInPlane) those that are not.
+    // Says which voxels of the segment at work are meant: those of generations after `last`; with a plane
+    // only those of them that are in it, or (not isInPlane) those that are not.
     struct Which {
         int last = 0;
         const gl::Buffer* plane = nullptr;
@@ -23,15 +23,17 @@ public:
 
     using Bricks = std::vector<std::uint32_t>;
 
-    // Which of the bricks `among` hold voxels like `which`.
+    // The bricks among `among` that hold voxels like `which`.
     Bricks holding(SeedMap& seedMap, const Owner& owner, const Which& which, const Bricks& among);
-    // Takes such voxels away. With a plane, returns how many were taken of each generation up to `extent`.
+    // Takes voxels like `which` away. With a plane, returns how many were taken of each generation up to
+    // `extent`.
     std::vector<std::uint32_t> erase(SeedMap& seedMap, const Owner& owner, const Which& which,
                                      const Bricks& bricks, int extent);
 
-    // In which of the bricks `among` a plane has voxels that are nobody's.
+    // The bricks among `among` in which a plane has voxels that are nobody's.
     Bricks withFree(SeedMap& seedMap, const gl::Buffer& plane, const Bricks& among);
-    // Gives them to the segment at work, with one generation. Returns how many there were.
+    // Gives those voxels of a plane that are nobody's to the segment at work, with one generation. Returns
+    // how many there were.
     std::uint32_t add(SeedMap& seedMap, const gl::Buffer& plane, const Bricks& bricks, int generation);
 
     // The voxels of the segment at work of generations after `last` as a plane (zeros in other bricks must be

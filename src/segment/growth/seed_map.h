@@ -28,13 +28,14 @@ public:
     static constexpr int kLongest16 = 0xffff;
     static constexpr int kLongest = 0xffffff;
 
-    // Throws GlError when the device has no room, or when there are more voxels than lists can name.
+    // Makes an empty map of a grid. Throws GlError when the device has no room, or when there are more voxels
+    // than lists can name.
     explicit SeedMap(glm::ivec3 dims);
 
     [[nodiscard]] glm::ivec3 dims() const { return dims_; }
     [[nodiscard]] std::size_t planeBytes() const; // of one bit a voxel, with the brick of zeros
     [[nodiscard]] const gl::Buffer& grown() const { return grown_.buffer(); }
-    // The same as texels of four words (RGBA32UI), which software renderers read many times faster.
+    // The grown voxels as texels of four words (RGBA32UI), which software renderers read many times faster.
     [[nodiscard]] const gl::TexelBuffer& grownTexels() const { return grown_; }
     [[nodiscard]] const gl::Texture& labels() const { return labels_; } // R8UI
     [[nodiscard]] BrickTable& bricks() { return bricks_; }
@@ -43,14 +44,14 @@ public:
     // Makes room for generations above kLongest16.
     void widen();
     [[nodiscard]] bool isWide() const { return bool(late_); }
-    // What shaders that include generations.glsl are to be compiled with.
+    // The defines that shaders which include generations.glsl are to be compiled with.
     [[nodiscard]] gl::Defines widthDefines() const {
         return isWide() ? gl::Defines{{"VS_WIDE", "1"}} : gl::Defines{};
     }
 
-    // What words.glsl and generations.glsl read: storage 0 (grown), 3 and 4, image 0 (labels).
+    // Binds what words.glsl and generations.glsl read: storage 0 (grown), 3 and 4, image 0 (labels).
     void bind(gl::Program& program) const;
-    // And owners.glsl: texture 3.
+    // Binds what owners.glsl reads: texture 3.
     void bindOwner(gl::Program& program, const Owner& owner) const;
     // Runs a program with a row of groups a brick; the bricks are in storage 7 and their first one's place in
     // the uniform firstBrick.

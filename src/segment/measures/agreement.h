@@ -25,7 +25,7 @@ struct Agreement {
     double volumeDifferencePercent = 0; // of the true volume
 };
 
-// Both masks lie on the grid, x fastest; what is not 0 is inside.
+// Compares two masks on one grid, x fastest; what is not 0 is inside.
 Agreement compare(const volume::GridGeometry& geometry, std::span<const std::uint8_t> found,
                   std::span<const std::uint8_t> truth);
 

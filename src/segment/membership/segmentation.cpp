@@ -98,10 +98,9 @@ std::vector<std::uint32_t> Segmentation::smoothQueued(int channel, double budget
     const bool isHurried = budgetMs < kNoHurry;
     std::vector<std::uint32_t> done;
     while (!own.queue.empty() && (done.empty() || timer.milliseconds() < budgetMs)) {
-        constexpr std::size_t kBetweenLooks = 32; // at the clock
-        const auto end =
-            own.queue.begin() +
-            std::ptrdiff_t(std::min(isHurried ? kBetweenLooks : own.queue.size(), own.queue.size()));
+        constexpr std::size_t kAtOnce = 32; // tiles, before the clock is read again
+        const auto end = own.queue.begin() +
+                         std::ptrdiff_t(std::min(isHurried ? kAtOnce : own.queue.size(), own.queue.size()));
         const std::vector<std::uint32_t> tiles(own.queue.begin(), end);
         own.queue.erase(own.queue.begin(), end);
         for (const std::uint32_t tile : tiles) {

@@ -42,10 +42,10 @@ public:
     Box3 update(const Growth& growth, Smoothing smoothing = Smoothing::Smooth,
                 const Looks& looks = allOpaque(), double budgetMs = kNoHurry, const Fence& fence = {});
     static constexpr double kNoHurry = 1e30;
-    // The last update was cut short.
+    // Whether the last update was cut short.
     [[nodiscard]] bool isBehind() const { return isBehind_; }
 
-    // Some of it may not be any segment's.
+    // Whether some of it may be no segment's: what goes on behind cuts.
     [[nodiscard]] bool goesOnBehindCuts() const { return continuation_.has_value(); }
 
     // R8, linear filter, values in [0, 1]: the opaque segments together. RG8 while there are translucent
@@ -54,7 +54,7 @@ public:
     // RG32F, smallest and largest value of each macrocell, as field::CellRangeUpdater makes them; after a
     // plain update 0 and 1 where something has changed.
     [[nodiscard]] const gl::Texture& cells() const { return cells_; }
-    // The same, downloaded, x fastest.
+    // The membership, downloaded, x fastest.
     [[nodiscard]] std::vector<float> values() const;
     // What it takes on the device at the moment.
     [[nodiscard]] std::size_t deviceBytes() const;
@@ -65,7 +65,7 @@ private:
     // One for the opaque segments, one for the translucent ones.
     struct Channel {
         gl::Buffer shown;  // one bit a voxel, laid out as in shaders/words.glsl
-        gl::Buffer turned; // likewise: counts as the opposite; made with the continuation
+        gl::Buffer turned; // one bit a voxel: counts as the opposite; made with the continuation
         // Per tile: which of its 27 neighbours (itself included) changes there reach and that are not
         // smoothed yet, bit (dx + 1) + 3 (dy + 1) + 9 (dz + 1).
         std::vector<std::uint32_t> pending;

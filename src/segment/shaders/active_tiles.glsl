@@ -1,5 +1,5 @@
 // The tiles that the next expansion has to look at, each once. Include after words.glsl.
-// Bindings: storage 5 (steps), 6 (work). With VS_BY_ROWS, rows that are near for the first time are noted
+// Bindings: storage 5 (expansions), 6 (work). With VS_BY_ROWS, rows that are near for the first time are noted
 // too.
 
 const uint kTilesPerGroup = 16u;
@@ -7,13 +7,13 @@ const uint kTilesPerRow = 4u;
 const uint kMaxGroups = 65535u; // per dispatch; the lists are walked with a stride, so fewer groups lose nothing
 
 // One expansion: arguments of its two indirect dispatches, whose w counts the tiles, or the rows of tiles.
-struct Step {
+struct Expansion {
     uvec4 tiles;  // x groups, y = z = 1, w tiles
     uvec4 unmade; // likewise, a group a row, those rows that are near for the first time
     uvec4 grown;  // x + y + z + w: voxels grown
 };
 #include "segment/shaders/bindings.glsl"
-layout(std430, binding = kStepsStorage) buffer Steps { Step steps[]; };
+layout(std430, binding = kExpansionsStorage) buffer Expansions { Expansion expansions[]; };
 // Six parts, a number for each tile: the last expansion that was to look at it; the rules under which the words of a row of four
 // tiles (a brick's along x, one after the other) in the plane `allowed` are made; two lists of tiles, and two of rows that are
 // not made, which is cheaper together: a row of values shares a cache line. And four for what an expansion found in each tile
@@ -21,7 +21,7 @@ layout(std430, binding = kStepsStorage) buffer Steps { Step steps[]; };
 layout(std430, binding = kWorkStorage) buffer Work { uint work[]; };
 
 uniform uint stamp;    // of the expansion that tiles are noted for
-uniform int stepNoted; // its place in `steps`
+uniform int expansionNoted; // its place in `expansions`
 uniform uint tileCount;
 uniform int listNoted;     // 0 or 1: which of the lists it takes
 uniform uint rulesNumber; // of the present rules
@@ -37,18 +37,18 @@ uint groupsFor(uint place) { return min(place / kTilesPerGroup + 1u, kMaxGroups)
 void noteRowOf(uint tile) {
     uint row = tile / kTilesPerRow;
     if (work[tileCount + row] != rulesNumber && atomicExchange(work[tileCount + row], rulesNumber) != rulesNumber) {
-        uint place = atomicAdd(steps[stepNoted].unmade.w, 1u);
+        uint place = atomicAdd(expansions[expansionNoted].unmade.w, 1u);
         work[unmadeStart(listNoted) + place] = row;
-        atomicMax(steps[stepNoted].unmade.x, min(place + 1u, kMaxGroups));
+        atomicMax(expansions[expansionNoted].unmade.x, min(place + 1u, kMaxGroups));
     }
 }
 
 void activate(uint tile) {
     if (tile < tileCount && work[tile] != stamp && atomicExchange(work[tile], stamp) != stamp) {
-        uint place = atomicAdd(steps[stepNoted].tiles.w, 1u);
+        uint place = atomicAdd(expansions[expansionNoted].tiles.w, 1u);
         work[listStart(listNoted) + place] = tile;
         if (place % kTilesPerGroup == 0u) {
-            atomicMax(steps[stepNoted].tiles.x, groupsFor(place));
+            atomicMax(expansions[expansionNoted].tiles.x, groupsFor(place));
         }
 #ifdef VS_BY_ROWS
         noteRowOf(tile);

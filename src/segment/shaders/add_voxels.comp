@@ -1,6 +1,6 @@
-// Gives the segment at work those voxels of a plane that are nobody's, with one generation. With VS_LOOK nothing changes:
+// Gives the segment at work those voxels of a plane that are nobody's, with one generation. With VS_NOTE nothing changes:
 // bricks that would gain some are noted.
-// In: storage 1 the plane, 7 brick numbers. In and out: storage 0 grown, 3 and 4 generations. Out: storage 2, with VS_LOOK for
+// In: storage 1 the plane, 7 brick numbers. In and out: storage 0 grown, 3 and 4 generations. Out: storage 2, with VS_NOTE for
 // each listed brick whether it gains something, else how many voxels there are.
 // One row of 16 groups a brick, an invocation a word.
 #include "segment/shaders/words.glsl"
@@ -24,7 +24,7 @@ void main() {
     if (fresh == 0u) {
         return;
     }
-#ifdef VS_LOOK
+#ifdef VS_NOTE
     gains[item] = 1u;
 #else
     grown[word] |= fresh;

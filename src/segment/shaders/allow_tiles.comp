@@ -1,6 +1,6 @@
 // Which voxels that have not grown the rules let in, by themselves, in rows of tiles that growth comes near for the first time. A
 // group a row, an invocation a word, those along x side by side.
-// In: the constraints, texture 0 data, 1 sculpture; storage 0 grown, 5 steps, 6 work, 7 what is forbidden (with VS_FORBIDDEN). Out:
+// In: the constraints, texture 0 data, 1 sculpture; storage 0 grown, 5 expansions, 6 work, 7 what is forbidden (with VS_FORBIDDEN). Out:
 // storage 1 allowed.
 #include "segment/shaders/constraints.glsl"
 #include "segment/shaders/words.glsl"
@@ -15,10 +15,10 @@ layout(std430, binding = kAllowedStorage) writeonly buffer Allowed { uint allowe
 layout(std430, binding = kForbiddenToGrowStorage) readonly buffer Forbidden { uint forbidden[]; };
 #endif
 
-uniform int stepIndex;
+uniform int expansionIndex;
 
 void main() {
-    uint count = steps[stepIndex].unmade.w;
+    uint count = expansions[expansionIndex].unmade.w;
     uint i = gl_WorkGroupID.x;
     if (i >= count) {
         return;

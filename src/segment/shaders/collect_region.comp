@@ -2,7 +2,7 @@
 // frozen ones, become the newest, and the tiles are listed in which something next to them may join. One group a brick, an
 // invocation a tile.
 // In: texture 3 labels, 6 grown; storage 3 and 4 generations, 7 brick numbers, 8 first and last generation of each brick. Out:
-// storage 2 newest, 5 steps[0], 6 work.
+// storage 2 newest, 5 expansions[0], 6 work.
 #include "segment/shaders/words.glsl"
 #include "segment/shaders/generations.glsl"
 #include "segment/shaders/owners.glsl"

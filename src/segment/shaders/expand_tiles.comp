@@ -2,7 +2,7 @@
 // one of the newest itself. A tile is four invocations' work; each slab belongs to one of them, so nothing but the lists of tiles
 // needs atomics.
 // In: the constraints, texture 0 data, 4 newest voxels in two planes, of which one is read and the other written (storage 2),
-// 5 and storage 1 allowed: what may be entered and has not been. In and out: storage 0 grown, 3 and 4 generations, 5 steps, 6 work.
+// 5 and storage 1 allowed: what may be entered and has not been. In and out: storage 0 grown, 3 and 4 generations, 5 expansions, 6 work.
 // With VS_BY_VOXEL no voxel was tested before; those on offer are, here (instead of allowed: texture 6 grown, storage 7 what is
 // forbidden, with VS_FORBIDDEN).
 // With VS_FLOOD a set spreads through another, and there are no generations.
@@ -27,7 +27,7 @@ layout(std430, binding = kForbiddenToGrowStorage) readonly buffer Forbidden { uv
 layout(binding = kAllowedTexelsTexture) uniform usamplerBuffer allowedTexels;
 #endif
 
-uniform int stepIndex;
+uniform int expansionIndex;
 uniform uint generation;
 uniform int isBefore;     // 1: the newest voxels have the generation before this one; 0: any
 uniform uint newestAt;    // the slab that begins the plane which is read
@@ -137,7 +137,7 @@ uint expandSlab(uint slab) {
 }
 
 void main() {
-    uint count = steps[stepIndex].tiles.w;
+    uint count = expansions[expansionIndex].tiles.w;
     uint i = gl_GlobalInvocationID.x / kSlabsPerTile;
     if (i >= count) {
         return;

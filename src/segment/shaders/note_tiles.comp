@@ -1,6 +1,6 @@
 // After an expansion: counts what has joined, and notes which tiles the next one has to look at. One invocation a tile that was
 // at work.
-// In and out: storage 5 steps, 6 work, 8 first and last generation of each brick.
+// In and out: storage 5 expansions, 6 work, 8 first and last generation of each brick.
 #include "segment/shaders/words.glsl"
 #include "segment/shaders/active_tiles.glsl"
 
@@ -9,7 +9,7 @@ layout(local_size_x = 16) in;
 #include "segment/shaders/bindings.glsl"
 layout(std430, binding = kBrickNumbersStorage) buffer Bricks { uvec2 bricks[]; };
 
-uniform int stepIndex;
+uniform int expansionIndex;
 uniform uint generation;
 uniform int cleansUp; // 0: the plane that the expansion read will be cleared
 
@@ -22,7 +22,7 @@ void noteInBrick(uint brick) {
 }
 
 void main() {
-    uint count = steps[stepIndex].tiles.w;
+    uint count = expansions[expansionIndex].tiles.w;
     uint grown = 0u;
     uint i = gl_GlobalInvocationID.x;
     if (i >= count) {
@@ -49,5 +49,5 @@ void main() {
         activateAround(placeOfTile(tile), around);
         i += gl_NumWorkGroups.x * kTilesPerGroup;
     } while (i < count);
-    atomicAdd(steps[stepIndex].grown[gl_WorkGroupID.x & 3u], grown);
+    atomicAdd(expansions[expansionIndex].grown[gl_WorkGroupID.x & 3u], grown);
 }

@@ -39,9 +39,9 @@ public:
     [[nodiscard]] const field::Field& field() const;
     // Voxel counts in equal bins over volume().range, at most 256.
     [[nodiscard]] const std::vector<std::uint32_t>& histogram() const;
-    // The same of the voxels on the visible side of what was cut: what choosing a displayed range can show.
-    // Counted in portions of about `budgetMs`, anew after each cut; null until all are counted. No stroke may
-    // be open.
+    // Counts the voxels on the visible side of what was cut, in the same bins, in portions of about
+    // `budgetMs`: what choosing a displayed range can show. Anew after each cut; null until all are counted.
+    // No stroke may be open.
     const std::vector<std::uint32_t>* visibleHistogram(double budgetMs);
     [[nodiscard]] const View& view() const;
     [[nodiscard]] const sculpt::Sculpture& sculpture() const;

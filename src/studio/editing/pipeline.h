@@ -36,7 +36,7 @@ public:
         std::optional<std::uint64_t> cuttingSince;
     };
     render::Frame frame(const State& state, glm::ivec2 size);
-    // The same content on a slice. Segments are drawn whatever the view's mode is.
+    // The document's content on a slice. Segments are drawn whatever the view's mode is.
     render::SliceFrame slice(const State& state, const render::SliceView& view);
 
     // The segments of the last frame or slice are not up to date, because there was no time for it.
@@ -94,7 +94,7 @@ private:
     void refresh(Cells& cells, const Key& key, const State& state, const render::Frame& frame,
                  const gl::Texture* sculptureCells, const segment::Segmentation* segmentation);
 
-    // Likewise what blocks the light in a scene; made when shadows are first wanted.
+    // What blocks the light in a scene; made when shadows are first wanted.
     struct Light {
         render::OcclusionVolume occlusion;
         std::optional<Key> key;

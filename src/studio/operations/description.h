@@ -77,7 +77,7 @@ struct Field {
     Condition applies;
     Inner inner; // the fields of a group
 
-    // The same field, that only means something where `condition` holds.
+    // This field, with a condition: it only means something where `condition` holds.
     template <typename When>
     constexpr auto when(When condition) const {
         return Field<P, Access, When, Inner>{name, access, rule, meaning, condition, inner};

@@ -58,7 +58,7 @@ struct Sweep {
     int subdivisionLevels = 0;
     double pitch = sculpt::kSweepPitch; // steps between the mask's elements
     int radius = 3;
-    bool isRaw = false; // the thesis' uncalibrated energy
+    bool isRaw = false; // uncalibrated energy, as in the thesis, section B.5.3
     Method method = Method::Radiation;
     bool restores = false;
     std::optional<Canvas> canvas = {};

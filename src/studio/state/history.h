@@ -24,7 +24,7 @@ struct Step {
     // Pasted parts before and after, where the operation changed them.
     std::optional<PastedState> partsBefore = {};
     std::optional<PastedState> partsAfter = {};
-    // The segments' names and looks, likewise.
+    // The segments' names and appearance before and after, where the operation changed them.
     std::optional<SegmentList> segmentsBefore = {};
     std::optional<SegmentList> segmentsAfter = {};
     // Where the cut's contents are while they are not in memory; History's own business.
@@ -86,7 +86,7 @@ public:
     // ReadError when it cannot be read back from the file.
     Step& toUndo() { return inMemory(done_.back()); }
     void tookBack() { move(done_, undone_); }
-    // The step to apply again, likewise; once that is done, appliedAgain() makes it the one to undo.
+    // The step to apply again, in memory; once that is done, appliedAgain() makes it the one to undo.
     Step& toRedo() { return inMemory(undone_.back()); }
     void appliedAgain() { move(undone_, done_); }
 

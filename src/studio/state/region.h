@@ -39,7 +39,7 @@ public:
     int grow(int generations, field::SculptureView view, Records& records);
     int rewind(int generations, Records& records);
     void showGeneration(int generation, Records& records);
-    // The same without a record; for scrubbing, which ends where it began.
+    // Shows the region up to a generation without a record; for scrubbing, which ends where it began.
     void scrub(int generation);
     void setRules(const SetGrowthRules& rules, Records& records);
     // Targeted shrink; returns how many expansions found something.

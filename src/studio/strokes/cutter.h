@@ -20,7 +20,8 @@ public:
     const gl::Texture& snapshot();
     // Voxels that the last snapshot() copied.
     [[nodiscard]] std::size_t copiedVoxels() const { return copiedVoxels_; }
-    // The macrocells as they are now, likewise: pictures drawn during the stroke may rebuild the shared ones.
+    // The macrocells as they are now, as a copy that stays so: pictures drawn during the stroke may rebuild
+    // the shared ones.
     const render::Macrocells& snapshot(const render::Macrocells& macrocells);
     // The scene in which restoring looks for the uncut surface. In volume mode opacity says what is visible,
     // not the displayed range: there everything that was cut away counts.

@@ -8,7 +8,8 @@
 
 namespace vs::studio {
 
-// One stroke of the peel. Its mask stays where it was drawn, on the surface seen at pen-down (SPEC 7).
+// One stroke of the peel. Its mask stays where it was drawn, on the surface seen at pen-down
+// (doc/behaviour.md, "Tools"; thesis, section 4.4).
 class PeelStroke : public CutStroke {
 public:
     // `operation` has its canvas set; `look` gives its frame.

@@ -27,7 +27,8 @@ std::optional<MaskPlane> layOnSurface(render::Picker& picker, const render::Fram
                                       const ToolMask& mask, glm::dvec2 pixel);
 
 // One stroke of the drill or the laser, from pen-down to pen-up. Surfaces are those seen at pen-down: going
-// slower, or over the same place again, cuts no deeper (SPEC 7); what makes it look again stands in PenCut.
+// slower, or over the same place again, cuts no deeper (doc/behaviour.md, "Tools"; thesis, sections 4.3.1
+// and 4.3.2); what makes it look again stands in PenCut.
 class PenStroke : public CutStroke {
 public:
     // `operation` has its canvas set; `look` gives its frame.

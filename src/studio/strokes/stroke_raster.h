@@ -23,7 +23,7 @@ struct ElementBox {
 
 // What a stroke has covered of the picture so far, and how deep: at each place the greatest depth that the
 // mask has passed with. So it does not matter how slowly, in how many reports or how often the pen went there
-// (SPEC 7). Elements lie at pitch * (i, j), in pixels; memory follows what was covered.
+// (doc/behaviour.md, "Tools"). Elements lie at pitch * (i, j), in pixels; memory follows what was covered.
 class StrokeRaster {
 public:
     explicit StrokeRaster(double pitch) : pitch_(pitch) {}

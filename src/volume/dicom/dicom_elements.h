@@ -39,7 +39,7 @@ struct DicomElement {
 // can.
 class DicomDocument {
 public:
-    // Throws ReadError if the structure is damaged.
+    // Reads a file's elements. Throws ReadError if the structure is damaged.
     explicit DicomDocument(const std::filesystem::path& path);
     ~DicomDocument();
     DicomDocument(const DicomDocument&) = delete;

@@ -34,8 +34,8 @@ namespace {
 constexpr std::size_t pageBytes = 4096;
 std::size_t roundUp(std::size_t bytes) { return (bytes + pageBytes - 1) / pageBytes * pageBytes; }
 
-// Only what fork promises to keep working is used before this: the child never returns into the caller's
-// code.
+// Ends a child, which never returns into the caller's code: without destructors, and without writing out what
+// the parent had buffered.
 [[noreturn]] void leave() { _exit(0); }
 
 } // namespace
@@ -66,6 +66,10 @@ IsolatedDecoder::IsolatedDecoder(const std::filesystem::path& path, const std::v
 
     const std::size_t workers =
         std::min<std::size_t>(jobs_.size(), std::clamp(std::thread::hardware_concurrency(), 1U, 16U));
+    // A child has only the thread that called fork(). Where the program has others, POSIX promises it no more
+    // than async-signal-safe calls, and decoding needs more: glibc makes malloc() usable in the child, but a
+    // lock that another thread held at that moment (in ITK, GDCM or a library below them) stays locked there.
+    // A child that waits for one is ended by its alarm, and the files that it has left count as unreadable.
     std::vector<pid_t> children;
     for (std::size_t worker = 0; worker < workers; ++worker) {
         const pid_t child = fork();

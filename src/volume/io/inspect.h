@@ -31,7 +31,7 @@ struct DataBlock {
     std::uint64_t expected = 0;
 };
 
-// Throws ReadError "FILE: what is wrong; what would be right".
+// Refuses a file: throws ReadError "FILE: what is wrong; what would be right".
 [[noreturn]] void refuse(const std::filesystem::path& path, std::string_view wrong, std::string_view right);
 
 // The text with unprintable characters replaced and cut to a length that fits a message.
@@ -58,7 +58,8 @@ void checkDataBlock(const std::filesystem::path& path, const DataBlock& block,
                     std::vector<std::string>& notices);
 // Reads bytes of a block that was checked: `out.size()` of them behind the first `skip`.
 void readBlock(const DataBlock& block, std::uint64_t skip, std::span<std::byte> out);
-// Which volume to read of a file that holds `frames`; refuses with the choices where that is not clear.
+// The number of the volume to read of a file that holds `frames`; refuses with the choices where that is not
+// clear.
 int chosenFrame(const std::filesystem::path& path, std::int64_t frames, std::optional<int> frame);
 // The file that a header names beside itself. Refuses absolute names, those that leave the folder, and
 // missing files.
@@ -69,7 +70,7 @@ std::vector<unsigned char> readPrefix(const std::filesystem::path& path, std::si
                                       bool inflated = false);
 bool hasGzipMagic(const std::filesystem::path& path);
 
-// What NIfTI needs beyond that: its values are read here, not by ITK (see read_nifti.cpp).
+// What reading NIfTI needs beyond an Inspection: its values are read here, not by ITK (see read_nifti.cpp).
 struct NiftiInspection : Inspection {
     DataBlock block;
     std::uint64_t valuesAt = 0; // bytes of the (inflated) block before the first value
@@ -80,7 +81,8 @@ struct NiftiInspection : Inspection {
     std::optional<glm::dmat4> sform; // LPS mm
 };
 
-// One per format. Each refuses what does not fit and returns what does.
+// Inspect a file's header, one function for each format. Each refuses what does not fit and returns what
+// does.
 NiftiInspection inspectNifti(const std::filesystem::path& path);
 Inspection inspectNrrd(const std::filesystem::path& path);
 Inspection inspectMeta(const std::filesystem::path& path);

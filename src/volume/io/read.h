@@ -21,7 +21,7 @@ struct RawLayout {
     std::size_t offsetBytes = 0;
 };
 
-// Throws UsageError if the text is not a layout, saying what one looks like.
+// Reads the text of a layout. Throws UsageError if it is none, saying what one looks like.
 RawLayout parseRawLayout(const std::string& text);
 
 // Whether a file is of no known format, so that only a layout can tell what it holds.

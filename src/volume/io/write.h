@@ -9,7 +9,7 @@
 
 namespace vs::volume {
 
-// Throws WriteError if a file's extension is none that writeGrid knows.
+// Checks the name of a file to write: throws WriteError if its extension is none that writeGrid knows.
 void checkGridName(const std::filesystem::path& path);
 
 // Each writes a grid (x fastest, geometry.voxelCount() values) with its place in the patient, as NIfTI, NRRD
@@ -23,7 +23,7 @@ void writeGrid(const std::filesystem::path& path, const GridGeometry& geometry,
                std::span<const std::uint32_t> values);
 void writeGrid(const std::filesystem::path& path, const GridGeometry& geometry,
                std::span<const float> values);
-// A volume's values in their own type.
+// Writes a volume's values in their own type.
 void writeVolume(const std::filesystem::path& path, const Volume& volume);
 
 } // namespace vs::volume

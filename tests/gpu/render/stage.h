@@ -115,7 +115,7 @@ public:
         return draw();
     }
 
-    // The same with every macrocell counted as occupied, by any value: plain marching.
+    // A picture with every macrocell counted as occupied, by any value: plain marching.
     image::Image marchedPicture(render::Mode mode) {
         frame.mode = mode;
         constexpr float much = 1e9F;

@@ -90,7 +90,7 @@ TEST_F(SweepMethods, CubesAndEllipsoidsMatchDirectSplatting) {
 
 TEST_F(SweepMethods, RawPlanesGrowThickerWithTheRadiusAndFollowTheirFormula) {
     // A mask standing still, one radiation: a plane of strength 0.1 an element, spread by a Gaussian across
-    // it. Thesis 3.6.1.
+    // it (thesis, section 3.6.1).
     const glm::ivec3 dims(48);
     const double pitch = 0.1;
     const MaskRaster mask = rasterize(ellipseOutline({0, 0}, {16, 12}), pitch);

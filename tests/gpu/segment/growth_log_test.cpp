@@ -157,7 +157,7 @@ TEST_F(GrowthLogTest, AdvanceForStopsInTimeAndGoesOnExactly) {
         pair.growth.advanceFor(5.0, kAll);
     }
     pair.queue.advance(kAll);
-    pair.expectEqual("in slices of time");
+    pair.expectEqual("in portions");
 }
 
 // One random call on the device (recorded in `undo`) and on the reference.

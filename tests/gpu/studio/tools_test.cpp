@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// What every tool promises, whatever it cuts (SPEC 7).
+// What every tool promises, whatever it cuts (doc/behaviour.md, "Tools").
 #include "gpu/gl_test.h"
 #include "gpu/sculpt/surface_makers.h"
 #include "test_head.h"

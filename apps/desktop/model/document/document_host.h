@@ -38,7 +38,8 @@ public:
     ~DocumentHost() override;
 
     [[nodiscard]] GlHost& gl() { return gl_; }
-    // Null before something was opened. With the engine's context current; waits while the document is away.
+    // The open document, with the engine's context current; null before something was opened. Waits while the
+    // document is away.
     [[nodiscard]] studio::Document* document();
     // The volume that is open, and its grid; null before something was opened. Also while the document is
     // away.
@@ -50,9 +51,9 @@ public:
     // Another document, or none. What looks into the former one lets go of it first (leaving()).
     void replace(std::unique_ptr<studio::Document> document);
 
-    // Long work has the document: nothing else can be done with it.
+    // Whether long work has the document: nothing else can be done with it.
     [[nodiscard]] bool isAway() const { return longWork_.isRunning(); }
-    // It lasts, and all that a person can do meanwhile is to give it up.
+    // Whether work is under way that lasts, so that all that a person can do is to give it up.
     [[nodiscard]] bool isLasting() const { return longWork_.isShown(); }
     // What is being opened: first the file is read, then a session's operations are done again.
     enum class Opening { Nothing, Reading, Replaying };
@@ -60,14 +61,14 @@ public:
     [[nodiscard]] bool isReplaying() const { return opening_ == Opening::Replaying; }
     void setOpening(Opening opening) { opening_ = opening; }
 
-    // Does it at once. False: it failed, and the message says why.
+    // Does something with the document at once. False: it failed, and the message says why.
     bool guard(const std::function<void()>& work);
     // Does something with the document that may take long while the window goes on painting and input waits
     // (LongWork). False: it failed, and the message says why.
     bool workLong(const std::function<void()>& work, LongWork::Input input = LongWork::Input::Waits);
-    // The same, but what it throws is thrown.
+    // Does something with the document that may take long, as workLong() does, but throws what it throws.
     void runLong(const std::function<void()>& work, LongWork::Input input = LongWork::Input::Waits);
-    // Does it now, or once the document is back: for what ends on other threads.
+    // Does something now, or once the document is back: for what ends on other threads.
     void whenHere(std::function<void()> work);
     // Does what waited for the document. Called by the scheduler when it is here.
     void doWaiting();
@@ -76,13 +77,15 @@ public:
 
     void say(const QString& message);
     [[nodiscard]] const QString& message() const { return message_; }
-    // A person did something: it is answered soon, by a draft.
+    // Says that a person did something: it is answered soon, by a draft.
     void wake();
-    // For a moment after that: it is answered first, and what goes on by itself gives way.
+    // Whether a person did something within the last moment: that is answered first, and what goes on by
+    // itself gives way.
     [[nodiscard]] bool isHandAtWork() const;
-    // Something beside the picture waits to be done.
+    // Says that something beside the picture waits to be done.
     void workSoon() { emit workWaits(); }
-    // changed() with the next picture: painting a label alone costs the window as much as painting all of it.
+    // Emits changed() with the next picture: painting a label alone costs the window as much as painting all
+    // of it.
     void tellSoon();
     [[nodiscard]] bool isToldSoon() const { return isToldSoon_; }
     void tell(); // what tellSoon() left

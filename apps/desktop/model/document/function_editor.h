@@ -25,9 +25,10 @@ public:
 
     FunctionEditor(DocumentHost& host, ViewModel& view);
 
-    // The one in use if it is of that kind, else the last that was, else one to begin with.
+    // The function of a kind that is edited: the one in use if it is of that kind, else the last that was,
+    // else one to begin with.
     [[nodiscard]] const render::TransferFunction& function(Kind kind) const { return page(kind).function; }
-    // Whether it colours the picture.
+    // Whether the function of a kind colours the picture.
     [[nodiscard]] bool isUsed(Kind kind) const;
     [[nodiscard]] std::optional<Kind> used() const;
     // Number of the point or shape that keys and numbers are for.
@@ -38,9 +39,9 @@ public:
     void begin() { isStepBegun_ = false; }
     void change(Kind kind, const std::function<void(render::TransferFunction&)>& edit);
     void use(Kind kind);
-    // A preset's, or a file's; nothing: the mode's own colours.
+    // Takes over a preset's or a file's function; nothing: the mode's own colours.
     void take(const std::optional<render::TransferFunction>& function);
-    // A named map instead of the points' colours; empty: colours of their own.
+    // Spreads a named map over the points instead of their colours; empty: colours of their own.
     void useColourMap(const std::string& map);
     [[nodiscard]] bool canUndo() const { return !undo_.empty(); }
     void undo();

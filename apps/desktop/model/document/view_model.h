@@ -43,7 +43,7 @@ public:
 
     // Gives the document the view, unless a stroke is open on another.
     void flush();
-    // The document does not have the view yet.
+    // Whether the document does not have the view yet.
     [[nodiscard]] bool isPending() const { return isPending_; }
     // Takes the view over from the document, which an operation or another document changed.
     void adopt();
@@ -52,7 +52,7 @@ public:
     // What a sketch is drawn on now; with the engine's context current.
     studio::Canvas canvas();
 
-    // Its size in logical and in device pixels. While the document is away it waits.
+    // Sets the viewport's size in logical and in device pixels. While the document is away, the change waits.
     void setViewport(QSizeF logical, glm::ivec2 device);
     void takeWaitingViewport();
     [[nodiscard]] bool isViewportWaiting() const { return waiting_.has_value(); }

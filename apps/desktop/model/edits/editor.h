@@ -27,7 +27,7 @@ public:
 
     bool apply(const studio::Operation& operation, const std::filesystem::path& outputFolder = ".");
     bool change(const std::function<studio::Outcome()>& edit);
-    // On the thread for long work; when it takes long, it can be given up.
+    // Performs an edit on the thread for long work; when it takes long, it can be given up.
     bool perform(const std::function<studio::Outcome()>& edit);
     // Plays the region backward; one undo step with the rewinding before it.
     bool rewind(int generations);

@@ -21,13 +21,15 @@ public:
     void take(const std::vector<glm::dvec3>& voxels);
     void take(const std::vector<glm::dvec3>& voxels, const render::Placement& place);
 
-    // Moved only, across the line of sight; not taken yet. The part must have points.
+    // Finds a place for a part, which is only moved across the line of sight; the place is not taken yet. The
+    // part must have points.
     [[nodiscard]] render::Placement find(const std::vector<glm::dvec3>& voxels) const;
-    // The same camera, or if something that was taken is not in its picture, farther off so that all is.
+    // A camera that sees all that was taken: the given one, or if something is not in its picture, one
+    // farther off.
     [[nodiscard]] render::Camera cameraOnAll() const;
 
 private:
-    // Turned as the viewer is: its corners in the world.
+    // A block that is turned as the viewer is, by its corners in the world.
     using Block = std::vector<glm::dvec3>;
     enum class Side { Right, Left, Down, Up };
     struct Try {

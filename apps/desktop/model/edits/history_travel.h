@@ -18,7 +18,7 @@ class HistoryTravel : public QObject {
 
 public:
     HistoryTravel(DocumentHost& host, Editor& editor);
-    // To where so many of the steps hold.
+    // Goes to the state in which so many of the steps hold.
     void goTo(std::size_t steps);
     [[nodiscard]] bool isUnderWay() const { return target_.has_value(); }
 

@@ -33,7 +33,7 @@ public:
 
     // Looks how many triangles the surfaces of segments have; estimated() follows.
     void estimate();
-    // By label; zeros while nothing is known.
+    // The number of triangles of each label's surface, by label; zeros while nothing is known.
     [[nodiscard]] const std::array<std::size_t, 256>& triangles() const { return triangles_; }
 
 signals:

@@ -23,7 +23,7 @@ class Hand : public QObject {
 public:
     explicit Hand(DocumentHost& host);
 
-    // At first one that does nothing.
+    // The tool in hand: at first one that does nothing.
     [[nodiscard]] Tool& tool() const { return *tool_; }
     void take(Tool& tool);
     // Hears of what changes in a tool; each that can be taken.

@@ -52,17 +52,18 @@ public:
     // Letting go here would leave a polyline with the corners that it has.
     [[nodiscard]] bool isAtLastCorner() const;
 
-    // As drawn: an open line, or the shape in its box. A polyline's goes on to the pen.
+    // The sketch as it is drawn: an open line, or the shape in its box. The line of a polyline goes on to the
+    // pen.
     [[nodiscard]] QPainterPath outline() const;
-    // What it comes to if it ends now: closed and filled by the even-odd rule; a line as it is.
+    // What the sketch comes to if it ends now: closed and filled by the even-odd rule; a line as it is.
     [[nodiscard]] QPainterPath area() const;
-    // From a polyline's last corner to the pen; empty when it has ended.
+    // The line from a polyline's last corner to the pen; empty when it has ended.
     [[nodiscard]] QPainterPath stretchToPen() const;
     // The ring around a polyline's first corner, in which a click closes it.
     [[nodiscard]] QPainterPath firstCorner() const;
     // The middle of the box around it: what follows the pen.
     [[nodiscard]] QPointF centre() const;
-    // In the viewport's device pixels.
+    // The sketch in the viewport's device pixels.
     [[nodiscard]] studio::Sketch sketch(glm::dvec2 devicePerLogical) const;
 
 private:

@@ -52,9 +52,9 @@ public:
     virtual void release(const Pen& pen) = 0;
     virtual void hover(const Pen&) {}
     virtual void leave() {}
-    // True: it has taken a turn of the wheel (notches away from the person), which else zooms.
+    // A turn of the wheel (notches away from the person). True: the tool has taken it; else it zooms.
     virtual bool wheel(double, const Pen&) { return false; }
-    // True: Shift+drag is the tool's own, and does not move the picture.
+    // Whether Shift+drag is the tool's own, and does not move the picture.
     [[nodiscard]] virtual bool takesShift() const { return false; }
     // The sign reversed: the tool undoes what it else does (restores, absorbs, adds). Of tools that have one.
     [[nodiscard]] virtual bool hasSign() const { return false; }

@@ -31,7 +31,7 @@ struct KnownDocument {
 std::vector<KnownDocument> recentDocuments();
 // Puts a document in front; the oldest goes when there are many.
 void rememberDocument(const KnownDocument& document);
-// Also its picture.
+// Takes a document off the list, and deletes its picture.
 void forgetDocument(const KnownDocument& document);
 
 // Scans that Debian packages have put on this machine, and the examples that came with this program.

@@ -37,7 +37,7 @@ public:
 
     // The newest first. Journals of running programs are left out, those without unsaved edits removed.
     [[nodiscard]] static std::vector<LostWork> lostWork();
-    // False: another window has it in hand.
+    // Throws lost work away. False: another window has it in hand.
     static bool discard(const LostWork& lost);
     // Opens the lost document and does its edits again. Its journal stays until that is done. False: another
     // window has it in hand.

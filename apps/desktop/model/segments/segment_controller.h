@@ -40,7 +40,7 @@ public:
     void workOn(const std::string& name);
     void add(); // a fresh one, with a name that is free, and goes to work on it
     void removeWorking();
-    // False: the name is empty or taken, and the message says so.
+    // Gives a segment another name. False: the name is empty or taken, and the message says so.
     bool rename(const std::string& name, const QString& to);
     void setColour(const std::string& name, const QColor& colour);
     void setVisible(const std::string& name, bool isVisible);

@@ -35,7 +35,7 @@ public:
     [[nodiscard]] const std::vector<segment::MeasuredSegment>& segments() const { return found_.segments; }
     // The segment at work; null: not known, or it is empty.
     [[nodiscard]] const segment::MeasuredSegment* working() const;
-    // Its values, in the bins of the document's histogram; empty when not known.
+    // The values of the segment at work, in the bins of the document's histogram; empty when not known.
     [[nodiscard]] const std::vector<std::uint32_t>& histogram() const { return found_.histogram; }
     [[nodiscard]] bool isMeasuring() const { return isMeasuring_; }
 

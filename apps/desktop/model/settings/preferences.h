@@ -18,7 +18,7 @@ struct Preferences {
     int undoMegabytes = 512;               // that undo keeps in memory; the rest is in a temporary file
     QString recordings;                    // where dialogs that save begin; empty: where they like
     bool smoothSampling = false;           // of volumes that are opened
-    bool shadows = false;                  // likewise
+    bool shadows = false;                  // of volumes that are opened
 
     static Preferences load();
     void save() const;

@@ -29,7 +29,7 @@ public:
 
     SliceController(DocumentHost& host, ViewModel& view);
 
-    // Another document: the crosshair goes to its middle, and all of each slice is looked at.
+    // Begins with another document: the crosshair goes to its middle, and all of each slice is looked at.
     void reset();
 
     // Slices that nobody looks at are not drawn. Any: there is a crosshair to be seen.
@@ -43,9 +43,9 @@ public:
     [[nodiscard]] bool hasVolume() const;
     // The voxel in which the three slices meet.
     [[nodiscard]] glm::ivec3 crosshair() const { return crosshair_; }
-    // The nearest voxel of the grid. There must be a volume.
+    // Puts the crosshair on the voxel of the grid nearest to a place. There must be a volume.
     void setCrosshair(glm::dvec3 voxel);
-    // By so many slices towards the head, the face or the patient's right.
+    // Moves the crosshair by so many slices towards the head, the face or the patient's right.
     void scroll(Kind kind, int slices);
     // Puts the crosshair on the surface seen under a place of the 3D view. False: nothing is there.
     bool centreOnSurface(QPointF place);
@@ -54,10 +54,10 @@ public:
     [[nodiscard]] glm::dvec3 voxelAt(glm::dvec3 world) const;
     [[nodiscard]] render::SliceGeometry geometry(Kind kind) const;
     [[nodiscard]] render::SliceView view(Kind kind) const;
-    // Size of its picture in device pixels, and how many of them a logical one has.
+    // Sets the size of a slice's picture in device pixels, and how many of them a logical one has.
     void setViewport(Kind kind, glm::ivec2 pixels, double perLogical);
     [[nodiscard]] double pixelsPerLogical(Kind kind) const { return pane(kind).perLogical; }
-    // By a factor; the place (mm, see SliceGeometry) under `anchor` stays there.
+    // Zooms a slice by a factor; the place (mm, see SliceGeometry) under `anchor` stays there.
     void zoom(Kind kind, double factor, glm::dvec2 anchor);
     void pan(Kind kind, glm::dvec2 mm);
     void showAll(Kind kind);
@@ -67,9 +67,9 @@ public:
 
     // The latest picture; empty before the first.
     [[nodiscard]] const QImage& picture(Kind kind) const { return pane(kind).picture; }
-    // Draws the slice that has waited longest, if any is stale. True: others are.
+    // Draws the slice that has waited longest, if any is stale. True: others are stale still.
     bool step();
-    // All pictures show the document as it is.
+    // Whether all pictures show the document as it is.
     [[nodiscard]] bool isComplete();
     // The crosshair in the 3D view.
     [[nodiscard]] Overlays overlays() const;

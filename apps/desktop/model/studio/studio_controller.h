@@ -63,7 +63,7 @@ public:
     [[nodiscard]] double answeredMs() const;
     // The next picture is being made or about to be.
     [[nodiscard]] bool isPictureComing() const;
-    // Nothing is under way and nothing is waiting; the picture is at full quality.
+    // Whether nothing is under way and nothing is waiting; the picture is at full quality then.
     [[nodiscard]] bool isIdle();
 
 signals:

@@ -8,7 +8,7 @@ class QCoreApplication;
 
 namespace vs::desktop {
 
-// Which language the window speaks. Texts are made in English and translated where they are shown.
+// The language that the window speaks. Texts are made in English and translated where they are shown.
 enum class Language { Desktop, English, German };
 
 // Makes tr() and Qt's own texts speak it. Before the first widget: those that are there keep their texts.

@@ -199,7 +199,7 @@ struct Seen {
 const float kNothing = 1e30; // a depth
 
 // `scale`: steps of the whole picture in one of the ray's own.
-Seen look(Ray ray, float jitter, float scale) {
+Seen seenAlong(Ray ray, float jitter, float scale) {
     Seen seen;
     seen.front = vec4(0.0);
     seen.behind = vec4(0.0);

@@ -44,6 +44,7 @@ ROOMS = {
                            "edits": ["hand", "texts"], "segments": ["edits"], "slices": ["hand"],
                            "files": ["segments"], "studio": ["files", "slices", "settings"],
                            "exports": ["studio"], "keepers": ["studio"]},
+    "apps/desktop/tools": {"kinds": []},
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s+["<]([^">]+)[">]')
 

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "growing_cases.h"
 
+#include "base/parallel.h"
 #include "phantom/body_phantom.h"
 #include "phantom/noise.h"
 #include "phantom/phantom.h"
 #include "volume/io/read.h"
-#include "volume/grid/slices.h"
 
 #include <fmt/format.h>
 
@@ -51,7 +51,7 @@ GrowingCase compactCase(std::uint64_t voxels, bool isSpeckled) {
     const int side = 2 * int(std::ceil(radius)) + 12;
     auto cube = emptyCube(side);
     const glm::ivec3 middle(side / 2);
-    volume::forEachSlice(side, [&](int z) {
+    inParallel(side, [&](int z) {
         for (int y = 0; y < side; ++y) {
             for (int x = 0; x < side; ++x) {
                 const glm::dvec3 q = glm::dvec3(glm::ivec3(x, y, z) - middle) / radius;

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "mesh/contour.h"
 
+#include "base/parallel.h"
 #include "mesh/vtk_mesh.h"
-#include "segment/edits/parallel.h"
 
 #include <vtkFlyingEdges3D.h>
 #include <vtkImageData.h>
@@ -64,7 +64,7 @@ Mesh contour(const segment::VoxelSet& set, const volume::GridGeometry& geometry,
     const segment::VoxelSet padded = set.within(grow(tight, 1));
     Mesh mesh = halfWay(padded);
     const int count = int(mesh.points.size());
-    segment::inParallel(divideUp(count, kPointsAtOnce), [&](int part) {
+    inParallel(divideUp(count, kPointsAtOnce), threadsForMemory(), [&](int part) {
         for (int i = part * kPointsAtOnce; i < std::min(count, (part + 1) * kPointsAtOnce); ++i) {
             glm::vec3& point = mesh.points[std::size_t(i)];
             const glm::dvec3 voxel = movedToCrossing(glm::dvec3(point) + glm::dvec3(padded.box.lo), padded,

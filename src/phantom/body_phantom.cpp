@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "phantom/body_phantom.h"
 
+#include "base/parallel.h"
 #include "phantom/noise.h"
 #include "phantom/solid_distances.h"
 #include "phantom/tissue_painter.h"
-#include "volume/grid/slices.h"
 
 #include <cmath>
 
@@ -121,7 +121,7 @@ LabelledVolume makeBodyPhantom(const BodyPhantomOptions& options) {
     body.labels.resize(grid.voxelCount());
     auto* values = reinterpret_cast<std::int16_t*>(body.volume.bytes.data());
     const std::size_t slice = std::size_t(grid.dims.x) * std::size_t(grid.dims.y);
-    volume::forEachSlice(grid.dims.z, [&](int z) {
+    inParallel(grid.dims.z, [&](int z) {
         std::size_t n = slice * std::size_t(z);
         for (int y = 0; y < grid.dims.y; ++y) {
             for (int x = 0; x < grid.dims.x; ++x, ++n) {

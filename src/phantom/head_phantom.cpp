@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "phantom/head_phantom.h"
 
+#include "base/parallel.h"
 #include "phantom/noise.h"
-#include "volume/grid/slices.h"
 
 #include <cmath>
 
@@ -55,7 +55,7 @@ LabelledVolume makeHeadPhantom(const HeadPhantomOptions& options) {
     std::vector<float> clean(grid.voxelCount());
     const std::size_t slice = std::size_t(grid.dims.x) * std::size_t(grid.dims.y);
     const auto forEachVoxel = [&](const auto& visitVoxel) {
-        volume::forEachSlice(grid.dims.z, [&](int z) {
+        inParallel(grid.dims.z, [&](int z) {
             std::size_t n = slice * std::size_t(z);
             for (int y = 0; y < grid.dims.y; ++y) {
                 for (int x = 0; x < grid.dims.x; ++x, ++n) {

@@ -8,10 +8,8 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QFileDialog>
 #include <QFormLayout>
 #include <QLocale>
-#include <QProgressBar>
 #include <QPushButton>
 #include <QVBoxLayout>
 
@@ -47,8 +45,7 @@ QDoubleSpinBox* makeValueBox(const char* name, const QString& accessibleName, co
 
 ExportDialog::ExportDialog(StudioController& studio, const QString& folder, const QString& name,
                            QWidget* parent)
-    : SavingDialog(studio, parent), export_(studio), folder_(folder), name_(name) {
-    setObjectName("exportDialog");
+    : SavingDialog(studio, "export", parent), export_(studio), folder_(folder), fileName_(name) {
     setWindowTitle(tr("Export"));
     auto* column = new QVBoxLayout(this);
     column->setSpacing(12);
@@ -73,10 +70,8 @@ ExportDialog::ExportDialog(StudioController& studio, const QString& folder, cons
     makeFormatRow();
     makeSurfaceRows();
     makeVolumeRows();
-    makeButtons();
+    addBottom(column, export_, tr("Export\u2026"), tr("Export"));
     connect(kinds, &ChoiceRow::chosen, this, [this](int kind) { setKind(ExportKind(kind)); });
-    connect(&export_, &DocumentExport::progressed, progress_, &QProgressBar::setValue);
-    connect(&export_, &DocumentExport::finished, this, &ExportDialog::finish);
     connect(&export_, &DocumentExport::estimated, this, &ExportDialog::showEstimate);
     fields_->setMinimumWidth(420);
     column->setSizeConstraint(QLayout::SetFixedSize); // always as large as what is shown
@@ -130,29 +125,6 @@ void ExportDialog::makeVolumeRows() {
     form_->addRow(tr("Cut away becomes"), fill_);
     estimate_ = named(makeQuietLabel({}), "exportEstimate", tr("Size"));
     form_->addRow(QString(), estimate_);
-}
-
-void ExportDialog::makeButtons() {
-    auto* column = qobject_cast<QVBoxLayout*>(layout());
-    progress_ = named(new QProgressBar, "exportProgress", tr("Progress"));
-    progress_->setTextVisible(false);
-    progress_->setRange(0, 1000);
-    progress_->hide();
-    column->addWidget(progress_);
-    message_ = named(makeQuietLabel({}), "exportMessage", tr("Message"));
-    message_->setWordWrap(true);
-    message_->hide();
-    column->addWidget(message_);
-    auto* row = new QHBoxLayout;
-    save_ = named(new QPushButton(tr("Export\u2026")), "exportSave", tr("Export"));
-    save_->setDefault(true);
-    auto* close = named(new QPushButton(tr("Cancel")), "exportCancel", tr("Cancel"));
-    row->addStretch(1);
-    row->addWidget(close);
-    row->addWidget(save_);
-    column->addLayout(row);
-    connect(save_, &QPushButton::clicked, this, &ExportDialog::askWhere);
-    connect(close, &QPushButton::clicked, this, &ExportDialog::reject);
 }
 
 const ExportFormat& ExportDialog::format() const {
@@ -222,21 +194,14 @@ studio::ExportSettings ExportDialog::settings() const {
     return settings;
 }
 
-void ExportDialog::askWhere() {
+SavingDialog::Question ExportDialog::question() const {
     const QString suffix = format().suffix;
-    auto* dialog = new QFileDialog(this, tr("Export"), folder_, tr("%1 (*%2)").arg(format().text, suffix));
-    dialog->setObjectName("exportFileDialog");
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix(suffix.mid(1));
-    dialog->selectFile(name_ + suffix);
-    connect(dialog, &QFileDialog::fileSelected, this, &ExportDialog::save);
-    dialog->open();
+    return {tr("Export"), tr("%1 (*%2)").arg(format().text, suffix), folder_, suffix.mid(1),
+            fileName_ + suffix};
 }
 
 void ExportDialog::save(const QString& path) {
-    progress_->setValue(0);
-    lock();
+    lock(1000);
     export_.save(path.toStdString(), settings(), chosen());
 }
 

@@ -26,26 +26,23 @@ public:
     ExportDialog(StudioController& studio, const QString& folder, const QString& name, QWidget* parent);
 
 protected:
-    [[nodiscard]] bool isSaving() const override { return export_.isRunning(); }
-    void giveUp() override { export_.cancel(); }
+    [[nodiscard]] Question question() const override;
+    void save(const QString& path) override;
 
 private:
     void makeFormatRow();
     void makeSurfaceRows();
     void makeVolumeRows();
-    void makeButtons();
     void setKind(ExportKind kind);
     void refresh();
     void showEstimate();
-    void askWhere();
-    void save(const QString& path);
     [[nodiscard]] const ExportFormat& format() const;
     [[nodiscard]] studio::ExportSettings settings() const;
     [[nodiscard]] std::vector<studio::ExportedSegment> chosen() const;
 
     DocumentExport export_;
     QString folder_;
-    QString name_;
+    QString fileName_;                  // without an extension
     std::vector<ExportFormat> formats_; // those in the box
     ExportKind kind_ = ExportKind::Segments;
     QFormLayout* form_ = nullptr;

@@ -6,10 +6,7 @@
 
 #include <QCheckBox>
 #include <QComboBox>
-#include <QFileDialog>
 #include <QFormLayout>
-#include <QProgressBar>
-#include <QPushButton>
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QVBoxLayout>
@@ -35,8 +32,7 @@ QSpinBox* makePixels(const char* name, const QString& accessibleName, int value)
 } // namespace
 
 PictureDialog::PictureDialog(StudioController& studio, const QString& name, QWidget* parent)
-    : SavingDialog(studio, parent), export_(studio), name_(name) {
-    setObjectName("pictureDialog");
+    : SavingDialog(studio, "picture", parent), export_(studio), fileName_(name) {
     setWindowTitle(tr("Save pictures"));
     auto* column = new QVBoxLayout(this);
     fields_ = new QWidget;
@@ -60,29 +56,7 @@ PictureDialog::PictureDialog(StudioController& studio, const QString& name, QWid
     pictures_->setToolTip(tr("More than one: a turntable, as numbered files for a film"));
     form->addRow(tr("Turntable"), pictures_);
     column->addWidget(fields_);
-    progress_ = named(new QProgressBar, "pictureProgress", tr("Progress"));
-    progress_->setTextVisible(false);
-    progress_->hide();
-    column->addWidget(progress_);
-    message_ = named(makeQuietLabel({}), "pictureMessage", tr("Message"));
-    message_->setWordWrap(true);
-    message_->hide();
-    column->addWidget(message_);
-    auto* row = new QHBoxLayout;
-    save_ = named(new QPushButton(tr("Save\u2026")), "pictureSave", tr("Save"));
-    save_->setDefault(true);
-    auto* close = named(new QPushButton(tr("Cancel")), "pictureCancel", tr("Cancel"));
-    row->addStretch(1);
-    row->addWidget(close);
-    row->addWidget(save_);
-    column->addLayout(row);
-    connect(save_, &QPushButton::clicked, this, &PictureDialog::askWhere);
-    connect(close, &QPushButton::clicked, this, &PictureDialog::reject);
-    connect(&export_, &PictureExport::progressed, this, [this](int done, int total) {
-        progress_->setRange(0, total);
-        progress_->setValue(done);
-    });
-    connect(&export_, &PictureExport::finished, this, &PictureDialog::finish);
+    addBottom(column, export_, tr("Save\u2026"), tr("Save"));
 }
 
 void PictureDialog::makeSizeRow(QFormLayout* form) {
@@ -121,23 +95,15 @@ studio::SavePicture PictureDialog::settings() const {
     return picture;
 }
 
-void PictureDialog::askWhere() {
-    auto* dialog = new QFileDialog(this, tr("Save the picture"), {}, tr("Pictures (*.png)"));
-    dialog->setObjectName("pictureFileDialog");
-    dialog->setAttribute(Qt::WA_DeleteOnClose);
-    dialog->setAcceptMode(QFileDialog::AcceptSave);
-    dialog->setDefaultSuffix("png");
-    dialog->selectFile(name_);
-    connect(dialog, &QFileDialog::fileSelected, this, &PictureDialog::save);
-    dialog->open();
+SavingDialog::Question PictureDialog::question() const {
+    return {tr("Save the picture"), tr("Pictures (*.png)"), {}, "png", fileName_};
 }
 
 void PictureDialog::save(const QString& path) {
     const std::filesystem::path file(path.toStdString());
     auto picture = settings();
     picture.file = file.filename().string();
-    progress_->setRange(0, 0);
-    lock();
+    lock(0);
     export_.save(picture, file.parent_path(), pictures_->value());
 }
 

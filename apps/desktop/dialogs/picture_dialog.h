@@ -21,18 +21,16 @@ public:
     PictureDialog(StudioController& studio, const QString& name, QWidget* parent);
 
 protected:
-    [[nodiscard]] bool isSaving() const override { return export_.isRunning(); }
-    void giveUp() override { export_.cancel(); }
+    [[nodiscard]] Question question() const override;
+    void save(const QString& path) override;
 
 private:
     void makeSizeRow(QFormLayout* form);
     void keepShape(bool isWidth);
-    void askWhere();
-    void save(const QString& path);
     [[nodiscard]] studio::SavePicture settings() const;
 
     PictureExport export_;
-    QString name_;
+    QString fileName_;
     double shape_ = 1; // width to height of the view
     QSpinBox* width_ = nullptr;
     QSpinBox* height_ = nullptr;

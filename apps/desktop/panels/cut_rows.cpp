@@ -3,7 +3,7 @@
 
 #include "model/studio/studio_controller.h"
 #include "parts/panel_parts.h"
-#include "tools/cut_tool.h"
+#include "tools/kinds/cut_tool.h"
 
 #include <QFormLayout>
 

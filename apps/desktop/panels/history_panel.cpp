@@ -72,7 +72,10 @@ void HistoryPanel::addRow(const char* iconName, const QString& text, bool holds)
     const QIcon picture = icon(iconName);
     auto* row = new QListWidgetItem(
         holds ? picture : QIcon(picture.pixmap(list_->iconSize(), QIcon::Disabled)), text, list_);
-    row->setToolTip(holds ? tr("Go back to after this") : tr("Do this again"));
+    // The whole text, which the list may have no room for; as rich text, so that a long one gets lines.
+    row->setToolTip(
+        QString("<p>%1</p><p>%2</p>")
+            .arg(text.toHtmlEscaped(), holds ? tr("Go back to after this") : tr("Do this again")));
     if (!holds) {
         row->setForeground(theme::kDisabled);
     }

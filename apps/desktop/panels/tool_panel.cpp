@@ -5,7 +5,7 @@
 #include "panels/tool_pages.h"
 #include "panels/tool_rows.h"
 #include "parts/panel_parts.h"
-#include "tools/cut_tool.h"
+#include "tools/kinds/cut_tool.h"
 #include "tools/pen_tool.h"
 
 #include <QStyle>

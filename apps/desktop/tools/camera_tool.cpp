@@ -14,7 +14,7 @@ constexpr double kLeastZoom = 0.1;
 constexpr double kMostZoom = 100;
 } // namespace
 
-CameraTool::CameraTool(StudioController& studio) : Tool(&studio), studio_(studio) {}
+CameraTool::CameraTool(StudioController& studio) : StudioTool(studio) {}
 
 QString CameraTool::hint() const {
     return tr(

@@ -1,17 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "model/hand/tool.h"
+#include "tools/kinds/studio_tool.h"
 
 #include "base/math.h"
 
 namespace vs::desktop {
 
-class StudioController;
-
 // Turns the volume with the left button. Turning, moving and zooming are also there for the other buttons,
 // the wheel, fingers and keys whatever tool is chosen: that is turn(), pan(), zoom(), roll() and reset().
-class CameraTool : public Tool {
+class CameraTool : public StudioTool {
     Q_OBJECT
 
 public:
@@ -40,7 +38,6 @@ private:
     // is looked at.
     [[nodiscard]] glm::dvec2 millimetresFromCentre(QPointF place) const;
 
-    StudioController& studio_;
     QPointF last_;
     bool isDragging_ = false;
 };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "tools/cut_tool.h"
+#include "tools/kinds/cut_tool.h"
 
 #include "studio/operations/operation.h"
 

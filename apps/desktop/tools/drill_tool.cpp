@@ -10,7 +10,7 @@ void DrillTool::setFollowsTilt(bool on) {
     tell();
 }
 
-PenTool::Words DrillTool::words() const {
+MaskTool::Words DrillTool::words() const {
     const QString draw = tr("Draw the shape of the drill anywhere.");
     if (restores()) {
         return {

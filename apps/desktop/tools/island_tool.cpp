@@ -3,11 +3,9 @@
 
 #include "model/segments/segment_controller.h"
 #include "model/studio/studio_controller.h"
-#include "tools/sketch_hints.h"
+#include "tools/kinds/sketch_hints.h"
 
 namespace vs::desktop {
-
-IslandTool::IslandTool(StudioController& studio) : Tool(&studio), studio_(studio) {}
 
 QString IslandTool::hint() const {
     if (const QString locked = lockedHint(studio_); !locked.isEmpty()) {
@@ -18,7 +16,7 @@ QString IslandTool::hint() const {
     if (studio_.segments().voxels(working.label) == 0) {
         return tr("%1 is empty: there is no part of it to click.").arg(name);
     }
-    if (pressed_) {
+    if (isBusy()) {
         return keeps_ ? tr("Let go to keep only the part under the ring. Esc changes nothing.")
                       : tr("Let go to drop the part under the ring. Esc changes nothing.");
     }
@@ -30,16 +28,6 @@ QString IslandTool::hint() const {
                      .arg(name);
 }
 
-Overlays IslandTool::overlays() const {
-    if (!pressed_) {
-        return {};
-    }
-    constexpr double kRing = 9;
-    QPainterPath ring;
-    ring.addEllipse(*pressed_, kRing, kRing);
-    return {{ring, keeps_ ? Overlay::Tint::Idle : Overlay::Tint::Cutting, Overlay::kMaskFill}};
-}
-
 void IslandTool::setReversed(bool reversed) {
     if (reversed != keeps_) {
         keeps_ = reversed;
@@ -48,26 +36,12 @@ void IslandTool::setReversed(bool reversed) {
     }
 }
 
-void IslandTool::press(const Pen& pen) {
-    pressed_ = pen.position;
-    emit overlayChanged();
-}
-
-void IslandTool::release(const Pen&) {
-    if (!pressed_) {
-        return;
-    }
+void IslandTool::click(glm::dvec2 pixel) {
     studio::EditSegment edit;
     edit.kind = keeps_ ? studio::EditSegment::Kind::KeepIsland : studio::EditSegment::Kind::DropIsland;
-    edit.pixel = glm::dvec2(pressed_->x(), pressed_->y()) * studio_.view().devicePerLogical();
+    edit.pixel = pixel;
     edit.canvas = studio_.view().canvas();
-    clear();
     studio_.segments().perform(edit);
-}
-
-void IslandTool::clear() {
-    pressed_.reset();
-    emit overlayChanged();
 }
 
 } // namespace vs::desktop

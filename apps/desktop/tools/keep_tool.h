@@ -1,39 +1,29 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "model/hand/tool.h"
-
-#include <optional>
+#include "tools/kinds/click_tool.h"
 
 namespace vs::desktop {
 
-class StudioController;
-
 // One click on an object cuts everything visible that is not connected to it.
-class KeepTool : public Tool {
+class KeepTool : public ClickTool {
     Q_OBJECT
 
 public:
-    explicit KeepTool(StudioController& studio);
+    using ClickTool::ClickTool;
 
     [[nodiscard]] QString name() const override { return "keep"; }
     [[nodiscard]] QString hint() const override;
-    [[nodiscard]] Overlays overlays() const override;
-    [[nodiscard]] Qt::CursorShape cursor() const override { return Qt::PointingHandCursor; }
-    void press(const Pen& pen) override;
-    void move(const Pen&) override {}
-    void release(const Pen& pen) override;
-    void clear() override;
-    [[nodiscard]] bool isBusy() const override { return pressed_.has_value(); }
 
     // Whether voxels that touch at an edge or a corner are connected too, or only those that share a face.
     [[nodiscard]] bool joinsCorners() const { return joinsCorners_; }
     void setJoinsCorners(bool on) { joinsCorners_ = on; }
 
+protected:
+    void click(glm::dvec2 pixel) override;
+
 private:
-    StudioController& studio_;
     bool joinsCorners_ = true;
-    std::optional<QPointF> pressed_;
 };
 
 } // namespace vs::desktop

@@ -20,7 +20,7 @@ LaserTool::LaserTool(StudioController& studio) : PenTool(studio, {18, 22, 20}) {
     connect(&timer_, &QTimer::timeout, this, &LaserTool::lay);
 }
 
-PenTool::Words LaserTool::words() const {
+MaskTool::Words LaserTool::words() const {
     const QString draw = tr("Draw the shape of the laser anywhere.");
     if (restores()) {
         return {draw,
@@ -79,9 +79,9 @@ void LaserTool::lay() {
 
 // Between two looks it moves along as it is, and so it does while it burns: what it burns is not what it lies
 // on.
-QPainterPath LaserTool::maskAtPen() const {
+QPainterPath LaserTool::mask() const {
     if (!isPenOver() || lying_.isEmpty()) {
-        return PenTool::maskAtPen();
+        return PenTool::mask();
     }
     return lying_.translated(penPosition() - lyingAt_);
 }

@@ -22,7 +22,7 @@ public:
 protected:
     [[nodiscard]] Words words() const override;
     [[nodiscard]] studio::Operation operation(const studio::PenCut& cut) const override;
-    [[nodiscard]] QPainterPath maskAtPen() const override;
+    [[nodiscard]] QPainterPath mask() const override;
 
 private:
     void lay();

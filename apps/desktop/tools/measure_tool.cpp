@@ -39,8 +39,7 @@ QString labelOf(const Measurement& measurement) {
     return tr("%1 mm").arg(value, 0, 'f', value < 9.995 ? 2 : 1);
 }
 
-MeasureTool::MeasureTool(StudioController& studio, CameraTool& camera)
-    : Tool(&studio), studio_(studio), camera_(camera) {
+MeasureTool::MeasureTool(StudioController& studio, CameraTool& camera) : StudioTool(studio), camera_(camera) {
     connect(&studio_.host(), &DocumentHost::opened, this, &MeasureTool::removeAll);
     connect(&studio_.host(), &DocumentHost::closed, this, &MeasureTool::removeAll);
 }

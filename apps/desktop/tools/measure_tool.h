@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "model/hand/tool.h"
+#include "tools/kinds/studio_tool.h"
 
 #include <glm/glm.hpp>
 
@@ -11,7 +11,6 @@
 namespace vs::desktop {
 
 class CameraTool;
-class StudioController;
 
 // A distance between two places, or the angle at the second of three. In mm of the world.
 struct Measurement {
@@ -26,7 +25,7 @@ QString labelOf(const Measurement& measurement);
 
 // Measures between places that are clicked, on the surface seen or on slices; a drag from one to the next
 // does as well. Where there is no surface, it turns the volume.
-class MeasureTool : public Tool {
+class MeasureTool : public StudioTool {
     Q_OBJECT
 
 public:
@@ -63,7 +62,6 @@ private:
     void fix();
     void tell();
 
-    StudioController& studio_;
     CameraTool& camera_;
     std::vector<Measurement> measurements_;
     std::optional<Measurement> inHand_;

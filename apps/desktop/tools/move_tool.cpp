@@ -24,8 +24,7 @@ constexpr double kDegreesPerPixel = 0.5;
 constexpr double kPerNotch = 1.08;
 } // namespace
 
-MoveTool::MoveTool(StudioController& studio, CameraTool& camera)
-    : Tool(&studio), studio_(studio), camera_(camera) {
+MoveTool::MoveTool(StudioController& studio, CameraTool& camera) : StudioTool(studio), camera_(camera) {
     constexpr int kCalmMs = 350;
     calm_.setSingleShot(true);
     calm_.setInterval(kCalmMs);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "model/hand/tool.h"
+#include "tools/kinds/studio_tool.h"
 #include "tools/placement_by_hand.h"
 
 #include "base/math.h"
@@ -13,11 +13,10 @@
 namespace vs::desktop {
 
 class CameraTool;
-class StudioController;
 
 // Moves, turns and scales pasted parts by hand. Each has a handle with its number; the chosen one has its box
 // around it. Seen while it moves; one operation when it is let go.
-class MoveTool : public Tool {
+class MoveTool : public StudioTool {
     Q_OBJECT
 
 public:
@@ -59,7 +58,6 @@ private:
     void commit();
     void drop();
 
-    StudioController& studio_;
     CameraTool& camera_;
     int chosen_ = 0;
     std::vector<Box3> boxes_;   // of the parts, where they were cut out

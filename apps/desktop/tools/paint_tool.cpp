@@ -5,14 +5,13 @@
 #include "model/slices/slice_controller.h"
 #include "model/studio/studio_controller.h"
 #include "tools/camera_tool.h"
-#include "tools/sketch_hints.h"
+#include "tools/kinds/sketch_hints.h"
 
 #include <algorithm>
 
 namespace vs::desktop {
 
-PaintTool::PaintTool(StudioController& studio, CameraTool& camera)
-    : Tool(&studio), studio_(studio), camera_(camera) {}
+PaintTool::PaintTool(StudioController& studio, CameraTool& camera) : StudioTool(studio), camera_(camera) {}
 
 QString PaintTool::hint() const {
     if (!studio_.slices().isAnyShown()) {

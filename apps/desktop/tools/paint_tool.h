@@ -1,18 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "model/hand/tool.h"
+#include "tools/kinds/studio_tool.h"
 
 #include "studio/operations/operation.h"
 
 namespace vs::desktop {
 
 class CameraTool;
-class StudioController;
 
 // A round brush of a radius in mm, which adds to the segment at work or removes from it where it goes on a
 // slice (SlicePen). In the 3D view it turns the volume.
-class PaintTool : public Tool {
+class PaintTool : public StudioTool {
     Q_OBJECT
 
 public:
@@ -47,7 +46,6 @@ public:
     void paint(studio::Trail trail, bool isReversed);
 
 private:
-    StudioController& studio_;
     CameraTool& camera_;
     double radiusMm_ = 4;
     bool isToAdd_ = true;

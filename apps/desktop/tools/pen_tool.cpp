@@ -3,7 +3,6 @@
 
 #include "model/studio/studio_controller.h"
 #include "studio/document/live_stroke.h"
-#include "tools/sketch_hints.h"
 
 #include <algorithm>
 #include <cmath>
@@ -18,7 +17,7 @@ constexpr double kRampStep = 0.05; // of pressure: less would not be seen
 } // namespace
 
 PenTool::PenTool(StudioController& studio, Depths depths)
-    : CutTool(studio), depths_(depths), depth_(depths.usual) {}
+    : MaskTool(studio), depths_(depths), depth_(depths.usual) {}
 
 void PenTool::setDepth(double steps) {
     depth_ = steps;
@@ -30,76 +29,32 @@ void PenTool::setKeepsDigging(bool on) {
     tell();
 }
 
-QString PenTool::hint() const { return withTarget(doing()); }
-
-QString PenTool::doing() const {
-    switch (state_) {
-    case State::Empty:
-        return drawHint(words().draw);
-    case State::Sketching:
-        return sketchHint(pad_, SketchEnd::Mask);
-    case State::Ready:
-        return words().follow;
-    case State::Cutting:
-        break;
-    }
-    return words().cut;
-}
-
-Overlays PenTool::overlays() const {
-    switch (state_) {
-    case State::Empty:
-        return {};
-    case State::Sketching:
-        return sketchOverlays(pad_, idleTint());
-    case State::Ready:
-        return {{maskAtPen(), idleTint(), Overlay::kMaskFill}};
-    case State::Cutting:
-        break;
-    }
-    return {{maskAtPen(), cuttingTint(), Overlay::kMaskFill}};
-}
-
-QPainterPath PenTool::maskAtPen() const {
-    QPainterPath path = pad_.area();
+QPainterPath PenTool::mask() const {
+    QPainterPath path = pad().area();
     if (isPenOver_) {
-        path.translate(pen_ - pad_.centre());
+        path.translate(pen_ - pad().centre());
     }
     return path;
-}
-
-void PenTool::setState(State state) {
-    state_ = state;
-    emit overlayChanged();
 }
 
 void PenTool::press(const Pen& pen) {
     pen_ = pen.position;
     isPenOver_ = true;
-    if (state_ == State::Ready) {
-        beginCut(pen);
-    } else {
-        if (state_ != State::Sketching) { // else the next corner of a polyline
-            pad_.begin(studio_.hand().shape(), pen.position, studio_.hand().stencil());
-        }
-        pad_.press(pen);
-        setState(State::Sketching);
-    }
+    MaskTool::press(pen);
 }
 
-void PenTool::beginCut(const Pen& pen) {
+studio::Operation PenTool::stroke(const studio::Sketch& mask, const studio::Canvas& canvas) const {
     studio::PenCut cut;
-    cut.mask = pad_.sketch(studio_.view().devicePerLogical());
+    cut.mask = mask;
     cut.depthMax = depth_;
     cut.radius = radius();
     cut.restores = restores();
     cut.keepsDigging = keepsDigging_;
-    if (!studio_.editor().beginStroke([&](auto& document, const auto& canvas) {
-            cut.canvas = canvas;
-            document.stroke().begin(operation(cut));
-        })) {
-        return;
-    }
+    cut.canvas = canvas;
+    return operation(cut);
+}
+
+void PenTool::begin(const Pen& pen) {
     waiting_.clear();
     hasBegun_ = false;
     last_ = {glm::dvec2(-1e9), 0};
@@ -108,92 +63,40 @@ void PenTool::beginCut(const Pen& pen) {
     if (pen.isMouse && studio_.hand().rampsPressure()) {
         ramping_ = pen;
     }
-    setState(State::Cutting);
-    enqueue(pen);
+    lead(pen);
 }
 
 void PenTool::move(const Pen& pen) {
     pen_ = pen.position;
-    if (state_ == State::Sketching) {
-        pad_.extend(pen.position);
-    } else if (state_ == State::Cutting) {
-        enqueue(pen);
-    }
+    MaskTool::move(pen);
     emit overlayChanged();
 }
 
-void PenTool::release(const Pen& pen) {
-    if (state_ == State::Sketching) {
-        if (pad_.end(pen.position)) {
-            takeMask();
-        }
-        emit overlayChanged();
-    } else if (state_ == State::Cutting) {
-        ramping_.reset();
-        cut(1e9);                       // all that is waiting
-        if (state_ == State::Cutting) { // cut() may have failed
-            studio_.editor().endStroke(true);
-            setState(State::Ready);
-        }
-    }
+bool PenTool::finish(const Pen&) {
+    ramping_.reset();
+    cut(1e9); // all that is waiting
+    return true;
 }
 
-void PenTool::takeMask() {
+void PenTool::takeSketch() {
     isPenOver_ = false; // stays where it was drawn until the pen moves
-    if (pad_.isOfUse()) {
-        setState(State::Ready);
-    } else {
-        abandon();
-    }
-}
-
-bool PenTool::accept() {
-    const bool isDone = state_ == State::Sketching && pad_.finish();
-    if (isDone) {
-        takeMask();
-    }
-    return isDone;
 }
 
 void PenTool::hover(const Pen& pen) {
-    pen_ = pen.position;
     isPenOver_ = true;
-    if (state_ == State::Sketching) {
-        pad_.extend(pen.position);
-    }
-    if (state_ != State::Empty) {
+    pen_ = pen.position;
+    if (isSketching()) {
+        MaskTool::hover(pen);
+    } else if (state() != State::Empty) {
         emit overlayChanged();
     }
 }
 
 void PenTool::leave() {
     isPenOver_ = false;
-    if (state_ == State::Ready) {
+    if (state() == State::Ready) {
         emit overlayChanged();
     }
-}
-
-void PenTool::clear() {
-    if (state_ == State::Cutting) {
-        waiting_.clear();
-        studio_.editor().endStroke(false);
-        setState(State::Ready);
-    } else {
-        abandon();
-    }
-}
-
-void PenTool::viewResized() {
-    if (state_ == State::Cutting) {
-        studio_.editor().endStroke(false);
-    }
-    abandon();
-}
-
-void PenTool::abandon() {
-    pad_.clear();
-    waiting_.clear();
-    setState(State::Empty);
 }
 
 double PenTool::pressureOf(const Pen& pen) const {
@@ -201,7 +104,7 @@ double PenTool::pressureOf(const Pen& pen) const {
                     : pen.pressure;
 }
 
-void PenTool::enqueue(const Pen& pen) {
+void PenTool::lead(const Pen& pen) {
     if (ramping_) {
         ramping_ = pen;
     }
@@ -226,12 +129,12 @@ void PenTool::advance() {
 
 // A mouse that is held still presses harder too.
 void PenTool::ramp() {
-    if (state_ != State::Cutting || !ramping_ || last_.pressure >= 1) {
+    if (state() != State::Cutting || !ramping_ || last_.pressure >= 1) {
         return;
     }
     const double pressure = pressureOf(*ramping_);
     if (waiting_.empty() && (pressure >= last_.pressure + kRampStep || pressure >= 1)) {
-        enqueue(*ramping_);
+        lead(*ramping_);
     }
     studio_.host().wake(); // until it is full
 }
@@ -263,17 +166,14 @@ void PenTool::straighten() {
 
 void PenTool::cut(double budgetMs) {
     const Timer timer;
-    while (state_ == State::Cutting && !waiting_.empty()) {
+    while (state() == State::Cutting && !waiting_.empty()) {
         if (hasBegun_ && !keepsDigging_) {
             straighten();
         }
         done_ = waiting_.front();
         waiting_.pop_front();
         hasBegun_ = true;
-        if (!studio_.host().workLong([&] { studio_.host().document()->stroke().drawAt(done_); })) {
-            waiting_.clear();
-            studio_.editor().endStroke(false);
-            setState(State::Ready);
+        if (!update([&](studio::Document& document) { document.stroke().drawAt(done_); })) {
             return;
         }
         if (timer.milliseconds() > budgetMs) {

@@ -1,20 +1,18 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "model/hand/sketch_pad.h"
-#include "tools/cut_tool.h"
+#include "tools/kinds/mask_tool.h"
 
 #include "base/timer.h"
-#include "studio/operations/operation.h"
 
 #include <deque>
 #include <optional>
 
 namespace vs::desktop {
 
-// First a mask is sketched; it then follows the pen, and pressing cuts, as deep as the pen is pressed. How it
-// cuts is up to the tools made from this: drill and laser.
-class PenTool : public CutTool {
+// The mask follows the pen, and pressing cuts, as deep as the pen is pressed. How it cuts is up to the tools
+// made from this: drill and laser.
+class PenTool : public MaskTool {
     Q_OBJECT
 
 public:
@@ -27,23 +25,12 @@ public:
 
     PenTool(StudioController& studio, Depths depths);
 
-    [[nodiscard]] QString hint() const override;
-    [[nodiscard]] bool canActOnSegment() const override { return true; }
-    [[nodiscard]] Overlays overlays() const override;
     void press(const Pen& pen) override;
     void move(const Pen& pen) override;
-    void release(const Pen& pen) override;
     void hover(const Pen& pen) override;
     void leave() override;
-    bool accept() override; // a polyline ends
-    void clear() override;
-    void viewResized() override;
     void advance() override;
-    [[nodiscard]] bool isBehind() const override { return !waiting_.empty(); }
-    [[nodiscard]] bool isBusy() const override {
-        return state_ == State::Sketching || state_ == State::Cutting;
-    }
-    [[nodiscard]] bool isSketching() const override { return state_ == State::Sketching; }
+    [[nodiscard]] bool isBehind() const override { return state() == State::Cutting && !waiting_.empty(); }
 
     [[nodiscard]] const Depths& depths() const { return depths_; }
     // The depth at full pressure, in steps.
@@ -54,41 +41,29 @@ public:
     void setKeepsDigging(bool on);
 
 protected:
-    enum class State { Empty, Sketching, Ready, Cutting };
-
-    struct Words {
-        QString draw;   // the shape
-        QString follow; // what the mask does
-        QString cut;    // while it cuts
-    };
-    [[nodiscard]] virtual Words words() const = 0;
     // The operation without its pen points.
     [[nodiscard]] virtual studio::Operation operation(const studio::PenCut& cut) const = 0;
-    // The mask where the pen is.
-    [[nodiscard]] virtual QPainterPath maskAtPen() const;
+    // Where the pen is.
+    [[nodiscard]] QPainterPath mask() const override;
+    [[nodiscard]] studio::Operation stroke(const studio::Sketch& mask,
+                                           const studio::Canvas& canvas) const override;
+    void begin(const Pen& pen) override;
+    void lead(const Pen& pen) override;
+    bool finish(const Pen& pen) override;
+    void takeSketch() override;
 
-    [[nodiscard]] State state() const { return state_; }
-    [[nodiscard]] const SketchPad& pad() const { return pad_; }
     [[nodiscard]] bool isPenOver() const { return isPenOver_; }
     [[nodiscard]] QPointF penPosition() const { return pen_; }
 
 private:
-    [[nodiscard]] QString doing() const; // the hint, without what it works on
-    void setState(State state);
-    void takeMask();
-    void beginCut(const Pen& pen);
     [[nodiscard]] double pressureOf(const Pen& pen) const;
     void ramp();
-    void enqueue(const Pen& pen);
     void cut(double budgetMs);
     void straighten();
-    void abandon();
 
     Depths depths_;
     double depth_;
     bool keepsDigging_ = false;
-    SketchPad pad_;
-    State state_ = State::Empty;
     QPointF pen_;
     bool isPenOver_ = false;
     std::optional<Pen> ramping_; // a mouse that is held down presses harder and harder

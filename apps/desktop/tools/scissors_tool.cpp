@@ -2,17 +2,17 @@
 #include "tools/scissors_tool.h"
 
 #include "model/studio/studio_controller.h"
-#include "tools/sketch_hints.h"
+#include "tools/kinds/sketch_hints.h"
 
 namespace vs::desktop {
 
 QString ScissorsTool::hint() const { return withTarget(doing()); }
 
 QString ScissorsTool::doing() const {
-    if (isSketching_) {
-        return sketchHint(pad_, actsOnSegment() ? (adds() ? SketchEnd::Add : SketchEnd::Remove)
-                                : restores()    ? SketchEnd::Restore
-                                                : SketchEnd::Cut);
+    if (isSketching()) {
+        return sketchHint(pad(), actsOnSegment() ? (adds() ? SketchEnd::Add : SketchEnd::Remove)
+                                 : restores()    ? SketchEnd::Restore
+                                                 : SketchEnd::Cut);
     }
     if (actsOnSegment()) {
         return drawHint(cutsOutside_ ? tr("Draw around a region: the scissors take everything outside it.")
@@ -27,11 +27,11 @@ QString ScissorsTool::doing() const {
 }
 
 Overlays ScissorsTool::overlays() const {
-    if (!isSketching_) {
+    if (!isSketching()) {
         return {};
     }
-    Overlays overlays = sketchOverlays(pad_, cuttingTint());
-    if (cutsOutside_ && pad_.isOfUse()) {
+    Overlays overlays = sketchOverlays(pad(), cuttingTint());
+    if (cutsOutside_ && pad().isOfUse()) {
         QPainterPath& region = overlays.front().path;
         region.addRect(region.boundingRect().adjusted(-1e4, -1e4, 1e4, 1e4));
     }
@@ -48,60 +48,15 @@ void ScissorsTool::setDepth(std::optional<double> steps) {
     tell();
 }
 
-void ScissorsTool::press(const Pen& pen) {
-    if (!isSketching_) { // else the next corner of a polyline
-        pad_.begin(studio_.hand().shape(), pen.position, studio_.hand().stencil());
-    }
-    pad_.press(pen);
-    isSketching_ = true;
-    emit overlayChanged();
-}
-
-void ScissorsTool::move(const Pen& pen) {
-    if (isSketching_) {
-        pad_.extend(pen.position);
-        emit overlayChanged();
-    }
-}
-
-void ScissorsTool::release(const Pen& pen) {
-    if (!isSketching_) {
-        return;
-    }
-    if (pad_.end(pen.position)) {
-        cutSketch();
-    }
-    emit overlayChanged();
-}
-
-bool ScissorsTool::accept() {
-    const bool isDone = isSketching_ && pad_.finish();
-    if (isDone) {
-        cutSketch();
-    }
-    return isDone;
-}
-
-void ScissorsTool::cutSketch() {
-    isSketching_ = false;
-    emit overlayChanged();
-    if (!pad_.isOfUse()) {
-        return;
-    }
+void ScissorsTool::takeSketch() {
     studio::Scissors scissors;
-    scissors.outline = pad_.sketch(studio_.view().devicePerLogical());
+    scissors.outline = sketch();
     scissors.cutsOutside = cutsOutside_;
     scissors.depth = depth_;
     scissors.radius = radius();
     scissors.restores = restores();
     scissors.canvas = studio_.view().canvas();
     studio_.editor().cut(scissors);
-}
-
-void ScissorsTool::clear() {
-    isSketching_ = false;
-    pad_.clear();
-    emit overlayChanged();
 }
 
 } // namespace vs::desktop

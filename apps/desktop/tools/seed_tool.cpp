@@ -3,11 +3,9 @@
 
 #include "model/segments/growth_controller.h"
 #include "model/studio/studio_controller.h"
-#include "tools/sketch_hints.h"
+#include "tools/kinds/sketch_hints.h"
 
 namespace vs::desktop {
-
-SeedTool::SeedTool(StudioController& studio) : Tool(&studio), studio_(studio) {}
 
 QString SeedTool::hint() const {
     const QString locked = lockedHint(studio_);
@@ -15,8 +13,8 @@ QString SeedTool::hint() const {
 }
 
 QString SeedTool::doing() const {
-    if (isSketching_) {
-        return sketchHint(pad_, isReversed_ ? SketchEnd::Absorb : SketchEnd::Seed);
+    if (isSketching()) {
+        return sketchHint(pad(), isReversed_ ? SketchEnd::Absorb : SketchEnd::Seed);
     }
     const bool starts = studio_.growth().isAutoStart();
     const QString how = " " + howToDraw(studio_.hand().shape(), SketchPad::Needs::Line) + " ";
@@ -31,8 +29,8 @@ QString SeedTool::doing() const {
 }
 
 Overlays SeedTool::overlays() const {
-    return isSketching_
-               ? sketchOverlays(pad_, isReversed_ ? Overlay::Tint::Cutting : Overlay::Tint::Seed, width_)
+    return isSketching()
+               ? sketchOverlays(pad(), isReversed_ ? Overlay::Tint::Cutting : Overlay::Tint::Seed, width_)
                : Overlays{};
 }
 
@@ -45,50 +43,10 @@ void SeedTool::setReversed(bool reversed) {
     }
 }
 
-void SeedTool::press(const Pen& pen) {
-    if (!isSketching_) { // else the next corner of a polyline
-        pad_.begin(studio_.hand().shape(), pen.position, studio_.hand().stencil(), SketchPad::Needs::Line);
-    }
-    pad_.press(pen);
-    isSketching_ = true;
-    emit overlayChanged();
-}
-
-void SeedTool::move(const Pen& pen) {
-    if (isSketching_) {
-        pad_.extend(pen.position);
-        emit overlayChanged();
-    }
-}
-
-void SeedTool::release(const Pen& pen) {
-    if (!isSketching_) {
-        return;
-    }
-    if (pad_.end(pen.position)) {
-        takeStroke();
-    }
-    emit overlayChanged();
-}
-
-bool SeedTool::accept() {
-    const bool isDone = isSketching_ && pad_.finish();
-    if (isDone) {
-        takeStroke();
-    }
-    return isDone;
-}
-
-void SeedTool::takeStroke() {
-    isSketching_ = false;
-    emit overlayChanged();
-    if (!pad_.isOfUse()) {
-        return;
-    }
-    const glm::dvec2 scale = studio_.view().devicePerLogical();
+void SeedTool::takeSketch() {
     const auto fill = [&](auto stroke) {
-        stroke.strokes.push_back(pad_.sketch(scale));
-        stroke.widthPixels = width_ * scale.y;
+        stroke.strokes.push_back(sketch());
+        stroke.widthPixels = width_ * studio_.view().devicePerLogical().y;
         stroke.canvas = studio_.view().canvas();
         return stroke;
     };
@@ -97,12 +55,6 @@ void SeedTool::takeStroke() {
     } else {
         studio_.growth().addSeeds(fill(studio::Seed{}));
     }
-}
-
-void SeedTool::clear() {
-    isSketching_ = false;
-    pad_.clear();
-    emit overlayChanged();
 }
 
 } // namespace vs::desktop

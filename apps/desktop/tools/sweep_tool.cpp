@@ -2,13 +2,13 @@
 #include "tools/sweep_tool.h"
 
 #include "model/studio/studio_controller.h"
-#include "studio/document/surface_queries.h"
-#include "tools/sketch_hints.h"
+#include "tools/kinds/sketch_hints.h"
 #include "tools/sweep_along_view.h"
+#include "studio/document/surface_queries.h"
 
 namespace vs::desktop {
 
-SweepTool::SweepTool(StudioController& studio) : CutTool(studio) {
+SweepTool::SweepTool(StudioController& studio) : SketchTool(studio) {
     connect(&studio.host(), &DocumentHost::changed, this, &SweepTool::forgetOldView);
     connect(this, &CutTool::settingsChanged, this, &SweepTool::prepare);
     constexpr int kCalmMs = 150;
@@ -18,11 +18,12 @@ SweepTool::SweepTool(StudioController& studio) : CutTool(studio) {
 }
 
 QString SweepTool::hint() const {
+    if (isDrawingMask()) {
+        return sketchHint(pad(), SketchEnd::Mask);
+    }
     switch (state_) {
     case State::Empty:
         return drawHint(tr("Draw the shape that is to be swept."));
-    case State::SketchingMask:
-        return sketchHint(mask_, SketchEnd::Mask);
     case State::HasMask:
         return isDrawn() ? tr("Draw the way that the shape goes. Esc clears it for a new shape.")
                          : tr("Nothing is under the shape, so the way cannot begin there. Esc clears it.");
@@ -40,10 +41,10 @@ QString SweepTool::hint() const {
 
 Overlays SweepTool::overlays() const {
     Overlays overlays;
-    if (state_ == State::SketchingMask) {
-        overlays = sketchOverlays(mask_, idleTint());
+    if (isDrawingMask()) {
+        overlays = sketchOverlays(pad(), idleTint());
     } else if (state_ == State::HasMask || state_ == State::DrawingWay) {
-        overlays.push_back({mask_.area(), idleTint(), Overlay::kMaskFill});
+        overlays.push_back({pad().area(), idleTint(), Overlay::kMaskFill});
     }
     if (state_ == State::Ready) {
         overlays.push_back({outlines_, idleTint(), 0, 1.5});
@@ -73,46 +74,37 @@ void SweepTool::set(const Settings& settings) {
 }
 
 void SweepTool::press(const Pen& pen) {
-    if (state_ == State::SketchingMask) { // the next corner of a polyline
-        mask_.press(pen);
-        emit overlayChanged();
-    } else if (state_ == State::Empty || !isDrawn()) {
-        beginMask(pen);
-    } else {
+    if (state_ != State::Empty && isDrawn()) {
         way_.begin(studio::Shape::FreeForm, pen.position);
         setState(State::DrawingWay);
+        return;
     }
-}
-
-void SweepTool::beginMask(const Pen& pen) {
-    abandon();
-    mask_.begin(studio_.hand().shape(), pen.position, studio_.hand().stencil());
-    mask_.press(pen);
-    setState(State::SketchingMask);
+    if (!isDrawingMask()) {
+        abandon();
+    }
+    SketchTool::press(pen);
 }
 
 void SweepTool::move(const Pen& pen) {
-    if (state_ == State::SketchingMask) {
-        mask_.extend(pen.position);
-    } else if (state_ == State::DrawingWay) {
+    if (state_ == State::DrawingWay) {
         way_.extend(pen.position);
+        emit overlayChanged();
+    } else {
+        SketchTool::move(pen);
     }
-    emit overlayChanged();
 }
 
 void SweepTool::release(const Pen& pen) {
     move(pen);
-    if (state_ == State::DrawingWay || (state_ == State::SketchingMask && mask_.end(pen.position))) {
+    if (state_ == State::DrawingWay) {
         takeSketch();
+    } else {
+        SketchTool::release(pen);
     }
-    emit overlayChanged();
 }
 
+// The mask, or then a way.
 void SweepTool::takeSketch() {
-    if (state_ == State::SketchingMask && !mask_.isOfUse()) {
-        abandon();
-        return;
-    }
     setState(State::HasMask);
     prepare();
     if (state_ == State::Ready && settings_.cutsAtPenUp) {
@@ -141,21 +133,21 @@ std::optional<studio::Sweep> SweepTool::drawnSweep() {
         if (way_.isEmpty()) {
             return std::nullopt;
         }
-        sweep.mask = mask_.sketch(scale);
+        sweep.mask = sketch();
         sweep.path.kind = settings_.way == Way::Surface ? studio::SweepPath::Kind::Surface
                                                         : studio::SweepPath::Kind::ViewPlane;
         sweep.path.stroke = way_.sketch(scale).points;
     } else {
-        const QPointF centre = mask_.centre();
+        const QPointF centre = pad().centre();
         std::optional<studio::Probe> start;
         studio_.host().workLong([&] {
-            start = studio_.host().document()->surface().probe(glm::dvec2(centre.x(), centre.y()) * scale,
-                                                               canvas.viewport);
+            start =
+                studio_.host().document()->surface().probe(glm::dvec2(centre.x(), centre.y()) * scale, canvas.viewport);
         });
         if (!start) {
             return std::nullopt;
         }
-        sweep = sweepAlongView(mask_.sketch(scale), *start, settings_, canvas, *studio_.host().geometry());
+        sweep = sweepAlongView(sketch(), *start, settings_, canvas, *studio_.host().geometry());
     }
     sweep.frame = settings_.frame;
     sweep.radius = radius();
@@ -167,8 +159,7 @@ std::optional<studio::Sweep> SweepTool::drawnSweep() {
 void SweepTool::preview() {
     outlines_ = {};
     std::vector<std::vector<glm::dvec2>> outlines;
-    studio_.host().workLong(
-        [&] { outlines = studio_.host().document()->surface().outlinesAlongPath(*sweep_); });
+    studio_.host().workLong([&] { outlines = studio_.host().document()->surface().outlinesAlongPath(*sweep_); });
     for (const auto& outline : outlines) {
         outlines_.addPath(closedPath(outline, studio_.view().devicePerLogical()));
     }
@@ -181,9 +172,8 @@ void SweepTool::preview() {
 }
 
 bool SweepTool::accept() {
-    if (state_ == State::SketchingMask && mask_.finish()) {
-        takeSketch();
-        return true;
+    if (isDrawingMask()) {
+        return SketchTool::accept();
     }
     if (state_ != State::Ready) {
         return false;
@@ -223,10 +213,10 @@ void SweepTool::clear() {
 }
 
 void SweepTool::abandon() {
-    mask_.clear();
     way_.clear();
     sweep_.reset();
-    setState(State::Empty);
+    state_ = State::Empty;
+    SketchTool::clear();
 }
 
 } // namespace vs::desktop

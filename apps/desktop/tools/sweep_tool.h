@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "model/hand/sketch_pad.h"
-#include "tools/cut_tool.h"
+#include "tools/kinds/sketch_tool.h"
 
 #include "studio/operations/operation.h"
 
@@ -14,7 +13,7 @@ namespace vs::desktop {
 
 // First a mask is sketched, then the way that it goes: on the surface, in the plane across the view, or
 // straight or in a helix along the view. Where the mask would go is shown before it is cut.
-class SweepTool : public CutTool {
+class SweepTool : public SketchTool<CutTool> {
     Q_OBJECT
 
 public:
@@ -38,27 +37,27 @@ public:
     void press(const Pen& pen) override;
     void move(const Pen& pen) override;
     void release(const Pen& pen) override;
-    void hover(const Pen& pen) override { move(pen); } // between a polyline's corners
     void clear() override;
     bool accept() override;
     void viewResized() override { abandon(); }
     [[nodiscard]] bool isBusy() const override { return isSketching(); }
-    [[nodiscard]] bool isSketching() const override {
-        return state_ == State::SketchingMask || state_ == State::DrawingWay;
-    }
+    [[nodiscard]] bool isSketching() const override { return isDrawingMask() || state_ == State::DrawingWay; }
 
     [[nodiscard]] const Settings& settings() const { return settings_; }
     void set(const Settings& settings);
     // Whether a way is shown that can be cut.
     [[nodiscard]] bool canAccept() const { return state_ == State::Ready; }
 
+protected:
+    void takeSketch() override; // it is the mask
+
 private:
-    enum class State { Empty, SketchingMask, HasMask, DrawingWay, Ready };
+    // Empty: there is no mask, or it is being sketched.
+    enum class State { Empty, HasMask, DrawingWay, Ready };
 
     void setState(State state);
+    [[nodiscard]] bool isDrawingMask() const { return SketchTool::isSketching(); }
     [[nodiscard]] bool isDrawn() const;
-    void beginMask(const Pen& pen);
-    void takeSketch();
     void prepare();
     void preview();
     void forgetOldView();
@@ -67,7 +66,6 @@ private:
 
     Settings settings_;
     State state_ = State::Empty;
-    SketchPad mask_;
     SketchPad way_;
     std::optional<studio::Sweep> sweep_; // what would be cut, on the view that it was drawn on
     QPainterPath outlines_;

@@ -15,6 +15,7 @@
 
 #include <QActionGroup>
 #include <QInputDialog>
+#include <QLineEdit>
 
 namespace vs::desktop {
 
@@ -67,7 +68,7 @@ void MainWindow::makeEditActions() {
     connect(history, &QAction::triggered, history_, &QWidget::setVisible);
     connect(history_, &QDockWidget::visibilityChanged, this,
             [this, history] { history->setChecked(!history_->isHidden()); });
-    actions_->add({"addNote", "freeform", tr("Note\u2026"),
+    actions_->add({"addNote", "note", tr("Note\u2026"),
                    tr("Write a line into the history: why something was done, what to look at"), tr("Ctrl+N"),
                    [this] { askForNote(); }});
     actions_->add(
@@ -82,6 +83,11 @@ void MainWindow::askForNote() {
     dialog->setAttribute(Qt::WA_DeleteOnClose);
     dialog->setWindowTitle(tr("Note"));
     dialog->setLabelText(tr("A line for the history:"));
+    dialog->setInputMode(QInputDialog::TextInput); // makes the line
+    constexpr int seen = 60;                       // characters of it
+    auto* edit = dialog->findChild<QLineEdit*>();
+    edit->ensurePolished(); // its font is the theme's
+    edit->setMinimumWidth(seen * edit->fontMetrics().averageCharWidth());
     const auto add = [this](const QString& text) {
         constexpr int mostBytes = 4; // of a character in UTF-8
         const QString line = text.simplified().left(studio::kMostNote / mostBytes);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "segment/edits/nearby.h"
 
+#include "base/parallel.h"
 #include "segment/edits/separable.h"
 
 #include <cmath>

@@ -1,19 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "base/parallel.h"
 #include "base/progress.h"
 
 #include <glm/glm.hpp>
 
 #include <algorithm>
 #include <cstddef>
-#include <functional>
 #include <vector>
 
 namespace vs::segment {
-
-// Calls f(0) ... f(count - 1), on all processors. Throws what one of them throws, after all have ended.
-void inParallel(int count, const std::function<void(int)>& f);
 
 // One pass of a separable filter over a block of values (x fastest): each value becomes the sum, or whatever
 // `add` makes of it, of its neighbours along `axis` (from -r to r) under the weights (2 r + 1 of them):

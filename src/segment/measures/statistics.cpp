@@ -2,7 +2,7 @@
 #include "segment/measures/statistics.h"
 
 #include "base/check.h"
-#include "segment/edits/parallel.h"
+#include "base/parallel.h"
 #include "segment/measures/surface_area.h"
 
 #include <algorithm>
@@ -133,7 +133,7 @@ void forEachRun(glm::ivec3 dims, std::span<const std::uint8_t> labels, int first
 
 Tallies tally(const volume::Volume& volume, std::span<const std::uint8_t> labels, const Bins& bins) {
     const glm::ivec3 dims = volume.geometry.dims;
-    const int parts = std::min(workerCount(), dims.z);
+    const int parts = std::min(threadsForMemory(), dims.z);
     std::vector<Tallies> tallies(static_cast<std::size_t>(parts));
     inParallel(parts, [&](int part) {
         Tallies& own = tallies[std::size_t(part)];

@@ -2,7 +2,7 @@
 #include "segment/measures/surface_area.h"
 
 #include "base/check.h"
-#include "segment/edits/parallel.h"
+#include "base/parallel.h"
 
 #include <bit>
 #include <cmath>
@@ -143,7 +143,7 @@ std::array<double, 256> surfaceAreas(const volume::GridGeometry& geometry,
     // The grid's own lower sides belong to voxels before the first.
     const glm::ivec3 blocks = (geometry.dims + kBlock) / kBlock;
     std::vector<Areas> layers(std::size_t(blocks.z), Areas{});
-    inParallel(blocks.z, [&](int layer) {
+    inParallel(blocks.z, threadsForMemory(), [&](int layer) {
         for (int y = 0; y < blocks.y; ++y) {
             for (int x = 0; x < blocks.x; ++x) {
                 const glm::ivec3 lo = glm::ivec3(x, y, layer) * kBlock - 1;

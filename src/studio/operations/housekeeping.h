@@ -42,7 +42,7 @@ inline constexpr int kMostNote = 1000; // bytes of UTF-8
 // else.
 struct Note {
     static constexpr About kAbout{VS_TEXT("library", "note"), Effect::Remarks,
-                                  "stands in the history to be read; changes nothing"};
+                                  "stands in the history to be read; changes nothing", "note"};
 
     std::string text;
 

@@ -7,8 +7,12 @@
 
 #include <gtest/gtest.h>
 
+#include <QApplication>
+#include <QDialog>
 #include <QDoubleSpinBox>
 #include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
 
 namespace vs::desktop {
 namespace {
@@ -104,6 +108,31 @@ TEST_F(Window, ANewSegmentGrowsInTheRangeThatIsSet) {
     w.studio().segments().add();
     w.settle();
     EXPECT_EQ(growth.range(), (Range{100, 200}));
+}
+
+TEST_F(Window, ALongNoteIsReadInItsTip) {
+    const std::string text =
+        "the margin to the vessel is kept at 5 mm < 1 cm, as the second reader asked for";
+    ASSERT_TRUE(w.studio().editor().apply(studio::Note{text}));
+    auto& history = w.part("historyPanel");
+    const bool wasHidden = history.isHidden();
+    history.show();
+    w.settle();
+    auto& list = w.part<QListWidget>("historyList");
+    ASSERT_GE(list.count(), 2);
+    const QString tip = list.item(list.count() - 1)->toolTip();
+    EXPECT_TRUE(tip.contains(QString::fromStdString(text).toHtmlEscaped())) << tip.toStdString();
+    history.setHidden(wasHidden);
+}
+
+TEST_F(Window, TheLineForANoteShowsSixtyCharacters) {
+    w.trigger("addNote");
+    auto* dialog = qobject_cast<QDialog*>(QApplication::activeModalWidget());
+    ASSERT_NE(dialog, nullptr);
+    ASSERT_EQ(dialog->objectName(), "note");
+    const auto* line = dialog->findChild<QLineEdit*>();
+    EXPECT_GE(line->width(), 60 * line->fontMetrics().averageCharWidth());
+    dialog->reject();
 }
 
 } // namespace

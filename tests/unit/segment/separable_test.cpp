@@ -3,27 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include <atomic>
 #include <numeric>
-#include <stdexcept>
 
 namespace vs::segment {
 namespace {
-
-TEST(InParallel, EachOnceAndFailuresCome) {
-    std::vector<std::atomic<int>> calls(300);
-    inParallel(300, [&](int i) { ++calls[std::size_t(i)]; });
-    for (const auto& count : calls) {
-        EXPECT_EQ(count, 1);
-    }
-    inParallel(0, [](int) { FAIL() << "called for nothing"; });
-    const auto fail = [](int i) {
-        if (i == 150) {
-            throw std::runtime_error("no room");
-        }
-    };
-    EXPECT_THROW(inParallel(300, fail), std::runtime_error);
-}
 
 TEST(FilterAlong, IsTheSumOverNeighboursAlongItsAxis) {
     const glm::ivec3 size(5, 4, 6);

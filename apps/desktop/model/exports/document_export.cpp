@@ -17,11 +17,6 @@ constexpr int kWatchMs = 50;      // how often progress is looked at
 constexpr double kReading = 0.15; // of the whole
 } // namespace
 
-DocumentExport::DocumentExport(StudioController& studio) : studio_(studio) {
-    timer_.setSingleShot(true);
-    connect(&timer_, &QTimer::timeout, this, &DocumentExport::tick);
-}
-
 DocumentExport::~DocumentExport() {
     if (shared_) {
         shared_->isGivenUp = true;
@@ -30,33 +25,29 @@ DocumentExport::~DocumentExport() {
 
 void DocumentExport::save(const std::filesystem::path& path, const studio::ExportSettings& settings,
                           std::vector<studio::ExportedSegment> segments) {
-    if (isRunning_ || studio_.host().document() == nullptr) {
+    if (isRunning() || studio_.host().document() == nullptr) {
         return;
     }
     studio_.growth().pause();
     (void)studio_.view().canvas(); // what was looked at last belongs to the document
     path_ = path;
     settings_ = settings;
-    version_ = studio_.host().document()->version();
+    keepVersion();
     reader_ = std::make_unique<studio::ExportReader>(*studio_.host().document(), settings.what,
                                                      std::move(segments));
     const OpenRequest& origin = studio_.files().source();
     reader_->setReading(
         {{}, origin.series.empty() ? std::nullopt : std::optional(origin.series), origin.frame});
     shared_ = std::make_shared<Shared>();
-    isRunning_ = true;
-    timer_.start(0);
+    start();
 }
 
 void DocumentExport::tick() {
-    if (!isRunning_) {
-        return;
-    }
     if (reader_) {
         read();
     } else {
-        emit progressed(shared_->thousandths);
-        timer_.start(kWatchMs);
+        tellProgress(shared_->thousandths);
+        goOn(kWatchMs);
     }
 }
 
@@ -65,7 +56,7 @@ void DocumentExport::read() {
         end(false, tr("The export was given up"));
         return;
     }
-    if (studio_.host().document() == nullptr || studio_.host().document()->version() != version_) {
+    if (hasChanged()) {
         end(false, tr("The document changed: the export was given up"));
         return;
     }
@@ -74,11 +65,11 @@ void DocumentExport::read() {
         end(false, studio_.host().message());
         return;
     }
-    emit progressed(int(1000 * kReading * reader_->share()));
+    tellProgress(int(1000 * kReading * reader_->share()));
     if (isAllRead) {
         beginWork();
     }
-    timer_.start(0);
+    goOn();
 }
 
 void DocumentExport::beginWork() {
@@ -112,16 +103,9 @@ void DocumentExport::beginWork() {
 }
 
 void DocumentExport::cancel() {
-    if (isRunning_) {
+    if (isRunning()) {
         shared_->isGivenUp = true;
     }
-}
-
-void DocumentExport::end(bool isDone, const QString& message) {
-    timer_.stop();
-    isRunning_ = false;
-    reader_.reset();
-    emit finished(isDone, message);
 }
 
 void DocumentExport::estimate() {

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "studio/exports/exports.h"
+#include "model/exports/sliced_export.h"
 
-#include <QObject>
-#include <QTimer>
+#include "studio/exports/exports.h"
 
 #include <array>
 #include <atomic>
@@ -14,22 +13,19 @@
 
 namespace vs::desktop {
 
-class StudioController;
-
 // Files for other programs from the document as it is: read from it in slices, made on a thread of their own,
-// so that the window answers meanwhile. No widgets. The document must not change until it is finished, or it
-// stops with a word.
-class DocumentExport : public QObject {
+// which goes on beside the window. The document must not change until it is finished, or it stops with a
+// word.
+class DocumentExport : public SlicedExport {
     Q_OBJECT
 
 public:
-    explicit DocumentExport(StudioController& studio);
+    using SlicedExport::SlicedExport;
     ~DocumentExport() override;
 
     void save(const std::filesystem::path& path, const studio::ExportSettings& settings,
               std::vector<studio::ExportedSegment> segments);
-    void cancel();
-    [[nodiscard]] bool isRunning() const { return isRunning_; }
+    void cancel() override;
 
     // Looks how many triangles the surfaces of segments have; estimated() follows.
     void estimate();
@@ -37,9 +33,11 @@ public:
     [[nodiscard]] const std::array<std::size_t, 256>& triangles() const { return triangles_; }
 
 signals:
-    void progressed(int thousandths);
-    void finished(bool isDone, const QString& message);
     void estimated();
+
+protected:
+    void tick() override;
+    void letGo() override { reader_.reset(); }
 
 private:
     // What the worker's thread and this one both look at.
@@ -48,19 +46,14 @@ private:
         std::atomic<int> thousandths = 0;
     };
 
-    void tick();
     void read();
     void beginWork();
-    void end(bool isDone, const QString& message);
+    void tellProgress(int thousandths) { emit progressed(thousandths, 1000); }
 
-    StudioController& studio_;
-    bool isRunning_ = false;
     std::unique_ptr<studio::ExportReader> reader_; // while it reads
     std::filesystem::path path_;
     studio::ExportSettings settings_;
-    std::uint64_t version_ = 0; // of the document, when it began
     std::array<std::size_t, 256> triangles_{};
-    QTimer timer_;
     std::shared_ptr<Shared> shared_;
     std::jthread worker_;
     std::jthread estimator_;

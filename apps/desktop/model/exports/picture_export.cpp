@@ -14,18 +14,13 @@ constexpr double kSliceMs = 20;
 constexpr int kWaitMs = 50; // for the window's own picture
 } // namespace
 
-PictureExport::PictureExport(StudioController& studio) : studio_(studio) {
-    timer_.setSingleShot(true);
-    connect(&timer_, &QTimer::timeout, this, &PictureExport::tick);
+PictureExport::PictureExport(StudioController& studio) : SlicedExport(studio) {
     // The caster looks into the document.
     connect(&studio_.host(), &DocumentHost::closed, this, &PictureExport::cancel);
     connect(&studio_.host(), &DocumentHost::opened, this, &PictureExport::cancel);
 }
 
-PictureExport::~PictureExport() {
-    studio_.host().gl().makeCurrent();
-    caster_.reset();
-}
+PictureExport::~PictureExport() { PictureExport::letGo(); }
 
 void PictureExport::save(const studio::SavePicture& picture, const std::filesystem::path& folder,
                          int pictures) {
@@ -33,27 +28,26 @@ void PictureExport::save(const studio::SavePicture& picture, const std::filesyst
     take_ = [this](const image::Image& made) {
         studio_.host().runLong([&] { image::writePng(pathOf(done_), made); });
     };
-    start(picture, pictures);
+    startAll(picture, pictures);
 }
 
 void PictureExport::make(const studio::SavePicture& picture,
                          const std::function<void(const image::Image&)>& take) {
     take_ = take;
-    start(picture, 1);
+    startAll(picture, 1);
 }
 
-void PictureExport::start(const studio::SavePicture& picture, int pictures) {
-    if (!isRunning_ && studio_.host().document() != nullptr) {
+void PictureExport::startAll(const studio::SavePicture& picture, int pictures) {
+    if (!isRunning() && studio_.host().document() != nullptr) {
         picture_ = picture;
         pictures_ = pictures;
         done_ = 0;
-        isRunning_ = true;
-        timer_.start(0);
+        start();
     }
 }
 
 void PictureExport::begin() {
-    version_ = studio_.host().document()->version();
+    keepVersion();
     caster_.emplace();
     startPicture();
 }
@@ -72,16 +66,12 @@ void PictureExport::startPicture() {
 }
 
 void PictureExport::tick() {
-    auto* document = studio_.host().document();
-    if (!isRunning_) {
-        return;
-    }
     if (!caster_ && !studio_.isIdle()) {
-        timer_.start(kWaitMs);
+        goOn(kWaitMs);
         return;
     }
-    if (document == nullptr || (caster_ && document->version() != version_)) {
-        stop(false, tr("The document changed: the pictures were given up"));
+    if (caster_ ? hasChanged() : studio_.host().document() == nullptr) {
+        end(false, tr("The document changed: the pictures were given up"));
         return;
     }
     const bool isFine = studio_.host().guard([this] {
@@ -96,14 +86,14 @@ void PictureExport::tick() {
         }
     });
     if (!isFine) {
-        stop(false, studio_.host().message());
+        end(false, studio_.host().message());
     } else if (done_ == pictures_) {
         const QString name = QString::fromStdString(pathOf(pictures_ - 1).string());
-        stop(true, pictures_ > 1 ? tr("Saved %1 pictures up to %2").arg(pictures_).arg(name)
-                                 : tr("Saved picture %1").arg(name));
+        end(true, pictures_ > 1 ? tr("Saved %1 pictures up to %2").arg(pictures_).arg(name)
+                                : tr("Saved picture %1").arg(name));
     } else {
         emit progressed(done_ * picture_.samples + caster_->completedSamples(), pictures_ * picture_.samples);
-        timer_.start(0);
+        goOn();
     }
 }
 
@@ -131,17 +121,14 @@ std::filesystem::path PictureExport::pathOf(int picture) const {
 }
 
 void PictureExport::cancel() {
-    if (isRunning_) {
-        stop(false, tr("Given up after %1 of %2 pictures").arg(done_).arg(pictures_));
+    if (isRunning()) {
+        end(false, tr("Given up after %1 of %2 pictures").arg(done_).arg(pictures_));
     }
 }
 
-void PictureExport::stop(bool isDone, const QString& message) {
-    timer_.stop();
-    isRunning_ = false;
+void PictureExport::letGo() {
     studio_.host().gl().makeCurrent();
     caster_.reset();
-    emit finished(isDone, message);
 }
 
 } // namespace vs::desktop

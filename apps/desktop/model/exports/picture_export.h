@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "model/exports/sliced_export.h"
+
 #include "render/rays/ray_caster.h"
 #include "studio/operations/operation.h"
-
-#include <QObject>
-#include <QTimer>
 
 #include <filesystem>
 #include <functional>
@@ -13,12 +12,9 @@
 
 namespace vs::desktop {
 
-class StudioController;
-
-// Pictures of the document as it is seen, at any size, made in slices so that the window answers meanwhile:
-// one, or a turntable of them around the patient's axis. No widgets. The document must not change until it is
-// finished, or it stops with a word.
-class PictureExport : public QObject {
+// Pictures of the document as it is seen, at any size: one, or a turntable of them around the patient's axis.
+// The document must not change until it is finished, or it stops with a word.
+class PictureExport : public SlicedExport {
     Q_OBJECT
 
 public:
@@ -31,24 +27,19 @@ public:
     void save(const studio::SavePicture& picture, const std::filesystem::path& folder, int pictures);
     // One picture for the clipboard, say.
     void make(const studio::SavePicture& picture, const std::function<void(const image::Image&)>& take);
-    void cancel();
-    [[nodiscard]] bool isRunning() const { return isRunning_; }
+    void cancel() override;
 
-signals:
-    void progressed(int done, int total);
-    void finished(bool isDone, const QString& message);
+protected:
+    void tick() override;
+    void letGo() override;
 
 private:
-    void start(const studio::SavePicture& picture, int pictures);
+    void startAll(const studio::SavePicture& picture, int pictures);
     void begin();
     void startPicture();
-    void tick();
     void takePicture();
-    void stop(bool isDone, const QString& message);
     [[nodiscard]] std::filesystem::path pathOf(int picture) const;
 
-    StudioController& studio_;
-    bool isRunning_ = false;
     std::optional<render::RayCaster> caster_; // from when the window's own picture is finished
     studio::SavePicture picture_;
     render::ViewRays rays_; // of the picture in hand
@@ -56,8 +47,6 @@ private:
     std::function<void(const image::Image&)> take_;
     int pictures_ = 1;
     int done_ = 0;
-    std::uint64_t version_ = 0; // of the document, when it began
-    QTimer timer_;
 };
 
 } // namespace vs::desktop

@@ -1,21 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "model/hand/tool.h"
+#include "tools/kinds/studio_tool.h"
 
 namespace vs::desktop {
 
-class StudioController;
-
 // A tool that cuts or, with its sign reversed, puts back what was cut. It remembers what was set for it.
-class CutTool : public Tool {
+class CutTool : public StudioTool {
     Q_OBJECT
 
 public:
     static constexpr int kLeastRadius = 2;
     static constexpr int kMostRadius = 4;
 
-    explicit CutTool(StudioController& studio);
+    using StudioTool::StudioTool;
 
     [[nodiscard]] bool hasSign() const override { return true; }
     [[nodiscard]] bool isReversed() const override { return restores_; }
@@ -44,8 +42,6 @@ protected:
     [[nodiscard]] QString drawHint(const QString& what) const;
     // Tells everybody that something was set.
     void tell();
-
-    StudioController& studio_;
 
 private:
     bool restores_ = false;

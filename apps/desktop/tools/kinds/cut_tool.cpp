@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/cut_tool.h"
+#include "tools/kinds/cut_tool.h"
 
 #include "model/segments/segment_controller.h"
 #include "model/studio/studio_controller.h"
-#include "tools/sketch_hints.h"
+#include "tools/kinds/sketch_hints.h"
 
 namespace vs::desktop {
 
@@ -28,8 +28,6 @@ QString CutTool::withTarget(const QString& hint) const {
 QString CutTool::drawHint(const QString& what) const {
     return actsOnSegment() ? what : what + " " + howToDraw(studio_.hand().shape());
 }
-
-CutTool::CutTool(StudioController& studio) : Tool(&studio), studio_(studio) {}
 
 void CutTool::setRestores(bool restores) {
     if (restores != restores_) {

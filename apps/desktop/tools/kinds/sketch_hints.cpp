@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "tools/sketch_hints.h"
+#include "tools/kinds/sketch_hints.h"
 
 #include "model/segments/segment_controller.h"
 #include "model/studio/studio_controller.h"

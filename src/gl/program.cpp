@@ -8,8 +8,6 @@
 #include <glm/gtc/type_ptr.hpp>
 
 #include <array>
-#include <cctype>
-#include <vector>
 
 namespace vs::gl {
 
@@ -46,25 +44,6 @@ void addBarrier(Barrier after) {
     }
 }
 
-// Names behind the word "uniform", up to the semicolon; blocks have none of their own.
-std::vector<std::string_view> declaredUniforms(std::string_view source) {
-    constexpr std::string_view kWord = "uniform ";
-    const auto isOfName = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
-    std::vector<std::string_view> names;
-    for (auto at = source.find(kWord); at != source.npos; at = source.find(kWord, at + 1)) {
-        const auto end = source.find_first_of(";{[", at);
-        if (end == source.npos || source[end] == '{') {
-            continue;
-        }
-        std::size_t begin = end;
-        while (isOfName(source[begin - 1])) {
-            --begin;
-        }
-        names.push_back(source.substr(begin, end - begin));
-    }
-    return names;
-}
-
 } // namespace
 
 Program::Program(const std::string& path, const Defines& defines) : path_(path) {
@@ -85,7 +64,7 @@ Program::Program(const std::string& path, const Defines& defines) : path_(path) 
 
 // Those that the shader declares, and where the driver put those that it kept.
 void Program::readUniforms(const std::string& source) {
-    for (const std::string_view declared : declaredUniforms(source)) {
+    for (const std::string& declared : declaredUniforms(source)) {
         uniforms_.emplace(declared, Uniform{});
     }
     GLint count = 0;

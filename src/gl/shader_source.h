@@ -4,6 +4,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -28,6 +29,10 @@ std::optional<std::string> findShader(const std::string& path);
 // text work. Throws GlError naming the including file and line when a file is missing.
 ExpandedSource expandSource(const std::string& path, const Defines& defines,
                             const SourceLookup& lookup = findShader);
+
+// The names of the uniforms that a shader text declares outside of blocks, in order; one to a declaration.
+// What stands in comments does not count.
+std::vector<std::string> declaredUniforms(std::string_view source);
 
 // Replaces the source numbers in a driver's log by file names.
 std::string readableLog(const std::string& log, const ExpandedSource& source);

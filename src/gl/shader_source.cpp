@@ -13,6 +13,16 @@
 
 namespace vs::gl {
 
+Defines switchesOn(std::initializer_list<std::pair<const char*, bool>> switches) {
+    Defines defines;
+    for (const auto& [name, isOn] : switches) {
+        if (isOn) {
+            defines.emplace_back(name, "1");
+        }
+    }
+    return defines;
+}
+
 std::optional<std::string> findShader(const std::string& path) {
     if (const char* folder = std::getenv("VOLUME_STUDIO_SHADER_DIR")) {
         std::ifstream file(std::string(folder) + "/" + path);

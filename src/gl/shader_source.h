@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <initializer_list>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -11,6 +12,9 @@
 namespace vs::gl {
 
 using Defines = std::vector<std::pair<std::string, std::string>>;
+
+// Those of these switches that are on, each defined as 1.
+Defines switchesOn(std::initializer_list<std::pair<const char*, bool>> switches);
 
 // A shader text after #include expansion. `files[n]` is the file whose lines carry source number n in #line,
 // so a driver's "2(17)" can be turned back into a file and line.

@@ -7,7 +7,6 @@
 #include "render/colours/classification.h"
 #include "render/space/macrocells.h"
 
-#include <map>
 #include <optional>
 
 namespace vs::render {
@@ -66,12 +65,12 @@ public:
 
 private:
     void allocate(const volume::GridGeometry& geometry);
-    gl::Program& programFor(const Input& input);
+    [[nodiscard]] gl::Defines definesFor(const Input& input) const;
     void fill(const Input& input, const Box3& texels);
     void average(int level, const Box3& texels);
 
-    std::map<int, gl::Program> programs_; // by what blocks light, sculpture, block size
-    gl::Program average_;
+    gl::ProgramVariants fill_{"render/shaders/fill_occlusion.comp"};
+    gl::ProgramVariants average_{"render/shaders/average_occlusion.comp"};
     std::optional<field::SceneBinding> scene_;
     gl::Buffer block_;
     gl::Texture texels_;

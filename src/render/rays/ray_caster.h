@@ -15,7 +15,6 @@
 #include "render/space/slab_bounds.h"
 
 #include <array>
-#include <map>
 #include <vector>
 
 namespace vs::render {
@@ -117,7 +116,7 @@ private:
     };
     // Whether the picture may show surfaces of translucent segments.
     static bool drawsTranslucent(const Frame& frame);
-    gl::Program& programFor(const Frame& frame);
+    static gl::Defines definesFor(const Frame& frame);
     void arrangeParts();
     void bindPart(const Part& part);
     void findBeams();
@@ -133,11 +132,11 @@ private:
     gl::Texture seenBehind_;
     gl::Texture seenGlass_; // and where some segment is translucent
     gl::Texture seenGlassDepth_;
-    std::map<int, gl::Program> programs_; // by mode, whether there is a sculpture, and sampling
+    gl::ProgramVariants castRays_{"render/shaders/cast_rays.comp"};
     gl::Program resolve_;
     gl::Program findBeams_;
     gl::Program listSquares_;
-    gl::Program setAside_;
+    gl::ProgramVariants setAside_{"render/shaders/set_squares_aside.comp"};
     gl::Program fillFilm_;
     gl::Buffer squares_;       // those that may show something first
     gl::Buffer placeOfSquare_; // in that list

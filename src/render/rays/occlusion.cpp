@@ -138,15 +138,15 @@ void OcclusionVolume::bind(const Light& light) {
     const glm::dmat3 voxelFromWorld(geometry_.voxelFromWorld());
     const glm::dmat3 worldFromVoxel(geometry_.worldFromVoxel);
     OcclusionBlock data;
-    data.textureScale = glm::vec4(1.0 / (block * size), 0.0);
-    data.textureOffset = glm::vec4(0.5 / (block * size), 0.0);
+    data.occlusionScale = glm::vec4(1.0 / (block * size), 0.0);
+    data.occlusionOffset = glm::vec4(0.5 / (block * size), 0.0);
     for (int axis = 0; axis < 3; ++axis) {
-        data.textureFromWorld[axis] = glm::vec4(voxelFromWorld[axis] * unit / (block * size), 0.0);
-        data.texelAxes[axis] = glm::vec4(worldFromVoxel[axis] * block[axis] / unit, 0.0);
+        data.occlusionFromWorld[axis] = glm::vec4(voxelFromWorld[axis] * unit / (block * size), 0.0);
+        data.occlusionTexel[axis] = glm::vec4(worldFromVoxel[axis] * block[axis] / unit, 0.0);
     }
-    data.towardsKey = glm::vec4(glm::normalize(light.towardsKey), 0.0);
-    data.strengths = glm::vec4(glm::dvec4(light.ambientOcclusion, light.shadows, 0, 0));
-    data.levels = glm::ivec4(kLevels, kLevels - 1, 0, 0);
+    data.occlusionTowardsKey = glm::vec4(glm::normalize(light.towardsKey), 0.0);
+    data.occlusionStrengths = glm::vec4(glm::dvec4(light.ambientOcclusion, light.shadows, 0, 0));
+    data.occlusionLevels = glm::ivec4(kLevels, kLevels - 1, 0, 0);
     block_.writeValue(data);
     block_.bindUniform(kOcclusionBlock);
     texels_.bindTexture(kOcclusionTexture);

@@ -88,9 +88,9 @@ ViewBlock viewBlock(const ViewRays& rays, const volume::GridGeometry& geometry) 
     const double step = geometry.stepMm();
     const double offset = rays.isOrthographic ? 1.0 : step;
     ViewBlock block;
-    block.forward = glm::vec4(rays.forward, rays.isOrthographic ? 1.0 : 0.0);
-    block.right = glm::vec4(glm::normalize(rays.right), 0.0);
-    block.up = glm::vec4(glm::normalize(rays.up), 0.0);
+    block.viewForward = glm::vec4(rays.forward, rays.isOrthographic ? 1.0 : 0.0);
+    block.viewRight = glm::vec4(glm::normalize(rays.right), 0.0);
+    block.viewUp = glm::vec4(glm::normalize(rays.up), 0.0);
     block.eyeVoxel = glm::vec4(voxelFromWorld * glm::dvec4(rays.eye, 1.0));
     block.forwardVoxel = direction(rays.forward, step);
     block.rightVoxel = direction(rays.right, offset);

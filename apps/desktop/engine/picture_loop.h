@@ -32,6 +32,8 @@ public:
     // Null: nothing to show. Forgets the picture.
     void setDocument(studio::Document* document);
     void setViewport(glm::ivec2 devicePixels);
+    // The picture is made once more: not the document has changed, but what draws it.
+    void drawAnew() { startedVersion_.reset(); }
     // Something is moving now: only drafts until it has been calm for a moment.
     void interact() { sinceInput_ = Timer(); }
     // Throws Error when the picture cannot be made. A slice takes about `budgetMs`, or one tile where that is

@@ -3441,6 +3441,26 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
         <source>A line for the history:</source>
         <translation>Eine Zeile für den Verlauf:</translation>
     </message>
+    <message>
+        <source>Reload shaders</source>
+        <translation>Shader neu laden</translation>
+    </message>
+    <message>
+        <source>Read the shaders in VOLUME_STUDIO_SHADER_DIR again</source>
+        <translation>Die Shader in VOLUME_STUDIO_SHADER_DIR noch einmal lesen</translation>
+    </message>
+    <message>
+        <source>Ctrl+F5</source>
+        <translation>Ctrl+F5</translation>
+    </message>
+    <message>
+        <source>VOLUME_STUDIO_SHADER_DIR is not set: start with the folder src of the sources in it</source>
+        <translation>VOLUME_STUDIO_SHADER_DIR ist nicht gesetzt: beim Start muss der Ordner src der Quellen darin stehen</translation>
+    </message>
+    <message>
+        <source>Shaders are those in %1</source>
+        <translation>Die Shader sind die in %1</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::MeasureTool</name>

@@ -36,7 +36,7 @@ void SceneBinding::bind(const Scene& scene) {
                    float(scene.greyWindow.hi)};
     constexpr float beyondAllValues = 1e30F;
     block.limits.x = scene.showsAbove ? beyondAllValues : block.range.y;
-    block.flags =
+    block.sceneFlags =
         glm::vec4(scene.segmentation != nullptr ? 1.0F : 0.0F, 1.0F / glm::vec3(data.geometry.dims));
     if (scene.smoothed != nullptr) {
         block.limits.y = scene.smoothed->valueScale;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "field/field.h"
+#include "gl/block_layout.h"
 #include "gl/buffer.h"
 
 #include <array>
@@ -28,10 +29,16 @@ struct SceneBlock {
     glm::vec4 spacing{1};    // xyz: mm, w: step in mm
     glm::vec4 valueScale{1}; // x scale, y offset, z 1 if values are whole numbers, w tolerance
     glm::vec4 range{0};      // xy displayed range, zw grey window of cut faces, in the field's unit
-    glm::vec4 flags{0};      // x: 1 if there is a segmentation, yzw: 1 / dims
+    glm::vec4 sceneFlags{0}; // x: 1 if there is a segmentation, yzw: 1 / dims
     glm::vec4 limits{0};     // x: the greatest value that is visible, yz: scale and offset of `smoothed`
 };
-static_assert(sizeof(SceneBlock) == 224);
+inline constexpr gl::BlockMember kSceneBlockMembers[] = {
+    VS_BLOCK_MEMBER(SceneBlock, worldFromVoxel), VS_BLOCK_MEMBER(SceneBlock, voxelFromWorld),
+    VS_BLOCK_MEMBER(SceneBlock, dims),           VS_BLOCK_MEMBER(SceneBlock, spacing),
+    VS_BLOCK_MEMBER(SceneBlock, valueScale),     VS_BLOCK_MEMBER(SceneBlock, range),
+    VS_BLOCK_MEMBER(SceneBlock, sceneFlags),     VS_BLOCK_MEMBER(SceneBlock, limits)};
+inline constexpr gl::BlockLayout kSceneBlockLayout{"SceneBlock", sizeof(SceneBlock), kSceneBlockMembers};
+static_assert(isWhole(kSceneBlockLayout));
 
 // The document as shaders see it: data, sculpture (null: nothing cut), segmentation (null: none), displayed
 // range, view. How segments look is not part of it: render::SegmentColours.

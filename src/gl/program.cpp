@@ -2,14 +2,13 @@
 #include "gl/program.h"
 
 #include "base/error.h"
+#include "gl/shader_reload.h"
 
 #include <epoxy/gl.h>
 
 #include <glm/gtc/type_ptr.hpp>
 
-#include <array>
-#include <cctype>
-#include <vector>
+#include <utility>
 
 namespace vs::gl {
 
@@ -46,28 +45,10 @@ void addBarrier(Barrier after) {
     }
 }
 
-// Names behind the word "uniform", up to the semicolon; blocks have none of their own.
-std::vector<std::string_view> declaredUniforms(std::string_view source) {
-    constexpr std::string_view kWord = "uniform ";
-    const auto isOfName = [](char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; };
-    std::vector<std::string_view> names;
-    for (auto at = source.find(kWord); at != source.npos; at = source.find(kWord, at + 1)) {
-        const auto end = source.find_first_of(";{[", at);
-        if (end == source.npos || source[end] == '{') {
-            continue;
-        }
-        std::size_t begin = end;
-        while (isOfName(source[begin - 1])) {
-            --begin;
-        }
-        names.push_back(source.substr(begin, end - begin));
-    }
-    return names;
-}
-
 } // namespace
 
-Program::Program(const std::string& path, const Defines& defines) : path_(path) {
+Program::Program(const std::string& path, const Defines& defines)
+    : path_(path), defines_(defines), generation_(shaderGeneration()) {
     const ExpandedSource source = expandSource(path, defines);
     const char* text = source.text.c_str();
     const GLuint program = glCreateShaderProgramv(GL_COMPUTE_SHADER, 1, &text);
@@ -80,28 +61,29 @@ Program::Program(const std::string& path, const Defines& defines) : path_(path) 
     }
     glObjectLabel(GL_PROGRAM, program, -1, path.c_str());
     glGetProgramiv(program, GL_COMPUTE_WORK_GROUP_SIZE, glm::value_ptr(localSize_));
-    readUniforms(source.text);
+    uniforms_ = readUniforms(program, source.text);
 }
 
-// Those that the shader declares, and where the driver put those that it kept.
-void Program::readUniforms(const std::string& source) {
-    for (const std::string_view declared : declaredUniforms(source)) {
-        uniforms_.emplace(declared, Uniform{});
-    }
-    GLint count = 0;
-    glGetProgramiv(name(), GL_ACTIVE_UNIFORMS, &count);
-    for (GLuint n = 0; n < GLuint(count); ++n) {
-        std::array<char, 256> text{};
-        GLint size = 0;
-        GLenum type = 0;
-        glGetActiveUniform(name(), n, GLsizei(text.size()), nullptr, &size, &type, text.data());
-        const std::string_view found(text.data());
-        const auto bracket = found.find('['); // of an array: its first element
-        uniforms_[std::string(found.substr(0, bracket))] = {glGetUniformLocation(name(), text.data()), type};
+// Comes before everything that the program is used for.
+void Program::use() {
+    if (generation_ != shaderGeneration() && handle_) {
+        reload();
     }
 }
 
-int Program::find(std::string_view uniform, unsigned int type) const {
+void Program::reload() {
+    generation_ = shaderGeneration();
+    try {
+        Program fresh(path_, defines_);
+        copyUniforms(name(), uniforms_, fresh.name(), fresh.uniforms_);
+        *this = std::move(fresh);
+    } catch (const GlError& error) {
+        tellShaderFault(error.what());
+    }
+}
+
+Program::Place Program::find(std::string_view uniform, unsigned int type) {
+    use();
     const auto found = uniforms_.find(uniform);
     if (found == uniforms_.end()) {
         throw GlError("{} has no uniform '{}'", path_, uniform);
@@ -110,59 +92,70 @@ int Program::find(std::string_view uniform, unsigned int type) const {
     if (it.location >= 0 && it.type != type) {
         throw GlError("{}: the uniform '{}' has another type", path_, uniform);
     }
-    return it.location; // a location of -1 is ignored by glProgramUniform
+    return {name(), it.location};
 }
 
 Program& Program::set(std::string_view uniform, int value) {
-    glProgramUniform1i(name(), find(uniform, GL_INT), value);
+    const auto [program, location] = find(uniform, GL_INT);
+    glProgramUniform1i(program, location, value);
     return *this;
 }
 Program& Program::set(std::string_view uniform, unsigned int value) {
-    glProgramUniform1ui(name(), find(uniform, GL_UNSIGNED_INT), value);
+    const auto [program, location] = find(uniform, GL_UNSIGNED_INT);
+    glProgramUniform1ui(program, location, value);
     return *this;
 }
 Program& Program::set(std::string_view uniform, float value) {
-    glProgramUniform1f(name(), find(uniform, GL_FLOAT), value);
+    const auto [program, location] = find(uniform, GL_FLOAT);
+    glProgramUniform1f(program, location, value);
     return *this;
 }
 Program& Program::set(std::string_view uniform, glm::vec2 value) {
-    glProgramUniform2fv(name(), find(uniform, GL_FLOAT_VEC2), 1, glm::value_ptr(value));
+    const auto [program, location] = find(uniform, GL_FLOAT_VEC2);
+    glProgramUniform2fv(program, location, 1, glm::value_ptr(value));
     return *this;
 }
 Program& Program::set(std::string_view uniform, glm::vec3 value) {
-    glProgramUniform3fv(name(), find(uniform, GL_FLOAT_VEC3), 1, glm::value_ptr(value));
+    const auto [program, location] = find(uniform, GL_FLOAT_VEC3);
+    glProgramUniform3fv(program, location, 1, glm::value_ptr(value));
     return *this;
 }
 Program& Program::set(std::string_view uniform, glm::vec4 value) {
-    glProgramUniform4fv(name(), find(uniform, GL_FLOAT_VEC4), 1, glm::value_ptr(value));
+    const auto [program, location] = find(uniform, GL_FLOAT_VEC4);
+    glProgramUniform4fv(program, location, 1, glm::value_ptr(value));
     return *this;
 }
 Program& Program::set(std::string_view uniform, glm::ivec2 value) {
-    glProgramUniform2iv(name(), find(uniform, GL_INT_VEC2), 1, glm::value_ptr(value));
+    const auto [program, location] = find(uniform, GL_INT_VEC2);
+    glProgramUniform2iv(program, location, 1, glm::value_ptr(value));
     return *this;
 }
 Program& Program::set(std::string_view uniform, glm::ivec3 value) {
-    glProgramUniform3iv(name(), find(uniform, GL_INT_VEC3), 1, glm::value_ptr(value));
+    const auto [program, location] = find(uniform, GL_INT_VEC3);
+    glProgramUniform3iv(program, location, 1, glm::value_ptr(value));
     return *this;
 }
 Program& Program::set(std::string_view uniform, const glm::mat4& value) {
-    glProgramUniformMatrix4fv(name(), find(uniform, GL_FLOAT_MAT4), 1, GL_FALSE, glm::value_ptr(value));
+    const auto [program, location] = find(uniform, GL_FLOAT_MAT4);
+    glProgramUniformMatrix4fv(program, location, 1, GL_FALSE, glm::value_ptr(value));
     return *this;
 }
 Program& Program::set(std::string_view uniform, std::span<const float> values) {
-    glProgramUniform1fv(name(), find(uniform, GL_FLOAT), GLsizei(values.size()), values.data());
+    const auto [program, location] = find(uniform, GL_FLOAT);
+    glProgramUniform1fv(program, location, GLsizei(values.size()), values.data());
     return *this;
 }
 Program& Program::set(std::string_view uniform, std::span<const glm::vec4> values) {
     if (!values.empty()) {
-        glProgramUniform4fv(name(), find(uniform, GL_FLOAT_VEC4), GLsizei(values.size()),
-                            glm::value_ptr(values.front()));
+        const auto [program, location] = find(uniform, GL_FLOAT_VEC4);
+        glProgramUniform4fv(program, location, GLsizei(values.size()), glm::value_ptr(values.front()));
     }
     return *this;
 }
 
 void Program::dispatch(glm::ivec3 groups, Barrier after) {
     if (groups.x > 0 && groups.y > 0 && groups.z > 0) {
+        use();
         glUseProgram(name());
         glDispatchCompute(GLuint(groups.x), GLuint(groups.y), GLuint(groups.z));
         addBarrier(after);
@@ -170,10 +163,12 @@ void Program::dispatch(glm::ivec3 groups, Barrier after) {
 }
 
 void Program::dispatchOver(glm::ivec3 items, Barrier after) {
+    use(); // the local size may be another one
     dispatch((items + localSize_ - 1) / localSize_, after);
 }
 
 void Program::dispatchOverList(std::size_t items, Barrier after) {
+    use();
     constexpr std::size_t maxGroups = 65535; // along an axis
     const std::size_t groups = (items + std::size_t(localSize_.x) - 1) / std::size_t(localSize_.x);
     const std::size_t rows = (groups + maxGroups - 1) / maxGroups;
@@ -184,6 +179,7 @@ void Program::dispatchOverList(std::size_t items, Barrier after) {
 }
 
 void Program::dispatchIndirect(const Buffer& arguments, std::size_t offset, Barrier after) {
+    use();
     glUseProgram(name());
     glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, arguments.name());
     glDispatchComputeIndirect(GLintptr(offset));

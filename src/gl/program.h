@@ -5,8 +5,8 @@
 #include "gl/buffer.h"
 #include "gl/handle.h"
 #include "gl/shader_source.h"
+#include "gl/uniforms.h"
 
-#include <functional>
 #include <map>
 #include <span>
 #include <string>
@@ -22,6 +22,7 @@ void deleteProgram(unsigned int name);
 enum class Barrier { None, Image, Texture, Storage, Indirect, All };
 
 // One compute shader, ready to run. The shader declares its uniforms; here they are set by their names.
+// Compiles anew, with the values that its uniforms have, when it is used after reloadShaders().
 class Program {
 public:
     Program() = default;
@@ -61,16 +62,19 @@ public:
     void dispatchIndirect(const Buffer& arguments, std::size_t offset, Barrier after);
 
 private:
-    struct Uniform {
-        int location = -1; // below 0: this variant does not use it
-        unsigned int type = 0;
+    struct Place {
+        unsigned int program = 0;
+        int location = -1; // below 0 for one that this variant does not use: OpenGL ignores what is set there
     };
-    [[nodiscard]] int find(std::string_view uniform, unsigned int type) const;
-    void readUniforms(const std::string& source);
+    [[nodiscard]] Place find(std::string_view uniform, unsigned int type);
+    void use();
+    void reload();
 
     Handle<detail::deleteProgram> handle_;
     std::string path_;
-    std::map<std::string, Uniform, std::less<>> uniforms_;
+    Defines defines_;
+    int generation_ = 0; // of shaders
+    Uniforms uniforms_;
     glm::ivec3 localSize_{1};
 };
 

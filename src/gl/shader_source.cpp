@@ -5,12 +5,23 @@
 #include "gl/embedded_shaders.h"
 
 #include <algorithm>
+#include <cctype>
 #include <cstdlib>
 #include <fstream>
 #include <regex>
 #include <sstream>
 
 namespace vs::gl {
+
+Defines switchesOn(std::initializer_list<std::pair<const char*, bool>> switches) {
+    Defines defines;
+    for (const auto& [name, isOn] : switches) {
+        if (isOn) {
+            defines.emplace_back(name, "1");
+        }
+    }
+    return defines;
+}
 
 std::optional<std::string> findShader(const std::string& path) {
     if (const char* folder = std::getenv("VOLUME_STUDIO_SHADER_DIR")) {
@@ -73,6 +84,53 @@ ExpandedSource expandSource(const std::string& path, const Defines& defines, con
     }
     appendFile(path, "", lookup, out);
     return out;
+}
+
+namespace {
+
+// Each comment becomes a space, as in the language itself.
+std::string withoutComments(std::string_view source) {
+    std::string out;
+    while (!source.empty()) {
+        std::size_t taken = 1;
+        if (source.starts_with("//")) {
+            taken = std::min(source.find('\n'), source.size());
+            out += ' ';
+        } else if (source.starts_with("/*")) {
+            const auto end = source.find("*/", 2);
+            taken = end == source.npos ? source.size() : end + 2;
+            out += ' ';
+        } else {
+            out += source.front();
+        }
+        source.remove_prefix(taken);
+    }
+    return out;
+}
+
+bool isOfName(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
+
+} // namespace
+
+std::vector<std::string> declaredUniforms(std::string_view source) {
+    constexpr std::string_view kWord = "uniform";
+    const std::string text = withoutComments(source);
+    std::vector<std::string> names;
+    for (auto at = text.find(kWord); at != text.npos; at = text.find(kWord, at + 1)) {
+        const bool isPartOfName =
+            (at > 0 && isOfName(text[at - 1])) || isOfName(text.c_str()[at + kWord.size()]);
+        const auto end = text.find_first_of(";{[", at);
+        if (isPartOfName || end == text.npos || text[end] == '{') {
+            continue;
+        }
+        const auto last = text.find_last_not_of(" \t\r\n", end - 1);
+        auto begin = last + 1;
+        while (isOfName(text[begin - 1])) {
+            --begin;
+        }
+        names.push_back(text.substr(begin, last + 1 - begin));
+    }
+    return names;
 }
 
 std::string readableLog(const std::string& log, const ExpandedSource& source) {

@@ -2,14 +2,19 @@
 #pragma once
 
 #include <functional>
+#include <initializer_list>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace vs::gl {
 
 using Defines = std::vector<std::pair<std::string, std::string>>;
+
+// Those of these switches that are on, each defined as 1.
+Defines switchesOn(std::initializer_list<std::pair<const char*, bool>> switches);
 
 // A shader text after #include expansion. `files[n]` is the file whose lines carry source number n in #line,
 // so a driver's "2(17)" can be turned back into a file and line.
@@ -28,6 +33,10 @@ std::optional<std::string> findShader(const std::string& path);
 // text work. Throws GlError naming the including file and line when a file is missing.
 ExpandedSource expandSource(const std::string& path, const Defines& defines,
                             const SourceLookup& lookup = findShader);
+
+// The names of the uniforms that a shader text declares outside of blocks, in order; one to a declaration.
+// What stands in comments does not count.
+std::vector<std::string> declaredUniforms(std::string_view source);
 
 // Replaces the source numbers in a driver's log by file names.
 std::string readableLog(const std::string& log, const ExpandedSource& source);

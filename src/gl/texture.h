@@ -58,10 +58,8 @@ public:
 
     [[nodiscard]] glm::ivec3 size() const { return size_; }
     [[nodiscard]] glm::ivec3 size(int level) const { return glm::max(size_ >> level, glm::ivec3(1)); }
-    [[nodiscard]] int levels() const { return levels_; }
     [[nodiscard]] Format format() const { return format_; }
     [[nodiscard]] unsigned int name() const { return handle_.name(); }
-    [[nodiscard]] std::size_t bytes() const;
     explicit operator bool() const { return bool(handle_); }
 
     // Writes the texels of `box` (half open, must lie inside), x fastest, tightly packed in the texture's own
@@ -87,6 +85,7 @@ public:
 
 private:
     void create(const std::string& label, Filter filter);
+    [[nodiscard]] std::size_t bytes() const;
 
     Handle<detail::deleteTexture> handle_;
     glm::ivec3 size_{0};

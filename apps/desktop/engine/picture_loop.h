@@ -32,6 +32,8 @@ public:
     // Shows another document, or nothing for null, and forgets the picture of the one before.
     void setDocument(studio::Document* document);
     void setViewport(glm::ivec2 devicePixels);
+    // Makes the picture once more: not the document has changed, but what draws it.
+    void drawAnew() { startedVersion_.reset(); }
     // Says that something is moving: only drafts are made until it has been calm for a moment.
     void interact() { sinceInput_ = Timer(); }
     // Works on the picture for a portion, which takes about `budgetMs`, or one tile where that is longer.

@@ -77,6 +77,7 @@ MainWindow::MainWindow(StudioController& studio, ToolBox& tools, QWidget* parent
     makeToolActions();
     makeGrowthActions();
     makeHelpActions();
+    makeDeveloperActions();
     makeMenus();
     makeToolBars();
     makeToolColumn();

@@ -117,6 +117,11 @@ private:
     void showPreferences();
     void about();
 
+    // main_window_developer.cpp
+    void makeDeveloperActions();
+    void reloadShaders();
+    void tellShaderFault();
+
     // main_window_start.cpp
     bool mayLeave();
     bool closeDialogs();

@@ -119,38 +119,21 @@ vec3 worldGradient(vec3 voxelGradient) { return transpose(mat3(voxelFromWorld)) 
 // One voxel before p along each axis, but not beyond the grid's box, where textures are mirrored.
 vec3 placesBefore(vec3 p) { return max(p - 1.0, vec3(-0.5)); }
 
+// Defines the gradient of `valueAt` by central differences. A macro, because functions of GLSL take no functions.
+#define DEFINE_GRADIENT(gradientAt, valueAt)                                                                    \
+    vec3 gradientAt(vec3 p) {                                                                                   \
+        vec3 before = placesBefore(p);                                                                          \
+        vec3 after = p + 1.0;                                                                                   \
+        return worldGradient(0.5 * vec3(valueAt(vec3(after.x, p.yz)) - valueAt(vec3(before.x, p.yz)),           \
+                                        valueAt(vec3(p.x, after.y, p.z)) - valueAt(vec3(p.x, before.y, p.z)),   \
+                                        valueAt(vec3(p.xy, after.z)) - valueAt(vec3(p.xy, before.z))));         \
+    }
+
 #ifdef TRICUBIC
 vec3 dataGradient(vec3 p) { return worldGradient(voxelGradientAt(p)); }
 #else
-vec3 dataGradient(vec3 p) {
-    vec3 before = placesBefore(p);
-    vec3 after = p + 1.0;
-    return worldGradient(0.5 * vec3(dataAt(vec3(after.x, p.yz)) - dataAt(vec3(before.x, p.yz)),
-                                    dataAt(vec3(p.x, after.y, p.z)) - dataAt(vec3(p.x, before.y, p.z)),
-                                    dataAt(vec3(p.xy, after.z)) - dataAt(vec3(p.xy, before.z))));
-}
+DEFINE_GRADIENT(dataGradient, dataAt)
 #endif
-
-vec3 sculptureGradient(vec3 p) {
-    vec3 before = placesBefore(p);
-    vec3 after = p + 1.0;
-    return worldGradient(0.5 * vec3(sculptureAt(vec3(after.x, p.yz)) - sculptureAt(vec3(before.x, p.yz)),
-                                    sculptureAt(vec3(p.x, after.y, p.z)) - sculptureAt(vec3(p.x, before.y, p.z)),
-                                    sculptureAt(vec3(p.xy, after.z)) - sculptureAt(vec3(p.xy, before.z))));
-}
-
-vec3 segmentationGradient(vec3 p) {
-    vec3 before = placesBefore(p);
-    vec3 after = p + 1.0;
-    return worldGradient(0.5 * vec3(segmentationAt(vec3(after.x, p.yz)) - segmentationAt(vec3(before.x, p.yz)),
-                                    segmentationAt(vec3(p.x, after.y, p.z)) - segmentationAt(vec3(p.x, before.y, p.z)),
-                                    segmentationAt(vec3(p.xy, after.z)) - segmentationAt(vec3(p.xy, before.z))));
-}
-
-vec3 translucentGradient(vec3 p) {
-    vec3 before = placesBefore(p);
-    vec3 after = p + 1.0;
-    return worldGradient(0.5 * vec3(translucentAt(vec3(after.x, p.yz)) - translucentAt(vec3(before.x, p.yz)),
-                                    translucentAt(vec3(p.x, after.y, p.z)) - translucentAt(vec3(p.x, before.y, p.z)),
-                                    translucentAt(vec3(p.xy, after.z)) - translucentAt(vec3(p.xy, before.z))));
-}
+DEFINE_GRADIENT(sculptureGradient, sculptureAt)
+DEFINE_GRADIENT(segmentationGradient, segmentationAt)
+DEFINE_GRADIENT(translucentGradient, translucentAt)

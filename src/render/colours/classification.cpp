@@ -116,8 +116,8 @@ void Classification::writeBlock(const ClassificationTables& tables, const field:
     block.gradientAxis =
         glm::vec4(glm::dvec4(axisOf(tables.gradients, isGradient ? tables.size.x : tables.size.y),
                              double(columns) * axisOf(tables.values, columns)));
-    block.lighting = {float(resolved_.lighting.amount), float(resolved_.lighting.gloss), touchable(tables),
-                      0};
+    block.lightingOfFunction = {float(resolved_.lighting.amount), float(resolved_.lighting.gloss),
+                                touchable(tables), 0};
     block_.writeValue(block);
 }
 

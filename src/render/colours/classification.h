@@ -2,6 +2,7 @@
 #pragma once
 
 #include "field/field.h"
+#include "gl/block_layout.h"
 #include "gl/buffer.h"
 #include "gl/program.h"
 #include "gl/texel_buffer.h"
@@ -15,10 +16,15 @@ struct ClassificationBlock {
     glm::vec4 valueAxis{
         0}; // x scale, y offset to a table coordinate 0..1; z lowest value that counts, w columns
     glm::vec4 gradientAxis{
-        0};                // x scale, y offset to a table coordinate 0..1; zw the same for values, to columns
-    glm::vec4 lighting{0}; // x amount, y gloss, z opacity per step that a pen meets
+        0}; // x scale, y offset to a table coordinate 0..1; zw the same for values, to columns
+    glm::vec4 lightingOfFunction{0}; // x amount, y gloss, z opacity per step that a pen meets
 };
-static_assert(sizeof(ClassificationBlock) == 48);
+inline constexpr gl::BlockMember kClassificationBlockMembers[] = {
+    VS_BLOCK_MEMBER(ClassificationBlock, valueAxis), VS_BLOCK_MEMBER(ClassificationBlock, gradientAxis),
+    VS_BLOCK_MEMBER(ClassificationBlock, lightingOfFunction)};
+inline constexpr gl::BlockLayout kClassificationBlockLayout{
+    "ClassificationBlock", sizeof(ClassificationBlock), kClassificationBlockMembers};
+static_assert(isWhole(kClassificationBlockLayout));
 
 // The tables of one transfer function on the device, resolved against one field. Shaders include
 // "render/shaders/classification.glsl" with TF_KIND defined as kindDefine() says. Textures 5, 7 and 10 and

@@ -59,38 +59,29 @@ void OcclusionVolume::allocate(const volume::GridGeometry& geometry) {
     const glm::ivec3 size = divideUp((geometry.dims + blockSize_ - 1) / blockSize_, 1 << (kLevels - 1));
     texels_ = gl::Texture::pyramid(size << (kLevels - 1), gl::Format::R8, kLevels, "occlusion");
     geometry_ = geometry;
-    if (!average_) {
-        average_ = gl::Program("render/shaders/average_occlusion.comp");
+    if (!scene_) {
         block_ = gl::Buffer(sizeof(OcclusionBlock), "occlusion");
         scene_.emplace();
     }
 }
 
-gl::Program& OcclusionVolume::programFor(const Input& input) {
-    const bool isSculpted =
-        input.scene.sculpture != nullptr || input.scene.view == field::SculptureView::Probe;
+gl::Defines OcclusionVolume::definesFor(const Input& input) const {
     const int content = input.classification != nullptr ? 3
                         : !input.drawsSegmentation      ? 0
                         : input.drawsData               ? 2
                                                         : 1;
-    const int kind = input.classification != nullptr ? static_cast<int>(input.classification->kind()) : 0;
-    const bool isOnVoxels = blockSize_ == glm::ivec3(2);
-    auto& program = programs_[4 * (4 * kind + content) + (isSculpted ? 2 : 0) + (isOnVoxels ? 1 : 0)];
-    if (!program) {
-        gl::Defines defines{{"CONTENT", std::to_string(content)}, {"TF_KIND", std::to_string(kind)}};
-        if (isSculpted) {
-            defines.emplace_back("SCULPTED", "1");
-        }
-        if (isOnVoxels) {
-            defines.emplace_back("ON_VOXELS", "1");
-        }
-        program = gl::Program("render/shaders/fill_occlusion.comp", defines);
-    }
-    return program;
+    gl::Defines defines = gl::switchesOn({
+        {"SCULPTED", input.scene.sculpture != nullptr || input.scene.view == field::SculptureView::Probe},
+        {"ON_VOXELS", blockSize_ == glm::ivec3(2)},
+    });
+    defines.emplace_back("CONTENT", std::to_string(content));
+    defines.emplace_back("TF_KIND",
+                         input.classification != nullptr ? input.classification->kindDefine() : "0");
+    return defines;
 }
 
 void OcclusionVolume::fill(const Input& input, const Box3& texels) {
-    gl::Program& program = programFor(input);
+    gl::Program& program = fill_.with(definesFor(input));
     scene_->bind(input.scene);
     if (input.classification != nullptr) {
         input.classification->bind();
@@ -115,8 +106,9 @@ void OcclusionVolume::fill(const Input& input, const Box3& texels) {
 void OcclusionVolume::average(int level, const Box3& texels) {
     texels_.bindTexture(kOcclusionTexture);
     texels_.bindImage(kAveragesImage, gl::Access::Write, level);
-    average_.set("texelLo", texels.lo).set("texelHi", texels.hi).set("level", level - 1);
-    average_.dispatchOver(texels.size(), gl::Barrier::Texture);
+    gl::Program& program = average_.with({});
+    program.set("texelLo", texels.lo).set("texelHi", texels.hi).set("level", level - 1);
+    program.dispatchOver(texels.size(), gl::Barrier::Texture);
 }
 
 void OcclusionVolume::rebuild(const Input& input) { update(input, input.scene.data->geometry.box()); }
@@ -146,15 +138,15 @@ void OcclusionVolume::bind(const Light& light) {
     const glm::dmat3 voxelFromWorld(geometry_.voxelFromWorld());
     const glm::dmat3 worldFromVoxel(geometry_.worldFromVoxel);
     OcclusionBlock data;
-    data.textureScale = glm::vec4(1.0 / (block * size), 0.0);
-    data.textureOffset = glm::vec4(0.5 / (block * size), 0.0);
+    data.occlusionScale = glm::vec4(1.0 / (block * size), 0.0);
+    data.occlusionOffset = glm::vec4(0.5 / (block * size), 0.0);
     for (int axis = 0; axis < 3; ++axis) {
-        data.textureFromWorld[axis] = glm::vec4(voxelFromWorld[axis] * unit / (block * size), 0.0);
-        data.texelAxes[axis] = glm::vec4(worldFromVoxel[axis] * block[axis] / unit, 0.0);
+        data.occlusionFromWorld[axis] = glm::vec4(voxelFromWorld[axis] * unit / (block * size), 0.0);
+        data.occlusionTexel[axis] = glm::vec4(worldFromVoxel[axis] * block[axis] / unit, 0.0);
     }
-    data.towardsKey = glm::vec4(glm::normalize(light.towardsKey), 0.0);
-    data.strengths = glm::vec4(glm::dvec4(light.ambientOcclusion, light.shadows, 0, 0));
-    data.levels = glm::ivec4(kLevels, kLevels - 1, 0, 0);
+    data.occlusionTowardsKey = glm::vec4(glm::normalize(light.towardsKey), 0.0);
+    data.occlusionStrengths = glm::vec4(glm::dvec4(light.ambientOcclusion, light.shadows, 0, 0));
+    data.occlusionLevels = glm::ivec4(kLevels, kLevels - 1, 0, 0);
     block_.writeValue(data);
     block_.bindUniform(kOcclusionBlock);
     texels_.bindTexture(kOcclusionTexture);

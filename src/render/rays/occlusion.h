@@ -2,27 +2,34 @@
 #pragma once
 
 #include "field/scene.h"
+#include "gl/block_layout.h"
 #include "gl/program.h"
 #include "render/camera/camera.h"
 #include "render/colours/classification.h"
 #include "render/space/macrocells.h"
 
-#include <map>
 #include <optional>
 
 namespace vs::render {
 
 // What shaders need to look light up; mirrors OcclusionBlock in render/shaders/occlusion.glsl (std140).
 struct OcclusionBlock {
-    glm::vec4 textureScale{0};     // xyz: texture coordinate per voxel
-    glm::vec4 textureOffset{0};    // xyz: texture coordinate of voxel 0
-    glm::vec4 textureFromWorld[3]; // texture coordinates per texel length along the world's x, y, z
-    glm::vec4 texelAxes[3];        // xyz: edges of a texel, in the world, in texel lengths
-    glm::vec4 towardsKey{0};       // world, unit
-    glm::vec4 strengths{0};        // x ambient occlusion, y shadow
-    glm::ivec4 levels{0};          // x that ambient cones reach, y shadows
+    glm::vec4 occlusionScale{0};      // xyz: texture coordinate per voxel
+    glm::vec4 occlusionOffset{0};     // xyz: texture coordinate of voxel 0
+    glm::vec4 occlusionFromWorld[3];  // texture coordinates per texel length along the world's x, y, z
+    glm::vec4 occlusionTexel[3];      // xyz: edges of a texel, in the world, in texel lengths
+    glm::vec4 occlusionTowardsKey{0}; // world, unit
+    glm::vec4 occlusionStrengths{0};  // x ambient occlusion, y shadow
+    glm::ivec4 occlusionLevels{0};    // x that ambient cones reach, y shadows
 };
-static_assert(sizeof(OcclusionBlock) == 176);
+inline constexpr gl::BlockMember kOcclusionBlockMembers[] = {
+    VS_BLOCK_MEMBER(OcclusionBlock, occlusionScale),      VS_BLOCK_MEMBER(OcclusionBlock, occlusionOffset),
+    VS_BLOCK_MEMBER(OcclusionBlock, occlusionFromWorld),  VS_BLOCK_MEMBER(OcclusionBlock, occlusionTexel),
+    VS_BLOCK_MEMBER(OcclusionBlock, occlusionTowardsKey), VS_BLOCK_MEMBER(OcclusionBlock, occlusionStrengths),
+    VS_BLOCK_MEMBER(OcclusionBlock, occlusionLevels)};
+inline constexpr gl::BlockLayout kOcclusionBlockLayout{"OcclusionBlock", sizeof(OcclusionBlock),
+                                                       kOcclusionBlockMembers};
+static_assert(isWhole(kOcclusionBlockLayout));
 
 // Where the light comes from and how strongly what blocks it is seen; 0: as if nothing blocked it.
 struct Light {
@@ -66,12 +73,12 @@ public:
 
 private:
     void allocate(const volume::GridGeometry& geometry);
-    gl::Program& programFor(const Input& input);
+    [[nodiscard]] gl::Defines definesFor(const Input& input) const;
     void fill(const Input& input, const Box3& texels);
     void average(int level, const Box3& texels);
 
-    std::map<int, gl::Program> programs_; // by what blocks light, sculpture, block size
-    gl::Program average_;
+    gl::ProgramVariants fill_{"render/shaders/fill_occlusion.comp"};
+    gl::ProgramVariants average_{"render/shaders/average_occlusion.comp"};
     std::optional<field::SceneBinding> scene_;
     gl::Buffer block_;
     gl::Texture texels_;

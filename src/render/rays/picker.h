@@ -29,9 +29,7 @@ public:
                                                 Meets meets = Meets::Surface);
 
 private:
-    gl::Program& programFor(const Frame& frame, Meets meets);
-
-    std::map<int, gl::Program> programs_;
+    gl::ProgramVariants pickPoints_{"render/shaders/pick_points.comp"};
     gl::Buffer view_;
     gl::Buffer positions_;
     field::SceneBinding sceneBinding_;

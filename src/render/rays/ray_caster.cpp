@@ -88,9 +88,9 @@ ViewBlock viewBlock(const ViewRays& rays, const volume::GridGeometry& geometry) 
     const double step = geometry.stepMm();
     const double offset = rays.isOrthographic ? 1.0 : step;
     ViewBlock block;
-    block.forward = glm::vec4(rays.forward, rays.isOrthographic ? 1.0 : 0.0);
-    block.right = glm::vec4(glm::normalize(rays.right), 0.0);
-    block.up = glm::vec4(glm::normalize(rays.up), 0.0);
+    block.viewForward = glm::vec4(rays.forward, rays.isOrthographic ? 1.0 : 0.0);
+    block.viewRight = glm::vec4(glm::normalize(rays.right), 0.0);
+    block.viewUp = glm::vec4(glm::normalize(rays.up), 0.0);
     block.eyeVoxel = glm::vec4(voxelFromWorld * glm::dvec4(rays.eye, 1.0));
     block.forwardVoxel = direction(rays.forward, step);
     block.rightVoxel = direction(rays.right, offset);
@@ -176,8 +176,9 @@ void RayCaster::bindPart(const Part& part) {
     if (frame_.mode == Mode::Mip) {
         part.slabs.bind();
     }
-    if (frame_.segmentCells != nullptr) {
-        frame_.segmentCells->distances().bindTexture(kSegmentCellDistancesTexture);
+    if (frame_.mode == Mode::Overlay || frame_.mode == Mode::Volume) {
+        const Macrocells* cells = frame_.segmentCells != nullptr ? frame_.segmentCells : part.macrocells;
+        cells->distances().bindTexture(kSegmentCellDistancesTexture);
     }
     if (part.occlusion != nullptr) {
         part.occlusion->bind({.towardsKey = towardsKeyLight(part.rays)});
@@ -221,18 +222,16 @@ void RayCaster::listSquares() {
 // After two samples: squares where they agree take no more.
 void RayCaster::setSettledAside() {
     const gl::Pass pass("set settled squares aside");
-    if (!setAside_) { // compiled when first needed, not while a volume is opened
-        setAside_ = gl::Program("render/shaders/set_squares_aside.comp");
-    }
     squares_.bindStorage(kSquaresStorage);
     squareCounts_.clear();
     squareCounts_.bindStorage(kSquareCountsStorage);
     placeOfSquare_.bindStorage(kPlacesStorage);
     contrasts_.bindStorage(kContrastsStorage);
     unsettled_.bindStorage(kOrderedStorage);
-    setAside_.set("squareCount", squareCount(frame_.rays.size)).set("occupied", occupiedSquares_);
+    gl::Program& program = setAside_.with({});
+    program.set("squareCount", squareCount(frame_.rays.size)).set("occupied", occupiedSquares_);
     const glm::ivec2 all = squareCount(frame_.rays.size);
-    setAside_.dispatchOverList(std::size_t(all.x * all.y), gl::Barrier::Storage);
+    program.dispatchOverList(std::size_t(all.x * all.y), gl::Barrier::Storage);
     activeSquares_ = int(squareCounts_.readValue<std::uint32_t>());
     std::swap(squares_, unsettled_);
 }
@@ -275,7 +274,7 @@ int RayCaster::squaresFor(double milliseconds) const {
 
 bool RayCaster::renderSome(double budgetMs) {
     const Timer timer;
-    gl::Program& program = programFor(frame_);
+    gl::Program& program = castRays_.with(definesFor(frame_));
     if (sample_ == 0 && square_ == 0) {
         findBeams();
         listSquares();

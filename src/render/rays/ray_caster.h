@@ -3,6 +3,7 @@
 
 #include "base/names.h"
 #include "field/scene.h"
+#include "gl/block_layout.h"
 #include "gl/program.h"
 #include "image/image.h"
 #include "render/camera/camera.h"
@@ -15,7 +16,6 @@
 #include "render/space/slab_bounds.h"
 
 #include <array>
-#include <map>
 #include <vector>
 
 namespace vs::render {
@@ -32,16 +32,22 @@ Mode modeFromName(const std::string& name);
 
 // The view as shaders see it; mirrors ViewBlock in render/shaders/rays.glsl (std140).
 struct ViewBlock {
-    glm::vec4 forward{0}; // world, unit; w 1 if orthographic
-    glm::vec4 right{0};
-    glm::vec4 up{0};
+    glm::vec4 viewForward{0}; // world, unit; w 1 if orthographic
+    glm::vec4 viewRight{0};
+    glm::vec4 viewUp{0};
     glm::vec4 eyeVoxel{0}; // voxel space, per step
     glm::vec4 forwardVoxel{0};
     glm::vec4 rightVoxel{0};
     glm::vec4 upVoxel{0};
     glm::vec4 viewport{1};
 };
-static_assert(sizeof(ViewBlock) == 128);
+inline constexpr gl::BlockMember kViewBlockMembers[] = {
+    VS_BLOCK_MEMBER(ViewBlock, viewForward),  VS_BLOCK_MEMBER(ViewBlock, viewRight),
+    VS_BLOCK_MEMBER(ViewBlock, viewUp),       VS_BLOCK_MEMBER(ViewBlock, eyeVoxel),
+    VS_BLOCK_MEMBER(ViewBlock, forwardVoxel), VS_BLOCK_MEMBER(ViewBlock, rightVoxel),
+    VS_BLOCK_MEMBER(ViewBlock, upVoxel),      VS_BLOCK_MEMBER(ViewBlock, viewport)};
+inline constexpr gl::BlockLayout kViewBlockLayout{"ViewBlock", sizeof(ViewBlock), kViewBlockMembers};
+static_assert(isWhole(kViewBlockLayout));
 
 ViewBlock viewBlock(const ViewRays& rays, const volume::GridGeometry& geometry);
 
@@ -117,7 +123,7 @@ private:
     };
     // Whether the picture may show surfaces of translucent segments.
     static bool drawsTranslucent(const Frame& frame);
-    gl::Program& programFor(const Frame& frame);
+    static gl::Defines definesFor(const Frame& frame);
     void arrangeParts();
     void bindPart(const Part& part);
     void findBeams();
@@ -133,11 +139,11 @@ private:
     gl::Texture seenBehind_;
     gl::Texture seenGlass_; // and where some segment is translucent
     gl::Texture seenGlassDepth_;
-    std::map<int, gl::Program> programs_; // by mode, whether there is a sculpture, and sampling
+    gl::ProgramVariants castRays_{"render/shaders/cast_rays.comp"};
     gl::Program resolve_;
     gl::Program findBeams_;
     gl::Program listSquares_;
-    gl::Program setAside_;
+    gl::ProgramVariants setAside_{"render/shaders/set_squares_aside.comp"};
     gl::Program fillFilm_;
     gl::Buffer squares_;       // those that may show something first
     gl::Buffer placeOfSquare_; // in that list

@@ -15,13 +15,9 @@ namespace {
 namespace {
 
 gl::Defines definesFor(const SliceFrame& frame) {
-    gl::Defines defines;
-    if (frame.scene.sculpture != nullptr && frame.scene.view != field::SculptureView::Whole) {
-        defines.emplace_back("SCULPTED", "1");
-    }
-    if (frame.scene.segmentation != nullptr) {
-        defines.emplace_back("SEGMENTED", "1");
-    }
+    gl::Defines defines = gl::switchesOn(
+        {{"SCULPTED", frame.scene.sculpture != nullptr && frame.scene.view != field::SculptureView::Whole},
+         {"SEGMENTED", frame.scene.segmentation != nullptr}});
     if (frame.classification != nullptr) {
         defines.emplace_back("TF_KIND", frame.classification->kindDefine());
     }

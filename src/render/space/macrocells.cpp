@@ -22,20 +22,13 @@ std::uint64_t nextVersion() {
 }
 
 gl::Defines definesFor(const Macrocells::Input& input) {
-    gl::Defines defines;
-    const auto define = [&](bool holds, const char* name) {
-        if (holds) {
-            defines.emplace_back(name, "1");
-        }
-    };
-    define(input.drawsData, "VS_DATA");
-    define(input.classification != nullptr, "VS_BY_FUNCTION");
-    define(input.segmentationCells != nullptr, "VS_SEGMENTATION");
     // In probe view nothing is seen while nothing is cut.
-    define(input.view == field::SculptureView::Probe ||
-               (input.sculptureCells != nullptr && input.view == field::SculptureView::Cut),
-           "VS_SCULPTURE");
-    return defines;
+    const bool isSculpted = input.view == field::SculptureView::Probe ||
+                            (input.sculptureCells != nullptr && input.view == field::SculptureView::Cut);
+    return gl::switchesOn({{"VS_DATA", input.drawsData},
+                           {"VS_BY_FUNCTION", input.classification != nullptr},
+                           {"VS_SEGMENTATION", input.segmentationCells != nullptr},
+                           {"VS_SCULPTURE", isSculpted}});
 }
 
 } // namespace
@@ -68,15 +61,12 @@ const gl::Texture& Macrocells::dilated(const gl::Texture& dataCells) {
     if (dilatedFrom_ == &dataCells && dilated_->size() == dataCells.size()) {
         return *dilated_;
     }
-    if (!dilate_) {
-        dilate_ = gl::Program("render/shaders/dilate_ranges.comp");
-    }
     dilated_ = std::make_shared<gl::Texture>(dataCells.size(), gl::Format::RG32F, gl::Filter::Nearest,
                                              "dilated cell ranges");
     dilatedFrom_ = &dataCells;
     dataCells.bindTexture(kRangesTexture);
     dilated_->bindImage(kDilatedImage, gl::Access::Write);
-    dilate_.dispatchOver(dilated_->size(), gl::Barrier::Texture);
+    dilate_.with({}).dispatchOver(dilated_->size(), gl::Barrier::Texture);
     return *dilated_;
 }
 

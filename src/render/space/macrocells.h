@@ -63,7 +63,7 @@ private:
     gl::Texture distances_;
     gl::TexelBuffer planes_;                 // see shaders/cell_bits.glsl
     const gl::Texture* dataCells_ = nullptr; // what samples can give: the data's, or dilated_
-    gl::Program dilate_;                     // made when first used
+    gl::ProgramVariants dilate_{"render/shaders/dilate_ranges.comp"};
     const gl::Texture* dilatedFrom_ = nullptr;
     std::shared_ptr<gl::Texture> dilated_; // shared with copies
     gl::Texture empty_;

@@ -29,9 +29,17 @@ gl::Defines fixedPointDefines() {
             {"MAX_POINT_ENERGY", fmt::format("{:.1f}", Radiator::kMaxPointEnergy)}};
 }
 
+// Into `width`^3 voxels.
 gl::Defines depositDefines(int width) {
     gl::Defines defines = fixedPointDefines();
     defines.emplace_back("WIDTH", std::to_string(width));
+    return defines;
+}
+
+gl::Defines convolveDefines(int axis, int reach) {
+    gl::Defines defines = fixedPointDefines();
+    defines.emplace_back("AXIS", std::to_string(axis));
+    defines.emplace_back("REACH", std::to_string(reach));
     return defines;
 }
 
@@ -40,23 +48,14 @@ glm::ivec3 tileOf(glm::ivec3 voxel) { return {voxel.x >> 3, voxel.y >> 3, voxel.
 } // namespace
 
 Radiator::Radiator()
-    : deposits_{gl::Program("sculpt/shaders/deposit_points.comp", depositDefines(3)),
-                gl::Program("sculpt/shaders/deposit_points.comp", depositDefines(4))},
-      list_("sculpt/shaders/list_tiles.comp"), marks_(4, "radiation tile marks"),
+    : list_("sculpt/shaders/list_tiles.comp"), marks_(4, "radiation tile marks"),
       stages_(4, "radiation tile stages"), lists_{gl::Buffer(kListHeader, "radiation tiles x"),
                                                   gl::Buffer(kListHeader, "radiation tiles y"),
                                                   gl::Buffer(kListHeader, "radiation tiles z")},
-      bounds_(6 * sizeof(int), "radiation bounds") {}
-
-gl::Program& Radiator::convolution(int axis, int reach) {
-    gl::Program& program = convolutions_[std::size_t(axis)][std::size_t(reach)];
-    if (!program) {
-        gl::Defines defines = fixedPointDefines();
-        defines.emplace_back("AXIS", std::to_string(axis));
-        defines.emplace_back("REACH", std::to_string(reach));
-        program = gl::Program("sculpt/shaders/convolve_tiles.comp", defines);
+      bounds_(6 * sizeof(int), "radiation bounds") {
+    for (const int width : {3, 4}) {
+        deposit_.with(depositDefines(width)); // compiled now, not in the middle of a stroke
     }
-    return program;
 }
 
 void Radiator::growScratch(glm::ivec3 texels) {
@@ -158,7 +157,7 @@ void Radiator::add(const gl::Buffer& points, std::size_t count, bool takesBack) 
     const auto& axes = footprint_.axes;
     const glm::ivec3 degrees(axes[0].degree, axes[1].degree, axes[2].degree);
     const bool isCubic = glm::any(glm::equal(degrees, glm::ivec3(3)));
-    gl::Program& program = deposits_[isCubic ? 1 : 0];
+    gl::Program& program = deposit_.with(depositDefines(isCubic ? 4 : 3));
     program.set("count", int(count))
         .set("originVoxel", origin_)
         .set("tileDims", tileDims_)
@@ -171,7 +170,7 @@ void Radiator::add(const gl::Buffer& points, std::size_t count, bool takesBack) 
 
 void Radiator::convolve(int axis, const gl::Texture& from, const gl::Texture& to) {
     const AxisFootprint& shape = footprint_.axes[std::size_t(axis)];
-    gl::Program& program = convolution(axis, shape.reach);
+    gl::Program& program = convolve_.with(convolveDefines(axis, shape.reach));
     lists_[std::size_t(axis)].bindStorage(kTileListStorage);
     stages_.bindStorage(kStagesStorage);
     deposited_.bindImage(kDepositsImage, gl::Access::ReadWrite);

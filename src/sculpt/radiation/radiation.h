@@ -67,16 +67,14 @@ public:
     [[nodiscard]] std::vector<float> download(const Box3& box) const;
 
 private:
-    gl::Program& convolution(int axis, int reach);
     void growScratch(glm::ivec3 texels);
     void beginRound();
     void add(const gl::Buffer& points, std::size_t count, bool takesBack);
     void convolve(int axis, const gl::Texture& from, const gl::Texture& to);
 
-    std::array<gl::Program, 2> deposits_; // into 3^3 and 4^3 voxels
+    gl::ProgramVariants deposit_{"sculpt/shaders/deposit_points.comp"};
     gl::Program list_;
-    std::array<std::array<gl::Program, AxisFootprint::kMaxReach + 1>, 3>
-        convolutions_;      // by axis and reach, when needed
+    gl::ProgramVariants convolve_{"sculpt/shaders/convolve_tiles.comp"};
     gl::Texture deposited_; // R32UI, zero between finish() and begin() unless running
     gl::Texture scratchA_;
     gl::Texture scratchB_;

@@ -23,9 +23,7 @@ Box3 IslandCutter::cut(Sculpture& sculpture, const field::Scene& scene, const gl
                        BrickBackup& backup) {
     const glm::ivec3 dims = sculpture.dims();
     VS_CHECK(region.size() == dims);
-    if (!pack_) {
-        pack_ = gl::Program("sculpt/shaders/pack_islands.comp");
-        cut_ = gl::Program("sculpt/shaders/cut_islands.comp", storedDefines(sculpture.precision()));
+    if (!bounds_) {
         bounds_ = gl::Buffer(6 * sizeof(int), "island bounds");
     }
     const glm::ivec3 words(divideUp(dims.x, kWord), dims.y, dims.z);
@@ -40,8 +38,9 @@ Box3 IslandCutter::cut(Sculpture& sculpture, const field::Scene& scene, const gl
         const gl::Pass pass("find islands");
         binding_.bind(scene);
         region.bindImage(kRegionImage, gl::Access::Read);
-        pack_.set("words", words);
-        pack_.dispatchOver(words, gl::Barrier::All);
+        gl::Program& program = pack_.with({});
+        program.set("words", words);
+        program.dispatchOver(words, gl::Barrier::All);
     }
     const auto found = bounds_.read<glm::ivec3>(2);
     if (found[1].x < 0) {
@@ -52,8 +51,9 @@ Box3 IslandCutter::cut(Sculpture& sculpture, const field::Scene& scene, const gl
     {
         const gl::Pass pass("cut islands");
         sculpture.texels().bindImage(kSculptureImage, gl::Access::ReadWrite);
-        cut_.set("words", words).set("dims", dims);
-        cut_.dispatchOver(words, gl::Barrier::Texture);
+        gl::Program& program = cut_.with(storedDefines(sculpture.precision()));
+        program.set("words", words).set("dims", dims);
+        program.dispatchOver(words, gl::Barrier::Texture);
     }
     sculpture.refresh(box);
     return box;

@@ -19,9 +19,9 @@ public:
     Box3 cut(Sculpture& sculpture, const field::Scene& scene, const gl::Texture& region, BrickBackup& backup);
 
 private:
-    gl::Program pack_; // made when first used
-    gl::Program cut_;
-    gl::Buffer islands_; // one bit a voxel, 32 along x in a word
+    gl::ProgramVariants pack_{"sculpt/shaders/pack_islands.comp"};
+    gl::ProgramVariants cut_{"sculpt/shaders/cut_islands.comp"}; // by the sculpture's precision
+    gl::Buffer islands_;                                         // one bit a voxel, 32 along x in a word
     gl::Buffer kept_;
     gl::Buffer bounds_;
     field::SceneBinding binding_;

@@ -177,13 +177,10 @@ Box3 SolidCutter::run(gl::Program& program, const Tiles& tiles, Sculpture& sculp
     if (all.isEmpty()) {
         return {};
     }
-    if (!fill_) {
-        fill_ = gl::Program("sculpt/shaders/cut_all.comp", storedDefines(sculpture.precision()));
-    }
     const gl::Pass pass("cut solid");
     sculpture.texels().bindImage(kSolidSculptureImage, gl::Access::ReadWrite);
     dispatch(program, tiles.partly, radius, how);
-    dispatch(fill_, tiles.wholly, radius, how);
+    dispatch(fill_.with(storedDefines(sculpture.precision())), tiles.wholly, radius, how);
     sculpture.refresh(all);
     return all;
 }
@@ -222,9 +219,6 @@ Box3 SolidCutter::extrude(Sculpture& sculpture, const Extrusion& solid, Combine 
     if (distances.values.empty()) {
         return {};
     }
-    if (!extrude_) {
-        extrude_ = gl::Program("sculpt/shaders/cut_extrusion.comp", storedDefines(sculpture.precision()));
-    }
     const auto outline = asTexture(distances.size, std::span<const float>(distances.values), gl::Format::R32F,
                                    gl::Filter::Linear, "outline distances");
     outline.bindTexture(kOutlineDistancesTexture);
@@ -246,7 +240,8 @@ Box3 SolidCutter::extrude(Sculpture& sculpture, const Extrusion& solid, Combine 
         own.bindTexture(kOwnDepthsTexture);
         front.bindTexture(kFrontDepthsTexture);
     }
-    extrude_.set("pixelFromVoxel", glm::mat4(view.pixelFromWorld * geometry_.worldFromVoxel))
+    gl::Program& program = extrude_.with(storedDefines(sculpture.precision()));
+    program.set("pixelFromVoxel", glm::mat4(view.pixelFromWorld * geometry_.worldFromVoxel))
         .set("outlinePlace", glm::vec4(distances.origin, band, view.pixelMm))
         .set("eye", glm::vec4(view.eye, view.isOrthographic ? 1.0 : 0.0))
         .set("forward", glm::vec3(view.forward))
@@ -260,7 +255,7 @@ Box3 SolidCutter::extrude(Sculpture& sculpture, const Extrusion& solid, Combine 
         tiles.partly.insert(tiles.partly.end(), tiles.wholly.begin(), tiles.wholly.end());
         tiles.wholly.clear();
     }
-    return run(extrude_, tiles, sculpture, solid.radius, how, backup);
+    return run(program, tiles, sculpture, solid.radius, how, backup);
 }
 
 Box3 SolidCutter::clip(Sculpture& sculpture, const HalfSpaces& solid, Combine how, BrickBackup& backup) {
@@ -268,14 +263,11 @@ Box3 SolidCutter::clip(Sculpture& sculpture, const HalfSpaces& solid, Combine ho
         return {};
     }
     VS_CHECK(solid.planes.size() <= kMaxPlanes);
-    if (!clip_) {
-        gl::Defines defines = storedDefines(sculpture.precision());
-        defines.emplace_back("MAX_PLANES", std::to_string(kMaxPlanes));
-        clip_ = gl::Program("sculpt/shaders/cut_half_spaces.comp", defines);
-    }
-    clip_.set("kind", glm::ivec2(int(solid.planes.size()), solid.cutsInside ? 1 : 0));
+    gl::Defines defines = storedDefines(sculpture.precision());
+    defines.emplace_back("MAX_PLANES", std::to_string(kMaxPlanes));
+    gl::Program& program = clip_.with(defines);
     const std::vector<glm::vec4> planes(solid.planes.begin(), solid.planes.end());
-    clip_.set("planes", planes);
+    program.set("kind", glm::ivec2(int(solid.planes.size()), solid.cutsInside ? 1 : 0)).set("planes", planes);
     const Tiles tiles = find(geometry_.box(), solid.radius, [&](const glm::dvec3& centre) {
         double outside = -1e30;
         for (const glm::dvec4& plane : solid.planes) {
@@ -283,21 +275,18 @@ Box3 SolidCutter::clip(Sculpture& sculpture, const HalfSpaces& solid, Combine ho
         }
         return solid.cutsInside ? -outside : outside;
     });
-    return run(clip_, tiles, sculpture, solid.radius, how, backup);
+    return run(program, tiles, sculpture, solid.radius, how, backup);
 }
 
 Box3 SolidCutter::cutValues(Sculpture& sculpture, std::span<const float> energies, Combine how,
                             BrickBackup& backup) {
     const Box3 grid = geometry_.box();
     VS_CHECK_EQ(energies.size(), grid.volume());
-    if (!cutValues_) {
-        cutValues_ = gl::Program("sculpt/shaders/cut_values.comp", storedDefines(sculpture.precision()));
-    }
     gl::Texture texels(geometry_.dims, gl::Format::R32F, gl::Filter::Nearest, "energies");
     texels.upload(grid, std::as_bytes(energies));
     texels.bindImage(kEnergiesImage, gl::Access::Read);
     const Tiles tiles = find(grid, 3, [](const glm::dvec3&) { return 0.0; });
-    return run(cutValues_, tiles, sculpture, 3, how, backup);
+    return run(cutValues_.with(storedDefines(sculpture.precision())), tiles, sculpture, 3, how, backup);
 }
 
 } // namespace vs::sculpt

@@ -45,8 +45,8 @@ struct HalfSpaces {
 
 // Cuts solids whose shape is known exactly, voxel by voxel, with the edge that radiation would give a plane:
 // the Gaussian's integral over the distance from the boundary. So the 0.5 level lies on the boundary, at any
-// size, without any points. One serves one sculpture, or several of the same precision. Where two boundaries
-// meet, the smaller energy counts: corners stay sharp.
+// size, without any points. Where two boundaries meet, the smaller energy
+// counts: corners stay sharp.
 class SolidCutter {
 public:
     static constexpr int kMaxPlanes = 32;
@@ -77,10 +77,11 @@ private:
 
     volume::GridGeometry geometry_;
     gl::Buffer list_;
-    gl::Program fill_; // made when first used, like the others
-    gl::Program extrude_;
-    gl::Program clip_;
-    gl::Program cutValues_;
+    // By the sculpture's precision.
+    gl::ProgramVariants fill_{"sculpt/shaders/cut_all.comp"};
+    gl::ProgramVariants extrude_{"sculpt/shaders/cut_extrusion.comp"};
+    gl::ProgramVariants clip_{"sculpt/shaders/cut_half_spaces.comp"};
+    gl::ProgramVariants cutValues_{"sculpt/shaders/cut_values.comp"};
 };
 
 // Distances in pixels from an outline, positive inside (even-odd rule), clamped to +-band; element (i, j)

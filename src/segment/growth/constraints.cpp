@@ -17,18 +17,11 @@ bool includes(const std::optional<Range>& wide, const std::optional<Range>& narr
 }
 
 gl::Defines definesOf(const Constraints& constraints) {
-    gl::Defines defines;
-    const auto define = [&](bool is, const char* name) {
-        if (is) {
-            defines.emplace_back(name, "1");
-        }
-    };
-    define(constraints.hasFence(), "VS_FENCED");
-    define(constraints.gradient.has_value(), "VS_GRADIENT");
-    define(constraints.difference.has_value(), "VS_DIFFERENCE");
-    define(constraints.gradientDifference.has_value(), "VS_GRADIENT_DIFFERENCE");
-    define(constraints.connectivity == Connectivity::TwentySix, "VS_NEIGHBOURS_26");
-    return defines;
+    return gl::switchesOn({{"VS_FENCED", constraints.hasFence()},
+                           {"VS_GRADIENT", constraints.gradient.has_value()},
+                           {"VS_DIFFERENCE", constraints.difference.has_value()},
+                           {"VS_GRADIENT_DIFFERENCE", constraints.gradientDifference.has_value()},
+                           {"VS_NEIGHBOURS_26", constraints.connectivity == Connectivity::TwentySix}});
 }
 
 // The ends rounded to float; nothing given: all there are.

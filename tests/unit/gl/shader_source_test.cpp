@@ -36,6 +36,27 @@ TEST(ShaderSource, AMissingFileIsNamedWithThePlaceThatWantsIt) {
     }
 }
 
+TEST(ShaderSource, UniformsAreThoseDeclaredOutsideOfBlocks) {
+    const auto names =
+        declaredUniforms("uniform float offset;\n"
+                         "layout(binding = 3) uniform sampler3D volume; uniform vec4 taps [7];\n"
+                         "layout(std140, binding = 0) uniform Block { float inBlock; };\n"
+                         "uniform\n    ivec3\tdims\n;\n"
+                         "float nonuniform = 1.0; float uniformity;\n");
+    EXPECT_EQ(names, (std::vector<std::string>{"offset", "volume", "taps", "dims"}));
+}
+
+TEST(ShaderSource, UniformsInCommentsAreNone) {
+    const auto names =
+        declaredUniforms("// A uniform float gone; was here.\n"
+                         "uniform float /* not uniform int other; */ kept; // uniform int late;\n"
+                         "/* uniform float a;\n   uniform float b; // */ uniform int after;\n"
+                         "uniform vec2 // in pixels; x right\n    split;\n"
+                         "// uniform float last;");
+    EXPECT_EQ(names, (std::vector<std::string>{"kept", "after", "split"}));
+    EXPECT_TRUE(declaredUniforms("/* uniform float open;").empty());
+}
+
 TEST(ShaderSource, DriverLogsNameFiles) {
     ExpandedSource source;
     source.files = {"a.comp", "b.glsl"};

@@ -176,6 +176,13 @@ bool SliceController::step() {
     return stale > 1 || (next && isStale(*next));
 }
 
+void SliceController::drawAnew() {
+    for (Pane& pane : panes_) {
+        pane.drawn.reset();
+    }
+    touch();
+}
+
 bool SliceController::isComplete() {
     return host_.geometry() == nullptr || std::none_of(render::kSliceKinds.begin(), render::kSliceKinds.end(),
                                                        [&](Kind kind) { return isStale(kind); });

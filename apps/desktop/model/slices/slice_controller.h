@@ -69,6 +69,8 @@ public:
     [[nodiscard]] const QImage& picture(Kind kind) const { return pane(kind).picture; }
     // Draws the slice that has waited longest, if any is stale. True: others are stale still.
     bool step();
+    // Draws all that are shown once more: not the document has changed, but what draws them.
+    void drawAnew();
     // Whether all pictures show the document as it is.
     [[nodiscard]] bool isComplete();
     // The crosshair in the 3D view.

@@ -4,7 +4,6 @@
 #include "render/colours/colour.h"
 
 #include <span>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -27,7 +26,7 @@ struct ColourMap {
 std::span<const ColourMap> colourMaps();
 // Null if there is none of that name.
 const ColourMap* findColourMap(std::string_view name);
-// "grey, ivory, ...": for messages.
-std::string colourMapNames();
+// What they are called, in that order.
+std::span<const char* const> colourMapNames();
 
 } // namespace vs::render

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
-// Compares what doc/ says of session files with what the operations' descriptions say: the schema, and the
-// two tables of doc/session.md.
+// Compares what doc/ says of session files and transfer functions with what their descriptions say: the
+// schemas, and the tables of doc/session.md and doc/transfer_functions.md.
 //
 // usage: session_documents ROOT [--fix]
 // ROOT: of the repository; with --fix the documents are brought up to date.
+#include "function_schema.h"
 #include "session_schema.h"
 
 #include <nlohmann/json.hpp>
@@ -46,7 +47,7 @@ bool settle(const std::filesystem::path& path, const std::string& wanted, bool i
         std::ofstream(path) << wanted;
         return true;
     }
-    std::fprintf(stderr, "%s is not what the operations say; run session_documents ROOT --fix\n",
+    std::fprintf(stderr, "%s is not what the descriptions say; run session_documents ROOT --fix\n",
                  path.c_str());
     return false;
 }
@@ -60,10 +61,14 @@ int main(int argc, char** argv) {
         return 2;
     }
     const std::filesystem::path doc = std::filesystem::path(argv[1]) / "doc";
-    const std::string page = textOf(doc / "session.md");
-    const bool isSchemaRight =
-        settle(doc / "session.schema.json", vs::studio::sessionSchema().dump(1) + "\n", isToFix);
-    const bool isPageRight =
-        settle(doc / "session.md", withTables(page, vs::studio::operationTables()), isToFix);
-    return isSchemaRight && isPageRight ? 0 : 1;
+    const auto settleBoth = [&](const char* schemaFile, const vs::Json& schema, const char* pageFile,
+                                const std::string& tables) {
+        const bool isSchemaRight = settle(doc / schemaFile, schema.dump(1) + "\n", isToFix);
+        return settle(doc / pageFile, withTables(textOf(doc / pageFile), tables), isToFix) && isSchemaRight;
+    };
+    const bool isSessionRight = settleBoth("session.schema.json", vs::studio::sessionSchema(), "session.md",
+                                           vs::studio::operationTables());
+    const bool isFunctionRight = settleBoth("transfer_function.schema.json", vs::render::functionSchema(),
+                                            "transfer_functions.md", vs::render::functionTable());
+    return isSessionRight && isFunctionRight ? 0 : 1;
 }

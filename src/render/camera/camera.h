@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "base/description.h"
 #include "base/math.h"
 #include "volume/grid/geometry.h"
 
@@ -16,12 +17,27 @@ constexpr const auto& namesOf(Projection) { return kProjections; }
 // positive azimuth moves the viewer to the patient's left, positive elevation up (doc/behaviour.md,
 // "Pictures"). Zoom 1 frames the volume; flying in is allowed. World is LPS millimetres.
 struct Camera {
+    static constexpr const char* kName = "camera";
+
     double azimuthDegrees = 0;
     double elevationDegrees = 0;
     double zoom = 1;
     glm::dvec2 panMm{0}; // target moved right and up in the picture plane
     Projection projection = Projection::Perspective;
     double rollDegrees = 0; // about the line of sight; positive turns the picture clockwise
+
+    template <typename = void>
+    static constexpr auto fields() {
+        return std::tuple{written("azimuth", &Camera::azimuthDegrees, {.unit = "degrees"},
+                                  "positive moves the viewer left"),
+                          written("elevation", &Camera::elevationDegrees, {.unit = "degrees"},
+                                  "positive moves the viewer up"),
+                          written("roll", &Camera::rollDegrees, {.unit = "degrees"},
+                                  "positive turns the picture clockwise"),
+                          written("zoom", &Camera::zoom, {.least = 1e-3, .most = 1e3}, "1 frames the volume"),
+                          written("pan", &Camera::panMm, {.unit = "mm"}),
+                          written("projection", &Camera::projection)};
+    }
 
     bool operator==(const Camera&) const = default;
 };

@@ -8,9 +8,21 @@ namespace vs::render {
 // Where a pasted part is drawn: turned and scaled about the grid's centre, then moved. World, LPS
 // millimetres.
 struct Placement {
+    static constexpr const char* kName = "placement";
+
     glm::dvec3 moveMm{0};
     glm::dvec3 turnDegrees{0}; // about the axis that it points along, by its length
     double scale = 1;
+
+    template <typename = void>
+    static constexpr auto fields() {
+        return std::tuple{written("move", &Placement::moveMm, {.least = -1e6, .most = 1e6, .unit = "mm"},
+                                  "towards the patient's left, back and head"),
+                          written("turn", &Placement::turnDegrees,
+                                  {.least = -360, .most = 360, .unit = "degrees"},
+                                  "about the axis that it points along"),
+                          written("scale", &Placement::scale, {.least = 0.01, .most = 100})};
+    }
 
     bool operator==(const Placement&) const = default;
 };

@@ -19,7 +19,7 @@ struct Stop {
 };
 
 struct Recipe {
-    std::string_view name;
+    const char* name;
     std::string_view description;
     std::vector<Stop> stops; // evenly spread; in a diverging map the middle one stands twice
     bool isDiverging = false;
@@ -168,12 +168,15 @@ const ColourMap* findColourMap(std::string_view name) {
     return found == maps.end() ? nullptr : &*found;
 }
 
-std::string colourMapNames() {
-    std::string all;
-    for (const ColourMap& map : colourMaps()) {
-        all += (all.empty() ? "" : ", ") + std::string(map.name);
-    }
-    return all;
+std::span<const char* const> colourMapNames() {
+    static const std::vector<const char*> names = [] {
+        std::vector<const char*> all;
+        for (const Recipe& recipe : recipes()) {
+            all.push_back(recipe.name);
+        }
+        return all;
+    }();
+    return names;
 }
 
 } // namespace vs::render

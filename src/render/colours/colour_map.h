@@ -4,7 +4,6 @@
 #include "render/colours/colour.h"
 
 #include <span>
-#include <string>
 #include <string_view>
 #include <vector>
 
@@ -27,7 +26,7 @@ struct ColourMap {
 std::span<const ColourMap> colourMaps();
 // The map of a name; null if there is none.
 const ColourMap* findColourMap(std::string_view name);
-// The names of all maps, for messages: "grey, ivory, ...".
-std::string colourMapNames();
+// The names of all maps, in that order.
+std::span<const char* const> colourMapNames();
 
 } // namespace vs::render

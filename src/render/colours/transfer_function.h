@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "base/description.h"
 #include "base/math.h"
 #include "render/colours/colour.h"
+#include "render/colours/colour_map.h"
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -14,27 +17,52 @@ namespace vs::render {
 
 // What colour and opacity depend on: intensity, gradient magnitude, or both.
 enum class FunctionKind { Intensity, Gradient, TwoD };
+inline constexpr std::array<const char*, 3> kFunctionKinds{"intensity", "gradient", "two-dimensional"};
+constexpr const auto& namesOf(FunctionKind) { return kFunctionKinds; }
 
 // What positions are measured in. Absolute: the volume's unit (HU, grey level), gradient magnitudes in that
 // unit per mm. Relative: intensities from 0 to 1 over all of the volume's values. Robust: from 0 to 1 between
 // its 0.1st and its 99.9th percentile, so that a few odd voxels do not matter. For both of these gradient
 // magnitudes run from 0 to 1 between none and their 99.9th percentile.
 enum class Positions { Absolute, Relative, Robust };
+inline constexpr std::array<const char*, 3> kPositions{"absolute", "relative", "robust"};
+constexpr const auto& namesOf(Positions) { return kPositions; }
+
+inline constexpr Rule kPosition{.least = -1e12, .most = 1e12};
+inline constexpr Rule kPart{.least = 0, .most = 1};
+inline constexpr Rule kColour{.unit = "#rrggbb (display sRGB)"};
 
 // Opacity is linear between points, colour linear in OKLab; beyond the ends both stay as they are there.
 // Two points may share a position: a step.
 struct ControlPoint {
+    static constexpr const char* kName = "control point";
+
     double position = 0;
     double opacity = 0;
     Colour colour{255}; // without meaning when a colour map is used
+
+    template <typename = void>
+    static constexpr auto fields() {
+        return std::tuple{required("at", &ControlPoint::position, kPosition, "two may share a place: a step"),
+                          required("opacity", &ControlPoint::opacity, kPart),
+                          required("colour", &ControlPoint::colour, kColour)};
+    }
 
     bool operator==(const ControlPoint&) const = default;
 };
 
 // A named colour map (render/colours/colour_map.h) spread over a range of positions.
 struct SpreadColours {
+    static constexpr const char* kName = "colour map";
+
     std::string map = "grey";
     Range range{0, 1};
+
+    template <typename = void>
+    static auto fields() {
+        return std::tuple{required("name", &SpreadColours::map, {.choices = colourMapNames()}),
+                          required("range", &SpreadColours::range, kPosition, "where it begins and ends")};
+    }
 
     bool operator==(const SpreadColours&) const = default;
 };
@@ -62,7 +90,11 @@ struct Painting {
     bool operator==(const Painting&) const = default;
 };
 
+struct ShapeInFiles; // render/colours/function_values.h
+
 struct Shape {
+    using InFiles = ShapeInFiles;
+
     std::variant<Trapezoid, Painting> form;
     Colour colour{255};
     double opacity = 0.5;
@@ -72,6 +104,8 @@ struct Shape {
 
 // How shapes that overlap combine: the first one lies in front, or the most opaque one counts alone.
 enum class Combine { Over, Max };
+inline constexpr std::array<const char*, 2> kCombines{"over", "max"};
+constexpr const auto& namesOf(Combine) { return kCombines; }
 
 // How what is seen is lit in volume mode.
 struct Lighting {
@@ -81,9 +115,21 @@ struct Lighting {
     bool operator==(const Lighting&) const = default;
 };
 
+inline constexpr Rule kShapes{
+    .leastCount = 1, .mostCount = 256, .wrongCount = "has {0} shapes; {1} to {2} are allowed"};
+inline constexpr Rule kPoints{
+    .leastCount = 1, .mostCount = 4096, .wrongCount = "has {0} points; {1} to {2} are allowed"};
+inline constexpr Rule kPointsWithoutColour{.leastCount = kPoints.leastCount,
+                                           .mostCount = kPoints.mostCount,
+                                           .wrongCount = kPoints.wrongCount,
+                                           .without = "colour"};
+
 // Colour and opacity of every value of a volume. A value type: what panels edit, files hold
 // (doc/transfer_functions.md) and Classification takes to the device.
 struct TransferFunction {
+    static constexpr const char* kName = "transfer function";
+    static constexpr FileFormat kFormat{"volumeStudioTransferFunction", 1};
+
     std::string name;
     std::string description;
     FunctionKind kind = FunctionKind::Intensity;
@@ -100,6 +146,40 @@ struct TransferFunction {
     std::vector<Shape> shapes;
     Combine combine = Combine::Over;
 
+    template <typename = void>
+    static auto fields() {
+        using T = TransferFunction;
+        constexpr auto isCurve = [](const T& f) { return f.kind != FunctionKind::TwoD; };
+        constexpr auto isPlane = [](const T& f) { return f.kind == FunctionKind::TwoD; };
+        constexpr auto isPlain = [](const T& f) { return f.kind != FunctionKind::TwoD && !f.colours; };
+        constexpr auto isMapped = [](const T& f) { return f.kind != FunctionKind::TwoD && f.colours; };
+        return std::tuple{
+            written("name", &T::name, {}, "for people"),
+            written("description", &T::description, {}, "for people"),
+            required("kind", &T::kind, {},
+                     "what colour and opacity depend on: intensity, the gradient's magnitude, or both")
+                .deciding(),
+            written("positions", &T::positions, {}, "what positions are measured in"),
+            sparse("unitMm", &T::unitMm, {.least = 1e-6, .most = 1e6, .unit = "mm"},
+                   "opacities are per this length; without: per step (the volume's smallest spacing)"),
+            group("lighting", std::tuple{written("amount", through(&T::lighting, &Lighting::amount), kPart,
+                                                 "0: glows by itself, 1: lit as a surface"),
+                                         written("gloss", through(&T::lighting, &Lighting::gloss), kPart,
+                                                 "strength of highlights")}),
+            written("combine", &T::combine, {},
+                    "where shapes overlap: the first lies in front, or the most opaque one counts")
+                .onlyWhen(isPlane),
+            required("shapes", &T::shapes, kShapes, "areas over intensity and gradient magnitude")
+                .onlyWhen(isPlane),
+            sparse("colourMap", &T::colours, {}, "instead of the points' colours")
+                .onlyWhen(isCurve)
+                .deciding(),
+            required("points", &T::points, kPoints, "in ascending order").onlyWhen(isPlain),
+            required("points", &T::points, kPointsWithoutColour, "in ascending order").onlyWhen(isMapped)};
+    }
+    // Points that do not ascend.
+    [[nodiscard]] Fault faultOf() const;
+
     bool operator==(const TransferFunction&) const = default;
 };
 
@@ -112,8 +192,6 @@ struct Anchors {
 
 // A function with its positions made absolute.
 TransferFunction resolve(const TransferFunction& function, const Anchors& anchors);
-
-struct ColourMap;
 
 // Evaluates a function whose positions are absolute, at any place: what tables are made from and tests
 // compare with.

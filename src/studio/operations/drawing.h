@@ -10,6 +10,12 @@ namespace vs::studio {
 
 inline constexpr double kFarthestPixel = 1e6; // of the viewport, or anywhere about it
 inline constexpr Rule kPixels{.least = -kFarthestPixel, .most = kFarthestPixel, .unit = "pixels"};
+inline constexpr Rule kTwoPixels{.least = -kFarthestPixel,
+                                 .most = kFarthestPixel,
+                                 .unit = "pixels",
+                                 .leastCount = 2,
+                                 .mostCount = 2,
+                                 .wrongCount = "this shape takes exactly two points"};
 inline constexpr Rule kVoxel{.least = 0, .most = 1 << 20, .unit = "voxels"};
 inline constexpr Rule kPictureSize{.least = 1, .most = 16384, .unit = "pixels"};
 
@@ -27,11 +33,21 @@ struct Sketch {
     Shape shape = Shape::FreeForm;
     std::vector<glm::dvec2> points;
 
+    [[nodiscard]] constexpr bool isInBox() const {
+        return shape == Shape::Ellipse || shape == Shape::Circle || shape == Shape::Rectangle;
+    }
+
     template <typename = void>
     static constexpr auto fields() {
-        return std::tuple{required("shape", &Sketch::shape), required("points", &Sketch::points, kPixels)};
+        constexpr auto isInBox = [](const Sketch& sketch) { return sketch.isInBox(); };
+        constexpr auto isOfPoints = [](const Sketch& sketch) { return !sketch.isInBox(); };
+        return std::tuple{
+            required("shape", &Sketch::shape).deciding(),
+            required("points", &Sketch::points, kPixels).when(isOfPoints),
+            required("points", &Sketch::points, kTwoPixels,
+                     "opposite corners of the box around it; of a circle the centre and a point of the rim")
+                .when(isInBox)};
     }
-    [[nodiscard]] Fault faultOf() const;
 
     bool operator==(const Sketch&) const = default;
 };

@@ -4,22 +4,7 @@
 
 namespace vs::studio {
 
-Fault Sketch::faultOf() const {
-    const bool isBox = shape == Shape::Ellipse || shape == Shape::Circle || shape == Shape::Rectangle;
-    if (isBox && points.size() != 2) {
-        return {"points", "this shape takes exactly two points"};
-    }
-    return {};
-}
-
 Fault SweepPath::faultOf() const {
-    if (isDrawn()) {
-        return {};
-    }
-    const bool isOpen = kind == Kind::Polyline || kind == Kind::Spline;
-    if (!isOpen && points.size() != 2) {
-        return {"points", "exactly two places are wanted"};
-    }
     if (kind == Kind::Standing && points[0] == points[1]) {
         return {"points", "the mask must face another place than it stands on"};
     }

@@ -23,17 +23,29 @@ struct SweepPath {
     double turns = 1;
 
     [[nodiscard]] constexpr bool isDrawn() const { return kind == Kind::Surface || kind == Kind::ViewPlane; }
+    [[nodiscard]] constexpr bool isOpen() const { return kind == Kind::Polyline || kind == Kind::Spline; }
 
     template <typename = void>
     static constexpr auto fields() {
         constexpr auto isDrawn = [](const SweepPath& path) { return path.isDrawn(); };
-        constexpr auto isPlaced = [](const SweepPath& path) { return !path.isDrawn(); };
+        constexpr auto isOpen = [](const SweepPath& path) { return path.isOpen(); };
+        constexpr auto isOfTwo = [](const SweepPath& path) { return !path.isDrawn() && !path.isOpen(); };
         constexpr auto isHelix = [](const SweepPath& path) { return path.kind == Kind::Helix; };
         return std::tuple{
-            required("kind", &SweepPath::kind), required("stroke", &SweepPath::stroke, kPixels).when(isDrawn),
+            required("kind", &SweepPath::kind).deciding(),
+            required("stroke", &SweepPath::stroke, kPixels).when(isDrawn),
             required("points", &SweepPath::points,
                      {.least = -kFarthest, .most = kFarthest, .unit = "voxels", .leastCount = 2})
-                .when(isPlaced),
+                .when(isOpen),
+            required("points", &SweepPath::points,
+                     {.least = -kFarthest,
+                      .most = kFarthest,
+                      .unit = "voxels",
+                      .leastCount = 2,
+                      .mostCount = 2,
+                      .wrongCount = "exactly two places are wanted"},
+                     "the ends of the axis; where the mask stands and what it faces")
+                .when(isOfTwo),
             required("radius", &SweepPath::helixRadius, kDepth).when(isHelix),
             required("turns", &SweepPath::turns, {.least = -1000, .most = 1000}).when(isHelix)};
     }

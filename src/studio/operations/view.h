@@ -82,39 +82,4 @@ struct SetView {
 // The whole of a view.
 SetView lookAs(const View& view);
 
-template <>
-struct Description<render::Camera> {
-    static constexpr bool isElsewhere = true;
-    static constexpr const char* name() { return "camera"; }
-    template <typename = void>
-    static constexpr auto fields() {
-        using render::Camera;
-        return std::tuple{written("azimuth", &Camera::azimuthDegrees, {.unit = "degrees"},
-                                  "positive moves the viewer left"),
-                          written("elevation", &Camera::elevationDegrees, {.unit = "degrees"},
-                                  "positive moves the viewer up"),
-                          written("roll", &Camera::rollDegrees, {.unit = "degrees"},
-                                  "positive turns the picture clockwise"),
-                          written("zoom", &Camera::zoom, {.least = 1e-3, .most = 1e3}, "1 frames the volume"),
-                          written("pan", &Camera::panMm, {.unit = "mm"}),
-                          written("projection", &Camera::projection)};
-    }
-};
-
-template <>
-struct Description<render::Placement> {
-    static constexpr bool isElsewhere = true;
-    static constexpr const char* name() { return "placement"; }
-    template <typename = void>
-    static constexpr auto fields() {
-        using render::Placement;
-        return std::tuple{written("move", &Placement::moveMm, {.least = -1e6, .most = 1e6, .unit = "mm"},
-                                  "towards the patient's left, back and head"),
-                          written("turn", &Placement::turnDegrees,
-                                  {.least = -360, .most = 360, .unit = "degrees"},
-                                  "about the axis that it points along"),
-                          written("scale", &Placement::scale, {.least = 0.01, .most = 100})};
-    }
-};
-
 } // namespace vs::studio

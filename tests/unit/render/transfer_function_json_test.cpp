@@ -2,7 +2,6 @@
 #include "render/colours/transfer_function_json.h"
 
 #include "base/error.h"
-#include "render/colours/colour_map.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
@@ -85,8 +84,10 @@ TEST(TransferFunctionJson, ComplaintsNameThePlaceAndWhatWouldBeRight) {
     EXPECT_EQ(complaint(curve(R"("points":[{"at":5,"opacity":1,"colour":"#000000"},
                                            {"at":4,"opacity":1,"colour":"#000000"}])")),
               "f.json: points[1].at: 4 is below the point before it (5); points must ascend");
-    EXPECT_EQ(complaint(curve(R"("colourMap":{"name":"rainbow","range":[0,1]},"points":[])")),
-              "f.json: colourMap.name: 'rainbow' is not known; choose one of " + colourMapNames());
+    EXPECT_EQ(
+        complaint(curve(R"("colourMap":{"name":"rainbow","range":[0,1]},"points":[])")),
+        "f.json: colourMap.name: 'rainbow' is not known; choose one of grey, ivory, ember, marine, flesh, "
+        "vessel, tide");
     EXPECT_EQ(complaint(curve(R"("colourMap":{"name":"grey","range":[0,1]},
                                  "points":[{"at":0,"opacity":1,"colour":"#000000"}])")),
               "f.json: points[0]: the member 'colour' is not known here; known are at, opacity");
@@ -103,6 +104,37 @@ TEST(TransferFunctionJson, ComplaintsNameThePlaceAndWhatWouldBeRight) {
     EXPECT_EQ(complaint(plane(R"({"shape":"painting","values":[0,1],"gradients":[0,1],"colour":"#000000",
                                   "opacity":1,"cells":[[256]]})")),
               "f.json: shapes[0].cells[0][0]: 256 is out of bounds; 0 to 255 is allowed");
+}
+
+TEST(TransferFunctionJson, WhatAnotherKindHasIsRefused) {
+    const std::string shape =
+        R"({"shape":"box","values":[0,1],"gradients":[0,1],"colour":"#000000","opacity":1)";
+    EXPECT_EQ(complaint(plane(shape + "}")), "accepted");
+    EXPECT_EQ(
+        complaint(plane(shape + R"(,"base":[0,1]})")),
+        "f.json: shapes[0]: the member 'base' is not known here; known are shape, values, gradients, soft, "
+        "colour, opacity");
+    EXPECT_EQ(complaint(R"({"volumeStudioTransferFunction":1,"kind":"two-dimensional","points":[]})"),
+              "f.json: the member 'points' is not known here; known are volumeStudioTransferFunction, name, "
+              "description, kind, positions, unitMm, lighting, combine, shapes");
+    EXPECT_EQ(complaint(curve(R"("combine":"max")")),
+              "f.json: the member 'combine' is not known here; known are volumeStudioTransferFunction, name, "
+              "description, kind, positions, unitMm, lighting, colourMap, points");
+    EXPECT_EQ(complaint(R"({"volumeStudioTransferFunction":1,"kinds":"gradient"})"),
+              "f.json: the member 'kinds' is not known here; known are volumeStudioTransferFunction, name, "
+              "description, kind, positions, unitMm, lighting, combine, shapes, colourMap, points");
+}
+
+TEST(TransferFunctionJson, FilesAreWrittenInTheirOrder) {
+    EXPECT_EQ(toJson(somePlane()).dump(),
+              R"({"volumeStudioTransferFunction":1,"name":"","description":"","kind":"two-dimensional",)"
+              R"("positions":"relative","lighting":{"amount":1.0,"gloss":0.12},"combine":"max","shapes":[)"
+              R"({"shape":"box","values":[0.0,0.1],"gradients":[0.0,1.0],"soft":[0.2,0.3],)"
+              R"("colour":"#010203","opacity":0.4},)"
+              R"({"shape":"trapezoid","base":[0.1,0.1],"top":[0.0,0.14285714285714285],)"
+              R"("gradients":[-1.0,1.0],"soft":[1.0,0.0],"colour":"#040506","opacity":1.0},)"
+              R"({"shape":"painting","values":[0.0,1.0],"gradients":[0.0,2.0],)"
+              R"("cells":[[0,1,2],[253,254,255]],"colour":"#070809","opacity":0.5}]})");
 }
 
 TEST(TransferFunctionJson, WhatIsNeitherFileNorPresetIsToldWithTheList) {

@@ -221,6 +221,22 @@ TEST(OperationJson, ComplaintsNameThePlace) {
               "head.json: operation 3: generations: -1 is out of bounds; 0 to 1073741824 is allowed");
     EXPECT_EQ(complaint(R"({"op": "drill", "mask": {"shape": "circle", "points": [[1, 2]]}})"),
               "head.json: operation 3: mask.points: this shape takes exactly two points");
+    const auto path = [](const char* kind, const char* points) {
+        return fmt::format(R"({{"op": "sweep", "mask": {{"shape": "circle", "points": [[0, 0], [1, 0]]}},
+                                "path": {{"kind": "{}", "points": {}, "radius": 1, "turns": 1}}}})",
+                           kind, points);
+    };
+    for (const char* kind : {"helix", "standing"}) {
+        for (const char* points : {"[[1, 2, 3]]", "[[1, 2, 3], [3, 4, 5], [5, 6, 7]]"}) {
+            EXPECT_EQ(complaint(path(kind, points).c_str()),
+                      "head.json: operation 3: path.points: exactly two places are wanted");
+        }
+    }
+    EXPECT_EQ(complaint(path("standing", "[[1, 2, 3], [1, 2, 3]]").c_str()),
+              "head.json: operation 3: path.points: the mask must face another place than it stands on");
+    EXPECT_EQ(complaint(path("spline", "[[1, 2, 3]]").c_str()),
+              "head.json: operation 3: path.points: must have at least 2 entries");
+    EXPECT_EQ(complaint(path("spline", "[[1, 2, 3], [3, 4, 5], [5, 6, 7]]").c_str()), "accepted");
     EXPECT_EQ(complaint(R"({"op": "view", "range": [9, 1]})"),
               "head.json: operation 3: range: its first number must not be above its second");
     EXPECT_EQ(complaint(R"({"op": "picture", "file": "/etc/x.png"})"),

@@ -4,8 +4,8 @@
 #include "phantom/body_phantom.h"
 #include "phantom/noise.h"
 #include "phantom/phantom.h"
-#include "volume/io/read.h"
 #include "volume/grid/slices.h"
+#include "volume/io/read.h"
 
 #include <fmt/format.h>
 
@@ -21,7 +21,8 @@ constexpr Range kNarrow{90, 110};
 constexpr Range kWide{90, 130};
 
 std::size_t indexIn(glm::ivec3 dims, glm::ivec3 v) {
-    return (std::size_t(v.z) * std::size_t(dims.y) + std::size_t(v.y)) * std::size_t(dims.x) + std::size_t(v.x);
+    return (std::size_t(v.z) * std::size_t(dims.y) + std::size_t(v.y)) * std::size_t(dims.x) +
+           std::size_t(v.x);
 }
 
 volume::Volume emptyCube(int side) {

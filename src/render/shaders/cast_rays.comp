@@ -1,13 +1,13 @@
-// One sample per pixel of the picture: cast a ray, find what the mode asks for, colour it, add it to the accumulation.
-// MODE: 0 surface, 1 MIP, 2 X-ray, 3 overlay (segmentation as surface, the rest as X-ray), 4 segment (both as surface),
-// 5 volume (compositing). CONTENT and SCULPTED: see surface.glsl. TF_KIND: what the transfer function goes by that colours
-// all modes (classification.glsl); not defined: none does. SEGMENTS: in volume mode the surfaces of segments too (CONTENT 1), in MIP
-// and X-ray their colours.
+// One sample per pixel of the picture: cast a ray, find what the mode asks for, colour it, add it to the
+// accumulation. MODE: 0 surface, 1 MIP, 2 X-ray, 3 overlay (segmentation as surface, the rest as X-ray), 4
+// segment (both as surface), 5 volume (compositing). CONTENT and SCULPTED: see surface.glsl. TF_KIND: what
+// the transfer function goes by that colours all modes (classification.glsl); not defined: none does.
+// SEGMENTS: in volume mode the surfaces of segments too (CONTENT 1), in MIP and X-ray their colours.
 // SEGMENT_CELLS: with CONTENT 1, macrocells of the segments alone (rays.glsl).
 // TRANSLUCENT: overlay, segment and volume modes with translucent segments.
-// LIT: with ambient occlusion and soft shadows. PARTS: several parts in one picture, one dispatch each, the last one shows it.
-// In: the scene (field/shaders/scene.glsl), the view (rays.glsl). Out: image 0 (rgba32f) sum of display colours, and of
-// coverage: how much of the background they hide.
+// LIT: with ambient occlusion and soft shadows. PARTS: several parts in one picture, one dispatch each, the
+// last one shows it. In: the scene (field/shaders/scene.glsl), the view (rays.glsl). Out: image 0 (rgba32f)
+// sum of display colours, and of coverage: how much of the background they hide.
 // variants: MODE=0 CONTENT=0;MODE=0 CONTENT=0 SCULPTED=1;MODE=1 CONTENT=0;MODE=2 CONTENT=0 SCULPTED=1;MODE=3 CONTENT=1 SCULPTED=1 SEGMENT_CELLS=1;MODE=4 CONTENT=2;MODE=3 CONTENT=1 SCULPTED=1 TRANSLUCENT=1 PARTS=1;MODE=4 CONTENT=2 TRANSLUCENT=1 LIT=1;MODE=5 CONTENT=0 TF_KIND=0;MODE=5 CONTENT=0 SCULPTED=1 TF_KIND=2;MODE=0 CONTENT=0 TF_KIND=1;MODE=1 CONTENT=0 TF_KIND=0;MODE=2 CONTENT=0 TF_KIND=2;MODE=0 CONTENT=0 TRICUBIC=1;MODE=0 CONTENT=0 LIT=1;MODE=5 CONTENT=0 TF_KIND=0 LIT=1 PARTS=1;MODE=3 CONTENT=1 SCULPTED=1 PARTS=1;MODE=1 CONTENT=0 PARTS=1;MODE=0 CONTENT=0 QUADS=1;MODE=4 CONTENT=2 SCULPTED=1 QUADS=1 SMOOTHED=1;MODE=0 CONTENT=0 SCULPTED=1 TRICUBIC=1 SMOOTHED=1 TF_KIND=0;MODE=5 CONTENT=0 SCULPTED=1 TF_KIND=0 QUADS=1 TRICUBIC=1;MODE=5 CONTENT=1 SCULPTED=1 TF_KIND=0 SEGMENTS=1 SEGMENT_CELLS=1 TRANSLUCENT=1 PARTS=1;MODE=5 CONTENT=1 TF_KIND=2 SEGMENTS=1 LIT=1;MODE=1 CONTENT=0 SEGMENTS=1;MODE=1 CONTENT=0 TF_KIND=0 SEGMENTS=1;MODE=2 CONTENT=0 SCULPTED=1 SEGMENTS=1;MODE=2 CONTENT=0 TF_KIND=1 SEGMENTS=1
 layout(local_size_x = 64) in;
 
@@ -33,11 +33,12 @@ layout(local_size_x = 64) in;
 #include "render/shaders/composite.glsl"
 #endif
 
-layout(binding = kBeamsTexture) uniform sampler2D beams; // where along its rays each square of pixels may show something
+layout(binding = kBeamsTexture)
+    uniform sampler2D beams; // where along its rays each square of pixels may show something
 
-uniform vec2 exposure;     // x: X-ray gain per diagonal; y: volume's diagonal in steps
-// 8, of a voxel. Loops over a number that the compiler does not know stay loops, which a software renderer leaves after one
-// turn where nothing was met.
+uniform vec2 exposure; // x: X-ray gain per diagonal; y: volume's diagonal in steps
+// 8, of a voxel. Loops over a number that the compiler does not know stay loops, which a software renderer
+// leaves after one turn where nothing was met.
 uniform int corners;
 uniform float sampleStep;   // steps between samples in MIP and volume mode
 uniform int beamShift;      // side of a beam's square: 1 << this; division is slow
@@ -47,8 +48,8 @@ uniform vec4 backgroundBottom;
 uniform vec2 lattice; // of samples in an X-ray: x steps between them, y what part of that they are shifted by
 #endif
 #ifdef PARTS
-uniform ivec2 partOfPicture;      // which one this is, how many there are
-uniform float partScale; // how large it is drawn
+uniform ivec2 partOfPicture;                                          // which one this is, how many there are
+uniform float partScale;                                              // how large it is drawn
 layout(rgba32f, binding = kSeenFrontImage) uniform image2D seenFront; // what the parts before this one show
 layout(rgba32f, binding = kSeenBehindImage) uniform image2D seenBehind;
 #ifdef TRANSLUCENT

@@ -6,6 +6,7 @@
 #include "model/segments/segment_measurer.h"
 #include "model/studio/studio_controller.h"
 #include "phantom/phantom.h"
+#include "seen_events.h"
 #include "volume/io/write.h"
 
 #include "base/progress.h"
@@ -121,7 +122,7 @@ int main(int argc, char** argv) {
         std::cerr << "usage: vs_thread_tests FOLDER\n";
         return 2;
     }
-    QApplication application(argc, argv);
+    vs::desktop::SeenApplication application(argc, argv);
     QApplication::setApplicationName("volume-studio");
     vs::desktop::folder = argv[1];
     return RUN_ALL_TESTS();

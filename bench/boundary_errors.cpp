@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
-// Measures how far swept solids are from what was meant, for the comparisons of the thesis, section 3.6, and prints the
-// tables of doc/boundary_errors.md. usage: boundary_errors
+// Measures how far swept solids are from what was meant, for the comparisons of the thesis, section 3.6, and
+// prints the tables of doc/boundary_errors.md. usage: boundary_errors
 #include "gl/context.h"
 #include "reference/boundary.h"
 #include "reference/solids.h"
-#include "sculpt/sculpture/precision.h"
 #include "sculpt/radiation/projection.h"
 #include "sculpt/radiation/sweep.h"
+#include "sculpt/sculpture/precision.h"
 
 #include <fmt/format.h>
 
@@ -22,8 +22,8 @@ const glm::ivec3 kDims(128);
 const glm::dvec2 kRadii(16, 10);
 const glm::dvec2 kCentre(0.37, 0.41); // of the ellipse: no symmetry with the mask's elements
 const Helix kHelix{{64, 64, 30}, {64, 64, 98}, 34, 1.4};
-constexpr double kPitch = 1;   // one element a voxel
-constexpr double kAway = 4;    // from the ends' rims
+constexpr double kPitch = 1; // one element a voxel
+constexpr double kAway = 4;  // from the ends' rims
 
 void heading(const std::string& title, const std::string& first) {
     fmt::print("\n## {}\n\n| {} | rms | max | mean | normals |\n|---|---:|---:|---:|---:|\n", title, first);
@@ -55,7 +55,8 @@ public:
         : path_(helixPath(kHelix)), outline_(exactOutline()),
           curve_(
               [](double t) {
-                  return reference::helixAt(kHelix.from, kHelix.to, {1, 0, 0}, kHelix.radius, kHelix.turns, t);
+                  return reference::helixAt(kHelix.from, kHelix.to, {1, 0, 0}, kHelix.radius, kHelix.turns,
+                                            t);
               },
               reference::SweptCurve::Turning::Least) {}
 
@@ -110,11 +111,12 @@ private:
         }
         for (int z = 0; z < 2 * half; ++z) {
             for (int y = 0; y < 2 * half; ++y) {
-                const double share =
-                    255.0 * double(point.w) * weights[1].weights[std::size_t(y)] * weights[2].weights[std::size_t(z)];
-                float* line = &levels[(std::size_t(first.z + z) * std::size_t(kDims.y) + std::size_t(first.y + y)) *
-                                          std::size_t(kDims.x) +
-                                      std::size_t(first.x)];
+                const double share = 255.0 * double(point.w) * weights[1].weights[std::size_t(y)] *
+                                     weights[2].weights[std::size_t(z)];
+                float* line =
+                    &levels[(std::size_t(first.z + z) * std::size_t(kDims.y) + std::size_t(first.y + y)) *
+                                std::size_t(kDims.x) +
+                            std::size_t(first.x)];
                 for (int x = 0; x < 2 * half; ++x) {
                     const double sum = double(line[x]) + share * weights[0].weights[std::size_t(x)];
                     line[x] = float(std::min(std::round(sum), 255.0));
@@ -197,7 +199,8 @@ void measurePrecision(HelixBench& bench) {
 void measureRadii(HelixBench& bench) {
     heading("Radius of the radiation (figure 3.13)", "radius");
     for (const int radius : {2, 3, 4}) {
-        row(fmt::format("{}, mask jittered, bspline 40", radius), bench.errors(bench.sweep(maskWith({}), radius)));
+        row(fmt::format("{}, mask jittered, bspline 40", radius),
+            bench.errors(bench.sweep(maskWith({}), radius)));
     }
     for (const int radius : {2, 3, 4}) {
         row(fmt::format("{}, mask unfiltered", radius),
@@ -210,7 +213,8 @@ class PipeJoint {
 public:
     PipeJoint()
         : ends_{{{22, 34, 50}, {74, 62, 71}, {74, 116, 71}}},
-          first_([&](double t) { return glm::mix(ends_[0], ends_[1], t); }, reference::SweptCurve::Turning::Least),
+          first_([&](double t) { return glm::mix(ends_[0], ends_[1], t); },
+                 reference::SweptCurve::Turning::Least),
           second_([&](double t) { return glm::mix(ends_[1], ends_[2], t); },
                   reference::SweptCurve::Turning::Least),
           outline_(exactOutline()) {}
@@ -258,7 +262,8 @@ public:
 private:
     [[nodiscard]] double distanceToSecond(const glm::dvec3& p) const {
         const auto place = second_.locate(p);
-        return std::max({reference::distanceTo(outline_, place.element).distance, -place.fromStart, -place.toEnd});
+        return std::max(
+            {reference::distanceTo(outline_, place.element).distance, -place.fromStart, -place.toEnd});
     }
     [[nodiscard]] std::array<std::vector<PathPiece>, 2> paths() const {
         return {polylinePath(std::span(ends_).subspan(0, 2)), polylinePath(std::span(ends_).subspan(1, 2))};

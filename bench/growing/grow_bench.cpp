@@ -32,7 +32,8 @@ struct GrowBenchOptions {
 std::optional<GrowingCase> brainOrWord(const GrowBenchOptions& options) {
     auto brain = brainCase(options.brain);
     if (!brain) {
-        fmt::print(stderr, "{}: is not there, the brain is left out; --brain names another copy\n", options.brain);
+        fmt::print(stderr, "{}: is not there, the brain is left out; --brain names another copy\n",
+                   options.brain);
     }
     return brain;
 }
@@ -76,8 +77,11 @@ int run(int argc, char** argv) {
         ->delimiter(',')
         ->check(CLI::IsMember({"brain", "air", "scaling", "thin", "change", "scrub"}))
         ->capture_default_str();
-    app.add_option("--brain", options.brain, "ch2better.nii.gz of Debian's mricron-data")->capture_default_str();
-    app.add_option("--runs", options.runs, "Runs that count")->check(CLI::Range(1, 1000))->capture_default_str();
+    app.add_option("--brain", options.brain, "ch2better.nii.gz of Debian's mricron-data")
+        ->capture_default_str();
+    app.add_option("--runs", options.runs, "Runs that count")
+        ->check(CLI::Range(1, 1000))
+        ->capture_default_str();
     app.add_option("--side", options.side, "Voxels along the body phantom's side")
         ->check(CLI::Range(16, 1024))
         ->capture_default_str();

@@ -21,7 +21,8 @@ constexpr Range kNarrow{90, 110};
 constexpr Range kWide{90, 130};
 
 std::size_t indexIn(glm::ivec3 dims, glm::ivec3 v) {
-    return (std::size_t(v.z) * std::size_t(dims.y) + std::size_t(v.y)) * std::size_t(dims.x) + std::size_t(v.x);
+    return (std::size_t(v.z) * std::size_t(dims.y) + std::size_t(v.y)) * std::size_t(dims.x) +
+           std::size_t(v.x);
 }
 
 volume::Volume emptyCube(int side) {

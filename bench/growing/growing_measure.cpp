@@ -5,9 +5,9 @@
 #include "base/timer.h"
 #include "gl/context.h"
 #include "growing_itk.h"
+#include "phantom/noise.h"
 #include "segment/growth/growth.h"
 #include "segment/membership/segmentation.h"
-#include "phantom/noise.h"
 
 #include <limits>
 
@@ -30,7 +30,8 @@ double timed(const Work& work) {
 // A case on the device.
 class Grower {
 public:
-    explicit Grower(const GrowingCase& task) : task_(task), field_(field::uploadVolume(task.volume)), growth_(field_) {
+    explicit Grower(const GrowingCase& task)
+        : task_(task), field_(field::uploadVolume(task.volume)), growth_(field_) {
         restrict(task.range);
     }
     double restrict(const Range& range) {

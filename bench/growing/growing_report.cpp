@@ -49,13 +49,15 @@ void GrowingReport::begin(const std::string& table, const std::string& header) {
 }
 
 void GrowingReport::add(const std::string& part, const Comparison& c) {
-    begin("compare", "| region | voxels | generations | ours (ms) | ITK (ms) | ITK / ours | ours (Mvoxel/s) | ITK "
-                     "(Mvoxel/s) | ours (µs a generation) | reset (ms) | set-up (ms) |");
+    begin("compare",
+          "| region | voxels | generations | ours (ms) | ITK (ms) | ITK / ours | ours (Mvoxel/s) | ITK "
+          "(Mvoxel/s) | ours (µs a generation) | reset (ms) | set-up (ms) |");
     const double ours = median(c.ours);
     const double ratio = medianRatio(c.itk, c.ours);
-    fmt::print("| {} | {} | {} | {} | {} | {:.3g} | {:.3g} | {:.3g} | {:.1f} | {:.1f} | {:.0f} |\n", c.name, c.voxels,
-               c.generations, spread(c.ours), spread(c.itk), ratio, 1e-3 * double(c.voxels) / ours,
-               1e-3 * double(c.voxels) / median(c.itk), 1e3 * ours / c.generations, median(c.resets), c.setUp);
+    fmt::print("| {} | {} | {} | {} | {} | {:.3g} | {:.3g} | {:.3g} | {:.1f} | {:.1f} | {:.0f} |\n", c.name,
+               c.voxels, c.generations, spread(c.ours), spread(c.itk), ratio, 1e-3 * double(c.voxels) / ours,
+               1e-3 * double(c.voxels) / median(c.itk), 1e3 * ours / c.generations, median(c.resets),
+               c.setUp);
     std::fflush(stdout);
     json_["rows"].push_back({{"part", part},
                              {"region", c.name},

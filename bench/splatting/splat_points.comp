@@ -1,5 +1,5 @@
-// The straightforward way: each point adds its share to each of the (2 RADIUS)^3 voxels around it, a Gaussian of sigma
-// RADIUS / 3 normalised along each axis, as fixed-point integers so that the order does not matter.
+// The straightforward way: each point adds its share to each of the (2 RADIUS)^3 voxels around it, a Gaussian
+// of sigma RADIUS / 3 normalised along each axis, as fixed-point integers so that the order does not matter.
 // SLICES 1: one invocation a point; 2 RADIUS: one invocation for each slice of voxels that a point reaches.
 // In: storage 0 points (xyz voxel space, w energy). In/out: image 0 energy in 1 / FIXED_ONE.
 layout(local_size_x = 64) in;

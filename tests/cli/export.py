@@ -14,6 +14,8 @@ import sys
 import tempfile
 import unittest
 
+import pydicom  # Debian package python3-pydicom
+
 DATA = pathlib.Path(sys.argv.pop(2)) if len(sys.argv) > 2 else pathlib.Path("none")
 VSTUDIO = sys.argv.pop(1)
 DIMS = (40, 36, 32)
@@ -172,14 +174,10 @@ class Export(unittest.TestCase):
         self.assertEqual(len((self.folder / "s.csv").read_text().splitlines()), 3)
 
     def test_dicom_segmentations(self):
-        try:
-            import pydicom
-        except ImportError:
-            self.skipTest("pydicom is not there (Debian package python3-pydicom)")
         self.export(self.labels, "-o", self.folder / "s.dcm")
         self.check_segmentation(pydicom.dcmread(self.folder / "s.dcm"), SPACING, ORIGIN)
 
-    def series(self, pydicom):
+    def series(self):
         """A CT series on the labels' grid."""
         folder = self.folder / "series"
         folder.mkdir()
@@ -206,11 +204,7 @@ class Export(unittest.TestCase):
         return folder
 
     def test_dicom_segmentations_belong_to_their_series(self):
-        try:
-            import pydicom
-        except ImportError:
-            self.skipTest("pydicom is not there (Debian package python3-pydicom)")
-        folder = self.series(pydicom)
+        folder = self.series()
         self.export(self.labels, "--volume", folder, "-o", self.folder / "s.dcm")
         data = pydicom.dcmread(self.folder / "s.dcm")
         slices = {str(s.SOPInstanceUID): s for s in map(pydicom.dcmread, folder.iterdir())}

@@ -166,7 +166,8 @@ class Measure(unittest.TestCase):
 
     def test_real_labels(self):
         if not DATA.is_dir():
-            self.skipTest(f"no test data at {DATA}")
+            print(f"skipped: no test data at {DATA}", flush=True)
+            self.skipTest("no test data")
         self.volume = DATA / "colin27_t1_head.nii.gz"
         _, rows = self.stats(DATA / "colin27_tissue_labels.nii.gz")
         # Counts and grey and white matter's values stand in the data's own description.

@@ -58,10 +58,11 @@ def replay(path, folder):
     """What the session writes, its segments, strokes and seconds; None without its volume."""
     session = json.loads(path.read_text())
     volume = pathlib.Path(session["volume"]["path"])
-    if not volume.is_absolute():
-        volume = data / volume
+    if volume.is_absolute() and not volume.exists():
+        sys.exit(f"FAILED: {path.stem}: {volume} is not there (Debian package mricron-data)")
+    volume = data / volume
     if not volume.exists():
-        print(f"{path.stem}: skipped, {volume} is not there")
+        print(f"skipped: {path.stem}, {volume} is not there")
         return None
     for operation in session["operations"]:
         if operation["op"] == "picture":
@@ -86,7 +87,7 @@ def check(key, region, voxel_ml):
     truth_file, values, least_dice = TRUTHS.get(key, (None, None, None))
     overlap = None
     if truth_file and not (data / truth_file).exists():
-        row += f", {truth_file} is not there"
+        print(f"skipped: what {key} has in common with {truth_file}, which is not there")
     elif truth_file:
         overlap = dice(region, mask(read_labels(data / truth_file)[0], values))
         row += f", Dice {overlap:.3f}"

@@ -164,9 +164,7 @@ def by_processor(block):
 
 def main(display, arguments, folder):
     volume = pathlib.Path(arguments.volume or HEAD)
-    if not volume.exists():
-        print(f"skipped: there is no {volume}; install mricron-data")
-        sys.exit(77)
+    need(volume.exists(), f"there is no {volume}; install mricron-data")
     timings_file = folder / "timings.json"
     studio = start(display, arguments.program, folder, ["--timings-file", timings_file, volume])
     studio.resize(1600, 1000)

@@ -192,9 +192,7 @@ def measure(display, arguments, folder):
 
 
 def main(display, arguments, folder):
-    if not HEAD.exists():
-        print(f"skipped: there is no {HEAD}; install mricron-data")
-        sys.exit(77)
+    need(HEAD.exists(), f"there is no {HEAD}; install mricron-data")
     # What else a machine does makes the program slower and never faster: it fails only what it fails each time.
     for _ in range(TRIES):
         scale, wrong = measure(display, arguments, folder)

@@ -28,12 +28,10 @@ def run(*command, **options):
 
 
 def check(name, *command):
-    """Runs a checker of the desktop's own formats where it is installed."""
-    if shutil.which(command[0]):
-        run(*command)
-        print(f"{name}: valid")
-    else:
-        print(f"{name}: not checked, {command[0]} is not installed")
+    """Runs a checker of the desktop's own formats."""
+    need(shutil.which(command[0]), f"{name}: not checked, {command[0]} is not installed")
+    run(*command)
+    print(f"{name}: valid")
 
 
 def check_install(build, prefix):
@@ -79,10 +77,8 @@ def main(arguments):
     shutil.rmtree(arguments.work, ignore_errors=True)
     arguments.work.mkdir(parents=True)
     check_install(arguments.build, arguments.work / "prefix")
-    if shutil.which("dpkg-deb") and shutil.which("dpkg-shlibdeps"):
-        check_package(arguments.build, arguments.work / "package")
-    else:
-        print("package: not checked, dpkg-dev is not installed")
+    need(shutil.which("dpkg-shlibdeps"), "package: not checked, dpkg-dev is not installed")
+    check_package(arguments.build, arguments.work / "package")
     print("passed")
 
 

@@ -2,9 +2,9 @@
 #include "tools/sweep_tool.h"
 
 #include "model/studio/studio_controller.h"
+#include "studio/document/surface_queries.h"
 #include "tools/kinds/sketch_hints.h"
 #include "tools/sweep_along_view.h"
-#include "studio/document/surface_queries.h"
 
 namespace vs::desktop {
 
@@ -141,8 +141,8 @@ std::optional<studio::Sweep> SweepTool::drawnSweep() {
         const QPointF centre = pad().centre();
         std::optional<studio::Probe> start;
         studio_.host().workLong([&] {
-            start =
-                studio_.host().document()->surface().probe(glm::dvec2(centre.x(), centre.y()) * scale, canvas.viewport);
+            start = studio_.host().document()->surface().probe(glm::dvec2(centre.x(), centre.y()) * scale,
+                                                               canvas.viewport);
         });
         if (!start) {
             return std::nullopt;
@@ -159,7 +159,8 @@ std::optional<studio::Sweep> SweepTool::drawnSweep() {
 void SweepTool::preview() {
     outlines_ = {};
     std::vector<std::vector<glm::dvec2>> outlines;
-    studio_.host().workLong([&] { outlines = studio_.host().document()->surface().outlinesAlongPath(*sweep_); });
+    studio_.host().workLong(
+        [&] { outlines = studio_.host().document()->surface().outlinesAlongPath(*sweep_); });
     for (const auto& outline : outlines) {
         outlines_.addPath(closedPath(outline, studio_.view().devicePerLogical()));
     }

@@ -1,8 +1,8 @@
-// Counts voxels by gradient magnitude at their centres. Each invocation goes along a column in z and keeps three values of
-// it; voxels in a row that fall into the same bin are added up before they are counted.
-// COUNT: 0 logarithmic bins (32 an octave) and the largest magnitude, 1 equal bins of magnitude, 2 equal bins of intensity
-// (fastest) and magnitude.
-// In: texture 0 data. Out: storage 0 counts[]; for COUNT 0 its last entry holds the bits of the largest magnitude.
+// Counts voxels by gradient magnitude at their centres. Each invocation goes along a column in z and keeps
+// three values of it; voxels in a row that fall into the same bin are added up before they are counted.
+// COUNT: 0 logarithmic bins (32 an octave) and the largest magnitude, 1 equal bins of magnitude, 2 equal bins
+// of intensity (fastest) and magnitude. In: texture 0 data. Out: storage 0 counts[]; for COUNT 0 its last
+// entry holds the bits of the largest magnitude.
 // variants: COUNT=0;COUNT=1;COUNT=2
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -13,7 +13,7 @@ layout(std430, binding = kCountsStorage) buffer Counts { uint counts[]; };
 uniform ivec3 dims;
 uniform ivec2 bins;
 uniform vec3 valueScale; // x scale, y offset, z 1 if values are whole numbers
-uniform vec4 ranges; // xy values, zw magnitudes
+uniform vec4 ranges;     // xy values, zw magnitudes
 uniform mat4 worldFromVoxelGradient;
 uniform int firstRow; // of work groups
 

@@ -1,7 +1,7 @@
-// Counts voxel values into equal bins. Each work group counts an 8 x 8 column of voxels in shared memory and adds the
-// result to the global counts once, so contended atomics stay local.
-// VISIBLE: counts only voxels on the visible side of the sculpture (visibleSide() of scene.glsl).
-// In: texture 0 data, with VISIBLE 1 sculpture. Out: storage 0 counts[bins].
+// Counts voxel values into equal bins. Each work group counts an 8 x 8 column of voxels in shared memory and
+// adds the result to the global counts once, so contended atomics stay local. VISIBLE: counts only voxels on
+// the visible side of the sculpture (visibleSide() of scene.glsl). In: texture 0 data, with VISIBLE 1
+// sculpture. Out: storage 0 counts[bins].
 // variants: VISIBLE=0;VISIBLE=1
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -37,7 +37,8 @@ void main() {
     if (all(lessThan(column, dims.xy))) {
         float scale = valueRange.y > valueRange.x ? float(bins) / (valueRange.y - valueRange.x) : 0.0;
         for (int z = 0; z < dims.z; ++z) {
-            float value = texelFetch(dataTexture, ivec3(column, z), 0).r * valueScaleOffset.x + valueScaleOffset.y;
+            float value =
+                texelFetch(dataTexture, ivec3(column, z), 0).r * valueScaleOffset.x + valueScaleOffset.y;
             if (value > -1e29 && isVisible(ivec3(column, z))) { // non-finite voxels are stored far below
                 int bin = clamp(int((value - valueRange.x) * scale), 0, bins - 1);
                 atomicAdd(localCounts[bin], 1u);

@@ -1,5 +1,5 @@
-// The texels of a field once more as quads (field/quads.h): four neighbours of a slice in one texel of a buffer.
-// In: texture 0 texels. Out: image 0 quads.
+// The texels of a field once more as quads (field/quads.h): four neighbours of a slice in one texel of a
+// buffer. In: texture 0 texels. Out: image 0 quads.
 // variants: VS_FORMAT=rgba16;VS_FORMAT=rgba32f
 layout(local_size_x = 64) in;
 
@@ -16,6 +16,7 @@ void main() {
     if (any(greaterThanEqual(voxel, dims))) {
         return;
     }
-    vec4 four = vec4(texelAt(voxel), texelAt(voxel + ivec3(1, 0, 0)), texelAt(voxel + ivec3(0, 1, 0)), texelAt(voxel + ivec3(1, 1, 0)));
+    vec4 four = vec4(texelAt(voxel), texelAt(voxel + ivec3(1, 0, 0)), texelAt(voxel + ivec3(0, 1, 0)),
+                     texelAt(voxel + ivec3(1, 1, 0)));
     imageStore(quads, (voxel.z * dims.y + voxel.y) * dims.x + voxel.x, four);
 }

@@ -1,5 +1,5 @@
-// Trilinear samples of the data from its quads (field/quads.h): what a texture unit would do, for renderers without one.
-// Bindings: texture 6, with SMOOTHED 12. Included by scene.glsl.
+// Trilinear samples of the data from its quads (field/quads.h): what a texture unit would do, for renderers
+// without one. Bindings: texture 6, with SMOOTHED 12. Included by scene.glsl.
 
 #include "field/shaders/bindings.glsl"
 #ifdef SMOOTHED
@@ -8,7 +8,8 @@ layout(binding = kSmoothedQuadsTexture) uniform samplerBuffer quads;
 layout(binding = kQuadsTexture) uniform samplerBuffer quads;
 #endif
 
-// The stored value at p, 0 to 1 for whole numbers. Beyond the grid values are those at its border. Voxel space.
+// The stored value at p, 0 to 1 for whole numbers. Beyond the grid values are those at its border. Voxel
+// space.
 float storedAt(vec3 p) {
     vec3 inside = clamp(p, vec3(0.0), vec3(dims.xyz - 1));
     ivec3 voxel = ivec3(inside);

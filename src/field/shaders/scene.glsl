@@ -1,10 +1,10 @@
 // The one place where shaders ask what is at a point of the document. Later kinds of content (added material,
 // displacement, bricked storage) go in here and nowhere else.
 //
-// Spaces: voxel space has voxel centres at integers; texture space is (p + 0.5) / dims; world is LPS millimetres.
-// Bindings: uniform block 0; textures 0 data, 1 sculpture, 2 segmentation, 13 labels, with QUADS 6
-// (field::SceneBinding). ALL_SEGMENTS: translucent segments count as opaque ones do. SMOOTHED: dataAt() gives smoothed values,
-// of textures 15 and 12, sectionValueAt() the values themselves.
+// Spaces: voxel space has voxel centres at integers; texture space is (p + 0.5) / dims; world is LPS
+// millimetres. Bindings: uniform block 0; textures 0 data, 1 sculpture, 2 segmentation, 13 labels, with QUADS
+// 6 (field::SceneBinding). ALL_SEGMENTS: translucent segments count as opaque ones do. SMOOTHED: dataAt()
+// gives smoothed values, of textures 15 and 12, sectionValueAt() the values themselves.
 
 #include "field/shaders/bindings.glsl"
 layout(std140, binding = kSceneBlock) uniform SceneBlock {
@@ -15,8 +15,8 @@ layout(std140, binding = kSceneBlock) uniform SceneBlock {
     vec4 valueScale; // x scale, y offset, z 1 if values are whole numbers, w tolerance of comparisons
     vec4 range;      // xy displayed range, zw grey window
     vec4 sceneFlags; // x 1 if there is a segmentation, yzw 1 / dims
-    vec4 limits;     // x the greatest visible value: the displayed range's upper end, or beyond all values (MIP, X-ray);
-                     // yz scale and offset of smoothed values
+    vec4 limits; // x the greatest visible value: the displayed range's upper end, or beyond all values (MIP,
+                 // X-ray); yz scale and offset of smoothed values
 };
 
 #ifdef SMOOTHED
@@ -28,14 +28,15 @@ layout(binding = kDataTexture) uniform sampler3D dataTexture;
 vec2 dataScale() { return valueScale.xy; }
 #endif
 layout(binding = kSculptureTexture) uniform sampler3D sculptureTexture;
-layout(binding = kSegmentationTexture) uniform sampler3D segmentationTexture; // r opaque segments, g translucent ones
-layout(binding = kSegmentLabelsTexture) uniform usampler3D segmentLabels;     // or one texel for all voxels
+layout(binding = kSegmentationTexture) uniform sampler3D
+    segmentationTexture; // r opaque segments, g translucent ones
+layout(binding = kSegmentLabelsTexture) uniform usampler3D segmentLabels; // or one texel for all voxels
 
 struct SceneSample {
-    float value;        // in the volume's unit
-    float sculpture;    // 0 untouched .. 1 cut away
-    float dataInside;   // > 0 where the value is visible, < 0 elsewhere; continuous, in the volume's unit
-    float uncut;        // >= 0 on the visible side of the sculpture; continuous, 0.5 level at 0
+    float value;      // in the volume's unit
+    float sculpture;  // 0 untouched .. 1 cut away
+    float dataInside; // > 0 where the value is visible, < 0 elsewhere; continuous, in the volume's unit
+    float uncut;      // >= 0 on the visible side of the sculpture; continuous, 0.5 level at 0
 };
 
 vec3 textureFromVoxel(vec3 p) { return (p + 0.5) * sceneFlags.yzw; }
@@ -79,8 +80,8 @@ float segmentationAt(vec3 p) {
 float segmentationAt(vec3 p) { return membershipsAt(p).x; }
 #endif
 
-// >= 0 where the data may be seen beside translucent segments: about a voxel away from them. They rarely begin to the voxel
-// where the data would be seen, and a crust of it would hide them.
+// >= 0 where the data may be seen beside translucent segments: about a voxel away from them. They rarely
+// begin to the voxel where the data would be seen, and a crust of it would hide them.
 float clearOfGlass(vec2 memberships) { return 0.16 - memberships.y; }
 
 // >= 0 where a transfer function's data may be seen beside segments of any kind, likewise.
@@ -93,7 +94,8 @@ uint segmentOf(ivec3 voxel) {
     return texelFetch(segmentLabels, clamp(voxel, ivec3(0), textureSize(segmentLabels, 0) - 1), 0).r;
 }
 
-// How far a value is inside what is visible of the values: the displayed range, without an upper end where limits.x says so.
+// How far a value is inside what is visible of the values: the displayed range, without an upper end where
+// limits.x says so.
 float insideRange(float value) { return min(value - range.x, limits.x - value) + valueScale.w; }
 
 // Cut view shows sculpture < 0.5, probe view >= 0.5.
@@ -112,21 +114,23 @@ SceneSample sampleScene(vec3 p) {
 
 bool isVisible(SceneSample s) { return s.dataInside >= 0.0 && s.uncut >= 0.0; }
 
-// Gradient in value per mm along the patient's axes (world), from central differences one voxel wide; with TRICUBIC the
-// data's own derivative.
+// Gradient in value per mm along the patient's axes (world), from central differences one voxel wide; with
+// TRICUBIC the data's own derivative.
 vec3 worldGradient(vec3 voxelGradient) { return transpose(mat3(voxelFromWorld)) * voxelGradient; }
 
 // One voxel before p along each axis, but not beyond the grid's box, where textures are mirrored.
 vec3 placesBefore(vec3 p) { return max(p - 1.0, vec3(-0.5)); }
 
-// Defines the gradient of `valueAt` by central differences. A macro, because functions of GLSL take no functions.
-#define DEFINE_GRADIENT(gradientAt, valueAt)                                                                    \
-    vec3 gradientAt(vec3 p) {                                                                                   \
-        vec3 before = placesBefore(p);                                                                          \
-        vec3 after = p + 1.0;                                                                                   \
-        return worldGradient(0.5 * vec3(valueAt(vec3(after.x, p.yz)) - valueAt(vec3(before.x, p.yz)),           \
-                                        valueAt(vec3(p.x, after.y, p.z)) - valueAt(vec3(p.x, before.y, p.z)),   \
-                                        valueAt(vec3(p.xy, after.z)) - valueAt(vec3(p.xy, before.z))));         \
+// Defines the gradient of `valueAt` by central differences. A macro, because functions of GLSL take no
+// functions.
+#define DEFINE_GRADIENT(gradientAt, valueAt)                                                                 \
+    vec3 gradientAt(vec3 p) {                                                                                \
+        vec3 before = placesBefore(p);                                                                       \
+        vec3 after = p + 1.0;                                                                                \
+        return worldGradient(0.5 *                                                                           \
+                             vec3(valueAt(vec3(after.x, p.yz)) - valueAt(vec3(before.x, p.yz)),              \
+                                  valueAt(vec3(p.x, after.y, p.z)) - valueAt(vec3(p.x, before.y, p.z)),      \
+                                  valueAt(vec3(p.xy, after.z)) - valueAt(vec3(p.xy, before.z))));            \
     }
 
 #ifdef TRICUBIC

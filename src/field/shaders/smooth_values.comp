@@ -1,5 +1,5 @@
-// Smooths values along one axis: each invocation a run of 16 voxels, with a sliding window. Values below kNonFinite count for
-// nothing and stay what they are; at the grid's border the outermost values go on.
+// Smooths values along one axis: each invocation a run of 16 voxels, with a sliding window. Values below
+// kNonFinite count for nothing and stay what they are; at the grid's border the outermost values go on.
 // Spaces: voxel indices. Source and target may hold some slices of the grid only.
 // In: texture 0 source. Out: image 0 target.
 // VS_REACH: how many voxels to each side count, 1 to 6. VS_MASKED: some values may not count.
@@ -12,11 +12,12 @@ layout(VS_FORMAT, binding = kTargetImage) uniform writeonly image3D target;
 
 uniform ivec3 dims;
 uniform int axisAtWork;
-uniform ivec2 task;   // of the grid's slices: the first to smooth, and the one past the last
-uniform ivec3 slices; // x the grid's slice that is the source's first, y how many it has, z the target's first
-uniform vec2 map;     // of values (x scale, y offset) when read, along z when written
-uniform vec4 near;    // weights of voxels at distance 0, 1, 2, 3
-uniform vec3 far;     // 4, 5, 6
+uniform ivec2 task; // of the grid's slices: the first to smooth, and the one past the last
+uniform ivec3
+    slices;        // x the grid's slice that is the source's first, y how many it has, z the target's first
+uniform vec2 map;  // of values (x scale, y offset) when read, along z when written
+uniform vec4 near; // weights of voxels at distance 0, 1, 2, 3
+uniform vec3 far;  // 4, 5, 6
 
 const int kRun = 16;
 const int kReach = VS_REACH;

@@ -1,7 +1,8 @@
-// The data as the cubic B-spline of its stored values (field::Sampling::Tricubic), not prefiltered, and its derivative.
-// Each axis has four weights, those of two neighbours joined in one linearly filtered fetch between them: eight trilinear
-// fetches stand for 64 voxels (Sigg and Hadwiger 2005, "Fast third-order texture filtering", GPU Gems 2, chapter 20).
-// Voxel space. Beyond the grid values are those at its border. Included by scene.glsl.
+// The data as the cubic B-spline of its stored values (field::Sampling::Tricubic), not prefiltered, and its
+// derivative. Each axis has four weights, those of two neighbours joined in one linearly filtered fetch
+// between them: eight trilinear fetches stand for 64 voxels (Sigg and Hadwiger 2005, "Fast third-order
+// texture filtering", GPU Gems 2, chapter 20). Voxel space. Beyond the grid values are those at its border.
+// Included by scene.glsl.
 
 // Where two neighbours are joined, along each axis, and with what weights.
 struct Taps {
@@ -18,8 +19,8 @@ Taps valueTaps(vec3 p) {
     vec3 first = floor(p);
     vec3 f = p - first;
     vec3 g = 1.0 - f;
-    vec3 farthest = f * f * f / 6.0;                // of voxel first + 2
-    vec3 before = g * g * g / 6.0;                  // of voxel first - 1
+    vec3 farthest = f * f * f / 6.0;                 // of voxel first + 2
+    vec3 before = g * g * g / 6.0;                   // of voxel first - 1
     vec3 next = 2.0 / 3.0 - 0.5 * g * g * (2.0 - g); // of voxel first + 1
     Taps taps;
     taps.weightUpper = next + farthest;
@@ -60,7 +61,8 @@ float eightTaps(Taps t) {
 // The taps of `values`, along one axis (a unit vector) those of `slopes`.
 Taps tapsAlong(vec3 axis, Taps values, Taps slopes) {
     return Taps(mix(values.lower, slopes.lower, axis), mix(values.upper, slopes.upper, axis),
-                mix(values.weightLower, slopes.weightLower, axis), mix(values.weightUpper, slopes.weightUpper, axis));
+                mix(values.weightLower, slopes.weightLower, axis),
+                mix(values.weightUpper, slopes.weightUpper, axis));
 }
 
 float dataAt(vec3 p) { return eightTaps(valueTaps(p)) * dataScale().x + dataScale().y; }
@@ -70,6 +72,7 @@ vec3 voxelGradientAt(vec3 p) {
     Taps values = valueTaps(p);
     Taps slopes = slopeTaps(p);
     const vec3 e = vec3(1.0, 0.0, 0.0);
-    return dataScale().x * vec3(eightTaps(tapsAlong(e.xyy, values, slopes)), eightTaps(tapsAlong(e.yxy, values, slopes)),
-                               eightTaps(tapsAlong(e.yyx, values, slopes)));
+    return dataScale().x * vec3(eightTaps(tapsAlong(e.xyy, values, slopes)),
+                                eightTaps(tapsAlong(e.yxy, values, slopes)),
+                                eightTaps(tapsAlong(e.yyx, values, slopes)));
 }

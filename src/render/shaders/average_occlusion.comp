@@ -1,14 +1,15 @@
-// The next level of the occlusion volume: each texel the mean of 4^3 of the level before, weighted 1 3 3 1 along each axis,
-// which is smooth where the mean of 2^3 shows its blocks.
-// In: texture 9. Out: image 0 (r8), the next level, texels [texelLo, texelHi).
+// The next level of the occlusion volume: each texel the mean of 4^3 of the level before, weighted 1 3 3 1
+// along each axis, which is smooth where the mean of 2^3 shows its blocks. In: texture 9. Out: image 0 (r8),
+// the next level, texels [texelLo, texelHi).
 layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 
 #include "render/shaders/bindings.glsl"
 layout(binding = kOcclusionTexture) uniform sampler3D occlusion;
 layout(r8, binding = kAveragesImage) uniform writeonly image3D averages;
 
-// 0: texels hold the part of their space that is filled; 1: the part of the light that something in them holds back, if it
-// is nowhere behind anything else. Between the two thin walls stay seen from afar without solids growing.
+// 0: texels hold the part of their space that is filled; 1: the part of the light that something in them
+// holds back, if it is nowhere behind anything else. Between the two thin walls stay seen from afar without
+// solids growing.
 const float kInTheWay = 0.6;
 
 uniform ivec3 texelLo;
@@ -27,11 +28,12 @@ void main() {
     float parts[8];
     float sum = 0.0;
     for (int i = 0; i < 8; ++i) {
-        parts[i] = textureLod(occlusion, mix(lower, upper, vec3(i & 1, (i >> 1) & 1, i >> 2)), float(level)).r;
+        parts[i] =
+            textureLod(occlusion, mix(lower, upper, vec3(i & 1, (i >> 1) & 1, i >> 2)), float(level)).r;
         sum += parts[i];
     }
-    // Two neighbours in the way of the light block more than their mean, where they do not block the same part of it. There
-    // are four pairs along each axis.
+    // Two neighbours in the way of the light block more than their mean, where they do not block the same
+    // part of it. There are four pairs along each axis.
     float both = 0.0;
     for (int i = 0; i < 8; ++i) {
         both += parts[i] * (parts[i ^ 1] + parts[i ^ 2] + parts[i ^ 4]);

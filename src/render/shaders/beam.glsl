@@ -1,5 +1,5 @@
-// All rays through a square of pixels: at t they lie within `reach + t * spread` (voxels, each axis) of the central one.
-// Include "render/shaders/rays.glsl" first.
+// All rays through a square of pixels: at t they lie within `reach + t * spread` (voxels, each axis) of the
+// central one. Include "render/shaders/rays.glsl" first.
 struct Beam {
     Ray central;
     vec3 reach;
@@ -14,7 +14,8 @@ Beam beamThrough(vec2 lower, vec2 upper) {
     beam.spread = vec3(0.0);
     vec3 reach = vec3(0.0);
     for (int corner = 0; corner < 4; ++corner) {
-        Ray ray = rayThrough(vec2((corner & 1) == 0 ? lower.x : upper.x, (corner & 2) == 0 ? lower.y : upper.y));
+        Ray ray =
+            rayThrough(vec2((corner & 1) == 0 ? lower.x : upper.x, (corner & 2) == 0 ? lower.y : upper.y));
         reach = max(reach, abs(ray.origin - beam.central.origin));
         beam.spread = max(beam.spread, abs(ray.direction - beam.central.direction));
     }

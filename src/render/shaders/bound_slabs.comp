@@ -1,7 +1,6 @@
-// Bounds of the values in every slab of every beam (slabs.glsl), so that in MIP a ray visits the best first, and then only those
-// that may hold more.
-// In: the scene and the view, texture 8 beams, texture 12 the greatest values in boxes of macrocells (widen_tops.comp).
-// Out: image 0 (r16ui) lists of slabs.
+// Bounds of the values in every slab of every beam (slabs.glsl), so that in MIP a ray visits the best first,
+// and then only those that may hold more. In: the scene and the view, texture 8 beams, texture 12 the
+// greatest values in boxes of macrocells (widen_tops.comp). Out: image 0 (r16ui) lists of slabs.
 layout(local_size_x = 8, local_size_y = 4) in;
 
 #include "field/shaders/scene.glsl"

@@ -1,18 +1,20 @@
-// One sample per pixel of the picture: cast a ray, find what the mode asks for, colour it, add it to the accumulation.
-// MODE: 0 surface, 1 MIP, 2 X-ray, 3 overlay (segmentation as surface, the rest as X-ray), 4 segment (both as surface),
-// 5 volume (compositing). SCULPTED: see surface.glsl. TF_KIND: what the transfer function goes by that colours all modes
-// (classification.glsl); not defined: none does. SEGMENTS: in volume mode the surfaces of segments too, in MIP and X-ray their
-// colours. TRANSLUCENT: overlay, segment and volume modes with translucent segments.
-// LIT: with ambient occlusion and soft shadows. PARTS: several parts in one picture, one dispatch each, the last one shows it.
-// These are switches and no uniforms because each changes what is done at every sample of a ray or every hit, and a software
-// renderer does both sides of a branch. PARTS alone stands outside of all loops: it is a switch because Mesa's software renderer
-// compiles a program anew for other formats of the images that it names, and these would be whatever was bound before.
-// In: the scene (field/shaders/scene.glsl), the view (rays.glsl). Out: image 0 (rgba32f) sum of display colours, and of
-// coverage: how much of the background they hide.
+// One sample per pixel of the picture: cast a ray, find what the mode asks for, colour it, add it to the
+// accumulation. MODE: 0 surface, 1 MIP, 2 X-ray, 3 overlay (segmentation as surface, the rest as X-ray), 4
+// segment (both as surface), 5 volume (compositing). SCULPTED: see surface.glsl. TF_KIND: what the transfer
+// function goes by that colours all modes (classification.glsl); not defined: none does. SEGMENTS: in volume
+// mode the surfaces of segments too, in MIP and X-ray their colours. TRANSLUCENT: overlay, segment and volume
+// modes with translucent segments. LIT: with ambient occlusion and soft shadows. PARTS: several parts in one
+// picture, one dispatch each, the last one shows it. These are switches and no uniforms because each changes
+// what is done at every sample of a ray or every hit, and a software renderer does both sides of a branch.
+// PARTS alone stands outside of all loops: it is a switch because Mesa's software renderer compiles a program
+// anew for other formats of the images that it names, and these would be whatever was bound before. In: the
+// scene (field/shaders/scene.glsl), the view (rays.glsl). Out: image 0 (rgba32f) sum of display colours, and
+// of coverage: how much of the background they hide.
 // variants: MODE=0;MODE=0 SCULPTED=1;MODE=1;MODE=2 SCULPTED=1;MODE=3 SCULPTED=1;MODE=4;MODE=3 SCULPTED=1 TRANSLUCENT=1 PARTS=1;MODE=4 TRANSLUCENT=1 LIT=1;MODE=5 TF_KIND=0;MODE=5 SCULPTED=1 TF_KIND=2;MODE=0 TF_KIND=1;MODE=1 TF_KIND=0;MODE=2 TF_KIND=2;MODE=0 TRICUBIC=1;MODE=0 LIT=1;MODE=5 TF_KIND=0 LIT=1 PARTS=1;MODE=3 SCULPTED=1 PARTS=1;MODE=1 PARTS=1;MODE=0 QUADS=1;MODE=4 SCULPTED=1 QUADS=1 SMOOTHED=1;MODE=0 SCULPTED=1 TRICUBIC=1 SMOOTHED=1 TF_KIND=0;MODE=5 SCULPTED=1 TF_KIND=0 QUADS=1 TRICUBIC=1;MODE=5 SCULPTED=1 TF_KIND=0 SEGMENTS=1 TRANSLUCENT=1 PARTS=1;MODE=5 TF_KIND=2 SEGMENTS=1 LIT=1;MODE=1 SEGMENTS=1;MODE=1 TF_KIND=0 SEGMENTS=1;MODE=2 SCULPTED=1 SEGMENTS=1;MODE=2 TF_KIND=1 SEGMENTS=1
 layout(local_size_x = 64) in;
 
-// What surfaces are looked for (surface.glsl), and where (rays.glsl): those of segments alone in cells of their own.
+// What surfaces are looked for (surface.glsl), and where (rays.glsl): those of segments alone in cells of
+// their own.
 #if MODE == 4
 #define CONTENT 2
 #elif MODE == 3 || (MODE == 5 && defined(SEGMENTS))
@@ -44,11 +46,12 @@ layout(local_size_x = 64) in;
 #include "render/shaders/composite.glsl"
 #endif
 
-layout(binding = kBeamsTexture) uniform sampler2D beams; // where along its rays each square of pixels may show something
+layout(binding = kBeamsTexture)
+    uniform sampler2D beams; // where along its rays each square of pixels may show something
 
-uniform vec2 exposure;     // x: X-ray gain per diagonal; y: volume's diagonal in steps
-// 8, of a voxel. Loops over a number that the compiler does not know stay loops, which a software renderer leaves after one
-// turn where nothing was met.
+uniform vec2 exposure; // x: X-ray gain per diagonal; y: volume's diagonal in steps
+// 8, of a voxel. Loops over a number that the compiler does not know stay loops, which a software renderer
+// leaves after one turn where nothing was met.
 uniform int corners;
 uniform float sampleStep;   // steps between samples in MIP and volume mode
 uniform int beamShift;      // side of a beam's square: 1 << this; division is slow
@@ -58,8 +61,8 @@ uniform vec4 backgroundBottom;
 uniform vec2 lattice; // of samples in an X-ray: x steps between them, y what part of that they are shifted by
 #endif
 #ifdef PARTS
-uniform ivec2 partOfPicture;      // which one this is, how many there are
-uniform float partScale; // how large it is drawn
+uniform ivec2 partOfPicture;                                          // which one this is, how many there are
+uniform float partScale;                                              // how large it is drawn
 layout(rgba32f, binding = kSeenFrontImage) uniform image2D seenFront; // what the parts before this one show
 layout(rgba32f, binding = kSeenBehindImage) uniform image2D seenBehind;
 #ifdef TRANSLUCENT

@@ -1,7 +1,7 @@
-// Macrocells as bits, in blocks of 32 x 4 x 1: a component a row, bit x of it a cell. Blocks are numbered x fastest; after a
-// plane's last block comes one of zeros, which stands for everything outside the grid. Plane r holds the cells that are at most r
-// from one that may hold something; one more plane is scratch.
-// Spaces: cells.
+// Macrocells as bits, in blocks of 32 x 4 x 1: a component a row, bit x of it a cell. Blocks are numbered x
+// fastest; after a plane's last block comes one of zeros, which stands for everything outside the grid. Plane
+// r holds the cells that are at most r from one that may hold something; one more plane is scratch. Spaces:
+// cells.
 
 const ivec3 kBlock = ivec3(32, 4, 1);
 

@@ -1,13 +1,13 @@
 // Colour and opacity of values: the transfer function's tables (render::Classification).
-// TF_KIND: 0 over intensity, 1 over gradient magnitude, 2 over both. Gradient magnitudes that the kind does not use may be
-// passed as 0 and need not be computed; mayBeVisible() is the same for all kinds. Values in the volume's unit, gradient
-// magnitudes in that unit per mm (length of dataGradient()).
-// Bindings: uniform block 2; textures 5 the function, 7 counts of visible values, 10 the function over spans (kind 0).
+// TF_KIND: 0 over intensity, 1 over gradient magnitude, 2 over both. Gradient magnitudes that the kind does
+// not use may be passed as 0 and need not be computed; mayBeVisible() is the same for all kinds. Values in
+// the volume's unit, gradient magnitudes in that unit per mm (length of dataGradient()). Bindings: uniform
+// block 2; textures 5 the function, 7 counts of visible values, 10 the function over spans (kind 0).
 
 #include "render/shaders/bindings.glsl"
 layout(std140, binding = kClassificationBlock) uniform ClassificationBlock {
-    vec4 valueAxis;         // x scale, y offset to a table coordinate 0..1; z lowest value that counts, w columns
-    vec4 gradientAxis;      // x scale, y offset to a table coordinate 0..1; zw the same for values, to columns
+    vec4 valueAxis;    // x scale, y offset to a table coordinate 0..1; z lowest value that counts, w columns
+    vec4 gradientAxis; // x scale, y offset to a table coordinate 0..1; zw the same for values, to columns
     vec4 lightingOfFunction; // x amount: 0 glows by itself, 1 lit as a surface; y gloss; z opacity per
     // step that a pen meets
 };
@@ -38,8 +38,9 @@ float columnOf(float value) {
     return value >= valueAxis.z ? column : -1e7;
 }
 
-// Where the value goes evenly from one place in the tables to another: linear colour, opacity over half a step. The span
-// looked at (ClassificationTables::spans) is as wide as theirs or a little narrower: nothing from outside shows.
+// Where the value goes evenly from one place in the tables to another: linear colour, opacity over half a
+// step. The span looked at (ClassificationTables::spans) is as wide as theirs or a little narrower: nothing
+// from outside shows.
 vec4 classifySpan(float one, float other) {
     const int margin = 8;
     const float widest = 4096.0;
@@ -55,7 +56,8 @@ vec4 classifySpan(float one, float other) {
 }
 #endif
 
-// Whether any value from lo to hi may have opacity (with some gradient magnitude). Never false for one that has.
+// Whether any value from lo to hi may have opacity (with some gradient magnitude). Never false for one that
+// has.
 bool mayBeVisible(float lo, float hi) {
     const float hair = 1e-2; // columns: what rounding may shift a place by
     vec2 place = (vec2(max(lo, valueAxis.z), hi) * valueAxis.x + valueAxis.y) * valueAxis.w - 0.5;

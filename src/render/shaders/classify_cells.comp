@@ -1,9 +1,8 @@
-// Marks the macrocells that may hold something visible, one bit each: the first of the planes of cell_bits.glsl. One invocation
-// a row of 32 cells along x.
-// In: textures 0 data ranges; with VS_SCULPTURE 1 sculpture ranges; with VS_SEGMENTATION 2 segmentation ranges (rg: smallest,
-// largest value in the cell). With VS_DATA the data is drawn; with VS_BY_FUNCTION the transfer function says what of it can be
-// seen, not the displayed range.
-// Out: storage 0 planes.
+// Marks the macrocells that may hold something visible, one bit each: the first of the planes of
+// cell_bits.glsl. One invocation a row of 32 cells along x. In: textures 0 data ranges; with VS_SCULPTURE 1
+// sculpture ranges; with VS_SEGMENTATION 2 segmentation ranges (rg: smallest, largest value in the cell).
+// With VS_DATA the data is drawn; with VS_BY_FUNCTION the transfer function says what of it can be seen, not
+// the displayed range. Out: storage 0 planes.
 layout(local_size_x = 4, local_size_y = 16) in;
 
 #include "render/shaders/bindings.glsl"

@@ -1,18 +1,20 @@
-// Volume mode: front-to-back compositing of what the transfer function shows (doc/behaviour.md, "Pictures"; Max 1995, "Optical models for direct
-// volume rendering"). A ray is cut into pieces between neighbouring samples, along which the value is taken to go evenly; the
-// transfer function counts with all that it has between their ends, so that what is thin in it is not missed.
-// Include "render/shaders/surface.glsl", "classification.glsl" and "shading.glsl" first. Defines: TF_KIND, SCULPTED.
+// Volume mode: front-to-back compositing of what the transfer function shows (doc/behaviour.md, "Pictures";
+// Max 1995, "Optical models for direct volume rendering"). A ray is cut into pieces between neighbouring
+// samples, along which the value is taken to go evenly; the transfer function counts with all that it has
+// between their ends, so that what is thin in it is not missed. Include "render/shaders/surface.glsl",
+// "classification.glsl" and "shading.glsl" first. Defines: TF_KIND, SCULPTED.
 
-const float kOpaque = 0.99;         // nothing behind this much opacity is looked at
-const float kLitShare = 0.06;       // the light is asked once for pieces that together make this much of the pixel,
-const int kLitTurns = 2;            // or for this many turns of kPieces pieces
-const int kPieces = 4;              // several a turn: on a software renderer the turn itself costs as much as they do.
-                                    // Turns begin at every fourth sample, so that what is lit together does not depend on
-                                    // what was skipped
+const float kOpaque = 0.99;   // nothing behind this much opacity is looked at
+const float kLitShare = 0.06; // the light is asked once for pieces that together make this much of the pixel,
+const int kLitTurns = 2;      // or for this many turns of kPieces pieces
+const int kPieces = 4; // several a turn: on a software renderer the turn itself costs as much as they do.
+                       // Turns begin at every fourth sample, so that what is lit together does not depend on
+                       // what was skipped
 const int kColoursAPiece = 2;       // of a transfer function of gradients, that are mixed
 const float kUnseen = 1.0 / 2048.0; // pieces that make less of the pixel than this are not lit, only coloured
 
-// The part of the way from one place to the next that lies on the visible side: x where it begins, y where it ends.
+// The part of the way from one place to the next that lies on the visible side: x where it begins, y where it
+// ends.
 vec2 visiblePart(float sideBefore, float sideAfter) {
     float crossing = sideBefore / (sideBefore - sideAfter);
     bool begins = sideBefore < 0.0 && sideAfter >= 0.0;
@@ -21,7 +23,8 @@ vec2 visiblePart(float sideBefore, float sideAfter) {
     return max(sideBefore, sideAfter) < 0.0 ? vec2(0.0) : part;
 }
 
-// Opacity of `part` of a length whose opacity is `a`: 1 - (1 - a)^part to the third order, exact for 0, 1 and 2.
+// Opacity of `part` of a length whose opacity is `a`: 1 - (1 - a)^part to the third order, exact for 0, 1
+// and 2.
 float opacityOfPart(float a, float part) {
     return a * part * (1.0 + (1.0 - part) * a * (0.5 + (2.0 - part) * a / 6.0));
 }
@@ -35,8 +38,8 @@ float seenValue(vec3 p) {
 #endif
 }
 
-// Colour (premultiplied) and opacity of a length of `steps`, at most `dt`, along which the value goes evenly from front to
-// back.
+// Colour (premultiplied) and opacity of a length of `steps`, at most `dt`, along which the value goes evenly
+// from front to back.
 vec4 colourOfPiece(float front, float back, vec3 middle, float steps, float dt) {
 #if TF_KIND == 0
     vec4 c = classifySpan(front, back);
@@ -76,21 +79,21 @@ vec3 litInVolume(vec4 colour, Ray ray, vec3 p, bool isCut) {
 #else
     vec2 reaching = vec2(1.0);
 #endif
-    vec3 light = lit(albedo, normal, -ray.world, viewRight.xyz, viewUp.xyz, -viewForward.xyz, lightingOfFunction.y,
-                     reaching);
+    vec3 light = lit(albedo, normal, -ray.world, viewRight.xyz, viewUp.xyz, -viewForward.xyz,
+                     lightingOfFunction.y, reaching);
     return mix(albedo, light, lightingOfFunction.x * surface) * colour.a;
 }
 
 // How far a ray has come, and what it has found since the light was last asked.
 struct Walk {
     float number; // of the sample where the next piece begins, counted from the eye
-    float from;  // the same within the grid's box
-    float front; // what the function goes by there
-    float side;  // and whether it is on the visible side
+    float from;   // the same within the grid's box
+    float front;  // what the function goes by there
+    float side;   // and whether it is on the visible side
 #ifdef SEGMENTS
     float clear; // and whether it is clear of segments, in which nothing of the data is seen
 #endif
-    vec4 found;  // premultiplied, unlit
+    vec4 found; // premultiplied, unlit
     float weightedT;
     bool isCut; // something found begins where the sculpture was cut
 };
@@ -117,7 +120,8 @@ void addPiece(inout Walk walk, Ray ray, float numberAfter, float dt, float jitte
 #endif
     float steps = isPiece ? (part.y - part.x) * (to - walk.from) : 0.0;
     float middle = mix(walk.from, to, 0.5 * (part.x + part.y));
-    vec4 c = colourOfPiece(mix(walk.front, back, part.x), mix(walk.front, back, part.y), at(ray, middle), steps, dt);
+    vec4 c = colourOfPiece(mix(walk.front, back, part.x), mix(walk.front, back, part.y), at(ray, middle),
+                           steps, dt);
     walk.isCut = walk.isCut || (c.a > 0.0 && cutAt > 0.0 && cutAt == part.x);
     walk.weightedT += (1.0 - walk.found.a) * c.a * middle;
     walk.found += (1.0 - walk.found.a) * c;
@@ -126,8 +130,9 @@ void addPiece(inout Walk walk, Ray ray, float numberAfter, float dt, float jitte
     walk.front = back;
 }
 
-// Premultiplied linear colour and opacity of everything along the ray. Samples `dt` steps apart, on the lattice that
-// `jitter` shifts; the grid's box is met exactly, its ends cut pieces short. `depth`: mean t of what is seen.
+// Premultiplied linear colour and opacity of everything along the ray. Samples `dt` steps apart, on the
+// lattice that `jitter` shifts; the grid's box is met exactly, its ends cut pieces short. `depth`: mean t of
+// what is seen.
 vec4 compositeAlong(Ray ray, float dt, float jitter, out float depth) {
     vec3 inverseDirection = safeInverse(ray.direction);
     vec4 sum = vec4(0.0);

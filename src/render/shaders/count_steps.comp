@@ -1,6 +1,6 @@
-// The distance of each macrocell from the nearest that may hold something: as many steps as did not reach it. One invocation a
-// block.
-// In: texture 0 planes 0 to `far` - 1. Out: image 0 (r32ui): distances, at most `far`.
+// The distance of each macrocell from the nearest that may hold something: as many steps as did not reach it.
+// One invocation a block. In: texture 0 planes 0 to `far` - 1. Out: image 0 (r32ui): distances, at most
+// `far`.
 #include "render/shaders/cell_bits.glsl"
 
 layout(local_size_x = 4, local_size_y = 16) in;

@@ -1,5 +1,5 @@
-// Smallest and largest value of each macrocell and the 26 around it: what a kernel that reaches into them can give.
-// In: texture 0 ranges (rg: smallest, largest value in the cell). Out: image 0 (rg32f) the same size.
+// Smallest and largest value of each macrocell and the 26 around it: what a kernel that reaches into them can
+// give. In: texture 0 ranges (rg: smallest, largest value in the cell). Out: image 0 (rg32f) the same size.
 layout(local_size_x = 8, local_size_y = 4, local_size_z = 2) in;
 
 #include "render/shaders/bindings.glsl"

@@ -1,7 +1,7 @@
 // Draws one layer of voxels (render::SliceRenderer, which says what is seen).
 // SCULPTED: the sculpture hides some. SEGMENTED: there are segments. TF_KIND: a transfer function colours it.
-// Spaces: the slice runs through voxel centres, so of a place's cell only four corners count; they are asked for once, and
-// everything is interpolated from them: corner 0 is the cell's first, 1 across, 2 down, 3 both.
+// Spaces: the slice runs through voxel centres, so of a place's cell only four corners count; they are asked
+// for once, and everything is interpolated from them: corner 0 is the cell's first, 1 across, 2 down, 3 both.
 // In: the scene, texture 14 segment colours. Out: image 0.
 layout(local_size_x = 8, local_size_y = 8) in;
 
@@ -13,7 +13,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #endif
 #include "render/shaders/shading.glsl"
 
-layout(binding = kSegmentColoursTexture) uniform sampler2D segmentColours; // one row of 256, by label: linear, a opacity
+layout(binding = kSegmentColoursTexture) uniform sampler2D
+    segmentColours; // one row of 256, by label: linear, a opacity
 layout(binding = kSlicePictureImage, rgba8) uniform writeonly image2D picture;
 
 uniform vec3 first;    // voxel space: the first pixel's centre
@@ -29,8 +30,8 @@ const vec3 kOutside = vec3(0.043, 0.051, 0.059);
 struct Cell {
     ivec3 corners[4];
     vec4 weights;
-    int nearest;    // which corner
-    vec2 part;      // where in the cell, 0 to 1 across and down
+    int nearest;         // which corner
+    vec2 part;           // where in the cell, 0 to 1 across and down
     vec2 pixelsPerVoxel; // how fast part changes: pixels for a voxel across, down
     mat2 partPerPixel;   // columns: per pixel to the right, down
 };
@@ -56,7 +57,9 @@ Cell cellAt(vec3 p) {
 }
 
 // Of values at the corners: what is at the place.
-float blend(Cell cell, vec4 values) { return isSmooth != 0 ? dot(cell.weights, values) : values[cell.nearest]; }
+float blend(Cell cell, vec4 values) {
+    return isSmooth != 0 ? dot(cell.weights, values) : values[cell.nearest];
+}
 
 // How many pixels a place lies inside the 0.5 level of what the corners hold; negative outside. Far: 1e3.
 float pixelsInside(Cell cell, vec4 values) {
@@ -77,7 +80,8 @@ float pixelsInside(Cell cell, vec4 values) {
 }
 
 vec4 valuesAround(Cell cell) {
-    return vec4(voxelValue(cell.corners[0]), voxelValue(cell.corners[1]), voxelValue(cell.corners[2]), voxelValue(cell.corners[3]));
+    return vec4(voxelValue(cell.corners[0]), voxelValue(cell.corners[1]), voxelValue(cell.corners[2]),
+                voxelValue(cell.corners[3]));
 }
 
 vec3 greyAt(float value) {
@@ -141,7 +145,8 @@ int nextSegment(uvec4 labels, int i) {
     return i;
 }
 
-// Loops that need not be entered are what a software renderer saves time by; it goes both ways of every branch.
+// Loops that need not be entered are what a software renderer saves time by; it goes both ways of every
+// branch.
 void coverBySegments(inout vec3 colour, Cell cell) {
     vec4 memberships;
     for (int i = 0; i < 4; ++i) {

@@ -1,7 +1,8 @@
-// How much of each texel of the occlusion volume blocks light: the part of it that is visible, or what its opacity holds back.
-// CONTENT: 0 data in the displayed range, 1 segmentation, 2 either of the two, 3 opacity of the transfer function (TF_KIND).
-// SCULPTED: there is a sculpture. ON_VOXELS: blockSize is 2 along each axis, so that what is looked up are the voxels.
-// In: the scene (field/shaders/scene.glsl), texture 3 macrocell distances. Out: image 0 (r8), texels [texelLo, texelHi).
+// How much of each texel of the occlusion volume blocks light: the part of it that is visible, or what its
+// opacity holds back. CONTENT: 0 data in the displayed range, 1 segmentation, 2 either of the two, 3 opacity
+// of the transfer function (TF_KIND). SCULPTED: there is a sculpture. ON_VOXELS: blockSize is 2 along each
+// axis, so that what is looked up are the voxels. In: the scene (field/shaders/scene.glsl), texture 3
+// macrocell distances. Out: image 0 (r8), texels [texelLo, texelHi).
 // variants: CONTENT=0 ON_VOXELS=1;CONTENT=0;CONTENT=1 SCULPTED=1;CONTENT=2;CONTENT=3 TF_KIND=0 SCULPTED=1 ON_VOXELS=1;CONTENT=3 TF_KIND=2
 layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 
@@ -17,11 +18,11 @@ layout(r8, binding = kOcclusionImage) uniform writeonly image3D occlusion;
 
 uniform ivec3 texelLo;
 uniform ivec3 texelHi;
-uniform ivec3 blockSize; // voxels of a texel
-uniform int farEnough;   // a macrocell this far from all visible ones: nothing in the texel is visible
+uniform ivec3 blockSize;  // voxels of a texel
+uniform int farEnough;    // a macrocell this far from all visible ones: nothing in the texel is visible
 uniform float texelSteps; // length of a texel in steps
 uniform int places;       // 8. Loops over a number that the compiler does not know stay loops, which a
-                                               // software renderer leaves after one turn where nothing is visible
+                          // software renderer leaves after one turn where nothing is visible
 
 // Eight values in a texel, half its width apart.
 vec3 place(vec3 centre, int i) {
@@ -39,13 +40,15 @@ float sculptureIn(vec3 p) { return sculptureAt(p); }
 vec2 membershipsIn(vec3 p) { return membershipsAt(p); }
 #endif
 
-// The part of a texel in which something is >= 0, as if it changed evenly across the texel. From the mean, the smallest and
-// the largest of the eight values.
+// The part of a texel in which something is >= 0, as if it changed evenly across the texel. From the mean,
+// the smallest and the largest of the eight values.
 float coverage(float sum, float lo, float hi) {
     return clamp(0.5 + 0.0625 * sum / max(hi - lo, 1e-20), 0.0, 1.0);
 }
 
-vec2 coverage(vec2 sum, vec2 lo, vec2 hi) { return vec2(coverage(sum.x, lo.x, hi.x), coverage(sum.y, lo.y, hi.y)); }
+vec2 coverage(vec2 sum, vec2 lo, vec2 hi) {
+    return vec2(coverage(sum.x, lo.x, hi.x), coverage(sum.y, lo.y, hi.y));
+}
 
 float dataCoverage(vec3 centre) {
     float sum = 0.0;
@@ -138,7 +141,8 @@ void main() {
     }
     vec3 centre = (vec3(texel) + 0.5) * vec3(blockSize) - 0.5;
     ivec3 cell = clamp(ivec3(floor(centre * 0.25)), ivec3(0), textureSize(cellDistances, 0) - 1);
-    bool mayBlock = all(lessThan(texel * blockSize, dims.xyz)) && int(texelFetch(cellDistances, cell, 0).r) < farEnough;
+    bool mayBlock =
+        all(lessThan(texel * blockSize, dims.xyz)) && int(texelFetch(cellDistances, cell, 0).r) < farEnough;
     float part = 0.0;
     if (mayBlock) {
         part = blockedPart(centre);

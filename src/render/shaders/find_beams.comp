@@ -1,6 +1,6 @@
-// Where along the rays of a square of pixels something may be visible: one walk for all of them (a beam), so that each ray
-// starts close to what it will meet, or not at all.
-// In: the scene and the view, the macrocells. Out: image 0 (rg32f) nearest and farthest t, one texel a square.
+// Where along the rays of a square of pixels something may be visible: one walk for all of them (a beam), so
+// that each ray starts close to what it will meet, or not at all. In: the scene and the view, the macrocells.
+// Out: image 0 (rg32f) nearest and farthest t, one texel a square.
 layout(local_size_x = 8, local_size_y = 8) in;
 
 #include "field/shaders/scene.glsl"
@@ -12,8 +12,8 @@ layout(rg32f, binding = kBeamsImage) uniform writeonly image2D beams;
 
 uniform int beamPixels; // side of a square
 
-// From t, where nothing before it (walking forward) or after it (backward) can be seen, to the farthest such t that the
-// distances around the central ray vouch for; `limit` at the most.
+// From t, where nothing before it (walking forward) or after it (backward) can be seen, to the farthest such
+// t that the distances around the central ray vouch for; `limit` at the most.
 float walk(Beam beam, float t, float limit, bool forward) {
     const float outside = 1e5;
     ivec3 count = textureSize(cellDistances, 0);
@@ -29,7 +29,8 @@ float walk(Beam beam, float t, float limit, bool forward) {
         ivec3 upper = cell + distance;
         vec3 lowerFace = mix(4.0 * vec3(lower), vec3(-outside), lessThanEqual(lower, ivec3(0)));
         vec3 upperFace = mix(4.0 * vec3(upper), vec3(outside), greaterThanEqual(upper, count));
-        if (distance == 0 || any(lessThan(p - extent, lowerFace)) || any(greaterThan(p + extent, upperFace))) {
+        if (distance == 0 || any(lessThan(p - extent, lowerFace)) ||
+            any(greaterThan(p + extent, upperFace))) {
             break;
         }
         vec3 upperExit = (upperFace - beam.central.origin - beam.reach) / high;
@@ -37,8 +38,9 @@ float walk(Beam beam, float t, float limit, bool forward) {
         vec3 exits = backward * 1e30;
         exits = mix(exits, upperExit, greaterThan(high * backward, vec3(1e-12)));
         vec3 others = mix(backward * 1e30, lowerExit, lessThan(low * backward, vec3(-1e-12)));
-        float next = forward ? min(min(min(exits.x, exits.y), exits.z), min(min(others.x, others.y), others.z))
-                             : max(max(max(exits.x, exits.y), exits.z), max(max(others.x, others.y), others.z));
+        float next = forward
+                         ? min(min(min(exits.x, exits.y), exits.z), min(min(others.x, others.y), others.z))
+                         : max(max(max(exits.x, exits.y), exits.z), max(max(others.x, others.y), others.z));
         if (abs(next - t) < 0.05) {
             break;
         }
@@ -47,14 +49,16 @@ float walk(Beam beam, float t, float limit, bool forward) {
     return t;
 }
 
-// Between which t any of the rays can be in the grid's box. How far a plane is along a ray has its extremes in the square's
-// corners, but for a hair, as directions are normalised; how far the box is need not: one of its corners may point at us.
+// Between which t any of the rays can be in the grid's box. How far a plane is along a ray has its extremes
+// in the square's corners, but for a hair, as directions are normalised; how far the box is need not: one of
+// its corners may point at us.
 vec2 wayInBox(vec2 lower, vec2 upper) {
     const float hair = 0.02;
     vec3 nearest = vec3(1e30);
     vec3 farthest = vec3(-1e30);
     for (int corner = 0; corner < 4; ++corner) {
-        Ray ray = rayThrough(vec2((corner & 1) == 0 ? lower.x : upper.x, (corner & 2) == 0 ? lower.y : upper.y));
+        Ray ray =
+            rayThrough(vec2((corner & 1) == 0 ? lower.x : upper.x, (corner & 2) == 0 ? lower.y : upper.y));
         vec3 inverse = safeInverse(ray.direction);
         vec3 a = (vec3(-0.5) - ray.origin) * inverse;
         vec3 b = (vec3(dims.xyz) - 0.5 - ray.origin) * inverse;

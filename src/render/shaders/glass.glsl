@@ -1,6 +1,6 @@
-// Translucent segments: of all of them together, the first surface that a ray meets is drawn, as if it were made of thin
-// glass. One surface and no more: a folded one would hide itself, and what lies in it, behind all of its folds.
-// Include "render/shaders/surface.glsl" first.
+// Translucent segments: of all of them together, the first surface that a ray meets is drawn, as if it were
+// made of thin glass. One surface and no more: a folded one would hide itself, and what lies in it, behind
+// all of its folds. Include "render/shaders/surface.glsl" first.
 
 // >= 0 where there is glass.
 float glassAt(vec3 p) { return min(translucentAt(p) - 0.5, sideAt(p)); }
@@ -29,8 +29,8 @@ Crossing firstGlass(Ray ray, float tEnd, float jitter) {
     return crossing;
 }
 
-// Where the glass begins: an invisible place just before it, and the surface, by false position. Both are the same where the
-// ray enters the grid's box in glass.
+// Where the glass begins: an invisible place just before it, and the surface, by false position. Both are the
+// same where the ray enters the grid's box in glass.
 vec2 refineGlass(Ray ray, Crossing crossing) {
     vec2 outside = vec2(crossing.before, glassAt(at(ray, crossing.before)));
     vec2 inside = vec2(crossing.t, crossing.value);
@@ -74,8 +74,9 @@ Hit findGlass(Ray ray, float tEnd, float jitter) {
     return hit;
 }
 
-// Opacity of glass that is `opacity` face on, seen at an angle of that cosine: its outline is denser, which shows its shape
-// (Kay and Greenberg 1979, "Transparency for computer synthesized images"). Cut faces are not: they have no outline.
+// Opacity of glass that is `opacity` face on, seen at an angle of that cosine: its outline is denser, which
+// shows its shape (Kay and Greenberg 1979, "Transparency for computer synthesized images"). Cut faces are
+// not: they have no outline.
 float opacityOfGlass(float opacity, float cosine, bool isCut) {
     float flatness = 1.0 - clamp(cosine, 0.0, 1.0);
     return isCut ? opacity : 1.0 - (1.0 - opacity) * (1.0 - flatness * flatness * flatness);

@@ -1,6 +1,6 @@
 // Lists the squares of 8 x 8 pixels: those that may show something from the front, the others from the end.
-// In: texture 8 beams (rg: nearest and farthest t). Out: storage 0 the squares (column, row << 16), storage 1 how many of
-// them may show something, and how many not, storage 2 each square's place in the list.
+// In: texture 8 beams (rg: nearest and farthest t). Out: storage 0 the squares (column, row << 16), storage 1
+// how many of them may show something, and how many not, storage 2 each square's place in the list.
 layout(local_size_x = 16, local_size_y = 16) in;
 
 #include "render/shaders/bindings.glsl"

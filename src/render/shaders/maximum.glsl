@@ -9,12 +9,14 @@ struct Greatest {
     float t;
 };
 
-// How far the ray can go from t without meeting a visible value above `greatest`; 0 if it may meet one at once.
+// How far the ray can go from t without meeting a visible value above `greatest`; 0 if it may meet one at
+// once.
 float hopelessUntil(Ray ray, float t, float greatest, vec3 inverseDirection) {
     ivec3 cell = cellAt(at(ray, t));
     int distance = int(texelFetch(cellDistances, cell, 0).r);
     float top = min(texelFetch(dataCellRanges, cell, 0).g, limits.x + valueScale.w);
-    return distance > 0 || top <= greatest ? leaveCells(ray, t, cell, max(distance, 1), inverseDirection) : 0.0;
+    return distance > 0 || top <= greatest ? leaveCells(ray, t, cell, max(distance, 1), inverseDirection)
+                                           : 0.0;
 }
 
 // Samples `dt` steps apart.
@@ -79,7 +81,8 @@ Greatest findGreatestInSlabs(Ray ray, float dt) {
         searchSlab(ray, slabs, int(entry >> 8), dt, best);
         uint code = best.value > lowest ? codeOfGreatest(best.value) : 0u;
 #ifdef SEGMENTS
-        code = min(code, 254u); // the very greatest, of all values above the range too: its place says what tints it
+        code = min(
+            code, 254u); // the very greatest, of all values above the range too: its place says what tints it
 #endif
         uint bucket = bucketOf(code + 1u);
         do {

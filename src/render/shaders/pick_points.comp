@@ -1,7 +1,8 @@
-// Casts one ray through each given viewport position and writes the surface point that it meets (doc/behaviour.md, "What is visible").
-// Translucent segments are met as opaque ones are: to reach through one, hide it.
-// PICK_MAXIMUM: the place of the greatest value instead (what is seen in MIP). CONTENT and SCULPTED: see surface.glsl.
-// In: storage 0 positions in pixels. Out: storage 1 field::SurfacePoint, one each.
+// Casts one ray through each given viewport position and writes the surface point that it meets
+// (doc/behaviour.md, "What is visible"). Translucent segments are met as opaque ones are: to reach through
+// one, hide it. PICK_MAXIMUM: the place of the greatest value instead (what is seen in MIP). CONTENT and
+// SCULPTED: see surface.glsl. In: storage 0 positions in pixels. Out: storage 1 field::SurfacePoint, one
+// each.
 // variants: CONTENT=0;CONTENT=3 TF_KIND=2 SCULPTED=1;CONTENT=2 SCULPTED=1;CONTENT=1 SCULPTED=1;CONTENT=0 PICK_MAXIMUM=1;CONTENT=0 QUADS=1;CONTENT=2 QUADS=1 SMOOTHED=1;CONTENT=3 TF_KIND=1 SEGMENTS=1
 layout(local_size_x = 64) in;
 

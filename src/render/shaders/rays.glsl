@@ -1,7 +1,7 @@
 // Rays of the current view, in voxel space, and walking along them.
-// A ray's parameter t counts steps: one step is the smallest voxel spacing in mm, so dt = 0.5 samples twice per voxel.
-// Bindings: uniform block 1 (render::ViewBlock), texture 3 macrocell distances, with SEGMENT_CELLS 11 those of cells where
-// segments may be. Include "field/shaders/scene.glsl" first.
+// A ray's parameter t counts steps: one step is the smallest voxel spacing in mm, so dt = 0.5 samples twice
+// per voxel. Bindings: uniform block 1 (render::ViewBlock), texture 3 macrocell distances, with SEGMENT_CELLS
+// 11 those of cells where segments may be. Include "field/shaders/scene.glsl" first.
 
 #include "render/shaders/bindings.glsl"
 layout(std140, binding = kViewBlock) uniform ViewBlock {
@@ -9,8 +9,9 @@ layout(std140, binding = kViewBlock) uniform ViewBlock {
     vec4 viewForward; // w 1 if orthographic
     vec4 viewRight;
     vec4 viewUp;
-    // Voxel space, per step, for rays (transformed in double precision, so that scans far from the world's origin keep
-    // theirs). A ray has origin eye and direction forward + n.x * right - n.y * up (see render/camera/camera.h).
+    // Voxel space, per step, for rays (transformed in double precision, so that scans far from the world's
+    // origin keep theirs). A ray has origin eye and direction forward + n.x * right - n.y * up (see
+    // render/camera/camera.h).
     vec4 eyeVoxel;
     vec4 forwardVoxel;
     vec4 rightVoxel;
@@ -46,7 +47,8 @@ Ray rayThrough(vec2 pixel) {
     ray.world = orthographic ? viewForward.xyz : normalize(viewForward.xyz + slant);
     ray.origin = orthographic ? eyeVoxel.xyz + offset : eyeVoxel.xyz;
     // As long as one step in the world: the slanted direction is longer than the one straight ahead.
-    ray.direction = orthographic ? forwardVoxel.xyz : (forwardVoxel.xyz + offset) / length(viewForward.xyz + slant);
+    ray.direction =
+        orthographic ? forwardVoxel.xyz : (forwardVoxel.xyz + offset) / length(viewForward.xyz + slant);
     // The box reaches half a voxel beyond the outermost centres.
     vec3 inverse = 1.0 / (ray.direction + vec3(equal(ray.direction, vec3(0.0))) * 1e-20);
     vec3 a = (vec3(-0.5) - ray.origin) * inverse;
@@ -66,9 +68,10 @@ vec3 at(Ray ray, float t) { return ray.origin + t * ray.direction; }
 
 ivec3 cellAt(vec3 p) { return clamp(ivec3(floor(p * 0.25)), ivec3(0), textureSize(cellDistances, 0) - 1); }
 
-// How far from t the ray goes until it has left all cells nearer to `cell` than `distance` (1: the cell itself).
-// It ends a hair beyond their faces, in voxels and not in steps, or a ray almost along a face would creep towards it. The
-// half voxel outside the outermost cells belongs to them. Never less than t's own resolution, or the ray would not move.
+// How far from t the ray goes until it has left all cells nearer to `cell` than `distance` (1: the cell
+// itself). It ends a hair beyond their faces, in voxels and not in steps, or a ray almost along a face would
+// creep towards it. The half voxel outside the outermost cells belongs to them. Never less than t's own
+// resolution, or the ray would not move.
 float leaveCells(Ray ray, float t, ivec3 cell, int distance, vec3 inverseDirection) {
     const float hair = 1e-3;
     const float outside = 1e5;
@@ -100,8 +103,8 @@ float noSurfaceUntil(Ray ray, float t, vec3 inverseDirection) {
 #endif
 }
 
-// The first place at or after t where samples `dt` apart lie: the same for all rays and however a ray got there, so that
-// skipping what cannot be seen changes nothing. `jitter` in [0, 1) shifts them.
+// The first place at or after t where samples `dt` apart lie: the same for all rays and however a ray got
+// there, so that skipping what cannot be seen changes nothing. `jitter` in [0, 1) shifts them.
 float nextSample(float t, float dt, float jitter) { return (ceil(t / dt - jitter) + jitter) * dt; }
 
 // A component of zero becomes a tiny one of the same sign as `greaterThan(direction, 0)` assumes.

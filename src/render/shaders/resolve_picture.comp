@@ -1,5 +1,6 @@
-// Divides the accumulated samples by their number. In: image 0 (rgba32f) sums of display colours and coverage (a).
-// Out: image 1 (rgba8) the picture; a 1, or on nothing the coverage, with colours that are not multiplied by it.
+// Divides the accumulated samples by their number. In: image 0 (rgba32f) sums of display colours and coverage
+// (a). Out: image 1 (rgba8) the picture; a 1, or on nothing the coverage, with colours that are not
+// multiplied by it.
 layout(local_size_x = 8, local_size_y = 8) in;
 
 #include "render/shaders/shading.glsl"
@@ -8,13 +9,16 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(rgba32f, binding = kAccumulationImage) uniform readonly image2D accumulation;
 layout(rgba8, binding = kPictureImage) uniform writeonly image2D picture;
 
-layout(std430, binding = kPlacesStorage) readonly buffer Places { uint places[]; }; // of squares of pixels, see list_squares.comp
+layout(std430, binding = kPlacesStorage) readonly buffer Places {
+    uint places[];
+}; // of squares of pixels, see list_squares.comp
 
-// Whole samples; squares that have one more; squares that may show something: the others have it with the first of them.
+// Whole samples; squares that have one more; squares that may show something: the others have it with the
+// first of them.
 uniform ivec3 progress;
 uniform int isTransparent;
-uniform int isFlat; // the background is of one colour, which stays exactly that
-uniform int isBare;  // no samples are taken of squares where nothing can be seen: there is the background
+uniform int isFlat;    // the background is of one colour, which stays exactly that
+uniform int isBare;    // no samples are taken of squares where nothing can be seen: there is the background
 uniform ivec2 settled; // x the place from which on squares have settled, y after how many samples
 uniform vec4 backgroundTop; // display colour
 uniform vec4 backgroundBottom;
@@ -32,9 +36,11 @@ float samplesAt(int place) {
     return float(progress.x + (hasMore ? 1 : 0));
 }
 
-// Half a step of the display's 8 bits either way, the same for each pixel each time: dark gradients do not band.
+// Half a step of the display's 8 bits either way, the same for each pixel each time: dark gradients do not
+// band.
 float dither(ivec2 pixel) {
-    // Interleaved gradient noise (Jimenez 2014, "Next generation post processing in Call of Duty: Advanced Warfare").
+    // Interleaved gradient noise (Jimenez 2014, "Next generation post processing in Call of Duty: Advanced
+    // Warfare").
     float noise = fract(52.9829189 * fract(dot(vec2(pixel), vec2(0.06711056, 0.00583715))));
     return (noise - 0.5) / 255.0;
 }

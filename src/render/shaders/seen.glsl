@@ -1,5 +1,6 @@
 // What one ray sees, mode by mode, what several parts' rays see together, and the display colour of that.
-// MODE, CONTENT, SCULPTED, TF_KIND: see cast_rays.comp, which includes this. LIT: ambient occlusion and soft shadows.
+// MODE, CONTENT, SCULPTED, TF_KIND: see cast_rays.comp, which includes this. LIT: ambient occlusion and soft
+// shadows.
 
 const vec3 kSurfaceColour = vec3(0.72, 0.57, 0.45); // linear: the ivory of anatomical plates
 
@@ -17,8 +18,8 @@ vec3 functionColour(float value, vec3 p) {
 }
 #endif
 
-// The colour of the data's own surface. It shows one value, the displayed range's end, so a transfer function is asked for
-// what lies a step behind it.
+// The colour of the data's own surface. It shows one value, the displayed range's end, so a transfer function
+// is asked for what lies a step behind it.
 vec3 surfaceColour(Hit hit, Ray ray) {
 #ifdef TF_KIND
     vec3 behind = hit.voxel + ray.direction;
@@ -45,16 +46,19 @@ vec3 shadeHit(Hit hit, Ray ray, vec3 segmentColour) {
     vec3 up = viewUp.xyz;
     vec2 reaching = lightAt(hit);
     vec3 albedo = hit.isSegment ? segmentColour : surfaceColour(hit, ray);
-    vec3 surface = displayFromLinear(lit(albedo, hit.normal, -ray.world, right, up, -viewForward.xyz, 0.12, reaching));
+    vec3 surface =
+        displayFromLinear(lit(albedo, hit.normal, -ray.world, right, up, -viewForward.xyz, 0.12, reaching));
     // A section shows the data's own values: grey, shaded just enough to tell its shape.
 #ifdef TF_KIND
     vec3 section = functionColour(sectionValueAt(hit.voxel), hit.voxel);
 #else
-    vec3 section = linearFromDisplay(vec3(0.15 + 0.85 * greyOf(sectionValueAt(hit.voxel))) * vec3(1.0, 0.985, 0.96));
+    vec3 section =
+        linearFromDisplay(vec3(0.15 + 0.85 * greyOf(sectionValueAt(hit.voxel))) * vec3(1.0, 0.985, 0.96));
 #endif
     section = hit.isSegment ? mix(section, segmentColour, 0.55) : section;
     vec3 key = normalize(-0.45 * right + 0.65 * up - 0.75 * viewForward.xyz);
-    section = displayFromLinear(section * (0.55 * reaching.y + 0.45 * reaching.x * max(dot(hit.cutNormal, key), 0.0)));
+    section = displayFromLinear(section *
+                                (0.55 * reaching.y + 0.45 * reaching.x * max(dot(hit.cutNormal, key), 0.0)));
     return mix(surface, section, hit.cutShare);
 }
 
@@ -96,8 +100,8 @@ vec3 tinted(vec3 colour, vec3 p) {
 #endif
 
 #if MODE == 2 || MODE == 3
-// Integral of (value - lo) / (hi - lo) over the visible part of the ray up to tEnd, in steps: a. The transfer function's
-// colours, each weighted by that: rgb.
+// Integral of (value - lo) / (hi - lo) over the visible part of the ray up to tEnd, in steps: a. The transfer
+// function's colours, each weighted by that: rgb.
 vec4 integralAlong(Ray ray, float tEnd) {
     const int batch = 8; // samples a turn: see surface.glsl
     vec3 inverseDirection = safeInverse(ray.direction);
@@ -142,8 +146,8 @@ vec3 integralColour(vec4 integral) {
 #endif
 
 #if MODE == 5 && defined(SEGMENTS)
-// As compositeAlong(), with the surfaces of segments where they are: glass, what is behind it, and the first opaque one, behind
-// which nothing is seen.
+// As compositeAlong(), with the surfaces of segments where they are: glass, what is behind it, and the first
+// opaque one, behind which nothing is seen.
 vec4 compositeWithSegments(Ray ray, float jitter, out float depth) {
     Hit hit = findSurface(ray, jitter);
     float end = hit.found ? hit.t : ray.tFar;
@@ -244,7 +248,8 @@ Seen seenAlong(Ray ray, float jitter, float scale) {
 }
 
 #ifdef TRANSLUCENT
-// Glass of two parts, of which a surface as far as `depth` hides what is behind it; as if of one from then on.
+// Glass of two parts, of which a surface as far as `depth` hides what is behind it; as if of one from then
+// on.
 void mergeGlass(inout Seen one, Seen other, float depth) {
     vec4 a = one.glassDepth < depth ? one.glass : vec4(0.0);
     vec4 b = other.glassDepth < depth ? other.glass : vec4(0.0);
@@ -295,7 +300,8 @@ float hiddenByGlass(Seen seen) {
 #endif
 }
 
-// Display colour over what is behind, and coverage: that colour is linear in `behind`, and 1 - coverage its slope.
+// Display colour over what is behind, and coverage: that colour is linear in `behind`, and 1 - coverage its
+// slope.
 vec4 shown(Seen seen, vec3 behind) {
 #if MODE == 0 || MODE == 4
     bool found = seen.front.a < kNothing;
@@ -322,11 +328,14 @@ vec4 shown(Seen seen, vec3 behind) {
     float hidden = found ? 1.0 : hiddenByGlass(seen);
     float veil = brightness * mix(0.9, 0.45, hidden);
     vec3 base = throughGlass(seen, found ? seen.front.rgb : behind);
-    return vec4(mix(base, vec3(0.86, 0.91, 1.0) * integralColour(seen.behind), veil), 1.0 - (1.0 - hidden) * (1.0 - veil));
+    return vec4(mix(base, vec3(0.86, 0.91, 1.0) * integralColour(seen.behind), veil),
+                1.0 - (1.0 - hidden) * (1.0 - veil));
 #else
-    if (backgroundTop.w > 0.5) { // light is mixed here, not display colours: what programs that do so make of it
+    if (backgroundTop.w >
+        0.5) { // light is mixed here, not display colours: what programs that do so make of it
         return vec4(displayFromLinear(seen.front.rgb / max(seen.front.a, 1e-6)) * seen.front.a, seen.front.a);
     }
-    return vec4(displayFromLinear(seen.front.rgb + (1.0 - seen.front.a) * linearFromDisplay(behind)), seen.front.a);
+    return vec4(displayFromLinear(seen.front.rgb + (1.0 - seen.front.a) * linearFromDisplay(behind)),
+                seen.front.a);
 #endif
 }

@@ -2,12 +2,13 @@
 // Bindings: texture 14 (render::SegmentColours). Include "field/shaders/scene.glsl" first; declare `corners`.
 
 #include "render/shaders/bindings.glsl"
-layout(binding = kSegmentColoursTexture) uniform sampler2D segmentColours; // one row of 256, by label: linear, a opacity
+layout(binding = kSegmentColoursTexture) uniform sampler2D
+    segmentColours; // one row of 256, by label: linear, a opacity
 
 vec4 entryOf(uint segment) { return texelFetch(segmentColours, ivec2(int(segment), 0), 0); }
 
-// Adds the mean of what the corners of p's cell say, weighted as trilinear interpolation does, so that borders between
-// segments do not show voxels; of segments of one kind only. Not if not `wanted`.
+// Adds the mean of what the corners of p's cell say, weighted as trilinear interpolation does, so that
+// borders between segments do not show voxels; of segments of one kind only. Not if not `wanted`.
 void addColoursAround(vec3 p, bool translucent, bool wanted, inout vec4 sum, inout float weights) {
     vec3 first = floor(p);
     vec3 f = p - first;
@@ -24,7 +25,8 @@ void addColoursAround(vec3 p, bool translucent, bool wanted, inout vec4 sum, ino
     }
 }
 
-// What tints the data at p, where rays go through segments instead of meeting their surfaces: linear colour, and how much of it.
+// What tints the data at p, where rays go through segments instead of meeting their surfaces: linear colour,
+// and how much of it.
 vec4 tintAt(vec3 p) {
     vec2 memberships = membershipsAt(p);
     uint segment = segmentOf(ivec3(floor(p + 0.5)));
@@ -33,8 +35,9 @@ vec4 tintAt(vec3 p) {
     return vec4(entry.rgb, segment != 0u ? amount * entry.a : 0.0);
 }
 
-// Linear colour and opacity of the opaque or the translucent segments at p, which lies in one or, as surfaces are smooth, a
-// little outside; then it is one voxel further `inwards` (world, unit). Anything if not `wanted`.
+// Linear colour and opacity of the opaque or the translucent segments at p, which lies in one or, as surfaces
+// are smooth, a little outside; then it is one voxel further `inwards` (world, unit). Anything if not
+// `wanted`.
 vec4 segmentColourAt(vec3 p, vec3 inwards, bool translucent, bool wanted) {
     const float some = 1e-3; // of the weights
     vec4 sum = vec4(0.0);

@@ -1,7 +1,7 @@
-// Orders the squares of pixels that may show something anew: those whose first two samples differ from the front, the others,
-// which are left at two samples, from the end.
-// In: storage 0 the squares (list_squares.comp), storage 3 how far the samples are apart in each. Out: storage 4 the squares in
-// their new order, storage 1 how many differ, and how many do not, storage 2 each square's place in the list.
+// Orders the squares of pixels that may show something anew: those whose first two samples differ from the
+// front, the others, which are left at two samples, from the end. In: storage 0 the squares
+// (list_squares.comp), storage 3 how far the samples are apart in each. Out: storage 4 the squares in their
+// new order, storage 1 how many differ, and how many do not, storage 2 each square's place in the list.
 layout(local_size_x = 64) in;
 
 #include "gl/shaders/items.glsl"
@@ -16,7 +16,8 @@ layout(std430, binding = kOrderedStorage) writeonly buffer Ordered { uint ordere
 uniform ivec2 squareCount;
 uniform int occupied;
 
-// Five of 255 levels: the mean of two samples that far apart is off by hardly more than two, less than an edge or a speck makes.
+// Five of 255 levels: the mean of two samples that far apart is off by hardly more than two, less than an
+// edge or a speck makes.
 const uint kMostContrast = 5u * 257u;
 
 void main() {
@@ -30,7 +31,8 @@ void main() {
         return;
     }
     uint index = (square >> 16) * uint(squareCount.x) + (square & 0xffffu);
-    uint place = contrasts[index] > kMostContrast ? atomicAdd(counts[0], 1u) : uint(occupied) - 1u - atomicAdd(counts[1], 1u);
+    uint place = contrasts[index] > kMostContrast ? atomicAdd(counts[0], 1u)
+                                                  : uint(occupied) - 1u - atomicAdd(counts[1], 1u);
     ordered[place] = square;
     places[index] = place;
 }

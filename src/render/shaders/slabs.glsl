@@ -1,8 +1,8 @@
-// Slabs of beams: pieces of all rays of a square of pixels, each with a bound of the values that they can meet in it (MIP).
-// Samples lie at (k + 0.5) * dt; a slab holds `samples` of them, from `first` on. A bound is a code of one byte.
-// Lists of slabs (r16ui, texture 11), kEntriesOfBeam for each beam: of each that may show something the number times 256 plus the
-// code, those with the greatest bounds first, as far as bucketOf() tells them apart; then 0.
-// Include "field/shaders/scene.glsl" first.
+// Slabs of beams: pieces of all rays of a square of pixels, each with a bound of the values that they can
+// meet in it (MIP). Samples lie at (k + 0.5) * dt; a slab holds `samples` of them, from `first` on. A bound
+// is a code of one byte. Lists of slabs (r16ui, texture 11), kEntriesOfBeam for each beam: of each that may
+// show something the number times 256 plus the code, those with the greatest bounds first, as far as
+// bucketOf() tells them apart; then 0. Include "field/shaders/scene.glsl" first.
 
 const int kMostSlabs = 192; // in a beam
 const int kEntriesOfBeam = kMostSlabs + 1;

@@ -1,12 +1,13 @@
-// Marked cells spread to the cells around them: with VS_ALONG_Z to those before and after, else to the eight around in the same
-// plane. Both together are one step of the Chebyshev distance (Rosenfeld and Pfaltz 1968). One invocation a block.
-// In: texture 0 planes. Out: storage 0 planes.
+// Marked cells spread to the cells around them: with VS_ALONG_Z to those before and after, else to the eight
+// around in the same plane. Both together are one step of the Chebyshev distance (Rosenfeld and Pfaltz 1968).
+// One invocation a block. In: texture 0 planes. Out: storage 0 planes.
 #include "render/shaders/cell_bits.glsl"
 
 layout(local_size_x = 4, local_size_y = 16) in;
 
 #include "render/shaders/bindings.glsl"
-layout(binding = kPlanesBeforeTexture) uniform usamplerBuffer planesBefore; // much faster than a storage block on software renderers
+layout(binding = kPlanesBeforeTexture) uniform usamplerBuffer
+    planesBefore; // much faster than a storage block on software renderers
 layout(std430, binding = kPlanesStorage) writeonly buffer Planes { uvec4 planes[]; };
 
 uniform int from; // plane
@@ -16,7 +17,8 @@ uvec4 bitsAt(ivec3 place) { return texelFetch(planesBefore, from * blocksPerPlan
 
 uvec4 spreadAlongX(ivec3 place) {
     uvec4 bits = bitsAt(place);
-    return bits | bits << 1 | bits >> 1 | bitsAt(place - ivec3(1, 0, 0)) >> 31 | bitsAt(place + ivec3(1, 0, 0)) << 31;
+    return bits | bits << 1 | bits >> 1 | bitsAt(place - ivec3(1, 0, 0)) >> 31 |
+           bitsAt(place + ivec3(1, 0, 0)) << 31;
 }
 
 void main() {

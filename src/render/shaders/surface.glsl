@@ -1,17 +1,16 @@
 // The first visible surface along a ray: what is seen, picked and cut.
-// CONTENT chooses what counts as content: 0 data in the displayed range, 1 segmentation, 2 either of the two, 3 what the
-// transfer function makes opaque enough to be touched. Include "render/shaders/rays.glsl" first, for 3 also
-// "render/shaders/classification.glsl". SEGMENTS: with CONTENT 3, or the surface of a segment. TRANSLUCENT: some segments are translucent: nothing of the data is seen in them.
+// CONTENT chooses what counts as content: 0 data in the displayed range, 1 segmentation, 2 either of the two,
+// 3 what the transfer function makes opaque enough to be touched. Include "render/shaders/rays.glsl" first,
+// for 3 also "render/shaders/classification.glsl". SEGMENTS: with CONTENT 3, or the surface of a segment.
+// TRANSLUCENT: some segments are translucent: nothing of the data is seen in them.
 
 #if CONTENT == 1 || CONTENT == 2 || (CONTENT == 3 && defined(SEGMENTS))
 #define MEETS_SEGMENTS
 #endif
 
-// How far a value is inside the displayed range, as a part of its width: of the same size as what the sculpture and the
-// segmentation say, or the least of them would bend what is straight.
-float partInside(float value) {
-    return insideRange(value) / (range.y > range.x ? range.y - range.x : 1.0);
-}
+// How far a value is inside the displayed range, as a part of its width: of the same size as what the
+// sculpture and the segmentation say, or the least of them would bend what is straight.
+float partInside(float value) { return insideRange(value) / (range.y > range.x ? range.y - range.x : 1.0); }
 
 #if CONTENT == 3
 // >= 0 where the transfer function makes the data opaque enough.
@@ -62,12 +61,12 @@ float visibility(vec3 p) { return min(contentAt(p), sideAt(p)); }
 
 struct Hit {
     bool found;
-    float t;      // steps along the ray
-    vec3 voxel;   // where
-    vec3 normal;  // world, unit, facing the viewer
-    bool isCut;   // on a cut face: the sculpture's 0.5 level, or the grid's border
-    // How much is seen of a cut face there: all of it on one, some where the surface begins a hair behind one. Pockets in a
-    // face end so shallow that a ray more or less would make a speck of them.
+    float t;     // steps along the ray
+    vec3 voxel;  // where
+    vec3 normal; // world, unit, facing the viewer
+    bool isCut;  // on a cut face: the sculpture's 0.5 level, or the grid's border
+    // How much is seen of a cut face there: all of it on one, some where the surface begins a hair behind
+    // one. Pockets in a face end so shallow that a ray more or less would make a speck of them.
     float cutShare;
     vec3 cutNormal; // of that face: world, unit, facing the viewer
     bool isSegment;
@@ -75,9 +74,10 @@ struct Hit {
 };
 
 #ifdef SCULPTED
-// Between two places of which neither is visible, content may begin before the visible side ends, or the side begin before
-// the content ends: a sliver thinner than a step, along the edge of a cut. Where it is, as a part of the way; -1: nowhere.
-// x content, y side, as in contentAt and sideAt, taken as linear between the places.
+// Between two places of which neither is visible, content may begin before the visible side ends, or the side
+// begin before the content ends: a sliver thinner than a step, along the edge of a cut. Where it is, as a
+// part of the way; -1: nowhere. x content, y side, as in contentAt and sideAt, taken as linear between the
+// places.
 float sliverBetween(vec2 before, vec2 after) {
     vec2 crossing = before / (before - after);
     bool contentBegins = before.x < 0.0 && after.x >= 0.0 && before.y >= 0.0 && after.y < 0.0;
@@ -87,8 +87,8 @@ float sliverBetween(vec2 before, vec2 after) {
 }
 #endif
 
-// Where a ray first meets something visible: `t`, the visibility there, and `before`, a place without. Nothing when t is not
-// below the ray's tEnd.
+// Where a ray first meets something visible: `t`, the visibility there, and `before`, a place without.
+// Nothing when t is not below the ray's tEnd.
 struct Crossing {
     float before;
     float t;
@@ -97,8 +97,8 @@ struct Crossing {
 
 const int kBatch = 4; // samples a turn: on a software renderer the turn itself costs as much as they do
 
-// Looks at the samples of one turn, from crossing.t on, and moves t to the first that is visible or past them all. `last` is
-// the visibility's parts (content, side) at the sample before them.
+// Looks at the samples of one turn, from crossing.t on, and moves t to the first that is visible or past them
+// all. `last` is the visibility's parts (content, side) at the sample before them.
 void testBatch(Ray ray, inout Crossing crossing, inout vec2 last) {
     float first = float(kBatch);
 #ifdef SCULPTED
@@ -132,8 +132,8 @@ void testBatch(Ray ray, inout Crossing crossing, inout vec2 last) {
     crossing.t += first * kDt;
 }
 
-// Looks at every sample that may be visible; shading comes after it. Loops end with their condition: a software renderer runs
-// a body to its end when no ray is left in it.
+// Looks at every sample that may be visible; shading comes after it. Loops end with their condition: a
+// software renderer runs a body to its end when no ray is left in it.
 Crossing firstVisible(Ray ray, float jitter) {
     vec3 inverseDirection = safeInverse(ray.direction);
     Crossing crossing;
@@ -190,32 +190,33 @@ Obstacle obstacleAt(vec3 p) {
     return obstacle;
 }
 
-// -1 where the obstacle was found, 0 where it ends, and about straight between: what else bounds the visible, and would
-// bend it, is left out.
+// -1 where the obstacle was found, 0 where it ends, and about straight between: what else bounds the visible,
+// and would bend it, is left out.
 float beyond(Obstacle obstacle, vec3 p) {
     vec2 parts = partsAt(p, obstacle.isAbove) * obstacle.weight;
     return obstacle.weight.x == 0.0 ? parts.y : obstacle.weight.y == 0.0 ? parts.x : min(parts.x, parts.y);
 }
 
-// Whether what ends at p, where an obstacle has been left behind, is the sculpture's hidden side: of two that end within a step,
-// the one that ends last is what the surface is made of.
+// Whether what ends at p, where an obstacle has been left behind, is the sculpture's hidden side: of two that
+// end within a step, the one that ends last is what the surface is made of.
 bool endsAtCut(Obstacle obstacle, vec3 p) {
     vec2 parts = partsAt(p, obstacle.isAbove) * obstacle.weight;
     return obstacle.weight.y != 0.0 && (obstacle.weight.x == 0.0 || parts.y <= parts.x);
 }
 
-// The zero between an invisible place a and a visible one b, given a third place c close by (x place, y what is beyond
-// there): by inverse quadratic interpolation, or linearly where that leads out of the interval.
+// The zero between an invisible place a and a visible one b, given a third place c close by (x place, y what
+// is beyond there): by inverse quadratic interpolation, or linearly where that leads out of the interval.
 float zeroBetween(vec2 a, vec2 b, vec2 c) {
     float linear = mix(a.x, b.x, a.y / (a.y - b.y));
     vec3 differences = vec3(a.y - b.y, b.y - c.y, c.y - a.y);
-    float quadratic = -(a.x * b.y * c.y * differences.y + b.x * a.y * c.y * differences.z + c.x * a.y * b.y * differences.x) /
+    float quadratic = -(a.x * b.y * c.y * differences.y + b.x * a.y * c.y * differences.z +
+                        c.x * a.y * b.y * differences.x) /
                       (differences.x * differences.y * differences.z);
     return quadratic >= a.x && quadratic <= b.x ? quadratic : linear;
 }
 
-// Moves a crossing back to the surface: an invisible place just before it, and the surface. Two more samples, kept off the ends
-// of what they divide so that a jump (the edge of non-finite voxels) is closed in on too.
+// Moves a crossing back to the surface: an invisible place just before it, and the surface. Two more samples,
+// kept off the ends of what they divide so that a jump (the edge of non-finite voxels) is closed in on too.
 vec2 refine(Ray ray, Crossing crossing, Obstacle obstacle) {
     if (obstacle.weight == vec2(0.0)) {
         return vec2(crossing.before); // visible from the start: the ray enters the box inside
@@ -241,8 +242,8 @@ vec3 boxNormal(vec3 p) {
     vec3 centred = (p - 0.5 * vec3(dims.xyz - 1)) / (0.5 * vec3(dims.xyz));
     vec3 a = abs(centred);
     vec3 n = a.x >= a.y && a.x >= a.z ? vec3(sign(centred.x), 0.0, 0.0)
-             : a.y >= a.z            ? vec3(0.0, sign(centred.y), 0.0)
-                                     : vec3(0.0, 0.0, sign(centred.z));
+             : a.y >= a.z             ? vec3(0.0, sign(centred.y), 0.0)
+                                      : vec3(0.0, 0.0, sign(centred.z));
     return normalize(transpose(mat3(voxelFromWorld)) * n);
 }
 
@@ -253,9 +254,9 @@ vec3 facing(vec3 gradient, vec3 towardsViewer) {
     return dot(n, towardsViewer) < 0.0 ? -n : n;
 }
 
-// A unit normal from a vector that points out of what has been met. Gradients are taken over two voxels and may disagree with
-// what the ray met: by little where it grazes the surface, which is then seen edge on, or wholly at a wall so thin that its far
-// side outweighs the near one, which is parallel to it.
+// A unit normal from a vector that points out of what has been met. Gradients are taken over two voxels and
+// may disagree with what the ray met: by little where it grazes the surface, which is then seen edge on, or
+// wholly at a wall so thin that its far side outweighs the near one, which is parallel to it.
 vec3 outwards(vec3 outward, vec3 towardsViewer) {
     const float grazing = 0.4; // cosine
     float l = length(outward);
@@ -265,7 +266,8 @@ vec3 outwards(vec3 outward, vec3 towardsViewer) {
     return c >= 0.0 ? n : c > -grazing ? edgeOn : -n;
 }
 
-// `jitter` in [0, 1) shifts the samples by that part of a step: what they all miss then differs from ray to ray.
+// `jitter` in [0, 1) shifts the samples by that part of a step: what they all miss then differs from ray to
+// ray.
 Hit findSurface(Ray ray, float jitter) {
     Hit hit;
     Crossing crossing = firstVisible(ray, jitter);
@@ -319,7 +321,8 @@ Hit findSurface(Ray ray, float jitter) {
     if (endsAtCut(obstacle, hit.voxel) && !atBorder) {
         hit.isCut = true;
 #ifdef MEETS_SEGMENTS
-        // Segments go on behind a cut face (segment/membership/continuation.h), so that what is met on it is exact.
+        // Segments go on behind a cut face (segment/membership/continuation.h), so that what is met on it is
+        // exact.
         hit.isSegment = segmentationAt(hit.voxel) >= 0.5;
         hit.inSegment = hit.voxel;
 #endif

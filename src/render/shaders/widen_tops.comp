@@ -1,8 +1,8 @@
-// The greatest value that can be seen in each macrocell, and in it and the next ones along any of the axes: eight boxes of 1 or 2
-// cells a side, so that any small box of cells is looked up at once. As codes (slabs.glsl).
-// In: the scene, textures 3 macrocell distances, 4 what samples in each cell can give (rg: smallest, largest).
-// Out: image 0 (r32ui) at (x, y, 2 z + 1 if the box is two cells deep): four codes, first those one cell wide along y, first of
-// each those one cell wide along x.
+// The greatest value that can be seen in each macrocell, and in it and the next ones along any of the axes:
+// eight boxes of 1 or 2 cells a side, so that any small box of cells is looked up at once. As codes
+// (slabs.glsl). In: the scene, textures 3 macrocell distances, 4 what samples in each cell can give (rg:
+// smallest, largest). Out: image 0 (r32ui) at (x, y, 2 z + 1 if the box is two cells deep): four codes, first
+// those one cell wide along y, first of each those one cell wide along x.
 layout(local_size_x = 8, local_size_y = 4, local_size_z = 2) in;
 
 #include "field/shaders/scene.glsl"

@@ -1,6 +1,6 @@
-// Combines radiation with the sculpture in the radiation's tiles: one work group a tile, one invocation a line along x.
-// In: storage 0 tile list, image 0 energy (texel t is voxel originVoxel + t), image 2 an earlier sculpture. In/out: image 1
-// sculpture. Out: storage 1 number of voxels changed.
+// Combines radiation with the sculpture in the radiation's tiles: one work group a tile, one invocation a
+// line along x. In: storage 0 tile list, image 0 energy (texel t is voxel originVoxel + t), image 2 an
+// earlier sculpture. In/out: image 1 sculpture. Out: storage 1 number of voxels changed.
 // variants: SCULPTURE_BITS=8;SCULPTURE_BITS=16;SCULPTURE_BITS=32
 layout(local_size_x = 8, local_size_y = 8) in;
 

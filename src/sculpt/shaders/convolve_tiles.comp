@@ -1,10 +1,10 @@
-// Convolves tiles along AXIS with symmetric taps of REACH voxels on either side. One work group a tile, one invocation a
-// line of 8 voxels, which it loads once with what the taps reach of the two neighbouring tiles.
-// AXIS 0 turns fixed-point deposits into energy; AXIS 2, the last, also sets the deposits back to zero for the next use, unless they
-// are to be kept.
+// Convolves tiles along AXIS with symmetric taps of REACH voxels on either side. One work group a tile, one
+// invocation a line of 8 voxels, which it loads once with what the taps reach of the two neighbouring tiles.
+// AXIS 0 turns fixed-point deposits into energy; AXIS 2, the last, also sets the deposits back to zero for
+// the next use, unless they are to be kept.
 // variants: AXIS=0 REACH=2 FIXED_ONE=4194304.0 FIXED_LIMIT=1073741824u;AXIS=1 REACH=0 FIXED_ONE=4194304.0 FIXED_LIMIT=1073741824u;AXIS=2 REACH=4 FIXED_ONE=4194304.0 FIXED_LIMIT=1073741824u
-// In: storage 0 tile list, storage 1 stages (list_tiles.comp), image 0 deposits, image 1 source (AXIS 1 and 2).
-// Out: image 2 result. Texels of tiles that the pass before has not computed are stale and count as zero.
+// In: storage 0 tile list, storage 1 stages (list_tiles.comp), image 0 deposits, image 1 source (AXIS 1 and
+// 2). Out: image 2 result. Texels of tiles that the pass before has not computed are stale and count as zero.
 layout(local_size_x = 8, local_size_y = 8) in;
 
 #include "sculpt/shaders/bindings.glsl"
@@ -30,7 +30,8 @@ const ivec3 along = ivec3(0, 0, 1);
 
 ivec3 lineStart(ivec3 tile) {
     ivec2 local = ivec2(gl_LocalInvocationID.xy);
-    return tile * 8 + (AXIS == 0 ? ivec3(0, local) : (AXIS == 1 ? ivec3(local.x, 0, local.y) : ivec3(local, 0)));
+    return tile * 8 +
+           (AXIS == 0 ? ivec3(0, local) : (AXIS == 1 ? ivec3(local.x, 0, local.y) : ivec3(local, 0)));
 }
 
 // 1 if the pass before has computed this tile, else 0.

@@ -1,8 +1,7 @@
-// Cuts what lies inside (or outside) an outline drawn on the picture, along the rays through it, to a depth below the
-// surface seen or through everything.
-// In: texture 0 distances from the outline (pixels, positive inside), with a depth texture 1 where along its ray the solid
-// begins and ends under each pixel (mm, negative: nowhere), and texture 2 the same of what begins nearest around it.
-// In/out: image 0 sculpture.
+// Cuts what lies inside (or outside) an outline drawn on the picture, along the rays through it, to a depth
+// below the surface seen or through everything. In: texture 0 distances from the outline (pixels, positive
+// inside), with a depth texture 1 where along its ray the solid begins and ends under each pixel (mm,
+// negative: nowhere), and texture 2 the same of what begins nearest around it. In/out: image 0 sculpture.
 // variants: SCULPTURE_BITS=16
 #include "sculpt/shaders/cut_solid.glsl"
 
@@ -15,7 +14,7 @@ uniform mat4 pixelFromVoxel;
 uniform vec4 outlinePlace; // origin of the raster in pixels, band in pixels, mm of a pixel at w = 1
 uniform vec4 eye;          // mm; w 1: orthographic
 uniform vec3 forward;
-uniform vec3 kind;         // x 1: outside; y 1: to a depth; z radius in mm
+uniform vec3 kind; // x 1: outside; y 1: to a depth; z radius in mm
 
 // Pixels from the outline, positive inside; beyond the band as far as can be.
 float outlineAt(vec2 pixel) {

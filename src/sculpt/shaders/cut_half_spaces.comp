@@ -3,7 +3,7 @@
 // In/out: image 0 sculpture.
 #include "sculpt/shaders/cut_solid.glsl"
 
-uniform ivec2 kind;             // x number of planes, y 1: cuts the inside
+uniform ivec2 kind;              // x number of planes, y 1: cuts the inside
 uniform vec4 planes[MAX_PLANES]; // unit normal outwards, offset; world, mm
 
 float energyAt(vec3 voxel) {

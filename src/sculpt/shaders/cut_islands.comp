@@ -1,5 +1,5 @@
-// Cuts islands (pack_islands.comp) and two voxels around each, but nothing within one voxel of what is kept. One invocation
-// a word of 32 voxels along x.
+// Cuts islands (pack_islands.comp) and two voxels around each, but nothing within one voxel of what is kept.
+// One invocation a word of 32 voxels along x.
 // variants: SCULPTURE_BITS=16
 // In: storage 0 islands, 1 kept. Out: image 1 sculpture.
 layout(local_size_x = 8, local_size_y = 8) in;

@@ -1,5 +1,5 @@
-// Cutting voxel by voxel by an energy that is known for each: the includer's main() goes along lineStart() and calls
-// combineVoxel(). Work groups are the tiles of 8^3 voxels in a list, one invocation a line along x.
+// Cutting voxel by voxel by an energy that is known for each: the includer's main() goes along lineStart()
+// and calls combineVoxel(). Work groups are the tiles of 8^3 voxels in a list, one invocation a line along x.
 layout(local_size_x = 8, local_size_y = 8) in;
 
 #include "sculpt/shaders/stored_values.glsl"
@@ -25,8 +25,8 @@ bool lineStart(out ivec3 voxel) {
     return exists && all(lessThan(voxel, dims));
 }
 
-// Half the Gaussian's integral: the energy at a distance (mm, positive inside) from a plane. To 1.5e-4 (Bowling et al.
-// 2009, a logistic approximation).
+// Half the Gaussian's integral: the energy at a distance (mm, positive inside) from a plane. To 1.5e-4
+// (Bowling et al. 2009, a logistic approximation).
 float energyBehind(float distance) {
     float x = clamp(distance / sigma, -6.0, 6.0);
     return 1.0 / (1.0 + exp(-x * (1.5976 + 0.070566 * x * x)));

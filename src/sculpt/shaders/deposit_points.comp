@@ -1,7 +1,9 @@
-// Deposits points into the WIDTH^3 voxels around each with B-spline weights, as fixed-point integers, so that the sum does
-// not depend on the order. Marks the tiles it writes to. WIDTH 3: quadratic or, per axis, linear; 4: cubic or lower.
+// Deposits points into the WIDTH^3 voxels around each with B-spline weights, as fixed-point integers, so that
+// the sum does not depend on the order. Marks the tiles it writes to. WIDTH 3: quadratic or, per axis,
+// linear; 4: cubic or lower.
 // variants: WIDTH=3 FIXED_ONE=4194304.0 FIXED_LIMIT=1073741824u MAX_POINT_ENERGY=16.0;WIDTH=4 FIXED_ONE=4194304.0 FIXED_LIMIT=1073741824u MAX_POINT_ENERGY=16.0
-// In: storage 0 points (xyz voxel space, w energy). In/out: image 0 deposits, storage 1 one mark a tile: the round.
+// In: storage 0 points (xyz voxel space, w energy). In/out: image 0 deposits, storage 1 one mark a tile: the
+// round.
 layout(local_size_x = 64) in;
 
 #include "sculpt/shaders/bindings.glsl"
@@ -13,10 +15,11 @@ uniform int count;
 uniform ivec3 originVoxel; // of texel 0
 uniform ivec3 tileDims;
 uniform ivec3 degrees;
-uniform int round; // what is marked
+uniform int round;   // what is marked
 uniform int running; // 0: sums are held to the limit; else 1 adds, -1 takes back, to the last bit
 
-// Weights of the WIDTH voxels from the first on, along one axis; x: where the point lies beyond that first voxel.
+// Weights of the WIDTH voxels from the first on, along one axis; x: where the point lies beyond that first
+// voxel.
 #if WIDTH == 3
 float[3] weightsAlong(int degree, float x) {
     float u = x - 1.0; // in [-0.5, 0.5]
@@ -66,16 +69,19 @@ void main() {
             }
         }
     }
-    // A full voxel is brought back to the limit, far below the wrap: what is read later is min(sum, limit) in any order.
+    // A full voxel is brought back to the limit, far below the wrap: what is read later is min(sum, limit) in
+    // any order.
     if (running == 0 && highest >= FIXED_LIMIT) {
         for (int n = 0; n < WIDTH * WIDTH * WIDTH; ++n) {
-            imageAtomicMin(deposits, texel + ivec3(n % WIDTH, (n / WIDTH) % WIDTH, n / (WIDTH * WIDTH)), FIXED_LIMIT);
+            imageAtomicMin(deposits, texel + ivec3(n % WIDTH, (n / WIDTH) % WIDTH, n / (WIDTH * WIDTH)),
+                           FIXED_LIMIT);
         }
     }
     ivec3 low = texel >> 3;
     ivec3 high = (texel + WIDTH - 1) >> 3;
     for (int n = 0; n < 8; ++n) {
-        ivec3 tile = ivec3((n & 1) != 0 ? high.x : low.x, (n & 2) != 0 ? high.y : low.y, (n & 4) != 0 ? high.z : low.z);
+        ivec3 tile = ivec3((n & 1) != 0 ? high.x : low.x, (n & 2) != 0 ? high.y : low.y,
+                           (n & 4) != 0 ? high.z : low.z);
         marks[(tile.z * tileDims.y + tile.y) * tileDims.x + tile.x] = uint(round);
     }
 }

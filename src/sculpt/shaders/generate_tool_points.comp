@@ -1,11 +1,11 @@
-// Samples the solids that patches of a mask sweep, one invocation a patch. P(u, v, d) = start(u, v) + d * direction(u, v),
-// both bilinear between four corners; a sample carries mask * det(dP/du, dP/dv, dP/dd) du dv dd, in voxels.
-// In: storage 0 corners, storage 1 patches (sculpt/radiation/swept_patches.h), all in voxel space.
-// Out: storage 2 points (xyz voxel space, w energy), each patch from its own first place on.
+// Samples the solids that patches of a mask sweep, one invocation a patch. P(u, v, d) = start(u, v) + d *
+// direction(u, v), both bilinear between four corners; a sample carries mask * det(dP/du, dP/dv, dP/dd) du dv
+// dd, in voxels. In: storage 0 corners, storage 1 patches (sculpt/radiation/swept_patches.h), all in voxel
+// space. Out: storage 2 points (xyz voxel space, w energy), each patch from its own first place on.
 layout(local_size_x = 64) in;
 
 struct Corner {
-    vec4 start;     // w mask
+    vec4 start; // w mask
     vec4 direction;
 };
 struct Patch {
@@ -25,8 +25,8 @@ layout(std430, binding = kToolPointsStorage) writeonly buffer Points { vec4 poin
 
 uniform int firstPatch;
 uniform int patchCount;
-uniform uint basePoint; // the buffer's first place belongs to this point
-uniform vec2 depths;    // of the whole sweep: from, to
+uniform uint basePoint;    // the buffer's first place belongs to this point
+uniform vec2 depths;       // of the whole sweep: from, to
 uniform float orientation; // sign of forward motion; 0: each patch's own near depth 0, until paths meet
 
 vec4 bilinear(vec4 a, vec4 b, vec4 c, vec4 d, vec2 uv) { return mix(mix(a, b, uv.x), mix(c, d, uv.x), uv.y); }
@@ -58,8 +58,12 @@ void main() {
     float cellVolume = stride.x * stride.y * stride.z;
 
     float nearest = clamp(0.0, depths.x, depths.y);
-    vec3 middleU = (b.start - a.start + d.start - c.start + nearest * (b.direction - a.direction + d.direction - c.direction)).xyz;
-    vec3 middleV = (c.start - a.start + d.start - b.start + nearest * (c.direction - a.direction + d.direction - b.direction)).xyz;
+    vec3 middleU = (b.start - a.start + d.start - c.start +
+                    nearest * (b.direction - a.direction + d.direction - c.direction))
+                       .xyz;
+    vec3 middleV = (c.start - a.start + d.start - b.start +
+                    nearest * (c.direction - a.direction + d.direction - b.direction))
+                       .xyz;
     vec3 middleD = (a.direction + b.direction + c.direction + d.direction).xyz;
     float forwards = orientation != 0.0 ? orientation : sign(dot(cross(middleU, middleV), middleD));
 
@@ -81,16 +85,20 @@ void main() {
             float here = forwards * dot(cross(nearU, nearV), direction);
             if (orientation == 0.0 && here > 0.0) {
                 float slope = forwards * dot(cross(nearU, directionV) + cross(directionU, nearV), direction);
-                ends = nearest + rootsAround(here, slope, forwards * dot(cross(directionU, directionV), direction));
+                ends = nearest +
+                       rootsAround(here, slope, forwards * dot(cross(directionU, directionV), direction));
             }
             for (int k = 0; k < counts.z; ++k) {
                 float depth = p.depthLo + (float(k) + 0.5) * stride.z;
                 vec3 alongU = startU + depth * directionU;
                 vec3 alongV = startV + depth * directionV;
                 float density = max(forwards * dot(cross(alongU, alongV), direction), 0.0);
-                // Beyond the point where paths meet in both u and v at once the determinant is positive again.
-                bool hasCrossed = dot(alongU, middleU) < 0.0 || dot(alongV, middleV) < 0.0 || depth < ends.x || depth > ends.y;
-                points[place++] = vec4(start.xyz + depth * direction, hasCrossed ? 0.0 : mask * density * cellVolume);
+                // Beyond the point where paths meet in both u and v at once the determinant is positive
+                // again.
+                bool hasCrossed = dot(alongU, middleU) < 0.0 || dot(alongV, middleV) < 0.0 ||
+                                  depth < ends.x || depth > ends.y;
+                points[place++] =
+                    vec4(start.xyz + depth * direction, hasCrossed ? 0.0 : mask * density * cellVolume);
             }
         }
     }

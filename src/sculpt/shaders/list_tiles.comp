@@ -1,8 +1,9 @@
-// From the tiles that have deposits to the tiles that each pass of the convolution must compute: grown by one tile along
-// x, then y, then z (the taps reach less than a tile). Of a running radiation only what this round's deposits reach.
-// In: storage 0 one mark a tile: the last round with deposits there. Out: storage 1 stages (bit 0 deposits, bits 1 to 3
-// computed by the pass along x, y, z, in this round or before, bit 4 a result of this round), storage 2 to 4 lists for those
-// passes (see tiles.glsl), storage 5 lowest and highest tile of the last.
+// From the tiles that have deposits to the tiles that each pass of the convolution must compute: grown by one
+// tile along x, then y, then z (the taps reach less than a tile). Of a running radiation only what this
+// round's deposits reach. In: storage 0 one mark a tile: the last round with deposits there. Out: storage 1
+// stages (bit 0 deposits, bits 1 to 3 computed by the pass along x, y, z, in this round or before, bit 4 a
+// result of this round), storage 2 to 4 lists for those passes (see tiles.glsl), storage 5 lowest and highest
+// tile of the last.
 layout(local_size_x = 8, local_size_y = 4, local_size_z = 2) in;
 
 #include "sculpt/shaders/bindings.glsl"

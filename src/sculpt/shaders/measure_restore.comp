@@ -1,6 +1,7 @@
-// How far outwards from surface points that were laid bare by cutting what was cut away can be put back: up to the uncut
-// surface, which is the last place in the displayed range before what was cut away ends.
-// In: storage 0 field::SurfacePoint, storage 1 outward directions (voxels a step, w the depth in steps). Out: storage 2 steps, one each.
+// How far outwards from surface points that were laid bare by cutting what was cut away can be put back: up
+// to the uncut surface, which is the last place in the displayed range before what was cut away ends. In:
+// storage 0 field::SurfacePoint, storage 1 outward directions (voxels a step, w the depth in steps). Out:
+// storage 2 steps, one each.
 layout(local_size_x = 64) in;
 
 #include "field/shaders/scene.glsl"
@@ -37,7 +38,8 @@ void main() {
         do {
             vec3 p = from + t * way;
             bool isCut = sculptureAt(p) >= 0.5;
-            bool isInside = all(greaterThanEqual(p, vec3(-0.5))) && all(lessThanEqual(p, vec3(dims.xyz) - 0.5));
+            bool isInside =
+                all(greaterThanEqual(p, vec3(-0.5))) && all(lessThanEqual(p, vec3(dims.xyz) - 0.5));
             last = isCut && isInside && insideRange(dataAt(p)) >= 0.0 ? t : last;
             isMarching = t <= depth && isInside && (isCut || t < near);
             t += stride;

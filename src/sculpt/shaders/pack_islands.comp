@@ -1,6 +1,6 @@
-// One bit a voxel: what is visible and does not belong to a region (islands), and what does (kept). One invocation a word of
-// 32 voxels along x.
-// In: the scene, image 0 the region (0 = outside). Out: storage 0 islands, 1 kept, 2 lowest and highest voxel of islands.
+// One bit a voxel: what is visible and does not belong to a region (islands), and what does (kept). One
+// invocation a word of 32 voxels along x. In: the scene, image 0 the region (0 = outside). Out: storage 0
+// islands, 1 kept, 2 lowest and highest voxel of islands.
 layout(local_size_x = 8, local_size_y = 8) in;
 
 #include "field/shaders/scene.glsl"
@@ -23,7 +23,8 @@ void main() {
     uint isKept = 0u;
     for (int n = 0; n < 32 && voxel.x < dims.x; ++n) {
         bool belongs = imageLoad(region, voxel).r != 0u;
-        bool isSeen = insideRange(voxelValue(voxel)) >= 0.0 && visibleSide(texelFetch(sculptureTexture, dims.w == 0 ? ivec3(0) : voxel, 0).r) >= 0.0;
+        bool isSeen = insideRange(voxelValue(voxel)) >= 0.0 &&
+                      visibleSide(texelFetch(sculptureTexture, dims.w == 0 ? ivec3(0) : voxel, 0).r) >= 0.0;
         isKept |= uint(belongs) << n;
         isIsland |= uint(isSeen && !belongs) << n;
         ++voxel.x;

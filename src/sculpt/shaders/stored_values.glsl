@@ -1,4 +1,5 @@
-// How a sculpture's values are stored (sculpt::Precision): SCULPTURE_BITS is 8, 16 or 32; SCULPTURE_FORMAT is its image format.
+// How a sculpture's values are stored (sculpt::Precision): SCULPTURE_BITS is 8, 16 or 32; SCULPTURE_FORMAT is
+// its image format.
 
 #ifndef SCULPTURE_BITS
 #error "SCULPTURE_BITS is not defined: give the program sculpt::storedDefines()"
@@ -12,9 +13,9 @@
 #define SCULPTURE_FORMAT r32f
 #endif
 
-// A value as it is stored, so that what is counted as changed is what changes. Energies that would be stored as 0, or in
-// floats are below half a step of 16 bits at 1, are no more than the Gaussian's cut-off and rounding. justVisible is
-// sculpt::justVisible().
+// A value as it is stored, so that what is counted as changed is what changes. Energies that would be stored
+// as 0, or in floats are below half a step of 16 bits at 1, are no more than the Gaussian's cut-off and
+// rounding. justVisible is sculpt::justVisible().
 #if SCULPTURE_BITS == 8
 const float negligible = 0.5 / 255.0;
 const float justVisible = 127.0 / 255.0;

@@ -1,6 +1,6 @@
-// Smallest and largest value among the 5^3 corner voxels of each macrocell (4^3 voxels) that has a corner in one of the
-// radiation's result tiles; the others keep theirs.
-// In: texture 0 sculpture, storage 0 stages (list_tiles.comp). Out: image 0 (rg32f) one texel a cell.
+// Smallest and largest value among the 5^3 corner voxels of each macrocell (4^3 voxels) that has a corner in
+// one of the radiation's result tiles; the others keep theirs. In: texture 0 sculpture, storage 0 stages
+// (list_tiles.comp). Out: image 0 (rg32f) one texel a cell.
 layout(local_size_x = 8, local_size_y = 4, local_size_z = 2) in;
 
 #include "sculpt/shaders/bindings.glsl"

@@ -1,6 +1,7 @@
-// A list of tiles of 8^3 voxels, as sculpt::Radiator makes them: 4 uints of indirect arguments, then tile numbers
-// (x fastest in a grid of tileDims). Work groups are 8 x 8; a list may be spread over two group dimensions.
-// The includer declares `layout(std430, binding = ...) readonly buffer TileList { uint tileList[]; };`.
+// A list of tiles of 8^3 voxels, as sculpt::Radiator makes them: 4 uints of indirect arguments, then tile
+// numbers (x fastest in a grid of tileDims). Work groups are 8 x 8; a list may be spread over two group
+// dimensions. The includer declares `layout(std430, binding = ...) readonly buffer TileList { uint
+// tileList[]; };`.
 
 const uint tileListRow = 32768u; // work groups along x
 

@@ -1,8 +1,7 @@
-// Gives the segment at work those voxels of a plane that are nobody's, with one generation. With VS_NOTE nothing changes:
-// bricks that would gain some are noted.
-// In: storage 1 the plane, 7 brick numbers. In and out: storage 0 grown, 3 and 4 generations. Out: storage 2, with VS_NOTE for
-// each listed brick whether it gains something, else how many voxels there are.
-// One row of 16 groups a brick, an invocation a word.
+// Gives the segment at work those voxels of a plane that are nobody's, with one generation. With VS_NOTE
+// nothing changes: bricks that would gain some are noted. In: storage 1 the plane, 7 brick numbers. In and
+// out: storage 0 grown, 3 and 4 generations. Out: storage 2, with VS_NOTE for each listed brick whether it
+// gains something, else how many voxels there are. One row of 16 groups a brick, an invocation a word.
 #include "segment/shaders/words.glsl"
 #include "segment/shaders/generations.glsl"
 

@@ -1,7 +1,7 @@
-// Which voxels that have not grown the rules let in, by themselves, in rows of tiles that growth comes near for the first time. A
-// group a row, an invocation a word, those along x side by side.
-// In: the constraints, texture 0 data, 1 sculpture; storage 0 grown, 5 expansions, 6 work, 7 what is forbidden (with VS_FORBIDDEN). Out:
-// storage 1 allowed.
+// Which voxels that have not grown the rules let in, by themselves, in rows of tiles that growth comes near
+// for the first time. A group a row, an invocation a word, those along x side by side. In: the constraints,
+// texture 0 data, 1 sculpture; storage 0 grown, 5 expansions, 6 work, 7 what is forbidden (with
+// VS_FORBIDDEN). Out: storage 1 allowed.
 #include "segment/shaders/constraints.glsl"
 #include "segment/shaders/words.glsl"
 #include "segment/shaders/active_tiles.glsl"

@@ -1,8 +1,8 @@
-// After the rules have changed, or the newest generations were erased: all grown voxels of the segment at work, other than
-// frozen ones, become the newest, and the tiles are listed in which something next to them may join. One group a brick, an
-// invocation a tile.
-// In: texture 3 labels, 6 grown; storage 3 and 4 generations, 7 brick numbers, 8 first and last generation of each brick. Out:
-// storage 2 newest, 5 expansions[0], 6 work.
+// After the rules have changed, or the newest generations were erased: all grown voxels of the segment at
+// work, other than frozen ones, become the newest, and the tiles are listed in which something next to them
+// may join. One group a brick, an invocation a tile. In: texture 3 labels, 6 grown; storage 3 and 4
+// generations, 7 brick numbers, 8 first and last generation of each brick. Out: storage 2 newest, 5
+// expansions[0], 6 work.
 #include "segment/shaders/words.glsl"
 #include "segment/shaders/generations.glsl"
 #include "segment/shaders/owners.glsl"
@@ -11,7 +11,8 @@
 layout(local_size_x = 64) in;
 
 #include "segment/shaders/bindings.glsl"
-layout(binding = kGrownTexelsTexture) uniform usamplerBuffer grownTexels; // much faster than a storage block on software renderers
+layout(binding = kGrownTexelsTexture) uniform usamplerBuffer
+    grownTexels; // much faster than a storage block on software renderers
 layout(std430, binding = kNewestStorage) writeonly buffer Newest { uvec4 newest[]; };
 layout(std430, binding = kNumbersStorage) readonly buffer Numbers { uint numbers[]; };
 layout(std430, binding = kBrickNumbersStorage) readonly buffer Bricks { uvec2 bricks[]; };
@@ -37,8 +38,8 @@ uvec4 growing(uint slab, uvec4 bits) {
 // Tiles around one that lie in other bricks, of which only those are meant that hold nothing of this segment.
 void activateAcross(ivec3 place) {
     ivec3 inBrick = place & 3;
-    uint sides = uint(inBrick.x == 0) | uint(inBrick.x == 3) << 1 | uint(inBrick.y == 0) << 2 | uint(inBrick.y == 3) << 3 |
-                 uint(inBrick.z == 0) << 4 | uint(inBrick.z == 3) << 5;
+    uint sides = uint(inBrick.x == 0) | uint(inBrick.x == 3) << 1 | uint(inBrick.y == 0) << 2 |
+                 uint(inBrick.y == 3) << 3 | uint(inBrick.z == 0) << 4 | uint(inBrick.z == 3) << 5;
     for (uint around = tilesTouched(sides) & ~(1u << 13); around != 0u; around &= around - 1u) {
         int n = findLSB(around);
         uint tile = tileAt(place + ivec3(n % 3, n / 3 % 3, n / 9) - 1);

@@ -1,6 +1,6 @@
-// Whether growth may enter a voxel. Set by segment::bindConstraints. Which rules there are is said by VS_FENCED (the sculpture),
-// VS_GRADIENT, VS_DIFFERENCE and VS_GRADIENT_DIFFERENCE.
-// Spaces: voxel indices. Bindings: texture 0 data, texture 1 sculpture.
+// Whether growth may enter a voxel. Set by segment::bindConstraints. Which rules there are is said by
+// VS_FENCED (the sculpture), VS_GRADIENT, VS_DIFFERENCE and VS_GRADIENT_DIFFERENCE. Spaces: voxel indices.
+// Bindings: texture 0 data, texture 1 sculpture.
 #if defined(VS_DIFFERENCE) || defined(VS_GRADIENT_DIFFERENCE)
 #define VS_PAIRED // rules that ask for the parent too
 #endif
@@ -39,9 +39,10 @@ float valueOf(ivec3 voxel) {
 float gradientMagnitude(ivec3 voxel) {
     ivec3 before = max(voxel - 1, 0);
     ivec3 after = min(voxel + 1, gridDims - 1);
-    precise vec3 along = vec3(valueOf(ivec3(after.x, voxel.yz)) - valueOf(ivec3(before.x, voxel.yz)),
-                              valueOf(ivec3(voxel.x, after.y, voxel.z)) - valueOf(ivec3(voxel.x, before.y, voxel.z)),
-                              valueOf(ivec3(voxel.xy, after.z)) - valueOf(ivec3(voxel.xy, before.z)));
+    precise vec3 along =
+        vec3(valueOf(ivec3(after.x, voxel.yz)) - valueOf(ivec3(before.x, voxel.yz)),
+             valueOf(ivec3(voxel.x, after.y, voxel.z)) - valueOf(ivec3(voxel.x, before.y, voxel.z)),
+             valueOf(ivec3(voxel.xy, after.z)) - valueOf(ivec3(voxel.xy, before.z)));
     precise vec3 x = gradientAlongX * along.x;
     precise vec3 y = gradientAlongY * along.y;
     precise vec3 z = gradientAlongZ * along.z;
@@ -86,4 +87,6 @@ ivec3 voxelOf(uint index) {
     return ivec3(index % size.x, index / size.x % size.y, index / (size.x * size.y));
 }
 
-uint indexOf(ivec3 voxel) { return (uint(voxel.z) * uint(gridDims.y) + uint(voxel.y)) * uint(gridDims.x) + uint(voxel.x); }
+uint indexOf(ivec3 voxel) {
+    return (uint(voxel.z) * uint(gridDims.y) + uint(voxel.y)) * uint(gridDims.x) + uint(voxel.x);
+}

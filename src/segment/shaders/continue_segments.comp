@@ -1,14 +1,16 @@
-// What segments are taken to be behind the cut faces that end them, so that a cut face has the colour of what it was cut
-// through. Growth stops at the sculpture, so there it says nothing about the voxels that are hidden; see doc/segmentation.md.
-// In a run that was fenced to what is visible now, a hidden voxel that has not grown counts as part of the segment if its rules
-// let it in and its foot does: the visible voxel straight before it. Where the foot is none of it because the rules refuse that
-// (a hole, or a border that widens behind the face), or another segment's, the voxels around it count, the fewer the deeper the
-// voxel; where growth has only not come there yet, none. A foot that does not follow the rules goes on straight. What an edit has made is known, on either side of the face:
-// it goes on only where it ends there.
-// A run that was fenced to what is hidden now ends in front of the face as abruptly: its voxels there do not count.
-// In: texture 0 data, 1 and 4 sculpture, 3 labels; storage 0 grown, 1 rules of each label, 2 shown, 3 and 4 generations, 7 brick
-// numbers. In and out: storage 6 the voxels that count as the opposite of what they are; 5 which tiles changes reach.
-// With VS_GRADIENTS some rules ask for gradients. One row of 16 groups a brick, an invocation a word.
+// What segments are taken to be behind the cut faces that end them, so that a cut face has the colour of what
+// it was cut through. Growth stops at the sculpture, so there it says nothing about the voxels that are
+// hidden; see doc/segmentation.md. In a run that was fenced to what is visible now, a hidden voxel that has
+// not grown counts as part of the segment if its rules let it in and its foot does: the visible voxel
+// straight before it. Where the foot is none of it because the rules refuse that (a hole, or a border that
+// widens behind the face), or another segment's, the voxels around it count, the fewer the deeper the voxel;
+// where growth has only not come there yet, none. A foot that does not follow the rules goes on straight.
+// What an edit has made is known, on either side of the face: it goes on only where it ends there. A run that
+// was fenced to what is hidden now ends in front of the face as abruptly: its voxels there do not count. In:
+// texture 0 data, 1 and 4 sculpture, 3 labels; storage 0 grown, 1 rules of each label, 2 shown, 3 and 4
+// generations, 7 brick numbers. In and out: storage 6 the voxels that count as the opposite of what they are;
+// 5 which tiles changes reach. With VS_GRADIENTS some rules ask for gradients. One row of 16 groups a brick,
+// an invocation a word.
 #include "segment/shaders/constraints.glsl"
 #include "segment/shaders/words.glsl"
 #include "segment/shaders/generations.glsl"
@@ -61,11 +63,16 @@ bool admitsFrom(Rules of, ivec3 parent, ivec3 child) {
 }
 
 // Is an edit's, not growth's.
-bool isMade(Rules of, ivec3 voxel) { return generationIn(wordAt(wordPlaceOf(voxel)), bitOf(voxel)) <= of.run.y; }
+bool isMade(Rules of, ivec3 voxel) {
+    return generationIn(wordAt(wordPlaceOf(voxel)), bitOf(voxel)) <= of.run.y;
+}
 
-float sculptureOf(ivec3 voxel) { return texelFetch(sculptureTexture, clamp(voxel, ivec3(0), gridDims - 1), 0).r; }
+float sculptureOf(ivec3 voxel) {
+    return texelFetch(sculptureTexture, clamp(voxel, ivec3(0), gridDims - 1), 0).r;
+}
 
-// From a hidden voxel straight to the visible side: one voxel along the axis that it goes along most. Zero: nobody knows where.
+// From a hidden voxel straight to the visible side: one voxel along the axis that it goes along most. Zero:
+// nobody knows where.
 vec3 towardsVisible(ivec3 v) {
     vec3 along = vec3(sculptureOf(v + ivec3(1, 0, 0)) - sculptureOf(v - ivec3(1, 0, 0)),
                       sculptureOf(v + ivec3(0, 1, 0)) - sculptureOf(v - ivec3(0, 1, 0)),
@@ -95,9 +102,9 @@ ivec4 footOf(ivec3 voxel) {
 
 ivec3 around(int i) { return ivec3(i % 3, i / 3 % 3, i / 9) - 1; }
 
-// How much of what is visible around the foot of a hidden voxel, so many steps away, would take it in, by weight. A foot that has
-// not grown must be something that the segment refuses: where growth has only not come yet it has not come behind either. Looks
-// at nothing if not `wanted`.
+// How much of what is visible around the foot of a hidden voxel, so many steps away, would take it in, by
+// weight. A foot that has not grown must be something that the segment refuses: where growth has only not
+// come yet it has not come behind either. Looks at nothing if not `wanted`.
 float partAround(ivec3 voxel, ivec3 foot, int steps, bool footHasGrown, bool wanted) {
     float all = 0.0;
     float some = 0.0;
@@ -141,11 +148,13 @@ bool isKnownBehind(ivec3 voxel, bool wanted) {
 bool joins(ivec3 voxel, ivec3 foot, int layer) {
     bool footHasGrown = isGrown(foot);
     Rules own = rules[ownerOf(foot)];
-    bool follows = footHasGrown && own.run.x == kFencedToVisible && (admitsFrom(own, foot, voxel) || !admits(own, foot));
+    bool follows =
+        footHasGrown && own.run.x == kFencedToVisible && (admitsFrom(own, foot, voxel) || !admits(own, foot));
     bool made = follows && isMade(own, foot);
     follows = follows && !(made && isKnownBehind(voxel, made));
     float enough = layer == 1 ? 0.1 : layer == 2 ? 0.05 : 0.02;
-    // Behind another segment's foot the border between the two may run flat under the face, and be that much farther away.
+    // Behind another segment's foot the border between the two may run flat under the face, and be that much
+    // farther away.
     const int farthest = 4;
     bool isBeside = false;
     for (int steps = 1; steps <= (footHasGrown ? farthest : 1) && !isBeside; steps *= 2) {

@@ -1,8 +1,9 @@
-// Takes voxels away from the segment at work: those of generations after `last`, with VS_BY_PLANE only those of them that are
-// in a plane, or not in it. With VS_NOTE nothing is erased: bricks that would lose some are noted.
-// In: texture 3 labels; storage 7 brick numbers; 1 the plane. In and out: storage 0 grown, 3 and 4 generations. Out: image 0
-// labels; storage 2 with VS_NOTE, for each listed brick, whether it loses something; else with VS_BY_PLANE how many voxels of
-// each generation are gone. One row of 16 groups a brick, an invocation a word.
+// Takes voxels away from the segment at work: those of generations after `last`, with VS_BY_PLANE only those
+// of them that are in a plane, or not in it. With VS_NOTE nothing is erased: bricks that would lose some are
+// noted. In: texture 3 labels; storage 7 brick numbers; 1 the plane. In and out: storage 0 grown, 3 and 4
+// generations. Out: image 0 labels; storage 2 with VS_NOTE, for each listed brick, whether it loses
+// something; else with VS_BY_PLANE how many voxels of each generation are gone. One row of 16 groups a brick,
+// an invocation a word.
 #include "segment/shaders/words.glsl"
 #include "segment/shaders/generations.glsl"
 #include "segment/shaders/owners.glsl"

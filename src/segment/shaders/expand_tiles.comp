@@ -1,11 +1,11 @@
-// One generation: in the tiles at work, every voxel that may be entered and lies next to one of the newest joins, and becomes
-// one of the newest itself. A tile is four invocations' work; each slab belongs to one of them, so nothing but the lists of tiles
-// needs atomics.
-// In: the constraints, texture 0 data, 4 newest voxels in two planes, of which one is read and the other written (storage 2),
-// 5 and storage 1 allowed: what may be entered and has not been. In and out: storage 0 grown, 3 and 4 generations, 5 expansions, 6 work.
-// With VS_BY_VOXEL no voxel was tested before; those on offer are, here (instead of allowed: texture 6 grown, storage 7 what is
-// forbidden, with VS_FORBIDDEN).
-// With VS_FLOOD a set spreads through another, and there are no generations.
+// One generation: in the tiles at work, every voxel that may be entered and lies next to one of the newest
+// joins, and becomes one of the newest itself. A tile is four invocations' work; each slab belongs to one of
+// them, so nothing but the lists of tiles needs atomics. In: the constraints, texture 0 data, 4 newest voxels
+// in two planes, of which one is read and the other written (storage 2), 5 and storage 1 allowed: what may be
+// entered and has not been. In and out: storage 0 grown, 3 and 4 generations, 5 expansions, 6 work. With
+// VS_BY_VOXEL no voxel was tested before; those on offer are, here (instead of allowed: texture 6 grown,
+// storage 7 what is forbidden, with VS_FORBIDDEN). With VS_FLOOD a set spreads through another, and there are
+// no generations.
 #include "segment/shaders/constraints.glsl"
 #include "segment/shaders/words.glsl"
 #include "segment/shaders/generations.glsl"
@@ -29,9 +29,9 @@ layout(binding = kAllowedTexelsTexture) uniform usamplerBuffer allowedTexels;
 
 uniform int expansionIndex;
 uniform uint generation;
-uniform int isBefore;     // 1: the newest voxels have the generation before this one; 0: any
-uniform uint newestAt;    // the slab that begins the plane which is read
-uniform uint nextAt;      // and the one which is written
+uniform int isBefore;  // 1: the newest voxels have the generation before this one; 0: any
+uniform uint newestAt; // the slab that begins the plane which is read
+uniform uint nextAt;   // and the one which is written
 
 // Read as texels, which is many times faster on software renderers.
 uvec4 bitsOf(uint slab) { return texelFetch(newestTexels, int(newestAt + slab)); }
@@ -93,7 +93,8 @@ uint acceptedPairs(ivec3 place, uint offered) {
             bool isNeighbour = abs(offset.x) + abs(offset.y) + abs(offset.z) == 1;
 #endif
             ivec3 parent = child + offset;
-            for (isNeighbour = isNeighbour && !isAccepted && isInside(parent); isNeighbour; isNeighbour = false) {
+            for (isNeighbour = isNeighbour && !isAccepted && isInside(parent); isNeighbour;
+                 isNeighbour = false) {
                 uint word = wordAt(wordPlaceOf(parent));
                 bool isParent = (bitsOf(word >> 2)[word & 3u] >> bitOf(parent) & 1u) != 0u;
                 for (; isParent; isParent = false) {
@@ -133,7 +134,8 @@ uint expandSlab(uint slab) {
 #endif
     }
     ivec4 counts = bitCount(fresh);
-    return sidesOfSlab(fresh, slab) | uint(bitsOf(slab) != uvec4(0u)) << 6 | uint(counts.x + counts.y + counts.z + counts.w) << 8;
+    return sidesOfSlab(fresh, slab) | uint(bitsOf(slab) != uvec4(0u)) << 6 |
+           uint(counts.x + counts.y + counts.z + counts.w) << 8;
 }
 
 void main() {

@@ -15,7 +15,8 @@ bool isHidden(ivec3 voxel) {
     return isHiding(texelFetch(sculptureTexture, inside, 0).r);
 }
 
-// Whether some of the voxels of macrocells `first` to `last` are hidden and some are not. Looks at nothing if not `wanted`.
+// Whether some of the voxels of macrocells `first` to `last` are hidden and some are not. Looks at nothing if
+// not `wanted`.
 bool isFenceIn(ivec3 first, ivec3 last, bool wanted) {
     first = max(first, ivec3(0));
     last = min(last, textureSize(sculptureCells, 0) - 1);

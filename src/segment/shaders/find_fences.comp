@@ -1,6 +1,6 @@
-// Which bricks are near a place where the sculpture begins to hide: those with a hidden and a visible voxel in them or up to a
-// macrocell around. One invocation a brick of the list.
-// In: fences.glsl; storage 7 brick numbers. Out: storage 1, 1 or 0 for each.
+// Which bricks are near a place where the sculpture begins to hide: those with a hidden and a visible voxel
+// in them or up to a macrocell around. One invocation a brick of the list. In: fences.glsl; storage 7 brick
+// numbers. Out: storage 1, 1 or 0 for each.
 #include "segment/shaders/words.glsl"
 #include "segment/shaders/fences.glsl"
 

@@ -1,7 +1,7 @@
-// Moves each surface point to the nearest admissible corner of its cell and keeps every voxel once, with a hash set.
-// Spaces: points in voxel space; distances in world millimetres.
-// In: texture 0 data, 1 sculpture; storage 0 surface points. In and out: storage 1 hash set of voxel indices + 1, zeros
-// at first. Out: storage 2 count, then voxel indices in no particular order.
+// Moves each surface point to the nearest admissible corner of its cell and keeps every voxel once, with a
+// hash set. Spaces: points in voxel space; distances in world millimetres. In: texture 0 data, 1 sculpture;
+// storage 0 surface points. In and out: storage 1 hash set of voxel indices + 1, zeros at first. Out: storage
+// 2 count, then voxel indices in no particular order.
 #include "segment/shaders/constraints.glsl"
 
 layout(local_size_x = 64) in;
@@ -9,7 +9,7 @@ layout(local_size_x = 64) in;
 #include "gl/shaders/items.glsl"
 
 struct SurfacePoint {
-    vec4 voxel;  // w 1 = hit
+    vec4 voxel; // w 1 = hit
     vec4 normal;
 };
 #include "segment/shaders/bindings.glsl"

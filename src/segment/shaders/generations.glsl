@@ -1,6 +1,6 @@
-// Generations of voxels, two to a number: their lower 16 bits, and with VS_WIDE, for runs longer than those can count, eight
-// more bits in a buffer of their own, four voxels to a number. What has no generation reads 0.
-// Include after words.glsl. Bindings: storage 3 and 4.
+// Generations of voxels, two to a number: their lower 16 bits, and with VS_WIDE, for runs longer than those
+// can count, eight more bits in a buffer of their own, four voxels to a number. What has no generation reads
+// 0. Include after words.glsl. Bindings: storage 3 and 4.
 
 #include "segment/shaders/bindings.glsl"
 layout(std430, binding = kGenerationsStorage) buffer Generations { uint generations[]; };
@@ -28,8 +28,9 @@ void storeGenerations(uint word, uint bits, uint generation) {
 #endif
 }
 
-// The same for a slab, pair by pair of whichever word still has one. `before`: voxels that have the generation before this one;
-// `older`: those that have any other. Memory is slow to answer, so it is asked only for what is not known.
+// The same for a slab, pair by pair of whichever word still has one. `before`: voxels that have the
+// generation before this one; `older`: those that have any other. Memory is slow to answer, so it is asked
+// only for what is not known.
 void storeGenerationsOfSlab(uint slab, uvec4 bits, uvec4 before, uvec4 older, uint generation) {
 #ifdef VS_WIDE
     for (uint i = 0u; i < 4u; ++i) {

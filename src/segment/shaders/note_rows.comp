@@ -1,6 +1,5 @@
-// Before growth goes over to rows of tiles that are tested whole: notes those that the tiles at work lie in. One invocation a
-// tile.
-// In and out: storage 5 expansions[0], 6 work.
+// Before growth goes over to rows of tiles that are tested whole: notes those that the tiles at work lie in.
+// One invocation a tile. In and out: storage 5 expansions[0], 6 work.
 #include "segment/shaders/words.glsl"
 #include "segment/shaders/active_tiles.glsl"
 

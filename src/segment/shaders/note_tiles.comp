@@ -1,6 +1,6 @@
-// After an expansion: counts what has joined, and notes which tiles the next one has to look at. One invocation a tile that was
-// at work.
-// In and out: storage 5 expansions, 6 work, 8 first and last generation of each brick.
+// After an expansion: counts what has joined, and notes which tiles the next one has to look at. One
+// invocation a tile that was at work. In and out: storage 5 expansions, 6 work, 8 first and last generation
+// of each brick.
 #include "segment/shaders/words.glsl"
 #include "segment/shaders/active_tiles.glsl"
 
@@ -43,7 +43,8 @@ void main() {
             noteInBrick(tile / kTilesPerBrick);
         }
 #endif
-        // A tile whose newest voxels nobody follows is looked at once more, so that both planes are left without them.
+        // A tile whose newest voxels nobody follows is looked at once more, so that both planes are left
+        // without them.
         uint again = cleansUp != 0 ? sides >> 6 & 1u : 0u;
         uint around = total != 0u ? tilesTouched(sides) : again << 13;
         activateAround(placeOfTile(tile), around);

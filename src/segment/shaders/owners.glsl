@@ -1,6 +1,5 @@
-// Which segment a grown voxel belongs to. The label texture is written after growing, not while: a grown voxel without a
-// label belongs to the segment at work.
-// Include after words.glsl. Binding: texture 3.
+// Which segment a grown voxel belongs to. The label texture is written after growing, not while: a grown
+// voxel without a label belongs to the segment at work. Include after words.glsl. Binding: texture 3.
 
 #include "segment/shaders/bindings.glsl"
 layout(binding = kLabelTexture) uniform usampler3D labelTexture;

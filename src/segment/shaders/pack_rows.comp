@@ -1,6 +1,6 @@
-// Packs membership into bits, which the smoothing reads many times: bit i of a row is the voxel i - 3 places after the tile's
-// first along x. One invocation a row of 22 voxels.
-// In: storage 0 tiles, 3 and 4 voxels shown. Out: storage 1, 22 x 22 rows a tile.
+// Packs membership into bits, which the smoothing reads many times: bit i of a row is the voxel i - 3 places
+// after the tile's first along x. One invocation a row of 22 voxels. In: storage 0 tiles, 3 and 4 voxels
+// shown. Out: storage 1, 22 x 22 rows a tile.
 #include "segment/shaders/tiles.glsl"
 
 layout(local_size_x = 64) in;

@@ -1,5 +1,6 @@
 // Puts listed voxels among the newest; if asked to, only those in a region.
-// In: storage 7 voxel indices. In and out: storage 1 the region, or without one what may be entered, which they are taken from; 2 newest. Out: storage 5 steps[0], 6 work.
+// In: storage 7 voxel indices. In and out: storage 1 the region, or without one what may be entered, which
+// they are taken from; 2 newest. Out: storage 5 steps[0], 6 work.
 #include "segment/shaders/words.glsl"
 #include "segment/shaders/active_tiles.glsl"
 

@@ -1,7 +1,7 @@
-// The voxels of the segment at work as a plane: those of generations after `last`, with VS_ADMISSIBLE only those that the
-// present rules would let in.
-// In: the constraints, texture 0 data, 1 sculpture, 3 labels; storage 0 grown, 3 and 4 generations, 7 brick numbers, 6 what is
-// forbidden (with VS_FORBIDDEN). Out: storage 2 the plane. One row of 16 groups a brick, an invocation a word.
+// The voxels of the segment at work as a plane: those of generations after `last`, with VS_ADMISSIBLE only
+// those that the present rules would let in. In: the constraints, texture 0 data, 1 sculpture, 3 labels;
+// storage 0 grown, 3 and 4 generations, 7 brick numbers, 6 what is forbidden (with VS_FORBIDDEN). Out:
+// storage 2 the plane. One row of 16 groups a brick, an invocation a word.
 #include "segment/shaders/constraints.glsl"
 #include "segment/shaders/words.glsl"
 #include "segment/shaders/generations.glsl"

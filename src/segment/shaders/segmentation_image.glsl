@@ -7,7 +7,8 @@ uniform int channel;
 
 void storeMembership(ivec3 voxel, float value) {
     vec2 both = imageLoad(segmentation, voxel).rg;
-    imageStore(segmentation, voxel, channel == 0 ? vec4(value, both.g, 0.0, 0.0) : vec4(both.r, value, 0.0, 0.0));
+    imageStore(segmentation, voxel,
+               channel == 0 ? vec4(value, both.g, 0.0, 0.0) : vec4(both.r, value, 0.0, 0.0));
 }
 #else
 layout(r8, binding = kSegmentationImage) uniform writeonly image3D segmentation;

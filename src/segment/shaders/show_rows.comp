@@ -1,7 +1,7 @@
 // Which voxels are shown: those of visible segments, and of the segment at work those up to the playhead.
-// In: texture 3 labels; storage 0 grown, 1 a number for each label, 3 and 4 generations, 7 brick numbers. In and out: storage 2
-// the plane of those labels that have the wanted number; 5 which tiles changes reach (note_changes.glsl).
-// With VS_OTHERS there are other segments, with VS_HIDES generations after the playhead.
+// In: texture 3 labels; storage 0 grown, 1 a number for each label, 3 and 4 generations, 7 brick numbers. In
+// and out: storage 2 the plane of those labels that have the wanted number; 5 which tiles changes reach
+// (note_changes.glsl). With VS_OTHERS there are other segments, with VS_HIDES generations after the playhead.
 // One row of 16 groups a brick, an invocation a word.
 #include "segment/shaders/words.glsl"
 #include "segment/shaders/generations.glsl"
@@ -17,7 +17,7 @@ layout(std430, binding = kShownBitsStorage) buffer Shown { uint shown[]; };
 layout(std430, binding = kBricksStorage) readonly buffer Bricks { uint bricks[]; };
 
 uniform uint playhead;
-uniform uint wanted;   // the number that makes a label's voxels appear in this plane
+uniform uint wanted; // the number that makes a label's voxels appear in this plane
 
 uint visibleIn(uint word) {
     uint bits = grown[word];

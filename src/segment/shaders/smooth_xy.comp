@@ -1,6 +1,6 @@
 // Smooths membership along x and y. One invocation a row of 16 voxels along y, with a sliding window.
-// In: storage 1, 22 x 22 packed rows a tile. Out: storage 2, 16 x 16 x 22 values a tile, negative at the region's voxels
-// (the value itself is positive there).
+// In: storage 1, 22 x 22 packed rows a tile. Out: storage 2, 16 x 16 x 22 values a tile, negative at the
+// region's voxels (the value itself is positive there).
 #include "segment/shaders/tiles.glsl"
 
 layout(local_size_x = 64) in;
@@ -13,8 +13,9 @@ uniform vec4 weightsX;
 
 // The lowest seven bits smoothed along x, at the middle one.
 float alongX(uint bits) {
-    return smoothed(weightsX, float(bits & 1u), float(bits >> 1 & 1u), float(bits >> 2 & 1u), float(bits >> 3 & 1u),
-                    float(bits >> 4 & 1u), float(bits >> 5 & 1u), float(bits >> 6 & 1u));
+    return smoothed(weightsX, float(bits & 1u), float(bits >> 1 & 1u), float(bits >> 2 & 1u),
+                    float(bits >> 3 & 1u), float(bits >> 4 & 1u), float(bits >> 5 & 1u),
+                    float(bits >> 6 & 1u));
 }
 
 void main() {

@@ -1,7 +1,7 @@
-// Smooths along z what is smooth along x and y, and holds the result to the truth: at least 0.5 at the region's voxels,
-// below 0.5 at all others. One invocation a row of 16 voxels along z, with a sliding window.
-// In: storage 0 tiles, 2 with 16 x 16 x 22 values a tile, negative at the region's voxels. Out: image 0 segmentation
-// (r8, or rg8 with VS_GLASS: then one channel of it).
+// Smooths along z what is smooth along x and y, and holds the result to the truth: at least 0.5 at the
+// region's voxels, below 0.5 at all others. One invocation a row of 16 voxels along z, with a sliding window.
+// In: storage 0 tiles, 2 with 16 x 16 x 22 values a tile, negative at the region's voxels. Out: image 0
+// segmentation (r8, or rg8 with VS_GLASS: then one channel of it).
 #include "segment/shaders/tiles.glsl"
 
 layout(local_size_x = 64) in;
@@ -41,8 +41,9 @@ void main() {
         g = abs(newest);
         // In the texel's own units, where 0.5 lies between 127 and 128.
         float texel = round(clamp(smoothed(weights, a, b, c, d, e, f, g), 0.0, 1.0) * 255.0);
-        // Held to the truth by mirroring at 0.5, so that the thinner a part is the farther its level is pushed out: a voxel
-        // on its own becomes a dot of nearly its own size, which can be seen, and not a point.
+        // Held to the truth by mirroring at 0.5, so that the thinner a part is the farther its level is
+        // pushed out: a voxel on its own becomes a dot of nearly its own size, which can be seen, and not a
+        // point.
         texel = m0 ? max(texel, 255.0 - texel) : min(texel, 255.0 - texel);
         storeMembership(voxel, texel / 255.0);
         m0 = m1;

@@ -1,7 +1,7 @@
-// Smallest and largest value of every macrocell (4^3 voxels, 5^3 corners) that has a corner in a tile. One group a tile,
-// one invocation a cell; cells that two tiles share are written twice, alike.
-// With VS_LOOSE anything may be in them, which takes no look at the voxels: while scrubbing.
-// In: texture 1 segmentation; storage 0 tiles. Out: image 1 cells (rg32f).
+// Smallest and largest value of every macrocell (4^3 voxels, 5^3 corners) that has a corner in a tile. One
+// group a tile, one invocation a cell; cells that two tiles share are written twice, alike. With VS_LOOSE
+// anything may be in them, which takes no look at the voxels: while scrubbing. In: texture 1 segmentation;
+// storage 0 tiles. Out: image 1 cells (rg32f).
 #include "segment/shaders/tiles.glsl"
 
 layout(local_size_x = 128) in;
@@ -13,11 +13,13 @@ layout(rg32f, binding = kCellsImage) uniform writeonly image3D cells;
 uniform ivec3 cellDims;
 
 const int kCell = 4;
-const int kCellsAround = kTile / kCell + 1; // along an axis: those inside, and the one whose last corner is the first voxel
+const int kCellsAround =
+    kTile / kCell + 1; // along an axis: those inside, and the one whose last corner is the first voxel
 
 void main() {
     int index = int(gl_LocalInvocationIndex);
-    ivec3 place = ivec3(index % kCellsAround, index / kCellsAround % kCellsAround, index / (kCellsAround * kCellsAround));
+    ivec3 place = ivec3(index % kCellsAround, index / kCellsAround % kCellsAround,
+                        index / (kCellsAround * kCellsAround));
     ivec3 cell = tileOrigin(gl_WorkGroupID.y) / kCell - 1 + place;
     if (place.z >= kCellsAround || any(greaterThanEqual(uvec3(cell), uvec3(cellDims)))) {
         return;

@@ -1,7 +1,7 @@
-// Answers for each listed voxel whether it can be a seed now: 0 refused by the constraints or another segment's, 1 grown
-// already, 2 yes, 3 yes but it was forbidden (with VS_FORBIDDEN). Generations after the playhead count as not grown.
-// In: the constraints, texture 0 data, 1 sculpture, 3 labels; storage 0 grown, 3 and 4 generations, 7 voxel indices. Out:
-// storage 1 answers. Storage 2: what is forbidden.
+// Answers for each listed voxel whether it can be a seed now: 0 refused by the constraints or another
+// segment's, 1 grown already, 2 yes, 3 yes but it was forbidden (with VS_FORBIDDEN). Generations after the
+// playhead count as not grown. In: the constraints, texture 0 data, 1 sculpture, 3 labels; storage 0 grown, 3
+// and 4 generations, 7 voxel indices. Out: storage 1 answers. Storage 2: what is forbidden.
 #include "segment/shaders/constraints.glsl"
 #include "segment/shaders/words.glsl"
 #include "segment/shaders/generations.glsl"

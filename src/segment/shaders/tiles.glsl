@@ -1,7 +1,7 @@
-// Segmentation is updated in tiles of 16^3 voxels; smoothing looks 3 voxels beyond. Two scratch blocks hold, for each tile
-// at work, membership in 22 x 22 rows of 22 bits, and values smoothed along x and y (16 x 16 x 22, x fastest).
-// Spaces: voxel indices. Bindings: storage 0 tile indices, 3 the voxels shown, one bit each. With VS_CONTINUED
-// storage 4 has the voxels that count as the opposite (continue_segments.comp).
+// Segmentation is updated in tiles of 16^3 voxels; smoothing looks 3 voxels beyond. Two scratch blocks hold,
+// for each tile at work, membership in 22 x 22 rows of 22 bits, and values smoothed along x and y (16 x 16 x
+// 22, x fastest). Spaces: voxel indices. Bindings: storage 0 tile indices, 3 the voxels shown, one bit each.
+// With VS_CONTINUED storage 4 has the voxels that count as the opposite (continue_segments.comp).
 #include "segment/shaders/words.glsl"
 
 const int kTile = 16;
@@ -41,8 +41,8 @@ uint membersFrom(ivec3 first) {
     return members & (1u << kPadded) - 1u;
 }
 
-// Seven values in a row, of which the middle one is smoothed. One order of terms for every voxel, whatever tile it is
-// reached from, so that incremental updates equal full ones.
+// Seven values in a row, of which the middle one is smoothed. One order of terms for every voxel, whatever
+// tile it is reached from, so that incremental updates equal full ones.
 float smoothed(vec4 w, float a, float b, float c, float d, float e, float f, float g) {
     return w.x * d + w.y * (c + e) + w.z * (b + f) + w.w * (a + g);
 }

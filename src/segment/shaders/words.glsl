@@ -1,7 +1,9 @@
-// How growth keeps its state: words of 4 x 4 x 2 voxels, one bit a voxel (bit x + 4 y + 16 z), or 16 numbers of two generations
-// each. A tile of 8^3 voxels has 2 x 2 x 4 words, a brick of 32^3 voxels 4^3 tiles; words, tiles and bricks are numbered x
-// fastest. Four words of a tile that share z are a slab of 8 x 8 x 2 voxels, whose components they are. After the last brick comes one of zeros, which stands for everything outside the grid.
-// Spaces: voxel indices; places of words are voxel / (4, 4, 2), of slabs voxel / (8, 8, 2), of tiles voxel / 8.
+// How growth keeps its state: words of 4 x 4 x 2 voxels, one bit a voxel (bit x + 4 y + 16 z), or 16 numbers
+// of two generations each. A tile of 8^3 voxels has 2 x 2 x 4 words, a brick of 32^3 voxels 4^3 tiles; words,
+// tiles and bricks are numbered x fastest. Four words of a tile that share z are a slab of 8 x 8 x 2 voxels,
+// whose components they are. After the last brick comes one of zeros, which stands for everything outside the
+// grid. Spaces: voxel indices; places of words are voxel / (4, 4, 2), of slabs voxel / (8, 8, 2), of tiles
+// voxel / 8.
 
 const ivec3 kWordSize = ivec3(4, 4, 2);
 const uint kWordsPerTile = 16u;
@@ -39,7 +41,8 @@ uint wordAt(ivec3 place) {
 // The number of the slab at a place; outside the grid, of one of zeros.
 uint slabAt(ivec3 place) { return tileAt(ivec3(place.xy, place.z >> 2)) << 2 | uint(place.z) & 3u; }
 
-// Divides as floats, which is exact for the numbers of bricks there can be (below 2^20), and not one by one on software renderers.
+// Divides as floats, which is exact for the numbers of bricks there can be (below 2^20), and not one by one
+// on software renderers.
 ivec3 placeOfBrick(uint brick) {
     vec3 size = vec3(brickDims);
     float row = floor((float(brick) + 0.5) / size.x);

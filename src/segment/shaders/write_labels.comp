@@ -1,5 +1,6 @@
 // Labels the voxels of the segment at work that have none yet.
-// In: texture 3 labels; storage 0 grown, 7 brick numbers. Out: image 0 labels. One row of 16 groups a brick, an invocation a word.
+// In: texture 3 labels; storage 0 grown, 7 brick numbers. Out: image 0 labels. One row of 16 groups a brick,
+// an invocation a word.
 #include "segment/shaders/words.glsl"
 #include "segment/shaders/owners.glsl"
 

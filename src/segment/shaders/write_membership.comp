@@ -1,5 +1,5 @@
-// Writes the region without smoothing: 1 at its voxels, 0 at all others. One invocation a row of 16 voxels along x.
-// In: storage 0 tiles, 3 and 4 voxels shown. Out: image 0 segmentation.
+// Writes the region without smoothing: 1 at its voxels, 0 at all others. One invocation a row of 16 voxels
+// along x. In: storage 0 tiles, 3 and 4 voxels shown. Out: image 0 segmentation.
 #include "segment/shaders/tiles.glsl"
 
 layout(local_size_x = 64) in;

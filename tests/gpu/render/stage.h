@@ -129,7 +129,7 @@ public:
         input.displayedRange = {-much, much};
         input.view = field::SculptureView::Whole;
         macrocells.rebuild(input);
-        const auto picture = draw();
+        auto picture = draw();
         rebuild();
         return picture;
     }

@@ -134,9 +134,7 @@ TEST_F(GrowthItkTest, WholeNeighbourhoodsOfRandomVolumes) {
 
 TEST_F(GrowthItkTest, WholeNeighbourhoodsOfTheBrainTemplate) {
     const auto path = kTemplates / "ch2.nii.gz";
-    if (!std::filesystem::exists(path)) {
-        GTEST_SKIP() << path << " is not installed (package mricron-data)";
-    }
+    ASSERT_TRUE(std::filesystem::exists(path)) << path << " is not installed (package mricron-data)";
     const auto volume = volume::readVolume(path).volume;
     const std::vector<glm::ivec3> seeds{{90, 108, 90}, {60, 100, 90}, {120, 120, 80}};
     const Range range{70, 130};
@@ -145,9 +143,7 @@ TEST_F(GrowthItkTest, WholeNeighbourhoodsOfTheBrainTemplate) {
 
 TEST_F(GrowthItkTest, BrainTemplate) {
     const auto path = kTemplates / "ch2.nii.gz";
-    if (!std::filesystem::exists(path)) {
-        GTEST_SKIP() << path << " is not installed (package mricron-data)";
-    }
+    ASSERT_TRUE(std::filesystem::exists(path)) << path << " is not installed (package mricron-data)";
     expectEqualsItk(volume::readVolume(path).volume, {{90, 108, 90}, {60, 100, 90}, {120, 120, 80}},
                     {70, 130}, 500000);
 }
@@ -185,9 +181,7 @@ TEST_F(GrowthItkTest, ObliqueMrSeries) {
 // Also says how fast both are, in turns, so that both see the same load of the machine.
 TEST_F(GrowthItkTest, LargeBrainTemplate) {
     const auto path = kTemplates / "ch2better.nii.gz";
-    if (!std::filesystem::exists(path)) {
-        GTEST_SKIP() << path << " is not installed (package mricron-data)";
-    }
+    ASSERT_TRUE(std::filesystem::exists(path)) << path << " is not installed (package mricron-data)";
     const auto volume = volume::readVolume(path).volume;
     const field::Field field = field::uploadVolume(volume);
     Growth growth(field);

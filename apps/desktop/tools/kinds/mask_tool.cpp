@@ -2,8 +2,8 @@
 #include "tools/kinds/mask_tool.h"
 
 #include "model/studio/studio_controller.h"
-#include "tools/kinds/sketch_hints.h"
 #include "studio/document/live_stroke.h"
+#include "tools/kinds/sketch_hints.h"
 
 namespace vs::desktop {
 

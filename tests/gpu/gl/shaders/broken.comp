@@ -2,4 +2,5 @@
 layout(local_size_x = 1) in;
 void main() {
     int x = undeclared;
+    x += 1;
 }

@@ -1,4 +1,5 @@
-// A uniform block with a member of each kind, and one that std140 does not lay out as C++ does. Out: storage 0.
+// A uniform block with a member of each kind, and one that std140 does not lay out as C++ does. Out: storage
+// 0.
 layout(local_size_x = 1) in;
 layout(std140, binding = 0) uniform MixedBlock {
     vec4 place;

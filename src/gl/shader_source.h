@@ -13,7 +13,7 @@ namespace vs::gl {
 
 using Defines = std::vector<std::pair<std::string, std::string>>;
 
-// Those of these switches that are on, each defined as 1.
+// The definitions of the switches that are on, each as 1.
 Defines switchesOn(std::initializer_list<std::pair<const char*, bool>> switches);
 
 // A shader text after #include expansion. `files[n]` is the file whose lines carry source number n in #line,

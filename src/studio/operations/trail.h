@@ -10,7 +10,7 @@ namespace vs::studio {
 
 // The voxels of the grid under a trail (Trail says which), in a tight box.
 segment::VoxelSet voxelsAlong(const Trail& trail, const volume::GridGeometry& geometry);
-// Those of them that hold a value in the range, where there is one.
+// The voxels under a trail that hold a value in the range, where there is one.
 segment::VoxelSet voxelsAlong(const Trail& trail, const volume::Volume& volume,
                               const std::optional<Range>& range);
 

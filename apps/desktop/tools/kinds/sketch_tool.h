@@ -32,7 +32,7 @@ protected:
 
     // The sketch in hand, or the last one.
     [[nodiscard]] const SketchPad& pad() const { return pad_; }
-    // As an operation has it.
+    // The sketch as an operation has it.
     [[nodiscard]] studio::Sketch sketch() const;
 
 private:

@@ -87,17 +87,17 @@ struct Field {
     bool isRefusedElsewhere = false; // must not be given where it does not apply
     bool decides = false;            // other fields apply or not by what this one is
 
-    // The same field, that only means something where `condition` holds, and is ignored elsewhere.
+    // This field, which only means something where `condition` holds, and is ignored elsewhere.
     template <typename When>
     constexpr auto when(When condition) const {
         return Field<P, Access, When, Inner>{name, access, rule, meaning, condition, inner, false, decides};
     }
-    // The same field, that may only be given where `condition` holds.
+    // This field, which may only be given where `condition` holds.
     template <typename When>
     constexpr auto onlyWhen(When condition) const {
         return Field<P, Access, When, Inner>{name, access, rule, meaning, condition, inner, true, decides};
     }
-    // The same field, an enumerator or a value that need not be there, which is read before all others
+    // This field, an enumerator or a value that need not be there, which is read before all others
     // because they depend on it.
     constexpr auto deciding() const {
         Field field = *this;

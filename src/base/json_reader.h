@@ -27,7 +27,7 @@ public:
         throw SessionError("{}: {}{}{}", where_, path_, path_.empty() ? "" : ": ", wanted);
     }
 
-    // The same for what lies further inside: "points[1].at", or "" for this value.
+    // Fails about what lies further inside: "points[1].at", or "" for this value.
     [[noreturn]] void failAt(const std::string& place, const std::string& wanted) const {
         const std::string separator = path_.empty() || place.empty() ? "" : ".";
         JsonReader(json_, where_, path_ + separator + place).fail(wanted);

@@ -13,7 +13,7 @@ int threadsForMemory();
 // Calls work(i) once for each 0 <= i < count, in no particular order, on so many threads, the calling one
 // among them. The calls must not depend on one another. Throws what one of them threw, after all have ended.
 void inParallel(int count, int threads, const std::function<void(int)>& work);
-// The same on all processors.
+// Does so on all processors.
 void inParallel(int count, const std::function<void(int)>& work);
 
 } // namespace vs

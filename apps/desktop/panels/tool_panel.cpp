@@ -8,10 +8,22 @@
 #include "tools/kinds/cut_tool.h"
 #include "tools/pen_tool.h"
 
+#include <QLabel>
 #include <QStyle>
 #include <QVBoxLayout>
 
 namespace vs::desktop {
+
+namespace {
+
+// The page of a tool for which nothing can be set.
+QWidget* makeTipPage(const QString& tip) {
+    auto* text = makeQuietLabel(tip);
+    text->setWordWrap(true);
+    return text;
+}
+
+} // namespace
 
 ToolPanel::ToolPanel(StudioController& studio, ToolBox& tools, QWidget* parent)
     : QWidget(parent), studio_(studio) {
@@ -23,7 +35,7 @@ ToolPanel::ToolPanel(StudioController& studio, ToolBox& tools, QWidget* parent)
     title_ = frame->findChild<QLabel*>("cardTitle");
     pagesBelow_ = card;
     for (const ToolRow& row : toolRows(tools)) {
-        QWidget* page = row.makePage(studio_, tools);
+        QWidget* page = row.makePage != nullptr ? row.makePage(studio_, tools) : makeTipPage(row.tip);
         page->hide();
         pagesBelow_->addWidget(page);
         pages_[&row.tool] = {row.title, page};

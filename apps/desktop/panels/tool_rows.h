@@ -15,7 +15,7 @@ class Tool;
 class ToolBox;
 
 // What the window says and shows of a tool: its button and its page. The action is named after the tool
-// ("peelTool"), the picture on its button too.
+// ("peelTool").
 struct ToolRow {
     enum class Group { Views, Cuts, Marks }; // in the menu
     Tool& tool;
@@ -24,10 +24,14 @@ struct ToolRow {
     const char* key; // that takes it in hand
     QString text;    // of its button
     QString tip;
-    QString title;                                     // of its page
-    QWidget* (*makePage)(StudioController&, ToolBox&); // what can be set for it
+    QString title; // of its page
+    // Makes what can be set for it; null: its page says the tip.
+    QWidget* (*makePage)(StudioController&, ToolBox&) = nullptr;
+    // The picture on its button, one of parts/icons.cpp; null: that of the tool's name.
+    const char* picture = nullptr;
 
     [[nodiscard]] std::string actionName() const;
+    [[nodiscard]] std::string pictureName() const;
 };
 
 // All tools, in the order of their pages.

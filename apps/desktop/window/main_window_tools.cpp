@@ -14,9 +14,9 @@ namespace vs::desktop {
 void MainWindow::makeToolActions() {
     auto* tools = new QActionGroup(this);
     for (const ToolRow& row : toolRows(tools_)) {
-        const QByteArray name = row.tool.name().toUtf8(); // its picture's too
+        const std::string picture = row.pictureName();
         actions_->addChoice(tools, {row.actionName(),
-                                    name.constData(),
+                                    picture.c_str(),
                                     row.text,
                                     row.tip,
                                     QKeySequence(row.key),

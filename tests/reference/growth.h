@@ -29,7 +29,7 @@ public:
     void addSeeds(std::span<const glm::ivec3> seeds);
     // Expands by whole generations; returns how many there were.
     int advance(int generations);
-    void stepBack(int generations) { playhead_ = std::max(0, playhead_ - generations); }
+    void takeBack(int generations) { playhead_ = std::max(0, playhead_ - generations); }
     void setPlayhead(int generation) { playhead_ = std::clamp(generation, 0, extent_); }
     // Targeted shrink; returns the expansions that found something.
     int absorb(std::span<const glm::ivec3> voxels, int expansions);

@@ -30,7 +30,7 @@ void aim(studio::Document& document, render::Mode mode, const render::Camera& ca
     studio::View view = document.view();
     view.mode = mode;
     view.camera = camera;
-    document.look(view);
+    document.showView(view);
 }
 
 // A new region at the place, grown by some generations at most.

@@ -129,7 +129,7 @@ bool benchStrokes(const BenchSettings& settings, studio::Document& document,
     studio::View view = document.view();
     view.mode = render::Mode::Surface;
     view.camera = settings.orbit.camera(0);
-    document.look(view);
+    document.showView(view);
     const auto place = findSurface(document, settings.size);
     if (!place) {
         return false;

@@ -202,7 +202,7 @@ Json benchVolume(const BenchOptions& options, const BenchRequest& request, const
     studio::View view = document.view();
     view.range = request.range.value_or(view.range);
     view.transferFunction = request.function;
-    document.look(view);
+    document.showView(view);
     for (const render::Mode mode : request.modes) {
         if (request.wants("modes")) {
             benchMode(request.settings, document, mode, results);

@@ -66,7 +66,7 @@ void runRender(const RenderOptions& options) {
     view.shadows = options.shadows;
     view.hidesAbove = options.hidesAbove;
     view.surfaceSmoothing = options.surfaceSmoothing;
-    document.look(view);
+    document.showView(view);
     render::Frame frame = document.frame(size);
     frame.samples = options.samples;
     frame.background = background;

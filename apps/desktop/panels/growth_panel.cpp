@@ -90,7 +90,7 @@ QWidget* GrowthPanel::makePlayback() {
         makeIconButton("end", "growEnd", tr("To the end"), tr("Grow until nothing grows any more (Ctrl+G)"));
     back_->setAutoRepeat(true);
     step_->setAutoRepeat(true);
-    connect(back_, &QToolButton::clicked, &growth, &GrowthController::stepBack);
+    connect(back_, &QToolButton::clicked, &growth, &GrowthController::takeBack);
     connect(backward_, &QToolButton::clicked, &growth, &GrowthController::playBackward);
     connect(pause_, &QToolButton::clicked, &growth, &GrowthController::pause);
     connect(play_, &QToolButton::clicked, &growth, &GrowthController::play);

@@ -57,14 +57,14 @@ void HistoryPanel::refresh() {
     }
     const auto facts = studio_.host().facts();
     seenOperations_ = facts->logged;
-    const studio::Steps& steps = *facts->steps;
+    const studio::Edits& edits = *facts->edits;
     list_->clear();
     addRow("open", tr("Opened"), true);
-    for (std::size_t n = 0; n < steps.operations.size(); ++n) {
-        const auto& operation = *steps.operations[n];
-        addRow(iconName(operation), describe(operation), n < steps.done);
+    for (std::size_t n = 0; n < edits.operations.size(); ++n) {
+        const auto& operation = *edits.operations[n];
+        addRow(iconName(operation), describe(operation), n < edits.done);
     }
-    list_->setCurrentRow(int(steps.done));
+    list_->setCurrentRow(int(edits.done));
     list_->scrollToItem(list_->currentItem());
 }
 

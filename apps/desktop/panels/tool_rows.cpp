@@ -22,9 +22,7 @@ namespace vs::desktop {
 
 std::string ToolRow::actionName() const { return tool.name().toStdString() + "Tool"; }
 
-std::string ToolRow::pictureName() const {
-    return picture != nullptr ? picture : tool.name().toStdString();
-}
+std::string ToolRow::pictureName() const { return picture != nullptr ? picture : tool.name().toStdString(); }
 
 std::vector<ToolRow> toolRows(ToolBox& tools) {
     using Group = ToolRow::Group;

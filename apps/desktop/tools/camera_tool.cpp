@@ -50,14 +50,14 @@ void CameraTool::turn(QPointF delta) {
         std::remainder(view.camera.azimuthDegrees - kDegreesPerPixel * across, 360.0);
     view.camera.elevationDegrees =
         std::clamp(view.camera.elevationDegrees + kDegreesPerPixel * down, -90.0, 90.0);
-    studio_.view().look(view);
+    studio_.view().showView(view);
 }
 
 void CameraTool::pan(QPointF delta) {
     auto view = studio_.view().shown();
     const glm::dvec2 moved = studio_.view().millimetresPerPixel() * glm::dvec2(-delta.x(), delta.y());
     view.camera.panMm += moved;
-    studio_.view().look(view);
+    studio_.view().showView(view);
 }
 
 void CameraTool::zoom(double factor, QPointF anchor) {
@@ -65,7 +65,7 @@ void CameraTool::zoom(double factor, QPointF anchor) {
     const double before = view.camera.zoom;
     view.camera.zoom = std::clamp(before * factor, kLeastZoom, kMostZoom);
     view.camera.panMm += millimetresFromCentre(anchor) * (1 - before / view.camera.zoom);
-    studio_.view().look(view);
+    studio_.view().showView(view);
 }
 
 void CameraTool::roll(double degrees, QPointF anchor) {
@@ -77,7 +77,7 @@ void CameraTool::roll(double degrees, QPointF anchor) {
                             std::cos(by) * held.y - std::sin(by) * held.x};
     view.camera.rollDegrees = std::remainder(view.camera.rollDegrees + degrees, 360.0);
     view.camera.panMm = turned - offset;
-    studio_.view().look(view);
+    studio_.view().showView(view);
 }
 
 glm::dvec2 CameraTool::millimetresFromCentre(QPointF place) const {
@@ -88,7 +88,7 @@ glm::dvec2 CameraTool::millimetresFromCentre(QPointF place) const {
 void CameraTool::reset() {
     auto view = studio_.view().shown();
     view.camera = render::Camera{};
-    studio_.view().look(view);
+    studio_.view().showView(view);
 }
 
 } // namespace vs::desktop

@@ -219,7 +219,7 @@ void ClipTool::finish() {
     emit overlayChanged();
 }
 
-void ClipTool::settle() {
+void ClipTool::finishPending() {
     if (isOpen_) {
         finish();
     }
@@ -245,7 +245,7 @@ void ClipTool::clear() {
 
 // The last thing done, if it was a clip that cuts, or restores, as the next one will.
 const studio::Clip* ClipTool::standing() const {
-    const auto* last = studio_.host().facts()->lastStep();
+    const auto* last = studio_.host().facts()->lastEdit();
     const auto* clip = last != nullptr ? std::get_if<studio::Clip>(last) : nullptr;
     return clip != nullptr && clip->restores == restores() ? clip : nullptr;
 }

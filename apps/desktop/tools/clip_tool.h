@@ -30,7 +30,7 @@ public:
     void move(const Pen& pen) override;
     void release(const Pen& pen) override;
     void clear() override;
-    void settle() override;
+    void finishPending() override;
     void advance() override;
     [[nodiscard]] bool isBusy() const override { return isOpen_; }
 

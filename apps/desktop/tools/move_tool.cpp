@@ -29,7 +29,7 @@ MoveTool::MoveTool(StudioController& studio, CameraTool& camera) : StudioTool(st
     calm_.setSingleShot(true);
     calm_.setInterval(kCalmMs);
     connect(&calm_, &QTimer::timeout, this, &MoveTool::commit);
-    connect(&studio.host(), &DocumentHost::changed, this, &MoveTool::lookForParts);
+    connect(&studio.host(), &DocumentHost::changed, this, &MoveTool::findParts);
     connect(&studio.editor(), &Editor::pasted, this, [this] {
         studio_.hand().take(*this);
         choose(count() - 1);
@@ -61,7 +61,7 @@ Qt::CursorShape MoveTool::cursor() const {
 // --- what is there
 
 // The boxes around the parts change with every edit but the moves of parts.
-void MoveTool::lookForParts() {
+void MoveTool::findParts() {
     auto* document = studio_.host().document();
     if (before_ || document == nullptr || studio_.host().isLoading() ||
         studio_.host().facts()->isStrokeOpen() || studio_.host().facts()->isGrowing() ||
@@ -276,7 +276,7 @@ void MoveTool::resetPlace() {
 void MoveTool::show(const render::Placement& place) {
     auto view = studio_.view().shown();
     view.pasted[std::size_t(chosen_)] = place;
-    studio_.view().look(view);
+    studio_.view().showView(view);
     emit overlayChanged();
 }
 
@@ -291,7 +291,7 @@ void MoveTool::commit() {
     const auto place = studio_.view().shown().pasted[std::size_t(chosen_)];
     auto view = studio_.view().shown();
     view.pasted = before;
-    studio_.view().look(view);
+    studio_.view().showView(view);
     if (!(place == before[std::size_t(chosen_)])) {
         studio_.editor().apply(studio::MovePart{chosen_, place});
     }
@@ -303,12 +303,12 @@ void MoveTool::drop() {
     if (before_) {
         auto view = studio_.view().shown();
         view.pasted = *std::exchange(before_, std::nullopt);
-        studio_.view().look(view);
+        studio_.view().showView(view);
     }
     emit overlayChanged();
 }
 
-void MoveTool::settle() {
+void MoveTool::finishPending() {
     calm_.isActive() ? commit() : drop(); // what the wheel did was meant
 }
 

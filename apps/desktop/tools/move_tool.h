@@ -34,7 +34,7 @@ public:
     [[nodiscard]] bool takesShift() const override { return isOver_; }
     bool next(bool forward) override;
     void clear() override;
-    void settle() override;
+    void finishPending() override;
     [[nodiscard]] bool isBusy() const override { return before_.has_value() || isTurningView_; }
 
     // The number of the chosen part, counted from 0.
@@ -49,7 +49,7 @@ public:
     void resetPlace();
 
 private:
-    void lookForParts();
+    void findParts();
     [[nodiscard]] HeldPart held(int part) const;
     [[nodiscard]] std::optional<int> handleAt(QPointF position) const;
     [[nodiscard]] bool isOverChosen(QPointF position) const;

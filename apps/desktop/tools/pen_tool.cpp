@@ -122,9 +122,9 @@ void PenTool::lead(const Pen& pen) {
 }
 
 void PenTool::advance() {
-    constexpr double kSliceMs = 18; // less, and a hasty pen would be followed ever later
+    constexpr double kPortionMs = 18; // less, and a hasty pen would be followed ever later
     ramp();
-    cut(kSliceMs);
+    cut(kPortionMs);
 }
 
 // A mouse that is held still presses harder too.

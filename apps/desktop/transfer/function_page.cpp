@@ -76,7 +76,7 @@ void FunctionPage::addLookRow(QVBoxLayout* column) {
         }
     });
     connect(colour_, &ColourButton::dropped, this, [this] {
-        if (editor_.isStepBegun()) {
+        if (editor_.isEditBegun()) {
             editor_.undo();
         }
     });

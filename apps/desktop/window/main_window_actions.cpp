@@ -199,7 +199,7 @@ void MainWindow::makeGrowthActions() {
     actions_->add({"growStepKey", "step", tr("Step"), tr("One generation further"), tr("."),
                    [&growth] { growth.step(); }, canPlay});
     actions_->add({"growBackKey", "back", tr("Backward"), tr("One generation back"), tr(","),
-                   [&growth] { growth.stepBack(); }, canPlay});
+                   [&growth] { growth.takeBack(); }, canPlay});
     actions_->add({"growToEndKey", "end", tr("To the end"), tr("Grow until nothing grows any more"),
                    tr("Ctrl+G"), [&growth] { growth.toEnd(); }, canPlay});
 }

@@ -258,7 +258,7 @@ int Growth::compute(int generations) {
     return added;
 }
 
-int Growth::stepBack(int generations, GrowthUndo* undo) {
+int Growth::takeBack(int generations, GrowthUndo* undo) {
     const int before = state_.playhead;
     setPlayhead(before - std::clamp(generations, 0, before), undo);
     return before - state_.playhead;

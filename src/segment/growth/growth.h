@@ -83,7 +83,7 @@ public:
     // one generation).
     int advanceFor(double budgetMs, int generations, GrowthUndo* undo = nullptr);
     // Hides the newest generations shown. Returns how many.
-    int stepBack(int generations, GrowthUndo* undo = nullptr);
+    int takeBack(int generations, GrowthUndo* undo = nullptr);
     // Shows generations up to `generation`, clamped to [0, extent]; computes nothing.
     void setPlayhead(int generation, GrowthUndo* undo = nullptr);
 

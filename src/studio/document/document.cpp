@@ -35,7 +35,7 @@ std::shared_ptr<const DocumentFacts> Document::facts() const {
     const Contents& contents = impl_->contents;
     auto& known = impl_->facts;
     if (!known || known->version != contents.version || known->logged != log().size() ||
-        known->inHand != contents.inHand || known->steps->revision != contents.history.revision()) {
+        known->inHand != contents.inHand || known->edits->revision != contents.history.revision()) {
         known = factsOf(contents, log().size(), known ? *known : DocumentFacts());
     }
     return known;
@@ -98,7 +98,7 @@ void Document::logOutput(const Operation& operation) {
     impl_->log.record(operation, view());
 }
 
-void Document::look(const View& view) {
+void Document::showView(const View& view) {
     if (!(view == impl_->contents.view)) {
         impl_->contents.view = view;
         ++impl_->contents.version;

@@ -82,7 +82,7 @@ public:
     void logOutput(const Operation& operation);
 
     // Changes the view without logging; used while the view is being dragged. The next apply() logs it first.
-    void look(const View& view);
+    void showView(const View& view);
 
     // Undo has no end, but what it keeps of cuts takes no more than so many bytes of memory; the rest is in a
     // temporary file.

@@ -10,17 +10,17 @@ namespace vs::studio {
 
 namespace {
 
-std::shared_ptr<const Steps> stepsOf(const History& history) {
-    auto steps = std::make_shared<Steps>();
-    const auto operation = [](const Step& step) { return step.operation; };
-    std::transform(history.done().begin(), history.done().end(), std::back_inserter(steps->operations),
+std::shared_ptr<const Edits> editsOf(const History& history) {
+    auto edits = std::make_shared<Edits>();
+    const auto operation = [](const Edit& edit) { return edit.operation; };
+    std::transform(history.done().begin(), history.done().end(), std::back_inserter(edits->operations),
                    operation);
-    std::transform(history.undone().rbegin(), history.undone().rend(), std::back_inserter(steps->operations),
+    std::transform(history.undone().rbegin(), history.undone().rend(), std::back_inserter(edits->operations),
                    operation);
-    steps->done = history.done().size();
-    steps->statistics = history.statistics();
-    steps->revision = history.revision();
-    return steps;
+    edits->done = history.done().size();
+    edits->statistics = history.statistics();
+    edits->revision = history.revision();
+    return edits;
 }
 
 GrowthStatus statusOf(const Contents& contents) {
@@ -53,8 +53,8 @@ std::shared_ptr<const DocumentFacts> factsOf(const Contents& contents, std::size
     facts->logged = logged;
     facts->inHand = contents.inHand;
     facts->view = contents.view;
-    facts->steps =
-        before.steps->revision == contents.history.revision() ? before.steps : stepsOf(contents.history);
+    facts->edits =
+        before.edits->revision == contents.history.revision() ? before.edits : editsOf(contents.history);
     facts->segments = contents.segments;
     for (const SegmentInfo& segment : contents.segments.segments) {
         facts->voxels[segment.label] = contents.region.voxelCount(segment.label);

@@ -35,7 +35,7 @@ struct GrowthRules {
 };
 
 // All that undo and redo go through, the oldest first; so many hold now.
-struct Steps {
+struct Edits {
     std::vector<std::shared_ptr<const Operation>> operations;
     std::size_t done = 0;
     UndoStatistics statistics;
@@ -49,7 +49,7 @@ struct DocumentFacts {
     std::size_t logged = 0;    // operations in the log
     InHand inHand = InHand::Nothing;
     View view;
-    std::shared_ptr<const Steps> steps = std::make_shared<Steps>();
+    std::shared_ptr<const Edits> edits = std::make_shared<Edits>();
     SegmentList segments;
     std::array<std::size_t, 256> voxels{}; // shown of each segment, by its label
     std::uint64_t segmentsRevision = 0;    // counts changes of what is shown of segments
@@ -59,11 +59,11 @@ struct DocumentFacts {
     [[nodiscard]] bool isStrokeOpen() const { return inHand == InHand::Stroke; }
     [[nodiscard]] bool isGrowing() const { return inHand == InHand::Growth; }
     [[nodiscard]] bool isScrubbing() const { return inHand == InHand::Scrub; }
-    [[nodiscard]] bool canUndo() const { return steps->done > 0; }
-    [[nodiscard]] bool canRedo() const { return steps->done < steps->operations.size(); }
+    [[nodiscard]] bool canUndo() const { return edits->done > 0; }
+    [[nodiscard]] bool canRedo() const { return edits->done < edits->operations.size(); }
     // What undo would take back; null: nothing.
-    [[nodiscard]] const Operation* lastStep() const {
-        return canUndo() ? steps->operations[steps->done - 1].get() : nullptr;
+    [[nodiscard]] const Operation* lastEdit() const {
+        return canUndo() ? edits->operations[edits->done - 1].get() : nullptr;
     }
 };
 

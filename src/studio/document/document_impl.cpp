@@ -62,7 +62,7 @@ Outcome Document::Impl::run(SetView& op) {
     view.surfaceSmoothing = op.surfaceSmoothing.value_or(view.surfaceSmoothing);
     view.tintsSegments = op.tintsSegments.value_or(view.tintsSegments);
     // Logged whole: what was looked at before is part of it.
-    op = lookAs(view);
+    op = setViewTo(view);
     ++contents.version;
     return {};
 }
@@ -90,27 +90,27 @@ Outcome Document::Impl::run(const Note& op) {
     return {{}, 0, 0, say("%1", op.text)};
 }
 
-Outcome Document::Impl::travel(Step& step, bool isUndo) {
+Outcome Document::Impl::travel(Edit& edit, bool isUndo) {
     const std::size_t before = contents.grownVoxels();
     Outcome outcome;
-    if (step.cut) {
-        contents.sculpture.swap(*step.cut);
-        outcome.voxelsTouched = step.cut->changedVoxels();
+    if (edit.cut) {
+        contents.sculpture.swap(*edit.cut);
+        outcome.voxelsTouched = edit.cut->changedVoxels();
     }
-    if (!step.growth.empty() || step.segmentsAfter) {
+    if (!edit.growth.empty() || edit.segmentsAfter) {
         if (isUndo) {
-            contents.region.undo(step.growth);
-            contents.segments = step.segmentsBefore.value_or(contents.segments);
+            contents.region.undo(edit.growth);
+            contents.segments = edit.segmentsBefore.value_or(contents.segments);
         } else {
-            step.growth = repeat(*step.operation);
+            edit.growth = repeat(*edit.operation);
         }
         outcome.voxelsTouched = describeGrowth(contents, 0, before).voxelsTouched;
     }
-    if (const auto& places = isUndo ? step.partsBefore : step.partsAfter) {
+    if (const auto& places = isUndo ? edit.partsBefore : edit.partsAfter) {
         parts.show(*places);
         log.placesAre(contents.view.pasted);
     }
-    outcome.message = {name(*step.operation)};
+    outcome.message = {name(*edit.operation)};
     ++contents.version;
     return outcome;
 }

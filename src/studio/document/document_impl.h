@@ -27,7 +27,7 @@ struct Document::Impl {
     // Carries out an operation by the part that can. `folder` is where files go.
     Outcome run(Operation& operation, const std::filesystem::path& folder);
     // Goes one step back or forth in the history.
-    Outcome travel(Step& step, bool isUndo);
+    Outcome travel(Edit& edit, bool isUndo);
     // Does an operation on segments again, for redo: growth gives the same result each time, so that redo
     // needs no memory.
     Region::Records repeat(const Operation& operation);

@@ -7,7 +7,7 @@ namespace vs::studio {
 
 void OperationLog::record(Operation operation, const View& before, const View& after) {
     if (!(before == shown_) && !std::holds_alternative<SetView>(operation)) {
-        operations_.emplace_back(lookAs(before));
+        operations_.emplace_back(setViewTo(before));
     }
     operations_.push_back(std::move(operation));
     shown_ = after;

@@ -14,8 +14,8 @@ Contents::Contents(volume::Volume volume, sculpt::Precision precision)
     view.range = scan.shown;
 }
 
-void Contents::remember(Step step) {
-    history.push(std::move(step));
+void Contents::remember(Edit edit) {
+    history.push(std::move(edit));
     ++version;
 }
 

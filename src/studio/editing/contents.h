@@ -24,7 +24,7 @@ struct Contents {
     Contents& operator=(const Contents&) = delete;
 
     // An undoable change was made.
-    void remember(Step step);
+    void remember(Edit edit);
     // The canvas that an operation was drawn on, where it does not say: the present view on the usual
     // viewport.
     void fillIn(std::optional<Canvas>& canvas) const;

@@ -17,7 +17,7 @@ namespace vs::studio {
 
 namespace {
 
-constexpr double kSliceMs = 100; // between asking whether to go on
+constexpr double kPortionMs = 100; // between asking whether to go on
 
 // A segment's smooth membership on the whole grid: 0.5 at its surface.
 std::vector<float> smoothMembership(const field::Field& field, const segment::VoxelSet& set) {
@@ -25,7 +25,7 @@ std::vector<float> smoothMembership(const field::Field& field, const segment::Vo
     growth.replace(set.box, set.inside);
     segment::Segmentation segmentation(field.geometry);
     do {
-        segmentation.update(growth, segment::Smoothing::Smooth, segment::allOpaque(), kSliceMs);
+        segmentation.update(growth, segment::Smoothing::Smooth, segment::allOpaque(), kPortionMs);
         reportProgress();
     } while (segmentation.isBehind());
     return segmentation.values();

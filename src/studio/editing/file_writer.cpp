@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/editing/file_writer.h"
 
-#include "image/png.h"
+#include "image/image.h"
 #include "render/marks/draw_annotations.h"
 #include "volume/io/write.h"
 

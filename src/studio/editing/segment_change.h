@@ -25,19 +25,19 @@ auto changeOrNothing(Contents& contents, Region::Records& records, Work work) {
     }
 }
 
-// An editor does an operation on segments, perform(op, records), and it is remembered as one step. Returns
+// An editor does an operation on segments, perform(op, records), and it is remembered as one edit. Returns
 // what perform() does.
 template <typename Editor, typename Op>
 auto changeSegments(Contents& contents, Editor& editor, const Op& op) {
     Region::Records records;
     const SegmentList before = contents.segments;
     const auto remember = [&] {
-        Step step{shared(op), {}, std::move(records)};
+        Edit edit{shared(op), {}, std::move(records)};
         if (!(contents.segments == before)) {
-            step.segmentsBefore = before;
-            step.segmentsAfter = contents.segments;
+            edit.segmentsBefore = before;
+            edit.segmentsAfter = contents.segments;
         }
-        contents.remember(std::move(step));
+        contents.remember(std::move(edit));
     };
     return changeOrNothing(contents, records, [&] {
         if constexpr (std::is_void_v<decltype(editor.perform(op, records))>) {

@@ -118,7 +118,7 @@ std::size_t SegmentListEditor::perform(const LoadLabels& op, Region::Records& re
                                        ? look->second.name
                                        : fmt::format("Label {}", map.values[n]);
         SegmentInfo& info = usesFirst ? contents_.segments.segments.front()
-                                      : contents_.segments.add(freeName(segments, wanted));
+                                      : contents_.segments.add(freeName(contents_.segments, wanted));
         if (usesFirst) {
             info.name = wanted;
             usesFirst = false;

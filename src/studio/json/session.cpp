@@ -195,7 +195,7 @@ Session sessionOf(const Document& document, const Session& source) {
     session.precision = document.sculpture().precision();
     session.operations = document.log();
     const View& view = document.view();
-    session.operations.emplace_back(lookAs(view));
+    session.operations.emplace_back(setViewTo(view));
     return session;
 }
 

@@ -7,14 +7,14 @@ namespace vs::studio {
 
 // What an operation does to the document.
 enum class Effect {
-    Looks,      // changes the view
-    Cuts,       // cuts the sculpture (or restores some of it)
-    ClearsCuts, // makes the sculpture whole
-    Parts,      // places pasted parts
-    Segments,   // changes segments, or what they may grow into
-    Travels,    // goes back and forward in the history
-    Remarks,    // changes nothing that can be seen: stands in the history to be read
-    Writes      // writes a file
+    ChangesView, // changes the view
+    Cuts,        // cuts the sculpture (or restores some of it)
+    ClearsCuts,  // makes the sculpture whole
+    Parts,       // places pasted parts
+    Segments,    // changes segments, or what they may grow into
+    Travels,     // goes back and forward in the history
+    Remarks,     // changes nothing that can be seen: stands in the history to be read
+    Writes       // writes a file
 };
 
 // What an operation is called and what it does. It stands in the operation's struct as kAbout, beside its

@@ -39,7 +39,7 @@ std::vector<Phrase> details(const Operation& operation) {
 bool cuts(const Operation& operation) { return about(operation).effect == Effect::Cuts; }
 
 bool isEdit(const Operation& operation) {
-    return !isOutput(operation) && about(operation).effect != Effect::Looks;
+    return !isOutput(operation) && about(operation).effect != Effect::ChangesView;
 }
 
 bool isOutput(const Operation& operation) { return about(operation).effect == Effect::Writes; }

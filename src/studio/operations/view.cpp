@@ -14,7 +14,7 @@ Range View::visibleRange(const Range& data) const {
     return {range.lo, showsAbove() ? std::max(range.hi, data.hi) : range.hi};
 }
 
-SetView lookAs(const View& view) {
+SetView setViewTo(const View& view) {
     return {view.camera,       view.mode,     view.range,   view.sculptureView, view.transferFunction,
             view.pasted,       view.sampling, view.shadows, view.hidesAbove,    view.surfaceSmoothing,
             view.tintsSegments};

@@ -48,7 +48,7 @@ inline constexpr Rule kPlacements{.mostCount = 16};
 
 // Looks from elsewhere, at another range, in another mode. What is not set stays.
 struct SetView {
-    static constexpr About kAbout{VS_TEXT("library", "view"), Effect::Looks,
+    static constexpr About kAbout{VS_TEXT("library", "view"), Effect::ChangesView,
                                   "looks from elsewhere; what is not given stays"};
 
     std::optional<render::Camera> camera;
@@ -80,6 +80,6 @@ struct SetView {
     }
 };
 // The whole of a view.
-SetView lookAs(const View& view);
+SetView setViewTo(const View& view);
 
 } // namespace vs::studio

@@ -10,10 +10,10 @@ namespace vs::studio {
 
 namespace {
 
-std::size_t bytesInMemory(const std::vector<Step>& steps) {
+std::size_t bytesInMemory(const std::vector<Edit>& edits) {
     std::size_t bytes = 0;
-    for (const Step& step : steps) {
-        bytes += step.cut ? step.cut->held().size() : 0;
+    for (const Edit& edit : edits) {
+        bytes += edit.cut ? edit.cut->held().size() : 0;
     }
     return bytes;
 }
@@ -36,14 +36,14 @@ void History::renameLast(Operation operation) {
     ++revision_;
 }
 
-void History::push(Step step) {
+void History::push(Edit edit) {
     forget(undone_);
-    done_.push_back(std::move(step));
+    done_.push_back(std::move(edit));
     keepToLimit();
 }
 
 void History::mergeLastTwo() {
-    Step last = std::move(done_.back());
+    Edit last = std::move(done_.back());
     done_.pop_back();
     for (auto& record : last.growth) {
         done_.back().growth.push_back(std::move(record));
@@ -51,39 +51,39 @@ void History::mergeLastTwo() {
     ++revision_;
 }
 
-void History::move(std::vector<Step>& from, std::vector<Step>& to) {
+void History::move(std::vector<Edit>& from, std::vector<Edit>& to) {
     to.push_back(std::move(from.back()));
     from.pop_back();
     keepToLimit();
 }
 
-void History::forget(std::vector<Step>& steps) {
-    for (const Step& step : steps) {
-        if (step.spilled) {
-            file_.release(*step.spilled);
+void History::forget(std::vector<Edit>& edits) {
+    for (const Edit& edit : edits) {
+        if (edit.spilled) {
+            file_.release(*edit.spilled);
         }
     }
-    steps.clear();
+    edits.clear();
 }
 
-Step& History::inMemory(Step& step) {
-    if (step.spilled) {
-        step.cut->giveBack(file_.read(*step.spilled));
-        file_.release(*std::exchange(step.spilled, std::nullopt));
+Edit& History::inMemory(Edit& edit) {
+    if (edit.spilled) {
+        edit.cut->giveBack(file_.read(*edit.spilled));
+        file_.release(*std::exchange(edit.spilled, std::nullopt));
     }
-    return step;
+    return edit;
 }
 
 // What is farthest from being needed goes first: the oldest to undo, then the newest to redo.
 void History::keepToLimit() {
-    ++revision_; // each change of the steps ends here
+    ++revision_; // each change of the edits ends here
     std::size_t bytes = bytesInMemory(done_) + bytesInMemory(undone_);
     try {
-        for (std::vector<Step>* steps : {&done_, &undone_}) {
-            for (auto step = steps->begin(); step != steps->end() && bytes > memoryLimit_; ++step) {
-                if (step->cut && !step->spilled && !step->cut->held().empty()) {
-                    const std::size_t size = step->cut->held().size();
-                    spill(*step);
+        for (std::vector<Edit>* edits : {&done_, &undone_}) {
+            for (auto edit = edits->begin(); edit != edits->end() && bytes > memoryLimit_; ++edit) {
+                if (edit->cut && !edit->spilled && !edit->cut->held().empty()) {
+                    const std::size_t size = edit->cut->held().size();
+                    spill(*edit);
                     bytes -= size;
                 }
             }
@@ -96,9 +96,9 @@ void History::keepToLimit() {
     }
 }
 
-void History::spill(Step& step) {
-    step.spilled = file_.write(step.cut->held());
-    step.cut->drop();
+void History::spill(Edit& edit) {
+    edit.spilled = file_.write(edit.cut->held());
+    edit.cut->drop();
 }
 
 UndoStatistics History::statistics() const {
@@ -107,9 +107,9 @@ UndoStatistics History::statistics() const {
     all.bytesInMemory = bytesInMemory(done_) + bytesInMemory(undone_);
     all.bytesInFile = file_.bytesInUse();
     all.fileBytes = file_.fileBytes();
-    for (const auto* steps : {&done_, &undone_}) {
-        for (const Step& step : *steps) {
-            all.changedVoxels += step.cut ? step.cut->changedVoxels() : 0;
+    for (const auto* edits : {&done_, &undone_}) {
+        for (const Edit& edit : *edits) {
+            all.changedVoxels += edit.cut ? edit.cut->changedVoxels() : 0;
         }
     }
     return all;

@@ -16,7 +16,7 @@ namespace vs::studio {
 
 // One undoable edit: the operation, and what takes it back. A cut is a delta of bricks that swaps both ways;
 // a change of the region is undone by its records, newest first, and redone by applying the operation again.
-struct Step {
+struct Edit {
     // Shared with those who show what undo and redo go through.
     std::shared_ptr<const Operation> operation;
     std::optional<sculpt::BrickDelta> cut;
@@ -31,7 +31,7 @@ struct Step {
     std::optional<SpillFile::Block> spilled = {};
 };
 
-// An operation as steps have it.
+// An operation as edits have it.
 inline std::shared_ptr<const Operation> shared(Operation operation) {
     return std::make_shared<const Operation>(std::move(operation));
 }
@@ -63,16 +63,16 @@ public:
     [[nodiscard]] std::size_t memoryLimit() const { return memoryLimit_; }
     void setMemoryLimit(std::size_t bytes);
 
-    void push(Step step);
+    void push(Edit edit);
     // The step that undo would take back is no more; its cut, if any, must be in memory.
     void forgetLast();
-    // The last two steps (both changes of the region alone) become one.
+    // The last two edits (both changes of the region alone) become one.
     void mergeLastTwo();
     [[nodiscard]] bool canUndo() const { return !done_.empty(); }
     [[nodiscard]] bool canRedo() const { return !undone_.empty(); }
     // What holds, the oldest first; and what was undone, the next to redo last.
-    [[nodiscard]] const std::vector<Step>& done() const { return done_; }
-    [[nodiscard]] const std::vector<Step>& undone() const { return undone_; }
+    [[nodiscard]] const std::vector<Edit>& done() const { return done_; }
+    [[nodiscard]] const std::vector<Edit>& undone() const { return undone_; }
     [[nodiscard]] UndoStatistics statistics() const;
 
     // The operation of the step that undo would take back; there must be one.
@@ -84,21 +84,21 @@ public:
 
     // The step to take back, in memory; once that is done, tookBack() makes it the one to redo. Throws
     // ReadError when it cannot be read back from the file.
-    Step& toUndo() { return inMemory(done_.back()); }
+    Edit& toUndo() { return inMemory(done_.back()); }
     void tookBack() { move(done_, undone_); }
     // The step to apply again, in memory; once that is done, appliedAgain() makes it the one to undo.
-    Step& toRedo() { return inMemory(undone_.back()); }
+    Edit& toRedo() { return inMemory(undone_.back()); }
     void appliedAgain() { move(undone_, done_); }
 
 private:
-    void move(std::vector<Step>& from, std::vector<Step>& to);
-    Step& inMemory(Step& step);
-    void forget(std::vector<Step>& steps);
+    void move(std::vector<Edit>& from, std::vector<Edit>& to);
+    Edit& inMemory(Edit& edit);
+    void forget(std::vector<Edit>& edits);
     void keepToLimit();
-    void spill(Step& step);
+    void spill(Edit& edit);
 
-    std::vector<Step> done_;
-    std::vector<Step> undone_; // the next to redo last
+    std::vector<Edit> done_;
+    std::vector<Edit> undone_; // the next to redo last
     SpillFile file_;
     std::size_t memoryLimit_ = kUsualMemoryLimit;
     bool hasComplained_ = false;

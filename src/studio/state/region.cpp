@@ -66,7 +66,7 @@ int Region::rewind(int generations, Records& records) {
     if (!hasSeeds()) {
         throw Error("nothing to rewind: no region has been grown");
     }
-    return growth_->stepBack(generations, &records.emplace_back());
+    return growth_->takeBack(generations, &records.emplace_back());
 }
 
 void Region::showGeneration(int generation, Records& records) {

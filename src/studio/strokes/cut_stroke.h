@@ -11,7 +11,7 @@
 namespace vs::studio {
 
 // What a stroke is drawn on, as it is now: the frame of the operation's canvas.
-using LookAgain = std::function<render::Frame()>;
+using MakeFrame = std::function<render::Frame()>;
 
 // One edit of the sculpture on its way. Whatever is done is in the sculpture at once; finish() gives the
 // delta that undoes it, discard() puts everything back.

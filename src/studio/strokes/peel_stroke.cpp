@@ -14,8 +14,8 @@ sculpt::ToolSweep sweepOf(const Peel& op) {
 
 } // namespace
 
-PeelStroke::PeelStroke(Cutter& cutter, const LookAgain& look, const Peel& operation)
-    : CutStroke(cutter, operation, operation.restores), frame_(look()),
+PeelStroke::PeelStroke(Cutter& cutter, const MakeFrame& makeFrame, const Peel& operation)
+    : CutStroke(cutter, operation, operation.restores), frame_(makeFrame()),
       mask_(operation.mask, frame_, *cutter.geometry) {
     if (mask_.raster.values.empty()) {
         return;

@@ -12,8 +12,8 @@ namespace vs::studio {
 // (doc/behaviour.md, "Tools"; thesis, section 4.4).
 class PeelStroke : public CutStroke {
 public:
-    // `operation` has its canvas set; `look` gives its frame.
-    PeelStroke(Cutter& cutter, const LookAgain& look, const Peel& operation);
+    // `operation` has its canvas set; `makeFrame` gives its frame.
+    PeelStroke(Cutter& cutter, const MakeFrame& makeFrame, const Peel& operation);
 
     // Peels down to this many layers in all; fewer than before puts layers back.
     void peelTo(double layers);

@@ -77,18 +77,18 @@ std::optional<MaskPlane> layOnSurface(render::Picker& picker, const render::Fram
     return planeAt(centre, normal, frame.rays);
 }
 
-PenStroke::PenStroke(Cutter& cutter, LookAgain look, const Drill& operation)
-    : CutStroke(cutter, operation, operation.restores), look_(std::move(look)), frame_(look_()),
-      mask_(operation.mask, frame_, *cutter.geometry), covered_(mask_.raster.pitch) {
+PenStroke::PenStroke(Cutter& cutter, MakeFrame makeFrame, const Drill& operation)
+    : CutStroke(cutter, operation, operation.restores), makeFrame_(std::move(makeFrame)),
+      frame_(makeFrame_()), mask_(operation.mask, frame_, *cutter.geometry), covered_(mask_.raster.pitch) {
     toReplay_ = std::exchange(cut().stroke, {}); // filled again as the pen moves
-    lookAgain();
+    detectAgain();
 }
 
-PenStroke::PenStroke(Cutter& cutter, LookAgain look, const Laser& operation)
-    : CutStroke(cutter, operation, operation.restores), look_(std::move(look)), frame_(look_()),
-      mask_(operation.mask, frame_, *cutter.geometry), covered_(mask_.raster.pitch) {
+PenStroke::PenStroke(Cutter& cutter, MakeFrame makeFrame, const Laser& operation)
+    : CutStroke(cutter, operation, operation.restores), makeFrame_(std::move(makeFrame)),
+      frame_(makeFrame_()), mask_(operation.mask, frame_, *cutter.geometry), covered_(mask_.raster.pitch) {
     toReplay_ = std::exchange(cut().stroke, {});
-    lookAgain();
+    detectAgain();
 }
 
 PenCut& PenStroke::cut() {
@@ -96,8 +96,8 @@ PenCut& PenStroke::cut() {
     return drill != nullptr ? static_cast<PenCut&>(*drill) : std::get<Laser>(operation_);
 }
 
-void PenStroke::lookAgain() {
-    frame_ = look_();
+void PenStroke::detectAgain() {
+    frame_ = makeFrame_();
     covered_ = StrokeRaster(mask_.raster.pitch);
     if (!cut().keepsDigging) { // else what it sees may change under it
         if (frame_.scene.sculpture != nullptr) {
@@ -122,7 +122,7 @@ void PenStroke::drawAt(const sculpt::PenPoint& pen) {
     const sculpt::PenPoint from = op.stroke.empty() ? pen : op.stroke.back();
     op.stroke.push_back(pen);
     if (from.pressure <= 0 && pen.pressure > 0) {
-        lookAgain();
+        detectAgain();
     }
     // The laser in pieces of a quarter of the mask, each with a direction of its own; the drill, where every
     // element has its own, in pieces as long as the mask.
@@ -150,7 +150,7 @@ void PenStroke::goTo(const sculpt::PenPoint& from, const sculpt::PenPoint& to) {
         return;
     }
     if (cut().keepsDigging) {
-        lookAgain();
+        detectAgain();
     }
     if (std::holds_alternative<Drill>(operation_)) {
         drill(from, to);

@@ -31,9 +31,9 @@ std::optional<MaskPlane> layOnSurface(render::Picker& picker, const render::Fram
 // and 4.3.2); what makes it look again stands in PenCut.
 class PenStroke : public CutStroke {
 public:
-    // `operation` has its canvas set; `look` gives its frame.
-    PenStroke(Cutter& cutter, LookAgain look, const Drill& operation);
-    PenStroke(Cutter& cutter, LookAgain look, const Laser& operation);
+    // `operation` has its canvas set; `makeFrame` gives its frame.
+    PenStroke(Cutter& cutter, MakeFrame makeFrame, const Drill& operation);
+    PenStroke(Cutter& cutter, MakeFrame makeFrame, const Laser& operation);
 
     // The pen has come here: cuts all along the way from where it was, as deep as the pressure says.
     void drawAt(const sculpt::PenPoint& pen);
@@ -41,7 +41,7 @@ public:
 
 private:
     [[nodiscard]] PenCut& cut();
-    void lookAgain();
+    void detectAgain();
     void goTo(const sculpt::PenPoint& from, const sculpt::PenPoint& to);
     void drill(const sculpt::PenPoint& from, const sculpt::PenPoint& to);
     void burn(const sculpt::PenPoint& from, const sculpt::PenPoint& to);
@@ -50,7 +50,7 @@ private:
     [[nodiscard]] double depthOf(const sculpt::PenPoint& pen);
     [[nodiscard]] glm::dvec3 drillDirection(glm::dvec2 pixel, glm::dvec2 tiltDegrees) const;
 
-    LookAgain look_;
+    MakeFrame makeFrame_;
     render::Frame frame_;
     ToolMask mask_;
     StrokeRaster covered_; // by the drill, since it last looked at the surface

@@ -62,8 +62,8 @@ std::vector<glm::dvec4> planesOf(const Clip& clip, const volume::GridGeometry& g
 
 } // namespace
 
-ScissorsStroke::ScissorsStroke(Cutter& cutter, const LookAgain& look, const Scissors& operation)
-    : CutStroke(cutter, operation, operation.restores), frame_(look()) {}
+ScissorsStroke::ScissorsStroke(Cutter& cutter, const MakeFrame& makeFrame, const Scissors& operation)
+    : CutStroke(cutter, operation, operation.restores), frame_(makeFrame()) {}
 
 void ScissorsStroke::replay() {
     const Scissors& op = std::get<Scissors>(operation_);
@@ -122,9 +122,9 @@ void ClipStroke::clipTo(const Clip& clip) {
     cutter_->solids.clip(*cutter_->sculpture, solid, how_, backup_);
 }
 
-KeepConnectedStroke::KeepConnectedStroke(Cutter& cutter, const LookAgain& look, Region& region,
+KeepConnectedStroke::KeepConnectedStroke(Cutter& cutter, const MakeFrame& makeFrame, Region& region,
                                          const KeepConnected& operation)
-    : CutStroke(cutter, operation, false), frame_(look()), region_(&region) {
+    : CutStroke(cutter, operation, false), frame_(makeFrame()), region_(&region) {
     if (frame_.scene.view == field::SculptureView::Probe) {
         throw Error("keep connected: in probe view there is nothing left to cut; go to cut view");
     }

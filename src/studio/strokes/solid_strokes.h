@@ -9,8 +9,8 @@ namespace vs::studio {
 // The scissors: a closed stroke cut along the view's rays.
 class ScissorsStroke : public CutStroke {
 public:
-    // `operation` has its canvas set; `look` gives its frame.
-    ScissorsStroke(Cutter& cutter, const LookAgain& look, const Scissors& operation);
+    // `operation` has its canvas set; `makeFrame` gives its frame.
+    ScissorsStroke(Cutter& cutter, const MakeFrame& makeFrame, const Scissors& operation);
     void replay() override;
 
 private:
@@ -35,7 +35,7 @@ class KeepConnectedStroke : public CutStroke {
 public:
     // `operation` has its canvas set. Throws Error when nothing in range is under the pixel, or in probe view
     // of something cut, where there is nothing left to cut.
-    KeepConnectedStroke(Cutter& cutter, const LookAgain& look, Region& region,
+    KeepConnectedStroke(Cutter& cutter, const MakeFrame& makeFrame, Region& region,
                         const KeepConnected& operation);
     void replay() override;
 

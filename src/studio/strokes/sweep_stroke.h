@@ -8,9 +8,9 @@ namespace vs::studio {
 // A mask swept along a path through the volume.
 class SweepStroke : public CutStroke {
 public:
-    // `operation` has its canvas set; `look` gives its frame.
-    SweepStroke(Cutter& cutter, const LookAgain& look, const Sweep& operation)
-        : CutStroke(cutter, operation, operation.restores), frame_(look()) {}
+    // `operation` has its canvas set; `makeFrame` gives its frame.
+    SweepStroke(Cutter& cutter, const MakeFrame& makeFrame, const Sweep& operation)
+        : CutStroke(cutter, operation, operation.restores), frame_(makeFrame()) {}
     void replay() override;
 
 private:

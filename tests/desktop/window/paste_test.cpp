@@ -129,7 +129,7 @@ TEST_F(Pasting, FromEverySideAndNearTheViewStepsBack) {
         view.camera.elevationDegrees = elevation;
         view.camera.rollDegrees = roll;
         view.camera.zoom = zoom;
-        w.studio().view().look(view);
+        w.studio().view().showView(view);
         w.settle();
         cut({0.4, 0.4}, {0.6, 0.6});
         paste();

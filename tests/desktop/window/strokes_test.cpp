@@ -39,7 +39,7 @@ protected:
         w.settle();
     }
     const std::vector<studio::Operation>& log() { return w.studio().host().document()->log(); }
-    std::size_t count() { return w.studio().host().facts()->steps->done; }
+    std::size_t count() { return w.studio().host().facts()->edits->done; }
     template <class Operation>
     const Operation& last() {
         return std::get<Operation>(log().back());

@@ -70,10 +70,10 @@ TEST_F(GrowthLogTest, AGenerationLooksTheSameFromEitherSide) {
         EXPECT_EQ(growth.playhead(), g);
         EXPECT_TRUE(growth.generations(true) == forward[std::size_t(g) - 1]) << g;
         EXPECT_TRUE(growth.labels() == labels[std::size_t(g) - 1]) << g;
-        EXPECT_EQ(growth.stepBack(1), 1);
+        EXPECT_EQ(growth.takeBack(1), 1);
     }
     EXPECT_EQ(growth.voxelCount(), 0U);
-    EXPECT_EQ(growth.stepBack(1), 0);
+    EXPECT_EQ(growth.takeBack(1), 0);
     EXPECT_EQ(growth.advance(kAll), int(forward.size()));
     EXPECT_TRUE(growth.generations(true) == forward.back());
 }
@@ -113,7 +113,7 @@ TEST_F(GrowthLogTest, LateSeedsEnterAtThePlayhead) {
     growth.setConstraints(constraints);
     growth.addSeeds(std::vector<glm::ivec3>{{0, 0, 0}});
     growth.advance(9);
-    growth.stepBack(5);
+    growth.takeBack(5);
     ASSERT_EQ(growth.playhead(), 5);
     ASSERT_EQ(growth.extent(), 10);
     growth.addSeeds(std::vector<glm::ivec3>{{30, 0, 0}, {1, 0, 0}, {6, 0, 0}});
@@ -137,7 +137,7 @@ TEST_F(GrowthLogTest, RefusedSeedsLeaveHiddenGenerationsAlone) {
     growth.setConstraints(constraints);
     growth.addSeeds(std::vector<glm::ivec3>{{0, 0, 0}});
     growth.advance(8);
-    growth.stepBack(4);
+    growth.takeBack(4);
     const auto before = growth.generations(false);
     EXPECT_EQ(growth.addSeeds(std::vector<glm::ivec3>{{12, 0, 0}, {0, 0, 0}}).added, 0);
     EXPECT_EQ(growth.extent(), 9);
@@ -218,8 +218,8 @@ void randomCall(std::mt19937& random, const volume::Volume& volume, Growth& grow
     }
     case 3: {
         const int back = int(random() % 6);
-        growth.stepBack(back, &undo);
-        queue.stepBack(back);
+        growth.takeBack(back, &undo);
+        queue.takeBack(back);
         break;
     }
     case 4: {

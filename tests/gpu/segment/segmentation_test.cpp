@@ -118,7 +118,7 @@ TEST_F(SegmentationTest, IncrementalUpdatesEqualFreshOnesByteForByte) {
     check("forward");
     growth.advance(12);
     check("further");
-    growth.stepBack(9);
+    growth.takeBack(9);
     check("back");
     const auto version = segmentation.version();
     EXPECT_TRUE(segmentation.update(growth).isEmpty());
@@ -215,7 +215,7 @@ TEST_F(SegmentationTest, HurriedUpdatesArriveAtTheSame) {
     growth.advance(10); // it goes on meanwhile
     EXPECT_FALSE(hurry(barely, Smoothing::Plain)) << "nothing waits in a plain picture";
     expectTruth(growth, segmentation, "plain, with a queue");
-    growth.stepBack(3);
+    growth.takeBack(3);
     int updates = 0;
     while (hurry(5) && updates < 1000) {
         ++updates;

@@ -70,7 +70,7 @@ struct CutBall {
         }
     }
 
-    void look(render::Mode mode) { document.look(viewOf(plane, mode)); }
+    void look(render::Mode mode) { document.showView(viewOf(plane, mode)); }
 
     [[nodiscard]] glm::dvec3 centre() const {
         return glm::dvec3(document.volume().geometry.worldFromVoxel * glm::dvec4(ball.centreVoxel(), 1));

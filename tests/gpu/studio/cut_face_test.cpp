@@ -85,7 +85,7 @@ int speck(const image::Image& picture, int x, int y) {
 }
 
 void expectNoSpecks(Document& document, const View& view, const std::string& what) {
-    document.look(view);
+    document.showView(view);
     const auto within = pixelsWithinFaces(document);
     const auto one = pictureOf(document, 1);
     const auto many = pictureOf(document, 64);

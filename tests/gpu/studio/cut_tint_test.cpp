@@ -168,7 +168,7 @@ TEST_F(CutTintTest, TheCavityOfAGrownPieceHasNoTint) {
     view.sculptureView = field::SculptureView::Cut;
     view.camera.azimuthDegrees += 180;
     view.camera.elevationDegrees *= -1;
-    cut.document.look(view);
+    cut.document.showView(view);
     const auto seen = cut.picture();
     EXPECT_EQ(image::compare(seen, cut.without()).max, 0);
 }
@@ -178,7 +178,7 @@ TEST_F(CutTintTest, APastedPieceHasTheTintOfItsOwnSideOnly) {
     View view = cut.document.view();
     view.camera.zoom = 0.5;
     const auto tinted = [&] {
-        cut.document.look(view);
+        cut.document.showView(view);
         const auto seen = cut.picture();
         const auto without = cut.without();
         int pixels = 0;

@@ -55,20 +55,20 @@ TEST_F(DocumentTest, APeelOpensTheSkullAndUndoPutsBackEveryByte) {
 
 TEST_F(DocumentTest, WhatUndoWouldTakeBackIsTold) {
     Document document(testHead());
-    EXPECT_EQ(document.facts()->lastStep(), nullptr);
+    EXPECT_EQ(document.facts()->lastEdit(), nullptr);
     document.apply(somePeel());
-    EXPECT_STREQ(name(*document.facts()->lastStep()), "peel");
+    EXPECT_STREQ(name(*document.facts()->lastEdit()), "peel");
     document.apply(Paste{});
-    EXPECT_STREQ(name(*document.facts()->lastStep()), "paste");
+    EXPECT_STREQ(name(*document.facts()->lastEdit()), "paste");
     document.apply(Undo{});
-    EXPECT_STREQ(name(*document.facts()->lastStep()), "peel");
+    EXPECT_STREQ(name(*document.facts()->lastEdit()), "peel");
     document.apply(Undo{});
-    EXPECT_EQ(document.facts()->lastStep(), nullptr);
+    EXPECT_EQ(document.facts()->lastEdit(), nullptr);
 }
 
 TEST_F(DocumentTest, TheBoxOfAPastedPartLiesAroundWhatWasCutSinceTheLastPaste) {
     Document document(testHead());
-    document.look(testCanvas().view);
+    document.showView(testCanvas().view);
     EXPECT_TRUE(document.parts().box(0).isEmpty());
     const auto drillAt = [&](glm::dvec2 place) {
         Drill drill;
@@ -115,7 +115,7 @@ TEST_F(DocumentTest, SamplingIsPartOfTheView) {
 
 TEST_F(DocumentTest, TheSurfaceUnderAPeelLiesAsManyStepsDeeper) {
     Document document(testHead());
-    document.look(testCanvas().view);
+    document.showView(testCanvas().view);
     const auto before = document.surface().probe({200, 110}, {400, 300});
     document.apply(somePeel(3));
     const auto after = document.surface().probe({200, 110}, {400, 300});
@@ -239,7 +239,7 @@ TEST_F(DocumentTest, UndoAndRedoAtRandomReturnToTheSameStates) {
 
 TEST_F(DocumentTest, UndoingTheFirstCutIsAsIfNothingHadBeenCut) {
     Document document(testHead());
-    document.look(probeView());
+    document.showView(probeView());
     const auto picture = [&] {
         render::RayCaster caster;
         caster.render(document.frame({160, 120}));
@@ -266,7 +266,7 @@ TEST_F(DocumentTest, UndoingTheFirstCutIsAsIfNothingHadBeenCut) {
 TEST_F(DocumentTest, PicturesDrawnDuringAStrokeDoNotChangeIt) {
     const auto drilled = [](bool drawsFrames) {
         Document document(testHead());
-        document.look(probeView());
+        document.showView(probeView());
         document.stroke().begin(drillInProbeView());
         for (const double x : {150.0, 180.0, 210.0, 240.0}) {
             document.stroke().drawAt({{x, 150}, 1});
@@ -284,7 +284,7 @@ TEST_F(DocumentTest, WhatWasLookedAtIsInTheLog) {
     Document document(testHead());
     View view = document.view();
     view.camera.azimuthDegrees = 70;
-    document.look(view);
+    document.showView(view);
     document.apply(SetView{{}, render::Mode::XRay, {}, {}});
     Document replayed(testHead());
     for (const Operation& operation : document.log()) {

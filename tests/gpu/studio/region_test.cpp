@@ -116,7 +116,7 @@ TEST_F(RegionTest, StrokesFindSeedsOnTheVisibleSurface) {
 
 TEST_F(RegionTest, RedoWorksAfterTheFirstCutOfAProbeView) {
     Document document(testHead());
-    document.look(probeView());
+    document.showView(probeView());
     Seed seed = brainSeed();
     seed.canvas->view = probeView();
     document.apply(seed);
@@ -136,14 +136,14 @@ TEST_F(RegionTest, RedoWorksAfterTheFirstCutOfAProbeView) {
 
 TEST_F(RegionTest, GrowthIsFencedByTheViewThatItBeganIn) {
     Document document(testHead());
-    document.look(testCanvas().view);
+    document.showView(testCanvas().view);
     document.apply(somePeel(14));
     document.apply(brainSeed());
     document.growing().begin();
     document.growing().growFor(0, 2);
     View whole = testCanvas().view;
     whole.sculptureView = field::SculptureView::Whole;
-    document.look(whole); // while it plays
+    document.showView(whole); // while it plays
     while (document.growing().growFor(1, 1000)) {
     }
     document.growing().end();
@@ -162,7 +162,7 @@ TEST_F(RegionTest, GrowthIsFencedByTheViewThatItBeganIn) {
 
 TEST_F(RegionTest, RedoOfGrowthKeepsItsFenceWhateverTheViewIsNow) {
     Document document(testHead());
-    document.look(testCanvas().view);
+    document.showView(testCanvas().view);
     document.apply(somePeel(14));
     document.apply(brainSeed());
     document.apply(Grow{12});
@@ -172,7 +172,7 @@ TEST_F(RegionTest, RedoOfGrowthKeepsItsFenceWhateverTheViewIsNow) {
     EXPECT_EQ(document.region().generations(), fenced);
     View whole = testCanvas().view;
     whole.sculptureView = field::SculptureView::Whole;
-    document.look(whole);
+    document.showView(whole);
     for (const int steps : {1, 3}) { // the last growth; the last growth, the rewind and the first
         for (int i = 0; i < steps; ++i) {
             document.apply(Undo{});
@@ -210,7 +210,7 @@ TEST_F(RegionTest, AFewSeedsCanBeSeen) {
     Document document(testHead());
     View view = testCanvas({60, 255}).view;
     view.mode = render::Mode::Segment;
-    document.look(view);
+    document.showView(view);
     const auto picture = [&] {
         render::RayCaster caster;
         caster.render(document.frame({400, 300}));

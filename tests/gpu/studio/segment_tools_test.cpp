@@ -242,7 +242,7 @@ void undoRedoAndReplay(unsigned seed) {
         for (int moves = int(random() % 3); moves > 0; --moves) {
             const bool back = random() % 2 == 0;
             if (back ? document.canUndo() : document.canRedo()) {
-                const std::string what = back ? name(*document.lastStep()) : "";
+                const std::string what = back ? name(*document.lastEdit()) : "";
                 document.apply(back ? Operation(Undo{}) : Operation(Redo{}));
                 at += back ? std::size_t(-1) : 1;
                 ++travels;

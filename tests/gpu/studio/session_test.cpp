@@ -45,7 +45,7 @@ TEST_F(SessionTest, AReplayGivesTheSameMasksLabelsAndPicture) {
     std::vector<std::string> notices;
     Document original(openVolume(source(), folder_ / "s.json", {}, notices));
     View view = test::testCanvas().view;
-    original.look(view);
+    original.showView(view);
     original.stroke().begin(Peel{test::ellipseAt(200, 110, 40, 30), 0, 3, false, test::testCanvas()});
     original.stroke().peelTo(9.3);
     original.stroke().commit();
@@ -57,7 +57,7 @@ TEST_F(SessionTest, AReplayGivesTheSameMasksLabelsAndPicture) {
     original.apply(Rewind{3});
     view.mode = render::Mode::Segment;
     view.camera.azimuthDegrees = 30;
-    original.look(view);
+    original.showView(view);
     saveSession(folder_ / "s.json", sessionOf(original, source()));
 
     const Session loaded = loadSession(folder_ / "s.json");

@@ -514,7 +514,7 @@ TEST_F(ToolsTest, ALogReplaysToTheSamePartsAfterUndo) {
     document.apply(scissorsAt(170, 130, 15));
     View view = document.view();
     view.camera.azimuthDegrees = 30;
-    document.look(view);
+    document.showView(view);
     document.apply(Paste{{{90, 0, 0}, {}, 1}});
     document.apply(Undo{});
     Head again;

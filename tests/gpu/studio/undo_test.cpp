@@ -152,7 +152,7 @@ TEST_F(UndoTest, StepsAreListedInTheirOrderWhateverOfThemHolds) {
     document.apply(somePeel(3));
     const auto names = [&document] {
         std::vector<std::string> result;
-        for (const Operation* operation : document.facts()->steps->operations) {
+        for (const Operation* operation : document.facts()->edits->operations) {
             result.emplace_back(name(*operation));
         }
         return result;
@@ -160,7 +160,7 @@ TEST_F(UndoTest, StepsAreListedInTheirOrderWhateverOfThemHolds) {
     const std::vector<std::string> all{"peel", "drill", "peel"};
     for (std::size_t undone = 0; undone <= all.size(); ++undone) {
         EXPECT_EQ(names(), all);
-        EXPECT_EQ(document.facts()->steps->done, all.size() - undone);
+        EXPECT_EQ(document.facts()->edits->done, all.size() - undone);
         if (document.facts()->canUndo()) {
             document.apply(Undo{});
         }
@@ -168,7 +168,7 @@ TEST_F(UndoTest, StepsAreListedInTheirOrderWhateverOfThemHolds) {
     document.apply(Redo{});
     document.apply(drillAt(170, 130, 10)); // what could be redone is gone
     EXPECT_EQ(names(), (std::vector<std::string>{"peel", "drill"}));
-    EXPECT_EQ(document.facts()->steps->done, 2U);
+    EXPECT_EQ(document.facts()->edits->done, 2U);
 }
 
 TEST_F(UndoTest, ANoteIsAStepThatChangesNothing) {
@@ -177,13 +177,13 @@ TEST_F(UndoTest, ANoteIsAStepThatChangesNothing) {
     const Bytes cut = test::sculptureBytes(document);
     const Outcome outcome = document.apply(Note{"the left side is for the second opinion"});
     EXPECT_EQ(outcome.message.english(), "the left side is for the second opinion");
-    EXPECT_EQ(document.facts()->steps->done, 2U);
+    EXPECT_EQ(document.facts()->edits->done, 2U);
     EXPECT_TRUE(test::sculptureBytes(document) == cut);
     document.apply(Undo{});
-    EXPECT_STREQ(name(*document.facts()->lastStep()), "peel");
+    EXPECT_STREQ(name(*document.facts()->lastEdit()), "peel");
     EXPECT_TRUE(test::sculptureBytes(document) == cut) << "only the note was taken back";
     document.apply(Redo{});
-    EXPECT_EQ(details(*document.facts()->lastStep()).front().english(),
+    EXPECT_EQ(details(*document.facts()->lastEdit()).front().english(),
               "the left side is for the second opinion");
     EXPECT_TRUE(test::sculptureBytes(document) == cut);
 }

@@ -32,7 +32,7 @@ protected:
         peel.mask = {Shape::Ellipse, {{1, 2}, {30, 40}}};
         peel.layers = 3.5;
         peel.canvas = Canvas{};
-        return {lookAs(View{}), peel, Undo{}, Redo{}};
+        return {setViewTo(View{}), peel, Undo{}, Redo{}};
     }
 
     static std::vector<std::string> texts(const std::vector<Operation>& operations) {

@@ -46,7 +46,7 @@ public:
     [[nodiscard]] bool canUndo() const { return !undo_.empty(); }
     void undo();
     // Whether something has changed since begin().
-    [[nodiscard]] bool isStepBegun() const { return isStepBegun_; }
+    [[nodiscard]] bool isEditBegun() const { return isStepBegun_; }
 
     // How far magnitudes go; 0: not known yet.
     void setGradientTop(double top);

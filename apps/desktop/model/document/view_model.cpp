@@ -8,7 +8,7 @@ namespace vs::desktop {
 
 ViewModel::ViewModel(DocumentHost& host) : host_(host) {}
 
-void ViewModel::look(const studio::View& view) {
+void ViewModel::showView(const studio::View& view) {
     if (host_.geometry() == nullptr || view == view_) {
         return;
     }
@@ -20,55 +20,55 @@ void ViewModel::look(const studio::View& view) {
 void ViewModel::setMode(render::Mode mode) {
     auto next = view_;
     next.mode = mode;
-    look(next);
+    showView(next);
 }
 
 void ViewModel::setTransferFunction(const std::optional<render::TransferFunction>& function) {
     auto next = view_;
     next.transferFunction = function;
-    look(next);
+    showView(next);
 }
 
 void ViewModel::setSculptureView(field::SculptureView sculptureView) {
     auto next = view_;
     next.sculptureView = sculptureView;
-    look(next);
+    showView(next);
 }
 
 void ViewModel::setShadows(bool shadows) {
     auto next = view_;
     next.shadows = shadows;
-    look(next);
+    showView(next);
 }
 
 void ViewModel::setRange(Range range) {
     auto next = view_;
     next.range = range;
-    look(next);
+    showView(next);
 }
 
 void ViewModel::setHidesAbove(bool hidesAbove) {
     auto next = view_;
     next.hidesAbove = hidesAbove;
-    look(next);
+    showView(next);
 }
 
 void ViewModel::setSurfaceSmoothing(double sigma) {
     auto next = view_;
     next.surfaceSmoothing = sigma;
-    look(next);
+    showView(next);
 }
 
 void ViewModel::setTintsSegments(bool tintsSegments) {
     auto next = view_;
     next.tintsSegments = tintsSegments;
-    look(next);
+    showView(next);
 }
 
 void ViewModel::setSampling(field::Sampling sampling) {
     auto next = view_;
     next.sampling = sampling;
-    look(next);
+    showView(next);
 }
 
 Range ViewModel::visibleRange() const { return view_.visibleRange(host_.volume()->range); }
@@ -76,7 +76,7 @@ Range ViewModel::visibleRange() const { return view_.visibleRange(host_.volume()
 void ViewModel::flush() {
     if (isPending_ && host_.document() != nullptr && !host_.facts()->isStrokeOpen()) {
         isPending_ = false;
-        host_.guard([this] { host_.document()->look(view_); });
+        host_.guard([this] { host_.document()->showView(view_); });
         host_.tellSoon();
     }
 }

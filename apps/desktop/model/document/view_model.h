@@ -23,7 +23,7 @@ public:
     explicit ViewModel(DocumentHost& host);
 
     [[nodiscard]] const studio::View& shown() const { return view_; }
-    void look(const studio::View& view);
+    void showView(const studio::View& view);
     void setMode(render::Mode mode);
     // Colours every mode; nothing: the modes' own colours.
     void setTransferFunction(const std::optional<render::TransferFunction>& function);

@@ -27,7 +27,7 @@ bool Editor::change(const std::function<studio::Outcome()>& edit) {
     if (host_.geometry() == nullptr || host_.isLoading() || host_.isAway()) {
         return false;
     }
-    hand_.tool().settle();
+    hand_.tool().finishPending();
     if (host_.facts()->isStrokeOpen()) {
         return false;
     }
@@ -138,7 +138,7 @@ bool Editor::paste() {
     }
     auto view = view_.shown();
     view.camera = camera;
-    view_.look(view);
+    view_.showView(view);
     emit pasted();
     return true;
 }

@@ -12,7 +12,7 @@
 namespace vs::desktop {
 
 namespace {
-constexpr double kSliceMs = 40;
+constexpr double kPortionMs = 40;
 } // namespace
 
 HistoryTravel::HistoryTravel(DocumentHost& host, Editor& editor) : host_(host), editor_(editor) {
@@ -23,10 +23,10 @@ HistoryTravel::HistoryTravel(DocumentHost& host, Editor& editor) : host_(host), 
 
 void HistoryTravel::goTo(std::size_t steps) {
     auto* document = host_.document();
-    if (document == nullptr || host_.isLoading() || steps > host_.facts()->steps->operations.size()) {
+    if (document == nullptr || host_.isLoading() || steps > host_.facts()->edits->operations.size()) {
         return;
     }
-    from_ = at_ = host_.facts()->steps->done;
+    from_ = at_ = host_.facts()->edits->done;
     target_ = steps;
     timer_.start(0);
     advance(); // a short way at once
@@ -34,8 +34,8 @@ void HistoryTravel::goTo(std::size_t steps) {
 
 void HistoryTravel::advance() {
     const Timer timer;
-    while (target_ && timer.milliseconds() < kSliceMs) {
-        if (host_.document() == nullptr || host_.facts()->steps->done != at_ || at_ == *target_ ||
+    while (target_ && timer.milliseconds() < kPortionMs) {
+        if (host_.document() == nullptr || host_.facts()->edits->done != at_ || at_ == *target_ ||
             !takeOne()) {
             stop();
         }
@@ -48,7 +48,7 @@ void HistoryTravel::advance() {
 
 bool HistoryTravel::takeOne() {
     const bool isDone = at_ > *target_ ? editor_.apply(studio::Undo{}) : editor_.apply(studio::Redo{});
-    at_ = isDone ? host_.facts()->steps->done : at_;
+    at_ = isDone ? host_.facts()->edits->done : at_;
     return isDone;
 }
 

@@ -10,7 +10,7 @@
 namespace vs::desktop {
 
 namespace {
-constexpr double kSliceMs = 20;
+constexpr double kPortionMs = 20;
 constexpr int kWaitMs = 50; // for the window's own picture
 } // namespace
 
@@ -80,7 +80,7 @@ void PictureExport::tick() {
             return;
         }
         bool isComplete = false;
-        studio_.host().runLong([&] { isComplete = caster_->renderSome(kSliceMs); });
+        studio_.host().runLong([&] { isComplete = caster_->renderSome(kPortionMs); });
         if (isComplete) {
             takePicture();
         }

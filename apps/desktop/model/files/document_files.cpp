@@ -204,7 +204,7 @@ bool DocumentFiles::saveSession(const std::filesystem::path& path) {
     if (host_.geometry() == nullptr || host_.isLoading()) {
         return false;
     }
-    model_.hand.tool().settle();
+    model_.hand.tool().finishPending();
     if (host_.facts()->isStrokeOpen()) {
         return false;
     }

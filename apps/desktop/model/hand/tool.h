@@ -70,7 +70,7 @@ public:
     // Escape or Clear: drops what is in hand, or else the sketch.
     virtual void clear() {}
     // Something else is about to be done: what waits only for a moment of calm is done first.
-    virtual void settle() {}
+    virtual void finishPending() {}
     // The view's size changed, so places in it mean something else.
     virtual void viewResized() {}
     // Called between pictures: the time to change the document with what the pen has done since.

@@ -13,8 +13,8 @@
 namespace vs::desktop {
 
 namespace {
-constexpr double kSliceMs = 10;
-constexpr double kHurriedSliceMs = 3;
+constexpr double kPortionMs = 10;
+constexpr double kHurriedPortionMs = 3;
 constexpr int kMostAtOnce = 1000;  // generations, when the clock says that so many are due
 constexpr double kBackSeconds = 4; // for all of it, played backward at full speed
 constexpr double kLeastBack = 30;  // generations per second
@@ -69,7 +69,7 @@ void GrowthController::showRegion() {
     } else if (view.mode == render::Mode::Mip || view.mode == render::Mode::XRay) {
         view.mode = render::Mode::Overlay;
     }
-    view_.look(view);
+    view_.showView(view);
 }
 
 // --- strokes
@@ -104,7 +104,7 @@ void GrowthController::absorb(const studio::Absorb& stroke) {
 // The stroke that absorbing goes on with.
 const studio::Absorb* GrowthController::lastAbsorbed() const {
     auto* document = host_.document();
-    const auto* last = host_.facts()->lastStep();
+    const auto* last = host_.facts()->lastEdit();
     return last != nullptr && strokesAbsorb_ ? std::get_if<studio::Absorb>(last) : nullptr;
 }
 
@@ -193,9 +193,9 @@ bool GrowthController::growOn() {
     if (steps == 0) {
         return false;
     }
-    const double sliceMs = host_.isHandAtWork() ? kHurriedSliceMs : kSliceMs;
+    const double portionMs = host_.isHandAtWork() ? kHurriedPortionMs : kPortionMs;
     bool goesOn = false;
-    const bool done = host_.workLong([&] { goesOn = host_.document()->growing().growFor(sliceMs, steps); });
+    const bool done = host_.workLong([&] { goesOn = host_.document()->growing().growFor(portionMs, steps); });
     if (!done || !goesOn) {
         finish();
         hasRunOut_ = done;
@@ -280,7 +280,7 @@ void GrowthController::step() {
     emit changed();
 }
 
-void GrowthController::stepBack() {
+void GrowthController::takeBack() {
     if (canPlay()) {
         pause();
         if (status().generation > 1) {

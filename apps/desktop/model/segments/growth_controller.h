@@ -38,7 +38,7 @@ public:
     void playBackward();
     void pause(); // also ends scrubbing and a change of rules in hand
     void step();
-    void stepBack();
+    void takeBack();
     void toEnd(); // as play(), without showing every step
     // Runs an edit that needs playing to stop, and then goes on playing.
     void whilePaused(const std::function<void()>& edit);

@@ -45,7 +45,7 @@ void SegmentController::workOn(const std::string& name) {
     if (name == list().working().name || host_.document() == nullptr) {
         return;
     }
-    const auto* last = host_.facts()->lastStep();
+    const auto* last = host_.facts()->lastEdit();
     const auto* use = last != nullptr ? std::get_if<studio::UseSegment>(last) : nullptr;
     const bool isOnlyGoing = use != nullptr && use->goesToWork && !use->name && !use->colour &&
                              !use->opacity && !use->isVisible && !use->isLocked;
@@ -75,7 +75,7 @@ void SegmentController::removeWorking() {
 }
 
 // Looks are no business of what grows.
-void SegmentController::look(studio::UseSegment change) {
+void SegmentController::apply(studio::UseSegment change) {
     change.goesToWork = false;
     growth_.whilePaused([&] { editor_.apply(change); });
 }
@@ -98,26 +98,26 @@ bool SegmentController::rename(const std::string& name, const QString& to) {
     }
     studio::UseSegment change{name};
     change.name = trimmed.toStdString();
-    look(change);
+    apply(change);
     return true;
 }
 
 void SegmentController::setColour(const std::string& name, const QColor& colour) {
     studio::UseSegment change{name};
     change.colour = glm::dvec3(colour.red(), colour.green(), colour.blue()) / 255.0;
-    look(change);
+    apply(change);
 }
 
 void SegmentController::setVisible(const std::string& name, bool isVisible) {
     studio::UseSegment change{name};
     change.isVisible = isVisible;
-    look(change);
+    apply(change);
 }
 
 void SegmentController::setLocked(const std::string& name, bool isLocked) {
     studio::UseSegment change{name};
     change.isLocked = isLocked;
-    look(change);
+    apply(change);
 }
 
 void SegmentController::setOpacity(double opacity, bool continues) {

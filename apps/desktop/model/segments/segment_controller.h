@@ -59,7 +59,7 @@ public:
 
 private:
     void takeLabels(const studio::LoadLabels& labels);
-    void look(studio::UseSegment change);
+    void apply(studio::UseSegment change);
 
     DocumentHost& host_;
     ViewModel& view_;

@@ -57,7 +57,7 @@ SegmentMeasurer::SegmentMeasurer(DocumentHost& host, SegmentController& list, Gr
     constexpr int kCalmMs = 300;
     calm_.setSingleShot(true);
     calm_.setInterval(kCalmMs);
-    connect(&calm_, &QTimer::timeout, this, &SegmentMeasurer::look);
+    connect(&calm_, &QTimer::timeout, this, &SegmentMeasurer::poll);
     connect(&host_, &DocumentHost::changed, this, [this] {
         if (!wanting_.empty() && !(now() == key_)) {
             if (!found_.segments.empty()) {
@@ -79,7 +79,7 @@ SegmentMeasurer::Key SegmentMeasurer::now() const {
 void SegmentMeasurer::want(const QObject* who, bool wants) {
     if (wants) {
         wanting_.insert(who);
-        look();
+        poll();
     } else {
         wanting_.erase(who);
     }
@@ -104,7 +104,7 @@ const segment::MeasuredSegment* SegmentMeasurer::working() const {
 }
 
 // Begins when nothing is under way any more.
-void SegmentMeasurer::look() {
+void SegmentMeasurer::poll() {
     if (wanting_.empty() || host_.document() == nullptr || now() == key_) {
         return;
     }

@@ -53,7 +53,7 @@ private:
         std::vector<std::uint32_t> histogram;
     };
 
-    void look();
+    void poll();
     void begin(const Key& key);
     void finish(const Key& key, Found found);
     [[nodiscard]] Key now() const;

@@ -196,7 +196,7 @@ void StudioController::prefer() {
     auto view = view_.shown();
     view.sampling = preferences_.smoothSampling ? field::Sampling::Tricubic : field::Sampling::Trilinear;
     view.shadows = preferences_.shadows;
-    view_.look(view);
+    view_.showView(view);
 }
 
 // --- what is shown

@@ -2,9 +2,9 @@
 #include "base/error.h"
 #include "gpu/gl_test.h"
 #include "gpu/studio/test_head.h"
+#include "property.h"
 
 #include <algorithm>
-#include <random>
 
 namespace vs::studio {
 namespace {
@@ -188,45 +188,45 @@ TEST_F(DocumentTest, HoldingThePenStillChangesNothingAfterTheFirstStamp) {
 }
 
 TEST_F(DocumentTest, UndoAndRedoAtRandomReturnToTheSameStates) {
-    Document document(testHead());
-    std::mt19937 random(3);
-    std::vector<std::pair<std::vector<std::byte>, std::vector<std::uint32_t>>> states;
-    const auto state = [&] { return std::pair(document.sculptureBytes(), document.generations()); };
-    states.push_back(state());
-    for (int i = 0; i < 8; ++i) {
-        const double x = 150 + double(random() % 100);
-        const double y = 90 + double(random() % 120);
-        switch (i % 4) {
-        case 0: {
-            Peel peel = somePeel(double(random() % 9) + 1);
-            peel.mask = ellipseAt(x, y, 25, 20);
-            document.apply(peel);
-            break;
-        }
-        case 1:
-            document.apply(brainSeed());
-            break;
-        case 2:
-            document.apply(Grow{5});
-            break;
-        default: {
-            Drill drill;
-            drill.mask = ellipseAt(x, y, 10, 10);
-            drill.canvas = testCanvas();
-            document.apply(drill);
-        }
-        }
+    test::checkProperty(2, [] {
+        Document document(testHead());
+        std::vector<std::pair<std::vector<std::byte>, std::vector<std::uint32_t>>> states;
+        const auto state = [&] { return std::pair(document.sculptureBytes(), document.generations()); };
         states.push_back(state());
-    }
-    std::size_t at = states.size() - 1;
-    for (int i = 0; i < 40; ++i) {
-        const bool back = random() % 2 == 0;
-        if (back ? document.canUndo() : document.canRedo()) {
-            document.apply(back ? Operation(Undo{}) : Operation(Redo{}));
-            at += back ? std::size_t(-1) : 1;
+        for (int i = 0; i < 8; ++i) {
+            const double x = 150 + *test::below(100);
+            const double y = 90 + *test::below(120);
+            switch (i % 4) {
+            case 0: {
+                Peel peel = somePeel(*test::below(9) + 1);
+                peel.mask = ellipseAt(x, y, 25, 20);
+                document.apply(peel);
+                break;
+            }
+            case 1:
+                document.apply(brainSeed());
+                break;
+            case 2:
+                document.apply(Grow{5});
+                break;
+            default: {
+                Drill drill;
+                drill.mask = ellipseAt(x, y, 10, 10);
+                drill.canvas = testCanvas();
+                document.apply(drill);
+            }
+            }
+            states.push_back(state());
         }
-        ASSERT_TRUE(state() == states[at]) << "after " << i << " moves, at state " << at;
-    }
+        std::size_t at = states.size() - 1;
+        for (const bool isBack : *test::upTo(40, test::coin())) {
+            if (isBack ? document.canUndo() : document.canRedo()) {
+                document.apply(isBack ? Operation(Undo{}) : Operation(Redo{}));
+                at += isBack ? std::size_t(-1) : 1;
+            }
+            RC_ASSERT((state() == states[at]));
+        }
+    });
 }
 
 TEST_F(DocumentTest, UndoingTheFirstCutIsAsIfNothingHadBeenCut) {

@@ -175,7 +175,7 @@ TEST_P(Damaged, FilesNeverCrash) {
         }
         writeFile(path, damaged);
         const auto text = refused(path);
-        RC_ASSERT(!text || text->find('\n') == std::string::npos);
+        RC_ASSERT((!text || text->find('\n') == std::string::npos));
     });
 }
 

@@ -31,9 +31,10 @@ rc::Gen<std::vector<T>> upTo(int most, rc::Gen<T> element) {
 }
 
 // Checks a property: a function that draws its input by its parameters or by `*generator` and says by
-// RC_ASSERT what must hold. What fails is shrunk to the smallest input that still fails, and the test prints
-// it with the line that reproduces it. The inputs are the same in each run, so that a failure is the change's
-// and not the day's; RC_PARAMS="seed=5 max_success=1000" in the environment tries others.
+// RC_ASSERT what must hold. (RC_ASSERT takes its expression apart: with && or || in it, it needs parentheses
+// of its own, or both sides are evaluated.) What fails is shrunk to the smallest input that still fails, and
+// the test prints it with the line that reproduces it. The inputs are the same in each run, so that a failure
+// is the change's and not the day's; RC_PARAMS="seed=5 max_success=1000" in the environment tries others.
 template <typename Property>
 void checkProperty(int cases, Property&& property) {
     const auto* info = testing::UnitTest::GetInstance()->current_test_info();

@@ -294,7 +294,7 @@ TEST_F(DocumentTest, AStrokeFarBesideThePictureCostsNothing) {
     drill.stroke = {{{0, 150}, 1}, {{900000, 150}, 1}};
     const Outcome outcome = document.apply(drill);
     EXPECT_GT(outcome.voxelsTouched, 100U); // the part that crosses the head
-    EXPECT_LT(outcome.milliseconds, 20000);
+    EXPECT_LT(outcome.milliseconds, 30000) << "a guard against one stamp for each step of the way";
 }
 
 TEST_F(DocumentTest, WhatMakesNoSenseIsRefusedAndChangesNothing) {

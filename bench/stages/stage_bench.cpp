@@ -10,8 +10,10 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
 #include <cstdint>
 #include <exception>
+#include <numeric>
 #include <thread>
 
 namespace vs {
@@ -23,7 +25,8 @@ using Json = nlohmann::ordered_json;
 // A fixed amount of arithmetic on each processor, as software renderers work on all of them. Returns what came
 // of it, so that it is not left out.
 std::uint64_t calibrate() {
-    std::vector<std::uint64_t> sums(std::max(1U, std::thread::hardware_concurrency()), 1);
+    std::vector<std::uint64_t> sums(std::max(1U, std::thread::hardware_concurrency()));
+    std::iota(sums.begin(), sums.end(), 1); // each its own way
     std::vector<std::thread> threads;
     for (std::uint64_t& sum : sums) {
         threads.emplace_back([&sum] {

@@ -1,6 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Calls `vstudio bench` on a tiny volume, and checks how bench/compare sums up. usage: bench.py VSTUDIO BENCH_FOLDER"""
+"""Calls `vstudio bench` on a tiny volume, and checks how bench/compare sums up and bench/compare_baseline judges.
+usage: bench.py VSTUDIO BENCH_FOLDER"""
 import importlib.machinery
 import importlib.util
 import json
@@ -19,9 +20,9 @@ from peers import report  # noqa: E402
 MODES = {"surface", "mip", "xray", "overlay", "segment"}
 
 
-def load_compare():
-    loader = importlib.machinery.SourceFileLoader("compare", str(BENCH / "compare"))
-    module = importlib.util.module_from_spec(importlib.util.spec_from_loader("compare", loader))
+def load(program):
+    loader = importlib.machinery.SourceFileLoader(program, str(BENCH / program))
+    module = importlib.util.module_from_spec(importlib.util.spec_from_loader(program, loader))
     loader.exec_module(module)
     return module
 
@@ -132,10 +133,63 @@ class Comparison(unittest.TestCase):
 
     def test_the_transfer_function_spans_the_range_and_ends_there(self):
         scene = json.loads((BENCH / "scene.json").read_text(encoding="utf-8"))
-        points = load_compare().transfer_function(scene, (100, 300))["points"]
+        points = load("compare").transfer_function(scene, (100, 300))["points"]
         self.assertEqual([(point["at"], point["opacity"]) for point in points],
                          [(100, 0), (100, 0), (150, 0.3), (300, 0.3), (300, 0)])
         self.assertEqual((points[0]["colour"], points[-1]["colour"]), ("#8c4026", "#fff5e6"))
+
+
+class Baseline(unittest.TestCase):
+    """bench/compare_baseline, by times that were made up."""
+
+    def setUp(self):
+        self.program = load("compare_baseline")
+
+    def summary(self, taken, loop=(100,) * 9, device="a device"):
+        times = {"peel": {"milliseconds": list(taken), "calibration": list(loop)}}
+        return self.program.summarise({"device": device, "processors": 2, "stages": times})
+
+    def row(self, before, now):
+        rows = self.program.compare(before, now)
+        self.assertEqual([row["name"] for row in rows], ["peel"])
+        return rows[0]
+
+    def test_times_are_multiples_of_the_loop(self):
+        stage = self.summary([40, 80, 20] * 3, [100, 200, 50] * 3)["stages"]["peel"]
+        self.assertEqual((stage["multiple"], stage["spread"], stage["milliseconds"]), (0.4, 0, 40))
+
+    def test_a_machine_that_is_busy_is_not_slower(self):
+        self.assertFalse(self.row(self.summary([40] * 9), self.summary([120] * 9, [300] * 9))["slower"])
+
+    def test_a_stage_that_takes_longer_is_slower(self):
+        self.assertFalse(self.row(self.summary([40] * 9), self.summary([43] * 9))["slower"])
+        row = self.row(self.summary([40] * 9), self.summary([46] * 9))
+        self.assertTrue(row["slower"])
+        self.assertAlmostEqual(row["ratio"], 1.15)
+        self.assertFalse(self.row(self.summary([46] * 9), self.summary([40] * 9))["slower"])
+
+    def test_noise_hides_what_is_smaller_than_it(self):
+        noisy = [30, 34, 36, 38, 40, 42, 44, 46, 50]
+        for before, now in ((noisy, [46] * 9), ([40] * 9, [1.15 * time for time in noisy])):
+            self.assertFalse(self.row(self.summary(before), self.summary(now))["slower"], (before, now))
+        self.assertTrue(self.row(self.summary(noisy), self.summary([80] * 9))["slower"])
+
+    def test_one_round_that_was_held_up_says_nothing(self):
+        self.assertFalse(self.row(self.summary([40] * 9), self.summary([40] * 8 + [4000]))["slower"])
+
+    def test_another_device_or_other_stages_are_not_compared(self):
+        here = self.summary([40] * 9)
+        self.assertEqual(self.program.difference(here, here), "")
+        self.assertIn("a device", self.program.difference(here, self.summary([40] * 9, device="another")))
+        self.assertIn("peel", self.program.difference({**here, "stages": {}}, here))
+
+    def test_the_baseline_is_of_the_stages_that_are_measured(self):
+        baseline = json.loads((BENCH / "baseline.json").read_text(encoding="utf-8"))
+        source = (BENCH / "stages" / "stages.cpp").read_text(encoding="utf-8")
+        self.assertGreater(len(baseline["stages"]), 5)
+        for name, stage in baseline["stages"].items():
+            self.assertIn(f'"{name}"', source)
+            self.assertGreater(stage["multiple"], 0)
 
 
 if __name__ == "__main__":

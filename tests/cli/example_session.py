@@ -35,7 +35,7 @@ with tempfile.TemporaryDirectory() as a, tempfile.TemporaryDirectory() as b:
     pictures = {p.name: p.read_bytes() for p in (pathlib.Path(a) / "out").glob("*.png")}
 
 assert [e["name"] for e in report] == [o["op"] for o in session["operations"]], "one entry per operation"
-assert all(e["milliseconds"] >= 0 and e["voxels"] >= 0 for e in report)
+assert sum(e["milliseconds"] for e in report) > 0, "the operations have taken time"
 assert len(pictures) == sum(o["op"] == "picture" for o in session["operations"])
 assert len(set(pictures.values())) == len(pictures), "no two pictures are the same"
 cut = {e["name"]: e["voxels"] for e in report if e["name"] in ("drill", "undo", "peel")}

@@ -3,13 +3,15 @@
 window, presses keys one after another ("4" is overlay mode, "shift+s" smooth sampling) and prints the seconds of each. No test: it
 judges nothing."""
 
-import argparse
 import os
 import pathlib
 import sys
 
-from driver import run_test, start
+from driver import start
+from steps import Steps
 from test_latency import fit_view, now_ms
+
+test = Steps()
 
 
 def processor_seconds(process):
@@ -17,7 +19,8 @@ def processor_seconds(process):
     return (int(fields[11]) + int(fields[12])) / os.sysconf("SC_CLK_TCK")
 
 
-def main(display, arguments, folder):
+@test.step
+def measure(display, arguments, folder):
     studio = start(display, arguments.program, folder, [arguments.session])
     studio.wait_idle("the session", lambda s: s["pictureComplete"] and not s["playing"], 600)
     fit_view(studio)
@@ -29,10 +32,10 @@ def main(display, arguments, folder):
               f"{processor_seconds(studio.process) - used:6.2f} s of processor time", flush=True)
 
 
-if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--program", required=True)
-    parser.add_argument("--work", required=True, help="folder to work in; emptied first")
+def with_session(parser):
     parser.add_argument("session")
     parser.add_argument("keys", nargs="+")
-    sys.exit(run_test(main, parser.parse_args()))
+
+
+if __name__ == "__main__":
+    sys.exit(test.main(__doc__, "--program", configure=with_session))

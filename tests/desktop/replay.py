@@ -20,6 +20,19 @@ def run(*command):
     return done.stdout
 
 
+def save_and_end(studio, folder):
+    """Saves a picture and the session, and ends the program. Returns the session's path and the picture's size."""
+    studio.key("F12")
+    studio.type_path("screenshotDialog", folder / "window.png")
+    studio.wait_idle("the picture", lambda s: s["message"].startswith("Saved picture"))
+    studio.key("ctrl+s")
+    studio.type_path("saveDialog", folder / "session.json")
+    state = studio.wait_idle("the session", lambda s: "session.json" in s["message"] and not s["unsaved"])
+    need(state["glErrors"] == 0, f"{state['glErrors']} OpenGL errors")
+    studio.quit()
+    return folder / "session.json", state["viewport"]
+
+
 def operations(session):
     return json.loads(session.read_text())["operations"]
 

@@ -4,40 +4,43 @@ Debian or a volume of one's own. Prints each step's longest; fails beyond the bo
 clock tells of those; there (--busy) what counts is the processor time that it took: of the window's own thread, or of the whole
 program shared among the processors, since the window waits for a picture while all of them draw it."""
 
-import argparse
 import json
 import os
 import pathlib
 import sys
 
-from driver import need, run_test, start
+from driver import need, start
+from steps import Steps
 from test_latency import circle, now_ms
 from test_segments import choose, press, reveal
 
+test = Steps()
+
 HEAD = pathlib.Path("/usr/share/mricron/templates/ch2better.nii.gz")
 MOST_MS = 100
+TIMINGS = "timings.json"
 
 
 # How the list of edits begins, and their amounts.
 EDITS = (("Grow", -2), ("Smooth", 2), ("Fill", 0), ("Keep", None), ("Cut it", 0))
 
 
-class Steps:
+class Timeline:
     """What was done when."""
 
     def __init__(self, studio):
-        self.studio, self.steps = studio, [("opening", 0, now_ms())]
+        self.studio, self.entries = studio, [("opening", 0, now_ms())]
 
     def do(self, name, action, condition=lambda s: True):
         begin = now_ms()
         action()
         self.studio.wait_idle(name, lambda s: condition(s) and s["pictureComplete"], 100)
-        self.steps.append((name, begin, now_ms()))
+        self.entries.append((name, begin, now_ms()))
 
     def report(self, blocks, measure):
-        """The longest of each step by a measure, in ms."""
+        """The longest block of each entry by a measure, in ms."""
         longest = {}
-        for name, begin, end in self.steps:
+        for name, begin, end in self.entries:
             found = sorted((b for b in blocks if begin <= b["began"] <= end), key=lambda b: -measure(b))
             longest[name] = measure(found[0]) if found else 0
             said = ", ".join(f"{measure(b):.0f} ({b['receiver'].strip()}, {b['event']})" for b in found[:3])
@@ -45,8 +48,19 @@ class Steps:
         return longest
 
 
-def cutting(steps):
-    studio = steps.studio
+@test.step
+def timeline(display, arguments, folder):
+    volume = pathlib.Path(arguments.volume or HEAD)
+    need(volume.exists(), f"there is no {volume}; install mricron-data")
+    studio = start(display, arguments.program, folder, ["--timings-file", folder / TIMINGS, volume])
+    studio.resize(1600, 1000)
+    studio.wait_idle("the volume", lambda s: s["pictureComplete"], 100)
+    return Timeline(studio)
+
+
+@test.step
+def cutting(timeline):
+    studio = timeline.studio
     view = studio.view_point
 
     def drag(points):
@@ -57,9 +71,9 @@ def cutting(steps):
 
     def cut(name, action):
         before = operations()
-        steps.do(name, action, lambda s: s["operations"] > before)
+        timeline.do(name, action, lambda s: s["operations"] > before)
 
-    steps.do("turn", drag([view(0.5 + 0.01 * i, 0.5) for i in range(20)]))
+    timeline.do("turn", drag([view(0.5 + 0.01 * i, 0.5) for i in range(20)]))
     studio.key("Home")
     choose(studio, "p", "peel")
     studio.drag(circle(studio, (0.5, 0.4), 0.1, 2.2))
@@ -80,22 +94,23 @@ def cutting(steps):
     choose(studio, "v", "camera")
     for count in range(3):
         done = studio.state()["stepsDone"]
-        steps.do(f"undo {count + 1}", lambda: studio.key("ctrl+z"), lambda s, done=done: s["stepsDone"] == done - 1)
+        timeline.do(f"undo {count + 1}", lambda: studio.key("ctrl+z"), lambda s, done=done: s["stepsDone"] == done - 1)
     done = studio.state()["stepsDone"]
-    steps.do("redo", lambda: studio.key("ctrl+shift+z"), lambda s: s["stepsDone"] == done + 1)
+    timeline.do("redo", lambda: studio.key("ctrl+shift+z"), lambda s: s["stepsDone"] == done + 1)
 
 
-def segmenting(steps):
-    studio = steps.studio
+@test.step
+def segmenting(timeline):
+    studio = timeline.studio
     choose(studio, "s", "seed")
-    steps.do("grow", lambda: (studio.drag([studio.view_point(0.58 + 0.01 * i, 0.5) for i in range(5)])),
+    timeline.do("grow", lambda: (studio.drag([studio.view_point(0.58 + 0.01 * i, 0.5) for i in range(5)])),
              lambda s: s["message"].startswith("Grow:") and not s["playing"])
     print(f"{studio.state()['voxels']} voxels grown")
     press(studio, "editFold")
     for name, amount in EDITS:
         before = studio.state()["operations"]
         choose_edit(studio, name, amount)
-        steps.do(f"edit: {name}", lambda: press(studio, "editPerform"), lambda s: s["operations"] > before)
+        timeline.do(f"edit: {name}", lambda: press(studio, "editPerform"), lambda s: s["operations"] > before)
         studio.key("ctrl+z")
         studio.wait_idle("undo", lambda s: s["pictureComplete"], 100)
 
@@ -110,22 +125,24 @@ def choose_edit(studio, name, amount):
 MODES = (("2", "mip"), ("3", "xray"), ("4", "overlay"), ("5", "segment"), ("9", "volume"), ("1", "surface"))
 
 
-def looking(steps):
-    studio = steps.studio
+@test.step
+def looking(timeline):
+    studio = timeline.studio
     choose(studio, "v", "camera")
     for key, mode in MODES:
-        steps.do(f"mode {mode}", lambda: studio.key(key), lambda s: s["mode"] == mode)
-    steps.do("slices", lambda: studio.key("F4"), lambda s: "axialSlider" in s["widgets"])
-    steps.do("gradients", lambda: studio.click("tabGradient"), lambda s: s["reports"].get("gradientCurve", "").endswith("chosen"))
+        timeline.do(f"mode {mode}", lambda: studio.key(key), lambda s: s["mode"] == mode)
+    timeline.do("slices", lambda: studio.key("F4"), lambda s: "axialSlider" in s["widgets"])
+    timeline.do("gradients", lambda: studio.click("tabGradient"), lambda s: s["reports"].get("gradientCurve", "").endswith("chosen"))
     studio.click("functionChoice")
     studio.wait("the gallery", lambda s: "preset.mr_t1_head" in s["widgets"])
-    steps.do("a preset", lambda: studio.click("preset.mr_t1_head"), lambda s: s["reports"]["functionChoice"].startswith("MR"))
+    timeline.do("a preset", lambda: studio.click("preset.mr_t1_head"), lambda s: s["reports"]["functionChoice"].startswith("MR"))
     studio.focus()
 
 
-def filing(steps, folder):
+@test.step
+def filing(timeline, folder):
     """What goes into files and comes out of them."""
-    studio = steps.studio
+    studio = timeline.studio
     for name, keys, dialog, file in (("saving", "ctrl+s", "saveDialog", "session.json"),
                                      ("replaying", "ctrl+o", "openDialog", "session.json"),
                                      ("labels out", "ctrl+e", "labelsDialog", "labels.nrrd"),
@@ -133,20 +150,21 @@ def filing(steps, folder):
         studio.move(studio.view_point(0.5, 0.9))
         studio.key(keys)
         before = studio.state()["message"]
-        steps.do(name, lambda: studio.type_path(dialog, folder / file),
+        timeline.do(name, lambda: studio.type_path(dialog, folder / file),
                  lambda s: s["message"] != before and not s["loading"] and not s["message"].startswith("Reading"))
 
 
-def give_up(steps):
+@test.step(after=[segmenting])
+def give_up(timeline):
     """What lasts is ended by its button or by Escape, and nothing has happened."""
-    studio = steps.studio
+    studio = timeline.studio
     choose_edit(studio, "Smooth", 30)  # takes seconds
     before = studio.state()
     for way in (lambda: studio.click("giveUp", lasting=True), lambda: studio.key("Escape", lasting=True)):
         studio.wait_idle("the picture", lambda s: s["pictureComplete"])
         press(studio, "editPerform", lasting=True)
         studio.wait("progress", lambda s: "giveUp" in s["widgets"])
-        steps.do("giving up", way, lambda s: s["message"].startswith("Given up"))
+        timeline.do("giving up", way, lambda s: s["message"].startswith("Given up"))
         state = studio.state()
         for what in ("operations", "voxels", "stepsDone"):
             need(state[what] == before[what], f"{what} were {before[what]} and are {state[what]} after giving up")
@@ -162,32 +180,26 @@ def by_processor(block):
     return min(block["ms"], max(block["threadMs"], block["programMs"] / len(os.sched_getaffinity(0))))
 
 
-def main(display, arguments, folder):
-    volume = pathlib.Path(arguments.volume or HEAD)
-    need(volume.exists(), f"there is no {volume}; install mricron-data")
-    timings_file = folder / "timings.json"
-    studio = start(display, arguments.program, folder, ["--timings-file", timings_file, volume])
-    studio.resize(1600, 1000)
-    studio.wait_idle("the volume", lambda s: s["pictureComplete"], 100)
-    steps = Steps(studio)
-    cutting(steps)
-    segmenting(steps)
-    give_up(steps)
-    looking(steps)
-    filing(steps, folder)
-    studio.quit()
-    longest = steps.report(json.loads(timings_file.read_text())["blocks"], by_processor if arguments.busy else by_clock)
+@test.step
+def longest(timeline, arguments, folder):
+    """Ends the program. Returns the longest block of each entry."""
+    timeline.studio.quit()
+    blocks = json.loads((folder / TIMINGS).read_text())["blocks"]
+    return timeline.report(blocks, by_processor if arguments.busy else by_clock)
+
+
+@test.step
+def bound(longest, arguments):
     bound = arguments.slack * MOST_MS
     late = [f"{name} ({ms:.0f} ms)" for name, ms in longest.items() if ms > bound]
     need(not late, f"the window was kept longer than {bound:.0f} ms by {', '.join(late)}")
 
 
-if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--program", required=True)
-    parser.add_argument("--vstudio", required=True)
+def with_volume(parser):
     parser.add_argument("--volume", help="instead of the head")
     parser.add_argument("--slack", type=float, default=1, help="how many times the bound a slow machine may take")
     parser.add_argument("--busy", action="store_true", help="the machine does other things too: bound the processor time")
-    parser.add_argument("--work", required=True, help="folder to work in; emptied first")
-    sys.exit(run_test(main, parser.parse_args()))
+
+
+if __name__ == "__main__":
+    sys.exit(test.main(__doc__, "--program", "--vstudio", configure=with_volume))

@@ -2,14 +2,16 @@
 """The driver's promise: whatever it does returns when the program has answered it. The program is stopped while each input is sent,
 as it is on a machine that has no time for it, and its state is looked at once when the driver returns."""
 
-import argparse
 import os
 import signal
 import sys
 import threading
 
-from driver import need, run_test, start
+from driver import need, start
 from phantom import write_ball_head
+from steps import Steps
+
+test = Steps()
 
 STOPPED_SECONDS = 0.4
 
@@ -32,6 +34,19 @@ def hold_up(studio):
     studio.xdotool = held_up
 
 
+@test.step
+def studio(display, arguments, folder):
+    """The window; from then on it is held up at every input."""
+    volume = folder / "head.nrrd"
+    write_ball_head(volume)
+    studio = start(display, arguments.program, folder, [volume])
+    studio.resize(1000, 760)
+    studio.wait_idle("the volume", lambda s: s["pictureComplete"])
+    hold_up(studio)
+    return studio
+
+
+@test.step
 def keys(studio):
     for key, mode in (("2", "mip"), ("4", "overlay"), ("1", "surface")):
         studio.key(key)
@@ -42,17 +57,7 @@ def keys(studio):
     need("axialSlice" not in studio.state()["widgets"], "F5 leaves the slices")
 
 
-def dialog(studio):
-    studio.key("ctrl+comma")
-    need("preferencesDialog" in studio.state()["windows"], "the preferences are not open")
-    x, y, _, height = studio.state()["widgets"]["preferSmooth"]
-    studio.click((x + 8, y + height // 2))
-    need(studio.state()["smooth"], "a click into a dialog did nothing")
-    studio.key("Escape")  # which the dialog has by itself
-    need("preferencesDialog" not in studio.state()["windows"], "the preferences are still open")
-    studio.focus()
-
-
+@test.step
 def number(studio):
     studio.type_number("rangeLo", 60)
     need(studio.state()["range"][0] == 60, f"60 was typed, and the range is {studio.state()['range']}")
@@ -62,6 +67,7 @@ def number(studio):
     need(studio.state()["range"] == [60, 170], f"170 was typed, and the range is {studio.state()['range']}")
 
 
+@test.step
 def moved(studio):
     """What an answer moves is clicked where it is then: the tab's page has another height."""
     for tab, there in (("tabIntensity", "intensityCurve"), ("tabRange", "histogram")) * 2:
@@ -73,6 +79,19 @@ def moved(studio):
         need("map.ember" not in studio.state()["widgets"], "the gallery is still open")
 
 
+@test.step
+def dialog(studio):
+    studio.key("ctrl+comma")
+    need("preferencesDialog" in studio.state()["windows"], "the preferences are not open")
+    x, y, _, height = studio.state()["widgets"]["preferSmooth"]
+    studio.click((x + 8, y + height // 2))
+    need(studio.state()["smooth"], "a click into a dialog did nothing")
+    studio.key("Escape")  # which the dialog has by itself
+    need("preferencesDialog" not in studio.state()["windows"], "the preferences are still open")
+    studio.focus()
+
+
+@test.step
 def drag(studio):
     studio.move(studio.view_point(0.5, 0.9))
     studio.key("x")
@@ -87,20 +106,10 @@ def drag(studio):
         need(studio.state()["stepsDone"] == done + (-1, 1)[count], f"{('undo', 'redo')[count]} did nothing")
 
 
-def main(display, arguments, folder):
-    volume = folder / "head.nrrd"
-    write_ball_head(volume)
-    studio = start(display, arguments.program, folder, [volume])
-    studio.resize(1000, 760)
-    studio.wait_idle("the volume", lambda s: s["pictureComplete"])
-    hold_up(studio)
-    for step in (keys, number, moved, dialog, drag):
-        step(studio)
+@test.step
+def end(studio):
     studio.quit()
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--program", required=True)
-    parser.add_argument("--work", required=True, help="folder to work in; emptied first")
-    sys.exit(run_test(main, parser.parse_args()))
+    sys.exit(test.main(__doc__, "--program"))

@@ -1,17 +1,18 @@
 # SPDX-License-Identifier: Apache-2.0
 """Files dragged from another program and dropped on the window, on its start screen and on an open volume."""
 
-import argparse
 import queue
 import subprocess
 import sys
 import threading
 
-from driver import Failure, need, run_test, start
-from phantom import write_ball_head
+from driver import Failure, need, start
+from phantom import write_ball_head, write_labels
 from replay import operations
-from test_segments import write_labels
+from steps import Steps
 from test_start import on_start_screen, scissors
+
+test = Steps()
 
 SOURCE = (1700, 1000)  # beside the window
 
@@ -54,69 +55,40 @@ class Files:
         self.process.wait()
 
 
-def main(display, arguments, folder):
-    sources = []
-
-    def drop(studio, *files, taken=True):
-        while sources:
-            sources.pop().close()
-        sources.append(Files(display, arguments.source, *files))  # stays: what is dropped is asked for afterwards
-        return sources[-1].drop(studio, taken)
-
-    try:
-        drops(display, arguments, folder, drop)
-    finally:
-        for source in sources:
-            source.close()
-
-
-def drops(display, arguments, folder, drop):
+@test.step
+def files(folder):
+    """A volume, a label map of it, what is neither, and where the session will be."""
     volume, labels, text = folder / "head.nrrd", folder / "labels.seg.nrrd", folder / "letter.txt"
     write_ball_head(volume)
     write_labels(labels)
     text.write_text("Dear surgeon, this is no volume.\n")
+    return volume, labels, text, folder / "cut.json"
+
+
+@test.step
+def drop(display, arguments, cleanup):
+    """A function that drops files on a studio and says how that ended."""
+    sources = []
+
+    def close():
+        while sources:
+            sources.pop().close()
+
+    def drop(studio, *files, taken=True):
+        close()
+        sources.append(Files(display, arguments.source, *files))  # stays: what is dropped is asked for afterwards
+        return sources[-1].drop(studio, taken)
+
+    cleanup.callback(close)
+    return drop
+
+
+@test.step
+def studio(display, arguments, folder):
     studio = start(display, arguments.program, folder)
     studio.resize(1230, 870)
     studio.wait_idle("the start screen", on_start_screen)
-
-    # On the start screen.
-    refuse(studio, drop, text)
-    need(on_start_screen(studio.state()), "the start screen has gone")
-    need(drop(studio, volume) == "copy", "a file that was dropped was moved, or ignored")
-    studio.wait_idle("the volume", lambda s: s["title"].startswith("head.nrrd") and s["pictureComplete"])
-
-    # On a volume with edits that are not saved: what is no volume asks nothing.
-    studio.focus()
-    scissors(studio)
-    refuse(studio, drop, text)
-    studio.focus()
-    studio.key("ctrl+s")
-    session = folder / "cut.json"
-    studio.type_path("saveDialog", session)
-    studio.wait_idle("the session", lambda s: "cut.json" in s["message"] and not s["unsaved"])
-
-    # Another volume may be a label map of this one: the person is asked.
-    drop(studio, labels)
-    studio.click("dropLabels")
-    studio.wait_idle("the labels", lambda s: any(segment["name"] == "Core" for segment in s["segments"]))
-    need(studio.state()["title"].startswith("head.nrrd"), "the label map was opened as a volume")
-    studio.focus()
-    drop(studio, labels)
-    studio.click("dropVolume")
-    studio.click("discardEdits")
-    studio.wait_idle("the other volume", lambda s: s["title"].startswith("labels.seg.nrrd") and s["pictureComplete"])
-    need(studio.state()["operations"] == 0, "the other volume has the first one's cut")
-
-    # A session brings its own volume, and its edits.
-    studio.focus()
-    need(drop(studio, session) == "copy", "the session was moved, or ignored")
-    state = studio.wait_idle("the session", lambda s: s["message"].startswith("Replayed") and s["pictureComplete"])
-    need(state["title"].startswith("cut.json") or "head" in state["title"], f"the title is {state['title']!r}")
-    need(state["operations"] == len(operations(session)), f"the session has {state['operations']} operations")
-    for path in (volume, labels, text, session):
-        need(path.exists(), f"{path} is gone")
-    need(state["glErrors"] == 0, "OpenGL errors")
-    studio.quit()
+    return studio
 
 
 def refuse(studio, drop, text):
@@ -136,9 +108,75 @@ def refuse(studio, drop, text):
     studio.wait("the refusal to close", lambda s: "openFailed" not in s["widgets"])
 
 
+@test.step
+def refusal_on_start_screen(studio, drop, files):
+    refuse(studio, drop, files[2])
+    need(on_start_screen(studio.state()), "the start screen has gone")
+
+
+@test.step
+def volume_on_start_screen(studio, drop, files):
+    need(drop(studio, files[0]) == "copy", "a file that was dropped was moved, or ignored")
+    studio.wait_idle("the volume", lambda s: s["title"].startswith("head.nrrd") and s["pictureComplete"])
+    studio.focus()
+
+
+@test.step(after=[volume_on_start_screen])
+def refusal_on_edits(studio, drop, files):
+    """On a volume with edits that are not saved: what is no volume asks nothing."""
+    scissors(studio)
+    refuse(studio, drop, files[2])
+    studio.focus()
+
+
+@test.step(after=[volume_on_start_screen])
+def saved(studio, files):
+    studio.key("ctrl+s")
+    studio.type_path("saveDialog", files[3])
+    studio.wait_idle("the session", lambda s: "cut.json" in s["message"] and not s["unsaved"])
+
+
+@test.step(after=[volume_on_start_screen])
+def labels_on_volume(studio, drop, files):
+    """Another volume may be a label map of this one: the person is asked."""
+    drop(studio, files[1])
+    studio.click("dropLabels")
+    studio.wait_idle("the labels", lambda s: any(segment["name"] == "Core" for segment in s["segments"]))
+    need(studio.state()["title"].startswith("head.nrrd"), "the label map was opened as a volume")
+    studio.focus()
+
+
+@test.step(after=[labels_on_volume])
+def volume_on_edits(studio, drop, files):
+    drop(studio, files[1])
+    studio.click("dropVolume")
+    studio.click("discardEdits")
+    studio.wait_idle("the other volume", lambda s: s["title"].startswith("labels.seg.nrrd") and s["pictureComplete"])
+    need(studio.state()["operations"] == 0, "the other volume has the first one's cut")
+    studio.focus()
+
+
+@test.step(after=[saved])
+def session_on_volume(studio, drop, files):
+    """A session brings its own volume, and its edits."""
+    session = files[3]
+    need(drop(studio, session) == "copy", "the session was moved, or ignored")
+    state = studio.wait_idle("the session", lambda s: s["message"].startswith("Replayed") and s["pictureComplete"])
+    need(state["title"].startswith("cut.json") or "head" in state["title"], f"the title is {state['title']!r}")
+    need(state["operations"] == len(operations(session)), f"the session has {state['operations']} operations")
+
+
+@test.step
+def files_stay(files):
+    for path in files:
+        need(path.exists(), f"{path} is gone")
+
+
+@test.step
+def end(studio):
+    need(studio.state()["glErrors"] == 0, "OpenGL errors")
+    studio.quit()
+
+
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--program", required=True)
-    parser.add_argument("--source", required=True)
-    parser.add_argument("--work", required=True, help="folder to work in; emptied first")
-    sys.exit(run_test(main, parser.parse_args()))
+    sys.exit(test.main(__doc__, "--program", "--source"))

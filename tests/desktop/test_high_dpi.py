@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """At scales 1, 1.5 and 2 strokes land exactly under the pen, in device pixels, and replay without a window to the same picture."""
 
-import argparse
 import math
 import sys
 
-from driver import need, run_test, start
+from driver import need, start
 from phantom import write_ball_head
 from replay import compare_with_replay, operations
+from steps import Steps
+
+test = Steps()
 
 # Device pixels. Whole scales have none to round. At 1.5 the view's corner may lie in the middle of a device pixel, half a pixel
 # each way from where this script takes it to be (0.71 in all), and an odd size times 1.5 is rounded to whole pixels, half of one
@@ -85,23 +87,33 @@ def at_scale(display, arguments, folder, volume, scale):
               "drill": off(drill["stroke"], drilled, (x, y)),
               "seed": off(seed["strokes"][0]["points"], seeded, (x, y))}
     print(f"scale {scale}: off by at most", {name: round(error, 3) for name, error in errors.items()}, "device pixels")
-    for name, error in errors.items():
-        need(error <= ROUNDING[scale], f"{name} is {error:.2f} device pixels from the pen at scale {scale}")
+    far = [f"{name} by {error:.2f}" for name, error in errors.items() if error > ROUNDING[scale]]
+    need(not far, f"off by more than {ROUNDING[scale]} device pixels at scale {scale}: {', '.join(far)}")
     # A layer is ten logical pixels.
     need(abs(peel["layers"] - 10 / scale) < 1e-6, f"{peel['layers']} layers were peeled, not {10 / scale}")
     compare_with_replay(arguments.vstudio, session, folder / "window.png", state["viewport"], folder)
 
 
-def main(display, arguments, folder):
-    volume = folder / "head.nrrd"
-    write_ball_head(volume)
-    for scale in ROUNDING:
-        at_scale(display, arguments, folder / f"scale_{scale}", volume, scale)
+@test.step
+def volume(folder):
+    write_ball_head(folder / "head.nrrd")
+    return folder / "head.nrrd"
+
+
+@test.step
+def scale_1(display, arguments, folder, volume):
+    at_scale(display, arguments, folder / "scale_1", volume, 1)
+
+
+@test.step
+def scale_1_5(display, arguments, folder, volume):
+    at_scale(display, arguments, folder / "scale_1.5", volume, 1.5)
+
+
+@test.step
+def scale_2(display, arguments, folder, volume):
+    at_scale(display, arguments, folder / "scale_2", volume, 2)
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--program", required=True)
-    parser.add_argument("--vstudio", required=True)
-    parser.add_argument("--work", required=True, help="folder to work in; emptied first")
-    sys.exit(run_test(main, parser.parse_args()))
+    sys.exit(test.main(__doc__, "--program", "--vstudio"))

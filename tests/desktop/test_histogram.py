@@ -1,14 +1,16 @@
 # SPDX-License-Identifier: Apache-2.0
 """The histogram panel by hand: the displayed range dragged, typed and moved by keys, and what the cuts left to be seen."""
 
-import argparse
 import json
 import re
 import sys
 
-from driver import need, run_test, start
+from driver import need, start
 from phantom import BRAIN, write_ball_head
-from replay import compare_with_replay, operations
+from replay import compare_with_replay, operations, save_and_end
+from steps import Steps
+
+test = Steps()
 
 SIDE = 6  # pixels beside the bars of a chart
 GREATEST = BRAIN  # of all values; the smallest is 0
@@ -26,6 +28,17 @@ class Chart:
         return round(x + SIDE + (value - self.lo) / (self.hi - self.lo) * (width - 2 * SIDE)), round(y + height * tall)
 
 
+@test.step
+def studio(display, arguments, folder):
+    volume = folder / "head.nrrd"
+    write_ball_head(volume)
+    studio = start(display, arguments.program, folder, [volume])
+    studio.resize(900, 760)
+    studio.wait_idle("the volume", lambda s: s["viewport"][0] < 500 and s["pictureComplete"])
+    return studio
+
+
+@test.step
 def drag_range(studio):
     """Both ends and the band; typed beyond the data; by keys."""
     chart = Chart(studio, "histogram")
@@ -63,6 +76,29 @@ def drag_range(studio):
     studio.click("histogramLog")
 
 
+def visible(state):
+    """How many voxels the histogram says are visible, and of how many."""
+    return tuple(map(int, re.fullmatch(r"(\d+) of (\d+) voxels visible", state["reports"].get("histogram", "")).groups()))
+
+
+@test.step(after=[drag_range])
+def cut_and_count(studio):
+    """Scissors through the middle: what is left is counted at rest, and undo brings all of it back."""
+    state = studio.wait_idle("the count", lambda s: "histogram" in s["reports"])
+    need(visible(state)[0] == visible(state)[1], f"without cuts {state['reports']['histogram']}")
+    studio.move(studio.view_point(0.5, 0.9))
+    studio.key("x")
+    studio.wait("the scissors", lambda s: s["tool"] == "scissors")
+    studio.drag([studio.view_point(*place) for place in ((0.3, 0.3), (0.5, 0.25), (0.5, 0.75), (0.3, 0.7), (0.3, 0.4))])
+    state = studio.wait_idle("the cut", lambda s: s["canUndo"] and visible(s)[0] < visible(s)[1])
+    left, total = visible(state)
+    need(0.1 < left / total < 0.98, f"{left} of {total} voxels are left")
+    studio.key("ctrl+z")
+    studio.wait_idle("undo", lambda s: visible(s)[0] == total)
+    studio.key("ctrl+shift+z")
+    studio.wait_idle("redo", lambda s: visible(s)[0] == left)
+
+
 class Editor(Chart):
     """Places on a chart with a curve, and what it says of its points."""
 
@@ -82,6 +118,7 @@ def in_use(studio, name):
     return studio.wait(f"the colours {name}", lambda s: s["reports"].get("functionChoice") == name)
 
 
+@test.step(after=[drag_range])
 def edit_intensity(studio):
     """Points added, dragged, typed, coloured, chosen and moved by keys, removed; a hill moved; a box; undo."""
     studio.move(studio.view_point(0.5, 0.9))
@@ -134,8 +171,9 @@ def gallery(studio, button):
     studio.focus()
 
 
-def keep_colours(studio, folder):
-    """Saved as a file, reset, taken from the gallery, another table, then the file again."""
+@test.step(after=[edit_intensity])
+def colours(studio, folder):
+    """Saved as a file, reset, taken from the gallery, another table, then the file again. Returns what it holds."""
     studio.click("functionSave")
     studio.type_path("functionSaveDialog", folder / "colours.json")
     studio.wait("the file", lambda s: s["message"].startswith("Saved colours"))
@@ -150,6 +188,12 @@ def keep_colours(studio, folder):
     return json.loads((folder / "colours.json").read_text())
 
 
+@test.step
+def points_of_colours(colours):
+    need(len({point["colour"] for point in colours["points"]}) > 3, f"the points are {colours['points']}")
+
+
+@test.step(after=[colours])
 def edit_gradient(studio):
     """Counted when first wanted; the function there comes into use with the first edit."""
     studio.click("tabGradient")
@@ -162,6 +206,7 @@ def edit_gradient(studio):
     in_use(studio, "displayed range")
 
 
+@test.step(after=[edit_gradient])
 def edit_both(studio):
     """A box moved and stretched, a triangle drawn, another painted; by numbers; by keys."""
     studio.click("tabBoth")
@@ -193,7 +238,20 @@ def edit_both(studio):
     plane.wait(2, 3)
 
 
-def check_shapes(function):
+@test.step
+def session(studio, folder):
+    studio.move(studio.view_point(0.5, 0.9))
+    return save_and_end(studio, folder)
+
+
+@test.step
+def last_view(session):
+    return [operation for operation in operations(session[0]) if operation["op"] == "view"][-1]
+
+
+@test.step(after=[edit_both])
+def shapes_of_session(last_view):
+    function = last_view["transferFunction"]
     need([shape["shape"] for shape in function["shapes"]] == ["painting", "trapezoid", "box"],
          f"the shapes are {[shape['shape'] for shape in function['shapes']]}")
     painting, triangle, box = function["shapes"]
@@ -203,65 +261,16 @@ def check_shapes(function):
     need(90 <= box["values"][0] < 100 and abs(box["values"][1] - box["values"][0] - 73) < 1e-6, f"{box['values']}")
 
 
-def visible(state):
-    """How many voxels the histogram says are visible, and of how many."""
-    return tuple(map(int, re.fullmatch(r"(\d+) of (\d+) voxels visible", state["reports"].get("histogram", "")).groups()))
+@test.step
+def range_of_session(last_view):
+    need(last_view["range"] == [100, 173], f"the session's range is {last_view['range']}")
 
 
-def cut_and_count(studio):
-    """Scissors through the middle: what is left is counted at rest, and undo brings all of it back."""
-    state = studio.wait_idle("the count", lambda s: "histogram" in s["reports"])
-    need(visible(state)[0] == visible(state)[1], f"without cuts {state['reports']['histogram']}")
-    studio.move(studio.view_point(0.5, 0.9))
-    studio.key("x")
-    studio.wait("the scissors", lambda s: s["tool"] == "scissors")
-    studio.drag([studio.view_point(*place) for place in ((0.3, 0.3), (0.5, 0.25), (0.5, 0.75), (0.3, 0.7), (0.3, 0.4))])
-    state = studio.wait_idle("the cut", lambda s: s["canUndo"] and visible(s)[0] < visible(s)[1])
-    left, total = visible(state)
-    need(0.1 < left / total < 0.98, f"{left} of {total} voxels are left")
-    studio.key("ctrl+z")
-    studio.wait_idle("undo", lambda s: visible(s)[0] == total)
-    studio.key("ctrl+shift+z")
-    studio.wait_idle("redo", lambda s: visible(s)[0] == left)
-
-
-def save_and_compare(studio, arguments, folder):
-    studio.move(studio.view_point(0.5, 0.9))
-    studio.key("F12")
-    studio.type_path("screenshotDialog", folder / "window.png")
-    studio.wait_idle("the picture", lambda s: s["message"].startswith("Saved picture"))
-    studio.key("ctrl+s")
-    studio.type_path("saveDialog", folder / "session.json")
-    state = studio.wait_idle("the session", lambda s: "session.json" in s["message"])
-    need(state["glErrors"] == 0, f"{state['glErrors']} OpenGL errors")
-    studio.quit()
-    session = folder / "session.json"
-    compare_with_replay(arguments.vstudio, session, folder / "window.png", state["viewport"], folder)
-    return operations(session)
-
-
-def main(display, arguments, folder):
-    volume = folder / "head.nrrd"
-    write_ball_head(volume)
-    studio = start(display, arguments.program, folder, [volume])
-    studio.resize(900, 760)
-    studio.wait_idle("the volume", lambda s: s["viewport"][0] < 500 and s["pictureComplete"])
-    drag_range(studio)
-    cut_and_count(studio)
-    edit_intensity(studio)
-    colours = keep_colours(studio, folder)
-    need(len({point["colour"] for point in colours["points"]}) > 3, f"the points are {colours['points']}")
-    edit_gradient(studio)
-    edit_both(studio)
-    done = save_and_compare(studio, arguments, folder)
-    views = [operation for operation in done if operation["op"] == "view"]
-    check_shapes(views[-1]["transferFunction"])
-    need(views[-1]["range"] == [100, 173], f"the session's range is {views[-1]['range']}")
+@test.step
+def replay(arguments, session, folder):
+    path, viewport = session
+    compare_with_replay(arguments.vstudio, path, folder / "window.png", viewport, folder)
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--program", required=True)
-    parser.add_argument("--vstudio", required=True)
-    parser.add_argument("--work", required=True, help="folder to work in; emptied first")
-    sys.exit(run_test(main, parser.parse_args()))
+    sys.exit(test.main(__doc__, "--program", "--vstudio"))

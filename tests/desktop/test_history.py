@@ -2,14 +2,26 @@
 """The history goes to any state by a click, and the picture is the same as when that state was first there. The
 shortcut sheet is complete, and preferences count at once and are kept."""
 
-import argparse
 import configparser
 import json
 import sys
 
-from driver import need, run_test, start
+from driver import need, start
 from phantom import write_ball_head
 from replay import compare_with_replay, run
+from steps import Steps
+
+test = Steps()
+
+
+@test.step
+def studio(display, arguments, folder):
+    volume = folder / "head.nrrd"
+    write_ball_head(volume)
+    studio = start(display, arguments.program, folder, [volume])
+    studio.wait_idle("the volume", lambda s: s["pictureComplete"])
+    studio.move(studio.view_point(0.5, 0.5))
+    return studio
 
 
 def cut(studio, column):
@@ -39,7 +51,9 @@ def go_to(studio, row, rows):
     return studio.wait_idle(f"the state after step {row}", lambda s: s["stepsDone"] == row and s["pictureComplete"])
 
 
-def travel(studio, folder, vstudio):
+@test.step
+def cuts(studio, folder):
+    """Four, with pictures after the second and the last."""
     studio.key("x")
     studio.wait("the scissors", lambda s: s["tool"] == "scissors")
     studio.key("n")
@@ -49,6 +63,10 @@ def travel(studio, folder, vstudio):
             picture(studio, folder / "two.png")
     need("historyList" not in studio.state()["widgets"], "the history is shown before it was asked for")
     picture(studio, folder / "four.png")
+
+
+@test.step(after=[cuts])
+def travel(studio, folder):
     studio.key("ctrl+h")
     studio.wait_idle("the history", lambda s: "historyList" in s["widgets"] and s["historyRow"] > 0)
 
@@ -61,27 +79,45 @@ def travel(studio, folder, vstudio):
     studio.key("ctrl+h")
     studio.wait_idle("the history to go", lambda s: "historyList" not in s["widgets"] and s["pictureComplete"])
     picture(studio, folder / "again.png")
-    print("state two again:", run(vstudio, "compare", folder / "two.png", folder / "again.png",
+
+
+@test.step(after=[travel])
+def same_picture(arguments, folder):
+    print("state two again:", run(arguments.vstudio, "compare", folder / "two.png", folder / "again.png",
                                   "--mean", 0.01).strip())
 
 
-def note(studio, text):
+NOTE = "two cuts are enough"
+
+
+@test.step
+def note(studio):
     """Writes a line into the history, which becomes a step of its own."""
     steps = studio.state()["stepsDone"]
     studio.key("ctrl+n")
     studio.wait("the question for a note", lambda s: "note" in s["windows"])
     studio.focus("note")
-    studio.type(text)
+    studio.type(NOTE)
     studio.key("Return")
     studio.wait("the note", lambda s: "note" not in s["windows"] and s["stepsDone"] == steps + 1)
     studio.focus()
 
 
-def need_note(session, text):
+@test.step
+def session(studio, folder):
+    studio.key("ctrl+s")
+    studio.type_path("saveDialog", folder / "session.json")
+    studio.wait_idle("the session", lambda s: "session.json" in s["message"])
+    return folder / "session.json"
+
+
+@test.step(after=[note])
+def note_of_session(session):
     operations = json.loads(session.read_text())["operations"]
-    need({"op": "note", "text": text} in operations, f"the session has no note '{text}'")
+    need({"op": "note", "text": NOTE} in operations, f"the session has no note '{NOTE}'")
 
 
+@test.step
 def shortcuts(studio):
     studio.key("F1")
     state = studio.wait("the shortcuts", lambda s: "shortcutSheet" in s["widgets"])
@@ -93,6 +129,7 @@ def shortcuts(studio):
     studio.focus()
 
 
+@test.step
 def preferences(studio, folder):
     studio.key("ctrl+comma")
     studio.wait("the preferences", lambda s: "themeLight" in s["widgets"])
@@ -110,29 +147,19 @@ def preferences(studio, folder):
          f"the preferences are {dict(kept['General'])}")
 
 
-def main(display, arguments, folder):
-    volume = folder / "head.nrrd"
-    write_ball_head(volume)
-    studio = start(display, arguments.program, folder, [volume])
-    studio.wait_idle("the volume", lambda s: s["pictureComplete"])
-    studio.move(studio.view_point(0.5, 0.5))
-    travel(studio, folder, arguments.vstudio)
-    note(studio, "two cuts are enough")
-    studio.key("ctrl+s")
-    studio.type_path("saveDialog", folder / "session.json")
-    studio.wait_idle("the session", lambda s: "session.json" in s["message"])
-    need_note(folder / "session.json", "two cuts are enough")
-    shortcuts(studio)
-    preferences(studio, folder)
+@test.step
+def viewport(studio):
+    """Ends the program. Returns the size of its pictures."""
     state = studio.state()
     need(state["glErrors"] == 0, f"{state['glErrors']} OpenGL errors")
     studio.quit()
-    compare_with_replay(arguments.vstudio, folder / "session.json", folder / "again.png", state["viewport"], folder)
+    return state["viewport"]
+
+
+@test.step(after=[travel])
+def replay(arguments, session, viewport, folder):
+    compare_with_replay(arguments.vstudio, session, folder / "again.png", viewport, folder)
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--program", required=True)
-    parser.add_argument("--vstudio", required=True)
-    parser.add_argument("--work", required=True, help="folder to work in; emptied first")
-    sys.exit(run_test(main, parser.parse_args()))
+    sys.exit(test.main(__doc__, "--program", "--vstudio"))

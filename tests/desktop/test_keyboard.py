@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """Everything but the strokes themselves by keys alone: this test never touches the mouse."""
 
-import argparse
 import json
 import sys
 
-from driver import need, run_test, start
+from driver import need, start
 from phantom import write_ball_head
 from replay import compare_with_replay, operations
+from steps import Steps
+
+test = Steps()
 
 # Some of what Tab must reach: of the tool bar, each card, the view, the column of tools.
 REACHED = {"open", "saveSession", "mode.mip", "tabRange", "rangeLo", "rangeHi", "peelRadius2", "autoStart",
@@ -49,6 +51,51 @@ def tab_around(studio, until=None, most=130):
     return seen
 
 
+@test.step
+def studio(display, arguments, folder):
+    volume = folder / "head.nrrd"
+    write_ball_head(volume)
+    write_session(folder / "begun.json", volume)
+    studio = start(display, arguments.program, folder)
+    studio.wait("the start screen", lambda s: "welcome" in s["widgets"])
+    return studio
+
+
+@test.step
+def open_session(studio, folder):
+    tab_around(studio, "openButton")
+    studio.key("space")
+    type_path(studio, "openDialog", folder / "begun.json")
+    studio.wait_idle("the session", lambda s: s["voxels"] == 1)
+
+
+@test.step(after=[open_session])
+def open_again(studio):
+    press(studio, "ctrl+w", "the start screen", lambda s: "recent0" in s["widgets"])
+    tab_around(studio, "recent0")
+    studio.key("Return")
+    studio.wait_idle("the session again", lambda s: s["voxels"] == 1 and s["viewRect"])
+
+
+@test.step(after=[open_session])
+def tools(studio):
+    for key, tool in (("p", "peel"), ("d", "drill"), ("s", "seed"), ("v", "camera"), ("p", "peel")):
+        press(studio, key, f"the {tool} tool", lambda s: s["tool"] == tool)
+
+
+@test.step(after=[open_session])
+def modes(studio):
+    press(studio, "2", "MIP", lambda s: s["mode"] == "mip")
+    press(studio, "1", "the surface", lambda s: s["mode"] == "surface")
+
+
+@test.step(after=[tools])
+def reach(studio):
+    reached = set(tab_around(studio))
+    need(REACHED <= reached, f"Tab does not reach {REACHED - reached}, but {sorted(reached)}")
+
+
+@test.step(after=[open_session])
 def choose_by_arrows(studio):
     """Of choices Tab reaches the one that is chosen; arrow keys go on to the others."""
     tab_around(studio, "tabRange")
@@ -56,6 +103,7 @@ def choose_by_arrows(studio):
     press(studio, "Left", "the page before", lambda s: s["focus"] == "tabRange" and "rangeLo" in s["widgets"])
 
 
+@test.step(after=[open_session])
 def look_around(studio):
     tab_around(studio, "view")
     for key, moved in (("Right", "azimuth"), ("Up", "elevation"), ("ctrl+Right", "roll"), ("plus", "zoom"),
@@ -66,6 +114,7 @@ def look_around(studio):
     press(studio, "Left", "the camera to turn", lambda s: s["camera"]["azimuth"] != 0)
 
 
+@test.step(after=[open_session])
 def grow(studio):
     press(studio, "period", "a step", lambda s: s["generation"] == 2)
     press(studio, "period", "another", lambda s: s["generation"] == 3)
@@ -78,36 +127,17 @@ def grow(studio):
     studio.wait_idle("the end of growth", lambda s: not s["playing"])
 
 
-def main(display, arguments, folder):
-    volume = folder / "head.nrrd"
-    write_ball_head(volume)
-    write_session(folder / "begun.json", volume)
-    studio = start(display, arguments.program, folder)
-    studio.wait("the start screen", lambda s: "welcome" in s["widgets"])
-    tab_around(studio, "openButton")
-    studio.key("space")
-    type_path(studio, "openDialog", folder / "begun.json")
-    studio.wait_idle("the session", lambda s: s["voxels"] == 1)
-
-    press(studio, "ctrl+w", "the start screen", lambda s: "recent0" in s["widgets"])
-    tab_around(studio, "recent0")
-    studio.key("Return")
-    studio.wait_idle("the session again", lambda s: s["voxels"] == 1 and s["viewRect"])
-
-    for key, tool in (("p", "peel"), ("d", "drill"), ("s", "seed"), ("v", "camera"), ("p", "peel")):
-        press(studio, key, f"the {tool} tool", lambda s: s["tool"] == tool)
-    press(studio, "2", "MIP", lambda s: s["mode"] == "mip")
-    press(studio, "1", "the surface", lambda s: s["mode"] == "surface")
-    reached = set(tab_around(studio))
-    need(REACHED <= reached, f"Tab does not reach {REACHED - reached}, but {sorted(reached)}")
-    choose_by_arrows(studio)
-    look_around(studio)
-    grow(studio)
+@test.step(after=[open_session])
+def undo_and_redo(studio):
     steps = studio.state()["stepsDone"]
     press(studio, "ctrl+z", "undo", lambda s: s["stepsDone"] == steps - 1)
     press(studio, "ctrl+shift+z", "redo", lambda s: s["stepsDone"] == steps)
     press(studio, "1", "the surface", lambda s: s["mode"] == "surface")
 
+
+@test.step(after=[open_session])
+def session(studio, folder):
+    """Saves a picture and the session, and ends. Returns the session's path and the picture's size."""
     studio.wait_idle()
     studio.key("F12")
     type_path(studio, "screenshotDialog", folder / "window.png")
@@ -118,14 +148,19 @@ def main(display, arguments, folder):
     viewport = studio.state()["viewport"]
     studio.xdotool("key", "ctrl+q", ends=True)
     need(studio.process.wait(30) == 0, "the program did not end well")
-    session = folder / "session.json"
-    need({"seed", "grow", "rewind"} <= {operation["op"] for operation in operations(session)}, "the session lacks a step")
-    compare_with_replay(arguments.vstudio, session, folder / "window.png", viewport, folder)
+    return folder / "session.json", viewport
+
+
+@test.step
+def operations_of_session(session):
+    need({"seed", "grow", "rewind"} <= {operation["op"] for operation in operations(session[0])}, "the session lacks a step")
+
+
+@test.step
+def replay(arguments, session, folder):
+    path, viewport = session
+    compare_with_replay(arguments.vstudio, path, folder / "window.png", viewport, folder)
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--program", required=True)
-    parser.add_argument("--vstudio", required=True)
-    parser.add_argument("--work", required=True, help="folder to work in; emptied first")
-    sys.exit(run_test(main, parser.parse_args()))
+    sys.exit(test.main(__doc__, "--program", "--vstudio"))

@@ -3,14 +3,16 @@
 milliseconds from an input's arrival to the first picture that shows it while growing and while drilling, and the time to
 the picture at rest. Prints all figures; fails beyond the bounds."""
 
-import argparse
 import json
 import math
 import pathlib
 import sys
 import time
 
-from driver import need, run_test, start
+from driver import need, start
+from steps import Skip, Steps
+
+test = Steps()
 
 HEAD = pathlib.Path("/usr/share/mricron/templates/ch2better.nii.gz")
 JUDGED_SCALE = 2.5  # of drafts while turning
@@ -191,26 +193,25 @@ def measure(display, arguments, folder):
     return scale, wrong
 
 
-def main(display, arguments, folder):
+@test.step
+def bounds(display, arguments, folder):
     need(HEAD.exists(), f"there is no {HEAD}; install mricron-data")
     # What else a machine does makes the program slower and never faster: it fails only what it fails each time.
     for _ in range(TRIES):
         scale, wrong = measure(display, arguments, folder)
         if scale > JUDGED_SCALE and not arguments.always:
-            print(f"skipped: drafts are drawn at a scale of {scale:.2f}; the bounds are for machines that draw them at "
-                  f"{JUDGED_SCALE} or finer, a slower one cannot keep up with {RATE_HZ} reports of a pen a second")
-            sys.exit(77)
+            raise Skip(f"drafts are drawn at a scale of {scale:.2f}; the bounds are for machines that draw them at "
+                       f"{JUDGED_SCALE} or finer, a slower one cannot keep up with {RATE_HZ} reports of a pen a second")
         if not wrong:
             return
         print(f"beyond the bounds: {'; '.join(wrong)}", flush=True)
     need(False, f"beyond the bounds {TRIES} times")
 
 
-if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--program", required=True)
-    parser.add_argument("--vstudio", required=True)
+def with_slack(parser):
     parser.add_argument("--slack", type=float, default=1, help="how many times the bounds a slow machine may take")
     parser.add_argument("--always", action="store_true", help="judge a slow machine too")
-    parser.add_argument("--work", required=True, help="folder to work in; emptied first")
-    sys.exit(run_test(main, parser.parse_args()))
+
+
+if __name__ == "__main__":
+    sys.exit(test.main(__doc__, "--program", "--vstudio", configure=with_slack))

@@ -1,12 +1,14 @@
 # SPDX-License-Identifier: Apache-2.0
 """The segments of the window: the list, rules, scrubbing, absorbing, edits, brushes, label maps; all of it replayed."""
 
-import argparse
 import sys
 
-from driver import need, run_test, start
-from phantom import SIDE, write_ball_head
+from driver import need, start
+from phantom import write_ball_head, write_labels
 from replay import compare_with_replay, operations, run
+from steps import Steps
+
+test = Steps()
 
 ROW = 26  # logical pixels of a row of the list
 
@@ -59,6 +61,17 @@ def pace(studio, speed):
     studio.type_number("growthSpeed", speed)
 
 
+@test.step
+def studio(display, arguments, folder):
+    volume = folder / "head.nrrd"
+    write_ball_head(volume)
+    studio = start(display, arguments.program, folder, [volume])
+    studio.resize(1230, 870)
+    studio.wait_idle("the volume", lambda s: s["pictureComplete"])
+    return studio
+
+
+@test.step
 def grow(studio):
     choose(studio, "s", "seed")
     studio.drag([studio.view_point(0.46 + 0.01 * i, 0.4) for i in range(9)])
@@ -67,6 +80,7 @@ def grow(studio):
     return state
 
 
+@test.step(after=[grow])
 def scrub(studio):
     """The picture follows the bar while it is dragged; letting go leaves one operation."""
     before = studio.state()
@@ -96,6 +110,7 @@ def scrub(studio):
     state = studio.wait_idle("all of it again", lambda s: not s["playing"] and s["voxels"] == before["voxels"])
 
 
+@test.step(after=[grow])
 def look_at_list(studio):
     """Names, eye, lock and opacity are operations that leave work where it is."""
     press(studio, "segmentAdd")
@@ -133,6 +148,7 @@ def look_at_list(studio):
     studio.wait_idle("the first at work", lambda s: s["segments"][0]["working"])
 
 
+@test.step(after=[grow])
 def change_rules(studio):
     """In live mode a tighter range takes away while it is dragged; the drag is one operation and one undo step."""
     before = studio.state()
@@ -154,6 +170,7 @@ def change_rules(studio):
     press(studio, "rulesFold")
 
 
+@test.step(after=[grow])
 def absorb(studio):
     choose(studio, "s", "seed")
     studio.key("r")
@@ -174,6 +191,7 @@ def absorb(studio):
     studio.key("r")
 
 
+@test.step(after=[grow])
 def edit(studio):
     press(studio, "editFold")
     before = studio.state()["voxels"]
@@ -184,6 +202,7 @@ def edit(studio):
     press(studio, "editFold")
 
 
+@test.step(after=[look_at_list])
 def brush(studio):
     """The drill takes away from the segment, and the scan stays."""
     before = studio.state()
@@ -199,19 +218,7 @@ def brush(studio):
     press(studio, "drillOnScan")
 
 
-def write_labels(path):
-    """Two boxes deep in the head, named as 3D Slicer names them, on the grid of phantom.write_ball_head()."""
-    values = bytearray(SIDE ** 3)
-    for z in range(30, 40):
-        for y in range(30, 40):
-            for x in range(25, 45):
-                values[(z * SIDE + y) * SIDE + x] = 3 if x < 35 else 9
-    header = (f"NRRD0004\ntype: uint8\ndimension: 3\nspace: left-posterior-superior\nsizes: {SIDE} {SIDE} {SIDE}\n"
-              "space directions: (2.5,0,0) (0,2.5,0) (0,0,2.5)\nspace origin: (0,0,0)\nencoding: raw\n"
-              "Segment0_LabelValue:=9\nSegment0_Name:=Core\nSegment0_Color:=0.1 0.9 0.2\n\n")
-    path.write_bytes(header.encode() + values)
-
-
+@test.step
 def open_labels(studio, folder):
     write_labels(folder / "labels.seg.nrrd")
     count = len(studio.state()["segments"])
@@ -223,7 +230,8 @@ def open_labels(studio, folder):
     need(found.get("Core") == 1000 and found.get("Label 3") == 1000, f"the labels became {found}")
 
 
-def numbers(studio, display, folder):
+@test.step(after=[look_at_list, open_labels])
+def numbers(studio):
     press(studio, "numbersFold")
     press(studio, "copyNumbers")
     studio.wait("the copy", lambda s: s["message"].startswith("Copied the numbers of 3"))
@@ -239,42 +247,44 @@ def save(studio, folder):
     return studio.wait_idle("the session", lambda s: "session.json" in s["message"])
 
 
-def main(display, arguments, folder):
-    volume = folder / "head.nrrd"
-    write_ball_head(volume)
-    studio = start(display, arguments.program, folder, [volume])
-    studio.resize(1230, 870)
-    studio.wait_idle("the volume", lambda s: s["pictureComplete"])
-    grow(studio)
-    scrub(studio)
-    look_at_list(studio)
-    change_rules(studio)
-    absorb(studio)
-    edit(studio)
-    brush(studio)
-    open_labels(studio, folder)
-    numbers(studio, display, folder)
+@test.step
+def session(studio, folder):
+    """Returns the session's path, and the state that was saved."""
     state = save(studio, folder)
     need(state["glErrors"] == 0, f"{state['glErrors']} OpenGL errors")
     studio.quit()
+    return folder / "session.json", state
 
-    session = folder / "session.json"
-    names = [operation["op"] for operation in operations(session)]
+
+@test.step
+def operations_of_session(session):
+    names = [operation["op"] for operation in operations(session[0])]
     for name in ("seed", "grow", "show generation", "segment", "growth rules", "absorb", "edit segment", "brush segment",
                  "load labels"):
         need(name in names, f"the session has no {name}: {names}")
-    loaded = next(operation for operation in operations(session) if operation["op"] == "load labels")
+
+
+@test.step
+def path_of_labels(session):
+    loaded = next(operation for operation in operations(session[0]) if operation["op"] == "load labels")
     need(loaded["path"] == "labels.seg.nrrd", f"the label map's path is {loaded['path']}")
-    compare_with_replay(arguments.vstudio, session, folder / "window.png", state["viewport"], folder)
-    table = run(arguments.vstudio, "stats", session)
+
+
+@test.step
+def replay(arguments, session, folder):
+    path, state = session
+    compare_with_replay(arguments.vstudio, path, folder / "window.png", state["viewport"], folder)
+
+
+@test.step
+def voxels_of_replay(arguments, session):
+    path, state = session
+    table = run(arguments.vstudio, "stats", path)
+    need(any(segment["voxels"] > 0 for segment in state["segments"]), "no segment has voxels")
     for segment in state["segments"]:
         if segment["voxels"] > 0:
             need(str(segment["voxels"]) in table, f"replayed, {segment['name']} has other voxels:\n{table}")
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--program", required=True)
-    parser.add_argument("--vstudio", required=True)
-    parser.add_argument("--work", required=True, help="folder to work in; emptied first")
-    sys.exit(run_test(main, parser.parse_args()))
+    sys.exit(test.main(__doc__, "--program", "--vstudio"))

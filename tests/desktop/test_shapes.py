@@ -1,15 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
 """Every shape that a mask can be sketched in, cut out by the scissors or the drill."""
 
-import argparse
 import math
 import struct
 import sys
 import zlib
 
-from driver import need, run_test, start
+from driver import need, start
 from phantom import head
-from replay import compare_with_replay, operations
+from replay import compare_with_replay, operations, save_and_end
+from steps import Steps
+
+test = Steps()
 
 
 def write_star(path, size=96):
@@ -51,7 +53,41 @@ def click_polyline(studio, corners):
     wait_cut(studio, "Scissors", before)
 
 
-def drill_star(studio, folder):
+@test.step
+def studio(display, arguments, folder):
+    """A small window, with the scissors in hand."""
+    studio = start(display, arguments.program, folder, [head(folder, True)])
+    studio.wait_idle("the volume", lambda s: s["pictureComplete"])
+    studio.resize(900, 700)
+    studio.wait_idle("the small window", lambda s: s["viewport"][0] < 500 and s["pictureComplete"])
+    studio.move(studio.view_point(0.5, 0.9))
+    studio.key("x")
+    studio.wait("the scissors", lambda s: s["tool"] == "scissors")
+    return studio
+
+
+@test.step
+def rectangle(studio):
+    drag_shape(studio, "n", (0.36, 0.36), (0.44, 0.44))
+
+
+@test.step
+def circle(studio):
+    drag_shape(studio, "o", (0.56, 0.42), (0.6, 0.42))
+
+
+@test.step
+def ellipse(studio):
+    drag_shape(studio, "e", (0.44, 0.26), (0.56, 0.32))
+
+
+@test.step
+def polyline(studio):
+    click_polyline(studio, [(0.40, 0.55), (0.5, 0.5), (0.58, 0.56), (0.5, 0.6)])
+
+
+@test.step
+def stencil(studio, folder):
     """The shape of a picture, fitted into a box and carried along by the drill."""
     write_star(folder / "star.png")
     studio.key("d")
@@ -65,37 +101,30 @@ def drill_star(studio, folder):
     wait_cut(studio, "Drill", before)
 
 
-def main(display, arguments, folder):
-    studio = start(display, arguments.program, folder, [head(folder, True)])
-    studio.wait_idle("the volume", lambda s: s["pictureComplete"])
-    studio.resize(900, 700)
-    studio.wait_idle("the small window", lambda s: s["viewport"][0] < 500 and s["pictureComplete"])
-    studio.move(studio.view_point(0.5, 0.9))
-    studio.key("x")
-    studio.wait("the scissors", lambda s: s["tool"] == "scissors")
-    drag_shape(studio, "n", (0.36, 0.36), (0.44, 0.44))
-    drag_shape(studio, "o", (0.56, 0.42), (0.6, 0.42))
-    drag_shape(studio, "e", (0.44, 0.26), (0.56, 0.32))
-    click_polyline(studio, [(0.40, 0.55), (0.5, 0.5), (0.58, 0.56), (0.5, 0.6)])
-    drill_star(studio, folder)
-    studio.key("F12")
-    studio.type_path("screenshotDialog", folder / "window.png")
-    studio.wait_idle("the picture", lambda s: s["message"].startswith("Saved picture"))
-    studio.key("ctrl+s")
-    studio.type_path("saveDialog", folder / "session.json")
-    state = studio.wait_idle("the session", lambda s: "session.json" in s["message"])
-    need(state["glErrors"] == 0, f"{state['glErrors']} OpenGL errors")
-    studio.quit()
-    cuts = [o for o in operations(folder / "session.json") if o["op"] in ("scissors", "drill")]
+@test.step
+def session(studio, folder):
+    return save_and_end(studio, folder)
+
+
+@test.step
+def cuts(session):
+    """Those of the session, each with its shape."""
+    cuts = [o for o in operations(session[0]) if o["op"] in ("scissors", "drill")]
     shapes = [(o.get("outline") or o["mask"])["shape"] for o in cuts]
     need(shapes == ["rectangle", "circle", "ellipse", "polyline", "stencil"], f"the shapes are {shapes}")
+    return cuts
+
+
+@test.step
+def corners(cuts):
     need(len(cuts[3]["outline"]["points"]) == 4, f"the polyline has {cuts[3]['outline']['points']}")
-    compare_with_replay(arguments.vstudio, folder / "session.json", folder / "window.png", state["viewport"], folder)
+
+
+@test.step
+def replay(arguments, session, folder):
+    path, viewport = session
+    compare_with_replay(arguments.vstudio, path, folder / "window.png", viewport, folder)
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--program", required=True)
-    parser.add_argument("--vstudio", required=True)
-    parser.add_argument("--work", required=True, help="folder to work in; emptied first")
-    sys.exit(run_test(main, parser.parse_args()))
+    sys.exit(test.main(__doc__, "--program", "--vstudio"))

@@ -1,11 +1,13 @@
 # SPDX-License-Identifier: Apache-2.0
 """Linked slices: leading the crosshair, seeding and painting on them, and all of it replayed."""
 
-import argparse
 import sys
 
-from driver import need, run_test, start
-from replay import compare_with_replay, operations, run
+from driver import need, start
+from replay import compare_with_replay, operations, run, save_and_end
+from steps import Steps
+
+test = Steps()
 
 SIZE = (60, 64, 40)
 SPACING = (2.0, 2.0, 3.0)
@@ -50,6 +52,13 @@ def crosshair_at(studio, what, expected):
     return studio.wait_idle(what, lambda s: all(abs(a - b) <= 1 for a, b in zip(s["crosshair"], expected)))
 
 
+@test.step
+def studio(display, arguments, folder):
+    write_head(folder / "head.nrrd")
+    return start(display, arguments.program, folder, [folder / "head.nrrd"])
+
+
+@test.step
 def open_slices(studio):
     state = studio.wait_idle("the volume", lambda s: s["pictureComplete"])
     need("axialSlice" not in state["widgets"], "slices are open at first")
@@ -59,6 +68,7 @@ def open_slices(studio):
     need(state["crosshair"] == [n // 2 for n in SIZE], f"the crosshair is at {state['crosshair']}, not in the middle")
 
 
+@test.step(after=[open_slices])
 def lead_crosshair(studio):
     """A click on each slice moves the two others; the patient's left is on the right, the face on top."""
     mm = pixel_mm(studio, "axial", 0, 1)
@@ -78,6 +88,7 @@ def lead_crosshair(studio):
     need(state["crosshair"][0] == across, "a drag on the sagittal slice changed that slice")
 
 
+@test.step(after=[open_slices])
 def scroll(studio):
     z = studio.state()["crosshair"][2]
     studio.move(slice_point(studio, "axial", 0.5, 0.5))
@@ -96,6 +107,7 @@ def scroll(studio):
     studio.key("shift+Home")
 
 
+@test.step(after=[open_slices])
 def from_surface(studio):
     """A double click in the 3D view goes to the surface: the face looks at us, so far to the front."""
     studio.click(studio.view_point(0.5, 0.5), times=2)
@@ -106,6 +118,7 @@ def from_surface(studio):
     crosshair_at(studio, "the middle again", [SIZE[0] / 2, SIZE[1] / 2, studio.state()["crosshair"][2]])
 
 
+@test.step(after=[open_slices])
 def seed(studio):
     studio.key("s")
     studio.wait("the seed tool", lambda s: s["tool"] == "seed")
@@ -116,6 +129,7 @@ def seed(studio):
     studio.wait_idle("the pause", lambda s: not s["playing"])
 
 
+@test.step(after=[seed])
 def paint(studio):
     """A stroke adds, the right button removes, undo and redo take one step a stroke."""
     studio.key("t")
@@ -147,6 +161,7 @@ def paint(studio):
     need(state["operations"] == before, "a dropped stroke made an operation")
 
 
+@test.step(after=[open_slices])
 def measure(studio):
     """A dragged distance and a clicked angle on slices, a distance across the surface; what is deleted is gone."""
     studio.key("m")
@@ -171,6 +186,7 @@ def measure(studio):
     studio.wait("none", lambda s: not s["measurements"])
 
 
+@test.step(after=[open_slices])
 def arrange(studio):
     width = studio.state()["widgets"]["axialSlice"][2]
     studio.key("F7")
@@ -181,45 +197,36 @@ def arrange(studio):
     studio.wait_idle("the 3D view alone", lambda s: "axialSlice" not in s["widgets"] and s["pictureComplete"])
 
 
-def save(studio, folder):
-    studio.key("F12")
-    studio.type_path("screenshotDialog", folder / "window.png")
-    studio.wait_idle("the picture", lambda s: s["message"].startswith("Saved picture"))
-    studio.key("ctrl+s")
-    studio.type_path("saveDialog", folder / "session.json")
-    studio.wait_idle("the session", lambda s: s["message"].startswith("Saved") and "session.json" in s["message"])
+@test.step
+def session(studio, folder):
+    return save_and_end(studio, folder)
 
 
-def main(display, arguments, folder):
-    volume = folder / "head.nrrd"
-    write_head(volume)
-    studio = start(display, arguments.program, folder, [volume])
-    open_slices(studio)
-    lead_crosshair(studio)
-    scroll(studio)
-    from_surface(studio)
-    seed(studio)
-    paint(studio)
-    measure(studio)
-    arrange(studio)
-    save(studio, folder)
-    state = studio.state()
-    need(state["glErrors"] == 0, f"{state['glErrors']} OpenGL errors")
-    studio.quit()
-
-    session = folder / "session.json"
-    done = [operation for operation in operations(session) if operation["op"] in ("seed", "paint segment")]
+@test.step
+def done(session):
+    """What was seeded and painted."""
+    done = [operation for operation in operations(session[0]) if operation["op"] in ("seed", "paint segment")]
     need([operation["op"] for operation in done] == ["seed"] + 3 * ["paint segment"], f"the session has {done}")
+    return done
+
+
+@test.step
+def seeds_of_session(done):
     need(done[0]["trails"][0]["axis"] == "y" and len(done[0]["voxels"]) > 4, "the seeds are not on a coronal slice")
+
+
+@test.step
+def brush_of_session(done):
     need([operation["adds"] for operation in done[1:]] == [True, False, True], "the brush's signs are others")
-    report = compare_with_replay(arguments.vstudio, session, folder / "window.png", state["viewport"], folder)
+
+
+@test.step
+def replay(arguments, session, folder):
+    path, viewport = session
+    report = compare_with_replay(arguments.vstudio, path, folder / "window.png", viewport, folder)
     need(report["complete"], "the replay is not complete")
-    print(run(arguments.vstudio, "stats", session))
+    print(run(arguments.vstudio, "stats", path))
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--program", required=True)
-    parser.add_argument("--vstudio", required=True)
-    parser.add_argument("--work", required=True, help="folder to work in; emptied first")
-    sys.exit(run_test(main, parser.parse_args()))
+    sys.exit(test.main(__doc__, "--program", "--vstudio"))

@@ -1,15 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
 """The window follows a desktop that goes from dark to light and back, all of it and at once, unless a theme is preferred."""
 
-import argparse
 import shutil
 import subprocess
 import sys
 
-from driver import need, run_test, start
+from driver import need, start
 from phantom import write_ball_head
+from steps import Steps
 from test_histogram import visible
 from test_start import scissors
+
+test = Steps()
 
 SIZE = (1230, 870)
 NONE, DARK, LIGHT = 0, 1, 2
@@ -128,60 +130,86 @@ def close(studio):
     studio.quit()
 
 
-def main(display, arguments, folder):
+@test.step
+def desktop(display, arguments, folder, cleanup):
+    """A dark one, though Qt's own colours are light here."""
     write_ball_head(folder / "head.nrrd")
     settings = folder / "home" / "config" / "volume-studio"
     settings.mkdir(parents=True)
     (settings / "volume-studio.ini").write_text("[General]\ntheme=desktop\n")
     desktop = Desktop(display, arguments.portal)
-    try:
-        follow(display, arguments, folder, desktop)
-    finally:
-        desktop.close()
+    cleanup.callback(desktop.close)
+    desktop.tell("scheme", DARK)
+    return desktop
 
 
-def follow(display, arguments, folder, desktop):
-    desktop.tell("scheme", DARK)  # though Qt's own colours are light here
+@test.step
+def studio(display, arguments, folder, desktop):
     studio = open_window(display, arguments, folder)
     studio.wait("the program to hear of it", lambda s: not s["desktopLight"])
+    return studio
 
-    def seen(colour):
-        return photograph(studio, desktop, folder, colour)
 
-    dark = seen(DARK_GROUND)
+@test.step
+def dark(studio, desktop, folder):
+    return photograph(studio, desktop, folder, DARK_GROUND)
+
+
+@test.step
+def light(studio, desktop, folder):
     prefer(studio, desktop, LIGHT, True)
-    light = seen(LIGHT_GROUND)
-    prefer(studio, desktop, DARK, False)
-    need_same(seen(DARK_GROUND), dark, "not dark again")
-    prefer(studio, desktop, NONE, True)  # as Qt says
-    need_same(seen(LIGHT_GROUND), light, "not light without a preference")
+    return photograph(studio, desktop, folder, LIGHT_GROUND)
 
+
+@test.step
+def dark_again(studio, desktop, folder, dark):
+    prefer(studio, desktop, DARK, False)
+    need_same(photograph(studio, desktop, folder, DARK_GROUND), dark, "not dark again")
+
+
+@test.step
+def no_preference(studio, desktop, folder, light):
+    """As Qt says."""
+    prefer(studio, desktop, NONE, True)
+    need_same(photograph(studio, desktop, folder, LIGHT_GROUND), light, "not light without a preference")
+
+
+@test.step
+def preferred_dark(studio, desktop, folder):
+    """Whatever the desktop says."""
     prefer(studio, desktop, DARK, False)
     studio.click("themeDark")
-    preferred = seen(DARK_GROUND)
+    preferred = photograph(studio, desktop, folder, DARK_GROUND)
     prefer(studio, desktop, LIGHT, True)
-    need_same(seen(DARK_GROUND), preferred, "a preference for dark does not hold")
+    need_same(photograph(studio, desktop, folder, DARK_GROUND), preferred, "a preference for dark does not hold")
+
+
+@test.step(after=[preferred_dark])
+def preferred_light(studio, desktop, folder):
     studio.click("themeDesktop")
-    seen(LIGHT_GROUND)
+    photograph(studio, desktop, folder, LIGHT_GROUND)
     studio.click("themeLight")
     prefer(studio, desktop, DARK, False)
-    seen(LIGHT_GROUND)
+    photograph(studio, desktop, folder, LIGHT_GROUND)
     studio.click("themeDesktop")
-    seen(DARK_GROUND)
+    photograph(studio, desktop, folder, DARK_GROUND)
+
+
+@test.step
+def end(studio):
     need(studio.state()["glErrors"] == 0, "OpenGL errors")
     close(studio)
 
-    # Nothing is left of the colours it began with.
+
+@test.step(after=[end])
+def light_at_first(display, arguments, folder, desktop, light):
+    """Nothing is left of the colours that a window began with."""
     desktop.tell("scheme", LIGHT)
     studio = open_window(display, arguments, folder)
     studio.wait("the program to hear of it", lambda s: s["desktopLight"])
-    need_same(seen(LIGHT_GROUND), light, "what was dark at first differs from what was light")
+    need_same(photograph(studio, desktop, folder, LIGHT_GROUND), light, "what was dark at first differs from what was light")
     close(studio)
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--program", required=True)
-    parser.add_argument("--portal", required=True)
-    parser.add_argument("--work", required=True, help="folder to work in; emptied first")
-    sys.exit(run_test(main, parser.parse_args()))
+    sys.exit(test.main(__doc__, "--program", "--portal"))

@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """Every tool that cuts, by hand: laser, sweep, scissors, keep connected, clip, restore; pasting and moving what was cut."""
 
-import argparse
 import math
 import sys
 
-from driver import need, run_test, start
+from driver import need, start
 from phantom import head
-from replay import compare_with_replay, operations
+from replay import compare_with_replay, operations, save_and_end
+from steps import Steps, generated
+
+test = Steps()
 
 
 def ellipse(studio, centre, radii, count=12):
@@ -52,6 +54,14 @@ def redo(studio):
     return studio.wait_idle("redo", lambda s: s["operations"] > before and s["message"].startswith("Redo"))
 
 
+@test.step
+def studio(display, arguments, folder):
+    studio = start(display, arguments.program, folder, [head(folder, arguments.generated)])
+    studio.wait_idle("the volume", lambda s: s["pictureComplete"])
+    return studio
+
+
+@test.step
 def narrow(studio):
     """A small window has all its buttons too, and small pictures are soon finished."""
     studio.resize(900, 700)
@@ -63,6 +73,7 @@ def narrow(studio):
         need(x + width <= right, f"the button {name} lies outside the window")
 
 
+@test.step
 def laser(studio):
     choose(studio, "b", "laser")
     studio.drag(ellipse(studio, (0.42, 0.4), (0.03, 0.04)))
@@ -74,6 +85,7 @@ def laser(studio):
     redo(studio)
 
 
+@test.step
 def sweep(studio):
     """A mask, then its way on the surface; shown first, cut by Enter."""
     choose(studio, "w", "sweep")
@@ -88,6 +100,7 @@ def sweep(studio):
     done.wait("Sweep")
 
 
+@test.step(after=[laser])
 def restore_by_drill(studio):
     """What the laser burned is partly filled in again."""
     choose(studio, "d", "drill")
@@ -102,6 +115,7 @@ def restore_by_drill(studio):
     studio.wait("cutting again", lambda s: "to drill" in s["hint"])
 
 
+@test.step
 def scissors(studio):
     """Outside a stroke and back, then a piece inside one, which is pasted."""
     choose(studio, "x", "scissors")
@@ -116,6 +130,7 @@ def scissors(studio):
     done.wait("Scissors")
 
 
+@test.step(after=[scissors])
 def paste_and_move(studio):
     """Beside the object, then dragged, turned with Shift, scaled by the wheel; two undos."""
     done = Done(studio)
@@ -148,6 +163,7 @@ def paste_and_move(studio):
     redo(studio)
 
 
+@test.step
 def clip(studio):
     """A face of the box by its slider: one operation for a drag, which the next one takes the place of."""
     choose(studio, "c", "clip")
@@ -165,6 +181,7 @@ def clip(studio):
     redo(studio)
 
 
+@test.step
 def keep_connected(studio):
     """The head is cut in two by a stroke through it; one click keeps the larger piece."""
     studio.move(studio.view_point(0.5, 0.9))
@@ -179,37 +196,29 @@ def keep_connected(studio):
     done.wait("Keep connected")
 
 
-def check_session(session):
-    names = [operation["op"] for operation in operations(session)]
+@test.step
+def session(studio, folder):
+    return save_and_end(studio, folder)
+
+
+@test.step
+def operations_of_session(session):
+    names = [operation["op"] for operation in operations(session[0])]
     for name in ("laser", "sweep", "drill", "scissors", "paste", "move part", "clip", "keep connected", "undo", "redo"):
         need(name in names, f"the session has no {name}: {names}")
-    drill = next(operation for operation in operations(session) if operation["op"] == "drill")
+
+
+@test.step
+def restoring_of_session(session):
+    drill = next(operation for operation in operations(session[0]) if operation["op"] == "drill")
     need(drill.get("restore") is True, f"the drill does not restore: {drill}")
 
 
-def main(display, arguments, folder):
-    volume = head(folder, arguments.generated)
-    studio = start(display, arguments.program, folder, [volume])
-    studio.wait_idle("the volume", lambda s: s["pictureComplete"])
-    narrow(studio)
-    for step in (laser, sweep, restore_by_drill, scissors, paste_and_move, clip, keep_connected):
-        step(studio)
-    studio.key("F12")
-    studio.type_path("screenshotDialog", folder / "window.png")
-    studio.wait_idle("the picture", lambda s: s["message"].startswith("Saved picture"))
-    studio.key("ctrl+s")
-    studio.type_path("saveDialog", folder / "session.json")
-    state = studio.wait_idle("the session", lambda s: "session.json" in s["message"])
-    need(state["glErrors"] == 0, f"{state['glErrors']} OpenGL errors")
-    studio.quit()
-    check_session(folder / "session.json")
-    compare_with_replay(arguments.vstudio, folder / "session.json", folder / "window.png", state["viewport"], folder)
+@test.step
+def replay(arguments, session, folder):
+    path, viewport = session
+    compare_with_replay(arguments.vstudio, path, folder / "window.png", viewport, folder)
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--program", required=True)
-    parser.add_argument("--vstudio", required=True)
-    parser.add_argument("--work", required=True, help="folder to work in; emptied first")
-    parser.add_argument("--generated", action="store_true", help="use the made head even where a real one is installed")
-    sys.exit(run_test(main, parser.parse_args()))
+    sys.exit(test.main(__doc__, "--program", "--vstudio", configure=generated))

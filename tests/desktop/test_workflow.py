@@ -1,13 +1,15 @@
 # SPDX-License-Identifier: Apache-2.0
 """A surgeon's way through the program: open a head, peel its top, mark the brain, let it grow, take it back, keep it."""
 
-import argparse
 import math
 import sys
 
-from driver import need, run_test, start
+from driver import need, start
 from phantom import head
 from replay import compare_with_replay, operations, run
+from steps import Steps, generated
+
+test = Steps()
 
 
 def ellipse(studio, centre, radii, count=24):
@@ -20,7 +22,14 @@ def downwards(start_point, pixels, step=10):
     return [(x, y + d) for d in range(0, pixels, step)] + [(x, y + pixels)]
 
 
-def open_by_dialog(studio, volume):
+@test.step
+def studio(display, arguments, folder):
+    return start(display, arguments.program, folder)
+
+
+@test.step
+def open_by_dialog(studio, arguments, folder):
+    volume = head(folder, arguments.generated)
     studio.click("openButton")
     studio.type_path("openDialog", volume)
     state = studio.wait_idle("the volume", lambda s: s["pictureComplete"])
@@ -28,6 +37,7 @@ def open_by_dialog(studio, volume):
     need(state["operations"] == 0, "opening made operations")
 
 
+@test.step(after=[open_by_dialog])
 def look_at_top(studio):
     """Left drag in the camera tool: down to look from above. Not an edit."""
     start_point = studio.view_point(0.5, 0.5)
@@ -35,8 +45,9 @@ def look_at_top(studio):
     studio.wait_idle("the turned picture", lambda s: s["pictureComplete"] and s["operations"] == 0)
 
 
-def peel(studio):
-    """Sketches a mask and drags down inside it, twice. Returns the mask's points in the view."""
+@test.step(after=[open_by_dialog])
+def mask(studio):
+    """The peel tool: sketches a mask and drags down inside it, twice. Returns the mask's points in the view."""
     studio.click("peelTool")
     studio.wait("the peel tool", lambda s: s["tool"] == "peel")
     outline = ellipse(studio, (0.5, 0.38), (0.1, 0.1))
@@ -53,6 +64,7 @@ def peel(studio):
     return [(x - left + 0.5, y - top + 0.5) for x, y in outline]  # pixel centres
 
 
+@test.step(after=[mask])
 def put_back(studio):
     """Dragging down and up again changes nothing."""
     before = studio.state()["operations"]
@@ -63,8 +75,9 @@ def put_back(studio):
     need(studio.state()["operations"] == before, "a peel of nothing made an operation")
 
 
-def grow(studio):
-    """Seeds on what was opened, which start to grow; then pause, one back, one forth."""
+@test.step(after=[open_by_dialog])
+def paused(studio):
+    """Seeds on what was opened, which start to grow; then pause, one back, one forth. Returns its last generation and its voxels."""
     studio.key("s")
     studio.wait("the seed tool", lambda s: s["tool"] == "seed")
     studio.type_number("growthSpeed", 1)  # half a minute, in which it is paused
@@ -74,16 +87,17 @@ def grow(studio):
     state = studio.wait_idle("the pause", lambda s: not s["playing"])
     need(state["mode"] == "segment", f"the region is not shown, the mode is {state['mode']}")
     need(state["generation"] > 1, "nothing has grown")
-    paused = (state["generation"], state["voxels"])
+    grown = (state["generation"], state["voxels"])
 
     studio.click("growBack")
-    studio.wait_idle("one generation back", lambda s: s["generation"] == paused[0] - 1 and s["voxels"] < paused[1])
+    studio.wait_idle("one generation back", lambda s: s["generation"] == grown[0] - 1 and s["voxels"] < grown[1])
     studio.click("growStep")
-    state = studio.wait_idle("one generation forth", lambda s: s["generation"] == paused[0])
-    need(state["voxels"] == paused[1], f"{paused[1]} voxels became {state['voxels']} by going back and forth")
-    return paused
+    state = studio.wait_idle("one generation forth", lambda s: s["generation"] == grown[0])
+    need(state["voxels"] == grown[1], f"{grown[1]} voxels became {state['voxels']} by going back and forth")
+    return grown
 
 
+@test.step
 def undo_and_redo(studio, paused):
     """The drill is undone for good; the last step is undone and redone."""
     studio.key("ctrl+z")
@@ -94,6 +108,7 @@ def undo_and_redo(studio, paused):
          f"redo did not bring {paused} back but {(state['generation'], state['voxels'])}")
 
 
+@test.step(after=[open_by_dialog])
 def drill(studio):
     studio.key("d")
     studio.wait("the drill", lambda s: s["tool"] == "drill")
@@ -108,7 +123,9 @@ def drill(studio):
     studio.wait("the mask to be dropped", lambda s: s["hint"].startswith("Draw the shape"))
 
 
-def save(studio, folder):
+@test.step(after=[open_by_dialog])
+def session(studio, folder):
+    """Saves a picture, the session and the labels, and ends. Returns the session's path and the picture's size."""
     studio.key("F12")
     studio.type_path("screenshotDialog", folder / "window.png")
     studio.wait_idle("the picture", lambda s: s["message"].startswith("Saved picture"))
@@ -120,51 +137,62 @@ def save(studio, folder):
     studio.wait_idle("the labels", lambda s: s["message"].startswith("Exported"))
     for name in ("window.png", "session.json", "labels.nrrd"):
         need((folder / name).exists(), f"{name} was not written")
+    state = studio.state()
+    need(state["glErrors"] == 0, f"{state['glErrors']} OpenGL errors")
+    studio.quit()
+    return folder / "session.json", state["viewport"]
 
 
-def check_session(session, mask):
-    names = [operation["op"] for operation in operations(session)]
+@test.step
+def operations_of_session(session):
+    names = [operation["op"] for operation in operations(session[0])]
     for name in ("view", "peel", "seed", "grow", "rewind", "undo", "redo", "drill"):
         need(name in names, f"the session has no {name}: {names}")
-    drawn = next(operation for operation in operations(session) if operation["op"] == "peel")["mask"]["points"]
+
+
+@test.step
+def mask_of_session(session, mask):
+    drawn = next(operation for operation in operations(session[0]) if operation["op"] == "peel")["mask"]["points"]
     # The pen's own places, unfiltered: every one of them was reported, so the first and each further point is there.
     for point, expected in zip(drawn, mask):
         need(math.dist(point, expected) < 0.01, f"the mask has {point} where the pen was at {expected}")
     need(len(drawn) == len(mask), f"the mask has {len(drawn)} points, the pen made {len(mask)}")
 
 
-def main(display, arguments, folder):
-    volume = head(folder, arguments.generated)
-    studio = start(display, arguments.program, folder)
-    open_by_dialog(studio, volume)
-    look_at_top(studio)
-    mask = peel(studio)
-    put_back(studio)
-    paused = grow(studio)
-    undo_and_redo(studio, paused)
-    drill(studio)
-    save(studio, folder)
-    state = studio.state()
-    need(state["glErrors"] == 0, f"{state['glErrors']} OpenGL errors")
-    studio.quit()
+@test.step
+def replay(arguments, session, folder):
+    path, viewport = session
+    compare_with_replay(arguments.vstudio, path, folder / "window.png", viewport, folder)
 
-    session = folder / "session.json"
-    check_session(session, mask)
-    compare_with_replay(arguments.vstudio, session, folder / "window.png", state["viewport"], folder)
 
-    # The same session, opened by the command line, is the same document.
-    studio = start(display, arguments.program, folder, [session])
-    again = studio.wait_idle("the session", lambda s: s["message"].startswith("Replayed") and s["pictureComplete"])
+@test.step
+def reopened(display, arguments, folder, session):
+    """The same session, opened by the command line."""
+    studio = start(display, arguments.program, folder, [session[0]])
+    studio.wait_idle("the session", lambda s: s["message"].startswith("Replayed") and s["pictureComplete"])
+    return studio
+
+
+@test.step
+def same_document(reopened, paused):
+    again = reopened.state()
     need((again["generation"], again["voxels"]) == paused, "the session's region is another one")
-    studio.move(studio.view_point(0.5, 0.5))
-    studio.key("F12")
-    studio.type_path("screenshotDialog", folder / "reopened.png")
-    studio.wait_idle("the picture", lambda s: s["message"].startswith("Saved picture"))
+
+
+@test.step
+def same_picture(reopened, arguments, folder):
+    reopened.move(reopened.view_point(0.5, 0.5))
+    reopened.key("F12")
+    reopened.type_path("screenshotDialog", folder / "reopened.png")
+    reopened.wait_idle("the picture", lambda s: s["message"].startswith("Saved picture"))
     print("reopened picture:", run(arguments.vstudio, "compare", folder / "window.png", folder / "reopened.png",
                                    "--mean", 0.5).strip())
-    studio.quit()
+    reopened.quit()
 
-    # What cannot be opened is refused in one line, and the program goes on.
+
+@test.step
+def refusal(display, arguments, folder):
+    """What cannot be opened is refused in one line, and the program goes on."""
     broken = folder / "broken.nrrd"
     broken.write_text("NRRD0004\n")
     studio = start(display, arguments.program, folder, [broken])
@@ -173,9 +201,4 @@ def main(display, arguments, folder):
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--program", required=True)
-    parser.add_argument("--vstudio", required=True)
-    parser.add_argument("--work", required=True, help="folder to work in; emptied first")
-    parser.add_argument("--generated", action="store_true", help="use the made head even where a real one is installed")
-    sys.exit(run_test(main, parser.parse_args()))
+    sys.exit(test.main(__doc__, "--program", "--vstudio", configure=generated))

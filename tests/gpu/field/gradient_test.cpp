@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "field/gradient.h"
 
-#include "base/timer.h"
 #include "gpu/gl_test.h"
 #include "phantom/phantom.h"
 #include "reference/gradient.h"
@@ -128,27 +127,16 @@ TEST_F(GradientTest, NonFiniteVoxelsAndTheirNeighboursAreLeftOut) {
     EXPECT_EQ(total(jointHistogram(field, all).counts), volume.geometry.voxelCount() - 7);
 }
 
-TEST_F(GradientTest, OneLargeVolumeIsCountedQuickly) {
+TEST_F(GradientTest, OneLargeVolumeIsCountedInFull) {
     std::mt19937 random(3);
-    const Field field =
-        uploadVolume(phantom::makePhantom(glm::ivec3(256), volume::ScalarType::Int16, [&](glm::dvec3 p) {
-            const double noise = double(random() % 64);
-            return (glm::distance(p, glm::dvec3(128)) < 90 ? 1000 : 20) + noise;
-        }));
-    double leastJointMs = 1e9; // a busy machine may hold up any one of them
-    for (int i = 0; i < 4; ++i) {
-        const Timer rangeTimer;
-        const Range gradients = gradientRange(field);
-        RecordProperty("rangeMs", std::to_string(rangeTimer.milliseconds()));
-        const Timer timer;
-        gradientHistogram(field, gradients);
-        RecordProperty("gradientMs", std::to_string(timer.milliseconds()));
-        const Timer jointTimer;
-        jointHistogram(field, gradients);
-        RecordProperty("jointMs", std::to_string(jointTimer.milliseconds()));
-        leastJointMs = std::min(leastJointMs, jointTimer.milliseconds());
-    }
-    EXPECT_LT(leastJointMs, 2000) << "0.17 s on two idle cores of a software renderer";
+    const auto volume = phantom::makePhantom(glm::ivec3(256), volume::ScalarType::Int16, [&](glm::dvec3 p) {
+        const double noise = double(random() % 64);
+        return (glm::distance(p, glm::dvec3(128)) < 90 ? 1000 : 20) + noise;
+    });
+    const Field field = uploadVolume(volume);
+    const Range all = fullGradientRange(field);
+    EXPECT_EQ(total(gradientHistogram(field, all)), volume.geometry.voxelCount());
+    EXPECT_EQ(total(jointHistogram(field, all).counts), volume.geometry.voxelCount());
 }
 
 } // namespace

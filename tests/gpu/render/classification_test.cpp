@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "base/timer.h"
 #include "gpu/gl_test.h"
 #include "phantom/phantom.h"
 #include "render/colours/classification.h"
@@ -303,22 +302,6 @@ TEST_F(ClassificationTest, RelativePositionsFollowTheVolume) {
     f.positions = Positions::Robust;
     classification.update(f, field);
     EXPECT_NEAR(classification.resolved().points[1].position, 1000, 5);
-}
-
-TEST_F(ClassificationTest, AChangeTakesAFewMilliseconds) {
-    const field::Field field = makeField();
-    TransferFunction f = randomCurve(FunctionKind::Intensity, -1000, 3000);
-    Classification classification;
-    double best = 1e9;
-    for (int i = 0; i < 6; ++i) {
-        f.points[0].opacity = 0.1 * i;
-        const Timer timer;
-        classification.update(f, field);
-        gl::Context::finish();
-        best = std::min(best, timer.milliseconds());
-    }
-    RecordProperty("milliseconds", std::to_string(best));
-    EXPECT_LT(best, 60) << "10 ms on two idle cores of a software renderer";
 }
 
 } // namespace

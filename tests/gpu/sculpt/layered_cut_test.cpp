@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "property.h"
 #include "sculpt/surface/layered_cut.h"
 #include "tool_fixture.h"
 
 #include <algorithm>
-#include <random>
 
 namespace vs::sculpt {
 namespace {
@@ -33,10 +33,10 @@ struct Peeling {
         peel->cutTo(depth, piece.cutter.radiator(), piece.cutter.generator(), piece.sculpture, backup);
     }
     // The cells are those of the content, as if they were all made anew.
-    void expectCellsRight() {
+    bool areCellsRight() {
         const auto kept = piece.sculpture.cells().downloadAll<glm::vec2>();
         piece.sculpture.refresh(piece.geometry.box());
-        EXPECT_TRUE(kept == piece.sculpture.cells().downloadAll<glm::vec2>());
+        return kept == piece.sculpture.cells().downloadAll<glm::vec2>();
     }
 
     Workpiece piece;
@@ -59,7 +59,7 @@ TEST_F(LayeredCutTest, WhateverTheWayADepthIsTheSameToTheLastByte) {
             peeling.to(depth);
             ASSERT_TRUE(peeling.piece.bytes() == atOnce(depth, isCutBefore)) << depth << " " << isCutBefore;
         }
-        peeling.expectCellsRight();
+        EXPECT_TRUE(peeling.areCellsRight());
         peeling.to(0);
         EXPECT_TRUE(peeling.piece.bytes() == peeling.untouched);
         peeling.to(6);
@@ -68,14 +68,16 @@ TEST_F(LayeredCutTest, WhateverTheWayADepthIsTheSameToTheLastByte) {
 }
 
 TEST_F(LayeredCutTest, RandomWaysEndTheSame) {
-    std::mt19937 random(19);
-    Peeling peeling(true);
-    for (int n = 0; n < 40; ++n) {
-        peeling.to(0.1 * double(random() % 150));
-    }
-    peeling.to(4.7);
-    EXPECT_TRUE(peeling.piece.bytes() == atOnce(4.7, true));
-    peeling.expectCellsRight();
+    const Bytes expected = atOnce(4.7, true);
+    test::checkProperty(3, [&expected] {
+        Peeling peeling(true);
+        for (const int tenths : *test::upTo(30, test::below(150))) {
+            peeling.to(0.1 * tenths);
+        }
+        peeling.to(4.7);
+        RC_ASSERT((peeling.piece.bytes() == expected));
+        RC_ASSERT(peeling.areCellsRight());
+    });
 }
 
 TEST_F(LayeredCutTest, LayersAddUpToTheWholeSweep) {

@@ -56,6 +56,20 @@ inline studio::EditSegment editOf(studio::EditSegment::Kind kind, double amount 
     return op;
 }
 
+using Stroke = decltype(studio::BrushSegment::stroke);
+
+// One of each tool whose stroke can be a brush.
+inline std::vector<Stroke> strokes() {
+    studio::Drill drill = drillOf(ellipseAt(200, 150, 15, 12), testCanvas());
+    studio::Laser laser;
+    laser.mask = ellipseAt(190, 140, 12, 12);
+    laser.canvas = testCanvas();
+    studio::Scissors scissors{ellipseAt(210, 130, 25, 20)};
+    scissors.depth = 9;
+    scissors.canvas = testCanvas();
+    return {somePeel(6), drill, laser, scissors};
+}
+
 // What the document says when it refuses an operation; empty: it did not.
 inline std::string refusal(studio::Document& document, const studio::Operation& operation) {
     try {

@@ -3,11 +3,12 @@
 #include "gpu/gl_test.h"
 #include "gpu/studio/sculpture_bytes.h"
 #include "gpu/studio/test_head.h"
+#include "property.h"
 #include "sculpt/surface/tool_cut.h"
 #include "studio/document/document_facts.h"
 #include "studio/state/history.h"
 
-#include <random>
+#include <algorithm>
 
 namespace vs::studio {
 namespace {
@@ -91,58 +92,112 @@ TEST_F(UndoTest, WithoutAFileEverythingStaysInMemory) {
     EXPECT_EQ(texture.download({glm::ivec3(0), glm::ivec3(40)}), before);
 }
 
-// Against plain copies of the whole sculpture, one a state.
-TEST_F(UndoTest, AThousandStampsWithUndoAndRedoAtRandom) {
-    const glm::ivec3 dims(48);
-    const Box3 whole{glm::ivec3(0), dims};
-    const auto geometry = volume::makeGeometry(dims);
-    sculpt::Sculpture sculpture(dims);
-    sculpt::ToolCutter cutter(geometry);
-    History history;
-    history.setMemoryLimit(30000); // so that some of it is in the file
-    std::vector<Bytes> states{sculpture.download(whole)};
-    std::size_t at = 0;
-    std::mt19937 random(11);
-    const auto travel = [&](bool back) {
-        Step& step = back ? history.toUndo() : history.toRedo();
-        sculpture.swap(*step.cut);
-        back ? history.tookBack() : history.appliedAgain();
-        at += back ? std::size_t(-1) : 1;
-    };
-    for (int stamp = 0; stamp < 1000; ++stamp) {
-        const glm::dvec2 centre(8 + int(random() % 32), 8 + int(random() % 32));
-        const auto mask = sculpt::rasterize(sculpt::circleOutline(centre, 2 + random() % 5), 0.7);
+// A cut or a restoring by a round mask, and what is undone and redone after it.
+struct Stamp {
+    glm::ivec2 centre;
+    int radius;
+    int height; // of the surface under the mask
+    int depth;
+    bool restores;
+    std::vector<bool> isBack;
+};
+
+void showValue(const Stamp& stamp, std::ostream& out) {
+    out << (stamp.restores ? "restore" : "cut") << " at " << stamp.centre.x << ' ' << stamp.centre.y
+        << " with radius " << stamp.radius << ", from " << stamp.height << " by " << stamp.depth;
+    for (const bool isBack : stamp.isBack) {
+        out << (isBack ? ", undo" : ", redo");
+    }
+}
+
+rc::Gen<Stamp> anyStamp() {
+    return rc::gen::exec([] {
+        return Stamp{{8 + *test::below(32), 8 + *test::below(32)},
+                     2 + *test::below(5),
+                     4 + *test::below(3),
+                     3 + *test::below(30),
+                     *test::below(4) == 0,
+                     *test::upTo(3, test::coin())};
+    });
+}
+
+// A sculpture with its history, and plain copies of it, one a state.
+class Stamped {
+public:
+    Stamped() : cutter_(volume::makeGeometry(kDims)), sculpture_(kDims) {
+        history_.setMemoryLimit(kLimit);
+        states_.push_back(content());
+    }
+
+    [[nodiscard]] std::size_t states() const { return states_.size(); }
+    [[nodiscard]] const History& history() const { return history_; }
+    [[nodiscard]] bool isUntouched() const { return sculpture_.isEmpty(); }
+
+    void apply(const Stamp& stamp) {
+        const auto mask =
+            sculpt::rasterize(sculpt::circleOutline(glm::dvec2(stamp.centre), stamp.radius), 0.7);
         std::vector<field::SurfacePoint> surface(mask.values.size());
         for (std::size_t n = 0; n < surface.size(); ++n) {
             const glm::dvec2 place = mask.origin + mask.pitch * glm::dvec2(n % std::size_t(mask.size.x),
                                                                            n / std::size_t(mask.size.x));
-            surface[n].voxel = glm::vec4(place, 4 + random() % 3, 1);
+            surface[n].voxel = glm::vec4(place, stamp.height, 1);
             surface[n].normal = glm::vec4(0, 0, -1, 0);
         }
         sculpt::ToolCut cut;
-        cut.sweep.depthSteps = 3 + random() % 30;
-        cut.how = random() % 4 == 0 ? sculpt::Combine::Restore : sculpt::Combine::Cut;
-        sculpt::BrickBackup backup(sculpture.texels());
-        cutter.cut(sculpture, surface, mask, cut, &backup);
-        history.push({Drill{}, backup.finish(), {}});
-        states.resize(++at);
-        states.push_back(sculpture.download(whole));
-        for (unsigned moves = random() % 4; moves > 0; --moves) {
-            const bool back = random() % 2 == 0;
-            if (back ? history.canUndo() : history.canRedo()) {
-                travel(back);
-                ASSERT_TRUE(sculpture.download(whole) == states[at]) << "stamp " << stamp;
+        cut.sweep.depthSteps = stamp.depth;
+        cut.how = stamp.restores ? sculpt::Combine::Restore : sculpt::Combine::Cut;
+        sculpt::BrickBackup backup(sculpture_.texels());
+        cutter_.cut(sculpture_, surface, mask, cut, &backup);
+        history_.push({Drill{}, backup.finish(), {}});
+        states_.resize(++at_);
+        states_.push_back(content());
+        RC_ASSERT(history_.statistics().bytesInMemory <= kLimit);
+    }
+    // Returns whether there was anything to undo or redo.
+    bool travel(bool isBack) {
+        if (isBack ? !history_.canUndo() : !history_.canRedo()) {
+            return false;
+        }
+        Step& step = isBack ? history_.toUndo() : history_.toRedo();
+        sculpture_.swap(*step.cut);
+        isBack ? history_.tookBack() : history_.appliedAgain();
+        at_ += isBack ? std::size_t(-1) : 1;
+        RC_ASSERT((content() == states_[at_]));
+        return true;
+    }
+
+private:
+    static constexpr glm::ivec3 kDims{48, 48, 48};
+    static constexpr std::size_t kLimit = 30000; // so that some of it is in the file
+
+    [[nodiscard]] Bytes content() const { return sculpture_.download({glm::ivec3(0), kDims}); }
+
+    sculpt::ToolCutter cutter_;
+    sculpt::Sculpture sculpture_;
+    History history_;
+    std::vector<Bytes> states_;
+    std::size_t at_ = 0;
+};
+
+TEST_F(UndoTest, AThousandStampsWithUndoAndRedoAtRandom) {
+    std::size_t mostStates = 0;
+    std::size_t mostInFile = 0;
+    test::checkProperty(5, [&] {
+        Stamped stamped;
+        for (const Stamp& stamp : *test::upTo(400, anyStamp())) {
+            stamped.apply(stamp);
+            for (const bool isBack : stamp.isBack) {
+                stamped.travel(isBack);
             }
         }
-    }
-    EXPECT_GT(states.size(), 100U);
-    EXPECT_GT(history.statistics().bytesInFile, 0U);
-    EXPECT_LE(history.statistics().bytesInMemory, 30000U);
-    while (history.canUndo()) {
-        travel(true);
-        ASSERT_TRUE(sculpture.download(whole) == states[at]) << "back at " << at;
-    }
-    EXPECT_TRUE(sculpture.isEmpty());
+        mostStates = std::max(mostStates, stamped.states());
+        mostInFile = std::max(mostInFile, std::size_t(stamped.history().statistics().bytesInFile));
+        while (stamped.travel(true)) {
+        }
+        RC_ASSERT(stamped.isUntouched());
+    });
+    EXPECT_GT(mostStates, 100U);
+    EXPECT_GT(mostInFile, 0U);
 }
 
 TEST_F(UndoTest, StepsAreListedInTheirOrderWhateverOfThemHolds) {

@@ -2,6 +2,7 @@
 #include "segment/measures/agreement.h"
 
 #include "masks.h"
+#include "property.h"
 
 #include <glm/gtc/constants.hpp>
 #include <gtest/gtest.h>
@@ -9,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <random>
 
 namespace vs::segment {
 namespace {
@@ -98,62 +98,70 @@ TEST(Agreement, OfBalls) {
     EXPECT_NEAR(concentric.volumeDifferencePercent, 100 * (std::pow((r + 3) / r, 3) - 1), 1);
 }
 
-// Distances by looking at every pair of border voxels, on ragged sets that touch the grid's border.
-TEST(Agreement, DistancesAreExact) {
-    std::mt19937 random(11);
-    const auto grid = volume::makeGeometry({14, 12, 9}, {0.8, 1, 2.5});
-    const auto ragged = [&](double radius) {
-        std::uniform_real_distribution<double> noise(0, 4);
-        return labelsWhere(grid, [&](glm::dvec3 p) {
-            return glm::length(p - glm::dvec3(3, 4, 6)) + noise(random) < radius;
-        });
+// The places of the voxels of a mask that have a neighbour across a face outside it, in mm.
+std::vector<glm::dvec3> borderOf(const volume::GridGeometry& grid, const std::vector<std::uint8_t>& mask) {
+    const auto inside = [&](glm::ivec3 v) {
+        return glm::all(glm::greaterThanEqual(v, glm::ivec3(0))) && glm::all(glm::lessThan(v, grid.dims)) &&
+               mask[std::size_t((v.z * grid.dims.y + v.y) * grid.dims.x + v.x)] != 0;
     };
-    const auto a = ragged(8);
-    const auto b = ragged(11);
-    const auto borderOf = [&](const std::vector<std::uint8_t>& mask) {
-        const auto inside = [&](glm::ivec3 v) {
-            return glm::all(glm::greaterThanEqual(v, glm::ivec3(0))) &&
-                   glm::all(glm::lessThan(v, grid.dims)) &&
-                   mask[std::size_t((v.z * grid.dims.y + v.y) * grid.dims.x + v.x)] != 0;
-        };
-        std::vector<glm::dvec3> places;
-        for (int i = 0; i < int(mask.size()); ++i) {
-            const glm::ivec3 v(i % 14, i / 14 % 12, i / 14 / 12);
-            if (inside(v) && !(inside(v + glm::ivec3(1, 0, 0)) && inside(v - glm::ivec3(1, 0, 0)) &&
-                               inside(v + glm::ivec3(0, 1, 0)) && inside(v - glm::ivec3(0, 1, 0)) &&
-                               inside(v + glm::ivec3(0, 0, 1)) && inside(v - glm::ivec3(0, 0, 1)))) {
-                places.push_back(glm::dvec3(v) * grid.spacing());
-            }
-        }
-        return places;
-    };
-    const auto nearest = [](const std::vector<glm::dvec3>& from, const std::vector<glm::dvec3>& to) {
-        std::vector<double> result;
-        for (const glm::dvec3 p : from) {
-            double least = kInfinite;
-            for (const glm::dvec3 q : to) {
-                least = std::min(least, glm::distance(p, q));
-            }
-            result.push_back(least);
-        }
-        std::sort(result.begin(), result.end());
-        return result;
-    };
-    const auto there = nearest(borderOf(a), borderOf(b));
-    const auto back = nearest(borderOf(b), borderOf(a));
-    const auto percentile = [](const std::vector<double>& sorted) {
-        return sorted[std::size_t(std::ceil(0.95 * double(sorted.size()))) - 1];
-    };
-    double sum = 0;
-    for (const auto* distances : {&there, &back}) {
-        for (const double distance : *distances) {
-            sum += distance;
+    std::vector<glm::dvec3> places;
+    for (int i = 0; i < int(mask.size()); ++i) {
+        const glm::ivec3 v(i % grid.dims.x, i / grid.dims.x % grid.dims.y, i / grid.dims.x / grid.dims.y);
+        if (inside(v) && !(inside(v + glm::ivec3(1, 0, 0)) && inside(v - glm::ivec3(1, 0, 0)) &&
+                           inside(v + glm::ivec3(0, 1, 0)) && inside(v - glm::ivec3(0, 1, 0)) &&
+                           inside(v + glm::ivec3(0, 0, 1)) && inside(v - glm::ivec3(0, 0, 1)))) {
+            places.push_back(glm::dvec3(v) * grid.spacing());
         }
     }
-    const auto result = compare(grid, a, b);
-    EXPECT_NEAR(result.hausdorff95Mm, std::max(percentile(there), percentile(back)),
-                1e-5); // ITK's are floats
-    EXPECT_NEAR(result.meanSurfaceMm, sum / double(there.size() + back.size()), 1e-5);
+    return places;
+}
+
+// From each place to the nearest of the others, sorted.
+std::vector<double> nearest(const std::vector<glm::dvec3>& from, const std::vector<glm::dvec3>& to) {
+    std::vector<double> result;
+    for (const glm::dvec3 p : from) {
+        double least = kInfinite;
+        for (const glm::dvec3 q : to) {
+            least = std::min(least, glm::distance(p, q));
+        }
+        result.push_back(least);
+    }
+    std::sort(result.begin(), result.end());
+    return result;
+}
+
+// A ball with a ragged surface that reaches over the grid's border: voxels near the surface are in it or not,
+// as drawn.
+std::vector<std::uint8_t> raggedBall(const volume::GridGeometry& grid, double radius) {
+    const auto bites = *rc::gen::container<std::vector<int>>(grid.voxelCount(), test::below(40));
+    std::size_t next = 0;
+    return labelsWhere(grid, [&](glm::dvec3 p) {
+        return glm::length(p - glm::dvec3(3, 4, 6)) + 0.1 * bites[next++] < radius;
+    });
+}
+
+// Distances by looking at every pair of border voxels.
+TEST(Agreement, DistancesAreExact) {
+    const auto grid = volume::makeGeometry({14, 12, 9}, {0.8, 1, 2.5});
+    test::checkProperty(3, [&grid] {
+        const auto a = raggedBall(grid, *test::between(7, 9));
+        const auto b = raggedBall(grid, *test::between(9, 12));
+        const auto there = nearest(borderOf(grid, a), borderOf(grid, b));
+        const auto back = nearest(borderOf(grid, b), borderOf(grid, a));
+        const auto percentile = [](const std::vector<double>& sorted) {
+            return sorted[std::size_t(std::ceil(0.95 * double(sorted.size()))) - 1];
+        };
+        double sum = 0;
+        for (const auto* distances : {&there, &back}) {
+            for (const double distance : *distances) {
+                sum += distance;
+            }
+        }
+        const auto result = compare(grid, a, b);
+        // ITK's distances are floats.
+        RC_ASSERT(std::abs(result.hausdorff95Mm - std::max(percentile(there), percentile(back))) < 1e-5);
+        RC_ASSERT(std::abs(result.meanSurfaceMm - sum / double(there.size() + back.size())) < 1e-5);
+    });
 }
 
 } // namespace

@@ -4,6 +4,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <string>
@@ -150,16 +152,20 @@ TEST(OrientationMarker, LettersLieWhereTheirDirectionsPoint) {
 }
 
 TEST(OrientationMarker, EachDirectionThatIsNotAwayHasOneLetter) {
+    const std::map<char, glm::dvec3> directions{{'L', {1, 0, 0}},  {'R', {-1, 0, 0}}, {'P', {0, 1, 0}},
+                                                {'A', {0, -1, 0}}, {'S', {0, 0, 1}},  {'I', {0, 0, -1}}};
     for (const auto& [rays, geometry] : cases()) {
-        std::string seen;
-        double opacities = 0;
+        std::map<char, double> opacities; // of one that goes over from beside the cube to its face, both
         for (const auto& letter : orientationMarker(rays).letters) {
-            seen += seen.find(letter.letter) == std::string::npos ? std::string(1, letter.letter) : "";
-            opacities += letter.opacity;
+            ASSERT_EQ(directions.count(letter.letter), 1U) << letter.letter;
+            EXPECT_EQ(letter.world, directions.at(letter.letter)) << letter.letter;
+            opacities[letter.letter] += letter.opacity;
         }
-        EXPECT_GE(seen.size(), 3U);
-        EXPECT_GE(opacities, 2.5);
-        EXPECT_LE(opacities, 5.01);
+        for (const auto& [letter, world] : directions) {
+            const bool isAway = glm::dot(world, glm::normalize(rays.forward)) > 1e-9;
+            EXPECT_LE(opacities[letter], 1 + 1e-9) << letter;
+            EXPECT_TRUE(isAway || opacities[letter] > 1 - 1e-9) << letter << " " << opacities[letter];
+        }
     }
 }
 
@@ -256,8 +262,27 @@ TEST(Annotations, DenseScreensShowThemAsLargeAsOthers) {
 TEST(Annotations, TinyPicturesAreNoTrouble) {
     const auto geometry = volume::makeGeometry({10, 10, 10});
     for (const glm::ivec2 size : {glm::ivec2{1, 1}, {2, 300}, {300, 2}, {17, 9}}) {
-        image::Image picture(size.x, size.y);
-        annotate(picture, viewRays({}, geometry, size), geometry);
+        const ViewRays rays = viewRays({}, geometry, size);
+        const ScaleBar bar = scaleBar(rays, geometry);
+        EXPECT_TRUE(std::isfinite(bar.lengthMm) && bar.lengthMm > 0) << bar.lengthMm;
+        const std::array<Annotation, 2> drawn{
+            drawScaleBar(bar, size, Ink::Light),
+            drawOrientationMarker(orientationMarker(rays), size, Ink::Light)};
+        const image::Image before(size.x, size.y);
+        image::Image picture = before;
+        annotate(picture, rays, geometry);
+        ASSERT_EQ(glm::ivec2(picture.width, picture.height), size);
+        ASSERT_EQ(picture.rgba.size(), before.rgba.size());
+        // What lies beside both marks stays as it was, whatever of them there is no room for.
+        for (int y = 0; y < size.y; ++y) {
+            for (int x = 0; x < size.x; ++x) {
+                const bool isBeside = std::none_of(drawn.begin(), drawn.end(), [&](const Annotation& mark) {
+                    return x >= mark.corner.x && x < mark.corner.x + mark.image.width && y >= mark.corner.y &&
+                           y < mark.corner.y + mark.image.height;
+                });
+                EXPECT_TRUE(!isBeside || picture.pixel(x, y)[3] == before.pixel(x, y)[3]) << x << " " << y;
+            }
+        }
     }
 }
 

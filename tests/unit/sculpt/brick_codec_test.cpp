@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sculpt/sculpture/brick_codec.h"
 
+#include "property.h"
+
 #include <glm/gtc/packing.hpp>
 #include <gtest/gtest.h>
 
@@ -30,31 +32,59 @@ Bytes noise(std::size_t size, unsigned seed) {
     return bytes;
 }
 
+// Texels that an edit has changed: `held` is what was there before.
+struct Brick {
+    glm::ivec3 size;
+    Bytes held;
+    Bytes current;
+};
+
+void showValue(const Brick& brick, std::ostream& out) {
+    out << brick.size.x << " x " << brick.size.y << " x " << brick.size.z << " texels; changed bytes:";
+    for (std::size_t n = 0; n < brick.held.size(); ++n) {
+        if (brick.held[n] != brick.current[n]) {
+            out << ' ' << n << " (" << int(brick.held[n]) << " to " << int(brick.current[n]) << ')';
+        }
+    }
+}
+
+// Up to a third of the texels differ, in one byte each time that one is chosen.
+rc::Gen<Brick> anyBrick(std::size_t texelBytes) {
+    return rc::gen::exec([texelBytes] {
+        const auto side = [] {
+            return *rc::gen::oneOf(rc::gen::map(test::below(32), [](int n) { return 1 + n; }),
+                                   rc::gen::element(1, 8, 32));
+        };
+        Brick brick{{side(), side(), side()}, {}, {}};
+        const int bytes = brick.size.x * brick.size.y * brick.size.z * int(texelBytes);
+        brick.held = noise(std::size_t(bytes), unsigned(bytes));
+        brick.current = brick.held;
+        const auto change =
+            rc::gen::pair(test::below(bytes), rc::gen::map(test::below(255), [](int n) { return 1 + n; }));
+        for (const auto& [place, bits] : *test::upTo(bytes / 3 / int(texelBytes), change)) {
+            brick.current[std::size_t(place)] ^= std::byte(bits);
+        }
+        return brick;
+    });
+}
+
 TEST(BrickCodec, AnyBytesComeBack) {
-    const glm::ivec3 sizes[] = {{32, 32, 32}, {5, 7, 3}, {1, 1, 1}, {32, 9, 1}, {8, 1, 16}};
     for (const std::size_t texelBytes : {1U, 2U, 4U}) {
-        BrickEncoder encoder(texelBytes);
-        std::vector<std::pair<Bytes, Bytes>> bricks; // held, current
-        std::mt19937 random(7);
-        for (const glm::ivec3 size : sizes) {
-            const std::size_t texels = std::size_t(size.x) * std::size_t(size.y) * std::size_t(size.z);
-            Bytes held = noise(texels * texelBytes, unsigned(texels));
-            Bytes current = held;
-            for (std::size_t n = 0; n < texels; ++n) { // a third of the texels differ, in all or some bytes
-                if (random() % 3 == 0) {
-                    current[n * texelBytes + random() % texelBytes] ^= std::byte(1U + random() % 255U);
-                }
+        test::checkProperty(5, [texelBytes] {
+            BrickEncoder encoder(texelBytes);
+            const auto bricks = *test::upTo(6, anyBrick(texelBytes));
+            for (const Brick& brick : bricks) {
+                RC_ASSERT(encoder.add(brick.size, brick.held, brick.current) ==
+                          differences(brick.held, brick.current, texelBytes));
             }
-            EXPECT_EQ(encoder.add(size, held, current), differences(held, current, texelBytes));
-            bricks.emplace_back(held, current);
-        }
-        const Bytes encoded = encoder.finish();
-        BrickDecoder decoder(texelBytes, encoded);
-        for (std::size_t n = 0; n < bricks.size(); ++n) {
-            Bytes texels = bricks[n].second;
-            decoder.next(sizes[n], texels);
-            ASSERT_EQ(texels, bricks[n].first) << texelBytes << " bytes, brick " << n;
-        }
+            const Bytes encoded = encoder.finish();
+            BrickDecoder decoder(texelBytes, encoded);
+            for (const Brick& brick : bricks) {
+                Bytes texels = brick.current;
+                decoder.next(brick.size, texels);
+                RC_ASSERT((texels == brick.held));
+            }
+        });
     }
 }
 

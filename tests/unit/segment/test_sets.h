@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "property.h"
 #include "segment/edits/voxel_set.h"
 #include "volume/grid/geometry.h"
 
@@ -33,6 +34,31 @@ inline VoxelSet randomSet(const Box3& box, double probability, unsigned seed) {
     std::mt19937 random(seed);
     std::bernoulli_distribution toss(probability);
     return setWhere(box, [&](glm::ivec3) { return toss(random); });
+}
+
+// Up to `most` voxels of the box anywhere, some of them perhaps the same one; shrinks voxel by voxel.
+inline rc::Gen<VoxelSet> anySet(const Box3& box, int most) {
+    return rc::gen::map(test::upTo(most, test::below(int(emptySet(box).inside.size()))),
+                        [box](const std::vector<int>& places) {
+                            VoxelSet set = emptySet(box);
+                            for (const int place : places) {
+                                set.inside[std::size_t(place)] = 1;
+                            }
+                            return set;
+                        });
+}
+
+// For counterexamples.
+inline void showValue(const VoxelSet& set, std::ostream& out) {
+    out << "voxels";
+    for (std::size_t i = 0; i < set.inside.size(); ++i) {
+        const glm::ivec3 v = set.voxelAt(i);
+        if (set.inside[i] != 0) {
+            out << " (" << v.x << ' ' << v.y << ' ' << v.z << ')';
+        }
+    }
+    out << " of the box from (" << set.box.lo.x << ' ' << set.box.lo.y << ' ' << set.box.lo.z << ") to ("
+        << set.box.hi.x << ' ' << set.box.hi.y << ' ' << set.box.hi.z << ')';
 }
 
 inline VoxelSet boxSet(const Box3& box) {

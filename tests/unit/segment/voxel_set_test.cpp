@@ -41,14 +41,14 @@ TEST(VoxelSet, EachVoxelIsItsOwnTightBox) {
 }
 
 TEST(VoxelSet, TightBoxesTouchTheSetOnAllSides) {
-    for (unsigned seed = 0; seed < 50; ++seed) {
-        const VoxelSet set = randomSet(kBox, 0.02, seed);
+    test::checkProperty(50, [] {
+        const VoxelSet set = *anySet(kBox, 10);
         Box3 expected;
         forEachVoxel(kBox, [&](glm::ivec3 voxel) {
             expected = set.contains(voxel) ? vs::unite(expected, Box3{voxel, voxel + 1}) : expected;
         });
-        EXPECT_EQ(set.tightBox(), expected);
-    }
+        RC_ASSERT(set.tightBox() == expected);
+    });
 }
 
 TEST(VoxelSet, CroppingPadsAndStaysInTheGrid) {
@@ -73,37 +73,40 @@ TEST(VoxelSet, WithinKeepsWhatLiesInTheOtherBox) {
 }
 
 TEST(SetAlgebra, IsWhatItSaysForEveryVoxel) {
-    const Box3 places[] = {{{4, 2, 0}, {12, 6, 5}}, {{20, 20, 20}, {24, 22, 25}}, kBox, {}};
-    for (const Box3& place : places) {
-        const VoxelSet a = randomSet(kBox, 0.4, 1);
-        const VoxelSet b = randomSet(place, 0.6, 2);
-        const VoxelSet united = unite(a, b);
-        const VoxelSet rest = subtract(a, b);
-        const VoxelSet shared = intersect(a, b);
-        forEachVoxel({glm::ivec3(-1), glm::ivec3(26)}, [&](glm::ivec3 v) {
-            ASSERT_EQ(united.contains(v), a.contains(v) || b.contains(v));
-            ASSERT_EQ(rest.contains(v), a.contains(v) && !b.contains(v));
-            ASSERT_EQ(shared.contains(v), a.contains(v) && b.contains(v));
+    for (const Box3& place : {Box3{{4, 2, 0}, {12, 6, 5}}, Box3{{20, 20, 20}, {24, 22, 25}}, kBox, Box3{}}) {
+        test::checkProperty(5, [&place] {
+            const VoxelSet a = *anySet(kBox, 200);
+            const VoxelSet b = place == Box3{} ? VoxelSet{} : *anySet(place, 200);
+            const VoxelSet united = unite(a, b);
+            const VoxelSet rest = subtract(a, b);
+            const VoxelSet shared = intersect(a, b);
+            forEachVoxel({glm::ivec3(-1), glm::ivec3(26)}, [&](glm::ivec3 v) {
+                RC_ASSERT(united.contains(v) == (a.contains(v) || b.contains(v)));
+                RC_ASSERT(rest.contains(v) == (a.contains(v) && !b.contains(v)));
+                RC_ASSERT(shared.contains(v) == (a.contains(v) && b.contains(v)));
+            });
+            RC_ASSERT(united.box == united.tightBox());
+            RC_ASSERT(rest.box == rest.tightBox());
+            RC_ASSERT(shared.box == shared.tightBox());
         });
-        EXPECT_EQ(united.box, united.tightBox());
-        EXPECT_EQ(rest.box, rest.tightBox());
-        EXPECT_EQ(shared.box, shared.tightBox());
     }
 }
 
 TEST(SetAlgebra, Laws) {
-    const VoxelSet a = randomSet(kBox, 0.5, 1);
-    const VoxelSet b = randomSet({{4, 2, 0}, {12, 6, 5}}, 0.5, 2);
-    const VoxelSet c = randomSet({{0, 0, 0}, {7, 7, 7}}, 0.5, 3);
-    EXPECT_EQ(unite(a, b), unite(b, a));
-    EXPECT_EQ(intersect(a, b), intersect(b, a));
-    EXPECT_EQ(intersect(a, unite(b, c)), unite(intersect(a, b), intersect(a, c)));
-    EXPECT_EQ(subtract(a, unite(b, c)), intersect(subtract(a, b), subtract(a, c)));
-    EXPECT_EQ(unite(subtract(a, b), intersect(a, b)), a);
-    EXPECT_EQ(unite(a, a), a);
-    EXPECT_EQ(subtract(a, a), VoxelSet{});
-    EXPECT_EQ(unite(a, VoxelSet{}), a);
-    EXPECT_EQ(unite(a, b).count(), a.count() + b.count() - intersect(a, b).count());
+    test::checkProperty(20, [] {
+        const VoxelSet a = *anySet(kBox, 300);
+        const VoxelSet b = *anySet({{4, 2, 0}, {12, 6, 5}}, 200);
+        const VoxelSet c = *anySet({{0, 0, 0}, {7, 7, 7}}, 400);
+        RC_ASSERT(unite(a, b) == unite(b, a));
+        RC_ASSERT(intersect(a, b) == intersect(b, a));
+        RC_ASSERT(intersect(a, unite(b, c)) == unite(intersect(a, b), intersect(a, c)));
+        RC_ASSERT(subtract(a, unite(b, c)) == intersect(subtract(a, b), subtract(a, c)));
+        RC_ASSERT(unite(subtract(a, b), intersect(a, b)) == a);
+        RC_ASSERT(unite(a, a) == a);
+        RC_ASSERT(subtract(a, a) == VoxelSet{});
+        RC_ASSERT(unite(a, VoxelSet{}) == a);
+        RC_ASSERT(unite(a, b).count() == a.count() + b.count() - intersect(a, b).count());
+    });
 }
 
 } // namespace

@@ -2,6 +2,7 @@
 #include "studio/state/spill_file.h"
 
 #include "base/error.h"
+#include "property.h"
 
 #include <gtest/gtest.h>
 
@@ -53,32 +54,52 @@ TEST(SpillFile, PlacesAreUsedAgainAndTheFileShrinks) {
     EXPECT_EQ(file.bytesInUse(), 0U);
 }
 
+// Writes a block of `size` bytes or, when there is any, reads and releases the one that `which` comes to.
+struct Move {
+    bool isWrite;
+    int size;
+    int which;
+};
+
+void showValue(const Move& move, std::ostream& out) {
+    move.isWrite ? out << "write " << move.size : out << "release " << move.which;
+}
+
+rc::Gen<Move> anyMove() {
+    return rc::gen::exec([] {
+        const bool isWrite = *test::below(5) < 3;
+        return Move{isWrite, isWrite ? *test::below(3000) : 0, isWrite ? 0 : *test::below(10000)};
+    });
+}
+
 TEST(SpillFile, AtRandomNothingIsMixedUp) {
-    SpillFile file;
-    std::mt19937 random(5);
-    std::vector<std::pair<SpillFile::Block, unsigned>> blocks;
-    std::uint64_t bytes = 0;
-    for (unsigned n = 0; n < 2000; ++n) {
-        if (blocks.empty() || random() % 5 < 3) {
-            const std::size_t size = random() % 3000;
-            blocks.emplace_back(file.write(noise(size, n)), n);
-            bytes += size;
-        } else {
-            const std::size_t which = random() % blocks.size();
-            const auto [block, seed] = blocks[which];
-            ASSERT_EQ(file.read(block), noise(block.size, seed));
-            file.release(block);
-            bytes -= block.size;
-            blocks.erase(blocks.begin() + std::ptrdiff_t(which));
+    test::checkProperty(10, [] {
+        SpillFile file;
+        std::vector<std::pair<SpillFile::Block, unsigned>> blocks;
+        std::uint64_t bytes = 0;
+        unsigned count = 0;
+        for (const Move& move : *test::upTo(400, anyMove())) {
+            if (blocks.empty() || move.isWrite) {
+                blocks.emplace_back(file.write(noise(std::size_t(move.size), count)), count);
+                bytes += std::uint64_t(move.size);
+            } else {
+                const std::size_t which = std::size_t(move.which) % blocks.size();
+                const auto [block, seed] = blocks[which];
+                RC_ASSERT((file.read(block) == noise(block.size, seed)));
+                file.release(block);
+                bytes -= block.size;
+                blocks.erase(blocks.begin() + std::ptrdiff_t(which));
+            }
+            ++count;
+            RC_ASSERT(file.bytesInUse() == bytes);
+            RC_ASSERT(bytes <= file.fileBytes());
         }
-        ASSERT_EQ(file.bytesInUse(), bytes);
-        ASSERT_LE(bytes, file.fileBytes());
-    }
-    for (const auto& [block, seed] : blocks) {
-        ASSERT_EQ(file.read(block), noise(block.size, seed));
-        file.release(block);
-    }
-    EXPECT_EQ(file.fileBytes(), 0U);
+        for (const auto& [block, seed] : blocks) {
+            RC_ASSERT((file.read(block) == noise(block.size, seed)));
+            file.release(block);
+        }
+        RC_ASSERT(file.fileBytes() == 0U);
+    });
 }
 
 TEST(SpillFile, AFolderThatCannotBeWrittenToIsNamed) {

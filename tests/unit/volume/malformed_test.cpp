@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // Files that are not what they claim are refused in one line that names them.
 #include "base/error.h"
+#include "property.h"
 #include "volume/io/read.h"
 #include "volume/io/write.h"
 
 #include "test_files.h"
 
+#include <optional>
 #include <random>
 
 namespace vs::volume {
@@ -113,37 +115,68 @@ TEST(Malformed, RawFilesOfAnotherSize) {
     }
 }
 
-// Truncated at any length or with flipped header bytes a file is read or refused, never worse.
-TEST(Malformed, DamagedFilesNeverCrash) {
-    const TemporaryFolder folder;
+// The content of a whole file in a format.
+std::string wholeFile(const std::filesystem::path& path) {
     const GridGeometry grid = makeGeometry({9, 8, 7}, {1, 2, 3});
     std::vector<std::uint8_t> values(grid.voxelCount());
     std::mt19937 random(7);
     for (auto& value : values) {
         value = std::uint8_t(random());
     }
-    for (const std::string name : {"a.nii.gz", "a.nii", "a.nrrd", "a.mha"}) {
-        writeGrid(folder / name, grid, std::span<const std::uint8_t>(values));
-        const std::string whole = readFile(folder / name);
-        for (int i = 0; i < 150; ++i) {
-            std::string damaged = whole;
-            if (i < 50) {
-                damaged.resize(random() % whole.size());
-                writeFile(folder / name, damaged);
-                refusal(folder / name);
-                continue;
-            }
-            for (int k = 0; k < 3; ++k) {
-                damaged[random() % std::min<std::size_t>(whole.size(), 352)] = char(random());
-            }
-            writeFile(folder / name, damaged);
-            try {
-                EXPECT_GT(readVolume(folder / name).volume.bytes.size(), 0U);
-            } catch (const ReadError& error) {
-                EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
-            }
-        }
+    writeGrid(path, grid, std::span<const std::uint8_t>(values));
+    return readFile(path);
+}
+
+// What a read error says when a file is refused; nothing when it was read.
+std::optional<std::string> refused(const std::filesystem::path& path) {
+    try {
+        RC_ASSERT(!readVolume(path).volume.bytes.empty());
+        return std::nullopt;
+    } catch (const ReadError& error) {
+        return error.what();
     }
+}
+
+class Damaged : public testing::TestWithParam<const char*> {};
+
+INSTANTIATE_TEST_SUITE_P(Formats, Damaged, testing::Values("a.nii.gz", "a.nii", "a.nrrd", "a.mha"),
+                         [](const auto& instance) {
+                             std::string name = std::string(instance.param).substr(2);
+                             std::erase(name, '.');
+                             return name;
+                         });
+
+// Truncated at any length a file is refused.
+TEST_P(Damaged, TruncatedFilesAreRefused) {
+    const TemporaryFolder folder;
+    const auto path = folder / GetParam();
+    const std::string whole = wholeFile(path);
+    test::checkProperty(50, [&] {
+        writeFile(path, whole.substr(0, std::size_t(*test::below(int(whole.size())))));
+        const auto text = refused(path);
+        RC_ASSERT(text.has_value());
+        RC_ASSERT(text->find(path.filename().string()) != std::string::npos);
+        RC_ASSERT(text->find('\n') == std::string::npos);
+        RC_ASSERT(text->find("; ") != std::string::npos);
+    });
+}
+
+// With other bytes in its header it is read or refused, never worse.
+TEST_P(Damaged, FilesNeverCrash) {
+    const TemporaryFolder folder;
+    const auto path = folder / GetParam();
+    const std::string whole = wholeFile(path);
+    const auto change =
+        rc::gen::pair(test::below(int(std::min<std::size_t>(whole.size(), 352))), test::below(256));
+    test::checkProperty(100, [&] {
+        std::string damaged = whole;
+        for (const auto& [place, byte] : *rc::gen::container<std::vector<std::pair<int, int>>>(3, change)) {
+            damaged[std::size_t(place)] = char(byte);
+        }
+        writeFile(path, damaged);
+        const auto text = refused(path);
+        RC_ASSERT((!text || text->find('\n') == std::string::npos));
+    });
 }
 
 } // namespace

@@ -1,14 +1,17 @@
 # SPDX-License-Identifier: Apache-2.0
 """Runs the tests of what moves between threads in the window's model, on a display that nobody sees."""
 
-import argparse
 import subprocess
 import sys
 
-from driver import need, own_home, run_test
+from driver import need, own_home
+from steps import Steps
+
+test = Steps()
 
 
-def main(display, arguments, folder):
+@test.step
+def tests(display, arguments, folder):
     environment = dict(display.environment, **own_home(folder / "home"))
     done = subprocess.run([arguments.tests, str(folder)], env=environment, capture_output=True, text=True, timeout=600, check=False)
     print(done.stdout + done.stderr)
@@ -16,7 +19,4 @@ def main(display, arguments, folder):
 
 
 if __name__ == "__main__":
-    parser = argparse.ArgumentParser(description=__doc__)
-    parser.add_argument("--tests", required=True)
-    parser.add_argument("--work", required=True, help="folder to work in; emptied first")
-    sys.exit(run_test(main, parser.parse_args()))
+    sys.exit(test.main(__doc__, "--tests"))

@@ -5,6 +5,8 @@
 #include "gpu/studio/test_segments.h"
 #include "property.h"
 #include "studio/json/operation_json.h"
+#include "studio/document/document_facts.h"
+#include "studio/document/live_growth.h"
 
 #include <nlohmann/json.hpp>
 
@@ -133,7 +135,7 @@ public:
             isDone = false;
         }
         const auto now = stateOf(document_);
-        if (!document_.canRedo() && document_.undoStatistics().steps == at_ + 1) { // a step was made
+        if (!document_.facts()->canRedo() && document_.history().statistics().steps == at_ + 1) { // a step was made
             states_.resize(++at_);
             states_.push_back(now);
         } else {
@@ -143,7 +145,7 @@ public:
     }
     // Returns whether there was anything to undo or redo.
     bool travel(bool isBack) {
-        if (isBack ? !document_.canUndo() : !document_.canRedo()) {
+        if (isBack ? !document_.facts()->canUndo() : !document_.facts()->canRedo()) {
             return false;
         }
         document_.apply(isBack ? Operation(Undo{}) : Operation(Redo{}));
@@ -159,9 +161,9 @@ public:
 private:
     void perform(const Move& move) {
         if (std::holds_alternative<Grow>(move.operation) && move.growsAsTheWindow) {
-            document_.beginGrowth();
-            document_.growFor(1, 4);
-            document_.endGrowth();
+            document_.growing().begin();
+            document_.growing().growFor(1, 4);
+            document_.growing().end();
         } else {
             document_.apply(move.operation);
         }

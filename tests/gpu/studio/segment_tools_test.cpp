@@ -4,6 +4,7 @@
 #include "gpu/studio/test_segments.h"
 #include "segment/edits/margins.h"
 #include "segment/edits/set_algebra.h"
+#include "gpu/studio/sculpture_bytes.h"
 
 namespace vs::studio {
 namespace {
@@ -21,7 +22,7 @@ using test::testCanvas;
 using test::testHead;
 
 VoxelSet cutIn(const Document& document) {
-    const auto values = sculpt::valuesOf(document.sculptureBytes(), document.precision());
+    const auto values = sculpt::valuesOf(test::sculptureBytes(document), document.sculpture().precision());
     VoxelSet set = segment::emptySet(document.volume().geometry.box());
     for (std::size_t i = 0; i < values.size(); ++i) {
         set.inside[i] = values[i] >= 0.5F ? 1 : 0;
@@ -60,7 +61,7 @@ TEST_F(SegmentToolsTest, BrushesTakeWhatTheStrokeWouldCut) {
         const VoxelSet added = segment::intersect(crossing, inRange(document, {50, 255}));
         EXPECT_TRUE(setOf(document, 1) == segment::subtract(added, other));
         EXPECT_TRUE(setOf(document, 2) == other);
-        EXPECT_TRUE(document.sculptureBytes() == untouched.sculpture);
+        EXPECT_TRUE(test::sculptureBytes(document) == untouched.sculpture);
         const auto brushed = stateOf(document);
         document.apply(Undo{});
         EXPECT_TRUE(stateOf(document) == untouched);
@@ -75,7 +76,7 @@ TEST_F(SegmentToolsTest, BrushesTakeWhatTheStrokeWouldCut) {
         EXPECT_GT(segment::intersect(all, crossing).count(), 50U);
         document.apply(BrushSegment{false, stroke});
         EXPECT_TRUE(setOf(document, 3) == segment::subtract(all, crossing));
-        EXPECT_TRUE(document.sculptureBytes() == untouched.sculpture);
+        EXPECT_TRUE(test::sculptureBytes(document) == untouched.sculpture);
     }
 }
 

@@ -9,6 +9,9 @@
 #include "segment/edits/margins.h"
 #include "segment/edits/set_algebra.h"
 #include "segment/edits/smoothing.h"
+#include "studio/document/document_facts.h"
+#include "studio/document/live_growth.h"
+#include "studio/state/region.h"
 
 #include <functional>
 
@@ -36,15 +39,15 @@ TEST_F(SegmentsTest, NoVoxelIsInTwoAndGrowthStopsAtAnothersBorder) {
     document.apply(seedAt({35, 60, 29}));
     document.apply(Grow{});
     EXPECT_TRUE(setOf(document, 1) == first);
-    const auto map = document.labelMap();
+    const auto map = document.region().labelMap();
     for (std::size_t i = 0; i < map.size(); ++i) {
         ASSERT_EQ(map[i] > 0, std::uint8_t(document.volume().bytes[i]) == 100) << i;
     }
     document.apply(UseSegment{"Segment 1"});
     document.apply(Grow{});
-    EXPECT_EQ(document.labelMap(), map) << "the other has all the rest";
+    EXPECT_EQ(document.region().labelMap(), map) << "the other has all the rest";
     EXPECT_NE(document.apply(seedAt({35, 60, 29})).message.english().find("1 refused"), std::string::npos);
-    EXPECT_EQ(document.labelMap(), map);
+    EXPECT_EQ(document.region().labelMap(), map);
 }
 
 TEST_F(SegmentsTest, LockedOnesRefuseEveryTool) {
@@ -66,17 +69,17 @@ TEST_F(SegmentsTest, LockedOnesRefuseEveryTool) {
             << name(operation);
         EXPECT_TRUE(stateOf(document) == before) << name(operation);
     }
-    EXPECT_THROW(document.beginGrowth(), Error);
+    EXPECT_THROW(document.growing().begin(), Error);
     document.apply(UseSegment{"Other"});
     EXPECT_NE(refusal(document, editOf(EditSegment::Kind::Unite, 0, "Segment 1")).find("locked"),
               std::string::npos);
     document.apply(ReSeed{});
-    EXPECT_EQ(document.labelMap(), before.labelMap) << "clearing all leaves what is locked";
+    EXPECT_EQ(document.region().labelMap(), before.labelMap) << "clearing all leaves what is locked";
     lock.isLocked = false;
     document.apply(lock);
     document.apply(Grow{1});
     EXPECT_GT(setOf(document, 1).count(), 0U);
-    EXPECT_FALSE(document.labelMap() == before.labelMap);
+    EXPECT_FALSE(document.region().labelMap() == before.labelMap);
 }
 
 // Two islands and another segment close by; each edit is what the pure function makes of the voxels, without
@@ -186,38 +189,38 @@ TEST_F(SegmentsTest, AFreshSegmentOwesNothingToARemovedOne) {
     document.apply(rules);
     document.apply(seedAt({35, 20, 29}, {30, 120}));
     document.apply(Grow{});
-    const std::size_t brain = document.growth().voxels;
+    const std::size_t brain = document.facts()->growth.voxels;
     document.apply(RemoveSegment{"Segment 2"});
     EXPECT_EQ(setOf(document, 2).count(), 0U);
     document.apply(UseSegment{"Segment 3"});
     EXPECT_EQ(document.segments().working().label, 2) << "the number is free again";
     document.apply(seedAt({35, 20, 29}, {30, 120}));
     document.apply(Grow{});
-    EXPECT_GT(document.growth().voxels, brain) << "without the rule it enters the core";
-    while (document.canUndo()) {
+    EXPECT_GT(document.facts()->growth.voxels, brain) << "without the rule it enters the core";
+    while (document.facts()->canUndo()) {
         document.apply(Undo{});
     }
-    while (document.canRedo()) {
+    while (document.facts()->canRedo()) {
         document.apply(Redo{});
     }
-    EXPECT_GT(document.growth().voxels, brain);
+    EXPECT_GT(document.facts()->growth.voxels, brain);
 }
 
 TEST_F(SegmentsTest, AbsorbedVoxelsStayAwayUntilSeededAgain) {
     Document document(testHead());
     grownBrain(document, 12);
-    const auto generations = document.generations();
+    const auto generations = document.region().generations();
     Absorb absorb;
     absorb.voxels = {{35, 20, 29}}; // the seed, generation 1: each expansion takes one generation more
     absorb.expansions = 4;
     constexpr std::uint32_t kLast = 5;
     document.apply(absorb);
-    const auto labels = document.labels();
+    const auto labels = document.region().labels();
     for (std::size_t i = 0; i < labels.size(); ++i) {
         ASSERT_EQ(labels[i] == 1, generations[i] > kLast) << i;
     }
     document.apply(Grow{});
-    const auto grown = document.labels();
+    const auto grown = document.region().labels();
     for (std::size_t i = 0; i < grown.size(); ++i) {
         ASSERT_FALSE(grown[i] == 1 && generations[i] > 0 && generations[i] <= kLast) << i;
     }
@@ -228,33 +231,33 @@ TEST_F(SegmentsTest, AbsorbedVoxelsStayAwayUntilSeededAgain) {
 TEST_F(SegmentsTest, ScrubbingShowsGenerations) {
     Document document(testHead());
     grownBrain(document, 12);
-    const auto all = document.generations();
+    const auto all = document.region().generations();
     for (const int generation : {5, 0, 9, 500}) {
         document.apply(ShowGeneration{generation});
-        const auto shown = document.generations();
+        const auto shown = document.region().generations();
         for (std::size_t i = 0; i < all.size(); ++i) {
             ASSERT_EQ(shown[i], all[i] <= std::uint32_t(generation) ? all[i] : 0) << i;
         }
     }
     document.apply(ShowGeneration{5});
     document.apply(Grow{8});
-    EXPECT_EQ(document.generations(), all) << "growing goes on from there";
+    EXPECT_EQ(document.region().generations(), all) << "growing goes on from there";
 }
 
 TEST_F(SegmentsTest, LiveRulesTakeBackWhatTheyDoNotReach) {
     Document document(testHead());
     document.apply(seedAt({35, 20, 29}, {30, 120})); // brain and its core of 40
     document.apply(Grow{});
-    const auto both = document.labels();
+    const auto both = document.region().labels();
     SetGrowthRules rules;
     rules.range = Range{80, 120};
     document.apply(rules);
-    EXPECT_EQ(document.labels(), both) << "not live: only what comes obeys them";
+    EXPECT_EQ(document.region().labels(), both) << "not live: only what comes obeys them";
     document.apply(Undo{});
     rules.isLive = true;
     document.apply(rules);
     const auto& bytes = document.volume().bytes;
-    const auto brain = document.labels();
+    const auto brain = document.region().labels();
     for (std::size_t i = 0; i < brain.size(); ++i) {
         ASSERT_EQ(brain[i] == 1, std::uint8_t(bytes[i]) == 100) << i;
     }
@@ -263,12 +266,12 @@ TEST_F(SegmentsTest, LiveRulesTakeBackWhatTheyDoNotReach) {
     wide.difference = Range{-5, 5}; // the core is 60 below
     document.apply(wide);
     document.apply(Grow{});
-    EXPECT_EQ(document.labels(), brain);
+    EXPECT_EQ(document.region().labels(), brain);
     SetGrowthRules drop;
     drop.difference = std::optional<Range>();
     document.apply(drop);
     document.apply(Grow{});
-    EXPECT_EQ(document.labels(), both);
+    EXPECT_EQ(document.region().labels(), both);
 }
 
 // The operation before too, where the one that is given up was to take its place.
@@ -282,7 +285,7 @@ TEST_F(SegmentsTest, WhatIsGivenUpLeavesEverythingAsItWas) {
     const auto expectAsBefore = [&] {
         EXPECT_TRUE(stateOf(document) == before);
         EXPECT_EQ(document.log().size(), logged);
-        EXPECT_EQ(document.steps().done, document.steps().operations.size());
+        EXPECT_EQ(document.facts()->edits->done, document.facts()->edits->operations.size());
     };
     for (const Operation& operation :
          {Operation(editOf(Kind::Close, 3)), Operation(editOf(Kind::KeepLargest)), Operation(CutSegment{})}) {

@@ -20,7 +20,7 @@ using test::testHead;
 
 // A document of the head that looks as strokes are drawn.
 struct Head : Document {
-    Head() : Document(testHead()) { look(testCanvas().view); }
+    Head() : Document(testHead()) { showView(testCanvas().view); }
 };
 
 template <typename Pen>

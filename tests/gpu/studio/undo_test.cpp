@@ -84,7 +84,7 @@ TEST_F(UndoTest, WithoutAFileEverythingStaysInMemory) {
     sculpt::BrickBackup backup(texture);
     backup.protect({glm::ivec3(0), glm::ivec3(40)});
     texture.upload({glm::ivec3(3), glm::ivec3(5)}, Bytes(16, std::byte(0x3b)));
-    history.push({Drill{}, backup.finish(), {}});
+    history.push({shared(Drill{}), backup.finish(), {}});
     EXPECT_GT(history.statistics().bytesInMemory, 10U);
     EXPECT_EQ(history.statistics().bytesInFile, 0U);
     history.toUndo().cut->swap(texture);
@@ -148,7 +148,7 @@ public:
         cut.how = stamp.restores ? sculpt::Combine::Restore : sculpt::Combine::Cut;
         sculpt::BrickBackup backup(sculpture_.texels());
         cutter_.cut(sculpture_, surface, mask, cut, &backup);
-        history_.push({Drill{}, backup.finish(), {}});
+        history_.push({shared(Drill{}), backup.finish(), {}});
         states_.resize(++at_);
         states_.push_back(content());
         RC_ASSERT(history_.statistics().bytesInMemory <= kLimit);
@@ -158,8 +158,8 @@ public:
         if (isBack ? !history_.canUndo() : !history_.canRedo()) {
             return false;
         }
-        Step& step = isBack ? history_.toUndo() : history_.toRedo();
-        sculpture_.swap(*step.cut);
+        Edit& edit = isBack ? history_.toUndo() : history_.toRedo();
+        sculpture_.swap(*edit.cut);
         isBack ? history_.tookBack() : history_.appliedAgain();
         at_ += isBack ? std::size_t(-1) : 1;
         RC_ASSERT((content() == states_[at_]));
@@ -207,7 +207,7 @@ TEST_F(UndoTest, StepsAreListedInTheirOrderWhateverOfThemHolds) {
     document.apply(somePeel(3));
     const auto names = [&document] {
         std::vector<std::string> result;
-        for (const Operation* operation : document.facts()->edits->operations) {
+        for (const auto& operation : document.facts()->edits->operations) {
             result.emplace_back(name(*operation));
         }
         return result;

@@ -34,9 +34,13 @@ const volume::GridGeometry* DocumentHost::geometry() const {
     return document_ ? &document_->volume().geometry : nullptr;
 }
 
+void DocumentHost::publish() const {
+    facts_ = document_ ? document_->facts() : std::make_shared<const studio::DocumentFacts>();
+}
+
 std::shared_ptr<const studio::DocumentFacts> DocumentHost::facts() const {
     if (!isAway()) {
-        facts_ = document_ ? document_->facts() : std::make_shared<const studio::DocumentFacts>();
+        publish();
     }
     return facts_;
 }
@@ -62,7 +66,9 @@ bool DocumentHost::guard(const std::function<void()>& work) {
 }
 
 void DocumentHost::runLong(const std::function<void()>& work, LongWork::Input input) {
-    facts(); // those that hold until it is back
+    if (!isAway()) {
+        publish(); // the facts that hold until it is back
+    }
     longWork_.run(work, input);
 }
 

@@ -106,6 +106,8 @@ signals:
     void workWaits();
 
 private:
+    void publish() const; // the facts; the document must be here
+
     GlHost gl_;
     LongWork longWork_{gl_};
     std::unique_ptr<studio::Document> document_;

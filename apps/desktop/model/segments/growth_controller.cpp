@@ -103,7 +103,6 @@ void GrowthController::absorb(const studio::Absorb& stroke) {
 
 // The stroke that absorbing goes on with.
 const studio::Absorb* GrowthController::lastAbsorbed() const {
-    auto* document = host_.document();
     const auto* last = host_.facts()->lastEdit();
     return last != nullptr && strokesAbsorb_ ? std::get_if<studio::Absorb>(last) : nullptr;
 }

@@ -47,8 +47,8 @@ std::uint64_t calibrate() {
     return all;
 }
 
-// The mean of as many runs as fill a tenth of a second: about as long as the calibration, so that what else the
-// machine does meets both alike.
+// The mean of as many runs as fill a tenth of a second: about as long as the calibration, so that what else
+// the machine does meets both alike.
 double millisecondsOf(const std::function<void()>& work) {
     gl::Context::finish();
     const Timer timer;

@@ -3,6 +3,7 @@
 #include "gpu/gl_test.h"
 #include "gpu/sculpt/surface_makers.h"
 #include "gpu/studio/sculpture_bytes.h"
+#include "render/rays/picker.h"
 #include "render/rays/ray_caster.h"
 #include "test_head.h"
 

@@ -4,9 +4,9 @@
 #include "gpu/studio/test_labels.h"
 #include "gpu/studio/test_segments.h"
 #include "property.h"
-#include "studio/json/operation_json.h"
 #include "studio/document/document_facts.h"
 #include "studio/document/live_growth.h"
+#include "studio/json/operation_json.h"
 
 #include <nlohmann/json.hpp>
 
@@ -135,7 +135,8 @@ public:
             isDone = false;
         }
         const auto now = stateOf(document_);
-        if (!document_.facts()->canRedo() && document_.history().statistics().steps == at_ + 1) { // a step was made
+        if (!document_.facts()->canRedo() &&
+            document_.history().statistics().steps == at_ + 1) { // a step was made
             states_.resize(++at_);
             states_.push_back(now);
         } else {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 // Segments and the sculpture: brushes and cuts by a segment, undone and redone.
 #include "gpu/gl_test.h"
+#include "gpu/studio/sculpture_bytes.h"
 #include "gpu/studio/test_segments.h"
 #include "segment/edits/margins.h"
 #include "segment/edits/set_algebra.h"
-#include "gpu/studio/sculpture_bytes.h"
 
 namespace vs::studio {
 namespace {

@@ -20,7 +20,8 @@ ClipTool::ClipTool(StudioController& studio, CameraTool& camera) : CutTool(studi
     calm_.setInterval(kCalmMs);
     connect(&calm_, &QTimer::timeout, this, &ClipTool::finish);
     connect(&studio.host(), &DocumentHost::changed, this, &ClipTool::takeStanding);
-    connect(this, &CutTool::settingsChanged, this, &ClipTool::settle); // a stroke stays what it began as
+    connect(this, &CutTool::settingsChanged, this,
+            &ClipTool::finishPending); // a stroke stays what it began as
 }
 
 QString ClipTool::hint() const {
@@ -50,7 +51,7 @@ Overlays ClipTool::overlays() const {
 Qt::CursorShape ClipTool::cursor() const { return camera_.cursor(); }
 
 void ClipTool::press(const Pen& pen) {
-    settle(); // the view stands still while a clip is shown
+    finishPending(); // the view stands still while a clip is shown
     camera_.press(pen);
 }
 void ClipTool::move(const Pen& pen) { camera_.move(pen); }

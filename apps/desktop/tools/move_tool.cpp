@@ -169,7 +169,7 @@ bool MoveTool::isOverChosen(QPointF position) const {
 }
 
 void MoveTool::choose(int part) {
-    settle();
+    finishPending();
     chosen_ = std::clamp(part, 0, std::max(count() - 1, 0));
     emit studio_.host().changed();
     emit overlayChanged();
@@ -186,7 +186,7 @@ bool MoveTool::next(bool forward) {
 // --- by hand
 
 void MoveTool::press(const Pen& pen) {
-    settle();
+    finishPending();
     last_ = pen.position;
     const auto handle = count() > 0 ? handleAt(pen.position) : std::nullopt;
     if (handle && *handle != chosen_) {
@@ -314,7 +314,7 @@ void MoveTool::finishPending() {
 
 void MoveTool::clear() {
     isTurningView_ = false;
-    settle();
+    finishPending();
 }
 
 } // namespace vs::desktop

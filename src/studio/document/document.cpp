@@ -64,6 +64,7 @@ Outcome Document::replaceLast(const Operation& operation) {
         return apply(operation);
     }
     impl_->travel(history.toUndo(), true);
+    impl_->log.placesAre(view().pasted);
     history.forgetLast();
     const Operation replaced = impl_->log.takeLast();
     try {

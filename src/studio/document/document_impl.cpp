@@ -108,7 +108,6 @@ Outcome Document::Impl::travel(Edit& edit, bool isUndo) {
     }
     if (const auto& places = isUndo ? edit.partsBefore : edit.partsAfter) {
         parts.show(*places);
-        log.placesAre(contents.view.pasted);
     }
     outcome.message = {name(*edit.operation)};
     ++contents.version;

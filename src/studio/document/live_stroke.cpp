@@ -44,8 +44,14 @@ Operation LiveStroke::operation() const {
 
 Outcome LiveStroke::commit() {
     const Operation operation = this->operation();
-    contents_.inHand = InHand::Nothing; // also when there is no memory for what would undo it
-    Outcome outcome = cuts_.finish();
+    Outcome outcome;
+    try {
+        outcome = cuts_.finish();
+    } catch (...) { // there is no memory for what would undo it
+        contents_.inHand = cuts_.isOpen() ? InHand::Stroke : InHand::Nothing;
+        throw;
+    }
+    contents_.inHand = InHand::Nothing;
     outcome.name = name(operation);
     outcome.milliseconds = timer_.milliseconds();
     if (outcome.voxelsTouched > 0) {
@@ -56,8 +62,8 @@ Outcome LiveStroke::commit() {
 
 void LiveStroke::discard() {
     VS_CHECK(isOpen());
-    contents_.inHand = InHand::Nothing;
     cuts_.discard();
+    contents_.inHand = InHand::Nothing;
 }
 
 } // namespace vs::studio

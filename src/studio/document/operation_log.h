@@ -31,7 +31,8 @@ public:
     [[nodiscard]] Operation& last() { return operations_.back(); }
     // Takes the last operation out of the log.
     Operation takeLast();
-    // Undo or redo has brought pasted parts to other places: the view changed, but nobody has looked around.
+    // The last edit, before it is replaced, was taken back, and pasted parts are in their places of before:
+    // the view has changed, but nobody has looked around.
     void placesAre(const std::vector<render::Placement>& places) { shown_.pasted = places; }
 
 private:

@@ -57,6 +57,7 @@ void CutEditor::begin(const Operation& operation) {
     };
     stroke_ = std::visit(make, operation);
     VS_CHECK(stroke_ != nullptr);
+    contents_.cuttingSince.reset();
     if (stroke_->onlyCuts()) {
         contents_.cuttingSince = stroke_->sculptureVersion();
     }

@@ -33,6 +33,7 @@ public:
     // Opens the stroke of an operation that cuts, whose canvas is set; then there is a stroke(), until
     // finish() makes a step of it or discard() leaves no trace.
     void begin(const Operation& operation);
+    [[nodiscard]] bool isOpen() const { return stroke_ != nullptr; }
     [[nodiscard]] CutStroke& stroke() { return *stroke_; }
     [[nodiscard]] const CutStroke& stroke() const { return *stroke_; }
     Outcome finish();

@@ -110,7 +110,7 @@ Call drawSeeds() {
     std::string shown = "seeds";
     for (int left = 1 + *below(5); left > 0; --left) {
         seeds.push_back(drawVoxel());
-        shown += " " + text(seeds.back());
+        shown += fmt::format(" {}", text(seeds.back()));
     }
     return {shown, [seeds](Pair& pair, GrowthUndo& undo) {
                 pair.growth.addSeeds(seeds, &undo);

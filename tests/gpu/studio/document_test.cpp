@@ -66,6 +66,17 @@ TEST_F(DocumentTest, WhatUndoWouldTakeBackIsTold) {
     EXPECT_EQ(document.facts()->lastEdit(), nullptr);
 }
 
+TEST_F(DocumentTest, UndoAndRedoOfPastedPartsAreLoggedWithoutAViewThatNobodyChose) {
+    Document document(testHead());
+    MovePart further;
+    further.place.moveMm = {60, 0, 0};
+    for (const Operation& operation :
+         std::vector<Operation>{somePeel(), Paste{}, Undo{}, Redo{}, further, Undo{}, UnCut{}, Undo{}}) {
+        document.apply(operation);
+    }
+    EXPECT_EQ(document.log().size(), 8U);
+}
+
 TEST_F(DocumentTest, TheBoxOfAPastedPartLiesAroundWhatWasCutSinceTheLastPaste) {
     Document document(testHead());
     document.showView(testCanvas().view);

@@ -35,7 +35,8 @@ const volume::GridGeometry* DocumentHost::geometry() const {
 }
 
 void DocumentHost::publish() const {
-    facts_ = document_ ? document_->facts() : std::make_shared<const studio::DocumentFacts>();
+    static const auto nothing = std::make_shared<const studio::DocumentFacts>();
+    facts_ = document_ ? document_->facts() : nothing;
 }
 
 std::shared_ptr<const studio::DocumentFacts> DocumentHost::facts() const {

@@ -9,6 +9,7 @@ if(NOT CMAKE_SCRIPT_MODE_FILE)
       COMMAND ${CMAKE_COMMAND} "-DROOT=${PROJECT_SOURCE_DIR}/data/transfer_functions" "-DOUTPUT=${TABLE}"
         -P ${VS_EMBED_PRESETS_SCRIPT}
       DEPENDS ${PRESETS} ${VS_EMBED_PRESETS_SCRIPT} VERBATIM COMMENT "Embedding transfer functions")
+    set_source_files_properties(${TABLE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON) # it is made, and often
     target_sources(${TARGET} PRIVATE ${TABLE})
   endfunction()
   return()

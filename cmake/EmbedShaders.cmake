@@ -9,6 +9,7 @@ if(NOT CMAKE_SCRIPT_MODE_FILE)
     add_custom_command(OUTPUT ${TABLE}
       COMMAND ${CMAKE_COMMAND} "-DROOT=${PROJECT_SOURCE_DIR}/src" "-DOUTPUT=${TABLE}" -P ${VS_EMBED_SCRIPT}
       DEPENDS ${SHADERS} ${VS_EMBED_SCRIPT} VERBATIM COMMENT "Embedding shaders")
+    set_source_files_properties(${TABLE} PROPERTIES SKIP_UNITY_BUILD_INCLUSION ON) # it is made, and often
     target_sources(${TARGET} PRIVATE ${TABLE})
   endfunction()
   return()

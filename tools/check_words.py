@@ -16,7 +16,7 @@ SOURCES = {".h", ".cpp", ".glsl", ".comp", ".py"}
 FOLDERS = ("src", "apps", "tests", "bench", "tools", "cmake", "doc")
 CHECKS = ("check_words.py", "words.py")  # they have to speak of what is forbidden
 
-LEANING = re.compile(r"(Of|Those of|Likewise|The same|As|Instead|And|But|Also|Then)\b|likewise\b|the same\b")
+LEANING = re.compile(r"(Of|Those|Likewise|The same|As|Instead|And|But|Also|Then)\b|likewise\b|the same\b")
 NUMBERED = re.compile(r"(?:sections?|equations?|chapter|figure) ((?:(?: and | to )?(?:\d|B)(?:\.\d+)*)+)")
 NUMBER = re.compile(r"(?:\d|B)(?:\.\d+)*")
 PAPER = re.compile(r"(?<!\d )\b((?:Mc|[Vv]an )?[A-Z][a-zäöü]+)"

@@ -3539,7 +3539,7 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
     </message>
     <message>
         <source>Press inside the mask and drag down to peel. Draw outside it for a new mask. Esc clears it.</source>
-        <translation>In die Maske drücken und nach unten ziehen schält. Außerhalb zeichnen für eine neue Maske. Esc löscht sie.</translation>
+        <translation>In der Maske nach unten ziehen schält. Außerhalb: neue Maske. Esc löscht sie.</translation>
     </message>
     <message>
         <source>Down puts back, up takes off: %1 layers. Let go to keep, Esc to undo.</source>

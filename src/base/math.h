@@ -40,6 +40,20 @@ inline Box3 unite(const Box3& a, const Box3& b) {
     return b.isEmpty() ? a : Box3{glm::min(a.lo, b.lo), glm::max(a.hi, b.hi)};
 }
 
+// Calls `visit` with each voxel of a box and its number, x fastest.
+template <typename Visit>
+void forEachVoxel(const Box3& box, const Visit& visit) {
+    glm::ivec3 v;
+    std::size_t i = 0;
+    for (v.z = box.lo.z; v.z < box.hi.z; ++v.z) {
+        for (v.y = box.lo.y; v.y < box.hi.y; ++v.y) {
+            for (v.x = box.lo.x; v.x < box.hi.x; ++v.x) {
+                visit(v, i++);
+            }
+        }
+    }
+}
+
 // Number of blocks of the given size that cover n elements.
 inline int divideUp(int n, int block) { return (n + block - 1) / block; }
 inline glm::ivec3 divideUp(glm::ivec3 n, int block) { return (n + block - 1) / block; }

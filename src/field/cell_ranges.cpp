@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "field/cell_ranges.h"
 
+#include "field/shaders/bindings.h"
 #include "gl/pass.h"
 
 #include <limits>
 
 namespace vs::field {
-
-namespace {
-#include "field/shaders/bindings.glsl"
-} // namespace
 
 glm::ivec3 cellDims(glm::ivec3 dims) { return glm::max(divideUp(dims - 1, kCell), glm::ivec3(1)); }
 

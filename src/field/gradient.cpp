@@ -2,6 +2,7 @@
 #include "field/gradient.h"
 
 #include "base/check.h"
+#include "field/shaders/bindings.h"
 #include "gl/pass.h"
 #include "gl/program.h"
 
@@ -9,10 +10,6 @@
 #include <numeric>
 
 namespace vs::field {
-
-namespace {
-#include "field/shaders/bindings.glsl"
-} // namespace
 
 namespace {
 

@@ -2,16 +2,13 @@
 #include "field/histogram.h"
 
 #include "base/check.h"
+#include "field/shaders/bindings.h"
 #include "gl/pass.h"
 #include "gl/program.h"
 
 #include <numeric>
 
 namespace vs::field {
-
-namespace {
-#include "field/shaders/bindings.glsl"
-} // namespace
 
 namespace {
 

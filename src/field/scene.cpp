@@ -2,14 +2,11 @@
 #include "field/scene.h"
 
 #include "base/check.h"
+#include "field/shaders/bindings.h"
 
 #include <algorithm>
 
 namespace vs::field {
-
-namespace {
-#include "field/shaders/bindings.glsl"
-} // namespace
 
 SceneBinding::SceneBinding()
     : block_(sizeof(SceneBlock), "scene"),

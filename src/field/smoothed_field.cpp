@@ -3,16 +3,13 @@
 
 #include "base/check.h"
 #include "base/progress.h"
+#include "field/shaders/bindings.h"
 #include "gl/pass.h"
 
 #include <array>
 #include <cmath>
 
 namespace vs::field {
-
-namespace {
-#include "field/shaders/bindings.glsl"
-} // namespace
 
 namespace {
 

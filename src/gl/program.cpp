@@ -169,11 +169,10 @@ void Program::dispatchOver(glm::ivec3 items, Barrier after) {
 
 void Program::dispatchOverList(std::size_t items, Barrier after) {
     use();
-    constexpr std::size_t maxGroups = 65535; // along an axis
     const std::size_t groups = (items + std::size_t(localSize_.x) - 1) / std::size_t(localSize_.x);
-    const std::size_t rows = (groups + maxGroups - 1) / maxGroups;
+    const std::size_t rows = (groups + kMaxGroups - 1) / kMaxGroups;
     if (groups > 0) {
-        VS_CHECK(rows <= maxGroups);
+        VS_CHECK(rows <= kMaxGroups);
         dispatch({int((groups + rows - 1) / rows), int(rows), 1}, after);
     }
 }

@@ -18,6 +18,9 @@ namespace detail {
 void deleteProgram(unsigned int name);
 }
 
+// Groups along one axis of a dispatch: OpenGL promises no more.
+inline constexpr std::uint32_t kMaxGroups = 65535;
+
 // What a dispatch's results are used for next; stands beside the dispatch that needs it.
 enum class Barrier { None, Image, Texture, Storage, Indirect, All };
 
@@ -55,8 +58,7 @@ public:
     // Runs enough groups of the shader's own local size to cover `items`.
     void dispatchOver(glm::ivec3 items, Barrier after);
     // Runs enough groups to cover a list of any length, for shaders with a local size along x only that take
-    // their item from gl/shaders/items.glsl: OpenGL promises no more than 65535 groups along an axis, and one
-    // row of them is soon used up.
+    // their item from gl/shaders/items.glsl: one row of kMaxGroups groups is soon used up.
     void dispatchOverList(std::size_t items, Barrier after);
     // Runs as many groups as three unsigned ints in `arguments` say, at `offset` bytes.
     void dispatchIndirect(const Buffer& arguments, std::size_t offset, Barrier after);

@@ -16,7 +16,7 @@ struct Uniform {
 };
 using Uniforms = std::map<std::string, Uniform, std::less<>>;
 
-// Those that the source of a program declares, and where the driver put those that it kept.
+// The uniforms that the source of a program declares, and where the driver put those that it kept.
 Uniforms readUniforms(unsigned int program, std::string_view source);
 
 // Gives the uniforms of `to` the values that those of the same name and type have in `from`. Samplers and

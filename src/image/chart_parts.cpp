@@ -23,7 +23,7 @@ std::string shortened(const std::string& text, double size, bool isBold, double 
         while (tail < text.size() && (std::uint8_t(text[tail]) & 0xC0U) == 0x80U) {
             ++tail;
         }
-        const std::string tried = text.substr(0, head) + "…" + text.substr(tail);
+        std::string tried = text.substr(0, head) + "…" + text.substr(tail);
         if (textWidth(tried, size, isBold) <= width) {
             return tried;
         }

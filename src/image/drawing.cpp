@@ -11,8 +11,6 @@
 
 namespace vs::image {
 
-namespace {
-
 struct Release {
     void operator()(cairo_surface_t* surface) const { cairo_surface_destroy(surface); }
     void operator()(cairo_t* context) const { cairo_destroy(context); }
@@ -21,6 +19,8 @@ struct Release {
 
 using Surface = std::unique_ptr<cairo_surface_t, Release>;
 using Context = std::unique_ptr<cairo_t, Release>;
+
+namespace {
 
 Surface makeSurface(glm::ivec2 size) {
     Surface surface(cairo_image_surface_create(CAIRO_FORMAT_ARGB32, size.x, size.y));

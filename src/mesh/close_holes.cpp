@@ -45,7 +45,8 @@ void dropFacingPairs(Mesh& mesh) {
         std::array<std::uint32_t, 3> corners;
         bool isEven;
         std::size_t triangle;
-        auto operator<=>(const Placed&) const = default;
+        auto operator<=>(const Placed&) const =
+            default; // NOLINT(modernize-use-nullptr): clang-tidy 14 mistakes it
     };
     std::vector<Placed> placed;
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) {

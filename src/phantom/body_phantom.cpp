@@ -12,7 +12,7 @@ namespace vs::phantom {
 
 namespace {
 
-constexpr glm::dvec3 kExtentMm(400);
+constexpr glm::dvec3 kBodyExtentMm(400);
 
 namespace hu {
 constexpr double air = -1000;
@@ -112,7 +112,7 @@ private:
 
 LabelledVolume makeBodyPhantom(const BodyPhantomOptions& options) {
     LabelledVolume body;
-    const auto grid = body.volume.geometry = phantomGrid(options.dims, kExtentMm);
+    const auto grid = body.volume.geometry = phantomGrid(options.dims, kBodyExtentMm);
     const double voxelMm = std::cbrt(grid.voxelMm3());
     const double sigma = 10 * options.noisePercent;
     body.volume.type = volume::ScalarType::Int16;

@@ -10,7 +10,7 @@ namespace vs::phantom {
 
 namespace {
 
-constexpr glm::dvec3 kExtentMm(181, 217, 181);
+constexpr glm::dvec3 kHeadExtentMm(181, 217, 181);
 
 // A smooth field over the head, of no particular scale; `p` in mm from its middle.
 double sensitivity(glm::dvec3 p) {
@@ -48,7 +48,7 @@ volume::GridGeometry phantomGrid(glm::ivec3 dims, glm::dvec3 extentMm) {
 
 LabelledVolume makeHeadPhantom(const HeadPhantomOptions& options) {
     LabelledVolume head;
-    const auto grid = head.volume.geometry = phantomGrid(options.dims, kExtentMm);
+    const auto grid = head.volume.geometry = phantomGrid(options.dims, kHeadExtentMm);
     const double voxelMm = std::cbrt(grid.voxelMm3());
     head.volume.name = "head phantom";
     head.labels.resize(grid.voxelCount());

@@ -32,12 +32,14 @@ public:
 
 public slots:
     // Wrapped twice, as the real one does.
+    // NOLINTNEXTLINE(readability-identifier-naming): the names on the bus
     [[nodiscard]] QDBusVariant Read(const QString& group, const QString& key) const {
         const uint known = group == kGroup && key == kKey ? scheme_ : 0;
         return QDBusVariant(QVariant::fromValue(QDBusVariant(known)));
     }
 
 signals:
+    // NOLINTNEXTLINE(readability-identifier-naming): the names on the bus
     void SettingChanged(const QString& group, const QString& key, const QDBusVariant& value);
 
 private:

@@ -2,7 +2,8 @@
 """How long the window is kept from turning to the next event, in one step of work after another, on the head that comes with
 Debian or a volume of one's own. Prints each step's longest; fails beyond the bound. On a machine that does other things too the
 clock tells of those; there (--busy) what counts is the processor time that it took: of the window's own thread, or of the whole
-program shared among the processors, since the window waits for a picture while all of them draw it."""
+program shared among the processors, since the window waits for a picture while all of them draw it; less what a virtual machine's
+host took from it meanwhile."""
 
 import json
 import os
@@ -11,6 +12,7 @@ import sys
 
 from driver import need, start
 from steps import Steps
+from stolen_time import StolenTime
 from test_latency import circle, now_ms
 from test_segments import choose, press, reveal
 
@@ -28,8 +30,8 @@ EDITS = (("Grow", -2), ("Smooth", 2), ("Fill", 0), ("Keep", None), ("Cut it", 0)
 class Timeline:
     """What was done when."""
 
-    def __init__(self, studio):
-        self.studio, self.entries = studio, [("opening", 0, now_ms())]
+    def __init__(self, studio, stolen):
+        self.studio, self.stolen, self.entries = studio, stolen, [("opening", 0, now_ms())]
 
     def do(self, name, action, condition=lambda s: True):
         begin = now_ms()
@@ -52,10 +54,11 @@ class Timeline:
 def timeline(display, arguments, folder):
     volume = pathlib.Path(arguments.volume or HEAD)
     need(volume.exists(), f"there is no {volume}; install mricron-data")
+    stolen = StolenTime()
     studio = start(display, arguments.program, folder, ["--timings-file", folder / TIMINGS, volume])
     studio.resize(1600, 1000)
     studio.wait_idle("the volume", lambda s: s["pictureComplete"], 100)
-    return Timeline(studio)
+    return Timeline(studio, stolen)
 
 
 @test.step
@@ -175,17 +178,22 @@ def by_clock(block):
     return block["ms"]
 
 
-def by_processor(block):
-    """Never more than by the clock."""
-    return min(block["ms"], max(block["threadMs"], block["programMs"] / len(os.sched_getaffinity(0))))
+def by_processor(stolen):
+    """Never more than by the clock, and nothing of what the program did not have, though the kernel may have charged it for that."""
+    def measure(block):
+        used = max(block["threadMs"], block["programMs"] / len(os.sched_getaffinity(0)))
+        return max(0, min(block["ms"], used) - stolen.between(block["began"], block["began"] + block["ms"]))
+    return measure
 
 
 @test.step
 def longest(timeline, arguments, folder):
     """Ends the program. Returns the longest block of each entry."""
     timeline.studio.quit()
+    timeline.stolen.end()
     blocks = json.loads((folder / TIMINGS).read_text())["blocks"]
-    return timeline.report(blocks, by_processor if arguments.busy else by_clock)
+    print(f"{timeline.stolen.total():.0f} ms of processors were taken by the host")
+    return timeline.report(blocks, by_processor(timeline.stolen) if arguments.busy else by_clock)
 
 
 @test.step

@@ -111,7 +111,8 @@ MemberTable::Row MemberTable::rowOf(const F& field, const std::string& prefix) {
     Json ignored = Json::object();
     const Json value = write(valueOf(byDefault, field.access), field.rule);
     const bool isNeeded = F::kPresence == Presence::Required;
-    const bool hasDefault = !isNeeded && value.is_primitive() && !value.is_null() && value != "";
+    const bool hasDefault = !isNeeded && value.is_primitive() && !value.is_null() &&
+                            value != ""; // NOLINT(readability-container-size-empty): 0 is not empty text
     std::string text = inWords(schemaOf(Type<ValueOf<T, F>>(), field.rule, ignored));
     if (*field.rule.unit != '\0') {
         text += std::string(", ") + field.rule.unit;

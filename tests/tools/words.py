@@ -25,7 +25,7 @@ GOOD = [
 ]
 BAD = [
     ("src/a/bad.h", "// Of these so many.\nint a;\n", 1, 'begins with "Of"'),
-    ("src/a/bad.h", "// A number.\nint a;\n\n// Those of the\n// other.\nint b;\n", 4, 'begins with "Those of"'),
+    ("src/a/bad.h", "// A number.\nint a;\n\n// Those of the\n// other.\nint b;\n", 4, 'begins with "Those"'),
     ("apps/b/bad.h", "    // Likewise for b.\n    int b;\n", 1, 'begins with "Likewise"'),
     ("apps/b/bad.h", "int a;\nint b; // the same\n", 2, 'begins with "the same"'),
     ("src/a/bad.cpp", "// As the thesis has it.\n", 1, "without a section"),

@@ -22,10 +22,6 @@ constexpr double kMaskRadius = 24;
 constexpr double kStampWay = 6;     // pixels between drill stamps
 constexpr double kLayersEach = 0.5; // of peel
 
-studio::Sketch circle(glm::dvec2 centre, double radius) {
-    return {studio::Shape::Circle, {centre, centre + glm::dvec2(radius, 0)}};
-}
-
 void aim(studio::Document& document, render::Mode mode, const render::Camera& camera) {
     studio::View view = document.view();
     view.mode = mode;
@@ -97,6 +93,10 @@ void benchPeel(const BenchSettings& settings, studio::Document& document, glm::d
 }
 
 } // namespace
+
+studio::Sketch circle(glm::dvec2 centre, double radius) {
+    return {studio::Shape::Circle, {centre, centre + glm::dvec2(radius, 0)}};
+}
 
 std::optional<glm::dvec2> findSurface(studio::Document& document, glm::ivec2 size) {
     constexpr int cells = 9;

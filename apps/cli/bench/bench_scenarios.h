@@ -26,6 +26,9 @@ struct BenchSettings {
     Orbit orbit;
 };
 
+// A circle as masks are drawn with, in pixels.
+studio::Sketch circle(glm::dvec2 centre, double radius);
+
 // The place nearest to the picture's middle, on a coarse grid, where a surface is met; pixels.
 std::optional<glm::dvec2> findSurface(studio::Document& document, glm::ivec2 size);
 

@@ -15,10 +15,6 @@ namespace {
 
 constexpr double kElementSteps = 0.5; // from one mask element to the next (studio::CutStroke)
 
-studio::Sketch circle(glm::dvec2 centre, double radius) {
-    return {studio::Shape::Circle, {centre, centre + glm::dvec2(radius, 0)}};
-}
-
 void beginDrill(studio::Document& document, const studio::Sketch& mask, const studio::Canvas& canvas) {
     studio::Drill drill;
     drill.mask = mask;

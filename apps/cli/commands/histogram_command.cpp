@@ -154,8 +154,10 @@ std::string csvOf(const field::JointHistogram& joint) {
     const double tall = joint.gradients.width() / joint.bins.y;
     for (std::size_t i = 0; i < joint.counts.size(); ++i) {
         if (joint.counts[i] > 0) {
-            const double x = double(i % std::size_t(joint.bins.x));
-            const double y = double(i / std::size_t(joint.bins.x));
+            const std::size_t column = i % std::size_t(joint.bins.x);
+            const std::size_t row = i / std::size_t(joint.bins.x);
+            const double x = double(column);
+            const double y = double(row);
             text += fmt::format("{:.9g},{:.9g},{:.9g},{:.9g},{}\n", joint.values.lo + x * wide,
                                 joint.values.lo + (x + 1) * wide, joint.gradients.lo + y * tall,
                                 joint.gradients.lo + (y + 1) * tall, joint.counts[i]);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dialogs/saving_dialog.h"
 
-#include "model/exports/sliced_export.h"
+#include "model/exports/portioned_export.h"
 #include "model/studio/studio_controller.h"
 #include "parts/panel_parts.h"
 
@@ -19,7 +19,7 @@ SavingDialog::SavingDialog(StudioController& studio, const QString& name, QWidge
 
 bool SavingDialog::isSaving() const { return writing_->isRunning(); }
 
-void SavingDialog::addBottom(QVBoxLayout* column, SlicedExport& writing, const QString& saveText,
+void SavingDialog::addBottom(QVBoxLayout* column, PortionedExport& writing, const QString& saveText,
                              const QString& saveName) {
     writing_ = &writing;
     const auto scriptName = [this](const char* part) { return (name_ + part).toLatin1(); };
@@ -41,11 +41,11 @@ void SavingDialog::addBottom(QVBoxLayout* column, SlicedExport& writing, const Q
     column->addLayout(row);
     connect(save_, &QPushButton::clicked, this, &SavingDialog::askWhere);
     connect(close, &QPushButton::clicked, this, &SavingDialog::reject);
-    connect(writing_, &SlicedExport::progressed, this, [this](int done, int total) {
+    connect(writing_, &PortionedExport::progressed, this, [this](int done, int total) {
         progress_->setRange(0, total);
         progress_->setValue(done);
     });
-    connect(writing_, &SlicedExport::finished, this, &SavingDialog::finish);
+    connect(writing_, &PortionedExport::finished, this, &SavingDialog::finish);
 }
 
 void SavingDialog::askWhere() {

@@ -10,7 +10,7 @@ class QVBoxLayout;
 
 namespace vs::desktop {
 
-class SlicedExport;
+class PortionedExport;
 class StudioController;
 
 // A dialog that asks for a file, writes it and stays open while it does: its fields are locked, a bar shows
@@ -40,7 +40,7 @@ protected:
     virtual void save(const QString& path) = 0;
 
     // The bar, the message and the buttons below the fields, and what it is that they begin and give up.
-    void addBottom(QVBoxLayout* column, SlicedExport& writing, const QString& saveText,
+    void addBottom(QVBoxLayout* column, PortionedExport& writing, const QString& saveText,
                    const QString& saveName);
     void lock(int steps);   // it begins; 0: nobody knows yet how far it is
     void reject() override; // while it runs: gives up, and stays open
@@ -55,7 +55,7 @@ private:
     void finish(bool isDone, const QString& message); // it has ended; done: the dialog closes
 
     QString name_;
-    SlicedExport* writing_ = nullptr; // the subclass has it
+    PortionedExport* writing_ = nullptr; // the subclass has it
     QProgressBar* progress_ = nullptr;
 };
 

@@ -150,7 +150,7 @@ void PictureLoop::begin(Pass pass) {
 void PictureLoop::show() {
     image::Image picture;
     run_([&] { picture = caster_.readPicture(); });
-    const QImage straight(picture.rgba.data(), picture.width, picture.height, 4 * picture.width,
+    const QImage straight(picture.rgba.data(), picture.width, picture.height, qsizetype(4) * picture.width,
                           QImage::Format_RGBX8888);
     shown_ = straight.convertToFormat(QImage::Format_RGB32); // a copy of its own
     ++pictures_;

@@ -31,7 +31,7 @@ namespace vs::desktop {
 
 namespace {
 
-constexpr int kPollMs = 40;
+constexpr int kReportMs = 40;
 
 // Scripts point in the screen's own pixels, Qt thinks in scaled ones. Where the handles of pasted parts are
 // on the screen.
@@ -101,7 +101,7 @@ LayoutReporter::LayoutReporter(StudioController& studio, ToolBox& tools, QWidget
     connect(&fence_, &InputFence::isPassed, this, &LayoutReporter::write);
     connect(&timer_, &QTimer::timeout, this, &LayoutReporter::write);
     timer_.setProperty(LongWork::kRunsMeanwhile, true);
-    timer_.start(kPollMs);
+    timer_.start(kReportMs);
 }
 
 nlohmann::json LayoutReporter::documentReport() const {

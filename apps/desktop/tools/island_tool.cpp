@@ -8,7 +8,7 @@
 namespace vs::desktop {
 
 QString IslandTool::hint() const {
-    if (const QString locked = lockedHint(studio_); !locked.isEmpty()) {
+    if (QString locked = lockedHint(studio_); !locked.isEmpty()) {
         return locked;
     }
     const auto& working = studio_.segments().list().working();

@@ -136,6 +136,7 @@ Overlays MoveTool::overlays() const {
 
 std::vector<QPointF> MoveTool::handles() const {
     std::vector<QPointF> places;
+    places.reserve(std::size_t(count()));
     for (int part = 0; part < count(); ++part) {
         places.push_back(studio_.view().seenAt(held(part).centre()));
     }

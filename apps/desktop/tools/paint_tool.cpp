@@ -17,7 +17,7 @@ QString PaintTool::hint() const {
     if (!studio_.slices().isAnyShown()) {
         return tr("Painting goes on the slices: show them with F4. Here dragging turns the volume.");
     }
-    if (const QString locked = lockedHint(studio_); !locked.isEmpty()) {
+    if (QString locked = lockedHint(studio_); !locked.isEmpty()) {
         return locked;
     }
     return isToAdd_ ? tr("Paint on a slice to add to the segment; the right button or Ctrl removes. [ and ] "

@@ -19,13 +19,13 @@ namespace vs::desktop {
 
 namespace {
 
-constexpr QSize kPicture{148, 30};
+constexpr QSize kThumbnail{148, 30};
 constexpr QSize kMapPicture{148, 10};
 constexpr int kWidth = 172; // of a button: the longest name fits
 constexpr int kColumns = 3;
 
 QImage plainPicture(const QColor& colour) {
-    QImage image(kPicture, QImage::Format_RGB32);
+    QImage image(kThumbnail, QImage::Format_RGB32);
     image.fill(colour);
     return image;
 }
@@ -81,7 +81,8 @@ void FunctionGallery::fillPresets(QGridLayout* grid) {
     for (const std::string& name : render::presetNames()) {
         const auto preset = render::findPreset(name);
         add(makeButton("preset." + name, libraryText(preset->name), libraryText(preset->description),
-                       functionPicture(*preset, kPicture, ground), [this, preset] { editor_.take(preset); }));
+                       functionPicture(*preset, kThumbnail, ground),
+                       [this, preset] { editor_.take(preset); }));
     }
 }
 

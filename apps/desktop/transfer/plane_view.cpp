@@ -12,10 +12,10 @@
 namespace vs::desktop {
 
 namespace {
-constexpr double kReach = 8;    // pixels in which a corner is caught
-constexpr double kHandle = 3.5; // half of a corner's handle
-constexpr double kBelow = 0.06; // of the magnitudes, shown below none: boxes of even places begin there
-constexpr double kSmallest = 4; // pixels of a new shape
+constexpr double kGripReach = 8; // pixels in which a corner is caught
+constexpr double kHandle = 3.5;  // half of a corner's handle
+constexpr double kBelow = 0.06;  // of the magnitudes, shown below none: boxes of even places begin there
+constexpr double kSmallest = 4;  // pixels of a new shape
 } // namespace
 
 PlaneView::PlaneView(FunctionEditor& editor) : FunctionChart(editor, FunctionEditor::Kind::TwoD) {}
@@ -68,7 +68,7 @@ std::optional<std::size_t> PlaneView::cornerAt(QPointF place) const {
     }
     const auto corners = render::cornersOf(*trapezoid);
     std::optional<std::size_t> nearest;
-    double least = kReach;
+    double least = kGripReach;
     for (std::size_t i = 0; i < corners.size(); ++i) {
         const QPointF at = placeOf(corners[i]);
         const QPointF held(std::clamp(at.x(), area().left(), area().right()),

@@ -10,7 +10,7 @@ namespace vs::desktop {
 namespace {
 
 QImage premultiplied(const image::Image& image) {
-    const QImage straight(image.rgba.data(), image.width, image.height, 4 * image.width,
+    const QImage straight(image.rgba.data(), image.width, image.height, qsizetype(4) * image.width,
                           QImage::Format_RGBA8888);
     return straight.convertToFormat(QImage::Format_ARGB32_Premultiplied); // a copy of its own
 }

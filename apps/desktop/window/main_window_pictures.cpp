@@ -35,7 +35,8 @@ void MainWindow::copyPicture() {
     picture.size = studio_.picture().viewport();
     picture.annotations = actions_->find("annotations")->isChecked();
     copying_->make(picture, [](const image::Image& made) {
-        const QImage seen(made.rgba.data(), made.width, made.height, 4 * made.width, QImage::Format_RGBA8888);
+        const QImage seen(made.rgba.data(), made.width, made.height, qsizetype(4) * made.width,
+                          QImage::Format_RGBA8888);
         QApplication::clipboard()->setImage(seen.copy());
     });
 }

@@ -4,12 +4,9 @@
 #include "field/gradient.h"
 #include "field/histogram.h"
 #include "gl/pass.h"
+#include "render/shaders/bindings.h"
 
 namespace vs::render {
-
-namespace {
-#include "render/shaders/bindings.glsl"
-} // namespace
 
 namespace {
 

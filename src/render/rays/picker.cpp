@@ -2,12 +2,9 @@
 #include "render/rays/picker.h"
 
 #include "gl/pass.h"
+#include "render/shaders/bindings.h"
 
 namespace vs::render {
-
-namespace {
-#include "render/shaders/bindings.glsl"
-} // namespace
 
 namespace {
 

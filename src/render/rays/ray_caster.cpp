@@ -6,16 +6,13 @@
 #include "base/timer.h"
 #include "gl/context.h"
 #include "gl/pass.h"
+#include "render/shaders/bindings.h"
 
 #include <algorithm>
 #include <cmath>
 #include <thread>
 
 namespace vs::render {
-
-namespace {
-#include "render/shaders/bindings.glsl"
-} // namespace
 
 namespace {
 
@@ -231,7 +228,7 @@ void RayCaster::setSettledAside() {
     gl::Program& program = setAside_.with({});
     program.set("squareCount", squareCount(frame_.rays.size)).set("occupied", occupiedSquares_);
     const glm::ivec2 all = squareCount(frame_.rays.size);
-    program.dispatchOverList(std::size_t(all.x * all.y), gl::Barrier::Storage);
+    program.dispatchOverList(std::size_t(all.x) * std::size_t(all.y), gl::Barrier::Storage);
     activeSquares_ = int(squareCounts_.readValue<std::uint32_t>());
     std::swap(squares_, unsettled_);
 }

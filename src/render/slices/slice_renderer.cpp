@@ -3,14 +3,11 @@
 
 #include "base/check.h"
 #include "gl/pass.h"
+#include "render/shaders/bindings.h"
 
 #include <algorithm>
 
 namespace vs::render {
-
-namespace {
-#include "render/shaders/bindings.glsl"
-} // namespace
 
 namespace {
 

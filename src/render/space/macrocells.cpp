@@ -2,14 +2,11 @@
 #include "render/space/macrocells.h"
 
 #include "gl/pass.h"
+#include "render/shaders/bindings.h"
 
 #include <atomic>
 
 namespace vs::render {
-
-namespace {
-#include "render/shaders/bindings.glsl"
-} // namespace
 
 namespace {
 

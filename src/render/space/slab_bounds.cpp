@@ -2,12 +2,9 @@
 #include "render/space/slab_bounds.h"
 
 #include "gl/pass.h"
+#include "render/shaders/bindings.h"
 
 namespace vs::render {
-
-namespace {
-#include "render/shaders/bindings.glsl"
-} // namespace
 
 namespace {
 constexpr int kEntriesOfBeam = 193; // as in slabs.glsl

@@ -3,16 +3,13 @@
 
 #include "base/check.h"
 #include "gl/pass.h"
+#include "sculpt/shaders/bindings.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 
 namespace vs::sculpt {
-
-namespace {
-#include "sculpt/shaders/bindings.glsl"
-} // namespace
 
 namespace {
 

@@ -3,12 +3,9 @@
 
 #include "gl/pass.h"
 #include "sculpt/radiation/radiation.h"
+#include "sculpt/shaders/bindings.h"
 
 namespace vs::sculpt {
-
-namespace {
-#include "sculpt/shaders/bindings.glsl"
-} // namespace
 
 static_assert(SweptPatches::kMaxPatchPoints <= Radiator::kMaxPoints);
 

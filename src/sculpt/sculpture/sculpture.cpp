@@ -3,15 +3,12 @@
 
 #include "field/cell_ranges.h"
 #include "gl/pass.h"
+#include "sculpt/shaders/bindings.h"
 
 #include <algorithm>
 #include <string>
 
 namespace vs::sculpt {
-
-namespace {
-#include "sculpt/shaders/bindings.glsl"
-} // namespace
 
 namespace {
 

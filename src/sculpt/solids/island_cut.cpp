@@ -3,14 +3,11 @@
 
 #include "base/check.h"
 #include "gl/pass.h"
+#include "sculpt/shaders/bindings.h"
 
 #include <array>
 
 namespace vs::sculpt {
-
-namespace {
-#include "sculpt/shaders/bindings.glsl"
-} // namespace
 
 namespace {
 

@@ -4,16 +4,13 @@
 #include "base/check.h"
 #include "field/field.h"
 #include "gl/pass.h"
+#include "sculpt/shaders/bindings.h"
 
 #include <algorithm>
 #include <cmath>
 #include <deque>
 
 namespace vs::sculpt {
-
-namespace {
-#include "sculpt/shaders/bindings.glsl"
-} // namespace
 
 namespace {
 

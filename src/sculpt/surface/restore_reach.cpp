@@ -3,12 +3,9 @@
 
 #include "base/check.h"
 #include "gl/pass.h"
+#include "sculpt/shaders/bindings.h"
 
 namespace vs::sculpt {
-
-namespace {
-#include "sculpt/shaders/bindings.glsl"
-} // namespace
 
 RestoreReach::RestoreReach()
     : program_("sculpt/shaders/measure_restore.comp"), points_(4, "restored points"),

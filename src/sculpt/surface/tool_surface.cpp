@@ -184,7 +184,7 @@ private:
         out_.addCell(cellCorners);
         for (std::size_t n = 0; n < 4; ++n) { // these hits need no column of their own in this cell
             if (cellCorners[n] < points_.size()) {
-                isCovered_[cellCorners[n] * 4 + (3 - n)] = true;
+                isCovered_[std::size_t(cellCorners[n]) * 4 + (3 - n)] = true;
             }
         }
     }

@@ -11,7 +11,7 @@ namespace vs::segment {
 namespace {
 
 constexpr double kTie = 1 + 1e-6;
-constexpr std::uint16_t kNever = std::numeric_limits<std::uint16_t>::max();
+constexpr std::uint16_t kNoRun = std::numeric_limits<std::uint16_t>::max();
 
 // Inner products of the steps along the index axes: the squared length in mm of an offset d is d . (G d).
 glm::dmat3 metricOf(const volume::GridGeometry& geometry) {
@@ -65,7 +65,7 @@ std::vector<BallRow> ballRows(const glm::dmat3& metric, glm::ivec3 reach, double
             const int first = int(std::ceil((-b - std::sqrt(discriminant)) / a));
             const int last = int(std::floor((-b + std::sqrt(discriminant)) / a));
             if (first <= last) {
-                rows.push_back({y, z, first, std::uint16_t(std::min(last - first, kNever - 1))});
+                rows.push_back({y, z, first, std::uint16_t(std::min(last - first, kNoRun - 1))});
             }
         }
     }
@@ -80,16 +80,16 @@ VoxelSet nearbySheared(const VoxelSet& set, const volume::GridGeometry& geometry
     const auto ball = ballRows(metricOf(geometry), reach, mm);
     // For each voxel of each row, padded by the reach: steps along x since the last voxel of the set.
     const std::size_t padded(size.x + 2 * reach.x);
-    std::vector<std::uint16_t> since(padded * std::size_t(size.y) * std::size_t(size.z), kNever);
+    std::vector<std::uint16_t> since(padded * std::size_t(size.y) * std::size_t(size.z), kNoRun);
     const auto rowAt = [&](int y, int z) { return std::size_t(y) + std::size_t(size.y) * std::size_t(z); };
     inParallel(size.z, [&](int z) {
         for (int y = 0; y < size.y; ++y) {
             const std::uint8_t* const inside = set.inside.data() + rowAt(y, z) * std::size_t(size.x);
             std::uint16_t* const row = since.data() + rowAt(y, z) * padded;
             for (int x = reach.x; x < int(padded); ++x) {
-                const std::uint16_t before = x > 0 ? row[x - 1] : kNever;
+                const std::uint16_t before = x > 0 ? row[x - 1] : kNoRun;
                 const bool isInside = x - reach.x < size.x && inside[x - reach.x] != 0;
-                row[x] = isInside ? std::uint16_t(0) : std::uint16_t(before < kNever ? before + 1 : kNever);
+                row[x] = isInside ? std::uint16_t(0) : std::uint16_t(before < kNoRun ? before + 1 : kNoRun);
             }
         }
     });

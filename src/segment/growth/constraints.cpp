@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "segment/growth/constraints.h"
 
+#include "segment/shaders/bindings.h"
+
 #include <cmath>
 #include <limits>
 
 namespace vs::segment {
-
-namespace {
-#include "segment/shaders/bindings.glsl"
-} // namespace
 
 namespace {
 

@@ -3,6 +3,7 @@
 
 #include "base/check.h"
 #include "gl/pass.h"
+#include "segment/shaders/bindings.h"
 
 #include <algorithm>
 #include <cstddef>
@@ -11,16 +12,11 @@
 namespace vs::segment {
 
 namespace {
-#include "segment/shaders/bindings.glsl"
-} // namespace
-
-namespace {
 
 constexpr std::uint32_t kTilesPerBrick = 64;
 constexpr std::uint32_t kTilesPerGroup = 16;
 constexpr std::size_t kWordsPerSlab = 4; // see shaders/words.glsl
 constexpr std::size_t kSlabBytes = kWordsPerSlab * sizeof(std::uint32_t);
-constexpr std::uint32_t kMaxGroups = 65535;
 // When rows of tiles are tested whole: measured on a software renderer, where both sides of a choice cost.
 constexpr std::uint64_t kManyVoxels = 4096; // in a generation
 constexpr std::uint64_t kManyInTile = 8;
@@ -132,10 +128,11 @@ void Frontier::push(const SeedMap& seedMap, std::span<const std::uint32_t> voxel
 void Frontier::begin(int expansions) {
     std::vector<Expansion> table(std::size_t(expansions) + 1);
     const auto arguments = [](std::uint32_t tiles) {
-        return glm::uvec4(std::min((tiles + kTilesPerGroup - 1) / kTilesPerGroup, kMaxGroups), 1, 1, tiles);
+        return glm::uvec4(std::min((tiles + kTilesPerGroup - 1) / kTilesPerGroup, gl::kMaxGroups), 1, 1,
+                          tiles);
     };
     table[0].tiles = arguments(carried_);
-    table[0].unmade = {std::min(carriedUnmade_, kMaxGroups), 1, 1, carriedUnmade_};
+    table[0].unmade = {std::min(carriedUnmade_, gl::kMaxGroups), 1, 1, carriedUnmade_};
     expansions_.write(std::span<const Expansion>(table));
     expansions_.bindStorage(kExpansionsStorage);
     work_.bindStorage(kWorkStorage);
@@ -185,6 +182,7 @@ std::vector<std::uint64_t> Frontier::run(const SeedMap& seedMap, gl::Program& pr
     carriedUnmade_ = table.back().unmade.w;
     judge(table[std::size_t(expansions) - 1], expansions);
     std::vector<std::uint64_t> grown;
+    grown.reserve(std::size_t(expansions));
     for (int i = 0; i < expansions; ++i) {
         grown.push_back(table[std::size_t(i)].total());
     }

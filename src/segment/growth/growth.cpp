@@ -5,16 +5,13 @@
 #include "base/timer.h"
 #include "gl/pass.h"
 #include "segment/growth/growth_undo.h"
+#include "segment/shaders/bindings.h"
 
 #include <algorithm>
 #include <limits>
 #include <numeric>
 
 namespace vs::segment {
-
-namespace {
-#include "segment/shaders/bindings.glsl"
-} // namespace
 
 namespace {
 

@@ -1,11 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "segment/growth/region_passes.h"
 
-namespace vs::segment {
+#include "segment/shaders/bindings.h"
 
-namespace {
-#include "segment/shaders/bindings.glsl"
-} // namespace
+namespace vs::segment {
 
 namespace {
 

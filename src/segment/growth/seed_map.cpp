@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "field/field.h"
+#include "segment/shaders/bindings.h"
 
 #include <algorithm>
 #include <cstring>
@@ -11,12 +12,7 @@
 namespace vs::segment {
 
 namespace {
-#include "segment/shaders/bindings.glsl"
-} // namespace
 
-namespace {
-
-constexpr std::size_t kMaxGroups = 65535;
 constexpr std::size_t kWordsPerBrick = 1024;
 constexpr std::size_t kSlabBytes = 16;
 constexpr std::size_t kGrownBytes = kWordsPerBrick * 4;
@@ -73,9 +69,10 @@ void SeedMap::bindList(std::span<const std::uint32_t> numbers) {
 void SeedMap::dispatchOverBricks(gl::Program& program, std::span<const std::uint32_t> bricks,
                                  gl::Barrier after, int groupsPerBrick) {
     bindList(bricks);
-    for (std::size_t first = 0; first < bricks.size(); first += kMaxGroups) {
+    for (std::size_t first = 0; first < bricks.size(); first += gl::kMaxGroups) {
         program.set("firstBrick", int(first));
-        program.dispatch({groupsPerBrick, int(std::min(kMaxGroups, bricks.size() - first)), 1}, after);
+        program.dispatch(
+            {groupsPerBrick, int(std::min<std::size_t>(gl::kMaxGroups, bricks.size() - first)), 1}, after);
     }
 }
 
@@ -143,19 +140,6 @@ std::size_t indexIn(const Box3& box, glm::ivec3 voxel) {
     const glm::ivec3 at = voxel - box.lo;
     return (std::size_t(at.z) * std::size_t(size.y) + std::size_t(at.y)) * std::size_t(size.x) +
            std::size_t(at.x);
-}
-
-template <typename Visit>
-void forEachVoxel(const Box3& box, const Visit& visit) {
-    glm::ivec3 v;
-    std::size_t i = 0;
-    for (v.z = box.lo.z; v.z < box.hi.z; ++v.z) {
-        for (v.y = box.lo.y; v.y < box.hi.y; ++v.y) {
-            for (v.x = box.lo.x; v.x < box.hi.x; ++v.x) {
-                visit(v, i++);
-            }
-        }
-    }
 }
 
 } // namespace

@@ -2,16 +2,13 @@
 #include "segment/growth/seeds.h"
 
 #include "gl/pass.h"
+#include "segment/shaders/bindings.h"
 
 #include <algorithm>
 #include <bit>
 #include <cstdint>
 
 namespace vs::segment {
-
-namespace {
-#include "segment/shaders/bindings.glsl"
-} // namespace
 
 std::vector<glm::ivec3> SeedFinder::find(const field::SurfacePoints& points, const field::Field& field,
                                          const Constraints& constraints) {

@@ -28,17 +28,6 @@ struct Overlap {
     Box3 box; // of either
 };
 
-template <typename F>
-void forEachVoxel(const Box3& box, const F& visit) {
-    for (int z = box.lo.z; z < box.hi.z; ++z) {
-        for (int y = box.lo.y; y < box.hi.y; ++y) {
-            for (int x = box.lo.x; x < box.hi.x; ++x) {
-                visit(glm::ivec3(x, y, z));
-            }
-        }
-    }
-}
-
 std::size_t placeOf(glm::ivec3 voxel, glm::ivec3 dims) {
     return (std::size_t(voxel.z) * std::size_t(dims.y) + std::size_t(voxel.y)) * std::size_t(dims.x) +
            std::size_t(voxel.x);
@@ -48,11 +37,9 @@ Overlap overlapOf(glm::ivec3 dims, Mask found, Mask truth) {
     Overlap overlap;
     glm::ivec3 lo(std::numeric_limits<int>::max());
     glm::ivec3 hi(0);
-    std::size_t i = 0;
-    forEachVoxel({glm::ivec3(0), dims}, [&](glm::ivec3 voxel) {
+    forEachVoxel({glm::ivec3(0), dims}, [&](glm::ivec3 voxel, std::size_t i) {
         const bool isFound = found[i] != 0;
         const bool isTrue = truth[i] != 0;
-        ++i;
         if (isFound || isTrue) {
             overlap.found += isFound ? 1 : 0;
             overlap.truth += isTrue ? 1 : 0;
@@ -72,7 +59,7 @@ std::vector<glm::ivec3> borderOf(glm::ivec3 dims, Mask mask, const Box3& box) {
                glm::all(glm::lessThan(voxel, dims)) && mask[placeOf(voxel, dims)] != 0;
     };
     std::vector<glm::ivec3> border;
-    forEachVoxel(box, [&](glm::ivec3 voxel) {
+    forEachVoxel(box, [&](glm::ivec3 voxel, std::size_t) {
         if (mask[placeOf(voxel, dims)] == 0) {
             return;
         }

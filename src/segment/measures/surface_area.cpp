@@ -11,9 +11,9 @@
 namespace vs::segment {
 namespace {
 
-constexpr int kReach = 4;          // voxels that a normal looks to each side
+constexpr int kNormalReach = 4;    // voxels that a normal looks to each side
 constexpr double kSmoothing = 1.4; // sigma in voxels: less shows the stairs, more rounds edges further
-constexpr int kTaps = 2 * kReach + 1;
+constexpr int kTaps = 2 * kNormalReach + 1;
 
 // A block owns the faces on the upper sides of its voxels. A row of them with the reach around is one word.
 constexpr glm::ivec3 kBlock{64 - kTaps, 24, 24};
@@ -30,7 +30,7 @@ struct Kernel {
     // `centre` is where the place lies from the voxel: 0 on it, 0.5 on its upper side.
     explicit Kernel(double centre) {
         for (int i = centre > 0 ? 1 : 0; i < kTaps; ++i) { // as far down as up
-            const double x = i - kReach - centre;
+            const double x = i - kNormalReach - centre;
             weight[std::size_t(i)] = std::exp(-0.5 * x * x / (kSmoothing * kSmoothing));
             moment[std::size_t(i)] = x * weight[std::size_t(i)];
         }
@@ -48,31 +48,32 @@ const Kernel& kernelOf(bool acrossFace) {
     return acrossFace ? onFace : onVoxel;
 }
 
-// The voxels of one label in and around a block. Bit x of row (y, z) is the voxel lo + (x, y, z) - kReach.
+// The voxels of one label in and around a block. Bit x of row (y, z) is the voxel lo + (x, y, z) -
+// kNormalReach.
 class BlockMask {
 public:
     BlockMask(const volume::GridGeometry& geometry, std::span<const std::uint8_t> labels, glm::ivec3 lo,
               std::uint8_t label)
         : rows_(std::size_t(kRows.y) * std::size_t(kRows.z)) {
         const glm::ivec3 dims = geometry.dims;
-        const glm::ivec3 from = glm::max(lo - kReach, glm::ivec3(0));
-        const glm::ivec3 to = glm::min(lo - kReach + kRows, dims);
+        const glm::ivec3 from = glm::max(lo - kNormalReach, glm::ivec3(0));
+        const glm::ivec3 to = glm::min(lo - kNormalReach + kRows, dims);
         for (int z = from.z; z < to.z; ++z) {
             for (int y = from.y; y < to.y; ++y) {
                 const auto* values = labels.data() + (std::size_t(z) * std::size_t(dims.y) + std::size_t(y)) *
                                                          std::size_t(dims.x);
                 std::uint64_t bits = 0;
                 for (int x = from.x; x < to.x; ++x) {
-                    bits |= std::uint64_t(values[x] == label) << (x - lo.x + kReach);
+                    bits |= std::uint64_t(values[x] == label) << (x - lo.x + kNormalReach);
                 }
-                rows_[std::size_t((z - lo.z + kReach) * kRows.y + y - lo.y + kReach)] = bits;
+                rows_[std::size_t((z - lo.z + kNormalReach) * kRows.y + y - lo.y + kNormalReach)] = bits;
             }
         }
     }
 
     // A row of the block or around it; y and z count from the block's first.
     [[nodiscard]] std::uint64_t row(int y, int z) const {
-        return rows_[std::size_t((z + kReach) * kRows.y + y + kReach)];
+        return rows_[std::size_t((z + kNormalReach) * kRows.y + y + kNormalReach)];
     }
 
     // The direction of the mask's gradient in voxel space, on the upper side of a voxel along `axis`.
@@ -83,7 +84,8 @@ public:
         glm::dvec3 sum(0);
         for (std::size_t z = 0; z < kTaps; ++z) {
             for (std::size_t y = 0; y < kTaps; ++y) {
-                const auto bits = row(voxel.y + int(y) - kReach, voxel.z + int(z) - kReach) >> voxel.x;
+                const auto bits =
+                    row(voxel.y + int(y) - kNormalReach, voxel.z + int(z) - kNormalReach) >> voxel.x;
                 const glm::dvec2 x = along.ofRow[bits & (along.ofRow.size() - 1)];
                 sum += glm::dvec3(up.weight[y] * high.weight[z] * x.y, up.moment[y] * high.weight[z] * x.x,
                                   up.weight[y] * high.moment[z] * x.x);
@@ -97,7 +99,7 @@ private:
 };
 
 double areaInBlock(const BlockMask& mask, const glm::dmat3& worldFromVoxel) {
-    constexpr std::uint64_t inside = ((std::uint64_t(1) << kBlock.x) - 1) << kReach;
+    constexpr std::uint64_t inside = ((std::uint64_t(1) << kBlock.x) - 1) << kNormalReach;
     const glm::dmat3 worldFromGradient = glm::transpose(glm::inverse(worldFromVoxel));
     const double voxelMm3 = std::abs(glm::determinant(worldFromVoxel));
     double area = 0;
@@ -108,7 +110,7 @@ double areaInBlock(const BlockMask& mask, const glm::dmat3& worldFromVoxel) {
             for (int axis = 0; axis < 3; ++axis) {
                 const glm::dvec3 face = voxelMm3 * worldFromGradient[axis];
                 for (auto faces = (row ^ above[std::size_t(axis)]) & inside; faces != 0; faces &= faces - 1) {
-                    const glm::ivec3 voxel(std::countr_zero(faces) - kReach, y, z);
+                    const glm::ivec3 voxel(std::countr_zero(faces) - kNormalReach, y, z);
                     const glm::dvec3 normal = worldFromGradient * mask.gradient(voxel, axis);
                     const double length = glm::length(normal);
                     area += length > 0 ? std::abs(glm::dot(face, normal)) / length : glm::length(face);

@@ -3,6 +3,7 @@
 
 #include "field/cell_ranges.h"
 #include "gl/pass.h"
+#include "segment/shaders/bindings.h"
 
 #include <algorithm>
 #include <limits>
@@ -10,14 +11,9 @@
 namespace vs::segment {
 
 namespace {
-#include "segment/shaders/bindings.glsl"
-} // namespace
-
-namespace {
 
 constexpr std::size_t kLabels = 256;
-constexpr std::size_t kMaxGroups = 65535;
-constexpr int kReach = 6; // voxels from a hidden one to the farthest that it goes by
+constexpr int kContinuationReach = 6; // voxels from a hidden one to the farthest that it goes by
 constexpr double kFarthestAside = 3;
 
 // Mirrors shaders/continue_segments.comp.
@@ -102,7 +98,7 @@ std::vector<std::uint32_t> Continuation::takeFence(const BrickTable& table, cons
     }
     const Box3 all{glm::ivec3(0), table.brickDims() * field::kBrick};
     const bool isSameView = shownBy(fence) == view_ && fence.changedSince;
-    const Box3 box = isSameView ? grow(fence.changedSince(version_), kReach) : all;
+    const Box3 box = isSameView ? grow(fence.changedSince(version_), kContinuationReach) : all;
     view_ = shownBy(fence);
     version_ = fence.version;
     std::vector<std::uint32_t> listed;
@@ -188,10 +184,11 @@ void Continuation::run(const Growth& growth, const Fence& fence, const gl::Buffe
     program.set("takesAway", takesAway_ ? 1 : 0)
         .set("aside", glm::ivec3(glm::round(glm::min(aside, glm::dvec3(kFarthestAside)))));
     constexpr int groupsPerBrick = 16;
-    for (std::size_t first = 0; first < bricks.size(); first += kMaxGroups) {
+    for (std::size_t first = 0; first < bricks.size(); first += gl::kMaxGroups) {
         program.set("firstBrick", int(first));
-        program.dispatch({groupsPerBrick, int(std::min(kMaxGroups, bricks.size() - first)), 1},
-                         gl::Barrier::Storage);
+        program.dispatch(
+            {groupsPerBrick, int(std::min<std::size_t>(gl::kMaxGroups, bricks.size() - first)), 1},
+            gl::Barrier::Storage);
     }
 }
 

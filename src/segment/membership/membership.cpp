@@ -11,7 +11,6 @@ namespace vs::segment {
 
 namespace {
 
-constexpr int kReach = 3; // voxels that the kernel reaches to either side
 constexpr double kRadiusSteps = 3.0;
 constexpr double kHalfTexel = 0.5 / 255; // voxels are at least as far from 0.5 as in 8 bits
 
@@ -21,9 +20,9 @@ constexpr double kHalfTexel = 0.5 / 255; // voxels are at least as far from 0.5 
 // show.
 glm::vec4 smoothingKernel(double stepMm, double spacingMm) {
     const double sigma = kRadiusSteps / 3.0 * stepMm / spacingMm;
-    double weights[kReach + 1];
+    double weights[kKernelReach + 1];
     double sum = 0;
-    for (int i = 0; i <= kReach; ++i) {
+    for (int i = 0; i <= kKernelReach; ++i) {
         weights[i] = std::exp(-0.5 * i * i / (sigma * sigma));
         sum += i == 0 ? weights[i] : 2 * weights[i];
     }
@@ -45,8 +44,8 @@ double Membership::at(glm::ivec3 voxel) const {
         return labels_.data() +
                (std::size_t(z) * std::size_t(dims_.y) + std::size_t(y)) * std::size_t(dims_.x);
     };
-    const glm::ivec3 lo = glm::max(voxel - kReach, glm::ivec3(0));
-    const glm::ivec3 hi = glm::min(voxel + kReach, dims_ - 1);
+    const glm::ivec3 lo = glm::max(voxel - kKernelReach, glm::ivec3(0));
+    const glm::ivec3 hi = glm::min(voxel + kKernelReach, dims_ - 1);
     double sum = 0;
     for (int z = lo.z; z <= hi.z; ++z) {
         for (int y = lo.y; y <= hi.y; ++y) {

@@ -9,6 +9,9 @@
 
 namespace vs::segment {
 
+// Voxels that the kernel which makes segments smooth reaches to either side.
+inline constexpr int kKernelReach = 3;
+
 // Weights, by distance in voxels, of the separable Gaussian that makes segments smooth: normalised, sigma R/3
 // steps with R = 3, the same in mm along all axes.
 glm::vec4 smoothingKernel(double stepMm, double spacingMm);

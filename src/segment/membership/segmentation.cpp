@@ -6,23 +6,17 @@
 #include "gl/context.h"
 #include "gl/pass.h"
 #include "segment/membership/membership.h"
+#include "segment/shaders/bindings.h"
 
 #include <algorithm>
 
 namespace vs::segment {
 
 namespace {
-#include "segment/shaders/bindings.glsl"
-} // namespace
 
-namespace {
-
-constexpr int kTile = 16;
-constexpr int kReach = 3; // voxels that the kernel reaches to either side
-constexpr int kPadded = kTile + 2 * kReach;
+constexpr int kPadded = Segmentation::kTile + 2 * kKernelReach;
 // Tiles smoothed at a time: 512 take 1 MiB of bits and 11 MiB of values.
 constexpr std::uint32_t kTilesAtOnce = 512;
-constexpr std::uint32_t kMaxGroups = 65535;
 
 } // namespace
 
@@ -31,8 +25,8 @@ Segmentation::Segmentation(const volume::GridGeometry& geometry)
       tileDims_(divideUp(geometry.dims, kTile)),
       cells_(field::cellDims(geometry.dims), gl::Format::RG32F, gl::Filter::Nearest, "segmentation cells"),
       tiles_(4, "segmentation tiles"), reach_(4, "segmentation reach"),
-      rows_(kTilesAtOnce * kPadded * kPadded * sizeof(std::uint32_t), "membership rows"),
-      alongXY_(kTilesAtOnce * kPadded * kTile * kTile * sizeof(float), "smoothed along x and y"),
+      rows_(sizeof(std::uint32_t) * kTilesAtOnce * kPadded * kPadded, "membership rows"),
+      alongXY_(sizeof(float) * kTilesAtOnce * kPadded * kTile * kTile, "smoothed along x and y"),
       smoothXY_("segment/shaders/smooth_xy.comp") {
     const glm::dvec3 spacing = geometry.spacing();
     for (int axis = 0; axis < 3; ++axis) {
@@ -176,13 +170,13 @@ void Segmentation::summarize(const std::vector<std::uint32_t>& tiles, Smoothing 
     texels_.bindTexture(kSegmentationTexture);
     cells_.bindImage(kCellsImage, gl::Access::Write);
     const auto total = std::uint32_t(tiles.size());
-    for (std::uint32_t first = 0; first < total; first += kMaxGroups) {
+    for (std::uint32_t first = 0; first < total; first += gl::kMaxGroups) {
         program.set("dims", dims_)
             .set("brickDims", brickDims_)
             .set("tileDims", tileDims_)
             .set("firstTile", int(first))
             .set("cellDims", cells_.size());
-        program.dispatch({1, int(std::min(kMaxGroups, total - first)), 1}, gl::Barrier::Texture);
+        program.dispatch({1, int(std::min(gl::kMaxGroups, total - first)), 1}, gl::Barrier::Texture);
     }
 }
 

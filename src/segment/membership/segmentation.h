@@ -61,6 +61,9 @@ public:
     // Counts the updates that changed something.
     [[nodiscard]] std::uint64_t version() const { return version_; }
 
+    // Voxels along an edge of the tiles that an update rewrites.
+    static constexpr int kTile = 16;
+
 private:
     // One for the opaque segments, one for the translucent ones.
     struct Channel {

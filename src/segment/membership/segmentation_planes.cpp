@@ -8,8 +8,7 @@ namespace vs::segment {
 
 namespace {
 
-constexpr int kTile = 16;
-constexpr std::uint32_t kTilesPerBrick = 8;
+constexpr std::uint32_t kSmoothedTilesPerBrick = 8;
 
 // Of one bit a voxel, laid out as in shaders/words.glsl.
 std::size_t planeBytes(glm::ivec3 dims) {
@@ -97,17 +96,17 @@ std::vector<std::uint32_t> Segmentation::goOnBehind(const Growth& growth, const 
 }
 
 void Segmentation::clearReach(const std::vector<std::uint32_t>& bricks) {
-    reach_.reserve(bricks.size() * kTilesPerBrick * sizeof(std::uint32_t));
+    reach_.reserve(bricks.size() * kSmoothedTilesPerBrick * sizeof(std::uint32_t));
     reach_.clear();
 }
 
 std::vector<std::uint32_t> Segmentation::takeReach(const BrickTable& table, Channel& channel,
                                                    const std::vector<std::uint32_t>& bricks) {
-    const auto reach = reach_.read<std::uint32_t>(bricks.size() * kTilesPerBrick);
+    const auto reach = reach_.read<std::uint32_t>(bricks.size() * kSmoothedTilesPerBrick);
     std::vector<std::uint32_t> changed;
     for (std::uint32_t i = 0; i < reach.size(); ++i) {
         if (reach[i] != 0) {
-            const glm::ivec3 first = table.box(bricks[i / kTilesPerBrick]).lo / kTile;
+            const glm::ivec3 first = table.box(bricks[i / kSmoothedTilesPerBrick]).lo / kTile;
             const auto tile = tileIndex(first + glm::ivec3(i & 1U, i >> 1 & 1U, i >> 2 & 1U));
             channel.pending[tile] |= reach[i];
             changed.push_back(tile);

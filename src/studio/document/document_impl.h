@@ -52,7 +52,7 @@ struct Document::Impl {
     std::shared_ptr<const DocumentFacts> facts; // those that were last asked for
 
 private:
-    // Those that belong to no editor.
+    // Operations that belong to no editor.
     Outcome run(SetView& op);
     Outcome run(Undo&);
     Outcome run(Redo&);

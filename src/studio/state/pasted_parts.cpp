@@ -2,12 +2,9 @@
 #include "studio/state/pasted_parts.h"
 
 #include "gl/pass.h"
+#include "sculpt/shaders/bindings.h"
 
 namespace vs::studio {
-
-namespace {
-#include "sculpt/shaders/bindings.glsl"
-} // namespace
 
 std::shared_ptr<const gl::Texture> PastedParts::remember(const sculpt::Sculpture& sculpture) {
     const gl::Texture& texels = sculpture.texels();
@@ -64,10 +61,10 @@ void PastedParts::derive(Derived& part, const sculpt::Sculpture& sculpture, cons
         part.cells = gl::Texture(sculpture.cells().size(), gl::Format::RG32F, gl::Filter::Nearest,
                                  "pasted part cells");
     }
-    sculpture.texels().bindTexture(kWholeSculptureTexture);
-    (part.upTo ? *part.upTo : sculpture.texels()).bindTexture(kUpToTexture);
-    (part.from ? *part.from : sculpture.texels()).bindTexture(kFromTexture);
-    part.texels.bindImage(kPartImage, gl::Access::Write);
+    sculpture.texels().bindTexture(sculpt::kWholeSculptureTexture);
+    (part.upTo ? *part.upTo : sculpture.texels()).bindTexture(sculpt::kUpToTexture);
+    (part.from ? *part.from : sculpture.texels()).bindTexture(sculpt::kFromTexture);
+    part.texels.bindImage(sculpt::kPartImage, gl::Access::Write);
     program_.set("first", box.lo)
         .set("last", box.hi)
         .set("has", glm::ivec2(part.upTo ? 1 : 0, part.from ? 1 : 0));

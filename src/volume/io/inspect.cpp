@@ -69,9 +69,10 @@ std::vector<double> parseNumbers(const std::filesystem::path& path, std::string_
 std::uint64_t checkedBytes(const std::filesystem::path& path, const std::vector<std::int64_t>& sizes,
                            std::uint64_t bytesPerVoxel) {
     const auto pages = sysconf(_SC_PHYS_PAGES);
-    const auto pageBytes = sysconf(_SC_PAGE_SIZE);
-    const std::uint64_t memory =
-        pages > 0 && pageBytes > 0 ? std::uint64_t(pages) * std::uint64_t(pageBytes) : std::uint64_t(1) << 40;
+    const auto memoryPageBytes = sysconf(_SC_PAGE_SIZE);
+    const std::uint64_t memory = pages > 0 && memoryPageBytes > 0
+                                     ? std::uint64_t(pages) * std::uint64_t(memoryPageBytes)
+                                     : std::uint64_t(1) << 40;
     std::uint64_t bytes = bytesPerVoxel;
     for (const auto size : sizes) {
         if (size < 1) {
@@ -118,7 +119,7 @@ void checkGeometry(const std::filesystem::path& path, const GridGeometry& geomet
 std::filesystem::path siblingFile(const std::filesystem::path& header, const std::string& name) {
     const std::filesystem::path relative(name);
     const bool leaves = relative.is_absolute() || relative.lexically_normal().string().starts_with("..");
-    const auto file = header.parent_path() / relative;
+    auto file = header.parent_path() / relative;
     std::error_code error;
     const auto folder =
         std::filesystem::weakly_canonical(header.parent_path().empty() ? "." : header.parent_path(), error);

@@ -21,7 +21,7 @@ struct MetaHeader {
     }
 };
 
-MetaHeader readHeader(const std::filesystem::path& path) {
+MetaHeader readMetaHeader(const std::filesystem::path& path) {
     constexpr std::streamoff longestHeader = 1 << 20;
     std::ifstream input(path, std::ios::binary);
     MetaHeader header;
@@ -125,7 +125,7 @@ bool isTrue(const std::string& text) {
 } // namespace
 
 Inspection inspectMeta(const std::filesystem::path& path) {
-    const MetaHeader header = readHeader(path);
+    const MetaHeader header = readMetaHeader(path);
     if (lowerCase(header.get("objecttype", "image")) != "image") {
         refuse(path, fmt::format("its ObjectType is \"{}\"", printable(header.get("objecttype"))),
                "it must be Image");

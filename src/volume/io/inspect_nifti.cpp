@@ -42,7 +42,7 @@ public:
         glm::dmat4 matrix(1.0);
         for (int row = 0; row < 3; ++row) {
             for (int column = 0; column < 4; ++column) {
-                const double value = get<float>(std::size_t(280 + 16 * row + 4 * column));
+                const double value = get<float>(280 + 16 * std::size_t(row) + 4 * std::size_t(column));
                 matrix[column][row] = row < 2 ? -value : value;
             }
         }

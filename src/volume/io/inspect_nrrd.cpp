@@ -32,7 +32,7 @@ private:
     }
 };
 
-NrrdHeader readHeader(const std::filesystem::path& path) {
+NrrdHeader readNrrdHeader(const std::filesystem::path& path) {
     constexpr std::size_t longestHeader = 1 << 20;
     std::ifstream input(path, std::ios::binary);
     std::string line;
@@ -246,7 +246,7 @@ std::uint64_t skippedBytes(const std::filesystem::path& path, const NrrdHeader& 
 } // namespace
 
 Inspection inspectNrrd(const std::filesystem::path& path) {
-    const NrrdHeader header = readHeader(path);
+    const NrrdHeader header = readNrrdHeader(path);
     Inspection inspection;
     inspection.sizes = readSizes(path, header);
     const std::uint64_t bytesEach = voxelBytes(path, header);

@@ -30,7 +30,7 @@ std::string rest(std::istream& words) {
 }
 
 // Lines up to the one before the values.
-VtkHeader readHeader(const std::filesystem::path& path) {
+VtkHeader readVtkHeader(const std::filesystem::path& path) {
     std::ifstream input(path, std::ios::binary);
     std::string line;
     VtkHeader header;
@@ -89,7 +89,7 @@ std::uint64_t voxelBytes(const std::filesystem::path& path, const VtkHeader& hea
 } // namespace
 
 Inspection inspectVtk(const std::filesystem::path& path) {
-    const VtkHeader header = readHeader(path);
+    const VtkHeader header = readVtkHeader(path);
     if (header.dataset != "structured_points") {
         refuse(path, fmt::format("its data set is \"{}\"", printable(header.dataset)),
                "it must be STRUCTURED_POINTS");

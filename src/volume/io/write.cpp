@@ -22,7 +22,7 @@
 namespace vs::volume {
 namespace {
 
-enum class Format { Nifti, Nrrd, Meta, MetaPair };
+enum class WrittenFormat { Nifti, Nrrd, Meta, MetaPair };
 
 [[noreturn]] void fail(const std::filesystem::path& path, std::string_view wrong, std::string_view right) {
     throw WriteError("{}: {}; {}", path.string(), wrong, right);
@@ -34,19 +34,19 @@ std::string formatSuffix(const std::filesystem::path& path) {
     return extension == ".gz" ? lowerCase(path.stem().extension().string()) + extension : extension;
 }
 
-Format formatOf(const std::filesystem::path& path) {
+WrittenFormat formatOf(const std::filesystem::path& path) {
     const auto suffix = formatSuffix(path);
     if (suffix == ".nii" || suffix == ".nii.gz") {
-        return Format::Nifti;
+        return WrittenFormat::Nifti;
     }
     if (suffix == ".nrrd") {
-        return Format::Nrrd;
+        return WrittenFormat::Nrrd;
     }
     if (suffix == ".mha") {
-        return Format::Meta;
+        return WrittenFormat::Meta;
     }
     if (suffix == ".mhd") {
-        return Format::MetaPair;
+        return WrittenFormat::MetaPair;
     }
     fail(path, "the extension names no format", "it must be .nii, .nii.gz, .nrrd, .mha or .mhd");
 }
@@ -161,17 +161,17 @@ void publishPair(const TemporaryFile& whole, const std::filesystem::path& target
     head.renameTo(target);
 }
 
-void inspectWritten(const std::filesystem::path& file, Format format) {
+void inspectWritten(const std::filesystem::path& file, WrittenFormat format) {
     // ITK does not report a full disk: what was written must pass the checks that reading makes.
     switch (format) {
-    case Format::Nifti:
+    case WrittenFormat::Nifti:
         inspectNifti(file);
         return;
-    case Format::Nrrd:
+    case WrittenFormat::Nrrd:
         inspectNrrd(file);
         return;
-    case Format::Meta:
-    case Format::MetaPair:
+    case WrittenFormat::Meta:
+    case WrittenFormat::MetaPair:
         inspectMeta(file);
         return;
     }
@@ -179,16 +179,17 @@ void inspectWritten(const std::filesystem::path& file, Format format) {
 
 template <typename T>
 void writeTyped(const std::filesystem::path& name, const GridGeometry& geometry, std::span<const T> values) {
-    const Format format = formatOf(name);
+    const WrittenFormat format = formatOf(name);
     const std::filesystem::path path = outputFile(name);
     if (values.size() != geometry.voxelCount() || values.empty()) {
         fail(path, fmt::format("{} values for {} voxels", values.size(), geometry.voxelCount()),
              "a grid has one value for each voxel");
     }
-    if (format == Format::Nifti && isSheared(geometry)) {
+    if (format == WrittenFormat::Nifti && isSheared(geometry)) {
         fail(path, "NIfTI cannot hold this grid, whose axes are not perpendicular", "write .nrrd or .mha");
     }
-    if (format == Format::Nifti && std::max({geometry.dims.x, geometry.dims.y, geometry.dims.z}) > 32767) {
+    if (format == WrittenFormat::Nifti &&
+        std::max({geometry.dims.x, geometry.dims.y, geometry.dims.z}) > 32767) {
         fail(path, "NIfTI holds at most 32767 voxels along an axis", "write .nrrd or .mha");
     }
     std::error_code error;
@@ -200,18 +201,18 @@ void writeTyped(const std::filesystem::path& name, const GridGeometry& geometry,
         fail(path, "it cannot be written there", "check the permissions of the folder");
     }
     try {
-        const TemporaryFile file(path, format == Format::MetaPair ? ".mha" : formatSuffix(name));
+        const TemporaryFile file(path, format == WrittenFormat::MetaPair ? ".mha" : formatSuffix(name));
         itk::ImageIOBase::Pointer io;
-        if (format == Format::Nifti) {
+        if (format == WrittenFormat::Nifti) {
             io = itk::NiftiImageIO::New();
-        } else if (format == Format::Nrrd) {
+        } else if (format == WrittenFormat::Nrrd) {
             io = itk::NrrdImageIO::New();
         } else {
             io = itk::MetaImageIO::New();
         }
         writeWith(*io, file.path(), geometry, componentOf<T>(), values.data());
         inspectWritten(file.path(), format);
-        if (format == Format::MetaPair) {
+        if (format == WrittenFormat::MetaPair) {
             publishPair(file, path);
         } else {
             file.renameTo(path);

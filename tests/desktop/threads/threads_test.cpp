@@ -16,10 +16,14 @@
 #include <QApplication>
 #include <QElapsedTimer>
 
+#include <dlfcn.h>
 #include <filesystem>
 #include <functional>
 #include <iostream>
+#include <link.h>
+#include <string>
 #include <thread>
+#include <vector>
 
 namespace vs::desktop {
 namespace {
@@ -113,6 +117,21 @@ TEST_F(ThreadsTest, LabelsAreReadAndMeasuredBesideTheWindow) {
     studio.measurer().want(&somebody, false);
 }
 
+// ThreadSanitizer ends a program that unloads a library which its suppressions name, as Qt does with the
+// driver's at the very end.
+void keepLibraries() {
+    std::vector<std::string> names;
+    dl_iterate_phdr(
+        [](dl_phdr_info* library, std::size_t, void* known) {
+            static_cast<std::vector<std::string>*>(known)->emplace_back(library->dlpi_name);
+            return 0;
+        },
+        &names);
+    for (const std::string& name : names) {
+        dlopen(name.c_str(), RTLD_NOW | RTLD_NOLOAD | RTLD_NODELETE);
+    }
+}
+
 } // namespace
 } // namespace vs::desktop
 
@@ -125,5 +144,7 @@ int main(int argc, char** argv) {
     vs::desktop::SeenApplication application(argc, argv);
     QApplication::setApplicationName("volume-studio");
     vs::desktop::folder = argv[1];
-    return RUN_ALL_TESTS();
+    const int result = RUN_ALL_TESTS();
+    vs::desktop::keepLibraries();
+    return result;
 }

@@ -22,7 +22,7 @@ protected:
     void SetUp() override {
         w.open();
         w.studio().hand().take(w.tools().get<PeelTool>()); // that only the pen draws with
-        middle = QPointF(w.view().width() / 2, w.view().height() / 2);
+        middle = QPoint(w.view().width() / 2, w.view().height() / 2);
     }
     void TearDown() override {
         w.fingers(w.view(), {});
@@ -147,7 +147,7 @@ TEST_F(Fingers, OnSlicesOneScrollsATapLeadsAndTwoMoveAndZoom) {
     auto& slice = w.part<SliceCanvas>("axialSlice");
     auto& slices = w.studio().slices();
     StudioWindow::wait("the slices", [&] { return slice.isVisible() && w.studio().isIdle(); });
-    const QPointF place(slice.width() / 2, slice.height() / 2);
+    const QPointF place(QPoint(slice.width() / 2, slice.height() / 2));
 
     const auto crosshair = slices.crosshair();
     w.fingers(slice, {place});

@@ -170,7 +170,7 @@ std::vector<Defines> variantsOf(const std::string& source) {
 std::string textOf(const std::string& path, const Defines& defines) {
     std::string text = path;
     for (const auto& [name, value] : defines) {
-        text += " " + name + "=" + value;
+        text.append(" ").append(name).append("=").append(value);
     }
     return text;
 }

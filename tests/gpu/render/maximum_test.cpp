@@ -16,7 +16,7 @@ using field::SculptureView;
 using test::CpuRays;
 using test::Stage;
 
-constexpr glm::ivec2 kSize{103, 77}; // no multiple of a square's or a beam's side
+constexpr glm::ivec2 kMaximumSize{103, 77}; // no multiple of a square's or a beam's side
 
 // Noise, less of it on one side, in places under a dim fog of one value.
 volume::Volume noise(volume::ScalarType type, glm::ivec3 dims, glm::dvec3 spacing) {
@@ -42,7 +42,7 @@ std::vector<Camera> cameras() {
 
 void expectNoSampleMissed(Stage& stage, const std::string& what) {
     for (const Camera& camera : cameras()) {
-        stage.look(camera, kSize);
+        stage.look(camera, kMaximumSize);
         for (const double step : {0.5, 1.3}) {
             stage.frame.sampleStep = step;
             const auto fast = stage.picture(Mode::Mip);
@@ -88,10 +88,10 @@ TEST_F(MaximumTest, ItIsTheGreatestOfAllSamples) {
     stage.darken();
     const CpuRays rays(stage.volume);
     for (const Camera& camera : cameras()) {
-        stage.look(camera, kSize);
+        stage.look(camera, kMaximumSize);
         const auto picture = stage.picture(Mode::Mip);
-        for (int y = 0; y < kSize.y; ++y) {
-            for (int x = 0; x < kSize.x; ++x) {
+        for (int y = 0; y < kMaximumSize.y; ++y) {
+            for (int x = 0; x < kMaximumSize.x; ++x) {
                 const auto ray = rays.through(stage.frame.rays, {x + 0.5, y + 0.5});
                 const double greatest = std::max(rays.greatest(ray, 0.5), 0.0);
                 // Dithering and rounding; a ray that touches the box may have one sample more or less.

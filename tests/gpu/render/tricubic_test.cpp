@@ -51,7 +51,8 @@ TEST_F(TricubicTest, ABallLiesWhereTheBSplinePutsIt) {
 
     std::vector<glm::vec2> pixels;
     for (int i = 0; i < 400 * 400; i += 7) {
-        pixels.emplace_back(float(i % 400) + 0.5F, float(i / 400) + 0.5F);
+        const glm::ivec2 pixel(i % 400, i / 400);
+        pixels.push_back(glm::vec2(pixel) + 0.5F);
     }
     int hits = 0;
     for (const auto& point : still.picker.pickPoints(still.frame, pixels)) {

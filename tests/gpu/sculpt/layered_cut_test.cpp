@@ -12,18 +12,20 @@ using LayeredCutTest = test::GlTest;
 using test::Workpiece;
 using Bytes = std::vector<std::byte>;
 
-const glm::ivec3 kDims(90, 84, 70);
+const glm::ivec3 kLayeredDims(90, 84, 70);
 const glm::dvec3 kCentre(45, 42, 62);
 const MaskRaster kMask = rasterize(ellipseOutline({43, 42}, {20, 14}), 0.5);
 
 // A workpiece, perhaps with a cut in it, and a peel of it under way.
 struct Peeling {
-    explicit Peeling(bool isCutBefore, double radius = 55, const MaskRaster& mask = kMask) : piece(kDims) {
+    explicit Peeling(bool isCutBefore, double radius = 55, const MaskRaster& mask = kMask)
+        : piece(kLayeredDims) {
         if (isCutBefore) {
             const auto hole = rasterize(circleOutline({52, 40}, 9), 0.5);
             piece.cut(test::slabUnder(hole, 10), hole, test::drill(14));
         }
-        earlier = gl::Texture(kDims, piece.sculpture.texels().format(), gl::Filter::Nearest, "earlier");
+        earlier =
+            gl::Texture(kLayeredDims, piece.sculpture.texels().format(), gl::Filter::Nearest, "earlier");
         earlier.copyFrom(piece.sculpture.texels(), piece.geometry.box(), glm::ivec3(0));
         untouched = piece.bytes();
         peel.emplace(test::sphereUnder(mask, kCentre, radius), mask, test::peel(1).sweep, piece.geometry,
@@ -133,7 +135,7 @@ TEST_F(LayeredCutTest, AnyDepthIsAsGoodAsInfinite) {
 }
 
 TEST_F(LayeredCutTest, WithoutASurfaceNothingHappens) {
-    Workpiece piece(kDims);
+    Workpiece piece(kLayeredDims);
     const std::vector<field::SurfacePoint> misses(kMask.values.size());
     LayeredCut peel(misses, kMask, test::peel(1).sweep, piece.geometry, nullptr);
     for (const double depth : {3.0, 1.0, 50.0, 0.0}) {

@@ -12,22 +12,22 @@ using PeelTest = test::GlTest;
 using test::peel;
 using test::Workpiece;
 
-const glm::ivec3 kDims(96, 96, 72);
-const glm::dvec3 kCentre(48, 48, 66); // the sphere of radius 60 comes nearest at z = 6
+const glm::ivec3 kPeelDims(96, 96, 72);
+const glm::dvec3 kPeelCentre(48, 48, 66); // the sphere of radius 60 comes nearest at z = 6
 constexpr double kRadius = 60;
 
 // Where the cut ends along the sphere's radius through (x, y), as a distance from the centre.
 double radiusLeft(const std::vector<float>& values, glm::dvec2 e) {
-    const glm::dvec2 off = e - glm::dvec2(kCentre);
+    const glm::dvec2 off = e - glm::dvec2(kPeelCentre);
     const glm::dvec3 normal(off / kRadius, -std::sqrt(kRadius * kRadius - glm::dot(off, off)) / kRadius);
-    return kRadius - test::crossingOf(values, kDims, kCentre + kRadius * normal, -normal, 20);
+    return kRadius - test::crossingOf(values, kPeelDims, kPeelCentre + kRadius * normal, -normal, 20);
 }
 
 TEST_F(PeelTest, LayersComeOffASphere) {
     const auto mask = rasterize(circleOutline({48, 48}, 24), 0.5);
-    const auto surface = test::sphereUnder(mask, kCentre, kRadius);
+    const auto surface = test::sphereUnder(mask, kPeelCentre, kRadius);
     for (const double layers : {1.0, 2.5, 6.0}) {
-        Workpiece piece(kDims);
+        Workpiece piece(kPeelDims);
         piece.cut(surface, mask, peel(layers));
         const auto values = piece.values();
         double squared = 0;
@@ -43,11 +43,11 @@ TEST_F(PeelTest, LayersComeOffASphere) {
         }
         EXPECT_LT(std::sqrt(squared / count), 0.2) << layers;
         // Beyond the mask and its blur nothing has changed.
-        for (int z = 0; z < kDims.z; ++z) {
-            for (int y = 0; y < kDims.y; ++y) {
-                for (int x = 0; x < kDims.x; ++x) {
+        for (int z = 0; z < kPeelDims.z; ++z) {
+            for (int y = 0; y < kPeelDims.y; ++y) {
+                for (int x = 0; x < kPeelDims.x; ++x) {
                     if (std::hypot(x - 48, y - 48) > 24 + 2 + 4) {
-                        ASSERT_EQ(values[std::size_t((z * kDims.y + y) * kDims.x + x)], 0.0F);
+                        ASSERT_EQ(values[std::size_t((z * kPeelDims.y + y) * kPeelDims.x + x)], 0.0F);
                     }
                 }
             }
@@ -106,7 +106,7 @@ TEST_F(PeelTest, PathsThatMeetDoNotPileUp) {
 
 TEST_F(PeelTest, RoughNormalsDoNotScatterThePaths) {
     const auto mask = rasterize(circleOutline({48, 48}, 24), 0.5);
-    auto surface = test::sphereUnder(mask, kCentre, kRadius);
+    auto surface = test::sphereUnder(mask, kPeelCentre, kRadius);
     std::mt19937 random(11);
     std::normal_distribution<float> noise(0, 0.4F);
     for (auto& point : surface) {
@@ -114,7 +114,7 @@ TEST_F(PeelTest, RoughNormalsDoNotScatterThePaths) {
             glm::vec3(point.normal) + glm::vec3(noise(random), noise(random), noise(random));
         point.normal = glm::vec4(glm::normalize(rough), 0);
     }
-    Workpiece piece(kDims);
+    Workpiece piece(kPeelDims);
     piece.cut(surface, mask, peel(6));
     const auto values = piece.values();
     for (double x = -16; x <= 16; x += 1.7) {
@@ -126,8 +126,8 @@ TEST_F(PeelTest, TheMasksDensityDoesNotMatter) {
     std::vector<std::vector<float>> results;
     for (const double pitch : {0.5, 0.25}) {
         const auto mask = rasterize(circleOutline({48, 48}, 24), pitch);
-        Workpiece piece(kDims);
-        piece.cut(test::sphereUnder(mask, kCentre, kRadius), mask, peel(3));
+        Workpiece piece(kPeelDims);
+        piece.cut(test::sphereUnder(mask, kPeelCentre, kRadius), mask, peel(3));
         results.push_back(piece.values());
     }
     EXPECT_LE(test::largestDifference(results[0], results[1]), 0.02F);

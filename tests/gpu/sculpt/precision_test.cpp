@@ -7,8 +7,8 @@
 namespace vs::sculpt {
 namespace {
 
-const glm::ivec3 kDims(72, 68, 48);
-const MaskRaster kDisc = rasterize(circleOutline({36, 34}, 14), 0.5);
+const glm::ivec3 kPrecisionDims(72, 68, 48);
+const MaskRaster kPrecisionDisc = rasterize(circleOutline({36, 34}, 14), 0.5);
 
 // Each precision of the sculpture.
 class PrecisionTest : public test::GlTest, public testing::WithParamInterface<Precision> {
@@ -22,10 +22,10 @@ protected:
 };
 
 TEST_P(PrecisionTest, CutsAreTheRadiationRoundedToWhatIsStored) {
-    test::Workpiece piece(kDims, glm::dvec3(1), GetParam());
+    test::Workpiece piece(kPrecisionDims, glm::dvec3(1), GetParam());
     EXPECT_EQ(piece.sculpture.precision(), GetParam());
     EXPECT_EQ(piece.sculpture.texels().format(), formatOf(GetParam()));
-    const Box3 box = piece.cut(test::slabUnder(kDisc, 15.3), kDisc, test::drill(9));
+    const Box3 box = piece.cut(test::slabUnder(kPrecisionDisc, 15.3), kPrecisionDisc, test::drill(9));
     const auto energies = piece.cutter.radiator().download(box);
     const auto values = piece.sculpture.values(box);
     float worst = 0;
@@ -42,16 +42,16 @@ TEST_P(PrecisionTest, CutsAreTheRadiationRoundedToWhatIsStored) {
 }
 
 TEST_P(PrecisionTest, AgainChangesNothingAndRestoringLeavesNothingCut) {
-    test::Workpiece piece(kDims, glm::dvec3(1), GetParam());
-    const auto surface = test::slabUnder(kDisc, 15.3);
+    test::Workpiece piece(kPrecisionDims, glm::dvec3(1), GetParam());
+    const auto surface = test::slabUnder(kPrecisionDisc, 15.3);
     auto how = test::drill(9);
-    piece.cut(surface, kDisc, how);
+    piece.cut(surface, kPrecisionDisc, how);
     const auto once = piece.bytes();
-    piece.cut(surface, kDisc, how);
+    piece.cut(surface, kPrecisionDisc, how);
     EXPECT_EQ(piece.sculpture.changedVoxels(), 0U);
     EXPECT_TRUE(piece.bytes() == once);
     how.how = Combine::Restore;
-    piece.cut(surface, kDisc, how);
+    piece.cut(surface, kPrecisionDisc, how);
     const auto values = piece.values();
     const float most = *std::max_element(values.begin(), values.end());
     EXPECT_LE(most, justVisible(GetParam()));
@@ -60,9 +60,9 @@ TEST_P(PrecisionTest, AgainChangesNothingAndRestoringLeavesNothingCut) {
 }
 
 TEST_P(PrecisionTest, UndoAndLayersAreExactToTheLastByte) {
-    test::Workpiece piece(kDims, glm::dvec3(1), GetParam());
-    piece.cut(test::slabUnder(kDisc, 12), kDisc, test::drill(4));
-    gl::Texture earlier(kDims, formatOf(GetParam()), gl::Filter::Nearest, "earlier");
+    test::Workpiece piece(kPrecisionDims, glm::dvec3(1), GetParam());
+    piece.cut(test::slabUnder(kPrecisionDisc, 12), kPrecisionDisc, test::drill(4));
+    gl::Texture earlier(kPrecisionDims, formatOf(GetParam()), gl::Filter::Nearest, "earlier");
     earlier.copyFrom(piece.sculpture.texels(), piece.geometry.box(), glm::ivec3(0));
     const auto before = piece.bytes();
     const auto mask = rasterize(circleOutline({40, 30}, 15), 0.5);

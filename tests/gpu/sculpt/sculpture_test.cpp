@@ -11,7 +11,7 @@ using SculptureTest = test::GlTest;
 using test::drill;
 using test::Workpiece;
 
-const glm::ivec3 kDims(75, 61, 50); // no multiple of a tile, a cell or a brick
+const glm::ivec3 kSculptureDims(75, 61, 50); // no multiple of a tile, a cell or a brick
 
 // Every cell's range must be the one of its 5^3 corner voxels.
 void expectCellsRight(const Sculpture& sculpture) {
@@ -41,7 +41,7 @@ void expectCellsRight(const Sculpture& sculpture) {
 }
 
 TEST_F(SculptureTest, CellsFollowEveryChange) {
-    Workpiece piece(kDims);
+    Workpiece piece(kSculptureDims);
     const auto mask = rasterize(ellipseOutline({40, 30}, {20, 9}), 0.5);
     BrickBackup backup(piece.sculpture.texels());
     const auto before = piece.sculpture.version();
@@ -98,15 +98,15 @@ TEST_F(SculptureTest, ChangesAndTouchedBricksAreKnownForEver) {
 }
 
 TEST_F(SculptureTest, OnlyTheReturnedBoxChangesAndItIsTight) {
-    Workpiece piece(kDims);
+    Workpiece piece(kSculptureDims);
     const auto mask = rasterize(circleOutline({40, 30}, 6), 0.5);
     const Box3 box = piece.cut(test::slabUnder(mask, 20), mask, drill(10));
     const auto values = piece.values();
     Box3 changed;
-    for (int z = 0; z < kDims.z; ++z) {
-        for (int y = 0; y < kDims.y; ++y) {
-            for (int x = 0; x < kDims.x; ++x) {
-                if (values[std::size_t((z * kDims.y + y) * kDims.x + x)] != 0) {
+    for (int z = 0; z < kSculptureDims.z; ++z) {
+        for (int y = 0; y < kSculptureDims.y; ++y) {
+            for (int x = 0; x < kSculptureDims.x; ++x) {
+                if (values[std::size_t((z * kSculptureDims.y + y) * kSculptureDims.x + x)] != 0) {
                     changed = unite(changed, {{x, y, z}, {x + 1, y + 1, z + 1}});
                 }
             }
@@ -117,7 +117,7 @@ TEST_F(SculptureTest, OnlyTheReturnedBoxChangesAndItIsTight) {
 }
 
 TEST_F(SculptureTest, UndoAndRedoRestoreBytesExactly) {
-    Workpiece piece(kDims);
+    Workpiece piece(kSculptureDims);
     const auto first = rasterize(circleOutline({30, 30}, 10), 0.5);
     const auto second = rasterize(circleOutline({42, 33}, 12), 0.5);
     piece.cut(test::slabUnder(first, 15), first, drill(8));
@@ -146,7 +146,7 @@ TEST_F(SculptureTest, UndoAndRedoRestoreBytesExactly) {
 }
 
 TEST_F(SculptureTest, ABackupCanPutEverythingBack) {
-    Workpiece piece(kDims);
+    Workpiece piece(kSculptureDims);
     const auto mask = rasterize(circleOutline({42, 33}, 12), 0.5);
     BrickBackup backup(piece.sculpture.texels());
     const auto before = piece.bytes();

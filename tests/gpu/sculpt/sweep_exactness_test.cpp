@@ -77,7 +77,7 @@ std::vector<Shape> shapes(glm::dvec2 radii = {16, 10}) {
             {"star", star, star}};
 }
 
-const glm::ivec3 kDims(112, 112, 96);
+const glm::ivec3 kSweepDims(112, 112, 96);
 const std::vector<glm::dvec3> kSplinePoints{{26, 30, 26}, {48, 40, 62}, {72, 66, 66}, {86, 84, 30}};
 
 SweptCurve::Turning turningOf(FrameKind kind) {
@@ -89,8 +89,9 @@ TEST_F(SweepExactness, ObliqueLines) {
     const SweptCurve curve([&](double t) { return glm::mix(ends[0], ends[1], t); },
                            SweptCurve::Turning::Least);
     for (const Shape& shape : shapes()) {
-        expectExact(errors(sweep(shape.drawn, polylinePath(ends), kDims), kDims, curve, shape.exact),
-                    shape.name);
+        expectExact(
+            errors(sweep(shape.drawn, polylinePath(ends), kSweepDims), kSweepDims, curve, shape.exact),
+            shape.name);
     }
 }
 
@@ -104,7 +105,8 @@ TEST_F(SweepExactness, Helices) {
             },
             turningOf(kind));
         for (const Shape& shape : shapes()) {
-            expectExact(errors(sweep(shape.drawn, helixPath(helix, kind), kDims), kDims, curve, shape.exact),
+            expectExact(errors(sweep(shape.drawn, helixPath(helix, kind), kSweepDims), kSweepDims, curve,
+                               shape.exact),
                         shape.name + (turningOf(kind) == least ? "_parallel" : "_frenet"));
         }
     }
@@ -114,8 +116,9 @@ TEST_F(SweepExactness, Splines) {
     const SweptCurve curve([&](double t) { return reference::centripetalAt(kSplinePoints, t); },
                            SweptCurve::Turning::Least);
     for (const Shape& shape : shapes()) {
-        expectExact(errors(sweep(shape.drawn, splinePath(kSplinePoints), kDims), kDims, curve, shape.exact),
-                    shape.name);
+        expectExact(
+            errors(sweep(shape.drawn, splinePath(kSplinePoints), kSweepDims), kSweepDims, curve, shape.exact),
+            shape.name);
     }
 }
 
@@ -150,8 +153,8 @@ TEST_F(SweepExactness, TheMasksPitchAndThePathsChordsDoNotMatter) {
     const Outline outline = ellipseOutline({0, 0}, {16, 10});
     const Helix helix{{56, 56, 30}, {56, 56, 70}, 30, 0.9};
     const auto path = helixPath(helix);
-    const auto values = sweep(outline, path, kDims);
-    EXPECT_LT(largestDifference(values, sweep(outline, path, kDims, glm::dvec3(1), 3, 0.25)), 0.02F);
+    const auto values = sweep(outline, path, kSweepDims);
+    EXPECT_LT(largestDifference(values, sweep(outline, path, kSweepDims, glm::dvec3(1), 3, 0.25)), 0.02F);
     // Each piece in three.
     std::vector<PathPiece> finer;
     for (const PathPiece& piece : path) {
@@ -166,7 +169,7 @@ TEST_F(SweepExactness, TheMasksPitchAndThePathsChordsDoNotMatter) {
             from = to;
         }
     }
-    EXPECT_LT(largestDifference(values, sweep(outline, finer, kDims)), 0.02F);
+    EXPECT_LT(largestDifference(values, sweep(outline, finer, kSweepDims)), 0.02F);
     // Every second place only: chords twice as long.
     std::vector<PathPiece> coarser;
     for (std::size_t n = 0; n + 1 < path.size(); n += 2) {
@@ -175,10 +178,10 @@ TEST_F(SweepExactness, TheMasksPitchAndThePathsChordsDoNotMatter) {
     if (path.size() % 2 == 1) {
         coarser.push_back(path.back());
     }
-    EXPECT_LT(largestDifference(values, sweep(outline, coarser, kDims)), 0.02F);
+    EXPECT_LT(largestDifference(values, sweep(outline, coarser, kSweepDims)), 0.02F);
     // Inside it is 1, whatever the radius.
     for (const int radius : {2, 3, 4}) {
-        const auto solid = sweep(outline, path, kDims, glm::dvec3(1), radius);
+        const auto solid = sweep(outline, path, kSweepDims, glm::dvec3(1), radius);
         for (double t = 0.1; t < 0.95; t += 0.05) {
             const glm::ivec3 v(glm::round(helix.at(t)));
             EXPECT_NEAR(solid[(std::size_t(v.z) * 112 + std::size_t(v.y)) * 112 + std::size_t(v.x)], 1, 0.012)

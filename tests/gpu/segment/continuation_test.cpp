@@ -13,8 +13,7 @@ namespace vs::segment {
 namespace {
 
 using ContinuationTest = test::GlTest;
-constexpr int kAll = 1 << 30;
-constexpr glm::ivec3 kDims{70, 50, 45};
+constexpr glm::ivec3 kFencedDims{70, 50, 45};
 
 // A sculpture of its own, as the renderer's: cut away where `distance` (voxels) is positive.
 struct Sculpted {
@@ -39,7 +38,7 @@ struct Sculpted {
         ++version;
     }
     // `changed`: what differs from the last version.
-    [[nodiscard]] Fence fence(field::SculptureView view, Box3 changed = {glm::ivec3(0), kDims}) const {
+    [[nodiscard]] Fence fence(field::SculptureView view, Box3 changed = {glm::ivec3(0), kFencedDims}) const {
         return {&texels, &cells, view, version, [changed](std::uint64_t) { return changed; }};
     }
     void fenceIn(Constraints& constraints, field::SculptureView view) const {
@@ -57,20 +56,16 @@ double belowPlane(glm::dvec3 p) {
     return glm::dot(p - glm::dvec3(35, 25, 22), glm::normalize(glm::dvec3(2, 1, 1)));
 }
 
-std::vector<std::uint8_t> texelsOf(const Segmentation& segmentation) {
-    return segmentation.texels().downloadAll<std::uint8_t>();
-}
-
 // Whatever has happened, an update makes what a segmentation that is new makes at once.
 TEST_F(ContinuationTest, IncrementalUpdatesEqualFreshOnesByteForByte) {
-    const auto volume = randomVolume(kDims, volume::ScalarType::UInt8, 0, 100);
+    const auto volume = randomVolume(kFencedDims, volume::ScalarType::UInt8, 0, 100);
     const field::Field field = field::uploadVolume(volume);
     Growth growth(field);
-    Sculpted sculpted(kDims);
+    Sculpted sculpted(kFencedDims);
     sculpted.cut(belowPlane);
     Segmentation segmentation(volume.geometry);
     field::SculptureView view = field::SculptureView::Cut;
-    Box3 box{glm::ivec3(0), kDims};
+    Box3 box{glm::ivec3(0), kFencedDims};
     Looks looks = allOpaque();
     std::size_t counted = 0; // texels that a fence changes
     const auto check = [&](const std::string& what) {
@@ -130,7 +125,7 @@ TEST_F(ContinuationTest, IncrementalUpdatesEqualFreshOnesByteForByte) {
     growth.reset();
     check("one of them erased");
     view = field::SculptureView::Probe;
-    box = {glm::ivec3(0), kDims};
+    box = {glm::ivec3(0), kFencedDims};
     check("seen from the other side");
     view = field::SculptureView::Whole;
     check("whole");
@@ -157,7 +152,7 @@ TEST_F(ContinuationTest, WhatIsThinGoesOnToo) {
     segmentation.update(growth, Smoothing::Smooth, allOpaque(), Segmentation::kNoHurry,
                         {&sculpted.texels, &sculpted.cells, field::SculptureView::Cut, 1});
     const auto texels = texelsOf(segmentation);
-    const auto at = [&](int x, int y, int z) { return int(texels[std::size_t((z * 24 + y) * 24 + x)]); };
+    const auto at = [&](int x, int y, int z) { return int(texels[(std::size_t(z) * 24 + y) * 24 + x]); };
     for (const int z : {11, 12, 13}) {
         EXPECT_NEAR(at(12, 12, z), at(12, 12, 8), 1) << z;
         EXPECT_NEAR(at(13, 12, z), at(13, 12, 8), 1) << z;
@@ -191,7 +186,7 @@ TEST_F(ContinuationTest, WhatIsKnownBehindTheFaceIsLeftAlone) {
     without.update(growth);
     EXPECT_TRUE(texelsOf(with) == texelsOf(without));
     // Cut off at the face, it goes on straight: nobody knows how else.
-    for (std::size_t i = 21 * 1600; i < ball.size(); ++i) {
+    for (std::size_t i = std::size_t(21) * 1600; i < ball.size(); ++i) {
         ball[i] = 0;
     }
     growth.replace(volume.geometry.box(), ball);

@@ -4,12 +4,21 @@
 #include "phantom/phantom.h"
 #include "reference/growth.h"
 #include "segment/growth/growth.h"
+#include "segment/membership/segmentation.h"
 
 #include <cmath>
+#include <limits>
 #include <random>
 #include <vector>
 
 namespace vs::segment {
+
+// The last of all generations.
+inline constexpr int kAll = std::numeric_limits<int>::max();
+
+inline std::vector<std::uint8_t> texelsOf(const Segmentation& segmentation) {
+    return segmentation.texels().downloadAll<std::uint8_t>();
+}
 
 inline volume::Volume randomVolume(glm::ivec3 dims, volume::ScalarType type, double lo, double hi,
                                    unsigned int seed = 7) {
@@ -40,7 +49,7 @@ inline reference::QueueGrowth::Admits admits(const volume::Volume& volume, const
             return inRange;
         }
         const glm::ivec3 dims = volume.geometry.dims;
-        const bool isCut = sculpture[std::size_t((v.z * dims.y + v.y) * dims.x + v.x)] >= 128;
+        const bool isCut = sculpture[(std::size_t(v.z) * dims.y + v.y) * dims.x + v.x] >= 128;
         return inRange && isCut == (constraints.view == field::SculptureView::Probe);
     };
 }

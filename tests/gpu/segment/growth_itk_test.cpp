@@ -17,7 +17,6 @@ namespace vs::segment {
 namespace {
 
 using GrowthItkTest = test::GlTest;
-constexpr int kAll = std::numeric_limits<int>::max();
 const std::filesystem::path kTemplates = "/usr/share/mricron/templates";
 
 std::filesystem::path testData() {
@@ -102,7 +101,7 @@ void expectEqualsItkNeighbourhoods(const volume::Volume& volume, const std::vect
     std::vector<glm::ivec3> admitted;
     std::copy_if(seeds.begin(), seeds.end(), std::back_inserter(admitted), [&](glm::ivec3 seed) {
         const glm::ivec3 dims = volume.geometry.dims;
-        return inside[std::size_t((seed.z * dims.y + seed.y) * dims.x + seed.x)] != 0;
+        return inside[(std::size_t(seed.z) * dims.y + seed.y) * dims.x + seed.x] != 0;
     });
     Growth growth(field);
     Constraints constraints;

@@ -11,7 +11,6 @@ namespace vs::segment {
 namespace {
 
 using GrowthLogTest = test::GlTest;
-constexpr int kAll = std::numeric_limits<int>::max();
 
 // Growth on the device and the reference side by side.
 class Pair {

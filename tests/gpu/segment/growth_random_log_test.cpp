@@ -18,8 +18,8 @@ using test::below;
 const glm::ivec3 kDims(45, 35, 40);
 
 // The same growth on the device and in the reference.
-struct Pair {
-    explicit Pair(const volume::Volume& values, const field::Field& field)
+struct LoggedPair {
+    explicit LoggedPair(const volume::Volume& values, const field::Field& field)
         : volume(values), growth(field), queue(values.geometry.dims) {}
 
     void setRules(const Constraints& constraints, GrowthUndo* undo) {
@@ -41,7 +41,7 @@ struct Pair {
 // A call of both, recorded in the undo, and how a counterexample shows it.
 struct Call {
     std::string text;
-    std::function<void(Pair&, GrowthUndo&)> run;
+    std::function<void(LoggedPair&, GrowthUndo&)> run;
 };
 
 void showValue(const Call& call, std::ostream& out) { out << call.text; }
@@ -70,12 +70,12 @@ Call drawRules() {
                         shown(constraints.range), constraints.connectivity == Connectivity::Six ? 6 : 26,
                         shown(constraints.difference), shown(constraints.gradient),
                         shown(constraints.gradientDifference)),
-            [constraints](Pair& pair, GrowthUndo& undo) { pair.setRules(constraints, &undo); }};
+            [constraints](LoggedPair& pair, GrowthUndo& undo) { pair.setRules(constraints, &undo); }};
 }
 
 Call drawLive() {
     const bool isLive = *test::coin();
-    return {isLive ? "live" : "not live", [isLive](Pair& pair, GrowthUndo& undo) {
+    return {isLive ? "live" : "not live", [isLive](LoggedPair& pair, GrowthUndo& undo) {
                 pair.growth.setLive(isLive, &undo);
                 pair.queue.setLive(isLive);
             }};
@@ -85,7 +85,7 @@ Call drawAbsorption() {
     const std::vector<glm::ivec3> stroke{{20, 20, 20}, drawVoxel()};
     const int expansions = *below(6);
     return {fmt::format("absorb from {} by {}", text(stroke[1]), expansions),
-            [stroke, expansions](Pair& pair, GrowthUndo& undo) {
+            [stroke, expansions](LoggedPair& pair, GrowthUndo& undo) {
                 RC_ASSERT(pair.growth.absorb(stroke, expansions, &undo) ==
                           pair.queue.absorb(stroke, expansions));
             }};
@@ -94,7 +94,7 @@ Call drawAbsorption() {
 // An edit that turns an eighth of the voxels over.
 Call drawReplacement() {
     const int seed = *below(1000);
-    return {fmt::format("replace with noise {}", seed), [seed](Pair& pair, GrowthUndo& undo) {
+    return {fmt::format("replace with noise {}", seed), [seed](LoggedPair& pair, GrowthUndo& undo) {
                 std::mt19937 random{std::mt19937::result_type(seed)};
                 std::vector<std::uint8_t> inside = pair.growth.labels();
                 for (std::uint8_t& value : inside) {
@@ -112,7 +112,7 @@ Call drawSeeds() {
         seeds.push_back(drawVoxel());
         shown += fmt::format(" {}", text(seeds.back()));
     }
-    return {shown, [seeds](Pair& pair, GrowthUndo& undo) {
+    return {shown, [seeds](LoggedPair& pair, GrowthUndo& undo) {
                 pair.growth.addSeeds(seeds, &undo);
                 pair.queue.addSeeds(seeds);
             }};
@@ -120,7 +120,7 @@ Call drawSeeds() {
 
 Call drawStepBack() {
     const int back = *below(6);
-    return {fmt::format("step back by {}", back), [back](Pair& pair, GrowthUndo& undo) {
+    return {fmt::format("step back by {}", back), [back](LoggedPair& pair, GrowthUndo& undo) {
                 pair.growth.takeBack(back, &undo);
                 pair.queue.takeBack(back);
             }};
@@ -128,14 +128,14 @@ Call drawStepBack() {
 
 Call drawPlayhead() {
     const int to = *below(12);
-    return {fmt::format("playhead to {}", to), [to](Pair& pair, GrowthUndo& undo) {
+    return {fmt::format("playhead to {}", to), [to](LoggedPair& pair, GrowthUndo& undo) {
                 pair.growth.setPlayhead(to, &undo);
                 pair.queue.setPlayhead(to);
             }};
 }
 
 Call drawReset() {
-    return {"reset", [](Pair& pair, GrowthUndo& undo) {
+    return {"reset", [](LoggedPair& pair, GrowthUndo& undo) {
                 pair.growth.reset(&undo);
                 pair.queue.reset();
             }};
@@ -143,7 +143,7 @@ Call drawReset() {
 
 Call drawAdvance() {
     const int forward = 1 + *below(4);
-    return {fmt::format("advance by {}", forward), [forward](Pair& pair, GrowthUndo& undo) {
+    return {fmt::format("advance by {}", forward), [forward](LoggedPair& pair, GrowthUndo& undo) {
                 RC_ASSERT(pair.growth.advance(forward, &undo) == pair.queue.advance(forward));
             }};
 }
@@ -172,7 +172,7 @@ TEST_F(GrowthLogTest, RandomLogsEqualTheQueueAndUndoRestoresEveryByte) {
     const auto volume = randomVolume(kDims, volume::ScalarType::UInt8, 0, 100);
     const field::Field field = field::uploadVolume(volume);
     test::checkProperty(12, [&] {
-        Pair pair(volume, field);
+        LoggedPair pair(volume, field);
         Constraints first;
         first.range = {0, 60};
         pair.setRules(first, nullptr);

@@ -9,7 +9,6 @@ namespace vs::segment {
 namespace {
 
 using GrowthRulesTest = test::GlTest;
-constexpr int kAll = std::numeric_limits<int>::max();
 
 // A blurred random volume: neighbours differ little enough for growth to get somewhere.
 volume::Volume softVolume(volume::ScalarType type, glm::dvec3 spacing) {

@@ -10,7 +10,6 @@ namespace vs::segment {
 namespace {
 
 using GrowthTest = test::GlTest;
-constexpr int kAll = std::numeric_limits<int>::max();
 
 void expectEqualsReference(const volume::Volume& volume, const Constraints& constraints,
                            const std::vector<glm::ivec3>& seeds, const std::string& what) {

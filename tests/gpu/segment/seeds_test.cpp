@@ -88,7 +88,7 @@ TEST_F(SeedsTest, ManyHitsOnOneVoxelGiveOneSeed) {
     const field::Field field = field::uploadVolume(volume);
     Constraints constraints;
     constraints.range = {0, 100};
-    std::vector<field::SurfacePoint> points(300 * 200);
+    std::vector<field::SurfacePoint> points(std::size_t(300) * 200);
     for (auto& point : points) {
         point.voxel = {3.2F, 4.1F, 6.9F, 1};
     }
@@ -115,10 +115,11 @@ TEST_F(SeedsTest, FiveMillionHitsAreAllLookedAt) {
     const glm::ivec2 size(2500, 2000);
     std::vector<field::SurfacePoint> points(std::size_t(size.x) * std::size_t(size.y));
     const auto place = [&](std::size_t voxel) {
-        return glm::vec4(voxel % side, voxel / side % side, voxel / (side * side), 1);
+        return glm::vec4(voxel % side, voxel / side % side, voxel / side / side, 1);
     };
     // One hit each at the very ends of the list and of its first row; nothing between them.
-    const std::vector<std::size_t> hits{0, 1, 65535 * 64 - 1, 65535 * 64, points.size() - 1};
+    const std::vector<std::size_t> hits{0, 1, std::size_t(65535) * 64 - 1, std::size_t(65535) * 64,
+                                        points.size() - 1};
     std::vector<glm::ivec3> expected;
     for (std::size_t i = 0; i < hits.size(); ++i) {
         points[hits[i]].voxel = place(1000 * i);

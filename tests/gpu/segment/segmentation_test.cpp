@@ -13,11 +13,6 @@ namespace vs::segment {
 namespace {
 
 using SegmentationTest = test::GlTest;
-constexpr int kAll = std::numeric_limits<int>::max();
-
-std::vector<std::uint8_t> texelsOf(const Segmentation& segmentation) {
-    return segmentation.texels().downloadAll<std::uint8_t>();
-}
 
 void expectTruth(const Growth& growth, const Segmentation& segmentation, const std::string& what) {
     const auto labels = growth.labels();
@@ -61,7 +56,7 @@ TEST_F(SegmentationTest, IsTheGaussianHeldToTheTruth) {
     const auto member = [&](glm::ivec3 v) {
         const bool inside =
             glm::all(glm::greaterThanEqual(v, glm::ivec3(0))) && glm::all(glm::lessThan(v, dims));
-        return inside && labels[std::size_t((v.z * dims.y + v.y) * dims.x + v.x)] == 1 ? 1.0 : 0.0;
+        return inside && labels[(std::size_t(v.z) * dims.y + v.y) * dims.x + v.x] == 1 ? 1.0 : 0.0;
     };
     double weights[3][7];
     for (int axis = 0; axis < 3; ++axis) {
@@ -87,7 +82,7 @@ TEST_F(SegmentationTest, IsTheGaussianHeldToTheTruth) {
                 }
                 value *= 255;
                 value = member({x, y, z}) > 0 ? std::max(value, 255 - value) : std::min(value, 255 - value);
-                const int texel = texels[std::size_t((z * dims.y + y) * dims.x + x)];
+                const int texel = texels[(std::size_t(z) * dims.y + y) * dims.x + x];
                 worst = std::max(
                     {worst, std::abs(value - texel), std::abs(255 * membership.at({x, y, z}) - texel)});
             }
@@ -164,7 +159,7 @@ TEST_F(SegmentationTest, ASingleVoxelReachesTheTilesAround) {
         for (int n = 0; n < 6; ++n) {
             glm::ivec3 v = seed;
             v[n / 2] += n % 2 == 0 ? 2 : -2; // farther off, less than a texel's unit is left
-            EXPECT_GT(texels[std::size_t((v.z * 40 + v.y) * 40 + v.x)], 0) << i << " " << n;
+            EXPECT_GT(texels[(std::size_t(v.z) * 40 + v.y) * 40 + v.x], 0) << i << " " << n;
         }
     }
 }

@@ -224,7 +224,7 @@ TEST_F(CutTintTest, SlicesShowWhatHasGrown) {
                 const glm::ivec3 beside = voxel + glm::ivec3(i % 3 - 1, i / 3 - 1, 0);
                 isNearGrown =
                     isNearGrown ||
-                    labels[std::size_t((beside.z * grid.dims.y + beside.y) * grid.dims.x + beside.x)] != 0;
+                    labels[(std::size_t(beside.z) * grid.dims.y + beside.y) * grid.dims.x + beside.x] != 0;
             }
             const bool isTinted = apart(seen, without, x, y) > kNoticeable;
             EXPECT_TRUE(!isTinted || isNearGrown) << x << ' ' << y;

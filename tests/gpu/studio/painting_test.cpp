@@ -11,17 +11,10 @@ namespace {
 using PaintingTest = test::GlTest;
 using segment::VoxelSet;
 using test::editOf;
+using test::inRange;
 using test::setOf;
 using test::stateOf;
 using test::testHead;
-
-VoxelSet inRange(const Document& document, const Range& range) {
-    VoxelSet set = segment::emptySet(document.volume().geometry.box());
-    for (std::size_t i = 0; i < set.inside.size(); ++i) {
-        set.inside[i] = range.contains(double(std::uint8_t(document.volume().bytes[i]))) ? 1 : 0;
-    }
-    return set;
-}
 
 // A disc on a slice, against the distance of every voxel of it.
 TEST_F(PaintingTest, PaintsWhatLiesUnderTheBrush) {

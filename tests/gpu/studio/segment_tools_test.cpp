@@ -13,6 +13,7 @@ using SegmentToolsTest = test::GlTest;
 using segment::VoxelSet;
 using test::ellipseAt;
 using test::grownBrain;
+using test::inRange;
 using test::seedAt;
 using test::setOf;
 using test::stateOf;
@@ -26,14 +27,6 @@ VoxelSet cutIn(const Document& document) {
     VoxelSet set = segment::emptySet(document.volume().geometry.box());
     for (std::size_t i = 0; i < values.size(); ++i) {
         set.inside[i] = values[i] >= 0.5F ? 1 : 0;
-    }
-    return set;
-}
-
-VoxelSet inRange(const Document& document, const Range& range) {
-    VoxelSet set = segment::emptySet(document.volume().geometry.box());
-    for (std::size_t i = 0; i < set.inside.size(); ++i) {
-        set.inside[i] = range.contains(double(std::uint8_t(document.volume().bytes[i]))) ? 1 : 0;
     }
     return set;
 }

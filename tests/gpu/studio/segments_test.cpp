@@ -20,7 +20,6 @@ namespace {
 
 using SegmentsTest = test::GlTest;
 using segment::VoxelSet;
-using test::brainSeed;
 using test::editOf;
 using test::grownBrain;
 using test::refusal;

@@ -56,6 +56,15 @@ inline studio::EditSegment editOf(studio::EditSegment::Kind kind, double amount 
     return op;
 }
 
+// The voxels of the 8-bit head whose values are in a range.
+inline segment::VoxelSet inRange(const studio::Document& document, const Range& range) {
+    segment::VoxelSet set = segment::emptySet(document.volume().geometry.box());
+    for (std::size_t i = 0; i < set.inside.size(); ++i) {
+        set.inside[i] = range.contains(double(std::uint8_t(document.volume().bytes[i]))) ? 1 : 0;
+    }
+    return set;
+}
+
 using Stroke = decltype(studio::BrushSegment::stroke);
 
 // One of each tool whose stroke can be a brush.

@@ -79,7 +79,8 @@ TEST_F(ToolsTest, EmptySketchesAndNoPressureDoNothing) {
 }
 
 TEST_F(ToolsTest, HoldingThePenStillChangesNothingMore) {
-    for (Operation tool : std::vector<Operation>{penAt<Drill>(200, 130, 10), penAt<Laser>(200, 130, 10)}) {
+    for (const Operation& tool :
+         std::vector<Operation>{penAt<Drill>(200, 130, 10), penAt<Laser>(200, 130, 10)}) {
         Head document;
         document.stroke().begin(tool);
         document.stroke().drawAt({{200, 130}, 0.8});

@@ -165,7 +165,8 @@ TEST(VisibleSurface, IsCappedWhereItIsCut) {
     });
     VisibleVolume visible{&volume, {50, 1e9}};
     for (std::size_t i = 0; i < grid.voxelCount(); ++i) {
-        const double z = double(i / 256);
+        const std::size_t slice = i / 256;
+        const auto z = double(slice);
         visible.sculpture.push_back(packed(float(glm::clamp(0.5 + 0.4 * (z - 5.25), 0.0, 1.0))));
     }
     const Mesh rest = visibleSurface(visible);

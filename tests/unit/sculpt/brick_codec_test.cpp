@@ -91,7 +91,7 @@ TEST(BrickCodec, AnyBytesComeBack) {
 // A smooth cut face in half floats, seen from the side that has it and from the one that has not.
 TEST(BrickCodec, SmoothFacesTakeFewBytes) {
     const glm::ivec3 size(32);
-    Bytes cut(32 * 32 * 32 * 2);
+    Bytes cut(std::size_t(32) * 32 * 32 * 2);
     std::size_t n = 0;
     for (int z = 0; z < size.z; ++z) {
         for (int y = 0; y < size.y; ++y) {

@@ -190,22 +190,22 @@ TEST(Path, ARecordedWayLosesItsTremble) {
     std::mt19937 random(7);
     std::normal_distribution<double> tremble(0, 0.25);
     std::vector<glm::dvec3> pen;
-    const auto true_ = [](double t) { return glm::dvec3(60 * t, 20 * std::sin(3 * t), 10 + 5 * t); };
+    const auto truth = [](double t) { return glm::dvec3(60 * t, 20 * std::sin(3 * t), 10 + 5 * t); };
     for (int n = 0; n <= 400; ++n) {
         const double t = n / 400.0;
         const bool isEnd = n == 0 || n == 400;
-        pen.push_back(true_(t) + (isEnd ? 0.0 : 1.0) * glm::dvec3(tremble(random), tremble(random), 0));
+        pen.push_back(truth(t) + (isEnd ? 0.0 : 1.0) * glm::dvec3(tremble(random), tremble(random), 0));
         pen.push_back(pen.back());
     }
     const auto pieces = recordedPath(pen);
     expectSound(pieces);
-    expectNear(pieces.front().from.origin, true_(0));
-    expectNear(pieces.back().to.origin, true_(1));
+    expectNear(pieces.front().from.origin, truth(0));
+    expectNear(pieces.back().to.origin, truth(1));
     double squared = 0;
     double turned = 0;
     for (const PathPiece& piece : pieces) {
         const double t = piece.to.origin.x / 60;
-        squared += std::pow(glm::length(piece.to.origin - true_(t)), 2) / double(pieces.size());
+        squared += std::pow(glm::length(piece.to.origin - truth(t)), 2) / double(pieces.size());
         turned += std::acos(std::min(glm::dot(facing(piece.from), facing(piece.to)), 1.0));
     }
     EXPECT_LT(std::sqrt(squared), 0.25);

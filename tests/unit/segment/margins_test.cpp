@@ -9,6 +9,7 @@
 
 #include <cmath>
 #include <limits>
+#include <ostream>
 
 namespace vs::segment {
 namespace {
@@ -29,9 +30,16 @@ volume::GridGeometry turned() {
     return geometry;
 }
 
-class Margins : public testing::TestWithParam<volume::GridGeometry> {
+struct NamedGrid {
+    const char* name;
+    volume::GridGeometry geometry;
+
+    friend std::ostream& operator<<(std::ostream& out, const NamedGrid& grid) { return out << grid.name; }
+};
+
+class Margins : public testing::TestWithParam<NamedGrid> {
 protected:
-    const volume::GridGeometry& grid() const { return GetParam(); }
+    static const volume::GridGeometry& grid() { return GetParam().geometry; }
     Box3 wide() const { return grow(grid().box(), 8); } // holds whatever these tests grow
     VoxelSet blobs() const { // two balls, a bar at the grid's border and a few single voxels
         const VoxelSet balls = unite(ball(grid(), {6, 7, 6}, 4.2), ball(grid(), {13, 9, 8}, 3.1));
@@ -41,13 +49,13 @@ protected:
     // voxel.
     VoxelSet grownPlainly(const VoxelSet& set, double mm, const Box3& box) const {
         std::vector<glm::ivec3> offsets;
-        forEachVoxel({glm::ivec3(-9), glm::ivec3(10)}, [&](glm::ivec3 offset) {
+        forEachPlace({glm::ivec3(-9), glm::ivec3(10)}, [&](glm::ivec3 offset) {
             if (distanceMm(grid(), offset, {0, 0, 0}) <= mm * (1 + 1e-7)) {
                 offsets.push_back(offset);
             }
         });
         VoxelSet result = set.within(box);
-        forEachVoxel(set.box, [&](glm::ivec3 voxel) {
+        forEachPlace(set.box, [&](glm::ivec3 voxel) {
             for (std::size_t i = 0; i < offsets.size() && set.contains(voxel); ++i) {
                 const glm::ivec3 reached = voxel + offsets[i];
                 if (glm::all(glm::greaterThanEqual(reached, box.lo)) &&
@@ -61,8 +69,9 @@ protected:
 };
 
 INSTANTIATE_TEST_SUITE_P(Grids, Margins,
-                         testing::Values(volume::makeGeometry({20, 18, 16}),
-                                         volume::makeGeometry({20, 18, 16}, {1, 1, 3}), turned(), sheared()));
+                         testing::Values(NamedGrid{"even", volume::makeGeometry({20, 18, 16})},
+                                         NamedGrid{"thick", volume::makeGeometry({20, 18, 16}, {1, 1, 3})},
+                                         NamedGrid{"turned", turned()}, NamedGrid{"sheared", sheared()}));
 
 // Distances at which many voxels lie exactly (1, 3, 2.871 = 3 x 0.957) and others.
 constexpr double kDistances[] = {0, 0.5, 1, 2.3, 2.871, 3, 4.4};

@@ -11,7 +11,7 @@
 namespace vs::segment {
 
 // Calls f with each voxel of the box, x fastest.
-inline void forEachVoxel(const Box3& box, const std::function<void(glm::ivec3)>& f) {
+inline void forEachPlace(const Box3& box, const std::function<void(glm::ivec3)>& f) {
     for (int z = box.lo.z; z < box.hi.z; ++z) {
         for (int y = box.lo.y; y < box.hi.y; ++y) {
             for (int x = box.lo.x; x < box.hi.x; ++x) {
@@ -25,7 +25,7 @@ inline void forEachVoxel(const Box3& box, const std::function<void(glm::ivec3)>&
 inline VoxelSet setWhere(const Box3& box, const std::function<bool(glm::ivec3)>& isInside) {
     VoxelSet set = emptySet(box);
     std::size_t next = 0;
-    forEachVoxel(box, [&](glm::ivec3 voxel) { set.inside[next++] = isInside(voxel) ? 1 : 0; });
+    forEachPlace(box, [&](glm::ivec3 voxel) { set.inside[next++] = isInside(voxel) ? 1 : 0; });
     return set;
 }
 
@@ -81,7 +81,7 @@ inline VoxelSet ball(const volume::GridGeometry& geometry, glm::dvec3 centre, do
 
 inline bool isSubset(const VoxelSet& a, const VoxelSet& b) {
     bool result = true;
-    forEachVoxel(a.box,
+    forEachPlace(a.box,
                  [&](glm::ivec3 voxel) { result = result && (!a.contains(voxel) || b.contains(voxel)); });
     return result;
 }

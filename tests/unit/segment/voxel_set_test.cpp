@@ -24,7 +24,7 @@ TEST(VoxelSet, TheEmptySetHoldsNothing) {
 TEST(VoxelSet, IndicesAndVoxelsAreInverse) {
     const VoxelSet set = emptySet(kBox);
     std::size_t next = 0;
-    forEachVoxel(kBox, [&](glm::ivec3 voxel) {
+    forEachPlace(kBox, [&](glm::ivec3 voxel) {
         EXPECT_EQ(set.indexOf(voxel), next);
         EXPECT_EQ(set.voxelAt(next), voxel);
         ++next;
@@ -32,7 +32,7 @@ TEST(VoxelSet, IndicesAndVoxelsAreInverse) {
 }
 
 TEST(VoxelSet, EachVoxelIsItsOwnTightBox) {
-    forEachVoxel(kBox, [&](glm::ivec3 only) {
+    forEachPlace(kBox, [&](glm::ivec3 only) {
         const VoxelSet set = setWhere(kBox, [&](glm::ivec3 voxel) { return voxel == only; });
         EXPECT_EQ(set.count(), 1U);
         EXPECT_EQ(set.tightBox(), (Box3{only, only + 1}));
@@ -44,7 +44,7 @@ TEST(VoxelSet, TightBoxesTouchTheSetOnAllSides) {
     test::checkProperty(50, [] {
         const VoxelSet set = *anySet(kBox, 10);
         Box3 expected;
-        forEachVoxel(kBox, [&](glm::ivec3 voxel) {
+        forEachPlace(kBox, [&](glm::ivec3 voxel) {
             expected = set.contains(voxel) ? vs::unite(expected, Box3{voxel, voxel + 1}) : expected;
         });
         RC_ASSERT(set.tightBox() == expected);
@@ -64,7 +64,7 @@ TEST(VoxelSet, WithinKeepsWhatLiesInTheOtherBox) {
     for (const Box3& other : others) {
         const VoxelSet part = set.within(other);
         EXPECT_EQ(part.box, other);
-        forEachVoxel({glm::ivec3(0), glm::ivec3(24)}, [&](glm::ivec3 voxel) {
+        forEachPlace({glm::ivec3(0), glm::ivec3(24)}, [&](glm::ivec3 voxel) {
             const bool isThere =
                 glm::all(glm::greaterThanEqual(voxel, other.lo)) && glm::all(glm::lessThan(voxel, other.hi));
             EXPECT_EQ(part.contains(voxel), isThere && set.contains(voxel));
@@ -80,7 +80,7 @@ TEST(SetAlgebra, IsWhatItSaysForEveryVoxel) {
             const VoxelSet united = unite(a, b);
             const VoxelSet rest = subtract(a, b);
             const VoxelSet shared = intersect(a, b);
-            forEachVoxel({glm::ivec3(-1), glm::ivec3(26)}, [&](glm::ivec3 v) {
+            forEachPlace({glm::ivec3(-1), glm::ivec3(26)}, [&](glm::ivec3 v) {
                 RC_ASSERT(united.contains(v) == (a.contains(v) || b.contains(v)));
                 RC_ASSERT(rest.contains(v) == (a.contains(v) && !b.contains(v)));
                 RC_ASSERT(shared.contains(v) == (a.contains(v) && b.contains(v)));

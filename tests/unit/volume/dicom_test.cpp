@@ -92,8 +92,8 @@ void expectSlicesInPlace(const Volume& volume, const std::vector<Slice::Pointer>
     for (const auto& slice : slices) {
         const auto here = compare(volume, *slice, glm::dvec3(0));
         const auto size = slice->GetLargestPossibleRegion().GetSize();
-        EXPECT_GE(here.count, std::size_t(0.99 * double((size[0] + 2) / 3 * ((size[1] + 2) / 3))))
-            << "not covered";
+        const std::size_t compared = (size[0] + 2) / 3 * ((size[1] + 2) / 3);
+        EXPECT_GE(here.count, std::size_t(0.99 * double(compared))) << "not covered";
         EXPECT_LE(here.meanAbsolute, tolerance) << "slice at " << slice->GetOrigin();
         for (int axis = 0; axis < 3; ++axis) {
             for (const double step : {-0.5, 0.5}) {

@@ -17,7 +17,7 @@ std::string refusal(const std::filesystem::path& path, const ReadOptions& option
     try {
         readVolume(path, options);
     } catch (const ReadError& error) {
-        const std::string text = error.what();
+        std::string text = error.what();
         EXPECT_NE(text.find(path.filename().string()), std::string::npos) << text;
         EXPECT_EQ(text.find('\n'), std::string::npos) << text;
         EXPECT_NE(text.find("; "), std::string::npos) << "no word of what would be right: " << text;

@@ -12,7 +12,7 @@
 namespace vs::desktop {
 
 namespace {
-constexpr double kPortionMs = 20;
+constexpr double kReadMs = 20;
 constexpr int kWatchMs = 50;      // how often progress is looked at
 constexpr double kReading = 0.15; // of the whole
 } // namespace
@@ -61,7 +61,7 @@ void DocumentExport::read() {
         return;
     }
     bool isAllRead = false;
-    if (!studio_.host().workLong([&] { isAllRead = reader_->readSome(kPortionMs); })) {
+    if (!studio_.host().workLong([&] { isAllRead = reader_->readSome(kReadMs); })) {
         end(false, studio_.host().message());
         return;
     }

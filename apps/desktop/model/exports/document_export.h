@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "model/exports/sliced_export.h"
+#include "model/exports/portioned_export.h"
 
 #include "studio/exports/exports.h"
 
@@ -13,14 +13,14 @@
 
 namespace vs::desktop {
 
-// Files for other programs from the document as it is: read from it in slices, made on a thread of their own,
-// which goes on beside the window. The document must not change until it is finished, or it stops with a
+// Files for other programs from the document as it is: read from it in portions, made on a thread of their
+// own, which goes on beside the window. The document must not change until it is finished, or it stops with a
 // word.
-class DocumentExport : public SlicedExport {
+class DocumentExport : public PortionedExport {
     Q_OBJECT
 
 public:
-    using SlicedExport::SlicedExport;
+    using PortionedExport::PortionedExport;
     ~DocumentExport() override;
 
     void save(const std::filesystem::path& path, const studio::ExportSettings& settings,

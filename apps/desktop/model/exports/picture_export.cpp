@@ -10,11 +10,11 @@
 namespace vs::desktop {
 
 namespace {
-constexpr double kPortionMs = 20;
+constexpr double kRenderMs = 20;
 constexpr int kWaitMs = 50; // for the window's own picture
 } // namespace
 
-PictureExport::PictureExport(StudioController& studio) : SlicedExport(studio) {
+PictureExport::PictureExport(StudioController& studio) : PortionedExport(studio) {
     // The caster looks into the document.
     connect(&studio_.host(), &DocumentHost::closed, this, &PictureExport::cancel);
     connect(&studio_.host(), &DocumentHost::opened, this, &PictureExport::cancel);
@@ -80,7 +80,7 @@ void PictureExport::tick() {
             return;
         }
         bool isComplete = false;
-        studio_.host().runLong([&] { isComplete = caster_->renderSome(kPortionMs); });
+        studio_.host().runLong([&] { isComplete = caster_->renderSome(kRenderMs); });
         if (isComplete) {
             takePicture();
         }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "model/exports/sliced_export.h"
+#include "model/exports/portioned_export.h"
 
 #include "render/rays/ray_caster.h"
 #include "studio/operations/operation.h"
@@ -14,7 +14,7 @@ namespace vs::desktop {
 
 // Pictures of the document as it is seen, at any size: one, or a turntable of them around the patient's axis.
 // The document must not change until it is finished, or it stops with a word.
-class PictureExport : public SlicedExport {
+class PictureExport : public PortionedExport {
     Q_OBJECT
 
 public:

@@ -8,6 +8,7 @@
 #include "model/hand/tool.h"
 #include "model/segments/growth_controller.h"
 #include "model/segments/segment_controller.h"
+#include "model/texts/texts.h"
 
 #include "base/progress.h"
 #include "studio/document/document_facts.h"
@@ -17,9 +18,7 @@
 
 namespace vs::desktop {
 
-namespace {
-QString text(const std::filesystem::path& path) { return QString::fromStdString(path.string()); }
-} // namespace
+namespace {} // namespace
 
 DocumentFiles::DocumentFiles(const Model& model) : model_(model), host_(model.host) {
     connectLoader();
@@ -55,7 +54,7 @@ void DocumentFiles::connectLoader() {
     });
     connect(&loader_, &VolumeLoader::severalSeries, this,
             [this](const OpenRequest& request, const auto& choices) {
-                host_.say(tr("%1 holds several series").arg(text(request.volume.filename())));
+                host_.say(tr("%1 holds several series").arg(textOf(request.volume.filename())));
                 endReading();
                 emit seriesWanted(request, choices);
             });
@@ -76,10 +75,11 @@ void DocumentFiles::open(const OpenRequest& request) {
     host_.gl().makeCurrent();
     model_.editor.interrupt();
     model_.hand.tool().clear();
-    host_.say(request.volume.empty() && request.session.empty()
-                  ? tr("Recovering")
-                  : tr("Reading %1")
-                        .arg(text((request.session.empty() ? request.volume : request.session).filename())));
+    host_.say(
+        request.volume.empty() && request.session.empty()
+            ? tr("Recovering")
+            : tr("Reading %1")
+                  .arg(textOf((request.session.empty() ? request.volume : request.session).filename())));
     host_.setOpening(DocumentHost::Opening::Reading);
     loader_.start(request);
     emit host_.progress(0, 0);
@@ -215,7 +215,7 @@ bool DocumentFiles::saveSession(const std::filesystem::path& path) {
         savedEdits_ = countEdits();
         host_.document()->seal();
         source_.session = path;
-        host_.say(tr("Saved %1").arg(text(path)));
+        host_.say(tr("Saved %1").arg(textOf(path)));
         emit saved();
     });
 }
@@ -228,7 +228,7 @@ bool DocumentFiles::exportLabels(const std::filesystem::path& path) {
     const auto folder = path.has_parent_path() ? path.parent_path() : std::filesystem::path(".");
     const bool done = model_.editor.apply(studio::SaveLabels{path.filename().string()}, folder);
     if (done) {
-        host_.say(tr("Exported labels to %1").arg(text(path)));
+        host_.say(tr("Exported labels to %1").arg(textOf(path)));
     }
     return done;
 }

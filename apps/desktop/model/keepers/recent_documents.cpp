@@ -22,8 +22,6 @@ namespace {
 
 constexpr int kMost = 24; // as many as fill a few rows: older ones are found by the file dialog
 
-QString text(const std::filesystem::path& path) { return QString::fromStdString(path.string()); }
-
 void write(Settings& settings, const KnownDocument& document) {
     settings.setValue(document.isSession() ? "session" : "volume", document.path());
     settings.setValue("raw", QString::fromStdString(document.request.rawLayout));
@@ -78,7 +76,7 @@ constexpr std::array<Example, 4> kPackaged{
 
 } // namespace
 
-QString KnownDocument::path() const { return text(isSession() ? request.session : request.volume); }
+QString KnownDocument::path() const { return textOf(isSession() ? request.session : request.volume); }
 
 QString KnownDocument::name() const { return QFileInfo(QDir::cleanPath(path())).fileName(); }
 

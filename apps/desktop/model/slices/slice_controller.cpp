@@ -207,9 +207,9 @@ void SliceController::draw(Kind kind) {
         image = renderer_->readPicture();
     });
     if (isDrawn) { // opaque: the fastest to put on the screen
-        shown.picture =
-            QImage(image.rgba.data(), image.width, image.height, 4 * image.width, QImage::Format_RGBX8888)
-                .convertToFormat(QImage::Format_RGB32);
+        shown.picture = QImage(image.rgba.data(), image.width, image.height, qsizetype(4) * image.width,
+                               QImage::Format_RGBX8888)
+                            .convertToFormat(QImage::Format_RGB32);
         shown.picture.setDevicePixelRatio(shown.perLogical);
     }
     if (isBehind) {

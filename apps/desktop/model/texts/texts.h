@@ -4,10 +4,14 @@
 #include <QCoreApplication>
 #include <QString>
 
+#include <filesystem>
+
 namespace vs::desktop {
 
 // Texts of functions that belong to no QObject, in the person's language. The context is the one in which
 // lupdate files them.
 inline QString tr(const char* text) { return QCoreApplication::translate("vs::desktop", text); }
+
+inline QString textOf(const std::filesystem::path& path) { return QString::fromStdString(path.string()); }
 
 } // namespace vs::desktop

@@ -13,7 +13,7 @@ QString CutTool::withTarget(const QString& hint) const {
     if (!actsOnSegment()) {
         return hint;
     }
-    if (const QString locked = lockedHint(studio_); !locked.isEmpty()) {
+    if (QString locked = lockedHint(studio_); !locked.isEmpty()) {
         return locked;
     }
     if (isSketching()) {

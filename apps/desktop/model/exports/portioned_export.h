@@ -11,12 +11,12 @@ namespace vs::desktop {
 
 class StudioController;
 
-// Something that is written from the document in slices, so that the window answers meanwhile. No widgets.
-class SlicedExport : public QObject {
+// Something that is written from the document in portions, so that the window answers meanwhile. No widgets.
+class PortionedExport : public QObject {
     Q_OBJECT
 
 public:
-    explicit SlicedExport(StudioController& studio);
+    explicit PortionedExport(StudioController& studio);
 
     virtual void cancel() = 0;
     [[nodiscard]] bool isRunning() const { return isRunning_; }
@@ -26,7 +26,7 @@ signals:
     void finished(bool isDone, const QString& message);
 
 protected:
-    // From now on tick() is called, until end(). Each slice says when the next one comes.
+    // From now on tick() is called, until end(). Each portion says when the next one comes.
     void start();
     void goOn(int afterMs = 0) { timer_.start(afterMs); }
     void end(bool isDone, const QString& message);

@@ -15,6 +15,7 @@ from test_start import on_start_screen, scissors
 test = Steps()
 
 SOURCE = (1700, 1000)  # beside the window
+VIEW = (600, 500)  # of an open volume
 
 
 class Files:
@@ -37,14 +38,16 @@ class Files:
             raise Failure(f"where the files are dragged from nothing of {lines} was said in 90 s") from None
         return line
 
-    def drop(self, studio, taken, place=(600, 500)):
-        """Lets go once the studio has said whether it would take them. Returns how it ended: copy, move or ignored."""
+    def drop(self, studio, taken, place):
+        """Lets go there, once the studio has said that it would take them, or not. Returns how it ended: copy, move or ignored."""
         x, y = SOURCE[0] + 50, SOURCE[1] + 30
         studio.move((x, y))
         studio.xdotool("mousedown", 1)
-        for i in range(1, 11):
-            studio.move((x + (place[0] - x) * i // 10, y + (place[1] - y) * i // 10))
-        self.expect("welcome" if taken else "refused")
+        # One answer to each place: whoever goes on before it has come leaves the studio, and lets go, where nobody asked about.
+        for point in ((place[0] + 50, place[1]), place):
+            studio.move(point)
+            answer = self.expect("welcome", "refused")
+        need(answer == ("welcome" if taken else "refused"), f"the files are {answer} at {place}")
         studio.xdotool("mouseup", 1)
         ended = self.expect("copy", "move", "ignored")
         studio.answer("what was dropped")
@@ -74,10 +77,10 @@ def drop(display, arguments, cleanup):
         while sources:
             sources.pop().close()
 
-    def drop(studio, *files, taken=True):
+    def drop(studio, *files, taken=True, place=VIEW):
         close()
         sources.append(Files(display, arguments.source, *files))  # stays: what is dropped is asked for afterwards
-        return sources[-1].drop(studio, taken)
+        return sources[-1].drop(studio, taken, place)
 
     cleanup.callback(close)
     return drop
@@ -91,15 +94,16 @@ def studio(display, arguments, folder):
     return studio
 
 
-def refuse(studio, drop, text):
+def refuse(studio, drop, text, place=VIEW):
     """Drops what is no volume: one line says so, and nothing else happens."""
     before = studio.state()
-    need(drop(studio, text) == "copy", "the text was not taken")
+    ended = drop(studio, text, place=place)
+    need(ended == "copy", f"the other program was told: {ended}")
     state = studio.wait("the refusal", lambda s: "openFailed" in s["widgets"] and not s["loading"])
     said = state["message"]
     need("letter.txt: it is no volume of a known format; " in said and "\n" not in said, f"the refusal is {said!r}")
     need("unsavedEdits" not in state["widgets"] and "dropQuestion" not in state["widgets"], "it asked something")
-    for what in ("title", "operations", "unsaved", "tool", "segments"):
+    for what in ("title", "operations", "unsaved", "tool", "segments", "range"):
         need(state[what] == before[what], f"the text changed {what} from {before[what]} to {state[what]}")
     # While that is to be read, nothing else can be dropped.
     need(drop(studio, text, taken=False) == "ignored", "a window that waits for an answer took a file")
@@ -126,6 +130,14 @@ def refusal_on_edits(studio, drop, files):
     """On a volume with edits that are not saved: what is no volume asks nothing."""
     scissors(studio)
     refuse(studio, drop, files[2])
+    studio.focus()
+
+
+@test.step(after=[volume_on_start_screen])
+def refusal_on_number(studio, drop, files):
+    """A field does not take a file for its text, and does not let the other program move it."""
+    x, y, width, height = studio.place_of("rangeHi")
+    refuse(studio, drop, files[2], (x + width // 2, y + height // 2))
     studio.focus()
 
 

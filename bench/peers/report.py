@@ -30,7 +30,8 @@ def summarise(times):
 def markdown(result):
     programs = list(dict.fromkeys(program for row in result["rows"] for program in row["medians"]))
     width, height = result["size"]
-    lines = [f"Milliseconds per frame of {width} x {height} pixels, median; ratio: the faster VTK mapper over vstudio.",
+    other = "vstudio before" if "before" in programs else "the faster VTK mapper"
+    lines = [f"Milliseconds per frame of {width} x {height} pixels, median; ratio: {other} over vstudio.",
              "", "| mode | volume | " + " | ".join(programs) + " | ratio |",
              "|---|---|" + "---:|" * (len(programs) + 1)]
     for mode, mean in result["geometricMeans"].items():

@@ -42,6 +42,7 @@ struct Rule {
     const char* without = "";  // of a described struct: the name of a field that it does not have here
     bool isOutputFile = false; // a text: the name of a file inside the output folder
     bool mayBeNull = false;    // an optional value, of which null means that there is none
+    bool isReference = false;  // a text: the name of something else that is spoken of, such as a segment
 
     [[nodiscard]] constexpr bool hasBounds() const {
         return least > -std::numeric_limits<double>::infinity() &&

@@ -38,7 +38,7 @@ def english(display, arguments, folder, volume):
 
 @test.step
 def german(display, arguments, folder, volume):
-    run_tests(display, arguments, folder, volume, "de", "Texts.*")
+    run_tests(display, arguments, folder, volume, "de", "Texts.*:Actions.*")
 
 
 @test.step

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::size_t kMostSegments = 255;
 
-std::string inQuotes(const std::string& segment) { return "'" + segment + "'"; }
+std::string nameInQuotes(const std::string& segment) { return "'" + segment + "'"; }
 
 std::string freeName(const SegmentList& segments, const std::string& wanted) {
     std::string name = wanted;
@@ -77,8 +77,8 @@ Outcome SegmentListEditor::run(UseSegment& op) {
             0,
             0,
             op.goesToWork
-                ? say(VS_TEXT("library", "at work on %1"), inQuotes(contents_.segments.working().name))
-                : say(VS_TEXT("library", "%1 changed"), inQuotes(op.name.value_or(op.segment)))};
+                ? say(VS_TEXT("library", "at work on %1"), nameInQuotes(contents_.segments.working().name))
+                : say(VS_TEXT("library", "%1 changed"), nameInQuotes(op.name.value_or(op.segment)))};
 }
 
 void SegmentListEditor::perform(const RemoveSegment& op, Region::Records& records) {
@@ -98,7 +98,7 @@ void SegmentListEditor::perform(const RemoveSegment& op, Region::Records& record
 
 Outcome SegmentListEditor::run(RemoveSegment& op) {
     changeSegments(contents_, *this, op);
-    return {{}, 0, 0, say("%1", inQuotes(op.segment))};
+    return {{}, 0, 0, say("%1", nameInQuotes(op.segment))};
 }
 
 // --- from a label map

@@ -52,21 +52,10 @@ std::filesystem::path storedPath(const std::filesystem::path& volume, const std:
     return relative.empty() || *relative.begin() == ".." ? absolute : relative;
 }
 
-// Whether an operation speaks of the segment that is there at first.
-bool speaksOfFirst(const Operation& operation) {
-    if (const auto* use = std::get_if<UseSegment>(&operation)) {
-        return use->segment == kFirstSegment;
-    }
-    if (const auto* remove = std::get_if<RemoveSegment>(&operation)) {
-        return remove->segment == kFirstSegment;
-    }
-    const auto* edit = std::get_if<EditSegment>(&operation);
-    return edit != nullptr && edit->other == kFirstSegment;
-}
-
 // A session that speaks of the first segment counts on its being there, whatever others are named before.
 void keepFirstSegment(std::vector<Operation>& operations) {
-    if (std::none_of(operations.begin(), operations.end(), speaksOfFirst)) {
+    if (std::none_of(operations.begin(), operations.end(),
+                     [](const Operation& operation) { return speaksOf(operation, kFirstSegment); })) {
         return;
     }
     for (Operation& operation : operations) {

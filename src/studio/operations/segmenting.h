@@ -15,7 +15,8 @@ namespace vs::studio {
 
 inline constexpr Rule kGenerations{.least = 0, .most = 1 << 30};
 inline constexpr Rule kLineWidth{.least = 0.1, .most = 1000, .unit = "pixels"};
-inline constexpr Rule kSegmentName{.leastCount = 1, .mostCount = 200};
+inline constexpr Rule kNewName{.leastCount = 1, .mostCount = 200};
+inline constexpr Rule kSegmentName{.leastCount = 1, .mostCount = 200, .isReference = true};
 inline constexpr Rule kMillimetres{.least = -1e4, .most = 1e4, .unit = "mm"};
 
 // Puts seeds on the surface under the strokes: free-form and polyline sketches are open lines of the given
@@ -178,7 +179,7 @@ struct UseSegment {
     static constexpr auto fields() {
         return std::tuple{
             required("segment", &UseSegment::segment, kSegmentName),
-            sparse("name", &UseSegment::name, kSegmentName, "a new name"),
+            sparse("name", &UseSegment::name, kNewName, "a new name"),
             sparse("colour", &UseSegment::colour, {.least = 0, .most = 1}, "sRGB"),
             sparse("opacity", &UseSegment::opacity, {.least = 0.01, .most = 1}),
             sparse("visible", &UseSegment::isVisible),

@@ -15,6 +15,7 @@
 #include <QAbstractSlider>
 #include <QAbstractSpinBox>
 #include <QAccessible>
+#include <QAction>
 #include <QButtonGroup>
 #include <QComboBox>
 #include <QDialogButtonBox>
@@ -81,6 +82,18 @@ TEST(Widgets, HaveANameATipAndTheKeyboard) {
     for (const auto& [fault, state] : faults) {
         ADD_FAILURE() << fault << " (" << state << ")";
     }
+}
+
+TEST(Actions, HaveTheirKeysForThemselves) {
+    std::map<QString, QString> owners;
+    for (const auto* action : StudioWindow::instance().window().findChildren<QAction*>()) {
+        for (const QKeySequence& keys : action->shortcuts()) {
+            const auto [owner, isFirst] = owners.emplace(keys.toString(), action->objectName());
+            EXPECT_TRUE(isFirst) << qPrintable(keys.toString() + " means " + owner->second + " and " +
+                                               action->objectName());
+        }
+    }
+    EXPECT_FALSE(owners.empty());
 }
 
 // Room that the text lacks, in logical pixels; 0: it fits.

@@ -161,17 +161,30 @@ def filing(timeline, folder):
 def give_up(timeline):
     """What lasts is ended by its button or by Escape, and nothing has happened."""
     studio = timeline.studio
-    choose_edit(studio, "Smooth", 30)  # takes seconds
+    choose_edit(studio, "Smooth", 100)  # the most there is here, which takes seconds
+    for name, way in (("the button", lambda place: studio.click(place, lasting=True)),
+                      ("Escape", lambda place: studio.key("Escape", lasting=True))):
+        need(any(is_given_up(timeline, way) for _ in range(5)), f"{name} was never before the end of the work")
+
+
+def is_given_up(timeline, way):
+    """Whether an edit was given up, which a hand may be too late for; then it is taken back."""
+    studio = timeline.studio
+    studio.wait_idle("the picture", lambda s: s["pictureComplete"])
     before = studio.state()
-    for way in (lambda: studio.click("giveUp", lasting=True), lambda: studio.key("Escape", lasting=True)):
-        studio.wait_idle("the picture", lambda s: s["pictureComplete"])
-        press(studio, "editPerform", lasting=True)
-        studio.wait("progress", lambda s: "giveUp" in s["widgets"])
-        timeline.do("giving up", way, lambda s: s["message"].startswith("Given up"))
-        state = studio.state()
-        for what in ("operations", "voxels", "stepsDone"):
-            need(state[what] == before[what], f"{what} were {before[what]} and are {state[what]} after giving up")
-        studio.focus()
+    press(studio, "editPerform", lasting=True)
+    state = studio.wait("progress", lambda s: "giveUp" in s["widgets"] or s["operations"] > before["operations"])
+    if "giveUp" in state["widgets"]:
+        x, y, width, height = state["widgets"]["giveUp"]
+        timeline.do("giving up", lambda: way((x + width // 2, y + height // 2)),
+                 lambda s: s["message"].startswith("Given up") or s["operations"] > before["operations"])
+    state = studio.focus()
+    if state["operations"] > before["operations"]:
+        studio.key("ctrl+z")
+        return False
+    for what in ("operations", "voxels", "stepsDone"):
+        need(state[what] == before[what], f"{what} were {before[what]} and are {state[what]} after giving up")
+    return True
 
 
 def by_clock(block):

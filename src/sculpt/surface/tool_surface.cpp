@@ -259,11 +259,12 @@ private:
         for (int n = 0; n < 4; ++n) {
             const glm::ivec2 side(n & 1, n >> 1);
             const glm::ivec2 e = c + side;
-            const float mask = cornerMask(e.x, e.y);
+            if (!(cornerMask(e.x, e.y) > 0) || isCovered(e, 3 - n)) { // at the rim: e may lie beyond it
+                continue;
+            }
             const bool allFour = isBrokenAround(e) && !isCovered(e, 0) && !isCovered(e, 1) &&
                                  !isCovered(e, 2) && !isCovered(e, 3);
-            if (!(mask > 0) || isCovered(e, 3 - n) ||
-                (allFour && n != 3)) { // the four together are the first of the cells' business
+            if (allFour && n != 3) { // the four together are the first of the cells' business
                 continue;
             }
             auto u = tangent(e, {1, 0});

@@ -107,8 +107,7 @@ def refuse(studio, drop, text, place=VIEW):
         need(state[what] == before[what], f"the text changed {what} from {before[what]} to {state[what]}")
     # While that is to be read, nothing else can be dropped.
     need(drop(studio, text, taken=False) == "ignored", "a window that waits for an answer took a file")
-    x, y, width, height = studio.place_of("openFailed")
-    studio.click((x + width - 40, y + height - 25))
+    studio.click("closeOpenFailed")
     studio.wait("the refusal to close", lambda s: "openFailed" not in s["widgets"])
 
 

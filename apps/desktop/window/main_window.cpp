@@ -33,6 +33,7 @@
 #include <QLabel>
 #include <QMessageBox>
 #include <QProgressBar>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QStackedWidget>
 #include <QStatusBar>
@@ -92,6 +93,7 @@ MainWindow::MainWindow(StudioController& studio, ToolBox& tools, QWidget* parent
         auto* box =
             new QMessageBox(QMessageBox::Warning, tr("Volume Studio"), message, QMessageBox::Ok, this);
         box->setObjectName("openFailed");
+        box->button(QMessageBox::Ok)->setObjectName("closeOpenFailed");
         box->setAttribute(Qt::WA_DeleteOnClose);
         box->open();
     });

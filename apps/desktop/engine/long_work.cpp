@@ -31,6 +31,7 @@ bool isPress(QEvent::Type type) {
            type == QEvent::TabletPress || type == QEvent::TouchBegin;
 }
 
+// Without what is dragged in from other programs: those wait for an answer.
 bool isInput(QEvent::Type type) {
     switch (type) {
     case QEvent::MouseMove:
@@ -42,9 +43,6 @@ bool isInput(QEvent::Type type) {
     case QEvent::KeyPress:
     case QEvent::Shortcut:
     case QEvent::ShortcutOverride:
-    case QEvent::DragEnter:
-    case QEvent::DragMove:
-    case QEvent::Drop:
     case QEvent::Close:
         return true;
     default:

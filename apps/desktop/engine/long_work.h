@@ -18,8 +18,9 @@ class GlHost;
 // Runs work on the document on a thread of its own, which has the engine's context meanwhile, so that the
 // window goes on painting itself. For whoever calls it is a call like any other, but one during which the
 // window paints, and nothing else happens in it: input and timers wait (but those whose property
-// kRunsMeanwhile is set). A drag that was under way goes on afterwards where the pointer is by then. Whoever
-// makes the engine's context current waits for the end.
+// kRunsMeanwhile is set). A drag that was under way goes on afterwards where the pointer is by then. Files
+// that are dragged in from another program are answered at once; whoever takes them waits for the end.
+// Whoever makes the engine's context current waits for the end.
 class LongWork : public QObject {
     Q_OBJECT
 

@@ -180,8 +180,9 @@ void MainWindow::dropEvent(QDropEvent* event) {
     event->accept();
     const QString path = droppedPath(*event->mimeData());
     if (!path.isEmpty()) { // else the other program has gone
-        // Afterwards, so that it need not wait for a question to be answered.
-        QTimer::singleShot(0, this, [this, path] { dropOn(path); });
+        // Afterwards, so that it need not wait for a question to be answered, or for work to end.
+        QTimer::singleShot(0, this,
+                           [this, path] { studio_.host().whenHere([this, path] { dropOn(path); }); });
     }
 }
 

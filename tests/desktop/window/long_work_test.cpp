@@ -5,12 +5,17 @@
 
 #include <gtest/gtest.h>
 
-#include <QCoreApplication>
+#include <QApplication>
+#include <QDragEnterEvent>
+#include <QMimeData>
 #include <QMouseEvent>
+#include <QPushButton>
 #include <QTimer>
+#include <QUrl>
 #include <QWidget>
 
 #include <atomic>
+#include <functional>
 #include <utility>
 #include <vector>
 
@@ -38,15 +43,29 @@ protected:
 
 class LongWorkTest : public testing::Test {
 protected:
-    // What reaches the pad of what is sent to it while work lasts that can be given up.
-    void send(const std::vector<std::pair<QEvent::Type, double>>& input, bool isGivenUp = false) {
-        std::atomic<bool> isSent = false;
+    // Does something in the window while work lasts that can be given up.
+    void meanwhile(const std::function<void()>& act) {
+        std::atomic<bool> isDone = false;
         QTimer timer;
         timer.setProperty(LongWork::kRunsMeanwhile, true);
         QObject::connect(&timer, &QTimer::timeout, &timer, [&] {
-            if (!work.isShown() || isSent) {
-                return;
+            if (!isDone && work.isShown()) {
+                act();
+                isDone = true;
             }
+        });
+        timer.start(1);
+        work.run(
+            [&] {
+                while (!isDone) {
+                }
+            },
+            LongWork::Input::GivesUp);
+    }
+
+    // What reaches the pad of what is sent to it while work lasts.
+    void send(const std::vector<std::pair<QEvent::Type, double>>& input, bool isGivenUp = false) {
+        meanwhile([&] {
             for (const auto& [type, x] : input) {
                 const bool isUp = type == QEvent::MouseButtonRelease;
                 QMouseEvent event(type, {x, 1}, {x, 1},
@@ -57,15 +76,7 @@ protected:
             if (isGivenUp) {
                 work.giveUp();
             }
-            isSent = true;
         });
-        timer.start(1);
-        work.run(
-            [&] {
-                while (!isSent) {
-                }
-            },
-            LongWork::Input::GivesUp);
         EXPECT_TRUE(pad.got.empty()) << "something reached the window while the work lasted";
         QCoreApplication::processEvents();
     }
@@ -95,6 +106,46 @@ TEST_F(LongWorkTest, WhatIsPressedMeanwhileIsDropped) {
 TEST_F(LongWorkTest, OfADragThatWasGivenUpOnlyTheEndIsLeft) {
     send({{kMove, 10}, {kRelease, 10}}, true);
     EXPECT_EQ(pad.got, (Got{{kRelease, 10}}));
+}
+
+TEST_F(LongWorkTest, FilesFromOtherProgramsAreWelcomeMeanwhile) {
+    QMimeData files;
+    files.setUrls({QUrl::fromLocalFile("/a/scan.nrrd")});
+    bool isWelcome = false;
+    meanwhile([&] {
+        QDragEnterEvent event({1, 1}, Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
+        QCoreApplication::sendEvent(&StudioWindow::instance().window(), &event);
+        isWelcome = event.isAccepted() && event.dropAction() == Qt::CopyAction;
+    });
+    EXPECT_TRUE(isWelcome);
+}
+
+TEST_F(LongWorkTest, FilesDroppedMeanwhileAreOpenedAfterwards) {
+    auto& studio = StudioWindow::instance();
+    studio.open();
+    QMimeData files;
+    files.setUrls({QUrl::fromLocalFile("/none/scan.json")});
+    const auto said = [&] { return studio.studio().host().message().contains("/none/scan.json"); };
+    bool isSaidMeanwhile = false;
+    studio.studio().host().runLong([&] {
+        std::atomic<bool> isDone = false;
+        QMetaObject::invokeMethod(qApp, [&] {
+            QDropEvent event({1, 1}, Qt::CopyAction, &files, Qt::LeftButton, Qt::NoModifier);
+            QCoreApplication::sendEvent(&studio.window(), &event);
+            QTimer::singleShot(0, qApp, [&] { // after what the drop has asked for
+                isSaidMeanwhile = said();
+                isDone = true;
+            });
+        });
+        while (!isDone) {
+        }
+    });
+    EXPECT_FALSE(isSaidMeanwhile);
+    studio.wait("the refusal",
+                [&] { return studio.window().findChild<QWidget*>("closeOpenFailed") != nullptr; });
+    EXPECT_TRUE(said()) << studio.studio().host().message().toStdString();
+    studio.part<QPushButton>("closeOpenFailed").click();
+    studio.open();
 }
 
 } // namespace

@@ -18,8 +18,6 @@
 
 namespace vs::desktop {
 
-namespace {} // namespace
-
 DocumentFiles::DocumentFiles(const Model& model) : model_(model), host_(model.host) {
     connectLoader();
     connect(&host_, &DocumentHost::givenUp, this, [this] {

@@ -53,6 +53,9 @@ private:
 class Source : public QRasterWindow {
 public:
     explicit Source(const QStringList& files) {
+        // Otherwise a press on it takes the keyboard from the window under test, whose Qt takes note of that
+        // only 100 ms later: a button that is held down there at that moment is let go, without its click.
+        setFlag(Qt::WindowDoesNotAcceptFocus);
         for (const QString& file : files) {
             urls_.push_back(QUrl::fromLocalFile(file));
         }

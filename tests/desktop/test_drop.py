@@ -107,9 +107,7 @@ def refuse(studio, drop, text, place=VIEW):
         need(state[what] == before[what], f"the text changed {what} from {before[what]} to {state[what]}")
     # While that is to be read, nothing else can be dropped.
     need(drop(studio, text, taken=False) == "ignored", "a window that waits for an answer took a file")
-    # By the keyboard: the pointer's first press after a drag that was not taken is lost now and then, nobody knows yet where.
-    studio.focus("openFailed")
-    studio.key("Return")
+    studio.click("closeOpenFailed")
     studio.wait("the refusal to close", lambda s: "openFailed" not in s["widgets"])
 
 

@@ -499,6 +499,26 @@
         <source>note</source>
         <translation>Notiz</translation>
     </message>
+    <message>
+        <source>Brain</source>
+        <translation>Gehirn</translation>
+    </message>
+    <message>
+        <source>Bone</source>
+        <translation>Knochen</translation>
+    </message>
+    <message>
+        <source>Lung</source>
+        <translation>Lunge</translation>
+    </message>
+    <message>
+        <source>Abdomen</source>
+        <translation>Abdomen</translation>
+    </message>
+    <message>
+        <source>Vessels</source>
+        <translation>Gefäße</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop</name>
@@ -1573,6 +1593,22 @@
     <message>
         <source>Move part</source>
         <translation>Teil bewegen</translation>
+    </message>
+    <message>
+        <source>Window of slices: level and width</source>
+        <translation>Fenster der Schichten: Lage und Weite</translation>
+    </message>
+    <message>
+        <source>Right button on a slice</source>
+        <translation>Rechte Taste auf einer Schicht</translation>
+    </message>
+    <message>
+        <source>Zoom a slice</source>
+        <translation>Eine Schicht vergrößern</translation>
+    </message>
+    <message>
+        <source>Ctrl+Right button, Ctrl+Wheel</source>
+        <translation>Strg+rechte Taste, Strg+Mausrad</translation>
     </message>
 </context>
 <context>
@@ -3461,6 +3497,38 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
         <source>Shaders are those in %1</source>
         <translation>Die Shader sind die in %1</translation>
     </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>The values of this scan from black to white</source>
+        <translation>Die Werte dieser Aufnahme von Schwarz bis Weiß</translation>
+    </message>
+    <message>
+        <source>%1 (CT)</source>
+        <translation>%1 (CT)</translation>
+    </message>
+    <message>
+        <source>CT: level %1, width %2</source>
+        <translation>CT: Lage %1, Weite %2</translation>
+    </message>
+    <message>
+        <source>Tint what is shown</source>
+        <translation>Gezeigtes einfärben</translation>
+    </message>
+    <message>
+        <source>Slices show in colour what the 3D picture shows: the displayed range or the transfer function</source>
+        <translation>Schichten zeigen in Farbe, was das 3D-Bild zeigt: den angezeigten Bereich oder die Transferfunktion</translation>
+    </message>
+    <message>
+        <source>Shift+W</source>
+        <translation>Shift+W</translation>
+    </message>
+    <message>
+        <source>Window of slices</source>
+        <translation>Fenster der Schichten</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::MeasureTool</name>
@@ -3788,6 +3856,34 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
     <message>
         <source>Volumes open with</source>
         <translation>Volumen öffnen mit</translation>
+    </message>
+    <message>
+        <source>Window of CT slices</source>
+        <translation>Fenster von CT-Schichten</translation>
+    </message>
+    <message>
+        <source>The values that slices of CT scans show from black to white when they are opened</source>
+        <translation>Die Werte, die Schichten von CT-Aufnahmen beim Öffnen von Schwarz bis Weiß zeigen</translation>
+    </message>
+    <message>
+        <source>Automatic</source>
+        <translation>Automatisch</translation>
+    </message>
+    <message>
+        <source>Tint what is shown</source>
+        <translation>Gezeigtes einfärben</translation>
+    </message>
+    <message>
+        <source>Slices show in colour what the 3D picture shows</source>
+        <translation>Schichten zeigen in Farbe, was das 3D-Bild zeigt</translation>
+    </message>
+    <message>
+        <source>Slices of CT scans</source>
+        <translation>Schichten von CT-Aufnahmen</translation>
+    </message>
+    <message>
+        <source>All slices</source>
+        <translation>Alle Schichten</translation>
     </message>
 </context>
 <context>
@@ -4304,6 +4400,17 @@ Tab: die nächste Form; Pfeiltasten bewegen sie; Entf; Eingabe: ihre Farbe; Strg
     <message>
         <source>Keyboard shortcuts</source>
         <translation>Tastenkürzel</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::SliceCanvas</name>
+    <message>
+        <source>Windows of slices</source>
+        <translation>Fenster der Schichten</translation>
+    </message>
+    <message>
+        <source>L %1  W %2</source>
+        <translation>L %1  W %2</translation>
     </message>
 </context>
 <context>

@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """Linked slices: leading the crosshair, seeding and painting on them, and all of it replayed."""
 
+import math
 import sys
 
 from driver import need, start
@@ -104,6 +105,48 @@ def scroll(studio):
     studio.drag([(x, y), (x + 15, y), (x + 30, y)], button=2)
     studio.wait_idle("the zoomed slice")
     need(studio.state()["crosshair"] == before, "looking around moved the crosshair")
+    studio.key("shift+Home")
+
+
+@test.step(after=[open_slices])
+def window(studio):
+    """The right button leads level and width, and neither the displayed range nor the 3D picture with them."""
+    before = studio.state()
+    low, high = before["sliceWindow"]
+    need(low < 10 and high == BRAIN, f"slices begin with the window {low} to {high}")
+    x, y = slice_point(studio, "coronal", 0.5, 0.5)
+    studio.drag([(x, y), (x + 5, y - 5), (x + 40, y - 20)], button=3)
+    state = studio.wait_idle("the window", lambda s: s["sliceWindow"] != [low, high])
+    width = (high - low) * math.exp(40 / 200)
+    level = (low + high) / 2 - width / 2 * 20 / 200
+    expected = [level - width / 2, level + width / 2]
+    need(all(abs(a - b) <= width / 90 for a, b in zip(state["sliceWindow"], expected)), f"{state['sliceWindow']}, not {expected}")
+    need(state["range"] == before["range"] and state["crosshair"] == before["crosshair"], "more has changed than the window")
+    studio.drag([(x, y), (x, y + 5), (x, y + 60)], button=3)
+    state = studio.wait_idle("the level", lambda s: s["sliceWindow"][0] > expected[0])
+    need(state["pictures"] == before["pictures"], "the 3D picture was made again for a window of slices")
+
+
+@test.step(after=[window])
+def chosen_window(studio):
+    """A click of the right button offers windows; with Ctrl the button zooms and with the brush it removes, as before."""
+    led = studio.state()["sliceWindow"]
+    place = slice_point(studio, "axial", 0.4, 0.6)
+    studio.click(place, button=3)
+    studio.wait("the windows", lambda s: "sliceWindows" in s["widgets"])
+    studio.key("Down")
+    studio.key("Down")
+    studio.key("Return")
+    state = studio.wait_idle("the window of a brain", lambda s: s["sliceWindow"] == [0, 80])
+    need("sliceWindows" not in state["widgets"], "the menu is still there")
+    studio.focus()
+    studio.key("shift+w")
+    studio.wait_idle("the tint", lambda s: s["tintsSlices"])
+    studio.xdotool("keydown", "ctrl")
+    studio.drag([place, (place[0], place[1] - 20), (place[0], place[1] - 40)], button=3)
+    studio.xdotool("keyup", "ctrl")
+    state = studio.wait_idle("the zoomed slice")
+    need(state["sliceWindow"] == [0, 80] != led, "the window went along with the zoom")
     studio.key("shift+Home")
 
 
@@ -213,6 +256,12 @@ def done(session):
 @test.step
 def seeds_of_session(done):
     need(done[0]["trails"][0]["axis"] == "y" and len(done[0]["voxels"]) > 4, "the seeds are not on a coronal slice")
+
+
+@test.step(after=[chosen_window])
+def window_of_session(session):
+    views = [operation for operation in operations(session[0]) if operation["op"] == "view"]
+    need(views and views[-1]["sliceWindow"] == [0, 80] and views[-1]["tintSlices"], f"the session's last view is {views[-1:]}")
 
 
 @test.step

@@ -47,8 +47,7 @@ image::Image drawSlice(const SliceScene& scene, const render::SliceView& view) {
                 glm::all(glm::lessThan(p, glm::dvec3(grid.dims) - 0.5))) {
                 const double value =
                     sample([&](glm::ivec3 v) { return scene.volume->at(v); }, p, grid.dims, scene.isSmooth);
-                colour =
-                    glm::dvec3(std::clamp((value - scene.displayed.lo) / scene.displayed.width(), 0.0, 1.0));
+                colour = glm::dvec3(std::clamp((value - scene.window.lo) / scene.window.width(), 0.0, 1.0));
                 for (int label = 1; label < 256 && !scene.membership.empty(); ++label) {
                     const auto belongs = [&](glm::ivec3 v) {
                         const float membership = scene.membership[indexOf(v)];

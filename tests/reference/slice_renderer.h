@@ -14,7 +14,7 @@ namespace vs::reference {
 // segments, with nothing cut. Plain: no outlines (their width is 0).
 struct SliceScene {
     const volume::Volume* volume = nullptr;
-    Range displayed;
+    Range window;                  // from black to white
     std::vector<float> membership; // one a voxel, 0 to 1; empty: no segments
     std::vector<std::uint8_t> labels;
     render::SegmentColours colours;

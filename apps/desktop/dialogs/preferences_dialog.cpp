@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dialogs/preferences_dialog.h"
 
+#include "model/texts/library_texts.h"
 #include "parts/panel_parts.h"
 
+#include "render/slices/slice_windows.h"
+
 #include <QCheckBox>
+#include <QComboBox>
 #include <QDialogButtonBox>
 #include <QFileDialog>
 #include <QFormLayout>
@@ -27,6 +31,7 @@ PreferencesDialog::PreferencesDialog(const Preferences& preferences, QWidget* pa
     addUndo(form);
     addRecordings(form);
     addQuality(form);
+    addSlices(form);
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(20, 18, 20, 14);
     column->setSpacing(18);
@@ -129,6 +134,30 @@ void PreferencesDialog::addQuality(QFormLayout* form) {
     });
     form->addRow(tr("Volumes open with"), smooth);
     form->addRow(QString(), shadows);
+}
+
+void PreferencesDialog::addSlices(QFormLayout* form) {
+    auto* windows = named(new QComboBox, "preferWindow", tr("Window of CT slices"));
+    windows->setToolTip(
+        tr("The values that slices of CT scans show from black to white when they are opened"));
+    windows->addItem(tr("Automatic"), QString());
+    for (const render::SliceWindow& window : render::kSliceWindows) {
+        windows->addItem(libraryText(window.title), QString(window.name));
+    }
+    windows->setCurrentIndex(std::max(0, windows->findData(preferences_.sliceWindow)));
+    connect(windows, &QComboBox::currentIndexChanged, this, [this, windows] {
+        preferences_.sliceWindow = windows->currentData().toString();
+        tell();
+    });
+    auto* tint =
+        makeCheckBox("preferTint", tr("Tint what is shown"),
+                     tr("Slices show in colour what the 3D picture shows"), preferences_.tintsSlices);
+    connect(tint, &QCheckBox::toggled, this, [this](bool isOn) {
+        preferences_.tintsSlices = isOn;
+        tell();
+    });
+    form->addRow(tr("Slices of CT scans"), windows);
+    form->addRow(tr("All slices"), tint);
 }
 
 } // namespace vs::desktop

@@ -26,6 +26,7 @@ private:
     void addUndo(QFormLayout* form);
     void addRecordings(QFormLayout* form);
     void addQuality(QFormLayout* form);
+    void addSlices(QFormLayout* form);
     void tell() { emit changed(preferences_); }
 
     Preferences preferences_;

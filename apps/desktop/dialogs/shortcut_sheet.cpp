@@ -82,6 +82,8 @@ Group mouse() {
              {tr("Move the picture"), tr("Shift+Drag"), {}},
              {tr("Zoom"), tr("Wheel"), {}},
              {tr("Zoom"), tr("Right button"), {}},
+             {tr("Window of slices: level and width"), tr("Right button on a slice"), {}},
+             {tr("Zoom a slice"), tr("Ctrl+Right button, Ctrl+Wheel"), {}},
              {tr("Do what is prepared"), tr("Enter"), {}},
              {tr("Restore while it is held"), tr("R"), {}},
              {tr("The tool turned round"), tr("Eraser of the pen"), {}}}};

@@ -48,8 +48,8 @@ void PictureLoop::setViewport(glm::ivec2 devicePixels) {
 }
 
 bool PictureLoop::isComplete() const {
-    return document_ != nullptr && isFullDone_ && !isBehind_ && startedVersion_ == document_->version() &&
-           startedViewport_ == viewport_;
+    return document_ != nullptr && isFullDone_ && !isBehind_ &&
+           startedVersion_ == document_->pictureVersion() && startedViewport_ == viewport_;
 }
 
 double PictureLoop::framesPerSecond() const {
@@ -64,7 +64,7 @@ PictureLoop::State PictureLoop::step(double budgetMs) {
     if (document_ == nullptr || viewport_.x < 1 || viewport_.y < 1) {
         return State::Complete;
     }
-    const bool isStale = startedVersion_ != document_->version() || startedViewport_ != viewport_ ||
+    const bool isStale = startedVersion_ != document_->pictureVersion() || startedViewport_ != viewport_ ||
                          (isBehind_ && pass_ != Pass::Draft);
     const bool isCalm = sinceInput_.milliseconds() >= kCalmMs;
     if (isStale) {
@@ -138,7 +138,7 @@ void PictureLoop::begin(Pass pass) {
     });
     isBehind_ = document_->isBehind();
     pass_ = pass;
-    startedVersion_ = document_->version();
+    startedVersion_ = document_->pictureVersion();
     startedViewport_ = viewport_;
     isFullDone_ = false;
     samplesShown_ = 0;

@@ -117,6 +117,7 @@ nlohmann::json LayoutReporter::documentReport() const {
             {"canUndo", facts->canUndo()},
             {"canRedo", facts->canRedo()},
             {"unsaved", studio_.files().hasUnsavedEdits()},
+            {"pictures", studio_.picture().pictures()},
             {"pictureComplete", studio_.picture().isComplete()},
             {"handles", handlesOnScreen(view_, tools_.get<MoveTool>())},
             {"glErrors", studio_.host().gl().errorCount()}};
@@ -152,6 +153,7 @@ void LayoutReporter::write() {
     }
     const QWidget* focused = QApplication::focusWidget();
     const auto& view = studio_.view().shown();
+    const Range sliceWindow = studio_.view().sliceWindow();
     nlohmann::json report{
         {"idle", studio_.isIdle()},
         {"loading", studio_.host().isLoading()},
@@ -167,6 +169,8 @@ void LayoutReporter::write() {
           {"zoom", view.camera.zoom},
           {"pan", {view.camera.panMm.x, view.camera.panMm.y}}}},
         {"range", {view.range.lo, view.range.hi}},
+        {"sliceWindow", {sliceWindow.lo, sliceWindow.hi}},
+        {"tintsSlices", view.tintsSlices},
         {"playing", studio_.growth().isPlaying()},
         {"smooth", view.sampling == field::Sampling::Tricubic},
         {"historyRow", historyRowHeight()},

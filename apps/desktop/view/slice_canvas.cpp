@@ -3,15 +3,18 @@
 
 #include "model/slices/slice_controller.h"
 #include "model/studio/studio_controller.h"
+#include "parts/panel_parts.h"
 #include "tools/measure_tool.h"
 #include "tools/tool_box.h"
 
 #include <QLineF>
+#include <QMenu>
 #include <QMouseEvent>
 #include <QTabletEvent>
 #include <QWheelEvent>
 
 #include <cmath>
+#include <utility>
 
 namespace vs::desktop {
 
@@ -79,41 +82,65 @@ void SliceCanvas::hideEvent(QHideEvent*) { slices_.setShown(kind_, false); }
 
 void SliceCanvas::press(QPointF place, bool isReversed, Qt::KeyboardModifiers modifiers) {
     under_ = pressed_ = last_ = place;
-    if (button_ == Qt::LeftButton || (isReversed && pen_.takesRightButton())) {
+    pressedWindow_ = slices_.window();
+    const bool isOfWindow = button_ == Qt::RightButton && modifiers.testFlag(Qt::ShiftModifier);
+    if (button_ == Qt::LeftButton || (isReversed && pen_.takesRightButton() && !isOfWindow)) {
         drag_ = pen_.press(kind_, placeAt(last_), isReversed, modifiers) ? Drag::Pen : Drag::None;
-    } else if (button_ == Qt::MiddleButton) {
-        drag_ = Drag::Pan;
-    } else if (button_ == Qt::RightButton) {
-        drag_ = Drag::Zoom;
+    } else {
+        drag_ = dragOf(button_, modifiers);
     }
+}
+
+SliceCanvas::Drag SliceCanvas::dragOf(Qt::MouseButton button, Qt::KeyboardModifiers modifiers) {
+    if (button == Qt::RightButton) {
+        return modifiers.testFlag(Qt::ControlModifier) ? Drag::Zoom : Drag::Window;
+    }
+    return button == Qt::MiddleButton ? Drag::Pan : Drag::None;
 }
 
 void SliceCanvas::move(QPointF now) {
     const QPointF moved = now - last_;
+    last_ = now;
+    under_ = now;
     if (drag_ == Drag::Pen) {
         pen_.move(kind_, placeAt(now));
     } else if (drag_ == Drag::Pan) {
-        slices_.pan(kind_, placeAt(last_) - placeAt(now));
+        slices_.pan(kind_, placeAt(now - moved) - placeAt(now));
     } else if (drag_ == Drag::Zoom) {
         slices_.zoom(kind_, std::exp(-0.008 * moved.y()), slices_.view(kind_).centreMm); // up to come nearer
+    } else if (drag_ == Drag::Window) {
+        const QPointF led = now - pressed_;
+        if (isDrag()) {
+            slices_.leadWindow(pressedWindow_, {led.x(), led.y()});
+        }
     } else if (slices_.hasVolume()) {
         pen_.hover(kind_, placeAt(now));
         update(); // the brush is where the pen is
     }
-    last_ = now;
-    under_ = now;
     emit penMoved();
 }
 
 void SliceCanvas::release() {
-    const bool isPen = drag_ == Drag::Pen;
-    drag_ = Drag::None;
+    const Drag ended = std::exchange(drag_, Drag::None);
     button_ = Qt::NoButton;
-    if (isPen) {
-        constexpr double kDragPixels = 4; // less is a click
-        pen_.release(QLineF(pressed_, last_).length() > kDragPixels);
+    if (ended == Drag::Pen) {
+        pen_.release(isDrag());
+    } else if (ended == Drag::Window && !isDrag()) {
+        offerWindows();
     }
     emit penMoved();
+}
+
+bool SliceCanvas::isDrag() const {
+    constexpr double kDragPixels = 4; // less is a click
+    return QLineF(pressed_, last_).length() > kDragPixels;
+}
+
+void SliceCanvas::offerWindows() {
+    auto* menu = named(new QMenu(this), "sliceWindows", tr("Windows of slices"));
+    menu->setAttribute(Qt::WA_DeleteOnClose);
+    menu->addActions(actions());
+    menu->popup(mapToGlobal(last_.toPoint()));
 }
 
 void SliceCanvas::mousePressEvent(QMouseEvent* event) {

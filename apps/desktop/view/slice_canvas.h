@@ -19,8 +19,10 @@ class ToolBox;
 QColor sliceColour(render::SliceKind kind);
 
 // One slice: its picture, the lines of the two others, the patient's directions at the edges, the stroke in
-// hand. The wheel and Page Up and Down go from slice to slice, Ctrl+wheel zooms, the middle button moves, the
-// right one zooms, and the left one is the pen's (SlicePen), as is a tablet, whose eraser takes away.
+// hand, the window. The wheel and Page Up and Down go from slice to slice, Ctrl+wheel zooms, the middle
+// button moves, the right one leads the window (with Shift too where the pen has a use for it), with Ctrl it
+// zooms, and a click of it offers windows. The left one is the pen's (SlicePen), as is a tablet, whose eraser
+// takes away.
 class SliceCanvas : public QWidget {
     Q_OBJECT
 
@@ -52,18 +54,24 @@ protected:
     void leaveEvent(QEvent* event) override;
 
 private:
-    enum class Drag { None, Pen, Pan, Zoom };
+    enum class Drag { None, Pen, Pan, Zoom, Window };
+
+    // A button's use where the pen has none for it.
+    [[nodiscard]] static Drag dragOf(Qt::MouseButton button, Qt::KeyboardModifiers modifiers);
 
     [[nodiscard]] QPointF placeInWidget(QPointF inWindow) const;
     void press(QPointF place, bool isReversed, Qt::KeyboardModifiers modifiers);
     void move(QPointF place);
     void release();
+    [[nodiscard]] bool isDrag() const; // what was pressed has been moved since, and is no click
     [[nodiscard]] QPointF pointOf(glm::dvec2 place) const;
     void tellViewport();
     void moveCrosshair(int right, int down);
     void paintCrosshair(QPainter& painter) const;
     void paintLetters(QPainter& painter) const;
+    void paintWindow(QPainter& painter) const;
     void paintPen(QPainter& painter) const;
+    void offerWindows();
     [[nodiscard]] std::optional<QPointF> seenAt(glm::dvec3 world) const;
 
     StudioController& studio_;
@@ -75,6 +83,7 @@ private:
     Qt::MouseButton button_ = Qt::NoButton;
     QPointF last_;
     QPointF pressed_;
+    Range pressedWindow_; // when it was pressed
     std::optional<QPointF> under_;
     double wheel_ = 0; // notches not used yet: of wheels finer than one
 };

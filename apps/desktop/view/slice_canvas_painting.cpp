@@ -45,6 +45,7 @@ void SliceCanvas::paintEvent(QPaintEvent*) {
     painter.setRenderHint(QPainter::Antialiasing);
     paintCrosshair(painter);
     paintLetters(painter);
+    paintWindow(painter);
     paintMeasurements(
         painter, measureTool_, [this](glm::dvec3 world) { return seenAt(world); }, QRectF(rect()));
     paintPen(painter);
@@ -97,6 +98,17 @@ void SliceCanvas::paintLetters(QPainter& painter) const {
     draw(Qt::AlignRight | Qt::AlignVCenter, letters.right);
     draw(Qt::AlignHCenter | Qt::AlignTop, letters.top);
     draw(Qt::AlignHCenter | Qt::AlignBottom, letters.bottom);
+}
+
+// As radiologists read it: level and width.
+void SliceCanvas::paintWindow(QPainter& painter) const {
+    const Range window = slices_.window();
+    const int decimals = std::max(0, 2 - int(std::floor(std::log10(std::max(window.width(), 1e-9)))));
+    painter.setFont(font());
+    drawText(painter, QRectF(rect()).adjusted(7, 4, -7, -4), Qt::AlignLeft | Qt::AlignBottom,
+             tr("L %1  W %2")
+                 .arg(0.5 * (window.lo + window.hi), 0, 'f', decimals)
+                 .arg(window.width(), 0, 'f', decimals));
 }
 
 // The stroke in hand, or the brush where the pen is.

@@ -38,6 +38,12 @@ ViewGrid::ViewGrid(StudioController& studio, ToolBox& tools, ViewWidget* view, Q
     }
 }
 
+void ViewGrid::offerOnSlices(const QList<QAction*>& actions) {
+    for (SliceWidget* slice : slices_) {
+        slice->findChild<SliceCanvas*>()->QWidget::addActions(actions);
+    }
+}
+
 // By Tab the keyboard goes where no pointer shows it; a click needs no frame.
 bool ViewGrid::eventFilter(QObject* watched, QEvent* event) {
     if (event->type() == QEvent::FocusIn || event->type() == QEvent::FocusOut) {

@@ -31,6 +31,8 @@ public:
     void arrange(Arrangement arrangement);
     // One slice large, or all the same size again if it was.
     void enlarge(render::SliceKind kind);
+    // What is offered where a slice is clicked on with the right button.
+    void offerOnSlices(const QList<QAction*>& actions);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;

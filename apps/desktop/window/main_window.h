@@ -82,6 +82,7 @@ private:
 
     // main_window_slices.cpp
     void makeSliceActions();
+    void makeSliceWindowActions();
     void makeSliceMenu();
     void refreshSliceActions();
     void showSliceProbe(render::SliceKind kind, std::optional<glm::dvec2> place);
@@ -159,6 +160,7 @@ private:
     std::vector<QDockWidget*> hiddenDocks_; // while the start screen is shown
     ViewWidget* view_ = nullptr;
     ViewGrid* grid_ = nullptr; // the 3D view and the slices
+    QList<QAction*> sliceWindows_;
     HintLine* hint_ = nullptr;
     QLabel* message_ = nullptr;
     QLabel* probe_ = nullptr;

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: Apache-2.0
 // Slices beside the 3D view: how they are arranged, how they look, and the brush that paints on them.
+#include "model/document/view_model.h"
 #include "model/slices/slice_controller.h"
 #include "model/studio/studio_controller.h"
+#include "model/texts/library_texts.h"
 #include "tools/paint_tool.h"
 #include "tools/tool_box.h"
 #include "view/view_grid.h"
 #include "window/action_table.h"
 #include "window/main_window.h"
 
+#include "render/slices/slice_windows.h"
+
 #include <QActionGroup>
 #include <QLabel>
+#include <QMenu>
 #include <QMenuBar>
 
 namespace vs::desktop {
@@ -72,9 +77,47 @@ void MainWindow::makeSliceActions() {
                    [this] { tools_.get<PaintTool>().resize(1 / kPerKey); }});
     actions_->add({"brushLarger", nullptr, tr("Larger brush"), tr("A larger brush to paint on slices with"),
                    tr("]"), [this] { tools_.get<PaintTool>().resize(kPerKey); }});
+    makeSliceWindowActions();
     connect(grid_, &ViewGrid::arranged, this, &MainWindow::refreshSliceActions);
     connect(grid_, &ViewGrid::penMoved, this, &MainWindow::showSliceProbe);
     refreshSliceActions();
+}
+
+// Windows for slices of CT scans, the scan's own, and a tint of what the 3D picture shows: in the menu of the
+// view, and where a slice is clicked on with the right button.
+void MainWindow::makeSliceWindowActions() {
+    ViewModel& view = studio_.view();
+    auto* group = new QActionGroup(this);
+    group->setExclusionPolicy(QActionGroup::ExclusionPolicy::ExclusiveOptional); // none: one led by hand
+    const auto add = [&](const std::string& name, const QString& text, const QString& tip,
+                         const std::optional<Range>& window) {
+        const auto show = [this, &view, window] {
+            view.setSliceWindow(window);
+            actions_->refresh(); // chosen again it is still the one
+        };
+        sliceWindows_.push_back(actions_->addChoice(
+            group, {"sliceWindow." + name, nullptr, text, tip, {}, show, {}, [&view, window] {
+                        return view.shown().sliceWindow == window;
+                    }}));
+    };
+    add("automatic", tr("Automatic"), tr("The values of this scan from black to white"), {});
+    for (const render::SliceWindow& window : render::kSliceWindows) {
+        add(window.name, tr("%1 (CT)").arg(libraryText(window.title)),
+            tr("CT: level %1, width %2")
+                .arg(window.range.lo + 0.5 * window.range.width())
+                .arg(window.range.width()),
+            window.range);
+    }
+    sliceWindows_.push_back(actions_->add(
+        {"tintSlices",
+         nullptr,
+         tr("Tint what is shown"),
+         tr("Slices show in colour what the 3D picture shows: the displayed range or the transfer function"),
+         tr("Shift+W"),
+         [&view] { view.setTintsSlices(!view.shown().tintsSlices); },
+         {},
+         [&view] { return view.shown().tintsSlices; }}));
+    grid_->offerOnSlices(sliceWindows_);
 }
 
 // In the menu made last, which is the view's.
@@ -86,6 +129,9 @@ void MainWindow::makeSliceMenu() {
           "resetSlices", "smoothSlices", "brushSmaller", "brushLarger"}) {
         view->QWidget::addAction(actions_->find(name));
     }
+    QMenu* windows = view->addMenu(tr("Window of slices"));
+    windows->setToolTipsVisible(true);
+    windows->addActions(sliceWindows_);
 }
 
 void MainWindow::refreshSliceActions() {

@@ -1,5 +1,6 @@
 // Draws one layer of voxels (render::SliceRenderer, which says what is seen).
-// SCULPTED: the sculpture hides some. SEGMENTED: there are segments. TF_KIND: a transfer function colours it.
+// SCULPTED: the sculpture hides some. SEGMENTED: there are segments. TINTED: what the 3D picture shows is
+// coloured: by the transfer function where there is a TF_KIND, else in one tint.
 // Spaces: the slice runs through voxel centres, so of a place's cell only four corners count; they are asked
 // for once, and everything is interpolated from them: corner 0 is the cell's first, 1 across, 2 down, 3 both.
 // In: the scene, texture 14 segment colours. Out: image 0.
@@ -23,6 +24,10 @@ uniform vec3 perDown;
 uniform ivec3 across; // unit steps within the slice
 uniform ivec3 down;
 uniform int isSmooth;
+uniform vec2 window; // the values that are black and white
+#if defined(TINTED) && !defined(TF_KIND)
+uniform vec2 visible; // the values that are tinted: from, to
+#endif
 uniform vec2 segmentLook; // opacity of insides, width of outlines in pixels
 
 const vec3 kOutside = vec3(0.043, 0.051, 0.059);
@@ -84,25 +89,32 @@ vec4 valuesAround(Cell cell) {
                 voxelValue(cell.corners[3]));
 }
 
-vec3 greyAt(float value) {
-    float t = range.y > range.x ? (value - range.x) / (range.y - range.x) : (value < range.x ? 0.0 : 1.0);
-    return vec3(clamp(t, 0.0, 1.0));
+float greyAt(float value) {
+    float t = window.y > window.x ? (value - window.x) / (window.y - window.x) : step(window.x, value);
+    return clamp(t, 0.0, 1.0);
 }
 
-#ifdef TF_KIND
-// What the function makes visible in its colours, all else in dim greys of the whole object.
+#if !defined(TINTED)
+vec3 valueColour(float value, vec3 p) { return vec3(greyAt(value)); }
+#elif defined(TF_KIND)
+// What the function makes visible in its colours.
 vec3 valueColour(float value, vec3 p) {
 #if TF_KIND == 0
     vec4 c = classify(value, 0.0);
 #else
     vec4 c = classify(value, length(dataGradient(p)));
 #endif
-    vec3 grey = vec3(0.6 * clamp((value - range.z) / max(range.w - range.z, 1e-20), 0.0, 1.0));
     float shown = clamp(c.a / lightingOfFunction.z, 0.0, 1.0);
-    return mix(grey, displayFromLinear(c.rgb), shown);
+    return mix(vec3(greyAt(value)), displayFromLinear(c.rgb), shown);
 }
 #else
-vec3 valueColour(float value, vec3 p) { return greyAt(value); }
+// The tint is darker where the value is, so that what it lies on is read through it.
+vec3 valueColour(float value, vec3 p) {
+    const vec3 kTint = vec3(1.0, 0.62, 0.12);
+    float grey = greyAt(value);
+    bool isVisible = value >= visible.x && value <= visible.y;
+    return isVisible ? mix(vec3(grey), kTint * mix(0.3, 1.0, grey), 0.6) : vec3(grey);
+}
 #endif
 
 #ifdef SCULPTED

@@ -14,8 +14,9 @@ namespace {
 gl::Defines definesFor(const SliceFrame& frame) {
     gl::Defines defines = gl::switchesOn(
         {{"SCULPTED", frame.scene.sculpture != nullptr && frame.scene.view != field::SculptureView::Whole},
-         {"SEGMENTED", frame.scene.segmentation != nullptr}});
-    if (frame.classification != nullptr) {
+         {"SEGMENTED", frame.scene.segmentation != nullptr},
+         {"TINTED", frame.tintsVisible}});
+    if (frame.tintsVisible && frame.classification != nullptr) {
         defines.emplace_back("TF_KIND", frame.classification->kindDefine());
     }
     return defines;
@@ -45,13 +46,16 @@ void SliceRenderer::render(const SliceFrame& frame) {
         .set("across", unit(geometry.acrossAxis()))
         .set("down", unit(geometry.downAxis()))
         .set("isSmooth", frame.isSmooth ? 1 : 0)
+        .set("window", glm::vec2(frame.window.lo, frame.window.hi))
         .set("segmentLook", glm::vec2(frame.fill, frame.outlinePixels));
     segmentColours_.upload({glm::ivec3(0), segmentColours_.size()},
                            std::as_bytes(std::span(frame.segmentColours.entries)));
     segmentColours_.bindTexture(kSegmentColoursTexture);
     sceneBinding_.bind(frame.scene);
-    if (frame.classification != nullptr) {
+    if (frame.tintsVisible && frame.classification != nullptr) {
         frame.classification->bind();
+    } else if (frame.tintsVisible) {
+        program.set("visible", glm::vec2(frame.visible.lo, frame.visible.hi));
     }
     picture_.bindImage(kSlicePictureImage, gl::Access::Write);
     program.dispatchOver({view.size, 1}, gl::Barrier::All);

@@ -13,7 +13,10 @@ namespace vs::render {
 // Everything one picture of a slice depends on. The pointers must stay alive until it is drawn.
 struct SliceFrame {
     field::Scene scene;
-    // Colours what it makes visible; all else stays grey. Null: greys over the displayed range.
+    Range window; // the values that are shown from black to white
+    // Tints, over the greys, the values that the 3D picture shows: by its function, or for null in one tint.
+    bool tintsVisible = false;
+    Range visible;
     const Classification* classification = nullptr;
     SegmentColours segmentColours;
     SliceView view;
@@ -22,11 +25,12 @@ struct SliceFrame {
     float outlinePixels = 1.25F;
 };
 
-// Draws slices in a compute shader: values in grey (black below the displayed range, white above) or in the
-// transfer function's colours, what the sculpture hides darkened and hatched, segments as a translucent area
-// with an outline. A slice lies on voxel centres, so its values are interpolated within it and with isSmooth
-// off they are the voxels' own. Membership of segments is that of the scene: exact at voxel centres, and
-// where two segments touch both have an outline.
+// Draws slices in a compute shader: values in greys of the window (black below, white above) and, where that
+// is asked for, those that the 3D picture shows in a tint or in the transfer function's colours; what the
+// sculpture hides darkened and hatched, segments as a translucent area with an outline. A slice lies on voxel
+// centres, so its values are interpolated within it and with isSmooth off they are the voxels' own.
+// Membership of segments is that of the scene: exact at voxel centres, and where two segments touch both have
+// an outline.
 class SliceRenderer {
 public:
     void render(const SliceFrame& frame);

@@ -21,6 +21,10 @@ const sculpt::Sculpture& Document::sculpture() const { return impl_->contents.sc
 const History& Document::history() const { return impl_->contents.history; }
 const std::vector<Operation>& Document::log() const { return impl_->log.operations(); }
 std::uint64_t Document::version() const { return impl_->contents.version; }
+
+std::uint64_t Document::pictureVersion() const {
+    return impl_->contents.version - impl_->contents.sliceChanges;
+}
 void Document::setUndoMemory(std::size_t bytes) { impl_->contents.history.setMemoryLimit(bytes); }
 LiveStroke& Document::stroke() { return impl_->liveStroke; }
 LiveGrowth& Document::growing() { return impl_->liveGrowth; }
@@ -99,12 +103,7 @@ void Document::logOutput(const Operation& operation) {
     impl_->log.record(operation, view());
 }
 
-void Document::showView(const View& view) {
-    if (!(view == impl_->contents.view)) {
-        impl_->contents.view = view;
-        ++impl_->contents.version;
-    }
-}
+void Document::showView(const View& view) { impl_->contents.show(view); }
 
 // --- pictures
 

@@ -54,8 +54,10 @@ public:
     // What is known of all this now, as one value that does not change any more. Cheap when nothing has
     // changed since the last time. Needs no current GL context.
     [[nodiscard]] std::shared_ptr<const DocumentFacts> facts() const;
-    // Counts document changes that a picture can show (view, sculpture, segmentation).
+    // Counts document changes that a picture can show (view, sculpture, segmentation); and of them those that
+    // the 3D picture shows, which slices' windows are not.
     [[nodiscard]] std::uint64_t version() const;
+    [[nodiscard]] std::uint64_t pictureVersion() const;
 
     // --- operations
 

@@ -49,6 +49,7 @@ struct DocumentFacts {
     std::size_t logged = 0;    // operations in the log
     InHand inHand = InHand::Nothing;
     View view;
+    Range sliceWindow; // that suits the scan: what slices show where the view says nothing
     std::shared_ptr<const Edits> edits = std::make_shared<Edits>();
     SegmentList segments;
     std::array<std::size_t, 256> voxels{}; // shown of each segment, by its label

@@ -49,7 +49,7 @@ Outcome Document::Impl::run(Operation& operation, const std::filesystem::path& f
 }
 
 Outcome Document::Impl::run(SetView& op) {
-    View& view = contents.view;
+    View view = contents.view;
     view.camera = op.camera.value_or(view.camera);
     view.mode = op.mode.value_or(view.mode);
     view.range = op.range.value_or(view.range);
@@ -61,9 +61,11 @@ Outcome Document::Impl::run(SetView& op) {
     view.hidesAbove = op.hidesAbove.value_or(view.hidesAbove);
     view.surfaceSmoothing = op.surfaceSmoothing.value_or(view.surfaceSmoothing);
     view.tintsSegments = op.tintsSegments.value_or(view.tintsSegments);
+    view.sliceWindow = op.sliceWindow.value_or(view.sliceWindow);
+    view.tintsSlices = op.tintsSlices.value_or(view.tintsSlices);
     // Logged whole: what was looked at before is part of it.
     op = setViewTo(view);
-    ++contents.version;
+    contents.show(view);
     return {};
 }
 

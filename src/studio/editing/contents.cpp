@@ -14,6 +14,14 @@ Contents::Contents(volume::Volume volume, sculpt::Precision precision)
     view.range = scan.shown;
 }
 
+void Contents::show(const View& next) {
+    if (!(next == view)) {
+        sliceChanges += next.differsInSlicesOnly(view) ? 1 : 0;
+        ++version;
+        view = next;
+    }
+}
+
 void Contents::remember(Edit edit) {
     history.push(std::move(edit));
     ++version;

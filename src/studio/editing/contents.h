@@ -23,6 +23,8 @@ struct Contents {
     Contents(const Contents&) = delete;
     Contents& operator=(const Contents&) = delete;
 
+    // Changes how all is looked at.
+    void show(const View& next);
     // An undoable change was made.
     void remember(Edit edit);
     // The canvas that an operation was drawn on, where it does not say: the present view on the usual
@@ -43,7 +45,8 @@ struct Contents {
     SegmentList segments;
     View view;
     History history;
-    std::uint64_t version = 0; // counts changes that a picture can show
+    std::uint64_t version = 0;      // counts changes that pictures can show
+    std::uint64_t sliceChanges = 0; // how many of them slices alone show
     InHand inHand = InHand::Nothing;
     // The sculpture's version when the cut in hand began; not while it restores (Pipeline::State).
     std::optional<std::uint64_t> cuttingSince;

@@ -23,7 +23,9 @@ render::Frame Display::frame(const View& from, glm::ivec2 size, double segmentsM
 }
 
 render::SliceFrame Display::slice(const render::SliceView& view, double segmentsMs) {
-    return pipeline_.slice(stateOf(contents_->view, segmentsMs), view);
+    render::SliceFrame frame = pipeline_.slice(stateOf(contents_->view, segmentsMs), view);
+    frame.window = contents_->view.sliceWindow.value_or(contents_->scan.slices);
+    return frame;
 }
 
 } // namespace vs::studio

@@ -117,7 +117,11 @@ render::SliceFrame Pipeline::slice(const State& state, const render::SliceView& 
         frame.scene.segmentLabels = &state.growth->seedMap().labels();
     }
     frame.segmentColours = segmentColours(state);
-    frame.classification = state.view->transferFunction ? classify(*state.view) : nullptr;
+    frame.tintsVisible = state.view->tintsSlices;
+    frame.visible = state.view->visibleRange(field_->range);
+    if (frame.tintsVisible && state.view->transferFunction) {
+        frame.classification = classify(*state.view);
+    }
     frame.view = view;
     return frame;
 }

@@ -2,6 +2,7 @@
 #include "studio/editing/scan.h"
 
 #include "field/histogram.h"
+#include "render/slices/slice_windows.h"
 
 #include <algorithm>
 #include <cmath>
@@ -38,6 +39,25 @@ Range greyWindow(const std::vector<std::uint32_t>& histogram, const Range& range
     return window;
 }
 
+// What slices show: of Hounsfield units those of soft tissue, else all from the darkest two hundredths up to
+// all but the brightest half a hundredth of the object (values above `objectFrom`), so that what is darker
+// than the object, as cerebrospinal fluid is in a head of an MR scan, is told from air.
+Range sliceWindow(const std::vector<std::uint32_t>& histogram, const volume::Volume& volume,
+                  double objectFrom) {
+    const Range& range = volume.range;
+    const Range soft = render::kAbdomenWindow;
+    if (volume.unit == "HU" && range.lo < soft.lo && range.hi > soft.hi) {
+        return soft;
+    }
+    const double binWidth = range.width() / double(histogram.size());
+    auto object = histogram;
+    for (std::size_t i = 0; i < object.size() && range.lo + double(i + 1) * binWidth <= objectFrom; ++i) {
+        object[i] = 0;
+    }
+    const Range window{field::percentile(histogram, range, 0.02), field::percentile(object, range, 0.995)};
+    return window.width() > 0 ? window : range;
+}
+
 // 256 bins, or one for each step from value to value where whole numbers are fewer: bins of uneven size would
 // comb.
 int histogramBins(const field::Field& field) {
@@ -57,6 +77,10 @@ Scan::Scan(volume::Volume opened)
     }
     grey = volume.range.width() > 0 ? greyWindow(histogram, volume.range, shown.lo)
                                     : Range{volume.range.lo - 3, volume.range.hi + 1};
+    slices = volume.range.width() > 0 ? sliceWindow(histogram, volume, shown.lo) : grey;
+    if (field.isIntegral) {
+        slices = {std::floor(slices.lo), std::ceil(slices.hi)};
+    }
 }
 
 } // namespace vs::studio

@@ -19,6 +19,7 @@ struct Scan {
     std::vector<std::uint32_t> histogram; // voxel counts in equal bins over volume.range, at most 256
     Range shown;                          // the displayed range to begin with
     Range grey;                           // the values that cut faces show from black to white
+    Range slices;                         // the values that slices show so, where nobody chose others
 };
 
 } // namespace vs::studio

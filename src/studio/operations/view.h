@@ -32,12 +32,18 @@ struct View {
     // none. In surface and segment mode, for pictures and picking; what cut faces show stays as it is.
     double surfaceSmoothing = 0;
     bool tintsSegments = false; // in MIP and X-ray: what is in a visible segment has its colour
+    // The values that slices show from black to white; nothing: those that suit the scan.
+    std::optional<Range> sliceWindow = {};
+    bool tintsSlices = false; // slices show in colour what the 3D picture shows
 
     // Values above the displayed range are visible too: in MIP, X-ray and overlay, unless they are hidden.
     [[nodiscard]] bool showsAbove() const;
     // What of a volume's values, which go from data.lo to data.hi, is visible: the displayed range, up to the
     // greatest value where those above it are visible too. Seeds, tools and growth go by it.
     [[nodiscard]] Range visibleRange(const Range& data) const;
+
+    // Whether two views differ in how slices are shown and in nothing else: the 3D picture is the same.
+    [[nodiscard]] bool differsInSlicesOnly(const View& other) const;
 
     bool operator==(const View&) const = default;
 };
@@ -63,6 +69,9 @@ struct SetView {
     std::optional<bool> hidesAbove = {};
     std::optional<double> surfaceSmoothing = {};
     std::optional<bool> tintsSegments = {};
+    // Set to nothing: the window that suits the scan.
+    std::optional<std::optional<Range>> sliceWindow = {};
+    std::optional<bool> tintsSlices = {};
 
     template <typename = void>
     static constexpr auto fields() {
@@ -76,7 +85,9 @@ struct SetView {
                           sparse("shadows", &SetView::shadows),
                           sparse("hideAbove", &SetView::hidesAbove),
                           sparse("smoothSurface", &SetView::surfaceSmoothing, kSurfaceSmoothing),
-                          sparse("tintSegments", &SetView::tintsSegments)};
+                          sparse("tintSegments", &SetView::tintsSegments),
+                          sparse("sliceWindow", &SetView::sliceWindow, {.mayBeNull = true}),
+                          sparse("tintSlices", &SetView::tintsSlices)};
     }
 };
 // The whole of a view.

@@ -32,6 +32,7 @@ SliceFrame frameOf(const Stage& stage, const SliceView& view) {
     SliceFrame frame;
     frame.scene = stage.frame.scene;
     frame.segmentColours = stage.frame.segmentColours;
+    frame.window = frame.scene.displayedRange;
     frame.view = view;
     frame.outlinePixels = -1; // none
     return frame;
@@ -241,10 +242,58 @@ TEST_F(SliceRendererTest, TransferFunctionsColourWhatTheyShow) {
     stage.classify(function);
     SliceFrame frame = frameOf(stage, {SliceKind::Axial, 10, {0, 0}, 0.5, {80, 40}});
     frame.classification = stage.frame.classification;
+    EXPECT_EQ(draw(frame).pixel(70, 20)[0], draw(frame).pixel(70, 20)[1]) << "coloured unasked";
+    frame.tintsVisible = true;
     const auto picture = draw(frame);
     EXPECT_EQ(picture.pixel(10, 20)[0], picture.pixel(10, 20)[1]); // grey
     EXPECT_GT(picture.pixel(70, 20)[0], 250);
     EXPECT_LT(picture.pixel(70, 20)[1], 5);
+}
+
+TEST_F(SliceRendererTest, ValuesOfTheWindowGoFromBlackToWhiteWhateverIsDisplayed) {
+    const Stage stage(noise(), {-200, 250});
+    for (const Range window : {Range{-50, 30}, Range{-1000, 4000}, Range{100, 100}}) {
+        for (const SliceView& view : views(stage.volume.geometry)) {
+            SliceFrame frame = frameOf(stage, view);
+            frame.window = window;
+            frame.isSmooth = false;
+            // One value: what lies below is black, all else white.
+            const Range range = window.width() > 0 ? window : Range{window.lo - 1e-6, window.hi};
+            const auto expected = reference::drawSlice({&stage.volume, range, {}, {}, {}, false}, view);
+            EXPECT_LE(pixelsApart(draw(frame), expected, 1), 1) << name(view.kind) << view.index;
+        }
+    }
+}
+
+TEST_F(SliceRendererTest, TintsWhatIsDisplayedAndNothingElse) {
+    const Stage stage(noise(), {-200, 250});
+    const SliceView view{SliceKind::Axial, 5, {0, 0}, 0.1, {200, 200}};
+    SliceFrame frame = frameOf(stage, view);
+    frame.isSmooth = false;
+    const auto grey = draw(frame);
+    frame.tintsVisible = true;
+    frame.visible = {20, 110};
+    const auto tinted = draw(frame);
+    const SliceGeometry geometry(stage.volume.geometry, view.kind);
+    int inside = 0;
+    for (int y = 0; y < view.size.y; ++y) {
+        for (int x = 0; x < view.size.x; ++x) {
+            const glm::dvec3 p = geometry.voxelAt(view.placeAt({x + 0.5, y + 0.5}), view.index);
+            const glm::dvec3 fromBorder = glm::abs(glm::fract(p) - 0.5);
+            const glm::ivec3 voxel(glm::floor(p + 0.5));
+            const bool isInGrid = glm::all(glm::greaterThanEqual(voxel, glm::ivec3(0))) &&
+                                  glm::all(glm::lessThan(voxel, stage.volume.geometry.dims));
+            if (!isInGrid || fromBorder.x < 1e-3 || fromBorder.y < 1e-3) {
+                continue; // rounding decides which voxel it is
+            }
+            const bool isVisible = frame.visible.contains(stage.volume.at(voxel));
+            const auto* pixel = tinted.pixel(x, y);
+            EXPECT_EQ(pixel[0] > pixel[2] + 20, isVisible) << x << ' ' << y;
+            EXPECT_TRUE(isVisible || pixel[0] == grey.pixel(x, y)[0]) << x << ' ' << y;
+            inside += isVisible ? 1 : 0;
+        }
+    }
+    EXPECT_GT(inside, 500);
 }
 
 } // namespace

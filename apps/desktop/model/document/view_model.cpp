@@ -71,6 +71,20 @@ void ViewModel::setSampling(field::Sampling sampling) {
     showView(next);
 }
 
+void ViewModel::setSliceWindow(std::optional<Range> window) {
+    auto next = view_;
+    next.sliceWindow = window;
+    showView(next);
+}
+
+Range ViewModel::sliceWindow() const { return view_.sliceWindow.value_or(host_.facts()->sliceWindow); }
+
+void ViewModel::setTintsSlices(bool tintsSlices) {
+    auto next = view_;
+    next.tintsSlices = tintsSlices;
+    showView(next);
+}
+
 Range ViewModel::visibleRange() const { return view_.visibleRange(host_.volume()->range); }
 
 void ViewModel::flush() {

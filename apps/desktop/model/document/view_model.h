@@ -38,6 +38,11 @@ public:
     // Segments in their colours in MIP and X-ray too.
     void setTintsSegments(bool tintsSegments);
     void setSampling(field::Sampling sampling);
+    // The values that slices show from black to white; nothing: those that suit the scan.
+    void setSliceWindow(std::optional<Range> window);
+    [[nodiscard]] Range sliceWindow() const;
+    // What the 3D picture shows, in colour on slices.
+    void setTintsSlices(bool tintsSlices);
     // What of the volume's values the view shows (View::visibleRange). There must be a volume.
     [[nodiscard]] Range visibleRange() const;
 

@@ -21,6 +21,8 @@ Preferences Preferences::load() {
     preferences.recordings = settings.value("recordings").toString();
     preferences.smoothSampling = settings.value("smoothSampling").toBool();
     preferences.shadows = settings.value("shadows").toBool();
+    preferences.sliceWindow = settings.value("sliceWindow").toString();
+    preferences.tintsSlices = settings.value("tintSlices").toBool();
     return preferences;
 }
 
@@ -36,6 +38,8 @@ void Preferences::save() const {
     settings.setValue("recordings", recordings);
     settings.setValue("smoothSampling", smoothSampling);
     settings.setValue("shadows", shadows);
+    settings.setValue("sliceWindow", sliceWindow);
+    settings.setValue("tintSlices", tintsSlices);
 }
 
 } // namespace vs::desktop

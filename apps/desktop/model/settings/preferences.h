@@ -19,6 +19,8 @@ struct Preferences {
     QString recordings;                    // where dialogs that save begin; empty: where they like
     bool smoothSampling = false;           // of volumes that are opened
     bool shadows = false;                  // of volumes that are opened
+    QString sliceWindow;      // of CT scans that are opened (render::kSliceWindows); empty: automatic
+    bool tintsSlices = false; // of volumes that are opened
 
     static Preferences load();
     void save() const;

@@ -7,6 +7,7 @@
 #include "studio/document/surface_queries.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace vs::desktop {
 
@@ -130,6 +131,18 @@ void SliceController::showAll(Kind kind) {
     pane(kind).zoom = 1;
     pane(kind).centreMm = {};
     touch();
+}
+
+Range SliceController::window() const { return view_.sliceWindow(); }
+
+void SliceController::leadWindow(const Range& from, glm::dvec2 moved) {
+    constexpr double kPixels = 200; // to the right make the window e times as wide; up, half as bright again
+    const double width = from.width() * std::exp(moved.x / kPixels);
+    const double level = 0.5 * (from.lo + from.hi) + 0.5 * width * moved.y / kPixels;
+    // Numbers that can be read and written again: to a hundredth of the window.
+    const double digit = std::pow(10, std::floor(std::log10(width)) - 2);
+    const auto rounded = [&](double value) { return digit * std::round(value / digit); };
+    view_.setSliceWindow(Range{rounded(level - 0.5 * width), rounded(level + 0.5 * width)});
 }
 
 std::optional<studio::Probe> SliceController::probe(Kind kind, glm::dvec2 place) {

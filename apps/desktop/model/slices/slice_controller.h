@@ -62,6 +62,12 @@ public:
     void pan(Kind kind, glm::dvec2 mm);
     void showAll(Kind kind);
 
+    // The values that all slices show from black to white.
+    [[nodiscard]] Range window() const;
+    // Leads the window away from one, by a pen that was moved so far (logical pixels, to the right and down):
+    // to the right it becomes wider, up brighter.
+    void leadWindow(const Range& from, glm::dvec2 moved);
+
     // Value and place under a place of a slice; nothing outside the grid.
     [[nodiscard]] std::optional<studio::Probe> probe(Kind kind, glm::dvec2 place);
 

@@ -6,6 +6,7 @@
 #include "model/segments/segment_controller.h"
 #include "model/segments/segment_measurer.h"
 #include "model/slices/slice_controller.h"
+#include "render/slices/slice_windows.h"
 #include "studio/document/document_facts.h"
 #include "studio/document/surface_queries.h"
 
@@ -54,7 +55,7 @@ void StudioController::connectParts() {
     connect(&host_, &DocumentHost::opened, this, [this] {
         host_.document()->setUndoMemory(std::size_t(preferences_.undoMegabytes) << 20);
         if (!host_.isReplaying()) {
-            prefer();
+            preferTo({}); // as volumes are opened where nobody prefers anything
         }
     });
     connect(&host_, &DocumentHost::emptied, this, &StudioController::pictureChanged);
@@ -180,22 +181,42 @@ void StudioController::schedule(int milliseconds) {
 // --- preferences
 
 void StudioController::setPreferences(const Preferences& preferences) {
-    const bool isQualityNew = preferences.smoothSampling != preferences_.smoothSampling ||
-                              preferences.shadows != preferences_.shadows;
-    preferences_ = preferences;
+    const Preferences before = std::exchange(preferences_, preferences);
     if (host_.document() != nullptr) {
         host_.document()->setUndoMemory(std::size_t(preferences_.undoMegabytes) << 20);
-        if (isQualityNew && !host_.isReplaying()) {
-            prefer();
+        if (!host_.isReplaying()) {
+            preferTo(before);
         }
     }
 }
 
-// A view of the preferred quality. A session has its own.
-void StudioController::prefer() {
+// Windows are in Hounsfield units.
+std::optional<Range> StudioController::preferredWindow() const {
+    if (host_.volume()->unit == "HU") {
+        for (const render::SliceWindow& window : render::kSliceWindows) {
+            if (preferences_.sliceWindow == window.name) {
+                return window.range;
+            }
+        }
+    }
+    return std::nullopt;
+}
+
+// Shows what is preferred now and was not before: the rest is as the person has it, or the session.
+void StudioController::preferTo(const Preferences& before) {
     auto view = view_.shown();
-    view.sampling = preferences_.smoothSampling ? field::Sampling::Tricubic : field::Sampling::Trilinear;
-    view.shadows = preferences_.shadows;
+    if (preferences_.smoothSampling != before.smoothSampling) {
+        view.sampling = preferences_.smoothSampling ? field::Sampling::Tricubic : field::Sampling::Trilinear;
+    }
+    if (preferences_.shadows != before.shadows) {
+        view.shadows = preferences_.shadows;
+    }
+    if (preferences_.sliceWindow != before.sliceWindow) {
+        view.sliceWindow = preferredWindow();
+    }
+    if (preferences_.tintsSlices != before.tintsSlices) {
+        view.tintsSlices = preferences_.tintsSlices;
+    }
     view_.showView(view);
 }
 

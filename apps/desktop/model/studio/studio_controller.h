@@ -80,7 +80,8 @@ private:
     void schedule(int milliseconds);
     void showDocument();
     void letGo();
-    void prefer();
+    void preferTo(const Preferences& before);
+    [[nodiscard]] std::optional<Range> preferredWindow() const;
     void writeScreenshot();
 
     DocumentHost host_;

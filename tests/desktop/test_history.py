@@ -138,11 +138,17 @@ def preferences(studio, folder):
     studio.move((x + 8, y + height // 2))  # the box itself: the rest of its row does nothing
     studio.xdotool("click", 1)
     studio.wait("the smooth picture", lambda s: s["smooth"])
+    x, y, _, height = studio.state()["widgets"]["preferTint"]
+    studio.move((x + 8, y + height // 2))
+    studio.xdotool("click", 1)
+    studio.wait("the tint of slices", lambda s: s["tintsSlices"])
+    studio.choose("preferWindow", "Lung")
     studio.click("closePreferences")
     studio.wait("the preferences to close", lambda s: "preferencesDialog" not in s["widgets"])
     studio.focus()
     kept = configparser.ConfigParser()
     kept.read(folder / "home" / "config" / "volume-studio" / "volume-studio.ini")
+    need(kept["General"]["slicewindow"] == "lung" and kept["General"]["tintslices"] == "true", "the window of slices is not kept")
     need(kept["General"]["theme"] == "light" and kept["General"]["smoothsampling"] == "true",
          f"the preferences are {dict(kept['General'])}")
 

@@ -2,6 +2,8 @@
 """Linked slices: leading the crosshair, seeding and painting on them, and all of it replayed."""
 
 import math
+import os
+import pathlib
 import sys
 
 from driver import need, start
@@ -10,6 +12,9 @@ from steps import Steps
 
 test = Steps()
 
+DATA = pathlib.Path(os.environ.get("VOLUME_STUDIO_TEST_DATA",
+                                   pathlib.Path(__file__).resolve().parents[2].parent / "shared" / "data"))
+CT = DATA / "dicom_ct_j2k"
 SIZE = (60, 64, 40)
 SPACING = (2.0, 2.0, 3.0)
 BRAIN = 180
@@ -275,6 +280,22 @@ def replay(arguments, session, folder):
     report = compare_with_replay(arguments.vstudio, path, folder / "window.png", viewport, folder)
     need(report["complete"], "the replay is not complete")
     print(run(arguments.vstudio, "stats", path))
+
+
+@test.step(after=[session])
+def preferred_window(display, arguments, folder):
+    """CT scans are opened with the window that is preferred, all others with their own."""
+    settings = folder / "home" / "config" / "volume-studio" / "volume-studio.ini"
+    settings.parent.mkdir(parents=True, exist_ok=True)
+    settings.write_text("[General]\nsliceWindow=lung\n")
+    if not CT.exists():
+        print(f"there is no {CT}: not tried on a CT scan")
+    for volume, expected in ((CT, [-1350, 150]), (folder / "head.nrrd", [0, BRAIN])):
+        if volume.exists():
+            studio = start(display, arguments.program, folder, [volume])
+            state = studio.wait_idle("the volume", lambda s: s["pictureComplete"])
+            need(state["sliceWindow"] == expected, f"{volume.name} is opened with the window {state['sliceWindow']}")
+            studio.quit()
 
 
 if __name__ == "__main__":

@@ -137,7 +137,9 @@ Range SliceController::window() const { return view_.sliceWindow(); }
 
 void SliceController::leadWindow(const Range& from, glm::dvec2 moved) {
     constexpr double kPixels = 200; // to the right make the window e times as wide; up, half as bright again
-    const double width = from.width() * std::exp(moved.x / kPixels);
+    // Between what can just be told apart and what shows no difference any more.
+    const double values = std::max(host_.volume()->range.width(), 1e-9);
+    const double width = std::clamp(from.width() * std::exp(moved.x / kPixels), 1e-4 * values, 10 * values);
     const double level = 0.5 * (from.lo + from.hi) + 0.5 * width * moved.y / kPixels;
     // Numbers that can be read and written again: to a hundredth of the window.
     const double digit = std::pow(10, std::floor(std::log10(width)) - 2);

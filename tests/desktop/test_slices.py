@@ -116,7 +116,7 @@ def scroll(studio):
 @test.step(after=[open_slices])
 def window(studio):
     """The right button leads level and width, and neither the displayed range nor the 3D picture with them."""
-    before = studio.state()
+    before = studio.wait_idle("the 3D picture", lambda s: s["pictureComplete"])
     low, high = before["sliceWindow"]
     need(low < 10 and high == BRAIN, f"slices begin with the window {low} to {high}")
     x, y = slice_point(studio, "coronal", 0.5, 0.5)

@@ -144,11 +144,11 @@ def drill(studio):
     draw_mask(studio, (0.5, 0.4), 0.03)
     studio.wait("the drill's mask", lambda s: s["hint"].startswith("The mask follows"))
     first = Phase(studio, circle(studio, (0.45, 0.6), 0.04, 0.5))
-    studio.wait_idle("the first hole", lambda s: s["operations"] == 1 and s["pictureComplete"])
+    studio.wait_idle("the first hole", lambda s: s["stepsDone"] == 1 and s["pictureComplete"])
     second = Phase(studio, circle(studio, (0.45, 0.6), 0.05, 0.5))  # which sees what is cut already
-    studio.wait_idle("the second hole", lambda s: s["operations"] == 2 and s["pictureComplete"])
+    studio.wait_idle("the second hole", lambda s: s["stepsDone"] == 2 and s["pictureComplete"])
     drilling = Phase(studio, circle(studio, (0.5, 0.35), 0.08, 4))
-    studio.wait_idle("the hole", lambda s: s["operations"] == 3 and s["pictureComplete"])
+    studio.wait_idle("the hole", lambda s: s["stepsDone"] == 3 and s["pictureComplete"])
     return first, second, drilling
 
 

@@ -68,6 +68,9 @@ def studio(display, arguments, folder):
     studio = start(display, arguments.program, folder, [volume])
     studio.resize(1230, 870)
     studio.wait_idle("the volume", lambda s: s["pictureComplete"])
+    # The scalp's surface a little inside of where a segment's is: of two in the same place it is rounding that chooses.
+    studio.type_number("rangeLo", 71)
+    studio.wait_idle("the range", lambda s: s["range"][0] == 71)
     return studio
 
 

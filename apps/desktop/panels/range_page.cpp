@@ -19,7 +19,7 @@ namespace vs::desktop {
 namespace {
 
 constexpr int kRestMs = 150;     // until what is visible is counted
-constexpr double kCountMs = 8;   // of it at a time
+constexpr double kVisibleMs = 8; // of it at a time
 constexpr double kTypable = 1e9; // beyond any volume: what is typed is answered, not cut off
 
 QString written(double value) { return QString::number(value, 'g', 6); }
@@ -180,7 +180,7 @@ void RangePage::countVisible() {
         return;
     }
     const std::vector<std::uint32_t>* visible = nullptr;
-    if (!studio_.host().workLong([&] { visible = document->visibleHistogram(kCountMs); })) {
+    if (!studio_.host().workLong([&] { visible = document->visibleHistogram(kVisibleMs); })) {
         return;
     }
     if (visible == nullptr) {

@@ -56,13 +56,6 @@ QFormLayout* addPenRows(QWidget* page, PenTool& tool, StudioController& studio, 
 
 } // namespace
 
-QWidget* makeCameraPage(StudioController&, ToolBox&) {
-    auto* note = makeQuietLabel(tr("Drag in the picture to turn the volume."));
-    note->setWordWrap(true);
-    note->setAlignment(Qt::AlignTop | Qt::AlignLeft);
-    return note;
-}
-
 QWidget* makePeelPage(StudioController& studio, ToolBox& tools) {
     auto* page = new QWidget;
     auto* form = makeForm(page);

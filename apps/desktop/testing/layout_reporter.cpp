@@ -33,14 +33,17 @@ namespace {
 
 constexpr int kReportMs = 40;
 
-// Scripts point in the screen's own pixels, Qt thinks in scaled ones. Where the handles of pasted parts are
-// on the screen.
+// Scripts point in the screen's own pixels, Qt thinks in scaled ones.
+nlohmann::json onScreen(const QWidget& view, QPointF place) {
+    const QPointF pixel = (QPointF(view.mapToGlobal(QPoint(0, 0))) + place) * view.devicePixelRatioF();
+    return {std::lround(pixel.x()), std::lround(pixel.y())};
+}
+
+// Where the handles of pasted parts are on the screen.
 nlohmann::json handlesOnScreen(const QWidget& view, const MoveTool& tool) {
-    const double scale = view.devicePixelRatioF();
     nlohmann::json places = nlohmann::json::array();
     for (const QPointF place : tool.handles()) {
-        const QPointF onScreen = (QPointF(view.mapToGlobal(QPoint(0, 0))) + place) * scale;
-        places.push_back({std::lround(onScreen.x()), std::lround(onScreen.y())});
+        places.push_back(onScreen(view, place));
     }
     return places;
 }
@@ -123,6 +126,27 @@ nlohmann::json LayoutReporter::documentReport() const {
             {"glErrors", studio_.host().gl().errorCount()}};
 }
 
+// Where the zones of the orientation cube that face the viewer are on the screen, by the signs of their
+// direction towards left, posterior and superior: "+00" is the left face, "0-+" the edge above the face.
+nlohmann::json LayoutReporter::zonesOnScreen() const {
+    nlohmann::json places = nlohmann::json::object();
+    const glm::dvec3 toViewer = -studio_.view().rays().forward;
+    for (int n = 0; n < 27; ++n) {
+        const glm::ivec3 signs(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
+        const glm::dvec3 zone(signs);
+        constexpr double facing = 0.3; // cosine
+        if (signs == glm::ivec3(0) || glm::dot(glm::normalize(zone), toViewer) < facing) {
+            continue;
+        }
+        std::string name;
+        for (int axis = 0; axis < 3; ++axis) {
+            name += signs[axis] < 0 ? '-' : signs[axis] > 0 ? '+' : '0';
+        }
+        places[name] = onScreen(view_, view_.cube().placeOf(zone));
+    }
+    return places;
+}
+
 void LayoutReporter::write() {
     // Without the document, what is said of it would not go with what the window says.
     if (studio_.host().isAway() && (ofDocument_.is_null() || !studio_.host().isLasting())) {
@@ -167,7 +191,9 @@ void LayoutReporter::write() {
           {"elevation", view.camera.elevationDegrees},
           {"roll", view.camera.rollDegrees},
           {"zoom", view.camera.zoom},
+          {"projection", render::kProjections.at(std::size_t(view.camera.projection))},
           {"pan", {view.camera.panMm.x, view.camera.panMm.y}}}},
+        {"cube", studio_.host().geometry() != nullptr ? zonesOnScreen() : nlohmann::json::object()},
         {"range", {view.range.lo, view.range.hi}},
         {"sliceWindow", {sliceWindow.lo, sliceWindow.hi}},
         {"tintsSlices", view.tintsSlices},

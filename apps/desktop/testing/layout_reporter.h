@@ -30,6 +30,7 @@ public:
 private:
     void write();
     [[nodiscard]] nlohmann::json documentReport() const;
+    [[nodiscard]] nlohmann::json zonesOnScreen() const;
 
     StudioController& studio_;
     ToolBox& tools_;

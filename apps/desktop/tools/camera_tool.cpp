@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/camera_tool.h"
 
+#include "model/document/camera_motion.h"
 #include "model/studio/studio_controller.h"
 
 #include <algorithm>
@@ -9,86 +10,95 @@
 namespace vs::desktop {
 
 namespace {
-constexpr double kDegreesPerPixel = 0.35; // half a turn for a hand's width
-constexpr double kLeastZoom = 0.1;
-constexpr double kMostZoom = 100;
+
+// Of the view's smaller side, and in logical pixels: how wide the rim is.
+constexpr double kRim = 0.06;
+constexpr double kLeastRim = 20;
+constexpr double kMostRim = 48;
+
+double degreesAt(QPointF fromCentre) {
+    return std::atan2(fromCentre.y(), fromCentre.x()) * 180 / 3.14159265358979323846;
+}
+
 } // namespace
 
 CameraTool::CameraTool(StudioController& studio) : StudioTool(studio) {}
 
 QString CameraTool::hint() const {
-    return tr(
-        "Drag to turn. Middle button or Shift+drag moves, wheel or right button zooms, whatever the tool.");
+    return isRimShown_
+               ? tr("Drag along the rim to roll the picture.")
+               : tr("Drag to turn, along the rim to roll. Middle button or Shift+drag moves, wheel or right "
+                    "button zooms, whatever the tool.");
 }
 
-Qt::CursorShape CameraTool::cursor() const { return isDragging_ ? Qt::ClosedHandCursor : Qt::OpenHandCursor; }
+Qt::CursorShape CameraTool::cursor() const {
+    return drag_ != Drag::None ? Qt::ClosedHandCursor : Qt::OpenHandCursor;
+}
+
+bool CameraTool::isAtRim(QPointF place) const {
+    const QPointF half = studio_.view().centre();
+    const double width = std::clamp(kRim * 2 * std::min(half.x(), half.y()), kLeastRim, kMostRim);
+    const QPointF fromCentre = place - half;
+    return std::abs(fromCentre.x()) > half.x() - width || std::abs(fromCentre.y()) > half.y() - width;
+}
+
+// A circle around the middle that rolling goes along, broken at the axes that it turns from.
+Overlays CameraTool::overlays() const {
+    if (!isRimShown_) {
+        return {};
+    }
+    const QPointF centre = studio_.view().centre();
+    const double radius = 0.94 * std::min(centre.x(), centre.y());
+    const QRectF around(centre - QPointF(radius, radius), centre + QPointF(radius, radius));
+    QPainterPath path;
+    constexpr double gap = 6; // degrees
+    for (int quarter = 0; quarter < 4; ++quarter) {
+        path.arcMoveTo(around, 90 * quarter + gap);
+        path.arcTo(around, 90 * quarter + gap, 90 - 2 * gap);
+    }
+    return {{path, Overlay::Tint::Pen, 0, 1.5}};
+}
+
+void CameraTool::showRim(bool isShown) {
+    if (isShown != isRimShown_) {
+        isRimShown_ = isShown;
+        emit overlayChanged();
+    }
+}
+
+void CameraTool::hover(const Pen& pen) {
+    showRim(studio_.host().geometry() != nullptr && isAtRim(pen.position));
+}
+
+void CameraTool::leave() { showRim(false); }
 
 void CameraTool::press(const Pen& pen) {
     last_ = pen.position;
-    isDragging_ = true;
+    drag_ = isAtRim(pen.position) ? Drag::Roll : Drag::Turn;
+    isRimShown_ = drag_ == Drag::Roll;
     emit overlayChanged();
 }
 
 void CameraTool::move(const Pen& pen) {
-    turn(pen.position - last_);
+    const QPointF centre = studio_.view().centre();
+    if (drag_ == Drag::Roll) {
+        const double degrees = degreesAt(pen.position - centre) - degreesAt(last_ - centre);
+        studio_.camera().roll(std::remainder(degrees, 360.0), centre);
+    } else {
+        studio_.camera().turn(pen.position - last_);
+    }
     last_ = pen.position;
 }
 
-void CameraTool::release(const Pen&) {
-    isDragging_ = false;
+void CameraTool::release(const Pen& pen) {
+    drag_ = Drag::None;
+    isRimShown_ = isAtRim(pen.position);
     emit overlayChanged();
 }
 
-void CameraTool::turn(QPointF delta) {
-    auto view = studio_.view().shown();
-    // As the hand moves in the picture before it is rolled.
-    const double roll = glm::radians(view.camera.rollDegrees);
-    const double across = std::cos(roll) * delta.x() + std::sin(roll) * delta.y();
-    const double down = std::cos(roll) * delta.y() - std::sin(roll) * delta.x();
-    // The surface follows the hand, so the viewer goes the other way.
-    view.camera.azimuthDegrees =
-        std::remainder(view.camera.azimuthDegrees - kDegreesPerPixel * across, 360.0);
-    view.camera.elevationDegrees =
-        std::clamp(view.camera.elevationDegrees + kDegreesPerPixel * down, -90.0, 90.0);
-    studio_.view().showView(view);
-}
-
-void CameraTool::pan(QPointF delta) {
-    auto view = studio_.view().shown();
-    const glm::dvec2 moved = studio_.view().millimetresPerPixel() * glm::dvec2(-delta.x(), delta.y());
-    view.camera.panMm += moved;
-    studio_.view().showView(view);
-}
-
-void CameraTool::zoom(double factor, QPointF anchor) {
-    auto view = studio_.view().shown();
-    const double before = view.camera.zoom;
-    view.camera.zoom = std::clamp(before * factor, kLeastZoom, kMostZoom);
-    view.camera.panMm += millimetresFromCentre(anchor) * (1 - before / view.camera.zoom);
-    studio_.view().showView(view);
-}
-
-void CameraTool::roll(double degrees, QPointF anchor) {
-    auto view = studio_.view().shown();
-    const glm::dvec2 offset = millimetresFromCentre(anchor);
-    const glm::dvec2 held = view.camera.panMm + offset; // the place under the anchor
-    const double by = glm::radians(degrees);
-    const glm::dvec2 turned{std::cos(by) * held.x + std::sin(by) * held.y,
-                            std::cos(by) * held.y - std::sin(by) * held.x};
-    view.camera.rollDegrees = std::remainder(view.camera.rollDegrees + degrees, 360.0);
-    view.camera.panMm = turned - offset;
-    studio_.view().showView(view);
-}
-
-glm::dvec2 CameraTool::millimetresFromCentre(QPointF place) const {
-    const QPointF fromCentre = place - studio_.view().centre();
-    return studio_.view().millimetresPerPixel() * glm::dvec2(fromCentre.x(), -fromCentre.y());
-}
-
-void CameraTool::reset() {
-    auto view = studio_.view().shown();
-    view.camera = render::Camera{};
-    studio_.view().showView(view);
+void CameraTool::clear() {
+    drag_ = Drag::None;
+    showRim(false);
 }
 
 } // namespace vs::desktop

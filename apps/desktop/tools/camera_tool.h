@@ -3,12 +3,10 @@
 
 #include "tools/kinds/studio_tool.h"
 
-#include "base/math.h"
-
 namespace vs::desktop {
 
-// Turns the volume with the left button. Turning, moving and zooming are also there for the other buttons,
-// the wheel, fingers and keys whatever tool is chosen: that is turn(), pan(), zoom(), roll() and reset().
+// Turns the volume with the left button; along the view's rim it rolls the picture. The other buttons, the
+// wheel, fingers and keys look around whatever tool is chosen (CameraMotion).
 class CameraTool : public StudioTool {
     Q_OBJECT
 
@@ -17,29 +15,25 @@ public:
 
     [[nodiscard]] QString name() const override { return "camera"; }
     [[nodiscard]] QString hint() const override;
+    [[nodiscard]] Overlays overlays() const override;
     [[nodiscard]] Qt::CursorShape cursor() const override;
     void press(const Pen& pen) override;
     void move(const Pen& pen) override;
     void release(const Pen& pen) override;
-    void clear() override { isDragging_ = false; }
-    [[nodiscard]] bool isBusy() const override { return isDragging_; }
-
-    // Turns the volume by a movement in logical pixels.
-    void turn(QPointF delta);
-    void pan(QPointF delta);
-    // Zooms by a factor; the place under `anchor` (logical pixels of the view) stays there.
-    void zoom(double factor, QPointF anchor);
-    // Rolls about the line of sight, clockwise; the place under `anchor` stays there.
-    void roll(double degrees, QPointF anchor);
-    void reset();
+    void hover(const Pen& pen) override;
+    void leave() override;
+    void clear() override;
+    [[nodiscard]] bool isBusy() const override { return drag_ != Drag::None; }
 
 private:
-    // How far a place of the view (logical pixels) is from its centre to the right and up, at the depth that
-    // is looked at.
-    [[nodiscard]] glm::dvec2 millimetresFromCentre(QPointF place) const;
+    enum class Drag { None, Turn, Roll };
+
+    [[nodiscard]] bool isAtRim(QPointF place) const;
+    void showRim(bool isShown);
 
     QPointF last_;
-    bool isDragging_ = false;
+    Drag drag_ = Drag::None;
+    bool isRimShown_ = false; // the pen is over it
 };
 
 } // namespace vs::desktop

@@ -210,7 +210,7 @@ void MoveTool::begin() {
 void MoveTool::move(const Pen& pen) {
     const QPointF delta = pen.position - last_;
     if (isTurningView_) {
-        camera_.turn(delta);
+        studio_.camera().turn(delta);
     } else if (before_) {
         HeldPart part = held(chosen_);
         const auto rays = studio_.view().rays();

@@ -13,7 +13,6 @@ namespace vs::desktop {
 
 namespace {
 constexpr double kGripReach = 8; // pixels in which a corner is caught
-constexpr double kHandle = 3.5;  // half of a corner's handle
 constexpr double kBelow = 0.06;  // of the magnitudes, shown below none: boxes of even places begin there
 constexpr double kSmallest = 4;  // pixels of a new shape
 } // namespace

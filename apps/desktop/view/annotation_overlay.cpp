@@ -17,21 +17,21 @@ QImage premultiplied(const image::Image& image) {
 
 } // namespace
 
-void AnnotationOverlay::paint(QPainter& painter, const render::Camera& camera,
-                              const volume::GridGeometry& geometry, glm::ivec2 device) {
+void AnnotationOverlay::paint(QPainter& painter, const Shown& shown, glm::ivec2 device) {
     if (device.x < 1 || device.y < 1) {
         return;
     }
     const double scale = painter.device()->devicePixelRatioF();
-    const Key key{camera, geometry, device, scale};
+    const Key key{shown, device, scale};
     if (key != key_) {
         key_ = key;
         parts_.clear();
-        const render::ViewRays rays = render::viewRays(camera, geometry, device);
-        for (const auto& drawn : {render::drawScaleBar(render::scaleBar(rays, geometry, scale), device,
-                                                       render::Ink::Light, scale),
-                                  render::drawOrientationMarker(render::orientationMarker(rays, scale),
-                                                                device, render::Ink::Light, scale)}) {
+        const render::ViewRays rays = render::viewRays(shown.camera, shown.geometry, device);
+        for (const auto& drawn :
+             {render::drawScaleBar(render::scaleBar(rays, shown.geometry, scale), device, render::Ink::Light,
+                                   scale),
+              render::drawOrientationMarker(render::orientationMarker(rays, scale, shown.pointedAt), device,
+                                            render::Ink::Light, scale)}) {
             parts_.push_back({premultiplied(drawn.image), drawn.corner});
         }
     }

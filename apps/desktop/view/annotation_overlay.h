@@ -17,14 +17,18 @@ namespace vs::desktop {
 // too, and never part of those that the view saves. Drawn again only when camera, volume or size changed.
 class AnnotationOverlay {
 public:
+    struct Shown {
+        render::Camera camera;
+        volume::GridGeometry geometry;
+        std::optional<glm::dvec3> pointedAt; // of the orientation marker (render::zoneAt())
+        bool operator==(const Shown&) const = default;
+    };
     // `device` is the view's size in device pixels; the painter's units are logical ones.
-    void paint(QPainter& painter, const render::Camera& camera, const volume::GridGeometry& geometry,
-               glm::ivec2 device);
+    void paint(QPainter& painter, const Shown& shown, glm::ivec2 device);
 
 private:
     struct Key {
-        render::Camera camera;
-        volume::GridGeometry geometry;
+        Shown shown;
         glm::ivec2 device{0};
         double scale = 1;
         bool operator==(const Key&) const = default;

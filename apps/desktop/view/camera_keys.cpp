@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "view/camera_keys.h"
 
+#include "model/document/camera_motion.h"
+#include "model/hand/tool.h"
 #include "model/studio/studio_controller.h"
-#include "tools/camera_tool.h"
 
 #include <QKeyEvent>
 #include <QWidget>
@@ -16,8 +17,7 @@ constexpr double kRollDegrees = 5;
 constexpr double kZoom = 1.2;
 } // namespace
 
-CameraKeys::CameraKeys(QWidget& view, StudioController& studio, CameraTool& camera)
-    : QObject(&view), studio_(studio), camera_(camera) {
+CameraKeys::CameraKeys(QWidget& view, StudioController& studio) : QObject(&view), studio_(studio) {
     view.installEventFilter(this);
 }
 
@@ -31,16 +31,16 @@ bool CameraKeys::press(const QKeyEvent& event) {
         return false; // the picture holds still under a stroke
     }
     const auto zoom = [&](double factor) {
-        camera_.zoom(factor, studio_.view().centre());
+        studio_.camera().zoom(factor, studio_.view().centre());
         return true;
     };
     const auto arrow = [&](int right, int down) {
         if (event.modifiers().testFlag(Qt::ControlModifier)) {
-            camera_.roll(kRollDegrees * right, studio_.view().centre());
+            studio_.camera().roll(kRollDegrees * right, studio_.view().centre());
         } else if (event.modifiers().testFlag(Qt::ShiftModifier)) {
-            camera_.pan(kMovePixels * QPointF(right, down));
+            studio_.camera().pan(kMovePixels * QPointF(right, down));
         } else {
-            camera_.turn(kTurnPixels * QPointF(right, down));
+            studio_.camera().turn(kTurnPixels * QPointF(right, down));
         }
         return true;
     };

@@ -8,7 +8,6 @@ class QWidget;
 
 namespace vs::desktop {
 
-class CameraTool;
 class StudioController;
 
 // Looks around by keys while the 3D view has the keyboard: arrow keys turn, with Shift they move the picture,
@@ -17,7 +16,7 @@ class CameraKeys : public QObject {
     Q_OBJECT
 
 public:
-    CameraKeys(QWidget& view, StudioController& studio, CameraTool& camera);
+    CameraKeys(QWidget& view, StudioController& studio);
 
 protected:
     bool eventFilter(QObject* watched, QEvent* event) override;
@@ -26,7 +25,6 @@ private:
     bool press(const QKeyEvent& event);
 
     StudioController& studio_;
-    CameraTool& camera_;
 };
 
 } // namespace vs::desktop

@@ -4,7 +4,6 @@
 #include "model/hand/pen_watch.h"
 #include "model/slices/slice_controller.h"
 #include "model/studio/studio_controller.h"
-#include "tools/camera_tool.h"
 #include "view/slice_canvas.h"
 #include "view/view_widget.h"
 
@@ -70,8 +69,8 @@ void TouchPad::follow(const QTouchEvent& touch) {
     }
 }
 
-void steerByFingers(ViewWidget& view, StudioController& studio, CameraTool& camera, const PenWatch& pen) {
-    new TouchPad(view, pen, [&studio, &camera](const FingerMotion& motion) {
+void steerByFingers(ViewWidget& view, StudioController& studio, const PenWatch& pen) {
+    new TouchPad(view, pen, [&studio, &camera = studio.camera()](const FingerMotion& motion) {
         if (studio.host().document() == nullptr || studio.hand().tool().isSketching()) {
             return; // the picture holds still under a stroke
         }

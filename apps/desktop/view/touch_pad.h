@@ -14,7 +14,6 @@ namespace vs::desktop {
 
 class PenWatch;
 class SliceCanvas;
-class CameraTool;
 class StudioController;
 class ViewWidget;
 
@@ -45,7 +44,7 @@ private:
 
 // One finger turns the volume; two move it, zoom by their distance and roll by their angle, so that what was
 // under them stays under them. The widget owns what is made.
-void steerByFingers(ViewWidget& view, StudioController& studio, CameraTool& camera, const PenWatch& pen);
+void steerByFingers(ViewWidget& view, StudioController& studio, const PenWatch& pen);
 
 // One finger goes from slice to slice, a tap leads the crosshair, two fingers move and zoom.
 void steerByFingers(SliceCanvas& canvas, StudioController& studio, const PenWatch& pen);

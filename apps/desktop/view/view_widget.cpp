@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "view/view_widget.h"
 
+#include "model/document/camera_motion.h"
 #include "model/slices/slice_controller.h"
 #include "model/studio/studio_controller.h"
 #include "tools/camera_tool.h"
@@ -19,7 +20,7 @@
 namespace vs::desktop {
 
 ViewWidget::ViewWidget(StudioController& studio, ToolBox& tools, QWidget* parent)
-    : QWidget(parent), studio_(studio), tools_(tools) {
+    : QWidget(parent), studio_(studio), tools_(tools), cube_(studio) {
     setObjectName("view");
     setAccessibleName(tr("Picture of the volume"));
     setAttribute(Qt::WA_OpaquePaintEvent);
@@ -30,12 +31,16 @@ ViewWidget::ViewWidget(StudioController& studio, ToolBox& tools, QWidget* parent
     // At once: an update that is only asked for waits behind the work on the next picture.
     connect(&studio_, &StudioController::pictureChanged, this, qOverload<>(&QWidget::repaint));
     connect(&studio_.hand(), &Hand::overlayChanged, this, [this] {
-        setCursor(studio_.hand().tool().cursor());
+        showCursor();
         if (!studio_.isPictureComing()) { // which is painted together with it
             update();
         }
     });
-    setCursor(studio_.hand().tool().cursor());
+    showCursor();
+}
+
+void ViewWidget::showCursor() {
+    setCursor(cube_.pointedAt() ? Qt::PointingHandCursor : studio_.hand().tool().cursor());
 }
 
 glm::ivec2 ViewWidget::deviceSize() const {
@@ -65,7 +70,8 @@ void ViewWidget::paintEvent(QPaintEvent*) {
     }
     const auto* geometry = studio_.host().geometry();
     if (!picture.isNull() && isAnnotated_ && geometry != nullptr) {
-        annotations_.paint(painter, studio_.view().shown().camera, *geometry, deviceSize());
+        annotations_.paint(painter, {studio_.view().shown().camera, *geometry, cube_.pointedAt()},
+                           deviceSize());
     }
     if (geometry != nullptr) {
         paintMeasurements(
@@ -90,6 +96,7 @@ std::optional<QPointF> ViewWidget::seenAt(glm::dvec3 world) const {
 
 void ViewWidget::setAnnotated(bool isAnnotated) {
     isAnnotated_ = isAnnotated;
+    pointAtCube({});
     update();
 }
 
@@ -115,6 +122,24 @@ void ViewWidget::press(const Pen& pen, Drag drag) {
     }
 }
 
+// Not while a tool has something in hand: its next stroke may begin on the cube.
+void ViewWidget::pointAtCube(const std::optional<QPointF>& place) {
+    const Tool& tool = studio_.hand().tool();
+    if (cube_.point(isAnnotated_ && !tool.isSketching() && !tool.isBusy() ? place : std::nullopt)) {
+        showCursor();
+        update();
+    }
+}
+
+bool ViewWidget::pressOnCube(const Pen& pen) {
+    pointAtCube(pen.position);
+    if (!cube_.pointedAt() || studio_.host().isLoading() || !cube_.press(pen.position)) {
+        return false;
+    }
+    drag_ = Drag::Cube;
+    return true;
+}
+
 void ViewWidget::move(const Pen& pen) {
     penPosition_ = pen.position;
     const QPointF delta = pen.position - last_;
@@ -124,16 +149,20 @@ void ViewWidget::move(const Pen& pen) {
         if (studio_.hand().tool().isSketching() && !hasFocus()) { // its keys end what is under way
             setFocus(Qt::MouseFocusReason);
         }
-        studio_.hand().tool().hover(pen);
+        pointAtCube(pen.position);
+        cube_.pointedAt() ? studio_.hand().tool().leave() : studio_.hand().tool().hover(pen);
         break;
     case Drag::Tool:
         studio_.hand().tool().move(pen);
         break;
     case Drag::Pan:
-        tools_.get<CameraTool>().pan(delta);
+        studio_.camera().pan(delta);
         break;
     case Drag::Zoom:
-        tools_.get<CameraTool>().zoom(std::exp(-0.008 * delta.y()), pressed_); // up to come nearer
+        studio_.camera().zoom(std::exp(-0.008 * delta.y()), pressed_); // up to come nearer
+        break;
+    case Drag::Cube:
+        cube_.move(pen.position);
         break;
     }
     emit penMoved();
@@ -142,6 +171,10 @@ void ViewWidget::move(const Pen& pen) {
 void ViewWidget::release(const Pen& pen) {
     if (drag_ == Drag::Tool) {
         studio_.hand().tool().release(pen);
+    } else if (drag_ == Drag::Cube) {
+        cube_.release();
+        showCursor();
+        update();
     }
     drag_ = Drag::None;
     button_ = Qt::NoButton;
@@ -155,6 +188,9 @@ void ViewWidget::mousePressEvent(QMouseEvent* event) {
     button_ = event->button();
     Pen pen = penAt(event->scenePosition(), event->modifiers());
     pen.isDoubleClick = event->type() == QEvent::MouseButtonDblClick;
+    if (button_ == Qt::LeftButton && pressOnCube(pen)) {
+        return;
+    }
     if (button_ == Qt::LeftButton) {
         const bool isPan = pen.modifiers.testFlag(Qt::ShiftModifier) && !studio_.hand().tool().takesShift();
         press(pen, isPan ? Drag::Pan : Drag::Tool);
@@ -177,8 +213,9 @@ void ViewWidget::mouseReleaseEvent(QMouseEvent* event) {
 
 // With the camera tool the slices go to the surface under the pen.
 void ViewWidget::mouseDoubleClickEvent(QMouseEvent* event) {
-    const bool centres = event->button() == Qt::LeftButton && studio_.slices().isAnyShown() &&
-                         &studio_.hand().tool() == &tools_.get<CameraTool>();
+    pointAtCube(penAt(event->scenePosition(), {}).position);
+    const bool centres = !cube_.pointedAt() && event->button() == Qt::LeftButton &&
+                         studio_.slices().isAnyShown() && &studio_.hand().tool() == &tools_.get<CameraTool>();
     if (!centres || !studio_.slices().centreOnSurface(penAt(event->scenePosition(), {}).position)) {
         mousePressEvent(event);
     }
@@ -191,7 +228,7 @@ void ViewWidget::wheelEvent(QWheelEvent* event) {
     if (drag_ == Drag::None && !studio_.hand().tool().isSketching() &&
         !studio_.hand().tool().wheel(notches, pen)) {
         constexpr double kPerNotch = 1.2;
-        tools_.get<CameraTool>().zoom(std::pow(kPerNotch, notches), pen.position);
+        studio_.camera().zoom(std::pow(kPerNotch, notches), pen.position);
     }
     event->accept();
 }
@@ -204,7 +241,9 @@ void ViewWidget::tabletEvent(QTabletEvent* event) {
     case QEvent::TabletPress:
         if (drag_ == Drag::None) {
             button_ = event->button();
-            press(pen, button_ == Qt::LeftButton ? Drag::Tool : Drag::Pan);
+            if (button_ != Qt::LeftButton || !pressOnCube(pen)) {
+                press(pen, button_ == Qt::LeftButton ? Drag::Tool : Drag::Pan);
+            }
         }
         break;
     case QEvent::TabletRelease:
@@ -232,6 +271,7 @@ bool ViewWidget::focusNextPrevChild(bool next) {
 void ViewWidget::leaveEvent(QEvent*) {
     penPosition_.reset();
     if (drag_ == Drag::None) {
+        pointAtCube({});
         studio_.hand().tool().leave();
     }
     emit penMoved();

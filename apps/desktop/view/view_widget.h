@@ -2,6 +2,7 @@
 #pragma once
 
 #include "view/annotation_overlay.h"
+#include "view/orientation_cube.h"
 
 #include <QElapsedTimer>
 #include <QWidget>
@@ -26,6 +27,7 @@ public:
     [[nodiscard]] std::optional<QPointF> penPosition() const { return penPosition_; }
     // Whether scale bar and orientation marker are shown; they are at first.
     void setAnnotated(bool isAnnotated);
+    [[nodiscard]] const OrientationCube& cube() const { return cube_; }
 
 signals:
     void penMoved();
@@ -46,18 +48,22 @@ protected:
     bool focusNextPrevChild(bool next) override;
 
 private:
-    enum class Drag { None, Tool, Pan, Zoom };
+    enum class Drag { None, Tool, Pan, Zoom, Cube };
 
     [[nodiscard]] glm::ivec2 deviceSize() const;
     [[nodiscard]] std::optional<QPointF> seenAt(glm::dvec3 world) const;
     [[nodiscard]] Pen penAt(QPointF inWindow, Qt::KeyboardModifiers modifiers) const;
     void press(const Pen& pen, Drag drag);
+    bool pressOnCube(const Pen& pen);
+    void pointAtCube(const std::optional<QPointF>& place);
+    void showCursor();
     void move(const Pen& pen);
     void release(const Pen& pen);
 
     StudioController& studio_;
     ToolBox& tools_;
     AnnotationOverlay annotations_;
+    OrientationCube cube_;
     bool isAnnotated_ = true;
     Drag drag_ = Drag::None;
     Qt::MouseButton button_ = Qt::NoButton; // that began the drag

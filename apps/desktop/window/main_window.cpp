@@ -132,11 +132,11 @@ void MainWindow::makeCentre() {
     view_ = new ViewWidget(studio_, tools_);
     grid_ = new ViewGrid(studio_, tools_, view_);
     const auto* pen = new PenWatch(studio_.hand(), this);
-    steerByFingers(*view_, studio_, tools_.get<CameraTool>(), *pen);
+    steerByFingers(*view_, studio_, *pen);
     for (SliceCanvas* canvas : grid_->findChildren<SliceCanvas*>()) {
         steerByFingers(*canvas, studio_, *pen);
     }
-    new CameraKeys(*view_, studio_, tools_.get<CameraTool>()); // the view owns it
+    new CameraKeys(*view_, studio_); // the view owns it
     column->addWidget(grid_, 1);
     hint_ = named(new HintLine, "hint", tr("What to do next"));
     column->addWidget(hint_);

@@ -80,6 +80,10 @@ private:
     void chooseStencil();
     void reverseSign();
 
+    // main_window_camera.cpp
+    void makeCameraActions();
+    void makeCameraMenu();
+
     // main_window_slices.cpp
     void makeSliceActions();
     void makeSliceWindowActions();

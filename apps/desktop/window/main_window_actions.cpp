@@ -7,7 +7,6 @@
 #include "model/studio/studio_controller.h"
 #include "panels/history_panel.h"
 #include "studio/document/document_facts.h"
-#include "tools/camera_tool.h"
 #include "tools/tool_box.h"
 #include "view/view_widget.h"
 #include "window/action_table.h"
@@ -100,8 +99,7 @@ void MainWindow::askForNote() {
 }
 
 void MainWindow::makeViewActions() {
-    actions_->add({"resetView", "reset", tr("Reset"), tr("Look at the face again, all of it"), tr("Home"),
-                   [this] { tools_.get<CameraTool>().reset(); }});
+    makeCameraActions();
     makeModeActions();
     makeLookActions();
     QAction* annotations =

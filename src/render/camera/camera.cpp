@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/camera/camera.h"
 
+#include "render/camera/orbit.h"
+
 #include <cmath>
 
 namespace vs::render {
@@ -16,17 +18,10 @@ constexpr double kFrame = 0.78;
 } // namespace
 
 ViewRays viewRays(const Camera& camera, const volume::GridGeometry& geometry, glm::ivec2 size) {
-    const double azimuth = glm::radians(camera.azimuthDegrees);
-    const double elevation = glm::radians(camera.elevationDegrees);
-    // LPS: x left, y posterior, z superior. The face looks along -y.
-    const glm::dvec3 toEye{std::sin(azimuth) * std::cos(elevation), -std::cos(azimuth) * std::cos(elevation),
-                           std::sin(elevation)};
-    const glm::dvec3 upright{-std::sin(azimuth) * std::sin(elevation),
-                             std::cos(azimuth) * std::sin(elevation), std::cos(elevation)};
-    const glm::dvec3 level{std::cos(azimuth), std::sin(azimuth), 0};
-    const double roll = glm::radians(camera.rollDegrees);
-    const glm::dvec3 up = std::cos(roll) * upright - std::sin(roll) * level;
-    const glm::dvec3 right = std::sin(roll) * upright + std::cos(roll) * level;
+    const glm::dmat3 axes = viewerAxes(camera);
+    const glm::dvec3& right = axes[0];
+    const glm::dvec3& up = axes[1];
+    const glm::dvec3& toEye = axes[2];
 
     const double aspect = double(size.x) / double(size.y);
     const double radius = kFrame * 0.5 * geometry.diagonalMm() / camera.zoom;

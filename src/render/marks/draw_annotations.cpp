@@ -16,6 +16,7 @@ using image::Drawing;
 
 constexpr image::Colour kLight{0.97, 0.97, 0.95};
 constexpr image::Colour kDark{0.06, 0.07, 0.08};
+constexpr image::Colour kPointedAt{0.25, 0.60, 0.95, 0.6};
 
 image::Colour inkColour(Ink ink) { return ink == Ink::Light ? kLight : kDark; }
 image::Colour borderColour(Ink ink) { return ink == Ink::Light ? kDark.faded(0.75) : kLight.faded(0.8); }
@@ -125,6 +126,9 @@ Annotation drawOrientationMarker(const OrientationMarker& marker, glm::ivec2 siz
         // A hair of border closes the seam between smooth edges of neighbours.
         drawing.border({facet.corners}, 0.5, colour);
         drawing.fill(facet.corners, colour);
+    }
+    for (const auto& piece : marker.lit) {
+        drawing.fill(piece, kPointedAt);
     }
     for (const auto& letter : marker.letters) {
         if (letter.isOnFace) {

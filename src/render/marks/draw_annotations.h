@@ -3,6 +3,7 @@
 
 #include "image/image.h"
 #include "render/marks/annotation.h"
+#include "render/marks/orientation_marker.h"
 
 namespace vs::render {
 

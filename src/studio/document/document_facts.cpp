@@ -53,6 +53,7 @@ std::shared_ptr<const DocumentFacts> factsOf(const Contents& contents, std::size
     facts->logged = logged;
     facts->inHand = contents.inHand;
     facts->view = contents.view;
+    facts->firstLook = contents.scan.firstLook;
     facts->sliceWindow = contents.scan.slices;
     facts->edits =
         before.edits->revision == contents.history.revision() ? before.edits : editsOf(contents.history);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "studio/editing/first_look.h"
 #include "studio/editing/in_hand.h"
 #include "studio/operations/operation.h"
 #include "studio/operations/segment_list.h"
@@ -49,7 +50,8 @@ struct DocumentFacts {
     std::size_t logged = 0;    // operations in the log
     InHand inHand = InHand::Nothing;
     View view;
-    Range sliceWindow; // that suits the scan: what slices show where the view says nothing
+    FirstLook firstLook; // that suits the scan: how the window shows it when it is opened
+    Range sliceWindow;   // that suits the scan: what slices show where the view says nothing
     std::shared_ptr<const Edits> edits = std::make_shared<Edits>();
     SegmentList segments;
     std::array<std::size_t, 256> voxels{}; // shown of each segment, by its label

@@ -4,10 +4,50 @@
 #include "base/check.h"
 #include "field/cell_ranges.h"
 #include "sculpt/sculpture/precision.h"
+#include "segment/edits/islands.h"
 #include "studio/editing/contents.h"
 #include "studio/editing/display.h"
 
+#include <algorithm>
+#include <iterator>
+
 namespace vs::studio {
+
+namespace {
+
+// Islands of cells are specks that are smaller than this part of the largest one, or of as few cells as a
+// single voxel of noise touches where they meet.
+constexpr double kSpeck = 1e-3;
+constexpr double kVoxelCells = 9;
+constexpr double kFew = 0.1; // of the largest one: then a few cells are more than a speck
+
+segment::VoxelSet withoutSpecks(const segment::VoxelSet& cells) {
+    const auto connected = segment::Connectivity::TwentySix;
+    const auto islands = segment::islands(cells, connected);
+    if (islands.size() < 2) {
+        return cells;
+    }
+    const auto asLarge = volume::makeGeometry(cells.box.size(), glm::dvec3(10)); // a millilitre each
+    const auto largest = double(islands.front().voxels);
+    return segment::dropSmallIslands(
+        cells, asLarge, std::max(kSpeck * largest, std::min(kVoxelCells, kFew * largest)), connected);
+}
+
+// The world's corners of a box of macrocells: with the half voxel outside the outermost centres.
+void addCorners(const Box3& cells, const volume::GridGeometry& geometry, const glm::dmat4& worldFromVoxel,
+                std::vector<glm::dvec3>& corners) {
+    const glm::dvec3 most = glm::dvec3(geometry.dims) - 0.5;
+    const glm::dvec3 lo = glm::max(double(field::kCell) * glm::dvec3(cells.lo), glm::dvec3(0)) -
+                          0.5 * glm::dvec3(glm::equal(cells.lo, glm::ivec3(0)));
+    const glm::dvec3 hi = glm::min(double(field::kCell) * glm::dvec3(cells.hi), most);
+    for (int n = 0; n < 8; ++n) {
+        const glm::dvec3 corner((n & 1) != 0 ? hi.x : lo.x, (n & 2) != 0 ? hi.y : lo.y,
+                                (n & 4) != 0 ? hi.z : lo.z);
+        corners.emplace_back(worldFromVoxel * glm::dvec4(corner, 1.0));
+    }
+}
+
+} // namespace
 
 std::size_t PartQueries::count() const { return contents_.pasted.sculptures.size(); }
 
@@ -76,6 +116,53 @@ std::vector<glm::dvec3> PartQueries::seenCells(const std::function<bool(std::siz
         }
     }
     return cells;
+}
+
+std::vector<glm::dvec3> PartQueries::pointsAroundAll() {
+    const auto& geometry = contents_.scan.volume.geometry;
+    std::vector<glm::dvec3> points;
+    for (const Box3& row : rowsSeen()) {
+        addCorners(row, geometry, geometry.worldFromVoxel, points);
+    }
+    const auto& places = contents_.view.pasted;
+    for (std::size_t part = 0; part < std::min(places.size(), count()); ++part) {
+        const glm::dmat4 worldFromVoxel =
+            render::worldFromPart(places[part], geometry) * geometry.worldFromVoxel;
+        for (const glm::dvec3 middle : cells(part)) {
+            const glm::ivec3 cell = glm::ivec3(middle) / field::kCell;
+            addCorners({cell, cell + 1}, geometry, worldFromVoxel, points);
+        }
+    }
+    if (points.empty()) {
+        addCorners({glm::ivec3(0), field::cellDims(geometry.dims)}, geometry, geometry.worldFromVoxel,
+                   points);
+    }
+    return points;
+}
+
+// From the first to the last macrocell of each row in which the picture shows something of what remains.
+std::vector<Box3> PartQueries::rowsSeen() {
+    const auto frame = display_.frame(contents_.view, glm::ivec2(1));
+    const auto distances = frame.macrocells->distances().downloadAll<std::uint32_t>();
+    const glm::ivec3 size = frame.macrocells->size();
+    segment::VoxelSet cells = segment::emptySet({glm::ivec3(0), size});
+    std::transform(distances.begin(), distances.end(), cells.inside.begin(),
+                   [](std::uint32_t distance) { return std::uint8_t(distance == 0 ? 1 : 0); });
+    cells = withoutSpecks(cells);
+    std::vector<Box3> rows;
+    const glm::ivec3 dims = cells.box.size();
+    for (std::size_t row = 0; row < std::size_t(dims.y) * std::size_t(dims.z); ++row) {
+        const auto begin = cells.inside.begin() + std::ptrdiff_t(row * std::size_t(dims.x));
+        const auto end = begin + dims.x;
+        const auto first = std::find(begin, end, 1);
+        if (first != end) {
+            const auto last = std::find(std::reverse_iterator(end), std::reverse_iterator(begin), 1).base();
+            const glm::ivec3 at = cells.box.lo + glm::ivec3(0, int(row) % dims.y, int(row) / dims.y);
+            rows.push_back(
+                {at + glm::ivec3(int(first - begin), 0, 0), at + glm::ivec3(int(last - begin), 1, 1)});
+        }
+    }
+    return rows;
 }
 
 std::vector<float> PartQueries::values(std::size_t place, const Box3& box) {

@@ -29,11 +29,16 @@ public:
     // in which something of what remains can, as the view shows the sculpture.
     std::vector<glm::dvec3> cells(std::size_t part);
     std::vector<glm::dvec3> remainingCells();
+    // Points of the world around all that the picture of the present view shows, in any mode: what remains,
+    // segments and pasted parts. Specks, as noise in the air leaves them, are not counted. Around the whole
+    // grid when nothing can be seen. Nothing seen lies outside of the points' convex hull.
+    std::vector<glm::dvec3> pointsAroundAll();
     // What is drawn at a place of the view, x fastest in the box: the part where it is at least a half.
     std::vector<float> values(std::size_t place, const Box3& box);
 
 private:
     std::vector<glm::dvec3> seenCells(const std::function<bool(std::size_t)>& isThere);
+    std::vector<Box3> rowsSeen();
 
     const Contents& contents_;
     Display& display_;

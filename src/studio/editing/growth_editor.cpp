@@ -6,7 +6,11 @@
 #include "studio/operations/sketch.h"
 #include "studio/operations/trail.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdlib>
+#include <limits>
+#include <tuple>
 
 namespace vs::studio {
 
@@ -19,6 +23,37 @@ void addTo(std::vector<glm::ivec3>& voxels, const segment::VoxelSet& set) {
             voxels.push_back(set.voxelAt(i));
         }
     }
+}
+
+// How far from a segment's voxels, in voxels, what is seen of its surface may lie: it is smooth.
+constexpr int kSurfaceReach = 2;
+
+// The voxels of the set that are nearest to the given ones, each once; nothing for those that are farther
+// away than the set's surface is.
+std::vector<glm::ivec3> nearestOf(const segment::VoxelSet& set, const std::vector<glm::ivec3>& voxels,
+                                  const volume::GridGeometry& geometry) {
+    const glm::dmat3 millimetres(geometry.worldFromVoxel);
+    std::vector<glm::ivec3> nearest;
+    for (const glm::ivec3 voxel : voxels) {
+        double least = std::numeric_limits<double>::infinity();
+        glm::ivec3 found{0};
+        forEachVoxel({voxel - kSurfaceReach, voxel + kSurfaceReach + 1}, [&](glm::ivec3 other, std::size_t) {
+            const double distance = glm::length(millimetres * glm::dvec3(other - voxel));
+            if (distance < least && set.contains(other)) {
+                least = distance;
+                found = other;
+            }
+        });
+        if (std::isfinite(least)) {
+            nearest.push_back(found);
+        }
+    }
+    const auto order = [](glm::ivec3 a, glm::ivec3 b) {
+        return std::tie(a.z, a.y, a.x) < std::tie(b.z, b.y, b.x);
+    };
+    std::sort(nearest.begin(), nearest.end(), order);
+    nearest.erase(std::unique(nearest.begin(), nearest.end()), nearest.end());
+    return nearest;
 }
 
 } // namespace
@@ -127,7 +162,10 @@ Outcome GrowthEditor::run(Absorb& op) {
     if (op.voxels.empty()) {
         segment::Constraints anything; // of what is seen: only the segment's own voxels are taken
         anything.range = contents_.scan.volume.range;
-        op.voxels = voxelsUnder(op.strokes, op.widthPixels, *op.canvas, anything);
+        Region::Records unchanged; // the segment at work stays at work
+        op.voxels = nearestOf(contents_.region.voxels(contents_.segments.atWork, unchanged),
+                              voxelsUnder(op.strokes, op.widthPixels, *op.canvas, anything),
+                              contents_.scan.volume.geometry);
     }
     const std::size_t before = contents_.grownVoxels();
     const int expansions = changeSegments(contents_, *this, op);

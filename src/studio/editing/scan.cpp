@@ -75,6 +75,7 @@ Scan::Scan(volume::Volume opened)
     } else if (field.isIntegral) {
         shown.lo = std::ceil(shown.lo);
     }
+    firstLook = studio::firstLook(volume, field, shown);
     grey = volume.range.width() > 0 ? greyWindow(histogram, volume.range, shown.lo)
                                     : Range{volume.range.lo - 3, volume.range.hi + 1};
     slices = volume.range.width() > 0 ? sliceWindow(histogram, volume, shown.lo) : grey;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "field/field.h"
+#include "studio/editing/first_look.h"
 #include "volume/grid/volume.h"
 
 #include <cstdint>
@@ -18,6 +19,7 @@ struct Scan {
     field::Field field;
     std::vector<std::uint32_t> histogram; // voxel counts in equal bins over volume.range, at most 256
     Range shown;                          // the displayed range to begin with
+    FirstLook firstLook;                  // as the window shows it to begin with
     Range grey;                           // the values that cut faces show from black to white
     Range slices;                         // the values that slices show so, where nobody chose others
 };

@@ -32,6 +32,7 @@ struct DicomSlice {
     double timeOrder = 0;   // orders slices at the same position
     std::string photometric;
     std::string unit; // of the values; empty where none is stated
+    bool isAngiography = false;
 
     [[nodiscard]] glm::dvec3 normal() const { return glm::normalize(glm::cross(alongColumns, alongRows)); }
     [[nodiscard]] double offset() const { return position ? glm::dot(*position, normal()) : 0.0; }

@@ -86,6 +86,11 @@ std::string unitOf(const DicomDataSet& set) {
     return stated == "US" ? "" : stated;
 }
 
+// X-ray angiography, and MR that says of itself that it shows vessels (PS3.3, C.8.3.1: Angio Flag).
+bool isAngiography(const DicomDataSet& set, const std::string& modality) {
+    return modality == "XA" || printable(set.text(0x00180025)) == "Y";
+}
+
 // What all frames of a file have in common.
 DicomSlice fileAttributes(const std::filesystem::path& path, const DicomDataSet& set, DicomFile& file) {
     DicomSlice slice;
@@ -97,6 +102,7 @@ DicomSlice fileAttributes(const std::filesystem::path& path, const DicomDataSet&
     slice.size = {set.unsignedShort(0x00280011, 0), set.unsignedShort(0x00280010, 0)};
     slice.photometric = set.text(0x00280004);
     slice.unit = unitOf(set);
+    slice.isAngiography = isAngiography(set, slice.modality);
     if (slice.size.x < 1 || slice.size.y < 1) {
         refuse(path, fmt::format("its image has {} x {} pixels", slice.size.x, slice.size.y),
                "Rows and Columns must be 1 or more");

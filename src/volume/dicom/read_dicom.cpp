@@ -304,6 +304,8 @@ ReadResult readDicom(const std::filesystem::path& path, const ReadOptions& optio
     makeRegular(path, stack, result.notices);
     result.volume = std::move(stack.volume);
     result.volume.unit = first.unit;
+    result.volume.modality = first.modality;
+    result.volume.isAngiography = first.isAngiography;
     return result;
 }
 

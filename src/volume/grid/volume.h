@@ -30,6 +30,8 @@ struct Volume {
     std::string name;               // file or folder name, for titles and messages
     std::filesystem::path path;     // where it came from; empty for volumes made in memory
     std::string unit;               // of the values, as people write it ("HU"); empty where none is known
+    std::string modality;           // as DICOM says it ("CT", "MR", "PT"); empty where it is not known
+    bool isAngiography = false;     // made to show vessels, as its file says
 
     // The value at one voxel; `index` must be inside the grid.
     [[nodiscard]] double at(glm::ivec3 index) const;

@@ -92,6 +92,9 @@ protected:
 
 TEST_F(Pasting, ASmallPartStandsToTheRight) {
     w.window().resize(1700, 760);
+    auto view = w.studio().view().shown();
+    view.camera.zoom = 0.9; // with room beside the head
+    w.studio().view().showView(view);
     w.settle();
     cut({0.46, 0.3}, {0.54, 0.4});
     const auto camera = w.studio().view().shown().camera;

@@ -11,6 +11,7 @@
 #include "segment/edits/smoothing.h"
 #include "studio/document/document_facts.h"
 #include "studio/document/live_growth.h"
+#include "studio/document/surface_queries.h"
 #include "studio/state/region.h"
 
 #include <functional>
@@ -203,6 +204,43 @@ TEST_F(SegmentsTest, AFreshSegmentOwesNothingToARemovedOne) {
         document.apply(Redo{});
     }
     EXPECT_GT(document.facts()->growth.voxels, brain);
+}
+
+// Wherever a stroke lies on what is seen of the segment, it takes something: its smooth surface runs up to a
+// voxel beside the segment's voxels.
+TEST_F(SegmentsTest, StrokesOnASegmentAbsorbIt) {
+    Document document(testHead());
+    const Canvas canvas = testCanvas();
+    Seed seed = seedAt({35, 10, 29});
+    seed.range = Range{150, 255}; // the skull's shell
+    document.apply(seed);
+    document.apply(Grow{});
+    SetView view;
+    view.mode = render::Mode::Segment;
+    view.camera = canvas.view.camera;
+    document.apply(view);
+    const auto voxels = [&] { return document.facts()->growth.voxels; };
+    const std::size_t whole = voxels();
+    int tried = 0;
+    for (double y = 80; y <= 200; y += 8) {
+        for (double x = 130; x <= 270; x += 10) {
+            Absorb absorb;
+            absorb.strokes = {{Shape::FreeForm, {{x, y}, {x + 2, y}}}};
+            absorb.widthPixels = 1;
+            absorb.expansions = 1;
+            absorb.canvas = canvas;
+            absorb.canvas->view.mode = render::Mode::Segment;
+            if (!document.surface().probe({x, y}, canvas.viewport)) {
+                continue; // beside it
+            }
+            document.apply(absorb);
+            EXPECT_LT(voxels(), whole) << "at " << x << ", " << y;
+            document.apply(Undo{});
+            ASSERT_EQ(voxels(), whole);
+            ++tried;
+        }
+    }
+    EXPECT_GT(tried, 50);
 }
 
 TEST_F(SegmentsTest, AbsorbedVoxelsStayAwayUntilSeededAgain) {

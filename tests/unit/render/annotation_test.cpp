@@ -199,6 +199,71 @@ TEST(OrientationMarker, LettersAreUprightAndNotMirrored) {
     }
 }
 
+TEST(OrientationMarker, EveryZoneOfTheCubeIsFoundWhereItIsSeen) {
+    for (const auto& [rays, geometry] : cases()) {
+        const OrientationMarker marker = orientationMarker(rays);
+        const glm::dvec3 right = glm::normalize(rays.right);
+        const glm::dvec3 up = glm::normalize(rays.up);
+        for (int n = 0; n < 27; ++n) {
+            const glm::dvec3 signs(n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1);
+            if (n == 13 || glm::dot(glm::normalize(signs), -rays.forward) < 0.3) {
+                continue; // no direction, or on the other side
+            }
+            const glm::dvec3 onCube = 0.9 * signs; // of the cube from -1 to 1, just inside
+            const glm::dvec2 place =
+                marker.centre + marker.halfEdge * glm::dvec2(glm::dot(onCube, right), -glm::dot(onCube, up));
+            const auto zone = zoneAt(rays, place);
+            ASSERT_TRUE(zone.has_value());
+            EXPECT_LT(glm::distance(*zone, glm::normalize(signs)), 1e-9);
+        }
+        for (const glm::dvec2 beside : {glm::dvec2(1.8, 0), glm::dvec2(0, -1.8), glm::dvec2(-8, -3)}) {
+            EXPECT_FALSE(zoneAt(rays, marker.centre + marker.halfEdge * beside).has_value());
+        }
+    }
+}
+
+// What is lit is seen where the zone is, and nowhere else.
+TEST(OrientationMarker, WhatIsPointedAtIsLit) {
+    const auto inside = [](const std::vector<glm::dvec2>& piece, glm::dvec2 place) {
+        int left = 0;
+        for (std::size_t i = 0; i < piece.size(); ++i) {
+            const glm::dvec2 a = piece[i];
+            const glm::dvec2 b = piece[(i + 1) % piece.size()];
+            left += (b.x - a.x) * (place.y - a.y) - (b.y - a.y) * (place.x - a.x) > 0 ? 1 : 0;
+        }
+        return left == 0 || left == int(piece.size());
+    };
+    const auto geometry = volume::makeGeometry({100, 100, 100});
+    const ViewRays rays = viewRays({30, 25, 1, {}}, geometry, {870, 870});
+    const OrientationMarker plain = orientationMarker(rays);
+    constexpr double near = 0.08;
+    const std::array<glm::dvec2, 4> around{{{near, 0}, {-near, 0}, {0, near}, {0, -near}}};
+    EXPECT_TRUE(plain.lit.empty());
+    for (int y = -12; y <= 12; ++y) {
+        for (int x = -12; x <= 12; ++x) {
+            const glm::dvec2 place = plain.centre + 0.101 * plain.halfEdge * glm::dvec2(x, y);
+            const auto zone = zoneAt(rays, place);
+            const bool isOnFacet =
+                std::any_of(plain.facets.begin(), plain.facets.end(),
+                            [&](const auto& facet) { return inside(facet.corners, place); });
+            // Zones begin on the cube's bevels a little beside where they do on a cube without.
+            const bool isAtBorder = std::any_of(around.begin(), around.end(), [&](glm::dvec2 step) {
+                return zoneAt(rays, place + plain.halfEdge * step) != zone;
+            });
+            if (!isOnFacet || isAtBorder) {
+                continue;
+            }
+            for (const glm::dvec3 other :
+                 {*zone, glm::normalize(glm::dvec3(1, -1, 1)), glm::dvec3(0, -1, 0)}) {
+                const auto lit = orientationMarker(rays, 1, other).lit;
+                const bool isLit = std::any_of(lit.begin(), lit.end(),
+                                               [&](const auto& piece) { return inside(piece, place); });
+                EXPECT_EQ(isLit, other == *zone) << x << ", " << y;
+            }
+        }
+    }
+}
+
 TEST(OrientationMarker, FacetsFaceTheViewerAndCoverEachOtherNowhere) {
     const auto area = [](const std::vector<glm::dvec2>& corners) {
         double sum = 0;

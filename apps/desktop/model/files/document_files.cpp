@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/files/document_files.h"
 
+#include "model/document/camera_motion.h"
 #include "model/document/document_host.h"
 #include "model/document/view_model.h"
 #include "model/edits/editor.h"
@@ -108,6 +109,13 @@ void DocumentFiles::finishOpening(const std::shared_ptr<Loaded>& loaded) {
     savedEdits_ = 0;
     model_.view.forget();
     model_.view.adopt();
+    if (!loaded->session) { // which says how it is looked at
+        auto view = model_.view.shown();
+        view.range = host_.facts()->firstLook.range;
+        view.mode = host_.facts()->firstLook.mode;
+        model_.view.showView(view);
+        model_.camera.reset();
+    }
     if (!host_.isReplaying()) {
         emit host_.ready();
     }

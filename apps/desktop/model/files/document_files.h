@@ -15,6 +15,7 @@
 
 namespace vs::desktop {
 
+class CameraMotion;
 class DocumentHost;
 class Editor;
 class GrowthController;
@@ -31,6 +32,7 @@ public:
     struct Model {
         DocumentHost& host;
         ViewModel& view;
+        CameraMotion& camera;
         Hand& hand;
         Editor& editor;
         GrowthController& growth;

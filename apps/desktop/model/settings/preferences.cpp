@@ -23,6 +23,7 @@ Preferences Preferences::load() {
     preferences.shadows = settings.value("shadows").toBool();
     preferences.sliceWindow = settings.value("sliceWindow").toString();
     preferences.tintsSlices = settings.value("tintSlices").toBool();
+    preferences.turntable = settings.value("turntable").toBool();
     return preferences;
 }
 
@@ -40,6 +41,7 @@ void Preferences::save() const {
     settings.setValue("shadows", shadows);
     settings.setValue("sliceWindow", sliceWindow);
     settings.setValue("tintSlices", tintsSlices);
+    settings.setValue("turntable", turntable);
 }
 
 } // namespace vs::desktop

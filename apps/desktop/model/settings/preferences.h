@@ -21,6 +21,7 @@ struct Preferences {
     bool shadows = false;                  // of volumes that are opened
     QString sliceWindow;      // of CT scans that are opened (render::kSliceWindows); empty: automatic
     bool tintsSlices = false; // of volumes that are opened
+    bool turntable = false;   // the head stays up while the volume is turned
 
     static Preferences load();
     void save() const;

@@ -30,10 +30,11 @@ StudioController::StudioController()
     measurer_ = std::make_unique<SegmentMeasurer>(host_, *segments_, *growth_);
     slices_ = std::make_unique<SliceController>(host_, view_);
     files_ = std::make_unique<DocumentFiles>(
-        DocumentFiles::Model{host_, view_, hand_, editor_, *growth_, *segments_});
+        DocumentFiles::Model{host_, view_, camera_, hand_, editor_, *growth_, *segments_});
     connect(growth_.get(), &GrowthController::changed, &host_, &DocumentHost::tellSoon);
     connect(slices_.get(), &SliceController::crosshairMoved, &hand_, &Hand::overlayChanged);
     connect(&host_, &DocumentHost::leaving, this, &StudioController::letGo);
+    camera_.setTurntable(preferences_.turntable);
 }
 
 StudioController::~StudioController() {
@@ -182,12 +183,20 @@ void StudioController::schedule(int milliseconds) {
 
 void StudioController::setPreferences(const Preferences& preferences) {
     const Preferences before = std::exchange(preferences_, preferences);
+    camera_.setTurntable(preferences_.turntable);
     if (host_.document() != nullptr) {
         host_.document()->setUndoMemory(std::size_t(preferences_.undoMegabytes) << 20);
         if (!host_.isReplaying()) {
             preferTo(before);
         }
     }
+}
+
+void StudioController::setTurntable(bool isTurntable) {
+    preferences_.turntable = isTurntable;
+    preferences_.save();
+    camera_.setTurntable(isTurntable);
+    emit host_.changed();
 }
 
 // Windows are in Hounsfield units.

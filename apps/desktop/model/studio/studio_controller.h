@@ -2,6 +2,7 @@
 #pragma once
 
 #include "engine/picture_loop.h"
+#include "model/document/camera_motion.h"
 #include "model/document/document_host.h"
 #include "model/document/view_model.h"
 #include "model/edits/editor.h"
@@ -38,6 +39,7 @@ public:
     // --- parts, each of which knows only those before it
     [[nodiscard]] DocumentHost& host() { return host_; }
     [[nodiscard]] ViewModel& view() { return view_; }
+    [[nodiscard]] CameraMotion& camera() { return camera_; }
     [[nodiscard]] Hand& hand() { return hand_; }
     [[nodiscard]] Editor& editor() { return editor_; }
     [[nodiscard]] GrowthController& growth() { return *growth_; }
@@ -50,6 +52,8 @@ public:
     // Undo's memory counts for the open document too, quality and shadows of the view that is shown as well.
     [[nodiscard]] const Preferences& preferences() const { return preferences_; }
     void setPreferences(const Preferences& preferences);
+    // As preferred from now on (CameraMotion::isTurntable()).
+    void setTurntable(bool isTurntable);
 
     // Written as soon as the picture is at full quality.
     void takeScreenshot(const std::filesystem::path& path);
@@ -86,6 +90,7 @@ private:
 
     DocumentHost host_;
     ViewModel view_{host_};
+    CameraMotion camera_{host_, view_};
     Hand hand_{host_};
     Editor editor_{host_, view_, hand_};
     std::unique_ptr<PictureLoop> picture_;

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+// From where the volume is looked at: the standard views, fitting, and how it turns.
+#include "model/document/camera_motion.h"
+#include "model/studio/studio_controller.h"
+#include "window/action_table.h"
+#include "window/main_window.h"
+
+#include <QMenu>
+#include <QMenuBar>
+
+namespace vs::desktop {
+
+void MainWindow::makeCameraActions() {
+    CameraMotion& camera = studio_.camera();
+    actions_->add({"resetView", "reset", tr("Reset"), tr("Look at the face again, all of it"), tr("Home"),
+                   [&camera] { camera.reset(); }});
+    actions_->add({"fitView", nullptr, tr("Fit"),
+                   tr("Show all that can be seen as large as there is room for"), tr("Shift+F"),
+                   [&camera] { camera.fit(); }});
+    for (const StandardView& view : CameraMotion::standardViews()) {
+        actions_->add({"from." + view.name, nullptr, view.text, view.tip, QKeySequence(view.key),
+                       [&camera, view] { camera.lookFrom(view.direction); }});
+    }
+    actions_->add({"orthographic",
+                   nullptr,
+                   tr("Orthographic"),
+                   tr("Without perspective: what is farther off is as large"),
+                   tr("Shift+O"),
+                   [&camera] { camera.setOrthographic(!camera.isOrthographic()); },
+                   {},
+                   [&camera] { return camera.isOrthographic(); }});
+    actions_->add({"turntable",
+                   nullptr,
+                   tr("Turntable"),
+                   tr("The head stays up while the volume is turned, instead of rolling under the hand"),
+                   {},
+                   [this, &camera] { studio_.setTurntable(!camera.isTurntable()); },
+                   [] { return true; },
+                   [&camera] { return camera.isTurntable(); }});
+}
+
+// In the menu made last, which is the view's.
+void MainWindow::makeCameraMenu() {
+    QMenu* view = menuBar()->actions().constLast()->menu();
+    QMenu* from = new QMenu(tr("Look from"), view);
+    for (const StandardView& standard : CameraMotion::standardViews()) {
+        from->QWidget::addAction(actions_->find("from." + standard.name));
+    }
+    from->addSeparator();
+    from->QWidget::addAction(actions_->find("orthographic"));
+    from->QWidget::addAction(actions_->find("turntable"));
+    from->setToolTipsVisible(true);
+    // After Reset and Fit.
+    view->insertMenu(view->actions().at(2), from);
+}
+
+} // namespace vs::desktop

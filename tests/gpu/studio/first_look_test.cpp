@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: Apache-2.0
+// How scans are shown to a person who opens them: all of the head and nothing of the air.
+#include "gpu/gl_test.h"
+#include "phantom/head_phantom.h"
+#include "phantom/phantom.h"
+#include "studio/document/document.h"
+#include "studio/document/document_facts.h"
+
+#include <random>
+
+namespace vs::studio {
+namespace {
+
+using FirstLookTest = test::GlTest;
+
+struct WeakScan {
+    volume::Volume volume;
+    std::vector<std::uint8_t> labels;
+};
+
+// A head of which the coil receives the lower half ever more weakly, down to `weakest` at the chin; with the
+// noise of magnitudes, in values (white matter has about 200).
+WeakScan headFarFromCoil(double noise, double weakest) {
+    phantom::HeadPhantomOptions options;
+    options.dims = {91, 109, 91};
+    auto head = phantom::makeHeadPhantom(options);
+    std::mt19937 random(5);
+    std::normal_distribution<double> normal(0, 1);
+    const glm::ivec3 dims = head.volume.geometry.dims;
+    std::vector<std::int16_t> values(head.labels.size());
+    forEachVoxel({glm::ivec3(0), dims}, [&](glm::ivec3 v, std::size_t n) {
+        const double down = std::clamp(1 - 2.0 * v.z / dims.z, 0.0, 1.0);
+        const double signal = head.volume.at(v) * (1 - (1 - weakest) * down);
+        values[n] =
+            std::int16_t(std::lround(std::hypot(signal + noise * normal(random), noise * normal(random))));
+    });
+    head.volume.type = volume::ScalarType::Int16;
+    const auto* bytes = reinterpret_cast<const std::byte*>(values.data());
+    head.volume.bytes.assign(bytes, bytes + values.size() * sizeof(values[0]));
+    volume::computeRange(head.volume);
+    return {std::move(head.volume), std::move(head.labels)};
+}
+
+bool isHeadNear(const WeakScan& scan, glm::ivec3 voxel) {
+    const glm::ivec3 dims = scan.volume.geometry.dims;
+    bool isNear = false;
+    forEachVoxel(intersect({voxel - 2, voxel + 3}, {glm::ivec3(0), dims}), [&](glm::ivec3 v, std::size_t) {
+        isNear = isNear || scan.labels[std::size_t(v.x + dims.x * (v.y + dims.y * v.z))] != 0;
+    });
+    return isNear;
+}
+
+// As a viewer in front of the face sees it: the part of the head's silhouette where the surface of a range is
+// the head's own, to two voxels; and the part of the picture that shows something more than two voxels off
+// it.
+struct Silhouette {
+    double solid = 0;
+    double specks = 0;
+};
+Silhouette silhouetteOf(const WeakScan& scan, double lo) {
+    const glm::ivec3 dims = scan.volume.geometry.dims;
+    const bool isFromFront = scan.volume.geometry.worldFromVoxel[1].y > 0; // y runs to the back
+    double heads = 0;
+    Silhouette seen;
+    for (int z = 0; z < dims.z; ++z) {
+        for (int x = 0; x < dims.x; ++x) {
+            int met = -1; // the first of the range
+            int head = -1;
+            for (int n = dims.y - 1; n >= 0; --n) {
+                const glm::ivec3 v{x, isFromFront ? n : dims.y - 1 - n, z};
+                met = scan.volume.at(v) >= lo ? n : met;
+                head = scan.labels[std::size_t(v.x + dims.x * (v.y + dims.y * v.z))] != 0 ? n : head;
+            }
+            heads += head >= 0 ? 1 : 0;
+            seen.solid += head >= 0 && met >= 0 && met <= head + 2 ? 1 : 0;
+            seen.specks +=
+                met >= 0 && !isHeadNear(scan, {x, isFromFront ? met : dims.y - 1 - met, z}) ? 1 : 0;
+        }
+    }
+    return {seen.solid / heads, seen.specks / double(dims.x * dims.z)};
+}
+
+TEST_F(FirstLookTest, AHeadIsSolidFarFromTheCoilAndTheAirIsEmpty) {
+    for (const double noise : {0.0, 2.0, 5.0, 9.0}) {
+        for (const double weakest : {1.0, 0.5, 0.35}) {
+            const WeakScan scan = headFarFromCoil(noise, weakest);
+            Document document(scan.volume);
+            const FirstLook look = document.facts()->firstLook;
+            const Silhouette seen = silhouetteOf(scan, look.range.lo);
+            const Silhouette before = silhouetteOf(scan, document.view().range.lo);
+            EXPECT_EQ(look.mode, render::Mode::Surface);
+            EXPECT_EQ(look.range.hi, scan.volume.range.hi);
+            EXPECT_GE(seen.solid, before.solid) << noise << ", " << weakest;
+            EXPECT_GT(seen.solid, 0.99) << "noise " << noise << ", signal " << weakest << ", from "
+                                        << look.range.lo << ", Otsu from " << document.view().range.lo;
+            EXPECT_LT(seen.specks, 0.0005)
+                << "noise " << noise << ", signal " << weakest << ", from " << look.range.lo;
+        }
+    }
+}
+
+// What begins nowhere near air: all of its values are the object's.
+TEST_F(FirstLookTest, NeverBeginsAboveTheObject) {
+    for (const double inside : {3.0, 100.0, 20000.0}) {
+        const auto volume =
+            phantom::makeBall({40, 40, 40}, {20, 20, 20}, 15, inside, 0, 0, volume::ScalarType::Int16);
+        Document document(volume);
+        const Range look = document.facts()->firstLook.range;
+        EXPECT_GT(look.lo, 0);
+        EXPECT_LE(look.lo, document.view().range.lo);
+        EXPECT_EQ(look.hi, inside);
+    }
+}
+
+TEST_F(FirstLookTest, CtBeginsWhereItAlwaysDid) {
+    auto volume = phantom::makeBall({40, 40, 40}, {20, 20, 20}, 15, 60, -1000, 2, volume::ScalarType::Int16);
+    for (const char* modality : {"CT", ""}) {
+        volume.modality = modality;
+        Document document(volume);
+        EXPECT_EQ(document.facts()->firstLook.range, document.view().range);
+    }
+}
+
+TEST_F(FirstLookTest, EmissionScansAndAngiographiesAreProjected) {
+    auto volume = phantom::makePhantom({48, 48, 48}, volume::ScalarType::Int16, [](glm::dvec3 p) {
+        const double r = glm::length(p - glm::dvec3(23.5));
+        return r < 1.5 ? 30000 : r < 18 ? 900 : 0; // a hot bladder in a body
+    });
+    const auto lookOf = [&] { return Document(volume).facts()->firstLook; };
+    EXPECT_EQ(lookOf().mode, render::Mode::Surface);
+    for (const char* modality : {"PT", "NM"}) {
+        volume.modality = modality;
+        const FirstLook look = lookOf();
+        EXPECT_EQ(look.mode, render::Mode::Mip) << modality;
+        EXPECT_LT(look.range.lo, 900) << "the body is seen";
+        EXPECT_LT(look.range.hi, 30000) << "and is not black beside what is hot";
+        EXPECT_GE(look.range.hi, 900);
+    }
+    volume.modality = "MR";
+    volume.isAngiography = true;
+    EXPECT_EQ(lookOf().mode, render::Mode::Mip);
+}
+
+} // namespace
+} // namespace vs::studio

@@ -519,6 +519,22 @@
         <source>Vessels</source>
         <translation>Gefäße</translation>
     </message>
+    <message>
+        <source>only %1 is shown</source>
+        <translation>nur %1 wird gezeigt</translation>
+    </message>
+    <message>
+        <source>all segments are shown</source>
+        <translation>alle Segmente werden gezeigt</translation>
+    </message>
+    <message>
+        <source>all</source>
+        <translation>alle</translation>
+    </message>
+    <message>
+        <source>show segments</source>
+        <translation>Segmente zeigen</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop</name>
@@ -1071,10 +1087,6 @@
         <translation>Geht tiefer, solange sich der Stift bewegt, statt nur bis zur Tiefe</translation>
     </message>
     <message>
-        <source>Drag in the picture to turn the volume.</source>
-        <translation>Im Bild ziehen, um das Volumen zu drehen.</translation>
-    </message>
-    <message>
         <source>Layers peeled</source>
         <translation>Geschälte Lagen</translation>
     </message>
@@ -1612,10 +1624,89 @@
     </message>
 </context>
 <context>
+    <name>vs::desktop::CameraMotion</name>
+    <message>
+        <source>Anterior</source>
+        <translation>Anterior</translation>
+    </message>
+    <message>
+        <source>Look at the face</source>
+        <translation>Aufs Gesicht schauen</translation>
+    </message>
+    <message>
+        <source>Posterior</source>
+        <translation>Posterior</translation>
+    </message>
+    <message>
+        <source>Look from behind</source>
+        <translation>Von hinten schauen</translation>
+    </message>
+    <message>
+        <source>Left</source>
+        <translation>Links</translation>
+    </message>
+    <message>
+        <source>Look at the patient&apos;s left</source>
+        <translation>Auf die linke Seite des Patienten schauen</translation>
+    </message>
+    <message>
+        <source>Right</source>
+        <translation>Rechts</translation>
+    </message>
+    <message>
+        <source>Look at the patient&apos;s right</source>
+        <translation>Auf die rechte Seite des Patienten schauen</translation>
+    </message>
+    <message>
+        <source>Superior</source>
+        <translation>Superior</translation>
+    </message>
+    <message>
+        <source>Look from above</source>
+        <translation>Von oben schauen</translation>
+    </message>
+    <message>
+        <source>Inferior</source>
+        <translation>Inferior</translation>
+    </message>
+    <message>
+        <source>Look from below, as at axial slices</source>
+        <translation>Von unten schauen, wie auf axiale Schichten</translation>
+    </message>
+    <message>
+        <source>Fit</source>
+        <translation>Einpassen</translation>
+    </message>
+    <message>
+        <source>Show all that can be seen as large as there is room for</source>
+        <translation>Alles, was zu sehen ist, so groß zeigen, wie Platz ist</translation>
+    </message>
+    <message>
+        <source>Orthographic</source>
+        <translation>Orthografisch</translation>
+    </message>
+    <message>
+        <source>Without perspective: what is farther off is as large</source>
+        <translation>Ohne Perspektive: was weiter weg ist, ist ebenso groß</translation>
+    </message>
+    <message>
+        <source>Turntable</source>
+        <translation>Drehteller</translation>
+    </message>
+    <message>
+        <source>The head stays up while the volume is turned, instead of rolling under the hand</source>
+        <translation>Der Kopf bleibt oben, wenn gedreht wird, statt unter der Hand zu rollen</translation>
+    </message>
+</context>
+<context>
     <name>vs::desktop::CameraTool</name>
     <message>
-        <source>Drag to turn. Middle button or Shift+drag moves, wheel or right button zooms, whatever the tool.</source>
-        <translation>Ziehen dreht; mittlere Taste oder Umschalt+Ziehen verschiebt, Rad oder rechte Taste zoomt, immer.</translation>
+        <source>Drag along the rim to roll the picture.</source>
+        <translation>Am Rand entlang ziehen rollt das Bild.</translation>
+    </message>
+    <message>
+        <source>Drag to turn, along the rim to roll. Middle button or Shift+drag moves, wheel or right button zooms, whatever the tool.</source>
+        <translation>Ziehen dreht, am Rand entlang rollt es. Mittlere Taste oder Umschalt+Ziehen verschiebt, Rad oder rechte Taste zoomt, bei jedem Werkzeug.</translation>
     </message>
 </context>
 <context>
@@ -2369,6 +2460,10 @@ Tab: der nächste Punkt; Pfeiltasten bewegen ihn; Entf; Eingabe: seine Farbe; St
     <message>
         <source>no seeds yet</source>
         <translation>noch keine Saat</translation>
+    </message>
+    <message>
+        <source>Search segments</source>
+        <translation>Segmente suchen</translation>
     </message>
 </context>
 <context>
@@ -3529,6 +3624,42 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
         <source>Window of slices</source>
         <translation>Fenster der Schichten</translation>
     </message>
+    <message>
+        <source>Fit</source>
+        <translation>Einpassen</translation>
+    </message>
+    <message>
+        <source>Show all that can be seen as large as there is room for</source>
+        <translation>Alles, was zu sehen ist, so groß zeigen, wie Platz ist</translation>
+    </message>
+    <message>
+        <source>Shift+F</source>
+        <translation>Shift+F</translation>
+    </message>
+    <message>
+        <source>Orthographic</source>
+        <translation>Orthografisch</translation>
+    </message>
+    <message>
+        <source>Without perspective: what is farther off is as large</source>
+        <translation>Ohne Perspektive: was weiter weg ist, ist ebenso groß</translation>
+    </message>
+    <message>
+        <source>Shift+O</source>
+        <translation>Shift+O</translation>
+    </message>
+    <message>
+        <source>Turntable</source>
+        <translation>Drehteller</translation>
+    </message>
+    <message>
+        <source>The head stays up while the volume is turned, instead of rolling under the hand</source>
+        <translation>Der Kopf bleibt oben, wenn gedreht wird, statt unter der Hand zu rollen</translation>
+    </message>
+    <message>
+        <source>Look from</source>
+        <translation>Ansicht von</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::MeasureTool</name>
@@ -4184,6 +4315,18 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
         <source>Click to lock it</source>
         <translation>Klicken sperrt es</translation>
     </message>
+    <message>
+        <source>Click to sort by it, the other way round, and as they were made</source>
+        <translation>Klick sortiert danach, dann umgekehrt, dann in der Reihenfolge ihrer Entstehung</translation>
+    </message>
+    <message>
+        <source>Name</source>
+        <translation>Name</translation>
+    </message>
+    <message>
+        <source>Volume</source>
+        <translation>Volumen</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::SegmentNumbersPanel</name>
@@ -4269,6 +4412,22 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
     <message>
         <source>Colour of %1</source>
         <translation>Farbe von %1</translation>
+    </message>
+    <message>
+        <source>Show only this</source>
+        <translation>Nur dieses zeigen</translation>
+    </message>
+    <message>
+        <source>Show all</source>
+        <translation>Alle zeigen</translation>
+    </message>
+    <message>
+        <source>Rename</source>
+        <translation>Umbenennen</translation>
+    </message>
+    <message>
+        <source>Colour…</source>
+        <translation>Farbe…</translation>
     </message>
 </context>
 <context>

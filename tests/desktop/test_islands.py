@@ -1,6 +1,7 @@
 # SPDX-License-Identifier: Apache-2.0
 """The parts of a segment, clicked: one goes, or with R only it stays; to the voxel, undone, and replayed."""
 
+import math
 import sys
 
 from driver import need, start
@@ -8,12 +9,13 @@ from phantom import SIDE, write_ball_head
 from replay import compare_with_replay, operations, run
 from steps import Steps
 from test_segments import click_cell, press, reveal, save, working
+from viewer import seen
 
 test = Steps()
 
 # Two balls of one label, left and right of the middle: voxels of their centres, and radii.
+SPACING = 2.5
 BALLS = (((21, 36, 36), 8), ((51, 36, 36), 6))
-PLACES = ((0.385, 0.5), (0.615, 0.5))  # where they are seen from the front, in fractions of the view
 
 
 def write_balls(path):
@@ -88,11 +90,18 @@ def click(studio, place):
     studio.click(lambda: studio.view_point(*place))
 
 
+def click_ball(studio, which):
+    state = studio.state()
+    middle = [SPACING * (SIDE - 1) / 2] * 3
+    centre = [SPACING * voxel for voxel in BALLS[which][0]]
+    click(studio, seen(state["camera"], centre, middle, SPACING * math.dist((0, 0, 0), [SIDE] * 3), state["viewRect"][2:]))
+
+
 @test.step(after=[choose_edit])
 def clicked(studio, balls, counts):
     """The click takes one ball away. Returns how many voxels that had."""
     before = studio.state()["operations"]
-    click(studio, PLACES[0])
+    click_ball(studio, 0)
     state = studio.wait_idle("one ball to go", lambda s: s["operations"] > before)
     need(balls.of(state) in counts, f"the click left {balls.of(state)} voxels, not one of the balls {counts}")
     return balls.whole - balls.of(state)
@@ -106,7 +115,7 @@ def undone(studio, balls, clicked):
 
 @test.step(after=[undone])
 def other_ball(studio, balls, clicked):
-    click(studio, PLACES[1])
+    click_ball(studio, 1)
     balls.wait("the other ball to go", clicked)
     studio.key("ctrl+z")
     balls.wait("undo", balls.whole)
@@ -126,7 +135,7 @@ def only_one(studio, balls, clicked):
     """Reversed, the ball that is clicked stays."""
     studio.key("r")
     studio.wait("the reversed sign", lambda s: "all that is not connected to it goes" in s["hint"])
-    click(studio, PLACES[0])
+    click_ball(studio, 0)
     balls.wait("only the ball clicked", clicked)
 
 

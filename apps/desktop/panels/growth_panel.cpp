@@ -10,6 +10,7 @@
 
 #include <QCheckBox>
 #include <QHBoxLayout>
+#include <QLineEdit>
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QVBoxLayout>
@@ -34,7 +35,9 @@ GrowthPanel::GrowthPanel(StudioController& studio, QWidget* parent) : QWidget(pa
     outer->setContentsMargins(0, 0, 0, 0);
     QVBoxLayout* card = nullptr;
     outer->addWidget(makeCard(tr("Segments"), card));
-    card->addWidget(named(new SegmentTable(studio_), "segments", tr("Segments")));
+    auto* table = named(new SegmentTable(studio_), "segments", tr("Segments"));
+    card->addWidget(makeSearch(table));
+    card->addWidget(table, 1);
     card->addWidget(makeListRow());
     card->addWidget(makePlayback());
     card->addWidget(makeScrubRow());
@@ -43,6 +46,23 @@ GrowthPanel::GrowthPanel(StudioController& studio, QWidget* parent) : QWidget(pa
     connect(&studio_.host(), &DocumentHost::changed, this, &GrowthPanel::refresh);
     setEnabled(false);
     refresh();
+}
+
+// Of a long list.
+QWidget* GrowthPanel::makeSearch(SegmentTable* table) {
+    auto* search = named(new QLineEdit, "segmentSearch", tr("Search segments"));
+    search->setPlaceholderText(tr("Search segments"));
+    search->setClearButtonEnabled(true);
+    connect(search, &QLineEdit::textChanged, table, &SegmentTable::search);
+    const auto show = [search, table] {
+        search->setVisible(table->isLong());
+        if (!table->isLong()) {
+            search->clear();
+        }
+    };
+    connect(table, &SegmentTable::lengthChanged, search, show);
+    show();
+    return search;
 }
 
 QWidget* GrowthPanel::makeListRow() {

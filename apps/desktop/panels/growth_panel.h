@@ -12,6 +12,7 @@ class QToolButton;
 namespace vs::desktop {
 
 class ScrubBar;
+class SegmentTable;
 class StudioController;
 
 // The segments, how the one at work looks, and playback of its growth. Rules, edits and numbers have cards of
@@ -23,6 +24,7 @@ public:
     explicit GrowthPanel(StudioController& studio, QWidget* parent = nullptr);
 
 private:
+    QWidget* makeSearch(SegmentTable* table);
     QWidget* makeListRow();
     QWidget* makePlayback();
     QWidget* makeScrubRow();

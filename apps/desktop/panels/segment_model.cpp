@@ -72,6 +72,9 @@ int SegmentModel::workingRow() const {
 
 QVariant SegmentModel::data(const QModelIndex& index, int role) const {
     const studio::SegmentInfo& info = segment(index.row());
+    if (role == kSortRole) {
+        return sortKey(index);
+    }
     if (role == Qt::AccessibleTextRole || role == Qt::ToolTipRole) {
         switch (index.column()) {
         case Colour:
@@ -112,6 +115,39 @@ QVariant SegmentModel::data(const QModelIndex& index, int role) const {
     }
     if (role == Qt::ForegroundRole && (index.column() == Volume || !info.isVisible)) {
         return theme::kQuiet;
+    }
+    return {};
+}
+
+// Seen and locked ones stand before the others.
+QVariant SegmentModel::sortKey(const QModelIndex& index) const {
+    const studio::SegmentInfo& info = segment(index.row());
+    switch (index.column()) {
+    case Name:
+        return QString::fromStdString(info.name);
+    case Volume:
+        return segments_.millilitres(info.label);
+    case Eye:
+        return info.isVisible ? 0 : 1;
+    case Lock:
+        return info.isLocked ? 0 : 1;
+    default:
+        return info.label;
+    }
+}
+
+QVariant SegmentModel::headerData(int section, Qt::Orientation orientation, int role) const {
+    if (orientation != Qt::Horizontal) {
+        return {};
+    }
+    if (role == Qt::ToolTipRole) {
+        return tr("Click to sort by it, the other way round, and as they were made");
+    }
+    if (role == Qt::DecorationRole && (section == Eye || section == Lock)) {
+        return icon(section == Eye ? "eye" : "lock");
+    }
+    if (role == Qt::DisplayRole && (section == Name || section == Volume)) {
+        return section == Name ? tr("Name") : tr("Volume");
     }
     return {};
 }

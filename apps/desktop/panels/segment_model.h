@@ -16,6 +16,7 @@ class SegmentModel : public QAbstractTableModel {
 
 public:
     enum Column { Colour, Name, Volume, Eye, Lock, Columns };
+    static constexpr int kSortRole = Qt::UserRole; // what a column is sorted by
 
     explicit SegmentModel(SegmentController& segments, QObject* parent = nullptr);
 
@@ -23,6 +24,7 @@ public:
     [[nodiscard]] int columnCount(const QModelIndex&) const override { return Columns; }
     [[nodiscard]] QVariant data(const QModelIndex& index, int role) const override;
     bool setData(const QModelIndex& index, const QVariant& value, int role) override;
+    [[nodiscard]] QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
     [[nodiscard]] Qt::ItemFlags flags(const QModelIndex& index) const override;
 
     // Looks at the document again.
@@ -32,6 +34,8 @@ public:
     [[nodiscard]] int workingRow() const;
 
 private:
+    [[nodiscard]] QVariant sortKey(const QModelIndex& index) const;
+
     SegmentController& segments_;
     studio::SegmentList shown_; // a copy: the document may be gone before the next look
     std::vector<QString> millilitres_;

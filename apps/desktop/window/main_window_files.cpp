@@ -3,6 +3,7 @@
 
 #include "model/segments/segment_controller.h"
 #include "model/studio/studio_controller.h"
+#include "model/texts/texts.h"
 
 #include "volume/io/read.h"
 
@@ -19,8 +20,6 @@
 namespace vs::desktop {
 
 namespace {
-
-std::filesystem::path pathOf(const QString& text) { return {text.toStdString()}; }
 
 bool isHeaderless(const QString& path) {
     const QString suffix = QFileInfo(path).suffix().toLower();

@@ -10,12 +10,6 @@
 
 namespace vs::desktop {
 
-namespace {
-
-std::filesystem::path pathOf(const QString& text) { return {text.toStdString()}; }
-
-} // namespace
-
 Options parseOptions(const QCoreApplication& application) {
     QCommandLineParser parser;
     parser.setApplicationDescription(tr("Reshape a 3D scan with a pen, on the rendered picture itself."));

@@ -5,8 +5,9 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <cmath>
-#include <numeric>
+#include <string>
 
 namespace vs::studio {
 
@@ -16,7 +17,7 @@ constexpr double kHalfWidths = 4; // above air's peak, that its noise reaches
 constexpr double kWayToObject = 0.5;
 constexpr int kAirBins = 64; // from the darkest value to the object: finer, scaled values comb
 constexpr int kMostBins = 4096;
-constexpr double kAirOfCt = -500; // HU: values so low are of CT, also where the unit is not said
+constexpr double kAirOfCt = -500; // HU: MR has no values so low
 
 bool isProjected(const volume::Volume& volume) {
     constexpr std::array<const char*, 2> kModalities{"PT", "NM"};
@@ -25,8 +26,13 @@ bool isProjected(const volume::Volume& volume) {
                        [&](const char* modality) { return volume.modality == modality; });
 }
 
-bool isCt(const volume::Volume& volume) {
-    return volume.modality == "CT" || volume.unit == "HU" || volume.range.lo < kAirOfCt;
+// DICOM says so; and what NIfTI files hold are MR scans as a rule, unless values are as low as CT's.
+bool isMr(const volume::Volume& volume) {
+    std::string name = volume.path.filename().string();
+    std::transform(name.begin(), name.end(), name.begin(),
+                   [](unsigned char letter) { return char(std::tolower(letter)); });
+    const bool isNifti = name.ends_with(".nii") || name.ends_with(".nii.gz");
+    return volume.modality == "MR" || (volume.modality.empty() && isNifti && volume.range.lo > kAirOfCt);
 }
 
 // So many bins as one.
@@ -60,7 +66,7 @@ double aboveAir(const std::vector<std::uint32_t>& counts, const Range& range, do
 
 FirstLook firstLook(const volume::Volume& volume, const field::Field& field, const Range& suggested) {
     FirstLook look{suggested, isProjected(volume) ? render::Mode::Mip : render::Mode::Surface};
-    if (volume.range.width() <= 0 || (isCt(volume) && !isProjected(volume))) {
+    if (volume.range.width() <= 0 || !(isMr(volume) || isProjected(volume))) {
         return look;
     }
     const int bins = field.isIntegral

@@ -21,13 +21,14 @@ struct FirstLook {
 // (volume::otsuThreshold), where there is less noise than that; nowhere beyond `object`. Weak signal, as a
 // lower face far from the coil gives, lies between the two. `counts` are those of equal bins over `range`,
 // at best of one for each value; air's noise is told by the width of its peak. (Magnitudes without signal are
-// distributed after Rayleigh: Gudbjartsson and Patz 1995, "The Rician distribution of noisy MRI data". Four
+// distributed after Rayleigh (Gudbjartsson and Patz 1995, "The Rician distribution of noisy MRI data"). Four
 // half widths above the peak lie two of 100 000 of them.)
 double aboveAir(const std::vector<std::uint32_t>& counts, const Range& range, double object);
 
-// By modality and values: emission scans and angiographies as maximum intensity projections whose brightest
-// thousandth saturates, CT from `suggested` (field::suggestRange) on, all else from above its air. Needs a
-// current OpenGL context.
+// By modality, format and values: emission scans and angiographies as maximum intensity projections whose
+// brightest thousandth saturates, these and MR from above their air on, all else from `suggested`
+// (field::suggestRange): what other scans have in their air, foam and tables, is as solid as weak tissue.
+// Needs a current OpenGL context.
 FirstLook firstLook(const volume::Volume& volume, const field::Field& field, const Range& suggested);
 
 } // namespace vs::studio

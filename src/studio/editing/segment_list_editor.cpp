@@ -101,6 +101,24 @@ Outcome SegmentListEditor::run(RemoveSegment& op) {
     return {{}, 0, 0, say("%1", nameInQuotes(op.segment))};
 }
 
+void SegmentListEditor::perform(const ShowSegments& op, Region::Records&) {
+    if (op.only && contents_.segments.find(*op.only) == nullptr) {
+        throw Error("there is no segment '{}' to show", *op.only);
+    }
+    for (SegmentInfo& segment : contents_.segments.segments) {
+        segment.isVisible = !op.only || segment.name == *op.only;
+    }
+}
+
+Outcome SegmentListEditor::run(ShowSegments& op) {
+    changeSegments(contents_, *this, op);
+    return {{},
+            0,
+            0,
+            op.only ? say(VS_TEXT("library", "only %1 is shown"), nameInQuotes(*op.only))
+                    : say(VS_TEXT("library", "all segments are shown"))};
+}
+
 // --- from a label map
 
 std::size_t SegmentListEditor::perform(const LoadLabels& op, Region::Records& records) {

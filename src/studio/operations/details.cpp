@@ -55,6 +55,9 @@ std::vector<Phrase> ShowGeneration::details() const { return {{"%1", {std::to_st
 std::vector<Phrase> UseSegment::details() const { return {inQuotes(name.value_or(segment))}; }
 
 std::vector<Phrase> RemoveSegment::details() const { return {inQuotes(segment)}; }
+std::vector<Phrase> ShowSegments::details() const {
+    return {only ? inQuotes(*only) : say(VS_TEXT("library", "all"))};
+}
 
 std::vector<Phrase> EditSegment::details() const { return {{nameOf(kind)}}; }
 

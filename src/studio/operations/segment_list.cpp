@@ -3,23 +3,13 @@
 
 #include "base/error.h"
 #include "render/colours/colour.h"
+#include "render/colours/segment_palette.h"
 
 #include <algorithm>
-#include <array>
 
 namespace vs::studio {
 
 namespace {
-
-// Okabe and Ito's palette, which people of all kinds of colour vision can tell apart, without black; the one
-// that stands out from ivory first.
-const std::array<glm::dvec3, 7> kPalette{{{0.855, 0.450, 0.221},
-                                          {0.0, 0.447, 0.698},
-                                          {0.0, 0.620, 0.451},
-                                          {0.902, 0.624, 0.0},
-                                          {0.800, 0.475, 0.655},
-                                          {0.337, 0.706, 0.914},
-                                          {0.941, 0.894, 0.259}}};
 
 constexpr int kMostLabels = 255;
 
@@ -60,7 +50,7 @@ SegmentInfo& SegmentList::add(const std::string& name) {
     if (label > kMostLabels) {
         throw Error("there are {} segments already; remove one first", kMostLabels);
     }
-    segments.push_back({std::uint8_t(label), name, kPalette[std::size_t(label - 1) % kPalette.size()]});
+    segments.push_back({std::uint8_t(label), name, render::segmentColour(label)});
     return segments.back();
 }
 

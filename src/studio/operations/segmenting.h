@@ -329,6 +329,20 @@ struct CutSegment {
     [[nodiscard]] std::vector<Phrase> details() const;
 };
 
+// Shows one segment and hides all others, or shows all of them.
+struct ShowSegments {
+    static constexpr About kAbout{VS_TEXT("library", "show segments"), Effect::Segments,
+                                  "shows one segment and hides all others, or without a name shows all"};
+
+    std::optional<std::string> only = {};
+
+    template <typename = void>
+    static constexpr auto fields() {
+        return std::tuple{sparse("only", &ShowSegments::only, kSegmentName)};
+    }
+    [[nodiscard]] std::vector<Phrase> details() const;
+};
+
 // Clears all segments that are not locked.
 struct ReSeed {
     static constexpr About kAbout{VS_TEXT("library", "re-seed"), Effect::Segments,
@@ -341,6 +355,6 @@ struct ReSeed {
 
 using SegmentingOperations =
     std::variant<Seed, Grow, Rewind, ShowGeneration, SetGrowthRules, Absorb, UseSegment, LoadLabels,
-                 RemoveSegment, EditSegment, BrushSegment, PaintSegment, CutSegment, ReSeed>;
+                 RemoveSegment, ShowSegments, EditSegment, BrushSegment, PaintSegment, CutSegment, ReSeed>;
 
 } // namespace vs::studio

@@ -38,6 +38,7 @@ WeakScan headFarFromCoil(double noise, double weakest) {
     const auto* bytes = reinterpret_cast<const std::byte*>(values.data());
     head.volume.bytes.assign(bytes, bytes + values.size() * sizeof(values[0]));
     volume::computeRange(head.volume);
+    head.volume.modality = "MR";
     return {std::move(head.volume), std::move(head.labels)};
 }
 
@@ -102,8 +103,9 @@ TEST_F(FirstLookTest, AHeadIsSolidFarFromTheCoilAndTheAirIsEmpty) {
 // What begins nowhere near air: all of its values are the object's.
 TEST_F(FirstLookTest, NeverBeginsAboveTheObject) {
     for (const double inside : {3.0, 100.0, 20000.0}) {
-        const auto volume =
+        auto volume =
             phantom::makeBall({40, 40, 40}, {20, 20, 20}, 15, inside, 0, 0, volume::ScalarType::Int16);
+        volume.modality = "MR";
         Document document(volume);
         const Range look = document.facts()->firstLook.range;
         EXPECT_GT(look.lo, 0);
@@ -112,12 +114,20 @@ TEST_F(FirstLookTest, NeverBeginsAboveTheObject) {
     }
 }
 
-TEST_F(FirstLookTest, CtBeginsWhereItAlwaysDid) {
-    auto volume = phantom::makeBall({40, 40, 40}, {20, 20, 20}, 15, 60, -1000, 2, volume::ScalarType::Int16);
-    for (const char* modality : {"CT", ""}) {
-        volume.modality = modality;
-        Document document(volume);
-        EXPECT_EQ(document.facts()->firstLook.range, document.view().range);
+TEST_F(FirstLookTest, WhatIsNotMrBeginsWhereItAlwaysDid) {
+    for (const double air : {-1000.0, 0.0}) {
+        auto volume =
+            phantom::makeBall({40, 40, 40}, {20, 20, 20}, 15, 60, air, 2, volume::ScalarType::Int16);
+        for (const auto& [modality, path, isMr] : {std::tuple{"CT", "", false},
+                                                   {"", "a.nrrd", false},
+                                                   {"CT", "a.nii", false},
+                                                   {"", "A.NII.gz", true}}) {
+            volume.modality = modality;
+            volume.path = path;
+            Document document(volume);
+            EXPECT_EQ(!(document.facts()->firstLook.range == document.view().range), isMr && air == 0)
+                << modality << path << air;
+        }
     }
 }
 

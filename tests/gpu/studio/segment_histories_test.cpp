@@ -69,7 +69,9 @@ Operation drawOperation(const std::filesystem::path& labels) {
         return absorb;
     }
     case 10:
-        return below(3) == 0 ? Operation(RemoveSegment{who}) : Operation(somePeel(1 + below(4)));
+        return below(3) == 0   ? Operation(RemoveSegment{who})
+               : below(4) == 0 ? Operation(below(2) == 0 ? ShowSegments{} : ShowSegments{who})
+                               : Operation(somePeel(1 + below(4)));
     case 11: {
         EditSegment edit = editOf(EditSegment::Kind(below(13)), 0.5 + below(3), who);
         edit.voxel = brainVoxel();

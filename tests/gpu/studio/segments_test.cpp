@@ -206,6 +206,31 @@ TEST_F(SegmentsTest, AFreshSegmentOwesNothingToARemovedOne) {
     EXPECT_GT(document.facts()->growth.voxels, brain);
 }
 
+TEST_F(SegmentsTest, OneIsShownAloneOrAllAre) {
+    Document document(testHead());
+    for (const char* name : {"Liver", "Spleen", "Heart"}) {
+        document.apply(UseSegment{name});
+    }
+    const auto shown = [&] {
+        std::string names;
+        for (const SegmentInfo& segment : document.segments().segments) {
+            names += segment.isVisible ? segment.name + " " : "";
+        }
+        return names;
+    };
+    document.apply(ShowSegments{"Spleen"});
+    EXPECT_EQ(shown(), "Spleen ");
+    EXPECT_EQ(document.segments().working().name, "Heart") << "goes on at work";
+    document.apply(Undo{});
+    EXPECT_EQ(shown(), "Liver Spleen Heart ");
+    document.apply(Redo{});
+    EXPECT_EQ(shown(), "Spleen ");
+    document.apply(ShowSegments{});
+    EXPECT_EQ(shown(), "Liver Spleen Heart ");
+    EXPECT_EQ(refusal(document, ShowSegments{"Kidney"}), "there is no segment 'Kidney' to show");
+    EXPECT_EQ(shown(), "Liver Spleen Heart ");
+}
+
 // Wherever a stroke lies on what is seen of the segment, it takes something: its smooth surface runs up to a
 // voxel beside the segment's voxels.
 TEST_F(SegmentsTest, StrokesOnASegmentAbsorbIt) {

@@ -114,6 +114,14 @@ void SegmentController::setVisible(const std::string& name, bool isVisible) {
     apply(change);
 }
 
+void SegmentController::showOnly(const std::string& name) {
+    growth_.whilePaused([&] { editor_.apply(studio::ShowSegments{name}); });
+}
+
+void SegmentController::showAll() {
+    growth_.whilePaused([&] { editor_.apply(studio::ShowSegments{}); });
+}
+
 void SegmentController::setLocked(const std::string& name, bool isLocked) {
     studio::UseSegment change{name};
     change.isLocked = isLocked;

@@ -44,6 +44,9 @@ public:
     bool rename(const std::string& name, const QString& to);
     void setColour(const std::string& name, const QColor& colour);
     void setVisible(const std::string& name, bool isVisible);
+    // Hides all others, or shows all.
+    void showOnly(const std::string& name);
+    void showAll();
     void setLocked(const std::string& name, bool isLocked);
     // How opaque the segment at work is; `continues`: takes the place of the change before (a slider that is
     // dragged).

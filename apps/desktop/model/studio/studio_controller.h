@@ -52,7 +52,7 @@ public:
     // Undo's memory counts for the open document too, quality and shadows of the view that is shown as well.
     [[nodiscard]] const Preferences& preferences() const { return preferences_; }
     void setPreferences(const Preferences& preferences);
-    // As preferred from now on (CameraMotion::isTurntable()).
+    // Remembered as preferred (CameraMotion::isTurntable()).
     void setTurntable(bool isTurntable);
 
     // Written as soon as the picture is at full quality.

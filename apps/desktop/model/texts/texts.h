@@ -13,5 +13,6 @@ namespace vs::desktop {
 inline QString tr(const char* text) { return QCoreApplication::translate("vs::desktop", text); }
 
 inline QString textOf(const std::filesystem::path& path) { return QString::fromStdString(path.string()); }
+inline std::filesystem::path pathOf(const QString& text) { return {text.toStdString()}; }
 
 } // namespace vs::desktop

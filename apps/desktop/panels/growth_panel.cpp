@@ -54,14 +54,17 @@ QWidget* GrowthPanel::makeSearch(SegmentTable* table) {
     search->setPlaceholderText(tr("Search segments"));
     search->setClearButtonEnabled(true);
     connect(search, &QLineEdit::textChanged, table, &SegmentTable::search);
-    const auto show = [search, table] {
+    const auto show = [this, search, table] {
         search->setVisible(table->isLong());
         if (!table->isLong()) {
             search->clear();
         }
+        // As much more as all rows of the list take.
+        setMaximumHeight(QWIDGETSIZE_MAX);
+        setMaximumHeight(sizeHint().height() + table->maximumHeight() - table->sizeHint().height());
     };
-    connect(table, &SegmentTable::lengthChanged, search, show);
-    show();
+    search->hide();
+    connect(table, &SegmentTable::lengthChanged, search, show, Qt::QueuedConnection);
     return search;
 }
 

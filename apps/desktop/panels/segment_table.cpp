@@ -36,7 +36,7 @@ SegmentTable::SegmentTable(StudioController& studio, QWidget* parent)
     setShowGrid(false);
     setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
     setVerticalScrollMode(QAbstractItemView::ScrollPerPixel);
-    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
+    setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
     setIconSize(QSize(17, 17));
     verticalHeader()->hide();
     verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
@@ -66,9 +66,7 @@ int SegmentTable::heightOf(int rows) const {
     return rows * kRowHeight + header + 2 * frameWidth();
 }
 
-QSize SegmentTable::sizeHint() const { return {200, heightOf(std::max(kLeastRows, model_->rowCount()))}; }
-
-QSize SegmentTable::minimumSizeHint() const {
+QSize SegmentTable::sizeHint() const {
     return {200, heightOf(std::clamp(model_->rowCount(), kLeastRows, isLong() ? kFewOfLong : kFewRows))};
 }
 
@@ -94,7 +92,7 @@ void SegmentTable::refresh() {
             sortByColumn(-1, Qt::AscendingOrder);
             order_->search({});
         }
-        setMaximumHeight(sizeHint().height());
+        setMaximumHeight(std::max(sizeHint().height(), isLong() ? heightOf(model_->rowCount()) : 0));
         updateGeometry();
         emit lengthChanged();
     }

@@ -24,9 +24,9 @@ public:
 
     explicit SegmentTable(StudioController& studio, QWidget* parent = nullptr);
 
-    // Asks for the height of all its rows, and is content with a few.
+    // Asks for the height of a few rows; maximumHeight() is that of all.
     [[nodiscard]] QSize sizeHint() const override;
-    [[nodiscard]] QSize minimumSizeHint() const override;
+    [[nodiscard]] QSize minimumSizeHint() const override { return sizeHint(); }
     // Shows those whose names hold a text.
     void search(const QString& text);
     [[nodiscard]] bool isLong() const;

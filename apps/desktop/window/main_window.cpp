@@ -154,7 +154,8 @@ void MainWindow::makeDock() {
     column->setSpacing(8);
     column->addWidget(new HistogramPanel(studio_));
     column->addWidget(new ToolPanel(studio_, tools_));
-    column->addWidget(new GrowthPanel(studio_));
+    constexpr int takesRoom = 1000; // before the stretch below
+    column->addWidget(new GrowthPanel(studio_), takesRoom);
     column->addWidget(new GrowthRulesPanel(studio_));
     column->addWidget(new SegmentEditPanel(studio_, tools_));
     column->addWidget(new SegmentNumbersPanel(studio_));

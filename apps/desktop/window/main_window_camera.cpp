@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // From where the volume is looked at: the standard views, fitting, and how it turns.
 #include "model/document/camera_motion.h"
+#include "model/hand/tool.h"
 #include "model/studio/studio_controller.h"
 #include "window/action_table.h"
 #include "window/main_window.h"
@@ -12,21 +13,29 @@ namespace vs::desktop {
 
 void MainWindow::makeCameraActions() {
     CameraMotion& camera = studio_.camera();
+    // The picture holds still while something is drawn on it.
+    const auto unlessDrawing = [this](const std::function<void()>& look) {
+        return [this, look] {
+            if (!studio_.hand().tool().isSketching()) {
+                look();
+            }
+        };
+    };
     actions_->add({"resetView", "reset", tr("Reset"), tr("Look at the face again, all of it"), tr("Home"),
-                   [&camera] { camera.reset(); }});
+                   unlessDrawing([&camera] { camera.reset(); })});
     actions_->add({"fitView", nullptr, tr("Fit"),
                    tr("Show all that can be seen as large as there is room for"), tr("Shift+F"),
-                   [&camera] { camera.fit(); }});
+                   unlessDrawing([&camera] { camera.fit(); })});
     for (const StandardView& view : CameraMotion::standardViews()) {
         actions_->add({"from." + view.name, nullptr, view.text, view.tip, QKeySequence(view.key),
-                       [&camera, view] { camera.lookFrom(view.direction); }});
+                       unlessDrawing([&camera, view] { camera.lookFrom(view.direction); })});
     }
     actions_->add({"orthographic",
                    nullptr,
                    tr("Orthographic"),
                    tr("Without perspective: what is farther off is as large"),
                    tr("Shift+O"),
-                   [&camera] { camera.setOrthographic(!camera.isOrthographic()); },
+                   unlessDrawing([&camera] { camera.setOrthographic(!camera.isOrthographic()); }),
                    {},
                    [&camera] { return camera.isOrthographic(); }});
     actions_->add({"turntable",

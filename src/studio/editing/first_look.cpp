@@ -7,6 +7,7 @@
 #include <array>
 #include <cctype>
 #include <cmath>
+#include <numeric>
 #include <string>
 
 namespace vs::studio {
@@ -14,7 +15,10 @@ namespace vs::studio {
 namespace {
 
 constexpr double kHalfWidths = 4; // above air's peak, that its noise reaches
-constexpr double kWayToObject = 0.5;
+// Of the way from air to the object: so far at least, and where air was set to one value, which tells of no
+// noise, so far.
+constexpr double kWayFromNoise = 0.25;
+constexpr double kWayFromOneValue = 0.5;
 constexpr int kAirBins = 64; // from the darkest value to the object: finer, scaled values comb
 constexpr int kMostBins = 4096;
 constexpr double kAirOfCt = -500; // HU: MR has no values so low
@@ -61,7 +65,9 @@ double aboveAir(const std::vector<std::uint32_t>& counts, const Range& range, do
     const double fell = below == end ? 0 : (*(below - 1) - half) / (*(below - 1) - *below);
     const double halfWidth = width * (double(below - peak) - 1 + fell);
     const double air = range.lo + width * (double(peak - sums.begin()) + 0.5);
-    return std::min(object, std::max(air + kHalfWidths * halfWidth, std::lerp(air, object, kWayToObject)));
+    const bool isOneValue = *peak > 0.5 * std::accumulate(sums.begin(), end, 0.0);
+    const double way = isOneValue ? kWayFromOneValue : kWayFromNoise;
+    return std::min(object, std::max(air + kHalfWidths * halfWidth, std::lerp(air, object, way)));
 }
 
 FirstLook firstLook(const volume::Volume& volume, const field::Field& field, const Range& suggested) {

@@ -28,6 +28,7 @@ using test::seedAt;
 using test::setOf;
 using test::somePeel;
 using test::stateOf;
+using test::testCanvas;
 using test::testHead;
 
 TEST_F(SegmentsTest, NoVoxelIsInTwoAndGrowthStopsAtAnothersBorder) {

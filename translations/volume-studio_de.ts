@@ -2330,6 +2330,10 @@ Tab: der nächste Punkt; Pfeiltasten bewegen ihn; Entf; Eingabe: seine Farbe; St
         <source>Growing</source>
         <translation>Wächst</translation>
     </message>
+    <message>
+        <source>Stopped at %1 % of what is displayed: play goes on</source>
+        <translation>Bei %1 % des Sichtbaren angehalten: Abspielen setzt fort</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::GrowthPanel</name>
@@ -2422,10 +2426,6 @@ Tab: der nächste Punkt; Pfeiltasten bewegen ihn; Entf; Eingabe: seine Farbe; St
         <translation>Gezeigte Generation</translation>
     </message>
     <message>
-        <source>Drag through the generations; growing goes on from the one shown</source>
-        <translation>Durch die Generationen ziehen; das Wachstum geht von der gezeigten weiter</translation>
-    </message>
-    <message>
         <source>Generation</source>
         <translation>Generation</translation>
     </message>
@@ -2464,6 +2464,46 @@ Tab: der nächste Punkt; Pfeiltasten bewegen ihn; Entf; Eingabe: seine Farbe; St
     <message>
         <source>Search segments</source>
         <translation>Segmente suchen</translation>
+    </message>
+    <message>
+        <source>Drag through the generations; growing goes on from the one shown. Marks are where it may have leaked: click one to go back to just before it</source>
+        <translation>Durch die Generationen ziehen; von der gezeigten an wächst es weiter. Marken zeigen, wo es ausgelaufen sein kann: ein Klick führt zurück bis kurz davor</translation>
+    </message>
+    <message>
+        <source>Why growth has stopped</source>
+        <translation>Warum das Wachsen angehalten hat</translation>
+    </message>
+    <message>
+        <source>Go on</source>
+        <translation>Weiter</translation>
+    </message>
+    <message>
+        <source>Let the region grow on, without a limit</source>
+        <translation>Die Region ohne Grenze weiterwachsen lassen</translation>
+    </message>
+    <message>
+        <source>Size at which a first stroke stops, in percent</source>
+        <translation>Größe, bei der ein erster Strich anhält, in Prozent</translation>
+    </message>
+    <message>
+        <source>never</source>
+        <translation>nie</translation>
+    </message>
+    <message>
+        <source> %</source>
+        <translation> %</translation>
+    </message>
+    <message>
+        <source>A segment&apos;s first stroke stops growing when it has so much of what is displayed; 0: never</source>
+        <translation>Der erste Strich eines Segments hält an, wenn es so viel vom Sichtbaren hat; 0: nie</translation>
+    </message>
+    <message>
+        <source>A first stroke stops at</source>
+        <translation>Ein erster Strich hält an bei</translation>
+    </message>
+    <message>
+        <source>Stopped at %1 % of what is displayed, %2 voxels</source>
+        <translation>Bei %1 % des Sichtbaren angehalten, %2 Voxel</translation>
     </message>
 </context>
 <context>
@@ -3660,6 +3700,18 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
         <source>Look from</source>
         <translation>Ansicht von</translation>
     </message>
+    <message>
+        <source>Back to before the leak</source>
+        <translation>Zurück vor das Leck</translation>
+    </message>
+    <message>
+        <source>Show the last generation before the region may have leaked (marked on the scrub bar)</source>
+        <translation>Die letzte Generation zeigen, bevor die Region ausgelaufen sein kann (auf der Leiste markiert)</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+B</source>
+        <translation>Ctrl+Shift+B</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::MeasureTool</name>
@@ -4175,6 +4227,13 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
     <message>
         <source>Draw around what should go.</source>
         <translation>Um das zeichnen, was weg soll.</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::ScrubBar</name>
+    <message>
+        <source>May have leaked after %1</source>
+        <translation>Kann ausgelaufen sein nach %1</translation>
     </message>
 </context>
 <context>

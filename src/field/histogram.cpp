@@ -6,6 +6,7 @@
 #include "gl/pass.h"
 #include "gl/program.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace vs::field {
@@ -70,6 +71,19 @@ double percentile(const std::vector<std::uint32_t>& histogram, const Range& rang
         left -= here;
     }
     return range.hi;
+}
+
+double countWithin(const std::vector<std::uint32_t>& histogram, const Range& range, const Range& wanted) {
+    const double width = range.width() / double(histogram.size());
+    double count = 0;
+    for (std::size_t i = 0; i < histogram.size(); ++i) {
+        const double lo = range.lo + width * double(i);
+        const double hi = lo + width;
+        const double part = width > 0 ? (std::min(hi, wanted.hi) - std::max(lo, wanted.lo)) / width
+                                      : double(wanted.contains(lo));
+        count += std::clamp(part, 0.0, 1.0) * histogram[i];
+    }
+    return count;
 }
 
 Range suggestRange(const std::vector<std::uint32_t>& histogram, const Range& range) {

@@ -40,6 +40,9 @@ private:
 // they were evenly spread within each bin.
 double percentile(const std::vector<std::uint32_t>& histogram, const Range& range, double part);
 
+// How many of a histogram's voxels lie in a range of values, taken so too.
+double countWithin(const std::vector<std::uint32_t>& histogram, const Range& range, const Range& wanted);
+
 // A displayed range that shows something sensible at first: from the threshold between background and object
 // (volume::otsuThreshold) up to the largest value.
 Range suggestRange(const std::vector<std::uint32_t>& histogram, const Range& range);

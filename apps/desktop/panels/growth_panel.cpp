@@ -11,6 +11,7 @@
 #include <QCheckBox>
 #include <QHBoxLayout>
 #include <QLineEdit>
+#include <QPushButton>
 #include <QSignalBlocker>
 #include <QSpinBox>
 #include <QVBoxLayout>
@@ -41,7 +42,9 @@ GrowthPanel::GrowthPanel(StudioController& studio, QWidget* parent) : QWidget(pa
     card->addWidget(makeListRow());
     card->addWidget(makePlayback());
     card->addWidget(makeScrubRow());
+    card->addWidget(makeNotice());
     card->addWidget(makeOptions());
+    card->addWidget(makeLimit());
     connect(&studio_.host(), &DocumentHost::opened, this, [this] { setEnabled(true); });
     connect(&studio_.host(), &DocumentHost::changed, this, &GrowthPanel::refresh);
     setEnabled(false);
@@ -131,7 +134,8 @@ QWidget* GrowthPanel::makeScrubRow() {
     auto* holder = new QWidget;
     auto* row = rowIn(holder, 8);
     scrub_ = named(new ScrubBar, "scrubBar", tr("Generation shown"));
-    scrub_->setToolTip(tr("Drag through the generations; growing goes on from the one shown"));
+    scrub_->setToolTip(tr("Drag through the generations; growing goes on from the one shown. Marks are where "
+                          "it may have leaked: click one to go back to just before it"));
     connect(scrub_, &ScrubBar::scrubbed, &growth, &GrowthController::scrubTo);
     connect(scrub_, &ScrubBar::released, &growth, &GrowthController::endScrub);
     generation_ = named(new QLabel, "generation", tr("Generation"));
@@ -140,6 +144,20 @@ QWidget* GrowthPanel::makeScrubRow() {
     row->addWidget(scrub_, 1);
     row->addWidget(generation_);
     return holder;
+}
+
+QWidget* GrowthPanel::makeNotice() {
+    notice_ = new QWidget;
+    auto* row = rowIn(notice_, 8);
+    noticeText_ = named(new QLabel, "growthNotice", tr("Why growth has stopped"));
+    noticeText_->setWordWrap(true);
+    auto* goOn =
+        named(new QPushButton(tr("Go on")), "growGoOn", tr("Let the region grow on, without a limit"));
+    connect(goOn, &QPushButton::clicked, &studio_.growth(), &GrowthController::play);
+    row->addWidget(noticeText_, 1);
+    row->addWidget(goOn);
+    notice_->hide();
+    return notice_;
 }
 
 QWidget* GrowthPanel::makeOptions() {
@@ -163,6 +181,29 @@ QWidget* GrowthPanel::makeOptions() {
     return holder;
 }
 
+QWidget* GrowthPanel::makeLimit() {
+    auto* holder = new QWidget;
+    auto* row = rowIn(holder, 8);
+    auto* limit = named(new QSpinBox, "growthLimit", tr("Size at which a first stroke stops, in percent"));
+    limit->setRange(0, 100);
+    limit->setSingleStep(5);
+    limit->setSpecialValueText(tr("never"));
+    limit->setButtonSymbols(QAbstractSpinBox::NoButtons);
+    limit->setAlignment(Qt::AlignRight);
+    limit->setSuffix(tr(" %"));
+    limit->setKeyboardTracking(false);
+    limit->setValue(studio_.growth().limitPercent());
+    limit->setToolTip(
+        tr("A segment's first stroke stops growing when it has so much of what is displayed; 0: "
+           "never"));
+    connect(limit, &QAbstractSpinBox::editingFinished, limit, &QWidget::clearFocus);
+    connect(limit, &QSpinBox::valueChanged, &studio_, &StudioController::setFirstStrokePercent);
+    row->addWidget(makeQuietLabel(tr("A first stroke stops at")));
+    row->addStretch(1);
+    row->addWidget(limit);
+    return holder;
+}
+
 void GrowthPanel::refresh() {
     const auto& growth = studio_.growth();
     const auto status = growth.status();
@@ -180,6 +221,14 @@ void GrowthPanel::refresh() {
         scrub_->setPageStep(std::max(1, status.extent / 10));
         scrub_->setValue(status.generation);
     }
+    scrub_->setMarks(status.leaks);
+    const bool hasStopped = growth.hasStoppedAtLimit();
+    if (hasStopped) {
+        noticeText_->setText(tr("Stopped at %1 % of what is displayed, %2 voxels")
+                                 .arg(growth.limitPercent())
+                                 .arg(grouped(status.voxels)));
+    }
+    notice_->setVisible(hasStopped);
     generation_->setText(status.hasSeeds ? tr("%1 of %2").arg(status.generation).arg(status.extent)
                                          : tr("no seeds yet"));
     remove_->setEnabled(studio_.segments().canRemove());

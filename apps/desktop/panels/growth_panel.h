@@ -28,7 +28,9 @@ private:
     QWidget* makeListRow();
     QWidget* makePlayback();
     QWidget* makeScrubRow();
+    QWidget* makeNotice();
     QWidget* makeOptions();
+    QWidget* makeLimit();
     void refresh();
 
     StudioController& studio_;
@@ -46,6 +48,8 @@ private:
     QToolButton* end_ = nullptr;
     ScrubBar* scrub_ = nullptr;
     QLabel* generation_ = nullptr;
+    QWidget* notice_ = nullptr; // that growth has stopped by itself
+    QLabel* noticeText_ = nullptr;
 };
 
 } // namespace vs::desktop

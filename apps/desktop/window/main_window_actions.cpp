@@ -192,6 +192,10 @@ void MainWindow::makeGrowthActions() {
     actions_->add({"growBackwardKey", "backward", tr("Play backward"),
                    tr("Play the growth backward, to its seeds"), tr("Shift+B"),
                    [&growth] { growth.isBackward() ? growth.pause() : growth.playBackward(); }, canPlay});
+    actions_->add({"beforeLeak", nullptr, tr("Back to before the leak"),
+                   tr("Show the last generation before the region may have leaked (marked on the scrub bar)"),
+                   tr("Ctrl+Shift+B"), [&growth] { growth.backBeforeLeak(); },
+                   [this, &growth] { return isOpen() && growth.generationBeforeLeak().has_value(); }});
     actions_->add({"addSegment", "add", tr("Add a segment"), tr("A fresh segment: new strokes go there"),
                    tr("Ctrl+Shift+N"), [this] { studio_.segments().add(); }});
     actions_->add({"growStepKey", "step", tr("Step"), tr("One generation further"), tr("."),

@@ -61,7 +61,7 @@ void MainWindow::makeMenus() {
     makeColourMenu();
     menu(tr("&Tools"), toolNames());
     menu(tr("&Segmentation"), {"addSegment", "islandTool", "paintTool", "-", "playPause", "growBackwardKey",
-                               "growStepKey", "growBackKey", "growToEndKey"});
+                               "growStepKey", "growBackKey", "growToEndKey", "beforeLeak"});
     menu(tr("&Help"), {"shortcuts", "about"});
 }
 

@@ -194,12 +194,12 @@ int Growth::advance(int generations, GrowthUndo* undo) {
     return advanceFor(std::numeric_limits<double>::infinity(), generations, undo);
 }
 
-int Growth::advanceFor(double budgetMs, int generations, GrowthUndo* undo) {
+int Growth::advanceFor(double budgetMs, int generations, GrowthUndo* undo, std::uint64_t mostVoxels) {
     if (undo != nullptr) {
         undo->begin(*this);
     }
     const Timer timer;
-    int shown = reveal(generations);
+    int shown = reveal(generations, mostVoxels);
     // Batches double while they fit into what is left of the time.
     int batch = budgetMs < std::numeric_limits<double>::infinity() ? 1 : Frontier::kMaxExpansions;
     const auto end = [&] {
@@ -208,10 +208,12 @@ int Growth::advanceFor(double budgetMs, int generations, GrowthUndo* undo) {
         }
     };
     try {
-        while (shown < generations && !isFinished() && (shown == 0 || timer.milliseconds() < budgetMs)) {
+        while (shown < generations && !isFinished() && (shown == 0 || timer.milliseconds() < budgetMs) &&
+               voxelCount() < mostVoxels) {
             reportProgress();
             const double began = timer.milliseconds();
             shown += compute(std::min(batch, generations - shown));
+            shown -= cutBack(mostVoxels);
             const double ended = timer.milliseconds();
             if (budgetMs - ended > 2 * (ended - began)) {
                 batch = std::min(2 * batch, Frontier::kMaxExpansions);
@@ -227,10 +229,33 @@ int Growth::advanceFor(double budgetMs, int generations, GrowthUndo* undo) {
     return shown;
 }
 
-int Growth::reveal(int generations) {
-    const int kept = std::clamp(state_.extent - state_.playhead, 0, std::max(generations, 0));
-    movePlayhead(state_.playhead + kept);
-    return kept;
+int Growth::reveal(int generations, std::uint64_t mostVoxels) {
+    const int before = state_.playhead;
+    const int last = before + std::clamp(state_.extent - before, 0, std::max(generations, 0));
+    int generation = before;
+    for (auto count = voxelCount(); generation < last && count < mostVoxels; ++generation) {
+        count += state_.voxels[std::size_t(generation)];
+    }
+    movePlayhead(generation);
+    return generation - before;
+}
+
+// Takes back what has just been computed after the first generation by which there are so many voxels, as if
+// that had been the last one. Returns how many generations that were.
+int Growth::cutBack(std::uint64_t mostVoxels) {
+    int last = state_.playhead;
+    for (auto count = voxelCount(); last > 1 && count - state_.voxels[std::size_t(last - 1)] >= mostVoxels;
+         --last) {
+        count -= state_.voxels[std::size_t(last - 1)];
+    }
+    const int surplus = state_.playhead - last;
+    if (surplus > 0) {
+        const bool isConsistent = state_.isConsistent;
+        movePlayhead(last);
+        truncate(last, nullptr);
+        state_.isConsistent = isConsistent;
+    }
+    return surplus;
 }
 
 int Growth::compute(int generations) {

@@ -7,6 +7,7 @@
 #include "segment/growth/seed_map.h"
 
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <memory>
 #include <optional>
@@ -80,8 +81,10 @@ public:
     // than asked for when nothing more grows.
     int advance(int generations, GrowthUndo* undo = nullptr);
     // Shows more generations, as advance() does, until about `budgetMs` milliseconds have passed (at least
-    // one generation).
-    int advanceFor(double budgetMs, int generations, GrowthUndo* undo = nullptr);
+    // one generation), or up to the first one by which the segment has `mostVoxels`.
+    int advanceFor(double budgetMs, int generations, GrowthUndo* undo = nullptr,
+                   std::uint64_t mostVoxels = kAnyNumber);
+    static constexpr std::uint64_t kAnyNumber = std::numeric_limits<std::uint64_t>::max();
     // Hides the newest generations shown. Returns how many.
     int takeBack(int generations, GrowthUndo* undo = nullptr);
     // Shows generations up to `generation`, clamped to [0, extent]; computes nothing.
@@ -177,7 +180,8 @@ private:
                       const std::vector<std::uint32_t>& among, GrowthUndo* undo);
     void addByPlane(const gl::Buffer& plane, const std::vector<std::uint32_t>& among, GrowthUndo* undo);
     void freeze();
-    int reveal(int generations);
+    int reveal(int generations, std::uint64_t mostVoxels);
+    int cutBack(std::uint64_t mostVoxels);
     int compute(int generations);
     void exchangeRun(std::uint8_t label);
 

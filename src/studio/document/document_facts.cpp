@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/document/document_facts.h"
 
+#include "segment/growth/leaks.h"
 #include "studio/editing/contents.h"
 
 #include <algorithm>
@@ -23,6 +24,15 @@ std::shared_ptr<const Edits> editsOf(const History& history) {
     return edits;
 }
 
+// The last generation that did not come from the one before it alone.
+int begunAt(const segment::GrowthState& state) {
+    int begun = state.frozen;
+    for (const segment::Seed& seed : *state.seeds) {
+        begun = std::max(begun, std::min(seed.generation, state.extent));
+    }
+    return begun;
+}
+
 GrowthStatus statusOf(const Contents& contents) {
     GrowthStatus status;
     if (const segment::Growth* growth = contents.region.growth()) {
@@ -32,6 +42,7 @@ GrowthStatus statusOf(const Contents& contents) {
         status.millilitres = double(status.voxels) * contents.scan.volume.geometry.voxelMm3() / 1000;
         status.range = growth->constraints().range;
         status.hasSeeds = contents.region.hasSeeds();
+        status.leaks = segment::leaks(growth->state().voxels, begunAt(growth->state()));
     }
     return status;
 }

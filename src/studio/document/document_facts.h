@@ -21,7 +21,8 @@ struct GrowthStatus {
     int extent = 0;         // the last one computed
     std::size_t voxels = 0; // grown at the generation shown
     double millilitres = 0;
-    Range range; // intensity range of the run
+    Range range;            // intensity range of the run
+    std::vector<int> leaks; // the last generations before it leaked (segment::leaks)
     bool hasSeeds = false;
 };
 

@@ -24,9 +24,9 @@ void LiveGrowth::begin() {
     contents_.inHand = InHand::Growth;
 }
 
-bool LiveGrowth::growFor(double budgetMs, int maxGenerations) {
+bool LiveGrowth::growFor(double budgetMs, int maxGenerations, std::uint64_t mostVoxels) {
     VS_CHECK(isGrowing());
-    run_.generations += contents_.region.growFor(budgetMs, maxGenerations);
+    run_.generations += contents_.region.growFor(budgetMs, maxGenerations, mostVoxels);
     ++contents_.version;
     return !contents_.region.growth()->isFinished();
 }

@@ -19,10 +19,11 @@ public:
     LiveGrowth(Contents& contents, GrowthEditor& editor, OperationLog& log)
         : contents_(contents), editor_(editor), log_(log) {}
 
-    // Grows the segment at work: any number of portions of about `budgetMs`, of at most so many generations.
-    // growFor() returns false when nothing grows any more. end() appends one Grow operation for all of them.
+    // Grows the segment at work: any number of portions of about `budgetMs`, of at most so many generations,
+    // each ending with the generation in which the segment gets to have `mostVoxels`. growFor() returns false
+    // when nothing grows any more. end() appends one Grow operation for all of them.
     void begin();
-    bool growFor(double budgetMs, int maxGenerations);
+    bool growFor(double budgetMs, int maxGenerations, std::uint64_t mostVoxels = segment::Growth::kAnyNumber);
     [[nodiscard]] bool isGrowing() const;
     Outcome end();
 

@@ -153,8 +153,8 @@ void Region::undo(const Records& records) {
 
 void Region::beginLive(field::SculptureView view, Records& records) { grow(0, view, records); }
 
-int Region::growFor(double budgetMs, int maxGenerations) {
-    return growth_->advanceFor(budgetMs, maxGenerations);
+int Region::growFor(double budgetMs, int maxGenerations, std::uint64_t mostVoxels) {
+    return growth_->advanceFor(budgetMs, maxGenerations, nullptr, mostVoxels);
 }
 
 void Region::endLive(Records& records) { records.back().continueTo(*growth_); }

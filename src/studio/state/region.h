@@ -59,7 +59,7 @@ public:
 
     // Live growth: begin, any number of slices, end. The records of begin() undo all of it.
     void beginLive(field::SculptureView view, Records& records);
-    int growFor(double budgetMs, int maxGenerations);
+    int growFor(double budgetMs, int maxGenerations, std::uint64_t mostVoxels);
     static constexpr int kEndless = 1 << 30;
     void endLive(Records& records);
 

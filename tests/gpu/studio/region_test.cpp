@@ -99,6 +99,37 @@ TEST_F(RegionTest, LiveGrowthEndsAsOneOperation) {
     EXPECT_EQ(document.region().generations(), all);
 }
 
+// Whatever the portions: it ends with the first generation by which the segment has so many voxels, those
+// that are only shown again among them.
+TEST_F(RegionTest, LiveGrowthEndsWithTheGenerationThatReachesALimit) {
+    Document document(testHead());
+    document.apply(brainSeed());
+    document.apply(Grow{});
+    const auto whole = document.region().generations();
+    const auto upTo = [&](int generation) {
+        return std::size_t(
+            std::ranges::count_if(whole, [&](auto g) { return g > 0 && int(g) <= generation; }));
+    };
+    for (const int kept : {0, 6, 30}) {
+        for (const std::size_t limit : {std::size_t(2), upTo(9), upTo(9) + 1, upTo(20) - 1}) {
+            Document growing(testHead());
+            growing.apply(brainSeed());
+            growing.apply(Grow{kept});
+            growing.apply(Rewind{kept});
+            int expected = 1;
+            while (upTo(expected) < limit) {
+                ++expected;
+            }
+            growing.growing().begin();
+            while (growing.facts()->growth.voxels < limit) {
+                EXPECT_TRUE(growing.growing().growFor(kept == 6 ? 0.01 : 20, 1000, limit));
+            }
+            growing.growing().end();
+            EXPECT_EQ(growing.facts()->growth.generation, expected) << limit << " voxels, kept " << kept;
+        }
+    }
+}
+
 TEST_F(RegionTest, StrokesFindSeedsOnTheVisibleSurface) {
     Document document(testHead());
     Seed op;

@@ -1,12 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // Scrubbing and changes of the rules: what is dragged, shown with the next picture, and one operation when it
 // is let go.
+#include "field/histogram.h"
 #include "model/document/document_host.h"
 #include "model/document/view_model.h"
 #include "model/edits/editor.h"
 #include "model/segments/growth_controller.h"
 #include "studio/document/document_facts.h"
 #include "studio/document/live_growth.h"
+
+#include <algorithm>
+#include <limits>
 
 namespace vs::desktop {
 
@@ -44,6 +48,48 @@ void GrowthController::endScrub() {
         host_.wake();
     }
     emit changed();
+}
+
+std::optional<int> GrowthController::generationBeforeLeak() const {
+    const studio::GrowthStatus growth = status();
+    const auto isShown = [&](int generation) { return generation < growth.generation; };
+    const auto last = std::find_if(growth.leaks.rbegin(), growth.leaks.rend(), isShown);
+    return last == growth.leaks.rend() ? std::nullopt : std::optional(*last);
+}
+
+void GrowthController::backBeforeLeak() {
+    pause();
+    if (const auto generation = generationBeforeLeak()) {
+        scrubTo(*generation);
+        endScrub();
+    }
+}
+
+// --- the size at which growth from a first stroke stops
+
+void GrowthController::setLimitPercent(int percent) {
+    limit_.setPercent(percent);
+    emit changed();
+}
+
+bool GrowthController::hasStoppedAtLimit() const { return !isPlaying() && limit_.hasStopped(*host_.facts()); }
+
+// Of what is displayed: in range and not cut away.
+void GrowthController::limitFirstStroke() {
+    double displayed = 0;
+    host_.workLong([&] {
+        const auto* visible = host_.document()->visibleHistogram(std::numeric_limits<double>::infinity());
+        displayed = field::countWithin(*visible, host_.volume()->range, view_.visibleRange());
+    });
+    limit_.hold(host_.facts()->segments.atWork, displayed);
+}
+
+std::uint64_t GrowthController::mostVoxels() const {
+    return limit_.mostVoxels(host_.facts()->segments.atWork);
+}
+
+void GrowthController::sayLimit() {
+    host_.say(tr("Stopped at %1 % of what is displayed: play goes on").arg(limit_.percent()));
 }
 
 // --- rules

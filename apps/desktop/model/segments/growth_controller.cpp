@@ -50,6 +50,7 @@ void GrowthController::reset() {
     takesDisplayedRange_ = true;
     heldRange_ = {};
     hasRunOut_ = false;
+    limit_.letGo();
 }
 
 Range GrowthController::range() const {
@@ -82,8 +83,12 @@ void GrowthController::addSeeds(const studio::Seed& seed) {
     if (!takesDisplayedRange_) {
         stroke.range = range();
     }
+    const bool isFirst = status().voxels == 0;
     if (!editor_.apply(stroke)) {
         return;
+    }
+    if (isFirst) {
+        limitFirstStroke();
     }
     if (isAutoStart_ && status().hasSeeds) {
         showRegion();
@@ -132,6 +137,9 @@ void GrowthController::start(Run run) {
     hasRunOut_ = false;
     sinceStart_ = Timer();
     played_ = 0;
+    if (run == Run::ToEnd) {
+        limit_.letGo();
+    }
     host_.say(run == Run::Backward    ? tr("Playing backward")
               : run == Run::Absorbing ? tr("Absorbing")
               : run == Run::ToEnd     ? tr("Growing to the end")
@@ -194,10 +202,16 @@ bool GrowthController::growOn() {
     }
     const double portionMs = host_.isHandAtWork() ? kHurriedPortionMs : kPortionMs;
     bool goesOn = false;
-    const bool done = host_.workLong([&] { goesOn = host_.document()->growing().growFor(portionMs, steps); });
-    if (!done || !goesOn) {
+    const bool done =
+        host_.workLong([&] { goesOn = host_.document()->growing().growFor(portionMs, steps, mostVoxels()); });
+    const bool isLimitReached = done && goesOn && status().voxels >= mostVoxels();
+    if (!done || !goesOn || isLimitReached) {
         finish();
-        hasRunOut_ = done;
+        hasRunOut_ = done && !goesOn;
+    }
+    if (isLimitReached) {
+        limit_.stop(*host_.facts());
+        sayLimit();
     }
     emit changed();
     return true;

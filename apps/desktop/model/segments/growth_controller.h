@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/timer.h"
+#include "model/segments/growth_limit.h"
 #include "studio/document/document.h"
 #include "studio/document/document_facts.h"
 
@@ -40,6 +41,9 @@ public:
     void step();
     void takeBack();
     void toEnd(); // as play(), without showing every step
+    // Shows the last generation before the leak that comes before the one shown (segment::leaks).
+    void backBeforeLeak();
+    [[nodiscard]] std::optional<int> generationBeforeLeak() const;
     // Runs an edit that needs playing to stop, and then goes on playing.
     void whilePaused(const std::function<void()>& edit);
 
@@ -61,6 +65,12 @@ public:
     // The range that the next stroke goes by: with strokes that bring none a segment without one of its own
     // takes over that of the segment before it.
     [[nodiscard]] Range range() const;
+
+    // --- the size at which growth from a first stroke stops
+    [[nodiscard]] int limitPercent() const { return limit_.percent(); }
+    void setLimitPercent(int percent);
+    // It has stopped there; play() goes on.
+    [[nodiscard]] bool hasStoppedAtLimit() const;
 
     // For another document: shows its region again when seeds land.
     void reset();
@@ -101,6 +111,9 @@ private:
 
     void start(Run run);
     void finish();
+    void limitFirstStroke();
+    [[nodiscard]] std::uint64_t mostVoxels() const;
+    void sayLimit();
     int due();
     bool growOn();
     bool goBack();
@@ -119,6 +132,7 @@ private:
     bool isWaiting_ = false;
     bool hasShownRegion_ = false;
     bool takesDisplayedRange_ = true;
+    GrowthLimit limit_;
     Range heldRange_;        // the last one that strokes went by, while they bring none
     bool hasRunOut_ = false; // the last run ended because nothing grew any more
     int speed_ = 0;

@@ -23,6 +23,8 @@ Preferences Preferences::load() {
     preferences.shadows = settings.value("shadows").toBool();
     preferences.sliceWindow = settings.value("sliceWindow").toString();
     preferences.tintsSlices = settings.value("tintSlices").toBool();
+    preferences.firstStrokePercent =
+        std::clamp(settings.value("firstStrokePercent", preferences.firstStrokePercent).toInt(), 0, 100);
     preferences.turntable = settings.value("turntable").toBool();
     return preferences;
 }
@@ -41,6 +43,7 @@ void Preferences::save() const {
     settings.setValue("shadows", shadows);
     settings.setValue("sliceWindow", sliceWindow);
     settings.setValue("tintSlices", tintsSlices);
+    settings.setValue("firstStrokePercent", firstStrokePercent);
     settings.setValue("turntable", turntable);
 }
 

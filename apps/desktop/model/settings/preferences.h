@@ -19,9 +19,10 @@ struct Preferences {
     QString recordings;                    // where dialogs that save begin; empty: where they like
     bool smoothSampling = false;           // of volumes that are opened
     bool shadows = false;                  // of volumes that are opened
-    QString sliceWindow;      // of CT scans that are opened (render::kSliceWindows); empty: automatic
-    bool tintsSlices = false; // of volumes that are opened
-    bool turntable = false;   // the head stays up while the volume is turned
+    QString sliceWindow;         // of CT scans that are opened (render::kSliceWindows); empty: automatic
+    bool tintsSlices = false;    // of volumes that are opened
+    bool turntable = false;      // the head stays up while the volume is turned
+    int firstStrokePercent = 25; // of what is displayed, where a segment's first stroke stops; 0: nowhere
 
     static Preferences load();
     void save() const;

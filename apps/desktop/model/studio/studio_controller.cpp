@@ -35,6 +35,7 @@ StudioController::StudioController()
     connect(slices_.get(), &SliceController::crosshairMoved, &hand_, &Hand::overlayChanged);
     connect(&host_, &DocumentHost::leaving, this, &StudioController::letGo);
     camera_.setTurntable(preferences_.turntable);
+    growth_->setLimitPercent(preferences_.firstStrokePercent);
 }
 
 StudioController::~StudioController() {
@@ -184,6 +185,7 @@ void StudioController::schedule(int milliseconds) {
 void StudioController::setPreferences(const Preferences& preferences) {
     const Preferences before = std::exchange(preferences_, preferences);
     camera_.setTurntable(preferences_.turntable);
+    growth_->setLimitPercent(preferences_.firstStrokePercent);
     if (host_.document() != nullptr) {
         host_.document()->setUndoMemory(std::size_t(preferences_.undoMegabytes) << 20);
         if (!host_.isReplaying()) {
@@ -197,6 +199,12 @@ void StudioController::setTurntable(bool isTurntable) {
     preferences_.save();
     camera_.setTurntable(isTurntable);
     emit host_.changed();
+}
+
+void StudioController::setFirstStrokePercent(int percent) {
+    preferences_.firstStrokePercent = percent;
+    preferences_.save();
+    growth_->setLimitPercent(percent);
 }
 
 // Windows are in Hounsfield units.

@@ -54,6 +54,8 @@ public:
     void setPreferences(const Preferences& preferences);
     // Remembered as preferred (CameraMotion::isTurntable()).
     void setTurntable(bool isTurntable);
+    // Remembered as preferred (GrowthLimit).
+    void setFirstStrokePercent(int percent);
 
     // Written as soon as the picture is at full quality.
     void takeScreenshot(const std::filesystem::path& path);

@@ -1622,6 +1622,122 @@
         <source>Ctrl+Right button, Ctrl+Wheel</source>
         <translation>Strg+rechte Taste, Strg+Mausrad</translation>
     </message>
+    <message>
+        <source>left</source>
+        <translation>links</translation>
+    </message>
+    <message>
+        <source>right</source>
+        <translation>rechts</translation>
+    </message>
+    <message>
+        <source>posterior</source>
+        <translation>hinten</translation>
+    </message>
+    <message>
+        <source>anterior</source>
+        <translation>vorn</translation>
+    </message>
+    <message>
+        <source>superior</source>
+        <translation>oben</translation>
+    </message>
+    <message>
+        <source>inferior</source>
+        <translation>unten</translation>
+    </message>
+    <message>
+        <source>%1: columns run to %2, rows to %3, slices to %4</source>
+        <translation>%1: Spalten laufen nach %2, Zeilen nach %3, Schichten nach %4</translation>
+    </message>
+    <message>
+        <source>%1 to %2</source>
+        <translation>%1 bis %2</translation>
+    </message>
+    <message>
+        <source>, %1 not finite</source>
+        <translation>, %1 nicht endlich</translation>
+    </message>
+    <message>
+        <source>as they are stored</source>
+        <translation>wie gespeichert</translation>
+    </message>
+    <message>
+        <source>%1 × stored value %2 %3</source>
+        <translation>%1 × gespeicherter Wert %2 %3</translation>
+    </message>
+    <message>
+        <source>%1, angiography</source>
+        <translation>%1, Angiographie</translation>
+    </message>
+    <message>
+        <source>File</source>
+        <translation>Datei</translation>
+    </message>
+    <message>
+        <source>Format</source>
+        <translation>Format</translation>
+    </message>
+    <message>
+        <source>Patient</source>
+        <translation>Patient</translation>
+    </message>
+    <message>
+        <source>Study</source>
+        <translation>Studie</translation>
+    </message>
+    <message>
+        <source>Series</source>
+        <translation>Serie</translation>
+    </message>
+    <message>
+        <source>Modality</source>
+        <translation>Modalität</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 voxels, %4, %5</source>
+        <translation>%1 × %2 × %3 Voxel, %4, %5</translation>
+    </message>
+    <message>
+        <source>Spacing</source>
+        <translation>Abstände</translation>
+    </message>
+    <message>
+        <source>Extent</source>
+        <translation>Ausdehnung</translation>
+    </message>
+    <message>
+        <source>Orientation</source>
+        <translation>Ausrichtung</translation>
+    </message>
+    <message>
+        <source>First voxel</source>
+        <translation>Erstes Voxel</translation>
+    </message>
+    <message>
+        <source>%1 mm (left, posterior, superior)</source>
+        <translation>%1 mm (links, hinten, oben)</translation>
+    </message>
+    <message>
+        <source>Scale</source>
+        <translation>Skalierung</translation>
+    </message>
+    <message>
+        <source>Time</source>
+        <translation>Zeit</translation>
+    </message>
+    <message>
+        <source>volume %1 of %2</source>
+        <translation>Volumen %1 von %2</translation>
+    </message>
+    <message>
+        <source>Channels</source>
+        <translation>Kanäle</translation>
+    </message>
+    <message>
+        <source>Interpolated slices</source>
+        <translation>Interpolierte Schichten</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::CameraMotion</name>
@@ -2728,7 +2844,7 @@ Rad: näher; Umschalt+Rad: entlang. Pfeiltasten: das Band, mit Strg sein unteres
     </message>
     <message>
         <source>%1 fps</source>
-        <translation>%1 B/s</translation>
+        <translation>%1 Bilder/s</translation>
     </message>
     <message>
         <source>Start screen</source>
@@ -3712,6 +3828,18 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
         <source>Ctrl+Shift+B</source>
         <translation>Ctrl+Shift+B</translation>
     </message>
+    <message>
+        <source>Properties…</source>
+        <translation>Eigenschaften…</translation>
+    </message>
+    <message>
+        <source>File, patient, size, spacing, orientation and values of the volume, and what was unusual about its files</source>
+        <translation>Datei, Patient, Größe, Abstände, Ausrichtung und Werte des Volumens, und was an seinen Dateien ungewöhnlich war</translation>
+    </message>
+    <message>
+        <source>Ctrl+I</source>
+        <translation>Ctrl+I</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::MeasureTool</name>
@@ -3765,6 +3893,21 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
     <message>
         <source>Let go to leave the part there. Esc puts it back.</source>
         <translation>Loslassen lässt den Teil dort. Esc bringt ihn zurück.</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::NoticesBadge</name>
+    <message>
+        <source>Notices of reading</source>
+        <translation>Hinweise vom Lesen</translation>
+    </message>
+    <message>
+        <source>Click to read what was unusual about the file (Ctrl+I)</source>
+        <translation>Klicken, um zu lesen, was an der Datei ungewöhnlich war (Ctrl+I)</translation>
+    </message>
+    <message>
+        <source>Notices: %1</source>
+        <translation>Hinweise: %1</translation>
     </message>
 </context>
 <context>
@@ -4067,6 +4210,33 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
     <message>
         <source>All slices</source>
         <translation>Alle Schichten</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::PropertiesDialog</name>
+    <message>
+        <source>Properties of the volume</source>
+        <translation>Eigenschaften des Volumens</translation>
+    </message>
+    <message>
+        <source>Notices of reading</source>
+        <translation>Hinweise vom Lesen</translation>
+    </message>
+    <message>
+        <source>Notice</source>
+        <translation>Hinweis</translation>
+    </message>
+    <message>
+        <source>There are none: the file was read as it is.</source>
+        <translation>Keine: Die Datei wurde gelesen, wie sie ist.</translation>
+    </message>
+    <message>
+        <source>Copy</source>
+        <translation>Kopieren</translation>
+    </message>
+    <message>
+        <source>Copy all of it as text</source>
+        <translation>Alles als Text kopieren</translation>
     </message>
 </context>
 <context>
@@ -4629,6 +4799,10 @@ Tab: die nächste Form; Pfeiltasten bewegen sie; Entf; Eingabe: ihre Farbe; Strg
     <message>
         <source>L %1  W %2</source>
         <translation>L %1  W %2</translation>
+    </message>
+    <message>
+        <source>interpolated</source>
+        <translation>interpoliert</translation>
     </message>
 </context>
 <context>

@@ -78,6 +78,9 @@ def studio(display, arguments, folder):
 def grow(studio):
     choose(studio, "s", "seed")
     studio.drag([studio.view_point(0.46 + 0.01 * i, 0.4) for i in range(9)])
+    studio.wait_idle("growth to stop at a quarter", lambda s: s["stepsDone"] >= 2 and not s["playing"])
+    reveal(studio, "growGoOn")
+    studio.click("growGoOn")
     state = studio.wait_idle("growth", lambda s: s["message"].startswith("Grow:") and not s["playing"])
     need(state["mode"] == "segment" and state["extent"] > 10, f"nothing grew: {state['extent']} generations")
     return state

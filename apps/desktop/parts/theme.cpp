@@ -54,6 +54,8 @@ QComboBox QAbstractItemView { background: #262a2f; border: 1px solid #3a4047; se
 QToolButton[column="true"] { padding: 3px 1px 2px 1px; font-size: 11px; }
 QToolButton[slim="true"] { background: #1f2327; border: 1px solid #3a4047; padding: 0px 8px; }
 QToolButton[slim="true"]:hover { background: #333940; }
+QToolButton[badge="true"] { color: #e69f00; border-color: #e69f00; padding: 0px 8px; }
+QToolButton[badge="true"]:hover { background: #333940; }
 QToolButton:disabled { color: #5f6770; }
 QToolButton:checked:disabled { color: #5f6770; background: #2b3036; border-color: #3a4047; }
 QMenuBar { background: #1f2226; padding: 1px 4px; }
@@ -123,7 +125,7 @@ const std::map<QString, const char*> kLightInstead{
     {"#56b4e9", "#0072b2"}, {"#2f343a", "#ffffff"}, {"#4a525a", "#b3bcc4"}, {"#333940", "#dfe5ea"},
     {"#1b3a4d", "#b5d8ee"}, {"#1d4259", "#cbe5f6"}, {"#f7fbfe", "#0d2433"}, {"#1f2327", "#ffffff"},
     {"#2b3036", "#e1e6ea"}, {"#434a52", "#bcc5cd"}, {"#3c434b", "#d5dce2"}, {"#2a2e33", "#e9edf0"},
-    {"#34393f", "#d8dee3"}, {"#16191c", "#c9d1d8"}};
+    {"#34393f", "#d8dee3"}, {"#16191c", "#c9d1d8"}, {"#e69f00", "#8a5c00"}};
 
 QString lightened(QString sheet) {
     // In one go over the text: a light colour of one may be the dark colour of another.

@@ -32,6 +32,7 @@ inline const QColor kRestore{0x56, 0xb4, 0xe9};   // sky blue
 inline const QColor kRestoring{0x1f, 0x86, 0xff}; // a deeper blue than the palette's sky blue
 inline const QColor kSeed{0xf0, 0xe4, 0x42};      // yellow
 inline const QColor kPen{0xff, 0xff, 0xff};
+inline const QColor kInterpolated{0xe6, 0x9f, 0x00}; // orange
 
 } // namespace theme
 

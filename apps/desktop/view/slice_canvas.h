@@ -68,6 +68,8 @@ private:
     void tellViewport();
     void moveCrosshair(int right, int down);
     void paintCrosshair(QPainter& painter) const;
+    [[nodiscard]] bool isInterpolated() const;
+    void paintInterpolated(QPainter& painter) const;
     void paintLetters(QPainter& painter) const;
     void paintWindow(QPainter& painter) const;
     void paintPen(QPainter& painter) const;

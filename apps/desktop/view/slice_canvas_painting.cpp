@@ -9,12 +9,14 @@
 
 #include <QPainter>
 
+#include <algorithm>
 #include <cmath>
 
 namespace vs::desktop {
 
 namespace {
 
+constexpr int kFileAxis = 2;          // of voxels, along which files of slices lie
 constexpr QColor kBehind{11, 13, 15}; // as the pictures have it outside the grid
 
 // Text that is read on any picture.
@@ -44,6 +46,8 @@ void SliceCanvas::paintEvent(QPaintEvent*) {
     painter.drawImage(QRectF(rect()), picture, QRectF(picture.rect()));
     painter.setRenderHint(QPainter::Antialiasing);
     paintCrosshair(painter);
+    paintInterpolated(painter);
+    setProperty("report", isInterpolated() ? "interpolated" : QString());
     paintLetters(painter);
     paintWindow(painter);
     paintMeasurements(
@@ -82,6 +86,47 @@ void SliceCanvas::paintCrosshair(QPainter& painter) const {
         painter.setPen(QPen(colour, 1));
         painter.drawLine(at + kGap * way, at + reach * way);
         painter.drawLine(at - kGap * way, at - reach * way);
+    }
+}
+
+// No file holds the slice that is shown.
+bool SliceCanvas::isInterpolated() const {
+    return slices_.geometry(kind_).axis() == kFileAxis &&
+           std::ranges::binary_search(slices_.interpolated(), slices_.crosshair()[kFileAxis]);
+}
+
+// Slices that no file holds have a rim of their own; on those across them it is marked where they are.
+void SliceCanvas::paintInterpolated(QPainter& painter) const {
+    constexpr double kRim = 3;
+    if (isInterpolated()) {
+        painter.setPen(QPen(theme::kInterpolated, 2 * kRim));
+        painter.setBrush(Qt::NoBrush);
+        painter.drawRect(rect());
+        painter.setFont(font());
+        drawText(painter, QRectF(rect()).adjusted(7, 6, -9, -4), Qt::AlignRight | Qt::AlignTop,
+                 tr("interpolated"));
+    }
+    const render::SliceGeometry own = slices_.geometry(kind_);
+    if (own.axis() == kFileAxis) {
+        return;
+    }
+    painter.setPen(Qt::NoPen);
+    painter.setBrush(theme::kInterpolated);
+    for (const int slice : slices_.interpolated()) {
+        glm::dvec3 voxel(slices_.crosshair());
+        voxel[kFileAxis] = slice - 0.5;
+        const QPointF from = pointOf(own.placeOf(voxel));
+        voxel[kFileAxis] = slice + 0.5;
+        const QPointF to = pointOf(own.placeOf(voxel));
+        if (own.downAxis() == kFileAxis) {
+            painter.drawRect(QRectF(QPointF(0, from.y()), QPointF(kRim, to.y())).normalized());
+            painter.drawRect(
+                QRectF(QPointF(width() - kRim, from.y()), QPointF(width(), to.y())).normalized());
+        } else {
+            painter.drawRect(QRectF(QPointF(from.x(), 0), QPointF(to.x(), kRim)).normalized());
+            painter.drawRect(
+                QRectF(QPointF(from.x(), height() - kRim), QPointF(to.x(), height())).normalized());
+        }
     }
 }
 

@@ -77,6 +77,7 @@ MainWindow::MainWindow(StudioController& studio, ToolBox& tools, QWidget* parent
     makeSliceActions();
     makeToolActions();
     makeGrowthActions();
+    makePropertiesAction();
     makeHelpActions();
     makeDeveloperActions();
     makeMenus();
@@ -181,6 +182,7 @@ void MainWindow::makeStatusBar() {
     message_->setMinimumWidth(1);
     message_->setContentsMargins(8, 0, 8, 0);
     statusBar()->addWidget(message_, 1);
+    addNoticesBadge();
     progress_ = named(new QProgressBar, "progress", tr("Progress"));
     progress_->setFixedWidth(150);
     progress_->setTextVisible(false);

@@ -117,6 +117,11 @@ private:
     [[nodiscard]] QString suggestedName(const QString& suffix) const;
     [[nodiscard]] QString suggestedSession() const;
 
+    // main_window_properties.cpp
+    void makePropertiesAction();
+    void addNoticesBadge();
+    void showProperties();
+
     // main_window_help.cpp
     void makeHelpActions();
     void showPreferences();

@@ -48,8 +48,9 @@ void MainWindow::makeMenus() {
             }
         }
     };
-    menu(tr("&File"), {"open", "openFolder", "openLabels", "startScreen", "-", "saveSession", "exportLabels",
-                       "export", "screenshot", "exportPicture", "copyPicture", "-", "quit"});
+    menu(tr("&File"),
+         {"open", "openFolder", "openLabels", "startScreen", "-", "saveSession", "exportLabels", "export",
+          "screenshot", "exportPicture", "copyPicture", "-", "properties", "-", "quit"});
     menu(tr("&Edit"), {"undo", "redo", "showHistory", "addNote", "-", "paste", "moveTool", "-", "unCut",
                        "reSeed", "-", "clearSketch", "-", "preferences"});
     menu(tr("&View"),

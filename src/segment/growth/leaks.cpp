@@ -8,10 +8,10 @@ namespace vs::segment {
 
 namespace {
 
-constexpr double kJump = 2;        // as many voxels as are expected
+constexpr double kJump = 2;       // as many voxels as are expected
 constexpr double kSteepest = 0.6; // that a rate is expected to fall
-constexpr double kGain = 0.2;      // of the region before
-constexpr int kShortest = 3;       // generations that a rate is the mean of
+constexpr double kGain = 0.2;     // of the region before
+constexpr int kShortest = 3;      // generations that a rate is the mean of
 constexpr int kPartOfAge = 8;
 constexpr std::size_t kMost = 3;
 

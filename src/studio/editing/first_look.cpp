@@ -25,9 +25,9 @@ constexpr double kAirOfCt = -500; // HU: MR has no values so low
 
 bool isProjected(const volume::Volume& volume) {
     constexpr std::array<const char*, 2> kModalities{"PT", "NM"};
-    return volume.isAngiography ||
+    return volume.details.isAngiography ||
            std::any_of(kModalities.begin(), kModalities.end(),
-                       [&](const char* modality) { return volume.modality == modality; });
+                       [&](const char* modality) { return volume.details.modality == modality; });
 }
 
 // DICOM says so; and what NIfTI files hold are MR scans as a rule, unless values are as low as CT's.
@@ -36,7 +36,8 @@ bool isMr(const volume::Volume& volume) {
     std::transform(name.begin(), name.end(), name.begin(),
                    [](unsigned char letter) { return char(std::tolower(letter)); });
     const bool isNifti = name.ends_with(".nii") || name.ends_with(".nii.gz");
-    return volume.modality == "MR" || (volume.modality.empty() && isNifti && volume.range.lo > kAirOfCt);
+    return volume.details.modality == "MR" ||
+           (volume.details.modality.empty() && isNifti && volume.range.lo > kAirOfCt);
 }
 
 // So many bins as one.

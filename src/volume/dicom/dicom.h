@@ -19,7 +19,6 @@ struct DicomSlice {
     std::string instanceUid;
     std::string seriesUid;
     std::string description;
-    std::string modality;
     glm::ivec2 size{0};                 // columns, rows
     std::optional<glm::dvec3> position; // LPS mm, centre of the first pixel
     glm::dvec3 alongColumns{1, 0, 0};   // direction in which the column index grows
@@ -31,8 +30,8 @@ struct DicomSlice {
     glm::dvec2 scale{1, 0}; // slope and intercept of this slice, for telling whether they differ
     double timeOrder = 0;   // orders slices at the same position
     std::string photometric;
-    std::string unit; // of the values; empty where none is stated
-    bool isAngiography = false;
+    std::string unit;    // of the values; empty where none is stated
+    ScanDetails details; // of the series, and how this slice is scaled
 
     [[nodiscard]] glm::dvec3 normal() const { return glm::normalize(glm::cross(alongColumns, alongRows)); }
     [[nodiscard]] double offset() const { return position ? glm::dot(*position, normal()) : 0.0; }

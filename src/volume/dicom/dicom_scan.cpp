@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "volume/dicom/dicom.h"
 #include "volume/dicom/dicom_elements.h"
+#include "volume/dicom/dicom_text.h"
 #include "volume/io/inspect.h"
 
 #include <fmt/format.h>
@@ -86,11 +87,6 @@ std::string unitOf(const DicomDataSet& set) {
     return stated == "US" ? "" : stated;
 }
 
-// X-ray angiography, and MR that says of itself that it shows vessels (PS3.3, C.8.3.1: Angio Flag).
-bool isAngiography(const DicomDataSet& set, const std::string& modality) {
-    return modality == "XA" || printable(set.text(0x00180025)) == "Y";
-}
-
 // What all frames of a file have in common.
 DicomSlice fileAttributes(const std::filesystem::path& path, const DicomDataSet& set, DicomFile& file) {
     DicomSlice slice;
@@ -98,11 +94,10 @@ DicomSlice fileAttributes(const std::filesystem::path& path, const DicomDataSet&
     slice.instanceUid = set.text(0x00080018);
     slice.seriesUid = set.text(0x0020000E);
     slice.description = printable(set.text(0x0008103E));
-    slice.modality = printable(set.text(0x00080060));
+    slice.details = detailsOf(set);
     slice.size = {set.unsignedShort(0x00280011, 0), set.unsignedShort(0x00280010, 0)};
     slice.photometric = set.text(0x00280004);
     slice.unit = unitOf(set);
-    slice.isAngiography = isAngiography(set, slice.modality);
     if (slice.size.x < 1 || slice.size.y < 1) {
         refuse(path, fmt::format("its image has {} x {} pixels", slice.size.x, slice.size.y),
                "Rows and Columns must be 1 or more");

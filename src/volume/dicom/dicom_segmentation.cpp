@@ -3,6 +3,7 @@
 
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "volume/dicom/dcmtk_log.h"
 
 #include <dcmtk/config/osconfig.h> // DCMTK wants it first
 
@@ -21,7 +22,6 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
-#include <mutex>
 
 namespace vs::volume {
 
@@ -31,12 +31,6 @@ void need(const OFCondition& condition) {
     if (condition.bad()) {
         throw std::runtime_error(condition.text());
     }
-}
-
-// DCMTK says nothing on the terminal: what is wrong is thrown.
-void beQuiet() {
-    static std::once_flag once;
-    std::call_once(once, [] { OFLog::configure(OFLogger::OFF_LOG_LEVEL); });
 }
 
 // A decimal string has 16 characters at most.
@@ -272,7 +266,7 @@ void writeDicomSegmentation(const std::filesystem::path& path, const GridGeometr
     if (std::max(geometry.dims.x, geometry.dims.y) > 65535) {
         throw WriteError("{}: DICOM holds at most 65535 voxels along an axis; write .nrrd", path.string());
     }
-    beQuiet();
+    silenceDcmtk();
     writeAtomically(path, [&](const std::filesystem::path& temporary) {
         SegmentationFile file(geometry, sources);
         for (const DicomSegment& segment : segments) {

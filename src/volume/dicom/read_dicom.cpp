@@ -144,7 +144,7 @@ std::vector<SeriesChoice> choicesOf(const std::vector<DicomGroup>& groups) {
     std::vector<SeriesChoice> choices;
     for (const DicomGroup& group : groups) {
         const auto& first = group.slices.front();
-        choices.push_back({printable(first.seriesUid), first.description, first.modality, first.size,
+        choices.push_back({printable(first.seriesUid), first.description, first.details.modality, first.size,
                            first.pixelSpacing, first.sliceSpacing, int(group.slices.size())});
     }
     return choices;
@@ -241,6 +241,8 @@ std::vector<DicomSlice> sortSlices(const std::filesystem::path& path, std::vecto
         std::stable_sort(place.begin(), place.end(),
                          [](const auto& a, const auto& b) { return a.timeOrder < b.timeOrder; });
         result.push_back(std::move(place[std::size_t(frame.value_or(0))]));
+        result.back().details.frame = frame.value_or(0);
+        result.back().details.frames = int(volumes);
     }
     return result;
 }
@@ -304,8 +306,11 @@ ReadResult readDicom(const std::filesystem::path& path, const ReadOptions& optio
     makeRegular(path, stack, result.notices);
     result.volume = std::move(stack.volume);
     result.volume.unit = first.unit;
-    result.volume.modality = first.modality;
-    result.volume.isAngiography = first.isAngiography;
+    ScanDetails details = first.details;
+    details.slope = first.scale.x;
+    details.intercept = first.scale.y;
+    details.interpolated = std::move(result.volume.details.interpolated);
+    result.volume.details = std::move(details);
     return result;
 }
 

@@ -178,6 +178,9 @@ void resample(const T* source, const SliceStack& stack, const Layout& layout, gl
         double t = (offset - layout.offsets[lower]) / (layout.offsets[lower + 1] - layout.offsets[lower]);
         // Where the grid meets a slice but for rounding, that slice is taken as it is.
         t = t < 1e-3 ? 0 : t > 1 - 1e-3 ? 1 : t;
+        if (t > 0 && t < 1) {
+            target.details.interpolated.push_back(z);
+        }
         writeSlice(below, above, t, glm::ivec2(to), padding, out);
         out += std::size_t(to.x) * std::size_t(to.y);
     }

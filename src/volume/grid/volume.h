@@ -3,6 +3,7 @@
 
 #include "base/math.h"
 #include "volume/grid/geometry.h"
+#include "volume/grid/scan_details.h"
 
 #include <cstddef>
 #include <cstdint>
@@ -30,8 +31,7 @@ struct Volume {
     std::string name;               // file or folder name, for titles and messages
     std::filesystem::path path;     // where it came from; empty for volumes made in memory
     std::string unit;               // of the values, as people write it ("HU"); empty where none is known
-    std::string modality;           // as DICOM says it ("CT", "MR", "PT"); empty where it is not known
-    bool isAngiography = false;     // made to show vessels, as its file says
+    ScanDetails details;
 
     // The value at one voxel; `index` must be inside the grid.
     [[nodiscard]] double at(glm::ivec3 index) const;

@@ -197,6 +197,8 @@ ReadResult decodeWithItk(itk::ImageIOBase& io, const std::filesystem::path& path
                       io.GetNumberOfComponents() > 1);
         }
         result.volume.geometry = geometryOf(io);
+        result.volume.details.frame = picked;
+        result.volume.details.frames = int(frames);
         if (takeValues(result.volume, io.GetComponentType(), std::move(bytes))) {
             result.notices.push_back(
                 fmt::format("{}: 64-bit values were rounded to 32-bit floats; some changed", path.string()));

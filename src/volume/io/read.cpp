@@ -74,8 +74,11 @@ Format recognise(const std::filesystem::path& path) {
 }
 
 template <typename ImageIo>
-ReadResult decode(const std::filesystem::path& path, Inspection inspection, const ReadOptions& options) {
-    return decodeWithItk(*ImageIo::New(), path, std::move(inspection), options.frame);
+ReadResult decode(const char* format, const std::filesystem::path& path, Inspection inspection,
+                  const ReadOptions& options) {
+    ReadResult result = decodeWithItk(*ImageIo::New(), path, std::move(inspection), options.frame);
+    result.volume.details.format = format;
+    return result;
 }
 
 ReadResult readFormat(const std::filesystem::path& path, const ReadOptions& options) {
@@ -110,11 +113,11 @@ ReadResult readFormat(const std::filesystem::path& path, const ReadOptions& opti
     case Format::Nifti:
         return readNifti(path, options);
     case Format::Nrrd:
-        return decode<itk::NrrdImageIO>(path, inspectNrrd(path), options);
+        return decode<itk::NrrdImageIO>("NRRD", path, inspectNrrd(path), options);
     case Format::Meta:
-        return decode<itk::MetaImageIO>(path, inspectMeta(path), options);
+        return decode<itk::MetaImageIO>("MetaImage", path, inspectMeta(path), options);
     case Format::Vtk:
-        return decode<itk::VTKImageIO>(path, inspectVtk(path), options);
+        return decode<itk::VTKImageIO>("VTK", path, inspectVtk(path), options);
     case Format::Dicom:
         return readDicom(path, options);
     case Format::Raw:

@@ -114,6 +114,11 @@ ReadResult readNifti(const std::filesystem::path& path, const ReadOptions& optio
         result.notices.push_back(
             fmt::format("{}: 64-bit values were rounded to 32-bit floats; some changed", path.string()));
     }
+    volume.details.format = "NIfTI";
+    volume.details.slope = inspection.slope;
+    volume.details.intercept = inspection.intercept;
+    volume.details.frame = frame;
+    volume.details.frames = int(frames);
     // As ITK does: factors that change nothing leave the type alone.
     constexpr double nothing = std::numeric_limits<float>::epsilon();
     if (std::abs(inspection.slope - 1) > nothing || std::abs(inspection.intercept) > nothing) {

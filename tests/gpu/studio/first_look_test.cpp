@@ -38,7 +38,7 @@ WeakScan headFarFromCoil(double noise, double weakest) {
     const auto* bytes = reinterpret_cast<const std::byte*>(values.data());
     head.volume.bytes.assign(bytes, bytes + values.size() * sizeof(values[0]));
     volume::computeRange(head.volume);
-    head.volume.modality = "MR";
+    head.volume.details.modality = "MR";
     return {std::move(head.volume), std::move(head.labels)};
 }
 
@@ -105,7 +105,7 @@ TEST_F(FirstLookTest, NeverBeginsAboveTheObject) {
     for (const double inside : {3.0, 100.0, 20000.0}) {
         auto volume =
             phantom::makeBall({40, 40, 40}, {20, 20, 20}, 15, inside, 0, 0, volume::ScalarType::Int16);
-        volume.modality = "MR";
+        volume.details.modality = "MR";
         Document document(volume);
         const Range look = document.facts()->firstLook.range;
         EXPECT_GT(look.lo, 0);
@@ -122,7 +122,7 @@ TEST_F(FirstLookTest, WhatIsNotMrBeginsWhereItAlwaysDid) {
                                                    {"", "a.nrrd", false},
                                                    {"CT", "a.nii", false},
                                                    {"", "A.NII.gz", true}}) {
-            volume.modality = modality;
+            volume.details.modality = modality;
             volume.path = path;
             Document document(volume);
             EXPECT_EQ(!(document.facts()->firstLook.range == document.view().range), isMr && air == 0)
@@ -139,15 +139,15 @@ TEST_F(FirstLookTest, EmissionScansAndAngiographiesAreProjected) {
     const auto lookOf = [&] { return Document(volume).facts()->firstLook; };
     EXPECT_EQ(lookOf().mode, render::Mode::Surface);
     for (const char* modality : {"PT", "NM"}) {
-        volume.modality = modality;
+        volume.details.modality = modality;
         const FirstLook look = lookOf();
         EXPECT_EQ(look.mode, render::Mode::Mip) << modality;
         EXPECT_LT(look.range.lo, 900) << "the body is seen";
         EXPECT_LT(look.range.hi, 30000) << "and is not black beside what is hot";
         EXPECT_GE(look.range.hi, 900);
     }
-    volume.modality = "MR";
-    volume.isAngiography = true;
+    volume.details.modality = "MR";
+    volume.details.isAngiography = true;
     EXPECT_EQ(lookOf().mode, render::Mode::Mip);
 }
 

@@ -171,8 +171,8 @@ TEST_F(DicomData, RegularSeriesEqualsItksReader) {
         const auto result = readVolume(folder);
         EXPECT_TRUE(result.notices.empty());
         EXPECT_EQ(result.volume.unit, folder == unpacked ? "" : "HU");
-        EXPECT_EQ(result.volume.modality, folder == unpacked ? "MR" : "CT");
-        EXPECT_FALSE(result.volume.isAngiography);
+        EXPECT_EQ(result.volume.details.modality, folder == unpacked ? "MR" : "CT");
+        EXPECT_FALSE(result.volume.details.isAngiography);
         const auto names = itk::GDCMSeriesFileNames::New();
         names->SetDirectory(folder.string());
         const auto reader = itk::ImageSeriesReader<itk::Image<std::int16_t, 3>>::New();

@@ -3,6 +3,7 @@
 
 #include "model/document/camera_motion.h"
 #include "model/document/document_host.h"
+#include "model/document/notices.h"
 #include "model/document/view_model.h"
 #include "model/edits/editor.h"
 #include "model/hand/hand.h"
@@ -101,6 +102,8 @@ void DocumentFiles::finishOpening(const std::shared_ptr<Loaded>& loaded) {
         emit host_.openFailed(host_.message());
         return;
     }
+    model_.notices.clear();
+    model_.notices.add(loaded->notices);
     source_ = loaded->request;
     checksum_ = loaded->checksum;
     if (loaded->session) {
@@ -249,6 +252,7 @@ void DocumentFiles::close() {
     host_.replace(nullptr);
     source_ = {};
     savedEdits_ = 0;
+    model_.notices.clear();
     model_.view.forget();
     host_.say({});
     emit host_.closed();

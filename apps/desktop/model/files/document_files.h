@@ -20,6 +20,7 @@ class DocumentHost;
 class Editor;
 class GrowthController;
 class Hand;
+class Notices;
 class SegmentController;
 class ViewModel;
 
@@ -31,6 +32,7 @@ public:
     // What of the model it asks and tells.
     struct Model {
         DocumentHost& host;
+        Notices& notices;
         ViewModel& view;
         CameraMotion& camera;
         Hand& hand;

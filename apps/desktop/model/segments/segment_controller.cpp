@@ -2,6 +2,7 @@
 #include "model/segments/segment_controller.h"
 
 #include "model/document/document_host.h"
+#include "model/document/notices.h"
 #include "model/document/view_model.h"
 #include "model/edits/editor.h"
 #include "model/segments/growth_controller.h"
@@ -12,8 +13,8 @@
 namespace vs::desktop {
 
 SegmentController::SegmentController(DocumentHost& host, ViewModel& view, Editor& editor,
-                                     GrowthController& growth)
-    : host_(host), view_(view), editor_(editor), growth_(growth) {
+                                     GrowthController& growth, Notices& notices)
+    : host_(host), view_(view), editor_(editor), growth_(growth), notices_(notices) {
     for (const auto signal : {&DocumentHost::opened, &DocumentHost::closed}) {
         connect(&host_, signal, this, [this] { ++documents_; });
     }
@@ -156,14 +157,14 @@ void SegmentController::openLabels(const std::filesystem::path& path) {
     emit host_.progress(0, 0);
     reader_ = std::jthread([this, path = std::filesystem::absolute(path), document = documents_] {
         studio::LoadLabels labels{path};
+        std::vector<std::string> notices;
         QString error;
         try {
-            std::vector<std::string> notices;
             labels.map = std::make_shared<volume::LabelMap>(volume::readLabelMap(path, notices));
         } catch (const std::exception& e) {
             error = QString::fromUtf8(e.what());
         }
-        const auto finish = [this, labels, error, document] {
+        const auto finish = [this, labels, notices, error, document] {
             isReading_ = false;
             if (document != documents_ || host_.isLoading()) {
                 host_.say(tr("The label map was dropped: its volume is no longer open"));
@@ -174,6 +175,7 @@ void SegmentController::openLabels(const std::filesystem::path& path) {
             }
             if (error.isEmpty()) {
                 takeLabels(labels);
+                notices_.add(notices);
             } else {
                 host_.say(error);
                 emit host_.openFailed(error);

@@ -17,6 +17,7 @@ namespace vs::desktop {
 class DocumentHost;
 class Editor;
 class GrowthController;
+class Notices;
 class ViewModel;
 
 // The list of segments and what is done to finished ones. Every call is one operation; growing goes on after
@@ -25,7 +26,8 @@ class SegmentController : public QObject {
     Q_OBJECT
 
 public:
-    SegmentController(DocumentHost& host, ViewModel& view, Editor& editor, GrowthController& growth);
+    SegmentController(DocumentHost& host, ViewModel& view, Editor& editor, GrowthController& growth,
+                      Notices& notices);
 
     // One segment without voxels before something was opened. While the document is away, as they were
     // before. Valid until it is asked for again.
@@ -68,6 +70,7 @@ private:
     ViewModel& view_;
     Editor& editor_;
     GrowthController& growth_;
+    Notices& notices_;
     mutable std::shared_ptr<const studio::DocumentFacts> listed_; // whose list was last asked for
     bool isReading_ = false;
     int documents_ = 0; // counts those opened and closed

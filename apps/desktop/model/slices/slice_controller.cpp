@@ -24,6 +24,12 @@ SliceController::SliceController(DocumentHost& host, ViewModel& view) : host_(ho
 
 bool SliceController::hasVolume() const { return host_.geometry() != nullptr; }
 
+const std::vector<int>& SliceController::interpolated() const {
+    static const std::vector<int> none;
+    const volume::Volume* volume = host_.volume();
+    return volume != nullptr ? volume->details.interpolated : none;
+}
+
 void SliceController::reset() {
     if (host_.geometry() == nullptr) {
         return;

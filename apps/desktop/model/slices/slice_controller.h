@@ -62,6 +62,9 @@ public:
     void pan(Kind kind, glm::dvec2 mm);
     void showAll(Kind kind);
 
+    // Slices along the third voxel axis that no file holds, in order.
+    [[nodiscard]] const std::vector<int>& interpolated() const;
+
     // The values that all slices show from black to white.
     [[nodiscard]] Range window() const;
     // Leads the window away from one, by a pen that was moved so far (logical pixels, to the right and down):

@@ -26,11 +26,11 @@ StudioController::StudioController()
     connect(&timer_, &QTimer::timeout, this, &StudioController::tick);
     connectParts();
     growth_ = std::make_unique<GrowthController>(host_, view_, editor_);
-    segments_ = std::make_unique<SegmentController>(host_, view_, editor_, *growth_);
+    segments_ = std::make_unique<SegmentController>(host_, view_, editor_, *growth_, notices_);
     measurer_ = std::make_unique<SegmentMeasurer>(host_, *segments_, *growth_);
     slices_ = std::make_unique<SliceController>(host_, view_);
     files_ = std::make_unique<DocumentFiles>(
-        DocumentFiles::Model{host_, view_, camera_, hand_, editor_, *growth_, *segments_});
+        DocumentFiles::Model{host_, notices_, view_, camera_, hand_, editor_, *growth_, *segments_});
     connect(growth_.get(), &GrowthController::changed, &host_, &DocumentHost::tellSoon);
     connect(slices_.get(), &SliceController::crosshairMoved, &hand_, &Hand::overlayChanged);
     connect(&host_, &DocumentHost::leaving, this, &StudioController::letGo);

@@ -4,6 +4,7 @@
 #include "engine/picture_loop.h"
 #include "model/document/camera_motion.h"
 #include "model/document/document_host.h"
+#include "model/document/notices.h"
 #include "model/document/view_model.h"
 #include "model/edits/editor.h"
 #include "model/files/document_files.h"
@@ -39,6 +40,7 @@ public:
     // --- parts, each of which knows only those before it
     [[nodiscard]] DocumentHost& host() { return host_; }
     [[nodiscard]] ViewModel& view() { return view_; }
+    [[nodiscard]] Notices& notices() { return notices_; }
     [[nodiscard]] CameraMotion& camera() { return camera_; }
     [[nodiscard]] Hand& hand() { return hand_; }
     [[nodiscard]] Editor& editor() { return editor_; }
@@ -92,6 +94,7 @@ private:
 
     DocumentHost host_;
     ViewModel view_{host_};
+    Notices notices_;
     CameraMotion camera_{host_, view_};
     Hand hand_{host_};
     Editor editor_{host_, view_, hand_};

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: Apache-2.0
+// What the open volume is, and what was unusual about its files.
+#include "dialogs/properties_dialog.h"
+#include "model/studio/studio_controller.h"
+#include "window/action_table.h"
+#include "window/main_window.h"
+#include "window/notices_badge.h"
+
+#include <QStatusBar>
+
+namespace vs::desktop {
+
+void MainWindow::makePropertiesAction() {
+    actions_->add({"properties", nullptr, tr("Properties…"),
+                   tr("File, patient, size, spacing, orientation and values of the volume, and what was "
+                      "unusual about its files"),
+                   tr("Ctrl+I"), [this] { showProperties(); }, [this] { return isOpen(); }});
+}
+
+void MainWindow::addNoticesBadge() {
+    auto* badge = new NoticesBadge(studio_.notices());
+    badge->setFixedHeight(message_->sizeHint().height()); // the bar stays as high as without it
+    connect(badge, &QToolButton::clicked, this, &MainWindow::showProperties);
+    statusBar()->addPermanentWidget(badge);
+}
+
+void MainWindow::showProperties() {
+    Notices& notices = studio_.notices();
+    auto* dialog = new PropertiesDialog(propertiesOf(*studio_.host().volume()), notices.all(), this);
+    dialog->open();
+    notices.markRead();
+}
+
+} // namespace vs::desktop

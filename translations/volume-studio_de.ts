@@ -1738,6 +1738,97 @@
         <source>Interpolated slices</source>
         <translation>Interpolierte Schichten</translation>
     </message>
+    <message>
+        <source>Through all</source>
+        <translation>Durch alles</translation>
+    </message>
+    <message>
+        <source>Drills through all of the volume, instead of down to the depth</source>
+        <translation>Bohrt durch das ganze Volumen statt bis zur Tiefe</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::BlockDialog</name>
+    <message>
+        <source>Sculpt from nothing</source>
+        <translation>Aus dem Nichts formen</translation>
+    </message>
+    <message>
+        <source>Size of the block</source>
+        <translation>Größe des Blocks</translation>
+    </message>
+    <message>
+        <source>Begin</source>
+        <translation>Beginnen</translation>
+    </message>
+    <message>
+        <source>Voxels</source>
+        <translation>Voxel</translation>
+    </message>
+    <message>
+        <source>Voxels along %1</source>
+        <translation>Voxel entlang %1</translation>
+    </message>
+    <message>
+        <source>Spacing (mm)</source>
+        <translation>Abstand (mm)</translation>
+    </message>
+    <message>
+        <source>Spacing along %1, in mm</source>
+        <translation>Abstand entlang %1, in mm</translation>
+    </message>
+    <message>
+        <source>A solid block</source>
+        <translation>Ein voller Block</translation>
+    </message>
+    <message>
+        <source>What the tools cut is taken away from it</source>
+        <translation>Was die Werkzeuge schneiden, wird von ihm weggenommen</translation>
+    </message>
+    <message>
+        <source>Nothing</source>
+        <translation>Nichts</translation>
+    </message>
+    <message>
+        <source>What the tools cut is what is seen: it is built up</source>
+        <translation>Was die Werkzeuge schneiden, ist zu sehen: so entsteht es</translation>
+    </message>
+    <message>
+        <source>Begin with</source>
+        <translation>Anfangen mit</translation>
+    </message>
+    <message>
+        <source>8 bits</source>
+        <translation>8 Bit</translation>
+    </message>
+    <message>
+        <source>Least memory, for comparison</source>
+        <translation>Der wenigste Speicher, zum Vergleich</translation>
+    </message>
+    <message>
+        <source>16 bits</source>
+        <translation>16 Bit</translation>
+    </message>
+    <message>
+        <source>As scans are sculpted</source>
+        <translation>Wie Aufnahmen geformt werden</translation>
+    </message>
+    <message>
+        <source>32 bits</source>
+        <translation>32 Bit</translation>
+    </message>
+    <message>
+        <source>Most memory, for comparison</source>
+        <translation>Der meiste Speicher, zum Vergleich</translation>
+    </message>
+    <message>
+        <source>Precision</source>
+        <translation>Genauigkeit</translation>
+    </message>
+    <message>
+        <source>%1 × %2 × %3 mm, %4 million voxels</source>
+        <translation>%1 × %2 × %3 mm, %4 Millionen Voxel</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::CameraMotion</name>
@@ -1813,6 +1904,30 @@
         <source>The head stays up while the volume is turned, instead of rolling under the hand</source>
         <translation>Der Kopf bleibt oben, wenn gedreht wird, statt unter der Hand zu rollen</translation>
     </message>
+    <message>
+        <source>Turn</source>
+        <translation>Drehen</translation>
+    </message>
+    <message>
+        <source>Dragging turns the volume</source>
+        <translation>Ziehen dreht das Volumen</translation>
+    </message>
+    <message>
+        <source>Move</source>
+        <translation>Verschieben</translation>
+    </message>
+    <message>
+        <source>Dragging moves the picture</source>
+        <translation>Ziehen verschiebt das Bild</translation>
+    </message>
+    <message>
+        <source>Zoom</source>
+        <translation>Zoomen</translation>
+    </message>
+    <message>
+        <source>Dragging up comes nearer, down steps back</source>
+        <translation>Ziehen nach oben holt heran, nach unten geht zurück</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::CameraTool</name>
@@ -1823,6 +1938,14 @@
     <message>
         <source>Drag to turn, along the rim to roll. Middle button or Shift+drag moves, wheel or right button zooms, whatever the tool.</source>
         <translation>Ziehen dreht, am Rand entlang rollt es. Mittlere Taste oder Umschalt+Ziehen verschiebt, Rad oder rechte Taste zoomt, bei jedem Werkzeug.</translation>
+    </message>
+    <message>
+        <source>Drag to move the picture, along the rim to roll. Wheel or right button zooms.</source>
+        <translation>Ziehen verschiebt das Bild, am Rand rollt es. Rad oder rechte Taste zoomt.</translation>
+    </message>
+    <message>
+        <source>Drag up to come nearer, down to step back, along the rim to roll.</source>
+        <translation>Nach oben ziehen holt heran, nach unten geht zurück, am Rand rollt es.</translation>
     </message>
 </context>
 <context>
@@ -2005,6 +2128,10 @@ Tab: der nächste Punkt; Pfeiltasten bewegen ihn; Entf; Eingabe: seine Farbe; St
         <source>Radius (steps)</source>
         <translation>Radius (Schritte)</translation>
     </message>
+    <message>
+        <source>%1 · %2 mm</source>
+        <translation>%1 · %2 mm</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::DocumentExport</name>
@@ -2078,6 +2205,10 @@ Tab: der nächste Punkt; Pfeiltasten bewegen ihn; Entf; Eingabe: seine Farbe; St
     <message>
         <source>Exported labels to %1</source>
         <translation>Labels nach %1 exportiert</translation>
+    </message>
+    <message>
+        <source>Making a block</source>
+        <translation>Ein Block wird gemacht</translation>
     </message>
 </context>
 <context>
@@ -2450,6 +2581,10 @@ Tab: der nächste Punkt; Pfeiltasten bewegen ihn; Entf; Eingabe: seine Farbe; St
         <source>Stopped at %1 % of what is displayed: play goes on</source>
         <translation>Bei %1 % des Sichtbaren angehalten: Abspielen setzt fort</translation>
     </message>
+    <message>
+        <source>Stopped</source>
+        <translation>Beendet</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::GrowthPanel</name>
@@ -2620,6 +2755,14 @@ Tab: der nächste Punkt; Pfeiltasten bewegen ihn; Entf; Eingabe: seine Farbe; St
     <message>
         <source>Stopped at %1 % of what is displayed, %2 voxels</source>
         <translation>Bei %1 % des Sichtbaren angehalten, %2 Voxel</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>Stop: what has grown stays, and nothing goes on by itself</source>
+        <translation>Beenden: Was gewachsen ist, bleibt, und nichts geht von selbst weiter</translation>
     </message>
 </context>
 <context>
@@ -3840,6 +3983,66 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
         <source>Ctrl+I</source>
         <translation>Ctrl+I</translation>
     </message>
+    <message>
+        <source>How long the last step took</source>
+        <translation>Wie lange der letzte Schritt gedauert hat</translation>
+    </message>
+    <message>
+        <source>%1 ms</source>
+        <translation>%1 ms</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Sculpt from nothing…</source>
+        <translation>Aus dem Nichts formen…</translation>
+    </message>
+    <message>
+        <source>A block of a chosen size, to be carved or built up</source>
+        <translation>Ein Block von gewählter Größe, aus dem man schnitzt oder den man aufbaut</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+N</source>
+        <translation>Ctrl+Alt+N</translation>
+    </message>
+    <message>
+        <source>Stop</source>
+        <translation>Beenden</translation>
+    </message>
+    <message>
+        <source>End growing: what has grown stays</source>
+        <translation>Das Wachsen beenden: Was gewachsen ist, bleibt</translation>
+    </message>
+    <message>
+        <source>Ctrl+.</source>
+        <translation>Ctrl+.</translation>
+    </message>
+    <message>
+        <source>Drag to turn</source>
+        <translation>Ziehen dreht</translation>
+    </message>
+    <message>
+        <source>The camera tool turns the volume</source>
+        <translation>Das Kamerawerkzeug dreht das Volumen</translation>
+    </message>
+    <message>
+        <source>Drag to move</source>
+        <translation>Ziehen verschiebt</translation>
+    </message>
+    <message>
+        <source>The camera tool moves the picture</source>
+        <translation>Das Kamerawerkzeug verschiebt das Bild</translation>
+    </message>
+    <message>
+        <source>Drag to zoom</source>
+        <translation>Ziehen zoomt</translation>
+    </message>
+    <message>
+        <source>The camera tool comes nearer and steps back</source>
+        <translation>Das Kamerawerkzeug holt heran und geht zurück</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::MeasureTool</name>
@@ -4985,6 +5188,14 @@ Tab: die nächste Form; Pfeiltasten bewegen sie; Entf; Eingabe: ihre Farbe; Strg
 DICOM · NIfTI · NRRD · MetaImage · VTK · raw · sessions</source>
         <translation>oder eine Datei oder einen Ordner irgendwo in dieses Fenster ziehen
 DICOM · NIfTI · NRRD · MetaImage · VTK · roh · Sitzungen</translation>
+    </message>
+    <message>
+        <source>Sculpt from nothing…</source>
+        <translation>Aus dem Nichts formen…</translation>
+    </message>
+    <message>
+        <source>Sculpt from nothing</source>
+        <translation>Aus dem Nichts formen</translation>
     </message>
 </context>
 </TS>

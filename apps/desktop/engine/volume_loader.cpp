@@ -10,6 +10,12 @@ namespace {
 
 void load(Loaded& result) {
     OpenRequest& request = result.request;
+    if (request.block) {
+        studio::Session made;
+        made.block = request.block->block;
+        result.volume = studio::openVolume(made, {}, std::nullopt, result.notices);
+        return;
+    }
     if (!request.journal.empty()) {
         auto content = studio::readJournal(request.journal);
         request.volume = content.session.volumePath;

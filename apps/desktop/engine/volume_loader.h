@@ -15,8 +15,15 @@
 
 namespace vs::desktop {
 
-// What to open: a volume, a session (which names its volume), or the journal of a document that was not
-// closed.
+// Sculpting from nothing: what is there at first.
+struct NewBlock {
+    studio::Session::Block block;
+    sculpt::Precision precision = sculpt::Precision::Bits16;
+    bool isBuiltUp = false; // what is cut is what is seen
+};
+
+// What to open: a volume, a session (which names its volume), the journal of a document that was not closed,
+// or a new block.
 struct OpenRequest {
     std::filesystem::path volume;
     std::filesystem::path session;
@@ -24,6 +31,7 @@ struct OpenRequest {
     std::string series;
     std::optional<int> frame;
     std::filesystem::path journal = {};
+    std::optional<NewBlock> block = {};
 };
 
 struct Loaded {

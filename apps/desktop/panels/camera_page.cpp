@@ -4,6 +4,8 @@
 #include "model/studio/studio_controller.h"
 #include "panels/tool_pages.h"
 #include "parts/panel_parts.h"
+#include "tools/camera_tool.h"
+#include "tools/tool_box.h"
 
 #include <QCheckBox>
 #include <QFormLayout>
@@ -39,11 +41,25 @@ QWidget* makeViewButtons(StudioController& studio) {
     return row;
 }
 
+QWidget* makeUses(StudioController& studio, CameraTool& tool) {
+    auto* uses = new ChoiceRow(
+        {{"dragTurns", CameraMotion::tr("Turn"), CameraMotion::tr("Dragging turns the volume")},
+         {"dragMoves", CameraMotion::tr("Move"), CameraMotion::tr("Dragging moves the picture")},
+         {"dragZooms", CameraMotion::tr("Zoom"),
+          CameraMotion::tr("Dragging up comes nearer, down steps back")}},
+        int(tool.use()), 3);
+    QObject::connect(uses, &ChoiceRow::chosen, &tool, [&tool](int n) { tool.setUse(CameraTool::Use(n)); });
+    QObject::connect(&studio.host(), &DocumentHost::changed, uses,
+                     [&tool, uses] { uses->choose(int(tool.use())); });
+    return uses;
+}
+
 } // namespace
 
-QWidget* makeCameraPage(StudioController& studio, ToolBox&) {
+QWidget* makeCameraPage(StudioController& studio, ToolBox& tools) {
     auto* page = new QWidget;
     auto* form = makeForm(page);
+    form->addRow(makeUses(studio, tools.get<CameraTool>()));
     form->addRow(makeViewButtons(studio));
     auto* orthographic =
         makeCheckBox("cameraOrthographic", CameraMotion::tr("Orthographic"),

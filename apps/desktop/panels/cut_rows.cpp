@@ -6,6 +6,11 @@
 #include "tools/kinds/cut_tool.h"
 
 #include <QFormLayout>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSlider>
+
+#include <cmath>
 
 namespace vs::desktop {
 
@@ -56,6 +61,31 @@ void addCutOrRestore(QFormLayout* form, CutTool& tool, StudioController& studio,
         nameSigns(*sign, tool);
     });
     form->addRow(sign);
+}
+
+QString stepsAndMm(double steps, StudioController& studio) {
+    const volume::GridGeometry* grid = studio.host().geometry();
+    const QString text = QString::number(steps, 'f', steps == std::floor(steps) ? 0 : 1);
+    return grid == nullptr ? text
+                           : CutTool::tr("%1 · %2 mm").arg(text).arg(steps * grid->stepMm(), 0, 'g', 3);
+}
+
+QWidget* withSteps(QSlider* slider, int perStep, StudioController& studio) {
+    auto* holder = new QWidget;
+    auto* row = new QHBoxLayout(holder);
+    row->setContentsMargins(0, 0, 0, 0);
+    auto* value = new QLabel;
+    value->setMinimumWidth(value->fontMetrics().horizontalAdvance("000.0 · 000 mm"));
+    value->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+    row->addWidget(slider, 1);
+    row->addWidget(value);
+    const auto show = [slider, value, perStep, &studio] {
+        value->setText(stepsAndMm(double(slider->value()) / perStep, studio));
+    };
+    QObject::connect(slider, &QSlider::valueChanged, value, show);
+    QObject::connect(&studio.host(), &DocumentHost::opened, value, show);
+    show();
+    return holder;
 }
 
 void addRadius(QFormLayout* form, CutTool& tool, const QString& prefix) {

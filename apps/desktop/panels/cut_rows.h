@@ -4,6 +4,8 @@
 #include <QString>
 
 class QFormLayout;
+class QSlider;
+class QWidget;
 
 namespace vs::desktop {
 
@@ -14,5 +16,11 @@ class StudioController;
 // radius. Object names begin with `prefix`.
 void addCutOrRestore(QFormLayout* form, CutTool& tool, StudioController& studio, const QString& prefix);
 void addRadius(QFormLayout* form, CutTool& tool, const QString& prefix);
+
+// A slider over steps, `perStep` positions of it for each, with its value in steps and in millimetres of the
+// open volume beside it.
+QWidget* withSteps(QSlider* slider, int perStep, StudioController& studio);
+// "3.5 steps, 3.3 mm".
+QString stepsAndMm(double steps, StudioController& studio);
 
 } // namespace vs::desktop

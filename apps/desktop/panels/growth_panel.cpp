@@ -110,6 +110,8 @@ QWidget* GrowthPanel::makePlayback() {
                                tr("Play backward, down to the seeds (Shift+B)"));
     pause_ = makeIconButton("pause", "growPause", tr("Pause"),
                             tr("Pause: what has grown stays, and play goes on from it (Shift+G)"));
+    stop_ = makeIconButton("stop", "growStop", tr("Stop"),
+                           tr("Stop: what has grown stays, and nothing goes on by itself"));
     play_ = makeIconButton("play", "growPlay", tr("Play"), tr("Let the region grow (Shift+G)"));
     step_ = makeIconButton("step", "growStep", tr("Step"), tr("One generation further; hold for more ( . )"));
     end_ =
@@ -119,10 +121,11 @@ QWidget* GrowthPanel::makePlayback() {
     connect(back_, &QToolButton::clicked, &growth, &GrowthController::takeBack);
     connect(backward_, &QToolButton::clicked, &growth, &GrowthController::playBackward);
     connect(pause_, &QToolButton::clicked, &growth, &GrowthController::pause);
+    connect(stop_, &QToolButton::clicked, &growth, &GrowthController::stop);
     connect(play_, &QToolButton::clicked, &growth, &GrowthController::play);
     connect(step_, &QToolButton::clicked, &growth, &GrowthController::step);
     connect(end_, &QToolButton::clicked, &growth, &GrowthController::toEnd);
-    for (QToolButton* button : {back_, backward_, pause_, play_, step_, end_}) {
+    for (QToolButton* button : {back_, backward_, stop_, pause_, play_, step_, end_}) {
         button->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
         row->addWidget(button);
     }
@@ -211,6 +214,7 @@ void GrowthPanel::refresh() {
     play_->setEnabled(canPlay && (!growth.isPlaying() || growth.isBackward()));
     backward_->setEnabled(canPlay && status.generation > 1 && !growth.isBackward());
     pause_->setEnabled(growth.isPlaying());
+    stop_->setEnabled(growth.canStop());
     step_->setEnabled(canPlay);
     back_->setEnabled(canPlay && status.generation > 1);
     end_->setEnabled(canPlay && !growth.isToEnd());

@@ -43,6 +43,7 @@ private:
     QToolButton* play_ = nullptr;
     QToolButton* backward_ = nullptr;
     QToolButton* pause_ = nullptr;
+    QToolButton* stop_ = nullptr;
     QToolButton* step_ = nullptr;
     QToolButton* back_ = nullptr;
     QToolButton* end_ = nullptr;

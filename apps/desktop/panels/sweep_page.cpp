@@ -17,9 +17,12 @@ namespace vs::desktop {
 
 namespace {
 
+enum class Unit { Steps, None };
+
 // A row with a slider for one of the numbers; `perUnit` positions of it are one.
-QWidget* addNumber(QFormLayout* form, SweepTool& tool, const char* objectName, const QString& text,
-                   const QString& tip, double SweepTool::Settings::*number, Range range, int perUnit) {
+QWidget* addNumber(QFormLayout* form, SweepTool& tool, StudioController& studio, const char* objectName,
+                   const QString& text, const QString& tip, double SweepTool::Settings::*number, Range range,
+                   int perUnit, Unit unit) {
     auto* slider = makeSlider(objectName, tip, int(perUnit * range.lo), int(perUnit * range.hi),
                               int(std::lround(perUnit * tool.settings().*number)));
     slider->setToolTip(tip);
@@ -28,8 +31,10 @@ QWidget* addNumber(QFormLayout* form, SweepTool& tool, const char* objectName, c
         settings.*number = double(v) / perUnit;
         tool.set(settings);
     });
-    auto* row = withValue(
-        slider, [perUnit](int v) { return QString::number(double(v) / perUnit, 'f', perUnit > 1 ? 1 : 0); });
+    auto* row =
+        unit == Unit::Steps ? withSteps(slider, perUnit, studio) : withValue(slider, [perUnit](int v) {
+            return QString::number(double(v) / perUnit, 'f', perUnit > 1 ? 1 : 0);
+        });
     form->addRow(text, row);
     return row;
 }
@@ -54,12 +59,12 @@ QWidget* makeSweepPage(StudioController& studio, ToolBox& tools) {
     });
     form->addRow(way);
     using Settings = SweepTool::Settings;
-    auto* length = addNumber(form, tool, "sweepLength", tr("Length (steps)"), tr("How far inward, in steps"),
-                             &Settings::length, {5, 200}, 1);
-    auto* radius = addNumber(form, tool, "sweepHelixRadius", tr("Helix radius (steps)"), tr("In steps"),
-                             &Settings::helixRadius, {2, 60}, 1);
-    auto* turns = addNumber(form, tool, "sweepTurns", tr("Turns"), tr("From end to end"), &Settings::turns,
-                            {0.5, 10}, 2);
+    auto* length = addNumber(form, tool, studio, "sweepLength", tr("Length (steps)"),
+                             tr("How far inward, in steps"), &Settings::length, {5, 200}, 1, Unit::Steps);
+    auto* radius = addNumber(form, tool, studio, "sweepHelixRadius", tr("Helix radius (steps)"),
+                             tr("In steps"), &Settings::helixRadius, {2, 60}, 1, Unit::Steps);
+    auto* turns = addNumber(form, tool, studio, "sweepTurns", tr("Turns"), tr("From end to end"),
+                            &Settings::turns, {0.5, 10}, 2, Unit::None);
     auto* frame = new ChoiceRow(
         {{"sweepParallel", tr("Parallel"), tr("The shape turns as little as it can along its way")},
          {"sweepFrenet", tr("Frenet"), tr("The shape turns with the way's bends")}},

@@ -42,8 +42,7 @@ QFormLayout* addPenRows(QWidget* page, PenTool& tool, StudioController& studio, 
                              int(std::lround(kPerStep * tool.depth())));
     QObject::connect(depth, &QSlider::valueChanged, &tool,
                      [&tool](int v) { tool.setDepth(double(v) / kPerStep); });
-    form->addRow(tr("Depth (steps)"),
-                 withValue(depth, [](int v) { return QString::number(double(v) / kPerStep, 'f', 1); }));
+    form->addRow(tr("Depth (steps)"), withSteps(depth, kPerStep, studio));
     addRadius(form, tool, prefix);
     const QByteArray digName = (prefix + "KeepsDigging").toLatin1();
     auto* dig = makeCheckBox(digName.constData(), tr("Keep digging"),
@@ -66,8 +65,9 @@ QWidget* makePeelPage(StudioController& studio, ToolBox& tools) {
     layers->setAlignment(Qt::AlignRight);
     form->addRow(tr("Layers"), layers);
     addNote(form, tr("10 pixels of dragging are one layer; a layer is the smallest voxel spacing."));
-    const auto show = [layers, &tool] { layers->setText(QString::number(tool.layers(), 'f', 1)); };
+    const auto show = [layers, &tool, &studio] { layers->setText(stepsAndMm(tool.layers(), studio)); };
     QObject::connect(&tool, &PeelTool::layersChanged, layers, show);
+    QObject::connect(&studio.host(), &DocumentHost::opened, layers, show);
     show();
     return page;
 }
@@ -76,6 +76,13 @@ QWidget* makeDrillPage(StudioController& studio, ToolBox& tools) {
     auto* page = new QWidget;
     DrillTool& tool = tools.get<DrillTool>();
     auto* form = addPenRows(page, tool, studio, "drill");
+    auto* through = makeCheckBox("drillThrough", tr("Through all"),
+                                 tr("Drills through all of the volume, instead of down to the depth"),
+                                 tool.goesThrough());
+    QObject::connect(through, &QCheckBox::toggled, &tool, &DrillTool::setGoesThrough);
+    QObject::connect(through, &QCheckBox::toggled, page->findChild<QSlider*>("drillDepth"),
+                     &QSlider::setDisabled);
+    form->addRow(through);
     auto* tilt = makeCheckBox("drillFollowsTilt", tr("Follow the pen's tilt"),
                               tr("Drills the way that the tablet's pen points, instead of along the view"),
                               tool.followsTilt());
@@ -140,7 +147,7 @@ QWidget* makeScissorsPage(StudioController& studio, ToolBox& tools) {
     QObject::connect(limit, &QCheckBox::toggled, &tool, take);
     QObject::connect(depth, &QSlider::valueChanged, &tool, take);
     form->addRow(limit);
-    form->addRow(tr("Depth (steps)"), withValue(depth, [](int v) { return QString::number(v); }));
+    form->addRow(tr("Depth (steps)"), withSteps(depth, 1, studio));
     addRadius(form, tool, "scissors");
     return page;
 }

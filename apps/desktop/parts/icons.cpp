@@ -97,6 +97,7 @@ const std::map<std::string, const char*>
         {"reseed",
          R"(<path d="M12 21v-9"/><path d="M12 12c0-5 3.500-7.500 8-7.500 0 5-3 7.500-8 7.500z"/><path stroke="C" d="M3 5l5 5M8 5l-5 5"/>)"},
         {"play", R"(<path fill="C" stroke="C" d="M7 4.500l12 7.500-12 7.500z"/>)"},
+        {"stop", R"(<path stroke-width="2" d="M7 7h10v10H7z"/>)"},
         {"pause", R"(<path stroke-width="3.500" d="M8.500 6v12M15.500 6v12"/>)"},
         {"step", R"(<path d="M6 5l9 7-9 7zM18.500 5v14"/>)"},
         {"back", R"(<path d="M18 5l-9 7 9 7zM5.500 5v14"/>)"},

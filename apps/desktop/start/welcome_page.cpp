@@ -88,7 +88,11 @@ void WelcomePage::addHead(QVBoxLayout* column) {
     auto* buttons = new QHBoxLayout;
     buttons->setSpacing(10);
     buttons->addWidget(open);
+    auto* block =
+        named(new QPushButton(tr("Sculpt from nothing…")), "blockButton", tr("Sculpt from nothing"));
+    block->setMinimumHeight(open->sizeHint().height());
     buttons->addWidget(folder);
+    buttons->addWidget(block);
     auto* hint = makeQuietLabel(tr("or drop a file or a folder anywhere in this window\n"
                                    "DICOM · NIfTI · NRRD · MetaImage · VTK · raw · sessions"));
     hint->setWordWrap(true);
@@ -97,6 +101,7 @@ void WelcomePage::addHead(QVBoxLayout* column) {
     column->addSpacing(6);
     column->addLayout(buttons);
     connect(open, &QPushButton::clicked, this, &WelcomePage::openRequested);
+    connect(block, &QPushButton::clicked, this, &WelcomePage::blockRequested);
     connect(folder, &QPushButton::clicked, this, &WelcomePage::openFolderRequested);
 }
 

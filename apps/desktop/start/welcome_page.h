@@ -28,6 +28,7 @@ public:
 signals:
     void openRequested();
     void openFolderRequested();
+    void blockRequested();
     void recoverRequested(const vs::desktop::LostWork& lost);
     void documentChosen(const vs::desktop::OpenRequest& request);
 

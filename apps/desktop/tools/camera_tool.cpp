@@ -25,10 +25,25 @@ double degreesAt(QPointF fromCentre) {
 CameraTool::CameraTool(StudioController& studio) : StudioTool(studio) {}
 
 QString CameraTool::hint() const {
-    return isRimShown_
-               ? tr("Drag along the rim to roll the picture.")
-               : tr("Drag to turn, along the rim to roll. Middle button or Shift+drag moves, wheel or right "
-                    "button zooms, whatever the tool.");
+    if (isRimShown_) {
+        return tr("Drag along the rim to roll the picture.");
+    }
+    switch (use_) {
+    case Use::Move:
+        return tr("Drag to move the picture, along the rim to roll. Wheel or right button zooms.");
+    case Use::Zoom:
+        return tr("Drag up to come nearer, down to step back, along the rim to roll.");
+    case Use::Turn:
+        break;
+    }
+    return tr("Drag to turn, along the rim to roll. Middle button or Shift+drag moves, wheel or right "
+              "button zooms, whatever the tool.");
+}
+
+void CameraTool::setUse(Use use) {
+    use_ = use;
+    emit overlayChanged(); // the hint
+    emit studio_.host().changed();
 }
 
 Qt::CursorShape CameraTool::cursor() const {
@@ -73,19 +88,25 @@ void CameraTool::hover(const Pen& pen) {
 void CameraTool::leave() { showRim(false); }
 
 void CameraTool::press(const Pen& pen) {
-    last_ = pen.position;
-    drag_ = isAtRim(pen.position) ? Drag::Roll : Drag::Turn;
+    pressed_ = last_ = pen.position;
+    drag_ = isAtRim(pen.position) ? Drag::Roll : Drag::Use;
     isRimShown_ = drag_ == Drag::Roll;
     emit overlayChanged();
 }
 
 void CameraTool::move(const Pen& pen) {
     const QPointF centre = studio_.view().centre();
+    const QPointF delta = pen.position - last_;
+    CameraMotion& camera = studio_.camera();
     if (drag_ == Drag::Roll) {
         const double degrees = degreesAt(pen.position - centre) - degreesAt(last_ - centre);
-        studio_.camera().roll(std::remainder(degrees, 360.0), centre);
+        camera.roll(std::remainder(degrees, 360.0), centre);
+    } else if (use_ == Use::Move) {
+        camera.pan(delta);
+    } else if (use_ == Use::Zoom) {
+        camera.zoom(CameraMotion::zoomBy(delta.y()), pressed_);
     } else {
-        studio_.camera().turn(pen.position - last_);
+        camera.turn(delta);
     }
     last_ = pen.position;
 }

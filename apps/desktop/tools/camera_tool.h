@@ -11,7 +11,13 @@ class CameraTool : public StudioTool {
     Q_OBJECT
 
 public:
+    // What dragging in the middle of the picture does; along the rim it rolls.
+    enum class Use { Turn, Move, Zoom };
+
     explicit CameraTool(StudioController& studio);
+
+    [[nodiscard]] Use use() const { return use_; }
+    void setUse(Use use);
 
     [[nodiscard]] QString name() const override { return "camera"; }
     [[nodiscard]] QString hint() const override;
@@ -26,11 +32,13 @@ public:
     [[nodiscard]] bool isBusy() const override { return drag_ != Drag::None; }
 
 private:
-    enum class Drag { None, Turn, Roll };
+    enum class Drag { None, Use, Roll };
 
     [[nodiscard]] bool isAtRim(QPointF place) const;
     void showRim(bool isShown);
 
+    Use use_ = Use::Turn;
+    QPointF pressed_;
     QPointF last_;
     Drag drag_ = Drag::None;
     bool isRimShown_ = false; // the pen is over it

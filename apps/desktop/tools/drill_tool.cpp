@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "tools/drill_tool.h"
 
+#include "model/studio/studio_controller.h"
+
+#include <algorithm>
+#include <cmath>
+
 namespace vs::desktop {
 
 DrillTool::DrillTool(StudioController& studio) : PenTool(studio, {8, 12, 10}) {}
@@ -8,6 +13,19 @@ DrillTool::DrillTool(StudioController& studio) : PenTool(studio, {8, 12, 10}) {}
 void DrillTool::setFollowsTilt(bool on) {
     followsTilt_ = on;
     tell();
+}
+
+void DrillTool::setGoesThrough(bool on) {
+    goesThrough_ = on;
+    tell();
+}
+
+// Nothing of the volume lies deeper than its diagonal is long.
+double DrillTool::strokeDepth() const {
+    const volume::GridGeometry* grid = studio_.host().geometry();
+    return goesThrough_ && grid != nullptr
+               ? std::min(std::ceil(grid->diagonalMm() / grid->stepMm()), studio::kMostSteps)
+               : PenTool::strokeDepth();
 }
 
 MaskTool::Words DrillTool::words() const {

@@ -17,13 +17,18 @@ public:
     // Whether the direction is that of a tablet's pen instead of the view's.
     [[nodiscard]] bool followsTilt() const { return followsTilt_; }
     void setFollowsTilt(bool on);
+    // Whether it drills through all of the volume at full pressure, instead of down to the depth.
+    [[nodiscard]] bool goesThrough() const { return goesThrough_; }
+    void setGoesThrough(bool on);
 
 protected:
+    [[nodiscard]] double strokeDepth() const override;
     [[nodiscard]] Words words() const override;
     [[nodiscard]] studio::Operation operation(const studio::PenCut& cut) const override;
 
 private:
     bool followsTilt_ = false;
+    bool goesThrough_ = false;
 };
 
 } // namespace vs::desktop

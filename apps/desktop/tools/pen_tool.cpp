@@ -46,7 +46,7 @@ void PenTool::press(const Pen& pen) {
 studio::Operation PenTool::stroke(const studio::Sketch& mask, const studio::Canvas& canvas) const {
     studio::PenCut cut;
     cut.mask = mask;
-    cut.depthMax = depth_;
+    cut.depthMax = strokeDepth();
     cut.radius = radius();
     cut.restores = restores();
     cut.keepsDigging = keepsDigging_;

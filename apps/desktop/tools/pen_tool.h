@@ -41,6 +41,8 @@ public:
     void setKeepsDigging(bool on);
 
 protected:
+    // The depth of the next stroke at full pressure, in steps.
+    [[nodiscard]] virtual double strokeDepth() const { return depth_; }
     // The operation without its pen points.
     [[nodiscard]] virtual studio::Operation operation(const studio::PenCut& cut) const = 0;
     // Where the pen is.

@@ -159,7 +159,7 @@ void ViewWidget::move(const Pen& pen) {
         studio_.camera().pan(delta);
         break;
     case Drag::Zoom:
-        studio_.camera().zoom(std::exp(-0.008 * delta.y()), pressed_); // up to come nearer
+        studio_.camera().zoom(CameraMotion::zoomBy(delta.y()), pressed_);
         break;
     case Drag::Cube:
         cube_.move(pen.position);

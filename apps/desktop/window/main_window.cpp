@@ -120,6 +120,7 @@ void MainWindow::makeCentre() {
     welcome_ = named(new WelcomePage, "welcome", tr("Start screen"));
     connect(welcome_, &WelcomePage::openRequested, this, &MainWindow::openFile);
     connect(welcome_, &WelcomePage::openFolderRequested, this, &MainWindow::openFolder);
+    connect(welcome_, &WelcomePage::blockRequested, this, &MainWindow::askForBlock);
     connect(welcome_, &WelcomePage::documentChosen, this, &MainWindow::open);
     connect(welcome_, &WelcomePage::recoverRequested, this, &MainWindow::recover);
     welcome_->setSizePolicy(QSizePolicy::Ignored,
@@ -206,6 +207,8 @@ void MainWindow::makeStatusBar() {
     };
     probe_ = add("probe", tr("Value and place under the pen"));
     probe_->setProperty("quiet", false);
+    duration_ = add("duration", tr("How long the last step took"));
+    connect(&studio_.editor(), &Editor::done, this, &MainWindow::showDuration);
     volume_ = add("volume", tr("Size and type of the volume"));
     rate_ = add("rate", tr("Frame rate; at rest, how far the picture is refined"));
     rate_->setText(tr("Refining %1 %").arg(100)); // the longest that it says
@@ -217,6 +220,12 @@ void MainWindow::makeStatusBar() {
     // "llvmpipe (LLVM 15.0.6, 256 bits)" is long; the whole of it is in the tooltip.
     device_->setText(QString::fromStdString(device.renderer).section(" (", 0, 0));
     device_->setToolTip(QString::fromStdString(device.renderer + ", OpenGL " + device.version));
+}
+
+void MainWindow::showDuration(double milliseconds) {
+    duration_->setText(milliseconds < 1000 ? tr("%1 ms").arg(milliseconds, 0, 'f', milliseconds < 10 ? 1 : 0)
+                                           : tr("%1 s").arg(milliseconds / 1000, 0, 'f', 1));
+    duration_->setProperty("report", duration_->text());
 }
 
 void MainWindow::refresh() {
@@ -253,7 +262,9 @@ void MainWindow::refreshProbe() {
 }
 
 void MainWindow::showProbe(double value, glm::dvec3 place, glm::dvec3 world) {
-    const auto voxel = glm::ivec3(glm::round(place));
+    // A face of the grid is half a voxel beyond the voxels that it belongs to.
+    const glm::ivec3 last = studio_.host().geometry()->dims - 1;
+    const glm::ivec3 voxel = glm::clamp(glm::ivec3(glm::round(place)), glm::ivec3(0), last);
     probe_->setText(tr("%1   at %2, %3, %4   %5")
                         .arg(value, 0, 'g', 6)
                         .arg(voxel.x)

@@ -82,6 +82,7 @@ private:
 
     // main_window_camera.cpp
     void makeCameraActions();
+    void makeDragActions();
     void makeCameraMenu();
 
     // main_window_slices.cpp
@@ -141,6 +142,7 @@ private:
     void showStartScreen();
     void leaveForStartScreen();
     void recover(const LostWork& lost);
+    void askForBlock();
     void chooseSeries(const OpenRequest& request, const std::vector<volume::SeriesChoice>& choices);
     void showView();
 
@@ -154,6 +156,7 @@ private:
     void refresh();
     void refreshHint();
     void refreshProbe();
+    void showDuration(double milliseconds);
     void showProbe(double value, glm::dvec3 voxel, glm::dvec3 world);
     void showProgress(int done, int total);
 
@@ -173,6 +176,7 @@ private:
     HintLine* hint_ = nullptr;
     QLabel* message_ = nullptr;
     QLabel* probe_ = nullptr;
+    QLabel* duration_ = nullptr;
     QLabel* volume_ = nullptr;
     QLabel* rate_ = nullptr;
     QLabel* device_ = nullptr;

@@ -28,6 +28,9 @@ void MainWindow::makeFileActions() {
                    [this] { openFile(); }, canOpen});
     actions_->add({"openFolder", "folder", tr("DICOM"), tr("Open a folder of DICOM slices"),
                    tr("Ctrl+Shift+O"), [this] { openFolder(); }, canOpen});
+    actions_->add({"newBlock", nullptr, tr("Sculpt from nothing…"),
+                   tr("A block of a chosen size, to be carved or built up"), tr("Ctrl+Alt+N"),
+                   [this] { askForBlock(); }, canOpen});
     actions_->add({"openLabels", "labels", tr("Open label map\u2026"),
                    tr("Make segments of the labels of a label map on the volume's grid"), tr("Ctrl+L"),
                    [this] { openLabels(); }});
@@ -189,6 +192,8 @@ void MainWindow::makeGrowthActions() {
     actions_->add({"playPause", "play", tr("Play or pause"), tr("Let the region grow, or pause it"),
                    tr("Shift+G"), [&growth] { growth.isPlaying() ? growth.pause() : growth.play(); },
                    canPlay});
+    actions_->add({"growStopKey", "stop", tr("Stop"), tr("End growing: what has grown stays"), tr("Ctrl+."),
+                   [&growth] { growth.stop(); }, [this, &growth] { return isOpen() && growth.canStop(); }});
     actions_->add({"growBackwardKey", "backward", tr("Play backward"),
                    tr("Play the growth backward, to its seeds"), tr("Shift+B"),
                    [&growth] { growth.isBackward() ? growth.pause() : growth.playBackward(); }, canPlay});

@@ -49,8 +49,8 @@ void MainWindow::makeMenus() {
         }
     };
     menu(tr("&File"),
-         {"open", "openFolder", "openLabels", "startScreen", "-", "saveSession", "exportLabels", "export",
-          "screenshot", "exportPicture", "copyPicture", "-", "properties", "-", "quit"});
+         {"open", "openFolder", "newBlock", "openLabels", "startScreen", "-", "saveSession", "exportLabels",
+          "export", "screenshot", "exportPicture", "copyPicture", "-", "properties", "-", "quit"});
     menu(tr("&Edit"), {"undo", "redo", "showHistory", "addNote", "-", "paste", "moveTool", "-", "unCut",
                        "reSeed", "-", "clearSketch", "-", "preferences"});
     menu(tr("&View"),
@@ -61,8 +61,9 @@ void MainWindow::makeMenus() {
     makeSliceMenu();
     makeColourMenu();
     menu(tr("&Tools"), toolNames());
-    menu(tr("&Segmentation"), {"addSegment", "islandTool", "paintTool", "-", "playPause", "growBackwardKey",
-                               "growStepKey", "growBackKey", "growToEndKey", "beforeLeak"});
+    menu(tr("&Segmentation"),
+         {"addSegment", "islandTool", "paintTool", "-", "playPause", "growStopKey", "growBackwardKey",
+          "growStepKey", "growBackKey", "growToEndKey", "beforeLeak"});
     menu(tr("&Help"), {"shortcuts", "about"});
 }
 

@@ -3,9 +3,12 @@
 #include "model/document/camera_motion.h"
 #include "model/hand/tool.h"
 #include "model/studio/studio_controller.h"
+#include "tools/camera_tool.h"
+#include "tools/tool_box.h"
 #include "window/action_table.h"
 #include "window/main_window.h"
 
+#include <QActionGroup>
 #include <QMenu>
 #include <QMenuBar>
 
@@ -30,6 +33,7 @@ void MainWindow::makeCameraActions() {
         actions_->add({"from." + view.name, nullptr, view.text, view.tip, QKeySequence(view.key),
                        unlessDrawing([&camera, view] { camera.lookFrom(view.direction); })});
     }
+    makeDragActions();
     actions_->add({"orthographic",
                    nullptr,
                    tr("Orthographic"),
@@ -48,6 +52,30 @@ void MainWindow::makeCameraActions() {
                    [&camera] { return camera.isTurntable(); }});
 }
 
+// What the camera tool does in the middle of the picture, and the tool with it.
+void MainWindow::makeDragActions() {
+    auto& tool = tools_.get<CameraTool>();
+    auto* uses = new QActionGroup(this);
+    const auto add = [&](CameraTool::Use use, const char* name, const QString& text, const QString& tip) {
+        actions_->addChoice(
+            uses, {name,
+                   nullptr,
+                   text,
+                   tip,
+                   {},
+                   [this, &tool, use] {
+                       tool.setUse(use);
+                       studio_.hand().take(tool);
+                   },
+                   {},
+                   [this, &tool, use] { return &studio_.hand().tool() == &tool && tool.use() == use; }});
+    };
+    add(CameraTool::Use::Turn, "useTurn", tr("Drag to turn"), tr("The camera tool turns the volume"));
+    add(CameraTool::Use::Move, "useMove", tr("Drag to move"), tr("The camera tool moves the picture"));
+    add(CameraTool::Use::Zoom, "useZoom", tr("Drag to zoom"),
+        tr("The camera tool comes nearer and steps back"));
+}
+
 // In the menu made last, which is the view's.
 void MainWindow::makeCameraMenu() {
     QMenu* view = menuBar()->actions().constLast()->menu();
@@ -60,7 +88,11 @@ void MainWindow::makeCameraMenu() {
     from->QWidget::addAction(actions_->find("turntable"));
     from->setToolTipsVisible(true);
     // After Reset and Fit.
-    view->insertMenu(view->actions().at(2), from);
+    QAction* next = view->actions().at(2);
+    view->insertMenu(next, from);
+    for (const char* use : {"useTurn", "useMove", "useZoom"}) {
+        view->insertAction(next, actions_->find(use));
+    }
 }
 
 } // namespace vs::desktop

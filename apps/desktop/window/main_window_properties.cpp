@@ -6,6 +6,7 @@
 #include "window/main_window.h"
 #include "window/notices_badge.h"
 
+#include <QLabel>
 #include <QStatusBar>
 
 namespace vs::desktop {

@@ -6,6 +6,7 @@
 #include "model/keepers/recovery_keeper.h"
 #include "model/keepers/thumbnail_keeper.h"
 #include "model/studio/studio_controller.h"
+#include "start/block_dialog.h"
 #include "start/welcome_page.h"
 #include "view/view_widget.h"
 
@@ -108,6 +109,13 @@ void MainWindow::open(const OpenRequest& request) {
 void MainWindow::chooseSeries(const OpenRequest& request, const std::vector<volume::SeriesChoice>& choices) {
     auto* dialog = new SeriesDialog(request, choices, this);
     connect(dialog, &SeriesDialog::chosen, &studio_.files(), &DocumentFiles::open);
+    dialog->open();
+}
+
+void MainWindow::askForBlock() {
+    auto* dialog = new BlockDialog(this);
+    // Once the dialog has closed: what is asked then does not stand over it.
+    connect(dialog, &BlockDialog::chosen, this, &MainWindow::open, Qt::QueuedConnection);
     dialog->open();
 }
 

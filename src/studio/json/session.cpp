@@ -33,12 +33,14 @@ Session::Block readBlock(const JsonReader& reader) {
     const JsonReader dims = reader.member("block");
     dims.expectSize(3);
     for (int axis = 0; axis < 3; ++axis) {
-        block.dims[axis] = int(dims.at(std::size_t(axis)).integerBetween(1, 1024));
+        block.dims[axis] = int(dims.at(std::size_t(axis)).integerBetween(1, Session::Block::kMostVoxels));
     }
     reader.ifHas("spacing", [&](const JsonReader& r) {
         r.expectSize(3);
         for (int axis = 0; axis < 3; ++axis) {
-            block.spacingMm[axis] = r.at(std::size_t(axis)).numberBetween(1e-3, 1e3);
+            block.spacingMm[axis] =
+                r.at(std::size_t(axis))
+                    .numberBetween(Session::Block::kSpacingMm.lo, Session::Block::kSpacingMm.hi);
         }
     });
     return block;

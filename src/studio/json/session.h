@@ -15,6 +15,9 @@ struct Session {
 
     // A volume made from nothing: every voxel 1. What is cut from it is built, and seen in probe view.
     struct Block {
+        static constexpr int kMostVoxels = 1024; // along each axis
+        static constexpr Range kSpacingMm{1e-3, 1e3};
+
         glm::ivec3 dims{128};
         glm::dvec3 spacingMm{1};
     };

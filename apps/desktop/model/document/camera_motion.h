@@ -8,6 +8,7 @@
 #include <QPointF>
 #include <QString>
 
+#include <cmath>
 #include <optional>
 #include <string>
 #include <vector>
@@ -47,6 +48,8 @@ public:
     void pan(QPointF delta);
     // Zooms by a factor; the place under `anchor` stays there.
     void zoom(double factor, QPointF anchor);
+    // The factor of a drag by so many pixels down: up comes nearer.
+    [[nodiscard]] static double zoomBy(double pixelsDown) { return std::exp(-0.008 * pixelsDown); }
     // Rolls about the line of sight, clockwise; the place under `anchor` stays there.
     void roll(double degrees, QPointF anchor);
     // Looks straight from a direction (world), upright. All that was in the picture when it was fitted is in

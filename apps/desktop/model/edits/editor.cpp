@@ -45,6 +45,7 @@ bool Editor::perform(const std::function<studio::Outcome()>& edit) {
     const bool isDone = host_.workLong([&] { outcome = edit(); }, LongWork::Input::GivesUp);
     if (isDone) {
         report(outcome);
+        emit done(outcome.milliseconds);
     }
     return isDone;
 }

@@ -45,7 +45,8 @@ public:
 
 signals:
     void interrupting();
-    void pasted(); // a part that is to be moved now
+    void done(double milliseconds); // a step of the history, which took so long
+    void pasted();                  // a part that is to be moved now
 
 private:
     void report(const studio::Outcome& outcome);

@@ -20,6 +20,16 @@
 
 namespace vs::desktop {
 
+namespace {
+
+sculpt::Precision precisionOf(const Loaded& loaded) {
+    return loaded.session         ? loaded.session->precision
+           : loaded.request.block ? loaded.request.block->precision
+                                  : sculpt::Precision::Bits16;
+}
+
+} // namespace
+
 DocumentFiles::DocumentFiles(const Model& model) : model_(model), host_(model.host) {
     connectLoader();
     connect(&host_, &DocumentHost::givenUp, this, [this] {
@@ -67,6 +77,14 @@ void DocumentFiles::endReading() {
     emit host_.changed();
 }
 
+QString DocumentFiles::begun(const OpenRequest& request) {
+    if (request.block) {
+        return tr("Making a block");
+    }
+    const auto& path = request.session.empty() ? request.volume : request.session;
+    return path.empty() ? tr("Recovering") : tr("Reading %1").arg(textOf(path.filename()));
+}
+
 void DocumentFiles::open(const OpenRequest& request) {
     if (host_.isLoading()) {
         host_.say(tr("Still reading; open it again when that is done"));
@@ -75,11 +93,7 @@ void DocumentFiles::open(const OpenRequest& request) {
     host_.gl().makeCurrent();
     model_.editor.interrupt();
     model_.hand.tool().clear();
-    host_.say(
-        request.volume.empty() && request.session.empty()
-            ? tr("Recovering")
-            : tr("Reading %1")
-                  .arg(textOf((request.session.empty() ? request.volume : request.session).filename())));
+    host_.say(begun(request));
     host_.setOpening(DocumentHost::Opening::Reading);
     loader_.start(request);
     emit host_.progress(0, 0);
@@ -90,9 +104,7 @@ void DocumentFiles::finishOpening(const std::shared_ptr<Loaded>& loaded) {
     const bool done = host_.guard([&] {
         std::unique_ptr<studio::Document> fresh;
         host_.runLong([&] {
-            fresh = std::make_unique<studio::Document>(std::move(loaded->volume),
-                                                       loaded->session ? loaded->session->precision
-                                                                       : sculpt::Precision::Bits16);
+            fresh = std::make_unique<studio::Document>(std::move(loaded->volume), precisionOf(*loaded));
         });
         host_.replace(std::move(fresh));
     });
@@ -116,6 +128,9 @@ void DocumentFiles::finishOpening(const std::shared_ptr<Loaded>& loaded) {
         auto view = model_.view.shown();
         view.range = host_.facts()->firstLook.range;
         view.mode = host_.facts()->firstLook.mode;
+        if (loaded->request.block && loaded->request.block->isBuiltUp) {
+            view.sculptureView = field::SculptureView::Probe;
+        }
         model_.view.showView(view);
         model_.camera.reset();
     }

@@ -64,6 +64,7 @@ signals:
 
 private:
     void connectLoader();
+    [[nodiscard]] static QString begun(const OpenRequest& request);
     void finishOpening(const std::shared_ptr<Loaded>& loaded);
     void takeSession(const studio::Session& session);
     void finishReplay(const QString& error, bool isGivenUp);

@@ -270,6 +270,13 @@ void GrowthController::pause() {
     }
 }
 
+void GrowthController::stop() {
+    pause();
+    limit_.forget();
+    host_.say(tr("Stopped"));
+    emit changed();
+}
+
 void GrowthController::whilePaused(const std::function<void()>& edit) {
     const Run before = run_;
     edit();

@@ -38,6 +38,9 @@ public:
     void play();
     void playBackward();
     void pause(); // also ends scrubbing and a change of rules in hand
+    // Ends growing for good: nothing but play() or a stroke goes on with it, and no limit asks any more.
+    void stop();
+    [[nodiscard]] bool canStop() const { return isBusy() || hasStoppedAtLimit(); }
     void step();
     void takeBack();
     void toEnd(); // as play(), without showing every step

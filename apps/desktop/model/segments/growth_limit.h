@@ -19,6 +19,10 @@ public:
     // From here on it holds for that segment, until it is reached or let go of.
     void hold(std::uint8_t label, double displayedVoxels);
     void letGo() { held_.reset(); }
+    void forget() {
+        held_.reset();
+        stopped_.reset();
+    }
     // What that segment may have; without a limit any number.
     [[nodiscard]] std::uint64_t mostVoxels(std::uint8_t label) const;
 

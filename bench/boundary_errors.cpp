@@ -136,10 +136,6 @@ MaskRaster maskWith(const MaskFilter& filter) {
     return rasterize(ellipseOutline(kCentre, kRadii), kPitch, filter);
 }
 
-int naturalWidth(Reconstruction kind) {
-    return kind == Reconstruction::Box ? 10 : (kind == Reconstruction::Tent ? 20 : 40);
-}
-
 void measureFilters(HelixBench& bench) {
     heading("Sampling and reconstruction (figures 3.14, 3.15)", "filter");
     for (const Sampling sampling : {Sampling::None, Sampling::PolygonSmooth}) {

@@ -1746,6 +1746,62 @@
         <source>Drills through all of the volume, instead of down to the depth</source>
         <translation>Bohrt durch das ganze Volumen statt bis zur Tiefe</translation>
     </message>
+    <message>
+        <source>By hand</source>
+        <translation>Von Hand</translation>
+    </message>
+    <message>
+        <source>The way is drawn along the pen</source>
+        <translation>Der Weg folgt dem Stift</translation>
+    </message>
+    <message>
+        <source>Polyline</source>
+        <translation>Linienzug</translation>
+    </message>
+    <message>
+        <source>Straight from corner to corner; Enter or a double click ends it</source>
+        <translation>Gerade von Ecke zu Ecke; Eingabe oder ein Doppelklick beendet ihn</translation>
+    </message>
+    <message>
+        <source>Spline</source>
+        <translation>Spline</translation>
+    </message>
+    <message>
+        <source>A smooth curve through corners; Enter or a double click ends it</source>
+        <translation>Eine glatte Kurve durch Ecken; Eingabe oder ein Doppelklick beendet sie</translation>
+    </message>
+    <message>
+        <source>Advanced</source>
+        <translation>Erweitert</translation>
+    </message>
+    <message>
+        <source>Raw energy, and the filter of the mask&apos;s edge</source>
+        <translation>Rohe Energie und der Filter des Maskenrands</translation>
+    </message>
+    <message>
+        <source>Raw energy</source>
+        <translation>Rohe Energie</translation>
+    </message>
+    <message>
+        <source>0.1 for each element of the mask instead of its volume, as the thesis has it: the cut&apos;s size follows the speed of the pen</source>
+        <translation>0,1 für jedes Element der Maske statt seines Volumens, wie in der Dissertation: Die Größe des Schnitts folgt dem Tempo des Stifts</translation>
+    </message>
+    <message>
+        <source>Sampling</source>
+        <translation>Abtastung</translation>
+    </message>
+    <message>
+        <source>How the mask&apos;s edge is sampled</source>
+        <translation>Wie der Rand der Maske abgetastet wird</translation>
+    </message>
+    <message>
+        <source>Filter</source>
+        <translation>Filter</translation>
+    </message>
+    <message>
+        <source>What the samples are weighted by</source>
+        <translation>Womit die Abtastwerte gewichtet werden</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::BlockDialog</name>
@@ -5114,6 +5170,14 @@ Tab: die nächste Form; Pfeiltasten bewegen sie; Entf; Eingabe: ihre Farbe; Strg
     <message>
         <source>Let go where the way ends: what it covers is cut. Esc drops it.</source>
         <translation>Am Ende des Weges loslassen: was er überdeckt, wird geschnitten. Esc verwirft ihn.</translation>
+    </message>
+    <message>
+        <source>Click the next corner. Enter or a double click ends the way, Esc drops it.</source>
+        <translation>Die nächste Ecke anklicken. Eingabe oder ein Doppelklick beendet den Weg, Esc verwirft ihn.</translation>
+    </message>
+    <message>
+        <source>Click the corners of the way that the shape goes. Esc clears it for a new shape.</source>
+        <translation>Die Ecken des Wegs anklicken, den die Form nimmt. Esc verwirft sie für eine neue Form.</translation>
     </message>
 </context>
 <context>

@@ -73,11 +73,49 @@ def drilled(studio):
 
 
 @test.step(after=[drilled])
+def swept(studio):
+    """A curved way through corners that are clicked; Enter ends it and, once it is shown, cuts it."""
+    studio.key("w")
+    studio.drag(ring(studio, 0.03, (0.3, 0.35)))
+    studio.wait("the sweep's mask", lambda s: s["hint"].startswith("Draw the way"))
+    studio.click("sweepPlane")
+    studio.click("sweepSpline")
+    studio.wait("corners to be wanted", lambda s: s["hint"].startswith("Click the corners"))
+    for place in ((0.3, 0.35), (0.45, 0.3), (0.6, 0.4)):
+        studio.click(studio.view_point(*place))
+        studio.wait("the next corner", lambda s: s["hint"].startswith("Click the next corner"))
+    studio.key("Return")
+    studio.wait_idle("the way", lambda s: s["hint"].startswith("Enter cuts"))
+    studio.key("Return")
+    studio.wait_idle("the sweep", lambda s: s["stepsDone"] == 2)
+
+
+@test.step(after=[swept])
+def advanced(studio):
+    """Raw energy and another filter, for who compares them: at the end of the page, which scrolls."""
+    studio.click("sweepLine")
+    x, y, _, height = studio.place_of("sweepAdvanced")
+    studio.click((x + 9, y + height // 2))
+    x, y, _, height = studio.place_of("sweepRaw")
+    studio.click((x + 9, y + height // 2))
+    studio.key("Escape")
+    studio.drag(ring(studio, 0.03, (0.7, 0.6)))
+    studio.wait_idle("the way", lambda s: s["hint"].startswith("Enter cuts"))
+    studio.key("Return")
+    studio.wait_idle("the raw sweep", lambda s: s["stepsDone"] == 3)
+
+
+@test.step(after=[advanced])
 def session(studio, arguments, folder):
     path, viewport = save_and_end(studio, folder)
     content = operations(path)
     drill = [op for op in content if op["op"] == "drill"]
     need(len(drill) == 1 and drill[0]["depthMax"] >= 80 / 0.5, f"drilled {drill}")
+    curved, raw = (op for op in content if op["op"] == "sweep")
+    way = curved["path"]["stroke"]
+    need(curved["path"]["kind"] == "view plane" and len(way) > 100, f"swept along {len(way)} places")
+    need(min(y for _, y in way[10:-10]) < way[0][1] - 20, "the curve does not pass its middle corner")
+    need(curved["energy"] == "calibrated" and raw["energy"] == "raw", f"energies {curved['energy']} and {raw['energy']}")
     return path, viewport
 
 

@@ -8,10 +8,13 @@
 #include "tools/tool_box.h"
 
 #include <QCheckBox>
+#include <QComboBox>
 #include <QFormLayout>
 #include <QPushButton>
 
+#include <array>
 #include <cmath>
+#include <functional>
 
 namespace vs::desktop {
 
@@ -39,6 +42,78 @@ QWidget* addNumber(QFormLayout* form, SweepTool& tool, StudioController& studio,
     return row;
 }
 
+QWidget* addLine(QFormLayout* form, SweepTool& tool) {
+    auto* line = new ChoiceRow({{"sweepByHand", tr("By hand"), tr("The way is drawn along the pen")},
+                                {"sweepPolyline", tr("Polyline"),
+                                 tr("Straight from corner to corner; Enter or a double click ends it")},
+                                {"sweepSpline", tr("Spline"),
+                                 tr("A smooth curve through corners; Enter or a double click ends it")}},
+                               int(tool.settings().line), 3);
+    QObject::connect(line, &ChoiceRow::chosen, &tool, [&tool](int n) {
+        auto settings = tool.settings();
+        settings.line = SweepTool::Line(n);
+        tool.set(settings);
+    });
+    form->addRow(line);
+    return line;
+}
+
+// A choice of one of `names`; `take` gets its number.
+template <std::size_t N>
+QComboBox* addNames(QFormLayout* form, const QString& text, const char* objectName, const QString& tip,
+                    const std::array<const char*, N>& names, int chosen,
+                    const std::function<void(int)>& take) {
+    auto* box = named(new QComboBox, objectName, text);
+    box->setToolTip(tip);
+    for (const char* name : names) {
+        box->addItem(name); // as sessions and papers call it
+    }
+    box->setCurrentIndex(chosen);
+    QObject::connect(box, &QComboBox::currentIndexChanged, box, take);
+    form->addRow(text, box);
+    return box;
+}
+
+// What the thesis compares, for experiments.
+void addAdvanced(QFormLayout* form, SweepTool& tool) {
+    auto* advanced = makeCheckBox("sweepAdvanced", tr("Advanced"),
+                                  tr("Raw energy, and the filter of the mask's edge"), false);
+    form->addRow(advanced);
+    auto* raw =
+        makeCheckBox("sweepRaw", tr("Raw energy"),
+                     tr("0.1 for each element of the mask instead of its volume, as the thesis has it: "
+                        "the cut's size follows the speed of the pen"),
+                     tool.settings().isRaw);
+    QObject::connect(raw, &QCheckBox::toggled, &tool, [&tool](bool on) {
+        auto settings = tool.settings();
+        settings.isRaw = on;
+        tool.set(settings);
+    });
+    form->addRow(raw);
+    auto* sampling = addNames(form, tr("Sampling"), "sweepSampling", tr("How the mask's edge is sampled"),
+                              sculpt::kMaskSamplings, int(tool.settings().filter.sampling), [&tool](int n) {
+                                  auto settings = tool.settings();
+                                  settings.filter.sampling = sculpt::Sampling(n);
+                                  tool.set(settings);
+                              });
+    auto* reconstruction =
+        addNames(form, tr("Filter"), "sweepFilter", tr("What the samples are weighted by"),
+                 sculpt::kReconstructions, int(tool.settings().filter.reconstruction), [&tool](int n) {
+                     auto settings = tool.settings();
+                     settings.filter.reconstruction = sculpt::Reconstruction(n);
+                     settings.filter.width = sculpt::naturalWidth(settings.filter.reconstruction);
+                     tool.set(settings);
+                 });
+    const auto show = [form, raw, sampling, reconstruction](bool on) {
+        for (QWidget* row : {static_cast<QWidget*>(raw), static_cast<QWidget*>(sampling),
+                             static_cast<QWidget*>(reconstruction)}) {
+            form->setRowVisible(row, on);
+        }
+    };
+    QObject::connect(advanced, &QCheckBox::toggled, form, show);
+    show(false);
+}
+
 } // namespace
 
 QWidget* makeSweepPage(StudioController& studio, ToolBox& tools) {
@@ -58,6 +133,7 @@ QWidget* makeSweepPage(StudioController& studio, ToolBox& tools) {
         tool.set(settings);
     });
     form->addRow(way);
+    auto* line = addLine(form, tool);
     using Settings = SweepTool::Settings;
     auto* length = addNumber(form, tool, studio, "sweepLength", tr("Length (steps)"),
                              tr("How far inward, in steps"), &Settings::length, {5, 200}, 1, Unit::Steps);
@@ -88,9 +164,11 @@ QWidget* makeSweepPage(StudioController& studio, ToolBox& tools) {
     apply->setFocusPolicy(Qt::TabFocus);
     QObject::connect(apply, &QPushButton::clicked, &tool, &SweepTool::accept);
     form->addRow(apply);
-    const auto show = [&tool, form, length, radius, turns, apply] {
+    addAdvanced(form, tool);
+    const auto show = [&tool, form, line, length, radius, turns, apply] {
         const auto now = tool.settings().way;
         const bool isHelix = now == SweepTool::Way::Helix;
+        form->setRowVisible(line, now == SweepTool::Way::Surface || now == SweepTool::Way::ViewPlane);
         form->setRowVisible(length, isHelix || now == SweepTool::Way::Line);
         form->setRowVisible(radius, isHelix);
         form->setRowVisible(turns, isHelix);

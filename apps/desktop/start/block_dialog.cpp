@@ -65,6 +65,7 @@ void BlockDialog::addSize(QFormLayout* form) {
         box->setRange(1, studio::Session::Block::kMostVoxels);
         box->setValue(block_.block.dims[int(axis)]);
         box->setButtonSymbols(QAbstractSpinBox::NoButtons);
+        box->setAlignment(Qt::AlignRight);
         connect(box, &QSpinBox::valueChanged, this, &BlockDialog::showTotal);
         row->addWidget(box, 1);
         size_[axis] = box;

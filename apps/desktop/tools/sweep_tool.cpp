@@ -5,6 +5,7 @@
 #include "studio/document/surface_queries.h"
 #include "tools/kinds/sketch_hints.h"
 #include "tools/sweep_along_view.h"
+#include "tools/sweep_way.h"
 
 namespace vs::desktop {
 
@@ -25,10 +26,12 @@ QString SweepTool::hint() const {
     case State::Empty:
         return drawHint(tr("Draw the shape that is to be swept."));
     case State::HasMask:
-        return isDrawn() ? tr("Draw the way that the shape goes. Esc clears it for a new shape.")
+        return isDrawn() ? wayHint()
                          : tr("Nothing is under the shape, so the way cannot begin there. Esc clears it.");
     case State::DrawingWay:
-        return !settings_.cutsAtPenUp ? tr("Let go where the way ends. Esc drops it.")
+        return settings_.line != Line::FreeHand
+                   ? tr("Click the next corner. Enter or a double click ends the way, Esc drops it.")
+               : !settings_.cutsAtPenUp ? tr("Let go where the way ends. Esc drops it.")
                : restores() ? tr("Let go where the way ends: what it covers is put back. Esc drops it.")
                             : tr("Let go where the way ends: what it covers is cut. Esc drops it.");
     case State::Ready:
@@ -50,9 +53,33 @@ Overlays SweepTool::overlays() const {
         overlays.push_back({outlines_, idleTint(), 0, 1.5});
     }
     if (state_ == State::DrawingWay || (state_ == State::Ready && isDrawn())) {
-        overlays.push_back({way_.outline(), Overlay::Tint::Pen});
+        overlays.push_back({drawnWay(), Overlay::Tint::Pen});
     }
     return overlays;
+}
+
+QString SweepTool::wayHint() const {
+    return settings_.line == Line::FreeHand
+               ? tr("Draw the way that the shape goes. Esc clears it for a new shape.")
+               : tr("Click the corners of the way that the shape goes. Esc clears it for a new shape.");
+}
+
+// In the view's logical pixels, to the pen while corners are set.
+QPainterPath SweepTool::drawnWay() const {
+    const QPainterPath corners = way_.outline();
+    if (settings_.line != Line::Spline) {
+        return corners;
+    }
+    std::vector<glm::dvec2> places;
+    for (int n = 0; n < corners.elementCount(); ++n) {
+        places.emplace_back(corners.elementAt(n).x, corners.elementAt(n).y);
+    }
+    QPainterPath way;
+    for (const glm::dvec2 place : wayThrough(places, settings_.line)) {
+        way.isEmpty() && way.elementCount() == 0 ? way.moveTo(place.x, place.y)
+                                                 : way.lineTo(place.x, place.y);
+    }
+    return way;
 }
 
 bool SweepTool::isDrawn() const { return settings_.way == Way::Surface || settings_.way == Way::ViewPlane; }
@@ -64,8 +91,10 @@ void SweepTool::setState(State state) {
 
 void SweepTool::set(const Settings& settings) {
     const bool wasDrawn = isDrawn();
+    const bool isLineNew = settings.line != settings_.line;
     settings_ = settings;
-    if (wasDrawn != isDrawn() && state_ == State::Ready) {
+    if ((wasDrawn != isDrawn() && state_ == State::Ready) ||
+        (isLineNew && (state_ == State::Ready || state_ == State::DrawingWay) && isDrawn())) {
         sweep_.reset();
         way_.clear();
         state_ = State::HasMask;
@@ -75,7 +104,12 @@ void SweepTool::set(const Settings& settings) {
 
 void SweepTool::press(const Pen& pen) {
     if (state_ != State::Empty && isDrawn()) {
-        way_.begin(studio::Shape::FreeForm, pen.position);
+        if (state_ != State::DrawingWay) { // else the next corner
+            const bool isByHand = settings_.line == Line::FreeHand;
+            way_.begin(isByHand ? studio::Shape::FreeForm : studio::Shape::Polyline, pen.position, {},
+                       SketchPad::Needs::Line);
+        }
+        way_.press(pen);
         setState(State::DrawingWay);
         return;
     }
@@ -97,7 +131,10 @@ void SweepTool::move(const Pen& pen) {
 void SweepTool::release(const Pen& pen) {
     move(pen);
     if (state_ == State::DrawingWay) {
-        takeSketch();
+        if (way_.end(pen.position)) {
+            takeSketch();
+        }
+        emit overlayChanged();
     } else {
         SketchTool::release(pen);
     }
@@ -136,7 +173,7 @@ std::optional<studio::Sweep> SweepTool::drawnSweep() {
         sweep.mask = sketch();
         sweep.path.kind = settings_.way == Way::Surface ? studio::SweepPath::Kind::Surface
                                                         : studio::SweepPath::Kind::ViewPlane;
-        sweep.path.stroke = way_.sketch(scale).points;
+        sweep.path.stroke = wayThrough(way_.sketch(scale).points, settings_.line);
     } else {
         const QPointF centre = pad().centre();
         std::optional<studio::Probe> start;
@@ -150,6 +187,8 @@ std::optional<studio::Sweep> SweepTool::drawnSweep() {
         sweep = sweepAlongView(sketch(), *start, settings_, canvas, *studio_.host().geometry());
     }
     sweep.frame = settings_.frame;
+    sweep.isRaw = settings_.isRaw;
+    sweep.filter = settings_.filter;
     sweep.radius = radius();
     sweep.restores = restores();
     sweep.canvas = canvas;
@@ -175,6 +214,10 @@ void SweepTool::preview() {
 bool SweepTool::accept() {
     if (isDrawingMask()) {
         return SketchTool::accept();
+    }
+    if (state_ == State::DrawingWay && way_.finish()) {
+        takeSketch();
+        return true;
     }
     if (state_ != State::Ready) {
         return false;

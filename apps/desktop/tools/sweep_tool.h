@@ -19,14 +19,21 @@ class SweepTool : public SketchTool<CutTool> {
 public:
     enum class Way { Surface, ViewPlane, Line, Helix };
 
+    // How a way is drawn: along the pen, or through corners that are clicked, straight or curved.
+    enum class Line { FreeHand, Polyline, Spline };
+
     struct Settings {
         Way way = Way::Surface;
+        Line line = Line::FreeHand;
         sculpt::FrameKind frame = sculpt::FrameKind::ParallelTransport;
         bool cutsAtPenUp = false; // else when told to
         // The length of a line and the height of a helix, in steps.
         double length = 40;
         double helixRadius = 12;
         double turns = 2;
+        // For comparison: what the thesis had (studio::Sweep).
+        bool isRaw = false;
+        sculpt::MaskFilter filter = {};
     };
 
     explicit SweepTool(StudioController& studio);
@@ -58,6 +65,8 @@ private:
     void setState(State state);
     [[nodiscard]] bool isDrawingMask() const { return SketchTool::isSketching(); }
     [[nodiscard]] bool isDrawn() const;
+    [[nodiscard]] QString wayHint() const;
+    [[nodiscard]] QPainterPath drawnWay() const;
     void prepare();
     void preview();
     void forgetOldView();

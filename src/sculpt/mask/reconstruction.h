@@ -11,6 +11,10 @@ enum class Reconstruction { Box, Tent, Gaussian, CatmullRom, MitchellNetravali, 
 inline constexpr std::array<const char*, 6> kReconstructions{"box",         "tent",     "gaussian",
                                                              "catmull-rom", "mitchell", "bspline"};
 constexpr const auto& namesOf(Reconstruction) { return kReconstructions; }
+// The whole support in which a filter has its natural size, in sub-samples, ten an element.
+constexpr int naturalWidth(Reconstruction reconstruction) {
+    return reconstruction == Reconstruction::Box ? 10 : reconstruction == Reconstruction::Tent ? 20 : 40;
+}
 
 // The cubic B-spline, support [-2, 2] (thesis, section 3.5.2, as corrected in doc/behaviour.md, "Where we
 // part from the thesis").

@@ -1783,10 +1783,6 @@
         <translation>Rohe Energie</translation>
     </message>
     <message>
-        <source>0.1 for each element of the mask instead of its volume, as the thesis has it: the cut&apos;s size follows the speed of the pen</source>
-        <translation>0,1 für jedes Element der Maske statt seines Volumens, wie in der Dissertation: Die Größe des Schnitts folgt dem Tempo des Stifts</translation>
-    </message>
-    <message>
         <source>Sampling</source>
         <translation>Abtastung</translation>
     </message>
@@ -1801,6 +1797,10 @@
     <message>
         <source>What the samples are weighted by</source>
         <translation>Womit die Abtastwerte gewichtet werden</translation>
+    </message>
+    <message>
+        <source>0.1 for each element of the mask instead of its volume: the cut&apos;s size follows the way&apos;s length in pixels</source>
+        <translation>0,1 für jedes Element der Maske statt seines Volumens: Die Größe des Schnitts folgt der Länge des Wegs in Pixeln</translation>
     </message>
 </context>
 <context>

@@ -87,6 +87,13 @@ def said_by(state):
     return f"the program says { {name: said for name, said in state.items() if name not in ('widgets', 'windows', 'disabled')} }"
 
 
+def prefer(folder, **preferences):
+    """What a person has chosen in a program that was started in that folder before."""
+    settings = folder / "home" / "config" / "volume-studio" / "volume-studio.ini"
+    settings.parent.mkdir(parents=True, exist_ok=True)
+    settings.write_text("[General]\n" + "".join(f"{name}={value}\n" for name, value in preferences.items()))
+
+
 class Studio:
     """One running volume-studio.
 

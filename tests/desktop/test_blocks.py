@@ -10,7 +10,7 @@ import os
 import pathlib
 import sys
 
-from driver import need, start
+from driver import need, prefer, start
 from steps import Steps
 from stolen_time import StolenTime
 from test_latency import circle, now_ms
@@ -55,6 +55,7 @@ def timeline(display, arguments, folder):
     volume = pathlib.Path(arguments.volume or HEAD)
     need(volume.exists(), f"there is no {volume}; install mricron-data")
     stolen = StolenTime()
+    prefer(folder, firstStrokePercent=0)  # what is grown takes long, as what follows does
     studio = start(display, arguments.program, folder, ["--timings-file", folder / TIMINGS, volume])
     studio.resize(1600, 1000)
     studio.wait_idle("the volume", lambda s: s["pictureComplete"], 100)

@@ -9,7 +9,7 @@ import pathlib
 import sys
 import time
 
-from driver import need, start
+from driver import need, prefer, start
 from steps import Skip, Steps
 
 test = Steps()
@@ -121,6 +121,7 @@ class Run:
 
     def __init__(self, display, arguments, folder):
         self.timings_file = folder / "timings.json"
+        prefer(folder, firstStrokePercent=0)  # growth goes on while it is looked at
         self.studio = start(display, arguments.program, folder, ["--timings-file", self.timings_file, HEAD])
         self.studio.wait_idle("the volume", lambda s: s["pictureComplete"])
         fit_view(self.studio)

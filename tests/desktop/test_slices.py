@@ -6,7 +6,7 @@ import os
 import pathlib
 import sys
 
-from driver import need, start
+from driver import need, prefer, start
 from replay import compare_with_replay, operations, run, save_and_end
 from steps import Steps
 
@@ -285,9 +285,7 @@ def replay(arguments, session, folder):
 @test.step(after=[session])
 def preferred_window(display, arguments, folder):
     """CT scans are opened with the window that is preferred, all others with their own."""
-    settings = folder / "home" / "config" / "volume-studio" / "volume-studio.ini"
-    settings.parent.mkdir(parents=True, exist_ok=True)
-    settings.write_text("[General]\nsliceWindow=lung\n")
+    prefer(folder, sliceWindow="lung")
     if not CT.exists():
         print(f"there is no {CT}: not tried on a CT scan")
     for volume, expected in ((CT, [-1350, 150]), (folder / "head.nrrd", [0, BRAIN])):

@@ -74,15 +74,15 @@ QComboBox* addNames(QFormLayout* form, const QString& text, const char* objectNa
     return box;
 }
 
-// What the thesis compares, for experiments.
+// For experiments on how cuts are made.
 void addAdvanced(QFormLayout* form, SweepTool& tool) {
     auto* advanced = makeCheckBox("sweepAdvanced", tr("Advanced"),
                                   tr("Raw energy, and the filter of the mask's edge"), false);
     form->addRow(advanced);
     auto* raw =
         makeCheckBox("sweepRaw", tr("Raw energy"),
-                     tr("0.1 for each element of the mask instead of its volume, as the thesis has it: "
-                        "the cut's size follows the speed of the pen"),
+                     tr("0.1 for each element of the mask instead of its volume: the cut's size follows the "
+                        "way's length in pixels"),
                      tool.settings().isRaw);
     QObject::connect(raw, &QCheckBox::toggled, &tool, [&tool](bool on) {
         auto settings = tool.settings();

@@ -31,7 +31,7 @@ public:
         double length = 40;
         double helixRadius = 12;
         double turns = 2;
-        // For comparison: what the thesis had (studio::Sweep).
+        // For comparison (studio::Sweep).
         bool isRaw = false;
         sculpt::MaskFilter filter = {};
     };

@@ -123,6 +123,7 @@ def choose_edit(studio, name, amount):
     reveal(studio, "segmentEdit")
     studio.choose("segmentEdit", name)
     if amount is not None:
+        reveal(studio, "editAmount")
         studio.type_number("editAmount", amount)
 
 
@@ -136,8 +137,8 @@ def looking(timeline):
     for key, mode in MODES:
         timeline.do(f"mode {mode}", lambda: studio.key(key), lambda s: s["mode"] == mode)
     timeline.do("slices", lambda: studio.key("F4"), lambda s: "axialSlider" in s["widgets"])
-    timeline.do("gradients", lambda: studio.click("tabGradient"), lambda s: s["reports"].get("gradientCurve", "").endswith("chosen"))
-    studio.click("functionChoice")
+    timeline.do("gradients", lambda: press(studio, "tabGradient"), lambda s: s["reports"].get("gradientCurve", "").endswith("chosen"))
+    press(studio, "functionChoice")
     studio.wait("the gallery", lambda s: "preset.mr_t1_head" in s["widgets"])
     timeline.do("a preset", lambda: studio.click("preset.mr_t1_head"), lambda s: s["reports"]["functionChoice"].startswith("MR"))
     studio.focus()

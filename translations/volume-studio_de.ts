@@ -4099,6 +4099,14 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
         <source>The camera tool comes nearer and steps back</source>
         <translation>Das Kamerawerkzeug holt heran und geht zurück</translation>
     </message>
+    <message>
+        <source>Invert</source>
+        <translation>Invertieren</translation>
+    </message>
+    <message>
+        <source>MIP and X-ray: dark on light, as PET is often read; colours stay</source>
+        <translation>MIP und Röntgen: dunkel auf hell, wie PET oft befundet wird; Farben bleiben</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::MeasureTool</name>

@@ -31,6 +31,7 @@ struct RenderOptions {
     std::string function;
     bool shadows = false;
     bool hidesAbove = false;
+    bool isInverted = false;
     double surfaceSmoothing = 0;
     render::Camera camera;
     int samples = 8;
@@ -65,6 +66,7 @@ void runRender(const RenderOptions& options) {
     view.transferFunction = function;
     view.shadows = options.shadows;
     view.hidesAbove = options.hidesAbove;
+    view.isInverted = options.isInverted;
     view.surfaceSmoothing = options.surfaceSmoothing;
     document.showView(view);
     render::Frame frame = document.frame(size);
@@ -106,6 +108,9 @@ void addRenderCommand(CLI::App& app) {
                                     fmt::join(render::presetNames(), ", ")));
     command->add_flag("--hide-above", options->hidesAbove,
                       "MIP and X-ray: hide values above the range instead of showing them as its upper end");
+    command->add_flag(
+        "--invert", options->isInverted,
+        "MIP and X-ray: dark on light, the studio's background too; colours stay what they are");
     command
         ->add_option(
             "--smooth-surface", options->surfaceSmoothing,

@@ -184,6 +184,9 @@ void MainWindow::makeLookActions() {
         "tintSegments", tr("Tint segments"),
         tr("MIP and X-ray: what is in a segment has the segment's colour"), "Shift+T",
         [&view](bool on) { view.setTintsSegments(on); }, [&view] { return view.shown().tintsSegments; });
+    add(
+        "invert", tr("Invert"), tr("MIP and X-ray: dark on light, as PET is often read; colours stay"),
+        "Shift+I", [&view](bool on) { view.setInverted(on); }, [&view] { return view.shown().isInverted; });
 }
 
 void MainWindow::makeGrowthActions() {

@@ -53,10 +53,27 @@ void MainWindow::makeMenus() {
           "export", "screenshot", "exportPicture", "copyPicture", "-", "properties", "-", "quit"});
     menu(tr("&Edit"), {"undo", "redo", "showHistory", "addNote", "-", "paste", "moveTool", "-", "unCut",
                        "reSeed", "-", "clearSketch", "-", "preferences"});
-    menu(tr("&View"),
-         {"resetView",    "fitView",      "-", "mode.surface",   "mode.mip",  "mode.xray",  "mode.overlay",
-          "mode.segment", "mode.volume",  "-", "viewCut",        "viewProbe", "viewWhole",  "-",
-          "hideAbove",    "tintSegments", "-", "smoothSampling", "shadows",   "annotations"});
+    menu(tr("&View"), {"resetView",
+                       "fitView",
+                       "-",
+                       "mode.surface",
+                       "mode.mip",
+                       "mode.xray",
+                       "mode.overlay",
+                       "mode.segment",
+                       "mode.volume",
+                       "-",
+                       "viewCut",
+                       "viewProbe",
+                       "viewWhole",
+                       "-",
+                       "hideAbove",
+                       "tintSegments",
+                       "invert",
+                       "-",
+                       "smoothSampling",
+                       "shadows",
+                       "annotations"});
     makeCameraMenu();
     makeSliceMenu();
     makeColourMenu();

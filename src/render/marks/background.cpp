@@ -38,6 +38,15 @@ std::string hex(glm::vec3 colour) {
 glm::vec3 linearTop(const Background& background) { return linearFromDisplay(background.top); }
 glm::vec3 linearBottom(const Background& background) { return linearFromDisplay(background.bottom); }
 
+Background forInverted(const Background& background) {
+    return background == Background{} ? complement(background) : background;
+}
+
+Background complement(const Background& background) {
+    return background.isTransparent ? background
+                                    : Background{1.0F - background.top, 1.0F - background.bottom, false};
+}
+
 std::string name(const Background& background) {
     if (background.isTransparent) {
         return "transparent";

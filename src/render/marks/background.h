@@ -22,6 +22,11 @@ struct Background {
 glm::vec3 linearTop(const Background& background);
 glm::vec3 linearBottom(const Background& background);
 
+// The background that inverted pictures have: a light one for the studio's, any other as it is.
+Background forInverted(const Background& background);
+// With the complement of each colour; nothing stays nothing.
+Background complement(const Background& background);
+
 // "studio", "white", "black", "transparent", "#RRGGBB" (one colour) or "#RRGGBB:#RRGGBB" (top and bottom):
 // how backgrounds stand on command lines and in sessions.
 std::string name(const Background& background);

@@ -106,6 +106,11 @@ void RayCaster::start(const Frame& frame) {
     VS_CHECK(frame.macrocells != nullptr);
     VS_CHECK(frame.mode != Mode::Volume || frame.classification != nullptr);
     frame_ = frame;
+    frame_.isInverted = frame.isInverted && (frame.mode == Mode::Mip || frame.mode == Mode::XRay);
+    if (frame_.isInverted) {
+        // The whole picture is complemented when it is resolved.
+        frame_.background = complement(forInverted(frame.background));
+    }
     sample_ = 0;
     square_ = 0;
     const glm::ivec2 size = frame.rays.size;
@@ -304,6 +309,9 @@ bool RayCaster::renderSome(double budgetMs) {
         .set("backgroundTop", glm::vec4(frame_.background.top, frame_.background.isTransparent ? 1.0F : 0.0F))
         .set("backgroundBottom", glm::vec4(frame_.background.bottom, 0.0F));
     bindPart(parts_.back());
+    if (frame_.mode == Mode::Mip || frame_.mode == Mode::XRay) {
+        program.set("isInverted", frame_.isInverted ? 1 : 0);
+    }
     while (!isComplete()) {
         if (square_ == 0 && hasFilm()) {
             fillFilm();
@@ -360,6 +368,7 @@ const gl::Texture& RayCaster::picture() {
         .set("isTransparent", background.isTransparent ? 1 : 0)
         .set("isFlat", background.top == background.bottom ? 1 : 0)
         .set("isBare", hasFilm() ? 0 : 1)
+        .set("isInverted", frame_.isInverted ? 1 : 0)
         .set("settled", glm::ivec2(activeSquares_, kSettling))
         .set("backgroundTop", glm::vec4(background.top, 0.0F))
         .set("backgroundBottom", glm::vec4(background.bottom, 0.0F));

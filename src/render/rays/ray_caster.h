@@ -77,6 +77,9 @@ struct Frame {
     Mode mode = Mode::Surface;
     // What is behind. A transparent picture has straight alpha: how much of the background each pixel hides.
     Background background = {};
+    // MIP and X-ray: what is bright is black and what is dark is light, the studio's background too; colours
+    // of transfer functions and segments, and other backgrounds, stay what they are.
+    bool isInverted = false;
     double xrayGain = 5;           // brightness of a ray through one whole diagonal at full value
     SegmentColours segmentColours; // overlay and segment mode
     double sampleStep = 0.5;       // steps between samples in MIP, X-ray and volume; more for drafts

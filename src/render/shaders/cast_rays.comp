@@ -57,6 +57,11 @@ uniform float sampleStep;   // steps between samples in MIP and volume mode
 uniform int beamShift;      // side of a beam's square: 1 << this; division is slow
 uniform vec4 backgroundTop; // display colour; w 1: there is none, and it is black
 uniform vec4 backgroundBottom;
+#if MODE == 1 || MODE == 2
+// The picture is complemented when it is done: white rays become black, and colours that are to stay are
+// accumulated as their complements.
+uniform int isInverted;
+#endif
 #if MODE == 2 || MODE == 3
 uniform vec2 lattice; // of samples in an X-ray: x steps between them, y what part of that they are shifted by
 #endif

@@ -17,9 +17,10 @@ layout(std430, binding = kPlacesStorage) readonly buffer Places {
 // first of them.
 uniform ivec3 progress;
 uniform int isTransparent;
-uniform int isFlat;    // the background is of one colour, which stays exactly that
-uniform int isBare;    // no samples are taken of squares where nothing can be seen: there is the background
-uniform ivec2 settled; // x the place from which on squares have settled, y after how many samples
+uniform int isFlat;     // the background is of one colour, which stays exactly that
+uniform int isInverted; // the picture is the complement of what was accumulated
+uniform int isBare;     // no samples are taken of squares where nothing can be seen: there is the background
+uniform ivec2 settled;  // x the place from which on squares have settled, y after how many samples
 uniform vec4 backgroundTop; // display colour
 uniform vec4 backgroundBottom;
 
@@ -45,6 +46,8 @@ float dither(ivec2 pixel) {
     return (noise - 0.5) / 255.0;
 }
 
+vec3 shownColour(vec3 accumulated) { return isInverted != 0 ? 1.0 - accumulated : accumulated; }
+
 void main() {
     ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
     if (any(greaterThanEqual(pixel, imageSize(picture)))) {
@@ -59,10 +62,10 @@ void main() {
         samples = 1.0;
     }
     if (isTransparent != 0) {
-        vec3 colour = sum.a > 0.0 ? sum.rgb / sum.a + dither(pixel) : vec3(0.0);
+        vec3 colour = sum.a > 0.0 ? shownColour(sum.rgb / sum.a) + dither(pixel) : vec3(0.0);
         imageStore(picture, pixel, vec4(colour, sum.a / samples));
     } else {
         float offset = isFlat != 0 && sum.a == 0.0 ? 0.0 : dither(pixel);
-        imageStore(picture, pixel, vec4(sum.rgb / samples + offset, 1.0));
+        imageStore(picture, pixel, vec4(shownColour(sum.rgb / samples) + offset, 1.0));
     }
 }

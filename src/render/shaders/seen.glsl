@@ -83,13 +83,21 @@ vec4 shadeGlass(Hit hit, Ray ray) {
 }
 #endif
 
+#if MODE == 1 || MODE == 2
+// The display colour that is accumulated for one that is to be seen.
+vec3 accumulatedFor(vec3 displayColour) { return isInverted != 0 ? 1.0 - displayColour : displayColour; }
+#elif MODE == 3
+vec3 accumulatedFor(vec3 displayColour) { return displayColour; }
+#endif
+
 #if defined(SEGMENTS) && (MODE == 1 || MODE == 2)
-// The linear colour of what a ray goes through: white, or what the transfer function says.
+// The linear colour of what a ray goes through: white, or black in an inverted picture, or what the transfer
+// function says.
 vec3 colourInRay(float value, vec3 p) {
 #ifdef TF_KIND
     return functionColour(value, p);
 #else
-    return vec3(1.0);
+    return vec3(isInverted != 0 ? 0.0 : 1.0);
 #endif
 }
 
@@ -138,7 +146,7 @@ vec4 integralAlong(Ray ray, float tEnd) {
 // The display colour of an integral: white, or what the transfer function and segments say.
 vec3 integralColour(vec4 integral) {
 #if defined(TF_KIND) || (defined(SEGMENTS) && MODE == 2)
-    return displayFromLinear(integral.rgb / max(integral.a, 1e-6));
+    return accumulatedFor(displayFromLinear(integral.rgb / max(integral.a, 1e-6)));
 #else
     return vec3(1.0);
 #endif
@@ -230,9 +238,10 @@ Seen seenAlong(Ray ray, float jitter, float scale) {
     Greatest greatest = findGreatestInSlabs(ray, sampleStep);
 #if defined(SEGMENTS)
     vec3 brightest = at(ray, greatest.t);
-    seen.front.rgb = displayFromLinear(tinted(colourInRay(greatest.value, brightest), brightest));
+    vec3 colour = tinted(colourInRay(greatest.value, brightest), brightest);
+    seen.front.rgb = accumulatedFor(displayFromLinear(colour));
 #elif defined(TF_KIND)
-    seen.front.rgb = displayFromLinear(functionColour(greatest.value, at(ray, greatest.t)));
+    seen.front.rgb = accumulatedFor(displayFromLinear(functionColour(greatest.value, at(ray, greatest.t))));
 #endif
     seen.front.a = greatest.value;
 #elif MODE == 2

@@ -63,6 +63,7 @@ Outcome Document::Impl::run(SetView& op) {
     view.tintsSegments = op.tintsSegments.value_or(view.tintsSegments);
     view.sliceWindow = op.sliceWindow.value_or(view.sliceWindow);
     view.tintsSlices = op.tintsSlices.value_or(view.tintsSlices);
+    view.isInverted = op.isInverted.value_or(view.isInverted);
     // Logged whole: what was looked at before is part of it.
     op = setViewTo(view);
     contents.show(view);

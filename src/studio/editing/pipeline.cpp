@@ -145,6 +145,7 @@ render::Frame Pipeline::frame(const State& state, glm::ivec2 size) {
     }
     frame.rays = render::viewRays(view.camera, field_->geometry, size);
     frame.mode = view.mode;
+    frame.isInverted = view.isInverted;
     frame.classification = classify(view);
     const bool byFunction = view.mode == render::Mode::Volume;
 

@@ -35,6 +35,7 @@ struct View {
     // The values that slices show from black to white; nothing: those that suit the scan.
     std::optional<Range> sliceWindow = {};
     bool tintsSlices = false; // slices show in colour what the 3D picture shows
+    bool isInverted = false;  // MIP and X-ray are dark on light; colours stay what they are
 
     // Values above the displayed range are visible too: in MIP, X-ray and overlay, unless they are hidden.
     [[nodiscard]] bool showsAbove() const;
@@ -72,6 +73,7 @@ struct SetView {
     // Set to nothing: the window that suits the scan.
     std::optional<std::optional<Range>> sliceWindow = {};
     std::optional<bool> tintsSlices = {};
+    std::optional<bool> isInverted = {};
 
     template <typename = void>
     static constexpr auto fields() {
@@ -87,7 +89,8 @@ struct SetView {
                           sparse("smoothSurface", &SetView::surfaceSmoothing, kSurfaceSmoothing),
                           sparse("tintSegments", &SetView::tintsSegments),
                           sparse("sliceWindow", &SetView::sliceWindow, {.mayBeNull = true}),
-                          sparse("tintSlices", &SetView::tintsSlices)};
+                          sparse("tintSlices", &SetView::tintsSlices),
+                          sparse("invert", &SetView::isInverted)};
     }
 };
 // The whole of a view.

@@ -65,6 +65,12 @@ void ViewModel::setTintsSegments(bool tintsSegments) {
     showView(next);
 }
 
+void ViewModel::setInverted(bool isInverted) {
+    auto next = view_;
+    next.isInverted = isInverted;
+    showView(next);
+}
+
 void ViewModel::setSampling(field::Sampling sampling) {
     auto next = view_;
     next.sampling = sampling;

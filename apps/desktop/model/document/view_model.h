@@ -37,6 +37,8 @@ public:
     void setSurfaceSmoothing(double sigma);
     // Segments in their colours in MIP and X-ray too.
     void setTintsSegments(bool tintsSegments);
+    // MIP and X-ray dark on light.
+    void setInverted(bool isInverted);
     void setSampling(field::Sampling sampling);
     // The values that slices show from black to white; nothing: those that suit the scan.
     void setSliceWindow(std::optional<Range> window);

@@ -535,6 +535,10 @@
         <source>show segments</source>
         <translation>Segmente zeigen</translation>
     </message>
+    <message>
+        <source>nothing has changed: what lies there is spared, or was as it would be</source>
+        <translation>nichts hat sich geändert: was dort liegt, wird verschont oder war schon so</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop</name>
@@ -2187,6 +2191,46 @@ Tab: der nächste Punkt; Pfeiltasten bewegen ihn; Entf; Eingabe: seine Farbe; St
     <message>
         <source>%1 · %2 mm</source>
         <translation>%1 · %2 mm</translation>
+    </message>
+    <message>
+        <source>%1 more</source>
+        <translation>%1 weitere</translation>
+    </message>
+    <message>
+        <source>Only %1 is taken.</source>
+        <translation>Nur %1 wird genommen.</translation>
+    </message>
+    <message>
+        <source>Spared: %1.</source>
+        <translation>Verschont: %1.</translation>
+    </message>
+    <message>
+        <source>All</source>
+        <translation>Alles</translation>
+    </message>
+    <message>
+        <source>Takes the segment at work like all else</source>
+        <translation>Nimmt das aktive Segment wie alles andere</translation>
+    </message>
+    <message>
+        <source>Not segment</source>
+        <translation>Ohne Segment</translation>
+    </message>
+    <message>
+        <source>Spares the segment at work: cuts end at its surface</source>
+        <translation>Verschont das aktive Segment: Schnitte enden an seiner Oberfläche</translation>
+    </message>
+    <message>
+        <source>Only segment</source>
+        <translation>Nur Segment</translation>
+    </message>
+    <message>
+        <source>Takes nothing but the segment at work: cuts end at its surface</source>
+        <translation>Nimmt nichts als das aktive Segment: Schnitte enden an seiner Oberfläche</translation>
+    </message>
+    <message>
+        <source>Takes</source>
+        <translation>Nimmt</translation>
     </message>
 </context>
 <context>
@@ -4823,6 +4867,14 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
         <source>Volume</source>
         <translation>Volumen</translation>
     </message>
+    <message>
+        <source>Tools spare it: click to lock it</source>
+        <translation>Werkzeuge verschonen es: Klick sperrt es</translation>
+    </message>
+    <message>
+        <source>Tools take only this: click to lock it</source>
+        <translation>Werkzeuge nehmen nur dieses: Klick sperrt es</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::SegmentNumbersPanel</name>
@@ -4924,6 +4976,18 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
     <message>
         <source>Colour…</source>
         <translation>Farbe…</translation>
+    </message>
+    <message>
+        <source>Tools take it like all else</source>
+        <translation>Werkzeuge nehmen es wie alles andere</translation>
+    </message>
+    <message>
+        <source>Tools spare it</source>
+        <translation>Werkzeuge verschonen es</translation>
+    </message>
+    <message>
+        <source>Tools take only this</source>
+        <translation>Werkzeuge nehmen nur dieses</translation>
     </message>
 </context>
 <context>

@@ -11,10 +11,13 @@
 #include <QSlider>
 
 #include <cmath>
+#include <functional>
 
 namespace vs::desktop {
 
 namespace {
+
+using Treatment = studio::SegmentInfo::Treatment;
 
 // The scan or the segment at work; one choice for all tools that can do both.
 void addTarget(QFormLayout* form, CutTool& tool, StudioController& studio, const QString& prefix) {
@@ -44,7 +47,72 @@ void nameSigns(ChoiceRow& sign, const CutTool& tool) {
     }
 }
 
+QStringList namesOf(const studio::SegmentList& list,
+                    const std::function<bool(const studio::SegmentInfo&)>& isMeant) {
+    QStringList names;
+    for (const studio::SegmentInfo& info : list.segments) {
+        if (isMeant(info)) {
+            names << QString::fromStdString(info.name);
+        }
+    }
+    constexpr int kMost = 6;
+    if (names.size() > kMost) {
+        names = names.mid(0, kMost - 1) << CutTool::tr("%1 more").arg(names.size() - (kMost - 1));
+    }
+    return names;
+}
+
+// What holds for all tools that cut, in words; empty: they take everything.
+QString limitsSaid(const studio::SegmentList& list) {
+    const QStringList only = namesOf(list, [](const studio::SegmentInfo& info) {
+        return !info.isSpared() && info.treatment == Treatment::TakeOnly;
+    });
+    const QStringList spared = namesOf(list, [](const studio::SegmentInfo& info) { return info.isSpared(); });
+    QStringList said;
+    if (!only.isEmpty()) {
+        said << CutTool::tr("Only %1 is taken.").arg(only.join(", "));
+    }
+    if (!spared.isEmpty()) {
+        said << CutTool::tr("Spared: %1.").arg(spared.join(", "));
+    }
+    return said.join(" ");
+}
+
 } // namespace
+
+void addLimits(QFormLayout* form, StudioTool& tool, StudioController& studio, const QString& prefix) {
+    const QByteArray all = (prefix + "TakesAll").toLatin1();
+    const QByteArray spare = (prefix + "Spares").toLatin1();
+    const QByteArray only = (prefix + "TakesOnly").toLatin1();
+    // In the order of the treatments.
+    auto* choice = new ChoiceRow(
+        {{all.constData(), CutTool::tr("All"), CutTool::tr("Takes the segment at work like all else")},
+         {spare.constData(), CutTool::tr("Not segment"),
+          CutTool::tr("Spares the segment at work: cuts end at its surface")},
+         {only.constData(), CutTool::tr("Only segment"),
+          CutTool::tr("Takes nothing but the segment at work: cuts end at its surface")}},
+        0);
+    auto* said = makeQuietLabel({});
+    said->setWordWrap(true);
+    QObject::connect(choice, &ChoiceRow::chosen, &studio, [&studio](int n) {
+        studio.segments().setTreatment(studio.segments().list().working().name, Treatment(n));
+    });
+    auto* label = new QLabel(CutTool::tr("Takes"));
+    const auto show = [choice, said, label, &tool, &studio] {
+        const auto* cuts = qobject_cast<const CutTool*>(&tool);
+        const bool isUseful = studio.segments().hasVoxels() && (cuts == nullptr || !cuts->actsOnSegment());
+        const studio::SegmentList list = studio.segments().list();
+        choice->choose(int(list.working().treatment));
+        said->setText(limitsSaid(list));
+        choice->setVisible(isUseful);
+        label->setVisible(isUseful);
+        said->setVisible(isUseful && !said->text().isEmpty());
+    };
+    QObject::connect(&studio.host(), &DocumentHost::changed, choice, show);
+    form->addRow(label, choice);
+    form->addRow(said);
+    show();
+}
 
 void addCutOrRestore(QFormLayout* form, CutTool& tool, StudioController& studio, const QString& prefix) {
     if (tool.canActOnSegment()) {
@@ -61,6 +129,7 @@ void addCutOrRestore(QFormLayout* form, CutTool& tool, StudioController& studio,
         nameSigns(*sign, tool);
     });
     form->addRow(sign);
+    addLimits(form, tool, studio, prefix);
 }
 
 QString stepsAndMm(double steps, StudioController& studio) {

@@ -11,10 +11,12 @@ namespace vs::desktop {
 
 class CutTool;
 class StudioController;
+class StudioTool;
 
-// The rows that all tools have that cut: what they act on (those that can choose), cut or restore, and the
-// radius. Object names begin with `prefix`.
+// The rows that all tools have that cut: what they act on (those that can choose), cut or restore, what they
+// take of the segments, and the radius. Object names begin with `prefix`.
 void addCutOrRestore(QFormLayout* form, CutTool& tool, StudioController& studio, const QString& prefix);
+void addLimits(QFormLayout* form, StudioTool& tool, StudioController& studio, const QString& prefix);
 void addRadius(QFormLayout* form, CutTool& tool, const QString& prefix);
 
 // A slider over steps, `perStep` positions of it for each, with its value in steps and in millimetres of the

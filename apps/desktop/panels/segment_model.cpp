@@ -43,6 +43,27 @@ QIcon swatchOf(const studio::SegmentInfo& segment) {
     return swatch;
 }
 
+using Treatment = studio::SegmentInfo::Treatment;
+
+QString lockTip(const studio::SegmentInfo& info) {
+    if (info.isLocked) {
+        return SegmentModel::tr("Locked: no tool changes it, nor cuts it");
+    }
+    return info.treatment == Treatment::Spare ? SegmentModel::tr("Tools spare it: click to lock it")
+           : info.treatment == Treatment::TakeOnly
+               ? SegmentModel::tr("Tools take only this: click to lock it")
+               : SegmentModel::tr("Click to lock it");
+}
+
+const char* lockIcon(const studio::SegmentInfo& info) {
+    if (info.isLocked) {
+        return "lock";
+    }
+    return info.treatment == Treatment::Spare      ? "spare"
+           : info.treatment == Treatment::TakeOnly ? "takeOnly"
+                                                   : "unlock";
+}
+
 QString amount(double millilitres) {
     return millilitres <= 0 ? QString("\u2013")
                             : QString::number(millilitres, 'f', millilitres < 10 ? 2 : 1) + " ml";
@@ -89,7 +110,7 @@ QVariant SegmentModel::data(const QModelIndex& index, int role) const {
         case Eye:
             return info.isVisible ? tr("Seen: click to hide it") : tr("Hidden: click to show it");
         default:
-            return info.isLocked ? tr("Locked: no tool changes it, nor cuts it") : tr("Click to lock it");
+            return lockTip(info);
         }
     }
     if (role == Qt::DecorationRole) {
@@ -99,7 +120,7 @@ QVariant SegmentModel::data(const QModelIndex& index, int role) const {
         case Eye:
             return icon(info.isVisible ? "eye" : "eyeOff");
         case Lock:
-            return icon(info.isLocked ? "lock" : "unlock");
+            return icon(lockIcon(info));
         default:
             return {};
         }
@@ -119,7 +140,7 @@ QVariant SegmentModel::data(const QModelIndex& index, int role) const {
     return {};
 }
 
-// Seen and locked ones stand before the others.
+// Those that are seen, and those that are locked or that tools treat apart, stand before the others.
 QVariant SegmentModel::sortKey(const QModelIndex& index) const {
     const studio::SegmentInfo& info = segment(index.row());
     switch (index.column()) {
@@ -130,7 +151,7 @@ QVariant SegmentModel::sortKey(const QModelIndex& index) const {
     case Eye:
         return info.isVisible ? 0 : 1;
     case Lock:
-        return info.isLocked ? 0 : 1;
+        return info.isLocked ? 0 : 1 + (int(Treatment::TakeOnly) - int(info.treatment));
     default:
         return info.label;
     }

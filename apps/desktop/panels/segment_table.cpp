@@ -6,6 +6,7 @@
 #include "panels/segment_model.h"
 #include "panels/segment_order.h"
 
+#include <QActionGroup>
 #include <QColorDialog>
 #include <QContextMenuEvent>
 #include <QHeaderView>
@@ -175,7 +176,27 @@ void SegmentTable::contextMenuEvent(QContextMenuEvent* event) {
     const QPersistentModelIndex name(index.siblingAtColumn(SegmentModel::Name));
     add("renameSegment", tr("Rename"), [this, name] { edit(name); });
     add("colourSegment", tr("Colour\u2026"), [this, info] { chooseColour(info); });
+    menu->addSeparator();
+    addTreatments(*menu, info);
     menu->popup(event->globalPos());
+}
+
+// What tools do with a segment, as a choice in its menu.
+void SegmentTable::addTreatments(QMenu& menu, const studio::SegmentInfo& info) {
+    using Treatment = studio::SegmentInfo::Treatment;
+    auto* choice = new QActionGroup(&menu);
+    const auto add = [&](const char* name, const QString& text, Treatment treatment) {
+        auto* action = menu.addAction(text);
+        action->setObjectName(name);
+        action->setCheckable(true);
+        action->setChecked(info.treatment == treatment);
+        choice->addAction(action);
+        connect(action, &QAction::triggered, this,
+                [this, name = info.name, treatment] { studio_.segments().setTreatment(name, treatment); });
+    };
+    add("toolsTake", tr("Tools take it like all else"), Treatment::Take);
+    add("toolsSpare", tr("Tools spare it"), Treatment::Spare);
+    add("toolsTakeOnly", tr("Tools take only this"), Treatment::TakeOnly);
 }
 
 void SegmentTable::activate(const QModelIndex& index) {

@@ -43,6 +43,7 @@ protected:
 private:
     void refresh();
     [[nodiscard]] QString names() const;
+    void addTreatments(QMenu& menu, const studio::SegmentInfo& info);
     void activate(const QModelIndex& index);
     void chooseColour(const studio::SegmentInfo& info);
     void showOnlyOrAll(const studio::SegmentInfo& info);

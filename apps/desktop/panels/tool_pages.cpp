@@ -152,7 +152,7 @@ QWidget* makeScissorsPage(StudioController& studio, ToolBox& tools) {
     return page;
 }
 
-QWidget* makeKeepPage(StudioController&, ToolBox& tools) {
+QWidget* makeKeepPage(StudioController& studio, ToolBox& tools) {
     auto* page = new QWidget;
     auto* form = makeForm(page);
     KeepTool& tool = tools.get<KeepTool>();
@@ -162,6 +162,7 @@ QWidget* makeKeepPage(StudioController&, ToolBox& tools) {
         tool.joinsCorners() ? 0 : 1);
     QObject::connect(joined, &ChoiceRow::chosen, &tool, [&tool](int n) { tool.setJoinsCorners(n == 0); });
     form->addRow(tr("Connected by"), joined);
+    addLimits(form, tool, studio, "keep");
     addNote(form,
             tr("What is visible follows the displayed range: raise its lower end where a table touches the "
                "patient."));

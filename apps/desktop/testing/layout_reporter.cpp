@@ -89,6 +89,7 @@ nlohmann::json listOf(const SegmentController& segments) {
                         {"voxels", segments.voxels(info.label)},
                         {"visible", info.isVisible},
                         {"locked", info.isLocked},
+                        {"tools", nameOf(info.treatment)},
                         {"opacity", info.opacity},
                         {"working", info.label == segments.list().atWork}});
     }

@@ -266,6 +266,16 @@ vec3 outwards(vec3 outward, vec3 towardsViewer) {
     return c >= 0.0 ? n : c > -grazing ? edgeOn : -n;
 }
 
+#if defined(SCULPTED) && defined(MEETS_SEGMENTS)
+// Whether a cut face is a segment's own surface, because a tool spared the segment or took nothing else:
+// there membership is a half but for what rounding to 8 bits leaves, and both face the same way.
+bool isSegmentsSurface(vec3 p, vec3 cutOutward) {
+    const float rounding = 0.02;
+    bool isClose = abs(segmentationAt(p) - 0.5) < rounding;
+    return isClose && dot(normalize(segmentationGradient(p)), normalize(cutOutward)) < -0.7;
+}
+#endif
+
 // `jitter` in [0, 1) shifts the samples by that part of a step: what they all miss then differs from ray to
 // ray.
 Hit findSurface(Ray ray, float jitter) {
@@ -323,7 +333,7 @@ Hit findSurface(Ray ray, float jitter) {
 #ifdef MEETS_SEGMENTS
         // Segments go on behind a cut face (segment/membership/continuation.h), so that what is met on it is
         // exact.
-        hit.isSegment = segmentationAt(hit.voxel) >= 0.5;
+        hit.isSegment = segmentationAt(hit.voxel) >= 0.5 || isSegmentsSurface(hit.voxel, cutOutward);
         hit.inSegment = hit.voxel;
 #endif
         outward = cutOutward;

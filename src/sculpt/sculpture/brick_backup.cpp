@@ -97,32 +97,6 @@ Box3 BrickBackup::restore() {
     return all;
 }
 
-Box3 BrickBackup::spare(const std::function<bool(glm::ivec3)>& isToKeep) {
-    const std::size_t texelBytes = gl::bytesPerTexel(texture_->format());
-    Box3 spared;
-    for (const auto& [number, original] : originals_) {
-        auto now = texture_->download(original.box);
-        const glm::ivec3 size = original.box.size();
-        bool isChanged = false;
-        for (std::size_t i = 0; i < now.size() / texelBytes; ++i) {
-            const auto before = original.bytes.begin() + std::ptrdiff_t(i * texelBytes);
-            const auto after = now.begin() + std::ptrdiff_t(i * texelBytes);
-            const int n = int(i);
-            const glm::ivec3 voxel =
-                original.box.lo + glm::ivec3(n % size.x, n / size.x % size.y, n / (size.x * size.y));
-            if (!std::equal(before, before + std::ptrdiff_t(texelBytes), after) && isToKeep(voxel)) {
-                std::copy_n(before, texelBytes, after);
-                isChanged = true;
-            }
-        }
-        if (isChanged) {
-            texture_->upload(original.box, now);
-            spared = unite(spared, original.box);
-        }
-    }
-    return spared;
-}
-
 BrickDelta BrickBackup::finish() {
     const gl::Pass pass("finish bricks");
     const std::size_t texelBytes = gl::bytesPerTexel(texture_->format());

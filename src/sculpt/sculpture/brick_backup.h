@@ -5,7 +5,6 @@
 #include "gl/texture.h"
 
 #include <cstddef>
-#include <functional>
 #include <map>
 #include <span>
 #include <vector>
@@ -54,8 +53,6 @@ public:
     // Puts every protected brick back as it was and goes on protecting them. Returns the box that may have
     // changed.
     Box3 restore();
-    // Puts back those voxels that changed and are to be kept as they were. Returns the box around them.
-    Box3 spare(const std::function<bool(glm::ivec3 voxel)>& isToKeep);
     // Ends the operation: what differs now becomes a delta whose swap() undoes it, and the backup is empty
     // again.
     BrickDelta finish();

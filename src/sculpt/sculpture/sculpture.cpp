@@ -22,12 +22,45 @@ Box3 cellsOf(const Box3& voxels, glm::ivec3 cellCount) {
 
 } // namespace
 
+std::vector<float> mostEnergies(const Limits& limits, const Box3& box) {
+    if (limits.memberships == nullptr) {
+        return {};
+    }
+    const std::size_t channels = gl::bytesPerTexel(limits.memberships->format());
+    const auto bytes = limits.memberships->download(box);
+    std::vector<float> most(box.volume());
+    for (std::size_t i = 0; i < most.size(); ++i) {
+        const auto membership = [&](std::size_t channel) {
+            return channel < channels ? float(std::to_integer<int>(bytes[channels * i + channel])) / 255.0F
+                                      : 0.0F;
+        };
+        most[i] = std::min(1 - membership(0), limits.takesOnly ? membership(1) : 1.0F);
+    }
+    return most;
+}
+
 Sculpture::Sculpture(glm::ivec3 dims, Precision precision)
     : precision_(precision), texels_(dims, formatOf(precision), gl::Filter::Linear, "sculpture"),
       cells_(field::cellDims(dims), gl::Format::RG32F, gl::Filter::Nearest, "sculpture cells"),
-      combine_("sculpt/shaders/combine_sculpture.comp", storedDefines(precision)),
       summarize_("sculpt/shaders/summarize_tiles.comp"), changed_(sizeof(std::uint32_t), "changed voxels"),
-      touched_(Box3{glm::ivec3(0), brickGrid(dims)}.volume(), false) {}
+      touched_(Box3{glm::ivec3(0), brickGrid(dims)}.volume(), false) {
+    combine_.with(defines()); // compiled now, not in the middle of a stroke
+}
+
+gl::Defines Sculpture::defines() const {
+    gl::Defines defines = storedDefines(precision_);
+    if (limits_.memberships != nullptr) {
+        defines.emplace_back("LIMITED", "1");
+    }
+    return defines;
+}
+
+void Sculpture::bindLimits(gl::Program& program) const {
+    if (limits_.memberships != nullptr) {
+        limits_.memberships->bindTexture(kLimitsTexture);
+        program.set("takesOnly", limits_.takesOnly ? 1 : 0);
+    }
+}
 
 Box3 Sculpture::combine(const Radiator& radiation, Combine how) {
     return combine(radiation, how, Base::Itself, nullptr);
@@ -50,12 +83,14 @@ Box3 Sculpture::combine(const Radiator& radiation, Combine how, Base base, const
         radiation.energy().bindImage(kEnergyImage, gl::Access::Read);
         texels_.bindImage(kSculptureImage, gl::Access::ReadWrite);
         (before != nullptr ? *before : texels_).bindImage(kEarlierImage, gl::Access::Read);
-        combine_.set("tileDims", radiation.tileDims())
+        gl::Program& program = combine_.with(defines());
+        bindLimits(program);
+        program.set("tileDims", radiation.tileDims())
             .set("originVoxel", radiation.originVoxel())
             .set("dims", dims())
             .set("isRestore", how == Combine::Restore ? 1 : 0)
             .set("base", int(base));
-        combine_.dispatchIndirect(radiation.tileArguments(), 0, gl::Barrier::Texture);
+        program.dispatchIndirect(radiation.tileArguments(), 0, gl::Barrier::Texture);
     }
     // A cut only adds: what was not empty stays so.
     const bool staysNonEmpty = how == Combine::Cut && base == Base::Itself && isEmpty_ == false;

@@ -20,6 +20,17 @@ namespace vs::sculpt {
 
 enum class Combine { Cut, Restore };
 
+// Where tools may work, by the memberships of segments (0.5 at their surfaces) on the sculpture's grid: r of
+// what is spared, g of what alone is taken. A voxel gets no more of a tool's energy than 1 - r and, where
+// only some is taken, g. So the faces of a cut lie on those surfaces, and a voxel of what is spared (r at
+// least 0.5) is never cut.
+struct Limits {
+    const gl::Texture* memberships = nullptr; // null: everywhere
+    bool takesOnly = false;
+};
+// The greatest energy that a tool may give to each voxel of a box (x fastest); empty: 1 everywhere.
+std::vector<float> mostEnergies(const Limits& limits, const Box3& box);
+
 // What has been cut away: a scalar from 0 (untouched) to 1 (cut) on the volume's grid, the cut face at 0.5.
 // Kept on the device, together with the range of each macrocell for skipping empty space.
 class Sculpture {
@@ -37,6 +48,15 @@ public:
     Box3 combineWith(const gl::Texture* before, const Radiator& radiation);
     // Voxels whose value the last combine() changed; waits for the device.
     [[nodiscard]] std::uint64_t changedVoxels() const;
+
+    // Where all that combines with the sculpture from now on may work; at first everywhere. The memberships
+    // must outlive it, or the next call.
+    void limitTo(const Limits& limits) { limits_ = limits; }
+    [[nodiscard]] bool isLimited() const { return limits_.memberships != nullptr; }
+    // For programs that write texels(): what shaders/stored_values.glsl and limits.glsl want to know, and the
+    // limits themselves.
+    [[nodiscard]] gl::Defines defines() const;
+    void bindLimits(gl::Program& program) const;
 
     // Everything untouched again (Un-Cut). Costs what was touched, and so does its undo: touchedBricks() are
     // what must be protected before.
@@ -84,7 +104,8 @@ private:
     Precision precision_;
     gl::Texture texels_;
     gl::Texture cells_;
-    gl::Program combine_;
+    Limits limits_;
+    gl::ProgramVariants combine_{"sculpt/shaders/combine_sculpture.comp"};
     gl::Program summarize_; // cells of the radiation's tiles
     field::CellRangeUpdater updater_;
     gl::Buffer changed_;

@@ -9,6 +9,7 @@ const int kOwnDepthsTexture = 1;
 const int kUpToTexture = 1;
 const int kFromTexture = 2;
 const int kFrontDepthsTexture = 2;
+const int kLimitsTexture = 3;
 
 // Image units.
 const int kSculptureCellsImage = 0;

@@ -1,18 +1,20 @@
 // Cuts islands (pack_islands.comp) and two voxels around each, but nothing within one voxel of what is kept.
 // One invocation a word of 32 voxels along x.
-// variants: SCULPTURE_BITS=16
-// In: storage 0 islands, 1 kept. Out: image 1 sculpture.
+// variants: SCULPTURE_BITS=16;SCULPTURE_BITS=16 LIMITED=1
+// In: storage 0 islands, 1 kept. In/out: image 1 sculpture.
 layout(local_size_x = 8, local_size_y = 8) in;
 
 #include "sculpt/shaders/stored_values.glsl"
 
 #include "sculpt/shaders/bindings.glsl"
-layout(SCULPTURE_FORMAT, binding = kSculptureImage) uniform writeonly image3D sculpture;
+layout(SCULPTURE_FORMAT, binding = kSculptureImage) uniform image3D sculpture;
 layout(std430, binding = kIslandsStorage) readonly buffer Islands { uint islands[]; };
 layout(std430, binding = kKeptStorage) readonly buffer Kept { uint kept[]; };
 
 uniform ivec3 words;
 uniform ivec3 dims;
+
+#include "sculpt/shaders/limits.glsl"
 
 bool isInside(ivec3 word) { return all(greaterThanEqual(word, ivec3(0))) && all(lessThan(word, words)); }
 
@@ -43,7 +45,12 @@ void main() {
     ivec3 voxel = ivec3(word.x * 32, word.yz);
     for (int n = 0; n < 32 && voxel.x < dims.x && gone != 0u; ++n) {
         if (((gone >> n) & 1u) != 0u) {
+#ifdef LIMITED
+            float before = imageLoad(sculpture, voxel).r;
+            imageStore(sculpture, voxel, vec4(asStored(max(before, mostEnergy(voxel)))));
+#else
             imageStore(sculpture, voxel, vec4(1.0));
+#endif
         }
         ++voxel.x;
     }

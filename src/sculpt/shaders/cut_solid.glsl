@@ -15,6 +15,7 @@ uniform int isRestore;
 uniform mat4 worldFromVoxel;
 uniform float sigma; // of the edge, mm
 
+#include "sculpt/shaders/limits.glsl"
 #include "sculpt/shaders/tiles.glsl"
 
 // The first voxel of this invocation's line; false when there is none.
@@ -32,7 +33,8 @@ float energyBehind(float distance) {
     return 1.0 / (1.0 + exp(-x * (1.5976 + 0.070566 * x * x)));
 }
 
-void combineVoxel(ivec3 voxel, float energy) {
+void combineVoxel(ivec3 voxel, float wholeEnergy) {
+    float energy = min(wholeEnergy, mostEnergy(voxel));
     if (energy > negligible) {
         float before = imageLoad(sculpture, voxel).r;
         float e = energy > 1.0 - negligible ? 1.0 : energy;

@@ -48,7 +48,8 @@ Box3 IslandCutter::cut(Sculpture& sculpture, const field::Scene& scene, const gl
     {
         const gl::Pass pass("cut islands");
         sculpture.texels().bindImage(kSculptureImage, gl::Access::ReadWrite);
-        gl::Program& program = cut_.with(storedDefines(sculpture.precision()));
+        gl::Program& program = cut_.with(sculpture.defines());
+        sculpture.bindLimits(program);
         program.set("words", words).set("dims", dims);
         program.dispatchOver(words, gl::Barrier::Texture);
     }

@@ -20,7 +20,7 @@ public:
 
 private:
     gl::ProgramVariants pack_{"sculpt/shaders/pack_islands.comp"};
-    gl::ProgramVariants cut_{"sculpt/shaders/cut_islands.comp"}; // by the sculpture's precision
+    gl::ProgramVariants cut_{"sculpt/shaders/cut_islands.comp"}; // by the sculpture's defines()
     gl::Buffer islands_;                                         // one bit a voxel, 32 along x in a word
     gl::Buffer kept_;
     gl::Buffer bounds_;

@@ -176,8 +176,11 @@ Box3 SolidCutter::run(gl::Program& program, const Tiles& tiles, Sculpture& sculp
     }
     const gl::Pass pass("cut solid");
     sculpture.texels().bindImage(kSolidSculptureImage, gl::Access::ReadWrite);
+    gl::Program& fill = fill_.with(sculpture.defines());
+    sculpture.bindLimits(program);
+    sculpture.bindLimits(fill);
     dispatch(program, tiles.partly, radius, how);
-    dispatch(fill_.with(storedDefines(sculpture.precision())), tiles.wholly, radius, how);
+    dispatch(fill, tiles.wholly, radius, how);
     sculpture.refresh(all);
     return all;
 }
@@ -237,7 +240,7 @@ Box3 SolidCutter::extrude(Sculpture& sculpture, const Extrusion& solid, Combine 
         own.bindTexture(kOwnDepthsTexture);
         front.bindTexture(kFrontDepthsTexture);
     }
-    gl::Program& program = extrude_.with(storedDefines(sculpture.precision()));
+    gl::Program& program = extrude_.with(sculpture.defines());
     program.set("pixelFromVoxel", glm::mat4(view.pixelFromWorld * geometry_.worldFromVoxel))
         .set("outlinePlace", glm::vec4(distances.origin, band, view.pixelMm))
         .set("eye", glm::vec4(view.eye, view.isOrthographic ? 1.0 : 0.0))
@@ -260,7 +263,7 @@ Box3 SolidCutter::clip(Sculpture& sculpture, const HalfSpaces& solid, Combine ho
         return {};
     }
     VS_CHECK(solid.planes.size() <= kMaxPlanes);
-    gl::Defines defines = storedDefines(sculpture.precision());
+    gl::Defines defines = sculpture.defines();
     defines.emplace_back("MAX_PLANES", std::to_string(kMaxPlanes));
     gl::Program& program = clip_.with(defines);
     const std::vector<glm::vec4> planes(solid.planes.begin(), solid.planes.end());
@@ -283,7 +286,7 @@ Box3 SolidCutter::cutValues(Sculpture& sculpture, std::span<const float> energie
     texels.upload(grid, std::as_bytes(energies));
     texels.bindImage(kEnergiesImage, gl::Access::Read);
     const Tiles tiles = find(grid, 3, [](const glm::dvec3&) { return 0.0; });
-    return run(cutValues_.with(storedDefines(sculpture.precision())), tiles, sculpture, 3, how, backup);
+    return run(cutValues_.with(sculpture.defines()), tiles, sculpture, 3, how, backup);
 }
 
 } // namespace vs::sculpt

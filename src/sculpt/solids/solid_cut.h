@@ -77,7 +77,7 @@ private:
 
     volume::GridGeometry geometry_;
     gl::Buffer list_;
-    // By the sculpture's precision.
+    // By the sculpture's defines().
     gl::ProgramVariants fill_{"sculpt/shaders/cut_all.comp"};
     gl::ProgramVariants extrude_{"sculpt/shaders/cut_extrusion.comp"};
     gl::ProgramVariants clip_{"sculpt/shaders/cut_half_spaces.comp"};

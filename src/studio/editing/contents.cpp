@@ -3,9 +3,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <array>
-
 namespace vs::studio {
 
 Contents::Contents(volume::Volume volume, sculpt::Precision precision)
@@ -39,35 +36,6 @@ std::size_t Contents::grownVoxels() const {
 
 std::string Contents::millilitres(std::size_t voxels) const {
     return fmt::format("{:.1f}", double(voxels) * scan.volume.geometry.voxelMm3() / 1000);
-}
-
-std::function<bool(glm::ivec3)> Contents::lockedVoxels() const {
-    std::array<bool, 256> isLocked{};
-    for (const SegmentInfo& segment : segments.segments) {
-        isLocked[segment.label] = segment.isLocked;
-    }
-    const bool any = std::find(isLocked.begin(), isLocked.end(), true) != isLocked.end();
-    if (!any || !region.exists()) {
-        return {};
-    }
-    return
-        [isLocked, labels = region.growth()->labelMap(), dims = scan.volume.geometry.dims](glm::ivec3 voxel) {
-            const glm::ivec3 lo = glm::max(voxel - 1, 0);
-            const glm::ivec3 hi = glm::min(voxel + 1, dims - 1);
-            for (int z = lo.z; z <= hi.z; ++z) {
-                for (int y = lo.y; y <= hi.y; ++y) {
-                    for (int x = lo.x; x <= hi.x; ++x) {
-                        const auto i =
-                            (std::size_t(z) * std::size_t(dims.y) + std::size_t(y)) * std::size_t(dims.x) +
-                            std::size_t(x);
-                        if (isLocked[labels[i]]) {
-                            return true;
-                        }
-                    }
-                }
-            }
-            return false;
-        };
 }
 
 } // namespace vs::studio

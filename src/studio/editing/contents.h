@@ -10,7 +10,6 @@
 #include "studio/state/pasted_parts.h"
 #include "studio/state/region.h"
 
-#include <functional>
 #include <optional>
 #include <string>
 
@@ -34,9 +33,6 @@ struct Contents {
     [[nodiscard]] std::size_t grownVoxels() const;
     // So many voxels in ml, with one decimal.
     [[nodiscard]] std::string millilitres(std::size_t voxels) const;
-    // Whether a voxel, or one next to it, is of a locked segment, so that cutting it would cut that; empty
-    // when nothing is locked.
-    [[nodiscard]] std::function<bool(glm::ivec3)> lockedVoxels() const;
 
     Scan scan;
     sculpt::Sculpture sculpture;

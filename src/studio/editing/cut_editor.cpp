@@ -17,23 +17,24 @@ namespace vs::studio {
 
 namespace {
 
-constexpr double kPortionMs = 100; // between asking whether to go on
-
 // A segment's smooth membership on the whole grid: 0.5 at its surface.
 std::vector<float> smoothMembership(const field::Field& field, const segment::VoxelSet& set) {
     segment::Growth growth(field);
     growth.replace(set.box, set.inside);
     segment::Segmentation segmentation(field.geometry);
-    do {
-        segmentation.update(growth, segment::Smoothing::Smooth, segment::allOpaque(), kPortionMs);
-        reportProgress();
-    } while (segmentation.isBehind());
+    updateWholly(segmentation, growth, segment::allOpaque());
     return segmentation.values();
 }
 
 } // namespace
 
 void CutEditor::begin(const Operation& operation) {
+    const sculpt::Limits limits = limits_.find(contents_);
+    open(operation);
+    contents_.sculpture.limitTo(limits);
+}
+
+void CutEditor::open(const Operation& operation) {
     const auto onCanvas = [this](const std::optional<Canvas>& canvas) {
         return [this, canvas] { return display_.frame(canvas->view, canvas->viewport); };
     };
@@ -65,6 +66,7 @@ void CutEditor::begin(const Operation& operation) {
 
 void CutEditor::forget() {
     stroke_.reset();
+    contents_.sculpture.limitTo({});
     contents_.cuttingSince.reset();
 }
 
@@ -77,9 +79,6 @@ void CutEditor::discard() {
 Outcome CutEditor::finish() {
     sculpt::BrickDelta delta;
     try {
-        if (const auto isLocked = contents_.lockedVoxels()) {
-            stroke_->spare(isLocked);
-        }
         delta = stroke_->finish();
     } catch (...) { // no memory to hold what would undo it
         discard();
@@ -89,6 +88,8 @@ Outcome CutEditor::finish() {
     outcome.voxelsTouched = delta.changedVoxels();
     outcome.message =
         !delta.isEmpty() ? say(VS_TEXT("library", "%1 voxels changed"), delta.changedVoxels())
+        : contents_.sculpture.isLimited()
+            ? say(VS_TEXT("library", "nothing has changed: what lies there is spared, or was as it would be"))
         : stroke_->onlyCuts()
             ? say(VS_TEXT("library", "nothing was cut: nothing visible lies there that was not cut already"))
             : say(VS_TEXT("library", "nothing was restored: nothing was cut away there"));
@@ -126,7 +127,7 @@ Outcome CutEditor::run(KeepConnected& op) { return cutAtOnce(op); }
 // What a stroke would cut: the sculpture is left as it was.
 segment::VoxelSet CutEditor::wouldCut(const BrushSegment& op) {
     const std::uint64_t content = contents_.sculpture.contentVersion();
-    std::visit([&](const auto& drawn) { begin(drawn); }, op.stroke);
+    std::visit([&](const auto& drawn) { open(drawn); }, op.stroke);
     sculpt::BrickDelta delta;
     try {
         stroke_->replay();
@@ -177,20 +178,16 @@ Outcome CutEditor::run(CutSegment& op) {
     const Box3 box = contents_.scan.volume.geometry.box();
     std::vector<float> values = contents_.sculpture.values(box);
     reportProgress();
+    const std::vector<float> most = sculpt::mostEnergies(limits_.find(contents_), box);
     for (std::size_t i = 0; i < values.size(); ++i) {
-        values[i] = std::max(values[i], op.keeps ? 1 - inside[i] : inside[i]);
+        const float energy = op.keeps ? 1 - inside[i] : inside[i];
+        values[i] = std::max(values[i], most.empty() ? energy : std::min(energy, most[i]));
     }
     const auto texels = sculpt::texelsOf(values, contents_.sculpture.precision());
     reportProgress(); // from here on it is done to the end
     sculpt::BrickBackup backup(contents_.sculpture.texels());
     backup.protect(box);
     contents_.sculpture.upload(box, texels);
-    if (const auto isLocked = contents_.lockedVoxels()) {
-        const Box3 spared = backup.spare(isLocked);
-        if (!spared.isEmpty()) {
-            contents_.sculpture.refresh(spared);
-        }
-    }
     sculpt::BrickDelta delta = backup.finish();
     const std::size_t changed = delta.changedVoxels();
     if (!delta.isEmpty()) {

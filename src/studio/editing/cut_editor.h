@@ -5,6 +5,7 @@
 #include "studio/editing/contents.h"
 #include "studio/editing/display.h"
 #include "studio/editing/outcome.h"
+#include "studio/editing/tool_limits.h"
 #include "studio/strokes/cut_stroke.h"
 
 #include <memory>
@@ -30,8 +31,8 @@ public:
     Outcome run(KeepConnected& op);
     Outcome run(CutSegment& op);
 
-    // Opens the stroke of an operation that cuts, whose canvas is set; then there is a stroke(), until
-    // finish() makes a step of it or discard() leaves no trace.
+    // Opens the stroke of an operation that cuts, whose canvas is set, within the limits that hold for tools;
+    // then there is a stroke(), until finish() makes a step of it or discard() leaves no trace.
     void begin(const Operation& operation);
     [[nodiscard]] bool isOpen() const { return stroke_ != nullptr; }
     [[nodiscard]] CutStroke& stroke() { return *stroke_; }
@@ -46,11 +47,13 @@ public:
 private:
     template <typename Cut>
     Outcome cutAtOnce(Cut& op);
-    void forget(); // the stroke
+    void open(const Operation& operation); // a stroke without limits
+    void forget();                         // the stroke
 
     Contents& contents_;
     Display& display_;
     Cutter& cutter_;
+    ToolLimits limits_;
     std::unique_ptr<CutStroke> stroke_; // the one that is open
 };
 

@@ -53,6 +53,7 @@ void SegmentListEditor::perform(const UseSegment& op, Region::Records& records) 
     segment->opacity = op.opacity.value_or(segment->opacity);
     segment->isVisible = op.isVisible.value_or(segment->isVisible);
     segment->isLocked = op.isLocked.value_or(segment->isLocked);
+    segment->treatment = op.treatment.value_or(segment->treatment);
     if (op.goesToWork) {
         contents_.segments.atWork = segment->label;
         contents_.region.workOn(contents_.segments.atWork, records);

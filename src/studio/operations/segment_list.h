@@ -3,6 +3,7 @@
 
 #include "render/colours/segment_colours.h"
 
+#include <array>
 #include <cstdint>
 #include <string>
 #include <vector>
@@ -11,16 +12,25 @@ namespace vs::studio {
 
 // What a person says about a segment. Its voxels are in segment::Growth, under its label.
 struct SegmentInfo {
+    // What tools that cut and restore do with it: take it like all else, spare it, or take nothing but it
+    // (and others of which that is said).
+    enum class Treatment { Take, Spare, TakeOnly };
+    static constexpr std::array<const char*, 3> kTreatments{"take", "spare", "take only"};
+
     std::uint8_t label = 1;
     std::string name;
     glm::dvec3 colour{0}; // sRGB, 0 to 1
     double opacity = 1;
     bool isVisible = true;
-    bool isLocked = false;  // no tool changes it
+    bool isLocked = false; // no tool changes it, nor cuts it
+    Treatment treatment = Treatment::Take;
     bool isClaimed = false; // it took the first segment's place: labels that are loaded do not
+
+    [[nodiscard]] bool isSpared() const { return isLocked || treatment == Treatment::Spare; }
 
     bool operator==(const SegmentInfo&) const = default;
 };
+constexpr const auto& namesOf(SegmentInfo::Treatment) { return SegmentInfo::kTreatments; }
 
 // The name of the segment that is there at first.
 inline constexpr const char* kFirstSegment = "Segment 1";

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "studio/operations/sculpting.h"
+#include "studio/operations/segment_list.h"
 #include "volume/io/label_map.h"
 
 #include <filesystem>
@@ -154,7 +155,8 @@ struct Absorb {
 };
 
 // Goes to work on the segment of that name, which is made if there is none, and changes what is set: its
-// name, its colour (sRGB, 0 to 1), its opacity, whether it is seen, and whether it is locked. With
+// name, its colour (sRGB, 0 to 1), its opacity, whether it is seen, whether it is locked, and what tools do
+// with it. With
 // `goesToWork` false another one stays at work. A segment that is made takes the place of the first one, and
 // its label, while that is still alone, empty and as it was made: `takesFirst` says whether it did. Where it
 // is not set, names like `Segment 2` do not, since that is how another one is called.
@@ -174,6 +176,7 @@ struct UseSegment {
     std::optional<bool> isLocked = {};
     bool goesToWork = true;
     std::optional<bool> takesFirst = {};
+    std::optional<SegmentInfo::Treatment> treatment = {};
 
     template <typename = void>
     static constexpr auto fields() {
@@ -186,7 +189,11 @@ struct UseSegment {
             sparse("locked", &UseSegment::isLocked),
             sparse("work", &UseSegment::goesToWork, {}, "false: another segment stays at work"),
             sparse("first", &UseSegment::takesFirst, {},
-                   "whether it takes the place of the first segment while that is empty and as it was made")};
+                   "whether it takes the place of the first segment while that is empty and as it was made"),
+            sparse(
+                "tools", &UseSegment::treatment, {},
+                "what tools that cut do with it: take it like all else, spare it (as if it were locked), or "
+                "take nothing but it and others of which that is said")};
     }
     [[nodiscard]] std::vector<Phrase> details() const;
 };

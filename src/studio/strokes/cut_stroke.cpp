@@ -23,13 +23,6 @@ sculpt::BrickDelta CutStroke::finish() {
     return delta;
 }
 
-void CutStroke::spare(const std::function<bool(glm::ivec3)>& isLocked) {
-    const Box3 spared = backup_.spare(isLocked);
-    if (!spared.isEmpty()) {
-        cutter_->sculpture->refresh(spared);
-    }
-}
-
 void CutStroke::discard() {
     if (!backup_.isEmpty()) {
         cutter_->sculpture->refresh(backup_.restore());

@@ -6,7 +6,6 @@
 #include "studio/strokes/cutter.h"
 
 #include <functional>
-#include <memory>
 
 namespace vs::studio {
 
@@ -30,8 +29,6 @@ public:
     [[nodiscard]] std::uint64_t sculptureVersion() const { return sculptureVersion_; }
     // Whether it only takes away: then all that can be seen could be seen at the beginning.
     [[nodiscard]] bool onlyCuts() const { return how_ == sculpt::Combine::Cut; }
-    // Puts back what lies in voxels that no tool may cut.
-    void spare(const std::function<bool(glm::ivec3 voxel)>& isLocked);
     // When nothing has changed after all, the sculpture counts as untouched.
     sculpt::BrickDelta finish();
     void discard();

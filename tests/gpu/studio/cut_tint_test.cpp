@@ -77,6 +77,26 @@ TEST_F(CutTintTest, IsADiscInProbeViewToo) {
     }
 }
 
+// There the face is the segment's own surface, and seen as such all over.
+TEST_F(CutTintTest, CoversASegmentThatToolsSpared) {
+    for (const Plane& plane : {Plane{0, 0, 0}, Plane{33, 21, 0}, Plane{45, 35.26, 0}}) {
+        CutBall cut({}, plane, Order::GrownThenCut);
+        cut.document.apply(Undo{});
+        UseSegment spare{"Segment 1"};
+        spare.treatment = SegmentInfo::Treatment::Spare;
+        cut.document.apply(spare);
+        Clip all;
+        all.box = Clip::Box{glm::dvec3(200), glm::dvec3(201)};
+        cut.document.apply(all);
+        const auto seen = cut.picture();
+        const auto without = cut.without();
+        const auto off = misfit(
+            cut, [&](int x, int y) { return apart(seen, without, x, y) > kNoticeable; }, cut.ball.radiusMm);
+        EXPECT_LT(off.beyond, 0.5);
+        EXPECT_LT(off.behind, 0.5) << "neither holes nor a ragged rim";
+    }
+}
+
 // Where between two slices a border is, their voxels do not say.
 TEST_F(CutTintTest, IsADiscAcrossThickSlicesToo) {
     Ball ball;

@@ -71,6 +71,7 @@ UseSegment someSegment() {
     use.opacity = 0.5;
     use.isVisible = false;
     use.isLocked = true;
+    use.treatment = SegmentInfo::Treatment::TakeOnly;
     return use;
 }
 
@@ -169,7 +170,7 @@ TEST(OperationJson, OperationsOnSegmentsComeBackAsTheyWere) {
               R"({"op":"growth rules","difference":null,"gradient":[0.0,40.0]})");
     EXPECT_EQ(toJson(someSegment()).dump(),
               R"({"op":"segment","segment":"Liver","name":"Left liver","colour":[0.25,0.5,1.0],)"
-              R"("opacity":0.5,"visible":false,"locked":true})");
+              R"("opacity":0.5,"visible":false,"locked":true,"tools":"take only"})");
     EXPECT_EQ(toJson(CutSegment{true, 2}).dump(), R"({"op":"cut segment","keeps":true,"margin":2.0})");
 }
 
@@ -200,7 +201,9 @@ TEST(OperationJson, ComplaintsAboutSegmentsNameThePlace) {
     expect(R"({"op": "segment", "segment": ""})", "segment: must be a text of 1 to 200 characters");
     expect(R"({"op": "segment", "segment": "A", "color": [0, 0, 0]})",
            "the member 'color' is not known here; known are op, segment, name, colour, opacity, visible, "
-           "locked, work, first");
+           "locked, work, first, tools");
+    expect(R"({"op": "segment", "segment": "A", "tools": "shun"})",
+           "tools: 'shun' is not known; choose one of take, spare, take only");
     expect(R"({"op": "segment", "segment": "A", "colour": [0, 255, 0]})",
            "colour[1]: 255 is out of bounds; 0 to 1 is allowed");
     expect(R"({"op": "segment", "segment": "A", "opacity": 0})",

@@ -49,7 +49,7 @@ void SegmentController::workOn(const std::string& name) {
     const auto* last = host_.facts()->lastEdit();
     const auto* use = last != nullptr ? std::get_if<studio::UseSegment>(last) : nullptr;
     const bool isOnlyGoing = use != nullptr && use->goesToWork && !use->name && !use->colour &&
-                             !use->opacity && !use->isVisible && !use->isLocked;
+                             !use->opacity && !use->isVisible && !use->isLocked && !use->treatment;
     // One that was only looked at on the way, if the way there did not make it.
     const bool wasThere = isOnlyGoing && use->segment == list().working().name && voxels(list().atWork) > 0;
     const studio::UseSegment going{name};
@@ -126,6 +126,12 @@ void SegmentController::showAll() {
 void SegmentController::setLocked(const std::string& name, bool isLocked) {
     studio::UseSegment change{name};
     change.isLocked = isLocked;
+    apply(change);
+}
+
+void SegmentController::setTreatment(const std::string& name, studio::SegmentInfo::Treatment treatment) {
+    studio::UseSegment change{name};
+    change.treatment = treatment;
     apply(change);
 }
 

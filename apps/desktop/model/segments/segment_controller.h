@@ -50,6 +50,8 @@ public:
     void showOnly(const std::string& name);
     void showAll();
     void setLocked(const std::string& name, bool isLocked);
+    // What tools that cut do with it.
+    void setTreatment(const std::string& name, studio::SegmentInfo::Treatment treatment);
     // How opaque the segment at work is; `continues`: takes the place of the change before (a slider that is
     // dragged).
     void setOpacity(double opacity, bool continues);

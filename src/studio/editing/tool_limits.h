@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "sculpt/sculpture/sculpture.h"
+#include "segment/membership/segmentation.h"
+#include "studio/editing/contents.h"
+
+#include <optional>
+
+namespace vs::studio {
+
+// Brings smooth segments wholly up to date, in portions between which it can be given up (base/progress.h).
+void updateWholly(segment::Segmentation& segmentation, const segment::Growth& growth,
+                  const segment::Looks& looks);
+
+// Where the tools that cut may work: not in segments that are locked or spared, and, where there are segments
+// that alone are taken, only in those (SegmentInfo). Keeps those segments' smooth volume, so that the next
+// stroke costs what has changed in them.
+class ToolLimits {
+public:
+    // What holds for a stroke that begins now; good until the next call. Throws Error when tools take only
+    // segments that have no voxels.
+    sculpt::Limits find(const Contents& contents);
+
+private:
+    std::optional<segment::Segmentation> memberships_; // made when first needed
+};
+
+} // namespace vs::studio

@@ -539,6 +539,22 @@
         <source>nothing has changed: what lies there is spared, or was as it would be</source>
         <translation>nichts hat sich geändert: was dort liegt, wird verschont oder war schon so</translation>
     </message>
+    <message>
+        <source>nothing has changed: the voxels lie there already</source>
+        <translation>nichts hat sich geändert: die Voxel liegen schon so</translation>
+    </message>
+    <message>
+        <source>%1, the mirror image of what the file says</source>
+        <translation>%1, das Spiegelbild dessen, was die Datei sagt</translation>
+    </message>
+    <message>
+        <source>as in the file</source>
+        <translation>wie in der Datei</translation>
+    </message>
+    <message>
+        <source>geometry</source>
+        <translation>Geometrie</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop</name>
@@ -1806,6 +1822,30 @@
         <source>0.1 for each element of the mask instead of its volume: the cut&apos;s size follows the way&apos;s length in pixels</source>
         <translation>0,1 für jedes Element der Maske statt seines Volumens: Die Größe des Schnitts folgt der Länge des Wegs in Pixeln</translation>
     </message>
+    <message>
+        <source>%1 mm, %2</source>
+        <translation>%1 mm, %2</translation>
+    </message>
+    <message>
+        <source>The scan is mirrored against the file: left and right are exchanged.</source>
+        <translation>Der Scan ist gegenüber der Datei gespiegelt: links und rechts sind vertauscht.</translation>
+    </message>
+    <message>
+        <source>The scan is mirrored against the file: front and back are exchanged.</source>
+        <translation>Der Scan ist gegenüber der Datei gespiegelt: vorn und hinten sind vertauscht.</translation>
+    </message>
+    <message>
+        <source>The scan is mirrored against the file: top and bottom are exchanged.</source>
+        <translation>Der Scan ist gegenüber der Datei gespiegelt: oben und unten sind vertauscht.</translation>
+    </message>
+    <message>
+        <source>The scan is mirrored against the file.</source>
+        <translation>Der Scan ist gegenüber der Datei gespiegelt.</translation>
+    </message>
+    <message>
+        <source>In the file</source>
+        <translation>In der Datei</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::BlockDialog</name>
@@ -2657,6 +2697,105 @@ Tab: der nächste Punkt; Pfeiltasten bewegen ihn; Entf; Eingabe: seine Farbe; St
     <message>
         <source>Opacities show in &lt;a href=&quot;volume&quot;&gt;volume mode&lt;/a&gt;.</source>
         <translation>Deckkraft zeigt sich im &lt;a href=&quot;volume&quot;&gt;Volumenmodus&lt;/a&gt;.</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::GeometryCard</name>
+    <message>
+        <source>Correct</source>
+        <translation>Berichtigen</translation>
+    </message>
+    <message>
+        <source>Flip and turn these slices until they are what the letters at their edges say. Voxels keep their values and their cuts; the file is never changed.</source>
+        <translation>Spiegeln und drehen Sie diese Schichten, bis sie zeigen, was die Buchstaben an ihren Rändern sagen. Voxel behalten ihre Werte und Schnitte; die Datei wird nie geändert.</translation>
+    </message>
+    <message>
+        <source>What the correction means</source>
+        <translation>Was die Berichtigung bedeutet</translation>
+    </message>
+    <message>
+        <source>Axial</source>
+        <translation>Axial</translation>
+    </message>
+    <message>
+        <source>Coronal</source>
+        <translation>Koronal</translation>
+    </message>
+    <message>
+        <source>Sagittal</source>
+        <translation>Sagittal</translation>
+    </message>
+    <message>
+        <source>Flip left and right: %1</source>
+        <translation>Links und rechts tauschen: %1</translation>
+    </message>
+    <message>
+        <source>Exchanges left and right of this slice; this alone mirrors the scan</source>
+        <translation>Vertauscht links und rechts dieser Schicht; das allein spiegelt den Scan</translation>
+    </message>
+    <message>
+        <source>Flip top and bottom: %1</source>
+        <translation>Oben und unten tauschen: %1</translation>
+    </message>
+    <message>
+        <source>Exchanges top and bottom of this slice; this alone mirrors the scan</source>
+        <translation>Vertauscht oben und unten dieser Schicht; das allein spiegelt den Scan</translation>
+    </message>
+    <message>
+        <source>Turn by a quarter: %1</source>
+        <translation>Um ein Viertel drehen: %1</translation>
+    </message>
+    <message>
+        <source>Turns this slice clockwise by a quarter</source>
+        <translation>Dreht diese Schicht um ein Viertel im Uhrzeigersinn</translation>
+    </message>
+    <message>
+        <source>Exchange axes: %1</source>
+        <translation>Achsen tauschen: %1</translation>
+    </message>
+    <message>
+        <source>Exchanges two axes: what runs across this slice runs down; this alone mirrors the scan</source>
+        <translation>Vertauscht zwei Achsen: was quer durch diese Schicht läuft, läuft dann abwärts; das allein spiegelt den Scan</translation>
+    </message>
+    <message>
+        <source>Spacing (mm)</source>
+        <translation>Abstand (mm)</translation>
+    </message>
+    <message>
+        <source>Spacing of columns in mm</source>
+        <translation>Abstand der Spalten in mm</translation>
+    </message>
+    <message>
+        <source>Spacing of rows in mm</source>
+        <translation>Abstand der Zeilen in mm</translation>
+    </message>
+    <message>
+        <source>Spacing of slices in mm</source>
+        <translation>Abstand der Schichten in mm</translation>
+    </message>
+    <message>
+        <source>As in the file</source>
+        <translation>Wie in der Datei</translation>
+    </message>
+    <message>
+        <source>Spacing and orientation that the file says</source>
+        <translation>Abstand und Ausrichtung laut Datei</translation>
+    </message>
+    <message>
+        <source>Apply</source>
+        <translation>Anwenden</translation>
+    </message>
+    <message>
+        <source>Corrects the scan; this can be undone</source>
+        <translation>Berichtigt den Scan; das lässt sich zurücknehmen</translation>
+    </message>
+    <message>
+        <source>As in the file: %1.</source>
+        <translation>Wie in der Datei: %1.</translation>
+    </message>
+    <message>
+        <source>%1; in the file %2.</source>
+        <translation>%1; in der Datei %2.</translation>
     </message>
 </context>
 <context>

@@ -106,7 +106,9 @@ void read(const JsonReader& reader, std::string& value, const Rule& rule) {
     }
     value = rule.isOutputFile ? readOutputFile(reader) : reader.text();
     if (value.size() < rule.leastCount || value.size() > rule.mostCount) {
-        reader.fail(fmt::format("must be a text of {} to {} characters", rule.leastCount, rule.mostCount));
+        const std::string least =
+            rule.leastCount == rule.mostCount ? "" : fmt::format("{} to ", rule.leastCount);
+        reader.fail(fmt::format("must be a text of {}{} characters", least, rule.mostCount));
     }
 }
 Json write(const std::string& value, const Rule&) { return value; }

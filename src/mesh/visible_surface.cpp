@@ -51,7 +51,8 @@ std::uint16_t packed(float sculpture) {
 }
 
 Mesh visibleSurface(const VisibleVolume& visible) {
-    const volume::GridGeometry& geometry = visible.volume->geometry;
+    const volume::GridGeometry& geometry =
+        visible.geometry != nullptr ? *visible.geometry : visible.volume->geometry;
     VS_CHECK(visible.sculpture.empty() || visible.sculpture.size() == geometry.voxelCount());
     return volume::visit(*visible.volume, [&](const auto* values) {
         segment::VoxelSet set = segment::emptySet(geometry.box());

@@ -17,6 +17,7 @@ struct VisibleVolume {
     // The sculpture in 65535ths, 65535 cut away, one for each voxel; empty where nothing is cut.
     std::vector<std::uint16_t> sculpture = {};
     field::SculptureView view = field::SculptureView::Cut;
+    const volume::GridGeometry* geometry = nullptr; // where the voxels lie; null: where the volume says
 
     [[nodiscard]] bool isVisible(std::size_t voxel) const;
 };

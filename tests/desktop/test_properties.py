@@ -1,5 +1,6 @@
 # SPDX-License-Identifier: Apache-2.0
-"""What a volume is can be read at any time, and so can every notice of reading it; slices that no file holds are marked."""
+"""What a volume is can be read at any time, and so can every notice of reading it; slices that no file holds are marked; where voxels lie
+is corrected."""
 
 import sys
 
@@ -36,11 +37,15 @@ def overwritten(studio):
     need("noticesBadge" in state["widgets"], "the badge went with the message")
 
 
+def properties(state):
+    return {name[len("property."):]: text for name, text in state["reports"].items() if name.startswith("property.")}
+
+
 @test.step(after=[overwritten])
 def read(studio, folder):
     studio.click("noticesBadge")
     state = studio.wait("the properties", lambda s: "propertiesDialog" in s["windows"])
-    said = {name[len("property."):]: text for name, text in state["reports"].items() if name.startswith("property.")}
+    said = properties(state)
     expected = {"file": str(folder / "ct"), "format": "DICOM", "patient": "M\xfcller, J\xf6rg Maria (0)",
                 "study": "Sch\xe4del, 2024-01-31", "series": "3: Weichteil", "modality": "CT",
                 "spacing": f"{SPACING:g} \xd7 {SPACING:g} \xd7 {SPACING:g} mm", "values": "-1024 to 36 HU",
@@ -77,6 +82,34 @@ def marked(studio):
 
 
 @test.step(after=[marked])
+def corrected(studio):
+    """Half a turn of the axial slice, and a spacing; Undo and Redo know it, and cuts stay in their voxels."""
+    cut = studio.state()["stepsDone"]
+    studio.focus()
+    studio.key("ctrl+i")
+    studio.wait("the properties", lambda s: "applyGeometry" in s["widgets"])
+    studio.click("axialFlipAcross")
+    studio.wait("a mirror image", lambda s: "left and right are exchanged" in s["reports"]["correctionMeaning"])
+    studio.click("axialFlipDown")
+    studio.wait("half a turn", lambda s: "RAS" in s["reports"]["correctionMeaning"] and "mirror" not in s["reports"]["correctionMeaning"])
+    studio.type_number("spacingSlices", 2.5, end="Tab")
+    studio.wait("the spacing", lambda s: "2.5 mm, RAS" in s["reports"]["correctionMeaning"])
+    studio.click("applyGeometry")
+    state = studio.wait_idle("the correction", lambda s: s["stepsDone"] == cut + 1 and "inFile" in properties(s))
+    said = properties(state)
+    need(said["spacing"] == f"{SPACING:g} \xd7 {SPACING:g} \xd7 2.5 mm", f"the spacing reads {said['spacing']}")
+    need(said["orientation"].startswith("RAS"), f"the orientation reads {said['orientation']}")
+    need(said["inFile"] == f"{SPACING:g} \xd7 {SPACING:g} \xd7 {SPACING:g} mm, LPS", f"the file's geometry reads {said['inFile']}")
+    studio.click("closeProperties")
+    studio.wait("the dialog to go", lambda s: "propertiesDialog" not in s["windows"])
+    studio.focus()
+    studio.key("ctrl+z")
+    studio.wait_idle("the correction undone", lambda s: s["stepsDone"] == cut)
+    studio.key("ctrl+shift+z")
+    studio.wait_idle("the correction redone", lambda s: s["stepsDone"] == cut + 1 and s["pictureComplete"])
+
+
+@test.step(after=[corrected])
 def session(studio, folder):
     return save_and_end(studio, folder)
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "dialogs/properties_dialog.h"
 
+#include "dialogs/geometry_card.h"
+#include "model/studio/studio_controller.h"
 #include "parts/panel_parts.h"
 
 #include <QApplication>
@@ -33,9 +35,8 @@ QString asText(const std::vector<Property>& properties, const QStringList& notic
 
 } // namespace
 
-PropertiesDialog::PropertiesDialog(const std::vector<Property>& properties, const QStringList& notices,
-                                   QWidget* parent)
-    : QDialog(parent) {
+PropertiesDialog::PropertiesDialog(StudioController& studio, QWidget* parent)
+    : QDialog(parent), studio_(studio) {
     setObjectName("propertiesDialog");
     setAttribute(Qt::WA_DeleteOnClose);
     setWindowTitle(tr("Properties of the volume"));
@@ -43,8 +44,11 @@ PropertiesDialog::PropertiesDialog(const std::vector<Property>& properties, cons
     auto* content = new QVBoxLayout(page);
     content->setContentsMargins(20, 18, 20, 10);
     content->setSpacing(16);
-    content->addWidget(makeTable(properties));
-    content->addWidget(makeNotices(notices));
+    tablePlace_ = new QVBoxLayout;
+    content->addLayout(tablePlace_);
+    showTable();
+    content->addWidget(new GeometryCard(studio));
+    content->addWidget(makeNotices(studio.notices().all()));
     content->addStretch(1);
     auto* scroll = new QScrollArea; // small screens, many notices
     scroll->setWidget(page);
@@ -54,8 +58,26 @@ PropertiesDialog::PropertiesDialog(const std::vector<Property>& properties, cons
     auto* column = new QVBoxLayout(this);
     column->setContentsMargins(0, 0, 0, 14);
     column->addWidget(scroll, 1);
-    column->addWidget(makeButtons(asText(properties, notices)));
-    resize(parent != nullptr ? QSize(640, 620).boundedTo(parent->size()) : QSize(640, 620));
+    column->addWidget(makeButtons());
+    const QSize wanted(660, 900);
+    resize(parent != nullptr ? wanted.boundedTo(parent->size()) : wanted);
+    connect(&studio.host(), &DocumentHost::corrected, this, &PropertiesDialog::showTable);
+    connect(&studio.host(), &DocumentHost::leaving, this, &QDialog::close);
+}
+
+std::vector<Property> PropertiesDialog::properties() {
+    return propertiesOf(*studio_.host().volume(), *studio_.host().geometry(),
+                        *studio_.host().geometryInFile());
+}
+
+// Instead of the one that was shown before.
+void PropertiesDialog::showTable() {
+    if (const QLayoutItem* before = tablePlace_->takeAt(0)) {
+        before->widget()->deleteLater();
+        before->widget()->hide();
+        delete before;
+    }
+    tablePlace_->addWidget(makeTable(properties()));
 }
 
 QWidget* PropertiesDialog::makeTable(const std::vector<Property>& properties) {
@@ -84,7 +106,7 @@ QWidget* PropertiesDialog::makeNotices(const QStringList& notices) {
     return card;
 }
 
-QWidget* PropertiesDialog::makeButtons(const QString& asText) {
+QWidget* PropertiesDialog::makeButtons() {
     auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close);
     buttons->setContentsMargins(20, 0, 20, 0);
     buttons->button(QDialogButtonBox::Close)->setObjectName("closeProperties");
@@ -92,7 +114,8 @@ QWidget* PropertiesDialog::makeButtons(const QString& asText) {
     auto* copy = buttons->addButton(tr("Copy"), QDialogButtonBox::ActionRole);
     copy->setObjectName("copyProperties");
     copy->setToolTip(tr("Copy all of it as text"));
-    connect(copy, &QPushButton::clicked, this, [asText] { QApplication::clipboard()->setText(asText); });
+    connect(copy, &QPushButton::clicked, this,
+            [this] { QApplication::clipboard()->setText(asText(properties(), studio_.notices().all())); });
     connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
     return buttons;
 }

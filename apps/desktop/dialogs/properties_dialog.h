@@ -10,18 +10,26 @@ class QVBoxLayout;
 
 namespace vs::desktop {
 
-// What the open volume is, and every notice of reading it. All of it can be copied.
+class StudioController;
+
+// What the open volume is, and every notice of reading it; all of it can be copied. Where the volume lies can
+// be corrected.
 class PropertiesDialog : public QDialog {
     Q_OBJECT
 
 public:
-    // Deletes itself when it closes.
-    PropertiesDialog(const std::vector<Property>& properties, const QStringList& notices, QWidget* parent);
+    // A volume must be open. Deletes itself when it closes, which it does when the volume goes.
+    PropertiesDialog(StudioController& studio, QWidget* parent);
 
 private:
+    void showTable();
+    [[nodiscard]] std::vector<Property> properties();
     QWidget* makeTable(const std::vector<Property>& properties);
     QWidget* makeNotices(const QStringList& notices);
-    QWidget* makeButtons(const QString& asText);
+    QWidget* makeButtons();
+
+    StudioController& studio_;
+    QVBoxLayout* tablePlace_ = nullptr;
 };
 
 } // namespace vs::desktop

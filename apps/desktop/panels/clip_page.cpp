@@ -88,6 +88,7 @@ void addFace(QFormLayout* form, ClipTool& tool, StudioController& studio, int ax
         label->setText(ClipTool::directionOf(*studio.host().geometry(), axis, isHi));
     };
     QObject::connect(&tool, &ClipTool::clipChanged, label, show);
+    QObject::connect(&studio.host(), &DocumentHost::corrected, label, show);
     show();
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "panels/cut_rows.h"
 
+#include "model/segments/segment_controller.h"
 #include "model/studio/studio_controller.h"
 #include "parts/panel_parts.h"
 #include "tools/kinds/cut_tool.h"
@@ -153,6 +154,7 @@ QWidget* withSteps(QSlider* slider, int perStep, StudioController& studio) {
     };
     QObject::connect(slider, &QSlider::valueChanged, value, show);
     QObject::connect(&studio.host(), &DocumentHost::opened, value, show);
+    QObject::connect(&studio.host(), &DocumentHost::corrected, value, show);
     show();
     return holder;
 }

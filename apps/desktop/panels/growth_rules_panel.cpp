@@ -59,6 +59,7 @@ GrowthRulesPanel::GrowthRulesPanel(StudioController& studio, QWidget* parent)
     });
     connect(&studio_.measurer(), &SegmentMeasurer::changed, this, &GrowthRulesPanel::showOwnValues);
     connect(&studio_.host(), &DocumentHost::opened, this, &GrowthRulesPanel::takeDocument);
+    connect(&studio_.host(), &DocumentHost::corrected, this, &GrowthRulesPanel::takeDocument);
     connect(&studio_.host(), &DocumentHost::changed, this, &GrowthRulesPanel::refresh);
     card_->content()->parentWidget()->setEnabled(false);
 }

@@ -46,6 +46,7 @@ HistogramPanel::HistogramPanel(StudioController& studio, QWidget* parent)
     card->addWidget(new FunctionBar(studio_, editor_));
     connect(tabs, &ChoiceRow::chosen, this, &HistogramPanel::showPage);
     connect(&studio_.host(), &DocumentHost::opened, this, &HistogramPanel::takeDocument);
+    connect(&studio_.host(), &DocumentHost::corrected, this, &HistogramPanel::countAgain);
     connect(&editor_, &FunctionEditor::changed, this, &HistogramPanel::refreshStrip);
     countTimer_.setSingleShot(true);
     connect(&countTimer_, &QTimer::timeout, this, &HistogramPanel::countGradients);
@@ -68,6 +69,14 @@ void HistogramPanel::showPage(int page) {
     if (needsGradients && !isCounted_) {
         countTimer_.start(0);
     }
+}
+
+// Gradients are per mm.
+void HistogramPanel::countAgain() {
+    studio_.host().gl().makeCurrent();
+    counting_.reset();
+    isCounted_ = false;
+    showPage(shown_);
 }
 
 void HistogramPanel::takeDocument() {

@@ -29,6 +29,7 @@ public:
 private:
     void showPage(int page);
     void takeDocument();
+    void countAgain();
     void refreshStrip();
     // What gradients need is counted when it is first wanted, in portions.
     void countGradients();

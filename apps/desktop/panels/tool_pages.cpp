@@ -68,6 +68,7 @@ QWidget* makePeelPage(StudioController& studio, ToolBox& tools) {
     const auto show = [layers, &tool, &studio] { layers->setText(stepsAndMm(tool.layers(), studio)); };
     QObject::connect(&tool, &PeelTool::layersChanged, layers, show);
     QObject::connect(&studio.host(), &DocumentHost::opened, layers, show);
+    QObject::connect(&studio.host(), &DocumentHost::corrected, layers, show);
     show();
     return page;
 }

@@ -42,6 +42,20 @@ QString labelOf(const Measurement& measurement) {
 MeasureTool::MeasureTool(StudioController& studio, CameraTool& camera) : StudioTool(studio), camera_(camera) {
     connect(&studio_.host(), &DocumentHost::opened, this, &MeasureTool::removeAll);
     connect(&studio_.host(), &DocumentHost::closed, this, &MeasureTool::removeAll);
+    connect(&studio_.host(), &DocumentHost::corrected, this, &MeasureTool::followVoxels);
+}
+
+// Places stay on the voxels that they were put on, wherever those lie now.
+void MeasureTool::followVoxels(const volume::GridGeometry& before) {
+    const glm::dmat4 nowFromBefore = studio_.host().geometry()->worldFromVoxel * before.voxelFromWorld();
+    const auto follow = [&](Measurement& measurement) {
+        for (glm::dvec3& place : measurement.places) {
+            place = glm::dvec3(nowFromBefore * glm::dvec4(place, 1));
+        }
+    };
+    std::for_each(measurements_.begin(), measurements_.end(), follow);
+    inHand_.reset();
+    tell();
 }
 
 QString MeasureTool::hint() const {

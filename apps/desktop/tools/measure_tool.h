@@ -3,6 +3,8 @@
 
 #include "tools/kinds/studio_tool.h"
 
+#include "volume/grid/geometry.h"
+
 #include <glm/glm.hpp>
 
 #include <optional>
@@ -61,6 +63,7 @@ private:
     [[nodiscard]] std::optional<glm::dvec3> surfaceAt(QPointF position);
     void fix();
     void tell();
+    void followVoxels(const volume::GridGeometry& before);
 
     CameraTool& camera_;
     std::vector<Measurement> measurements_;

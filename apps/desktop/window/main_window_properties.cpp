@@ -27,7 +27,7 @@ void MainWindow::addNoticesBadge() {
 
 void MainWindow::showProperties() {
     Notices& notices = studio_.notices();
-    auto* dialog = new PropertiesDialog(propertiesOf(*studio_.host().volume()), notices.all(), this);
+    auto* dialog = new PropertiesDialog(studio_, this);
     dialog->open();
     notices.markRead();
 }

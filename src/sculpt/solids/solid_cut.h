@@ -52,6 +52,8 @@ public:
     static constexpr int kMaxPlanes = 32;
 
     explicit SolidCutter(const volume::GridGeometry& geometry) : geometry_(geometry) {}
+    // From now on voxels lie there.
+    void follow(const volume::GridGeometry& geometry) { geometry_ = geometry; }
 
     // Bricks are protected in `backup` before they change. Return the box that may have changed; outlines of
     // fewer than three points and empty lists of planes change nothing.

@@ -20,6 +20,8 @@ struct ToolCut {
 class ToolCutter {
 public:
     explicit ToolCutter(const volume::GridGeometry& geometry) : geometry_(geometry) {}
+    // From now on voxels lie there.
+    void follow(const volume::GridGeometry& geometry) { geometry_ = geometry; }
 
     // `surface` holds one point per element of `mask`. Bricks are protected in `backup` (if any) before they
     // change. Several stamps make a stroke: each is united with the sculpture, so overlaps count once.

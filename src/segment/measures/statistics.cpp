@@ -234,7 +234,12 @@ Intensities intensitiesOf(const Tally& tally, double median) {
 } // namespace
 
 std::vector<SegmentStatistics> measure(const volume::Volume& volume, std::span<const std::uint8_t> labels) {
-    const volume::GridGeometry& geometry = volume.geometry;
+    return measure(volume, volume.geometry, labels);
+}
+
+std::vector<SegmentStatistics> measure(const volume::Volume& volume, const volume::GridGeometry& geometry,
+                                       std::span<const std::uint8_t> labels) {
+    VS_CHECK(geometry.dims == volume.geometry.dims);
     VS_CHECK_EQ(labels.size(), geometry.voxelCount());
     const Bins bins(volume);
     const Tallies tallies = tally(volume, labels, bins);

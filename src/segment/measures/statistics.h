@@ -37,5 +37,8 @@ struct SegmentStatistics {
 // grid, x fastest; the volume's range must be known. Values and places take one pass over the voxels on
 // several threads (values that are no whole numbers a second look for the median), surfaces another.
 std::vector<SegmentStatistics> measure(const volume::Volume& volume, std::span<const std::uint8_t> labels);
+// Measures a volume whose voxels lie at `geometry` instead of where it says.
+std::vector<SegmentStatistics> measure(const volume::Volume& volume, const volume::GridGeometry& geometry,
+                                       std::span<const std::uint8_t> labels);
 
 } // namespace vs::segment

@@ -12,6 +12,7 @@ Document::Document(volume::Volume volume, sculpt::Precision precision)
 Document::~Document() = default;
 
 const volume::Volume& Document::volume() const { return impl_->contents.scan.volume; }
+const volume::GridGeometry& Document::geometryInFile() const { return impl_->contents.scan.inFile; }
 const field::Field& Document::field() const { return impl_->contents.scan.field; }
 const std::vector<std::uint32_t>& Document::histogram() const { return impl_->contents.scan.histogram; }
 const View& Document::view() const { return impl_->contents.view; }

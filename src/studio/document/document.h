@@ -36,6 +36,8 @@ public:
     // --- what it is made of
 
     [[nodiscard]] const volume::Volume& volume() const;
+    // Where its voxels lie by its file; corrections (CorrectGeometry) are in volume().
+    [[nodiscard]] const volume::GridGeometry& geometryInFile() const;
     [[nodiscard]] const field::Field& field() const;
     // Voxel counts in equal bins over volume().range, at most 256.
     [[nodiscard]] const std::vector<std::uint32_t>& histogram() const;

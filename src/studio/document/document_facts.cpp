@@ -63,6 +63,7 @@ std::shared_ptr<const DocumentFacts> factsOf(const Contents& contents, std::size
     facts->version = contents.version;
     facts->logged = logged;
     facts->inHand = contents.inHand;
+    facts->geometry = contents.scan.volume.geometry;
     facts->view = contents.view;
     facts->firstLook = contents.scan.firstLook;
     facts->sliceWindow = contents.scan.slices;

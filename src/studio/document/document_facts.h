@@ -50,6 +50,7 @@ struct DocumentFacts {
     std::uint64_t version = 0; // Document::version()
     std::size_t logged = 0;    // operations in the log
     InHand inHand = InHand::Nothing;
+    volume::GridGeometry geometry; // where the scan's voxels lie, corrected where that was done
     View view;
     FirstLook firstLook; // that suits the scan: how the window shows it when it is opened
     Range sliceWindow;   // that suits the scan: what slices show where the view says nothing

@@ -42,7 +42,7 @@ Outcome Document::Impl::run(Operation& operation, const std::filesystem::path& f
             } else if constexpr (requires { run(op); }) {
                 return run(op);
             } else {
-                return runByOneOf(op, cuts, parts, growth, segmentList, segmentShapes);
+                return runByOneOf(op, cuts, parts, scan, growth, segmentList, segmentShapes);
             }
         },
         operation);
@@ -111,6 +111,9 @@ Outcome Document::Impl::travel(Edit& edit, bool isUndo) {
     }
     if (const auto& places = isUndo ? edit.partsBefore : edit.partsAfter) {
         parts.show(*places);
+    }
+    if (const auto& geometry = isUndo ? edit.geometryBefore : edit.geometryAfter) {
+        scan.lay(*geometry);
     }
     outcome.message = {name(*edit.operation)};
     ++contents.version;

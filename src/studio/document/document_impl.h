@@ -12,6 +12,7 @@
 #include "studio/editing/file_writer.h"
 #include "studio/editing/growth_editor.h"
 #include "studio/editing/part_editor.h"
+#include "studio/editing/scan_editor.h"
 #include "studio/editing/segment_list_editor.h"
 #include "studio/editing/segment_shape_editor.h"
 
@@ -38,6 +39,7 @@ struct Document::Impl {
     Cutter cutter{contents.scan.field, contents.sculpture};
     CutEditor cuts{contents, display, cutter};
     PartEditor parts{contents};
+    ScanEditor scan{contents, cutter};
     GrowthEditor growth{contents, display, cutter};
     SegmentListEditor segmentList{contents};
     SegmentShapeEditor segmentShapes{contents, display, cutter, cuts};

@@ -9,7 +9,20 @@
 namespace vs::studio {
 
 Pipeline::Pipeline(const field::Field& field)
-    : field_(&field), cellRanges_(field::computeCellRanges(field)) {}
+    : field_(&field), serial_(field.serial), cellRanges_(field::computeCellRanges(field)) {}
+
+void Pipeline::followField() {
+    if (std::exchange(serial_, field_->serial) == field_->serial) {
+        return;
+    }
+    segmentation_.reset();
+    partSegmentation_.reset();
+    smoothed_.reset();
+    cells_.key.reset();
+    segmentCells_.key.reset();
+    light_.key.reset();
+    partStages_.clear();
+}
 
 namespace {
 
@@ -109,6 +122,7 @@ render::SegmentColours Pipeline::segmentColours(const State& state) {
 }
 
 render::SliceFrame Pipeline::slice(const State& state, const render::SliceView& view) {
+    followField();
     render::SliceFrame frame;
     frame.scene = scene(state, true);
     if (frame.scene.segmentation != nullptr && segmentation_->goesOnBehindCuts()) {
@@ -127,6 +141,7 @@ render::SliceFrame Pipeline::slice(const State& state, const render::SliceView& 
 }
 
 render::Frame Pipeline::frame(const State& state, glm::ivec2 size) {
+    followField();
     const View& view = *state.view;
     const bool drawsSegments = view.mode == render::Mode::Overlay || view.mode == render::Mode::Segment ||
                                view.mode == render::Mode::Volume;

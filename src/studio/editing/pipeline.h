@@ -64,7 +64,11 @@ private:
         bool operator==(const Key&) const = default;
     };
 
+    // Drops what was made for voxels that lay elsewhere.
+    void followField();
+
     const field::Field* field_;
+    std::uint64_t serial_; // the field's, for which all the following was made
     field::CellRanges cellRanges_;
     std::optional<segment::Segmentation> segmentation_; // made when first drawn
     // The same for pasted parts, while they are drawn beside what is left and growth had a fence.

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/editing/scan.h"
 
+#include "base/check.h"
 #include "field/histogram.h"
 #include "render/slices/slice_windows.h"
 
@@ -67,7 +68,7 @@ int histogramBins(const field::Field& field) {
 } // namespace
 
 Scan::Scan(volume::Volume opened)
-    : volume(std::move(opened)), field(field::uploadVolume(volume)),
+    : inFile(opened.geometry), volume(std::move(opened)), field(field::uploadVolume(volume)),
       histogram(field::intensityHistogram(field, histogramBins(field))) {
     shown = field::suggestRange(histogram, volume.range);
     if (volume.range.width() <= 0) { // one value all over: all of it is the object
@@ -82,6 +83,13 @@ Scan::Scan(volume::Volume opened)
     if (field.isIntegral) {
         slices = {std::floor(slices.lo), std::ceil(slices.hi)};
     }
+}
+
+void Scan::lay(const volume::GridGeometry& geometry) {
+    VS_CHECK(geometry.dims == inFile.dims);
+    volume.geometry = geometry;
+    field.geometry = geometry;
+    field.serial = field::nextSerial();
 }
 
 } // namespace vs::studio

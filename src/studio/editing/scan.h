@@ -10,11 +10,15 @@
 
 namespace vs::studio {
 
-// The volume that a document is about, on the host and on the device, and what its values suggest. It never
-// changes. Needs a current OpenGL context.
+// The volume that a document is about, on the host and on the device, and what its values suggest. Its values
+// never change; where its voxels lie can be corrected. Needs a current OpenGL context.
 struct Scan {
     explicit Scan(volume::Volume opened);
 
+    // Its voxels lie there: of the same dimensions. What was derived from the field is to be made anew.
+    void lay(const volume::GridGeometry& geometry);
+
+    volume::GridGeometry inFile; // as it was opened
     volume::Volume volume;
     field::Field field;
     std::vector<std::uint32_t> histogram; // voxel counts in equal bins over volume.range, at most 256

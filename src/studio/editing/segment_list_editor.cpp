@@ -34,6 +34,16 @@ std::shared_ptr<const volume::LabelMap> readMap(const LoadLabels& op) {
     return map;
 }
 
+// Labels may have been made before or after it was corrected where voxels lie.
+void requireOnGrid(const volume::LabelMap& map, const Scan& scan) {
+    const std::filesystem::path name = scan.volume.path.empty() ? "the volume" : scan.volume.path;
+    try {
+        volume::requireSameGrid(map, scan.volume.geometry, name);
+    } catch (const Error&) {
+        volume::requireSameGrid(map, scan.inFile, name);
+    }
+}
+
 } // namespace
 
 void SegmentListEditor::perform(const UseSegment& op, Region::Records& records) {
@@ -161,8 +171,7 @@ Outcome SegmentListEditor::run(LoadLabels& op) {
         op.map = readMap(op);
     }
     op.checksum = op.map->checksum;
-    volume::requireSameGrid(*op.map, contents_.scan.volume.geometry,
-                            contents_.scan.volume.path.empty() ? "the volume" : contents_.scan.volume.path);
+    requireOnGrid(*op.map, contents_.scan);
     const std::size_t labels = op.map->values.size() - 1;
     if (labels == 0) {
         throw Error("{}: holds no label; a label map has voxels other than 0", op.path.string());

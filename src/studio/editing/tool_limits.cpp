@@ -62,8 +62,9 @@ sculpt::Limits ToolLimits::find(const Contents& contents) {
     if ((!takesOnly && !has(segment::Look::Opaque)) || !contents.region.exists()) {
         return {};
     }
-    if (!memberships_) {
+    if (!memberships_ || serial_ != contents.scan.field.serial) {
         memberships_.emplace(contents.scan.volume.geometry);
+        serial_ = contents.scan.field.serial;
     }
     updateWholly(*memberships_, *contents.region.growth(), looks);
     return {&memberships_->texels(), takesOnly};

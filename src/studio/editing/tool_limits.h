@@ -24,6 +24,7 @@ public:
 
 private:
     std::optional<segment::Segmentation> memberships_; // made when first needed
+    std::uint64_t serial_ = 0;                         // of the field that it was made for
 };
 
 } // namespace vs::studio

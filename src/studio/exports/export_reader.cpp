@@ -27,6 +27,7 @@ ExportReader::ExportReader(Document& document, ExportSettings::What what,
     : document_(document) {
     source_.volume = &document.volume();
     source_.geometry = document.volume().geometry;
+    source_.isCorrected = source_.geometry != document.geometryInFile();
     source_.segments = std::move(segments);
     source_.view = document.view().sculptureView;
     needsLabels_ = what == ExportSettings::What::Segments;

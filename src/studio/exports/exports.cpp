@@ -58,9 +58,9 @@ std::vector<mesh::Mesh> volumeMeshes(const ExportSource& source, const ExportSet
         const double from = double(i) / count;
         mesh::report(progress, from);
         const ExportSource::Part* part = i > 0 ? &source.parts[i - 1] : nullptr;
-        mesh::Mesh mesh = mesh::visibleSurface({source.volume, settings.range,
-                                                part != nullptr ? part->sculpture : source.sculpture,
-                                                part != nullptr ? field::SculptureView::Probe : source.view});
+        mesh::Mesh mesh = mesh::visibleSurface(
+            {source.volume, settings.range, part != nullptr ? part->sculpture : source.sculpture,
+             part != nullptr ? field::SculptureView::Probe : source.view, &source.geometry});
         mesh.name = part != nullptr ? fmt::format("Part {}", i) : "Volume";
         mesh.colour = kVolumeColour;
         mesh = mesh::refined(std::move(mesh), settings.refinement,
@@ -146,25 +146,29 @@ std::string writeLabelMap(const std::filesystem::path& path, const ExportSource&
     return fmt::format("{}: {} labels", path.string(), source.segments.size());
 }
 
-// With patient and study of the series that the volume came from, where it came from one.
+// With patient and study of the series that the volume came from, where it came from one and still lies
+// there.
 std::string writeDicom(const std::filesystem::path& path, const ExportSource& source) {
     std::vector<volume::DicomSegment> segments;
     for (const ExportedSegment& segment : source.segments) {
         segments.push_back({segment.label, segment.name, segment.colour});
     }
-    const bool isFromFile = source.volume != nullptr && !source.volume->path.empty();
-    const auto series = isFromFile ? volume::dicomFilesOf(source.volume->path, source.reading)
+    // Voxels that were moved lie on none of the series' images, and not in its frame of reference.
+    const bool isOnSeries = source.volume != nullptr && !source.volume->path.empty() && !source.isCorrected;
+    const auto series = isOnSeries ? volume::dicomFilesOf(source.volume->path, source.reading)
                                    : std::vector<std::filesystem::path>();
     volume::writeDicomSegmentation(path, source.geometry, source.labels, segments, series);
     return fmt::format("{}: {} segment{}, {}", path.string(), segments.size(),
                        segments.size() == 1 ? "" : "s",
-                       series.empty() ? "of no DICOM series: patient and study are empty"
-                                      : "with patient and study of the series");
+                       source.isCorrected ? "of a corrected geometry, which is no DICOM series': patient and "
+                                            "study are empty"
+                       : series.empty()   ? "of no DICOM series: patient and study are empty"
+                                          : "with patient and study of the series");
 }
 
 std::string writeTable(const std::filesystem::path& path, const ExportSource& source) {
     std::vector<segment::MeasuredSegment> rows;
-    for (const auto& statistics : segment::measure(*source.volume, source.labels)) {
+    for (const auto& statistics : segment::measure(*source.volume, source.geometry, source.labels)) {
         const auto segment =
             std::find_if(source.segments.begin(), source.segments.end(),
                          [&](const ExportedSegment& one) { return one.label == statistics.label; });

@@ -42,7 +42,8 @@ struct ExportSettings {
 // All that files are made of.
 struct ExportSource {
     const volume::Volume* volume = nullptr; // may be missing where neither it nor a table is asked for
-    volume::GridGeometry geometry;
+    volume::GridGeometry geometry;          // where the voxels lie
+    bool isCorrected = false;               // which is elsewhere than the volume's file says
     volume::ReadOptions reading; // how the volume was read from volume->path: finds its DICOM series again
     // Segments: those to export, and where they are.
     std::vector<ExportedSegment> segments;

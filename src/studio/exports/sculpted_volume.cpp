@@ -30,6 +30,7 @@ T valueAs(double value) {
 
 volume::Volume sculptedVolume(const ExportSource& source, const std::optional<double>& fill) {
     volume::Volume left = *source.volume;
+    left.geometry = source.geometry;
     const bool isProbe = source.view == field::SculptureView::Probe;
     if (source.view == field::SculptureView::Whole || (source.sculpture.empty() && !isProbe)) {
         return left;

@@ -179,7 +179,7 @@ void saveSession(const std::filesystem::path& path, const Session& session) {
 Session sessionOf(const Document& document, const Session& source) {
     Session session = source;
     if (source.volumePath.empty()) {
-        const volume::GridGeometry& geometry = document.volume().geometry;
+        const volume::GridGeometry& geometry = document.geometryInFile();
         session.block = Session::Block{geometry.dims, geometry.spacing()};
     }
     session.volumeChecksum = volume::checksum(document.volume());

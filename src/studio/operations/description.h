@@ -11,6 +11,7 @@ enum class Effect {
     Cuts,        // cuts the sculpture (or restores some of it)
     ClearsCuts,  // makes the sculpture whole
     Parts,       // places pasted parts
+    Lays,        // says where the scan's voxels lie
     Segments,    // changes segments, or what they may grow into
     Travels,     // goes back and forward in the history
     Remarks,     // changes nothing that can be seen: stands in the history to be read

@@ -27,6 +27,9 @@ struct Edit {
     // The segments' names and appearance before and after, where the operation changed them.
     std::optional<SegmentList> segmentsBefore = {};
     std::optional<SegmentList> segmentsAfter = {};
+    // Where the scan's voxels lay before and after, where the operation corrected that.
+    std::optional<volume::GridGeometry> geometryBefore = {};
+    std::optional<volume::GridGeometry> geometryAfter = {};
     // Where the cut's contents are while they are not in memory; History's own business.
     std::optional<SpillFile::Block> spilled = {};
 };

@@ -34,6 +34,11 @@ field::Scene Cutter::restoreScene(const render::Frame& frame) {
     return scene;
 }
 
+void Cutter::follow(const volume::GridGeometry& corrected) {
+    tools.follow(corrected);
+    solids.follow(corrected);
+}
+
 std::vector<float> Cutter::sculptureAsFloats() const { return sculpture->values(geometry->box()); }
 
 } // namespace vs::studio

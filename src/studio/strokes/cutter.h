@@ -15,6 +15,8 @@ public:
     Cutter(const field::Field& field, sculpt::Sculpture& target)
         : tools(field.geometry), solids(field.geometry), sculpture(&target), geometry(&field.geometry) {}
 
+    // The field's voxels lie elsewhere now.
+    void follow(const volume::GridGeometry& corrected);
     // The sculpture as it is now, as a texture that stays so: a stroke keeps seeing the surface it began on.
     // Only what has changed since the last one is copied.
     const gl::Texture& snapshot();

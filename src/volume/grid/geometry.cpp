@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cmath>
+#include <utility>
 
 namespace vs::volume {
 
@@ -67,6 +68,82 @@ std::string GridGeometry::orientationCode() const {
         code += letters[std::size_t(p)][worldFromVoxel[i][p] >= 0 ? 1 : 0];
     }
     return code;
+}
+
+namespace {
+
+constexpr std::array<std::string_view, 3> kSides{"RL", "AP", "IS"}; // negative, positive along L, P, S
+
+// The patient axis (0 left, 1 posterior, 2 superior) that a letter is of, and which way it points there.
+struct Side {
+    int axis = -1; // none
+    double sign = 1;
+};
+Side sideOf(char letter) {
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto at = kSides[std::size_t(axis)].find(letter);
+        if (at != std::string_view::npos) {
+            return {axis, at == 1 ? 1.0 : -1.0};
+        }
+    }
+    return {};
+}
+
+GridGeometry aboutItsCentre(const GridGeometry& grid, const glm::dmat3& axes) {
+    GridGeometry result{grid.dims, glm::dmat4(axes)};
+    result.worldFromVoxel[3] =
+        glm::dvec4(grid.centreWorld() - axes * (0.5 * (glm::dvec3(grid.dims) - 1.0)), 1.0);
+    return result;
+}
+
+} // namespace
+
+bool isOrientationCode(std::string_view code) {
+    std::array<bool, 3> isTaken{};
+    for (const char letter : code) {
+        const Side side = sideOf(letter);
+        if (side.axis < 0 || std::exchange(isTaken[std::size_t(side.axis)], true)) {
+            return false;
+        }
+    }
+    return code.size() == 3;
+}
+
+GridGeometry reoriented(const GridGeometry& grid, std::string_view code) {
+    const std::string now = grid.orientationCode();
+    if (code == now) {
+        return grid;
+    }
+    const glm::dvec3 spacing = grid.spacing();
+    glm::dmat3 axes(1);
+    for (int i = 0; i < 3; ++i) {
+        const Side wanted = sideOf(code[std::size_t(i)]);
+        for (int j = 0; j < 3; ++j) {
+            const Side there = sideOf(now[std::size_t(j)]);
+            if (there.axis == wanted.axis) {
+                axes[i] =
+                    wanted.sign * there.sign * spacing[i] / spacing[j] * glm::dvec3(grid.worldFromVoxel[j]);
+            }
+        }
+    }
+    return aboutItsCentre(grid, axes);
+}
+
+GridGeometry respaced(const GridGeometry& grid, const glm::dvec3& spacingMm) {
+    const glm::dvec3 now = grid.spacing();
+    if (spacingMm == now) {
+        return grid;
+    }
+    glm::dmat3 axes(grid.worldFromVoxel);
+    for (int i = 0; i < 3; ++i) {
+        axes[i] *= spacingMm[i] / now[i];
+    }
+    return aboutItsCentre(grid, axes);
+}
+
+bool areMirrored(const GridGeometry& a, const GridGeometry& b) {
+    return glm::determinant(glm::dmat3(a.worldFromVoxel)) * glm::determinant(glm::dmat3(b.worldFromVoxel)) <
+           0;
 }
 
 GridGeometry makeGeometry(glm::ivec3 dims, glm::dvec3 spacing) {

@@ -4,6 +4,7 @@
 #include "base/math.h"
 
 #include <string>
+#include <string_view>
 
 namespace vs::volume {
 
@@ -32,6 +33,17 @@ struct GridGeometry {
 
     bool operator==(const GridGeometry&) const = default;
 };
+
+// Three letters as orientationCode() gives them: one of L and R, one of P and A, one of S and I.
+bool isOrientationCode(std::string_view code);
+// The grid with its axes leading towards other sides of the patient, or with other distances between voxel
+// centres (mm, above 0). Voxels keep their indices and the grid its centre; an axis that is given another
+// side takes the direction of the one that led there or away from there, so that an oblique grid stays as
+// oblique. With its own code, or its own spacing, it stays as it is to the last bit.
+GridGeometry reoriented(const GridGeometry& grid, std::string_view code);
+GridGeometry respaced(const GridGeometry& grid, const glm::dvec3& spacingMm);
+// Whether one is the mirror image of the other, whatever else they differ in.
+bool areMirrored(const GridGeometry& a, const GridGeometry& b);
 
 // Axis-aligned grid with its first voxel's centre at the world's origin.
 GridGeometry makeGeometry(glm::ivec3 dims, glm::dvec3 spacing = glm::dvec3(1.0));

@@ -5,6 +5,7 @@
 #include "gpu/gl_test.h"
 #include "gpu/studio/test_head.h"
 #include "studio/state/region.h"
+#include "volume/io/read.h"
 
 #include <cmath>
 #include <filesystem>
@@ -130,6 +131,29 @@ TEST_F(ExportsTest, SegmentsWithVoxelsAreExported) {
     std::filesystem::remove(path);
     EXPECT_THROW(writeExport(path, source, {}, [](double) { return false; }), GivenUp);
     EXPECT_FALSE(std::filesystem::exists(path));
+}
+
+TEST_F(ExportsTest, FilesSayWhereVoxelsLieOnceThatWasCorrected) {
+    const auto folder = std::filesystem::temp_directory_path() / "vs_exports_corrected";
+    std::filesystem::create_directories(folder);
+    Document document(testHead());
+    document.apply(brainSeed());
+    document.apply(Grow{});
+    document.apply(CorrectGeometry{.spacing = glm::dvec3(0.5, 0.5, 2), .orientation = "RAS"});
+    const volume::GridGeometry& corrected = document.volume().geometry;
+    const auto segments = read(document, What::Segments);
+    for (const char* name : {"labels.nrrd", "labels.nii.gz"}) {
+        writeExport(folder / name, segments, {});
+        const volume::Volume labels = volume::readVolume(folder / name).volume;
+        EXPECT_EQ(labels.geometry.orientationCode(), "RAS") << name;
+        EXPECT_LT(glm::distance(labels.geometry.spacing(), corrected.spacing()), 1e-6) << name;
+        EXPECT_LT(glm::distance(labels.geometry.centreWorld(), corrected.centreWorld()), 1e-4) << name;
+    }
+    const double voxelsMl = double(document.region().voxelCount(1)) * corrected.voxelMm3() / 1000;
+    EXPECT_NEAR(millilitresOf(writeExport(folder / "brain.stl", segments, {}).front()) / voxelsMl, 1, 0.05);
+    const auto whole = read(document, What::Volume);
+    EXPECT_TRUE(sculptedVolume(whole, {}).geometry == corrected);
+    std::filesystem::remove_all(folder);
 }
 
 TEST_F(ExportsTest, NamesAreChecked) {

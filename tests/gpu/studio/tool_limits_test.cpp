@@ -3,6 +3,7 @@
 #include "gpu/studio/test_segments.h"
 #include "gpu/studio/test_tools.h"
 #include "segment/membership/membership.h"
+#include "studio/document/live_stroke.h"
 
 #include <algorithm>
 #include <cmath>

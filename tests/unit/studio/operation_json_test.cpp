@@ -78,7 +78,7 @@ UseSegment someSegment() {
 std::vector<Operation> segmentOperations() {
     const Sketch line{Shape::FreeForm, {{1, 2}, {3, 4}, {5.5, 6.5}}};
     std::vector<Operation> operations{
-        ShowGeneration{12}, SetGrowthRules{Range{-5, 5}},
+        CorrectGeometry{glm::dvec3(0.5, 0.5, 3), "RIA"}, ShowGeneration{12}, SetGrowthRules{Range{-5, 5}},
         SetGrowthRules{Range{-5, 5}, Range{-1, 2.5}, Range{0, 40}, Range{-3, 3}, 26, true},
         // Rules that are dropped, not left as they are.
         SetGrowthRules{{}, std::optional<Range>(), std::optional<Range>(), std::optional<Range>(), 6, false},
@@ -197,6 +197,11 @@ TEST(OperationJson, ComplaintsAboutSegmentsNameThePlace) {
     expect(R"({"op": "growth rules", "live": 1})", "live: must be true or false");
     expect(R"({"op": "absorb", "expansions": 3})", "needs 'strokes' or 'voxels'");
     expect(R"({"op": "absorb", "voxels": [[1, 2]]})", "voxels[0]: must be a list of 3 numbers");
+    expect(R"({"op": "geometry", "orientation": "LLS"})",
+           "orientation: must be a letter of L and R, one of P and A, and one of S and I, in any order");
+    expect(R"({"op": "geometry", "orientation": "LPSI"})", "orientation: must be a text of 3 characters");
+    expect(R"({"op": "geometry", "spacing": [1, 0, 1]})",
+           "spacing[1]: 0 is out of bounds; 1e-06 to 100000 is allowed");
     expect(R"({"op": "segment"})", "the member 'segment' is missing");
     expect(R"({"op": "segment", "segment": ""})", "segment: must be a text of 1 to 200 characters");
     expect(R"({"op": "segment", "segment": "A", "color": [0, 0, 0]})",

@@ -27,6 +27,7 @@ constexpr glm::dvec3 kFromFace{0, -1, 0};
 
 CameraMotion::CameraMotion(DocumentHost& host, ViewModel& view) : host_(host), view_(view) {
     connect(&host_, &DocumentHost::leaving, this, &CameraMotion::forget);
+    connect(&host_, &DocumentHost::corrected, this, &CameraMotion::forget); // what was seen lies elsewhere
     connect(&view_, &ViewModel::resized, this, &CameraMotion::fitAgain);
 }
 
@@ -52,6 +53,8 @@ void CameraMotion::show(const render::Camera& camera) {
 }
 
 // --- turning
+
+bool CameraMotion::isFitted() const { return fitted_ == view_.shown().camera; }
 
 bool CameraMotion::isFramed() const { return framed_ == view_.shown().camera; }
 
@@ -181,7 +184,7 @@ void CameraMotion::fit() {
 
 // The view has another size: what was fitted and has not been touched since is fitted again.
 void CameraMotion::fitAgain() {
-    if (host_.geometry() != nullptr && fitted_ == view_.shown().camera) {
+    if (host_.geometry() != nullptr && isFitted()) {
         fitted_ = framed_ = fittedOn(*fitted_);
         show(*fitted_);
     }

@@ -61,6 +61,8 @@ public:
     // Shows all that can be seen as large as the view has room for. What is turned later turns about its
     // middle.
     void fit();
+    // Whether that has been done, and nobody has looked from elsewhere since.
+    [[nodiscard]] bool isFitted() const;
     // Looks at the face, all of what can be seen.
     void reset();
 

@@ -14,6 +14,7 @@ constexpr double kHandMs = 300; // after the last input
 } // namespace
 
 DocumentHost::DocumentHost() : facts_(std::make_shared<const studio::DocumentFacts>()) {
+    connect(this, &DocumentHost::changed, this, &DocumentHost::noticeCorrection);
     connect(&longWork_, &LongWork::lasts, this, [this](int thousandths) {
         if (!isReplaying()) { // which counts its operations
             thousandths < 0 ? emit progress(0, 0) : emit progress(thousandths, 1000);
@@ -23,6 +24,13 @@ DocumentHost::DocumentHost() : facts_(std::make_shared<const studio::DocumentFac
 
 DocumentHost::~DocumentHost() = default;
 
+void DocumentHost::noticeCorrection() {
+    const volume::GridGeometry now = facts()->geometry;
+    if (!(now == toldGeometry_)) {
+        emit corrected(std::exchange(toldGeometry_, now));
+    }
+}
+
 studio::Document* DocumentHost::document() {
     gl_.makeCurrent();
     return document_.get();
@@ -31,7 +39,18 @@ studio::Document* DocumentHost::document() {
 const volume::Volume* DocumentHost::volume() const { return document_ ? &document_->volume() : nullptr; }
 
 const volume::GridGeometry* DocumentHost::geometry() const {
-    return document_ ? &document_->volume().geometry : nullptr;
+    if (!document_) {
+        return nullptr;
+    }
+    const auto facts = this->facts();
+    if (!(facts->geometry == geometry_)) { // never while the document is away
+        geometry_ = facts->geometry;
+    }
+    return &geometry_;
+}
+
+const volume::GridGeometry* DocumentHost::geometryInFile() const {
+    return document_ ? &document_->geometryInFile() : nullptr;
 }
 
 void DocumentHost::publish() const {
@@ -50,6 +69,8 @@ void DocumentHost::replace(std::unique_ptr<studio::Document> document) {
     gl_.makeCurrent();
     emit leaving();
     document_ = std::move(document);
+    publish();
+    toldGeometry_ = facts_->geometry;
 }
 
 bool DocumentHost::guard(const std::function<void()>& work) {

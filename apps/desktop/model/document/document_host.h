@@ -5,6 +5,7 @@
 #include "engine/long_work.h"
 
 #include "base/timer.h"
+#include "volume/grid/geometry.h"
 
 #include <QObject>
 #include <QString>
@@ -18,7 +19,6 @@ class Document;
 struct DocumentFacts;
 } // namespace vs::studio
 namespace vs::volume {
-struct GridGeometry;
 struct Volume;
 } // namespace vs::volume
 
@@ -41,10 +41,12 @@ public:
     // The open document, with the engine's context current; null before something was opened. Waits while the
     // document is away.
     [[nodiscard]] studio::Document* document();
-    // The volume that is open, and its grid; null before something was opened. Also while the document is
-    // away.
+    // The volume that is open, where its voxels lie, and where they do by its file; null before something was
+    // opened. Also while the document is away, which may correct the geometry in `volume` meanwhile: ask here
+    // for it.
     [[nodiscard]] const volume::Volume* volume() const;
     [[nodiscard]] const volume::GridGeometry* geometry() const;
+    [[nodiscard]] const volume::GridGeometry* geometryInFile() const;
     // What is known of the document, as it was when it was last here: what panels show, also while it is
     // away. Never null; before something was opened, those of nothing.
     [[nodiscard]] std::shared_ptr<const studio::DocumentFacts> facts() const;
@@ -99,6 +101,8 @@ signals:
     void emptied(); // after a document was closed, when all have heard of it: nothing is shown any more
     void openFailed(const QString& message);
     void changed(); // document, view, tool or playback: panels and actions look again
+    // Where the voxels lie was corrected, or that was taken back: they lay there `before`.
+    void corrected(const volume::GridGeometry& before);
     void messageChanged();
     void progress(int done, int total); // total 0: unknown; done == total > 0: finished
     void givenUp();                     // what goes on by itself ends
@@ -107,11 +111,14 @@ signals:
 
 private:
     void publish() const; // the facts; the document must be here
+    void noticeCorrection();
 
     GlHost gl_;
     LongWork longWork_{gl_};
     std::unique_ptr<studio::Document> document_;
     mutable std::shared_ptr<const studio::DocumentFacts> facts_; // as they were last published
+    mutable volume::GridGeometry geometry_; // of those who ask for it: stays where it is in memory
+    volume::GridGeometry toldGeometry_;     // that all have heard of
     Opening opening_ = Opening::Nothing;
     std::vector<std::function<void()>> waiting_; // for the document to be back
     QString message_;

@@ -208,7 +208,8 @@ studio::Session DocumentFiles::provenance() const {
     studio::Session source;
     const auto& volume = *host_.volume();
     if (volume.path.empty()) { // made from nothing
-        source.block = studio::Session::Block{volume.geometry.dims, volume.geometry.spacing()};
+        const auto& geometry = host_.document()->geometryInFile();
+        source.block = studio::Session::Block{geometry.dims, geometry.spacing()};
     } else {
         source.volumePath = std::filesystem::absolute(volume.path);
     }

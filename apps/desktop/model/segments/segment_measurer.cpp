@@ -35,10 +35,11 @@ std::vector<std::uint32_t> histogramOf(const volume::Volume& volume, const std::
 }
 
 std::vector<segment::MeasuredSegment> measureAll(const volume::Volume& volume,
+                                                 const volume::GridGeometry& geometry,
                                                  const std::vector<std::uint8_t>& labels,
                                                  const std::vector<studio::SegmentInfo>& infos) {
     std::vector<segment::MeasuredSegment> segments;
-    for (const auto& statistics : segment::measure(volume, labels)) {
+    for (const auto& statistics : segment::measure(volume, geometry, labels)) {
         const auto info = std::find_if(infos.begin(), infos.end(), [&](const studio::SegmentInfo& one) {
             return one.label == statistics.label;
         });
@@ -72,8 +73,10 @@ SegmentMeasurer::SegmentMeasurer(DocumentHost& host, SegmentController& list, Gr
 SegmentMeasurer::~SegmentMeasurer() = default;
 
 SegmentMeasurer::Key SegmentMeasurer::now() const {
-    auto* document = host_.document();
-    return document == nullptr ? Key{} : Key{host_.facts()->segmentsRevision, host_.facts()->segments.atWork};
+    const auto facts = host_.facts();
+    return host_.document() == nullptr
+               ? Key{}
+               : Key{facts->segmentsRevision, facts->segments.atWork, facts->geometry};
 }
 
 void SegmentMeasurer::want(const QObject* who, bool wants) {
@@ -129,7 +132,7 @@ void SegmentMeasurer::begin(const Key& key) {
                             infos = document.segments().segments, labels = std::move(labels)] {
         Found found;
         try {
-            found.segments = measureAll(volume, labels, infos);
+            found.segments = measureAll(volume, key.geometry, labels, infos);
             found.histogram = histogramOf(volume, labels, key.atWork, bins);
         } catch (const std::bad_alloc&) { // nothing is known then
         }

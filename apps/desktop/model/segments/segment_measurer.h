@@ -46,6 +46,7 @@ private:
     struct Key { // what was measured
         std::uint64_t revision = 0;
         std::uint8_t atWork = 0;
+        volume::GridGeometry geometry; // where the voxels lie
         bool operator==(const Key&) const = default;
     };
     struct Found {

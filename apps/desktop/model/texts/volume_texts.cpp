@@ -82,8 +82,36 @@ QString runsOf(const std::vector<int>& numbers) {
     return runs.join(", ");
 }
 
-std::vector<Property> propertiesOf(const volume::Volume& volume) {
-    const auto& grid = volume.geometry;
+QString placeText(const volume::GridGeometry& grid) {
+    return tr("%1 mm, %2").arg(three(grid.spacing(), " × "), QString::fromStdString(grid.orientationCode()));
+}
+
+QString mirroredText(const volume::GridGeometry& one, const volume::GridGeometry& other) {
+    const std::string before = one.orientationCode();
+    const std::string after = other.orientationCode();
+    char exchanged = 0; // where a single axis runs to its other side: where it runs to now
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        if (before[axis] != after[axis]) {
+            exchanged = exchanged == 0 ? after[axis] : '?';
+        }
+    }
+    switch (exchanged) {
+    case 'L':
+    case 'R':
+        return tr("The scan is mirrored against the file: left and right are exchanged.");
+    case 'A':
+    case 'P':
+        return tr("The scan is mirrored against the file: front and back are exchanged.");
+    case 'S':
+    case 'I':
+        return tr("The scan is mirrored against the file: top and bottom are exchanged.");
+    default:
+        return tr("The scan is mirrored against the file.");
+    }
+}
+
+std::vector<Property> propertiesOf(const volume::Volume& volume, const volume::GridGeometry& grid,
+                                   const volume::GridGeometry& inFile) {
     const auto& details = volume.details;
     const auto text = [](const std::string& said) { return QString::fromStdString(said); };
     const glm::dvec3 origin(grid.worldFromVoxel[3]);
@@ -103,6 +131,7 @@ std::vector<Property> propertiesOf(const volume::Volume& volume) {
         {"spacing", tr("Spacing"), tr("%1 mm").arg(three(grid.spacing(), " × "))},
         {"extent", tr("Extent"), tr("%1 mm").arg(three(grid.spacing() * glm::dvec3(grid.dims), " × "))},
         {"orientation", tr("Orientation"), orientationText(grid)},
+        {"inFile", tr("In the file"), grid == inFile ? QString() : placeText(inFile)},
         {"origin", tr("First voxel"), tr("%1 mm (left, posterior, superior)").arg(three(origin, ", "))},
         {"values", tr("Values"), valuesText(volume)},
         {"scale", tr("Scale"), scaleText(details)},

@@ -65,7 +65,8 @@ QWidget* GeometryCard::makeSlice(SliceKind kind) {
     };
     const std::array<Texts, 3> texts{
         {{"axial", tr("Axial")}, {"coronal", tr("Coronal")}, {"sagittal", tr("Sagittal")}}};
-    const auto& [prefix, title] = texts.at(std::size_t(kind));
+    const QByteArray prefix = texts.at(std::size_t(kind)).prefix;
+    const QString title = texts.at(std::size_t(kind)).title;
     auto* holder = new QWidget;
     auto* column = new QVBoxLayout(holder);
     column->setContentsMargins(0, 0, 0, 0);

@@ -201,7 +201,7 @@ TEST(OperationJson, ComplaintsAboutSegmentsNameThePlace) {
            "orientation: must be a letter of L and R, one of P and A, and one of S and I, in any order");
     expect(R"({"op": "geometry", "orientation": "LPSI"})", "orientation: must be a text of 3 characters");
     expect(R"({"op": "geometry", "spacing": [1, 0, 1]})",
-           "spacing[1]: 0 is out of bounds; 1e-06 to 100000 is allowed");
+           "spacing[1]: 0 is out of bounds; 1e-06 to 1000 is allowed");
     expect(R"({"op": "segment"})", "the member 'segment' is missing");
     expect(R"({"op": "segment", "segment": ""})", "segment: must be a text of 1 to 200 characters");
     expect(R"({"op": "segment", "segment": "A", "color": [0, 0, 0]})",

@@ -41,8 +41,9 @@ bool isInside(glm::dvec3 voxel, glm::ivec3 dims) {
 
 QImage pictureOf(const volume::Volume& volume, const Range& window, const render::SliceGeometry& slice,
                  QSize size) {
-    const double index = slice.count() / 2;
-    render::SliceView view{slice.kind(), int(index), {}, 1, {size.width(), size.height()}};
+    const int middle = slice.count() / 2;
+    const double index = middle;
+    render::SliceView view{slice.kind(), middle, {}, 1, {size.width(), size.height()}};
     view.pixelMm = render::pixelMmToShowAll(slice, view.size);
     QImage image(size, QImage::Format_RGB32);
     image.fill(kOutside);

@@ -336,10 +336,6 @@
         <translation>Graurampe</translation>
     </message>
     <message>
-        <source>Every value, evenly: grey and opacity rise together; follows the histogram</source>
-        <translation>Jeder Wert gleichmäßig: Grau und Deckkraft steigen zusammen; folgt dem Histogramm</translation>
-    </message>
-    <message>
         <source>Microscopy</source>
         <translation>Mikroskopie</translation>
     </message>
@@ -554,6 +550,10 @@
     <message>
         <source>geometry</source>
         <translation>Geometrie</translation>
+    </message>
+    <message>
+        <source>Every value above air, evenly: grey and opacity rise together; follows the histogram</source>
+        <translation>Alle Werte über Luft gleichmäßig: Grau und Deckkraft steigen gemeinsam; folgt dem Histogramm</translation>
     </message>
 </context>
 <context>

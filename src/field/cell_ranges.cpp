@@ -27,17 +27,24 @@ void summarize(gl::Program& program, const gl::Texture& texels, glm::vec2 valueS
 
 } // namespace
 
-CellRanges computeCellRanges(const Field& field) {
+namespace {
+
+gl::Texture rangesOf(const gl::Texture& texels, glm::vec2 valueScaleOffset) {
     const gl::Pass pass("cell ranges");
-    const glm::ivec3 dims = field.geometry.dims;
-    const glm::ivec3 cellCount = cellDims(dims);
-    CellRanges out;
-    out.cells = gl::Texture(cellCount, gl::Format::RG32F, gl::Filter::Nearest, "cell ranges");
+    const glm::ivec3 count = cellDims(texels.size());
+    gl::Texture cells(count, gl::Format::RG32F, gl::Filter::Nearest, "cell ranges");
     gl::Program program(kShader);
-    summarize(program, field.texels, {field.valueScale, field.valueOffset}, {glm::ivec3(0), cellCount},
-              out.cells);
-    return out;
+    summarize(program, texels, valueScaleOffset, {glm::ivec3(0), count}, cells);
+    return cells;
 }
+
+} // namespace
+
+CellRanges computeCellRanges(const Field& field) {
+    return {rangesOf(field.texels, {field.valueScale, field.valueOffset})};
+}
+
+gl::Texture computeCellRanges(const gl::Texture& texels) { return rangesOf(texels, {1, 0}); }
 
 CellRangeUpdater::CellRangeUpdater() : program_(kShader) {}
 

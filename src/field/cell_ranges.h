@@ -18,6 +18,8 @@ struct CellRanges {
 };
 
 CellRanges computeCellRanges(const Field& field);
+// Such cells of any texture of one value a voxel, as RG32F texels.
+gl::Texture computeCellRanges(const gl::Texture& texels);
 
 // Keeps smallest and largest texel per macrocell of a single-channel texture that changes (the sculpture).
 class CellRangeUpdater {

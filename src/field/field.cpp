@@ -66,6 +66,7 @@ Field uploadVolume(const volume::Volume& volume) {
     field.serial = nextSerial();
     field.geometry = volume.geometry;
     field.range = volume.range;
+    field.isHounsfield = volume.unit == "HU";
     volume::visit(volume, [&]<typename T>(const T* values) {
         const auto make = [&](gl::Format format) {
             field.texels =

@@ -18,9 +18,10 @@ struct Field {
     volume::GridGeometry geometry;
     float valueScale = 1;
     float valueOffset = 0;
-    bool isIntegral = false;  // stored values are whole numbers
-    Range range;              // smallest and largest finite value
-    std::uint64_t serial = 0; // different for each upload: whether what was derived from it is still good
+    bool isIntegral = false;   // stored values are whole numbers
+    bool isHounsfield = false; // the values are said to be Hounsfield units
+    Range range;               // smallest and largest finite value
+    std::uint64_t serial = 0;  // different for each upload: whether what was derived from it is still good
 };
 
 // Stands for NaN and infinity: far below any value, small enough that interpolation stays finite.

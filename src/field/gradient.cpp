@@ -2,6 +2,7 @@
 #include "field/gradient.h"
 
 #include "base/check.h"
+#include "field/cell_ranges.h"
 #include "field/shaders/bindings.h"
 #include "gl/pass.h"
 #include "gl/program.h"
@@ -84,6 +85,25 @@ Range usualRange(const Magnitudes& magnitudes) {
 Range gradientRange(const Field& field) { return usualRange(countMagnitudes(field)); }
 
 Range fullGradientRange(const Field& field) { return {0, countMagnitudes(field).largest}; }
+
+GradientField computeGradients(const Field& field, double usual) {
+    constexpr double room = 16; // so that 16 bits tell usual ones apart to a 4096th
+    const gl::Pass pass("gradients");
+    GradientField gradients;
+    gradients.most = usual > 0 ? room * usual : 1;
+    gradients.texels =
+        gl::Texture(field.geometry.dims, gl::Format::R16, gl::Filter::Linear, "gradient magnitudes");
+    gradients.texels.bindImage(kTargetImage, gl::Access::Write);
+    gl::Program program("field/shaders/count_gradients.comp", {{"COUNT", "3"}});
+    count(program, field, {0, gradients.most}, {1, 1});
+    gradients.cells = computeCellRanges(gradients.texels);
+    gradients.quads = makeQuads(field.geometry.dims, gl::Format::R16);
+    if (gradients.quads) {
+        fillQuads(gradients.texels, gradients.quads);
+        gradients.texels = {};
+    }
+    return gradients;
+}
 
 std::vector<std::uint32_t> gradientHistogram(const Field& field, const Range& gradients, int bins) {
     VS_CHECK(bins >= 1 && bins <= 4096);

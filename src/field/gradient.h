@@ -22,6 +22,18 @@ Range gradientRange(const Field& field);
 // The gradient magnitudes from 0 to the largest of all.
 Range fullGradientRange(const Field& field);
 
+// The magnitudes at all voxels, for shaders to look up between them: parts of `most`, as 16 bits; what is
+// steeper counts as that. Zero at voxels that are left out.
+struct GradientField {
+    double most = 1;       // the volume's unit per mm
+    gl::Texture texels;    // R16; empty where there are quads
+    gl::TexelBuffer quads; // on software renderers (field/quads.h)
+    gl::Texture cells;     // smallest and largest of each macrocell (field/cell_ranges.h), as parts of `most`
+};
+// `usual`: the end of gradientRange(); `most` becomes so much more that hardly anything is steeper. Throws
+// GlError where the device has no room.
+GradientField computeGradients(const Field& field, double usual);
+
 // Counts of voxels in `bins` (at most 4096) equal bins over `gradients`. Magnitudes above it are left out.
 std::vector<std::uint32_t> gradientHistogram(const Field& field, const Range& gradients, int bins = 256);
 

@@ -13,24 +13,37 @@ namespace vs::field {
 
 namespace {
 
-void bind(gl::Program& program, const Field& field, int bins, const gl::Buffer& counts) {
+void bind(gl::Program& program, const Field& field, const Box3& box, int bins, const gl::Buffer& counts) {
     counts.bindStorage(kCountsStorage);
     field.texels.bindTexture(kDataTexture);
-    program.set("dims", field.geometry.dims)
+    program.set("first", box.lo)
+        .set("last", box.hi - 1)
         .set("bins", bins)
         .set("valueScaleOffset", glm::vec2(field.valueScale, field.valueOffset))
         .set("valueRange", glm::vec2(float(field.range.lo), float(field.range.hi)));
 }
 
+Box3 wholeOf(const Field& field) { return {glm::ivec3(0), field.geometry.dims}; }
+
 } // namespace
 
+int finestBins(const Field& field) {
+    constexpr int most = 4096;
+    return field.isIntegral ? int(std::clamp(field.range.width(), 1.0, double(most))) : most;
+}
+
 std::vector<std::uint32_t> intensityHistogram(const Field& field, int bins) {
+    return intensityHistogram(field, wholeOf(field), bins);
+}
+
+std::vector<std::uint32_t> intensityHistogram(const Field& field, const Box3& box, int bins) {
     VS_CHECK(bins >= 1 && bins <= 4096);
+    VS_CHECK(!box.isEmpty() && intersect(box, wholeOf(field)) == box);
     const gl::Pass pass("intensity histogram");
     gl::Program program("field/shaders/count_histogram.comp", {{"VISIBLE", "0"}});
     gl::Buffer counts(std::size_t(bins) * sizeof(std::uint32_t), "histogram");
-    bind(program, field, bins, counts);
-    VoxelRows(field.geometry.dims).advance(program, kUnlimitedMs);
+    bind(program, field, box, bins, counts);
+    VoxelRows(box.size()).advance(program, kUnlimitedMs);
     return counts.read<std::uint32_t>(std::size_t(bins));
 }
 
@@ -48,7 +61,7 @@ void VisibleHistogram::start(SculptureView view) {
 
 bool VisibleHistogram::advance(const gl::Texture& sculpture, double budgetMs) {
     const gl::Pass pass("visible histogram");
-    bind(program_, *field_, bins_, counts_);
+    bind(program_, *field_, wholeOf(*field_), bins_, counts_);
     sculpture.bindTexture(kSculptureTexture);
     program_.set("sculptureView", view_ == SculptureView::Cut ? 1 : 2);
     return rows_.advance(program_, budgetMs);

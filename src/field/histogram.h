@@ -13,6 +13,12 @@ namespace vs::field {
 // Counts of voxels in `bins` (at most 4096) equal bins over field.range, counted on the device. Non-finite
 // voxels are left out.
 std::vector<std::uint32_t> intensityHistogram(const Field& field, int bins = 256);
+// Counts a part of the voxels only, which must lie in the grid.
+std::vector<std::uint32_t> intensityHistogram(const Field& field, const Box3& box, int bins);
+
+// How many bins tell most of a field's values apart: one from each whole number to the next where that is
+// possible, since bins of uneven size would comb.
+int finestBins(const Field& field);
 
 // Counts the voxels that a sculpture lets be seen in bins like those of intensityHistogram(), in portions, so
 // that a window can answer between them.

@@ -2,7 +2,9 @@
 #include "field/quads.h"
 
 #include "base/check.h"
+#include "field/shaders/bindings.h"
 #include "gl/context.h"
+#include "gl/program.h"
 
 namespace vs::field {
 
@@ -25,6 +27,16 @@ gl::TexelBuffer makeQuads(glm::ivec3 dims, gl::Format ofTexels) {
         return {};
     }
     return {voxels, format, "data in quads"};
+}
+
+void fillQuads(const gl::Texture& texels, gl::TexelBuffer& quads) {
+    VS_CHECK(texels.format() == gl::Format::R16 || texels.format() == gl::Format::R32F);
+    gl::Program fill("field/shaders/fill_quads.comp",
+                     {{"VS_FORMAT", texels.format() == gl::Format::R16 ? "rgba16" : "rgba32f"}});
+    texels.bindTexture(kTexelsTexture);
+    quads.bindImage(kQuadsImage, gl::Access::Write);
+    fill.set("dims", texels.size());
+    fill.dispatchOver(texels.size(), gl::Barrier::Texture);
 }
 
 } // namespace vs::field

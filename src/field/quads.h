@@ -22,6 +22,9 @@ inline constexpr std::size_t kMostQuadBytes = std::size_t(256) << 20;
 // volumes, and on hardware. Throws GlError if the device has no room.
 gl::TexelBuffer makeQuads(glm::ivec3 dims, gl::Format ofTexels);
 
+// Fills quads from texels that were computed on the device (R16 or R32F).
+void fillQuads(const gl::Texture& texels, gl::TexelBuffer& quads);
+
 // The quads of whole slices, four texels each.
 template <typename Texel>
 std::vector<Texel> quadsOfSlices(std::span<const Texel> texels, glm::ivec2 slice) {

@@ -88,18 +88,6 @@ private:
     std::array<Kernel, 3> kernels_;
 };
 
-void fillQuads(Field& field) {
-    if (!field.quads) {
-        return;
-    }
-    gl::Program fill("field/shaders/fill_quads.comp",
-                     {{"VS_FORMAT", field.texels.format() == gl::Format::R16 ? "rgba16" : "rgba32f"}});
-    field.texels.bindTexture(kTexelsTexture);
-    field.quads.bindImage(kQuadsImage, gl::Access::Write);
-    fill.set("dims", field.geometry.dims);
-    fill.dispatchOver(field.geometry.dims, gl::Barrier::Texture);
-}
-
 // A field of the same geometry for smoothed values, still without any.
 Field emptyLike(const Field& source, std::uint64_t serial) {
     Field out;
@@ -140,7 +128,9 @@ SmoothedField smoothField(const Field& source, double sigmaSteps) {
         along.run(1, alongX, first, alongXY, 0, first, past, {1, 0});
         along.run(2, alongXY, first, out.field.texels, z, z, end, asTexels);
     }
-    fillQuads(out.field);
+    if (out.field.quads) {
+        fillQuads(out.field.texels, out.field.quads);
+    }
     out.cells = computeCellRanges(out.field);
     return out;
 }

@@ -17,7 +17,7 @@ bool VoxelRows::advance(gl::Program& program, double budgetMs) {
     const int rowsAtOnce = std::max(1, int(kAtOnce / std::max(perRow, std::size_t(1))));
     while (next_ < rows) {
         program.set("firstRow", next_);
-        program.dispatch({divideUp(dims_.x, 8), std::min(rowsAtOnce, rows - next_), 1}, gl::Barrier::Storage);
+        program.dispatch({divideUp(dims_.x, 8), std::min(rowsAtOnce, rows - next_), 1}, gl::Barrier::All);
         next_ += rowsAtOnce;
         if (std::isfinite(budgetMs)) {
             gl::Context::finish();

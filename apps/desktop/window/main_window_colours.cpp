@@ -32,7 +32,7 @@ void MainWindow::makeColourMenu() {
     };
     const auto show = [this](const std::optional<render::TransferFunction>& function) {
         return [this, function] {
-            studio_.view().setTransferFunction(function);
+            studio_.view().chooseTransferFunction(function);
             actions_->refresh(); // chosen again it is still the one
         };
     };
@@ -58,7 +58,7 @@ void MainWindow::openTransferFunction() {
         return;
     }
     try {
-        studio_.view().setTransferFunction(render::loadTransferFunction(path.toStdString()));
+        studio_.view().chooseTransferFunction(render::loadTransferFunction(path.toStdString()));
     } catch (const Error& error) {
         QMessageBox::warning(this, tr("Transfer function"), QString::fromUtf8(error.what()));
         actions_->refresh();

@@ -1,14 +1,19 @@
 // Counts voxels by gradient magnitude at their centres. Each invocation goes along a column in z and keeps
 // three values of it; voxels in a row that fall into the same bin are added up before they are counted.
 // COUNT: 0 logarithmic bins (32 an octave) and the largest magnitude, 1 equal bins of magnitude, 2 equal bins
-// of intensity (fastest) and magnitude. In: texture 0 data. Out: storage 0 counts[]; for COUNT 0 its last
-// entry holds the bits of the largest magnitude.
-// variants: COUNT=0;COUNT=1;COUNT=2
+// of intensity (fastest) and magnitude; 3 none: the magnitudes themselves are kept, as parts of ranges.w.
+// In: texture 0 data. Out: storage 0 counts[]; for COUNT 0 its last entry holds the bits of the largest
+// magnitude. For COUNT 3 image 0 instead.
+// variants: COUNT=0;COUNT=1;COUNT=2;COUNT=3
 layout(local_size_x = 8, local_size_y = 8) in;
 
 #include "field/shaders/bindings.glsl"
 layout(binding = kDataTexture) uniform sampler3D dataTexture;
+#if COUNT == 3
+layout(r16, binding = kTargetImage) uniform writeonly image3D magnitudes;
+#else
 layout(std430, binding = kCountsStorage) buffer Counts { uint counts[]; };
+#endif
 
 uniform ivec3 dims;
 uniform ivec2 bins;
@@ -19,7 +24,7 @@ uniform int firstRow; // of work groups
 
 const uint kLogFirst = (127u - 64u) << 5;
 
-#if COUNT != 2
+#if COUNT < 2
 shared uint localCounts[4096]; // contended atomics stay in the work group
 #endif
 
@@ -37,6 +42,8 @@ int equalBin(float x, float lo, float hi, int count) {
 int binOf(float value, float magnitude) {
 #if COUNT == 0
     return clamp(int(floatBitsToUint(magnitude) >> 18) - int(kLogFirst), 0, 4095);
+#elif COUNT == 3
+    return -1;
 #elif COUNT == 1
     return magnitude > ranges.w ? -1 : equalBin(magnitude, ranges.z, ranges.w, bins.x);
 #else
@@ -49,7 +56,7 @@ void add(int bin, uint number) {
     if (bin >= 0) {
 #if COUNT == 2
         atomicAdd(counts[bin], number);
-#else
+#elif COUNT < 2
         atomicAdd(localCounts[bin], number);
 #endif
     }
@@ -72,6 +79,10 @@ void countColumn(ivec2 column) {
         // Non-finite voxels are stored far below.
         int next = least > -1e29 ? binOf(here, magnitude) : -1;
         largest = least > -1e29 ? max(largest, magnitude) : largest;
+#if COUNT == 3
+        // Non-finite voxels and their neighbours have none.
+        imageStore(magnitudes, ivec3(column, z), vec4(least > -1e29 ? min(magnitude / ranges.w, 1.0) : 0.0));
+#endif
         if (next != bin) {
             add(bin, number);
             bin = next;
@@ -89,7 +100,7 @@ void countColumn(ivec2 column) {
 
 void main() {
     ivec2 column = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, 8 * firstRow);
-#if COUNT != 2
+#if COUNT < 2
     for (int i = int(gl_LocalInvocationIndex); i < bins.x; i += 64) {
         localCounts[i] = 0u;
     }
@@ -98,7 +109,7 @@ void main() {
     if (all(lessThan(column, dims.xy))) {
         countColumn(column);
     }
-#if COUNT != 2
+#if COUNT < 2
     barrier();
     for (int i = int(gl_LocalInvocationIndex); i < bins.x; i += 64) {
         if (localCounts[i] > 0u) {

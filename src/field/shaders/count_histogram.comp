@@ -9,7 +9,8 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(binding = kDataTexture) uniform sampler3D dataTexture;
 layout(std430, binding = kCountsStorage) buffer Counts { uint counts[]; };
 
-uniform ivec3 dims;
+uniform ivec3 first; // of the voxels that count
+uniform ivec3 last;
 uniform int bins;
 uniform vec2 valueScaleOffset;
 uniform vec2 valueRange;
@@ -33,10 +34,10 @@ void main() {
         localCounts[i] = 0u;
     }
     barrier();
-    ivec2 column = ivec2(gl_GlobalInvocationID.xy) + ivec2(0, 8 * firstRow);
-    if (all(lessThan(column, dims.xy))) {
+    ivec2 column = first.xy + ivec2(gl_GlobalInvocationID.xy) + ivec2(0, 8 * firstRow);
+    if (all(lessThanEqual(column, last.xy))) {
         float scale = valueRange.y > valueRange.x ? float(bins) / (valueRange.y - valueRange.x) : 0.0;
-        for (int z = 0; z < dims.z; ++z) {
+        for (int z = first.z; z <= last.z; ++z) {
             float value =
                 texelFetch(dataTexture, ivec3(column, z), 0).r * valueScaleOffset.x + valueScaleOffset.y;
             if (value > -1e29 && isVisible(ivec3(column, z))) { // non-finite voxels are stored far below

@@ -1,22 +1,15 @@
-// Trilinear samples of the data from its quads (field/quads.h): what a texture unit would do, for renderers
-// without one. Bindings: texture 6, with SMOOTHED 12. Included by scene.glsl.
-
-#include "field/shaders/bindings.glsl"
-#ifdef SMOOTHED
-layout(binding = kSmoothedQuadsTexture) uniform samplerBuffer quads;
-#else
-layout(binding = kQuadsTexture) uniform samplerBuffer quads;
-#endif
+// Trilinear samples of what is kept in quads (field/quads.h): what a texture unit would do, for renderers
+// without one. Included by scene.glsl.
 
 // The stored value at p, 0 to 1 for whole numbers. Beyond the grid values are those at its border. Voxel
 // space.
-float storedAt(vec3 p) {
+float ofQuads(samplerBuffer source, vec3 p) {
     vec3 inside = clamp(p, vec3(0.0), vec3(dims.xyz - 1));
     ivec3 voxel = ivec3(inside);
     vec3 f = inside - vec3(voxel);
     int place = (voxel.z * dims.y + voxel.y) * dims.x + voxel.x;
     int above = place + (voxel.z + 1 < dims.z ? dims.x * dims.y : 0);
-    vec4 four = mix(texelFetch(quads, place), texelFetch(quads, above), f.z);
+    vec4 four = mix(texelFetch(source, place), texelFetch(source, above), f.z);
     vec2 two = mix(four.xy, four.zw, f.y);
     return mix(two.x, two.y, f.x);
 }

@@ -41,8 +41,14 @@ struct SceneSample {
 
 vec3 textureFromVoxel(vec3 p) { return (p + 0.5) * sceneFlags.yzw; }
 
-#ifdef QUADS
 #include "field/shaders/quads.glsl"
+#ifdef QUADS
+#ifdef SMOOTHED
+layout(binding = kSmoothedQuadsTexture) uniform samplerBuffer quads;
+#else
+layout(binding = kQuadsTexture) uniform samplerBuffer quads;
+#endif
+float storedAt(vec3 p) { return ofQuads(quads, p); }
 #else
 float storedAt(vec3 p) { return textureLod(dataTexture, textureFromVoxel(p), 0.0).r; }
 #endif

@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "render/colours/classification.h"
 
-#include "field/gradient.h"
+#include "base/error.h"
 #include "field/histogram.h"
+#include "field/landmarks.h"
+#include "gl/context.h"
 #include "gl/pass.h"
 #include "render/shaders/bindings.h"
 
@@ -18,6 +20,8 @@ glm::dvec2 axisOf(const Range& span, int count) {
     return {scale, 0.5 / count - span.lo * scale};
 }
 
+bool goesByGradients(const TransferFunction& function) { return function.kind != FunctionKind::Intensity; }
+
 // From the 0.1st to the 99.9th percentile.
 Range robustRange(const field::Field& field) {
     constexpr double odd = 0.001;
@@ -29,21 +33,56 @@ Range robustRange(const field::Field& field) {
 
 Classification::Classification() : block_(sizeof(ClassificationBlock), "classification") {}
 
-Anchors Classification::anchorsFor(const TransferFunction& function, const field::Field& field) {
+void Classification::forgetOthers(const field::Field& field) {
     if (anchorsSerial_ != field.serial) {
         anchorsSerial_ = field.serial;
         robustValues_.reset();
+        landmarks_.reset();
         gradientTop_.reset();
+        gradients_.reset();
+        hasNoRoom_ = false;
     }
-    if (function.positions == Positions::Robust && function.kind != FunctionKind::Gradient &&
-        !robustValues_) {
-        robustValues_ = robustRange(field);
-    }
-    if (function.positions != Positions::Absolute && function.kind != FunctionKind::Intensity &&
-        !gradientTop_) {
+}
+
+double Classification::gradientTop(const field::Field& field) {
+    if (!gradientTop_) {
         gradientTop_ = field::gradientRange(field).hi;
     }
-    return {field.range, robustValues_.value_or(field.range), gradientTop_.value_or(0)};
+    return *gradientTop_;
+}
+
+// What the function's positions ask for, each a pass over the voxels.
+Anchors Classification::anchorsFor(const TransferFunction& function, const field::Field& field) {
+    Anchors anchors;
+    anchors.values = field.range;
+    anchors.stepMm = field.geometry.stepMm();
+    if (function.positions == Positions::Robust) {
+        robustValues_ = robustValues_ ? robustValues_ : robustRange(field);
+        anchors.robustValues = *robustValues_;
+    }
+    if (function.positions == Positions::Landmarks ||
+        (function.positions == Positions::Hounsfield && !field.isHounsfield)) {
+        landmarks_ = landmarks_ ? landmarks_ : field::findLandmarks(field);
+        anchors.landmarks = *landmarks_;
+    }
+    anchors.airAndWater =
+        field.isHounsfield ? field::kAirAndWaterHu : field::findAirAndWater(anchors.landmarks, field.range);
+    if (goesByGradients(function)) {
+        anchors.gradientTop = gradientTop(field);
+    }
+    return anchors;
+}
+
+// Without them shaders take differences of the data at each place, which is slower.
+void Classification::keepGradients(const field::Field& field, double unit) {
+    if (gradients_ || hasNoRoom_) {
+        return;
+    }
+    try {
+        gradients_ = field::computeGradients(field, unit);
+    } catch (const GlError&) {
+        hasNoRoom_ = true;
+    }
 }
 
 bool Classification::update(const TransferFunction& function, const field::Field& field) {
@@ -53,6 +92,10 @@ bool Classification::update(const TransferFunction& function, const field::Field
     const gl::Pass pass("classification tables");
     function_ = function;
     serial_ = field.serial;
+    forgetOthers(field);
+    if (goesByGradients(function)) {
+        keepGradients(field, gradientTop(field));
+    }
     resolved_ = resolve(function, anchorsFor(function, field));
     const auto tables = makeTables(resolved_, field.range, field.geometry.stepMm());
     uploadTables(tables);
@@ -71,9 +114,10 @@ void Classification::upload(gl::Texture& texture, glm::ivec2 size, gl::Format fo
 }
 
 void Classification::uploadTables(const ClassificationTables& tables) {
-    // Thousands of texels along a curve need no interpolation, which on a software renderer costs three times
-    // as much.
-    const auto filter = tables.size.y > 1 ? gl::Filter::Linear : gl::Filter::Nearest;
+    // Where the device has filters a plane gains from them; on a software renderer they cost three times as
+    // much as the nearest texel.
+    const bool isFiltered = tables.size.y > 1 && !gl::Context::isSoftware();
+    const auto filter = isFiltered ? gl::Filter::Linear : gl::Filter::Nearest;
     upload(main_, tables.size, gl::Format::RGBA32F, filter, "transfer function",
            std::as_bytes(std::span(tables.main)));
     if (!tables.spans.empty()) {
@@ -84,8 +128,8 @@ void Classification::uploadTables(const ClassificationTables& tables) {
         spans_.write(std::as_bytes(std::span(tables.spans)), 0);
         uploadedBytes_ += std::as_bytes(std::span(tables.spans)).size();
     }
-    upload(visibleBefore_, {int(tables.visibleBefore.size()), 1}, gl::Format::R32UI, gl::Filter::Nearest,
-           "visible values", std::as_bytes(std::span(tables.visibleBefore)));
+    upload(visibleBefore_, tables.visibleSize, gl::Format::R32UI, gl::Filter::Nearest, "visible values",
+           std::as_bytes(std::span(tables.visibleBefore)));
 }
 
 namespace {
@@ -103,7 +147,7 @@ float touchable(const ClassificationTables& tables) {
 
 void Classification::writeBlock(const ClassificationTables& tables, const field::Field& field) {
     const bool isGradient = resolved_.kind == FunctionKind::Gradient;
-    const int columns = int(tables.visibleBefore.size()) - 1;
+    const int columns = tables.visibleSize.x - 1;
     ClassificationBlock block;
     // Never below the data, so that the stand-in for non-finite voxels (which only float fields have), and
     // what is interpolated from it, stays clear.
@@ -114,22 +158,32 @@ void Classification::writeBlock(const ClassificationTables& tables, const field:
         glm::vec4(glm::dvec4(axisOf(tables.gradients, isGradient ? tables.size.x : tables.size.y),
                              double(columns) * axisOf(tables.values, columns)));
     block.lightingOfFunction = {float(resolved_.lighting.amount), float(resolved_.lighting.gloss),
-                                touchable(tables), 0};
+                                touchable(tables), gradients_ ? float(gradients_->most) : 0};
     block_.writeValue(block);
 }
 
 void Classification::bind() const {
     main_.bindTexture(kFunctionTableTexture);
-    if (spans_) {
+    if (kind() == FunctionKind::Intensity) {
         spans_.bindTexture(kFunctionSpansTexture);
+    } else if (gradients_ && gradients_->quads) {
+        gradients_->quads.bindTexture(kGradientsTexture);
+    } else if (gradients_) {
+        gradients_->texels.bindTexture(kGradientsTexture);
     }
     visibleBefore_.bindTexture(kVisibleBeforeTexture);
     block_.bindUniform(kClassificationBlock);
 }
 
-const char* Classification::kindDefine() const {
-    constexpr const char* defines[] = {"0", "1", "2"};
-    return defines[static_cast<int>(kind())];
+void Classification::addDefines(gl::Defines& defines) const {
+    defines.emplace_back("TF_KIND", std::to_string(static_cast<int>(kind())));
+    if (gradientCells() != nullptr) {
+        defines.emplace_back("TF_GRADIENTS", gradients_->quads ? "2" : "1");
+    }
+}
+
+const gl::Texture* Classification::gradientCells() const {
+    return gradients_ && kind() != FunctionKind::Intensity ? &gradients_->cells : nullptr;
 }
 
 } // namespace vs::render

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "field/field.h"
+#include "field/gradient.h"
 #include "gl/block_layout.h"
 #include "gl/buffer.h"
 #include "gl/program.h"
@@ -17,7 +18,8 @@ struct ClassificationBlock {
         0}; // x scale, y offset to a table coordinate 0..1; z lowest value that counts, w columns
     glm::vec4 gradientAxis{
         0}; // x scale, y offset to a table coordinate 0..1; zw the same for values, to columns
-    glm::vec4 lightingOfFunction{0}; // x amount, y gloss, z opacity per step that a pen meets
+    glm::vec4 lightingOfFunction{0}; // x amount, y gloss, z opacity per step that a pen meets, w gradient
+                                     // magnitude that is kept as 1
 };
 inline constexpr gl::BlockMember kClassificationBlockMembers[] = {
     VS_BLOCK_MEMBER(ClassificationBlock, valueAxis), VS_BLOCK_MEMBER(ClassificationBlock, gradientAxis),
@@ -27,8 +29,9 @@ inline constexpr gl::BlockLayout kClassificationBlockLayout{
 static_assert(isWhole(kClassificationBlockLayout));
 
 // The tables of one transfer function on the device, resolved against one field. Shaders include
-// "render/shaders/classification.glsl" with TF_KIND defined as kindDefine() says. Textures 5, 7 and 10 and
-// uniform block 2 are taken while it is bound.
+// "render/shaders/classification.glsl" with what addDefines() adds. Textures 5, 7 and 10 and uniform block 2
+// are taken while it is bound. For functions of gradients the magnitudes at all voxels are kept on the device
+// for as long as the field stays the same, where it has room for them.
 class Classification {
 public:
     Classification();
@@ -45,8 +48,11 @@ public:
     void bind() const;
 
     [[nodiscard]] FunctionKind kind() const { return function_.kind; }
-    // What TF_KIND is to be defined as: "0", "1", "2" for Intensity, Gradient, TwoD.
-    [[nodiscard]] const char* kindDefine() const;
+    // TF_KIND (0, 1, 2 for Intensity, Gradient, TwoD) and TF_GRADIENTS where it is to be defined.
+    void addDefines(gl::Defines& defines) const;
+    // Smallest and largest gradient magnitude of each macrocell, where the function goes by them and they are
+    // kept; else null.
+    [[nodiscard]] const gl::Texture* gradientCells() const;
     // A number that moves whenever update() changed something: what was derived from the tables is stale
     // then.
     [[nodiscard]] int version() const { return version_; }
@@ -57,6 +63,9 @@ public:
 
 private:
     Anchors anchorsFor(const TransferFunction& function, const field::Field& field);
+    double gradientTop(const field::Field& field);
+    void keepGradients(const field::Field& field, double unit);
+    void forgetOthers(const field::Field& field);
     void upload(gl::Texture& texture, glm::ivec2 size, gl::Format format, gl::Filter filter,
                 const char* label, std::span<const std::byte> texels);
     void uploadTables(const ClassificationTables& tables);
@@ -69,10 +78,14 @@ private:
 
     TransferFunction function_;
     TransferFunction resolved_;
-    // What functions are anchored to, in the field with this serial number; measured when one first needs it.
+    // What functions are anchored to, in the field with this serial number, and its gradients; measured when
+    // one first needs it.
     std::uint64_t anchorsSerial_ = 0;
     std::optional<Range> robustValues_;
+    std::optional<field::Landmarks> landmarks_;
     std::optional<double> gradientTop_;
+    std::optional<field::GradientField> gradients_;
+    bool hasNoRoom_ = false; // for gradients_
 
     std::uint64_t serial_ = 0; // of the field that the tables were made for
     int version_ = 0;

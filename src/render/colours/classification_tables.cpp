@@ -13,9 +13,16 @@ Range clampedTo(const Range& span, const Range& values) {
     return {std::clamp(span.lo, values.lo, values.hi), std::clamp(span.hi, values.lo, values.hi)};
 }
 
-// From the first position that means something to the last.
+// From the first position that means something to the last. Steps at the ends, which are two points in one
+// place, lie a little inside, or what is on their other side would be seen as the step's inside is.
 Range spanOfPoints(const TransferFunction& function) {
-    Range span{function.points.front().position, function.points.back().position};
+    const auto& points = function.points;
+    Range span{points.front().position, points.back().position};
+    const double hair = (span.width() > 0 ? span.width() : 1) / kCurveTexels;
+    if (points.size() > 1) {
+        span.lo -= points[1].position == points[0].position ? hair : 0;
+        span.hi += points[points.size() - 2].position == points.back().position ? hair : 0;
+    }
     if (function.colours) {
         span = {std::min(span.lo, function.colours->range.lo), std::max(span.hi, function.colours->range.hi)};
     }
@@ -60,14 +67,32 @@ double placeOf(int texel, int count, const Range& span) {
 void fillMain(ClassificationTables& tables, const TransferFunction& function, double unitSteps) {
     const FunctionSampler sampler(function);
     const bool isGradient = function.kind == FunctionKind::Gradient;
-    tables.main.reserve(std::size_t(tables.size.x) * std::size_t(tables.size.y));
-    for (int j = 0; j < tables.size.y; ++j) {
+    const int pitch = function.kind == FunctionKind::TwoD ? kPlanePitch : 1;
+    tables.main.resize(std::size_t(tables.size.x) * std::size_t(tables.size.y));
+    for (int j = 0; j < tables.size.y; j += pitch) {
         const double gradient = placeOf(j, tables.size.y, tables.gradients);
-        for (int i = 0; i < tables.size.x; ++i) {
+        for (int i = 0; i < tables.size.x; i += pitch) {
             const double across = placeOf(i, tables.size.x, isGradient ? tables.gradients : tables.values);
             glm::dvec4 c = sampler.at(across, isGradient ? across : gradient);
             c.w = c.w > 0 ? opacityOver(c.w, 1 / unitSteps) : 0;
-            tables.main.emplace_back(c);
+            tables.main[std::size_t(j * tables.size.x + i)] = glm::vec4(c);
+        }
+    }
+}
+
+// The texels between those that fillMain() asked the function for.
+void fillBetween(ClassificationTables& tables) {
+    static_assert(kPlanePitch == 2);
+    const int width = tables.size.x;
+    const auto at = [&](int i, int j) -> glm::vec4& { return tables.main[std::size_t(j * width + i)]; };
+    for (int j = 0; j < tables.size.y; j += 2) {
+        for (int i = 1; i < width; i += 2) {
+            at(i, j) = 0.5F * (at(i - 1, j) + at(i + 1, j));
+        }
+    }
+    for (int j = 1; j < tables.size.y; j += 2) {
+        for (int i = 0; i < width; ++i) {
+            at(i, j) = 0.5F * (at(i, j - 1) + at(i, j + 1));
         }
     }
 }
@@ -116,16 +141,19 @@ void fillSpans(ClassificationTables& tables) {
     }
 }
 
-void countVisible(ClassificationTables& tables, bool valuesTell) {
-    const int columns = valuesTell ? tables.size.x : 1;
-    std::vector<bool> isVisible(std::size_t(columns), false);
-    for (std::size_t i = 0; i < tables.main.size(); ++i) {
-        const std::size_t column = valuesTell ? i % std::size_t(columns) : 0;
-        isVisible[column] = isVisible[column] || tables.main[i].w > 0;
-    }
-    tables.visibleBefore = {0};
-    for (const bool seen : isVisible) {
-        tables.visibleBefore.push_back(tables.visibleBefore.back() + (seen ? 1 : 0));
+// Sums over all rectangles from the first texel (Crow 1984, "Summed-area tables for texture mapping").
+void countVisible(ClassificationTables& tables, FunctionKind kind) {
+    const glm::ivec2 size = kind == FunctionKind::Gradient ? glm::ivec2(1, tables.size.x) : tables.size;
+    tables.visibleSize = size + 1;
+    const auto width = std::size_t(tables.visibleSize.x);
+    auto& sums = tables.visibleBefore;
+    sums.assign(width * std::size_t(tables.visibleSize.y), 0);
+    for (std::size_t j = 1; j <= std::size_t(size.y); ++j) {
+        std::uint32_t inRow = 0;
+        for (std::size_t i = 1; i < width; ++i) {
+            inRow += tables.main[(j - 1) * (width - 1) + i - 1].w > 0 ? 1 : 0;
+            sums[j * width + i] = sums[(j - 1) * width + i] + inRow;
+        }
     }
 }
 
@@ -148,7 +176,10 @@ ClassificationTables makeTables(const TransferFunction& absolute, const Range& d
     if (absolute.kind == FunctionKind::Intensity) {
         fillSpans(tables);
     }
-    countVisible(tables, absolute.kind != FunctionKind::Gradient);
+    if (absolute.kind == FunctionKind::TwoD) {
+        fillBetween(tables);
+    }
+    countVisible(tables, absolute.kind);
     return tables;
 }
 

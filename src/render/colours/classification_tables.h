@@ -5,9 +5,11 @@
 
 namespace vs::render {
 
-// Texels along a curve, so many that it needs no interpolation, and along the two sides of a plane.
+// Texels along a curve and along the two sides of a plane: so many that they need no interpolation. Of a
+// plane's the function is asked for every second one, and those between are their means.
 inline constexpr int kCurveTexels = 4089;
-inline constexpr glm::ivec2 kPlaneTexels{512, 256};
+inline constexpr glm::ivec2 kPlaneTexels{1023, 511};
+inline constexpr int kPlanePitch = 2;
 
 // One transfer function as tables. Texel i of n along an axis holds the function at axis.lo + i / (n - 1) *
 // width; values outside belong to the nearest texel.
@@ -26,8 +28,10 @@ struct ClassificationTables {
     // optical depth; w opacity over half a step. Empty for the other kinds.
     std::vector<glm::vec4> spans;
 
-    // How many texel columns up to and with i - 1 have any opacity; one more than there are columns. For the
-    // Gradient kind, whose values tell nothing, a single column stands for all.
+    // What of the main table has any opacity, by columns of values and rows of gradient magnitudes: entry
+    // (i, j) counts it in the columns before i and the rows before j, so there is one more of each. For the
+    // Gradient kind, whose values tell nothing, a single column stands for all, for Intensity a single row.
+    glm::ivec2 visibleSize{1};
     std::vector<std::uint32_t> visibleBefore;
 };
 

@@ -12,36 +12,83 @@ namespace vs::render {
 
 namespace {
 
-Range mapped(const Range& part, const Range& whole) {
-    return {whole.lo + part.lo * whole.width(), whole.lo + part.hi * whole.width()};
-}
+// The volume's own values from positions.
+class Places {
+public:
+    Places(Positions positions, const Anchors& anchors) {
+        switch (positions) {
+        case Positions::Absolute:
+            break;
+        case Positions::Relative:
+            at_ = {{0, anchors.values.lo}, {1, anchors.values.hi}};
+            gradientUnit_ = anchors.gradientTop;
+            break;
+        case Positions::Robust:
+            at_ = {{0, anchors.robustValues.lo}, {1, anchors.robustValues.hi}};
+            gradientUnit_ = anchors.gradientTop;
+            break;
+        case Positions::Landmarks: {
+            const field::Landmarks& marks = anchors.landmarks;
+            at_ = {{0, marks.air}, {1, marks.tissue}, {2, marks.darker}, {3, marks.brighter}, {4, marks.top}};
+            gradientUnit_ = (marks.brighter - marks.air) / anchors.stepMm;
+            break;
+        }
+        case Positions::Hounsfield:
+            at_ = {{-1000, anchors.airAndWater.lo}, {0, anchors.airAndWater.hi}};
+            gradientUnit_ = anchors.airAndWater.width() / 1000 / std::max(1.0, anchors.stepMm);
+            break;
+        }
+    }
+
+    // Linear between two anchors, and beyond the outermost as between them and their neighbours.
+    [[nodiscard]] double value(double position) const {
+        if (at_.empty()) {
+            return position;
+        }
+        std::size_t i = 1;
+        while (i + 1 < at_.size() && position > at_[i].first) {
+            ++i;
+        }
+        const auto [from, lo] = at_[i - 1];
+        const auto [to, hi] = at_[i];
+        return lo + (position - from) / (to - from) * (hi - lo);
+    }
+    [[nodiscard]] Range values(const Range& positions) const {
+        return {value(positions.lo), value(positions.hi)};
+    }
+    [[nodiscard]] double gradient(double position) const { return position * gradientUnit_; }
+    [[nodiscard]] Range gradients(const Range& positions) const {
+        return {gradient(positions.lo), gradient(positions.hi)};
+    }
+
+private:
+    std::vector<std::pair<double, double>> at_; // positions and their values, ascending
+    double gradientUnit_ = 1;
+};
 
 } // namespace
 
 TransferFunction resolve(const TransferFunction& function, const Anchors& anchors) {
     TransferFunction out = function;
     out.positions = Positions::Absolute;
-    if (function.positions == Positions::Absolute) {
-        return out;
-    }
-    const Range values = function.positions == Positions::Relative ? anchors.values : anchors.robustValues;
-    const Range gradients{0, anchors.gradientTop};
-    const Range& along = function.kind == FunctionKind::Gradient ? gradients : values;
+    const Places places(function.positions, anchors);
+    const bool isOfGradients = function.kind == FunctionKind::Gradient;
     for (ControlPoint& point : out.points) {
-        point.position = along.lo + point.position * along.width();
+        point.position = isOfGradients ? places.gradient(point.position) : places.value(point.position);
     }
     if (out.colours) {
-        out.colours->range = mapped(out.colours->range, along);
+        Range& spread = out.colours->range;
+        spread = isOfGradients ? places.gradients(spread) : places.values(spread);
     }
     for (Shape& shape : out.shapes) {
         if (auto* trapezoid = std::get_if<Trapezoid>(&shape.form)) {
-            trapezoid->base = mapped(trapezoid->base, values);
-            trapezoid->top = mapped(trapezoid->top, values);
-            trapezoid->gradients = mapped(trapezoid->gradients, gradients);
+            trapezoid->base = places.values(trapezoid->base);
+            trapezoid->top = places.values(trapezoid->top);
+            trapezoid->gradients = places.gradients(trapezoid->gradients);
         } else {
             auto& painting = std::get<Painting>(shape.form);
-            painting.values = mapped(painting.values, values);
-            painting.gradients = mapped(painting.gradients, gradients);
+            painting.values = places.values(painting.values);
+            painting.gradients = places.gradients(painting.gradients);
         }
     }
     return out;

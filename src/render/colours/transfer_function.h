@@ -3,8 +3,11 @@
 
 #include "base/description.h"
 #include "base/math.h"
+#include "field/landmarks.h"
+#include "field/scene.h"
 #include "render/colours/colour.h"
 #include "render/colours/colour_map.h"
+#include "render/colours/mode.h"
 
 #include <array>
 #include <cstdint>
@@ -20,12 +23,20 @@ enum class FunctionKind { Intensity, Gradient, TwoD };
 inline constexpr std::array<const char*, 3> kFunctionKinds{"intensity", "gradient", "two-dimensional"};
 constexpr const auto& namesOf(FunctionKind) { return kFunctionKinds; }
 
-// What positions are measured in. Absolute: the volume's unit (HU, grey level), gradient magnitudes in that
-// unit per mm. Relative: intensities from 0 to 1 over all of the volume's values. Robust: from 0 to 1 between
-// its 0.1st and its 99.9th percentile, so that a few odd voxels do not matter. For both of these gradient
-// magnitudes run from 0 to 1 between none and their 99.9th percentile.
-enum class Positions { Absolute, Relative, Robust };
-inline constexpr std::array<const char*, 3> kPositions{"absolute", "relative", "robust"};
+// What positions are measured in.
+// Absolute: the volume's unit (HU, grey level), gradient magnitudes in that unit per mm.
+// Relative: intensities from 0 to 1 over all of the volume's values. Robust: from 0 to 1 between its 0.1st
+// and its 99.9th percentile, so that a few odd voxels do not matter. For both of these gradient magnitudes
+// run from 0 to 1 between none and their 99.9th percentile.
+// Landmarks: intensities are 0 at the peak of air in the histogram, 1 where tissue begins, 2 at the darker
+// peak of tissue, 3 at the brighter one, 4 at the 99.9th percentile (field/landmarks.h), linear between them;
+// gradient magnitudes are 1 where a step leads from air to the brighter peak.
+// Hounsfield: Hounsfield units, also where a CT scan's values are others: then its air is -1000, and its soft
+// tissue 40; gradient magnitudes are those units per mm, or per step where voxels are larger than that, in
+// which edges are as much weaker.
+enum class Positions { Absolute, Relative, Robust, Landmarks, Hounsfield };
+inline constexpr std::array<const char*, 5> kPositions{"absolute", "relative", "robust", "landmarks",
+                                                       "hounsfield"};
 constexpr const auto& namesOf(Positions) { return kPositions; }
 
 inline constexpr Rule kPosition{.least = -1e12, .most = 1e12};
@@ -115,6 +126,25 @@ struct Lighting {
     bool operator==(const Lighting&) const = default;
 };
 
+// How a function is best looked at; what it does not say stays as it is. The window takes it along when a
+// person chooses the function, sessions and the command line say it themselves.
+struct SuitedView {
+    static constexpr const char* kName = "suited view";
+
+    std::optional<Mode> mode;
+    std::optional<bool> shadows; // ambient occlusion and soft shadows
+    std::optional<field::Sampling> sampling;
+
+    template <typename = void>
+    static constexpr auto fields() {
+        return std::tuple{sparse("mode", &SuitedView::mode),
+                          sparse("shadows", &SuitedView::shadows, {}, "ambient occlusion and soft shadows"),
+                          sparse("sampling", &SuitedView::sampling)};
+    }
+
+    bool operator==(const SuitedView&) const = default;
+};
+
 inline constexpr Rule kShapes{
     .leastCount = 1, .mostCount = 256, .wrongCount = "has {0} shapes; {1} to {2} are allowed"};
 inline constexpr Rule kPoints{
@@ -137,6 +167,7 @@ struct TransferFunction {
     // Opacities are per this many mm; nothing: per step (the volume's smallest spacing).
     std::optional<double> unitMm;
     Lighting lighting;
+    SuitedView suits;
 
     // The points of a function over intensity or over gradient magnitude: at least one, in ascending order.
     std::vector<ControlPoint> points;
@@ -166,6 +197,7 @@ struct TransferFunction {
                                                  "0: glows by itself, 1: lit as a surface"),
                                          written("gloss", through(&T::lighting, &Lighting::gloss), kPart,
                                                  "strength of highlights")}),
+            sparse("suits", &T::suits, {}, "how it is best looked at"),
             written("combine", &T::combine, {},
                     "where shapes overlap: the first lies in front, or the most opaque one counts")
                 .onlyWhen(isPlane),
@@ -183,11 +215,14 @@ struct TransferFunction {
     bool operator==(const TransferFunction&) const = default;
 };
 
-// What relative positions are measured against.
+// What positions that are not absolute are measured against; each is asked for by some of them.
 struct Anchors {
     Range values;           // of all voxels
     Range robustValues;     // 0.1st to 99.9th percentile
     double gradientTop = 0; // 99.9th percentile of gradient magnitudes, unit per mm
+    field::Landmarks landmarks;
+    Range airAndWater; // -1000 and 0 HU
+    double stepMm = 1;
 };
 
 // A function with its positions made absolute.

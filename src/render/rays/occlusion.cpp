@@ -72,8 +72,11 @@ gl::Defines OcclusionVolume::definesFor(const Input& input) const {
         {"ON_VOXELS", blockSize_ == glm::ivec3(2)},
     });
     defines.emplace_back("CONTENT", std::to_string(content));
-    defines.emplace_back("TF_KIND",
-                         input.classification != nullptr ? input.classification->kindDefine() : "0");
+    if (input.classification != nullptr) {
+        input.classification->addDefines(defines);
+    } else {
+        defines.emplace_back("TF_KIND", "0");
+    }
     return defines;
 }
 

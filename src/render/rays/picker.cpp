@@ -29,7 +29,7 @@ gl::Defines definesFor(const Frame& frame, Picker::Meets meets) {
     });
     defines.emplace_back("CONTENT", std::to_string(content));
     if (byFunction) {
-        defines.emplace_back("TF_KIND", frame.classification->kindDefine());
+        frame.classification->addDefines(defines);
     }
     return defines;
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "base/names.h"
 #include "field/scene.h"
 #include "gl/block_layout.h"
 #include "gl/program.h"
@@ -9,6 +8,7 @@
 #include "render/camera/camera.h"
 #include "render/camera/placement.h"
 #include "render/colours/classification.h"
+#include "render/colours/mode.h"
 #include "render/colours/segment_colours.h"
 #include "render/marks/background.h"
 #include "render/rays/occlusion.h"
@@ -20,13 +20,6 @@
 
 namespace vs::render {
 
-enum class Mode { Surface, Mip, XRay, Overlay, Segment, Volume };
-inline constexpr Mode kModes[] = {Mode::Surface, Mode::Mip,     Mode::XRay,
-                                  Mode::Overlay, Mode::Segment, Mode::Volume};
-inline constexpr std::array<const char*, 6> kModeNames{"surface", "mip",     "xray",
-                                                       "overlay", "segment", "volume"};
-constexpr const auto& namesOf(Mode) { return kModeNames; }
-constexpr const char* name(Mode mode) { return nameOf(mode); }
 // The mode of a name. Throws UsageError listing the modes.
 Mode modeFromName(const std::string& name);
 

@@ -37,7 +37,7 @@ gl::Defines RayCaster::definesFor(const Frame& frame) {
     });
     defines.emplace_back("MODE", std::to_string(static_cast<int>(frame.mode)));
     if (frame.classification != nullptr) {
-        defines.emplace_back("TF_KIND", frame.classification->kindDefine());
+        frame.classification->addDefines(defines);
     }
     return defines;
 }

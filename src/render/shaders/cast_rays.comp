@@ -38,6 +38,7 @@ layout(local_size_x = 64) in;
 #include "render/shaders/shading.glsl"
 #ifdef TF_KIND
 #include "render/shaders/classification.glsl"
+#include "render/shaders/gradients.glsl"
 #endif
 #ifdef LIT
 #include "render/shaders/occlusion.glsl"

@@ -1,15 +1,15 @@
 // Colour and opacity of values: the transfer function's tables (render::Classification).
 // TF_KIND: 0 over intensity, 1 over gradient magnitude, 2 over both. Gradient magnitudes that the kind does
 // not use may be passed as 0 and need not be computed; mayBeVisible() is the same for all kinds. Values in
-// the volume's unit, gradient magnitudes in that unit per mm (length of dataGradient()). Bindings: uniform
-// block 2; textures 5 the function, 7 counts of visible values, 10 the function over spans (kind 0).
+// the volume's unit, gradient magnitudes in that unit per mm ("render/shaders/gradients.glsl"). Bindings:
+// uniform block 2; textures 5 the function, 7 counts of what is visible, 10 the function over spans (kind 0).
 
 #include "render/shaders/bindings.glsl"
 layout(std140, binding = kClassificationBlock) uniform ClassificationBlock {
     vec4 valueAxis;    // x scale, y offset to a table coordinate 0..1; z lowest value that counts, w columns
     vec4 gradientAxis; // x scale, y offset to a table coordinate 0..1; zw the same for values, to columns
     vec4 lightingOfFunction; // x amount: 0 glows by itself, 1 lit as a surface; y gloss; z opacity per
-    // step that a pen meets
+    // step that a pen meets; w gradient magnitude that is kept as 1
 };
 
 layout(binding = kFunctionTableTexture) uniform sampler2D functionTable;
@@ -56,13 +56,31 @@ vec4 classifySpan(float one, float other) {
 }
 #endif
 
-// Whether any value from lo to hi may have opacity (with some gradient magnitude). Never false for one that
-// has.
-bool mayBeVisible(float lo, float hi) {
-    const float hair = 1e-2; // columns: what rounding may shift a place by
+const float kHair = 1e-2; // columns and rows: what rounding may shift a place by
+
+// The columns of the tables that values from lo to hi touch: from x up to, and not with, y.
+ivec2 columnsOf(float lo, float hi) {
     vec2 place = (vec2(max(lo, valueAxis.z), hi) * valueAxis.x + valueAxis.y) * valueAxis.w - 0.5;
-    place = clamp(place + vec2(-hair, hair), 0.0, valueAxis.w - 1.0);
-    uint before = texelFetch(visibleBefore, ivec2(int(floor(place.x)), 0), 0).r;
-    uint upTo = texelFetch(visibleBefore, ivec2(int(ceil(place.y)) + 1, 0), 0).r;
-    return hi >= valueAxis.z && lo <= hi && upTo > before;
+    place = clamp(place + vec2(-kHair, kHair), 0.0, valueAxis.w - 1.0);
+    return ivec2(int(floor(place.x)), int(ceil(place.y)) + 1);
+}
+
+bool isAnyVisible(ivec2 columns, int rows) {
+    uint before = texelFetch(visibleBefore, ivec2(columns.x, rows), 0).r;
+    uint upTo = texelFetch(visibleBefore, ivec2(columns.y, rows), 0).r;
+    return upTo > before;
+}
+
+// Whether any value from lo to hi may have opacity with some gradient magnitude, or with one up to
+// `steepest`. Never false for one that has.
+bool mayBeVisible(float lo, float hi) {
+    int rows = textureSize(visibleBefore, 0).y - 1;
+    return hi >= valueAxis.z && lo <= hi && isAnyVisible(columnsOf(lo, hi), rows);
+}
+
+bool mayBeVisible(float lo, float hi, float steepest) {
+    float rows = float(textureSize(visibleBefore, 0).y - 1);
+    float row = (steepest * gradientAxis.x + gradientAxis.y) * rows - 0.5 + kHair;
+    int upTo = int(ceil(clamp(row, 0.0, rows - 1.0))) + 1;
+    return hi >= valueAxis.z && lo <= hi && isAnyVisible(columnsOf(lo, hi), upTo);
 }

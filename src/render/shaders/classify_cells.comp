@@ -2,7 +2,9 @@
 // cell_bits.glsl. One invocation a row of 32 cells along x. In: textures 0 data ranges; with VS_SCULPTURE 1
 // sculpture ranges; with VS_SEGMENTATION 2 segmentation ranges (rg: smallest, largest value in the cell).
 // With VS_DATA the data is drawn; with VS_BY_FUNCTION the transfer function says what of it can be seen, not
-// the displayed range. Out: storage 0 planes.
+// the displayed range, with VS_GRADIENTS also by the gradient magnitudes in the cell (texture 8 gradient
+// ranges). Out: storage 0 planes.
+// variants: VS_DATA=1;VS_DATA=1 VS_BY_FUNCTION=1;VS_DATA=1 VS_BY_FUNCTION=1 VS_GRADIENTS=1 VS_SCULPTURE=1
 layout(local_size_x = 4, local_size_y = 16) in;
 
 #include "render/shaders/bindings.glsl"
@@ -19,13 +21,19 @@ layout(std430, binding = kPlanesStorage) writeonly buffer Planes { uint planes[]
 #ifdef VS_BY_FUNCTION
 #define TF_KIND 0
 #include "render/shaders/classification.glsl"
+#ifdef VS_GRADIENTS
+layout(binding = kGradientCellsTexture) uniform sampler3D gradientCells;
+#endif
 #endif
 
 bool mayHoldSomething(ivec3 cell) {
     bool mayHold = false;
 #ifdef VS_DATA
     vec2 data = texelFetch(dataCells, cell, 0).rg;
-#ifdef VS_BY_FUNCTION
+#ifdef VS_GRADIENTS
+    float steepest = texelFetch(gradientCells, cell, 0).g * lightingOfFunction.w;
+    mayHold = mayBeVisible(data.x, data.y, steepest);
+#elif defined(VS_BY_FUNCTION)
     mayHold = mayBeVisible(data.x, data.y);
 #else
     mayHold = data.y >= displayedRange.x && data.x <= displayedRange.y;

@@ -39,13 +39,12 @@ float seenValue(vec3 p) {
 }
 
 // Colour (premultiplied) and opacity of a length of `steps`, at most `dt`, along which the value goes evenly
-// from front to back.
-vec4 colourOfPiece(float front, float back, vec3 middle, float steps, float dt) {
+// from front to back. `gradient` counts for functions that go by it.
+vec4 colourOfPiece(float front, float back, float gradient, float steps, float dt) {
 #if TF_KIND == 0
     vec4 c = classifySpan(front, back);
     return opacityOfPart(c.a, 2.0 * steps) * vec4(c.rgb, 1.0);
 #else
-    float gradient = length(dataGradient(middle));
     vec4 sum = vec4(0.0);
     for (int i = 0; i < kColoursAPiece; ++i) {
         vec4 c = classify(mix(front, back, (float(i) + 0.5) / float(kColoursAPiece)), gradient);
@@ -86,10 +85,11 @@ vec3 litInVolume(vec4 colour, Ray ray, vec3 p, bool isCut) {
 
 // How far a ray has come, and what it has found since the light was last asked.
 struct Walk {
-    float number; // of the sample where the next piece begins, counted from the eye
-    float from;   // the same within the grid's box
-    float front;  // what the function goes by there
-    float side;   // and whether it is on the visible side
+    float number;   // of the sample where the next piece begins, counted from the eye
+    float from;     // the same within the grid's box
+    float front;    // what the function goes by there
+    float side;     // and whether it is on the visible side
+    float gradient; // where this piece and the one beside it meet
 #ifdef SEGMENTS
     float clear; // and whether it is clear of segments, in which nothing of the data is seen
 #endif
@@ -98,8 +98,9 @@ struct Walk {
     bool isCut; // something found begins where the sculpture was cut
 };
 
-// One piece, up to the sample of that number.
-void addPiece(inout Walk walk, Ray ray, float numberAfter, float dt, float jitter) {
+// One piece, up to the sample of that number. Gradient magnitudes change little from piece to piece: two
+// pieces share the one where they meet, the end of the first.
+void addPiece(inout Walk walk, Ray ray, float numberAfter, float dt, float jitter, bool isFirst) {
     bool isPiece = numberAfter < walk.number + 1.5; // else a way over nothing
     float to = clamp((numberAfter + jitter) * dt, ray.tNear, ray.tFar);
     vec3 after = at(ray, to);
@@ -120,8 +121,13 @@ void addPiece(inout Walk walk, Ray ray, float numberAfter, float dt, float jitte
 #endif
     float steps = isPiece ? (part.y - part.x) * (to - walk.from) : 0.0;
     float middle = mix(walk.from, to, 0.5 * (part.x + part.y));
-    vec4 c = colourOfPiece(mix(walk.front, back, part.x), mix(walk.front, back, part.y), at(ray, middle),
-                           steps, dt);
+#if TF_KIND != 0
+    if (isFirst) {
+        walk.gradient = gradientAt(after);
+    }
+#endif
+    vec4 c =
+        colourOfPiece(mix(walk.front, back, part.x), mix(walk.front, back, part.y), walk.gradient, steps, dt);
     walk.isCut = walk.isCut || (c.a > 0.0 && cutAt > 0.0 && cutAt == part.x);
     walk.weightedT += (1.0 - walk.found.a) * c.a * middle;
     walk.found += (1.0 - walk.found.a) * c;
@@ -144,6 +150,7 @@ vec4 compositeAlong(Ray ray, float dt, float jitter, out float depth) {
     walk.from = clamp((walk.number + jitter) * dt, ray.tNear, ray.tFar);
     walk.front = seenValue(at(ray, walk.from));
     walk.side = sideAt(at(ray, walk.from));
+    walk.gradient = 0.0;
 #ifdef SEGMENTS
     walk.clear = clearOfSegments(membershipsAt(at(ray, walk.from)));
 #endif
@@ -158,9 +165,9 @@ vec4 compositeAlong(Ray ray, float dt, float jitter, out float depth) {
             // Over what is empty, to the last fourth sample before its end; a turn's first piece leads there.
             float skip = walk.found.a > 0.0 ? 0.0 : emptyUntil(ray, walk.from, inverseDirection);
             float last = ceil((walk.from + skip) / dt - jitter) - 1.0;
-            addPiece(walk, ray, max(walk.number + 1.0, pieces * floor(last / pieces)), dt, jitter);
+            addPiece(walk, ray, max(walk.number + 1.0, pieces * floor(last / pieces)), dt, jitter, true);
             for (int i = 1; i < kPieces; ++i) {
-                addPiece(walk, ray, walk.number + 1.0, dt, jitter);
+                addPiece(walk, ray, walk.number + 1.0, dt, jitter, i % 2 == 0);
             }
             turns += walk.found.a > 0.0 ? 1 : 0;
         }

@@ -11,6 +11,7 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "field/shaders/scene.glsl"
 #ifdef TF_KIND
 #include "render/shaders/classification.glsl"
+#include "render/shaders/gradients.glsl"
 #endif
 #include "render/shaders/shading.glsl"
 
@@ -102,7 +103,7 @@ vec3 valueColour(float value, vec3 p) {
 #if TF_KIND == 0
     vec4 c = classify(value, 0.0);
 #else
-    vec4 c = classify(value, length(dataGradient(p)));
+    vec4 c = classify(value, gradientAt(p));
 #endif
     float shown = clamp(c.a / lightingOfFunction.z, 0.0, 1.0);
     return mix(vec3(greyAt(value)), displayFromLinear(c.rgb), shown);

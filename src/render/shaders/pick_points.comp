@@ -14,6 +14,7 @@ layout(local_size_x = 64) in;
 #include "render/shaders/rays.glsl"
 #if CONTENT == 3
 #include "render/shaders/classification.glsl"
+#include "render/shaders/gradients.glsl"
 #endif
 #include "render/shaders/surface.glsl"
 #include "render/shaders/maximum.glsl"

@@ -13,7 +13,7 @@ vec3 functionColour(float value, vec3 p) {
 #if TF_KIND == 0
     return classify(value, 0.0).rgb;
 #else
-    return classify(value, length(dataGradient(p))).rgb;
+    return classify(value, gradientAt(p)).rgb;
 #endif
 }
 #endif

@@ -18,7 +18,7 @@ float opaqueAt(vec3 p) {
 #if TF_KIND == 0
     return classify(dataAt(p), 0.0).a - lightingOfFunction.z;
 #else
-    return classify(dataAt(p), length(dataGradient(p))).a - lightingOfFunction.z;
+    return classify(dataAt(p), gradientAt(p)).a - lightingOfFunction.z;
 #endif
 }
 #endif

@@ -17,7 +17,7 @@ gl::Defines definesFor(const SliceFrame& frame) {
          {"SEGMENTED", frame.scene.segmentation != nullptr},
          {"TINTED", frame.tintsVisible}});
     if (frame.tintsVisible && frame.classification != nullptr) {
-        defines.emplace_back("TF_KIND", frame.classification->kindDefine());
+        frame.classification->addDefines(defines);
     }
     return defines;
 }

@@ -18,12 +18,20 @@ std::uint64_t nextVersion() {
     return ++last;
 }
 
+// Those of voxel centres bound only what trilinear samples have.
+const gl::Texture* gradientCells(const Macrocells::Input& input) {
+    return input.classification != nullptr && input.sampling == field::Sampling::Trilinear
+               ? input.classification->gradientCells()
+               : nullptr;
+}
+
 gl::Defines definesFor(const Macrocells::Input& input) {
     // In probe view nothing is seen while nothing is cut.
     const bool isSculpted = input.view == field::SculptureView::Probe ||
                             (input.sculptureCells != nullptr && input.view == field::SculptureView::Cut);
     return gl::switchesOn({{"VS_DATA", input.drawsData},
                            {"VS_BY_FUNCTION", input.classification != nullptr},
+                           {"VS_GRADIENTS", gradientCells(input) != nullptr},
                            {"VS_SEGMENTATION", input.segmentationCells != nullptr},
                            {"VS_SCULPTURE", isSculpted}});
 }
@@ -89,6 +97,9 @@ void Macrocells::rebuild(const Input& input) {
         .bindTexture(kSegmentationCellsTexture);
     if (input.classification != nullptr) {
         input.classification->bind();
+    }
+    if (const gl::Texture* steepness = gradientCells(input)) {
+        steepness->bindTexture(kGradientCellsTexture);
     }
     planes_.buffer().bindStorage(kPlanesStorage);
     gl::Program& classify = classify_.with(definesFor(input));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "field/gradient.h"
 
+#include "gl/context.h"
 #include "gpu/gl_test.h"
 #include "phantom/phantom.h"
 #include "reference/gradient.h"
@@ -72,6 +73,35 @@ TEST_F(GradientTest, HistogramsEqualThoseCountedOnTheCpu) {
         // On a bin's border single precision may fall to either side.
         EXPECT_LE(moved(counts, expected), 4U) << name(type);
         EXPECT_LE(moved(joint.counts, expectedJoint), 8U) << name(type);
+    }
+}
+
+TEST_F(GradientTest, WhatIsKeptIsWhatWasCounted) {
+    using enum volume::ScalarType;
+    for (const auto type : {UInt8, Int16, Float32}) {
+        const auto volume = makeWaves(type);
+        const Field field = uploadVolume(volume);
+        const auto magnitudes = reference::gradientMagnitudes(volume);
+        const double usual = gradientRange(field).hi;
+        const GradientField kept = computeGradients(field, usual);
+        ASSERT_EQ(bool(kept.quads), gl::Context::isSoftware());
+        ASSERT_NE(bool(kept.quads), bool(kept.texels));
+        const auto quads = kept.quads ? kept.quads.buffer().read<std::uint16_t>(4 * magnitudes.size())
+                                      : std::vector<std::uint16_t>();
+        const auto texels = kept.texels ? kept.texels.downloadAll<std::uint16_t>() : quads;
+        const auto cells = kept.cells.downloadAll<glm::vec2>();
+        const glm::ivec3 dims = volume.geometry.dims;
+        const glm::ivec3 cellCount = kept.cells.size();
+        const int pitch = kept.quads ? 4 : 1;
+        forEachVoxel({glm::ivec3(0), dims}, [&](glm::ivec3 v, std::size_t n) {
+            const double value = kept.most * texels[n * std::size_t(pitch)] / 65535.0;
+            ASSERT_NEAR(value, magnitudes[n], kept.most / 65535 + 1e-4 * usual) << n;
+            const glm::ivec3 c = glm::min(v / 4, cellCount - 1);
+            const auto cell = cells[std::size_t(c.x + cellCount.x * (c.y + cellCount.y * c.z))];
+            ASSERT_LE(kept.most * double(cell.x), value + 1e-6 * kept.most);
+            ASSERT_GE(kept.most * double(cell.y), value - 1e-6 * kept.most);
+        });
+        EXPECT_GT(kept.most, 2 * usual) << "hardly anything is steeper";
     }
 }
 

@@ -29,7 +29,9 @@ protected:
     static std::vector<Answer> ask(const Classification& classification,
                                    const std::vector<glm::vec2>& queries) {
         setenv("VOLUME_STUDIO_SHADER_DIR", VS_TEST_SHADERS, 1);
-        gl::Program program("classify_values.comp", {{"TF_KIND", classification.kindDefine()}});
+        gl::Defines defines;
+        classification.addDefines(defines);
+        gl::Program program("classify_values.comp", defines);
         unsetenv("VOLUME_STUDIO_SHADER_DIR");
         gl::Buffer in(queries.size() * sizeof(glm::vec2), "queries");
         gl::Buffer out(queries.size() * sizeof(Answer), "answers");
@@ -120,8 +122,48 @@ TEST_F(ClassificationTest, ShapesOnTheDeviceEqualTheFunction) {
     const auto answers = ask(classification, queries);
     for (std::size_t i = 0; i < queries.size(); ++i) {
         const auto expected = sampler.at(double(queries[i].x), double(queries[i].y));
-        // 512 x 256 texels, between which the soft edges bend.
+        // Asked for at 512 x 256 places, between which the soft edges bend.
         EXPECT_LE(worstDifference(answers[i].colour, expected), 0.01) << queries[i].x << ' ' << queries[i].y;
+    }
+}
+
+TEST_F(ClassificationTest, AStepAtTheEndIsAStep) {
+    const field::Field field = makeField();
+    TransferFunction f;
+    f.points = {{500, 0}, {500, 0.8}, {1500, 0.8}, {1500, 0.1}};
+    Classification classification;
+    classification.update(f, field);
+    const auto answers =
+        ask(classification, {{-200, 0}, {498, 0}, {502, 0}, {1498, 0}, {1502, 0}, {2900, 0}});
+    constexpr float expected[] = {0, 0, 0.8F, 0.8F, 0.1F, 0.1F};
+    for (std::size_t i = 0; i < answers.size(); ++i) {
+        EXPECT_NEAR(answers[i].colour.w, expected[i], 1e-5) << i;
+    }
+}
+
+// What is seen with some gradient magnitude may be where magnitudes go up to that, and what the function has
+// only with steeper ones is skipped.
+TEST_F(ClassificationTest, SteepnessTellsWhatCannotBeSeen) {
+    const field::Field field = makeField();
+    for (const auto kind : {FunctionKind::TwoD, FunctionKind::Gradient}) {
+        TransferFunction f;
+        f.kind = kind;
+        f.shapes = {{Trapezoid{{0, 1000}, {300, 700}, {400, 900}, {0, 0}}, {255, 0, 0}, 0.8}};
+        f.points = {{400, 0}, {400, 0.5}, {900, 0.5}};
+        Classification classification;
+        classification.update(f, field);
+        const FunctionSampler sampler(f);
+        const auto queries = pairs(4000, -1000, 3000, 0, 2000);
+        const auto answers = ask(classification, queries);
+        int skipped = 0;
+        for (std::size_t i = 0; i < queries.size(); ++i) {
+            const bool isSeen = sampler.at(double(queries[i].x), double(queries[i].y)).w > 0;
+            EXPECT_TRUE(!isSeen || answers[i].mayBeVisible.y > 0) << queries[i].x << ' ' << queries[i].y;
+            const bool isFlat = queries[i].y < 380;
+            EXPECT_TRUE(!isFlat || answers[i].mayBeVisible.y == 0) << queries[i].x << ' ' << queries[i].y;
+            skipped += answers[i].mayBeVisible.y > 0 ? 0 : 1;
+        }
+        EXPECT_GT(skipped, 500);
     }
 }
 

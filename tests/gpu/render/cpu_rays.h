@@ -70,29 +70,23 @@ public:
 
     // Trilinear; beyond the outermost centres as there.
     [[nodiscard]] double valueAt(glm::dvec3 voxel) const {
-        const glm::dvec3 last(volume_.geometry.dims - 1);
-        const glm::dvec3 p = glm::clamp(voxel, glm::dvec3(0), last);
-        const glm::dvec3 first = glm::min(glm::floor(p), glm::max(last - 1.0, glm::dvec3(0)));
-        const glm::dvec3 f = p - first;
-        double sum = 0;
-        for (int corner = 0; corner < 8; ++corner) {
-            const glm::ivec3 offset(corner & 1, (corner >> 1) & 1, corner >> 2);
-            const glm::dvec3 w = glm::mix(1.0 - f, f, glm::dvec3(offset));
-            sum +=
-                w.x * w.y * w.z * volume_.at(glm::min(glm::ivec3(first) + offset, volume_.geometry.dims - 1));
-        }
-        return sum;
+        return between(voxel, [&](glm::ivec3 v) { return volume_.at(v); });
     }
 
-    // Per mm: central differences one voxel wide. For grids along the world's axes.
+    // Per mm: that of the voxels around, central differences one voxel wide. For grids along the world's
+    // axes.
     [[nodiscard]] double gradientAt(glm::dvec3 voxel) const {
-        glm::dvec3 gradient(0);
-        for (int i = 0; i < 3; ++i) {
-            glm::dvec3 e(0);
-            e[i] = 1;
-            gradient[i] = 0.5 * (valueAt(voxel + e) - valueAt(voxel - e)) / volume_.geometry.spacing()[i];
-        }
-        return glm::length(gradient);
+        return between(voxel, [&](glm::ivec3 v) {
+            glm::dvec3 gradient(0);
+            for (int i = 0; i < 3; ++i) {
+                glm::ivec3 e(0);
+                e[i] = 1;
+                const double after = volume_.at(glm::min(v + e, volume_.geometry.dims - 1));
+                const double before = volume_.at(glm::max(v - e, glm::ivec3(0)));
+                gradient[i] = 0.5 * (after - before) / volume_.geometry.spacing()[i];
+            }
+            return glm::length(gradient);
+        });
     }
 
     // The greatest of samples `dt` steps apart, the first half of that from the eye; below zero for a ray
@@ -106,7 +100,8 @@ public:
     }
 
     // Premultiplied linear colour and opacity, unlit: pieces between samples `dt` steps apart, along which
-    // the value goes evenly, each with two looks at the function; opacities are per step.
+    // the value goes evenly, each with two looks at the function; opacities are per step. Two pieces share
+    // the gradient of the sample where they meet, which has an even number.
     [[nodiscard]] glm::dvec4 composite(const Ray& ray, const render::FunctionSampler& function, double dt,
                                        double jitter) const {
         glm::dvec4 sum(0);
@@ -118,7 +113,8 @@ public:
             const double to = std::clamp((k + 1 + jitter) * dt, ray.way.lo, ray.way.hi);
             const double front = valueAt(ray.origin + from * ray.direction);
             const double back = valueAt(ray.origin + to * ray.direction);
-            const double gradient = gradientAt(ray.origin + 0.5 * (from + to) * ray.direction);
+            const bool meetsNext = std::fmod(std::abs(k), 2.0) == 1;
+            const double gradient = gradientAt(ray.origin + (meetsNext ? to : from) * ray.direction);
             for (const double place : {0.25, 0.75}) {
                 const glm::dvec4 c = function.at(glm::mix(front, back, place), gradient);
                 const double a = render::opacityOver(c.w, 0.5 * (to - from));
@@ -129,6 +125,21 @@ public:
     }
 
 private:
+    template <typename OfVoxel>
+    [[nodiscard]] double between(glm::dvec3 voxel, const OfVoxel& ofVoxel) const {
+        const glm::dvec3 last(volume_.geometry.dims - 1);
+        const glm::dvec3 p = glm::clamp(voxel, glm::dvec3(0), last);
+        const glm::dvec3 first = glm::min(glm::floor(p), glm::max(last - 1.0, glm::dvec3(0)));
+        const glm::dvec3 f = p - first;
+        double sum = 0;
+        for (int corner = 0; corner < 8; ++corner) {
+            const glm::ivec3 offset(corner & 1, (corner >> 1) & 1, corner >> 2);
+            const glm::dvec3 w = glm::mix(1.0 - f, f, glm::dvec3(offset));
+            sum += w.x * w.y * w.z * ofVoxel(glm::min(glm::ivec3(first) + offset, volume_.geometry.dims - 1));
+        }
+        return sum;
+    }
+
     const volume::Volume& volume_;
 };
 

@@ -5,6 +5,7 @@
 #include "gpu/render/stage.h"
 #include "image/compare.h"
 #include "phantom/phantom.h"
+#include "test_data.h"
 #include "volume/io/read.h"
 
 #include <cmath>
@@ -37,12 +38,6 @@ TransferFunction functionOf(FunctionKind kind, double lighting) {
                     {0.9, 0.5, {255, 255, 255}}};
     }
     return f;
-}
-
-std::filesystem::path testData() {
-    const char* folder = std::getenv("VOLUME_STUDIO_TEST_DATA");
-    return folder != nullptr ? folder
-                             : std::filesystem::path(VOLUME_STUDIO_SOURCE_DIR) / ".." / "shared" / "data";
 }
 
 struct Scenario {
@@ -160,7 +155,7 @@ TEST_P(SkippingMatrixTest, BallsInAHazeLookTheSame) {
 }
 
 TEST_P(SkippingMatrixTest, ScansLookTheSame) {
-    const auto folder = testData();
+    const auto folder = test::dataFolder();
     if (!std::filesystem::exists(folder)) {
         GTEST_SKIP() << "no test data in " << folder;
     }

@@ -5,6 +5,7 @@
 #include "gpu/gl_test.h"
 #include "gpu/segment/growth_cases.h"
 #include "gpu/segment/itk_growing.h"
+#include "test_data.h"
 #include "volume/io/read.h"
 
 #include <algorithm>
@@ -18,12 +19,6 @@ namespace {
 
 using GrowthItkTest = test::GlTest;
 const std::filesystem::path kTemplates = "/usr/share/mricron/templates";
-
-std::filesystem::path testData() {
-    const char* folder = std::getenv("VOLUME_STUDIO_TEST_DATA");
-    return folder != nullptr ? folder
-                             : std::filesystem::path(VOLUME_STUDIO_SOURCE_DIR) / ".." / "shared" / "data";
-}
 
 // The voxel with a value in the range that lies nearest to the middle of the volume.
 glm::ivec3 nearestInRange(const volume::Volume& volume, Range range) {
@@ -148,7 +143,7 @@ TEST_F(GrowthItkTest, BrainTemplate) {
 }
 
 TEST_F(GrowthItkTest, CompressedCtSeries) {
-    const auto path = testData() / "dicom_ct_j2k";
+    const auto path = test::dataFolder() / "dicom_ct_j2k";
     if (!std::filesystem::exists(path)) {
         GTEST_SKIP() << path << " is not here; set VOLUME_STUDIO_TEST_DATA";
     }
@@ -158,7 +153,7 @@ TEST_F(GrowthItkTest, CompressedCtSeries) {
 }
 
 TEST_F(GrowthItkTest, ObliqueMrSeries) {
-    const auto archive = testData() / "dicom_t1_7t.tar.gz";
+    const auto archive = test::dataFolder() / "dicom_t1_7t.tar.gz";
     if (!std::filesystem::exists(archive)) {
         GTEST_SKIP() << archive << " is not here; set VOLUME_STUDIO_TEST_DATA";
     }

@@ -34,8 +34,13 @@ TEST(ClassificationTables, EdgesOfAPlaneAreClear) {
         EXPECT_EQ(tables.main[std::size_t(j * w)].w, 0);
         EXPECT_EQ(tables.main[std::size_t(j * w + w - 1)].w, 0);
     }
-    EXPECT_GT(tables.visibleBefore.back(), 400U);
-    EXPECT_LT(tables.visibleBefore.back(), 512U);
+    const auto all = std::uint32_t(w * tables.size.y);
+    EXPECT_GT(tables.visibleBefore.back(), all / 2);
+    EXPECT_LT(tables.visibleBefore.back(), all);
+    const auto width = std::size_t(tables.visibleSize.x);
+    EXPECT_EQ(tables.visibleBefore[width - 1], 0U) << "no rows";
+    const auto perRow = tables.visibleBefore.back() / std::uint32_t(tables.size.y);
+    EXPECT_LE(tables.visibleBefore[11 * width - 1], 11 * perRow);
 }
 
 } // namespace

@@ -18,7 +18,8 @@ TransferFunction someCurve() {
     f.name = "name \"quoted\"";
     f.description = "description";
     f.kind = FunctionKind::Gradient;
-    f.positions = Positions::Robust;
+    f.positions = Positions::Landmarks;
+    f.suits = {Mode::Mip, false, field::Sampling::Tricubic};
     f.unitMm = 0.3;
     f.lighting = {0.25, 1.0 / 3};
     f.points = {{-1.0 / 3, 0, {1, 2, 3}}, {0.1, 0.7, {255, 254, 0}}, {0.1, 1, {}}};
@@ -80,6 +81,9 @@ TEST(TransferFunctionJson, ComplaintsNameThePlaceAndWhatWouldBeRight) {
               "f.json: points[0].opacity: 2 is out of bounds; 0 to 1 is allowed");
     EXPECT_EQ(complaint(curve(R"("points":[{"at":0,"opacity":1,"colour":"red"}])")),
               "f.json: points[0].colour: 'red' is no colour; write #rrggbb (hexadecimal, display sRGB)");
+    EXPECT_EQ(complaint(curve(R"("suits":{"mode":"xrays"})")),
+              "f.json: suits.mode: 'xrays' is not known; choose one of surface, mip, xray, overlay, segment, "
+              "volume");
     EXPECT_EQ(complaint(curve(R"("points":[])")), "f.json: points: has 0 points; 1 to 4096 are allowed");
     EXPECT_EQ(complaint(curve(R"("points":[{"at":5,"opacity":1,"colour":"#000000"},
                                            {"at":4,"opacity":1,"colour":"#000000"}])")),
@@ -116,13 +120,13 @@ TEST(TransferFunctionJson, WhatAnotherKindHasIsRefused) {
         "colour, opacity");
     EXPECT_EQ(complaint(R"({"volumeStudioTransferFunction":1,"kind":"two-dimensional","points":[]})"),
               "f.json: the member 'points' is not known here; known are volumeStudioTransferFunction, name, "
-              "description, kind, positions, unitMm, lighting, combine, shapes");
+              "description, kind, positions, unitMm, lighting, suits, combine, shapes");
     EXPECT_EQ(complaint(curve(R"("combine":"max")")),
               "f.json: the member 'combine' is not known here; known are volumeStudioTransferFunction, name, "
-              "description, kind, positions, unitMm, lighting, colourMap, points");
+              "description, kind, positions, unitMm, lighting, suits, colourMap, points");
     EXPECT_EQ(complaint(R"({"volumeStudioTransferFunction":1,"kinds":"gradient"})"),
               "f.json: the member 'kinds' is not known here; known are volumeStudioTransferFunction, name, "
-              "description, kind, positions, unitMm, lighting, combine, shapes, colourMap, points");
+              "description, kind, positions, unitMm, lighting, suits, combine, shapes, colourMap, points");
 }
 
 TEST(TransferFunctionJson, FilesAreWrittenInTheirOrder) {

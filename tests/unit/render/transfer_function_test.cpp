@@ -76,7 +76,10 @@ TEST(TransferFunction, PaintedCellsAreInterpolated) {
 }
 
 TEST(TransferFunction, RelativePositionsAreMeasuredAgainstTheVolume) {
-    const Anchors anchors{{-100, 900}, {0, 500}, 40};
+    Anchors anchors;
+    anchors.values = {-100, 900};
+    anchors.robustValues = {0, 500};
+    anchors.gradientTop = 40;
     TransferFunction f;
     f.points = {{0.25, 0}, {1, 1}};
     f.colours = SpreadColours{"grey", {0, 0.5}};
@@ -94,6 +97,46 @@ TEST(TransferFunction, RelativePositionsAreMeasuredAgainstTheVolume) {
     const auto& shape = std::get<Trapezoid>(resolved.shapes[0].form);
     EXPECT_EQ(shape.top, (Range{250, 500}));
     EXPECT_EQ(shape.gradients, (Range{0, 20}));
+}
+
+TEST(TransferFunction, LandmarksAreMetAndWhatLiesBetweenThemIsEvenlySpread) {
+    Anchors anchors;
+    anchors.landmarks = {10, 20, 80, 110, 200};
+    anchors.stepMm = 0.5;
+    TransferFunction f;
+    f.positions = Positions::Landmarks;
+    for (const double at : {-1.0, 0.0, 0.5, 1.0, 2.0, 2.5, 3.0, 4.0, 5.0}) {
+        f.points.push_back({at, 0});
+    }
+    const TransferFunction resolved = resolve(f, anchors);
+    constexpr double expected[] = {0, 10, 15, 20, 80, 95, 110, 200, 290};
+    for (std::size_t i = 0; i < f.points.size(); ++i) {
+        EXPECT_NEAR(resolved.points[i].position, expected[i], 1e-9) << f.points[i].position;
+    }
+    f.kind = FunctionKind::TwoD;
+    f.shapes = {{Trapezoid{{1, 2}, {2, 3}, {0, 0.5}, {0, 0}}, {}, 1}};
+    const TransferFunction plane = resolve(f, anchors); // of its own: the shape lies in it
+    const auto& shape = std::get<Trapezoid>(plane.shapes[0].form);
+    EXPECT_EQ(shape.base, (Range{20, 80}));
+    EXPECT_EQ(shape.gradients, (Range{0, 100}))
+        << "half of a step from air to white within a voxel of 0.5 mm";
+}
+
+TEST(TransferFunction, HounsfieldUnitsAreMeasuredFromAirToWater) {
+    Anchors anchors;
+    anchors.airAndWater = {10, 70}; // eight bits
+    TransferFunction f;
+    f.positions = Positions::Hounsfield;
+    f.points = {{-1000, 0}, {0, 0}, {500, 0}};
+    EXPECT_NEAR(resolve(f, anchors).points[0].position, 10, 1e-9);
+    EXPECT_NEAR(resolve(f, anchors).points[1].position, 70, 1e-9);
+    EXPECT_NEAR(resolve(f, anchors).points[2].position, 100, 1e-9);
+    f.kind = FunctionKind::Gradient;
+    EXPECT_NEAR(resolve(f, anchors).points[2].position, 30, 1e-9);
+    anchors.stepMm = 3;
+    EXPECT_NEAR(resolve(f, anchors).points[2].position, 10, 1e-9) << "an edge is as wide as a voxel at least";
+    anchors.stepMm = 0.3;
+    EXPECT_NEAR(resolve(f, anchors).points[2].position, 30, 1e-9);
 }
 
 TEST(TransferFunction, OpacitiesAddUpAsTheirLengthsDo) {

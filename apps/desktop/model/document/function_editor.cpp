@@ -89,7 +89,7 @@ void FunctionEditor::followView() {
 void FunctionEditor::remember() {
     if (!isStepBegun_) {
         isStepBegun_ = true;
-        undo_.push_back(view_.shown().transferFunction);
+        undo_.push_back({view_.shown().transferFunction, {}});
         if (undo_.size() > kMostSteps) {
             undo_.erase(undo_.begin());
         }
@@ -98,6 +98,10 @@ void FunctionEditor::remember() {
 
 void FunctionEditor::publish(const std::optional<render::TransferFunction>& function) {
     view_.setTransferFunction(function);
+    announce();
+}
+
+void FunctionEditor::announce() {
     followView();
     emit changed();
 }
@@ -126,8 +130,15 @@ void FunctionEditor::take(const std::optional<render::TransferFunction>& functio
     remember();
     if (function) {
         page(function->kind).chosen.reset();
+        const studio::View& shown = view_.shown();
+        const render::SuitedView& wanted = function->suits;
+        render::SuitedView& before = undo_.back().view;
+        before.mode = wanted.mode ? std::optional(shown.mode) : std::nullopt;
+        before.shadows = wanted.shadows ? std::optional(shown.shadows) : std::nullopt;
+        before.sampling = wanted.sampling ? std::optional(shown.sampling) : std::nullopt;
     }
-    publish(function);
+    view_.chooseTransferFunction(function);
+    announce();
 }
 
 void FunctionEditor::useColourMap(const std::string& map) {
@@ -151,7 +162,8 @@ void FunctionEditor::undo() {
         const auto before = undo_.back();
         undo_.pop_back();
         begin();
-        publish(before);
+        view_.suit(before.view);
+        publish(before.function);
     }
 }
 

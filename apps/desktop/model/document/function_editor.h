@@ -39,7 +39,8 @@ public:
     void begin() { isStepBegun_ = false; }
     void change(Kind kind, const std::function<void(render::TransferFunction&)>& edit);
     void use(Kind kind);
-    // Takes over a preset's or a file's function; nothing: the mode's own colours.
+    // Takes over a preset's or a file's function, with what it is best looked at with; nothing: the mode's
+    // own colours.
     void take(const std::optional<render::TransferFunction>& function);
     // Spreads a named map over the points instead of their colours; empty: colours of their own.
     void useColourMap(const std::string& map);
@@ -60,6 +61,11 @@ private:
         std::optional<std::size_t> chosen;
         bool isTouched = false; // it is not the one to begin with any more
     };
+    // What undo() goes back to.
+    struct Before {
+        std::optional<render::TransferFunction> function;
+        render::SuitedView view; // of which the step changed something
+    };
 
     [[nodiscard]] Page& page(Kind kind) { return pages_[std::size_t(kind)]; }
     [[nodiscard]] const Page& page(Kind kind) const { return pages_[std::size_t(kind)]; }
@@ -67,13 +73,14 @@ private:
     void followView();
     void makeFirst();
     void remember();
+    void announce();
     void publish(const std::optional<render::TransferFunction>& function);
 
     DocumentHost& host_;
     ViewModel& view_;
     std::array<Page, 3> pages_;
     std::optional<render::TransferFunction> seen_; // of the view, when last looked at
-    std::vector<std::optional<render::TransferFunction>> undo_;
+    std::vector<Before> undo_;
     bool isStepBegun_ = false;
     double gradientTop_ = 0;
     Range firstRange_; // that the functions to begin with were made from

@@ -29,6 +29,31 @@ void ViewModel::setTransferFunction(const std::optional<render::TransferFunction
     showView(next);
 }
 
+namespace {
+
+void apply(const render::SuitedView& wanted, studio::View& view) {
+    view.mode = wanted.mode.value_or(view.mode);
+    view.shadows = wanted.shadows.value_or(view.shadows);
+    view.sampling = wanted.sampling.value_or(view.sampling);
+}
+
+} // namespace
+
+void ViewModel::chooseTransferFunction(const std::optional<render::TransferFunction>& function) {
+    auto next = view_;
+    next.transferFunction = function;
+    if (function) {
+        apply(function->suits, next);
+    }
+    showView(next);
+}
+
+void ViewModel::suit(const render::SuitedView& wanted) {
+    auto next = view_;
+    apply(wanted, next);
+    showView(next);
+}
+
 void ViewModel::setSculptureView(field::SculptureView sculptureView) {
     auto next = view_;
     next.sculptureView = sculptureView;

@@ -27,6 +27,9 @@ public:
     void setMode(render::Mode mode);
     // Colours every mode; nothing: the modes' own colours.
     void setTransferFunction(const std::optional<render::TransferFunction>& function);
+    // Takes one that a person chose, with the mode, the light and the sampling that suit it.
+    void chooseTransferFunction(const std::optional<render::TransferFunction>& function);
+    void suit(const render::SuitedView& wanted);
     void setSculptureView(field::SculptureView view);
     // Ambient occlusion and soft shadows.
     void setShadows(bool shadows);

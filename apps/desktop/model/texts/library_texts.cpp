@@ -28,7 +28,7 @@ constexpr const char* kPresetTexts[] = {
     QT_TRANSLATE_NOOP("library", "Boundaries of any kind: the steeper, the denser; follows the gradients"),
     QT_TRANSLATE_NOOP("library", "Grey ramp"),
     QT_TRANSLATE_NOOP("library",
-                      "Every value, evenly: grey and opacity rise together; follows the histogram"),
+                      "Every value above air, evenly: grey and opacity rise together; follows the histogram"),
     QT_TRANSLATE_NOOP("library", "Microscopy"),
     QT_TRANSLATE_NOOP("library", "Fluorescence: bright is dense and glows; follows the histogram"),
     QT_TRANSLATE_NOOP("library", "MR angiography"),

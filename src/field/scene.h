@@ -45,6 +45,9 @@ static_assert(isWhole(kSceneBlockLayout));
 struct Scene {
     const Field* data = nullptr;
     const gl::Texture* sculpture = nullptr;
+    // Whether some faces of the sculpture lie on segments' own surfaces, because tools spared those or took
+    // nothing else.
+    bool isCutAlongSegments = false;
     // Anti-aliased membership, 0 to 1, surfaces at 0.5: red of all visible opaque segments together, green of
     // all visible translucent ones (a texture of one channel has none). Hidden segments are in neither.
     const gl::Texture* segmentation = nullptr;

@@ -2,7 +2,8 @@
 // CONTENT chooses what counts as content: 0 data in the displayed range, 1 segmentation, 2 either of the two,
 // 3 what the transfer function makes opaque enough to be touched. Include "render/shaders/rays.glsl" first,
 // for 3 also "render/shaders/classification.glsl". SEGMENTS: with CONTENT 3, or the surface of a segment.
-// TRANSLUCENT: some segments are translucent: nothing of the data is seen in them.
+// TRANSLUCENT: some segments are translucent: nothing of the data is seen in them. CUT_ALONG_SEGMENTS (with
+// SCULPTED): tools spared segments, or took nothing but them.
 
 #if CONTENT == 1 || CONTENT == 2 || (CONTENT == 3 && defined(SEGMENTS))
 #define MEETS_SEGMENTS
@@ -266,7 +267,7 @@ vec3 outwards(vec3 outward, vec3 towardsViewer) {
     return c >= 0.0 ? n : c > -grazing ? edgeOn : -n;
 }
 
-#if defined(SCULPTED) && defined(MEETS_SEGMENTS)
+#if defined(CUT_ALONG_SEGMENTS) && defined(MEETS_SEGMENTS)
 // Whether a cut face is a segment's own surface, because a tool spared the segment or took nothing else:
 // there membership is a half but for what rounding to 8 bits leaves, and both face the same way.
 bool isSegmentsSurface(vec3 p, vec3 cutOutward) {
@@ -333,7 +334,10 @@ Hit findSurface(Ray ray, float jitter) {
 #ifdef MEETS_SEGMENTS
         // Segments go on behind a cut face (segment/membership/continuation.h), so that what is met on it is
         // exact.
-        hit.isSegment = segmentationAt(hit.voxel) >= 0.5 || isSegmentsSurface(hit.voxel, cutOutward);
+        hit.isSegment = segmentationAt(hit.voxel) >= 0.5;
+#ifdef CUT_ALONG_SEGMENTS
+        hit.isSegment = hit.isSegment || isSegmentsSurface(hit.voxel, cutOutward);
+#endif
         hit.inSegment = hit.voxel;
 #endif
         outward = cutOutward;

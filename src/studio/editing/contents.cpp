@@ -3,6 +3,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace vs::studio {
 
 Contents::Contents(volume::Volume volume, sculpt::Precision precision)
@@ -22,6 +24,14 @@ void Contents::show(const View& next) {
 void Contents::remember(Edit edit) {
     history.push(std::move(edit));
     ++version;
+}
+
+bool Contents::isCutAlongSegments() const {
+    const auto clearsCuts = [](const Edit& edit) { return std::holds_alternative<UnCut>(*edit.operation); };
+    const auto& done = history.done();
+    const auto sinceCleared = std::find_if(done.rbegin(), done.rend(), clearsCuts);
+    return sculpture.isLimited() ||
+           std::any_of(done.rbegin(), sinceCleared, [](const Edit& edit) { return edit.isLimited; });
 }
 
 void Contents::fillIn(std::optional<Canvas>& canvas) const {

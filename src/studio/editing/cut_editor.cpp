@@ -94,7 +94,9 @@ Outcome CutEditor::finish() {
             ? say(VS_TEXT("library", "nothing was cut: nothing visible lies there that was not cut already"))
             : say(VS_TEXT("library", "nothing was restored: nothing was cut away there"));
     if (!delta.isEmpty()) {
-        contents_.remember({shared(stroke_->operation()), std::move(delta), {}});
+        Edit edit{shared(stroke_->operation()), std::move(delta), {}};
+        edit.isLimited = contents_.sculpture.isLimited();
+        contents_.remember(std::move(edit));
     }
     forget();
     return outcome;
@@ -191,7 +193,9 @@ Outcome CutEditor::run(CutSegment& op) {
     sculpt::BrickDelta delta = backup.finish();
     const std::size_t changed = delta.changedVoxels();
     if (!delta.isEmpty()) {
-        contents_.remember({shared(op), std::move(delta), {}});
+        Edit edit{shared(op), std::move(delta), {}};
+        edit.isLimited = !most.empty();
+        contents_.remember(std::move(edit));
     }
     return {{}, 0, changed, say(VS_TEXT("library", "%1 voxels changed"), changed)};
 }

@@ -10,6 +10,7 @@ Pipeline::State Display::stateOf(const View& from, double segmentsMs) const {
     state.pasted = &contents_->pasted;
     state.growth = contents_->region.growth();
     state.segments = &contents_->segments;
+    state.isCutAlongSegments = contents_->isCutAlongSegments();
     state.smoothing =
         contents_->inHand == InHand::Scrub ? segment::Smoothing::Plain : segment::Smoothing::Smooth;
     state.segmentsMs = segmentsMs;

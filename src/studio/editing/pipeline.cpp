@@ -97,6 +97,7 @@ field::Scene Pipeline::scene(const State& state, bool wantsSegments) {
     field::Scene scene;
     scene.data = field_;
     scene.sculpture = isSculpted ? &state.sculpture->texels() : nullptr;
+    scene.isCutAlongSegments = state.isCutAlongSegments;
     scene.segmentation = hasSegmentation ? &segmentation_->texels() : nullptr;
     if (hasSegmentation && state.growth->hasOthers()) {
         state.growth->syncLabels();

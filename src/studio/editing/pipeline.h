@@ -28,6 +28,7 @@ public:
         const PastedState* pasted = nullptr;     // whose part is drawn at which of the view's places
         const segment::Growth* growth = nullptr; // null: nothing seeded yet
         const SegmentList* segments = nullptr;   // how they look
+        bool isCutAlongSegments = false;         // field::Scene
         segment::Smoothing smoothing = segment::Smoothing::Smooth;
         double segmentsMs = segment::Segmentation::kNoHurry; // that bringing the segments up to date may take
         Range greyWindow;

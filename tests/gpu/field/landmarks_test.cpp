@@ -49,9 +49,9 @@ TEST_F(LandmarksTest, FollowTheScale) {
     const auto plain = head(3, 0);
     const Landmarks expected = landmarksOf(plain);
     for (const auto& [times, plus] : {std::pair{1.0, 0.0}, {7.0, 0.0}, {3.0, -500.0}, {100.0, 1000.0}}) {
-        const auto scaled =
-            phantom::makePhantom(plain.geometry.dims, volume::ScalarType::Int16,
-                                 [&](glm::dvec3 p) { return plus + times * plain.at(glm::ivec3(p)); });
+        const auto scaled = phantom::makePhantom(
+            plain.geometry.dims, volume::ScalarType::Int16,
+            [&, times = times, plus = plus](glm::dvec3 p) { return plus + times * plain.at(glm::ivec3(p)); });
         const Landmarks found = landmarksOf(scaled);
         const double step = times * 2; // two of the values that the scan has
         EXPECT_NEAR(found.air, plus + times * expected.air, step) << times;

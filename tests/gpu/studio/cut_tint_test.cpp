@@ -97,6 +97,33 @@ TEST_F(CutTintTest, CoversASegmentThatToolsSpared) {
     }
 }
 
+// A face is taken for the segment's own only where tools spared segments: a cavity that was cut out by the
+// segment itself looks the same whether such a cut was ever made and undone, or cleared, or not.
+TEST_F(CutTintTest, IsOfOthersOnlyWhereToolsSparedThem) {
+    const auto cavity = [](bool wasSpared, auto&& takeBack) {
+        CutBall cut({}, {33, 21, 0}, Order::GrownThenCut);
+        cut.document.apply(Undo{});
+        UseSegment spare{"Segment 1"};
+        Clip all;
+        all.box = Clip::Box{glm::dvec3(200), glm::dvec3(201)};
+        if (wasSpared) {
+            spare.treatment = SegmentInfo::Treatment::Spare;
+            cut.document.apply(spare);
+            cut.document.apply(all);
+            takeBack(cut.document);
+        }
+        spare.treatment = SegmentInfo::Treatment::Take;
+        cut.document.apply(spare);
+        CutSegment ball;
+        ball.keeps = false;
+        cut.document.apply(ball);
+        return cut.picture();
+    };
+    const auto plain = cavity(false, [](Document&) {});
+    EXPECT_EQ(cavity(true, [](Document& document) { document.apply(Undo{}); }).rgba, plain.rgba);
+    EXPECT_EQ(cavity(true, [](Document& document) { document.apply(UnCut{}); }).rgba, plain.rgba);
+}
+
 // Where between two slices a border is, their voxels do not say.
 TEST_F(CutTintTest, IsADiscAcrossThickSlicesToo) {
     Ball ball;

@@ -555,6 +555,14 @@
         <source>Every value above air, evenly: grey and opacity rise together; follows the histogram</source>
         <translation>Alle Werte über Luft gleichmäßig: Grau und Deckkraft steigen gemeinsam; folgt dem Histogramm</translation>
     </message>
+    <message>
+        <source>pull out</source>
+        <translation>herausziehen</translation>
+    </message>
+    <message>
+        <source>put back</source>
+        <translation>zurücklegen</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop</name>
@@ -1219,14 +1227,6 @@
         <translation>Seine Größe</translation>
     </message>
     <message>
-        <source>Back to where it was cut out</source>
-        <translation>Zurück an die Schnittstelle</translation>
-    </message>
-    <message>
-        <source>Put the part back to where it was cut out</source>
-        <translation>Das Teil dorthin zurück, wo es herausgeschnitten wurde</translation>
-    </message>
-    <message>
         <source>Part</source>
         <translation>Teil</translation>
     </message>
@@ -1237,10 +1237,6 @@
     <message>
         <source>%1 of %2</source>
         <translation>%1 von %2</translation>
-    </message>
-    <message>
-        <source>none pasted</source>
-        <translation>nichts eingefügt</translation>
     </message>
     <message>
         <source>Turn the picture</source>
@@ -1619,10 +1615,6 @@
         <translation>Bewegen</translation>
     </message>
     <message>
-        <source>Move, turn and scale pasted parts</source>
-        <translation>Eingefügte Teile bewegen, drehen und skalieren</translation>
-    </message>
-    <message>
         <source>Move part</source>
         <translation>Teil bewegen</translation>
     </message>
@@ -1845,6 +1837,22 @@
     <message>
         <source>In the file</source>
         <translation>In der Datei</translation>
+    </message>
+    <message>
+        <source>Back to its own place</source>
+        <translation>Zurück an seinen Platz</translation>
+    </message>
+    <message>
+        <source>Put the part back to where it was cut out or lies</source>
+        <translation>Legt das Teil dorthin zurück, wo es herausgeschnitten wurde oder liegt</translation>
+    </message>
+    <message>
+        <source>Move, turn and scale pasted parts and segments that are pulled out</source>
+        <translation>Eingefügte Teile und herausgezogene Segmente verschieben, drehen und vergrößern</translation>
+    </message>
+    <message>
+        <source>nothing yet</source>
+        <translation>noch nichts</translation>
     </message>
 </context>
 <context>
@@ -2245,32 +2253,28 @@ Tab: der nächste Punkt; Pfeiltasten bewegen ihn; Entf; Eingabe: seine Farbe; St
         <translation>Verschont: %1.</translation>
     </message>
     <message>
-        <source>All</source>
-        <translation>Alles</translation>
-    </message>
-    <message>
         <source>Takes the segment at work like all else</source>
         <translation>Nimmt das aktive Segment wie alles andere</translation>
-    </message>
-    <message>
-        <source>Not segment</source>
-        <translation>Ohne Segment</translation>
     </message>
     <message>
         <source>Spares the segment at work: cuts end at its surface</source>
         <translation>Verschont das aktive Segment: Schnitte enden an seiner Oberfläche</translation>
     </message>
     <message>
-        <source>Only segment</source>
-        <translation>Nur Segment</translation>
-    </message>
-    <message>
         <source>Takes nothing but the segment at work: cuts end at its surface</source>
         <translation>Nimmt nichts als das aktive Segment: Schnitte enden an seiner Oberfläche</translation>
     </message>
     <message>
-        <source>Takes</source>
-        <translation>Nimmt</translation>
+        <source>Take</source>
+        <translation>Nehmen</translation>
+    </message>
+    <message>
+        <source>Spare</source>
+        <translation>Schonen</translation>
+    </message>
+    <message>
+        <source>Only</source>
+        <translation>Nur dies</translation>
     </message>
 </context>
 <context>
@@ -2398,6 +2402,10 @@ Tab: der nächste Punkt; Pfeiltasten bewegen ihn; Entf; Eingabe: seine Farbe; St
     <message>
         <source>Nothing to paste: nothing visible was cut since the last paste</source>
         <translation>Nichts einzufügen: seit dem letzten Einfügen wurde nichts Sichtbares geschnitten</translation>
+    </message>
+    <message>
+        <source>Nothing to pull out: the segment is empty</source>
+        <translation>Nichts herauszuziehen: das Segment ist leer</translation>
     </message>
 </context>
 <context>
@@ -4290,6 +4298,18 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
         <source>MIP and X-ray: dark on light, as PET is often read; colours stay</source>
         <translation>MIP und Röntgen: dunkel auf hell, wie PET oft befundet wird; Farben bleiben</translation>
     </message>
+    <message>
+        <source>Pull Out</source>
+        <translation>Herausziehen</translation>
+    </message>
+    <message>
+        <source>Draw the segment at work once more beside the object, to be moved by hand; it stays in its place too. Again: no more</source>
+        <translation>Zeichnet das aktive Segment noch einmal neben das Objekt, von Hand zu verschieben; es bleibt auch an seinem Platz. Noch einmal: nicht mehr</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+V</source>
+        <translation>Ctrl+Shift+V</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::MeasureTool</name>
@@ -4325,10 +4345,6 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
 <context>
     <name>vs::desktop::MoveTool</name>
     <message>
-        <source>Nothing is pasted yet: cut something out and paste it (Shift+V).</source>
-        <translation>Noch ist nichts eingefügt: etwas herausschneiden und einfügen (Umschalt+V).</translation>
-    </message>
-    <message>
         <source>Turning the view. Press on the part to move that.</source>
         <translation>Dreht die Ansicht. Auf das Teil drücken, um es zu bewegen.</translation>
     </message>
@@ -4343,6 +4359,10 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
     <message>
         <source>Let go to leave the part there. Esc puts it back.</source>
         <translation>Loslassen lässt den Teil dort. Esc bringt ihn zurück.</translation>
+    </message>
+    <message>
+        <source>Nothing to move: paste what was cut (Shift+V) or pull a segment out (Ctrl+Shift+V).</source>
+        <translation>Nichts zu bewegen: Ausgeschnittenes einfügen (Umschalt+V) oder ein Segment herausziehen (Strg+Umschalt+V).</translation>
     </message>
 </context>
 <context>
@@ -5128,6 +5148,14 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
         <source>Tools take only this</source>
         <translation>Werkzeuge nehmen nur dieses</translation>
     </message>
+    <message>
+        <source>Put back</source>
+        <translation>Zurücklegen</translation>
+    </message>
+    <message>
+        <source>Pull out</source>
+        <translation>Herausziehen</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::SeriesDialog</name>
@@ -5293,10 +5321,6 @@ Tab: die nächste Form; Pfeiltasten bewegen sie; Entf; Eingabe: ihre Farbe; Strg
         <source>Make this slice large, or all the same size again (double click)</source>
         <translation>Diese Schicht groß, oder wieder alle gleich groß (Doppelklick)</translation>
     </message>
-    <message>
-        <source>%1 %2 mm   %3 / %4</source>
-        <translation>%1 %2 mm   %3 / %4</translation>
-    </message>
 </context>
 <context>
     <name>vs::desktop::StartCard</name>
@@ -5334,6 +5358,10 @@ Tab: die nächste Form; Pfeiltasten bewegen sie; Entf; Eingabe: ihre Farbe; Strg
     <message>
         <source>Saved picture %1</source>
         <translation>Bild %1 gespeichert</translation>
+    </message>
+    <message>
+        <source>Pictures are written as PNG: choose a name that ends in .png</source>
+        <translation>Bilder werden als PNG geschrieben: einen Namen wählen, der auf .png endet</translation>
     </message>
 </context>
 <context>

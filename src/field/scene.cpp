@@ -53,6 +53,9 @@ void SceneBinding::bind(const Scene& scene) {
     }
     (scene.sculpture != nullptr ? *scene.sculpture : empty_).bindTexture(kSculptureTexture);
     (scene.segmentation != nullptr ? *scene.segmentation : empty_).bindTexture(kSegmentationTexture);
+    if (scene.apart != nullptr) {
+        scene.apart->bindTexture(kApartTexture);
+    }
     (scene.segmentLabels != nullptr ? *scene.segmentLabels : segment1_).bindTexture(kSegmentLabelsTexture);
 }
 

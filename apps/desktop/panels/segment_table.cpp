@@ -172,6 +172,8 @@ void SegmentTable::contextMenuEvent(QContextMenuEvent* event) {
     };
     add("showOnlySegment", tr("Show only this"), [this, info] { studio_.segments().showOnly(info.name); });
     add("showAllSegments", tr("Show all"), [this] { studio_.segments().showAll(); });
+    add("pullOutSegment", info.pulledOut ? tr("Put back") : tr("Pull out"),
+        [this, info] { studio_.segments().pullOut(info.name); });
     menu->addSeparator();
     const QPersistentModelIndex name(index.siblingAtColumn(SegmentModel::Name));
     add("renameSegment", tr("Rename"), [this, name] { edit(name); });

@@ -178,8 +178,8 @@ QWidget* makeMovePage(StudioController& studio, ToolBox& tools) {
     part->setAlignment(Qt::AlignRight);
     auto* size = named(new QLabel, "moveScale", tr("Its size"));
     size->setAlignment(Qt::AlignRight);
-    auto* reset = named(new QPushButton(tr("Back to where it was cut out")), "moveReset",
-                        tr("Put the part back to where it was cut out"));
+    auto* reset = named(new QPushButton(tr("Back to its own place")), "moveReset",
+                        tr("Put the part back to where it was cut out or lies"));
     reset->setFocusPolicy(Qt::TabFocus);
     QObject::connect(reset, &QPushButton::clicked, &tool, &MoveTool::resetPlace);
     form->addRow(tr("Part"), part);
@@ -187,7 +187,9 @@ QWidget* makeMovePage(StudioController& studio, ToolBox& tools) {
     form->addRow(reset);
     const auto show = [&tool, part, size, reset] {
         const auto place = tool.place();
-        part->setText(place ? tr("%1 of %2").arg(tool.chosen() + 1).arg(tool.count()) : tr("none pasted"));
+        part->setText(place ? tr("%1 of %2").arg(tool.chosen() + 1).arg(tool.count()) : tr("nothing yet"));
+        const auto name = tool.segment();
+        part->setToolTip(name ? QString::fromStdString(*name) : tr("The part in hand"));
         size->setText(place ? tr("%1 %").arg(100 * place->scale, 0, 'f', 0) : QString("\u2013"));
         reset->setEnabled(place.has_value() && !(*place == render::Placement{}));
     };

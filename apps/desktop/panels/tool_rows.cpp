@@ -49,8 +49,9 @@ std::vector<ToolRow> toolRows(ToolBox& tools) {
          tr("Drop the part of the segment that is clicked, or keep only it"), tr("Island"), makeIslandPage},
         {tools.get<PaintTool>(), Group::Marks, 11, "T", tr("Paint"),
          tr("Correct the segment with a brush, on the slices"), tr("Paint"), makePaintPage},
-        {tools.get<MoveTool>(), Group::Marks, 0, "G", tr("Move"), tr("Move, turn and scale pasted parts"),
-         tr("Move part"), makeMovePage},
+        {tools.get<MoveTool>(), Group::Marks, 0, "G", tr("Move"),
+         tr("Move, turn and scale pasted parts and segments that are pulled out"), tr("Move part"),
+         makeMovePage},
         {tools.get<MeasureTool>(), Group::Marks, 12, "M", tr("Measure"),
          tr("Measure distances and angles, on the surface and on slices"), tr("Measure"), makeMeasurePage},
     };

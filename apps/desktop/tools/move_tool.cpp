@@ -4,7 +4,6 @@
 #include "model/hand/world_lines.h"
 #include "model/studio/studio_controller.h"
 #include "studio/document/document_facts.h"
-#include "studio/document/part_queries.h"
 #include "tools/camera_tool.h"
 
 #include <QFont>
@@ -12,7 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <variant>
+#include <utility>
 
 namespace vs::desktop {
 
@@ -24,7 +23,8 @@ constexpr double kDegreesPerPixel = 0.5;
 constexpr double kPerNotch = 1.08;
 } // namespace
 
-MoveTool::MoveTool(StudioController& studio, CameraTool& camera) : StudioTool(studio), camera_(camera) {
+MoveTool::MoveTool(StudioController& studio, CameraTool& camera)
+    : StudioTool(studio), camera_(camera), parts_(studio) {
     constexpr int kCalmMs = 350;
     calm_.setSingleShot(true);
     calm_.setInterval(kCalmMs);
@@ -34,14 +34,20 @@ MoveTool::MoveTool(StudioController& studio, CameraTool& camera) : StudioTool(st
         studio_.hand().take(*this);
         choose(count() - 1);
     });
-    connect(&studio.host(), &DocumentHost::opened, this, [this] { boxes_.clear(); });
+    connect(&studio.editor(), &Editor::pulledOut, this, [this](const std::string& segment) {
+        studio_.hand().take(*this);
+        choose(parts_.numberOf(segment).value_or(0));
+    });
+    connect(&studio.host(), &DocumentHost::opened, this, [this] { parts_.forget(); });
 }
 
-int MoveTool::count() const { return int(studio_.view().shown().pasted.size()); }
+std::optional<std::string> MoveTool::segment() const {
+    return chosen_ < count() ? parts_.segment(chosen_) : std::nullopt;
+}
 
 QString MoveTool::hint() const {
     if (count() == 0) {
-        return tr("Nothing is pasted yet: cut something out and paste it (Shift+V).");
+        return tr("Nothing to move: paste what was cut (Shift+V) or pull a segment out (Ctrl+Shift+V).");
     }
     if (isTurningView_) {
         return tr("Turning the view. Press on the part to move that.");
@@ -60,45 +66,30 @@ Qt::CursorShape MoveTool::cursor() const {
 
 // --- what is there
 
-// The boxes around the parts change with every edit but the moves of parts.
 void MoveTool::findParts() {
-    auto* document = studio_.host().document();
-    if (before_ || document == nullptr || studio_.host().isLoading() ||
+    if (before_ || studio_.host().document() == nullptr || studio_.host().isLoading() ||
         studio_.host().facts()->isStrokeOpen() || studio_.host().facts()->isGrowing() ||
         &studio_.hand().tool() != this) {
         return;
     }
     chosen_ = std::clamp(chosen_, 0, std::max(count() - 1, 0));
-    const auto& log = document->log();
-    const bool isNew = log.size() != seenEdits_ && !(log.size() == seenEdits_ + 1 && !log.empty() &&
-                                                     std::holds_alternative<studio::MovePart>(log.back()));
-    seenEdits_ = log.size();
-    if (isNew || int(boxes_.size()) != count()) {
-        boxes_.clear();
-        studio_.host().workLong([&] {
-            for (int part = 0; part < count(); ++part) {
-                boxes_.push_back(document->parts().box(std::size_t(part)));
-            }
-        });
-        boxes_.resize(std::size_t(count()));
-    }
+    parts_.find();
     emit overlayChanged();
 }
 
 HeldPart MoveTool::held(int part) const {
     const auto& geometry = *studio_.host().geometry();
-    const auto n = std::size_t(part);
     glm::dvec3 centre = geometry.centreWorld();
-    if (n < boxes_.size() && !boxes_[n].isEmpty()) {
-        const glm::dvec3 voxel = 0.5 * glm::dvec3(boxes_[n].lo + boxes_[n].hi);
+    const Box3 box = parts_.box(part);
+    if (!box.isEmpty()) {
+        const glm::dvec3 voxel = 0.5 * glm::dvec3(box.lo + box.hi);
         centre = glm::dvec3(geometry.worldFromVoxel * glm::dvec4(voxel, 1.0));
     }
-    return {studio_.view().shown().pasted[n], centre, geometry};
+    return {parts_.place(part), centre, geometry};
 }
 
 std::optional<render::Placement> MoveTool::place() const {
-    return chosen_ < count() ? std::optional(studio_.view().shown().pasted[std::size_t(chosen_)])
-                             : std::nullopt;
+    return chosen_ < count() ? std::optional(parts_.place(chosen_)) : std::nullopt;
 }
 
 Overlays MoveTool::overlays() const {
@@ -113,13 +104,12 @@ Overlays MoveTool::overlays() const {
     for (int part = 0; part < count(); ++part) {
         const bool isChosen = part == chosen_;
         const auto tint = isChosen ? Overlay::Tint::Idle : Overlay::Tint::Pen;
-        const auto n = std::size_t(part);
-        if (isChosen && n < boxes_.size() && !boxes_[n].isEmpty()) {
+        const Box3 box = parts_.box(part);
+        if (isChosen && !box.isEmpty()) {
             const glm::dmat4 place =
-                render::worldFromPart(studio_.view().shown().pasted[n], *geometry) * geometry->worldFromVoxel;
+                render::worldFromPart(parts_.place(part), *geometry) * geometry->worldFromVoxel;
             overlays.push_back(
-                {boxEdges(glm::dvec3(boxes_[n].lo), glm::dvec3(boxes_[n].hi), place, studio_.view()), tint, 0,
-                 1});
+                {boxEdges(glm::dvec3(box.lo), glm::dvec3(box.hi), place, studio_.view()), tint, 0, 1});
         }
         const QPointF at = studio_.view().seenAt(held(part).centre());
         QPainterPath disc;
@@ -158,13 +148,13 @@ std::optional<int> MoveTool::handleAt(QPointF position) const {
 }
 
 bool MoveTool::isOverChosen(QPointF position) const {
-    const auto n = std::size_t(chosen_);
-    if (chosen_ >= count() || n >= boxes_.size() || boxes_[n].isEmpty()) {
+    const Box3 box = parts_.box(chosen_);
+    if (chosen_ >= count() || box.isEmpty()) {
         return false;
     }
     const glm::dvec2 scale = studio_.view().devicePerLogical();
-    const QRectF seen = seenBox(boxes_[n], studio_.view().shown().pasted[n], *studio_.host().geometry(),
-                                studio_.view().rays());
+    const QRectF seen =
+        seenBox(box, parts_.place(chosen_), *studio_.host().geometry(), studio_.view().rays());
     return seen.adjusted(-kMargin, -kMargin, kMargin, kMargin)
         .contains(QPointF(position.x() * scale.x, position.y() * scale.y));
 }
@@ -203,7 +193,7 @@ void MoveTool::press(const Pen& pen) {
 
 void MoveTool::begin() {
     if (!before_) {
-        before_ = studio_.view().shown().pasted;
+        before_ = parts_.place(chosen_);
     }
 }
 
@@ -275,9 +265,7 @@ void MoveTool::resetPlace() {
 // --- showing and keeping it
 
 void MoveTool::show(const render::Placement& place) {
-    auto view = studio_.view().shown();
-    view.pasted[std::size_t(chosen_)] = place;
-    studio_.view().showView(view);
+    parts_.show(chosen_, place);
     emit overlayChanged();
 }
 
@@ -287,14 +275,12 @@ void MoveTool::commit() {
     if (!before_) {
         return;
     }
-    const auto before = std::move(*before_);
-    before_.reset();
-    const auto place = studio_.view().shown().pasted[std::size_t(chosen_)];
-    auto view = studio_.view().shown();
-    view.pasted = before;
-    studio_.view().showView(view);
-    if (!(place == before[std::size_t(chosen_)])) {
-        studio_.editor().apply(studio::MovePart{chosen_, place});
+    const render::Placement before = *std::exchange(before_, std::nullopt);
+    const render::Placement place = parts_.place(chosen_);
+    const studio::Operation moved = parts_.moved(chosen_, place);
+    parts_.show(chosen_, before);
+    if (!(place == before)) {
+        studio_.editor().apply(moved);
     }
     emit overlayChanged();
 }
@@ -302,9 +288,7 @@ void MoveTool::commit() {
 void MoveTool::drop() {
     calm_.stop();
     if (before_) {
-        auto view = studio_.view().shown();
-        view.pasted = *std::exchange(before_, std::nullopt);
-        studio_.view().showView(view);
+        parts_.show(chosen_, *std::exchange(before_, std::nullopt));
     }
     emit overlayChanged();
 }

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "tools/kinds/studio_tool.h"
+#include "tools/movable_parts.h"
 #include "tools/placement_by_hand.h"
 
 #include "base/math.h"
@@ -14,8 +15,8 @@ namespace vs::desktop {
 
 class CameraTool;
 
-// Moves, turns and scales pasted parts by hand. Each has a handle with its number; the chosen one has its box
-// around it. Seen while it moves; one operation when it is let go.
+// Moves, turns and scales pasted parts and segments that are pulled out by hand. Each has a handle with its
+// number; the chosen one has its box around it. Seen while it moves; one operation when it is let go.
 class MoveTool : public StudioTool {
     Q_OBJECT
 
@@ -40,12 +41,14 @@ public:
     // The number of the chosen part, counted from 0.
     [[nodiscard]] int chosen() const { return chosen_; }
     void choose(int part);
-    [[nodiscard]] int count() const;
+    [[nodiscard]] int count() const { return parts_.count(); }
+    // What the chosen part is called, if it is a segment.
+    [[nodiscard]] std::optional<std::string> segment() const;
     // Where the parts' handles are, in logical pixels of the view.
     [[nodiscard]] std::vector<QPointF> handles() const;
     // The chosen part's place as it is shown; nothing if there is none.
     [[nodiscard]] std::optional<render::Placement> place() const;
-    // Puts the chosen part back where it was pasted from, upright and at its own size.
+    // Puts the chosen part back where it was pasted from or lies, upright and at its own size.
     void resetPlace();
 
 private:
@@ -60,11 +63,10 @@ private:
 
     CameraTool& camera_;
     int chosen_ = 0;
-    std::vector<Box3> boxes_;   // of the parts, where they were cut out
-    std::size_t seenEdits_ = 0; // operations in the log when they were looked for
-    bool isOver_ = false;       // the pen hovers over the chosen part or a handle
+    MovableParts parts_;
+    bool isOver_ = false; // the pen hovers over the chosen part or a handle
     bool isTurningView_ = false;
-    std::optional<std::vector<render::Placement>> before_; // while one is in hand
+    std::optional<render::Placement> before_; // where the chosen one was, while it is in hand
     QPointF last_;
     QTimer calm_; // the wheel has no end of its own
 };

@@ -51,8 +51,8 @@ void MainWindow::makeMenus() {
     menu(tr("&File"),
          {"open", "openFolder", "newBlock", "openLabels", "startScreen", "-", "saveSession", "exportLabels",
           "export", "screenshot", "exportPicture", "copyPicture", "-", "properties", "-", "quit"});
-    menu(tr("&Edit"), {"undo", "redo", "showHistory", "addNote", "-", "paste", "moveTool", "-", "unCut",
-                       "reSeed", "-", "clearSketch", "-", "preferences"});
+    menu(tr("&Edit"), {"undo", "redo", "showHistory", "addNote", "-", "paste", "pullOut", "moveTool", "-",
+                       "unCut", "reSeed", "-", "clearSketch", "-", "preferences"});
     menu(tr("&View"), {"resetView",
                        "fitView",
                        "-",

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/hand/tool.h"
+#include "model/segments/segment_controller.h"
 #include "model/studio/studio_controller.h"
 #include "panels/tool_rows.h"
 #include "window/action_table.h"
@@ -36,6 +37,16 @@ void MainWindow::makeToolActions() {
         ->add({"paste", "paste", tr("Paste"),
                tr("Paste what was cut since the last paste beside the object, to be moved by hand"),
                tr("Shift+V"), [this] { studio_.editor().paste(); }})
+        ->setAutoRepeat(false);
+    actions_
+        ->add(
+            {"pullOut", "paste", tr("Pull Out"),
+             tr("Draw the segment at work once more beside the object, to be moved by hand; it stays in its "
+                "place too. Again: no more"),
+             tr("Ctrl+Shift+V"),
+             [this] { studio_.segments().pullOut(std::string(studio_.segments().list().working().name)); },
+             [this] { return isOpen(); },
+             [this] { return isOpen() && studio_.segments().list().working().pulledOut.has_value(); }})
         ->setAutoRepeat(false);
 
     makeShapeActions();

@@ -11,6 +11,7 @@ const int kValuesTexture = 0;
 const int kSculptureTexture = 1;
 const int kSegmentationTexture = 2;
 const int kQuadsTexture = 6;
+const int kApartTexture = 7;
 const int kSmoothedQuadsTexture = 12;
 const int kSegmentLabelsTexture = 13;
 const int kSmoothedTexture = 15;

@@ -4,7 +4,8 @@
 // Spaces: voxel space has voxel centres at integers; texture space is (p + 0.5) / dims; world is LPS
 // millimetres. Bindings: uniform block 0; textures 0 data, 1 sculpture, 2 segmentation, 13 labels, with QUADS
 // 6 (field::SceneBinding). ALL_SEGMENTS: translucent segments count as opaque ones do. SMOOTHED: dataAt()
-// gives smoothed values, of textures 15 and 12, sectionValueAt() the values themselves.
+// gives smoothed values, of textures 15 and 12, sectionValueAt() the values themselves. PULLED: of segments
+// only one is there; APART: others may touch it (one_segment.glsl).
 
 #include "field/shaders/bindings.glsl"
 layout(std140, binding = kSceneBlock) uniform SceneBlock {
@@ -74,8 +75,20 @@ float voxelValue(ivec3 v) {
 
 float sculptureAt(vec3 p) { return textureLod(sculptureTexture, textureFromVoxel(p), 0.0).r; }
 
+#ifdef PULLED
+uniform ivec3 pulled; // x the segment's label; y 0 if it is opaque, 1 if it is translucent; z 8, corners of a cell
+#endif
+
 // How much p belongs to opaque segments (x) and to translucent ones (y); surfaces are at 0.5.
+#if defined(PULLED) && defined(APART)
+#include "field/shaders/one_segment.glsl"
+vec2 membershipsAt(vec3 p) {
+    float own = ownMembershipAt(p);
+    return pulled.y == 0 ? vec2(own, 0.0) : vec2(0.0, own);
+}
+#else
 vec2 membershipsAt(vec3 p) { return textureLod(segmentationTexture, textureFromVoxel(p), 0.0).rg; }
+#endif
 
 #ifdef ALL_SEGMENTS
 float segmentationAt(vec3 p) {

@@ -124,11 +124,12 @@ void RayCaster::start(const Frame& frame) {
         contrasts_.reserve(bytes);
         unsettled_.reserve(bytes);
     }
-    if (!frame.pasted.empty() && glm::ivec2(seenFront_.size()) != size) {
+    const bool hasParts = !frame.pasted.empty() || !frame.pulled.empty();
+    if (hasParts && glm::ivec2(seenFront_.size()) != size) {
         seenFront_ = gl::Texture(size, gl::Format::RGBA32F, gl::Filter::Nearest, "seen in front");
         seenBehind_ = gl::Texture(size, gl::Format::RGBA32F, gl::Filter::Nearest, "seen behind");
     }
-    if (!frame.pasted.empty() && drawsTranslucent(frame) && glm::ivec2(seenGlass_.size()) != size) {
+    if (hasParts && drawsTranslucent(frame) && glm::ivec2(seenGlass_.size()) != size) {
         seenGlass_ = gl::Texture(size, gl::Format::RGBA32F, gl::Filter::Nearest, "seen glass");
         seenGlassDepth_ = gl::Texture(size, gl::Format::R32F, gl::Filter::Nearest, "depth of seen glass");
     }
@@ -138,27 +139,22 @@ void RayCaster::start(const Frame& frame) {
 }
 
 void RayCaster::arrangeParts() {
-    parts_.resize(frame_.pasted.size() + 1);
+    parts_.resize(frame_.pasted.size() + frame_.pulled.size() + 1);
     const auto& geometry = frame_.scene.data->geometry;
     for (std::size_t i = 0; i < parts_.size(); ++i) {
         Part& part = parts_[i];
         part.scene = frame_.scene;
+        part.defines = definesFor(frame_);
+        part.pulled = {};
         part.macrocells = frame_.macrocells;
+        part.segmentCells = frame_.segmentCells;
         part.occlusion = frame_.occlusion;
         part.rays = frame_.rays;
         part.scale = 1;
         if (i < frame_.pasted.size()) {
-            const PastedPart& pasted = frame_.pasted[i];
-            VS_CHECK(pasted.macrocells != nullptr);
-            part.scene.sculpture = pasted.sculpture;
-            part.scene.view = field::SculptureView::Probe;
-            if (pasted.segmentation != nullptr) {
-                part.scene.segmentation = pasted.segmentation;
-            }
-            part.macrocells = pasted.macrocells;
-            part.occlusion = pasted.occlusion;
-            part.rays = seenFromPart(frame_.rays, pasted.place, geometry);
-            part.scale = float(pasted.place.scale);
+            become(part, frame_.pasted[i]);
+        } else if (i + 1 < parts_.size()) {
+            become(part, frame_.pulled[i - frame_.pasted.size()]);
         }
         part.view.reserve(sizeof(ViewBlock));
         part.view.writeValue(viewBlock(part.rays, geometry));
@@ -170,6 +166,34 @@ void RayCaster::arrangeParts() {
     }
 }
 
+void RayCaster::become(Part& part, const PastedPart& pasted) {
+    VS_CHECK(pasted.macrocells != nullptr);
+    part.scene.sculpture = pasted.sculpture;
+    part.scene.view = field::SculptureView::Probe;
+    if (pasted.segmentation != nullptr) {
+        part.scene.segmentation = pasted.segmentation;
+    }
+    part.macrocells = pasted.macrocells;
+    part.occlusion = pasted.occlusion;
+    place(part, pasted.place);
+}
+
+void RayCaster::become(Part& part, const PulledSegment& segment) {
+    VS_CHECK(segment.macrocells != nullptr && segment.scene.segmentation != nullptr);
+    constexpr int corners = 8;
+    part.scene = segment.scene;
+    part.defines = definesFor(frame_, segment);
+    part.pulled = {segment.label, segment.isTranslucent ? 1 : 0, corners};
+    part.macrocells = part.segmentCells = segment.macrocells;
+    part.occlusion = nullptr;
+    place(part, segment.place);
+}
+
+void RayCaster::place(Part& part, const Placement& placement) {
+    part.rays = seenFromPart(frame_.rays, placement, frame_.scene.data->geometry);
+    part.scale = float(placement.scale);
+}
+
 void RayCaster::bindPart(const Part& part) {
     sceneBinding_.bind(part.scene);
     part.view.bindUniform(kViewBlock);
@@ -179,7 +203,7 @@ void RayCaster::bindPart(const Part& part) {
         part.slabs.bind();
     }
     if (frame_.mode == Mode::Overlay || frame_.mode == Mode::Volume) {
-        const Macrocells* cells = frame_.segmentCells != nullptr ? frame_.segmentCells : part.macrocells;
+        const Macrocells* cells = part.segmentCells != nullptr ? part.segmentCells : part.macrocells;
         cells->distances().bindTexture(kSegmentCellDistancesTexture);
     }
     if (part.occlusion != nullptr) {
@@ -274,17 +298,8 @@ int RayCaster::squaresFor(double milliseconds) const {
     return std::min(std::max(int(squares), kFewSquares), activeSquares_ - square_);
 }
 
-bool RayCaster::renderSome(double budgetMs) {
-    const Timer timer;
-    gl::Program& program = castRays_.with(definesFor(frame_));
-    if (sample_ == 0 && square_ == 0) {
-        findBeams();
-        listSquares();
-        boundSlabs();
-    }
-    if (frame_.mode == Mode::Mip) {
-        program.set("beamsAcross", parts_.back().beams.size().x);
-    }
+// What is the same for all parts.
+void RayCaster::bindPicture() {
     if (frame_.classification != nullptr) {
         frame_.classification->bind();
     }
@@ -300,6 +315,9 @@ bool RayCaster::renderSome(double budgetMs) {
     segmentColours_.bindTexture(kSegmentColoursTexture);
     squares_.bindStorage(kSquaresStorage);
     contrasts_.bindStorage(kContrastsStorage);
+}
+
+void RayCaster::setPicture(gl::Program& program) {
     const auto& geometry = frame_.scene.data->geometry;
     program
         .set("exposure", glm::vec2(float(frame_.xrayGain), float(geometry.diagonalMm() / geometry.stepMm())))
@@ -308,9 +326,51 @@ bool RayCaster::renderSome(double budgetMs) {
         .set("beamShift", beamShift(frame_.mode, frame_.rays.size))
         .set("backgroundTop", glm::vec4(frame_.background.top, frame_.background.isTransparent ? 1.0F : 0.0F))
         .set("backgroundBottom", glm::vec4(frame_.background.bottom, 0.0F));
-    bindPart(parts_.back());
+    if (frame_.mode == Mode::Mip) {
+        program.set("beamsAcross", parts_.back().beams.size().x);
+    }
     if (frame_.mode == Mode::Mip || frame_.mode == Mode::XRay) {
         program.set("isInverted", frame_.isInverted ? 1 : 0);
+    }
+}
+
+// One sample of so many squares from the present one on, part by part.
+void RayCaster::castSquares(int count) {
+    const Lattice lattice = latticeOf(sample_, frame_.samples, frame_.sampleStep);
+    for (std::size_t i = 0; i < parts_.size(); ++i) {
+        const Part& part = parts_[i];
+        gl::Program& program = castRays_.with(part.defines);
+        if (parts_.size() > 1) {
+            bindPart(part);
+        }
+        program.set("squareRange", glm::ivec2(square_, count))
+            .set("pixelOffset", sample_ == 0 ? kCentre : placeInPixel(sample_))
+            .set("addToPrevious", sample_ > 0 ? 1 : 0)
+            .set("measuresContrast", frame_.endsEarly && sample_ == 1 ? 1 : 0);
+        if (frame_.mode == Mode::XRay || frame_.mode == Mode::Overlay) {
+            program.set("lattice", glm::vec2(lattice.step, lattice.shift));
+        }
+        if (parts_.size() > 1) {
+            program.set("partOfPicture", glm::ivec2(int(i), int(parts_.size()))).set("partScale", part.scale);
+        }
+        if (part.pulled.z > 0) {
+            program.set("pulled", part.pulled);
+        }
+        program.dispatch(groupsFor(count), gl::Barrier::Image);
+    }
+}
+
+bool RayCaster::renderSome(double budgetMs) {
+    const Timer timer;
+    if (sample_ == 0 && square_ == 0) {
+        findBeams();
+        listSquares();
+        boundSlabs();
+    }
+    bindPicture();
+    bindPart(parts_.back());
+    for (const Part& part : parts_) {
+        setPicture(castRays_.with(part.defines));
     }
     while (!isComplete()) {
         if (square_ == 0 && hasFilm()) {
@@ -319,22 +379,7 @@ bool RayCaster::renderSome(double budgetMs) {
         const gl::Pass pass("cast rays");
         const Timer submission;
         const int count = squaresFor(budgetMs - timer.milliseconds());
-        if (frame_.mode == Mode::XRay || frame_.mode == Mode::Overlay) {
-            const Lattice lattice = latticeOf(sample_, frame_.samples, frame_.sampleStep);
-            program.set("lattice", glm::vec2(lattice.step, lattice.shift));
-        }
-        program.set("squareRange", glm::ivec2(square_, count))
-            .set("pixelOffset", sample_ == 0 ? kCentre : placeInPixel(sample_))
-            .set("addToPrevious", sample_ > 0 ? 1 : 0)
-            .set("measuresContrast", frame_.endsEarly && sample_ == 1 ? 1 : 0);
-        for (std::size_t i = 0; i < parts_.size(); ++i) {
-            if (parts_.size() > 1) {
-                bindPart(parts_[i]);
-                program.set("partOfPicture", glm::ivec2(int(i), int(parts_.size())))
-                    .set("partScale", parts_[i].scale);
-            }
-            program.dispatch(groupsFor(count), gl::Barrier::Image);
-        }
+        castSquares(count);
         gl::Context::finish(); // or the budget would count only submissions
         squaresPerMs_ = count / std::max(submission.milliseconds(), 1e-3);
         square_ += count;

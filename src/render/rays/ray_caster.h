@@ -53,6 +53,16 @@ struct PastedPart {
     const gl::Texture* segmentation = nullptr; // instead of the scene's
 };
 
+// A segment, drawn again elsewhere without having been cut out. It has no light of its own: it is lit
+// plainly.
+struct PulledSegment {
+    Placement place;
+    int label = 1; // in the scene's labels, or 1 where it has none
+    bool isTranslucent = false;
+    field::Scene scene;                     // with `segmentation`, and `apart` where others may touch it
+    const Macrocells* macrocells = nullptr; // where segments may be
+};
+
 // Everything one picture depends on. The pointers must stay alive until the picture is finished.
 struct Frame {
     field::Scene scene;
@@ -64,6 +74,7 @@ struct Frame {
     // rays.
     const Classification* classification = nullptr;
     std::vector<PastedPart> pasted;
+    std::vector<PulledSegment> pulled;
     // Ambient occlusion and soft shadows; null: plain light.
     OcclusionVolume* occlusion = nullptr;
     ViewRays rays;
@@ -106,10 +117,13 @@ public:
     image::Image readPicture();
 
 private:
-    // What is drawn where: the pasted parts, and last what remains.
+    // What is drawn where: the pasted parts, the segments that are pulled out, and last what remains.
     struct Part {
         field::Scene scene;
+        gl::Defines defines;  // of the variant of cast_rays.comp that draws it
+        glm::ivec3 pulled{0}; // see field/shaders/scene.glsl
         const Macrocells* macrocells = nullptr;
+        const Macrocells* segmentCells = nullptr; // null: the macrocells
         OcclusionVolume* occlusion = nullptr;
         ViewRays rays;
         float scale = 1;
@@ -119,9 +133,18 @@ private:
     };
     // Whether the picture may show surfaces of translucent segments.
     static bool drawsTranslucent(const Frame& frame);
+    // The variant that draws what remains and pasted parts, and the one that draws a segment that is pulled
+    // out.
     static gl::Defines definesFor(const Frame& frame);
+    static gl::Defines definesFor(const Frame& frame, const PulledSegment& segment);
     void arrangeParts();
+    void become(Part& part, const PastedPart& pasted);
+    void become(Part& part, const PulledSegment& segment);
+    void place(Part& part, const Placement& placement);
     void bindPart(const Part& part);
+    void bindPicture();
+    void setPicture(gl::Program& program);
+    void castSquares(int count);
     void findBeams();
     void listSquares();
     void setSettledAside();

@@ -30,7 +30,7 @@ gl::Defines RayCaster::definesFor(const Frame& frame) {
         {"SCULPTED", isSculpted},
         {"CUT_ALONG_SEGMENTS", isSculpted && scene.isCutAlongSegments && scene.segmentation != nullptr},
         {"LIT", frame.occlusion != nullptr && isLit},
-        {"PARTS", !frame.pasted.empty()},
+        {"PARTS", !frame.pasted.empty() || !frame.pulled.empty()},
         {"QUADS", bool(searched.quads)},
         {"SMOOTHED", scene.smoothed != nullptr},
         {"TRICUBIC", scene.sampling == field::Sampling::Tricubic},
@@ -41,6 +41,23 @@ gl::Defines RayCaster::definesFor(const Frame& frame) {
     if (frame.classification != nullptr) {
         frame.classification->addDefines(defines);
     }
+    return defines;
+}
+
+// The same but for light and content. In surface mode, where segments have no colour, it has its own all the
+// same.
+gl::Defines RayCaster::definesFor(const Frame& frame, const PulledSegment& segment) {
+    Frame alone = frame;
+    alone.occlusion = nullptr;
+    alone.mode = frame.mode == Mode::Surface ? Mode::Segment : frame.mode;
+    alone.scene.smoothed = nullptr;
+    gl::Defines defines = definesFor(alone);
+    const auto more = gl::switchesOn({
+        {"PULLED", true},
+        {"APART", segment.scene.apart != nullptr},
+        {"ALL_SEGMENTS", frame.mode == Mode::Surface},
+    });
+    defines.insert(defines.end(), more.begin(), more.end());
     return defines;
 }
 

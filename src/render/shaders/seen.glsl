@@ -154,6 +154,16 @@ vec3 integralColour(vec4 integral) {
 #endif
 
 #if MODE == 5 && defined(SEGMENTS)
+// What the transfer function shows along a stretch of a ray; of a segment that is alone, nothing.
+vec4 compositeData(Ray stretch, float jitter, out float depth) {
+#ifdef PULLED
+    depth = 0.0;
+    return vec4(0.0);
+#else
+    return compositeAlong(stretch, sampleStep, jitter, depth);
+#endif
+}
+
 // As compositeAlong(), with the surfaces of segments where they are: glass, what is behind it, and the first
 // opaque one, behind which nothing is seen.
 vec4 compositeWithSegments(Ray ray, float jitter, out float depth) {
@@ -176,7 +186,7 @@ vec4 compositeWithSegments(Ray ray, float jitter, out float depth) {
         stretch.tFar = isBefore ? middle : end;
         stretch.tBegin = max(ray.tBegin, stretch.tNear);
         stretch.tEnd = min(ray.tEnd, stretch.tFar);
-        vec4 part = compositeAlong(stretch, sampleStep, jitter, tPart);
+        vec4 part = compositeData(stretch, jitter, tPart);
         weightedT += (1.0 - sum.a) * part.a * tPart;
         sum += (1.0 - sum.a) * part;
         vec4 here = isBefore ? surface : vec4(0.0);
@@ -184,7 +194,7 @@ vec4 compositeWithSegments(Ray ray, float jitter, out float depth) {
         sum += (1.0 - sum.a) * here;
     }
 #else
-    sum = compositeAlong(stretch, sampleStep, jitter, tPart);
+    sum = compositeData(stretch, jitter, tPart);
     weightedT = sum.a * tPart;
 #endif
     vec4 opaque = hit.found ? vec4(linearFromDisplay(shadeOpaque(hit, ray)), 1.0) : vec4(0.0);
@@ -231,7 +241,7 @@ Seen seenAlong(Ray ray, float jitter, float scale) {
     seen.glass = shadeGlass(glass, ray);
     seen.glassDepth = glass.found ? glass.t * scale : kNothing;
 #endif
-#if MODE == 3
+#if MODE == 3 && !defined(PULLED)
     seen.behind = scale * integralAlong(ray, hit.found ? hit.t : ray.tEnd);
 #endif
 #elif MODE == 1

@@ -29,7 +29,11 @@ void addColoursAround(vec3 p, bool translucent, bool wanted, inout vec4 sum, ino
 // and how much of it.
 vec4 tintAt(vec3 p) {
     vec2 memberships = membershipsAt(p);
+#ifdef PULLED
+    uint segment = uint(pulled.x);
+#else
     uint segment = segmentOf(ivec3(floor(p + 0.5)));
+#endif
     vec4 entry = entryOf(segment);
     float amount = smoothstep(0.25, 0.75, max(memberships.x, memberships.y));
     return vec4(entry.rgb, segment != 0u ? amount * entry.a : 0.0);
@@ -39,6 +43,9 @@ vec4 tintAt(vec3 p) {
 // are smooth, a little outside; then it is one voxel further `inwards` (world, unit). Anything if not
 // `wanted`.
 vec4 segmentColourAt(vec3 p, vec3 inwards, bool translucent, bool wanted) {
+#ifdef PULLED
+    return entryOf(uint(pulled.x));
+#else
     const float some = 1e-3; // of the weights
     vec4 sum = vec4(0.0);
     float weights = 0.0;
@@ -46,4 +53,5 @@ vec4 segmentColourAt(vec3 p, vec3 inwards, bool translucent, bool wanted) {
     bool isOutside = wanted && weights < some;
     addColoursAround(p + mat3(voxelFromWorld) * inwards * spacing.w, translucent, isOutside, sum, weights);
     return weights < some ? entryOf(0u) : sum / weights;
+#endif
 }

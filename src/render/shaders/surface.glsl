@@ -3,7 +3,8 @@
 // 3 what the transfer function makes opaque enough to be touched. Include "render/shaders/rays.glsl" first,
 // for 3 also "render/shaders/classification.glsl". SEGMENTS: with CONTENT 3, or the surface of a segment.
 // TRANSLUCENT: some segments are translucent: nothing of the data is seen in them. CUT_ALONG_SEGMENTS (with
-// SCULPTED): tools spared segments, or took nothing but them.
+// SCULPTED): tools spared segments, or took nothing but them. WITHIN_SEGMENTS: nothing is seen outside of
+// segments.
 
 #if CONTENT == 1 || CONTENT == 2 || (CONTENT == 3 && defined(SEGMENTS))
 #define MEETS_SEGMENTS
@@ -50,11 +51,15 @@ float contentAt(vec3 p) {
 
 // >= 0 on the visible side of the sculpture.
 float sideAt(vec3 p) {
+    float side = 1e30;
 #ifdef SCULPTED
-    return visibleSide(sculptureAt(p));
-#else
-    return 1e30;
+    side = visibleSide(sculptureAt(p));
 #endif
+#ifdef WITHIN_SEGMENTS
+    vec2 memberships = membershipsAt(p);
+    side = min(side, max(memberships.x, memberships.y) - 0.5);
+#endif
+    return side;
 }
 
 // >= 0 where something is visible.

@@ -364,8 +364,13 @@ Box3 Growth::touchedBox() const {
 }
 
 void Growth::show(const gl::Buffer& plane, const gl::Buffer& reach, const std::vector<std::uint32_t>& bricks,
-                  std::span<const std::uint32_t> kinds, std::uint32_t wanted) const {
+                  std::span<const std::uint32_t> kinds, std::uint32_t wanted,
+                  const gl::Buffer* owners) const {
     gl::Defines defines = seedMap_.widthDefines();
+    if (owners != nullptr) {
+        defines.emplace_back("VS_OWNERS", "1");
+        owners->bindStorage(kOwnersStorage);
+    }
     if (owner_.hasOthers) {
         defines.emplace_back("VS_OTHERS", "1");
     }

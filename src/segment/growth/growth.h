@@ -144,9 +144,11 @@ public:
     // voxels of segments whose number in `kinds` (one for each label) is `wanted`, of the segment at work up
     // to the playhead. `reach` takes, for each brick listed and each of its eight tiles of 16^3 voxels (x
     // fastest), which of the 27 tiles around it (bit (dx + 1) + 3 (dy + 1) + 9 (dz + 1)) lie within 3 voxels
-    // of voxels that have changed in the plane; it must be zero before.
+    // of voxels that have changed in the plane; it must be zero before. With `owners`, as large as the plane
+    // and zero at first, voxels that have gone from one segment to another have changed too.
     void show(const gl::Buffer& plane, const gl::Buffer& reach, const std::vector<std::uint32_t>& bricks,
-              std::span<const std::uint32_t> kinds, std::uint32_t wanted) const;
+              std::span<const std::uint32_t> kinds, std::uint32_t wanted,
+              const gl::Buffer* owners = nullptr) const;
 
     // Downloads the generations of the segment at work, x fastest; with `upToPlayhead` hidden ones read 0.
     [[nodiscard]] std::vector<std::uint32_t> generations(bool upToPlayhead) const;

@@ -15,8 +15,6 @@ namespace vs::segment {
 namespace {
 
 constexpr int kPadded = Segmentation::kTile + 2 * kKernelReach;
-// Tiles smoothed at a time: 512 take 1 MiB of bits and 11 MiB of values.
-constexpr std::uint32_t kTilesAtOnce = 512;
 
 } // namespace
 
@@ -24,7 +22,7 @@ Segmentation::Segmentation(const volume::GridGeometry& geometry)
     : dims_(geometry.dims), brickDims_(divideUp(geometry.dims, field::kBrick)),
       tileDims_(divideUp(geometry.dims, kTile)),
       cells_(field::cellDims(geometry.dims), gl::Format::RG32F, gl::Filter::Nearest, "segmentation cells"),
-      tiles_(4, "segmentation tiles"), reach_(4, "segmentation reach"),
+      tiles_(4, "segmentation tiles"), reach_(4, "segmentation reach"), labelsOfTiles_(4, "labels of tiles"),
       rows_(sizeof(std::uint32_t) * kTilesAtOnce * kPadded * kPadded, "membership rows"),
       alongXY_(sizeof(float) * kTilesAtOnce * kPadded * kTile * kTile, "smoothed along x and y"),
       smoothXY_("segment/shaders/smooth_xy.comp") {
@@ -35,7 +33,11 @@ Segmentation::Segmentation(const volume::GridGeometry& geometry)
     takeLooks(allOpaque());
 }
 
-gl::Defines Segmentation::glassDefines() const {
+// For shaders that include shaders/segmentation_image.glsl.
+gl::Defines Segmentation::imageDefines(Of what) const {
+    if (what == Of::Apart) {
+        return {{"VS_APART", "1"}};
+    }
     return channels_.size() > 1 ? gl::Defines{{"VS_GLASS", "1"}} : gl::Defines{};
 }
 
@@ -109,8 +111,8 @@ std::vector<std::uint32_t> Segmentation::smoothQueued(int channel, double budget
     return done;
 }
 
-// Smooths tiles [first, first + count) of the list on the device.
-void Segmentation::smooth(int channel, std::uint32_t first, std::uint32_t count) {
+// Smooths tiles [first, first + count) of the list on the device; apart, of each one segment.
+void Segmentation::smooth(int channel, std::uint32_t first, std::uint32_t count, Of what) {
     bindMembers(channels_[std::size_t(channel)]);
     rows_.bindStorage(kRowsStorage);
     alongXY_.bindStorage(kAlongXYStorage);
@@ -121,20 +123,46 @@ void Segmentation::smooth(int channel, std::uint32_t first, std::uint32_t count)
             .set("firstTile", int(first))
             .set("weights", weights_[axis]);
     };
-    gl::Program& packRows = packRows_.with(memberDefines());
-    gl::Program& smoothZ = smoothZ_.with(glassDefines());
+    const bool isApart = what == Of::Apart;
+    gl::Defines defines = memberDefines();
+    if (isApart) {
+        defines.emplace_back("VS_APART", "1");
+    }
+    gl::Program& packRows = packRows_.with(defines);
+    gl::Program& smoothZ = smoothZ_.with(imageDefines(what));
     prepare(packRows, 0);
     prepare(smoothXY_, 1);
     smoothXY_.set("weightsX", weights_[0]);
     prepare(smoothZ, 2);
-    if (channels_.size() > 1) {
+    if (channels_.size() > 1 || isApart) {
         smoothZ.set("channel", channel);
+    }
+    if (isApart) {
+        texels_.bindTexture(kSegmentationTexture);
     }
     // Each pass reads what the one before it has written.
     packRows.dispatchOver({kPadded * kPadded, int(count), 1}, gl::Barrier::Storage);
     smoothXY_.dispatchOver({kPadded * kTile, int(count), 1}, gl::Barrier::Storage);
-    texels_.bindImage(kSegmentationImage, gl::Access::ReadWrite);
+    (isApart ? apart_ : texels_).bindImage(kSegmentationImage, gl::Access::ReadWrite);
     smoothZ.dispatchOver({kTile * kTile, int(count), 1}, gl::Barrier::Texture);
+}
+
+// The same without smoothing, of whatever segments are in the tiles.
+void Segmentation::writePlain(int channel, std::uint32_t first, std::uint32_t count, Of what) {
+    gl::Defines defines = memberDefines();
+    const auto image = imageDefines(what);
+    defines.insert(defines.end(), image.begin(), image.end());
+    gl::Program& writePlain = writePlain_.with(defines);
+    bindMembers(channels_[std::size_t(channel)]);
+    (what == Of::Apart ? apart_ : texels_).bindImage(kSegmentationImage, gl::Access::ReadWrite);
+    writePlain.set("dims", dims_)
+        .set("brickDims", brickDims_)
+        .set("tileDims", tileDims_)
+        .set("firstTile", int(first));
+    if (channels_.size() > 1 && what == Of::All) {
+        writePlain.set("channel", channel);
+    }
+    writePlain.dispatchOver({kTile * kTile, int(count), 1}, gl::Barrier::Texture);
 }
 
 void Segmentation::write(int channel, const std::vector<std::uint32_t>& tiles, Smoothing smoothing) {
@@ -143,22 +171,9 @@ void Segmentation::write(int channel, const std::vector<std::uint32_t>& tiles, S
     for (std::uint32_t first = 0; first < total; first += kTilesAtOnce) {
         const std::uint32_t count = std::min(kTilesAtOnce, total - first);
         if (smoothing == Smoothing::Smooth) {
-            smooth(channel, first, count);
+            smooth(channel, first, count, Of::All);
         } else {
-            gl::Defines defines = memberDefines();
-            const auto glass = glassDefines();
-            defines.insert(defines.end(), glass.begin(), glass.end());
-            gl::Program& writePlain = writePlain_.with(defines);
-            bindMembers(channels_[std::size_t(channel)]);
-            texels_.bindImage(kSegmentationImage, gl::Access::ReadWrite);
-            writePlain.set("dims", dims_)
-                .set("brickDims", brickDims_)
-                .set("tileDims", tileDims_)
-                .set("firstTile", int(first));
-            if (channels_.size() > 1) {
-                writePlain.set("channel", channel);
-            }
-            writePlain.dispatchOver({kTile * kTile, int(count), 1}, gl::Barrier::Texture);
+            writePlain(channel, first, count, Of::All);
         }
     }
 }
@@ -214,6 +229,9 @@ Box3 Segmentation::update(const Growth& growth, Smoothing smoothing, const Looks
     }
     std::sort(changed.begin(), changed.end());
     changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
+    if (apart_ && !changed.empty()) {
+        writeApart(growth, changed, smoothing);
+    }
     Box3 box;
     for (const std::uint32_t tile : changed) {
         const glm::ivec3 lo = tileAt(tile) * kTile;
@@ -233,8 +251,9 @@ std::size_t Segmentation::deviceBytes() const {
     };
     std::size_t bytes =
         texels(texels_) + texels(cells_) + tiles_.size() + reach_.size() + rows_.size() + alongXY_.size();
+    bytes += apart_ ? texels(apart_) + labelsOfTiles_.size() : 0;
     for (const Channel& channel : channels_) {
-        bytes += channel.shown.size() + channel.turned.size();
+        bytes += channel.shown.size() + channel.turned.size() + channel.owners.size();
     }
     return bytes;
 }

@@ -42,6 +42,13 @@ public:
     Box3 update(const Growth& growth, Smoothing smoothing = Smoothing::Smooth,
                 const Looks& looks = allOpaque(), double budgetMs = kNoHurry, const Fence& fence = {});
     static constexpr double kNoHurry = 1e30;
+
+    // Whether the next updates also keep what tells each segment alone (apart()): one byte and one bit a
+    // voxel.
+    void keepApart(bool isWanted);
+    // R8, as field/shaders/one_segment.glsl reads it. Null unless it is kept.
+    [[nodiscard]] const gl::Texture* apart() const { return apart_ ? &apart_ : nullptr; }
+
     // Whether the last update was cut short.
     [[nodiscard]] bool isBehind() const { return isBehind_; }
 
@@ -69,6 +76,7 @@ private:
     struct Channel {
         gl::Buffer shown;  // one bit a voxel, laid out as in shaders/words.glsl
         gl::Buffer turned; // one bit a voxel: counts as the opposite; made with the continuation
+        gl::Buffer owners; // a number for each word of `shown`: see shaders/show_rows.comp; made with apart_
         // Per tile: which of its 27 neighbours (itself included) changes there reach and that are not
         // smoothed yet, bit (dx + 1) + 3 (dy + 1) + 9 (dz + 1).
         std::vector<std::uint32_t> pending;
@@ -90,11 +98,23 @@ private:
     void queueTiles(Channel& channel) const;
     std::vector<std::uint32_t> smoothQueued(int channel, double budgetMs);
     void write(int channel, const std::vector<std::uint32_t>& tiles, Smoothing smoothing);
-    void smooth(int channel, std::uint32_t first, std::uint32_t count);
+    // Tiles smoothed at a time: 512 take 1 MiB of bits and 11 MiB of values.
+    static constexpr std::uint32_t kTilesAtOnce = 512;
+    enum class Of { All, Apart }; // what is made smooth: all segments together, or each alone
+    void smooth(int channel, std::uint32_t first, std::uint32_t count, Of what);
+    void writePlain(int channel, std::uint32_t first, std::uint32_t count, Of what);
+    void writeApart(const Growth& growth, const std::vector<std::uint32_t>& tiles, Smoothing smoothing);
+    struct Reached { // tiles, and a segment that each has something of
+        std::vector<std::uint32_t> tiles;
+        std::vector<std::uint32_t> labels; // plus kCrowded where the tile has something of more than two
+    };
+    static constexpr std::uint32_t kCrowded = 256;
+    Reached reachedBySegments(int channel, const std::vector<std::uint32_t>& tiles,
+                              const gl::Texture& labels);
+    [[nodiscard]] gl::Defines imageDefines(Of what) const;
     void summarize(const std::vector<std::uint32_t>& tiles, Smoothing smoothing);
     void listTiles(const std::vector<std::uint32_t>& tiles);
     [[nodiscard]] gl::Defines memberDefines() const;
-    [[nodiscard]] gl::Defines glassDefines() const;
     [[nodiscard]] glm::ivec3 tileAt(std::uint32_t tile) const;
     [[nodiscard]] std::uint32_t tileIndex(glm::ivec3 place) const;
 
@@ -103,6 +123,7 @@ private:
     glm::ivec3 tileDims_;
     glm::vec4 weights_[3]; // per axis: the kernel at 0, 1, 2 and 3 voxels
     gl::Texture texels_;
+    gl::Texture apart_;
     gl::Texture cells_;
     std::uint64_t seenRevision_ = 0;
     std::uint64_t version_ = 0;
@@ -114,12 +135,14 @@ private:
 
     gl::Buffer tiles_;
     gl::Buffer reach_;
+    gl::Buffer labelsOfTiles_;
     gl::Buffer rows_;
     gl::Buffer alongXY_;
     gl::ProgramVariants packRows_{"segment/shaders/pack_rows.comp"};
     gl::Program smoothXY_;
     gl::ProgramVariants smoothZ_{"segment/shaders/smooth_z.comp"};
     gl::ProgramVariants writePlain_{"segment/shaders/write_membership.comp"};
+    gl::ProgramVariants listLabels_{"segment/shaders/list_labels.comp"};
     gl::ProgramVariants summarize_{"segment/shaders/summarize_tiles.comp"};
 };
 

@@ -42,6 +42,7 @@ void Segmentation::takeLooks(const Looks& looks) {
         const auto tiles = std::size_t(tileDims_.x) * std::size_t(tileDims_.y) * std::size_t(tileDims_.z);
         channels_.push_back({gl::Buffer(planeBytes(dims_), "shown voxels"),
                              {},
+                             {},
                              std::vector<std::uint32_t>(tiles, 0),
                              {},
                              std::vector<bool>(tiles, false)});
@@ -61,8 +62,12 @@ std::vector<std::uint32_t> Segmentation::show(const Growth& growth, int channel,
     for (const Look look : looks_) {
         kinds.push_back(std::uint32_t(look));
     }
+    if (apart_ && !own.owners) {
+        own.owners = gl::Buffer(planeBytes(dims_), "owners of shown voxels");
+    }
     clearReach(bricks);
-    growth.show(own.shown, reach_, bricks, kinds, std::uint32_t(channel + 1));
+    growth.show(own.shown, reach_, bricks, kinds, std::uint32_t(channel + 1),
+                own.owners ? &own.owners : nullptr);
     return takeReach(growth.seedMap().bricks(), own, bricks);
 }
 

@@ -47,17 +47,60 @@ void addCorners(const Box3& cells, const volume::GridGeometry& geometry, const g
     }
 }
 
+// The middle of the macrocell with that number, x fastest.
+glm::dvec3 middleOf(std::size_t n, glm::ivec3 cellDims) {
+    const int i = int(n);
+    const glm::ivec3 cell(i % cellDims.x, i / cellDims.x % cellDims.y, i / cellDims.x / cellDims.y);
+    return double(field::kCell) * glm::dvec3(cell) + 0.5 * (field::kCell - 1);
+}
+
 } // namespace
 
 std::size_t PartQueries::count() const { return contents_.pasted.sculptures.size(); }
 
-Box3 PartQueries::box(std::size_t part) {
+Box3 PartQueries::box(std::size_t part) { return boxAround(cells(part)); }
+
+Box3 PartQueries::segmentBox(std::uint8_t label) { return boxAround(segmentCells(label)); }
+
+Box3 PartQueries::boxAround(const std::vector<glm::dvec3>& cells) const {
     Box3 box;
-    for (const glm::dvec3 middle : cells(part)) {
+    for (const glm::dvec3 middle : cells) {
         const glm::ivec3 cell = glm::ivec3(middle) / field::kCell;
         box = unite(box, {field::kCell * cell, field::kCell * (cell + 1)});
     }
     return intersect(box, contents_.scan.volume.geometry.box());
+}
+
+std::vector<glm::dvec3> PartQueries::segmentCells(std::uint8_t label) {
+    if (!contents_.region.exists()) {
+        return {};
+    }
+    const glm::ivec3 dims = contents_.scan.volume.geometry.dims;
+    const glm::ivec3 cellDims = field::cellDims(dims);
+    const auto labels = contents_.region.growth()->labelMap();
+    std::vector<bool> isThere(std::size_t(cellDims.x) * std::size_t(cellDims.y) * std::size_t(cellDims.z));
+    const auto indexOf = [cellDims](glm::ivec3 cell) {
+        return (std::size_t(cell.z) * std::size_t(cellDims.y) + std::size_t(cell.y)) *
+                   std::size_t(cellDims.x) +
+               std::size_t(cell.x);
+    };
+    auto voxel = labels.begin();
+    for (int z = 0; z < dims.z; ++z) {
+        for (int y = 0; y < dims.y; ++y) {
+            for (int x = 0; x < dims.x; ++x, ++voxel) {
+                if (*voxel == label) {
+                    isThere[indexOf(glm::min(glm::ivec3(x, y, z) / field::kCell, cellDims - 1))] = true;
+                }
+            }
+        }
+    }
+    std::vector<glm::dvec3> cells;
+    for (std::size_t n = 0; n < isThere.size(); ++n) {
+        if (isThere[n]) {
+            cells.push_back(middleOf(n, cellDims));
+        }
+    }
+    return cells;
 }
 
 std::vector<glm::dvec3> PartQueries::cells(std::size_t part) {
@@ -110,9 +153,7 @@ std::vector<glm::dvec3> PartQueries::seenCells(const std::function<bool(std::siz
     std::vector<glm::dvec3> cells;
     for (std::size_t n = 0; n < values.size(); ++n) {
         if (values[n].y >= shown.lo && values[n].x <= shown.hi && isThere(n)) {
-            const int i = int(n);
-            const glm::ivec3 cell(i % cellDims.x, i / cellDims.x % cellDims.y, i / cellDims.x / cellDims.y);
-            cells.push_back(double(field::kCell) * glm::dvec3(cell) + 0.5 * (field::kCell - 1));
+            cells.push_back(middleOf(n, cellDims));
         }
     }
     return cells;
@@ -126,11 +167,11 @@ std::vector<glm::dvec3> PartQueries::pointsAroundAll() {
     }
     const auto& places = contents_.view.pasted;
     for (std::size_t part = 0; part < std::min(places.size(), count()); ++part) {
-        const glm::dmat4 worldFromVoxel =
-            render::worldFromPart(places[part], geometry) * geometry.worldFromVoxel;
-        for (const glm::dvec3 middle : cells(part)) {
-            const glm::ivec3 cell = glm::ivec3(middle) / field::kCell;
-            addCorners({cell, cell + 1}, geometry, worldFromVoxel, points);
+        addPlaced(cells(part), places[part], points);
+    }
+    for (const SegmentInfo& segment : contents_.segments.segments) {
+        if (segment.pulledOut && segment.isVisible) {
+            addPlaced(segmentCells(segment.label), *segment.pulledOut, points);
         }
     }
     if (points.empty()) {
@@ -138,6 +179,17 @@ std::vector<glm::dvec3> PartQueries::pointsAroundAll() {
                    points);
     }
     return points;
+}
+
+// The corners of cells that are drawn elsewhere.
+void PartQueries::addPlaced(const std::vector<glm::dvec3>& cells, const render::Placement& place,
+                            std::vector<glm::dvec3>& points) const {
+    const auto& geometry = contents_.scan.volume.geometry;
+    const glm::dmat4 worldFromVoxel = render::worldFromPart(place, geometry) * geometry.worldFromVoxel;
+    for (const glm::dvec3 middle : cells) {
+        const glm::ivec3 cell = glm::ivec3(middle) / field::kCell;
+        addCorners({cell, cell + 1}, geometry, worldFromVoxel, points);
+    }
 }
 
 // From the first to the last macrocell of each row in which the picture shows something of what remains.

@@ -2,10 +2,12 @@
 #pragma once
 
 #include "base/math.h"
+#include "render/camera/placement.h"
 
 #include <glm/glm.hpp>
 
 #include <cstddef>
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -29,9 +31,13 @@ public:
     // in which something of what remains can, as the view shows the sculpture.
     std::vector<glm::dvec3> cells(std::size_t part);
     std::vector<glm::dvec3> remainingCells();
+    // A box and macrocells likewise, around the voxels that are shown of a segment.
+    Box3 segmentBox(std::uint8_t label);
+    std::vector<glm::dvec3> segmentCells(std::uint8_t label);
     // Points of the world around all that the picture of the present view shows, in any mode: what remains,
-    // segments and pasted parts. Specks, as noise in the air leaves them, are not counted. Around the whole
-    // grid when nothing can be seen. Nothing seen lies outside of the points' convex hull.
+    // segments, also those that are pulled out, and pasted parts. Specks, as noise in the air leaves them,
+    // are not counted. Around the whole grid when nothing can be seen. Nothing seen lies outside of the
+    // points' convex hull.
     std::vector<glm::dvec3> pointsAroundAll();
     // What is drawn at a place of the view, x fastest in the box: the part where it is at least a half.
     std::vector<float> values(std::size_t place, const Box3& box);
@@ -39,6 +45,9 @@ public:
 private:
     std::vector<glm::dvec3> seenCells(const std::function<bool(std::size_t)>& isThere);
     std::vector<Box3> rowsSeen();
+    [[nodiscard]] Box3 boxAround(const std::vector<glm::dvec3>& cells) const;
+    void addPlaced(const std::vector<glm::dvec3>& cells, const render::Placement& place,
+                   std::vector<glm::dvec3>& points) const;
 
     const Contents& contents_;
     Display& display_;

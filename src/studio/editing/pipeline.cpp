@@ -88,6 +88,7 @@ field::Scene Pipeline::scene(const State& state, bool wantsSegments) {
         if (!segmentation_) {
             segmentation_.emplace(field_->geometry);
         }
+        segmentation_->keepApart(state.growth->hasOthers() && !pulledOut(state).empty());
         segmentation_->update(*state.growth, state.smoothing, looksOf(*state.segments), state.segmentsMs,
                               fence(state, state.view->sculptureView));
     }
@@ -99,6 +100,7 @@ field::Scene Pipeline::scene(const State& state, bool wantsSegments) {
     scene.sculpture = isSculpted ? &state.sculpture->texels() : nullptr;
     scene.isCutAlongSegments = state.isCutAlongSegments;
     scene.segmentation = hasSegmentation ? &segmentation_->texels() : nullptr;
+    scene.apart = hasSegmentation ? segmentation_->apart() : nullptr;
     if (hasSegmentation && state.growth->hasOthers()) {
         state.growth->syncLabels();
         scene.segmentLabels = &state.growth->seedMap().labels();
@@ -148,15 +150,20 @@ render::Frame Pipeline::frame(const State& state, glm::ivec2 size) {
                                view.mode == render::Mode::Volume;
     const bool tintsSegments =
         view.tintsSegments && (view.mode == render::Mode::Mip || view.mode == render::Mode::XRay);
+    const bool pullsOut = !pulledOut(state).empty();
     render::Frame frame;
-    frame.scene = scene(state, drawsSegments || tintsSegments);
+    const field::Scene withSegments = scene(state, drawsSegments || tintsSegments || pullsOut);
+    frame.scene = withSegments;
+    if (!drawsSegments && !tintsSegments) {
+        frame.scene.segmentation = nullptr;
+    }
     const bool hasSegmentation = frame.scene.segmentation != nullptr;
     const bool hasSurfaces = hasSegmentation && drawsSegments;
     const bool isSculpted = frame.scene.sculpture != nullptr;
     if (const field::SmoothedField* smoothed = smooth(view)) {
         frame.scene.smoothed = &smoothed->field;
     }
-    if (hasSegmentation) {
+    if (withSegments.segmentation != nullptr) {
         frame.segmentColours = segmentColours(state);
     }
     frame.rays = render::viewRays(view.camera, field_->geometry, size);
@@ -195,7 +202,41 @@ render::Frame Pipeline::frame(const State& state, glm::ivec2 size) {
         });
         frame.segmentCells = haveOthers ? nullptr : frame.segmentCells;
     }
+    if (pullsOut) {
+        addPulledOut(frame, withSegments, state);
+    }
     return frame;
+}
+
+std::vector<const SegmentInfo*> Pipeline::pulledOut(const State& state) {
+    std::vector<const SegmentInfo*> found;
+    if (state.growth != nullptr) {
+        for (const SegmentInfo& segment : state.segments->segments) {
+            if (segment.pulledOut && segment.isVisible) {
+                found.push_back(&segment);
+            }
+        }
+    }
+    return found;
+}
+
+// They need nothing that is not there already: the smooth segments and their cells are those of all of them.
+void Pipeline::addPulledOut(render::Frame& frame, const field::Scene& withSegments, const State& state) {
+    refreshSegmentCells();
+    const bool hasOthers = state.growth->hasOthers();
+    for (const SegmentInfo* segment : pulledOut(state)) {
+        if (state.growth->voxelCount(segment->label) == 0) {
+            continue;
+        }
+        render::PulledSegment pulled;
+        const auto& held = state.view->held;
+        pulled.place = held && held->label == segment->label ? held->place : *segment->pulledOut;
+        pulled.label = hasOthers ? segment->label : 1; // see segmentColours()
+        pulled.isTranslucent = segment->opacity < 1;
+        pulled.scene = withSegments;
+        pulled.macrocells = &segmentCells_.macrocells;
+        frame.pulled.push_back(pulled);
+    }
 }
 
 Pipeline::PartStages& Pipeline::stagesOf(const gl::Texture* texels) {

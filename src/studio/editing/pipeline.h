@@ -115,6 +115,9 @@ private:
     };
     PartStages& stagesOf(const gl::Texture* texels);
     void addParts(render::Frame& frame, Key key, const State& state);
+    // Segments that are drawn once more, elsewhere.
+    static std::vector<const SegmentInfo*> pulledOut(const State& state);
+    void addPulledOut(render::Frame& frame, const field::Scene& withSegments, const State& state);
 
     // Brings the macrocells of the segments alone up to date.
     void refreshSegmentCells();

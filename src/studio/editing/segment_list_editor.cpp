@@ -130,6 +130,32 @@ Outcome SegmentListEditor::run(ShowSegments& op) {
                     : say(VS_TEXT("library", "all segments are shown"))};
 }
 
+void SegmentListEditor::perform(const PullOut& op, Region::Records&) {
+    SegmentInfo* segment = contents_.segments.find(op.segment);
+    if (segment == nullptr) {
+        throw Error("there is no segment '{}' to pull out", op.segment);
+    }
+    segment->pulledOut = op.place;
+}
+
+Outcome SegmentListEditor::run(PullOut& op) {
+    changeSegments(contents_, *this, op);
+    return {{}, 0, 0, say("%1", nameInQuotes(op.segment))};
+}
+
+void SegmentListEditor::perform(const PutBack& op, Region::Records&) {
+    SegmentInfo* segment = contents_.segments.find(op.segment);
+    if (segment == nullptr || !segment->pulledOut) {
+        throw Error("the segment '{}' is not pulled out", op.segment);
+    }
+    segment->pulledOut.reset();
+}
+
+Outcome SegmentListEditor::run(PutBack& op) {
+    changeSegments(contents_, *this, op);
+    return {{}, 0, 0, say("%1", nameInQuotes(op.segment))};
+}
+
 // --- from a label map
 
 std::size_t SegmentListEditor::perform(const LoadLabels& op, Region::Records& records) {

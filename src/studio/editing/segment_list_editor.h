@@ -16,11 +16,15 @@ public:
     Outcome run(UseSegment& op);
     Outcome run(RemoveSegment& op);
     Outcome run(ShowSegments& op);
+    Outcome run(PullOut& op);
+    Outcome run(PutBack& op);
     Outcome run(LoadLabels& op);
 
     void perform(const UseSegment& op, Region::Records& records);
     void perform(const RemoveSegment& op, Region::Records& records);
     void perform(const ShowSegments& op, Region::Records& records);
+    void perform(const PullOut& op, Region::Records& records);
+    void perform(const PutBack& op, Region::Records& records);
     // Returns how many voxels the segments got.
     std::size_t perform(const LoadLabels& op, Region::Records& records);
 

@@ -55,6 +55,8 @@ std::vector<Phrase> ShowGeneration::details() const { return {{"%1", {std::to_st
 std::vector<Phrase> UseSegment::details() const { return {inQuotes(name.value_or(segment))}; }
 
 std::vector<Phrase> RemoveSegment::details() const { return {inQuotes(segment)}; }
+std::vector<Phrase> PullOut::details() const { return {inQuotes(segment)}; }
+std::vector<Phrase> PutBack::details() const { return {inQuotes(segment)}; }
 std::vector<Phrase> ShowSegments::details() const {
     return {only ? inQuotes(*only) : say(VS_TEXT("library", "all"))};
 }

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "render/camera/placement.h"
 #include "render/colours/segment_colours.h"
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -25,6 +27,8 @@ struct SegmentInfo {
     bool isLocked = false; // no tool changes it, nor cuts it
     Treatment treatment = Treatment::Take;
     bool isClaimed = false; // it took the first segment's place: labels that are loaded do not
+    // Where it is drawn once more, beside what it lies in; nothing: nowhere.
+    std::optional<render::Placement> pulledOut = {};
 
     [[nodiscard]] bool isSpared() const { return isLocked || treatment == Treatment::Spare; }
 

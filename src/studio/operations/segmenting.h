@@ -233,6 +233,39 @@ struct RemoveSegment {
     [[nodiscard]] std::vector<Phrase> details() const;
 };
 
+// Draws a segment once more, elsewhere, without cutting it out: it stays in its place too, and both follow
+// all that becomes of it. Said again it is moved there.
+struct PullOut {
+    static constexpr About kAbout{VS_TEXT("library", "pull out"), Effect::Segments,
+                                  "draws a segment once more, elsewhere, without cutting it out; said again "
+                                  "it is moved there. It stays "
+                                  "in its place too, and both follow all that becomes of it",
+                                  "paste"};
+
+    std::string segment;
+    render::Placement place;
+
+    template <typename = void>
+    static constexpr auto fields() {
+        return std::tuple{required("segment", &PullOut::segment, kSegmentName), spread(&PullOut::place)};
+    }
+    [[nodiscard]] std::vector<Phrase> details() const;
+};
+
+// Draws a segment that was pulled out in its own place alone.
+struct PutBack {
+    static constexpr About kAbout{VS_TEXT("library", "put back"), Effect::Segments,
+                                  "a segment that was pulled out is drawn in its own place alone", "move"};
+
+    std::string segment;
+
+    template <typename = void>
+    static constexpr auto fields() {
+        return std::tuple{required("segment", &PutBack::segment, kSegmentName)};
+    }
+    [[nodiscard]] std::vector<Phrase> details() const;
+};
+
 // One edit of a finished segment: of the one at work. Afterwards only new seeds grow.
 struct EditSegment {
     static constexpr About kAbout{VS_TEXT("library", "edit segment"), Effect::Segments,
@@ -362,6 +395,7 @@ struct ReSeed {
 
 using SegmentingOperations =
     std::variant<Seed, Grow, Rewind, ShowGeneration, SetGrowthRules, Absorb, UseSegment, LoadLabels,
-                 RemoveSegment, ShowSegments, EditSegment, BrushSegment, PaintSegment, CutSegment, ReSeed>;
+                 RemoveSegment, ShowSegments, PullOut, PutBack, EditSegment, BrushSegment, PaintSegment,
+                 CutSegment, ReSeed>;
 
 } // namespace vs::studio

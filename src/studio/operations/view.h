@@ -8,10 +8,19 @@
 #include "render/rays/ray_caster.h"
 #include "studio/operations/description.h"
 
+#include <cstdint>
 #include <optional>
 #include <vector>
 
 namespace vs::studio {
+
+// A segment that is pulled out, while it is moved: it is seen there, and not where the list of segments says.
+struct HeldSegment {
+    std::uint8_t label = 0;
+    render::Placement place;
+
+    bool operator==(const HeldSegment&) const = default;
+};
 
 // How the document is looked at. Not an edit, but edits are drawn on a view, so sessions keep it.
 struct View {
@@ -34,8 +43,9 @@ struct View {
     bool tintsSegments = false; // in MIP and X-ray: what is in a visible segment has its colour
     // The values that slices show from black to white; nothing: those that suit the scan.
     std::optional<Range> sliceWindow = {};
-    bool tintsSlices = false; // slices show in colour what the 3D picture shows
-    bool isInverted = false;  // MIP and X-ray are dark on light; colours stay what they are
+    bool tintsSlices = false;             // slices show in colour what the 3D picture shows
+    bool isInverted = false;              // MIP and X-ray are dark on light; colours stay what they are
+    std::optional<HeldSegment> held = {}; // in the hand at the moment; not in files
 
     // Values above the displayed range are visible too: in MIP, X-ray and overlay, unless they are hidden.
     [[nodiscard]] bool showsAbove() const;

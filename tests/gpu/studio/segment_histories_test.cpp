@@ -71,6 +71,8 @@ Operation drawOperation(const std::filesystem::path& labels) {
     case 10:
         return below(3) == 0   ? Operation(RemoveSegment{who})
                : below(4) == 0 ? Operation(below(2) == 0 ? ShowSegments{} : ShowSegments{who})
+               : below(4) == 0 ? (below(3) == 0 ? Operation(PutBack{who})
+                                                : Operation(PullOut{who, {{10.0 * below(9), 0, 0}}}))
                                : Operation(somePeel(1 + below(4)));
     case 11: {
         EditSegment edit = editOf(EditSegment::Kind(below(13)), 0.5 + below(3), who);

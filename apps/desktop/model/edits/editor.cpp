@@ -33,10 +33,14 @@ bool Editor::change(const std::function<studio::Outcome()>& edit) {
     }
     interrupt(); // what has grown so far is an operation of its own
     view_.flush();
+    const volume::GridGeometry before = host_.facts()->geometry;
     const bool done = perform(edit);
     view_.adopt();
     host_.wake();
     emit host_.changed();
+    if (done && !(host_.facts()->geometry == before)) {
+        emit voxelsMoved();
+    }
     return done;
 }
 
@@ -106,6 +110,57 @@ bool Editor::cut(const studio::Operation& stroke) {
     return apply(brush);
 }
 
+FreeRoom Editor::roomBesideAll() {
+    auto& parts = host_.document()->parts();
+    const studio::View& view = view_.shown();
+    FreeRoom room(view.camera, *host_.geometry(), view_.viewport());
+    room.take(parts.remainingCells());
+    for (std::size_t part = 0; part < view.pasted.size(); ++part) {
+        room.take(parts.cells(part), view.pasted[part]);
+    }
+    for (const studio::SegmentInfo& segment : host_.document()->segments().segments) {
+        if (segment.pulledOut && segment.isVisible) {
+            room.take(parts.segmentCells(segment.label), *segment.pulledOut);
+        }
+    }
+    return room;
+}
+
+bool Editor::pullOut(const std::string& segment) {
+    if (host_.geometry() == nullptr || host_.isLoading()) {
+        return false;
+    }
+    const auto facts = host_.facts();
+    const studio::SegmentInfo* info = facts->segments.find(segment);
+    if (info != nullptr && info->pulledOut) {
+        return apply(studio::PutBack{segment});
+    }
+    if (info == nullptr || facts->voxels[info->label] == 0) {
+        host_.say(tr("Nothing to pull out: the segment is empty"));
+        return false;
+    }
+    render::Placement place;
+    render::Camera camera;
+    view_.flush();
+    const bool isPlaced = host_.workLong([&] {
+        FreeRoom room = roomBesideAll();
+        const auto cells = host_.document()->parts().segmentCells(info->label);
+        if (!cells.empty()) {
+            place = room.find(cells);
+            room.take(cells, place);
+        }
+        camera = room.cameraOnAll();
+    });
+    if (!isPlaced || !apply(studio::PullOut{segment, place})) {
+        return false;
+    }
+    auto view = view_.shown();
+    view.camera = camera;
+    view_.showView(view);
+    emit pulledOut(segment);
+    return true;
+}
+
 bool Editor::paste() {
     if (host_.geometry() == nullptr || host_.isLoading()) {
         return false;
@@ -116,12 +171,7 @@ bool Editor::paste() {
     view_.flush();
     const bool isPlaced = host_.workLong([&] {
         auto& document = *host_.document();
-        const studio::View& view = view_.shown();
-        FreeRoom room(view.camera, *host_.geometry(), view_.viewport());
-        room.take(document.parts().remainingCells());
-        for (std::size_t part = 0; part < view.pasted.size(); ++part) {
-            room.take(document.parts().cells(part), view.pasted[part]);
-        }
+        FreeRoom room = roomBesideAll();
         const auto part = document.parts().cells(document.parts().count());
         isSomething = !part.empty();
         if (isSomething) {

@@ -7,10 +7,12 @@
 
 #include <filesystem>
 #include <functional>
+#include <string>
 
 namespace vs::desktop {
 
 class DocumentHost;
+class FreeRoom;
 class Hand;
 class ViewModel;
 
@@ -42,14 +44,20 @@ public:
     // Pastes what was cut since the last paste where there is room beside the object and the parts pasted
     // before. The view steps back if it would not be seen.
     bool paste();
+    // Pulls a segment out to where there is room, likewise; one that is out already goes back.
+    bool pullOut(const std::string& segment);
 
 signals:
     void interrupting();
-    void done(double milliseconds); // a step of the history, which took so long
-    void pasted();                  // a part that is to be moved now
+    void done(double milliseconds);             // a step of the history, which took so long
+    void voxelsMoved();                         // an edit corrected where they lie, or took that back
+    void pasted();                              // a part that is to be moved now
+    void pulledOut(const std::string& segment); // a segment that is to be moved now
 
 private:
     void report(const studio::Outcome& outcome);
+    // What a person can see at present: what remains, pasted parts and segments that are pulled out.
+    [[nodiscard]] FreeRoom roomBesideAll();
 
     DocumentHost& host_;
     ViewModel& view_;

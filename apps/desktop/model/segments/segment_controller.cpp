@@ -123,6 +123,10 @@ void SegmentController::showAll() {
     growth_.whilePaused([&] { editor_.apply(studio::ShowSegments{}); });
 }
 
+void SegmentController::pullOut(const std::string& name) {
+    growth_.whilePaused([&] { editor_.pullOut(name); });
+}
+
 void SegmentController::setLocked(const std::string& name, bool isLocked) {
     studio::UseSegment change{name};
     change.isLocked = isLocked;

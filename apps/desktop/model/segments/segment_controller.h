@@ -50,6 +50,8 @@ public:
     void showOnly(const std::string& name);
     void showAll();
     void setLocked(const std::string& name, bool isLocked);
+    // Draws it once more beside the object; no more, if that is done already.
+    void pullOut(const std::string& name);
     // What tools that cut do with it.
     void setTreatment(const std::string& name, studio::SegmentInfo::Treatment treatment);
     // How opaque the segment at work is; `continues`: takes the place of the change before (a slider that is

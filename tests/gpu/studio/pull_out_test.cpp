@@ -1,0 +1,276 @@
+// SPDX-License-Identifier: Apache-2.0
+// A segment that is pulled out looks as it would alone under a moved camera, follows all that becomes of it
+// in the next picture, and takes no memory of its own.
+#include "gpu/gl_test.h"
+#include "gpu/studio/test_segments.h"
+#include "image/compare.h"
+#include "render/rays/ray_caster.h"
+#include "segment/membership/segmentation.h"
+
+#include <cmath>
+
+namespace vs::studio {
+namespace {
+
+using PullOutTest = test::GlTest;
+
+constexpr glm::ivec2 kPicture{260, 200};
+constexpr int kDims = 56;
+const glm::dvec3 kCentre(0.5 * (kDims - 1));
+
+// Three segments: a ball, the shell around it, and a slab that touches both.
+constexpr std::array<const char*, 3> kNames{"ball", "shell", "slab"};
+int partAt(glm::dvec3 p) {
+    const double r = glm::length(p - kCentre);
+    const bool isSlab = p.x - kCentre.x + 0.4 * (p.y - kCentre.y) > 7.3;
+    return r < 19.6 && isSlab ? 3 : r < 11.4 ? 1 : r < 19.6 ? 2 : 0;
+}
+
+volume::Volume scan() {
+    return phantom::makePhantom(glm::ivec3(kDims), volume::ScalarType::UInt8, [](glm::dvec3 p) {
+        return partAt(p) == 0 ? 0.0 : 60.0 + 40 * partAt(p) + p.z;
+    });
+}
+
+std::shared_ptr<const volume::LabelMap> labels(const volume::Volume& volume) {
+    auto map = std::make_shared<volume::LabelMap>();
+    map->geometry = volume.geometry;
+    map->values = {0, 1, 2, 3};
+    for (int z = 0; z < kDims; ++z) {
+        for (int y = 0; y < kDims; ++y) {
+            for (int x = 0; x < kDims; ++x) {
+                map->labels.push_back(std::uint8_t(partAt(glm::dvec3(x, y, z))));
+            }
+        }
+    }
+    for (int n = 0; n < 3; ++n) {
+        map->looks[n + 1] = {kNames[std::size_t(n)], {}};
+    }
+    return map;
+}
+
+View lookAt(render::Mode mode) {
+    View view;
+    view.mode = mode;
+    view.range = {30, 255};
+    view.camera = {30, 20, 1.1, {}, render::Projection::Perspective};
+    return view;
+}
+
+render::Placement aside() {
+    render::Placement place;
+    place.moveMm = {9, -6, 4};
+    place.turnDegrees = {20, -35, 50};
+    place.scale = 1.2;
+    return place;
+}
+
+struct Parts {
+    Document document{scan()};
+
+    explicit Parts(render::Mode mode = render::Mode::Segment) {
+        LoadLabels load;
+        load.path = "labels.nrrd";
+        load.map = labels(document.volume());
+        document.apply(load);
+        document.showView(lookAt(mode));
+    }
+    void look(const std::string& name, double opacity) {
+        UseSegment use{name};
+        use.opacity = opacity;
+        use.goesToWork = false;
+        document.apply(use);
+    }
+    static image::Image cast(const render::Frame& frame) {
+        render::RayCaster caster;
+        caster.render(frame);
+        return caster.readPicture();
+    }
+    // The whole picture.
+    image::Image picture() { return cast(document.frame(kPicture)); }
+    // What is pulled out, without what remains in its place.
+    image::Image pulledOut() {
+        render::Frame frame = document.frame(kPicture);
+        frame.scene.sculpture = nullptr;
+        frame.scene.view = field::SculptureView::Probe; // of nothing
+        return cast(frame);
+    }
+    // The segment alone in its place, as a camera sees it that moves as if the segment had.
+    image::Image alone(const std::string& name, const render::Placement& place) {
+        document.apply(ShowSegments{name});
+        View view = document.view();
+        const bool isData = view.mode == render::Mode::Mip || view.mode == render::Mode::XRay;
+        view.range = isData ? view.range : Range{300, 301}; // of the data nothing
+        view.mode = view.mode == render::Mode::Surface ? render::Mode::Segment : view.mode;
+        document.showView(view);
+        document.apply(PutBack{name});
+        render::Frame frame = document.frame(kPicture);
+        frame.rays = render::seenFromPart(frame.rays, place, document.volume().geometry);
+        return cast(frame);
+    }
+};
+
+// Where one other touches it, both round to 8 bits what they have, each in its own way. Where three meet, two
+// segments and what is no segment's, or three segments, what each has of a voxel is estimated: pixels of that
+// line are shaded otherwise.
+constexpr double kRounding = 0.05; // of 255, on average
+constexpr double kWhereThreeMeet = 0.25;
+void expectAlike(const image::Image& a, const image::Image& b, double most, const std::string& what) {
+    const auto difference = image::compare(a, b);
+    fmt::print("{}: mean {:.4f}, of {:.4f} %\n", what, difference.mean, 100 * difference.changedFraction);
+    EXPECT_LT(difference.mean, most) << what;
+    EXPECT_LT(difference.changedFraction, most / 20) << what;
+}
+
+double coveredBy(const image::Image& seen) {
+    Document nothing(
+        phantom::makePhantom(glm::ivec3(8), volume::ScalarType::UInt8, [](glm::dvec3) { return 0.0; }));
+    nothing.showView(lookAt(render::Mode::Segment));
+    return image::compare(seen, Parts::cast(nothing.frame(kPicture))).changedFraction;
+}
+
+TEST_F(PullOutTest, LooksAsTheSegmentDoesAloneUnderTheMovedCamera) {
+    for (const auto mode :
+         {render::Mode::Segment, render::Mode::Overlay, render::Mode::Surface, render::Mode::Volume}) {
+        for (const std::string name : kNames) {
+            for (const double opacity : {1.0, 0.4}) {
+                if (mode == render::Mode::Surface && opacity < 1) {
+                    continue; // has no glass
+                }
+                Parts parts(mode);
+                parts.look(name, opacity);
+                parts.document.apply(PullOut{name, aside()});
+                const auto seen = parts.pulledOut();
+                EXPECT_GT(coveredBy(seen), 0.05);
+                expectAlike(seen, parts.alone(name, aside()), name == "slab" ? kWhereThreeMeet : kRounding,
+                            fmt::format("mode {} {} {}", int(mode), name, opacity));
+            }
+        }
+    }
+}
+
+// With no other segment there is nothing to take apart.
+TEST_F(PullOutTest, IsTheSameToTheByteWhereNoOtherTouchesIt) {
+    for (const auto mode : {render::Mode::Segment, render::Mode::Overlay}) {
+        Parts parts(mode);
+        parts.document.apply(RemoveSegment{"shell"});
+        parts.document.apply(RemoveSegment{"slab"});
+        parts.document.apply(PullOut{"ball", aside()});
+        const auto seen = parts.pulledOut();
+        EXPECT_EQ(seen.rgba, parts.alone("ball", aside()).rgba);
+    }
+}
+
+// In MIP and X-ray it is the data in the segment: what would be left if all else had been cut away.
+TEST_F(PullOutTest, IsTheDataInItWhereRaysGoThrough) {
+    render::Placement place = aside();
+    place.scale = 1; // or rays would go through more of it than a camera sees them do
+    for (const auto mode : {render::Mode::Mip, render::Mode::XRay}) {
+        Parts parts(mode);
+        parts.document.apply(PullOut{"shell", place});
+        const auto seen = parts.pulledOut();
+        EXPECT_GT(coveredBy(seen), 0.05);
+        parts.document.apply(UseSegment{"shell"});
+        parts.document.apply(CutSegment{true, 0});
+        expectAlike(seen, parts.alone("shell", place), kWhereThreeMeet, fmt::format("mode {}", int(mode)));
+    }
+}
+
+TEST_F(PullOutTest, FollowsAllThatBecomesOfTheSegmentInTheNextPicture) {
+    Parts parts;
+    Document& document = parts.document;
+    document.apply(UseSegment{"grown"});
+    Seed seed;
+    seed.voxels = {{kDims / 2, kDims / 2, 2}};
+    seed.range = Range{0, 10}; // the air around the parts, which it touches
+    document.apply(seed);
+    document.apply(PullOut{"grown", aside()});
+    Clip clip;
+    clip.planes = {{kCentre, {0, 0.3, 1}}};
+    UseSegment repaint{"grown"};
+    repaint.colour = glm::dvec3(0.2, 0.9, 0.4);
+    const std::vector<Operation> steps{Grow{9},
+                                       Rewind{4},
+                                       ShowGeneration{3},
+                                       Grow{14},
+                                       Undo{},
+                                       Redo{},
+                                       repaint,
+                                       clip,
+                                       test::editOf(EditSegment::Kind::Unite, 0, "slab"),
+                                       Undo{},
+                                       UnCut{},
+                                       test::editOf(EditSegment::Kind::Subtract, 3, "shell"),
+                                       PullOut{"grown", render::Placement{{-12, 3, 0}, {0, 0, 30}, 0.8}}};
+    for (const Operation& step : steps) {
+        document.apply(step);
+        const auto seen = parts.pulledOut();
+        Parts fresh;
+        for (std::size_t n = 1; n < document.log().size(); ++n) {
+            fresh.document.apply(document.log()[n]);
+        }
+        const auto place = *document.segments().find("grown")->pulledOut;
+        expectAlike(seen, fresh.alone("grown", place), kWhereThreeMeet, about(step).name);
+    }
+}
+
+// A voxel that goes from one segment to another leaves all of them together as they were.
+TEST_F(PullOutTest, LosesWhatAnotherSegmentTakes) {
+    Parts parts;
+    parts.document.apply(PullOut{"shell", aside()});
+    const auto before = parts.pulledOut();
+    parts.document.apply(UseSegment{"ball"});
+    parts.document.apply(test::editOf(EditSegment::Kind::Unite, 0, "shell"));
+    EXPECT_EQ(coveredBy(parts.pulledOut()), 0) << "it is empty now";
+    parts.document.apply(Undo{});
+    EXPECT_EQ(parts.pulledOut().rgba, before.rgba);
+}
+
+TEST_F(PullOutTest, StaysInItsPlaceTooAndGoesBack) {
+    Parts parts;
+    const auto without = parts.picture();
+    render::Placement far;
+    far.moveMm = {500, 0, 0}; // out of the picture
+    parts.document.apply(PullOut{"shell", far});
+    EXPECT_EQ(parts.picture().rgba, without.rgba);
+    parts.document.apply(PullOut{"shell", aside()});
+    const auto with = parts.picture();
+    EXPECT_NE(with.rgba, without.rgba);
+    parts.document.apply(PutBack{"shell"});
+    EXPECT_EQ(parts.picture().rgba, without.rgba);
+    parts.document.apply(Undo{});
+    EXPECT_EQ(parts.picture().rgba, with.rgba);
+    UseSegment hide{"shell"};
+    hide.isVisible = false;
+    parts.document.apply(hide);
+    EXPECT_EQ(coveredBy(parts.pulledOut()), 0) << "hidden in both places";
+}
+
+TEST_F(PullOutTest, RefusesWhatIsNotThere) {
+    Parts parts;
+    const auto before = test::stateOf(parts.document);
+    EXPECT_THROW(parts.document.apply(PullOut{"liver", {}}), Error);
+    EXPECT_THROW(parts.document.apply(PutBack{"liver"}), Error);
+    EXPECT_THROW(parts.document.apply(PutBack{"ball"}), Error);
+    EXPECT_TRUE(test::stateOf(parts.document) == before);
+}
+
+// While segments touch, one byte and one bit a voxel are kept, for all of them and however many are out; for
+// a segment that is alone nothing is.
+TEST_F(PullOutTest, TakesNoMemoryOfItsOwn) {
+    Parts parts;
+    const segment::Growth& growth = *parts.document.region().growth();
+    const auto bytesOf = [&](bool isApart) {
+        segment::Segmentation segmentation(parts.document.volume().geometry);
+        segmentation.keepApart(isApart);
+        segmentation.update(growth);
+        return double(segmentation.deviceBytes());
+    };
+    const double voxels = double(kDims) * kDims * kDims;
+    const double bricks = 9 * 4096; // of a bit a voxel, in whole bricks, with one of zeros
+    const double lists = 100e3;     // of tiles
+    EXPECT_LT(bytesOf(true) - bytesOf(false), voxels + bricks + lists);
+}
+
+} // namespace
+} // namespace vs::studio

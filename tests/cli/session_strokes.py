@@ -4,6 +4,7 @@
 import gzip
 import json
 import pathlib
+import struct
 import subprocess
 import sys
 import tempfile
@@ -54,6 +55,29 @@ class Sessions(unittest.TestCase):
 
     def seeded(self, shape, points, **more):
         return self.run_session({"op": "seed", "strokes": [{"shape": shape, "points": points}], **more})[0]
+
+    def test_the_last_view_can_be_had_without_asking_for_it_in_the_session(self):
+        session = self.folder / "session.json"
+        session.write_text(json.dumps({"volumeStudioSession": 1, "volume": {"path": "ball.nrrd"},
+                                       "operations": [{"op": "view", "range": [50, 255], "mode": "mip"}]}))
+
+        def run(*more):
+            return subprocess.run([VSTUDIO, "run", session, "-o", self.folder / "out", *more], capture_output=True, text=True,
+                                  timeout=300)
+
+        plain = run()
+        self.assertEqual(plain.returncode, 0, plain.stderr)
+        self.assertIn("the session asks for no picture", plain.stdout)
+        self.assertEqual([path.name for path in (self.folder / "out").iterdir()], ["report.json"])
+        seen = run("--picture", "last.png", "--size", "64x48")
+        self.assertEqual(seen.returncode, 0, seen.stderr)
+        self.assertNotIn("no picture", seen.stdout)
+        picture = (self.folder / "out" / "last.png").read_bytes()
+        self.assertEqual(struct.unpack(">II", picture[16:24]), (64, 48))
+        for name in ("last.jpg", "../last.png"):
+            refused = run("--picture", name)
+            self.assertEqual(refused.returncode, 2, refused.stderr)
+            self.assertIn(name, refused.stderr)
 
     # The ball's middle is at pixel 615, 435 of the usual viewport.
     LINE = [[520, 400], [700, 460]]

@@ -14,6 +14,12 @@ test = Steps()
 MISSING = (10, 30, 31)
 
 
+def are_close(camera, other):
+    """From where it is looked at, but for what fitting rounds."""
+    values = [[c["azimuth"], c["elevation"], c["roll"], 100 * c["zoom"], *c["pan"]] for c in (camera, other)]
+    return all(abs(a - b) < 0.1 for a, b in zip(*values))
+
+
 @test.step
 def studio(display, arguments, folder):
     write_series(folder / "ct", "CT", lambda r, chance: 1060 if r < 18 else 0, missing=MISSING, RescaleIntercept=-1024, RescaleSlope=1,
@@ -83,9 +89,12 @@ def marked(studio):
 
 @test.step(after=[marked])
 def corrected(studio):
-    """Half a turn of the axial slice, and a spacing; Undo and Redo know it, and cuts stay in their voxels."""
+    """Half a turn of the axial slice, and a spacing; Undo and Redo know it, and cuts stay in their voxels. All of it is in the picture
+    before and after."""
     cut = studio.state()["stepsDone"]
     studio.focus()
+    studio.key("Home")
+    before = studio.wait_idle("all in the picture", lambda s: s["pictureComplete"])["camera"]
     studio.key("ctrl+i")
     studio.wait("the properties", lambda s: "applyGeometry" in s["widgets"])
     studio.click("axialFlipAcross")
@@ -104,9 +113,9 @@ def corrected(studio):
     studio.wait("the dialog to go", lambda s: "propertiesDialog" not in s["windows"])
     studio.focus()
     studio.key("ctrl+z")
-    studio.wait_idle("the correction undone", lambda s: s["stepsDone"] == cut)
+    studio.wait_idle("the correction undone, and all in the picture again", lambda s: s["stepsDone"] == cut and are_close(s["camera"], before))
     studio.key("ctrl+shift+z")
-    studio.wait_idle("the correction redone", lambda s: s["stepsDone"] == cut + 1 and s["pictureComplete"])
+    studio.wait_idle("the correction redone", lambda s: s["stepsDone"] == cut + 1 and are_close(s["camera"], state["camera"]) and s["pictureComplete"])
 
 
 @test.step(after=[corrected])

@@ -127,6 +127,10 @@ def drill(studio):
 def session(studio, folder):
     """Saves a picture, the session and the labels, and ends. Returns the session's path and the picture's size."""
     studio.key("F12")
+    studio.type_path("screenshotDialog", folder / "window.jpg")
+    studio.wait_idle("a refusal", lambda s: s["message"].startswith("Pictures are written as PNG"))
+    need(not list(folder.glob("window*")), "a picture of another kind was written")
+    studio.key("F12")
     studio.type_path("screenshotDialog", folder / "window.png")
     studio.wait_idle("the picture", lambda s: s["message"].startswith("Saved picture"))
     studio.key("ctrl+s")

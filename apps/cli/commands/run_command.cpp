@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "arguments/parse.h"
 #include "arguments/volume_argument.h"
 #include "commands/commands.h"
 #include "commands/replay.h"
@@ -14,6 +15,8 @@
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
 
+#include <algorithm>
+#include <filesystem>
 #include <memory>
 
 namespace vs::cli {
@@ -23,6 +26,8 @@ namespace {
 struct RunOptions {
     std::string session;
     std::string output;
+    std::string picture;   // of the last view; empty: none
+    std::string size;      // of that
     VolumeArgument volume; // instead of the session's own, as far as given
 };
 
@@ -113,8 +118,23 @@ void replay(const studio::Session& session, const RunOptions& options, const gl:
     }
 }
 
+studio::SavePicture lastPicture(const RunOptions& options) {
+    checkPictureName(options.picture);
+    if (std::filesystem::path(options.picture).has_parent_path()) {
+        throw UsageError("{}: --picture is a name in the output folder; give one without folders",
+                         options.picture);
+    }
+    studio::SavePicture picture;
+    picture.file = options.picture;
+    picture.size = options.size.empty() ? picture.size : parseSize(options.size);
+    return picture;
+}
+
 void runSession(const RunOptions& options) {
-    const studio::Session session = studio::loadSession(options.session);
+    studio::Session session = studio::loadSession(options.session);
+    if (!options.picture.empty()) {
+        session.operations.emplace_back(lastPicture(options));
+    }
     const std::filesystem::path folder = options.output;
     std::vector<std::string> notices;
     const Timer loading;
@@ -140,6 +160,9 @@ void runSession(const RunOptions& options) {
     report.complete(document.history().statistics());
     fmt::print("{}: {} operations on {}; results in {}\n", options.session, session.operations.size(),
                volumeName, folder.string());
+    if (std::none_of(session.operations.begin(), session.operations.end(), studio::isOutput)) {
+        fmt::print("the session asks for no picture; --picture last.png writes one of its last view\n");
+    }
 }
 
 } // namespace
@@ -150,6 +173,9 @@ void addRunCommand(CLI::App& app) {
     command->add_option("session", options->session, "Session file (JSON, see doc/session.md)")->required();
     command->add_option("-o,--output", options->output, "Folder for pictures, label maps and report.json")
         ->required();
+    command->add_option("--picture", options->picture,
+                        "Write the last view too, as PNG, by this name in that folder");
+    command->add_option("--size", options->size, "Size of that picture, WxH; 1230x870 without");
     command->add_option("--volume", options->volume.path, "Use this volume instead of the session's own");
     addReadOptions(*command, options->volume);
     command->callback([options] { runSession(*options); });

@@ -159,10 +159,7 @@ void GeometryCard::takeSpacing() {
 }
 
 void GeometryCard::apply() {
-    const bool wasFitted = studio_.camera().isFitted();
-    if (studio_.editor().apply(draft_.correction()) && wasFitted) {
-        studio_.camera().fit();
-    }
+    studio_.editor().apply(draft_.correction());
     refresh();
 }
 

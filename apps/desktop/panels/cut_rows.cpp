@@ -87,10 +87,10 @@ void addLimits(QFormLayout* form, StudioTool& tool, StudioController& studio, co
     const QByteArray only = (prefix + "TakesOnly").toLatin1();
     // In the order of the treatments.
     auto* choice = new ChoiceRow(
-        {{all.constData(), CutTool::tr("All"), CutTool::tr("Takes the segment at work like all else")},
-         {spare.constData(), CutTool::tr("Not segment"),
+        {{all.constData(), CutTool::tr("Take"), CutTool::tr("Takes the segment at work like all else")},
+         {spare.constData(), CutTool::tr("Spare"),
           CutTool::tr("Spares the segment at work: cuts end at its surface")},
-         {only.constData(), CutTool::tr("Only segment"),
+         {only.constData(), CutTool::tr("Only"),
           CutTool::tr("Takes nothing but the segment at work: cuts end at its surface")}},
         0);
     auto* said = makeQuietLabel({});
@@ -98,7 +98,7 @@ void addLimits(QFormLayout* form, StudioTool& tool, StudioController& studio, co
     QObject::connect(choice, &ChoiceRow::chosen, &studio, [&studio](int n) {
         studio.segments().setTreatment(studio.segments().list().working().name, Treatment(n));
     });
-    auto* label = new QLabel(CutTool::tr("Takes"));
+    auto* label = new QLabel(CutTool::tr("Segment"));
     const auto show = [choice, said, label, &tool, &studio] {
         const auto* cuts = qobject_cast<const CutTool*>(&tool);
         const bool isUseful = studio.segments().hasVoxels() && (cuts == nullptr || !cuts->actsOnSegment());

@@ -2,6 +2,7 @@
 #include "panels/segment_model.h"
 
 #include "model/segments/segment_controller.h"
+#include "model/texts/quantities.h"
 #include "parts/icons.h"
 #include "parts/theme.h"
 
@@ -64,10 +65,7 @@ const char* lockIcon(const studio::SegmentInfo& info) {
                                                    : "unlock";
 }
 
-QString amount(double millilitres) {
-    return millilitres <= 0 ? QString("\u2013")
-                            : QString::number(millilitres, 'f', millilitres < 10 ? 2 : 1) + " ml";
-}
+QString amount(double millilitres) { return millilitres <= 0 ? QString("\u2013") : volumeText(millilitres); }
 
 } // namespace
 

@@ -4,6 +4,7 @@
 #include "model/segments/segment_controller.h"
 #include "model/segments/segment_measurer.h"
 #include "model/studio/studio_controller.h"
+#include "model/texts/quantities.h"
 #include "parts/fold_card.h"
 #include "parts/panel_parts.h"
 
@@ -65,7 +66,9 @@ void SegmentNumbersPanel::refreshLive() {
         const auto& segments = studio_.segments();
         const std::uint8_t label = segments.list().atWork;
         voxels_->setText(grouped(segments.voxels(label)));
-        millilitres_->setText(tr("%1 ml").arg(segments.millilitres(label), 0, 'f', 3));
+        const double millilitres = segments.millilitres(label);
+        millilitres_->setText(millilitres >= 1 ? tr("%1 ml").arg(millilitres, 0, 'f', 3)
+                                               : volumeText(millilitres));
     }
 }
 

@@ -2,7 +2,7 @@
 #include "tools/measure_tool.h"
 
 #include "model/studio/studio_controller.h"
-#include "model/texts/texts.h"
+#include "model/texts/quantities.h"
 #include "studio/document/surface_queries.h"
 #include "tools/camera_tool.h"
 
@@ -36,7 +36,7 @@ QString labelOf(const Measurement& measurement) {
     if (measurement.isAngle()) {
         return QString("%1°").arg(value, 0, 'f', 1);
     }
-    return tr("%1 mm").arg(value, 0, 'f', value < 9.995 ? 2 : 1);
+    return lengthText(value);
 }
 
 MeasureTool::MeasureTool(StudioController& studio, CameraTool& camera) : StudioTool(studio), camera_(camera) {

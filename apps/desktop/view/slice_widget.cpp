@@ -3,6 +3,7 @@
 
 #include "model/slices/slice_controller.h"
 #include "model/studio/studio_controller.h"
+#include "model/texts/quantities.h"
 #include "model/texts/texts.h"
 #include "parts/panel_parts.h"
 
@@ -64,7 +65,7 @@ private:
 } // namespace
 
 SliceWidget::SliceWidget(StudioController& studio, ToolBox& tools, render::SliceKind kind, QWidget* parent)
-    : QWidget(parent), slices_(studio.slices()), kind_(kind),
+    : QWidget(parent), studio_(studio), slices_(studio.slices()), kind_(kind),
       canvas_(named(new SliceCanvas(studio, tools, kind), partName(kind, "Slice").constData(),
                     tr("%1 slice").arg(title(kind)))) {
     auto* column = new QVBoxLayout(this);
@@ -123,9 +124,9 @@ void SliceWidget::refresh() {
     // The patient's direction instead of a sign, as for values under the pen.
     const double mm = slice.positionMm(index);
     const auto letters = render::directionLetters(mm < 0 ? -slice.normal() : slice.normal());
-    place_->setText(tr("%1 %2 mm   %3 / %4")
-                        .arg(QString::fromStdString(letters))
-                        .arg(std::abs(mm), 0, 'f', 1)
+    const double stepMm = studio_.host().geometry()->stepMm();
+    place_->setText(QString("%1 %2 %3   %4 / %5")
+                        .arg(QString::fromStdString(letters), placeText(mm, stepMm), placeUnit(stepMm))
                         .arg(index + 1)
                         .arg(slice.count()));
 }

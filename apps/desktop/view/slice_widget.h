@@ -32,6 +32,7 @@ private:
     QWidget* makeHeader();
     void refresh();
 
+    StudioController& studio_;
     SliceController& slices_;
     render::SliceKind kind_;
     SliceCanvas* canvas_;

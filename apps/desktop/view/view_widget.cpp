@@ -90,7 +90,8 @@ void ViewWidget::paintEvent(QPaintEvent*) {
 // Nothing for what is behind the viewer.
 std::optional<QPointF> ViewWidget::seenAt(glm::dvec3 world) const {
     const auto rays = studio_.view().rays();
-    const bool isBehind = !rays.isOrthographic && glm::dot(world - rays.eye, rays.forward) < 1;
+    const double nearest = studio_.host().geometry()->stepMm();
+    const bool isBehind = !rays.isOrthographic && glm::dot(world - rays.eye, rays.forward) < nearest;
     return isBehind ? std::nullopt : std::optional(studio_.view().seenAt(world));
 }
 

@@ -9,6 +9,7 @@
 #include "model/segments/growth_controller.h"
 #include "model/segments/segment_controller.h"
 #include "model/studio/studio_controller.h"
+#include "model/texts/quantities.h"
 #include "panels/growth_panel.h"
 #include "panels/growth_rules_panel.h"
 #include "panels/histogram_panel.h"
@@ -49,11 +50,12 @@ constexpr int kProbeMs =
 constexpr int kRateMs = 250;
 
 // "L 12.3  P 4.5  S 30.2 mm": the patient's directions instead of signs.
-QString patientPlace(glm::dvec3 lps) {
-    const auto part = [](double value, const char* positive, const char* negative) {
-        return QString("%1 %2").arg(value < 0 ? negative : positive).arg(std::abs(value), 0, 'f', 1);
+QString patientPlace(glm::dvec3 lps, double stepMm) {
+    const auto part = [stepMm](double value, const char* positive, const char* negative) {
+        return QString("%1 %2").arg(value < 0 ? negative : positive).arg(placeText(value, stepMm));
     };
-    return part(lps.x, "L", "R") + "  " + part(lps.y, "P", "A") + "  " + part(lps.z, "S", "I") + " mm";
+    return part(lps.x, "L", "R") + "  " + part(lps.y, "P", "A") + "  " + part(lps.z, "S", "I") + " " +
+           placeUnit(stepMm);
 }
 
 } // namespace
@@ -270,7 +272,7 @@ void MainWindow::showProbe(double value, glm::dvec3 place, glm::dvec3 world) {
                         .arg(voxel.x)
                         .arg(voxel.y)
                         .arg(voxel.z)
-                        .arg(patientPlace(world)));
+                        .arg(patientPlace(world, studio_.host().geometry()->stepMm())));
 }
 
 void MainWindow::showProgress(int done, int total) {

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vs::desktop {
 
@@ -27,7 +28,7 @@ constexpr glm::dvec3 kFromFace{0, -1, 0};
 
 CameraMotion::CameraMotion(DocumentHost& host, ViewModel& view) : host_(host), view_(view) {
     connect(&host_, &DocumentHost::leaving, this, &CameraMotion::forget);
-    connect(&host_, &DocumentHost::corrected, this, &CameraMotion::forget); // what was seen lies elsewhere
+    connect(&host_, &DocumentHost::corrected, this, &CameraMotion::noteCorrection);
     connect(&view_, &ViewModel::resized, this, &CameraMotion::fitAgain);
 }
 
@@ -44,6 +45,18 @@ void CameraMotion::forget() {
     seen_.clear();
     fitted_.reset();
     framed_.reset();
+}
+
+// What was seen lies elsewhere.
+void CameraMotion::noteCorrection() {
+    wasFitted_ = isFitted();
+    forget();
+}
+
+void CameraMotion::fitAfterCorrection() {
+    if (std::exchange(wasFitted_, false)) {
+        fit();
+    }
 }
 
 void CameraMotion::show(const render::Camera& camera) {

@@ -63,6 +63,8 @@ public:
     void fit();
     // Whether that has been done, and nobody has looked from elsewhere since.
     [[nodiscard]] bool isFitted() const;
+    // Fits after an edit that moved the voxels, if all was fitted before it.
+    void fitAfterCorrection();
     // Looks at the face, all of what can be seen.
     void reset();
 
@@ -76,10 +78,12 @@ private:
     void turnTo(const render::Camera& turned);
     void fitAgain();
     void forget();
+    void noteCorrection();
 
     DocumentHost& host_;
     ViewModel& view_;
     bool isTurntable_ = false;
+    bool wasFitted_ = false;               // before the voxels were moved
     std::vector<glm::dvec3> seen_;         // around what could be seen when it was fitted; world
     std::optional<render::Camera> fitted_; // the camera that was fitted on them
     std::optional<render::Camera> framed_; // that, or as it was turned since

@@ -3,6 +3,8 @@
 
 #include "model/document/view_model.h"
 
+#include <cmath>
+
 namespace vs::desktop {
 
 std::array<glm::dvec3, 8> boxCorners(glm::dvec3 lo, glm::dvec3 hi, const glm::dmat4& worldFromBox) {
@@ -19,8 +21,9 @@ QPainterPath boxEdges(glm::dvec3 lo, glm::dvec3 hi, const glm::dmat4& worldFromB
     const auto corners = boxCorners(lo, hi, worldFromBox);
     const auto rays = view.rays();
     const auto isBehind = [&](glm::dvec3 corner) {
-        constexpr double kNearestMm = 1;
-        return !rays.isOrthographic && glm::dot(corner - rays.eye, rays.forward) < kNearestMm;
+        const double nearestMm =
+            0.01 * glm::length(hi - lo) * std::cbrt(std::abs(glm::determinant(worldFromBox)));
+        return !rays.isOrthographic && glm::dot(corner - rays.eye, rays.forward) < nearestMm;
     };
     QPainterPath path;
     for (unsigned n = 0; n < 8; ++n) {

@@ -34,6 +34,7 @@ StudioController::StudioController()
     connect(growth_.get(), &GrowthController::changed, &host_, &DocumentHost::tellSoon);
     connect(slices_.get(), &SliceController::crosshairMoved, &hand_, &Hand::overlayChanged);
     connect(&host_, &DocumentHost::leaving, this, &StudioController::letGo);
+    connect(&editor_, &Editor::voxelsMoved, &camera_, &CameraMotion::fitAfterCorrection);
     camera_.setTurntable(preferences_.turntable);
     growth_->setLimitPercent(preferences_.firstStrokePercent);
 }
@@ -241,6 +242,10 @@ void StudioController::preferTo(const Preferences& before) {
 
 void StudioController::takeScreenshot(const std::filesystem::path& path) {
     if (host_.geometry() == nullptr || host_.isLoading()) {
+        return;
+    }
+    if (path.extension() != ".png" && path.extension() != ".PNG") {
+        host_.say(tr("Pictures are written as PNG: choose a name that ends in .png"));
         return;
     }
     editor_.interrupt();

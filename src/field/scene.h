@@ -53,8 +53,8 @@ struct Scene {
     const gl::Texture* segmentation = nullptr;
     // R8UI, nearest: which segment a voxel belongs to, 0 none. Null: everything segmented is of segment 1.
     const gl::Texture* segmentLabels = nullptr;
-    // R8: what tells each segment alone (one_segment.glsl). Null: unknown, and not needed where one segment is
-    // all there is.
+    // R8: what tells each segment alone (one_segment.glsl). Null: unknown, and not needed where one segment
+    // is all there is.
     const gl::Texture* apart = nullptr;
     Range displayedRange;
     // Values above the displayed range are visible too, and count as its upper end (MIP, X-ray).

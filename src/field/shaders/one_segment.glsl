@@ -18,9 +18,9 @@ float ofKindAt(ivec3 voxel) {
 
 uint ownerOf(ivec3 voxel) { return texelFetch(segmentLabels, voxel, 0).r; }
 
-// Of what segments other than its owner's have in a voxel, the one's part, by whose voxels are next to it. Not
-// if not `wanted`. (A loop over all that smoothing reaches would be exact. On Mesa's software renderer all loops
-// of a ray end after 65,536 turns together.)
+// Of what segments other than its owner's have in a voxel, the one's part, by whose voxels are next to it.
+// Not if not `wanted`. (A loop over all that smoothing reaches would be exact. On Mesa's software renderer
+// all loops of a ray end after 65,536 turns together.)
 float partOfOthers(ivec3 voxel, uint owner, bool wanted) {
     int reach = wanted ? 1 : -1;
     float ofOne = 0.0;
@@ -51,7 +51,11 @@ float ownMembershipOf(ivec3 voxel) {
     bool isOwnVoxel = owner == uint(pulled.x) && ofKind >= 128.0;
     bool isNobodys = max(both.r, both.g) < 0.5;
     bool isAnothers = !isNobodys && ofKind >= 128.0 && owner != 0u && !isOwnVoxel;
+#ifdef WITHIN_SEGMENTS
+    const bool isUnsure = false; // rays that go through do not show where exactly it ends
+#else
     bool isUnsure = fract(0.5 * kept) > 0.25 && ofKind > 0.0 && (isNobodys || isAnothers);
+#endif
     float own = isOwnVoxel ? ofOwner : isAnothers ? clamp(ofKind - ofOwner, 0.0, belowHalf) : ofKind;
     float part = partOfOthers(voxel, isNobodys ? 0u : owner, isUnsure);
     return (isUnsure ? part * own : own) / 255.0;
@@ -63,11 +67,25 @@ ivec3 mirrored(ivec3 voxel) {
     return min(inside, 2 * dims.xyz - 1 - inside);
 }
 
-float ownMembershipAt(vec3 p) {
+// Whether the segment can have a half or more at p: only close to a voxel of its own. (Behind a cut
+// nothing is seen.)
+bool mayBeOwn(vec3 p) {
+    ivec3 first = ivec3(floor(p));
+    bool isNear = false;
+    for (int corner = 0; corner < pulled.z; ++corner) {
+        uint owner = ownerOf(mirrored(first + ivec3(corner & 1, (corner >> 1) & 1, corner >> 2)));
+        isNear = isNear || owner == uint(pulled.x);
+    }
+    return isNear;
+}
+
+// 0 if not `wanted`.
+float ownMembershipAt(vec3 p, bool wanted) {
     vec3 first = floor(p);
     vec3 f = p - first;
     float sum = 0.0;
-    for (int corner = 0; corner < pulled.z; ++corner) {
+    int corners = wanted ? pulled.z : 0;
+    for (int corner = 0; corner < corners; ++corner) {
         ivec3 offset = ivec3(corner & 1, (corner >> 1) & 1, corner >> 2);
         vec3 w = mix(1.0 - f, f, vec3(offset));
         sum += w.x * w.y * w.z * ownMembershipOf(mirrored(ivec3(first) + offset));

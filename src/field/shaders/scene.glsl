@@ -76,14 +76,15 @@ float voxelValue(ivec3 v) {
 float sculptureAt(vec3 p) { return textureLod(sculptureTexture, textureFromVoxel(p), 0.0).r; }
 
 #ifdef PULLED
-uniform ivec3 pulled; // x the segment's label; y 0 if it is opaque, 1 if it is translucent; z 8, corners of a cell
+uniform ivec3
+    pulled; // x the segment's label; y 0 if it is opaque, 1 if it is translucent; z 8, corners of a cell
 #endif
 
 // How much p belongs to opaque segments (x) and to translucent ones (y); surfaces are at 0.5.
 #if defined(PULLED) && defined(APART)
 #include "field/shaders/one_segment.glsl"
 vec2 membershipsAt(vec3 p) {
-    float own = ownMembershipAt(p);
+    float own = ownMembershipAt(p, true);
     return pulled.y == 0 ? vec2(own, 0.0) : vec2(0.0, own);
 }
 #else

@@ -65,6 +65,19 @@ float sideAt(vec3 p) {
 // >= 0 where something is visible.
 float visibility(vec3 p) { return min(contentAt(p), sideAt(p)); }
 
+// The content where there is any; where there is none, anything below zero.
+float contentIfAny(vec3 p) {
+#if CONTENT == 1 && defined(PULLED) && defined(APART)
+    bool isOpaque = pulled.y == 0;
+#ifdef ALL_SEGMENTS
+    isOpaque = true;
+#endif
+    return ownMembershipAt(p, isOpaque && mayBeOwn(p)) - 0.5;
+#else
+    return contentAt(p);
+#endif
+}
+
 struct Hit {
     bool found;
     float t;     // steps along the ray
@@ -113,7 +126,7 @@ void testBatch(Ray ray, inout Crossing crossing, inout vec2 last) {
     float sliverSample = 0.0;
     for (int i = 0; i < kBatch; ++i) {
         vec3 p = at(ray, crossing.t + float(i) * kDt);
-        vec2 here = vec2(contentAt(p), sideAt(p));
+        vec2 here = vec2(contentIfAny(p), sideAt(p));
         float between = sliverBetween(before, here);
         bool isOpen = first == float(kBatch) && sliver < 0.0;
         sliverSample = isOpen ? float(i) - 1.0 + between : sliverSample;
@@ -130,7 +143,8 @@ void testBatch(Ray ray, inout Crossing crossing, inout vec2 last) {
     crossing.value = isInSliver ? inSliver : crossing.value;
 #else
     for (int i = kBatch - 1; i >= 0; --i) {
-        float value = visibility(at(ray, crossing.t + float(i) * kDt));
+        vec3 p = at(ray, crossing.t + float(i) * kDt);
+        float value = min(contentIfAny(p), sideAt(p));
         first = value >= 0.0 ? float(i) : first;
         crossing.value = value >= 0.0 ? value : crossing.value;
     }
@@ -308,12 +322,14 @@ Hit findSurface(Ray ray, float jitter) {
     // Seeds lie up to a voxel behind the surface that they were drawn on.
     float nearby = segmentationAt(hit.voxel);
     hit.inSegment = hit.voxel;
+#ifndef PULLED
     for (int i = 1; i <= 3; ++i) {
         vec3 behind = at(ray, hit.t + 0.5 * float(i));
         float there = segmentationAt(behind);
         hit.inSegment = nearby < 0.5 && there >= 0.5 ? behind : hit.inSegment;
         nearby = max(nearby, there);
     }
+#endif
 #endif
     bool atBorder = bracket.y - ray.tNear < 1e-3 && ray.tNear > 0.0;
     vec3 outward = dataGradient(hit.voxel) * (obstacle.isAbove ? 1.0 : -1.0);

@@ -1,7 +1,8 @@
 // Packs membership into bits, which the smoothing reads many times: bit i of a row is the voxel i - 3 places
 // after the tile's first along x. With VS_APART the membership of one segment alone, another one for each
-// tile; where segments go on behind a cut, nobody's voxels are taken to be its. One invocation a row of 22 voxels. In: storage 0 tiles, 3 and 4 voxels shown, with VS_APART 5 a label
-// for each tile and texture 3 labels. Out: storage 1, 22 x 22 rows a tile.
+// tile; where segments go on behind a cut, nobody's voxels are taken to be its. One invocation a row of 22
+// voxels. In: storage 0 tiles, 3 and 4 voxels shown, with VS_APART 5 a label for each tile and texture 3
+// labels. Out: storage 1, 22 x 22 rows a tile.
 #include "segment/shaders/tiles.glsl"
 
 layout(local_size_x = 64) in;

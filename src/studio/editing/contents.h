@@ -26,8 +26,8 @@ struct Contents {
     void show(const View& next);
     // An undoable change was made.
     void remember(Edit edit);
-    // Whether some of what is cut was cut by tools that spared segments or took nothing else, the stroke in hand
-    // included: faces of such cuts lie on those segments' surfaces.
+    // Whether some of what is cut was cut by tools that spared segments or took nothing else, the stroke in
+    // hand included: faces of such cuts lie on those segments' surfaces.
     [[nodiscard]] bool isCutAlongSegments() const;
     // The canvas that an operation was drawn on, where it does not say: the present view on the usual
     // viewport.

@@ -25,10 +25,6 @@ void summarize(gl::Program& program, const gl::Texture& texels, glm::vec2 valueS
     program.dispatchOver(cellBox.size(), gl::Barrier::Texture);
 }
 
-} // namespace
-
-namespace {
-
 gl::Texture rangesOf(const gl::Texture& texels, glm::vec2 valueScaleOffset) {
     const gl::Pass pass("cell ranges");
     const glm::ivec3 count = cellDims(texels.size());

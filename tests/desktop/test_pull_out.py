@@ -2,7 +2,6 @@
 """A segment is pulled out by a key and by its row's menu, moved, turned and scaled by hand, and goes back; it follows what is done to the
 segment, and all of it is replayed."""
 
-import math
 import sys
 
 from driver import need, start
@@ -10,7 +9,7 @@ from phantom import write_ball_head, write_labels
 from replay import compare_with_replay, operations, save_and_end
 from steps import Steps
 from test_segments import cell, click_cell, working
-from test_tools import Done, redo, undo
+from test_tools import Done, move_by_hand, redo
 
 test = Steps()
 
@@ -33,14 +32,6 @@ def row_of(studio, name):
     return [segment["name"] for segment in studio.state()["segments"]].index(name)
 
 
-def drag(studio, part, way):
-    """Moves a part's handle; returns where it is then."""
-    x, y = studio.state()["handles"][part]
-    done = Done(studio)
-    studio.drag([(x + way[0] * i // 8, y + way[1] * i // 8) for i in range(9)])
-    return done.wait("Pull out")["handles"][part]
-
-
 @test.step
 def by_key(studio):
     """Pulled out beside the head, where it is in hand at once; dragged, turned and scaled; undone and redone."""
@@ -49,24 +40,8 @@ def by_key(studio):
     done = Done(studio)
     studio.move(studio.view_point(0.5, 0.9))
     studio.key("ctrl+shift+v")
-    state = done.wait("Pull out")
-    need(state["tool"] == "move" and len(state["handles"]) == 1, "the segment that was pulled out is not in hand")
-    pulled = state["handles"][0]
-    moved = drag(studio, 0, (-40, 60))
-    need(math.dist(moved, (pulled[0] - 40, pulled[1] + 60)) < 4, f"it is at {moved}, dragged from {pulled}")
-    studio.xdotool("keydown", "shift")
-    turned = drag(studio, 0, (40, 0))
-    studio.xdotool("keyup", "shift")
-    need(math.dist(moved, turned) < 3, f"turning moved it from {moved} to {turned}")
-    done = Done(studio)
-    studio.move(turned)
-    studio.xdotool("click", "--repeat", 3, "--delay", 0, 4)
-    state = done.wait("Pull out")
-    need(state["operations"] == done.before + 1, "turning the wheel thrice made more than one operation")
-    undo(studio)
-    state = undo(studio)
-    need(math.dist(state["handles"][0], moved) < 2, "undo did not bring it back")
-    redo(studio)
+    done.wait("Pull out")
+    move_by_hand(studio, "Pull out")
     redo(studio)
 
 

@@ -130,24 +130,19 @@ def scissors(studio):
     done.wait("Scissors")
 
 
-@test.step(after=[scissors])
-def paste_and_move(studio):
-    """Beside the object, then dragged, turned with Shift, scaled by the wheel; two undos."""
-    done = Done(studio)
-    studio.move(studio.view_point(0.5, 0.9))
-    studio.key("shift+v")
-    state = done.wait("Paste")
-    need(state["tool"] == "move" and len(state["handles"]) == 1, "a part that was pasted is not in hand")
-
+def move_by_hand(studio, operation):
+    """Drags the only part, which has just been put there, turns it with Shift and scales it by the wheel, each one operation; two undos."""
     def drag(way):
         x, y = studio.state()["handles"][0]
         more = Done(studio)
         studio.drag([(x + way[0] * i // 8, y + way[1] * i // 8) for i in range(9)])
-        return more.wait("Move part")["handles"][0]
+        return more.wait(operation)["handles"][0]
 
-    pasted = studio.state()["handles"][0]
+    state = studio.state()
+    need(state["tool"] == "move" and len(state["handles"]) == 1, "the part is not in hand")
+    first = state["handles"][0]
     moved = drag((-40, 60))
-    need(math.dist(moved, (pasted[0] - 40, pasted[1] + 60)) < 4, f"the part is at {moved}, dragged from {pasted}")
+    need(math.dist(moved, (first[0] - 40, first[1] + 60)) < 4, f"the part is at {moved}, dragged from {first}")
     studio.xdotool("keydown", "shift")
     turned = drag((40, 0))
     studio.xdotool("keyup", "shift")
@@ -155,12 +150,22 @@ def paste_and_move(studio):
     done = Done(studio)
     studio.move(turned)
     studio.xdotool("click", "--repeat", 3, "--delay", 0, 4)
-    state = done.wait("Move part")
+    state = done.wait(operation)
     need(state["operations"] == done.before + 1, "turning the wheel thrice made more than one operation")
     undo(studio)
     state = undo(studio)
     need(math.dist(state["handles"][0], moved) < 2, "undo did not bring the part back")
     redo(studio)
+
+
+@test.step(after=[scissors])
+def paste_and_move(studio):
+    """Beside the object, then moved by hand."""
+    done = Done(studio)
+    studio.move(studio.view_point(0.5, 0.9))
+    studio.key("shift+v")
+    done.wait("Paste")
+    move_by_hand(studio, "Move part")
 
 
 @test.step

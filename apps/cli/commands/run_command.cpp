@@ -173,9 +173,10 @@ void addRunCommand(CLI::App& app) {
     command->add_option("session", options->session, "Session file (JSON, see doc/session.md)")->required();
     command->add_option("-o,--output", options->output, "Folder for pictures, label maps and report.json")
         ->required();
-    command->add_option("--picture", options->picture,
-                        "Write the last view too, as PNG, by this name in that folder");
-    command->add_option("--size", options->size, "Size of that picture, WxH; 1230x870 without");
+    auto* picture = command->add_option("--picture", options->picture,
+                                        "Write the last view too, as PNG, by this name in that folder");
+    command->add_option("--size", options->size, "Size of that picture, WxH; 1230x870 without")
+        ->needs(picture);
     command->add_option("--volume", options->volume.path, "Use this volume instead of the session's own");
     addReadOptions(*command, options->volume);
     command->callback([options] { runSession(*options); });

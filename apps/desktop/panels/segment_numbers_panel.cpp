@@ -67,8 +67,9 @@ void SegmentNumbersPanel::refreshLive() {
         const std::uint8_t label = segments.list().atWork;
         voxels_->setText(grouped(segments.voxels(label)));
         const double millilitres = segments.millilitres(label);
-        millilitres_->setText(millilitres >= 1 ? tr("%1 ml").arg(millilitres, 0, 'f', 3)
-                                               : volumeText(millilitres));
+        constexpr double kFew = 0.01; // below which other units say more
+        millilitres_->setText(millilitres >= kFew ? tr("%1 ml").arg(millilitres, 0, 'f', 3)
+                                                  : volumeText(millilitres));
     }
 }
 

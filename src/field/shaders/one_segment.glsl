@@ -1,10 +1,10 @@
 // How much a place belongs to one segment alone, where others may touch it (PULLED with APART): what it would
 // be if the others were hidden. What is kept for that is one byte a voxel for all segments; where that does
-// not tell, the segment's own voxels are made smooth on the spot.
+// not tell, because more than two meet, each one's part is estimated by whose voxels are next to it.
 //
 // Bindings: texture 7 (segment::Segmentation::apart): in a voxel that is a segment's, twice what that segment
 // has there beyond 128 of 255, plus 1 where it does not tell what others have; in a voxel that is nobody's, 1
-// where several segments have something. Included by scene.glsl.
+// where several segments have something. Included by scene.glsl; declare `corners` before.
 
 layout(binding = kApartTexture) uniform sampler3D apartTexture;
 
@@ -72,7 +72,7 @@ ivec3 mirrored(ivec3 voxel) {
 bool mayBeOwn(vec3 p) {
     ivec3 first = ivec3(floor(p));
     bool isNear = false;
-    for (int corner = 0; corner < pulled.z; ++corner) {
+    for (int corner = 0; corner < corners; ++corner) {
         uint owner = ownerOf(mirrored(first + ivec3(corner & 1, (corner >> 1) & 1, corner >> 2)));
         isNear = isNear || owner == uint(pulled.x);
     }
@@ -84,8 +84,8 @@ float ownMembershipAt(vec3 p, bool wanted) {
     vec3 first = floor(p);
     vec3 f = p - first;
     float sum = 0.0;
-    int corners = wanted ? pulled.z : 0;
-    for (int corner = 0; corner < corners; ++corner) {
+    int count = wanted ? corners : 0;
+    for (int corner = 0; corner < count; ++corner) {
         ivec3 offset = ivec3(corner & 1, (corner >> 1) & 1, corner >> 2);
         vec3 w = mix(1.0 - f, f, vec3(offset));
         sum += w.x * w.y * w.z * ownMembershipOf(mirrored(ivec3(first) + offset));

@@ -76,8 +76,7 @@ float voxelValue(ivec3 v) {
 float sculptureAt(vec3 p) { return textureLod(sculptureTexture, textureFromVoxel(p), 0.0).r; }
 
 #ifdef PULLED
-uniform ivec3
-    pulled; // x the segment's label; y 0 if it is opaque, 1 if it is translucent; z 8, corners of a cell
+uniform ivec2 pulled; // x the label of that segment; y 0 if it is opaque, 1 if it is translucent
 #endif
 
 // How much p belongs to opaque segments (x) and to translucent ones (y); surfaces are at 0.5.

@@ -49,15 +49,6 @@ Lattice latticeOf(int sample, int samples, double sampleStep) {
     return {float(std::min(others, mostCoarse) * sampleStep), float(glm::fract(0.5 + sample * golden))};
 }
 
-// Side of the square of pixels whose rays share a beam, as a power of 2; narrower ones bound values better,
-// but each takes memory.
-int beamShift(Mode mode, glm::ivec2 size) {
-    constexpr std::int64_t manyPixels = std::int64_t(1) << 22;
-    return mode == Mode::Mip && std::int64_t(size.x) * size.y <= manyPixels ? 2 : 3;
-}
-
-int beamPixels(Mode mode, glm::ivec2 size) { return 1 << beamShift(mode, size); }
-
 glm::ivec2 squareCount(glm::ivec2 size) { return (size + kSquare - 1) / kSquare; }
 
 // Work groups for so many squares: as many rows as a software renderer has threads; see squares.glsl.
@@ -138,79 +129,6 @@ void RayCaster::start(const Frame& frame) {
     arrangeParts();
 }
 
-void RayCaster::arrangeParts() {
-    parts_.resize(frame_.pasted.size() + frame_.pulled.size() + 1);
-    const auto& geometry = frame_.scene.data->geometry;
-    for (std::size_t i = 0; i < parts_.size(); ++i) {
-        Part& part = parts_[i];
-        part.scene = frame_.scene;
-        part.defines = definesFor(frame_);
-        part.pulled = {};
-        part.macrocells = frame_.macrocells;
-        part.segmentCells = frame_.segmentCells;
-        part.occlusion = frame_.occlusion;
-        part.rays = frame_.rays;
-        part.scale = 1;
-        if (i < frame_.pasted.size()) {
-            become(part, frame_.pasted[i]);
-        } else if (i + 1 < parts_.size()) {
-            become(part, frame_.pulled[i - frame_.pasted.size()]);
-        }
-        part.view.reserve(sizeof(ViewBlock));
-        part.view.writeValue(viewBlock(part.rays, geometry));
-        const int side = beamPixels(frame_.mode, frame_.rays.size);
-        const glm::ivec2 beams = (frame_.rays.size + side - 1) / side;
-        if (glm::ivec2(part.beams.size()) != beams) {
-            part.beams = gl::Texture(beams, gl::Format::RG32F, gl::Filter::Nearest, "beams");
-        }
-    }
-}
-
-void RayCaster::become(Part& part, const PastedPart& pasted) {
-    VS_CHECK(pasted.macrocells != nullptr);
-    part.scene.sculpture = pasted.sculpture;
-    part.scene.view = field::SculptureView::Probe;
-    if (pasted.segmentation != nullptr) {
-        part.scene.segmentation = pasted.segmentation;
-    }
-    part.macrocells = pasted.macrocells;
-    part.occlusion = pasted.occlusion;
-    place(part, pasted.place);
-}
-
-void RayCaster::become(Part& part, const PulledSegment& segment) {
-    VS_CHECK(segment.macrocells != nullptr && segment.scene.segmentation != nullptr);
-    constexpr int corners = 8;
-    part.scene = segment.scene;
-    part.defines = definesFor(frame_, segment);
-    part.pulled = {segment.label, segment.isTranslucent ? 1 : 0, corners};
-    part.macrocells = part.segmentCells = segment.macrocells;
-    part.occlusion = nullptr;
-    place(part, segment.place);
-}
-
-void RayCaster::place(Part& part, const Placement& placement) {
-    part.rays = seenFromPart(frame_.rays, placement, frame_.scene.data->geometry);
-    part.scale = float(placement.scale);
-}
-
-void RayCaster::bindPart(const Part& part) {
-    sceneBinding_.bind(part.scene);
-    part.view.bindUniform(kViewBlock);
-    part.macrocells->bind();
-    part.beams.bindTexture(kBeamsTexture);
-    if (frame_.mode == Mode::Mip) {
-        part.slabs.bind();
-    }
-    if (frame_.mode == Mode::Overlay || frame_.mode == Mode::Volume) {
-        const Macrocells* cells = part.segmentCells != nullptr ? part.segmentCells : part.macrocells;
-        cells->distances().bindTexture(kSegmentCellDistancesTexture);
-    }
-    if (part.occlusion != nullptr) {
-        part.occlusion->bind({.towardsKey = towardsKeyLight(part.rays)});
-    }
-}
-
 double RayCaster::share() const {
     const double ofSample = activeSquares_ > 0 ? double(square_) / activeSquares_ : 0;
     return std::min((sample_ + ofSample) / std::max(frame_.samples, 1), 1.0);
@@ -223,7 +141,7 @@ void RayCaster::findBeams() {
     for (const Part& part : parts_) {
         bindPart(part);
         part.beams.bindImage(kBeamsImage, gl::Access::Write);
-        findBeams_.set("beamPixels", beamPixels(frame_.mode, frame_.rays.size));
+        findBeams_.set("beamPixels", beamPixels(frame_));
         findBeams_.dispatchOver(part.beams.size(), gl::Barrier::Texture);
     }
 }
@@ -238,7 +156,7 @@ void RayCaster::listSquares() {
     squareCounts_.bindStorage(kSquareCountsStorage);
     // Where parts are drawn beside one another, their beams differ.
     listSquares_.set("squareCount", count)
-        .set("beamPixels", beamPixels(frame_.mode, frame_.rays.size))
+        .set("beamPixels", beamPixels(frame_))
         .set("takeAll", parts_.size() > 1 ? 1 : 0);
     listSquares_.dispatchOver({count, 1}, gl::Barrier::Storage);
     occupiedSquares_ = activeSquares_ = int(squareCounts_.readValue<std::uint32_t>());
@@ -268,8 +186,7 @@ void RayCaster::boundSlabs() {
     }
     for (Part& part : parts_) {
         bindPart(part);
-        part.slabs.update(*part.macrocells, part.beams, beamPixels(frame_.mode, frame_.rays.size),
-                          float(frame_.sampleStep));
+        part.slabs.update(*part.macrocells, part.beams, beamPixels(frame_), float(frame_.sampleStep));
     }
 }
 
@@ -323,7 +240,7 @@ void RayCaster::setPicture(gl::Program& program) {
         .set("exposure", glm::vec2(float(frame_.xrayGain), float(geometry.diagonalMm() / geometry.stepMm())))
         .set("corners", 8)
         .set("sampleStep", float(frame_.sampleStep))
-        .set("beamShift", beamShift(frame_.mode, frame_.rays.size))
+        .set("beamShift", beamShift(frame_))
         .set("backgroundTop", glm::vec4(frame_.background.top, frame_.background.isTransparent ? 1.0F : 0.0F))
         .set("backgroundBottom", glm::vec4(frame_.background.bottom, 0.0F));
     if (frame_.mode == Mode::Mip) {
@@ -353,8 +270,8 @@ void RayCaster::castSquares(int count) {
         if (parts_.size() > 1) {
             program.set("partOfPicture", glm::ivec2(int(i), int(parts_.size()))).set("partScale", part.scale);
         }
-        if (part.pulled.z > 0) {
-            program.set("pulled", part.pulled);
+        if (part.pulled) {
+            program.set("pulled", *part.pulled);
         }
         program.dispatch(groupsFor(count), gl::Barrier::Image);
     }

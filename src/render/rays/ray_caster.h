@@ -16,6 +16,7 @@
 #include "render/space/slab_bounds.h"
 
 #include <array>
+#include <optional>
 #include <vector>
 
 namespace vs::render {
@@ -120,8 +121,8 @@ private:
     // What is drawn where: the pasted parts, the segments that are pulled out, and last what remains.
     struct Part {
         field::Scene scene;
-        gl::Defines defines;  // of the variant of cast_rays.comp that draws it
-        glm::ivec3 pulled{0}; // see field/shaders/scene.glsl
+        gl::Defines defines;              // of the variant of cast_rays.comp that draws it
+        std::optional<glm::ivec2> pulled; // a segment that is pulled out: see field/shaders/scene.glsl
         const Macrocells* macrocells = nullptr;
         const Macrocells* segmentCells = nullptr; // null: the macrocells
         OcclusionVolume* occlusion = nullptr;
@@ -145,6 +146,8 @@ private:
     void bindPicture();
     void setPicture(gl::Program& program);
     void castSquares(int count);
+    static int beamShift(const Frame& frame);
+    static int beamPixels(const Frame& frame);
     void findBeams();
     void listSquares();
     void setSettledAside();

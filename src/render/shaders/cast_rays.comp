@@ -30,6 +30,10 @@ layout(local_size_x = 64) in;
 #endif
 #endif
 
+// 8, of a voxel. Loops over a number that the compiler does not know stay loops, which a software renderer
+// leaves after one turn where nothing was met.
+uniform int corners;
+
 #include "field/shaders/bindings.glsl"
 #include "render/shaders/bindings.glsl"
 #include "field/shaders/scene.glsl"
@@ -56,10 +60,7 @@ layout(local_size_x = 64) in;
 layout(binding = kBeamsTexture)
     uniform sampler2D beams; // where along its rays each square of pixels may show something
 
-uniform vec2 exposure; // x: X-ray gain per diagonal; y: volume's diagonal in steps
-// 8, of a voxel. Loops over a number that the compiler does not know stay loops, which a software renderer
-// leaves after one turn where nothing was met.
-uniform int corners;
+uniform vec2 exposure;      // x: X-ray gain per diagonal; y: volume's diagonal in steps
 uniform float sampleStep;   // steps between samples in MIP and volume mode
 uniform int beamShift;      // side of a beam's square: 1 << this; division is slow
 uniform vec4 backgroundTop; // display colour; w 1: there is none, and it is black

@@ -186,7 +186,9 @@ void Drawing::fill(const Outline& outline, Colour colour) {
     cairo_new_path(context);
     addOutline(context, outline);
     setColour(context, colour);
+    cairo_set_fill_rule(context, CAIRO_FILL_RULE_EVEN_ODD);
     cairo_fill(context);
+    cairo_set_fill_rule(context, CAIRO_FILL_RULE_WINDING); // glyphs overlap themselves
 }
 
 void Drawing::fillBox(glm::dvec2 lo, glm::dvec2 hi, Colour colour) {

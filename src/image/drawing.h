@@ -55,6 +55,7 @@ public:
     Drawing(Drawing&&) noexcept;
     Drawing& operator=(Drawing&&) noexcept;
 
+    // Fills what an outline encloses, by the even-odd rule.
     void fill(const Outline& outline, Colour colour);
     // Fills the box between two corners.
     void fillBox(glm::dvec2 lo, glm::dvec2 hi, Colour colour);

@@ -3,6 +3,7 @@
 
 #include "function_schema.h"
 #include "member_table.h"
+#include "phantom/recipe.h"
 #include "studio/json/value_json.h"
 
 #include <fmt/format.h>
@@ -22,8 +23,8 @@ Json object(Json properties, Json required) {
             {"additionalProperties", false}};
 }
 
-// A file, or a block made from nothing.
-Json volumeSchema() {
+// A file, a phantom, or a block made from nothing.
+Json volumeSchema(Json& definitions) {
     const Json text{{"type", "string"}};
     const Json file = object({{"path", {{"type", "string"}, {"minLength", 1}}},
                               {"checksum", text},
@@ -38,7 +39,9 @@ Json volumeSchema() {
     const Json block =
         object({{"block", std::move(dims)}, {"spacing", std::move(spacing)}, {"checksum", text}},
                Json::array({"block"}));
-    return {{"oneOf", Json::array({file, block})}};
+    Json phantom = describedSchema<phantom::Recipe>(Rule(), definitions);
+    phantom["properties"]["checksum"] = text;
+    return {{"oneOf", Json::array({file, block, phantom})}};
 }
 
 // --- the table of operations
@@ -66,7 +69,7 @@ Json sessionSchema() {
     Json definitions = Json::object();
     const Json operations = schemaOf(Type<Operation>(), Rule(), definitions);
     Json schema = object({{"volumeStudioSession", {{"const", 1}}},
-                          {"volume", volumeSchema()},
+                          {"volume", volumeSchema(definitions)},
                           {"precision",
                            {{"description", "bits of the sculpture's values: 8, or 16- or 32-bit floats"},
                             {"enum", {8, 16, 32}}}},

@@ -4,16 +4,18 @@
 #include "commands/commands.h"
 
 #include "base/error.h"
-#include "phantom/body_phantom.h"
-#include "phantom/head_phantom.h"
+#include "base/names.h"
+#include "phantom/recipe.h"
 #include "volume/io/write.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <functional>
 #include <memory>
+#include <string>
+#include <vector>
 
 namespace vs::cli {
 
@@ -24,23 +26,17 @@ struct PhantomOptions {
     std::string output;
     std::string labels;
     std::string size;
-    double noisePercent = 0;
-    double biasPercent = 0;
-    std::uint64_t seed = 1;
+    phantom::Recipe recipe; // the rest
 };
-
-constexpr const char* kHead = "head";
-constexpr glm::ivec3 kHeadDims(181, 217, 181); // 1 mm
-constexpr int kBodySize = 512;
 
 // "N": voxels along the longest side of `whole`, the others in proportion; "NxMxK": along each.
 glm::ivec3 dimsFrom(const std::string& text, glm::ivec3 whole) {
     const bool isOne = text.find('x') == std::string::npos;
     const auto sizes = parseNumbers(text, 'x', isOne ? 1 : 3, "size", "256 or 181x217x181");
     for (const double n : sizes) {
-        if (n < 8 || n > 2048 || n != std::floor(n)) {
-            throw UsageError("size '{}' is out of bounds; 8 to 2048 voxels each way are allowed, like 256",
-                             text);
+        if (n < phantom::kLeastVoxels || n > phantom::kMostVoxels || n != std::floor(n)) {
+            throw UsageError("size '{}' is out of bounds; {} to {} voxels each way are allowed, like 256",
+                             text, phantom::kLeastVoxels, phantom::kMostVoxels);
         }
     }
     if (!isOne) {
@@ -50,17 +46,13 @@ glm::ivec3 dimsFrom(const std::string& text, glm::ivec3 whole) {
     return glm::max(glm::ivec3(glm::round(sizes[0] * share)), glm::ivec3(1));
 }
 
-phantom::LabelledVolume make(const PhantomOptions& options) {
-    if (options.kind == kHead) {
-        const glm::ivec3 dims = options.size.empty() ? kHeadDims : dimsFrom(options.size, kHeadDims);
-        return phantom::makeHeadPhantom({dims, options.noisePercent, options.biasPercent, options.seed});
+phantom::Recipe recipeFrom(const PhantomOptions& options) {
+    phantom::Recipe recipe = options.recipe;
+    recipe.kind = *enumeratorOf<phantom::Kind>(options.kind); // the parser has checked it
+    if (!options.size.empty()) {
+        recipe.dims = dimsFrom(options.size, phantom::about(recipe.kind).dims);
     }
-    if (options.biasPercent > 0) {
-        throw UsageError("--bias {}: is for the head; CT has none", options.biasPercent);
-    }
-    const glm::ivec3 whole(kBodySize);
-    const glm::ivec3 dims = options.size.empty() ? whole : dimsFrom(options.size, whole);
-    return phantom::makeBodyPhantom({dims, options.noisePercent, options.seed});
+    return recipe;
 }
 
 void writeVolume(const std::string& path, const volume::Volume& volume) {
@@ -77,7 +69,8 @@ void run(const PhantomOptions& options) {
     if (!options.labels.empty()) {
         checkGridName(options.labels);
     }
-    const auto phantom = make(options);
+    const phantom::Recipe recipe = recipeFrom(options);
+    const auto phantom = phantom::make(recipe);
     const auto& grid = phantom.volume.geometry;
     writeVolume(options.output, phantom.volume);
     if (!options.labels.empty()) {
@@ -87,42 +80,64 @@ void run(const PhantomOptions& options) {
     fmt::print("{}: {}, {} x {} x {} voxels of {:.4g} x {:.4g} x {:.4g} mm, values {} to {}\n",
                options.output, phantom.volume.name, grid.dims.x, grid.dims.y, grid.dims.z, spacing.x,
                spacing.y, spacing.z, phantom.volume.range.lo, phantom.volume.range.hi);
-    const bool isHead = options.kind == kHead;
-    constexpr std::array<const char*, 7> head{"air", "scalp", "skull", "CSF", "grey", "white", "ventricles"};
-    constexpr std::array<const char*, 4> body{"air", "soft tissue", "bone", "lung"};
-    for (std::size_t label = 0; label < (isHead ? head.size() : body.size()); ++label) {
+    const auto tissues = phantom::about(recipe.kind).tissues;
+    for (std::size_t label = 0; label < tissues.size(); ++label) {
         const auto voxels = std::count(phantom.labels.begin(), phantom.labels.end(), std::uint8_t(label));
-        fmt::print("{} {:<12} {:10.1f} ml\n", label, isHead ? head[label] : body[label],
-                   double(voxels) * grid.voxelMm3() / 1000);
+        fmt::print("{} {:<12} {:10.1f} ml\n", label, tissues[label], double(voxels) * grid.voxelMm3() / 1000);
     }
+}
+
+// What each kind is, and its share of a sentence about all.
+std::string ofEachKind(const std::function<std::string(const phantom::About&)>& text) {
+    std::string all;
+    for (std::size_t kind = 0; kind < phantom::kKinds.size(); ++kind) {
+        all += fmt::format("{}{}: {}", all.empty() ? "" : "; ", phantom::kKinds[kind],
+                           text(phantom::about(phantom::Kind(kind))));
+    }
+    return all;
+}
+
+std::string tissuesOf(const phantom::About& kind) {
+    std::string all;
+    for (std::size_t label = 0; label < kind.tissues.size(); ++label) {
+        all += fmt::format("{}{} {}", label == 0 ? "" : ", ", label, kind.tissues[label]);
+    }
+    return all;
 }
 
 } // namespace
 
 void addPhantomCommand(CLI::App& app) {
-    auto* command = app.add_subcommand("phantom", "Make a volume whose tissues are known: a head or a body");
+    auto* command = app.add_subcommand("phantom", "Make a volume whose tissues are known");
     const auto options = std::make_shared<PhantomOptions>();
-    command->add_option("KIND", options->kind, "head (T1-weighted MR, uint8) or body (CT of a chest, int16)")
+    command
+        ->add_option("KIND", options->kind,
+                     ofEachKind([](const phantom::About& kind) { return std::string(kind.meaning); }))
         ->required()
-        ->check(CLI::IsMember({"head", "body"}));
+        ->check(CLI::IsMember(std::vector<std::string>(phantom::kKinds.begin(), phantom::kKinds.end())));
     command->add_option("-o,--output", options->output, "File to write: .nrrd, .nii, .nii.gz, .mha or .mhd")
         ->required();
-    command->add_option("--labels", options->labels,
-                        "File for the true labels: 0 air; head: 1 scalp, 2 skull, 3 CSF, 4 grey, 5 white, 6 "
-                        "ventricles; body: 1 soft tissue, 2 bone, 3 lung");
+    command->add_option("--labels", options->labels, "File for the true labels. " + ofEachKind(tissuesOf));
     command->add_option("--size", options->size,
-                        "Voxels along the longest side, N, or along each, NxMxK (head 217: 1 mm; body 512)");
+                        "Voxels along the longest side, N, or along each, NxMxK. Else " +
+                            ofEachKind([](const phantom::About& kind) {
+                                return fmt::format("{}x{}x{}", kind.dims.x, kind.dims.y, kind.dims.z);
+                            }));
     command
-        ->add_option("--noise", options->noisePercent,
-                     "Standard deviation in percent of white matter (head), of 1000 HU (body)")
+        ->add_option("--noise", options->recipe.noisePercent,
+                     "Standard deviation in percent. " + ofEachKind([](const phantom::About& kind) {
+                         return fmt::format("of {}", kind.noiseOf);
+                     }))
         ->check(between(0, 100))
         ->capture_default_str();
     command
-        ->add_option("--bias", options->biasPercent,
+        ->add_option("--bias", options->recipe.biasPercent,
                      "Head: how much the sensitivity varies over the brain, 20 for 0.9 to 1.1")
         ->check(between(0, 100))
         ->capture_default_str();
-    command->add_option("--seed", options->seed, "Of the noise")->capture_default_str();
+    command->add_option("--seed", options->recipe.seed, "Of the noise")
+        ->check(between(0, 1 << 30))
+        ->capture_default_str();
     command->callback([options] { run(*options); });
 }
 

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <optional>
+#include <span>
 
 namespace vs::cli {
 
@@ -31,7 +32,8 @@ studio::Outcome replayOperation(const studio::Session& session, const std::strin
                                 const std::filesystem::path& outputFolder) {
     const studio::Operation& operation = session.operations[index];
     try {
-        auto outcome = document.apply(operation, outputFolder);
+        auto outcome =
+            document.apply(operation, outputFolder, std::span(session.operations).subspan(index + 1));
         context.requireNoErrors();
         const bool isDrawn = studio::cuts(operation) || std::holds_alternative<studio::Seed>(operation);
         if (isDrawn && outcome.voxelsTouched == 0) {

@@ -32,6 +32,7 @@ struct OpenRequest {
     std::optional<int> frame;
     std::filesystem::path journal = {};
     std::optional<NewBlock> block = {};
+    std::optional<phantom::Recipe> phantom = {}; // what a session's volume was made by
 };
 
 struct Loaded {

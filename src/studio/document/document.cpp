@@ -48,12 +48,13 @@ std::shared_ptr<const DocumentFacts> Document::facts() const {
 
 // --- operations
 
-Outcome Document::apply(const Operation& operation, const std::filesystem::path& outputFolder) {
+Outcome Document::apply(const Operation& operation, const std::filesystem::path& outputFolder,
+                        std::span<const Operation> coming) {
     VS_CHECK(impl_->isIdle());
     const Timer timer;
     Operation resolved = operation;
     const View before = impl_->contents.view; // an operation may change where parts are pasted
-    Outcome outcome = impl_->run(resolved, outputFolder);
+    Outcome outcome = impl_->run(resolved, outputFolder, coming);
     impl_->log.record(std::move(resolved), before, impl_->contents.view);
     outcome.name = name(operation);
     outcome.milliseconds = timer.milliseconds();

@@ -13,6 +13,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <span>
 
 namespace vs::studio {
 
@@ -64,8 +65,10 @@ public:
     // --- operations
 
     // Applies one operation and appends it to the log. `outputFolder` is where pictures and label maps go.
-    // Throws Error (one line) and changes nothing if the operation makes no sense here.
-    Outcome apply(const Operation& operation, const std::filesystem::path& outputFolder = ".");
+    // `coming` is what a session does afterwards, for pictures that show the strokes to come. Throws Error
+    // (one line) and changes nothing if the operation makes no sense here.
+    Outcome apply(const Operation& operation, const std::filesystem::path& outputFolder = ".",
+                  std::span<const Operation> coming = {});
 
     // Takes the last step back, as if it had never been done, and does this instead, where that step was an
     // operation of the same kind and nothing has happened since; else as apply(). What a slider sends while

@@ -4,6 +4,8 @@
 #include "base/error.h"
 #include "studio/editing/segment_change.h"
 
+#include <algorithm>
+
 namespace vs::studio {
 
 namespace {
@@ -34,10 +36,13 @@ void performByOneOf(const Op& op, Region::Records& records, First& first, Rest&.
 Document::Impl::Impl(volume::Volume volume, sculpt::Precision precision)
     : contents(std::move(volume), precision) {}
 
-Outcome Document::Impl::run(Operation& operation, const std::filesystem::path& folder) {
+Outcome Document::Impl::run(Operation& operation, const std::filesystem::path& folder,
+                            std::span<const Operation> coming) {
     return std::visit(
         [&](auto& op) {
-            if constexpr (requires { files.run(op, folder); }) {
+            if constexpr (requires { files.run(op, folder, Drawn()); }) {
+                return files.run(op, folder, strokesFor(op, coming));
+            } else if constexpr (requires { files.run(op, folder); }) {
                 return files.run(op, folder);
             } else if constexpr (requires { run(op); }) {
                 return run(op);
@@ -46,6 +51,28 @@ Outcome Document::Impl::run(Operation& operation, const std::filesystem::path& f
             }
         },
         operation);
+}
+
+Drawn Document::Impl::strokesFor(const SavePicture& op, std::span<const Operation> coming) const {
+    if (op.strokes == ShownStrokes::Last) {
+        const auto& done = log.operations();
+        const auto last =
+            std::find_if(done.rbegin(), done.rend(), [](const auto& o) { return !drawnFor(o).isEmpty(); });
+        return last == done.rend() ? Drawn() : drawnFor(*last);
+    }
+    if (op.strokes == ShownStrokes::Next) {
+        View view = contents.view;
+        for (const Operation& next : coming) {
+            if (const auto* look = std::get_if<SetView>(&next)) {
+                view.camera = look->camera.value_or(view.camera);
+            }
+            if (Drawn drawn = drawnFor(next); !drawn.isEmpty()) {
+                drawn.canvas = drawn.canvas.value_or(Canvas{.view = view});
+                return drawn;
+            }
+        }
+    }
+    return {};
 }
 
 Outcome Document::Impl::run(SetView& op) {

@@ -25,8 +25,8 @@ namespace vs::studio {
 struct Document::Impl {
     Impl(volume::Volume volume, sculpt::Precision precision);
 
-    // Carries out an operation by the part that can. `folder` is where files go.
-    Outcome run(Operation& operation, const std::filesystem::path& folder);
+    // Carries out an operation by the part that can. `folder` is where files go; `coming` is done next.
+    Outcome run(Operation& operation, const std::filesystem::path& folder, std::span<const Operation> coming);
     // Goes one step back or forth in the history.
     Outcome travel(Edit& edit, bool isUndo);
     // Does an operation on segments again, for redo: growth gives the same result each time, so that redo
@@ -59,6 +59,8 @@ private:
     Outcome run(Undo&);
     Outcome run(Redo&);
     Outcome run(const Note& op);
+    // What the pen drew last, or draws next.
+    [[nodiscard]] Drawn strokesFor(const SavePicture& op, std::span<const Operation> coming) const;
 };
 
 } // namespace vs::studio

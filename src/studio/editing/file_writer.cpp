@@ -3,13 +3,14 @@
 
 #include "image/image.h"
 #include "render/marks/draw_annotations.h"
+#include "studio/editing/stroke_marks.h"
 #include "volume/io/write.h"
 
 #include <span>
 
 namespace vs::studio {
 
-Outcome FileWriter::run(const SavePicture& op, const std::filesystem::path& folder) {
+Outcome FileWriter::run(const SavePicture& op, const std::filesystem::path& folder, const Drawn& drawn) {
     if (!caster_) {
         caster_.emplace();
     }
@@ -18,6 +19,10 @@ Outcome FileWriter::run(const SavePicture& op, const std::filesystem::path& fold
     picture.background = op.background;
     caster_->render(picture);
     image::Image pixels = caster_->readPicture();
+    if (!drawn.isEmpty()) {
+        markStrokes(pixels, drawn, op.strokes == ShownStrokes::Last, contents_.view,
+                    contents_.scan.volume.geometry);
+    }
     if (op.annotations) {
         render::annotate(pixels, picture.rays, contents_.scan.volume.geometry);
     }

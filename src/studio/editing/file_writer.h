@@ -5,6 +5,7 @@
 #include "studio/editing/contents.h"
 #include "studio/editing/display.h"
 #include "studio/editing/outcome.h"
+#include "studio/operations/drawn.h"
 #include "studio/strokes/cutter.h"
 
 #include <filesystem>
@@ -20,7 +21,8 @@ public:
     FileWriter(const Contents& contents, Display& display, const Cutter& cutter)
         : contents_(contents), display_(display), cutter_(cutter) {}
 
-    Outcome run(const SavePicture& op, const std::filesystem::path& folder);
+    // `drawn`: the strokes that the picture shows, if it shows any.
+    Outcome run(const SavePicture& op, const std::filesystem::path& folder, const Drawn& drawn);
     Outcome run(const SaveLabels& op, const std::filesystem::path& folder);
     Outcome run(const SaveSculpture& op, const std::filesystem::path& folder);
 

@@ -2,6 +2,7 @@
 #include "studio/json/session.h"
 
 #include "base/atomic_file.h"
+#include "base/described_json.h"
 #include "base/error.h"
 #include "base/json_file.h"
 #include "base/json_reader.h"
@@ -70,9 +71,18 @@ void keepFirstSegment(std::vector<Operation>& operations) {
 } // namespace
 
 void readVolume(const JsonReader& reader, Session& session) {
-    if (reader.json().contains("block")) {
+    if (reader.has("block")) {
         reader.allow({"block", "spacing", "checksum"});
         session.block = readBlock(reader);
+        reader.ifHas("checksum", [&](const JsonReader& r) { session.volumeChecksum = r.text(); });
+        return;
+    }
+    if (reader.has("phantom")) {
+        auto names = namesOfFields<phantom::Recipe>([](const auto&) { return true; });
+        names.push_back("checksum");
+        reader.allow(names);
+        session.phantom.emplace();
+        readFields(reader, *session.phantom, phantom::Recipe::fields(), Rule());
         reader.ifHas("checksum", [&](const JsonReader& r) { session.volumeChecksum = r.text(); });
         return;
     }
@@ -100,6 +110,8 @@ Json volumeToJson(const Session& session, const std::filesystem::path& path) {
     if (session.block) {
         const auto list = [](const auto& v) { return Json::array({v.x, v.y, v.z}); };
         volume = {{"block", list(session.block->dims)}, {"spacing", list(session.block->spacingMm)}};
+    } else if (session.phantom) {
+        volume = write(*session.phantom, Rule());
     } else {
         volume = {{"path", path.string()}};
     }
@@ -145,8 +157,8 @@ Session loadSession(const std::filesystem::path& path) {
 namespace {
 
 std::string textOf(const std::filesystem::path& path, const Session& session) {
-    const Json volume =
-        volumeToJson(session, session.block ? std::filesystem::path() : storedPath(session.volumePath, path));
+    const Json volume = volumeToJson(session, session.isMade() ? std::filesystem::path()
+                                                               : storedPath(session.volumePath, path));
     // One operation a line: sessions are read and compared by people too.
     std::string text = fmt::format(
         "{{\n  \"volumeStudioSession\": {},\n  \"volume\": {},\n  \"precision\": {},\n  \"operations\": [",
@@ -178,7 +190,7 @@ void saveSession(const std::filesystem::path& path, const Session& session) {
 
 Session sessionOf(const Document& document, const Session& source) {
     Session session = source;
-    if (source.volumePath.empty()) {
+    if (source.volumePath.empty() && !source.isMade()) {
         const volume::GridGeometry& geometry = document.geometryInFile();
         session.block = Session::Block{geometry.dims, geometry.spacing()};
     }
@@ -222,6 +234,17 @@ volume::Volume blockOf(const Session::Block& block) {
     return volume;
 }
 
+// The volume of a session that has no file, if it is one.
+std::optional<volume::ReadResult> madeVolume(const Session& session) {
+    if (session.block) {
+        return volume::ReadResult{blockOf(*session.block), {}};
+    }
+    if (session.phantom) {
+        return volume::ReadResult{phantom::make(*session.phantom).volume, {}};
+    }
+    return {};
+}
+
 } // namespace
 
 volume::Volume openVolume(const Session& session, const std::filesystem::path& sessionPath,
@@ -241,9 +264,13 @@ volume::Volume openVolume(const Session& session, const std::filesystem::path& s
     if (!options.frame) {
         options.frame = session.frame;
     }
-    auto result = replacement     ? readInstead(path, options, overrides)
-                  : session.block ? volume::ReadResult{blockOf(*session.block), {}}
-                                  : volume::readVolume(path, options);
+    auto result = [&] {
+        if (replacement) {
+            return readInstead(path, options, overrides);
+        }
+        auto made = madeVolume(session);
+        return made ? std::move(*made) : volume::readVolume(path, options);
+    }();
     notices.insert(notices.end(), result.notices.begin(), result.notices.end());
     if (!session.volumeChecksum.empty() && volume::checksum(result.volume) != session.volumeChecksum) {
         if (!replacement && !overrides.raw && !overrides.series && !overrides.frame) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "phantom/recipe.h"
 #include "studio/document/document.h"
 #include "volume/io/read.h"
 
@@ -21,7 +22,9 @@ struct Session {
         glm::ivec3 dims{128};
         glm::dvec3 spacingMm{1};
     };
-    std::optional<Block> block;       // else the volume is a file:
+    std::optional<Block> block;
+    std::optional<phantom::Recipe> phantom; // a volume that is made
+    // With neither the volume is a file:
     std::filesystem::path volumePath; // absolute, or relative to the session file
     std::string volumeChecksum;       // empty: not checked
     std::string rawLayout;            // set for headerless files
@@ -29,6 +32,8 @@ struct Session {
     std::optional<int> frame;
     sculpt::Precision precision = sculpt::Precision::Bits16; // of the sculpture
     std::vector<Operation> operations;
+
+    [[nodiscard]] bool isMade() const { return block || phantom; } // no file has the volume
 };
 
 // Throws SessionError naming file, operation and member, what is wrong and what would be right.

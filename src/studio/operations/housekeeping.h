@@ -4,6 +4,7 @@
 #include "render/marks/background.h"
 #include "studio/operations/drawing.h"
 
+#include <array>
 #include <variant>
 
 namespace vs::studio {
@@ -55,6 +56,11 @@ struct Note {
 
 inline constexpr Rule kOutputFile{.isOutputFile = true};
 
+// Which strokes a picture shows over what it shows.
+enum class ShownStrokes { None, Next, Last };
+inline constexpr std::array<const char*, 3> kShownStrokes{"none", "next", "last"};
+constexpr const auto& namesOf(ShownStrokes) { return kShownStrokes; }
+
 // Writes the view as a PNG into the output folder, with a scale bar and an orientation marker if asked for.
 // Does not change the document.
 struct SavePicture {
@@ -65,6 +71,7 @@ struct SavePicture {
     int samples = 8;
     render::Background background = {};
     bool annotations = false;
+    ShownStrokes strokes = ShownStrokes::None;
 
     template <typename = void>
     static constexpr auto fields() {
@@ -72,7 +79,9 @@ struct SavePicture {
                           written("size", &SavePicture::size, kPictureSize),
                           written("samples", &SavePicture::samples, {.least = 1, .most = 256}, "a pixel"),
                           written("background", &SavePicture::background),
-                          written("annotations", &SavePicture::annotations)};
+                          written("annotations", &SavePicture::annotations),
+                          sparse("strokes", &SavePicture::strokes, {},
+                                 "what the pen drew last, or draws next in the session, over it")};
     }
 };
 

@@ -148,6 +148,7 @@ void DocumentFiles::takeSession(const studio::Session& session) {
     source_.rawLayout = session.rawLayout;
     source_.series = session.series;
     source_.frame = session.frame;
+    source_.phantom = session.phantom;
     replay_.assign(session.operations.begin(), session.operations.end());
     replayTotal_ = int(replay_.size());
     isReplayGivenUp_ = false;
@@ -207,10 +208,11 @@ void DocumentFiles::finishReplay(const QString& error, bool isGivenUp) {
 studio::Session DocumentFiles::provenance() const {
     studio::Session source;
     const auto& volume = *host_.volume();
-    if (volume.path.empty()) { // made from nothing
+    source.phantom = source_.phantom;
+    if (volume.path.empty() && !source.phantom) { // made from nothing
         const auto& geometry = host_.document()->geometryInFile();
         source.block = studio::Session::Block{geometry.dims, geometry.spacing()};
-    } else {
+    } else if (!source.phantom) {
         source.volumePath = std::filesystem::absolute(volume.path);
     }
     source.volumeChecksum = checksum_;

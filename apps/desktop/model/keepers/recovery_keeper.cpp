@@ -42,10 +42,10 @@ LostWork describe(const QFileInfo& file) {
     try {
         const auto content = studio::readJournal(lost.journal);
         lost.edits = int(content.unsavedEdits());
-        lost.name = content.session.block
+        lost.name = content.session.isMade()
                         ? tr("Made from nothing")
                         : QString::fromStdString(content.session.volumePath.filename().string());
-        if (!content.session.block && !std::filesystem::exists(content.session.volumePath)) {
+        if (!content.session.isMade() && !std::filesystem::exists(content.session.volumePath)) {
             lost.problem = tr("its volume %1 is not there")
                                .arg(QString::fromStdString(content.session.volumePath.string()));
         }

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "phantom/recipe.h"
+
+#include "base/error.h"
+#include "base/names.h"
+#include "phantom/body_phantom.h"
+
+namespace vs::phantom {
+
+namespace {
+
+constexpr std::array kHeadTissues{"air", "scalp", "skull", "CSF", "grey", "white", "ventricles"};
+constexpr std::array kBodyTissues{"air", "soft tissue", "bone", "lung"};
+
+constexpr const char* kWhiteMatter = "white matter";
+constexpr const char* kThousandHu = "1000 HU";
+
+LabelledVolume makeHead(const Recipe& recipe) {
+    return makeHeadPhantom({recipe.dims.value_or(HeadPhantomOptions{}.dims), recipe.noisePercent,
+                            recipe.biasPercent, std::uint64_t(recipe.seed)});
+}
+
+// The others are alike: a grid, noise, and the noise's seed.
+template <typename Options, LabelledVolume (*makePhantom)(const Options&)>
+LabelledVolume makeWithNoise(const Recipe& recipe) {
+    return makePhantom(
+        {recipe.dims.value_or(Options{}.dims), recipe.noisePercent, std::uint64_t(recipe.seed)});
+}
+
+const std::array<About, kKinds.size()> kAbout{
+    About{"T1-weighted MR of a head, uint8", HeadPhantomOptions{}.dims, true, kWhiteMatter, kHeadTissues,
+          makeHead},
+    About{"CT of a chest, int16", BodyPhantomOptions{}.dims, false, kThousandHu, kBodyTissues,
+          makeWithNoise<BodyPhantomOptions, makeBodyPhantom>}};
+
+} // namespace
+
+const About& about(Kind kind) { return kAbout[std::size_t(kind)]; }
+
+LabelledVolume make(const Recipe& recipe) {
+    const About& kind = about(recipe.kind);
+    if (recipe.biasPercent > 0 && !kind.hasBias) {
+        throw UsageError("bias {}: the phantom '{}' has none, being {}; leave it out", recipe.biasPercent,
+                         nameOf(recipe.kind), kind.meaning);
+    }
+    return kind.make(recipe);
+}
+
+} // namespace vs::phantom

@@ -39,6 +39,7 @@ int run(int argc, char** argv) {
     vs::cli::addSketchCommand(app);
     vs::cli::addSweepCommand(app);
     vs::cli::addDevicesCommand(app);
+    vs::cli::addExperimentsCommand(app);
     vs::cli::addExportCommand(app);
     vs::cli::addStatsCommand(app);
     vs::cli::addCompareCommand(app);

@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "base/names.h"
 #include "phantom/body_phantom.h"
+#include "phantom/vessels_phantom.h"
 
 namespace vs::phantom {
 
@@ -11,9 +12,11 @@ namespace {
 
 constexpr std::array kHeadTissues{"air", "scalp", "skull", "CSF", "grey", "white", "ventricles"};
 constexpr std::array kBodyTissues{"air", "soft tissue", "bone", "lung"};
+constexpr std::array kVesselTissues{"air", "tissue", "brain", "artery", "bright tissue"};
 
 constexpr const char* kWhiteMatter = "white matter";
 constexpr const char* kThousandHu = "1000 HU";
+constexpr const char* kArteries = "large arteries";
 
 LabelledVolume makeHead(const Recipe& recipe) {
     return makeHeadPhantom({recipe.dims.value_or(HeadPhantomOptions{}.dims), recipe.noisePercent,
@@ -31,7 +34,9 @@ const std::array<About, kKinds.size()> kAbout{
     About{"T1-weighted MR of a head, uint8", HeadPhantomOptions{}.dims, true, kWhiteMatter, kHeadTissues,
           makeHead},
     About{"CT of a chest, int16", BodyPhantomOptions{}.dims, false, kThousandHu, kBodyTissues,
-          makeWithNoise<BodyPhantomOptions, makeBodyPhantom>}};
+          makeWithNoise<BodyPhantomOptions, makeBodyPhantom>},
+    About{"time-of-flight MR angiogram of a head, uint8", VesselsPhantomOptions{}.dims, false, kArteries,
+          kVesselTissues, makeWithNoise<VesselsPhantomOptions, makeVesselsPhantom>}};
 
 } // namespace
 

@@ -11,8 +11,8 @@
 
 namespace vs::phantom {
 
-enum class Kind { Head, Body };
-inline constexpr std::array<const char*, 2> kKinds{"head", "body"};
+enum class Kind { Head, Body, Vessels };
+inline constexpr std::array<const char*, 3> kKinds{"head", "body", "vessels"};
 constexpr const auto& namesOf(Kind) { return kKinds; }
 
 inline constexpr int kLeastVoxels = 8; // along each axis

@@ -16,6 +16,7 @@ void addPhantomCommand(CLI::App& app);
 void addSketchCommand(CLI::App& app);
 void addSweepCommand(CLI::App& app);
 void addDevicesCommand(CLI::App& app);
+void addExperimentsCommand(CLI::App& app);
 void addExportCommand(CLI::App& app);
 void addStatsCommand(CLI::App& app);
 void addCompareCommand(CLI::App& app);

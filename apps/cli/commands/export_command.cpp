@@ -3,7 +3,7 @@
 #include "arguments/parse.h"
 #include "arguments/volume_argument.h"
 #include "commands/commands.h"
-#include "commands/replay.h"
+#include "sessions/replay.h"
 #include "reports/label_map.h"
 #include "reports/progress.h"
 

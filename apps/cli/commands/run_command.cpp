@@ -2,7 +2,7 @@
 #include "arguments/parse.h"
 #include "arguments/volume_argument.h"
 #include "commands/commands.h"
-#include "commands/replay.h"
+#include "sessions/replay.h"
 #include "reports/progress.h"
 
 #include "base/atomic_file.h"

@@ -1,18 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "base/embedded_text.h"
+
 #include <span>
-#include <string_view>
 
 namespace vs::render {
 
-// One file of data/transfer_functions, compiled into the program: its name without extension, and its text.
-struct EmbeddedPreset {
-    std::string_view name;
-    std::string_view text;
-};
-
-// All presets, in alphabetical order (generated at build).
-std::span<const EmbeddedPreset> embeddedPresets();
+// The files of data/transfer_functions, in alphabetical order (generated at build).
+std::span<const EmbeddedText> embeddedPresets();
 
 } // namespace vs::render

@@ -51,7 +51,7 @@ void saveTransferFunction(const std::filesystem::path& path, const TransferFunct
 
 std::vector<std::string> presetNames() {
     std::vector<std::string> names;
-    for (const EmbeddedPreset& preset : embeddedPresets()) {
+    for (const EmbeddedText& preset : embeddedPresets()) {
         names.emplace_back(preset.name);
     }
     return names;
@@ -60,7 +60,7 @@ std::vector<std::string> presetNames() {
 std::optional<TransferFunction> findPreset(const std::string& name) {
     static const auto presets = [] {
         std::map<std::string, TransferFunction> all;
-        for (const EmbeddedPreset& preset : embeddedPresets()) {
+        for (const EmbeddedText& preset : embeddedPresets()) {
             const std::string key(preset.name);
             all[key] = transferFunctionFromJson(Json::parse(preset.text), "preset " + key);
         }

@@ -131,7 +131,14 @@ void addDistances(Agreement& agreement, const volume::GridGeometry& geometry, Ma
         double(there.size() + back.size());
 }
 
+double diceOf(const Overlap& overlap) {
+    const double all = double(overlap.found) + double(overlap.truth);
+    return all > 0 ? 2 * double(overlap.both) / all : 1;
+}
+
 } // namespace
+
+double dice(glm::ivec3 dims, Mask found, Mask truth) { return diceOf(overlapOf(dims, found, truth)); }
 
 Agreement compare(const volume::GridGeometry& geometry, Mask found, Mask truth) {
     VS_CHECK_EQ(found.size(), geometry.voxelCount());
@@ -142,12 +149,11 @@ Agreement compare(const volume::GridGeometry& geometry, Mask found, Mask truth) 
     const auto both = double(overlap.both);
     Agreement agreement;
     agreement.volumeDifferenceMl = (a - b) * geometry.voxelMm3() / 1000.0;
+    agreement.dice = diceOf(overlap);
     if (a == 0 && b == 0) {
-        agreement.dice = 1;
         agreement.jaccard = 1;
         return agreement;
     }
-    agreement.dice = 2 * both / (a + b);
     agreement.jaccard = both / (a + b - both);
     agreement.volumeDifferencePercent = b > 0 ? 100 * (a - b) / b : kInfinite;
     if (a > 0 && b > 0) {

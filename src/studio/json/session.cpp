@@ -129,8 +129,9 @@ Json volumeToJson(const Session& session, const std::filesystem::path& path) {
     return volume;
 }
 
-Session loadSession(const std::filesystem::path& path) {
-    const Json json = readJsonFile(path, "a session file", "doc/session.md");
+namespace {
+
+Session sessionFromJson(const Json& json, const std::filesystem::path& path) {
     const JsonReader root(json, path.string());
     root.allow({"volumeStudioSession", "volume", "precision", "operations"});
     const long version = root.member("volumeStudioSession").integerBetween(1, 1 << 20);
@@ -152,6 +153,20 @@ Session loadSession(const std::filesystem::path& path) {
     }
     keepFirstSegment(session.operations);
     return session;
+}
+
+} // namespace
+
+Session loadSession(const std::filesystem::path& path) {
+    return sessionFromJson(readJsonFile(path, "a session file", "doc/session.md"), path);
+}
+
+Session sessionFromText(std::string_view text, const std::filesystem::path& path) {
+    try {
+        return sessionFromJson(Json::parse(text), path);
+    } catch (const Json::parse_error& error) {
+        throw SessionError("{}: is not JSON ({}); see doc/session.md", path.string(), error.what());
+    }
 }
 
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "commands/replay.h"
+#include "sessions/replay.h"
 
 #include "reports/progress.h"
 

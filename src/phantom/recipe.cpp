@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "base/names.h"
+#include "phantom/abdomen_phantom.h"
 #include "phantom/body_phantom.h"
 #include "phantom/vessels_phantom.h"
 
@@ -13,6 +14,8 @@ namespace {
 constexpr std::array kHeadTissues{"air", "scalp", "skull", "CSF", "grey", "white", "ventricles"};
 constexpr std::array kBodyTissues{"air", "soft tissue", "bone", "lung"};
 constexpr std::array kVesselTissues{"air", "tissue", "brain", "artery", "bright tissue"};
+constexpr std::array kAbdomenTissues{"air",    "soft tissue", "spine",     "ribs",        "pelvis",  "femora",
+                                     "artery", "stent",       "colon gas", "colon stool", "kidneys", "liver"};
 
 constexpr const char* kWhiteMatter = "white matter";
 constexpr const char* kThousandHu = "1000 HU";
@@ -36,7 +39,9 @@ const std::array<About, kKinds.size()> kAbout{
     About{"CT of a chest, int16", BodyPhantomOptions{}.dims, false, kThousandHu, kBodyTissues,
           makeWithNoise<BodyPhantomOptions, makeBodyPhantom>},
     About{"time-of-flight MR angiogram of a head, uint8", VesselsPhantomOptions{}.dims, false, kArteries,
-          kVesselTissues, makeWithNoise<VesselsPhantomOptions, makeVesselsPhantom>}};
+          kVesselTissues, makeWithNoise<VesselsPhantomOptions, makeVesselsPhantom>},
+    About{"CT of an abdomen and pelvis, int16", AbdomenPhantomOptions{}.dims, false, kThousandHu,
+          kAbdomenTissues, makeWithNoise<AbdomenPhantomOptions, makeAbdomenPhantom>}};
 
 } // namespace
 

@@ -12,7 +12,7 @@ namespace {
 
 constexpr glm::dvec3 kAbdomenExtentMm(400, 320, 460);
 
-namespace hu {
+namespace abdominal {
 constexpr double air = -1000;
 constexpr double gas = -900;
 constexpr double fat = -100;
@@ -30,7 +30,7 @@ constexpr double blood = 300;
 constexpr double marrow = 430;
 constexpr double bone = 720;
 constexpr double steel = 2400;
-} // namespace hu
+} // namespace abdominal
 
 // All tubes, which are the same for every voxel.
 struct Tubes {
@@ -57,7 +57,7 @@ double skinDistance(glm::dvec3 p) {
 class Abdomen {
 public:
     Abdomen(const Tubes& tubes, glm::dvec3 p, double voxelMm)
-        : tubes_(tubes), p_(p), m_(std::abs(p.x), p.y, p.z), painter_(voxelMm, hu::air),
+        : tubes_(tubes), p_(p), m_(std::abs(p.x), p.y, p.z), painter_(voxelMm, abdominal::air),
           skin_(skinDistance(p)) {}
 
     TissuePainter paint() {
@@ -96,17 +96,17 @@ private:
 
 // Skin, fat, muscles parted by sheets of fat, and the fat within.
 void Abdomen::paintWall() {
-    over(skin_, hu::skin, AbdomenTissue::Soft);
-    over(skin_ + 2.4, hu::fat, AbdomenTissue::Soft);
+    over(skin_, abdominal::skin, AbdomenTissue::Soft);
+    over(skin_ + 2.4, abdominal::fat, AbdomenTissue::Soft);
     const double below = glm::smoothstep(20.0, -120.0, p_.z);
     const double fatMm =
         12 + 7 * below + 3 * std::sin(0.03 * p_.x + 0.02 * p_.z) + 2 * std::sin(0.045 * p_.y);
     const double muscles = skin_ + 2.4 + fatMm;
-    over(muscles, hu::muscle, AbdomenTissue::Soft);
+    over(muscles, abdominal::muscle, AbdomenTissue::Soft);
     const double bundles = std::sin(0.085 * p_.x + 1.4 * std::sin(0.02 * p_.z)) +
                            std::sin(0.08 * p_.y + 1.2 * std::sin(0.03 * p_.x)) + 0.5 * std::sin(0.05 * p_.z);
     const double sheet = std::abs(bundles) / 0.12 - 0.9;
-    over(std::max({sheet, muscles + 4, p_.z + 60 - 2 * std::max(p_.y - 60, 0.0)}), 0.7 * hu::fat,
+    over(std::max({sheet, muscles + 4, p_.z + 60 - 2 * std::max(p_.y - 60, 0.0)}), 0.7 * abdominal::fat,
          AbdomenTissue::Soft);
     paintCavity(muscles);
 }
@@ -118,21 +118,22 @@ void Abdomen::paintCavity(double muscles) {
     if (cavity > 6) {
         return;
     }
-    over(cavity, hu::fat, AbdomenTissue::Soft);
+    over(cavity, abdominal::fat, AbdomenTissue::Soft);
     const double psoas = smoothMin(smoothMin(coneDistance(m_, {26, 44, 125}, 8, {42, 34, 40}, 19),
                                              coneDistance(m_, {42, 34, 40}, 19, {66, 10, -62}, 18), 8),
                                    smoothMin(coneDistance(m_, {66, 10, -62}, 18, {88, -24, -122}, 14),
                                              coneDistance(m_, {88, -24, -122}, 14, {106, 14, -190}, 10), 8),
                                    8);
     const double iliacus = coneDistance(m_, {114, 8, -30}, 8, {94, -8, -100}, 16);
-    over(smoothMin(psoas, iliacus, 10), hu::muscle, AbdomenTissue::Soft);
+    over(smoothMin(psoas, iliacus, 10), abdominal::muscle, AbdomenTissue::Soft);
     // Loops of the small bowel: one folded tube fills the middle.
     const double room = ellipsoidDistance(p_ - glm::dvec3(6, -42, -8), {78, 46, 66});
     const glm::dvec3 q = p_ + 7.0 * glm::sin(0.06 * glm::dvec3(p_.y, p_.z, p_.x));
     const double loops = std::sin(0.13 * q.x) * std::cos(0.11 * q.z) +
                          std::sin(0.12 * q.y) * std::cos(0.13 * q.x) +
                          std::sin(0.12 * q.z) * std::cos(0.12 * q.y);
-    over(std::max({room, 9 * (0.12 - std::abs(loops)), cavity + 3}), hu::wall - 8, AbdomenTissue::Soft);
+    over(std::max({room, 9 * (0.12 - std::abs(loops)), cavity + 3}), abdominal::wall - 8,
+         AbdomenTissue::Soft);
 }
 
 void Abdomen::paintOrgans() {
@@ -142,22 +143,22 @@ void Abdomen::paintOrgans() {
         const double left = ellipsoidDistance(p_ - glm::dvec3(18, -44, 196), {72, 52, 46});
         const double under = 92 + 0.42 * (p_.x + 70) - 0.32 * (p_.y + 20) - p_.z;
         const double liver = smoothMax(smoothMax(smoothMin(dome, left, 20), under, 16), wall, 8);
-        over(liver, hu::liver, AbdomenTissue::Liver);
+        over(liver, abdominal::liver, AbdomenTissue::Liver);
         const double veins = std::sin(0.07 * p_.x + 1.6 * std::sin(0.04 * p_.y)) * std::sin(0.08 * p_.z) +
                              std::sin(0.06 * p_.y + std::sin(0.05 * p_.x));
-        over(std::max(liver + 5, 12 * (1.55 - std::abs(veins))), hu::liver + 22, AbdomenTissue::Liver);
+        over(std::max(liver + 5, 12 * (1.55 - std::abs(veins))), abdominal::liver + 22, AbdomenTissue::Liver);
         const double spleen =
             smoothMax(ellipsoidDistance(p_ - glm::dvec3(104, 42, 178), {34, 44, 52}), wall, 8);
-        over(spleen, hu::spleen, AbdomenTissue::Soft);
+        over(spleen, abdominal::spleen, AbdomenTissue::Soft);
         const double stomach = smoothMin(ellipsoidDistance(p_ - glm::dvec3(66, -22, 188), {40, 46, 46}),
                                          coneDistance(p_, {50, -60, 150}, 26, {2, -62, 128}, 16), 22);
-        over(std::max({stomach, 4 - spleen, 3 - liver}), hu::wall, AbdomenTissue::Soft);
-        over(std::max({stomach, 4 - spleen, 3 - liver}) + 5, hu::skin, AbdomenTissue::Soft);
+        over(std::max({stomach, 4 - spleen, 3 - liver}), abdominal::wall, AbdomenTissue::Soft);
+        over(std::max({stomach, 4 - spleen, 3 - liver}) + 5, abdominal::skin, AbdomenTissue::Soft);
         paintKidneys();
     } else {
         const double bladder = ellipsoidDistance(p_ - glm::dvec3(0, -26, -132), {32, 28, 25});
-        over(bladder, hu::wall, AbdomenTissue::Soft);
-        over(bladder + 3.5, hu::urine, AbdomenTissue::Soft);
+        over(bladder, abdominal::wall, AbdomenTissue::Soft);
+        over(bladder + 3.5, abdominal::urine, AbdomenTissue::Soft);
     }
 }
 
@@ -170,10 +171,10 @@ void Abdomen::paintKidneys() {
         return;
     }
     const double sinus = ellipsoidDistance(q - glm::dvec3(-20, -6, 0), {22, 10, 20});
-    over(kidney - 9, hu::fat, AbdomenTissue::Soft);
-    over(smoothMax(kidney, -sinus, 5), hu::kidney, AbdomenTissue::Kidneys);
+    over(kidney - 9, abdominal::fat, AbdomenTissue::Soft);
+    over(smoothMax(kidney, -sinus, 5), abdominal::kidney, AbdomenTissue::Kidneys);
     const double pyramids = std::sin(0.28 * q.z) * std::sin(0.22 * q.y + 0.9);
-    over(std::max({kidney + 8, 3 - sinus, 9 * (0.35 - std::abs(pyramids))}), hu::kidney - 28,
+    over(std::max({kidney + 8, 3 - sinus, 9 * (0.35 - std::abs(pyramids))}), abdominal::kidney - 28,
          AbdomenTissue::Kidneys);
 }
 
@@ -201,25 +202,25 @@ void Abdomen::paintColon() {
         -0.2 + 1.6 * glm::smoothstep(170.0, 215.0, along) - 2.8 * glm::smoothstep(440.0, 480.0, along) +
         1.7 * glm::smoothstep(640.0, 700.0, along) - 0.9 * glm::smoothstep(860.0, 930.0, along);
     const double above = off.y - level * nearest.radius;
-    over(lumen - kWallMm, hu::wall, AbdomenTissue::Soft);
-    over(lumen, hu::stool, AbdomenTissue::ColonStool);
-    over(std::max(lumen, above), hu::gas, AbdomenTissue::ColonGas);
+    over(lumen - kWallMm, abdominal::wall, AbdomenTissue::Soft);
+    over(lumen, abdominal::stool, AbdomenTissue::ColonStool);
+    over(std::max(lumen, above), abdominal::gas, AbdomenTissue::ColonGas);
 }
 
 void Abdomen::paintBones() {
     const SpineDistances column = spine(p_);
-    over(column.canal, hu::skin, AbdomenTissue::Soft);
-    over(column.disc, hu::cartilage, AbdomenTissue::Soft);
+    over(column.canal, abdominal::skin, AbdomenTissue::Soft);
+    over(column.disc, abdominal::cartilage, AbdomenTissue::Soft);
     const auto paintBone = [&](double distance, double cortexMm, AbdomenTissue tissue) {
-        over(distance, hu::bone, tissue);
-        over(distance + cortexMm, hu::marrow, tissue);
+        over(distance, abdominal::bone, tissue);
+        over(distance + cortexMm, abdominal::marrow, tissue);
     };
     paintBone(column.bone, 2.2, AbdomenTissue::Spine);
     paintBone(tubes_.ribs.nearest(p_).distance, 2, AbdomenTissue::Ribs);
     if (p_.z < 20) {
         const double hips = pelvis(p_);
         const double legs = femora(p_);
-        over(legs - 3, hu::cartilage, AbdomenTissue::Soft);
+        over(legs - 3, abdominal::cartilage, AbdomenTissue::Soft);
         paintBone(std::max(hips, 4 - legs), 2.4, AbdomenTissue::Pelvis);
         paintBone(legs, 3, AbdomenTissue::Femora);
     }
@@ -228,12 +229,12 @@ void Abdomen::paintBones() {
 void Abdomen::paintArteries() {
     const double lumen = tubes_.arteries.nearest(p_).distance;
     const double sac = ellipsoidDistance(p_ - glm::dvec3(3, -3, 36), {25, 20, 40}); // an aneurysm, clotted
-    over(std::max(sac, 18 - p_.y > 0 ? sac : p_.y - 18), hu::thrombus, AbdomenTissue::Soft);
-    over(lumen - 1.6, hu::wall, AbdomenTissue::Soft);
+    over(std::max(sac, 18 - p_.y > 0 ? sac : p_.y - 18), abdominal::thrombus, AbdomenTissue::Soft);
+    over(lumen - 1.6, abdominal::wall, AbdomenTissue::Soft);
     const double plaque = coneDistance(p_, {76, -40, -127}, 3.6, {72, -24, -130}, 4.5);
-    over(plaque, hu::blood, AbdomenTissue::Soft);
-    over(lumen, hu::blood, AbdomenTissue::Artery);
-    over(tubes_.wires.nearest(p_).distance, hu::steel, AbdomenTissue::Stent);
+    over(plaque, abdominal::blood, AbdomenTissue::Soft);
+    over(lumen, abdominal::blood, AbdomenTissue::Artery);
+    over(tubes_.wires.nearest(p_).distance, abdominal::steel, AbdomenTissue::Stent);
 }
 
 } // namespace

@@ -14,7 +14,7 @@ namespace {
 
 constexpr glm::dvec3 kBodyExtentMm(400);
 
-namespace hu {
+namespace chest {
 constexpr double air = -1000;
 constexpr double lung = -850;
 constexpr double fat = -100;
@@ -23,7 +23,7 @@ constexpr double blood = 45;
 constexpr double muscle = 55;
 constexpr double marrow = 220;
 constexpr double bone = 700;
-} // namespace hu
+} // namespace chest
 
 // Signed distance to the trunk without its shoulders, whose inside ribs and lungs follow.
 double trunkDistance(glm::dvec3 p) {
@@ -48,7 +48,7 @@ double roughness(glm::dvec3 p) {
 
 class Body {
 public:
-    Body(glm::dvec3 p, double voxelMm) : p_(p), painter_(voxelMm, hu::air), trunk_(trunkDistance(p)) {}
+    Body(glm::dvec3 p, double voxelMm) : p_(p), painter_(voxelMm, chest::air), trunk_(trunkDistance(p)) {}
 
     // `grain`: -1 to 1, this voxel's own share of the roughness.
     TissuePainter paint(double grain) {
@@ -60,9 +60,9 @@ public:
         if (skin > -kMargin) {
             skin += roughness(p_) + 0.3 * grain;
         }
-        over(skin, hu::skin, BodyTissue::Soft);
-        over(skin + 2.5, hu::fat, BodyTissue::Soft);
-        over(skin + 13 + 3 * std::sin(0.03 * p_.x + 0.02 * p_.z), hu::muscle, BodyTissue::Soft);
+        over(skin, chest::skin, BodyTissue::Soft);
+        over(skin + 2.5, chest::fat, BodyTissue::Soft);
+        over(skin + 13 + 3 * std::sin(0.03 * p_.x + 0.02 * p_.z), chest::muscle, BodyTissue::Soft);
         paintOrgans();
         paintBones();
         return painter_;
@@ -80,11 +80,11 @@ private:
             smoothMax(ellipsoidDistance(m - glm::dvec3(72, 5, 10), {58, 84, 108}), trunk_ + 34, 8);
         const double heart = ellipsoidDistance(p_ - glm::dvec3(28, -28, -8), {48, 44, 52});
         const double lungs = smoothMax(smoothMax(side, dome - p_.z, 8), 4 - heart, 6);
-        over(lungs, hu::lung, BodyTissue::Lung);
+        over(lungs, chest::lung, BodyTissue::Lung);
         const double branches = std::sin(0.11 * p_.x + 2 * std::sin(0.03 * p_.z)) * std::sin(0.12 * p_.y) +
                                 std::sin(0.1 * p_.z + std::sin(0.05 * p_.x));
-        over(std::max(lungs + 3, 7 * (1.6 - std::abs(branches))), hu::blood, BodyTissue::Soft);
-        over(heart, hu::blood, BodyTissue::Soft);
+        over(std::max(lungs + 3, 7 * (1.6 - std::abs(branches))), chest::blood, BodyTissue::Soft);
+        over(heart, chest::blood, BodyTissue::Soft);
     }
     void paintBones() {
         const double slope = p_.z + 0.45 * p_.y; // ribs fall from the spine to the front
@@ -99,8 +99,8 @@ private:
         const double arch =
             smoothMax(std::abs(glm::length(glm::dvec2(p_.x, spine - 22)) - 12) - 3, -discs, 2);
         const double bones = std::min({ribs, sternum, vertebrae, process, arch});
-        over(bones, hu::bone, BodyTissue::Bone);
-        over(bones + 2, hu::marrow, BodyTissue::Bone);
+        over(bones, chest::bone, BodyTissue::Bone);
+        over(bones + 2, chest::marrow, BodyTissue::Bone);
     }
 
     glm::dvec3 p_;

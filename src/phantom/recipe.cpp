@@ -5,6 +5,7 @@
 #include "base/names.h"
 #include "phantom/abdomen_phantom.h"
 #include "phantom/body_phantom.h"
+#include "phantom/skull_phantom.h"
 #include "phantom/vessels_phantom.h"
 
 namespace vs::phantom {
@@ -16,6 +17,8 @@ constexpr std::array kBodyTissues{"air", "soft tissue", "bone", "lung"};
 constexpr std::array kVesselTissues{"air", "tissue", "brain", "artery", "bright tissue"};
 constexpr std::array kAbdomenTissues{"air",    "soft tissue", "spine",     "ribs",        "pelvis",  "femora",
                                      "artery", "stent",       "colon gas", "colon stool", "kidneys", "liver"};
+constexpr std::array kSkullTissues{"air",      "soft tissue", "brain", "skull",
+                                   "mandible", "vertebrae",   "teeth", "lower left first molar"};
 
 constexpr const char* kWhiteMatter = "white matter";
 constexpr const char* kThousandHu = "1000 HU";
@@ -41,7 +44,9 @@ const std::array<About, kKinds.size()> kAbout{
     About{"time-of-flight MR angiogram of a head, uint8", VesselsPhantomOptions{}.dims, false, kArteries,
           kVesselTissues, makeWithNoise<VesselsPhantomOptions, makeVesselsPhantom>},
     About{"CT of an abdomen and pelvis, int16", AbdomenPhantomOptions{}.dims, false, kThousandHu,
-          kAbdomenTissues, makeWithNoise<AbdomenPhantomOptions, makeAbdomenPhantom>}};
+          kAbdomenTissues, makeWithNoise<AbdomenPhantomOptions, makeAbdomenPhantom>},
+    About{"CT of a head with teeth, int16", SkullPhantomOptions{}.dims, false, kThousandHu, kSkullTissues,
+          makeWithNoise<SkullPhantomOptions, makeSkullPhantom>}};
 
 } // namespace
 

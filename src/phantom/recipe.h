@@ -11,8 +11,8 @@
 
 namespace vs::phantom {
 
-enum class Kind { Head, Body, Vessels, Abdomen };
-inline constexpr std::array<const char*, 4> kKinds{"head", "body", "vessels", "abdomen"};
+enum class Kind { Head, Body, Vessels, Abdomen, Skull };
+inline constexpr std::array<const char*, 5> kKinds{"head", "body", "vessels", "abdomen", "skull"};
 constexpr const auto& namesOf(Kind) { return kKinds; }
 
 inline constexpr int kLeastVoxels = 8; // along each axis

@@ -46,7 +46,7 @@ ROOMS = {
                            "edits": ["hand", "texts"], "segments": ["edits"], "slices": ["hand"],
                            "files": ["segments"], "studio": ["files", "slices", "settings"],
                            "exports": ["studio"], "keepers": ["studio"]},
-    "apps/desktop/tools": {"kinds": []},
+    "apps/desktop/tools": {"kinds": [], "playing": []},
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s+["<]([^">]+)[">]')
 

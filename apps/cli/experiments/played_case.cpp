@@ -6,6 +6,7 @@
 #include "base/error.h"
 #include "base/timer.h"
 #include "phantom/recipe.h"
+#include "studio/cases/steps.h"
 #include "volume/io/label_map.h"
 
 #include <algorithm>

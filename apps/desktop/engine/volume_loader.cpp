@@ -24,6 +24,11 @@ void load(Loaded& result) {
         result.volume = studio::openVolume(*result.session, request.journal, std::nullopt, result.notices);
         return;
     }
+    if (request.given) {
+        result.session = *request.given;
+        result.volume = studio::openVolume(*result.session, {}, std::nullopt, result.notices);
+        return;
+    }
     if (!request.session.empty()) {
         result.session = studio::loadSession(request.session);
         const auto replacement =

@@ -33,6 +33,9 @@ struct OpenRequest {
     std::filesystem::path journal = {};
     std::optional<NewBlock> block = {};
     std::optional<phantom::Recipe> phantom = {}; // what a session's volume was made by
+    // A session that no file has, instead of one that is named: a case that comes with the program.
+    std::shared_ptr<const studio::Session> given = {};
+    bool isPlayed = false; // a session's operations are not done at once, but before one's eyes
 };
 
 struct Loaded {

@@ -12,6 +12,7 @@
 #include "tools/move_tool.h"
 #include "tools/paint_tool.h"
 #include "tools/peel_tool.h"
+#include "tools/play_tool.h"
 #include "tools/scissors_tool.h"
 #include "tools/seed_tool.h"
 #include "tools/slice_pen.h"
@@ -37,7 +38,8 @@ ToolBox::ToolBox(StudioController& studio) : QObject(&studio) {
               new MoveTool(studio, *camera),
               new IslandTool(studio),
               paint,
-              measure};
+              measure,
+              new PlayTool(studio, *camera)};
     slicePen_ = new SlicePen(studio, *seed, *paint, *measure);
     for (Tool* tool : tools_) {
         studio.hand().listenTo(*tool);

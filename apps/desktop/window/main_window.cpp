@@ -20,8 +20,10 @@
 #include "parts/panel_parts.h"
 #include "start/welcome_page.h"
 #include "tools/camera_tool.h"
+#include "tools/play_tool.h"
 #include "tools/tool_box.h"
 #include "view/camera_keys.h"
+#include "view/play_strip.h"
 #include "view/slice_canvas.h"
 #include "view/touch_pad.h"
 #include "view/view_grid.h"
@@ -142,6 +144,7 @@ void MainWindow::makeCentre() {
     }
     new CameraKeys(*view_, studio_); // the view owns it
     column->addWidget(grid_, 1);
+    column->addWidget(new PlayStrip(tools_.get<PlayTool>()));
     hint_ = named(new HintLine, "hint", tr("What to do next"));
     column->addWidget(hint_);
     centre_->addWidget(page);

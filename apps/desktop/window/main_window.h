@@ -105,6 +105,8 @@ private:
 
     // main_window_files.cpp
     void openFile();
+    void playFile();
+    void playAgain();
     void openFolder();
     void openLabels();
     void dropOn(const QString& path);

@@ -7,6 +7,7 @@
 #include "model/studio/studio_controller.h"
 #include "panels/history_panel.h"
 #include "studio/document/document_facts.h"
+#include "tools/play_tool.h"
 #include "tools/tool_box.h"
 #include "view/view_widget.h"
 #include "window/action_table.h"
@@ -26,6 +27,17 @@ void MainWindow::makeFileActions() {
     const auto canOpen = [this] { return !studio_.host().isLoading(); };
     actions_->add({"open", "open", tr("Open"), tr("Open a volume or a session"), QKeySequence::Open,
                    [this] { openFile(); }, canOpen});
+    actions_->add({"playFile", "play", tr("Play a session\u2026"),
+                   tr("Open a session and see it done step by step, as it was drawn"), tr("Ctrl+Alt+O"),
+                   [this] { playFile(); }, canOpen});
+    actions_->add({"playAgain", "play", tr("Play from the start"),
+                   tr("See all that was done to this scan once more, step by step"), tr("Ctrl+Alt+P"),
+                   [this] { playAgain(); }, [this] { return isOpen() && studio_.host().facts()->logged > 0; }});
+    auto& player = tools_.get<PlayTool>();
+    actions_->add({"playOrPause", "play", tr("Play or pause the session"),
+                   tr("Let the session go on, or hold it"), Qt::Key_Space,
+                   [&player] { player.isRunning() ? player.pause() : player.play(); },
+                   [this, &player] { return isOpen() && player.hasSession() && !player.isAtEnd(); }});
     actions_->add({"openFolder", "folder", tr("DICOM"), tr("Open a folder of DICOM slices"),
                    tr("Ctrl+Shift+O"), [this] { openFolder(); }, canOpen});
     actions_->add({"newBlock", nullptr, tr("Sculpt from nothing…"),

@@ -49,7 +49,7 @@ void MainWindow::makeMenus() {
         }
     };
     menu(tr("&File"),
-         {"open", "openFolder", "newBlock", "openLabels", "startScreen", "-", "saveSession", "exportLabels",
+         {"open", "playFile", "openFolder", "newBlock", "openLabels", "startScreen", "-", "playAgain", "playOrPause", "-", "saveSession", "exportLabels",
           "export", "screenshot", "exportPicture", "copyPicture", "-", "properties", "-", "quit"});
     menu(tr("&Edit"), {"undo", "redo", "showHistory", "addNote", "-", "paste", "pullOut", "moveTool", "-",
                        "unCut", "reSeed", "-", "clearSketch", "-", "preferences"});

@@ -108,6 +108,25 @@ void MainWindow::openFile() {
            {}, [this](const QString& path) { openPath(path); });
 }
 
+void MainWindow::playFile() {
+    choose("playDialog", tr("Play a session"), false, tr("Sessions (*.json)"), {},
+           [this](const QString& path) {
+               OpenRequest request;
+               request.session = pathOf(path);
+               request.isPlayed = true;
+               open(request);
+           });
+}
+
+void MainWindow::playAgain() {
+    auto session = std::make_shared<studio::Session>(
+        studio::sessionOf(*studio_.host().document(), studio_.files().provenance()));
+    OpenRequest request;
+    request.given = std::move(session);
+    request.isPlayed = true;
+    open(request);
+}
+
 void MainWindow::openFolder() {
     choose("openFolderDialog", tr("Open a folder of DICOM slices"), false, {}, {},
            [this](const QString& path) { openPath(path); });

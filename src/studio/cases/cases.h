@@ -31,12 +31,4 @@ const CaseScan* scanOf(const Session& session);
 std::optional<std::filesystem::path> findFile(const std::filesystem::path& named,
                                               std::span<const std::filesystem::path> folders);
 
-// Part of a session that belongs together: what a note tells, up to the next one.
-struct Step {
-    std::string text;      // of the note; empty for what stands before the first
-    std::size_t first = 0; // operation
-    std::size_t count = 0; // of operations, the note included
-};
-std::vector<Step> stepsOf(std::span<const Operation> operations);
-
 } // namespace vs::studio

@@ -76,21 +76,7 @@ Drawn Document::Impl::strokesFor(const SavePicture& op, std::span<const Operatio
 }
 
 Outcome Document::Impl::run(SetView& op) {
-    View view = contents.view;
-    view.camera = op.camera.value_or(view.camera);
-    view.mode = op.mode.value_or(view.mode);
-    view.range = op.range.value_or(view.range);
-    view.sculptureView = op.sculptureView.value_or(view.sculptureView);
-    view.transferFunction = op.transferFunction.value_or(view.transferFunction);
-    view.pasted = op.pasted.value_or(view.pasted);
-    view.sampling = op.sampling.value_or(view.sampling);
-    view.shadows = op.shadows.value_or(view.shadows);
-    view.hidesAbove = op.hidesAbove.value_or(view.hidesAbove);
-    view.surfaceSmoothing = op.surfaceSmoothing.value_or(view.surfaceSmoothing);
-    view.tintsSegments = op.tintsSegments.value_or(view.tintsSegments);
-    view.sliceWindow = op.sliceWindow.value_or(view.sliceWindow);
-    view.tintsSlices = op.tintsSlices.value_or(view.tintsSlices);
-    view.isInverted = op.isInverted.value_or(view.isInverted);
+    const View view = changed(contents.view, op);
     // Logged whole: what was looked at before is part of it.
     op = setViewTo(view);
     contents.show(view);

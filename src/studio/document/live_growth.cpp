@@ -13,11 +13,11 @@ namespace vs::studio {
 bool LiveGrowth::isGrowing() const { return contents_.inHand == InHand::Growth; }
 bool LiveGrowth::isScrubbing() const { return contents_.inHand == InHand::Scrub; }
 
-void LiveGrowth::begin() {
+void LiveGrowth::begin(std::optional<field::SculptureView> sculptureView) {
     VS_CHECK(contents_.inHand == InHand::Nothing);
     Run run;
     run.voxelsBefore = contents_.grownVoxels();
-    run.sculptureView = contents_.view.sculptureView;
+    run.sculptureView = sculptureView.value_or(contents_.view.sculptureView);
     workUnlocked(contents_, run.records);
     contents_.region.beginLive(run.sculptureView, run.records);
     run_ = std::move(run);
@@ -70,6 +70,13 @@ Outcome LiveGrowth::endScrub() {
     outcome.name = name(Operation(shown));
     outcome.milliseconds = timer.milliseconds();
     return outcome;
+}
+
+void LiveGrowth::dropScrub() {
+    VS_CHECK(isScrubbing());
+    contents_.region.scrub(scrubbedFrom_);
+    contents_.inHand = InHand::Nothing;
+    ++contents_.version;
 }
 
 } // namespace vs::studio

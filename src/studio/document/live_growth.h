@@ -5,6 +5,8 @@
 #include "studio/editing/outcome.h"
 #include "studio/state/region.h"
 
+#include <optional>
+
 namespace vs::studio {
 
 struct Contents;
@@ -22,7 +24,8 @@ public:
     // Grows the segment at work: any number of portions of about `budgetMs`, of at most so many generations,
     // each ending with the generation in which the segment gets to have `mostVoxels`. growFor() returns false
     // when nothing grows any more. end() appends one Grow operation for all of them.
-    void begin();
+    // The sculpture fences it as `sculptureView` says: the view's when not set.
+    void begin(std::optional<field::SculptureView> sculptureView = {});
     bool growFor(double budgetMs, int maxGenerations, std::uint64_t mostVoxels = segment::Growth::kAnyNumber);
     [[nodiscard]] bool isGrowing() const;
     Outcome end();
@@ -32,6 +35,8 @@ public:
     void scrub(int generation);
     [[nodiscard]] bool isScrubbing() const;
     Outcome endScrub();
+    // As if it had not been begun: shows the generation of before.
+    void dropScrub();
 
 private:
     struct Run {

@@ -3,6 +3,9 @@
 
 #include "base/error.h"
 #include "image/drawing.h"
+#include "render/camera/viewport_fit.h"
+
+#include <algorithm>
 
 namespace vs::studio {
 
@@ -14,29 +17,6 @@ constexpr image::Colour kShade{0.04, 0.05, 0.06, 0.75}; // around lines, to be s
 constexpr double kFilled = 0.3;                         // opacity of what a line encloses
 constexpr double kLine = 2.2;                           // pixels, of a picture 870 high
 constexpr double kHeight = 870;
-
-// From pixels of the canvas to those of a picture by the same camera.
-struct Fit {
-    glm::dvec2 scale;
-    glm::dvec2 from; // the canvas' middle
-    glm::dvec2 to;   // the picture's
-
-    Fit(const Canvas& canvas, const volume::GridGeometry& geometry, glm::ivec2 picture) {
-        const auto extent = [&](glm::ivec2 size) {
-            const render::ViewRays rays = render::viewRays(canvas.view.camera, geometry, size);
-            return glm::dvec2(glm::length(rays.right), glm::length(rays.up)) / (0.5 * glm::dvec2(size));
-        };
-        scale = extent(canvas.viewport) / extent(picture);
-        from = 0.5 * glm::dvec2(canvas.viewport);
-        to = 0.5 * glm::dvec2(picture);
-    }
-    [[nodiscard]] Drawn::Line operator()(Drawn::Line line) const {
-        for (glm::dvec2& point : line) {
-            point = to + scale * (point - from);
-        }
-        return line;
-    }
-};
 
 class Marker {
 public:
@@ -77,7 +57,11 @@ void markStrokes(image::Image& picture, const Drawn& drawn, bool isCutting, cons
                     "the view in which they were drawn");
     }
     const glm::ivec2 size(picture.width, picture.height);
-    const Fit fit(canvas, geometry, size);
+    const render::ViewportFit pixel(view.camera, geometry, canvas.viewport, size);
+    const auto fit = [&pixel](Drawn::Line line) {
+        std::transform(line.begin(), line.end(), line.begin(), pixel);
+        return line;
+    };
     Marker marker(size, isCutting ? kCutting : kAtRest);
     for (const Drawn::Line& area : drawn.areas) {
         for (const glm::dvec2& place : drawn.way) {
@@ -88,7 +72,7 @@ void markStrokes(image::Image& picture, const Drawn& drawn, bool isCutting, cons
         marker.area(fit(way.empty() ? area : drawn.areaAt(area, isCutting ? way.back() : way.front())));
     }
     for (const Drawn::Line& line : drawn.lines) {
-        marker.line(fit(line), drawn.lineWidth * fit.scale.y);
+        marker.line(fit(line), drawn.lineWidth * pixel.scale());
     }
     marker.way(fit(drawn.way));
     image::blend(picture, marker.picture());

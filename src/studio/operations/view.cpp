@@ -27,4 +27,22 @@ SetView setViewTo(const View& view) {
             view.tintsSegments, view.sliceWindow, view.tintsSlices, view.isInverted};
 }
 
+View changed(View view, const SetView& by) {
+    view.camera = by.camera.value_or(view.camera);
+    view.mode = by.mode.value_or(view.mode);
+    view.range = by.range.value_or(view.range);
+    view.sculptureView = by.sculptureView.value_or(view.sculptureView);
+    view.transferFunction = by.transferFunction.value_or(view.transferFunction);
+    view.pasted = by.pasted.value_or(view.pasted);
+    view.sampling = by.sampling.value_or(view.sampling);
+    view.shadows = by.shadows.value_or(view.shadows);
+    view.hidesAbove = by.hidesAbove.value_or(view.hidesAbove);
+    view.surfaceSmoothing = by.surfaceSmoothing.value_or(view.surfaceSmoothing);
+    view.tintsSegments = by.tintsSegments.value_or(view.tintsSegments);
+    view.sliceWindow = by.sliceWindow.value_or(view.sliceWindow);
+    view.tintsSlices = by.tintsSlices.value_or(view.tintsSlices);
+    view.isInverted = by.isInverted.value_or(view.isInverted);
+    return view;
+}
+
 } // namespace vs::studio

@@ -105,5 +105,7 @@ struct SetView {
 };
 // The whole of a view.
 SetView setViewTo(const View& view);
+// A view as that operation makes it of another.
+View changed(View view, const SetView& by);
 
 } // namespace vs::studio

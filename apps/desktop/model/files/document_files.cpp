@@ -81,6 +81,10 @@ QString DocumentFiles::begun(const OpenRequest& request) {
     if (request.block) {
         return tr("Making a block");
     }
+    if (request.given) {
+        return request.given->isMade() ? tr("Making the scan")
+                                       : tr("Reading %1").arg(textOf(request.given->volumePath.filename()));
+    }
     const auto& path = request.session.empty() ? request.volume : request.session;
     return path.empty() ? tr("Recovering") : tr("Reading %1").arg(textOf(path.filename()));
 }
@@ -118,8 +122,12 @@ void DocumentFiles::finishOpening(const std::shared_ptr<Loaded>& loaded) {
     model_.notices.add(loaded->notices);
     source_ = loaded->request;
     checksum_ = loaded->checksum;
+    const bool isPlayed = loaded->session && loaded->request.isPlayed;
     if (loaded->session) {
-        takeSession(*loaded->session);
+        takeSource(*loaded->session);
+        if (!isPlayed) {
+            takeOperations(*loaded->session);
+        }
     }
     savedEdits_ = 0;
     model_.view.forget();
@@ -142,13 +150,22 @@ void DocumentFiles::finishOpening(const std::shared_ptr<Loaded>& loaded) {
     host_.wake();
     emit host_.opened();
     emit host_.changed();
+    if (isPlayed) {
+        emit playable(loaded->session->operations);
+    }
 }
 
-void DocumentFiles::takeSession(const studio::Session& session) {
+void DocumentFiles::takeSource(const studio::Session& session) {
     source_.rawLayout = session.rawLayout;
     source_.series = session.series;
     source_.frame = session.frame;
     source_.phantom = session.phantom;
+    if (source_.isPlayed) { // it has not become what that file says
+        source_.session.clear();
+    }
+}
+
+void DocumentFiles::takeOperations(const studio::Session& session) {
     replay_.assign(session.operations.begin(), session.operations.end());
     replayTotal_ = int(replay_.size());
     isReplayGivenUp_ = false;

@@ -55,8 +55,12 @@ public:
     [[nodiscard]] bool hasUnsavedEdits() const;
     // Does the next operation of the session that is being opened. Called by the scheduler.
     void replayOne();
+    // What has been done so far is in a file, or comes with the program: nobody need save it.
+    void takeAsSaved() { savedEdits_ = countEdits(); }
 
 signals:
+    // A session was opened to be played: its volume is there, and nothing was done yet.
+    void playable(const std::vector<vs::studio::Operation>& operations);
     void saved(); // a session file holds all edits; source() names it
     // Nothing was opened: the person must choose one of the series first.
     void seriesWanted(const vs::desktop::OpenRequest& request,
@@ -66,7 +70,8 @@ private:
     void connectLoader();
     [[nodiscard]] static QString begun(const OpenRequest& request);
     void finishOpening(const std::shared_ptr<Loaded>& loaded);
-    void takeSession(const studio::Session& session);
+    void takeSource(const studio::Session& session);
+    void takeOperations(const studio::Session& session);
     void finishReplay(const QString& error, bool isGivenUp);
     void endReading();
     [[nodiscard]] std::size_t countEdits() const;

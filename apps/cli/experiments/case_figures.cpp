@@ -6,6 +6,8 @@
 #include "field/gradient.h"
 #include "field/histogram.h"
 #include "render/rays/ray_caster.h"
+#include "segment/edits/islands.h"
+#include "segment/edits/set_algebra.h"
 #include "segment/measures/agreement.h"
 #include "studio/state/region.h"
 
@@ -30,6 +32,21 @@ double picturesPerSecond(studio::Document& document) {
         draw();
     }
     return 1000 * kTimedPictures / timer.milliseconds();
+}
+
+// The connected piece of a set that shares most voxels with another.
+segment::VoxelSet pieceOf(const segment::VoxelSet& truth, const segment::VoxelSet& found) {
+    segment::VoxelSet best;
+    std::size_t most = 0;
+    for (const segment::Island& island : segment::islands(truth)) {
+        segment::VoxelSet piece = segment::keepIsland(truth, island.first);
+        const std::size_t shared = segment::intersect(piece, found).count();
+        if (shared > most) {
+            most = shared;
+            best = std::move(piece);
+        }
+    }
+    return best;
 }
 
 double placesOf(const studio::PenCut& cut) { return std::max(1.0, double(cut.stroke.size())); }
@@ -108,14 +125,18 @@ std::vector<std::pair<std::string, double>> diceOf(const studio::Document& docum
         if (segment == nullptr) {
             throw Error("there is no segment '{}' to be compared with what is true", one.segment);
         }
-        std::vector<std::uint8_t> found(map.size());
-        std::vector<std::uint8_t> wantedVoxels(map.size());
+        const glm::ivec3 dims = document.volume().geometry.dims;
+        segment::VoxelSet found = segment::emptySet({glm::ivec3(0), dims});
+        segment::VoxelSet wantedSet = found;
         for (std::size_t i = 0; i < map.size(); ++i) {
-            found[i] = std::uint8_t(map[i] == segment->label);
-            wantedVoxels[i] = std::uint8_t(std::find(one.labels.begin(), one.labels.end(), int(truth[i])) !=
-                                           one.labels.end());
+            found.inside[i] = std::uint8_t(map[i] == segment->label);
+            wantedSet.inside[i] = std::uint8_t(
+                std::find(one.labels.begin(), one.labels.end(), int(truth[i])) != one.labels.end());
         }
-        result.emplace_back(one.segment, segment::dice(document.volume().geometry.dims, found, wantedVoxels));
+        if (one.isOnePiece) {
+            wantedSet = pieceOf(wantedSet, found).within(found.box);
+        }
+        result.emplace_back(one.segment, segment::dice(dims, found.inside, wantedSet.inside));
     }
     return result;
 }

@@ -7,6 +7,8 @@
 #include "parts/panel_parts.h"
 #include "tools/kinds/cut_tool.h"
 #include "tools/pen_tool.h"
+#include "tools/play_tool.h"
+#include "tools/tool_box.h"
 
 #include <QLabel>
 #include <QStyle>
@@ -40,6 +42,11 @@ ToolPanel::ToolPanel(StudioController& studio, ToolBox& tools, QWidget* parent)
         pagesBelow_->addWidget(page);
         pages_[&row.tool] = {row.title, page};
     }
+    // Which is taken by opening a session, not from the column of tools.
+    QWidget* playing = makeTipPage(tr("The steps of the session are below the picture."));
+    playing->hide();
+    pagesBelow_->addWidget(playing);
+    pages_[&tools.get<PlayTool>()] = {tr("Play"), playing};
     pressure_ = makePressureRows(studio_);
     card->addWidget(pressure_);
     connect(&studio_.host(), &DocumentHost::changed, this, &ToolPanel::refresh);

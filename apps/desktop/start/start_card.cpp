@@ -54,11 +54,13 @@ StartCard::StartCard(const KnownDocument& document, const QString& objectName, Q
     details_ = isMissing_       ? tr("not found in %1").arg(placeOf(document))
                : when.isEmpty() ? document.details
                                 : when + " · " + document.details;
-    about_ = isMissing_     ? tr("There is no such file any more")
-             : hasSegments_ ? tr("Has segments")
-                            : tr("A raw scan, without segments");
+    about_ = isMissing_               ? tr("There is no such file any more")
+             : document.request.given ? tr("Comes with the program, and is played step by step")
+             : hasSegments_           ? tr("Has segments")
+                                      : tr("A raw scan, without segments");
     setAccessibleName(document.name() + ", " + details_ + ", " + about_);
-    setToolTip(QDir::toNativeSeparators(document.path()) + "\n" + about_);
+    setToolTip((document.request.given ? document.details : QDir::toNativeSeparators(document.path())) +
+               "\n" + about_);
     setFixedSize(kSize);
     setFocusPolicy(Qt::StrongFocus);
     setCursor(isMissing_ ? Qt::ArrowCursor : Qt::PointingHandCursor);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "start/welcome_page.h"
 
+#include "model/keepers/case_documents.h"
 #include "model/keepers/slice_pictures.h"
 #include "parts/icons.h"
 #include "parts/panel_parts.h"
@@ -34,6 +35,7 @@ WelcomePage::WelcomePage(QWidget* parent) : QWidget(parent), pictures_(new Slice
     connect(recovery_, &RecoveryList::recoverRequested, this, &WelcomePage::recoverRequested);
     recent_ = addSection(column, tr("Recent"));
     examples_ = addSection(column, tr("Examples on this machine"));
+    cases_ = addSection(column, tr("Cases, played step by step"));
     column->addStretch(1);
     content->setMaximumWidth(kMostPerRow * (StartCard::kSize.width() + CardGrid::kGap) - CardGrid::kGap);
 
@@ -128,6 +130,7 @@ void WelcomePage::refresh() {
     });
     fill(recent_, recent, "recent", true);
     fill(examples_, examples, "example", false);
+    fill(cases_, caseDocuments(), "case", false);
     if (auto* card = findChild<StartCard*>(focused); card != nullptr && !focused.isEmpty()) {
         card->setFocus();
     }

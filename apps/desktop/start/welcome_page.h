@@ -55,6 +55,7 @@ private:
     RecoveryList* recovery_ = nullptr;
     Section recent_;
     Section examples_;
+    Section cases_;
 };
 
 } // namespace vs::desktop

@@ -11,7 +11,8 @@ namespace vs::desktop {
 namespace {
 
 constexpr int kBeatMs = 16;
-constexpr double kLongestBeat = 0.25; // seconds that pass at most between two pictures: slow devices skip nothing
+constexpr double kLongestBeat =
+    0.25; // seconds that pass at most between two pictures: slow devices skip nothing
 
 bool isTravel(const studio::Operation& operation) {
     return studio::about(operation).effect == studio::Effect::Travels;

@@ -19,8 +19,8 @@ namespace vs::desktop {
 class CameraTool;
 
 // Plays a session before one's eyes, step by step: strokes are drawn as they were, regions grow. In hand as
-// long as it plays; what a person presses pauses it, and dragging turns the picture. Another tool can be taken
-// at any time; an edit made by hand ends it, and what was played so far stays.
+// long as it plays; what a person presses pauses it, and dragging turns the picture. Another tool can be
+// taken at any time; an edit made by hand ends it, and what was played so far stays.
 class PlayTool : public StudioTool {
     Q_OBJECT
 
@@ -85,13 +85,13 @@ private:
     CameraTool& camera_;
     std::vector<studio::Operation> operations_;
     std::vector<studio::Step> steps_;
-    std::vector<Before> before_;    // of each operation that was done
-    std::size_t done_ = 0;          // operations
-    std::unique_ptr<Act> act_;      // of the next one, once it has begun
-    double played_ = 0;             // seconds of it
-    double lastMs_ = 0;             // Timer::now() when it was last advanced
+    std::vector<Before> before_; // of each operation that was done
+    std::size_t done_ = 0;       // operations
+    std::unique_ptr<Act> act_;   // of the next one, once it has begun
+    double played_ = 0;          // seconds of it
+    double lastMs_ = 0;          // Timer::now() when it was last advanced
     bool isRunning_ = false;
-    bool isActing_ = false; // what is done now, the act does
+    bool isActing_ = false;             // what is done now, the act does
     std::optional<std::size_t> end_;    // operation before which it pauses
     std::optional<std::size_t> target_; // operation that is gone to
     std::uint64_t revision_ = 0;        // of the history, as playing left it

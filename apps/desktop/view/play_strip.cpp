@@ -41,7 +41,8 @@ PlayStrip::PlayStrip(PlayTool& tool, QWidget* parent)
     : QWidget(parent), tool_(tool), text_(named(new QLabel, "playText", tr("What is done in this step"))),
       row_(new QWidget), play_(makeIconButton("play", "playSession", tr("Play"), tr("Play on (Space)"))),
       next_(makeIconButton("step", "playStep", tr("One step"), tr("Play one step, then pause"))),
-      back_(makeIconButton("back", "playBack", tr("Back"), tr("Back to where this step began, or the one before"))),
+      back_(makeIconButton("back", "playBack", tr("Back"),
+                           tr("Back to where this step began, or the one before"))),
       speed_(named(new QComboBox, "playSpeed", tr("How fast"))) {
     setObjectName("playStrip");
     setAccessibleName(tr("Steps of the session"));

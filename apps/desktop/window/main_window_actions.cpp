@@ -32,7 +32,8 @@ void MainWindow::makeFileActions() {
                    [this] { playFile(); }, canOpen});
     actions_->add({"playAgain", "play", tr("Play from the start"),
                    tr("See all that was done to this scan once more, step by step"), tr("Ctrl+Alt+P"),
-                   [this] { playAgain(); }, [this] { return isOpen() && studio_.host().facts()->logged > 0; }});
+                   [this] { playAgain(); },
+                   [this] { return isOpen() && studio_.host().facts()->logged > 0; }});
     auto& player = tools_.get<PlayTool>();
     actions_->add({"playOrPause", "play", tr("Play or pause the session"),
                    tr("Let the session go on, or hold it"), Qt::Key_Space,

@@ -48,9 +48,10 @@ void MainWindow::makeMenus() {
             }
         }
     };
-    menu(tr("&File"),
-         {"open", "playFile", "openFolder", "newBlock", "openLabels", "startScreen", "-", "playAgain", "playOrPause", "-", "saveSession", "exportLabels",
-          "export", "screenshot", "exportPicture", "copyPicture", "-", "properties", "-", "quit"});
+    menu(tr("&File"), {"open",   "playFile",   "openFolder",    "newBlock",    "openLabels",  "startScreen",
+                       "-",      "playAgain",  "playOrPause",   "-",           "saveSession", "exportLabels",
+                       "export", "screenshot", "exportPicture", "copyPicture", "-",           "properties",
+                       "-",      "quit"});
     menu(tr("&Edit"), {"undo", "redo", "showHistory", "addNote", "-", "paste", "pullOut", "moveTool", "-",
                        "unCut", "reSeed", "-", "clearSketch", "-", "preferences"});
     menu(tr("&View"), {"resetView",

@@ -36,11 +36,14 @@ struct TrueLabels {
 
     std::string segment;
     std::vector<int> labels;
+    bool isOnePiece =
+        false; // only the connected piece of them that it shares most with: one of two ventricles
 
     template <typename = void>
     static constexpr auto fields() {
         return std::tuple{required("segment", &TrueLabels::segment),
-                          required("labels", &TrueLabels::labels, {.least = 1, .most = 255})};
+                          required("labels", &TrueLabels::labels, {.least = 1, .most = 255}),
+                          sparse("onePiece", &TrueLabels::isOnePiece)};
     }
 };
 

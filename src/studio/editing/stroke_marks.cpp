@@ -64,8 +64,10 @@ void markStrokes(image::Image& picture, const Drawn& drawn, bool isCutting, cons
     };
     Marker marker(size, isCutting ? kCutting : kAtRest);
     for (const Drawn::Line& area : drawn.areas) {
-        for (const glm::dvec2& place : drawn.way) {
-            marker.edge(fit(drawn.areaAt(area, place)));
+        if (isCutting) { // all that it went over; before, the tool and its way are clear enough
+            for (const glm::dvec2& place : drawn.way) {
+                marker.edge(fit(drawn.areaAt(area, place)));
+            }
         }
         // The tool is where it begins before it cuts, and then where it ended.
         const auto& way = drawn.way;

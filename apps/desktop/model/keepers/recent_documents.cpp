@@ -78,9 +78,11 @@ constexpr std::array<Example, 4> kPackaged{
 
 QString KnownDocument::path() const { return textOf(isSession() ? request.session : request.volume); }
 
-QString KnownDocument::name() const { return QFileInfo(QDir::cleanPath(path())).fileName(); }
+QString KnownDocument::name() const {
+    return title.isEmpty() ? QFileInfo(QDir::cleanPath(path())).fileName() : title;
+}
 
-bool KnownDocument::isMissing() const { return !QFileInfo::exists(path()); }
+bool KnownDocument::isMissing() const { return !request.given && !QFileInfo::exists(path()); }
 
 QString KnownDocument::key() const {
     const QString frame = request.frame ? QString::number(*request.frame) : QString();
@@ -90,6 +92,9 @@ QString KnownDocument::key() const {
 }
 
 QString KnownDocument::picturePath() const {
+    if (!picture.isEmpty()) {
+        return picture;
+    }
     const auto hash = QCryptographicHash::hash(key().toUtf8(), QCryptographicHash::Sha1).toHex();
     return QStandardPaths::writableLocation(QStandardPaths::CacheLocation) + "/pictures/" + hash + ".png";
 }

@@ -16,10 +16,13 @@ struct KnownDocument {
     QString details;     // "256 × 256 × 108"
     bool hasSegments = false;
     QDateTime seen; // when it was last open
+    // Of what comes with the program, and lies in no file: what it is called, and its picture.
+    QString title = {};
+    QString picture = {};
 
     [[nodiscard]] QString path() const;
     [[nodiscard]] QString name() const; // of the file or folder
-    [[nodiscard]] bool isSession() const { return !request.session.empty(); }
+    [[nodiscard]] bool isSession() const { return !request.session.empty() || request.given; }
     [[nodiscard]] bool isMissing() const;
     // Tells documents apart: the path, and what was chosen of the file there.
     [[nodiscard]] QString key() const;

@@ -176,8 +176,8 @@ private:
 class ScrubAct : public Act {
 public:
     ScrubAct(studio::Operation operation, StudioController& studio)
-        : Act(studio), operation_(std::move(operation)),
-          from_(studio.host().facts()->growth.generation), to_(targetOf(operation_, from_)) {}
+        : Act(studio), operation_(std::move(operation)), from_(studio.host().facts()->growth.generation),
+          to_(targetOf(operation_, from_)) {}
 
     State advance(double seconds) override {
         const double all = std::abs(to_ - from_);

@@ -100,9 +100,7 @@ Act::State DrawnAct::advance(double seconds) {
 
 Act::State DrawnAct::carryOut(double) { return DrawnAct::complete(); }
 
-Act::State DrawnAct::complete() {
-    return studio_.editor().apply(operation_) ? State::Done : State::Failed;
-}
+Act::State DrawnAct::complete() { return studio_.editor().apply(operation_) ? State::Done : State::Failed; }
 
 std::optional<QPolygonF> DrawnAct::seen(const studio::Drawn::Line& line) const {
     const auto* geometry = studio_.host().geometry();
@@ -231,8 +229,8 @@ Overlays CutAct::overlays() const {
         return DrawnAct::overlays();
     }
     const studio::Drawn::Line& area = drawn_.areas.front();
-    const auto place = places_ > 0 && places_ <= drawn_.way.size() ? drawn_.areaAt(area, drawn_.way[places_ - 1])
-                                                                   : area;
+    const auto place =
+        places_ > 0 && places_ <= drawn_.way.size() ? drawn_.areaAt(area, drawn_.way[places_ - 1]) : area;
     const auto outline = seen(place);
     if (!outline) {
         return {};

@@ -6,7 +6,10 @@ ROOT=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 for lupdate in /usr/lib/qt6/bin/lupdate lupdate6 lupdate; do
   command -v "$lupdate" >/dev/null && break
 done
+CASES=$(mktemp --suffix=.cpp) # the texts of cases stand in files of their own
+trap 'rm -f "$CASES"' EXIT
+python3 "$ROOT/tools/case_texts.py" "$ROOT" > "$CASES"
 cd "$ROOT/apps/desktop"
 "$lupdate" -silent -no-obsolete -locations none -source-language en -target-language de \
-  -tr-function-alias QT_TRANSLATE_NOOP+=VS_TEXT . "$ROOT/src" -ts "${1:-$ROOT/translations/volume-studio_de.ts}" \
+  -tr-function-alias QT_TRANSLATE_NOOP+=VS_TEXT . "$ROOT/src" "$CASES" -ts "${1:-$ROOT/translations/volume-studio_de.ts}" \
   2> >(grep -v "lacks Q_OBJECT macro" >&2)

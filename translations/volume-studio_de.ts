@@ -2,6 +2,89 @@
 <!DOCTYPE TS>
 <TS version="2.1" language="de" sourcelanguage="en">
 <context>
+    <name>cases</name>
+    <message>
+        <source>Exploring a head</source>
+        <translation>Ein Kopf wird erkundet</translation>
+    </message>
+    <message>
+        <source>A wide range of values in every mode; then the peel opens the face, the laser burns along the left side with varying pressure, and the drill cuts away the upper right.</source>
+        <translation>Ein weiter Wertebereich in jedem Modus; dann öffnet das Schälen das Gesicht, der Laser brennt mit wechselndem Druck an der linken Seite entlang, und der Bohrer schneidet rechts oben.</translation>
+    </message>
+    <message>
+        <source>The ventricles</source>
+        <translation>Die Ventrikel</translation>
+    </message>
+    <message>
+        <source>A corner of the head is peeled open; a stroke on one lateral ventricle grows too far, is played backward, and grows on under a rule for the gradient; then the other one.</source>
+        <translation>Eine Ecke des Kopfes wird aufgeschält; ein Strich auf einem Seitenventrikel wächst zu weit, wird zurückgespielt und wächst unter einer Regel für den Gradienten weiter; dann der andere.</translation>
+    </message>
+    <message>
+        <source>Opening a skull</source>
+        <translation>Ein Schädel wird geöffnet</translation>
+    </message>
+    <message>
+        <source>A circular region on top of the head is peeled off, layer by layer, and what was taken off is pasted beside it.</source>
+        <translation>Ein kreisrunder Bereich oben auf dem Kopf wird Schicht für Schicht abgeschält, und das Abgenommene wird daneben eingefügt.</translation>
+    </message>
+    <message>
+        <source>White and grey matter</source>
+        <translation>Weiße und graue Substanz</translation>
+    </message>
+    <message>
+        <source>Strokes on the visible brain grow to white and grey matter, which are pulled out beside the head, one inside the other, while they stay coloured in their place.</source>
+        <translation>Striche auf dem sichtbaren Hirn wachsen zu weißer und grauer Substanz, die neben den Kopf herausgezogen werden, eine in der anderen, und an ihrem Platz gefärbt bleiben.</translation>
+    </message>
+    <message>
+        <source>A tooth</source>
+        <translation>Ein Zahn</translation>
+    </message>
+    <message>
+        <source>The laser clears a molar from both sides, the drill clears what is around it; a stroke makes it a segment, which is pulled out and enlarged.</source>
+        <translation>Der Laser legt einen Backenzahn von beiden Seiten frei, der Bohrer das, was um ihn ist; ein Strich macht ihn zum Segment, das herausgezogen und vergrößert wird.</translation>
+    </message>
+    <message>
+        <source>Arteries of a head</source>
+        <translation>Arterien eines Kopfes</translation>
+    </message>
+    <message>
+        <source>A zigzag stroke across a maximum intensity projection seeds the arteries; growth runs into other tissue, is played backward, and the vessels are pulled out.</source>
+        <translation>Ein Zickzackstrich über eine Maximumprojektion sät die Arterien; das Wachstum läuft in anderes Gewebe, wird zurückgespielt, und die Gefäße werden herausgezogen.</translation>
+    </message>
+    <message>
+        <source>An aorta with a stent</source>
+        <translation>Eine Aorta mit Stent</translation>
+    </message>
+    <message>
+        <source>A stroke on the stent grows both ways along the aorta, seen beside the scan while it grows, leaks into bone, is played backward, and goes on from further strokes.</source>
+        <translation>Ein Strich auf dem Stent wächst in beide Richtungen der Aorta, dabei neben dem Scan zu sehen, läuft in Knochen aus, wird zurückgespielt und geht von weiteren Strichen aus weiter.</translation>
+    </message>
+    <message>
+        <source>Pelvis, spine and ribs</source>
+        <translation>Becken, Wirbelsäule und Rippen</translation>
+    </message>
+    <message>
+        <source>Strokes from several sides make segments of pelvis, ribs and spine; the scan is drilled open around them, and they are pulled apart and enlarged.</source>
+        <translation>Striche von mehreren Seiten machen Segmente aus Becken, Rippen und Wirbelsäule; der Scan wird um sie herum aufgebohrt, und sie werden auseinandergezogen und vergrößert.</translation>
+    </message>
+    <message>
+        <source>A colon</source>
+        <translation>Ein Dickdarm</translation>
+    </message>
+    <message>
+        <source>The wall of the abdomen is peeled open; strokes on the colon grow in a low range, where its gas is, and then in a high one, where the rest is.</source>
+        <translation>Die Bauchwand wird aufgeschält; Striche auf dem Dickdarm wachsen in einem niedrigen Bereich, wo sein Gas ist, und dann in einem hohen, wo der Rest ist.</translation>
+    </message>
+    <message>
+        <source>An exploded head</source>
+        <translation>Ein Kopf, auseinandergezogen</translation>
+    </message>
+    <message>
+        <source>From above, a ring is drilled through three quarters of a head, and the shell is pasted away from what it holds.</source>
+        <translation>Von oben wird ein Ring durch drei Viertel eines Kopfes gebohrt, und die Schale wird von dem weg eingefügt, was sie umschließt.</translation>
+    </message>
+</context>
+<context>
     <name>library</name>
     <message>
         <source>view</source>
@@ -2354,6 +2437,10 @@ Tab: der nächste Punkt; Pfeiltasten bewegen ihn; Entf; Eingabe: seine Farbe; St
         <source>Making a block</source>
         <translation>Ein Block wird gemacht</translation>
     </message>
+    <message>
+        <source>Making the scan</source>
+        <translation>Der Scan wird gemacht</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::DocumentHost</name>
@@ -4310,6 +4397,42 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
         <source>Ctrl+Shift+V</source>
         <translation>Ctrl+Shift+V</translation>
     </message>
+    <message>
+        <source>Play a session…</source>
+        <translation>Sitzung abspielen…</translation>
+    </message>
+    <message>
+        <source>Open a session and see it done step by step, as it was drawn</source>
+        <translation>Eine Sitzung öffnen und zusehen, wie sie Schritt für Schritt gezeichnet wurde</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+O</source>
+        <translation>Ctrl+Alt+O</translation>
+    </message>
+    <message>
+        <source>Play from the start</source>
+        <translation>Von Anfang an abspielen</translation>
+    </message>
+    <message>
+        <source>See all that was done to this scan once more, step by step</source>
+        <translation>Alles, was mit diesem Scan getan wurde, noch einmal sehen, Schritt für Schritt</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+P</source>
+        <translation>Ctrl+Alt+P</translation>
+    </message>
+    <message>
+        <source>Play or pause the session</source>
+        <translation>Sitzung abspielen oder anhalten</translation>
+    </message>
+    <message>
+        <source>Let the session go on, or hold it</source>
+        <translation>Die Sitzung weiterlaufen lassen oder anhalten</translation>
+    </message>
+    <message>
+        <source>Play a session</source>
+        <translation>Sitzung abspielen</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::MeasureTool</name>
@@ -4541,6 +4664,84 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
     <message>
         <source>gradient up to %1 per mm</source>
         <translation>Gradient bis %1 je mm</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::PlayStrip</name>
+    <message>
+        <source>What is done in this step</source>
+        <translation>Was in diesem Schritt getan wird</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Play on (Space)</source>
+        <translation>Weiter abspielen (Leertaste)</translation>
+    </message>
+    <message>
+        <source>One step</source>
+        <translation>Ein Schritt</translation>
+    </message>
+    <message>
+        <source>Play one step, then pause</source>
+        <translation>Einen Schritt abspielen, dann anhalten</translation>
+    </message>
+    <message>
+        <source>Back</source>
+        <translation>Zurück</translation>
+    </message>
+    <message>
+        <source>Back to where this step began, or the one before</source>
+        <translation>Zurück zum Anfang dieses Schritts oder des vorigen</translation>
+    </message>
+    <message>
+        <source>How fast</source>
+        <translation>Wie schnell</translation>
+    </message>
+    <message>
+        <source>Steps of the session</source>
+        <translation>Schritte der Sitzung</translation>
+    </message>
+    <message>
+        <source>%1 ×</source>
+        <translation>%1 ×</translation>
+    </message>
+    <message>
+        <source>Go on by hand</source>
+        <translation>Von Hand weiter</translation>
+    </message>
+    <message>
+        <source>End playing: what was done so far stays, and is yours</source>
+        <translation>Abspielen beenden: was bisher getan wurde, bleibt</translation>
+    </message>
+    <message>
+        <source>Step %1</source>
+        <translation>Schritt %1</translation>
+    </message>
+    <message>
+        <source>That was all.</source>
+        <translation>Das war alles.</translation>
+    </message>
+    <message>
+        <source>Pause (Space)</source>
+        <translation>Anhalten (Leertaste)</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::PlayTool</name>
+    <message>
+        <source>Playing. Click, or press Space, to pause; take any tool to go on by hand.</source>
+        <translation>Läuft. Klick oder Leertaste hält an; jedes Werkzeug nehmen, um von Hand fortzufahren.</translation>
+    </message>
+    <message>
+        <source>All is done. Go on by hand with any tool, or go back to a step.</source>
+        <translation>Alles ist getan. Mit einem Werkzeug von Hand fortfahren oder zu einem Schritt zurück.</translation>
+    </message>
+    <message>
+        <source>Paused. Space plays on. Drag to turn the picture; take any tool to go on by hand.</source>
+        <translation>Angehalten. Leertaste: weiter. Ziehen dreht das Bild; jedes Werkzeug nehmen, um von Hand fortzufahren.</translation>
     </message>
 </context>
 <context>
@@ -5348,6 +5549,10 @@ Tab: die nächste Form; Pfeiltasten bewegen sie; Entf; Eingabe: ihre Farbe; Strg
         <source>Take it off this list (Delete)</source>
         <translation>Von dieser Liste nehmen (Entf)</translation>
     </message>
+    <message>
+        <source>Comes with the program, and is played step by step</source>
+        <translation>Gehört zum Programm und wird Schritt für Schritt abgespielt</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::StudioController</name>
@@ -5444,6 +5649,14 @@ Tab: die nächste Form; Pfeiltasten bewegen sie; Entf; Eingabe: ihre Farbe; Strg
         <source>%1: remove from the segment</source>
         <translation>%1: aus dem Segment</translation>
     </message>
+    <message>
+        <source>The steps of the session are below the picture.</source>
+        <translation>Die Schritte der Sitzung stehen unter dem Bild.</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::ViewWidget</name>
@@ -5499,6 +5712,10 @@ DICOM · NIfTI · NRRD · MetaImage · VTK · roh · Sitzungen</translation>
     <message>
         <source>Sculpt from nothing</source>
         <translation>Aus dem Nichts formen</translation>
+    </message>
+    <message>
+        <source>Cases, played step by step</source>
+        <translation>Fälle, Schritt für Schritt abgespielt</translation>
     </message>
 </context>
 </TS>

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// vstudio experiments: the experiments of the thesis as sessions, replayed into pictures, a table and a page.
+// vstudio experiments: ten experiments (thesis, section 6) as sessions, replayed into pictures, a table and a
+// page.
 #include "arguments/parse.h"
 #include "commands/commands.h"
 #include "experiments/page.h"

@@ -3,9 +3,9 @@
 #include "arguments/parse.h"
 #include "arguments/volume_argument.h"
 #include "commands/commands.h"
-#include "sessions/replay.h"
 #include "reports/label_map.h"
 #include "reports/progress.h"
+#include "sessions/replay.h"
 
 #include "base/error.h"
 #include "gl/context.h"

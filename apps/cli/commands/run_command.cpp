@@ -2,8 +2,8 @@
 #include "arguments/parse.h"
 #include "arguments/volume_argument.h"
 #include "commands/commands.h"
-#include "sessions/replay.h"
 #include "reports/progress.h"
+#include "sessions/replay.h"
 
 #include "base/atomic_file.h"
 #include "base/error.h"

@@ -2,10 +2,10 @@
 // vstudio stats: what the labels of a label map, or the segments of a session, cover of a volume, as a table.
 #include "arguments/volume_argument.h"
 #include "commands/commands.h"
-#include "sessions/replay.h"
 #include "reports/label_map.h"
 #include "reports/measurements.h"
 #include "reports/progress.h"
+#include "sessions/replay.h"
 
 #include "base/atomic_file.h"
 #include "base/check.h"

@@ -17,7 +17,7 @@ namespace vs::cli {
 
 namespace {
 
-constexpr glm::ivec2 kWindow{1230, 870}; // the thesis' own
+constexpr glm::ivec2 kWindow{1230, 870}; // as in the thesis, section 6
 constexpr int kTimedPictures = 2;        // after one that does not count
 
 double picturesPerSecond(studio::Document& document) {

@@ -11,8 +11,8 @@
 
 namespace vs::cli {
 
-// What was measured while a case was played: its column of the table that stands beside the thesis' table
-// 6.1. What a case does not do is not set.
+// What was measured while a case was played: its row of the table beside that of the thesis, section 6. What
+// a case does not do is not set.
 struct CaseFigures {
     glm::ivec3 dims{0};
     double loadSeconds = 0; // reading the file (a phantom: not its making), upload, all histograms
@@ -21,7 +21,7 @@ struct CaseFigures {
     double surface = 0;
     std::optional<double> drill; // updates a second: each a place of the pen, and a surface picture
     std::optional<double> laser;
-    std::optional<double> peel;                       // the same: each a layer
+    std::optional<double> peel;                       // updates a second: each a layer
     std::optional<double> paste;                      // pictures a second with what was pasted or pulled out
     std::optional<double> voxelsPerSecond;            // growth
     std::vector<std::pair<std::string, double>> dice; // of segments, with what is true
@@ -31,8 +31,8 @@ struct CaseFigures {
 // Gathers them while a case is played.
 class FigureTaker {
 public:
-    // All histograms that the thesis computes at load: intensity (the document has it), gradient magnitude,
-    // and both.
+    // Counts all histograms that are part of loading in the thesis, section 6: intensity (the document has
+    // it), gradient magnitude, and both.
     static void countAll(const studio::Document& document);
     // Times pictures of each mode in the document's view as it is now, which stays.
     void timeModes(studio::Document& document);

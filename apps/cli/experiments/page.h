@@ -21,13 +21,13 @@ struct PlayedExperiment {
     std::vector<PlayedCase> cases;
 };
 
-// One page of HTML that needs no network: the table of figures beside the thesis' own, and for each
-// experiment its stages as pictures, which lie in the folders of their cases beside the page. Throws
+// One page of HTML that needs no network: the table of figures beside that of the thesis, section 6, and for
+// each experiment its stages as pictures, which lie in the folders of their cases beside the page. Throws
 // WriteError.
 void writePage(const std::filesystem::path& file, const std::vector<PlayedExperiment>& experiments,
                const std::string& device);
 
-// The same figures as comma-separated values.
+// Writes the table alone, as comma-separated values.
 void writeFigures(const std::filesystem::path& file, const std::vector<PlayedExperiment>& experiments);
 
 } // namespace vs::cli

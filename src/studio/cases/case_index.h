@@ -10,7 +10,7 @@
 
 namespace vs::studio {
 
-// The cases that come with the program: the experiments of the thesis, chapter 6, and some of its figures, as
+// The cases that come with the program: the experiments of the thesis, section 6, and some of its figures, as
 // sessions that can be replayed into pictures or played before one's eyes. What is said of them stands in
 // examples/experiments/index.json, which these structs describe; the sessions lie beside it.
 
@@ -62,7 +62,8 @@ struct Case {
     }
 };
 
-// What the thesis measured, table 6.1: frames a second, loading in seconds. Not set: not measured.
+// What was measured in the thesis, section 6, table 6.1: frames a second, loading in seconds. Not set: not
+// measured.
 struct ThesisFigures {
     static constexpr const char* kName = "figures of the thesis";
     static constexpr const char* kDevice =
@@ -86,7 +87,7 @@ struct Experiment {
 
     std::string name;   // as it is asked for on the command line: "head"
     std::string title;  // "Exploring a head"
-    std::string figure; // of the thesis: "6.1"
+    std::string figure; // "6.1": of the thesis, section 6 or another
     std::string about;  // one or two sentences
     std::optional<ThesisFigures> thesis;
     std::vector<Case> cases; // those whose scan anyone has first
@@ -103,7 +104,7 @@ struct CaseIndex {
     static constexpr const char* kName = "case index";
 
     std::vector<CaseScan> scans;
-    std::vector<Experiment> experiments; // in the order of the thesis
+    std::vector<Experiment> experiments; // in the order of their figures
 
     template <typename = void>
     static constexpr auto fields() {

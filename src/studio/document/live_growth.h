@@ -35,7 +35,7 @@ public:
     void scrub(int generation);
     [[nodiscard]] bool isScrubbing() const;
     Outcome endScrub();
-    // As if it had not been begun: shows the generation of before.
+    // Shows the generation of before, and leaves no trace.
     void dropScrub();
 
 private:

@@ -39,8 +39,8 @@ struct Session {
 
 // Throws SessionError naming file, operation and member, what is wrong and what would be right.
 Session loadSession(const std::filesystem::path& path);
-// The same for a text that is at hand. `path` is how it is called in messages, and what the names of files
-// are relative to.
+// Reads a session from a text that is at hand. `path` is how it is called in messages, and what the names of
+// files are relative to.
 Session sessionFromText(std::string_view text, const std::filesystem::path& path);
 
 // Atomic. The volume's path is stored relative to the file when it lies below its folder. Throws WriteError,

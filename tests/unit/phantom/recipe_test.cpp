@@ -73,7 +73,7 @@ TEST_P(EveryKind, CoversTheSameMillimetresAtAnyResolution) {
 
 INSTANTIATE_TEST_SUITE_P(Phantoms, EveryKind,
                          testing::Values(Kind::Head, Kind::Vessels, Kind::Abdomen, Kind::Skull),
-                         [](const auto& info) { return std::string(nameOf(info.param)); });
+                         [](const auto& kind) { return std::string(nameOf(kind.param)); });
 
 TEST(Recipe, IsRefusedABiasWhereThereIsNone) {
     Recipe recipe = coarse(Kind::Vessels);

@@ -49,6 +49,9 @@ glm::ivec3 dimsFrom(const std::string& text, glm::ivec3 whole) {
 phantom::Recipe recipeFrom(const PhantomOptions& options) {
     phantom::Recipe recipe = options.recipe;
     recipe.kind = *enumeratorOf<phantom::Kind>(options.kind); // the parser has checked it
+    if (recipe.biasPercent > 0 && !phantom::about(recipe.kind).hasBias) {
+        throw UsageError("--bias {}: a {} has none", recipe.biasPercent, phantom::about(recipe.kind).meaning);
+    }
     if (!options.size.empty()) {
         recipe.dims = dimsFrom(options.size, phantom::about(recipe.kind).dims);
     }

@@ -292,7 +292,9 @@ vec3 outwards(vec3 outward, vec3 towardsViewer) {
 bool isSegmentsSurface(vec3 p, vec3 cutOutward) {
     const float rounding = 0.02;
     bool isClose = abs(segmentationAt(p) - 0.5) < rounding;
-    return isClose && dot(normalize(segmentationGradient(p)), normalize(cutOutward)) < -0.7;
+    vec3 inward = segmentationGradient(p);
+    float lengths = length(inward) * length(cutOutward); // zero where no cut is near
+    return isClose && dot(inward, cutOutward) < -0.7 * lengths;
 }
 #endif
 
@@ -348,20 +350,27 @@ Hit findSurface(Ray ray, float jitter) {
     hit.inSegment = isSegmentsOwn ? hit.voxel : hit.inSegment;
 #endif
     hit.isCut = atBorder;
+    bool isAlongSegment = false; // cut along a segment's own surface
 #ifdef SCULPTED
     vec3 cutOutward = sculptureGradient(hit.voxel) * (dims.w == 1 ? 1.0 : -1.0);
+#if defined(CUT_ALONG_SEGMENTS) && defined(MEETS_SEGMENTS)
+    isAlongSegment = isSegmentsSurface(hit.voxel, cutOutward);
+#endif
     if (endsAtCut(obstacle, hit.voxel) && !atBorder) {
         hit.isCut = true;
 #ifdef MEETS_SEGMENTS
         // Segments go on behind a cut face (segment/membership/continuation.h), so that what is met on it is
         // exact.
         hit.isSegment = segmentationAt(hit.voxel) >= 0.5;
-#ifdef CUT_ALONG_SEGMENTS
-        hit.isSegment = hit.isSegment || isSegmentsSurface(hit.voxel, cutOutward);
-#endif
         hit.inSegment = hit.voxel;
 #endif
         outward = cutOutward;
+#if defined(CUT_ALONG_SEGMENTS) && defined(MEETS_SEGMENTS)
+        // The segment was spared: what is seen is its surface, and no section.
+        hit.isSegment = hit.isSegment || isAlongSegment;
+        hit.isCut = !isAlongSegment;
+        outward = isAlongSegment ? -segmentationGradient(hit.voxel) : outward;
+#endif
     }
 #endif
     hit.normal = outwards(atBorder ? boxNormal(hit.voxel) : outward, -ray.world);
@@ -371,7 +380,7 @@ Hit findSurface(Ray ray, float jitter) {
     const float hair = 0.12; // of the sculpture: about a quarter of a voxel behind its 0.5 level
     hit.cutNormal = hit.isCut ? hit.normal : outwards(cutOutward, -ray.world);
     hit.cutShare = hit.isCut ? 1.0 : 1.0 - smoothstep(0.0, hair, sideAt(hit.voxel));
-    hit.cutShare = dims.w == 0 ? 0.0 : hit.cutShare;
+    hit.cutShare = dims.w == 0 || isAlongSegment ? 0.0 : hit.cutShare;
 #endif
     return hit;
 }

@@ -161,6 +161,26 @@ TEST_F(PullOutTest, IsTheSameToTheByteWhereNoOtherTouchesIt) {
     }
 }
 
+// A tool that spares it cuts along its surface, which is no section of it.
+TEST_F(PullOutTest, KeepsItsColourWhereTheScanBesideItWasCut) {
+    for (const auto mode : {render::Mode::Segment, render::Mode::Overlay}) {
+        Parts parts(mode);
+        parts.document.apply(RemoveSegment{"shell"});
+        parts.document.apply(RemoveSegment{"slab"});
+        UseSegment spare{"ball"};
+        spare.treatment = SegmentInfo::Treatment::Spare;
+        parts.document.apply(spare);
+        parts.document.apply(PullOut{"ball", aside()});
+        const auto before = parts.pulledOut();
+        Clip half;
+        half.box = Clip::Box{{-1, -1, 0.5 * kDims}, {kDims, kDims, kDims}};
+        half.cutsInside = true;
+        EXPECT_GT(parts.document.apply(half).voxelsTouched, 0U);
+        // The cut's surface and the segment's agree to a fraction of a voxel.
+        expectAlike(before, parts.pulledOut(), 0.5, fmt::format("mode {}", int(mode)));
+    }
+}
+
 // In MIP and X-ray it is the data in the segment: what would be left if all else had been cut away.
 TEST_F(PullOutTest, IsTheDataInItWhereRaysGoThrough) {
     render::Placement place = aside();

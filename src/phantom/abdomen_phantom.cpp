@@ -241,8 +241,9 @@ void Abdomen::paintArteries() {
 
 LabelledVolume makeAbdomenPhantom(const AbdomenPhantomOptions& options) {
     const Tubes tubes;
-    return scanByCt({options.dims, kAbdomenExtentMm, options.noisePercent, options.seed}, "abdomen phantom",
-                    [&](glm::dvec3 p, double voxelMm) { return Abdomen(tubes, p, voxelMm).paint(); });
+    return scanByCt(
+        {options.dims, kAbdomenExtentMm, options.noisePercent, options.seed}, "abdomen phantom",
+        [&](glm::dvec3 p, double voxelMm, std::size_t) { return Abdomen(tubes, p, voxelMm).paint(); });
 }
 
 } // namespace vs::phantom

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "phantom/body_phantom.h"
 
-#include "base/parallel.h"
+#include "phantom/ct_scan.h"
 #include "phantom/noise.h"
 #include "phantom/solid_distances.h"
 #include "phantom/tissue_painter.h"
@@ -111,32 +111,11 @@ private:
 } // namespace
 
 LabelledVolume makeBodyPhantom(const BodyPhantomOptions& options) {
-    LabelledVolume body;
-    const auto grid = body.volume.geometry = phantomGrid(options.dims, kBodyExtentMm);
-    const double voxelMm = std::cbrt(grid.voxelMm3());
-    const double sigma = 10 * options.noisePercent;
-    body.volume.type = volume::ScalarType::Int16;
-    body.volume.name = "body phantom";
-    body.volume.bytes.resize(grid.voxelCount() * sizeof(std::int16_t));
-    body.labels.resize(grid.voxelCount());
-    auto* values = reinterpret_cast<std::int16_t*>(body.volume.bytes.data());
-    const std::size_t slice = std::size_t(grid.dims.x) * std::size_t(grid.dims.y);
-    inParallel(grid.dims.z, [&](int z) {
-        std::size_t n = slice * std::size_t(z);
-        for (int y = 0; y < grid.dims.y; ++y) {
-            for (int x = 0; x < grid.dims.x; ++x, ++n) {
-                const auto p = glm::dvec3(grid.worldFromVoxel * glm::dvec4(x, y, z, 1));
-                const double grain = double(randomBits(n) >> 12) / double(1ULL << 51) - 1;
-                const TissuePainter painted = Body(p, voxelMm).paint(grain);
-                const double noise = sigma > 0 ? sigma * normalPair(options.seed, n).x : 0;
-                values[n] =
-                    std::int16_t(std::floor(std::clamp(painted.value() + noise, -1024.0, 3071.0) + 0.5));
-                body.labels[n] = painted.label();
-            }
-        }
-    });
-    volume::computeRange(body.volume);
-    return body;
+    return scanByCt({options.dims, kBodyExtentMm, options.noisePercent, options.seed}, "body phantom",
+                    [](glm::dvec3 p, double voxelMm, std::size_t n) {
+                        const double grain = double(randomBits(n) >> 12) / double(1ULL << 51) - 1;
+                        return Body(p, voxelMm).paint(grain);
+                    });
 }
 
 } // namespace vs::phantom

@@ -19,9 +19,9 @@ struct CtScan {
     std::uint64_t seed = 1;
 };
 
-// A CT scan (int16, Hounsfield units) of what `paint(place, voxelMm)` paints at each place, in mm from the
-// grid's middle (x to the left, y backwards, z up): a TissuePainter that has painted. Always the same for the
-// same scan, however many threads make it.
+// A CT scan (int16, Hounsfield units) of what `paint(place, voxelMm, number)` paints at each place, in mm
+// from the grid's middle (x to the left, y backwards, z up), in the voxel of that number (x fastest): a
+// TissuePainter that has painted. Always the same for the same scan, however many threads make it.
 template <typename Paint>
 LabelledVolume scanByCt(const CtScan& scan, std::string name, const Paint& paint) {
     LabelledVolume scanned;
@@ -39,7 +39,7 @@ LabelledVolume scanByCt(const CtScan& scan, std::string name, const Paint& paint
         for (int y = 0; y < grid.dims.y; ++y) {
             for (int x = 0; x < grid.dims.x; ++x, ++n) {
                 const auto p = glm::dvec3(grid.worldFromVoxel * glm::dvec4(x, y, z, 1));
-                const TissuePainter painted = paint(p, voxelMm);
+                const TissuePainter painted = paint(p, voxelMm, n);
                 const double noise = sigma > 0 ? sigma * normalPair(scan.seed, n).x : 0;
                 values[n] =
                     std::int16_t(std::floor(std::clamp(painted.value() + noise, -1024.0, 3071.0) + 0.5));

@@ -171,9 +171,10 @@ void Skull::paintBrain() {
 } // namespace
 
 LabelledVolume makeSkullPhantom(const SkullPhantomOptions& options) {
-    return scanByCt(
-        {options.dims, kSkullExtentMm, options.noisePercent, options.seed}, "skull phantom",
-        [](glm::dvec3 p, double voxelMm) { return Skull(p + kSkullMiddleInHead, voxelMm).paint(); });
+    return scanByCt({options.dims, kSkullExtentMm, options.noisePercent, options.seed}, "skull phantom",
+                    [](glm::dvec3 p, double voxelMm, std::size_t) {
+                        return Skull(p + kSkullMiddleInHead, voxelMm).paint();
+                    });
 }
 
 } // namespace vs::phantom

@@ -208,10 +208,14 @@ void PlayTool::goBack(std::size_t operation) {
         return;
     }
     const Before before = before_[operation];
-    while (studio_.host().facts()->edits->done > before.edits) {
-        if (!studio_.editor().apply(studio::Undo{})) {
-            return;
-        }
+    isActing_ = true;
+    bool isDone = true;
+    while (isDone && studio_.host().facts()->edits->done > before.edits) {
+        isDone = studio_.editor().apply(studio::Undo{});
+    }
+    isActing_ = false;
+    if (!isDone) {
+        return;
     }
     studio_.view().showView(before.view);
     done_ = operation;
@@ -268,17 +272,16 @@ void PlayTool::goOnByHand() {
     stopHere();
     steps_.clear();
     operations_.clear();
-    studio_.hand().take(camera_);
+    if (&studio_.hand().tool() == this) {
+        studio_.hand().take(camera_);
+    }
     emit changed();
 }
 
 // Somebody else has changed the document: it is theirs now.
 void PlayTool::noticeHand() {
-    if (hasSession() && !act_ && !target_ && studio_.host().facts()->edits->revision != revision_ &&
-        &studio_.hand().tool() != this) {
-        steps_.clear();
-        operations_.clear();
-        stop();
+    if (hasSession() && !isActing_ && !act_ && studio_.host().facts()->edits->revision != revision_) {
+        goOnByHand();
     }
 }
 

@@ -16,7 +16,7 @@ struct KnownDocument {
     QString details;     // "256 × 256 × 108"
     bool hasSegments = false;
     QDateTime seen; // when it was last open
-    // Of what comes with the program, and lies in no file: what it is called, and its picture.
+    // What a document that comes with the program, and lies in no file, is called, and where its picture is.
     QString title = {};
     QString picture = {};
 

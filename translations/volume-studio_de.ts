@@ -646,6 +646,14 @@
         <source>put back</source>
         <translation>zurücklegen</translation>
     </message>
+    <message>
+        <source>part</source>
+        <translation>Teil</translation>
+    </message>
+    <message>
+        <source>discard part</source>
+        <translation>Teil verwerfen</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop</name>
@@ -1302,24 +1310,8 @@
         <translation>Was sichtbar ist, folgt dem angezeigten Bereich: sein unteres Ende anheben, wo ein Tisch den Patienten berührt.</translation>
     </message>
     <message>
-        <source>The part in hand</source>
-        <translation>Das Teil in der Hand</translation>
-    </message>
-    <message>
-        <source>Its size</source>
-        <translation>Seine Größe</translation>
-    </message>
-    <message>
-        <source>Part</source>
-        <translation>Teil</translation>
-    </message>
-    <message>
         <source>Size</source>
         <translation>Größe</translation>
-    </message>
-    <message>
-        <source>%1 of %2</source>
-        <translation>%1 von %2</translation>
     </message>
     <message>
         <source>Turn the picture</source>
@@ -1922,20 +1914,8 @@
         <translation>In der Datei</translation>
     </message>
     <message>
-        <source>Back to its own place</source>
-        <translation>Zurück an seinen Platz</translation>
-    </message>
-    <message>
-        <source>Put the part back to where it was cut out or lies</source>
-        <translation>Legt das Teil dorthin zurück, wo es herausgeschnitten wurde oder liegt</translation>
-    </message>
-    <message>
         <source>Move, turn and scale pasted parts and segments that are pulled out</source>
         <translation>Eingefügte Teile und herausgezogene Segmente verschieben, drehen und vergrößern</translation>
-    </message>
-    <message>
-        <source>nothing yet</source>
-        <translation>noch nichts</translation>
     </message>
 </context>
 <context>
@@ -2493,6 +2473,10 @@ Tab: der nächste Punkt; Pfeiltasten bewegen ihn; Entf; Eingabe: seine Farbe; St
     <message>
         <source>Nothing to pull out: the segment is empty</source>
         <translation>Nichts herauszuziehen: das Segment ist leer</translation>
+    </message>
+    <message>
+        <source>Nothing to paste: tools have cut nothing visible since the last paste. What Keep and Clip took away: Edit &gt; Paste All</source>
+        <translation>Nichts einzufügen: Seit dem letzten Einfügen haben Werkzeuge nichts Sichtbares weggeschnitten. Was Behalten und Beschneiden weggenommen haben: Bearbeiten &gt; Alles einfügen</translation>
     </message>
 </context>
 <context>
@@ -4046,10 +4030,6 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
         <translation>Einfügen</translation>
     </message>
     <message>
-        <source>Paste what was cut since the last paste beside the object, to be moved by hand</source>
-        <translation>Neben dem Objekt einfügen, was seit dem letzten Einfügen geschnitten wurde, und von Hand bewegen</translation>
-    </message>
-    <message>
         <source>Shift+V</source>
         <translation>Shift+V</translation>
     </message>
@@ -4433,6 +4413,22 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
         <source>Play a session</source>
         <translation>Sitzung abspielen</translation>
     </message>
+    <message>
+        <source>Paste what tools cut since the last paste beside the object, to be moved by hand</source>
+        <translation>Was Werkzeuge seit dem letzten Einfügen ausgeschnitten haben, neben dem Objekt einfügen, um es von Hand zu bewegen</translation>
+    </message>
+    <message>
+        <source>Paste All</source>
+        <translation>Alles einfügen</translation>
+    </message>
+    <message>
+        <source>Paste what was cut since the last paste, also what Keep and Clip took away</source>
+        <translation>Alles einfügen, was seit dem letzten Einfügen weggeschnitten wurde, auch was Behalten und Beschneiden weggenommen haben</translation>
+    </message>
+    <message>
+        <source>Ctrl+Alt+V</source>
+        <translation>Ctrl+Alt+V</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::MeasureTool</name>
@@ -4487,6 +4483,66 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
         <source>Nothing to move: paste what was cut (Shift+V) or pull a segment out (Ctrl+Shift+V).</source>
         <translation>Nichts zu bewegen: Ausgeschnittenes einfügen (Umschalt+V) oder ein Segment herausziehen (Strg+Umschalt+V).</translation>
     </message>
+    <message>
+        <source>Its size</source>
+        <translation>Seine Größe</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>With what Keep and Clip took</source>
+        <translation>Mit dem, was Behalten und Beschneiden nahmen</translation>
+    </message>
+    <message>
+        <source>What they took away around the part belongs to it too</source>
+        <translation>Was sie um das Teil herum weggenommen haben, gehört auch dazu</translation>
+    </message>
+    <message>
+        <source>Back to its own place</source>
+        <translation>Zurück an den eigenen Ort</translation>
+    </message>
+    <message>
+        <source>Put the part back to where it was cut out or lies</source>
+        <translation>Das Teil dorthin zurücksetzen, wo es ausgeschnitten wurde oder liegt</translation>
+    </message>
+    <message>
+        <source>Discard</source>
+        <translation>Verwerfen</translation>
+    </message>
+    <message>
+        <source>Draw it no more</source>
+        <translation>Nicht mehr zeichnen</translation>
+    </message>
+    <message>
+        <source>%1 %</source>
+        <translation>%1 %</translation>
+    </message>
+    <message>
+        <source>Put back</source>
+        <translation>Zurücksetzen</translation>
+    </message>
+    <message>
+        <source>Pull all segments out</source>
+        <translation>Alle Segmente herausziehen</translation>
+    </message>
+    <message>
+        <source>Each in its own place, to be moved apart; again: put them all back</source>
+        <translation>Jedes an seinem Ort, um sie auseinanderzurücken; noch einmal: alle zurücksetzen</translation>
+    </message>
+    <message>
+        <source>How far parts are moved apart from the middle</source>
+        <translation>Wie weit Teile von der Mitte aus auseinanderrücken</translation>
+    </message>
+    <message>
+        <source>Spread</source>
+        <translation>Auseinander</translation>
+    </message>
+    <message>
+        <source>Put all segments back</source>
+        <translation>Alle Segmente zurücksetzen</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::NoticesBadge</name>
@@ -4516,6 +4572,25 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
     <message>
         <source>Painting goes on the slices: show them with F4. Here dragging turns the volume.</source>
         <translation>Gemalt wird auf den Schichten: F4 zeigt sie. Hier dreht Ziehen das Volumen.</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::PartList</name>
+    <message>
+        <source>Parts and segments that are pulled out</source>
+        <translation>Teile und herausgezogene Segmente</translation>
+    </message>
+    <message>
+        <source>The box says whether it is seen; F2 or a double click renames, Delete discards</source>
+        <translation>Das Kästchen sagt, ob es zu sehen ist; F2 oder ein Doppelklick benennt um, Entf verwirft</translation>
+    </message>
+    <message>
+        <source>A part needs a name</source>
+        <translation>Ein Teil braucht einen Namen</translation>
+    </message>
+    <message>
+        <source>A part&apos;s name has at most %1 characters</source>
+        <translation>Der Name eines Teils hat höchstens %1 Zeichen</translation>
     </message>
 </context>
 <context>

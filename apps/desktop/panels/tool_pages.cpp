@@ -8,7 +8,6 @@
 #include "tools/drill_tool.h"
 #include "tools/keep_tool.h"
 #include "tools/laser_tool.h"
-#include "tools/move_tool.h"
 #include "tools/peel_tool.h"
 #include "tools/scissors_tool.h"
 #include "tools/tool_box.h"
@@ -167,34 +166,6 @@ QWidget* makeKeepPage(StudioController& studio, ToolBox& tools) {
     addNote(form,
             tr("What is visible follows the displayed range: raise its lower end where a table touches the "
                "patient."));
-    return page;
-}
-
-QWidget* makeMovePage(StudioController& studio, ToolBox& tools) {
-    auto* page = new QWidget;
-    auto* form = makeForm(page);
-    MoveTool& tool = tools.get<MoveTool>();
-    auto* part = named(new QLabel, "movePart", tr("The part in hand"));
-    part->setAlignment(Qt::AlignRight);
-    auto* size = named(new QLabel, "moveScale", tr("Its size"));
-    size->setAlignment(Qt::AlignRight);
-    auto* reset = named(new QPushButton(tr("Back to its own place")), "moveReset",
-                        tr("Put the part back to where it was cut out or lies"));
-    reset->setFocusPolicy(Qt::TabFocus);
-    QObject::connect(reset, &QPushButton::clicked, &tool, &MoveTool::resetPlace);
-    form->addRow(tr("Part"), part);
-    form->addRow(tr("Size"), size);
-    form->addRow(reset);
-    const auto show = [&tool, part, size, reset] {
-        const auto place = tool.place();
-        part->setText(place ? tr("%1 of %2").arg(tool.chosen() + 1).arg(tool.count()) : tr("nothing yet"));
-        const auto name = tool.segment();
-        part->setToolTip(name ? QString::fromStdString(*name) : tr("The part in hand"));
-        size->setText(place ? tr("%1 %").arg(100 * place->scale, 0, 'f', 0) : QString("\u2013"));
-        reset->setEnabled(place.has_value() && !(*place == render::Placement{}));
-    };
-    QObject::connect(&studio.host(), &DocumentHost::changed, part, show);
-    show();
     return page;
 }
 

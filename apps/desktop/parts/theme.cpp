@@ -44,8 +44,8 @@ QComboBox { background: #181b1e; border: 1px solid #3a4047; border-radius: 4px; 
 QComboBox:focus { border-color: #56b4e9; }
 QComboBox::drop-down { border: 0; width: 20px; }
 QComboBox::down-arrow { image: url(:/pictures/down-dark.svg); width: 12px; height: 12px; }
-QCheckBox::indicator { width: 13px; height: 13px; border: 1px solid #7d868f; border-radius: 3px; background: #181b1e; }
-QCheckBox::indicator:checked { background: #1f6f9c; border-color: #2c86b8; image: url(:/pictures/check.svg); }
+QCheckBox::indicator, QListView::indicator { width: 13px; height: 13px; border: 1px solid #7d868f; border-radius: 3px; background: #181b1e; }
+QCheckBox::indicator:checked, QListView::indicator:checked { background: #1f6f9c; border-color: #2c86b8; image: url(:/pictures/check.svg); }
 QCheckBox::indicator:disabled { border-color: #3a4047; }
 QCheckBox::indicator:focus { border-color: #56b4e9; }
 QComboBox:disabled { color: #5f6770; }

@@ -11,39 +11,58 @@
 
 namespace vs::desktop {
 
-int MovableParts::pasted() const { return int(studio_.view().shown().pasted.size()); }
-
-std::vector<studio::SegmentInfo> MovableParts::pulledOut() const {
-    std::vector<studio::SegmentInfo> found;
-    if (studio_.host().geometry() != nullptr) {
-        const auto facts = studio_.host().facts();
-        std::copy_if(facts->segments.segments.begin(), facts->segments.segments.end(),
-                     std::back_inserter(found),
-                     [](const studio::SegmentInfo& info) { return info.pulledOut && info.isVisible; });
+std::vector<MovableParts::Movable> MovableParts::all() const {
+    std::vector<Movable> found;
+    const auto* geometry = studio_.host().geometry();
+    if (geometry == nullptr) {
+        return found;
+    }
+    const auto facts = studio_.host().facts();
+    for (std::size_t k = 0; k < studio_.view().shown().pasted.size(); ++k) {
+        const studio::PartInfo* part = k < facts->parts.size() ? &facts->parts[k] : nullptr;
+        if (part == nullptr || part->isVisible) {
+            found.push_back({k, {}, part != nullptr ? part->middle : geometry->centreWorld()});
+        }
+    }
+    for (const studio::SegmentInfo& info : facts->segments.segments) {
+        if (info.isSeenPulledOut()) {
+            found.push_back({0, info, info.pulledOut->middle});
+        }
     }
     return found;
 }
 
-int MovableParts::count() const { return pasted() + int(pulledOut().size()); }
+int MovableParts::count() const { return int(all().size()); }
 
 std::optional<int> MovableParts::numberOf(const std::string& segment) const {
-    const auto all = pulledOut();
-    const auto found =
-        std::find_if(all.begin(), all.end(), [&](const auto& info) { return info.name == segment; });
-    return found != all.end() ? std::optional(pasted() + int(found - all.begin())) : std::nullopt;
+    const auto parts = all();
+    const auto found = std::find_if(parts.begin(), parts.end(), [&](const Movable& part) {
+        return part.segment && part.segment->name == segment;
+    });
+    return found != parts.end() ? std::optional(int(found - parts.begin())) : std::nullopt;
 }
 
-std::optional<std::string> MovableParts::segment(int part) const {
-    return part < pasted() ? std::nullopt : std::optional(pulledOut()[std::size_t(part - pasted())].name);
+std::optional<int> MovableParts::numberOf(std::size_t pasted) const {
+    const auto parts = all();
+    const auto found = std::find_if(parts.begin(), parts.end(), [&](const Movable& part) {
+        return !part.segment && part.pasted == pasted;
+    });
+    return found != parts.end() ? std::optional(int(found - parts.begin())) : std::nullopt;
 }
 
-render::Placement MovableParts::place(int part) const {
-    const auto& view = studio_.view().shown();
-    if (part < pasted()) {
-        return view.pasted[std::size_t(part)];
+render::Placement MovableParts::put(int part) const {
+    const studio::View& view = studio_.view().shown();
+    const Movable movable = at(part);
+    if (!movable.segment) {
+        return view.pasted[movable.pasted];
     }
-    const studio::SegmentInfo info = pulledOut()[std::size_t(part - pasted())];
-    return view.held && view.held->label == info.label ? view.held->place : *info.pulledOut;
+    const bool isHeld = view.held && view.held->label == movable.segment->label;
+    return isHeld ? view.held->place : movable.segment->pulledOut->place;
+}
+
+render::Placement MovableParts::drawn(int part) const {
+    return render::spreadOut(put(part), studio_.view().shown().spread, at(part).middle,
+                             *studio_.host().geometry());
 }
 
 Box3 MovableParts::box(int part) const {
@@ -66,35 +85,43 @@ void MovableParts::find() {
     }
     boxes_.clear();
     studio_.host().workLong([&] {
-        for (int part = 0; part < pasted(); ++part) {
-            boxes_.push_back(document.parts().box(std::size_t(part)));
-        }
-        for (const studio::SegmentInfo& info : pulledOut()) {
-            boxes_.push_back(document.parts().segmentBox(info.label));
+        for (const Movable& part : all()) {
+            boxes_.push_back(part.segment ? document.parts().segmentBox(part.segment->label)
+                                          : document.parts().box(part.pasted));
         }
     });
     boxes_.resize(std::size_t(count()));
 }
 
-void MovableParts::show(int part, const render::Placement& place) {
+void MovableParts::draw(int part, const render::Placement& there) {
+    const Movable movable = at(part);
     auto view = studio_.view().shown();
-    if (part < pasted()) {
-        view.pasted[std::size_t(part)] = place;
+    const render::Placement put =
+        render::broughtTogether(there, view.spread, movable.middle, *studio_.host().geometry());
+    if (!movable.segment) {
+        view.pasted[movable.pasted] = put;
     } else {
-        const studio::SegmentInfo info = pulledOut()[std::size_t(part - pasted())];
-        view.held = studio::HeldSegment{info.label, place};
-        if (place == *info.pulledOut) {
-            view.held.reset();
-        }
+        view.held = studio::HeldSegment{movable.segment->label, put};
     }
     studio_.view().showView(view);
 }
 
-studio::Operation MovableParts::moved(int part, const render::Placement& place) const {
-    if (const auto name = segment(part)) {
-        return studio::PullOut{*name, place};
+void MovableParts::letGo(int part, const render::Placement& putBefore) {
+    auto view = studio_.view().shown();
+    const Movable movable = at(part);
+    if (!movable.segment) {
+        view.pasted[movable.pasted] = putBefore;
     }
-    return studio::MovePart{part, place};
+    view.held.reset();
+    studio_.view().showView(view);
+}
+
+studio::Operation MovableParts::moved(int part, const render::Placement& put) const {
+    const Movable movable = at(part);
+    if (movable.segment) {
+        return studio::PullOut{movable.segment->name, put};
+    }
+    return studio::MovePart{int(movable.pasted), put};
 }
 
 } // namespace vs::desktop

@@ -4,6 +4,7 @@
 #include "base/math.h"
 #include "render/camera/placement.h"
 #include "studio/operations/operation.h"
+#include "studio/operations/segment_list.h"
 
 #include <optional>
 #include <string>
@@ -13,34 +14,41 @@ namespace vs::desktop {
 
 class StudioController;
 
-// What a person can move about the picture: pasted parts, and after them the segments that are pulled out and
-// can be seen. Counted from 0.
+// What a person can move about the picture: the pasted parts that are not hidden, and after them the segments
+// that are seen pulled out. Counted from 0.
 class MovableParts {
 public:
     explicit MovableParts(StudioController& studio) : studio_(studio) {}
 
     [[nodiscard]] int count() const;
-    // The number of a segment that is pulled out.
+    // The number of a segment that is pulled out, and of the part at a place of the view.
     [[nodiscard]] std::optional<int> numberOf(const std::string& segment) const;
-    // The segment with that number; nothing for a pasted part.
-    [[nodiscard]] std::optional<std::string> segment(int part) const;
-    // Where a part is shown at the moment.
-    [[nodiscard]] render::Placement place(int part) const;
+    [[nodiscard]] std::optional<int> numberOf(std::size_t pasted) const;
+    // Where a part was put, or is in the hand at the moment; and where it is drawn then, as the view is spread.
+    [[nodiscard]] render::Placement put(int part) const;
+    [[nodiscard]] render::Placement drawn(int part) const;
     // Voxels around a part, where it was cut out or lies; empty when nothing of it can be seen.
     [[nodiscard]] Box3 box(int part) const;
 
-    // Looks for the boxes again if an edit may have changed them; may take long.
+    // Looks for the parts and boxes again if an edit may have changed them; may take long.
     void find();
     void forget() { boxes_.clear(); }
 
-    // Shows a part elsewhere until show() is called for it with where it was, and the operation that moves
-    // it.
-    void show(int part, const render::Placement& place);
-    [[nodiscard]] studio::Operation moved(int part, const render::Placement& place) const;
+    // Takes a part into the hand and draws it there, until it is let go: then it is where it was put before.
+    void draw(int part, const render::Placement& there);
+    void letGo(int part, const render::Placement& putBefore);
+    // The operation that puts it there.
+    [[nodiscard]] studio::Operation moved(int part, const render::Placement& put) const;
 
 private:
-    [[nodiscard]] int pasted() const;
-    [[nodiscard]] std::vector<studio::SegmentInfo> pulledOut() const;
+    // A part at a place of the view, or a segment that is pulled out.
+    struct Movable {
+        std::size_t pasted = 0;
+        std::optional<studio::SegmentInfo> segment;
+        glm::dvec3 middle{0}; // world, mm: what the view's spread moves away
+    };
+    [[nodiscard]] std::vector<Movable> all() const;
+    [[nodiscard]] Movable at(int part) const { return all()[std::size_t(part)]; }
 
     StudioController& studio_;
     std::vector<Box3> boxes_;

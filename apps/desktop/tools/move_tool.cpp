@@ -32,17 +32,13 @@ MoveTool::MoveTool(StudioController& studio, CameraTool& camera)
     connect(&studio.host(), &DocumentHost::changed, this, &MoveTool::findParts);
     connect(&studio.editor(), &Editor::pasted, this, [this] {
         studio_.hand().take(*this);
-        choose(count() - 1);
+        choose(parts_.numberOf(studio_.host().facts()->parts.size() - 1).value_or(0));
     });
     connect(&studio.editor(), &Editor::pulledOut, this, [this](const std::string& segment) {
         studio_.hand().take(*this);
         choose(parts_.numberOf(segment).value_or(0));
     });
     connect(&studio.host(), &DocumentHost::opened, this, [this] { parts_.forget(); });
-}
-
-std::optional<std::string> MoveTool::segment() const {
-    return chosen_ < count() ? parts_.segment(chosen_) : std::nullopt;
 }
 
 QString MoveTool::hint() const {
@@ -85,11 +81,11 @@ HeldPart MoveTool::held(int part) const {
         const glm::dvec3 voxel = 0.5 * glm::dvec3(box.lo + box.hi);
         centre = glm::dvec3(geometry.worldFromVoxel * glm::dvec4(voxel, 1.0));
     }
-    return {parts_.place(part), centre, geometry};
+    return {parts_.drawn(part), centre, geometry};
 }
 
 std::optional<render::Placement> MoveTool::place() const {
-    return chosen_ < count() ? std::optional(parts_.place(chosen_)) : std::nullopt;
+    return chosen_ < count() ? std::optional(parts_.put(chosen_)) : std::nullopt;
 }
 
 Overlays MoveTool::overlays() const {
@@ -107,7 +103,7 @@ Overlays MoveTool::overlays() const {
         const Box3 box = parts_.box(part);
         if (isChosen && !box.isEmpty()) {
             const glm::dmat4 place =
-                render::worldFromPart(parts_.place(part), *geometry) * geometry->worldFromVoxel;
+                render::worldFromPart(parts_.drawn(part), *geometry) * geometry->worldFromVoxel;
             overlays.push_back(
                 {boxEdges(glm::dvec3(box.lo), glm::dvec3(box.hi), place, studio_.view()), tint, 0, 1});
         }
@@ -154,7 +150,7 @@ bool MoveTool::isOverChosen(QPointF position) const {
     }
     const glm::dvec2 scale = studio_.view().devicePerLogical();
     const QRectF seen =
-        seenBox(box, parts_.place(chosen_), *studio_.host().geometry(), studio_.view().rays());
+        seenBox(box, parts_.drawn(chosen_), *studio_.host().geometry(), studio_.view().rays());
     return seen.adjusted(-kMargin, -kMargin, kMargin, kMargin)
         .contains(QPointF(position.x() * scale.x, position.y() * scale.y));
 }
@@ -193,7 +189,7 @@ void MoveTool::press(const Pen& pen) {
 
 void MoveTool::begin() {
     if (!before_) {
-        before_ = parts_.place(chosen_);
+        before_ = parts_.put(chosen_);
     }
 }
 
@@ -256,16 +252,15 @@ bool MoveTool::wheel(double notches, const Pen& pen) {
 
 void MoveTool::resetPlace() {
     if (place()) {
-        begin();
-        show({});
-        commit();
+        studio_.editor().apply(parts_.moved(chosen_, {}));
+        emit overlayChanged();
     }
 }
 
 // --- showing and keeping it
 
 void MoveTool::show(const render::Placement& place) {
-    parts_.show(chosen_, place);
+    parts_.draw(chosen_, place);
     emit overlayChanged();
 }
 
@@ -276,9 +271,9 @@ void MoveTool::commit() {
         return;
     }
     const render::Placement before = *std::exchange(before_, std::nullopt);
-    const render::Placement place = parts_.place(chosen_);
+    const render::Placement place = parts_.put(chosen_);
     const studio::Operation moved = parts_.moved(chosen_, place);
-    parts_.show(chosen_, before);
+    parts_.letGo(chosen_, before);
     if (!(place == before)) {
         studio_.editor().apply(moved);
     }
@@ -288,7 +283,7 @@ void MoveTool::commit() {
 void MoveTool::drop() {
     calm_.stop();
     if (before_) {
-        parts_.show(chosen_, *std::exchange(before_, std::nullopt));
+        parts_.letGo(chosen_, *std::exchange(before_, std::nullopt));
     }
     emit overlayChanged();
 }

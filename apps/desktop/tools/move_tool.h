@@ -42,11 +42,14 @@ public:
     [[nodiscard]] int chosen() const { return chosen_; }
     void choose(int part);
     [[nodiscard]] int count() const { return parts_.count(); }
-    // What the chosen part is called, if it is a segment.
-    [[nodiscard]] std::optional<std::string> segment() const;
+    // The number of a pasted part (at that place of the view) or else of the segment of that name, while it can
+    // be moved.
+    [[nodiscard]] std::optional<int> numberOf(std::optional<int> pasted, const std::string& segment) const {
+        return pasted ? parts_.numberOf(std::size_t(*pasted)) : parts_.numberOf(segment);
+    }
     // Where the parts' handles are, in logical pixels of the view.
     [[nodiscard]] std::vector<QPointF> handles() const;
-    // The chosen part's place as it is shown; nothing if there is none.
+    // Where the chosen part was put, or is in the hand; nothing if there is none.
     [[nodiscard]] std::optional<render::Placement> place() const;
     // Puts the chosen part back where it was pasted from or lies, upright and at its own size.
     void resetPlace();

@@ -52,7 +52,7 @@ void MainWindow::makeMenus() {
                        "-",      "playAgain",  "playOrPause",   "-",           "saveSession", "exportLabels",
                        "export", "screenshot", "exportPicture", "copyPicture", "-",           "properties",
                        "-",      "quit"});
-    menu(tr("&Edit"), {"undo", "redo", "showHistory", "addNote", "-", "paste", "pullOut", "moveTool", "-",
+    menu(tr("&Edit"), {"undo", "redo", "showHistory", "addNote", "-", "paste", "pasteAll", "pullOut", "moveTool", "-",
                        "unCut", "reSeed", "-", "clearSketch", "-", "preferences"});
     menu(tr("&View"), {"resetView",
                        "fitView",

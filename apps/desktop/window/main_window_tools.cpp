@@ -35,8 +35,13 @@ void MainWindow::makeToolActions() {
         ->setAutoRepeat(false);
     actions_
         ->add({"paste", "paste", tr("Paste"),
-               tr("Paste what was cut since the last paste beside the object, to be moved by hand"),
+               tr("Paste what tools cut since the last paste beside the object, to be moved by hand"),
                tr("Shift+V"), [this] { studio_.editor().paste(); }})
+        ->setAutoRepeat(false);
+    actions_
+        ->add({"pasteAll", "paste", tr("Paste All"),
+               tr("Paste what was cut since the last paste, also what Keep and Clip took away"),
+               tr("Ctrl+Alt+V"), [this] { studio_.editor().paste(true); }})
         ->setAutoRepeat(false);
     actions_
         ->add(

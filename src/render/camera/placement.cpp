@@ -22,6 +22,22 @@ glm::dmat4 worldFromPart(const Placement& placement, const volume::GridGeometry&
     return there * glm::dmat4(turned(placement.turnDegrees) * placement.scale) * back;
 }
 
+Placement spreadOut(const Placement& placement, double spread, glm::dvec3 middle,
+                    const volume::GridGeometry& geometry) {
+    const glm::dvec3 there(worldFromPart(placement, geometry) * glm::dvec4(middle, 1));
+    Placement drawn = placement;
+    drawn.moveMm += spread * (there - geometry.centreWorld());
+    return drawn;
+}
+
+Placement broughtTogether(const Placement& drawn, double spread, glm::dvec3 middle,
+                          const volume::GridGeometry& geometry) {
+    const glm::dvec3 there(worldFromPart(drawn, geometry) * glm::dvec4(middle, 1));
+    Placement placement = drawn;
+    placement.moveMm -= spread / (1 + spread) * (there - geometry.centreWorld());
+    return placement;
+}
+
 ViewRays seenFromPart(const ViewRays& rays, const Placement& placement,
                       const volume::GridGeometry& geometry) {
     const glm::dmat3 unturned = glm::transpose(turned(placement.turnDegrees));

@@ -7,9 +7,11 @@ const int kOutlineDistancesTexture = 0;
 const int kWholeSculptureTexture = 0;
 const int kOwnDepthsTexture = 1;
 const int kUpToTexture = 1;
+const int kBeforeTexture = 1;
 const int kFromTexture = 2;
 const int kFrontDepthsTexture = 2;
 const int kLimitsTexture = 3;
+const int kLeftForToolsTexture = 3;
 
 // Image units.
 const int kSculptureCellsImage = 0;
@@ -18,6 +20,7 @@ const int kEnergyImage = 0;
 const int kPartImage = 0;
 const int kRegionImage = 0;
 const int kSolidSculptureImage = 0;
+const int kLeftForToolsImage = 0;
 const int kEnergiesImage = 1;
 const int kSculptureImage = 1;
 const int kSourceImage = 1;

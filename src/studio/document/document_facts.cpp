@@ -69,6 +69,7 @@ std::shared_ptr<const DocumentFacts> factsOf(const Contents& contents, std::size
     facts->sliceWindow = contents.scan.slices;
     facts->edits =
         before.edits->revision == contents.history.revision() ? before.edits : editsOf(contents.history);
+    facts->parts.assign(contents.pasted.parts.begin(), contents.pasted.parts.end());
     facts->segments = contents.segments;
     for (const SegmentInfo& segment : contents.segments.segments) {
         facts->voxels[segment.label] = contents.region.voxelCount(segment.label);

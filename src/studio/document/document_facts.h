@@ -55,6 +55,7 @@ struct DocumentFacts {
     FirstLook firstLook; // that suits the scan: how the window shows it when it is opened
     Range sliceWindow;   // that suits the scan: what slices show where the view says nothing
     std::shared_ptr<const Edits> edits = std::make_shared<Edits>();
+    std::vector<PartInfo> parts; // that were pasted, in the order of the view's places
     SegmentList segments;
     std::array<std::size_t, 256> voxels{}; // shown of each segment, by its label
     std::uint64_t segmentsRevision = 0;    // counts changes of what is shown of segments

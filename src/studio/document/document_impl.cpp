@@ -113,6 +113,9 @@ Outcome Document::Impl::travel(Edit& edit, bool isUndo) {
         contents.sculpture.swap(*edit.cut);
         outcome.voxelsTouched = edit.cut->changedVoxels();
     }
+    if (edit.trim) {
+        contents.trimmed.swap(*edit.trim);
+    }
     if (!edit.growth.empty() || edit.segmentsAfter) {
         if (isUndo) {
             contents.region.undo(edit.growth);

@@ -38,7 +38,7 @@ struct Document::Impl {
     Display display{contents};
     Cutter cutter{contents.scan.field, contents.sculpture};
     CutEditor cuts{contents, display, cutter};
-    PartEditor parts{contents};
+    PartEditor parts{contents, display};
     ScanEditor scan{contents, cutter};
     GrowthEditor growth{contents, display, cutter};
     SegmentListEditor segmentList{contents};

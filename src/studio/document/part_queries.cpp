@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/document/part_queries.h"
 
-#include "base/check.h"
 #include "field/cell_ranges.h"
 #include "sculpt/sculpture/precision.h"
 #include "segment/edits/islands.h"
 #include "studio/editing/contents.h"
 #include "studio/editing/display.h"
+#include "studio/editing/seen_cells.h"
+#include "studio/editing/shown_places.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <iterator>
@@ -47,28 +50,46 @@ void addCorners(const Box3& cells, const volume::GridGeometry& geometry, const g
     }
 }
 
-// The middle of the macrocell with that number, x fastest.
-glm::dvec3 middleOf(std::size_t n, glm::ivec3 cellDims) {
-    const int i = int(n);
-    const glm::ivec3 cell(i % cellDims.x, i / cellDims.x % cellDims.y, i / cellDims.x / cellDims.y);
-    return double(field::kCell) * glm::dvec3(cell) + 0.5 * (field::kCell - 1);
-}
-
 } // namespace
 
-std::size_t PartQueries::count() const { return contents_.pasted.sculptures.size(); }
+std::size_t PartQueries::count() const { return contents_.pasted.parts.size(); }
 
-Box3 PartQueries::box(std::size_t part) { return boxAround(cells(part)); }
+Box3 PartQueries::box(std::size_t part) { return boxAround(cells(part), contents_); }
 
-Box3 PartQueries::segmentBox(std::uint8_t label) { return boxAround(segmentCells(label)); }
+Box3 PartQueries::nextBox() { return boxAround(nextCells(), contents_); }
 
-Box3 PartQueries::boxAround(const std::vector<glm::dvec3>& cells) const {
-    Box3 box;
-    for (const glm::dvec3 middle : cells) {
-        const glm::ivec3 cell = glm::ivec3(middle) / field::kCell;
-        box = unite(box, {field::kCell * cell, field::kCell * (cell + 1)});
+Box3 PartQueries::segmentBox(std::uint8_t label) { return boxAround(segmentCells(label), contents_); }
+
+std::vector<SeenPart> PartQueries::seen() const {
+    const auto places = shownPlaces(contents_.view, contents_.pasted, contents_.scan.volume.geometry);
+    const auto& parts = contents_.pasted.parts;
+    std::vector<SeenPart> found;
+    for (std::size_t at = 0; at < places.size(); ++at) {
+        const bool isPart = at < parts.size();
+        if (!isPart || parts[at].isVisible) {
+            found.push_back({at, isPart ? parts[at].name : fmt::format("Part {}", at + 1), places[at]});
+        }
     }
-    return intersect(box, contents_.scan.volume.geometry.box());
+    return found;
+}
+
+std::vector<SeenPart> PartQueries::seenPulledOut() const {
+    std::vector<SeenPart> found;
+    for (const SegmentInfo& segment : contents_.segments.segments) {
+        if (segment.isSeenPulledOut()) {
+            found.push_back({segment.label, segment.name,
+                             shownPlace(contents_.view, segment, contents_.scan.volume.geometry)});
+        }
+    }
+    return found;
+}
+
+std::vector<glm::dvec3> PartQueries::cells(std::size_t part) {
+    return seenCellsOfPart(contents_, display_, display_.partAt(part).cells->downloadAll<glm::vec2>());
+}
+
+std::vector<glm::dvec3> PartQueries::nextCells(bool takesTrimmed) {
+    return seenCellsOfPart(contents_, display_, display_.cellsOfNextPart(takesTrimmed));
 }
 
 std::vector<glm::dvec3> PartQueries::segmentCells(std::uint8_t label) {
@@ -97,66 +118,23 @@ std::vector<glm::dvec3> PartQueries::segmentCells(std::uint8_t label) {
     std::vector<glm::dvec3> cells;
     for (std::size_t n = 0; n < isThere.size(); ++n) {
         if (isThere[n]) {
-            cells.push_back(middleOf(n, cellDims));
+            cells.push_back(middleOfCell(n, cellDims));
         }
     }
     return cells;
-}
-
-std::vector<glm::dvec3> PartQueries::cells(std::size_t part) {
-    const glm::ivec3 dims = contents_.scan.volume.geometry.dims;
-    const auto rangesOf = [&](const gl::Texture& texels) {
-        gl::Texture cells(field::cellDims(dims), gl::Format::RG32F, gl::Filter::Nearest,
-                          "cells of a pasted part");
-        field::CellRangeUpdater().update(texels, {glm::ivec3(0), dims}, cells);
-        return cells.downloadAll<glm::vec2>();
-    };
-    const auto& pastes = contents_.pasted.sculptures;
-    std::vector<glm::vec2> cut;
-    std::vector<glm::vec2> before; // cells that are still the same do not count
-    if (part == pastes.size()) {
-        cut = contents_.sculpture.cells().downloadAll<glm::vec2>();
-        if (!pastes.empty()) {
-            before = rangesOf(*pastes.back());
-        }
-    } else {
-        const auto parts = display_.frame(contents_.view, glm::ivec2(1)).pasted;
-        if (part >= parts.size()) {
-            return {};
-        }
-        cut = rangesOf(*parts[part].sculpture);
-    }
-    // More than half, because between two parts that touch both are half there.
-    constexpr float kSurely = 0.6F;
-    return seenCells(
-        [&](std::size_t n) { return cut[n].y >= kSurely && (before.empty() || cut[n] != before[n]); });
 }
 
 std::vector<glm::dvec3> PartQueries::remainingCells() {
     const auto cut = contents_.sculpture.cells().downloadAll<glm::vec2>();
     switch (contents_.view.sculptureView) {
     case field::SculptureView::Cut:
-        return seenCells([&](std::size_t n) { return cut[n].x < 0.5F; });
+        return seenCells(contents_, display_, [&](std::size_t n) { return cut[n].x < 0.5F; });
     case field::SculptureView::Probe:
-        return seenCells([&](std::size_t n) { return cut[n].y >= 0.5F; });
+        return seenCells(contents_, display_, [&](std::size_t n) { return cut[n].y >= 0.5F; });
     case field::SculptureView::Whole:
         break;
     }
-    return seenCells([](std::size_t) { return true; });
-}
-
-// The middles of the macrocells that hold values of the displayed range and for which `isThere` holds.
-std::vector<glm::dvec3> PartQueries::seenCells(const std::function<bool(std::size_t)>& isThere) {
-    const glm::ivec3 cellDims = field::cellDims(contents_.scan.volume.geometry.dims);
-    const auto values = display_.cellRanges().cells.downloadAll<glm::vec2>();
-    const Range shown = contents_.view.visibleRange(contents_.scan.volume.range);
-    std::vector<glm::dvec3> cells;
-    for (std::size_t n = 0; n < values.size(); ++n) {
-        if (values[n].y >= shown.lo && values[n].x <= shown.hi && isThere(n)) {
-            cells.push_back(middleOf(n, cellDims));
-        }
-    }
-    return cells;
+    return seenCells(contents_, display_, [](std::size_t) { return true; });
 }
 
 std::vector<glm::dvec3> PartQueries::pointsAroundAll() {
@@ -165,14 +143,13 @@ std::vector<glm::dvec3> PartQueries::pointsAroundAll() {
     for (const Box3& row : rowsSeen()) {
         addCorners(row, geometry, geometry.worldFromVoxel, points);
     }
-    const auto& places = contents_.view.pasted;
-    for (std::size_t part = 0; part < std::min(places.size(), count()); ++part) {
-        addPlaced(cells(part), places[part], points);
-    }
-    for (const SegmentInfo& segment : contents_.segments.segments) {
-        if (segment.pulledOut && segment.isVisible) {
-            addPlaced(segmentCells(segment.label), *segment.pulledOut, points);
+    for (const SeenPart& part : seen()) {
+        if (part.at < count()) {
+            addPlaced(cells(part.at), part.place, points);
         }
+    }
+    for (const SeenPart& part : seenPulledOut()) {
+        addPlaced(segmentCells(std::uint8_t(part.at)), part.place, points);
     }
     if (points.empty()) {
         addCorners({glm::ivec3(0), field::cellDims(geometry.dims)}, geometry, geometry.worldFromVoxel,
@@ -218,9 +195,7 @@ std::vector<Box3> PartQueries::rowsSeen() {
 }
 
 std::vector<float> PartQueries::values(std::size_t place, const Box3& box) {
-    const auto parts = display_.frame(contents_.view, glm::ivec2(1)).pasted;
-    VS_CHECK(place < parts.size());
-    return sculpt::valuesOf(parts[place].sculpture->download(box), contents_.sculpture.precision());
+    return sculpt::valuesOf(display_.partAt(place).texels->download(box), contents_.sculpture.precision());
 }
 
 } // namespace vs::studio

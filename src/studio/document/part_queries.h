@@ -8,13 +8,20 @@
 
 #include <cstddef>
 #include <cstdint>
-#include <functional>
+#include <string>
 #include <vector>
 
 namespace vs::studio {
 
 class Display;
 struct Contents;
+
+// A part of the picture besides what remains, where it is drawn at the moment.
+struct SeenPart {
+    std::size_t at = 0; // a pasted part's place in the view; the label of a segment that is pulled out
+    std::string name;
+    render::Placement place;
+};
 
 // Where pasted parts, and what remains of the volume, can be seen. Parts are counted from 0 in the order in
 // which they were pasted; the view's places may be more or fewer.
@@ -24,16 +31,21 @@ public:
     PartQueries(const Contents& contents, Display& display) : contents_(contents), display_(display) {}
 
     [[nodiscard]] std::size_t count() const;
-    // Voxels around what can be seen of a pasted part, where it was cut out; empty when that is nothing.
-    // box(count()): around what the next paste would take, all that was cut since the last one.
+    // Voxels around what can be seen of a pasted part, where it was cut out; empty when that is nothing. And
+    // around what the next paste would take, what tools cut since the last one.
     Box3 box(std::size_t part);
+    Box3 nextBox();
     // The middles (voxel space) of the macrocells in which something of such a part can be seen; and of those
     // in which something of what remains can, as the view shows the sculpture.
     std::vector<glm::dvec3> cells(std::size_t part);
+    std::vector<glm::dvec3> nextCells(bool takesTrimmed = false);
     std::vector<glm::dvec3> remainingCells();
     // A box and macrocells likewise, around the voxels that are shown of a segment.
     Box3 segmentBox(std::uint8_t label);
     std::vector<glm::dvec3> segmentCells(std::uint8_t label);
+    // The pasted parts that are not hidden, and the segments that are seen pulled out.
+    [[nodiscard]] std::vector<SeenPart> seen() const;
+    [[nodiscard]] std::vector<SeenPart> seenPulledOut() const;
     // Points of the world around all that the picture of the present view shows, in any mode: what remains,
     // segments, also those that are pulled out, and pasted parts. Specks, as noise in the air leaves them,
     // are not counted. Around the whole grid when nothing can be seen. Nothing seen lies outside of the
@@ -43,9 +55,7 @@ public:
     std::vector<float> values(std::size_t place, const Box3& box);
 
 private:
-    std::vector<glm::dvec3> seenCells(const std::function<bool(std::size_t)>& isThere);
     std::vector<Box3> rowsSeen();
-    [[nodiscard]] Box3 boxAround(const std::vector<glm::dvec3>& cells) const;
     void addPlaced(const std::vector<glm::dvec3>& cells, const render::Placement& place,
                    std::vector<glm::dvec3>& points) const;
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "sculpt/sculpture/sculpture.h"
+#include "sculpt/sculpture/trimmed.h"
 #include "studio/editing/in_hand.h"
 #include "studio/editing/scan.h"
 #include "studio/operations/segment_list.h"
@@ -39,6 +40,7 @@ struct Contents {
 
     Scan scan;
     sculpt::Sculpture sculpture;
+    sculpt::Trimmed trimmed; // what of it was trimmed away
     PastedState pasted;
     Region region;
     SegmentList segments;

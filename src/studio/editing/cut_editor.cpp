@@ -76,6 +76,29 @@ void CutEditor::discard() {
     ++contents_.version;
 }
 
+void CutEditor::remember(const Operation& operation, sculpt::BrickDelta cut, bool isLimited) {
+    const bool isTrim = std::visit(
+        [](const auto& op) {
+            if constexpr (requires { op.isTrim(); }) {
+                return op.isTrim();
+            }
+            return false;
+        },
+        operation);
+    Edit edit{shared(operation), {}, {}};
+    edit.isLimited = isLimited;
+    try {
+        if (auto trim = contents_.trimmed.follow(contents_.sculpture, cut, isTrim); !trim.isEmpty()) {
+            edit.trim = std::move(trim);
+        }
+    } catch (...) {
+        contents_.sculpture.swap(cut);
+        throw;
+    }
+    edit.cut = std::move(cut);
+    contents_.remember(std::move(edit));
+}
+
 Outcome CutEditor::finish() {
     sculpt::BrickDelta delta;
     try {
@@ -93,10 +116,14 @@ Outcome CutEditor::finish() {
         : stroke_->onlyCuts()
             ? say(VS_TEXT("library", "nothing was cut: nothing visible lies there that was not cut already"))
             : say(VS_TEXT("library", "nothing was restored: nothing was cut away there"));
-    if (!delta.isEmpty()) {
-        Edit edit{shared(stroke_->operation()), std::move(delta), {}};
-        edit.isLimited = contents_.sculpture.isLimited();
-        contents_.remember(std::move(edit));
+    try {
+        if (!delta.isEmpty()) {
+            remember(stroke_->operation(), std::move(delta), contents_.sculpture.isLimited());
+        }
+    } catch (...) {
+        forget();
+        ++contents_.version;
+        throw;
     }
     forget();
     return outcome;
@@ -193,9 +220,7 @@ Outcome CutEditor::run(CutSegment& op) {
     sculpt::BrickDelta delta = backup.finish();
     const std::size_t changed = delta.changedVoxels();
     if (!delta.isEmpty()) {
-        Edit edit{shared(op), std::move(delta), {}};
-        edit.isLimited = !most.empty();
-        contents_.remember(std::move(edit));
+        remember(op, std::move(delta), !most.empty());
     }
     return {{}, 0, changed, say(VS_TEXT("library", "%1 voxels changed"), changed)};
 }

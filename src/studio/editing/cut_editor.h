@@ -49,6 +49,9 @@ private:
     Outcome cutAtOnce(Cut& op);
     void open(const Operation& operation); // a stroke without limits
     void forget();                         // the stroke
+    // Remembers a cut that has been made as a step, with what it does to what is trimmed. If there is no
+    // memory for that, the cut is taken back.
+    void remember(const Operation& operation, sculpt::BrickDelta cut, bool isLimited);
 
     Contents& contents_;
     Display& display_;

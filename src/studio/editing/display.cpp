@@ -7,6 +7,7 @@ Pipeline::State Display::stateOf(const View& from, double segmentsMs) const {
     Pipeline::State state;
     state.view = &from;
     state.sculpture = &contents_->sculpture;
+    state.trimmed = &contents_->trimmed;
     state.pasted = &contents_->pasted;
     state.growth = contents_->region.growth();
     state.segments = &contents_->segments;

@@ -24,9 +24,18 @@ public:
     render::TransferFunction resolved(const render::TransferFunction& function) {
         return pipeline_.resolved(function);
     }
+    // What of the sculpture is drawn at a place of the view, and the ranges (x fastest) of the macrocells of the
+    // part that a paste would make now.
+    PastedParts::Part partAt(std::size_t place) { return pipeline_.partAt(state(), place); }
+    std::vector<glm::vec2> cellsOfNextPart(bool takesTrimmed) {
+        return pipeline_.cellsOfNextPart(state(), takesTrimmed);
+    }
     [[nodiscard]] const field::CellRanges& cellRanges() const { return pipeline_.cellRanges(); }
 
 private:
+    [[nodiscard]] Pipeline::State state() const {
+        return stateOf(contents_->view, segment::Segmentation::kNoHurry);
+    }
     [[nodiscard]] Pipeline::State stateOf(const View& from, double segmentsMs) const;
 
     const Contents* contents_;

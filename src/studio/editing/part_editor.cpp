@@ -2,6 +2,11 @@
 #include "studio/editing/part_editor.h"
 
 #include "base/error.h"
+#include "studio/editing/seen_cells.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
 
 namespace vs::studio {
 
@@ -9,16 +14,44 @@ namespace {
 
 constexpr std::size_t kMostParts = 16;
 
+// Part 1, Part 2 ...: the first number that no part is called by.
+std::string freeName(const std::vector<PastedPart>& parts) {
+    for (std::size_t number = 1;; ++number) {
+        std::string name = fmt::format("Part {}", number);
+        if (std::none_of(parts.begin(), parts.end(), [&](const auto& part) { return part.name == name; })) {
+            return name;
+        }
+    }
+}
+
+Outcome saying(int part) { return {{}, 0, 0, say(VS_TEXT("library", "part %1"), part + 1)}; }
+
 } // namespace
+
+PastedState PartEditor::present() const {
+    PastedState state = contents_.pasted;
+    state.places = contents_.view.pasted;
+    return state;
+}
+
+PastedPart& PartEditor::partOf(PastedState& state, int number) const {
+    if (number < 0 || number >= int(state.parts.size())) {
+        throw Error("there is no pasted part {}; there are {}, counted from 0", number, state.parts.size());
+    }
+    // A view may have been set to fewer places than there are parts.
+    state.places.resize(std::max(state.places.size(), state.parts.size()));
+    return state.parts[std::size_t(number)];
+}
 
 void PartEditor::show(const PastedState& state) {
     contents_.pasted = state;
     contents_.view.pasted = state.places;
 }
 
-void PartEditor::change(const Operation& operation, const PastedState& state,
-                        std::optional<sculpt::BrickDelta> cut) {
-    contents_.remember({shared(operation), std::move(cut), {}, present(), state});
+void PartEditor::change(Edit edit, const PastedState& state) {
+    edit.partsBefore = present();
+    edit.partsAfter = state;
+    contents_.remember(std::move(edit));
     show(state);
 }
 
@@ -28,15 +61,27 @@ Outcome PartEditor::run(Paste& op) {
     }
     PastedState state = present();
     // Places beyond the parts pasted so far show everything that was cut; the new part takes theirs.
-    state.places.resize(std::min(state.places.size(), state.sculptures.size()));
-    state.places.resize(state.sculptures.size());
-    if (state.sculptures.size() == kMostParts) {
-        throw Error("at most {} parts can be pasted; undo one, or clear all cuts", kMostParts);
+    state.places.resize(state.parts.size());
+    if (state.parts.size() == kMostParts) {
+        throw Error("at most {} parts can be pasted; undo one, discard one, or clear all cuts", kMostParts);
     }
-    state.sculptures.push_back(PastedParts::remember(contents_.sculpture));
+    PastedPart part = state.next();
+    part.name = op.name.value_or(freeName(state.parts));
+    part.takesTrimmed = op.takesTrimmed;
+    const auto ranges = display_.cellsOfNextPart(op.takesTrimmed);
+    if (std::none_of(ranges.begin(), ranges.end(), [](glm::vec2 range) { return range.y > 0.5F; })) {
+        throw Error("nothing to paste: tools have cut nothing since the last paste{}",
+                    op.takesTrimmed || contents_.trimmed.isEmpty()
+                        ? ""
+                        : "; what Keep and Clip took away is pasted with \"all\": true");
+    }
+    part.middle =
+        middleInWorld(boxAround(seenCellsOfPart(contents_, display_, ranges), contents_), contents_);
+    state.last = part.upTo = PastedParts::remember(contents_.sculpture);
+    state.parts.push_back(std::move(part));
     state.places.push_back(op.place);
-    change(op, state);
-    return {{}, 0, 0, say(VS_TEXT("library", "part %1"), contents_.pasted.sculptures.size())};
+    change({shared(op), {}, {}}, state);
+    return saying(int(state.parts.size()) - 1);
 }
 
 Outcome PartEditor::run(MovePart& op) {
@@ -45,8 +90,27 @@ Outcome PartEditor::run(MovePart& op) {
         throw Error("there is no pasted part {}; there are {}, counted from 0", op.part, state.places.size());
     }
     state.places[std::size_t(op.part)] = op.place;
-    change(op, state);
-    return {{}, 0, 0, say(VS_TEXT("library", "part %1"), op.part + 1)};
+    change({shared(op), {}, {}}, state);
+    return saying(op.part);
+}
+
+Outcome PartEditor::run(ChangePart& op) {
+    PastedState state = present();
+    PastedPart& part = partOf(state, op.part);
+    part.name = op.name.value_or(part.name);
+    part.isVisible = op.isVisible.value_or(part.isVisible);
+    part.takesTrimmed = op.takesTrimmed.value_or(part.takesTrimmed);
+    change({shared(op), {}, {}}, state);
+    return saying(op.part);
+}
+
+Outcome PartEditor::run(DiscardPart& op) {
+    PastedState state = present();
+    static_cast<void>(partOf(state, op.part));
+    state.parts.erase(state.parts.begin() + op.part);
+    state.places.erase(state.places.begin() + op.part);
+    change({shared(op), {}, {}}, state);
+    return saying(op.part);
 }
 
 Outcome PartEditor::run(UnCut& op) {
@@ -58,8 +122,13 @@ Outcome PartEditor::run(UnCut& op) {
     sculpture.clear();
     sculpt::BrickDelta delta = backup.finish();
     const std::size_t changed = delta.changedVoxels();
+    Edit edit{shared(op), {}, {}};
+    if (auto trim = contents_.trimmed.follow(sculpture, delta, false); !trim.isEmpty()) {
+        edit.trim = std::move(trim);
+    }
+    edit.cut = std::move(delta);
     // Parts that were pasted are gone with what they were cut from.
-    change(op, contents_.pasted.sculptures.empty() ? present() : PastedState{}, std::move(delta));
+    change(std::move(edit), contents_.pasted.parts.empty() ? present() : PastedState{});
     return {{}, 0, changed, say(VS_TEXT("library", "all cuts cleared"))};
 }
 

@@ -2,20 +2,23 @@
 #pragma once
 
 #include "studio/editing/contents.h"
+#include "studio/editing/display.h"
 #include "studio/editing/outcome.h"
 
 namespace vs::studio {
 
-// Carries out the operations on pasted parts: pasting what was cut beside the rest, moving it, and clearing
-// all cuts, with which they go. run() remembers the operation as a step; it throws Error before anything has
+// Carries out the operations on pasted parts: pasting what was cut beside the rest, moving, naming, hiding and
+// discarding it, and clearing all cuts, with which they go. run() remembers the operation as a step; it throws Error before anything has
 // changed.
 class PartEditor {
 public:
-    // The contents must outlive it.
-    explicit PartEditor(Contents& contents) : contents_(contents) {}
+    // Both must outlive it.
+    PartEditor(Contents& contents, Display& display) : contents_(contents), display_(display) {}
 
     Outcome run(Paste& op);
     Outcome run(MovePart& op);
+    Outcome run(ChangePart& op);
+    Outcome run(DiscardPart& op);
     Outcome run(UnCut& op);
 
     // Which parts are pasted where, in the view too; for undo and redo.
@@ -23,11 +26,13 @@ public:
 
 private:
     // The parts as they are, with places that an operation can change.
-    [[nodiscard]] PastedState present() const { return {contents_.view.pasted, contents_.pasted.sculptures}; }
-    void change(const Operation& operation, const PastedState& state,
-                std::optional<sculpt::BrickDelta> cut = {});
+    [[nodiscard]] PastedState present() const;
+    // Throws Error when there is no such part.
+    [[nodiscard]] PastedPart& partOf(PastedState& state, int number) const;
+    void change(Edit edit, const PastedState& state);
 
     Contents& contents_;
+    Display& display_;
 };
 
 } // namespace vs::studio

@@ -2,6 +2,7 @@
 #include "studio/editing/pipeline.h"
 
 #include "render/colours/function_edits.h"
+#include "studio/editing/shown_places.h"
 
 #include <algorithm>
 #include <utility>
@@ -212,7 +213,7 @@ std::vector<const SegmentInfo*> Pipeline::pulledOut(const State& state) {
     std::vector<const SegmentInfo*> found;
     if (state.growth != nullptr) {
         for (const SegmentInfo& segment : state.segments->segments) {
-            if (segment.pulledOut && segment.isVisible) {
+            if (segment.isSeenPulledOut()) {
                 found.push_back(&segment);
             }
         }
@@ -229,8 +230,7 @@ void Pipeline::addPulledOut(render::Frame& frame, const field::Scene& withSegmen
             continue;
         }
         render::PulledSegment pulled;
-        const auto& held = state.view->held;
-        pulled.place = held && held->label == segment->label ? held->place : *segment->pulledOut;
+        pulled.place = shownPlace(*state.view, *segment, field_->geometry);
         pulled.label = hasOthers ? segment->label : 1; // see segmentColours()
         pulled.isTranslucent = segment->opacity < 1;
         pulled.scene = withSegments;
@@ -269,7 +269,9 @@ const segment::Segmentation* Pipeline::segmentsOfParts(const State& state, const
 
 void Pipeline::addParts(render::Frame& frame, Key key, const State& state) {
     const View& view = *state.view;
-    const auto parts = pastedParts_.parts(*state.sculpture, *state.pasted, view.pasted.size());
+    const auto parts =
+        pastedParts_.parts(*state.sculpture, *state.trimmed, *state.pasted, view.pasted.size());
+    const auto places = shownPlaces(view, *state.pasted, field_->geometry);
     std::erase_if(partStages_, [&](const auto& stages) {
         return std::none_of(parts.begin(), parts.end(),
                             [&](const auto& part) { return part.texels == stages->texels; });
@@ -278,11 +280,14 @@ void Pipeline::addParts(render::Frame& frame, Key key, const State& state) {
     const segment::Segmentation* segmentation = segmentsOfParts(state, frame);
     key.segmentationVersion = key.drawsSegmentation ? segmentation->version() : 0;
     for (std::size_t i = 0; i < parts.size(); ++i) {
+        if (i < state.pasted->parts.size() && !state.pasted->parts[i].isVisible) {
+            continue;
+        }
         PartStages& stages = stagesOf(parts[i].texels);
         key.part = parts[i].texels;
         key.partMaking = parts[i].making;
         refresh(stages.cells, key, state, frame, parts[i].cells, segmentation);
-        render::PastedPart part{view.pasted[i], parts[i].texels, &stages.cells.macrocells};
+        render::PastedPart part{places[i], parts[i].texels, &stages.cells.macrocells};
         field::Scene scene = frame.scene;
         scene.sculpture = part.sculpture;
         if (key.drawsSegmentation) {
@@ -294,6 +299,17 @@ void Pipeline::addParts(render::Frame& frame, Key key, const State& state) {
         }
         frame.pasted.push_back(part);
     }
+}
+
+PastedParts::Part Pipeline::partAt(const State& state, std::size_t place) {
+    return pastedParts_.parts(*state.sculpture, *state.trimmed, *state.pasted, state.view->pasted.size())
+        .at(place);
+}
+
+std::vector<glm::vec2> Pipeline::cellsOfNextPart(const State& state, bool takesTrimmed) {
+    PastedPart next = state.pasted->next();
+    next.takesTrimmed = takesTrimmed;
+    return pastedParts_.cellsOf(next, *state.sculpture, *state.trimmed);
 }
 
 void Pipeline::refresh(Cells& cells, const Key& key, const State& state, const render::Frame& frame,

@@ -25,6 +25,7 @@ public:
     struct State {
         const View* view = nullptr;
         const sculpt::Sculpture* sculpture = nullptr;
+        const sculpt::Trimmed* trimmed = nullptr;
         const PastedState* pasted = nullptr;     // whose part is drawn at which of the view's places
         const segment::Growth* growth = nullptr; // null: nothing seeded yet
         const SegmentList* segments = nullptr;   // how they look
@@ -39,6 +40,11 @@ public:
     render::Frame frame(const State& state, glm::ivec2 size);
     // The document's content on a slice. Segments are drawn whatever the view's mode is.
     render::SliceFrame slice(const State& state, const render::SliceView& view);
+
+    // What of the sculpture is drawn at a place of the view, and the ranges of the macrocells of the part that a
+    // paste would make now.
+    PastedParts::Part partAt(const State& state, std::size_t place);
+    std::vector<glm::vec2> cellsOfNextPart(const State& state, bool takesTrimmed);
 
     // The segments of the last frame or slice are not up to date, because there was no time for it.
     [[nodiscard]] bool isBehind() const { return isBehind_; }

@@ -3,8 +3,11 @@
 
 #include "base/progress.h"
 #include "segment/edits/label_sets.h"
+#include "studio/editing/seen_cells.h"
 #include "studio/editing/segment_change.h"
 #include "volume/io/label_map.h"
+
+#include <algorithm>
 
 namespace vs::studio {
 
@@ -13,6 +16,10 @@ namespace {
 constexpr std::size_t kMostSegments = 255;
 
 std::string nameInQuotes(const std::string& segment) { return "'" + segment + "'"; }
+
+Phrase said(const std::optional<std::string>& segment) {
+    return segment ? say("%1", nameInQuotes(*segment)) : say(VS_TEXT("library", "all"));
+}
 
 std::string freeName(const SegmentList& segments, const std::string& wanted) {
     std::string name = wanted;
@@ -131,29 +138,60 @@ Outcome SegmentListEditor::run(ShowSegments& op) {
 }
 
 void SegmentListEditor::perform(const PullOut& op, Region::Records&) {
-    SegmentInfo* segment = contents_.segments.find(op.segment);
-    if (segment == nullptr) {
-        throw Error("there is no segment '{}' to pull out", op.segment);
+    if (op.segment && contents_.segments.find(*op.segment) == nullptr) {
+        throw Error("there is no segment '{}' to pull out", *op.segment);
     }
-    segment->pulledOut = op.place;
+    const auto middles = this->middles();
+    bool isSome = false;
+    for (SegmentInfo& segment : contents_.segments.segments) {
+        const bool isOut = segment.pulledOut.has_value();
+        const bool isMeant = op.segment ? segment.name == *op.segment
+                                        : !isOut && contents_.region.voxelCount(segment.label) > 0;
+        if (isMeant) {
+            const glm::dvec3 middle = isOut ? segment.pulledOut->middle : middles[segment.label];
+            segment.pulledOut = {op.place, op.isVisible, middle};
+            isSome = true;
+        }
+    }
+    if (!isSome) {
+        throw Error("there is nothing to pull out: no segment that is not out yet has voxels");
+    }
+}
+
+std::array<glm::dvec3, 256> SegmentListEditor::middles() const {
+    std::array<glm::dvec3, 256> middles{};
+    middles.fill(middleInWorld({}, contents_));
+    if (contents_.region.exists()) {
+        const auto labels = contents_.region.growth()->labelMap();
+        const auto boxes = segment::labelBoxes(labels, contents_.scan.volume.geometry.dims);
+        std::transform(boxes.begin(), boxes.end(), middles.begin(),
+                       [this](const Box3& box) { return middleInWorld(box, contents_); });
+    }
+    return middles;
 }
 
 Outcome SegmentListEditor::run(PullOut& op) {
     changeSegments(contents_, *this, op);
-    return {{}, 0, 0, say("%1", nameInQuotes(op.segment))};
+    return {{}, 0, 0, said(op.segment)};
 }
 
 void SegmentListEditor::perform(const PutBack& op, Region::Records&) {
-    SegmentInfo* segment = contents_.segments.find(op.segment);
-    if (segment == nullptr || !segment->pulledOut) {
-        throw Error("the segment '{}' is not pulled out", op.segment);
+    bool isSome = false;
+    for (SegmentInfo& segment : contents_.segments.segments) {
+        if (segment.pulledOut && segment.name == op.segment.value_or(segment.name)) {
+            segment.pulledOut.reset();
+            isSome = true;
+        }
     }
-    segment->pulledOut.reset();
+    if (!isSome) {
+        throw op.segment ? Error("the segment '{}' is not pulled out", *op.segment)
+                         : Error("no segment is pulled out");
+    }
 }
 
 Outcome SegmentListEditor::run(PutBack& op) {
     changeSegments(contents_, *this, op);
-    return {{}, 0, 0, say("%1", nameInQuotes(op.segment))};
+    return {{}, 0, 0, said(op.segment)};
 }
 
 // --- from a label map

@@ -4,6 +4,8 @@
 #include "studio/editing/contents.h"
 #include "studio/editing/outcome.h"
 
+#include <array>
+
 namespace vs::studio {
 
 // Carries out the operations on the list of segments: which there are, how they look, which is at work, and
@@ -29,6 +31,10 @@ public:
     std::size_t perform(const LoadLabels& op, Region::Records& records);
 
 private:
+    // The middles of the boxes around the segments' voxels, in the world (mm), by label; an empty one's is the
+    // grid's.
+    [[nodiscard]] std::array<glm::dvec3, 256> middles() const;
+
     Contents& contents_;
 };
 

@@ -32,15 +32,13 @@ ExportReader::ExportReader(Document& document, ExportSettings::What what,
     source_.view = document.view().sculptureView;
     needsLabels_ = what == ExportSettings::What::Segments;
     if (what == ExportSettings::What::Volume) {
-        const auto& places = document.view().pasted;
-        for (const render::Placement& place : places) {
-            source_.parts.push_back({{}, place});
-        }
         const bool isCut = !document.sculpture().isEmpty();
-        sculptures_ = isCut ? 1 + places.size() : 0;
-        if (!isCut) {
-            source_.parts.clear();
+        const auto parts = isCut ? document.parts().seen() : std::vector<SeenPart>{};
+        for (const SeenPart& part : parts) {
+            source_.parts.push_back({{}, part.place, part.name});
+            places_.push_back(part.at);
         }
+        sculptures_ = isCut ? 1 + parts.size() : 0;
     }
 }
 
@@ -54,7 +52,7 @@ void ExportReader::readSlab() {
     const int to = std::min(dims.z, slice_ + int(std::max<std::size_t>(kVoxelsAtOnce / slice, 1)));
     const Box3 slab{{0, 0, slice_}, {dims.x, dims.y, to}};
     const auto values =
-        at_ == 0 ? document_.sculpture().values(slab) : document_.parts().values(at_ - 1, slab);
+        at_ == 0 ? document_.sculpture().values(slab) : document_.parts().values(places_[at_ - 1], slab);
     auto& sculpture = sculptureInHand();
     sculpture.reserve(source_.geometry.voxelCount());
     std::transform(values.begin(), values.end(), std::back_inserter(sculpture), mesh::packed);

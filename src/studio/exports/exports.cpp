@@ -61,7 +61,7 @@ std::vector<mesh::Mesh> volumeMeshes(const ExportSource& source, const ExportSet
         mesh::Mesh mesh = mesh::visibleSurface(
             {source.volume, settings.range, part != nullptr ? part->sculpture : source.sculpture,
              part != nullptr ? field::SculptureView::Probe : source.view, &source.geometry});
-        mesh.name = part != nullptr ? fmt::format("Part {}", i) : "Volume";
+        mesh.name = part != nullptr ? part->name : "Volume";
         mesh.colour = kVolumeColour;
         mesh = mesh::refined(std::move(mesh), settings.refinement,
                              mesh::partOf(progress, from + kContouring / count, from + 1 / count));

@@ -48,12 +48,13 @@ struct ExportSource {
     // Segments: those to export, and where they are.
     std::vector<ExportedSegment> segments;
     std::vector<std::uint8_t> labels;
-    // Volume: what is cut of it, as mesh::VisibleVolume has it, and the parts that were pasted elsewhere.
+    // Volume: what is cut of it, as mesh::VisibleVolume has it, and the pasted parts that are seen, where they are seen.
     std::vector<std::uint16_t> sculpture;
     field::SculptureView view = field::SculptureView::Cut;
     struct Part {
         std::vector<std::uint16_t> sculpture; // the part where it is at least a half
         render::Placement place;
+        std::string name;
     };
     std::vector<Part> parts;
 };
@@ -81,9 +82,10 @@ private:
     Document& document_;
     ExportSource source_;
     bool needsLabels_ = false;
-    std::size_t sculptures_ = 0; // to read: the document's own, then each part's
-    std::size_t at_ = 0;         // which of them is in hand
-    int slice_ = 0;              // the next one of it
+    std::vector<std::size_t> places_; // of the view, of the parts
+    std::size_t sculptures_ = 0;      // to read: the document's own, then each part's
+    std::size_t at_ = 0;              // which of them is in hand
+    int slice_ = 0;                   // the next one of it
 };
 
 // The volume without what is cut, of its own type: values that can be seen are as they were, and those cut

@@ -25,6 +25,10 @@ Phrase generationsSaid(int count) {
                       : Phrase{VS_TEXT("library", "%1 generations"), {std::to_string(count)}};
 }
 
+Phrase oneOrAll(const std::optional<std::string>& segment) {
+    return segment ? inQuotes(*segment) : say(VS_TEXT("library", "all"));
+}
+
 } // namespace
 
 std::vector<Phrase> Peel::details() const {
@@ -44,6 +48,14 @@ std::vector<Phrase> MovePart::details() const {
     return {{VS_TEXT("library", "part %1"), {std::to_string(part + 1)}}};
 }
 
+std::vector<Phrase> ChangePart::details() const {
+    return {name ? inQuotes(*name) : Phrase{VS_TEXT("library", "part %1"), {std::to_string(part + 1)}}};
+}
+
+std::vector<Phrase> DiscardPart::details() const {
+    return {{VS_TEXT("library", "part %1"), {std::to_string(part + 1)}}};
+}
+
 std::vector<Phrase> Grow::details() const {
     return {generations ? generationsSaid(*generations) : Phrase{VS_TEXT("library", "to the end")}};
 }
@@ -55,11 +67,9 @@ std::vector<Phrase> ShowGeneration::details() const { return {{"%1", {std::to_st
 std::vector<Phrase> UseSegment::details() const { return {inQuotes(name.value_or(segment))}; }
 
 std::vector<Phrase> RemoveSegment::details() const { return {inQuotes(segment)}; }
-std::vector<Phrase> PullOut::details() const { return {inQuotes(segment)}; }
-std::vector<Phrase> PutBack::details() const { return {inQuotes(segment)}; }
-std::vector<Phrase> ShowSegments::details() const {
-    return {only ? inQuotes(*only) : say(VS_TEXT("library", "all"))};
-}
+std::vector<Phrase> PullOut::details() const { return {oneOrAll(segment)}; }
+std::vector<Phrase> PutBack::details() const { return {oneOrAll(segment)}; }
+std::vector<Phrase> ShowSegments::details() const { return {oneOrAll(only)}; }
 
 std::vector<Phrase> EditSegment::details() const { return {{nameOf(kind)}}; }
 

@@ -20,6 +20,9 @@ inline constexpr Rule kRadius{.least = 2, .most = 4, .unit = "steps"};
 inline constexpr Rule kConnectivity{.least = 6, .most = 26, .among = kNeighbours};
 inline constexpr Rule kPlaceInVoxels{.least = -kFarthest, .most = kFarthest, .unit = "voxels"};
 inline constexpr Rule kPlaceInMm{.least = -kFarthest, .most = kFarthest, .unit = "mm"};
+inline constexpr Rule kPart{.least = 0, .most = 15};
+inline constexpr Rule kPartName{.leastCount = 1, .mostCount = 200};
+inline constexpr const char* kTakesTrimmed = "also what `keep connected`, `clip` and `cut segment` took away";
 
 // The fields that most cuts end with.
 template <typename Cut>
@@ -175,6 +178,8 @@ struct Clip {
                                          written("inside", &Clip::cutsInside)},
                               radiusAndRestore<Clip>());
     }
+    // What lies outside goes; cutting a box out is a cut like others.
+    [[nodiscard]] bool isTrim() const { return !restores && !cutsInside; }
     [[nodiscard]] Fault faultOf() const;
     [[nodiscard]] std::vector<Phrase> details() const;
 };
@@ -201,22 +206,29 @@ struct KeepConnected {
                        written("connectivity", &KeepConnected::connectivity, kConnectivity)},
             canvasOf<KeepConnected>());
     }
+    [[nodiscard]] bool isTrim() const { return true; }
 };
 
-// Pastes what was cut since the last paste as a part of its own at a place. Until the next paste it takes in
-// what is cut further.
+// Pastes what tools cut since the last paste as a part of its own at a place. Until the next paste it takes in
+// what is cut further. What was trimmed away around it (operations that say isTrim()) stays away, unless it is
+// wanted too.
 struct Paste {
     static constexpr About kAbout{
         VS_TEXT("library", "paste"), Effect::Parts,
         "what was cut since the last `paste` becomes a part of its own, drawn there; until the next one it "
-        "takes in what is cut further",
+        "takes in what is cut further. What `keep connected`, `clip` and `cut segment` with `keeps` took away "
+        "around it does not belong to it",
         "paste"};
 
     render::Placement place;
+    std::optional<std::string> name = {};
+    bool takesTrimmed = false;
 
     template <typename = void>
     static constexpr auto fields() {
-        return std::tuple{spread(&Paste::place)};
+        return std::tuple{spread(&Paste::place),
+                          sparse("name", &Paste::name, kPartName, "without: `Part 1`, or another number"),
+                          sparse("all", &Paste::takesTrimmed, {}, kTakesTrimmed)};
     }
 };
 
@@ -230,12 +242,49 @@ struct MovePart {
 
     template <typename = void>
     static constexpr auto fields() {
-        return std::tuple{required("part", &MovePart::part, {.least = 0, .most = 15}),
-                          spread(&MovePart::place)};
+        return std::tuple{required("part", &MovePart::part, kPart), spread(&MovePart::place)};
     }
     [[nodiscard]] std::vector<Phrase> details() const;
 };
 
-using SculptingOperations = std::variant<Peel, Drill, Laser, Scissors, Clip, KeepConnected, Paste, MovePart>;
+// Changes what is set of a pasted part (counted from 0): its name, whether it is seen, and what belongs to it.
+struct ChangePart {
+    static constexpr About kAbout{VS_TEXT("library", "part"), Effect::Parts,
+                                  "changes what is given of pasted part number `part`, counted from 0", "paste"};
+
+    int part = 0;
+    std::optional<std::string> name = {};
+    std::optional<bool> isVisible = {};
+    std::optional<bool> takesTrimmed = {};
+
+    template <typename = void>
+    static constexpr auto fields() {
+        return std::tuple{required("part", &ChangePart::part, kPart),
+                          sparse("name", &ChangePart::name, kPartName),
+                          sparse("visible", &ChangePart::isVisible),
+                          sparse("all", &ChangePart::takesTrimmed, {}, kTakesTrimmed)};
+    }
+    [[nodiscard]] std::vector<Phrase> details() const;
+};
+
+// Pasted part number `part` (counted from 0) is drawn no more, and those after it move up. What it was cut
+// from stays cut; no later paste takes it.
+struct DiscardPart {
+    static constexpr About kAbout{VS_TEXT("library", "discard part"), Effect::Parts,
+                                  "pasted part number `part`, counted from 0, is gone, and those after it move "
+                                  "up; what was cut stays cut, and no later paste takes it",
+                                  "uncut"};
+
+    int part = 0;
+
+    template <typename = void>
+    static constexpr auto fields() {
+        return std::tuple{required("part", &DiscardPart::part, kPart)};
+    }
+    [[nodiscard]] std::vector<Phrase> details() const;
+};
+
+using SculptingOperations = std::variant<Peel, Drill, Laser, Scissors, Clip, KeepConnected, Paste, MovePart,
+                                         ChangePart, DiscardPart>;
 
 } // namespace vs::studio

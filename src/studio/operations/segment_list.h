@@ -12,6 +12,15 @@
 
 namespace vs::studio {
 
+// Where a segment is drawn once more, beside what it lies in.
+struct PulledOut {
+    render::Placement place;
+    bool isVisible = true;
+    glm::dvec3 middle{0}; // of the segment when it was pulled out, in its own place: world, mm
+
+    bool operator==(const PulledOut&) const = default;
+};
+
 // What a person says about a segment. Its voxels are in segment::Growth, under its label.
 struct SegmentInfo {
     // What tools that cut and restore do with it: take it like all else, spare it, or take nothing but it
@@ -27,9 +36,10 @@ struct SegmentInfo {
     bool isLocked = false; // no tool changes it, nor cuts it
     Treatment treatment = Treatment::Take;
     bool isClaimed = false; // it took the first segment's place: labels that are loaded do not
-    // Where it is drawn once more, beside what it lies in; nothing: nowhere.
-    std::optional<render::Placement> pulledOut = {};
+    std::optional<PulledOut> pulledOut = {};
 
+    // Whether it is seen beside what it lies in.
+    [[nodiscard]] bool isSeenPulledOut() const { return pulledOut && pulledOut->isVisible && isVisible; }
     [[nodiscard]] bool isSpared() const { return isLocked || treatment == Treatment::Spare; }
 
     bool operator==(const SegmentInfo&) const = default;

@@ -234,34 +234,41 @@ struct RemoveSegment {
 };
 
 // Draws a segment once more, elsewhere, without cutting it out: it stays in its place too, and both follow
-// all that becomes of it. Said again it is moved there.
+// all that becomes of it. Said again it is moved there. Without a name all segments that have voxels are pulled
+// out there; those that are out already stay where they are.
 struct PullOut {
     static constexpr About kAbout{VS_TEXT("library", "pull out"), Effect::Segments,
                                   "draws a segment once more, elsewhere, without cutting it out; said again "
                                   "it is moved there. It stays "
-                                  "in its place too, and both follow all that becomes of it",
+                                  "in its place too, and both follow all that becomes of it. Without a name: all "
+                                  "that have voxels and are not out yet",
                                   "paste"};
 
-    std::string segment;
+    std::optional<std::string> segment;
     render::Placement place;
+    bool isVisible = true;
 
     template <typename = void>
     static constexpr auto fields() {
-        return std::tuple{required("segment", &PullOut::segment, kSegmentName), spread(&PullOut::place)};
+        return std::tuple{sparse("segment", &PullOut::segment, kSegmentName), spread(&PullOut::place),
+                          sparse("visible", &PullOut::isVisible, {},
+                                  "false: it is seen in its own place alone for the time being")};
     }
     [[nodiscard]] std::vector<Phrase> details() const;
 };
 
-// Draws a segment that was pulled out in its own place alone.
+// Draws a segment that was pulled out, or all of them, in its own place alone.
 struct PutBack {
     static constexpr About kAbout{VS_TEXT("library", "put back"), Effect::Segments,
-                                  "a segment that was pulled out is drawn in its own place alone", "move"};
+                                  "a segment that was pulled out is drawn in its own place alone; without a name: "
+                                  "all of them",
+                                  "move"};
 
-    std::string segment;
+    std::optional<std::string> segment;
 
     template <typename = void>
     static constexpr auto fields() {
-        return std::tuple{required("segment", &PutBack::segment, kSegmentName)};
+        return std::tuple{sparse("segment", &PutBack::segment, kSegmentName)};
     }
     [[nodiscard]] std::vector<Phrase> details() const;
 };
@@ -366,6 +373,7 @@ struct CutSegment {
         return std::tuple{written("keeps", &CutSegment::keeps),
                           written("margin", &CutSegment::marginMm, kMillimetres)};
     }
+    [[nodiscard]] bool isTrim() const { return keeps; }
     [[nodiscard]] std::vector<Phrase> details() const;
 };
 

@@ -24,7 +24,7 @@ bool View::differsInSlicesOnly(const View& other) const {
 SetView setViewTo(const View& view) {
     return {view.camera,        view.mode,        view.range,       view.sculptureView, view.transferFunction,
             view.pasted,        view.sampling,    view.shadows,     view.hidesAbove,    view.surfaceSmoothing,
-            view.tintsSegments, view.sliceWindow, view.tintsSlices, view.isInverted};
+            view.tintsSegments, view.sliceWindow, view.tintsSlices, view.isInverted,  view.spread};
 }
 
 View changed(View view, const SetView& by) {
@@ -42,6 +42,7 @@ View changed(View view, const SetView& by) {
     view.sliceWindow = by.sliceWindow.value_or(view.sliceWindow);
     view.tintsSlices = by.tintsSlices.value_or(view.tintsSlices);
     view.isInverted = by.isInverted.value_or(view.isInverted);
+    view.spread = by.spread.value_or(view.spread);
     return view;
 }
 

@@ -45,6 +45,9 @@ struct View {
     std::optional<Range> sliceWindow = {};
     bool tintsSlices = false;             // slices show in colour what the 3D picture shows
     bool isInverted = false;              // MIP and X-ray are dark on light; colours stay what they are
+    // An exploded view: pasted parts and segments that are pulled out lie 1 + spread times as far from the
+    // scan's middle as they were put.
+    double spread = 0;
     std::optional<HeldSegment> held = {}; // in the hand at the moment; not in files
 
     // Values above the displayed range are visible too: in MIP, X-ray and overlay, unless they are hidden.
@@ -61,6 +64,8 @@ struct View {
 
 inline constexpr double kMostSurfaceSmoothing = 2; // steps
 inline constexpr Rule kSurfaceSmoothing{.least = 0, .most = kMostSurfaceSmoothing, .unit = "steps"};
+inline constexpr double kMostSpread = 3;
+inline constexpr Rule kSpread{.least = 0, .most = kMostSpread};
 inline constexpr Rule kPlacements{.mostCount = 16};
 
 // Looks from elsewhere, at another range, in another mode. What is not set stays.
@@ -84,6 +89,7 @@ struct SetView {
     std::optional<std::optional<Range>> sliceWindow = {};
     std::optional<bool> tintsSlices = {};
     std::optional<bool> isInverted = {};
+    std::optional<double> spread = {};
 
     template <typename = void>
     static constexpr auto fields() {
@@ -100,7 +106,10 @@ struct SetView {
                           sparse("tintSegments", &SetView::tintsSegments),
                           sparse("sliceWindow", &SetView::sliceWindow, {.mayBeNull = true}),
                           sparse("tintSlices", &SetView::tintsSlices),
-                          sparse("invert", &SetView::isInverted)};
+                          sparse("invert", &SetView::isInverted),
+                          sparse("spread", &SetView::spread, kSpread,
+                                 "pasted parts and segments that are pulled out lie 1 + `spread` times as far "
+                                 "from the scan's middle as they were put")};
     }
 };
 // The whole of a view.

@@ -14,6 +14,7 @@ std::size_t bytesInMemory(const std::vector<Edit>& edits) {
     std::size_t bytes = 0;
     for (const Edit& edit : edits) {
         bytes += edit.cut ? edit.cut->held().size() : 0;
+        bytes += edit.trim ? edit.trim->held().size() : 0;
     }
     return bytes;
 }

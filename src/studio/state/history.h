@@ -30,6 +30,8 @@ struct Edit {
     // Where the scan's voxels lay before and after, where the operation corrected that.
     std::optional<volume::GridGeometry> geometryBefore = {};
     std::optional<volume::GridGeometry> geometryAfter = {};
+    // What it changed of what was trimmed (sculpt::Trimmed); it stays in memory.
+    std::optional<sculpt::BrickDelta> trim = {};
     bool isLimited = false; // the cut spared segments, or took nothing else
     // Where the cut's contents are while they are not in memory; History's own business.
     std::optional<SpillFile::Block> spilled = {};

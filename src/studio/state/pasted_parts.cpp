@@ -4,6 +4,8 @@
 #include "gl/pass.h"
 #include "sculpt/shaders/bindings.h"
 
+#include <algorithm>
+
 namespace vs::studio {
 
 std::shared_ptr<const gl::Texture> PastedParts::remember(const sculpt::Sculpture& sculpture) {
@@ -14,39 +16,53 @@ std::shared_ptr<const gl::Texture> PastedParts::remember(const sculpt::Sculpture
 }
 
 std::vector<PastedParts::Part> PastedParts::parts(const sculpt::Sculpture& sculpture,
-                                                  const PastedState& state, std::size_t places) {
+                                                  const sculpt::Trimmed& trimmed, const PastedState& state,
+                                                  std::size_t places) {
     const Part everything{&sculpture.texels(), &sculpture.cells(), 0};
-    const std::size_t count = state.sculptures.size();
-    if (count < 2) { // one part is all that was cut
-        derived_.clear();
-        return std::vector<Part>(places, everything);
-    }
+    const std::size_t count = std::min(places, state.parts.size());
     derived_.resize(count);
-    std::vector<Part> parts;
-    for (std::size_t k = 0; k < places; ++k) {
-        if (k >= count) {
-            parts.push_back(everything);
+    std::vector<Part> parts(places, everything);
+    for (std::size_t k = 0; k < count; ++k) {
+        const PastedPart& wanted = state.parts[k];
+        const auto upTo = state.isOpen(k) ? nullptr : wanted.upTo;
+        const bool takesTrimmed = wanted.takesTrimmed || trimmed.isEmpty();
+        Derived& part = derived_[k];
+        if (!wanted.from && !upTo && takesTrimmed) { // all that was cut
+            part = {};
             continue;
         }
-        Derived& part = derived_[k];
-        const auto from = k > 0 ? state.sculptures[k - 1] : nullptr;
-        const auto upTo = k + 1 < count ? state.sculptures[k] : nullptr;
-        const bool isNew = !part.texels || part.from != from || part.upTo != upTo;
+        const bool isNew = !part.texels || part.from != wanted.from || part.upTo != upTo ||
+                           part.takesTrimmed != takesTrimmed;
         if (isNew) {
-            part.from = from;
+            part.from = wanted.from;
             part.upTo = upTo;
+            part.takesTrimmed = takesTrimmed;
             part.making = ++makings_;
-            derive(part, sculpture, {glm::ivec3(0), sculpture.dims()});
+            derive(part, sculpture, trimmed, {glm::ivec3(0), sculpture.dims()});
         } else if (part.version != sculpture.version()) {
-            derive(part, sculpture, sculpture.changedSince(part.version));
+            derive(part, sculpture, trimmed, sculpture.changedSince(part.version));
         }
         part.version = sculpture.version();
-        parts.push_back({&part.texels, &part.cells, part.making});
+        parts[k] = {&part.texels, &part.cells, part.making};
     }
     return parts;
 }
 
-void PastedParts::derive(Derived& part, const sculpt::Sculpture& sculpture, const Box3& box) {
+std::vector<glm::vec2> PastedParts::cellsOf(const PastedPart& part, const sculpt::Sculpture& sculpture,
+                                            const sculpt::Trimmed& trimmed) {
+    Derived derived;
+    derived.from = part.from;
+    derived.upTo = part.upTo;
+    derived.takesTrimmed = part.takesTrimmed || trimmed.isEmpty();
+    if (!derived.from && !derived.upTo && derived.takesTrimmed) {
+        return sculpture.cells().downloadAll<glm::vec2>();
+    }
+    derive(derived, sculpture, trimmed, {glm::ivec3(0), sculpture.dims()});
+    return derived.cells.downloadAll<glm::vec2>();
+}
+
+void PastedParts::derive(Derived& part, const sculpt::Sculpture& sculpture, const sculpt::Trimmed& trimmed,
+                         const Box3& box) {
     if (box.isEmpty()) {
         return;
     }
@@ -61,13 +77,15 @@ void PastedParts::derive(Derived& part, const sculpt::Sculpture& sculpture, cons
         part.cells = gl::Texture(sculpture.cells().size(), gl::Format::RG32F, gl::Filter::Nearest,
                                  "pasted part cells");
     }
-    sculpture.texels().bindTexture(sculpt::kWholeSculptureTexture);
-    (part.upTo ? *part.upTo : sculpture.texels()).bindTexture(sculpt::kUpToTexture);
-    (part.from ? *part.from : sculpture.texels()).bindTexture(sculpt::kFromTexture);
+    const gl::Texture& whole = sculpture.texels();
+    whole.bindTexture(sculpt::kWholeSculptureTexture);
+    (part.upTo ? *part.upTo : whole).bindTexture(sculpt::kUpToTexture);
+    (part.from ? *part.from : whole).bindTexture(sculpt::kFromTexture);
+    (part.takesTrimmed ? whole : trimmed.leftForTools()).bindTexture(sculpt::kLeftForToolsTexture);
     part.texels.bindImage(sculpt::kPartImage, gl::Access::Write);
     program_.set("first", box.lo)
         .set("last", box.hi)
-        .set("has", glm::ivec2(part.upTo ? 1 : 0, part.from ? 1 : 0));
+        .set("has", glm::ivec3(part.upTo ? 1 : 0, part.from ? 1 : 0, part.takesTrimmed ? 0 : 1));
     program_.dispatchOver(box.size(), gl::Barrier::Texture);
     updater_.update(part.texels, box, part.cells);
 }

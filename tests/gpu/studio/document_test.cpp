@@ -80,7 +80,7 @@ TEST_F(DocumentTest, UndoAndRedoOfPastedPartsAreLoggedWithoutAViewThatNobodyChos
 TEST_F(DocumentTest, TheBoxOfAPastedPartLiesAroundWhatWasCutSinceTheLastPaste) {
     Document document(testHead());
     document.showView(testCanvas().view);
-    EXPECT_TRUE(document.parts().box(0).isEmpty());
+    EXPECT_TRUE(document.parts().nextBox().isEmpty());
     const auto drillAt = [&](glm::dvec2 place) {
         Drill drill;
         drill.mask = ellipseAt(place.x, place.y, 12, 12);
@@ -94,13 +94,13 @@ TEST_F(DocumentTest, TheBoxOfAPastedPartLiesAroundWhatWasCutSinceTheLastPaste) {
                glm::all(glm::lessThan(voxel, glm::dvec3(box.hi)));
     };
     const glm::dvec3 first = drillAt({170, 150});
-    const Box3 next = document.parts().box(0);
+    const Box3 next = document.parts().nextBox();
     EXPECT_TRUE(isIn(next, first));
     document.apply(Paste{});
     EXPECT_EQ(document.parts().box(0), next);
-    EXPECT_TRUE(document.parts().box(1).isEmpty()) << "nothing was cut since";
+    EXPECT_TRUE(document.parts().nextBox().isEmpty()) << "nothing was cut since";
     const glm::dvec3 second = drillAt({235, 150});
-    EXPECT_TRUE(isIn(document.parts().box(1), second));
+    EXPECT_TRUE(isIn(document.parts().nextBox(), second));
     document.apply(Paste{});
     EXPECT_TRUE(isIn(document.parts().box(0), first));
     EXPECT_FALSE(isIn(document.parts().box(0), second));

@@ -229,7 +229,7 @@ TEST_F(PullOutTest, FollowsAllThatBecomesOfTheSegmentInTheNextPicture) {
         for (std::size_t n = 1; n < document.log().size(); ++n) {
             fresh.document.apply(document.log()[n]);
         }
-        const auto place = *document.segments().find("grown")->pulledOut;
+        const auto place = document.segments().find("grown")->pulledOut->place;
         expectAlike(seen, fresh.alone("grown", place), kWhereThreeMeet, about(step).name);
     }
 }

@@ -102,6 +102,12 @@ void ViewModel::setSampling(field::Sampling sampling) {
     showView(next);
 }
 
+void ViewModel::setSpread(double spread) {
+    auto next = view_;
+    next.spread = spread;
+    showView(next);
+}
+
 void ViewModel::setSliceWindow(std::optional<Range> window) {
     auto next = view_;
     next.sliceWindow = window;

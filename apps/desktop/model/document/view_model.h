@@ -43,6 +43,8 @@ public:
     // MIP and X-ray dark on light.
     void setInverted(bool isInverted);
     void setSampling(field::Sampling sampling);
+    // How far parts are moved apart: an exploded view.
+    void setSpread(double spread);
     // The values that slices show from black to white; nothing: those that suit the scan.
     void setSliceWindow(std::optional<Range> window);
     [[nodiscard]] Range sliceWindow() const;

@@ -112,16 +112,13 @@ bool Editor::cut(const studio::Operation& stroke) {
 
 FreeRoom Editor::roomBesideAll() {
     auto& parts = host_.document()->parts();
-    const studio::View& view = view_.shown();
-    FreeRoom room(view.camera, *host_.geometry(), view_.viewport());
+    FreeRoom room(view_.shown().camera, *host_.geometry(), view_.viewport());
     room.take(parts.remainingCells());
-    for (std::size_t part = 0; part < view.pasted.size(); ++part) {
-        room.take(parts.cells(part), view.pasted[part]);
+    for (const studio::SeenPart& part : parts.seen()) {
+        room.take(parts.cells(part.at), part.place);
     }
-    for (const studio::SegmentInfo& segment : host_.document()->segments().segments) {
-        if (segment.pulledOut && segment.isVisible) {
-            room.take(parts.segmentCells(segment.label), *segment.pulledOut);
-        }
+    for (const studio::SeenPart& part : parts.seenPulledOut()) {
+        room.take(parts.segmentCells(std::uint8_t(part.at)), part.place);
     }
     return room;
 }
@@ -161,7 +158,7 @@ bool Editor::pullOut(const std::string& segment) {
     return true;
 }
 
-bool Editor::paste() {
+bool Editor::paste(bool takesTrimmed) {
     if (host_.geometry() == nullptr || host_.isLoading()) {
         return false;
     }
@@ -172,7 +169,7 @@ bool Editor::paste() {
     const bool isPlaced = host_.workLong([&] {
         auto& document = *host_.document();
         FreeRoom room = roomBesideAll();
-        const auto part = document.parts().cells(document.parts().count());
+        const auto part = document.parts().nextCells(takesTrimmed);
         isSomething = !part.empty();
         if (isSomething) {
             place = room.find(part);
@@ -181,10 +178,13 @@ bool Editor::paste() {
         }
     });
     if (isPlaced && !isSomething) {
-        host_.say(tr("Nothing to paste: nothing visible was cut since the last paste"));
+        host_.say(takesTrimmed
+                      ? tr("Nothing to paste: nothing visible was cut since the last paste")
+                      : tr("Nothing to paste: tools have cut nothing visible since the last paste. What Keep and "
+                           "Clip took away: Edit > Paste All"));
         return false;
     }
-    if (!isPlaced || !apply(studio::Paste{place})) {
+    if (!isPlaced || !apply(studio::Paste{place, {}, takesTrimmed})) {
         return false;
     }
     auto view = view_.shown();

@@ -15,7 +15,7 @@ namespace vs::desktop {
 
 namespace {
 
-constexpr int kCalmMs = 1200; // at rest for so long: nobody is waiting for the next picture
+constexpr int kIdleMs = 1200; // at rest for so long: nobody is waiting for the next picture
 
 QImage imageOf(const image::Image& picture) {
     return QImage(picture.rgba.data(), picture.width, picture.height, QImage::Format_RGBA8888).copy();
@@ -43,7 +43,7 @@ void writeThumbnail(const QString& path, const QImage& picture) {
 
 ThumbnailKeeper::ThumbnailKeeper(StudioController& studio) : QObject(&studio), studio_(studio) {
     calm_.setSingleShot(true);
-    calm_.setInterval(kCalmMs);
+    calm_.setInterval(kIdleMs);
     connect(&calm_, &QTimer::timeout, this, &ThumbnailKeeper::keep);
     connect(&studio, &StudioController::pictureChanged, &calm_, qOverload<>(&QTimer::start));
     connect(&studio.host(), &DocumentHost::opened, this, &ThumbnailKeeper::remember);

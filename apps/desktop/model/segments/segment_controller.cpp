@@ -127,6 +127,31 @@ void SegmentController::pullOut(const std::string& name) {
     growth_.whilePaused([&] { editor_.pullOut(name); });
 }
 
+void SegmentController::pullAllOut() {
+    growth_.whilePaused([&] {
+        if (areAllOut()) {
+            editor_.apply(studio::PutBack{});
+        } else {
+            editor_.apply(studio::PullOut{});
+        }
+    });
+}
+
+bool SegmentController::areAllOut() const {
+    const auto& segments = list().segments;
+    return hasVoxels() && std::all_of(segments.begin(), segments.end(), [this](const auto& segment) {
+               return segment.pulledOut || voxels(segment.label) == 0;
+           });
+}
+
+void SegmentController::showPulledOut(const std::string& name, bool isVisible) {
+    const studio::SegmentInfo* info = list().find(name);
+    if (info != nullptr && info->pulledOut) {
+        const studio::PullOut change{name, info->pulledOut->place, isVisible};
+        growth_.whilePaused([&] { editor_.apply(change); });
+    }
+}
+
 void SegmentController::setLocked(const std::string& name, bool isLocked) {
     studio::UseSegment change{name};
     change.isLocked = isLocked;

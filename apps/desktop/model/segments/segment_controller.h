@@ -52,6 +52,11 @@ public:
     void setLocked(const std::string& name, bool isLocked);
     // Draws it once more beside the object; no more, if that is done already.
     void pullOut(const std::string& name);
+    // Pulls out all that have voxels, each in its own place; if all are out, puts them back.
+    void pullAllOut();
+    [[nodiscard]] bool areAllOut() const; // those that have voxels, of which there are some
+    // Hides what is pulled out of a segment, or shows it again.
+    void showPulledOut(const std::string& name, bool isVisible);
     // What tools that cut do with it.
     void setTreatment(const std::string& name, studio::SegmentInfo::Treatment treatment);
     // How opaque the segment at work is; `continues`: takes the place of the change before (a slider that is

@@ -53,8 +53,9 @@ void SceneBinding::bind(const Scene& scene) {
     }
     (scene.sculpture != nullptr ? *scene.sculpture : empty_).bindTexture(kSculptureTexture);
     (scene.segmentation != nullptr ? *scene.segmentation : empty_).bindTexture(kSegmentationTexture);
-    if (scene.apart != nullptr) {
-        scene.apart->bindTexture(kApartTexture);
+    if (scene.apartPages != nullptr) {
+        scene.apartTiles->bindTexture(kApartTilesTexture);
+        scene.apartPages->bindTexture(kApartPagesTexture);
     }
     (scene.segmentLabels != nullptr ? *scene.segmentLabels : segment1_).bindTexture(kSegmentLabelsTexture);
 }

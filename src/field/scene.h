@@ -53,9 +53,10 @@ struct Scene {
     const gl::Texture* segmentation = nullptr;
     // R8UI, nearest: which segment a voxel belongs to, 0 none. Null: everything segmented is of segment 1.
     const gl::Texture* segmentLabels = nullptr;
-    // R8: what tells each segment alone (one_segment.glsl). Null: unknown, and not needed where one segment
-    // is all there is.
-    const gl::Texture* apart = nullptr;
+    // What one segment has alone where others touch it, and where that lies (one_segment.glsl). Null: not
+    // known, and not needed where one segment is all there is.
+    const gl::Texture* apartTiles = nullptr; // R8, linear
+    const gl::Texture* apartPages = nullptr; // R32UI, a texel for each tile
     Range displayedRange;
     // Values above the displayed range are visible too, and count as its upper end (MIP, X-ray).
     bool showsAbove = false;
@@ -68,7 +69,7 @@ struct Scene {
 };
 
 // Binds a scene: uniform block 0, textures 0 (data), 1 (sculpture), 2 (segmentation), 13 (labels), 6 (the
-// data's quads, where it has them), 15 and 12 (the same of smoothed values), 7 (segments apart, if kept).
+// data's quads, where it has them), 15 and 12 (the same of smoothed values), 7 and 15 (a segment alone).
 // Shaders include "field/shaders/scene.glsl" and call sampleScene(); with QUADS defined they sample the
 // quads. Those units and uniform block 0 are taken while it is bound.
 class SceneBinding {

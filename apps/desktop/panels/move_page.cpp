@@ -22,7 +22,8 @@ namespace {
 
 constexpr double kPercent = 100;
 
-QPushButton* makePageButton(QFormLayout& form, const char* objectName, const QString& text, const QString& tip) {
+QPushButton* makePageButton(QFormLayout& form, const char* objectName, const QString& text,
+                            const QString& tip) {
     auto* button = named(new QPushButton(text), objectName, tip);
     button->setToolTip(tip);
     button->setFocusPolicy(Qt::TabFocus);
@@ -40,7 +41,8 @@ void addPartInHand(QFormLayout& form, StudioController& studio, MoveTool& tool, 
     form.addRow(all);
     auto* reset = makePageButton(form, "moveReset", MoveTool::tr("Back to its own place"),
                                  MoveTool::tr("Put the part back to where it was cut out or lies"));
-    auto* discard = makePageButton(form, "discardPart", MoveTool::tr("Discard"), MoveTool::tr("Draw it no more"));
+    auto* discard =
+        makePageButton(form, "discardPart", MoveTool::tr("Discard"), MoveTool::tr("Draw it no more"));
     QObject::connect(reset, &QPushButton::clicked, &tool, &MoveTool::resetPlace);
     QObject::connect(discard, &QPushButton::clicked, &list, &PartList::discardCurrent);
     QObject::connect(all, &QCheckBox::toggled, &list, [&studio, &list](bool takesTrimmed) {
@@ -56,7 +58,8 @@ void addPartInHand(QFormLayout& form, StudioController& studio, MoveTool& tool, 
         const bool isPart = entry && entry->part;
         const bool isInHand = place && entry && entry->isVisible;
         const QSignalBlocker quiet(all);
-        size->setText(isInHand ? MoveTool::tr("%1 %").arg(kPercent * place->scale, 0, 'f', 0) : QString("\u2013"));
+        size->setText(isInHand ? MoveTool::tr("%1 %").arg(kPercent * place->scale, 0, 'f', 0)
+                               : QString("\u2013"));
         all->setEnabled(isPart);
         all->setChecked(isPart && entry->takesTrimmed);
         reset->setEnabled(isInHand && !(*place == render::Placement{}));
@@ -69,14 +72,16 @@ void addPartInHand(QFormLayout& form, StudioController& studio, MoveTool& tool, 
 
 // All of them: pulled out, and moved apart.
 void addAllParts(QFormLayout& form, StudioController& studio) {
-    auto* out = makePageButton(form, "pullOutAll", MoveTool::tr("Pull all segments out"),
-                               MoveTool::tr("Each in its own place, to be moved apart; again: put them all back"));
+    auto* out =
+        makePageButton(form, "pullOutAll", MoveTool::tr("Pull all segments out"),
+                       MoveTool::tr("Each in its own place, to be moved apart; again: put them all back"));
     QObject::connect(out, &QPushButton::clicked, out, [&studio] { studio.segments().pullAllOut(); });
     auto* spread = makeSlider("spread", MoveTool::tr("How far parts are moved apart from the middle"), 0,
                               int(kPercent * studio::kMostSpread), 0);
     QObject::connect(spread, &QSlider::valueChanged, spread,
                      [&studio](int percent) { studio.view().setSpread(percent / kPercent); });
-    form.addRow(MoveTool::tr("Spread"), withValue(spread, [](int percent) { return MoveTool::tr("%1 %").arg(percent); }));
+    form.addRow(MoveTool::tr("Spread"),
+                withValue(spread, [](int percent) { return MoveTool::tr("%1 %").arg(percent); }));
     const auto show = [&studio, out, spread] {
         const QSignalBlocker quiet(spread);
         spread->setValue(int(std::lround(kPercent * studio.view().shown().spread)));

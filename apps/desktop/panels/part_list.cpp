@@ -142,8 +142,9 @@ void PartList::rename(const Entry& entry, const QString& name) {
     if (!entry.part) {
         studio_.segments().rename(entry.name, name);
     } else if (text.empty() || text.size() > kLongestPartName) {
-        studio_.host().say(text.empty() ? tr("A part needs a name")
-                                        : tr("A part's name has at most %1 characters").arg(kLongestPartName));
+        studio_.host().say(text.empty()
+                               ? tr("A part needs a name")
+                               : tr("A part's name has at most %1 characters").arg(kLongestPartName));
     } else if (text != entry.name) {
         studio::ChangePart change{*entry.part};
         change.name = text;

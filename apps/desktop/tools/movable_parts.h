@@ -24,7 +24,8 @@ public:
     // The number of a segment that is pulled out, and of the part at a place of the view.
     [[nodiscard]] std::optional<int> numberOf(const std::string& segment) const;
     [[nodiscard]] std::optional<int> numberOf(std::size_t pasted) const;
-    // Where a part was put, or is in the hand at the moment; and where it is drawn then, as the view is spread.
+    // Where a part was put, or is in the hand at the moment; and where it is drawn then, as the view is
+    // spread.
     [[nodiscard]] render::Placement put(int part) const;
     [[nodiscard]] render::Placement drawn(int part) const;
     // Voxels around a part, where it was cut out or lies; empty when nothing of it can be seen.

@@ -42,8 +42,8 @@ public:
     [[nodiscard]] int chosen() const { return chosen_; }
     void choose(int part);
     [[nodiscard]] int count() const { return parts_.count(); }
-    // The number of a pasted part (at that place of the view) or else of the segment of that name, while it can
-    // be moved.
+    // The number of a pasted part (at that place of the view) or else of the segment of that name, while it
+    // can be moved.
     [[nodiscard]] std::optional<int> numberOf(std::optional<int> pasted, const std::string& segment) const {
         return pasted ? parts_.numberOf(std::size_t(*pasted)) : parts_.numberOf(segment);
     }

@@ -52,8 +52,8 @@ void MainWindow::makeMenus() {
                        "-",      "playAgain",  "playOrPause",   "-",           "saveSession", "exportLabels",
                        "export", "screenshot", "exportPicture", "copyPicture", "-",           "properties",
                        "-",      "quit"});
-    menu(tr("&Edit"), {"undo", "redo", "showHistory", "addNote", "-", "paste", "pasteAll", "pullOut", "moveTool", "-",
-                       "unCut", "reSeed", "-", "clearSketch", "-", "preferences"});
+    menu(tr("&Edit"), {"undo", "redo", "showHistory", "addNote", "-", "paste", "pasteAll", "pullOut",
+                       "moveTool", "-", "unCut", "reSeed", "-", "clearSketch", "-", "preferences"});
     menu(tr("&View"), {"resetView",
                        "fitView",
                        "-",

@@ -11,9 +11,10 @@ const int kValuesTexture = 0;
 const int kSculptureTexture = 1;
 const int kSegmentationTexture = 2;
 const int kQuadsTexture = 6;
-const int kApartTexture = 7;
+const int kApartTilesTexture = 7;
 const int kSmoothedQuadsTexture = 12;
 const int kSegmentLabelsTexture = 13;
+const int kApartPagesTexture = 15; // of a segment, whose surfaces are not looked for in smoothed values
 const int kSmoothedTexture = 15;
 
 // Image units.

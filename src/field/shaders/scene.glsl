@@ -83,7 +83,7 @@ uniform ivec2 pulled; // x the label of that segment; y 0 if it is opaque, 1 if 
 #if defined(PULLED) && defined(APART)
 #include "field/shaders/one_segment.glsl"
 vec2 membershipsAt(vec3 p) {
-    float own = ownMembershipAt(p, true);
+    float own = ownMembershipAt(p);
     return pulled.y == 0 ? vec2(own, 0.0) : vec2(0.0, own);
 }
 #else

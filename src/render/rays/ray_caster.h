@@ -60,7 +60,7 @@ struct PulledSegment {
     Placement place;
     int label = 1; // in the scene's labels, or 1 where it has none
     bool isTranslucent = false;
-    field::Scene scene;                     // with `segmentation`, and `apart` where others may touch it
+    field::Scene scene;                     // with `segmentation`, and what is apart where others touch it
     const Macrocells* macrocells = nullptr; // where segments may be
 };
 

@@ -54,7 +54,7 @@ gl::Defines RayCaster::definesFor(const Frame& frame, const PulledSegment& segme
     gl::Defines defines = definesFor(alone);
     const auto more = gl::switchesOn({
         {"PULLED", true},
-        {"APART", segment.scene.apart != nullptr},
+        {"APART", segment.scene.apartPages != nullptr},
         {"ALL_SEGMENTS", frame.mode == Mode::Surface},
     });
     defines.insert(defines.end(), more.begin(), more.end());

@@ -65,19 +65,6 @@ float sideAt(vec3 p) {
 // >= 0 where something is visible.
 float visibility(vec3 p) { return min(contentAt(p), sideAt(p)); }
 
-// The content where there is any; where there is none, anything below zero.
-float contentIfAny(vec3 p) {
-#if CONTENT == 1 && defined(PULLED) && defined(APART)
-    bool isOpaque = pulled.y == 0;
-#ifdef ALL_SEGMENTS
-    isOpaque = true;
-#endif
-    return ownMembershipAt(p, isOpaque && mayBeOwn(p)) - 0.5;
-#else
-    return contentAt(p);
-#endif
-}
-
 struct Hit {
     bool found;
     float t;     // steps along the ray
@@ -126,7 +113,7 @@ void testBatch(Ray ray, inout Crossing crossing, inout vec2 last) {
     float sliverSample = 0.0;
     for (int i = 0; i < kBatch; ++i) {
         vec3 p = at(ray, crossing.t + float(i) * kDt);
-        vec2 here = vec2(contentIfAny(p), sideAt(p));
+        vec2 here = vec2(contentAt(p), sideAt(p));
         float between = sliverBetween(before, here);
         bool isOpen = first == float(kBatch) && sliver < 0.0;
         sliverSample = isOpen ? float(i) - 1.0 + between : sliverSample;
@@ -144,7 +131,7 @@ void testBatch(Ray ray, inout Crossing crossing, inout vec2 last) {
 #else
     for (int i = kBatch - 1; i >= 0; --i) {
         vec3 p = at(ray, crossing.t + float(i) * kDt);
-        float value = min(contentIfAny(p), sideAt(p));
+        float value = min(contentAt(p), sideAt(p));
         first = value >= 0.0 ? float(i) : first;
         crossing.value = value >= 0.0 ? value : crossing.value;
     }

@@ -21,8 +21,8 @@ public:
     [[nodiscard]] const gl::Texture& leftForTools() const { return leftForTools_; }
 
     // Follows a change of the sculpture that has been made, a trim or another one, and says what undoes that;
-    // what is restored is trimmed no more. Swaps a trim out and in again. Throws Error when there is no memory
-    // for it.
+    // what is restored is trimmed no more. Swaps a trim out and in again. Throws Error when there is no
+    // memory for it.
     BrickDelta follow(Sculpture& sculpture, BrickDelta& change, bool isTrim);
     // Undo or redo of what follow() did.
     void swap(BrickDelta& delta) { delta.swap(leftForTools_); }
@@ -31,7 +31,7 @@ private:
     void make(const Sculpture& sculpture);
 
     gl::Texture leftForTools_; // made by the first trim
-    gl::Program program_;      // likewise
+    gl::Program program_;      // made by the first trim too
 };
 
 } // namespace vs::sculpt

@@ -1,7 +1,8 @@
-// What of the sculpture belongs to one pasted part: min(S, S at its own paste, 1 - S at the paste before), and
-// no more than what trims left for tools.
+// What of the sculpture belongs to one pasted part: min(S, S at its own paste, 1 - S at the paste before),
+// and no more than what trims left for tools.
 // variants: SCULPTURE_BITS=16
-// In: textures 0 sculpture, 1 at its own paste, 2 at the paste before, 3 what is left for tools. Out: image 0 the part.
+// In: textures 0 sculpture, 1 at its own paste, 2 at the paste before, 3 what is left for tools. Out: image 0
+// the part.
 layout(local_size_x = 8, local_size_y = 4, local_size_z = 2) in;
 
 #include "sculpt/shaders/bindings.glsl"

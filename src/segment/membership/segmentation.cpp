@@ -34,8 +34,8 @@ Segmentation::Segmentation(const volume::GridGeometry& geometry)
 }
 
 // For shaders that include shaders/segmentation_image.glsl.
-gl::Defines Segmentation::imageDefines(Of what) const {
-    if (what == Of::Apart) {
+gl::Defines Segmentation::imageDefines(const Of& what) const {
+    if (what.isApart) {
         return {{"VS_APART", "1"}};
     }
     return channels_.size() > 1 ? gl::Defines{{"VS_GLASS", "1"}} : gl::Defines{};
@@ -111,8 +111,8 @@ std::vector<std::uint32_t> Segmentation::smoothQueued(int channel, double budget
     return done;
 }
 
-// Smooths tiles [first, first + count) of the list on the device; apart, of each one segment.
-void Segmentation::smooth(int channel, std::uint32_t first, std::uint32_t count, Of what) {
+// Smooths tiles [first, first + count) of the list on the device.
+void Segmentation::smooth(int channel, std::uint32_t first, std::uint32_t count, const Of& what) {
     bindMembers(channels_[std::size_t(channel)]);
     rows_.bindStorage(kRowsStorage);
     alongXY_.bindStorage(kAlongXYStorage);
@@ -123,9 +123,8 @@ void Segmentation::smooth(int channel, std::uint32_t first, std::uint32_t count,
             .set("firstTile", int(first))
             .set("weights", weights_[axis]);
     };
-    const bool isApart = what == Of::Apart;
     gl::Defines defines = memberDefines();
-    if (isApart) {
+    if (what.isApart) {
         defines.emplace_back("VS_APART", "1");
     }
     gl::Program& packRows = packRows_.with(defines);
@@ -134,32 +133,33 @@ void Segmentation::smooth(int channel, std::uint32_t first, std::uint32_t count,
     prepare(smoothXY_, 1);
     smoothXY_.set("weightsX", weights_[0]);
     prepare(smoothZ, 2);
-    if (channels_.size() > 1 || isApart) {
+    if (what.isApart) {
+        packRows.set("ownLabel", std::uint32_t(what.label));
+    } else if (channels_.size() > 1) {
         smoothZ.set("channel", channel);
-    }
-    if (isApart) {
-        texels_.bindTexture(kSegmentationTexture);
     }
     // Each pass reads what the one before it has written.
     packRows.dispatchOver({kPadded * kPadded, int(count), 1}, gl::Barrier::Storage);
     smoothXY_.dispatchOver({kPadded * kTile, int(count), 1}, gl::Barrier::Storage);
-    (isApart ? apart_ : texels_).bindImage(kSegmentationImage, gl::Access::ReadWrite);
+    (what.isApart ? apart_->texels() : texels_).bindImage(kSegmentationImage, gl::Access::ReadWrite);
     smoothZ.dispatchOver({kTile * kTile, int(count), 1}, gl::Barrier::Texture);
 }
 
-// The same without smoothing, of whatever segments are in the tiles.
-void Segmentation::writePlain(int channel, std::uint32_t first, std::uint32_t count, Of what) {
+// The same without smoothing.
+void Segmentation::writePlain(int channel, std::uint32_t first, std::uint32_t count, const Of& what) {
     gl::Defines defines = memberDefines();
     const auto image = imageDefines(what);
     defines.insert(defines.end(), image.begin(), image.end());
     gl::Program& writePlain = writePlain_.with(defines);
     bindMembers(channels_[std::size_t(channel)]);
-    (what == Of::Apart ? apart_ : texels_).bindImage(kSegmentationImage, gl::Access::ReadWrite);
+    (what.isApart ? apart_->texels() : texels_).bindImage(kSegmentationImage, gl::Access::ReadWrite);
     writePlain.set("dims", dims_)
         .set("brickDims", brickDims_)
         .set("tileDims", tileDims_)
         .set("firstTile", int(first));
-    if (channels_.size() > 1 && what == Of::All) {
+    if (what.isApart) {
+        writePlain.set("ownLabel", std::uint32_t(what.label));
+    } else if (channels_.size() > 1) {
         writePlain.set("channel", channel);
     }
     writePlain.dispatchOver({kTile * kTile, int(count), 1}, gl::Barrier::Texture);
@@ -171,9 +171,9 @@ void Segmentation::write(int channel, const std::vector<std::uint32_t>& tiles, S
     for (std::uint32_t first = 0; first < total; first += kTilesAtOnce) {
         const std::uint32_t count = std::min(kTilesAtOnce, total - first);
         if (smoothing == Smoothing::Smooth) {
-            smooth(channel, first, count, Of::All);
+            smooth(channel, first, count, {});
         } else {
-            writePlain(channel, first, count, Of::All);
+            writePlain(channel, first, count, {});
         }
     }
 }
@@ -229,7 +229,8 @@ Box3 Segmentation::update(const Growth& growth, Smoothing smoothing, const Looks
     }
     std::sort(changed.begin(), changed.end());
     changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
-    if (apart_ && !changed.empty()) {
+    const bool isNewApart = apart_ && apart_->hasNew();
+    if (apart_ && (!changed.empty() || isNewApart)) {
         writeApart(growth, changed, smoothing);
     }
     Box3 box;
@@ -237,8 +238,8 @@ Box3 Segmentation::update(const Growth& growth, Smoothing smoothing, const Looks
         const glm::ivec3 lo = tileAt(tile) * kTile;
         box = unite(box, {lo, glm::min(lo + kTile, dims_)});
     }
+    version_ += !changed.empty() || isNewApart ? 1 : 0;
     if (!changed.empty()) {
-        ++version_;
         summarize(changed, smoothing);
     }
     return box;
@@ -251,7 +252,7 @@ std::size_t Segmentation::deviceBytes() const {
     };
     std::size_t bytes =
         texels(texels_) + texels(cells_) + tiles_.size() + reach_.size() + rows_.size() + alongXY_.size();
-    bytes += apart_ ? texels(apart_) + labelsOfTiles_.size() : 0;
+    bytes += apart_ ? apart_->deviceBytes() + labelsOfTiles_.size() : 0;
     for (const Channel& channel : channels_) {
         bytes += channel.shown.size() + channel.turned.size() + channel.owners.size();
     }

@@ -4,6 +4,7 @@
 #include "gl/buffer.h"
 #include "gl/program.h"
 #include "gl/texture.h"
+#include "segment/membership/apart_tiles.h"
 #include "segment/membership/continuation.h"
 
 #include <array>
@@ -43,11 +44,12 @@ public:
                 const Looks& looks = allOpaque(), double budgetMs = kNoHurry, const Fence& fence = {});
     static constexpr double kNoHurry = 1e30;
 
-    // Whether the next updates also keep what tells each segment alone (apart()): one byte and one bit a
-    // voxel.
-    void keepApart(bool isWanted);
-    // R8, as field/shaders/one_segment.glsl reads it. Null unless it is kept.
-    [[nodiscard]] const gl::Texture* apart() const { return apart_ ? &apart_ : nullptr; }
+    // Which segments, by their labels, the next updates also keep alone, as if no other were shown: a bit a
+    // voxel for all of them, 4 bytes a tile for each, and about a byte a voxel of tiles in which others touch
+    // one.
+    void keepApart(const std::vector<std::uint8_t>& labels);
+    // Their tiles, which field/shaders/one_segment.glsl reads. Null unless some are kept.
+    [[nodiscard]] const ApartTiles* apart() const { return apart_ ? &*apart_ : nullptr; }
 
     // Whether the last update was cut short.
     [[nodiscard]] bool isBehind() const { return isBehind_; }
@@ -72,11 +74,13 @@ public:
     static constexpr int kTile = 16;
 
 private:
+    using Labels = std::array<std::uint32_t, 8>; // a bit for each
     // One for the opaque segments, one for the translucent ones.
     struct Channel {
         gl::Buffer shown;  // one bit a voxel, laid out as in shaders/words.glsl
         gl::Buffer turned; // one bit a voxel: counts as the opposite; made with the continuation
         gl::Buffer owners; // a number for each word of `shown`: see shaders/show_rows.comp; made with apart_
+        std::vector<Labels> labels; // that reach each tile; made with apart_
         // Per tile: which of its 27 neighbours (itself included) changes there reach and that are not
         // smoothed yet, bit (dx + 1) + 3 (dy + 1) + 9 (dz + 1).
         std::vector<std::uint32_t> pending;
@@ -100,18 +104,18 @@ private:
     void write(int channel, const std::vector<std::uint32_t>& tiles, Smoothing smoothing);
     // Tiles smoothed at a time: 512 take 1 MiB of bits and 11 MiB of values.
     static constexpr std::uint32_t kTilesAtOnce = 512;
-    enum class Of { All, Apart }; // what is made smooth: all segments together, or each alone
-    void smooth(int channel, std::uint32_t first, std::uint32_t count, Of what);
-    void writePlain(int channel, std::uint32_t first, std::uint32_t count, Of what);
-    void writeApart(const Growth& growth, const std::vector<std::uint32_t>& tiles, Smoothing smoothing);
-    struct Reached { // tiles, and a segment that each has something of
-        std::vector<std::uint32_t> tiles;
-        std::vector<std::uint32_t> labels; // plus kCrowded where the tile has something of more than two
+    struct Of { // all segments together, or one of them alone
+        std::uint8_t label = 0;
+        bool isApart = false;
     };
-    static constexpr std::uint32_t kCrowded = 256;
-    Reached reachedBySegments(int channel, const std::vector<std::uint32_t>& tiles,
-                              const gl::Texture& labels);
-    [[nodiscard]] gl::Defines imageDefines(Of what) const;
+    void smooth(int channel, std::uint32_t first, std::uint32_t count, const Of& what);
+    void writePlain(int channel, std::uint32_t first, std::uint32_t count, const Of& what);
+    void writeApart(const Growth& growth, const std::vector<std::uint32_t>& changed, Smoothing smoothing);
+    void writeApart(int channel, std::uint8_t label, const gl::Texture& labels,
+                    const ApartTiles::Changes& changes, Smoothing smoothing);
+    void noteLabels(Channel& channel, const std::vector<std::uint32_t>& tiles, const gl::Texture& labels);
+    static ApartTiles::Whose whoseIs(const Labels& labels, std::uint8_t label);
+    [[nodiscard]] gl::Defines imageDefines(const Of& what) const;
     void summarize(const std::vector<std::uint32_t>& tiles, Smoothing smoothing);
     void listTiles(const std::vector<std::uint32_t>& tiles);
     [[nodiscard]] gl::Defines memberDefines() const;
@@ -123,7 +127,7 @@ private:
     glm::ivec3 tileDims_;
     glm::vec4 weights_[3]; // per axis: the kernel at 0, 1, 2 and 3 voxels
     gl::Texture texels_;
-    gl::Texture apart_;
+    std::optional<ApartTiles> apart_;
     gl::Texture cells_;
     std::uint64_t seenRevision_ = 0;
     std::uint64_t version_ = 0;
@@ -143,6 +147,7 @@ private:
     gl::ProgramVariants smoothZ_{"segment/shaders/smooth_z.comp"};
     gl::ProgramVariants writePlain_{"segment/shaders/write_membership.comp"};
     gl::ProgramVariants listLabels_{"segment/shaders/list_labels.comp"};
+    gl::Program completeTiles_; // made when first used
     gl::ProgramVariants summarize_{"segment/shaders/summarize_tiles.comp"};
 };
 

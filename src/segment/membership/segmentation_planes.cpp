@@ -29,7 +29,12 @@ Looks allOpaque() {
 void Segmentation::takeLooks(const Looks& looks) {
     const bool isGlass = std::find(looks.begin(), looks.end(), Look::Translucent) != looks.end();
     const std::size_t channels = isGlass ? 2 : 1;
-    haveLooksChanged_ = haveLooksChanged_ || looks != looks_;
+    if (looks != looks_) {
+        haveLooksChanged_ = true;
+        if (apart_) {
+            apart_->renewAll();
+        }
+    }
     looks_ = looks;
     if (channels == channels_.size()) {
         return;
@@ -41,6 +46,7 @@ void Segmentation::takeLooks(const Looks& looks) {
     for (std::size_t i = 0; i < channels; ++i) {
         const auto tiles = std::size_t(tileDims_.x) * std::size_t(tileDims_.y) * std::size_t(tileDims_.z);
         channels_.push_back({gl::Buffer(planeBytes(dims_), "shown voxels"),
+                             {},
                              {},
                              {},
                              std::vector<std::uint32_t>(tiles, 0),

@@ -1,6 +1,6 @@
 // Which segments that are shown have voxels in a tile or so close to it that smoothing carries them into it:
 // 256 bits a tile, one for each label. One group a tile. In: storage 0 tiles, 3 and 4 voxels shown; texture 3
-// labels. Out: storage 5; with VS_CLEARS image 0 (r8) zeros in the tile.
+// labels. Out: storage 5.
 #include "segment/shaders/tiles.glsl"
 
 layout(local_size_x = 64) in;
@@ -8,9 +8,6 @@ layout(local_size_x = 64) in;
 #include "segment/shaders/bindings.glsl"
 layout(binding = kLabelTexture) uniform usampler3D labelTexture;
 layout(std430, binding = kLabelsOfTilesStorage) writeonly buffer LabelsOfTiles { uint labelsOfTiles[]; };
-#ifdef VS_CLEARS
-layout(r8, binding = kSegmentationImage) uniform writeonly image3D apart;
-#endif
 
 const int kWords = 8;
 shared uint seen[kWords];
@@ -34,13 +31,6 @@ void main() {
     for (int row = index; row < kPadded * kPadded; row += 64) {
         noteLabelsIn(origin + ivec3(0, row % kPadded, row / kPadded) - kReach);
     }
-#ifdef VS_CLEARS
-    for (int row = index; row < kTile * kTile; row += 64) {
-        for (int x = 0; x < kTile; ++x) {
-            imageStore(apart, origin + ivec3(x, row % kTile, row / kTile), vec4(0.0));
-        }
-    }
-#endif
     barrier();
     if (index < kWords) {
         labelsOfTiles[(uint(firstTile) + gl_WorkGroupID.y) * uint(kWords) + uint(index)] = seen[index];

@@ -1,41 +1,21 @@
 // Smooths along z what is smooth along x and y, and holds the result to the truth: at least 0.5 at the
 // region's voxels, below 0.5 at all others. One invocation a row of 16 voxels along z, with a sliding window.
 // In: storage 0 tiles, 2 with 16 x 16 x 22 values a tile, negative at the region's voxels. Out: image 0
-// segmentation (r8, or rg8 with VS_GLASS: then one channel of it). With VS_APART the region is one segment of
-// each tile; also in texture 1 all segments, storage 5 a label for each tile, plus 256 where more than two
-// segments are about; and out what tells it alone.
+// segmentation (r8, or rg8 with VS_GLASS: then one channel of it), or with VS_APART tiles of one segment
+// alone.
 #include "segment/shaders/tiles.glsl"
 
 layout(local_size_x = 64) in;
 
-#include "segment/shaders/segmentation_image.glsl"
 #include "segment/shaders/bindings.glsl"
+#include "segment/shaders/segmentation_image.glsl"
 layout(std430, binding = kAlongXYStorage) readonly buffer AlongXY { float alongXY[]; };
 
-#ifdef VS_APART
-layout(binding = kSegmentationTexture) uniform sampler3D allSegments;
-layout(std430, binding = kLabelsOfTilesStorage) readonly buffer LabelsOfTiles { uint labelsOfTiles[]; };
-uniform int channel;
-
-// What is kept of a segment's own texel, which is not held to the truth yet. All segments that reach a voxel
-// which is nobody's note the same there.
-void store(ivec3 voxel, float own, bool isMember) {
-    bool isCrowded = labelsOfTiles[uint(firstTile) + gl_WorkGroupID.y] > 0xffu; // by more than two segments
-    vec2 all = round(255.0 * texelFetch(allSegments, voxel, 0).rg);
-    float ofKind = channel == 0 ? all.r : all.g;
-    if (isMember) {
-        storeShare(voxel, max(own, 255.0 - own), own < 128.0 || (isCrowded && ofKind > own));
-    } else if (max(all.r, all.g) < 128.0 && own > 0.0 && min(own, 255.0 - own) != ofKind) {
-        storeShare(voxel, 128.0, true);
-    }
-}
-#else
 // Held to the truth by mirroring at 0.5, so that the thinner a part is the farther its level is pushed out: a
 // voxel on its own becomes a dot of nearly its own size, which can be seen, and not a point.
 void store(ivec3 voxel, float texel, bool isMember) {
     storeMembership(voxel, (isMember ? max(texel, 255.0 - texel) : min(texel, 255.0 - texel)) / 255.0);
 }
-#endif
 
 void main() {
     uint row = gl_GlobalInvocationID.x; // x + 16 y

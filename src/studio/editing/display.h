@@ -24,8 +24,8 @@ public:
     render::TransferFunction resolved(const render::TransferFunction& function) {
         return pipeline_.resolved(function);
     }
-    // What of the sculpture is drawn at a place of the view, and the ranges (x fastest) of the macrocells of the
-    // part that a paste would make now.
+    // What of the sculpture is drawn at a place of the view, and the ranges (x fastest) of the macrocells of
+    // the part that a paste would make now.
     PastedParts::Part partAt(std::size_t place) { return pipeline_.partAt(state(), place); }
     std::vector<glm::vec2> cellsOfNextPart(bool takesTrimmed) {
         return pipeline_.cellsOfNextPart(state(), takesTrimmed);

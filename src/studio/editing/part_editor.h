@@ -7,9 +7,9 @@
 
 namespace vs::studio {
 
-// Carries out the operations on pasted parts: pasting what was cut beside the rest, moving, naming, hiding and
-// discarding it, and clearing all cuts, with which they go. run() remembers the operation as a step; it throws Error before anything has
-// changed.
+// Carries out the operations on pasted parts: pasting what was cut beside the rest, moving, naming, hiding
+// and discarding it, and clearing all cuts, with which they go. run() remembers the operation as a step; it
+// throws Error before anything has changed.
 class PartEditor {
 public:
     // Both must outlive it.

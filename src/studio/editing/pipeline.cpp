@@ -89,7 +89,7 @@ field::Scene Pipeline::scene(const State& state, bool wantsSegments) {
         if (!segmentation_) {
             segmentation_.emplace(field_->geometry);
         }
-        segmentation_->keepApart(state.growth->hasOthers() && !pulledOut(state).empty());
+        segmentation_->keepApart(apartFromOthers(state));
         segmentation_->update(*state.growth, state.smoothing, looksOf(*state.segments), state.segmentsMs,
                               fence(state, state.view->sculptureView));
     }
@@ -101,7 +101,6 @@ field::Scene Pipeline::scene(const State& state, bool wantsSegments) {
     scene.sculpture = isSculpted ? &state.sculpture->texels() : nullptr;
     scene.isCutAlongSegments = state.isCutAlongSegments;
     scene.segmentation = hasSegmentation ? &segmentation_->texels() : nullptr;
-    scene.apart = hasSegmentation ? segmentation_->apart() : nullptr;
     if (hasSegmentation && state.growth->hasOthers()) {
         state.growth->syncLabels();
         scene.segmentLabels = &state.growth->seedMap().labels();
@@ -221,7 +220,16 @@ std::vector<const SegmentInfo*> Pipeline::pulledOut(const State& state) {
     return found;
 }
 
-// They need nothing that is not there already: the smooth segments and their cells are those of all of them.
+std::vector<std::uint8_t> Pipeline::apartFromOthers(const State& state) {
+    std::vector<std::uint8_t> labels;
+    for (const SegmentInfo* segment : pulledOut(state)) {
+        if (state.growth->hasOthers()) {
+            labels.push_back(segment->label);
+        }
+    }
+    return labels;
+}
+
 void Pipeline::addPulledOut(render::Frame& frame, const field::Scene& withSegments, const State& state) {
     refreshSegmentCells();
     const bool hasOthers = state.growth->hasOthers();
@@ -234,6 +242,10 @@ void Pipeline::addPulledOut(render::Frame& frame, const field::Scene& withSegmen
         pulled.label = hasOthers ? segment->label : 1; // see segmentColours()
         pulled.isTranslucent = segment->opacity < 1;
         pulled.scene = withSegments;
+        if (const segment::ApartTiles* apart = segmentation_->apart()) {
+            pulled.scene.apartTiles = &apart->texels();
+            pulled.scene.apartPages = &apart->pages(segment->label);
+        }
         pulled.macrocells = &segmentCells_.macrocells;
         frame.pulled.push_back(pulled);
     }

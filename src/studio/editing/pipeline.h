@@ -41,8 +41,8 @@ public:
     // The document's content on a slice. Segments are drawn whatever the view's mode is.
     render::SliceFrame slice(const State& state, const render::SliceView& view);
 
-    // What of the sculpture is drawn at a place of the view, and the ranges of the macrocells of the part that a
-    // paste would make now.
+    // What of the sculpture is drawn at a place of the view, and the ranges of the macrocells of the part
+    // that a paste would make now.
     PastedParts::Part partAt(const State& state, std::size_t place);
     std::vector<glm::vec2> cellsOfNextPart(const State& state, bool takesTrimmed);
 
@@ -123,6 +123,8 @@ private:
     void addParts(render::Frame& frame, Key key, const State& state);
     // Segments that are drawn once more, elsewhere.
     static std::vector<const SegmentInfo*> pulledOut(const State& state);
+    // The pulled-out segments that others may touch, by label.
+    static std::vector<std::uint8_t> apartFromOthers(const State& state);
     void addPulledOut(render::Frame& frame, const field::Scene& withSegments, const State& state);
 
     // Brings the macrocells of the segments alone up to date.

@@ -17,7 +17,7 @@ struct Contents;
 // number (x fastest) a condition holds.
 std::vector<glm::dvec3> seenCells(const Contents& contents, const Display& display,
                                   const std::function<bool(std::size_t)>& isThere);
-// Those in which something of a pasted part can be seen, by the ranges of its macrocells.
+// The macrocells in which something of a pasted part can be seen, by the ranges of its macrocells.
 std::vector<glm::dvec3> seenCellsOfPart(const Contents& contents, const Display& display,
                                         const std::vector<glm::vec2>& ranges);
 

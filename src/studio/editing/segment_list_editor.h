@@ -31,8 +31,8 @@ public:
     std::size_t perform(const LoadLabels& op, Region::Records& records);
 
 private:
-    // The middles of the boxes around the segments' voxels, in the world (mm), by label; an empty one's is the
-    // grid's.
+    // The middles of the boxes around the segments' voxels, in the world (mm), by label; an empty one's is
+    // the grid's.
     [[nodiscard]] std::array<glm::dvec3, 256> middles() const;
 
     Contents& contents_;

@@ -8,8 +8,7 @@ std::vector<render::Placement> shownPlaces(const View& view, const PastedState& 
     std::vector<render::Placement> places;
     places.reserve(view.pasted.size());
     for (std::size_t k = 0; k < view.pasted.size(); ++k) {
-        const glm::dvec3 middle =
-            k < pasted.parts.size() ? pasted.parts[k].middle : geometry.centreWorld();
+        const glm::dvec3 middle = k < pasted.parts.size() ? pasted.parts[k].middle : geometry.centreWorld();
         places.push_back(render::spreadOut(view.pasted[k], view.spread, middle, geometry));
     }
     return places;

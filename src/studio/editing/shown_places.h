@@ -15,7 +15,7 @@ namespace vs::studio {
 // One for each place of the view, hidden or not.
 std::vector<render::Placement> shownPlaces(const View& view, const PastedState& pasted,
                                            const volume::GridGeometry& geometry);
-// Of a segment that is pulled out.
+// The place of a segment that is pulled out.
 render::Placement shownPlace(const View& view, const SegmentInfo& segment,
                              const volume::GridGeometry& geometry);
 

@@ -48,7 +48,8 @@ struct ExportSource {
     // Segments: those to export, and where they are.
     std::vector<ExportedSegment> segments;
     std::vector<std::uint8_t> labels;
-    // Volume: what is cut of it, as mesh::VisibleVolume has it, and the pasted parts that are seen, where they are seen.
+    // Volume: what is cut of it, as mesh::VisibleVolume has it, and the pasted parts that are seen, where
+    // they are seen.
     std::vector<std::uint16_t> sculpture;
     field::SculptureView view = field::SculptureView::Cut;
     struct Part {

@@ -209,14 +209,15 @@ struct KeepConnected {
     [[nodiscard]] bool isTrim() const { return true; }
 };
 
-// Pastes what tools cut since the last paste as a part of its own at a place. Until the next paste it takes in
-// what is cut further. What was trimmed away around it (operations that say isTrim()) stays away, unless it is
-// wanted too.
+// Pastes what tools cut since the last paste as a part of its own at a place. Until the next paste it takes
+// in what is cut further. What was trimmed away around it (operations that say isTrim()) stays away, unless
+// it is wanted too.
 struct Paste {
     static constexpr About kAbout{
         VS_TEXT("library", "paste"), Effect::Parts,
         "what was cut since the last `paste` becomes a part of its own, drawn there; until the next one it "
-        "takes in what is cut further. What `keep connected`, `clip` and `cut segment` with `keeps` took away "
+        "takes in what is cut further. What `keep connected`, `clip` and `cut segment` with `keeps` took "
+        "away "
         "around it does not belong to it",
         "paste"};
 
@@ -247,10 +248,12 @@ struct MovePart {
     [[nodiscard]] std::vector<Phrase> details() const;
 };
 
-// Changes what is set of a pasted part (counted from 0): its name, whether it is seen, and what belongs to it.
+// Changes what is set of a pasted part (counted from 0): its name, whether it is seen, and what belongs to
+// it.
 struct ChangePart {
     static constexpr About kAbout{VS_TEXT("library", "part"), Effect::Parts,
-                                  "changes what is given of pasted part number `part`, counted from 0", "paste"};
+                                  "changes what is given of pasted part number `part`, counted from 0",
+                                  "paste"};
 
     int part = 0;
     std::optional<std::string> name = {};
@@ -270,10 +273,11 @@ struct ChangePart {
 // Pasted part number `part` (counted from 0) is drawn no more, and those after it move up. What it was cut
 // from stays cut; no later paste takes it.
 struct DiscardPart {
-    static constexpr About kAbout{VS_TEXT("library", "discard part"), Effect::Parts,
-                                  "pasted part number `part`, counted from 0, is gone, and those after it move "
-                                  "up; what was cut stays cut, and no later paste takes it",
-                                  "uncut"};
+    static constexpr About kAbout{
+        VS_TEXT("library", "discard part"), Effect::Parts,
+        "pasted part number `part`, counted from 0, is gone, and those after it move "
+        "up; what was cut stays cut, and no later paste takes it",
+        "uncut"};
 
     int part = 0;
 
@@ -284,7 +288,7 @@ struct DiscardPart {
     [[nodiscard]] std::vector<Phrase> details() const;
 };
 
-using SculptingOperations = std::variant<Peel, Drill, Laser, Scissors, Clip, KeepConnected, Paste, MovePart,
-                                         ChangePart, DiscardPart>;
+using SculptingOperations =
+    std::variant<Peel, Drill, Laser, Scissors, Clip, KeepConnected, Paste, MovePart, ChangePart, DiscardPart>;
 
 } // namespace vs::studio

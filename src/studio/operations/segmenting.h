@@ -234,15 +234,16 @@ struct RemoveSegment {
 };
 
 // Draws a segment once more, elsewhere, without cutting it out: it stays in its place too, and both follow
-// all that becomes of it. Said again it is moved there. Without a name all segments that have voxels are pulled
-// out there; those that are out already stay where they are.
+// all that becomes of it. Said again it is moved there. Without a name all segments that have voxels are
+// pulled out there; those that are out already stay where they are.
 struct PullOut {
-    static constexpr About kAbout{VS_TEXT("library", "pull out"), Effect::Segments,
-                                  "draws a segment once more, elsewhere, without cutting it out; said again "
-                                  "it is moved there. It stays "
-                                  "in its place too, and both follow all that becomes of it. Without a name: all "
-                                  "that have voxels and are not out yet",
-                                  "paste"};
+    static constexpr About kAbout{
+        VS_TEXT("library", "pull out"), Effect::Segments,
+        "draws a segment once more, elsewhere, without cutting it out; said again "
+        "it is moved there. It stays "
+        "in its place too, and both follow all that becomes of it. Without a name: all "
+        "that have voxels and are not out yet",
+        "paste"};
 
     std::optional<std::string> segment;
     render::Placement place;
@@ -252,17 +253,18 @@ struct PullOut {
     static constexpr auto fields() {
         return std::tuple{sparse("segment", &PullOut::segment, kSegmentName), spread(&PullOut::place),
                           sparse("visible", &PullOut::isVisible, {},
-                                  "false: it is seen in its own place alone for the time being")};
+                                 "false: it is seen in its own place alone for the time being")};
     }
     [[nodiscard]] std::vector<Phrase> details() const;
 };
 
 // Draws a segment that was pulled out, or all of them, in its own place alone.
 struct PutBack {
-    static constexpr About kAbout{VS_TEXT("library", "put back"), Effect::Segments,
-                                  "a segment that was pulled out is drawn in its own place alone; without a name: "
-                                  "all of them",
-                                  "move"};
+    static constexpr About kAbout{
+        VS_TEXT("library", "put back"), Effect::Segments,
+        "a segment that was pulled out is drawn in its own place alone; without a name: "
+        "all of them",
+        "move"};
 
     std::optional<std::string> segment;
 

@@ -24,7 +24,7 @@ bool View::differsInSlicesOnly(const View& other) const {
 SetView setViewTo(const View& view) {
     return {view.camera,        view.mode,        view.range,       view.sculptureView, view.transferFunction,
             view.pasted,        view.sampling,    view.shadows,     view.hidesAbove,    view.surfaceSmoothing,
-            view.tintsSegments, view.sliceWindow, view.tintsSlices, view.isInverted,  view.spread};
+            view.tintsSegments, view.sliceWindow, view.tintsSlices, view.isInverted,    view.spread};
 }
 
 View changed(View view, const SetView& by) {

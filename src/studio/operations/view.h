@@ -43,8 +43,8 @@ struct View {
     bool tintsSegments = false; // in MIP and X-ray: what is in a visible segment has its colour
     // The values that slices show from black to white; nothing: those that suit the scan.
     std::optional<Range> sliceWindow = {};
-    bool tintsSlices = false;             // slices show in colour what the 3D picture shows
-    bool isInverted = false;              // MIP and X-ray are dark on light; colours stay what they are
+    bool tintsSlices = false; // slices show in colour what the 3D picture shows
+    bool isInverted = false;  // MIP and X-ray are dark on light; colours stay what they are
     // An exploded view: pasted parts and segments that are pulled out lie 1 + spread times as far from the
     // scan's middle as they were put.
     double spread = 0;
@@ -93,23 +93,24 @@ struct SetView {
 
     template <typename = void>
     static constexpr auto fields() {
-        return std::tuple{sparse("camera", &SetView::camera),
-                          sparse("mode", &SetView::mode),
-                          sparse("range", &SetView::range),
-                          sparse("sculptureView", &SetView::sculptureView),
-                          sparse("transferFunction", &SetView::transferFunction, {.mayBeNull = true}),
-                          sparse("pasted", &SetView::pasted, kPlacements),
-                          sparse("sampling", &SetView::sampling),
-                          sparse("shadows", &SetView::shadows),
-                          sparse("hideAbove", &SetView::hidesAbove),
-                          sparse("smoothSurface", &SetView::surfaceSmoothing, kSurfaceSmoothing),
-                          sparse("tintSegments", &SetView::tintsSegments),
-                          sparse("sliceWindow", &SetView::sliceWindow, {.mayBeNull = true}),
-                          sparse("tintSlices", &SetView::tintsSlices),
-                          sparse("invert", &SetView::isInverted),
-                          sparse("spread", &SetView::spread, kSpread,
-                                 "pasted parts and segments that are pulled out lie 1 + `spread` times as far "
-                                 "from the scan's middle as they were put")};
+        return std::tuple{
+            sparse("camera", &SetView::camera),
+            sparse("mode", &SetView::mode),
+            sparse("range", &SetView::range),
+            sparse("sculptureView", &SetView::sculptureView),
+            sparse("transferFunction", &SetView::transferFunction, {.mayBeNull = true}),
+            sparse("pasted", &SetView::pasted, kPlacements),
+            sparse("sampling", &SetView::sampling),
+            sparse("shadows", &SetView::shadows),
+            sparse("hideAbove", &SetView::hidesAbove),
+            sparse("smoothSurface", &SetView::surfaceSmoothing, kSurfaceSmoothing),
+            sparse("tintSegments", &SetView::tintsSegments),
+            sparse("sliceWindow", &SetView::sliceWindow, {.mayBeNull = true}),
+            sparse("tintSlices", &SetView::tintsSlices),
+            sparse("invert", &SetView::isInverted),
+            sparse("spread", &SetView::spread, kSpread,
+                   "pasted parts and segments that are pulled out lie 1 + `spread` times as far "
+                   "from the scan's middle as they were put")};
     }
 };
 // The whole of a view.

@@ -23,7 +23,7 @@ struct PartInfo {
     glm::dvec3 middle{0};      // of what was seen of it when it was pasted, where it was cut out: world, mm
 };
 
-// And what of the sculpture it is.
+// A part that was pasted, with what of the sculpture it is.
 struct PastedPart : PartInfo {
     // The sculpture as it was when the part before was pasted (null: untouched), and when this one was.
     std::shared_ptr<const gl::Texture> from;
@@ -42,10 +42,11 @@ struct PastedState {
     [[nodiscard]] bool isOpen(std::size_t k) const { return parts[k].upTo == last; }
 };
 
-// Which part of what was cut belongs to which paste. Part k is what tools cut between the paste before and its
-// own; the one that was pasted last takes in what is cut after it too. So it is where min(S, S_k, 1 - S_(k-1),
-// T) is at least 0.5, S being the sculpture now, S_k that at its own paste and T what trims left for tools
-// (sculpt::Trimmed), unless the part takes those too: live, with cut faces as smooth as the sculpture's own.
+// Which part of what was cut belongs to which paste. Part k is what tools cut between the paste before and
+// its own; the one that was pasted last takes in what is cut after it too. So it is where min(S, S_k, 1 -
+// S_(k-1), T) is at least 0.5, S being the sculpture now, S_k that at its own paste and T what trims left for
+// tools (sculpt::Trimmed), unless the part takes those too: live, with cut faces as smooth as the sculpture's
+// own.
 class PastedParts {
 public:
     // The sculpture as it is now, for the state of a paste.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Which part of what was cut is pasted: what tools took and not what was trimmed away around it; parts that are
-// named, hidden and discarded; and parts that are spread.
+// Which part of what was cut is pasted: what tools took and not what was trimmed away around it; parts that
+// are named, hidden and discarded; and parts that are spread.
 #include "gpu/studio/test_segments.h"
 #include "gpu/studio/test_tools.h"
 #include "image/compare.h"
@@ -100,8 +100,8 @@ TEST_F(ToolsTest, WhatIsRestoredAndCutAgainIsTrimmedNoMore) {
     const Scissors scissors = scissorsAt(200, 150, 35);
     Head whole;
     whole.apply(scissors);
-    for (const Operation& restore :
-         {Operation(UnCut{}), Operation(restoring(clipBelow(22.3))), Operation(restoring(scissorsAt(200, 150, 60)))}) {
+    for (const Operation& restore : {Operation(UnCut{}), Operation(restoring(clipBelow(22.3))),
+                                     Operation(restoring(scissorsAt(200, 150, 60)))}) {
         Head document;
         document.apply(clipBelow(22.3));
         document.apply(restore);
@@ -126,9 +126,15 @@ TEST_F(ToolsTest, WhatIsRestoredAndCutAgainIsTrimmedNoMore) {
 // Random cuts, trims and restores, undone and redone: what a paste would take is what it was.
 TEST_F(ToolsTest, UndoBringsBackWhatIsTrimmed) {
     Head document;
-    const std::vector<Operation> steps{clipBelow(18), scissorsAt(200, 150, 20), restoring(scissorsAt(190, 150, 20)),
-                                       clipBelow(26), penAt<Drill>(210, 140, 14), restoring(clipBelow(40)),
-                                       scissorsAt(170, 160, 25), UnCut{}, clipBelow(30)};
+    const std::vector<Operation> steps{clipBelow(18),
+                                       scissorsAt(200, 150, 20),
+                                       restoring(scissorsAt(190, 150, 20)),
+                                       clipBelow(26),
+                                       penAt<Drill>(210, 140, 14),
+                                       restoring(clipBelow(40)),
+                                       scissorsAt(170, 160, 25),
+                                       UnCut{},
+                                       clipBelow(30)};
     std::vector<std::vector<glm::dvec3>> next;
     for (const Operation& step : steps) {
         next.push_back(document.parts().nextCells());

@@ -178,10 +178,11 @@ bool Editor::paste(bool takesTrimmed) {
         }
     });
     if (isPlaced && !isSomething) {
-        host_.say(takesTrimmed
-                      ? tr("Nothing to paste: nothing visible was cut since the last paste")
-                      : tr("Nothing to paste: tools have cut nothing visible since the last paste. What Keep and "
-                           "Clip took away: Edit > Paste All"));
+        host_.say(
+            takesTrimmed
+                ? tr("Nothing to paste: nothing visible was cut since the last paste")
+                : tr("Nothing to paste: tools have cut nothing visible since the last paste. What Keep and "
+                     "Clip took away: Edit > Paste All"));
         return false;
     }
     if (!isPlaced || !apply(studio::Paste{place, {}, takesTrimmed})) {

@@ -42,7 +42,8 @@ public:
     // Does a whole stroke, to the scan or, if the tool acts on it, to the segment at work.
     bool cut(const studio::Operation& stroke);
     // Pastes what tools cut since the last paste where there is room beside the object and the parts pasted
-    // before; what Keep and Clip took away too, if that is wanted. The view steps back if it would not be seen.
+    // before; what Keep and Clip took away too, if that is wanted. The view steps back if it would not be
+    // seen.
     bool paste(bool takesTrimmed = false);
     // Pulls a segment out to where there is room, likewise; one that is out already goes back.
     bool pullOut(const std::string& segment);

@@ -83,6 +83,554 @@
         <source>From above, a ring is drilled through three quarters of a head, and the shell is pasted away from what it holds.</source>
         <translation>Von oben wird ein Ring durch drei Viertel eines Kopfes gebohrt, und die Schale wird von dem weg eingefügt, was sie umschließt.</translation>
     </message>
+    <message>
+        <source>(a) A wide range of intensities is selected, and a transfer function of intensity gives it colours: maximum intensity projection, X-ray and surface.</source>
+        <translation>(a) Ein weiter Intensitätsbereich wird gewählt, und eine Transferfunktion der Intensität gibt ihm Farben: Maximumprojektion, Röntgen und Oberfläche.</translation>
+    </message>
+    <message>
+        <source>(b) The peeling tool is chosen and a region is drawn on the face.</source>
+        <translation>(b) Das Schälwerkzeug wird gewählt und ein Bereich auf das Gesicht gezeichnet.</translation>
+    </message>
+    <message>
+        <source>(c) The pen is dragged down, and layer after layer comes off under the mask.</source>
+        <translation>(c) Der Stift wird nach unten gezogen, und unter der Maske löst sich Lage um Lage.</translation>
+    </message>
+    <message>
+        <source>(d) The region is peeled off and shows what lies beneath the skin.</source>
+        <translation>(d) Der Bereich ist abgeschält und zeigt, was unter der Haut liegt.</translation>
+    </message>
+    <message>
+        <source>(e) The laser is chosen and its tool shape is drawn on the left side of the head.</source>
+        <translation>(e) Der Laser wird gewählt und seine Werkzeugform auf die linke Kopfseite gezeichnet.</translation>
+    </message>
+    <message>
+        <source>(f) The pen is led over the skull with varying pressure: the harder it presses, the deeper the laser burns.</source>
+        <translation>(f) Der Stift wird mit wechselndem Druck über den Schädel geführt: Je stärker er drückt, desto tiefer brennt der Laser.</translation>
+    </message>
+    <message>
+        <source>(g) The side of the head is cut open.</source>
+        <translation>(g) Die Kopfseite ist aufgeschnitten.</translation>
+    </message>
+    <message>
+        <source>(h) The drill is chosen and its tool shape is drawn at the upper right of the head.</source>
+        <translation>(h) Der Bohrer wird gewählt und seine Werkzeugform rechts oben am Kopf gezeichnet.</translation>
+    </message>
+    <message>
+        <source>(i) Under pressure the drill goes along the view, and works its way in as the pen goes to and fro.</source>
+        <translation>(i) Unter Druck dringt der Bohrer in Blickrichtung vor und arbeitet sich hinein, während der Stift hin- und herfährt.</translation>
+    </message>
+    <message>
+        <source>(j) The sculpture: the brain shows through the windows that were cut in the head.</source>
+        <translation>(j) Die Skulptur: Durch die Fenster, die in den Kopf geschnitten wurden, ist das Gehirn zu sehen.</translation>
+    </message>
+    <message>
+        <source>(a) A low range of intensities is selected: in the X-ray the ventricles are bright within the brain.</source>
+        <translation>(a) Ein niedriger Intensitätsbereich wird gewählt: Im Röntgenbild liegen die Ventrikel hell im Gehirn.</translation>
+    </message>
+    <message>
+        <source>(b) The range is widened so that sections can be read; the peeling tool is chosen and a region is drawn at the upper left corner of the head.</source>
+        <translation>(b) Der Intensitätsbereich wird erweitert, damit Schnittflächen lesbar werden; das Schälwerkzeug wird gewählt und ein Bereich an der oberen linken Ecke des Kopfes gezeichnet.</translation>
+    </message>
+    <message>
+        <source>(c) Scalp and skull come off under the mask, down to the folds of the brain.</source>
+        <translation>(c) Unter der Maske lösen sich Kopfhaut und Schädel, bis hinab zu den Hirnwindungen.</translation>
+    </message>
+    <message>
+        <source>(d) Two smaller regions are peeled within the first, each deeper than the last, until both lateral ventricles lie open.</source>
+        <translation>(d) Innerhalb des ersten Bereichs werden zwei kleinere geschält, jeder tiefer als der vorige, bis beide Seitenventrikel offen liegen.</translation>
+    </message>
+    <message>
+        <source>(e) The segmentation tool is chosen and a stroke is drawn on the left lateral ventricle.</source>
+        <translation>(e) Das Segmentierungswerkzeug wird gewählt und ein Strich auf den linken Seitenventrikel gezeichnet.</translation>
+    </message>
+    <message>
+        <source>(f) Growth without constraints fills the ventricle, breaks out of it and spreads over the brain&apos;s surface.</source>
+        <translation>(f) Ohne Einschränkungen füllt das Wachstum den Ventrikel, bricht aus ihm hervor und breitet sich über die Hirnoberfläche aus.</translation>
+    </message>
+    <message>
+        <source>(g) Growth is played backward until the left ventricle alone is left, and then forward again where the gradient&apos;s magnitude is small.</source>
+        <translation>(g) Das Wachstum wird zurückgespielt, bis nur noch der linke Ventrikel übrig ist, und läuft dann dort wieder vorwärts, wo der Gradientenbetrag klein ist.</translation>
+    </message>
+    <message>
+        <source>(h) A stroke is drawn on the right lateral ventricle.</source>
+        <translation>(h) Ein Strich wird auf den rechten Seitenventrikel gezeichnet.</translation>
+    </message>
+    <message>
+        <source>(i) It grows under the same constraint.</source>
+        <translation>(i) Er wächst unter derselben Einschränkung.</translation>
+    </message>
+    <message>
+        <source>(j) Growth ends by itself; both ventricles are brought to their edge and shown as surfaces within the head as an X-ray.</source>
+        <translation>(j) Das Wachstum endet von selbst; beide Ventrikel werden bis an ihren Rand geführt und als Oberflächen im Röntgenbild des Kopfes gezeigt.</translation>
+    </message>
+    <message>
+        <source>(a) The peeling tool is chosen and a circle is drawn on the top of the head, seen from above.</source>
+        <translation>(a) Das Schälwerkzeug wird gewählt und in der Ansicht von oben ein Kreis auf den Scheitel des Kopfes gezeichnet.</translation>
+    </message>
+    <message>
+        <source>(b) The pen is dragged down and the first layers come off: scalp and skull.</source>
+        <translation>(b) Der Stift wird nach unten gezogen, und die ersten Lagen lösen sich: Kopfhaut und Schädel.</translation>
+    </message>
+    <message>
+        <source>(c) Dragged further down, it takes more layers: the folds of the brain are cut open.</source>
+        <translation>(c) Weiter nach unten gezogen, nimmt er mehr Lagen weg: Die Hirnwindungen werden aufgeschnitten.</translation>
+    </message>
+    <message>
+        <source>(d) What was cut away is pasted beside the head, turned so that its inside is seen.</source>
+        <translation>(d) Das Weggeschnittene wird neben dem Kopf eingefügt, so gedreht, dass seine Innenseite zu sehen ist.</translation>
+    </message>
+    <message>
+        <source>(a) A middle to high range of intensities is selected: X-ray and surface.</source>
+        <translation>(a) Ein mittlerer bis hoher Intensitätsbereich wird gewählt: Röntgen und Oberfläche.</translation>
+    </message>
+    <message>
+        <source>(b) With the left side of the head peeled open, strokes are drawn directly on the white matter.</source>
+        <translation>(b) Bei aufgeschälter linker Kopfseite werden Striche direkt auf die weiße Substanz gezeichnet.</translation>
+    </message>
+    <message>
+        <source>(c) The region starts to grow.</source>
+        <translation>(c) Die Region beginnt zu wachsen.</translation>
+    </message>
+    <message>
+        <source>(d) It spreads from gyrus to gyrus, seen from the side.</source>
+        <translation>(d) Sie breitet sich von Gyrus zu Gyrus aus, von der Seite gesehen.</translation>
+    </message>
+    <message>
+        <source>(e) Growth ends by itself when all white matter is reached, seen at an angle; pinholes of noise are filled.</source>
+        <translation>(e) Das Wachstum endet von selbst, sobald die ganze weiße Substanz erreicht ist, hier schräg gesehen; nadelfeine Löcher durch Rauschen werden gefüllt.</translation>
+    </message>
+    <message>
+        <source>(e) Grey matter is a second segment: strokes on the cortex grow in a wider range, and only what lies within 9 mm of white matter is kept.</source>
+        <translation>(e) Die graue Substanz ist ein zweites Segment: Striche auf der Hirnrinde wachsen in einem breiteren Bereich, und nur was höchstens 9 mm von weißer Substanz entfernt ist, bleibt.</translation>
+    </message>
+    <message>
+        <source>(f) Both are tinted where they lie in the scan.</source>
+        <translation>(f) Beide werden dort gefärbt, wo sie im Scan liegen.</translation>
+    </message>
+    <message>
+        <source>(f) Both are pulled out beside the scan: under the peeled window white matter lies within grey matter.</source>
+        <translation>(f) Beide werden neben den Scan herausgezogen: Unter dem aufgeschälten Fenster liegt die weiße Substanz in der grauen.</translation>
+    </message>
+    <message>
+        <source>(a) A high range of intensities is selected, so that bone and teeth remain: as an X-ray, and as a surface coloured by a transfer function over the intensity.</source>
+        <translation>(a) Ein hoher Intensitätsbereich wird gewählt, sodass Knochen und Zähne übrig bleiben: als Röntgenbild und als Oberfläche, gefärbt durch eine Transferfunktion über der Intensität.</translation>
+    </message>
+    <message>
+        <source>(b) The head is turned to its left side and the first lower molar looked at closely. A small circle becomes the tip of the laser.</source>
+        <translation>(b) Der Kopf wird zu seiner linken Seite gedreht und der erste untere große Backenzahn aus der Nähe betrachtet. Ein kleiner Kreis wird zur Spitze des Lasers.</translation>
+    </message>
+    <message>
+        <source>(c) The pen goes down before the molar, around below its roots and up behind it, pressing harder where the jaw is thick.</source>
+        <translation>(c) Der Stift fährt vor dem Backenzahn hinab, unter dessen Wurzeln herum und hinter ihm hinauf; wo der Kiefer dick ist, drückt er stärker.</translation>
+    </message>
+    <message>
+        <source>(d) With less pressure the laser takes the bone off the roots, which show pale.</source>
+        <translation>(d) Mit weniger Druck nimmt der Laser den Knochen von den Wurzeln, die sich blass zeigen.</translation>
+    </message>
+    <message>
+        <source>(e) From the other side, with the viewer in the mouth, the same tool goes down before and behind the molar.</source>
+        <translation>(e) Von der anderen Seite, mit dem Betrachter im Mund, fährt dasselbe Werkzeug vor und hinter dem Backenzahn hinab.</translation>
+    </message>
+    <message>
+        <source>(f) Here too the bone over the roots is taken off with less pressure.</source>
+        <translation>(f) Auch hier wird der Knochen über den Wurzeln mit weniger Druck abgetragen.</translation>
+    </message>
+    <message>
+        <source>(g) The drill, with a circle, removes what surrounds the roots, there and back again; a smaller one parts the crown from its neighbours.</source>
+        <translation>(g) Der Bohrer, mit einem Kreis, entfernt, was die Wurzeln umgibt, hin und wieder zurück; ein kleinerer trennt die Krone von ihren Nachbarn.</translation>
+    </message>
+    <message>
+        <source>(h) The range is raised until the bone falls away and the molar stands alone. A stroke that covers most of it sets the seeds.</source>
+        <translation>(h) Der Bereich wird angehoben, bis der Knochen wegfällt und der Backenzahn allein dasteht. Ein Strich, der ihn größtenteils bedeckt, setzt die Saat.</translation>
+    </message>
+    <message>
+        <source>(i) The region grows, with no other rule than the range and the cuts, and stops at the molar&apos;s edge.</source>
+        <translation>(i) Die Region wächst, ohne andere Regel als den Bereich und die Schnitte, und hält am Rand des Backenzahns an.</translation>
+    </message>
+    <message>
+        <source>(j) The molar is pulled out and enlarged beside the jaw that it comes from.</source>
+        <translation>(j) Der Backenzahn wird herausgezogen und neben dem Kiefer, aus dem er stammt, vergrößert.</translation>
+    </message>
+    <message>
+        <source>The file does not say where this head&apos;s crown and face are: the scan is set upright.</source>
+        <translation>Aus der Datei geht nicht hervor, wo Scheitel und Gesicht dieses Kopfes sind: Der Scan wird aufrecht gestellt.</translation>
+    </message>
+    <message>
+        <source>(d) Lightly pressed, the laser takes the thin bone off the roots. The section shows them pale in the jaw.</source>
+        <translation>(d) Mit leichtem Druck nimmt der Laser den dünnen Knochen von den Wurzeln. Die Schnittfläche zeigt sie blass im Kiefer.</translation>
+    </message>
+    <message>
+        <source>(e) From the other side, with the viewer in the mouth, the same tool goes around the molar in the same way.</source>
+        <translation>(e) Von der anderen Seite, mit dem Betrachter im Mund, fährt dasselbe Werkzeug auf gleiche Weise um den Backenzahn.</translation>
+    </message>
+    <message>
+        <source>(f) Here too the bone over the roots is taken off with light pressure.</source>
+        <translation>(f) Auch hier wird der Knochen über den Wurzeln mit leichtem Druck abgetragen.</translation>
+    </message>
+    <message>
+        <source>(g) The drill, with a larger circle, removes what surrounds the molar: its neighbours&apos; touching flanks and the bone beside it, there and back again.</source>
+        <translation>(g) Der Bohrer, mit einem größeren Kreis, entfernt, was den Backenzahn umgibt: die anliegenden Flanken der Nachbarzähne und den Knochen daneben, hin und wieder zurück.</translation>
+    </message>
+    <message>
+        <source>(a) A high range of intensity leaves the vessels of the head: as an X-ray, then as maximum intensity projection.</source>
+        <translation>(a) Ein hoher Intensitätsbereich lässt die Gefäße des Kopfes übrig: als Röntgenbild, dann als Maximumprojektion.</translation>
+    </message>
+    <message>
+        <source>(b) Seen from above, a zigzag stroke of seeds is drawn across the vessels.</source>
+        <translation>(b) In der Ansicht von oben wird die Saat als Zickzackstrich quer über die Gefäße gezeichnet.</translation>
+    </message>
+    <message>
+        <source>(c) From all places at once the region grows along the vessels, without constraint.</source>
+        <translation>(c) Von allen Stellen zugleich wächst die Region entlang der Gefäße, ohne Einschränkung.</translation>
+    </message>
+    <message>
+        <source>(d) It joins into one tree.</source>
+        <translation>(d) Sie verbindet sich zu einem einzigen Baum.</translation>
+    </message>
+    <message>
+        <source>(e) One path runs into unrelated tissue of the face, below on the right.</source>
+        <translation>(e) Ein Pfad läuft unten rechts in nicht zugehöriges Gewebe des Gesichts.</translation>
+    </message>
+    <message>
+        <source>(f) The growth is played backward until that is gone, and goes on among the brightest vessels alone.</source>
+        <translation>(f) Das Wachstum wird zurückgespielt, bis dieser Ausläufer verschwunden ist, und geht allein in den hellsten Gefäßen weiter.</translation>
+    </message>
+    <message>
+        <source>(g) The vessels are pulled out beside the head and enlarged.</source>
+        <translation>(g) Die Gefäße werden neben den Kopf herausgezogen und vergrößert.</translation>
+    </message>
+    <message>
+        <source>(a) A high range of intensity leaves the arteries: as an X-ray, then as maximum intensity projection.</source>
+        <translation>(a) Ein hoher Intensitätsbereich lässt die Arterien übrig: als Röntgenbild, dann als Maximumprojektion.</translation>
+    </message>
+    <message>
+        <source>(c) From all places at once the region grows along the arteries, without constraint.</source>
+        <translation>(c) Von allen Stellen zugleich wächst die Region entlang der Arterien, ohne Einschränkung.</translation>
+    </message>
+    <message>
+        <source>(e) Through a vein one path runs into the fat of the right cheek, and on to the temple.</source>
+        <translation>(e) Durch eine Vene läuft ein Pfad in das Fettgewebe der rechten Wange und weiter zur Schläfe.</translation>
+    </message>
+    <message>
+        <source>(f) The growth is played backward until that is gone, and goes on among the brighter arteries alone.</source>
+        <translation>(f) Das Wachstum wird zurückgespielt, bis dieser Ausläufer verschwunden ist, und geht allein in den helleren Arterien weiter.</translation>
+    </message>
+    <message>
+        <source>(g) The arteries are pulled out beside the head and enlarged.</source>
+        <translation>(g) Die Arterien werden neben den Kopf herausgezogen und vergrößert.</translation>
+    </message>
+    <message>
+        <source>(a) A high range of intensity is chosen: vessels full of contrast medium, the stent and bone are rendered as surfaces. A short stroke is drawn on the stent.</source>
+        <translation>(a) Ein hoher Intensitätsbereich wird gewählt: Gefäße voll Kontrastmittel, der Stent und Knochen werden als Oberflächen dargestellt. Ein kurzer Strich wird auf den Stent gezeichnet.</translation>
+    </message>
+    <message>
+        <source>(b) The region grows without constraint, both ways along the aorta. It is pulled out and seen beside the scan while it grows.</source>
+        <translation>(b) Die Region wächst ohne Einschränkung in beide Richtungen entlang der Aorta. Sie wird herausgezogen und ist neben dem Scan zu sehen, während sie wächst.</translation>
+    </message>
+    <message>
+        <source>(c) In the left groin it runs into the hip bone and on over the pelvis.</source>
+        <translation>(c) In der linken Leiste läuft sie in das Hüftbein und weiter über das Becken.</translation>
+    </message>
+    <message>
+        <source>(d) The growth is stopped and played backward until the bone is gone.</source>
+        <translation>(d) Das Wachstum wird angehalten und zurückgespielt, bis der Knochen verschwunden ist.</translation>
+    </message>
+    <message>
+        <source>(e) A range that ends below the bone keeps to the blood. Strokes are drawn on the arteries of both thighs.</source>
+        <translation>(e) Ein Bereich, der unterhalb der Knochenwerte endet, beschränkt sich auf das Blut. Striche werden auf die Arterien beider Oberschenkel gezeichnet.</translation>
+    </message>
+    <message>
+        <source>(f) All regions merge: the whole aorta with its stent and the arteries down to the thighs.</source>
+        <translation>(f) Alle Regionen verschmelzen: die ganze Aorta mit ihrem Stent und die Arterien bis hinab zu den Oberschenkeln.</translation>
+    </message>
+    <message>
+        <source>(c) Further on it runs into the spine and along its vessels into a kidney.</source>
+        <translation>(c) Im weiteren Verlauf gerät sie in die Wirbelsäule und entlang deren Gefäßen in eine Niere.</translation>
+    </message>
+    <message>
+        <source>(d) The growth is stopped and played backward until the spine is gone.</source>
+        <translation>(d) Das Wachstum wird angehalten und zurückgespielt, bis die Wirbelsäule verschwunden ist.</translation>
+    </message>
+    <message>
+        <source>(e) A higher range parts the vessels from the bone. Strokes are drawn on the iliac arteries and on the vessels that leave the aorta.</source>
+        <translation>(e) Ein höherer Bereich trennt die Gefäße vom Knochen. Striche werden auf die Beckenarterien und auf die von der Aorta abgehenden Gefäße gezeichnet.</translation>
+    </message>
+    <message>
+        <source>(f) All regions merge: the whole aorta with its stent, and the arteries that leave it.</source>
+        <translation>(f) Alle Regionen verschmelzen: die ganze Aorta mit ihrem Stent und die Arterien, die von ihr abgehen.</translation>
+    </message>
+    <message>
+        <source>(a) A high range of intensity leaves the bones: as an X-ray, then as surfaces coloured by the magnitude of the gradient.</source>
+        <translation>(a) Ein hoher Intensitätsbereich lässt die Knochen übrig: als Röntgenbild, dann als Oberflächen, gefärbt nach dem Gradientenbetrag.</translation>
+    </message>
+    <message>
+        <source>(b) Seen from the left, a stroke is drawn on the left side of the pelvis.</source>
+        <translation>(b) In der Ansicht von links wird ein Strich auf die linke Seite des Beckens gezeichnet.</translation>
+    </message>
+    <message>
+        <source>(c) The view is turned and strokes are drawn on the left ribs.</source>
+        <translation>(c) Die Ansicht wird gedreht, und auf die linken Rippen werden Striche gezeichnet.</translation>
+    </message>
+    <message>
+        <source>(d) Turned to the other side: strokes on the right ribs.</source>
+        <translation>(d) Zur anderen Seite gedreht: Striche auf den rechten Rippen.</translation>
+    </message>
+    <message>
+        <source>(e) The right side of the pelvis; and from behind the sacrum, which belongs to it, and the spine.</source>
+        <translation>(e) Die rechte Seite des Beckens; und von hinten das Kreuzbein, das zum Becken gehört, und die Wirbelsäule.</translation>
+    </message>
+    <message>
+        <source>(f) The scissors fence the spine off from behind and from the side, so that it does not grow into ribs and pelvis. Then the regions start to grow.</source>
+        <translation>(f) Die Schere grenzt die Wirbelsäule von hinten und von der Seite ab, damit sie nicht in Rippen und Becken wächst. Dann beginnen die Regionen zu wachsen.</translation>
+    </message>
+    <message>
+        <source>(g) Ribs and pelvis grow without constraint until nothing more grows.</source>
+        <translation>(g) Rippen und Becken wachsen ohne Einschränkung, bis nichts mehr wächst.</translation>
+    </message>
+    <message>
+        <source>(h) Seen from above, the drill opens the scan deep down along the view. The bones are spared and stand in it.</source>
+        <translation>(h) In der Ansicht von oben öffnet der Bohrer den Scan in Blickrichtung bis tief hinab. Die Knochen werden verschont und stehen darin.</translation>
+    </message>
+    <message>
+        <source>(i) The segments are pulled out, enlarged and set apart.</source>
+        <translation>(i) Die Segmente werden herausgezogen, vergrößert und auseinandergerückt.</translation>
+    </message>
+    <message>
+        <source>(b) Seen from the left, a stroke is drawn on the left side of the pelvis and down to the thigh.</source>
+        <translation>(b) In der Ansicht von links wird ein Strich auf die linke Seite des Beckens und bis hinab zum Oberschenkel gezeichnet.</translation>
+    </message>
+    <message>
+        <source>(c) The view is turned a little and strokes are drawn on the left ribs.</source>
+        <translation>(c) Die Ansicht wird ein wenig gedreht, und auf die linken Rippen werden Striche gezeichnet.</translation>
+    </message>
+    <message>
+        <source>(e) The right side of the pelvis, and the front of the spine.</source>
+        <translation>(e) Die rechte Seite des Beckens und die Vorderseite der Wirbelsäule.</translation>
+    </message>
+    <message>
+        <source>(f) The scissors fence the spine off from the front and from the side, so that it does not grow into the pelvis. Then it grows.</source>
+        <translation>(f) Die Schere grenzt die Wirbelsäule von vorn und von der Seite ab, damit sie nicht in das Becken wächst. Dann wächst sie.</translation>
+    </message>
+    <message>
+        <source>(g) Ribs and pelvis grow without constraint until nothing more grows. Marrow and gaps are closed.</source>
+        <translation>(g) Rippen und Becken wachsen ohne Einschränkung, bis nichts mehr wächst. Markräume und Lücken werden geschlossen.</translation>
+    </message>
+    <message>
+        <source>(h) Seen from above, the drill opens the scan in front of the spine, deep down along the view. The bones are spared and lie open in it.</source>
+        <translation>(h) In der Ansicht von oben öffnet der Bohrer den Scan vor der Wirbelsäule, in Blickrichtung bis tief hinab. Die Knochen werden verschont und liegen darin frei.</translation>
+    </message>
+    <message>
+        <source>(a) A low range of intensity shows air and gas: as an X-ray, and as surfaces, where the skin hides the colon.</source>
+        <translation>(a) Ein niedriger Intensitätsbereich zeigt Luft und Gas: als Röntgenbild und als Oberflächen, bei denen die Haut den Dickdarm verdeckt.</translation>
+    </message>
+    <message>
+        <source>(b) The peeling tool: an ellipse is drawn on the abdomen.</source>
+        <translation>(b) Das Schälwerkzeug: Eine Ellipse wird auf den Bauch gezeichnet.</translation>
+    </message>
+    <message>
+        <source>(c) The wall of the abdomen is peeled off within it, layer by layer, until the gas in the colon lies open.</source>
+        <translation>(c) Darin wird die Bauchwand Lage um Lage abgeschält, bis das Gas im Dickdarm offen liegt.</translation>
+    </message>
+    <message>
+        <source>(d) Strokes are drawn on the parts of the colon that hold gas.</source>
+        <translation>(d) Striche werden auf die Abschnitte des Dickdarms gezeichnet, die Gas enthalten.</translation>
+    </message>
+    <message>
+        <source>(e) They grow in the low range, held by a rule on the magnitude of the gradient, which is great at the wall.</source>
+        <translation>(e) Sie wachsen im niedrigen Bereich, gehalten von einer Regel für den Gradientenbetrag, der an der Wand groß ist.</translation>
+    </message>
+    <message>
+        <source>(f) The gas is filled; no other tissue is reached.</source>
+        <translation>(f) Der Gasraum ist gefüllt; kein anderes Gewebe ist erreicht.</translation>
+    </message>
+    <message>
+        <source>(g) In a high range the other part is seen: stool with contrast medium, among the bones. Strokes are drawn on it.</source>
+        <translation>(g) In einem hohen Bereich ist der andere Teil zu sehen: Stuhl mit Kontrastmittel, zwischen den Knochen. Striche werden darauf gezeichnet.</translation>
+    </message>
+    <message>
+        <source>(h) They grow in the same way, held by the gradient.</source>
+        <translation>(h) Sie wachsen auf dieselbe Weise, gehalten vom Gradienten.</translation>
+    </message>
+    <message>
+        <source>(i) Gas and stool are made one, the seam between them is closed, and a wide range with the abdomen peeled open shows the whole colon.</source>
+        <translation>(i) Gas und Stuhl werden vereinigt, die Naht zwischen ihnen wird geschlossen, und ein weiter Bereich bei aufgeschältem Bauch zeigt den ganzen Dickdarm.</translation>
+    </message>
+    <message>
+        <source>(j) The colon is pulled out beside the scan and coloured by the magnitude of the gradient.</source>
+        <translation>(j) Der Dickdarm wird neben den Scan herausgezogen und nach dem Gradientenbetrag gefärbt.</translation>
+    </message>
+    <message>
+        <source>(g) In a high range the other part is seen: stool. The scan is opened section by section, and broad strokes are drawn on what belongs to the colon.</source>
+        <translation>(g) In einem hohen Bereich ist der andere Teil zu sehen: Stuhl. Der Scan wird Schnitt für Schnitt geöffnet, und breite Striche werden auf das gezeichnet, was zum Dickdarm gehört.</translation>
+    </message>
+    <message>
+        <source>(h) They grow in the same way for a few generations, until they meet the wall of the colon.</source>
+        <translation>(h) Sie wachsen auf dieselbe Weise einige Generationen lang, bis sie auf die Wand des Dickdarms treffen.</translation>
+    </message>
+    <message>
+        <source>(i) Gas and stool are made one, the wall between them is closed, and a wide range with the abdomen peeled open shows the whole colon.</source>
+        <translation>(i) Gas und Stuhl werden vereinigt, die Wand zwischen ihnen wird überbrückt, und ein weiter Bereich bei aufgeschältem Bauch zeigt den ganzen Dickdarm.</translation>
+    </message>
+    <message>
+        <source>(a) A wide range of intensities is selected: the whole head as a surface, from the front and from above.</source>
+        <translation>(a) Ein weiter Intensitätsbereich wird gewählt: der ganze Kopf als Oberfläche, von vorn und von oben.</translation>
+    </message>
+    <message>
+        <source>(b) The drill is chosen and a tube is drawn in one stroke: once around the head, inwards, and once around its middle. The mask is green while the pen does not press.</source>
+        <translation>(b) Der Bohrer wird gewählt und ein Rohr in einem Strich gezeichnet: einmal um den Kopf, nach innen, und einmal um seine Mitte. Die Maske ist grün, solange der Stift nicht drückt.</translation>
+    </message>
+    <message>
+        <source>(c) The pen presses, the mask turns red, and the drill goes down to three quarters of the depth. What then hangs loose is cut with it.</source>
+        <translation>(c) Der Stift drückt, die Maske wird rot, und der Bohrer geht bis in drei Viertel der Tiefe hinab. Was danach lose hängt, wird mit weggeschnitten.</translation>
+    </message>
+    <message>
+        <source>(d) A transfer function over the gradient&apos;s magnitude gives edges a light colour and the even inside of tissue a red one. The shell that was cut out is pasted beside what remains.</source>
+        <translation>(d) Eine Transferfunktion über dem Gradientenbetrag gibt Kanten eine helle Farbe und dem gleichmäßigen Inneren von Gewebe eine rote. Die ausgeschnittene Schale wird neben dem Verbliebenen eingefügt.</translation>
+    </message>
+    <message>
+        <source>(a) An engine block, displayed as a surface.</source>
+        <translation>(a) Ein Motorblock, als Oberfläche angezeigt.</translation>
+    </message>
+    <message>
+        <source>(b) A circle is swept along a helix around the block. All values are displayed to see the swept body whole.</source>
+        <translation>(b) Ein Kreis wird entlang einer Helix um den Block ausgetragen. Alle Werte werden angezeigt, damit der ausgetragene Körper ganz zu sehen ist.</translation>
+    </message>
+    <message>
+        <source>(c) The helix is subtracted from the block.</source>
+        <translation>(c) Die Helix wird vom Block abgezogen.</translation>
+    </message>
+    <message>
+        <source>(a) The head, displayed as a surface.</source>
+        <translation>(a) Der Kopf, als Oberfläche angezeigt.</translation>
+    </message>
+    <message>
+        <source>(b) A circle is swept along a helix around the head. All values are displayed to see the swept body whole.</source>
+        <translation>(b) Ein Kreis wird entlang einer Helix um den Kopf ausgetragen. Alle Werte werden angezeigt, damit der ausgetragene Körper ganz zu sehen ist.</translation>
+    </message>
+    <message>
+        <source>(c) The helix is subtracted from the head.</source>
+        <translation>(c) Die Helix wird vom Kopf abgezogen.</translation>
+    </message>
+    <message>
+        <source>(a) The whole range of intensities is displayed: the head from its skin inwards.</source>
+        <translation>(a) Der ganze Intensitätsbereich wird angezeigt: der Kopf von der Haut an einwärts.</translation>
+    </message>
+    <message>
+        <source>(b) A low range is selected on the histogram, that of fluid. As an X-ray it shows the fluid around the brain, the ventricles and the eyes.</source>
+        <translation>(b) Im Histogramm wird ein niedriger Bereich gewählt, jener von Flüssigkeit. Als Röntgenbild zeigt er die Flüssigkeit um das Gehirn, die Ventrikel und die Augen.</translation>
+    </message>
+    <message>
+        <source>(c) As a surface the same range begins at the skin, whose edge passes through it.</source>
+        <translation>(c) Als Oberfläche beginnt derselbe Bereich an der Haut, deren Kante ihn durchläuft.</translation>
+    </message>
+    <message>
+        <source>The head is displayed from its skin inwards and a corner of it is clipped away, so that the colours inside are seen too.</source>
+        <translation>Der Kopf wird von der Haut an einwärts angezeigt und an einer Ecke beschnitten, damit auch die Farben im Inneren zu sehen sind.</translation>
+    </message>
+    <message>
+        <source>(a) Colours over the histogram of intensities: blue for fluid, red for grey matter and muscle, cream for white matter, yellow for fat.</source>
+        <translation>(a) Farben über dem Histogramm der Intensitäten: Blau für Flüssigkeit, Rot für graue Substanz und Muskel, Creme für weiße Substanz, Gelb für Fett.</translation>
+    </message>
+    <message>
+        <source>(b) Colours over the histogram of gradient magnitudes: blue where values are even, green to orange where they change steeply.</source>
+        <translation>(b) Farben über dem Histogramm der Gradientenbeträge: Blau, wo die Werte gleichmäßig sind, Grün bis Orange, wo sie sich steil ändern.</translation>
+    </message>
+    <message>
+        <source>(c) Colours over both at once: each even tissue has its own, the skin has its own by its low values and steep edge, and the edges inside are green.</source>
+        <translation>(c) Farben über beiden zugleich: Jedes gleichmäßige Gewebe hat seine eigene, die Haut hat ihre eigene durch ihre niedrigen Werte und ihre steile Kante, und die Kanten im Inneren sind grün.</translation>
+    </message>
+    <message>
+        <source>The back of the head, where the skin is even, is looked at.</source>
+        <translation>Betrachtet wird der Hinterkopf, wo die Haut gleichmäßig ist.</translation>
+    </message>
+    <message>
+        <source>(a) Drilled along the view: the depth is the greatest depth times the pressure. With a greatest depth of 10 steps, pressures of 0.2, 0.3, 0.5 and 1 make holes of 2, 3, 5 and 10 steps. A slice through them shows it.</source>
+        <translation>(a) In Blickrichtung gebohrt: Die Tiefe ist die größte Tiefe, multipliziert mit dem Druck. Bei einer größten Tiefe von 10 Schritten ergeben Drücke von 0.2, 0.3, 0.5 und 1 Löcher von 2, 3, 5 und 10 Schritten. Eine Schicht durch die Löcher zeigt es.</translation>
+    </message>
+    <message>
+        <source>(b) Burned by the laser along the normal of the surface: with a greatest depth of 20 steps, pressures of 0.1, 0.15, 0.25 and 0.5 make the same depths.</source>
+        <translation>(b) Mit dem Laser entlang der Oberflächennormale gebrannt: Bei einer größten Tiefe von 20 Schritten ergeben Drücke von 0.1, 0.15, 0.25 und 0.5 dieselben Tiefen.</translation>
+    </message>
+    <message>
+        <source>(c) Peeled: each pixel that the pen is dragged down takes a tenth of a layer off, so 20, 30, 50 and 100 pixels take 2, 3, 5 and 10 layers.</source>
+        <translation>(c) Geschält: Jedes Pixel, um das der Stift nach unten gezogen wird, nimmt ein Zehntel einer Lage ab; 20, 30, 50 und 100 Pixel nehmen also 2, 3, 5 und 10 Lagen ab.</translation>
+    </message>
+    <message>
+        <source>(d) What the three tools have removed, seen from the side: drilled above, burned in the middle, peeled below.</source>
+        <translation>(d) Was die drei Werkzeuge entfernt haben, von der Seite gesehen: oben gebohrt, in der Mitte gebrannt, unten geschält.</translation>
+    </message>
+    <message>
+        <source>The upper part of the head is clipped away, so that the lateral ventricles are seen in a section. A stroke on each sets the seeds.</source>
+        <translation>Der Kopf wird um seinen oberen Teil beschnitten, damit die Seitenventrikel in einer Schnittfläche zu sehen sind. Ein Strich auf jedem setzt die Saat.</translation>
+    </message>
+    <message>
+        <source>(a) Growth stops after some generations. Drawn voxel by voxel, the region shows the corners of its front.</source>
+        <translation>(a) Das Wachstum hält nach einigen Generationen an. Voxel für Voxel gezeichnet, zeigt die Region die Ecken ihrer Front.</translation>
+    </message>
+    <message>
+        <source>(b) Each voxel of the region radiates into those around it, and what is drawn is the level of one half: the front&apos;s steps of one voxel are smooth.</source>
+        <translation>(b) Jedes Voxel der Region strahlt in die umliegenden, und gezeichnet wird das Niveau von einem Halben: Die Stufen der Front von einem Voxel sind glatt.</translation>
+    </message>
+    <message>
+        <source>(c) Closer: thin ends of one voxel&apos;s width stay, and no voxel shows its corners.</source>
+        <translation>(c) Näher: Dünne Enden von einem Voxel Breite bleiben, und kein Voxel zeigt seine Ecken.</translation>
+    </message>
+    <message>
+        <source>(a) A rectangle, with the drill: straight down along the view.</source>
+        <translation>(a) Ein Rechteck, mit dem Bohrer: in Blickrichtung gerade hinab.</translation>
+    </message>
+    <message>
+        <source>(b) An ellipse, with the laser: the pen moves over the head with growing pressure, and the laser burns along the surface&apos;s normal.</source>
+        <translation>(b) Eine Ellipse, mit dem Laser: Der Stift bewegt sich mit wachsendem Druck über den Kopf, und der Laser brennt entlang der Oberflächennormale.</translation>
+    </message>
+    <message>
+        <source>(c) A polyline, with the peeling tool: a star, twelve layers deep.</source>
+        <translation>(c) Ein Linienzug, mit dem Schälwerkzeug: ein Stern, zwölf Lagen tief.</translation>
+    </message>
+    <message>
+        <source>(d) A free-form stroke, with the peeling tool: a heart, to the bone.</source>
+        <translation>(d) Ein Freihandstrich, mit dem Schälwerkzeug: ein Herz, bis auf den Knochen.</translation>
+    </message>
+    <message>
+        <source>The scan was made with the pot lying on its side: it is set upright.</source>
+        <translation>Bei der Aufnahme lag die Kanne auf der Seite: Der Scan wird aufrecht gestellt.</translation>
+    </message>
+    <message>
+        <source>(a) A rectangle, with the drill: a window through the wall.</source>
+        <translation>(a) Ein Rechteck, mit dem Bohrer: ein Fenster durch die Wand.</translation>
+    </message>
+    <message>
+        <source>(b) An ellipse, with the laser: the pen goes down the belly with growing pressure.</source>
+        <translation>(b) Eine Ellipse, mit dem Laser: Der Stift fährt mit wachsendem Druck den Bauch hinab.</translation>
+    </message>
+    <message>
+        <source>(c) A polyline, with the peeling tool: a star, two layers deep.</source>
+        <translation>(c) Ein Linienzug, mit dem Schälwerkzeug: ein Stern, zwei Lagen tief.</translation>
+    </message>
+    <message>
+        <source>(d) A free-form stroke, with the drill: a heart, through the wall.</source>
+        <translation>(d) Ein Freihandstrich, mit dem Bohrer: ein Herz, durch die Wand.</translation>
+    </message>
+    <message>
+        <source>(a) The X-ray of the teapot shows that something is in it.</source>
+        <translation>(a) Das Röntgenbild der Teekanne zeigt, dass etwas darin ist.</translation>
+    </message>
+    <message>
+        <source>(b) From above an ellipse is drawn and the pot is drilled open.</source>
+        <translation>(b) Von oben wird eine Ellipse gezeichnet und die Kanne aufgebohrt.</translation>
+    </message>
+    <message>
+        <source>(c) Free-form strokes on the lobster set the seeds.</source>
+        <translation>(c) Freihandstriche auf dem Hummer setzen die Saat.</translation>
+    </message>
+    <message>
+        <source>(d) The region grows until nothing of the lobster is left to take.</source>
+        <translation>(d) Die Region wächst, bis vom Hummer nichts mehr zu nehmen bleibt.</translation>
+    </message>
+    <message>
+        <source>(e) The lobster is pulled out of the pot and enlarged.</source>
+        <translation>(e) Der Hummer wird aus der Kanne herausgezogen und vergrößert.</translation>
+    </message>
 </context>
 <context>
     <name>library</name>
@@ -4428,6 +4976,14 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
     <message>
         <source>Ctrl+Alt+V</source>
         <translation>Ctrl+Alt+V</translation>
+    </message>
+    <message>
+        <source>Segments as voxels</source>
+        <translation>Segmente als Voxel</translation>
+    </message>
+    <message>
+        <source>Segments voxel by voxel, as they grow, instead of smooth</source>
+        <translation>Segmente Voxel für Voxel, wie sie wachsen, statt glatt</translation>
     </message>
 </context>
 <context>

@@ -1,4 +1,4 @@
-#SPDX - License - Identifier : Apache - 2.0
+# SPDX-License-Identifier: Apache-2.0
 """A segment is pulled out by a key and by its row's menu, moved, turned and scaled by hand, and goes back; it follows what is done to the
 segment. With parts that are pasted it stands in a list, is named, hidden, discarded and spread, and all of it is replayed."""
 

@@ -198,6 +198,11 @@ void MainWindow::makeLookActions() {
         tr("MIP and X-ray: what is in a segment has the segment's colour"), "Shift+T",
         [&view](bool on) { view.setTintsSegments(on); }, [&view] { return view.shown().tintsSegments; });
     add(
+        "voxelSegments", tr("Segments as voxels"),
+        tr("Segments voxel by voxel, as they grow, instead of smooth"), "Shift+X",
+        [&view](bool on) { view.setSmoothsSegments(!on); },
+        [&view] { return !view.shown().smoothsSegments; });
+    add(
         "invert", tr("Invert"), tr("MIP and X-ray: dark on light, as PET is often read; colours stay"),
         "Shift+I", [&view](bool on) { view.setInverted(on); }, [&view] { return view.shown().isInverted; });
 }

@@ -70,6 +70,7 @@ void MainWindow::makeMenus() {
                        "-",
                        "hideAbove",
                        "tintSegments",
+                       "voxelSegments",
                        "invert",
                        "-",
                        "smoothSampling",

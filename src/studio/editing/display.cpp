@@ -12,8 +12,9 @@ Pipeline::State Display::stateOf(const View& from, double segmentsMs) const {
     state.growth = contents_->region.growth();
     state.segments = &contents_->segments;
     state.isCutAlongSegments = contents_->isCutAlongSegments();
-    state.smoothing =
-        contents_->inHand == InHand::Scrub ? segment::Smoothing::Plain : segment::Smoothing::Smooth;
+    state.smoothing = contents_->inHand == InHand::Scrub || !from.smoothsSegments
+                          ? segment::Smoothing::Plain
+                          : segment::Smoothing::Smooth;
     state.segmentsMs = segmentsMs;
     state.greyWindow = contents_->scan.grey;
     state.cuttingSince = contents_->cuttingSince;

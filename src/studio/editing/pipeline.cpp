@@ -12,13 +12,19 @@ namespace vs::studio {
 Pipeline::Pipeline(const field::Field& field)
     : field_(&field), serial_(field.serial), cellRanges_(field::computeCellRanges(field)) {}
 
-void Pipeline::followField() {
-    if (std::exchange(serial_, field_->serial) == field_->serial) {
-        return;
+void Pipeline::follow(const View& view) {
+    if (std::exchange(serial_, field_->serial) != field_->serial) {
+        smoothed_.reset();
+        dropSegments();
     }
+    if (std::exchange(areSegmentsSmooth_, view.smoothsSegments) != view.smoothsSegments) {
+        dropSegments();
+    }
+}
+
+void Pipeline::dropSegments() {
     segmentation_.reset();
     partSegmentation_.reset();
-    smoothed_.reset();
     cells_.key.reset();
     segmentCells_.key.reset();
     light_.key.reset();
@@ -125,7 +131,7 @@ render::SegmentColours Pipeline::segmentColours(const State& state) {
 }
 
 render::SliceFrame Pipeline::slice(const State& state, const render::SliceView& view) {
-    followField();
+    follow(*state.view);
     render::SliceFrame frame;
     frame.scene = scene(state, true);
     if (frame.scene.segmentation != nullptr && segmentation_->goesOnBehindCuts()) {
@@ -144,7 +150,7 @@ render::SliceFrame Pipeline::slice(const State& state, const render::SliceView& 
 }
 
 render::Frame Pipeline::frame(const State& state, glm::ivec2 size) {
-    followField();
+    follow(*state.view);
     const View& view = *state.view;
     const bool drawsSegments = view.mode == render::Mode::Overlay || view.mode == render::Mode::Segment ||
                                view.mode == render::Mode::Volume;

@@ -71,11 +71,13 @@ private:
         bool operator==(const Key&) const = default;
     };
 
-    // Drops what was made for voxels that lay elsewhere.
-    void followField();
+    // Drops what was made for voxels that lay elsewhere, or for segments that were smoothed otherwise.
+    void follow(const View& view);
+    void dropSegments();
 
     const field::Field* field_;
     std::uint64_t serial_; // the field's, for which all the following was made
+    bool areSegmentsSmooth_ = true;
     field::CellRanges cellRanges_;
     std::optional<segment::Segmentation> segmentation_; // made when first drawn
     // The same for pasted parts, while they are drawn beside what is left and growth had a fence.

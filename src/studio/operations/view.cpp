@@ -24,7 +24,8 @@ bool View::differsInSlicesOnly(const View& other) const {
 SetView setViewTo(const View& view) {
     return {view.camera,        view.mode,        view.range,       view.sculptureView, view.transferFunction,
             view.pasted,        view.sampling,    view.shadows,     view.hidesAbove,    view.surfaceSmoothing,
-            view.tintsSegments, view.sliceWindow, view.tintsSlices, view.isInverted,    view.spread};
+            view.tintsSegments, view.sliceWindow, view.tintsSlices, view.isInverted,    view.smoothsSegments,
+            view.spread};
 }
 
 View changed(View view, const SetView& by) {
@@ -42,6 +43,7 @@ View changed(View view, const SetView& by) {
     view.sliceWindow = by.sliceWindow.value_or(view.sliceWindow);
     view.tintsSlices = by.tintsSlices.value_or(view.tintsSlices);
     view.isInverted = by.isInverted.value_or(view.isInverted);
+    view.smoothsSegments = by.smoothsSegments.value_or(view.smoothsSegments);
     view.spread = by.spread.value_or(view.spread);
     return view;
 }

@@ -43,8 +43,9 @@ struct View {
     bool tintsSegments = false; // in MIP and X-ray: what is in a visible segment has its colour
     // The values that slices show from black to white; nothing: those that suit the scan.
     std::optional<Range> sliceWindow = {};
-    bool tintsSlices = false; // slices show in colour what the 3D picture shows
-    bool isInverted = false;  // MIP and X-ray are dark on light; colours stay what they are
+    bool tintsSlices = false;    // slices show in colour what the 3D picture shows
+    bool isInverted = false;     // MIP and X-ray are dark on light; colours stay what they are
+    bool smoothsSegments = true; // false: segments are drawn voxel by voxel, as they grow
     // An exploded view: pasted parts and segments that are pulled out lie 1 + spread times as far from the
     // scan's middle as they were put.
     double spread = 0;
@@ -89,6 +90,7 @@ struct SetView {
     std::optional<std::optional<Range>> sliceWindow = {};
     std::optional<bool> tintsSlices = {};
     std::optional<bool> isInverted = {};
+    std::optional<bool> smoothsSegments = {};
     std::optional<double> spread = {};
 
     template <typename = void>
@@ -108,6 +110,8 @@ struct SetView {
             sparse("sliceWindow", &SetView::sliceWindow, {.mayBeNull = true}),
             sparse("tintSlices", &SetView::tintsSlices),
             sparse("invert", &SetView::isInverted),
+            sparse("smoothSegments", &SetView::smoothsSegments, {},
+                   "false: segments are drawn voxel by voxel"),
             sparse("spread", &SetView::spread, kSpread,
                    "pasted parts and segments that are pulled out lie 1 + `spread` times as far "
                    "from the scan's middle as they were put")};

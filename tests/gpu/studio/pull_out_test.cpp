@@ -7,6 +7,7 @@
 #include "render/rays/ray_caster.h"
 #include "segment/membership/segmentation.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace vs::studio {
@@ -231,6 +232,28 @@ TEST_F(PullOutTest, FollowsAllThatBecomesOfTheSegmentInTheNextPicture) {
         const auto place = document.segments().find("grown")->pulledOut->place;
         expectAlike(seen, fresh.alone("grown", place), kRounding, about(step).name);
     }
+}
+
+// Drawn voxel by voxel it is what it is alone, too, and smooth again it is what it was.
+TEST_F(PullOutTest, IsDrawnVoxelByVoxelWhereTheViewSaysSo) {
+    Parts parts;
+    parts.document.apply(PullOut{"shell", aside()});
+    const auto smooth = parts.picture();
+    SetView voxels;
+    voxels.smoothsSegments = false;
+    parts.document.apply(voxels);
+    const auto values = parts.document.frame(kPicture).scene.segmentation->downloadAll<std::uint8_t>();
+    EXPECT_TRUE(
+        std::all_of(values.begin(), values.end(), [](int value) { return value == 0 || value == 255; }));
+    const auto rough = parts.picture();
+    EXPECT_NE(rough.rgba, smooth.rgba);
+    const auto seen = parts.pulledOut();
+    voxels.smoothsSegments = true;
+    parts.document.apply(voxels);
+    EXPECT_EQ(parts.picture().rgba, smooth.rgba);
+    voxels.smoothsSegments = false;
+    parts.document.apply(voxels);
+    expectAlike(seen, parts.alone("shell", aside()), kRounding, "voxels");
 }
 
 // A voxel that goes from one segment to another leaves all of them together as they were.

@@ -102,6 +102,12 @@ void ViewModel::setSampling(field::Sampling sampling) {
     showView(next);
 }
 
+void ViewModel::setSmoothsSegments(bool smooths) {
+    auto next = view_;
+    next.smoothsSegments = smooths;
+    showView(next);
+}
+
 void ViewModel::setSpread(double spread) {
     auto next = view_;
     next.spread = spread;

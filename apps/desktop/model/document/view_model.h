@@ -43,6 +43,8 @@ public:
     // MIP and X-ray dark on light.
     void setInverted(bool isInverted);
     void setSampling(field::Sampling sampling);
+    // Segments smooth, or voxel by voxel.
+    void setSmoothsSegments(bool smooths);
     // How far parts are moved apart: an exploded view.
     void setSpread(double spread);
     // The values that slices show from black to white; nothing: those that suit the scan.

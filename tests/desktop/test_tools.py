@@ -193,11 +193,11 @@ def keep_connected(studio):
     studio.key("Home")  # a paste has moved the view to show both
     choose(studio, "x", "scissors")
     done = Done(studio)
-    studio.drag([studio.view_point(*place) for place in ((0.2, 0.5), (0.8, 0.5), (0.8, 0.53), (0.2, 0.53))])
+    studio.drag([studio.view_point(*place) for place in ((0.02, 0.5), (0.98, 0.5), (0.98, 0.53), (0.02, 0.53))])
     done.wait("Scissors")
     choose(studio, "k", "keep")
     done = Done(studio)
-    studio.click(studio.view_point(0.5, 0.3))
+    studio.click(studio.view_point(0.25, 0.4))  # the head stands left of what was pasted
     done.wait("Keep connected")
 
 

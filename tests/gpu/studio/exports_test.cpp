@@ -103,7 +103,7 @@ TEST_F(ExportsTest, PastedPartsAreObjectsWhereTheyWerePut) {
     document.apply(halfOff());
     const double half = millilitresOf(writeExport(path, read(document, What::Volume), settings).front());
     EXPECT_NEAR(half / whole, 0.5, 0.02) << "the cut goes through the middle";
-    document.apply(Paste{{{200, 0, 0}, {}, 2}});
+    document.apply(Paste{{{200, 0, 0}, {}, 2}, {}, true});
     const auto line = writeExport(path, read(document, What::Volume), settings).front();
     EXPECT_NE(line.find("2 surfaces"), std::string::npos) << line;
     EXPECT_NEAR(millilitresOf(line) / whole, 0.5 + 8 * 0.5, 0.1) << "twice as large each way";

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 // The page of the move tool: what stands beside the rest, and how far apart.
+#include "model/segments/segment_controller.h"
 #include "model/studio/studio_controller.h"
 #include "panels/part_list.h"
 #include "panels/tool_pages.h"

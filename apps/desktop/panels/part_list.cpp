@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "panels/part_list.h"
 
+#include "model/segments/segment_controller.h"
 #include "model/studio/studio_controller.h"
 #include "parts/panel_parts.h"
 #include "studio/document/document_facts.h"

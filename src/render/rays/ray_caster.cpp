@@ -10,13 +10,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <thread>
 
 namespace vs::render {
 
 namespace {
 
-constexpr int kSquare = 8;           // pixels; a work group's
 constexpr int kFewSquares = 256;     // no submission is shorter, but for what is left
 constexpr double kSubmissionMs = 25; // nor much longer than this
 constexpr glm::vec2 kCentre{0.5F, 0.5F};
@@ -47,14 +45,6 @@ Lattice latticeOf(int sample, int samples, double sampleStep) {
     const int others = samples - 1;
     const double golden = 0.61803398874989485; // any few in a row are spread evenly
     return {float(std::min(others, mostCoarse) * sampleStep), float(glm::fract(0.5 + sample * golden))};
-}
-
-glm::ivec2 squareCount(glm::ivec2 size) { return (size + kSquare - 1) / kSquare; }
-
-// Work groups for so many squares: as many rows as a software renderer has threads; see squares.glsl.
-glm::ivec3 groupsFor(int squares) {
-    const int rows = std::clamp(int(std::thread::hardware_concurrency()), 1, 64);
-    return {(squares + rows - 1) / rows, rows, 1};
 }
 
 } // namespace
@@ -89,8 +79,7 @@ ViewBlock viewBlock(const ViewRays& rays, const volume::GridGeometry& geometry) 
 
 RayCaster::RayCaster()
     : resolve_("render/shaders/resolve_picture.comp"), findBeams_("render/shaders/find_beams.comp"),
-      listSquares_("render/shaders/list_squares.comp"), fillFilm_("render/shaders/fill_film.comp"),
-      squareCounts_(2 * sizeof(std::uint32_t), "square counts"),
+      fillFilm_("render/shaders/fill_film.comp"),
       segmentColours_(glm::ivec2(256, 1), gl::Format::RGBA32F, gl::Filter::Nearest, "segment colours") {}
 
 void RayCaster::start(const Frame& frame) {
@@ -103,17 +92,13 @@ void RayCaster::start(const Frame& frame) {
         frame_.background = complement(forInverted(frame.background));
     }
     sample_ = 0;
+    stage_ = 0;
     square_ = 0;
     const glm::ivec2 size = frame.rays.size;
     if (glm::ivec2(accumulation_.size()) != size) {
         accumulation_ = gl::Texture(size, gl::Format::RGBA32F, gl::Filter::Nearest, "accumulation");
         picture_ = gl::Texture(size, gl::Format::RGBA8, gl::Filter::Linear, "picture");
-        const glm::ivec2 squares = squareCount(size);
-        const std::size_t bytes = std::size_t(squares.x * squares.y) * sizeof(std::uint32_t);
-        squares_.reserve(bytes);
-        placeOfSquare_.reserve(bytes);
-        contrasts_.reserve(bytes);
-        unsettled_.reserve(bytes);
+        squares_.resize(size);
     }
     const bool hasParts = !frame.pasted.empty() || !frame.pulled.empty();
     if (hasParts && glm::ivec2(seenFront_.size()) != size) {
@@ -130,8 +115,13 @@ void RayCaster::start(const Frame& frame) {
 }
 
 double RayCaster::share() const {
-    const double ofSample = activeSquares_ > 0 ? double(square_) / activeSquares_ : 0;
-    return std::min((sample_ + ofSample) / std::max(frame_.samples, 1), 1.0);
+    double done = square_;
+    double all = 0;
+    for (std::size_t stage = 0; stage < stages(); ++stage) {
+        all += squaresOfStage(stage);
+        done += stage < stage_ ? squaresOfStage(stage) : 0;
+    }
+    return std::min((sample_ + (all > 0 ? done / all : 0)) / std::max(frame_.samples, 1), 1.0);
 }
 
 bool RayCaster::isComplete() const { return sample_ >= frame_.samples; }
@@ -147,37 +137,20 @@ void RayCaster::findBeams() {
 }
 
 void RayCaster::listSquares() {
-    const gl::Pass pass("list squares");
-    const glm::ivec2 count = squareCount(frame_.rays.size);
-    parts_.back().beams.bindTexture(kBeamsTexture);
-    squares_.bindStorage(kSquaresStorage);
-    placeOfSquare_.bindStorage(kPlacesStorage);
-    squareCounts_.clear();
-    squareCounts_.bindStorage(kSquareCountsStorage);
-    // Where parts are drawn beside one another, their beams differ.
-    listSquares_.set("squareCount", count)
-        .set("beamPixels", beamPixels(frame_))
-        .set("takeAll", parts_.size() > 1 ? 1 : 0);
-    listSquares_.dispatchOver({count, 1}, gl::Barrier::Storage);
-    occupiedSquares_ = activeSquares_ = int(squareCounts_.readValue<std::uint32_t>());
-    contrasts_.clear();
+    squares_.forget();
+    for (const Part& part : parts_) {
+        squares_.mark(part.beams, beamPixels(frame_));
+    }
+    squares_.list();
+    listPartSquares();
 }
 
-// After two samples: squares where they agree take no more.
-void RayCaster::setSettledAside() {
-    const gl::Pass pass("set settled squares aside");
-    squares_.bindStorage(kSquaresStorage);
-    squareCounts_.clear();
-    squareCounts_.bindStorage(kSquareCountsStorage);
-    placeOfSquare_.bindStorage(kPlacesStorage);
-    contrasts_.bindStorage(kContrastsStorage);
-    unsettled_.bindStorage(kOrderedStorage);
-    gl::Program& program = setAside_.with({});
-    program.set("squareCount", squareCount(frame_.rays.size)).set("occupied", occupiedSquares_);
-    const glm::ivec2 all = squareCount(frame_.rays.size);
-    program.dispatchOverList(std::size_t(all.x) * std::size_t(all.y), gl::Barrier::Storage);
-    activeSquares_ = int(squareCounts_.readValue<std::uint32_t>());
-    std::swap(squares_, unsettled_);
+void RayCaster::listPartSquares() {
+    for (Part& part : parts_) {
+        if (hasParts()) {
+            squares_.listPart(part.beams, beamPixels(frame_), part.squares);
+        }
+    }
 }
 
 void RayCaster::boundSlabs() {
@@ -200,19 +173,15 @@ bool RayCaster::hasFilm() const {
 
 void RayCaster::fillFilm() {
     const gl::Pass pass("fill film");
-    const glm::ivec2 all = squareCount(frame_.rays.size);
-    const int empty = all.x * all.y - occupiedSquares_;
-    fillFilm_.set("squareRange", glm::ivec2(occupiedSquares_, empty))
+    bindPart(parts_.back());
+    squares_.bind();
+    const int empty = squares_.all() - squares_.occupied();
+    fillFilm_.set("squareRange", glm::ivec2(squares_.occupied(), empty))
         .set("pixelOffset", sample_ == 0 ? kCentre : placeInPixel(sample_))
         .set("addToPrevious", sample_ > 0 ? 1 : 0)
         .set("backgroundTop", glm::vec4(frame_.background.top, 0.0F))
         .set("backgroundBottom", glm::vec4(frame_.background.bottom, 0.0F));
-    fillFilm_.dispatch(groupsFor(empty), gl::Barrier::Image);
-}
-
-int RayCaster::squaresFor(double milliseconds) const {
-    const double squares = squaresPerMs_ * std::min(milliseconds, kSubmissionMs);
-    return std::min(std::max(int(squares), kFewSquares), activeSquares_ - square_);
+    fillFilm_.dispatch(SquareLists::groupsFor(empty), gl::Barrier::Image);
 }
 
 // What is the same for all parts.
@@ -221,92 +190,154 @@ void RayCaster::bindPicture() {
         frame_.classification->bind();
     }
     accumulation_.bindImage(kAccumulationImage, gl::Access::ReadWrite);
-    if (parts_.size() > 1) {
+    if (hasParts()) {
         seenFront_.bindImage(kSeenFrontImage, gl::Access::ReadWrite);
         seenBehind_.bindImage(kSeenBehindImage, gl::Access::ReadWrite);
     }
-    if (parts_.size() > 1 && drawsTranslucent(frame_)) {
+    if (hasParts() && drawsTranslucent(frame_)) {
         seenGlass_.bindImage(kSeenGlassImage, gl::Access::ReadWrite);
         seenGlassDepth_.bindImage(kSeenGlassDepthImage, gl::Access::ReadWrite);
     }
     segmentColours_.bindTexture(kSegmentColoursTexture);
-    squares_.bindStorage(kSquaresStorage);
-    contrasts_.bindStorage(kContrastsStorage);
 }
 
+// What a program that shows something needs to know of the picture.
 void RayCaster::setPicture(gl::Program& program) {
     const auto& geometry = frame_.scene.data->geometry;
     program
         .set("exposure", glm::vec2(float(frame_.xrayGain), float(geometry.diagonalMm() / geometry.stepMm())))
-        .set("corners", 8)
-        .set("sampleStep", float(frame_.sampleStep))
-        .set("beamShift", beamShift(frame_))
         .set("backgroundTop", glm::vec4(frame_.background.top, frame_.background.isTransparent ? 1.0F : 0.0F))
         .set("backgroundBottom", glm::vec4(frame_.background.bottom, 0.0F));
-    if (frame_.mode == Mode::Mip) {
-        program.set("beamsAcross", parts_.back().beams.size().x);
-    }
     if (frame_.mode == Mode::Mip || frame_.mode == Mode::XRay) {
         program.set("isInverted", frame_.isInverted ? 1 : 0);
     }
 }
 
-// One sample of so many squares from the present one on, part by part.
-void RayCaster::castSquares(int count) {
+void RayCaster::setSample(gl::Program& program, int count) const {
+    program.set("squareRange", glm::ivec2(square_, count))
+        .set("pixelOffset", sample_ == 0 ? kCentre : placeInPixel(sample_))
+        .set("addToPrevious", sample_ > 0 ? 1 : 0)
+        .set("measuresContrast", frame_.endsEarly && sample_ == 1 ? 1 : 0);
+}
+
+void RayCaster::castSquares(const Part& part, int count) {
+    const gl::Pass pass("cast rays");
     const Lattice lattice = latticeOf(sample_, frame_.samples, frame_.sampleStep);
-    for (std::size_t i = 0; i < parts_.size(); ++i) {
-        const Part& part = parts_[i];
-        gl::Program& program = castRays_.with(part.defines);
-        if (parts_.size() > 1) {
-            bindPart(part);
-        }
-        program.set("squareRange", glm::ivec2(square_, count))
-            .set("pixelOffset", sample_ == 0 ? kCentre : placeInPixel(sample_))
-            .set("addToPrevious", sample_ > 0 ? 1 : 0)
-            .set("measuresContrast", frame_.endsEarly && sample_ == 1 ? 1 : 0);
-        if (frame_.mode == Mode::XRay || frame_.mode == Mode::Overlay) {
-            program.set("lattice", glm::vec2(lattice.step, lattice.shift));
-        }
-        if (parts_.size() > 1) {
-            program.set("partOfPicture", glm::ivec2(int(i), int(parts_.size()))).set("partScale", part.scale);
-        }
-        if (part.pulled) {
-            program.set("pulled", *part.pulled);
-        }
-        program.dispatch(groupsFor(count), gl::Barrier::Image);
+    gl::Program& program = castRays_.with(part.defines);
+    setPicture(program);
+    setSample(program, count);
+    program.set("corners", 8).set("sampleStep", float(frame_.sampleStep)).set("beamShift", beamShift(frame_));
+    if (hasParts()) {
+        program.set("partScale", part.scale);
+    }
+    if (frame_.mode == Mode::Mip) {
+        program.set("beamsAcross", part.beams.size().x);
+    }
+    if (frame_.mode == Mode::XRay || frame_.mode == Mode::Overlay) {
+        program.set("lattice", glm::vec2(lattice.step, lattice.shift));
+    }
+    if (part.pulled) {
+        program.set("pulled", *part.pulled);
+    }
+    program.dispatch(SquareLists::groupsFor(count), gl::Barrier::Image);
+}
+
+gl::Program& RayCaster::showParts(bool clears) {
+    gl::Defines defines = definesFor(frame_);
+    const gl::Defines more = gl::switchesOn({{"CLEARS", clears}});
+    defines.insert(defines.end(), more.begin(), more.end());
+    return showParts_.with(defines);
+}
+
+void RayCaster::clearSeen() {
+    const gl::Pass pass("clear parts");
+    bindPart(parts_.back());
+    squares_.bind();
+    const int count = squares_.active();
+    gl::Program& program = showParts(true);
+    setSample(program, count);
+    program.dispatch(SquareLists::groupsFor(count), gl::Barrier::Image);
+}
+
+void RayCaster::showSeen(int count) {
+    const gl::Pass pass("show parts");
+    gl::Program& program = showParts(false);
+    setPicture(program);
+    setSample(program, count);
+    program.dispatch(SquareLists::groupsFor(count), gl::Barrier::Image);
+}
+
+int RayCaster::squaresOfStage(std::size_t stage) const {
+    return hasParts() && stage < parts_.size() ? parts_[stage].squares.count : squares_.active();
+}
+
+void RayCaster::beginSample() {
+    if (hasFilm()) {
+        fillFilm();
+    }
+    if (hasParts()) {
+        clearSeen();
+    }
+}
+
+void RayCaster::beginStage() {
+    if (hasParts() && !isLastStage()) {
+        bindPart(parts_[stage_]);
+        squares_.bind(parts_[stage_].squares);
+    } else {
+        bindPart(parts_.back());
+        squares_.bind();
+    }
+}
+
+// Some squares of the current stage from the present one on.
+void RayCaster::castSome(double milliseconds) {
+    const bool shows = hasParts() && isLastStage();
+    double& pace = shows ? shownSquaresPerMs_ : parts_[stage_].squaresPerMs;
+    const int left = squaresOfStage(stage_) - square_;
+    const int wanted = std::max(int(pace * std::min(milliseconds, kSubmissionMs)), kFewSquares);
+    const int count = std::min(wanted, left);
+    const Timer submission;
+    if (shows) {
+        showSeen(count);
+    } else {
+        castSquares(parts_[stage_], count);
+    }
+    gl::Context::finish(); // or the budget would count only submissions
+    pace = count / std::max(submission.milliseconds(), 1e-3);
+    square_ += count;
+}
+
+void RayCaster::endStage() {
+    square_ = 0;
+    if (!isLastStage()) {
+        ++stage_;
+        return;
+    }
+    stage_ = 0;
+    ++sample_;
+    if (frame_.endsEarly && sample_ == kSettling) {
+        squares_.setSettledAside();
+        listPartSquares();
     }
 }
 
 bool RayCaster::renderSome(double budgetMs) {
     const Timer timer;
-    if (sample_ == 0 && square_ == 0) {
+    if (sample_ == 0 && stage_ == 0 && square_ == 0) {
         findBeams();
         listSquares();
         boundSlabs();
     }
     bindPicture();
-    bindPart(parts_.back());
-    for (const Part& part : parts_) {
-        setPicture(castRays_.with(part.defines));
-    }
     while (!isComplete()) {
-        if (square_ == 0 && hasFilm()) {
-            fillFilm();
+        if (stage_ == 0 && square_ == 0) {
+            beginSample();
         }
-        const gl::Pass pass("cast rays");
-        const Timer submission;
-        const int count = squaresFor(budgetMs - timer.milliseconds());
-        castSquares(count);
-        gl::Context::finish(); // or the budget would count only submissions
-        squaresPerMs_ = count / std::max(submission.milliseconds(), 1e-3);
-        square_ += count;
-        if (square_ == activeSquares_) {
-            square_ = 0;
-            ++sample_;
-            if (frame_.endsEarly && sample_ == kSettling) {
-                setSettledAside();
-                squares_.bindStorage(kSquaresStorage);
-            }
+        beginStage();
+        castSome(budgetMs - timer.milliseconds());
+        if (square_ == squaresOfStage(stage_)) {
+            endStage();
         }
         if (timer.milliseconds() >= budgetMs) {
             break;
@@ -325,13 +356,14 @@ const gl::Texture& RayCaster::picture() {
     accumulation_.bindImage(kAccumulationImage, gl::Access::Read);
     picture_.bindImage(kPictureImage, gl::Access::Write);
     const Background& background = frame_.background;
-    placeOfSquare_.bindStorage(kPlacesStorage);
-    resolve_.set("progress", glm::ivec3(sample_, square_, occupiedSquares_))
+    squares_.bindPlaces();
+    const int shown = isLastStage() ? square_ : 0;
+    resolve_.set("progress", glm::ivec3(sample_, shown, squares_.occupied()))
         .set("isTransparent", background.isTransparent ? 1 : 0)
         .set("isFlat", background.top == background.bottom ? 1 : 0)
         .set("isBare", hasFilm() ? 0 : 1)
         .set("isInverted", frame_.isInverted ? 1 : 0)
-        .set("settled", glm::ivec2(activeSquares_, kSettling))
+        .set("settled", glm::ivec2(squares_.active(), kSettling))
         .set("backgroundTop", glm::vec4(background.top, 0.0F))
         .set("backgroundBottom", glm::vec4(background.bottom, 0.0F));
     resolve_.dispatchOver(picture_.size(), gl::Barrier::All);

@@ -12,6 +12,7 @@
 #include "render/colours/segment_colours.h"
 #include "render/marks/background.h"
 #include "render/rays/occlusion.h"
+#include "render/rays/square_lists.h"
 #include "render/space/macrocells.h"
 #include "render/space/slab_bounds.h"
 
@@ -130,7 +131,9 @@ private:
         float scale = 1;
         gl::Buffer view;
         gl::Texture beams;
-        SlabBounds slabs; // in MIP
+        SlabBounds slabs;        // in MIP
+        PartSquares squares;     // where there are several parts
+        double squaresPerMs = 0; // of its last submission
     };
     // Whether the picture may show surfaces of translucent segments.
     static bool drawsTranslucent(const Frame& frame);
@@ -145,43 +148,51 @@ private:
     void bindPart(const Part& part);
     void bindPicture();
     void setPicture(gl::Program& program);
-    void castSquares(int count);
     static int beamShift(const Frame& frame);
     static int beamPixels(const Frame& frame);
     void findBeams();
     void listSquares();
-    void setSettledAside();
+    void listPartSquares();
     void boundSlabs();
     [[nodiscard]] bool hasFilm() const;
     void fillFilm();
-    int squaresFor(double milliseconds) const;
+
+    // Where there are several parts, a sample has a stage for each of them, and one more which shows what
+    // they show together; else it has one.
+    [[nodiscard]] bool hasParts() const { return parts_.size() > 1; }
+    [[nodiscard]] std::size_t stages() const { return hasParts() ? parts_.size() + 1 : 1; }
+    [[nodiscard]] bool isLastStage() const { return stage_ + 1 == stages(); }
+    [[nodiscard]] int squaresOfStage(std::size_t stage) const;
+    void beginSample();
+    void beginStage();
+    void castSome(double milliseconds);
+    void endStage();
+    void setSample(gl::Program& program, int count) const;
+    void castSquares(const Part& part, int count);
+    void clearSeen();
+    void showSeen(int count);
+    gl::Program& showParts(bool clears);
 
     std::vector<Part> parts_;
-    gl::Texture seenFront_; // what the parts before the one in hand show; only where there are several
+    gl::Texture seenFront_; // what the parts cast so far show; only where there are several
     gl::Texture seenBehind_;
     gl::Texture seenGlass_; // and where some segment is translucent
     gl::Texture seenGlassDepth_;
     gl::ProgramVariants castRays_{"render/shaders/cast_rays.comp"};
     gl::Program resolve_;
+    gl::ProgramVariants showParts_{"render/shaders/show_parts.comp"};
     gl::Program findBeams_;
-    gl::Program listSquares_;
-    gl::ProgramVariants setAside_{"render/shaders/set_squares_aside.comp"};
     gl::Program fillFilm_;
-    gl::Buffer squares_;       // those that may show something first
-    gl::Buffer placeOfSquare_; // in that list
-    gl::Buffer squareCounts_;
-    gl::Buffer contrasts_;       // of the first two samples, in each square
-    gl::Buffer unsettled_;       // the squares once more, in their new order
+    SquareLists squares_;
     gl::Texture segmentColours_; // of the frame
     field::SceneBinding sceneBinding_;
     gl::Texture accumulation_;
     gl::Texture picture_;
     Frame frame_;
     int sample_ = 0;
-    int square_ = 0;          // how many of the list this sample has
-    int occupiedSquares_ = 0; // how many of the list may show something
-    int activeSquares_ = 0;   // how many of these take the current sample
-    double squaresPerMs_ = 0; // of the last submission
+    std::size_t stage_ = 0;        // of the current sample
+    int square_ = 0;               // how many of its list this stage has
+    double shownSquaresPerMs_ = 0; // of the last submission that showed what parts show
 };
 
 } // namespace vs::render

@@ -51,6 +51,9 @@ gl::Defines RayCaster::definesFor(const Frame& frame, const PulledSegment& segme
     alone.occlusion = nullptr;
     alone.mode = frame.mode == Mode::Surface ? Mode::Segment : frame.mode;
     alone.scene.smoothed = nullptr;
+    if (frame.mode == Mode::Surface) {
+        alone.segmentColours = {}; // no glass
+    }
     gl::Defines defines = definesFor(alone);
     const auto more = gl::switchesOn({
         {"PULLED", true},

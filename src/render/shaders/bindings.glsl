@@ -48,6 +48,7 @@ const int kPointsStorage = 1;
 const int kPlacesStorage = 2;
 const int kContrastsStorage = 3;
 const int kOrderedStorage = 4;
+const int kMarksStorage = 5;
 
 // Uniform blocks.
 const int kViewBlock = 1;

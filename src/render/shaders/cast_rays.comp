@@ -4,13 +4,13 @@
 // function goes by that colours all modes (classification.glsl); not defined: none does. SEGMENTS: in volume
 // mode the surfaces of segments too, in MIP and X-ray their colours. TRANSLUCENT: overlay, segment and volume
 // modes with translucent segments. LIT: with ambient occlusion and soft shadows. PARTS: several parts in one
-// picture, one dispatch each, the last one shows it. These are switches and no uniforms because each changes
-// what is done at every sample of a ray or every hit, and a software renderer does both sides of a branch.
-// PULLED: of the scene only one segment is seen, and in MIP and X-ray the data in it; APART: see scene.glsl.
-// PARTS alone stands outside of all loops: it is a switch because Mesa's software renderer compiles a program
-// anew for other formats of the images that it names, and these would be whatever was bound before. In: the
-// scene (field/shaders/scene.glsl), the view (rays.glsl). Out: image 0 (rgba32f) sum of display colours, and
-// of coverage: how much of the background they hide.
+// picture, one dispatch each; show_parts.comp shows them together. These are switches and no uniforms because
+// each changes what is done at every sample of a ray or every hit, and a software renderer does both sides of
+// a branch. PULLED: of the scene only one segment is seen, and in MIP and X-ray the data in it; APART: see
+// scene.glsl. PARTS alone stands outside of all loops: it is a switch because Mesa's software renderer
+// compiles a program anew for other formats of the images that it names, and these would be whatever was
+// bound before. In: the scene (field/shaders/scene.glsl), the view (rays.glsl). Out: image 0 (rgba32f) sum of
+// display colours, and of coverage: how much of the background they hide.
 // variants: MODE=0;MODE=0 SCULPTED=1;MODE=1;MODE=2 SCULPTED=1;MODE=3 SCULPTED=1;MODE=4;MODE=3 SCULPTED=1 TRANSLUCENT=1 PARTS=1;MODE=4 TRANSLUCENT=1 LIT=1;MODE=5 TF_KIND=0;MODE=5 SCULPTED=1 TF_KIND=2;MODE=0 TF_KIND=1;MODE=1 TF_KIND=0;MODE=2 TF_KIND=2;MODE=0 TRICUBIC=1;MODE=0 LIT=1;MODE=5 TF_KIND=0 LIT=1 PARTS=1;MODE=3 SCULPTED=1 PARTS=1;MODE=1 PARTS=1;MODE=0 QUADS=1;MODE=4 SCULPTED=1 QUADS=1 SMOOTHED=1;MODE=4 SCULPTED=1 CUT_ALONG_SEGMENTS=1;MODE=0 SCULPTED=1 TRICUBIC=1 SMOOTHED=1 TF_KIND=0;MODE=5 SCULPTED=1 TF_KIND=0 QUADS=1 TRICUBIC=1;MODE=5 SCULPTED=1 TF_KIND=0 SEGMENTS=1 TRANSLUCENT=1 PARTS=1;MODE=5 TF_KIND=2 SEGMENTS=1 LIT=1;MODE=1 SEGMENTS=1;MODE=1 TF_KIND=0 SEGMENTS=1;MODE=2 SCULPTED=1 SEGMENTS=1;MODE=2 TF_KIND=1 SEGMENTS=1;MODE=4 PULLED=1 PARTS=1;MODE=4 PULLED=1 APART=1 SCULPTED=1 PARTS=1;MODE=3 PULLED=1 APART=1 TRANSLUCENT=1 PARTS=1;MODE=1 PULLED=1 APART=1 PARTS=1;MODE=2 PULLED=1 PARTS=1;MODE=5 TF_KIND=2 SEGMENTS=1 PULLED=1 APART=1 PARTS=1
 layout(local_size_x = 64) in;
 
@@ -74,14 +74,7 @@ uniform int isInverted;
 uniform vec2 lattice; // of samples in an X-ray: x steps between them, y what part of that they are shifted by
 #endif
 #ifdef PARTS
-uniform ivec2 partOfPicture;                                          // which one this is, how many there are
-uniform float partScale;                                              // how large it is drawn
-layout(rgba32f, binding = kSeenFrontImage) uniform image2D seenFront; // what the parts before this one show
-layout(rgba32f, binding = kSeenBehindImage) uniform image2D seenBehind;
-#ifdef TRANSLUCENT
-layout(rgba32f, binding = kSeenGlassImage) uniform image2D seenGlass;
-layout(r32f, binding = kSeenGlassDepthImage) uniform image2D seenGlassDepth;
-#endif
+uniform float partScale; // how large it is drawn
 #else
 const float partScale = 1.0;
 #endif
@@ -93,6 +86,10 @@ const float partScale = 1.0;
 #include "render/shaders/glass.glsl"
 #endif
 #include "render/shaders/seen.glsl"
+#include "render/shaders/seen_along.glsl"
+#ifdef PARTS
+#include "render/shaders/parts.glsl"
+#endif
 
 // Different for each pixel and sample, the same each time (interleaved gradient noise, Jimenez 2014).
 float startJitter(ivec2 pixel) {
@@ -112,29 +109,12 @@ void main() {
     ray.tEnd = min(ray.tEnd, ray.beamEnds.y);
     Seen seen = seenAlong(ray, startJitter(pixel), partScale);
 #ifdef PARTS
-    if (partOfPicture.x > 0) {
-        Seen before;
-        before.front = imageLoad(seenFront, pixel);
-        before.behind = imageLoad(seenBehind, pixel);
-#ifdef TRANSLUCENT
-        before.glass = imageLoad(seenGlass, pixel);
-        before.glassDepth = imageLoad(seenGlassDepth, pixel).r;
-#endif
-        seen = together(before, seen);
-    }
-    if (partOfPicture.x + 1 < partOfPicture.y) {
-        imageStore(seenFront, pixel, seen.front);
-        imageStore(seenBehind, pixel, seen.behind);
-#ifdef TRANSLUCENT
-        imageStore(seenGlass, pixel, seen.glass);
-        imageStore(seenGlassDepth, pixel, vec4(seen.glassDepth));
-#endif
-        return;
-    }
-#endif
+    addToParts(pixel, seen);
+#else
     vec3 behind = background(position, viewport.xy, backgroundTop.xyz, backgroundBottom.xyz);
 #if MODE == 1 || MODE == 2 || MODE == 3
     behind = behindFilm(behind, ray.tNear < ray.tFar);
 #endif
     addToPicture(pixel, shown(seen, behind));
+#endif
 }

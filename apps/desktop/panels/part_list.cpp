@@ -93,9 +93,9 @@ void PartList::refresh() {
         item(row)->setCheckState(entry.isVisible ? Qt::Checked : Qt::Unchecked);
         (entry.isVisible ? seen : hidden) << name;
     }
-    // One that is hidden stays marked, so that it can be shown again.
+    // One that is not seen stays marked, so that it can be shown again.
     const auto marked = current();
-    if (!marked || marked->isVisible) {
+    if (!marked || tool_.numberOf(marked->part, marked->name)) {
         setCurrentRow(rowInHand());
     }
     setProperty("report", seen.join(", ") + " | " + hidden.join(", "));
@@ -132,10 +132,14 @@ void PartList::takeOver(QListWidgetItem* item) {
         } else {
             studio_.segments().showPulledOut(entry.name, isVisible);
         }
-    } else if (item->text().toStdString() != entry.name) {
-        rename(entry, item->text().trimmed());
+    } else if (const QString wanted = item->text().trimmed(); item->text().toStdString() != entry.name) {
+        {
+            const QSignalBlocker quiet(this); // what is not taken over is as it was
+            item->setText(QString::fromStdString(entry.name));
+        }
+        rename(entry, wanted);
     }
-    refresh(); // what was not taken over is as it was
+    refresh();
 }
 
 void PartList::rename(const Entry& entry, const QString& name) {

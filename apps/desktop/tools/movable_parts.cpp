@@ -6,6 +6,7 @@
 #include "studio/document/part_queries.h"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 #include <variant>
 
@@ -21,12 +22,12 @@ std::vector<MovableParts::Movable> MovableParts::all() const {
     for (std::size_t k = 0; k < studio_.view().shown().pasted.size(); ++k) {
         const studio::PartInfo* part = k < facts->parts.size() ? &facts->parts[k] : nullptr;
         if (part == nullptr || part->isVisible) {
-            found.push_back({k, {}, part != nullptr ? part->middle : geometry->centreWorld()});
+            found.push_back({k, {}, part != nullptr ? part->name : std::string(), part != nullptr ? part->middleVoxel : 0.5 * (glm::dvec3(geometry->dims) - 1.0)});
         }
     }
     for (const studio::SegmentInfo& info : facts->segments.segments) {
         if (info.isSeenPulledOut()) {
-            found.push_back({0, info, info.pulledOut->middle});
+            found.push_back({0, info, info.name, info.pulledOut->middleVoxel});
         }
     }
     return found;
@@ -50,6 +51,26 @@ std::optional<int> MovableParts::numberOf(std::size_t pasted) const {
     return found != parts.end() ? std::optional(int(found - parts.begin())) : std::nullopt;
 }
 
+std::optional<MovableParts::Identity> MovableParts::identityOf(int part) const {
+    const auto parts = all();
+    if (part < 0 || part >= int(parts.size())) {
+        return std::nullopt;
+    }
+    const Movable& movable = parts[std::size_t(part)];
+    return Identity{movable.segment.has_value(), movable.name};
+}
+
+int MovableParts::numberOf(const Identity& identity, int before) const {
+    const int parts = count();
+    for (int n = 0; n < parts; ++n) {
+        const int part = (before + n) % parts; // the nearest after it
+        if (identityOf(part) == identity) {
+            return part;
+        }
+    }
+    return std::clamp(before, 0, std::max(parts - 1, 0));
+}
+
 render::Placement MovableParts::put(int part) const {
     const studio::View& view = studio_.view().shown();
     const Movable movable = at(part);
@@ -61,7 +82,7 @@ render::Placement MovableParts::put(int part) const {
 }
 
 render::Placement MovableParts::drawn(int part) const {
-    return render::spreadOut(put(part), studio_.view().shown().spread, at(part).middle,
+    return render::spreadOut(put(part), studio_.view().shown().spread, at(part).middleVoxel,
                              *studio_.host().geometry());
 }
 
@@ -85,8 +106,12 @@ void MovableParts::find() {
     }
     boxes_.clear();
     studio_.host().workLong([&] {
+        std::optional<std::array<Box3, 256>> ofSegments;
         for (const Movable& part : all()) {
-            boxes_.push_back(part.segment ? document.parts().segmentBox(part.segment->label)
+            if (part.segment && !ofSegments) {
+                ofSegments = document.parts().segmentBoxes();
+            }
+            boxes_.push_back(part.segment ? (*ofSegments)[part.segment->label]
                                           : document.parts().box(part.pasted));
         }
     });
@@ -97,7 +122,7 @@ void MovableParts::draw(int part, const render::Placement& there) {
     const Movable movable = at(part);
     auto view = studio_.view().shown();
     const render::Placement put =
-        render::broughtTogether(there, view.spread, movable.middle, *studio_.host().geometry());
+        render::broughtTogether(there, view.spread, movable.middleVoxel, *studio_.host().geometry());
     if (!movable.segment) {
         view.pasted[movable.pasted] = put;
     } else {

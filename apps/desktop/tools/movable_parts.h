@@ -24,6 +24,15 @@ public:
     // The number of a segment that is pulled out, and of the part at a place of the view.
     [[nodiscard]] std::optional<int> numberOf(const std::string& segment) const;
     [[nodiscard]] std::optional<int> numberOf(std::size_t pasted) const;
+    // Which one a number is of, whatever numbers parts have later; two that were pasted may be called the same.
+    struct Identity {
+        bool isSegment = false;
+        std::string name;
+        bool operator==(const Identity&) const = default;
+    };
+    [[nodiscard]] std::optional<Identity> identityOf(int part) const;
+    // The number that it has now: `before`, unless that is another's and it has one.
+    [[nodiscard]] int numberOf(const Identity& identity, int before) const;
     // Where a part was put, or is in the hand at the moment; and where it is drawn then, as the view is
     // spread.
     [[nodiscard]] render::Placement put(int part) const;
@@ -46,7 +55,8 @@ private:
     struct Movable {
         std::size_t pasted = 0;
         std::optional<studio::SegmentInfo> segment;
-        glm::dvec3 middle{0}; // world, mm: what the view's spread moves away
+        std::string name;
+        glm::dvec3 middleVoxel{0}; // what the view's spread moves away
     };
     [[nodiscard]] std::vector<Movable> all() const;
     [[nodiscard]] Movable at(int part) const { return all()[std::size_t(part)]; }

@@ -68,7 +68,11 @@ void MoveTool::findParts() {
         &studio_.hand().tool() != this) {
         return;
     }
+    if (identity_) {
+        chosen_ = parts_.numberOf(*identity_, chosen_);
+    }
     chosen_ = std::clamp(chosen_, 0, std::max(count() - 1, 0));
+    identity_ = parts_.identityOf(chosen_);
     parts_.find();
     emit overlayChanged();
 }
@@ -158,6 +162,7 @@ bool MoveTool::isOverChosen(QPointF position) const {
 void MoveTool::choose(int part) {
     finishPending();
     chosen_ = std::clamp(part, 0, std::max(count() - 1, 0));
+    identity_ = parts_.identityOf(chosen_);
     emit studio_.host().changed();
     emit overlayChanged();
 }

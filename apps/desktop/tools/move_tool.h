@@ -66,6 +66,7 @@ private:
 
     CameraTool& camera_;
     int chosen_ = 0;
+    std::optional<MovableParts::Identity> identity_; // of the chosen one
     MovableParts parts_;
     bool isOver_ = false; // the pen hovers over the chosen part or a handle
     bool isTurningView_ = false;

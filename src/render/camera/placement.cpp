@@ -13,6 +13,12 @@ glm::dmat3 turned(const glm::dvec3& degrees) {
                      : glm::dmat3(1);
 }
 
+// From the grid's centre to where a point of a part lies: world, mm.
+glm::dvec3 fromCentre(const Placement& placement, glm::dvec3 voxel, const volume::GridGeometry& geometry) {
+    const glm::dmat4 worldFromVoxel = worldFromPart(placement, geometry) * geometry.worldFromVoxel;
+    return glm::dvec3(worldFromVoxel * glm::dvec4(voxel, 1)) - geometry.centreWorld();
+}
+
 } // namespace
 
 glm::dmat4 worldFromPart(const Placement& placement, const volume::GridGeometry& geometry) {
@@ -22,19 +28,17 @@ glm::dmat4 worldFromPart(const Placement& placement, const volume::GridGeometry&
     return there * glm::dmat4(turned(placement.turnDegrees) * placement.scale) * back;
 }
 
-Placement spreadOut(const Placement& placement, double spread, glm::dvec3 middle,
+Placement spreadOut(const Placement& placement, double spread, glm::dvec3 middleVoxel,
                     const volume::GridGeometry& geometry) {
-    const glm::dvec3 there(worldFromPart(placement, geometry) * glm::dvec4(middle, 1));
     Placement drawn = placement;
-    drawn.moveMm += spread * (there - geometry.centreWorld());
+    drawn.moveMm += spread * fromCentre(placement, middleVoxel, geometry);
     return drawn;
 }
 
-Placement broughtTogether(const Placement& drawn, double spread, glm::dvec3 middle,
+Placement broughtTogether(const Placement& drawn, double spread, glm::dvec3 middleVoxel,
                           const volume::GridGeometry& geometry) {
-    const glm::dvec3 there(worldFromPart(drawn, geometry) * glm::dvec4(middle, 1));
     Placement placement = drawn;
-    placement.moveMm -= spread / (1 + spread) * (there - geometry.centreWorld());
+    placement.moveMm -= spread / (1 + spread) * fromCentre(drawn, middleVoxel, geometry);
     return placement;
 }
 

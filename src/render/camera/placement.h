@@ -29,12 +29,12 @@ struct Placement {
 
 glm::dmat4 worldFromPart(const Placement& placement, const volume::GridGeometry& geometry);
 
-// A placement as it is drawn when all parts are spread: the part's own middle (world, where it was cut out)
-// lies 1 + spread times as far from the grid's centre as where it was put. And the placement that is drawn
-// so.
-Placement spreadOut(const Placement& placement, double spread, glm::dvec3 middle,
+// A placement as it is drawn when all parts are spread: the part's own middle (voxel space, where it was cut
+// out) lies 1 + spread times as far from the grid's centre as where it was put. And the placement that is
+// drawn so.
+Placement spreadOut(const Placement& placement, double spread, glm::dvec3 middleVoxel,
                     const volume::GridGeometry& geometry);
-Placement broughtTogether(const Placement& drawn, double spread, glm::dvec3 middle,
+Placement broughtTogether(const Placement& drawn, double spread, glm::dvec3 middleVoxel,
                           const volume::GridGeometry& geometry);
 
 // The rays of a view in the space that a part was cut out of: what is seen along them there is what a viewer

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "segment/membership/apart_tiles.h"
 
+#include "base/error.h"
 #include "field/shaders/apart_tiles.h"
 
 #include <algorithm>
@@ -12,11 +13,17 @@ namespace {
 
 using field::kApartPadded;
 
-// Tiles side by side in a layer of the texture: all of the grid's once in about as many layers.
+constexpr int kMostAlong = 120; // times 17 is what every device has room for along an axis
+
+// Tiles side by side in a layer of the texture, so that a layer is small and yet all of them have room for
+// the grid's fifteen times or more; of a small grid once for each label.
 int placesAlong(glm::ivec3 tileDims) {
+    constexpr int kMostLabels = 255;
+    constexpr double kSmallLayer = 16;
     const double tiles = double(tileDims.x) * tileDims.y * tileDims.z;
-    constexpr int kMostAlong = 120; // times 17 is what every device has room for along an axis
-    return std::clamp(int(std::ceil(std::cbrt(tiles))), 2, kMostAlong);
+    const double forAllLabels = std::sqrt(tiles * kMostLabels / kMostAlong);
+    const double along = std::max(2 * std::cbrt(tiles), std::min(forAllLabels, kSmallLayer));
+    return std::min(int(std::ceil(along)), kMostAlong);
 }
 
 std::uint32_t asPage(glm::ivec3 place) {
@@ -97,7 +104,13 @@ void ApartTiles::growTo(int layers) {
 
 std::uint32_t ApartTiles::takePlace() {
     if (free_.empty()) {
-        growTo(std::max(places_.z + 1, places_.z * 3 / 2));
+        if (places_.z == kMostAlong) {
+            throw Error(
+                "the segments that are pulled out touch others in more than {} places; put some back, "
+                "or hide segments",
+                places_.x * places_.y * places_.z);
+        }
+        growTo(std::min(std::max(places_.z + 1, places_.z * 3 / 2), kMostAlong));
     }
     const std::uint32_t page = free_.back();
     free_.pop_back();

@@ -26,6 +26,9 @@ public:
     [[nodiscard]] std::vector<std::uint8_t> labels() const;
     [[nodiscard]] bool isNew(std::uint8_t label) const { return segments_.at(label).isNew; }
     [[nodiscard]] bool hasNew() const;
+    [[nodiscard]] Whose whose(std::uint8_t label, std::uint32_t tile) const {
+        return segments_.at(label).whose[tile];
+    }
     void renewAll();
 
     // What has to be written after place(): tiles by their numbers, and where they lie, as pages say it.
@@ -34,7 +37,8 @@ public:
         std::vector<std::uint32_t> pagesOfOwn;
         std::vector<std::uint32_t> incomplete; // all else in these: after that
     };
-    // Says anew whose these tiles are, as one segment sees it. Throws GlError when the device has no room.
+    // Says anew whose these tiles are, as one segment sees it. Throws GlError when the device has no room,
+    // and Error when there are more tiles than a texture has places for.
     Changes place(std::uint8_t label, std::span<const std::uint32_t> tiles, std::span<const Whose> whose);
 
     [[nodiscard]] const gl::Texture& texels() const { return texels_; }

@@ -162,11 +162,14 @@ std::vector<std::uint32_t> Continuation::refresh(const Growth& growth, const Fen
 
 void Continuation::run(const Growth& growth, const Fence& fence, const gl::Buffer& shown,
                        const gl::Buffer& turned, const gl::Buffer& reach,
-                       const std::vector<std::uint32_t>& bricks) {
+                       const std::vector<std::uint32_t>& bricks, std::optional<std::uint8_t> alone) {
     const gl::Pass pass("continue segments");
     gl::Defines defines = growth.seedMap().widthDefines();
     if (hasGradients_) {
         defines.emplace_back("VS_GRADIENTS", "1");
+    }
+    if (alone) {
+        defines.emplace_back("VS_ALONE", "1");
     }
     gl::Program& program = continue_.prepare(growth.field(), {}, defines);
     growth.seedMap().bind(program);
@@ -183,6 +186,9 @@ void Continuation::run(const Growth& growth, const Fence& fence, const gl::Buffe
     const glm::dvec3 aside = std::max({spacing.x, spacing.y, spacing.z}) / spacing;
     program.set("takesAway", takesAway_ ? 1 : 0)
         .set("aside", glm::ivec3(glm::round(glm::min(aside, glm::dvec3(kFarthestAside)))));
+    if (alone) {
+        program.set("ownLabel", std::uint32_t(*alone));
+    }
     constexpr int groupsPerBrick = 16;
     for (std::size_t first = 0; first < bricks.size(); first += gl::kMaxGroups) {
         program.set("firstBrick", int(first));

@@ -5,6 +5,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 namespace vs::segment {
@@ -38,9 +39,11 @@ public:
     std::vector<std::uint32_t> refresh(const Growth& growth, const Fence& fence,
                                        const std::vector<std::uint32_t>& changed, bool isAnew);
     // Brings the plane `turned` up to date in some bricks: the voxels that count as the opposite of what they
-    // are in the plane `shown`. `reach` as in Growth::show.
+    // are in the plane `shown`, of which with `alone` one segment counts and no other. `reach` as in
+    // Growth::show.
     void run(const Growth& growth, const Fence& fence, const gl::Buffer& shown, const gl::Buffer& turned,
-             const gl::Buffer& reach, const std::vector<std::uint32_t>& bricks);
+             const gl::Buffer& reach, const std::vector<std::uint32_t>& bricks,
+             std::optional<std::uint8_t> alone = {});
 
 private:
     // How the segment with one label goes on; mirrors Rules in shaders/continue_segments.comp (std430).

@@ -46,10 +46,10 @@ gl::Defines Segmentation::memberDefines() const {
 }
 
 // For shaders that include shaders/tiles.glsl.
-void Segmentation::bindMembers(const Channel& channel) const {
+void Segmentation::bindMembers(const Channel& channel, const Of& what) const {
     channel.shown.bindStorage(kShownStorage);
-    if (channel.turned) {
-        channel.turned.bindStorage(kTurnedStorage);
+    if (continuation_) {
+        (what.isApart ? turnedAlone_ : channel.turned).bindStorage(kTurnedStorage);
     }
 }
 
@@ -113,7 +113,7 @@ std::vector<std::uint32_t> Segmentation::smoothQueued(int channel, double budget
 
 // Smooths tiles [first, first + count) of the list on the device.
 void Segmentation::smooth(int channel, std::uint32_t first, std::uint32_t count, const Of& what) {
-    bindMembers(channels_[std::size_t(channel)]);
+    bindMembers(channels_[std::size_t(channel)], what);
     rows_.bindStorage(kRowsStorage);
     alongXY_.bindStorage(kAlongXYStorage);
     const auto prepare = [&](gl::Program& program, int axis) {
@@ -151,7 +151,7 @@ void Segmentation::writePlain(int channel, std::uint32_t first, std::uint32_t co
     const auto image = imageDefines(what);
     defines.insert(defines.end(), image.begin(), image.end());
     gl::Program& writePlain = writePlain_.with(defines);
-    bindMembers(channels_[std::size_t(channel)]);
+    bindMembers(channels_[std::size_t(channel)], what);
     (what.isApart ? apart_->texels() : texels_).bindImage(kSegmentationImage, gl::Access::ReadWrite);
     writePlain.set("dims", dims_)
         .set("brickDims", brickDims_)
@@ -230,9 +230,6 @@ Box3 Segmentation::update(const Growth& growth, Smoothing smoothing, const Looks
     std::sort(changed.begin(), changed.end());
     changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
     const bool isNewApart = apart_ && apart_->hasNew();
-    if (apart_ && (!changed.empty() || isNewApart)) {
-        writeApart(growth, changed, smoothing);
-    }
     Box3 box;
     for (const std::uint32_t tile : changed) {
         const glm::ivec3 lo = tileAt(tile) * kTile;
@@ -241,6 +238,14 @@ Box3 Segmentation::update(const Growth& growth, Smoothing smoothing, const Looks
     version_ += !changed.empty() || isNewApart ? 1 : 0;
     if (!changed.empty()) {
         summarize(changed, smoothing);
+    }
+    if (apart_ && (!changed.empty() || isNewApart)) {
+        try {
+            writeApart(growth, fence, changed, smoothing);
+        } catch (...) { // there may be no room for it; all else is as it has to be
+            apart_->renewAll();
+            throw;
+        }
     }
     return box;
 }
@@ -256,6 +261,7 @@ std::size_t Segmentation::deviceBytes() const {
     for (const Channel& channel : channels_) {
         bytes += channel.shown.size() + channel.turned.size() + channel.owners.size();
     }
+    bytes += turnedAlone_.size();
     return bytes;
 }
 

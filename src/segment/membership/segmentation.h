@@ -73,8 +73,9 @@ public:
     // Voxels along an edge of the tiles that an update rewrites.
     static constexpr int kTile = 16;
 
-private:
     using Labels = std::array<std::uint32_t, 8>; // a bit for each
+
+private:
     // One for the opaque segments, one for the translucent ones.
     struct Channel {
         gl::Buffer shown;  // one bit a voxel, laid out as in shaders/words.glsl
@@ -88,6 +89,11 @@ private:
         std::vector<bool> isQueued;      // by tile
     };
 
+    struct Of { // all segments together, or one of them alone
+        std::uint8_t label = 0;
+        bool isApart = false;
+    };
+
     void takeLooks(const Looks& looks);
     std::vector<std::uint32_t> show(const Growth& growth, int channel,
                                     const std::vector<std::uint32_t>& bricks);
@@ -98,23 +104,27 @@ private:
     void clearReach(const std::vector<std::uint32_t>& bricks);
     std::vector<std::uint32_t> takeReach(const BrickTable& table, Channel& channel,
                                          const std::vector<std::uint32_t>& bricks);
-    void bindMembers(const Channel& channel) const;
+    void bindMembers(const Channel& channel, const Of& what) const;
     void queueTiles(Channel& channel) const;
     std::vector<std::uint32_t> smoothQueued(int channel, double budgetMs);
     void write(int channel, const std::vector<std::uint32_t>& tiles, Smoothing smoothing);
     // Tiles smoothed at a time: 512 take 1 MiB of bits and 11 MiB of values.
     static constexpr std::uint32_t kTilesAtOnce = 512;
-    struct Of { // all segments together, or one of them alone
-        std::uint8_t label = 0;
-        bool isApart = false;
-    };
     void smooth(int channel, std::uint32_t first, std::uint32_t count, const Of& what);
     void writePlain(int channel, std::uint32_t first, std::uint32_t count, const Of& what);
-    void writeApart(const Growth& growth, const std::vector<std::uint32_t>& changed, Smoothing smoothing);
+    void writeApart(const Growth& growth, const Fence& fence, const std::vector<std::uint32_t>& changed,
+                    Smoothing smoothing);
+    void goOnAlone(const Growth& growth, const Fence& fence, const Channel& channel, std::uint8_t label,
+                   const std::vector<std::uint32_t>& tiles);
     void writeApart(int channel, std::uint8_t label, const gl::Texture& labels,
                     const ApartTiles::Changes& changes, Smoothing smoothing);
     void noteLabels(Channel& channel, const std::vector<std::uint32_t>& tiles, const gl::Texture& labels);
-    static ApartTiles::Whose whoseIs(const Labels& labels, std::uint8_t label);
+    [[nodiscard]] ApartTiles::Whose whoseIs(const Channel& channel, std::uint32_t tile,
+                                            std::uint8_t label) const;
+    [[nodiscard]] std::vector<std::uint32_t> staleApart(const Channel& channel, std::uint8_t label,
+                                                        const std::vector<std::uint32_t>& changed) const;
+    template <typename Visit>
+    void visitAround(std::uint32_t tile, const Visit& visit) const;
     [[nodiscard]] gl::Defines imageDefines(const Of& what) const;
     void summarize(const std::vector<std::uint32_t>& tiles, Smoothing smoothing);
     void listTiles(const std::vector<std::uint32_t>& tiles);
@@ -136,6 +146,7 @@ private:
     bool haveLooksChanged_ = false;
     bool isBehind_ = false;
     std::optional<Continuation> continuation_; // made with the first fence
+    gl::Buffer turnedAlone_; // one bit a voxel, as a channel's, of the segment that is being written alone
 
     gl::Buffer tiles_;
     gl::Buffer reach_;

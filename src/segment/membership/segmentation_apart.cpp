@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 // Some segments each alone, where others touch them.
+#include "field/cell_ranges.h"
 #include "gl/pass.h"
+#include "segment/membership/membership.h"
 #include "segment/membership/segmentation.h"
 #include "segment/shaders/bindings.h"
 
@@ -17,6 +19,7 @@ void Segmentation::keepApart(const std::vector<std::uint8_t>& labels) {
         return;
     }
     apart_.reset();
+    turnedAlone_ = {};
     for (Channel& channel : channels_) {
         channel.owners = {};
         channel.labels.clear();
@@ -33,7 +36,7 @@ void Segmentation::noteLabels(Channel& channel, const std::vector<std::uint32_t>
                               const gl::Texture& labels) {
     channel.labels.resize(channel.pending.size());
     listTiles(tiles);
-    bindMembers(channel);
+    bindMembers(channel, {});
     labels.bindTexture(kLabelTexture);
     labelsOfTiles_.reserve(tiles.size() * sizeof(Labels));
     labelsOfTiles_.bindStorage(kLabelsOfTilesStorage);
@@ -52,24 +55,72 @@ void Segmentation::noteLabels(Channel& channel, const std::vector<std::uint32_t>
     }
 }
 
-// Label 0 is what goes on behind a cut, which is each segment's that is alone.
-ApartTiles::Whose Segmentation::whoseIs(const Labels& labels, std::uint8_t label) {
+namespace {
+
+bool has(const Segmentation::Labels& labels, std::uint8_t label) {
+    return (labels[label / 32] >> label % 32 & 1U) != 0;
+}
+
+} // namespace
+
+// Calls `visit` with those of the 27 tiles around one, itself included, that there are.
+template <typename Visit>
+void Segmentation::visitAround(std::uint32_t tile, const Visit& visit) const {
+    for (int n = 0; n < 27; ++n) {
+        const glm::ivec3 there = tileAt(tile) + glm::ivec3(n % 3, n / 3 % 3, n / 9) - 1;
+        if (glm::all(glm::greaterThanEqual(there, glm::ivec3(0))) &&
+            glm::all(glm::lessThan(there, tileDims_))) {
+            visit(tileIndex(there));
+        }
+    }
+}
+
+// What goes on behind a cut has no label, and may be of any segment close by.
+ApartTiles::Whose Segmentation::whoseIs(const Channel& channel, std::uint32_t tile,
+                                        std::uint8_t label) const {
+    const Labels& labels = channel.labels[tile];
+    const bool goesOn = has(labels, 0);
     Labels others = labels;
     others[0] &= ~1U;
     others[label / 32] &= ~(1U << label % 32);
     const bool isOthers =
-        std::any_of(others.begin(), others.end(), [](std::uint32_t word) { return word != 0; });
-    const bool isOwn = (labels[label / 32] >> label % 32 & 1U) != 0 || (labels[0] & 1U) != 0;
+        goesOn || std::any_of(others.begin(), others.end(), [](auto word) { return word != 0; });
+    bool isOwn = has(labels, label);
+    if (goesOn && !isOwn) {
+        visitAround(tile, [&](std::uint32_t there) { isOwn = isOwn || has(channel.labels[there], label); });
+    }
     return isOwn ? (isOthers ? ApartTiles::Whose::BesideOthers : ApartTiles::Whose::Alone)
                  : (isOthers ? ApartTiles::Whose::Others : ApartTiles::Whose::Nobodys);
 }
 
-void Segmentation::writeApart(const Growth& growth, const std::vector<std::uint32_t>& changed,
-                              Smoothing smoothing) {
+// The changed tiles, and of those around them in which segments go on behind a cut those that are no longer
+// whose they were.
+std::vector<std::uint32_t> Segmentation::staleApart(const Channel& channel, std::uint8_t label,
+                                                    const std::vector<std::uint32_t>& changed) const {
+    std::vector<std::uint32_t> stale = changed;
+    if (!continuation_) {
+        return stale;
+    }
+    for (const std::uint32_t tile : changed) {
+        visitAround(tile, [&](std::uint32_t there) {
+            if (has(channel.labels[there], 0) &&
+                whoseIs(channel, there, label) != apart_->whose(label, there)) {
+                stale.push_back(there);
+            }
+        });
+    }
+    std::sort(stale.begin(), stale.end());
+    stale.erase(std::unique(stale.begin(), stale.end()), stale.end());
+    return stale;
+}
+
+void Segmentation::writeApart(const Growth& growth, const Fence& fence,
+                              const std::vector<std::uint32_t>& changed, Smoothing smoothing) {
     const gl::Pass pass("segments apart");
     growth.syncLabels();
     const gl::Texture& labels = growth.seedMap().labels();
-    std::vector<std::uint32_t> everywhere;
+    std::vector<std::uint32_t> everywhere(channels_.front().pending.size());
+    std::iota(everywhere.begin(), everywhere.end(), 0U);
     for (int channel = 0; channel < int(channels_.size()); ++channel) {
         Channel& own = channels_[std::size_t(channel)];
         noteLabels(own, changed, labels);
@@ -77,17 +128,48 @@ void Segmentation::writeApart(const Growth& growth, const std::vector<std::uint3
             if (looks_[label] != Look(channel + 1)) {
                 continue;
             }
-            if (apart_->isNew(label) && everywhere.empty()) {
-                everywhere.resize(own.labels.size());
-                std::iota(everywhere.begin(), everywhere.end(), 0U);
-            }
-            const auto& tiles = apart_->isNew(label) ? everywhere : changed;
+            const auto tiles = apart_->isNew(label) ? everywhere : staleApart(own, label, changed);
             std::vector<ApartTiles::Whose> whose(tiles.size());
             std::transform(tiles.begin(), tiles.end(), whose.begin(),
-                           [&](std::uint32_t tile) { return whoseIs(own.labels[tile], label); });
-            writeApart(channel, label, labels, apart_->place(label, tiles, whose), smoothing);
+                           [&](std::uint32_t tile) { return whoseIs(own, tile, label); });
+            const auto changes = apart_->place(label, tiles, whose);
+            goOnAlone(growth, fence, own, label, changes.own);
+            writeApart(channel, label, labels, changes, smoothing);
         }
     }
+}
+
+// What one segment is taken to be behind cuts when no other is shown, around some tiles.
+void Segmentation::goOnAlone(const Growth& growth, const Fence& fence, const Channel& channel,
+                             std::uint8_t label, const std::vector<std::uint32_t>& tiles) {
+    if (!continuation_ || tiles.empty()) {
+        return;
+    }
+    if (!turnedAlone_) {
+        turnedAlone_ = gl::Buffer(channel.turned.size(), "turned voxels of a segment alone");
+    }
+    const BrickTable& table = growth.seedMap().bricks();
+    std::vector<bool> isWanted(table.count(), false);
+    for (const std::uint32_t tile : tiles) {
+        const glm::ivec3 lo = tileAt(tile) * kTile;
+        const Box3 reached = intersect(grow({lo, lo + kTile}, kKernelReach), {glm::ivec3(0), dims_});
+        const Box3 bricks{reached.lo / field::kBrick, divideUp(reached.hi, field::kBrick)};
+        for (int z = bricks.lo.z; z < bricks.hi.z; ++z) {
+            for (int y = bricks.lo.y; y < bricks.hi.y; ++y) {
+                for (int x = bricks.lo.x; x < bricks.hi.x; ++x) {
+                    isWanted[std::size_t((z * brickDims_.y + y) * brickDims_.x + x)] = true;
+                }
+            }
+        }
+    }
+    std::vector<std::uint32_t> bricks;
+    for (std::uint32_t brick = 0; brick < table.count(); ++brick) {
+        if (isWanted[brick]) {
+            bricks.push_back(brick);
+        }
+    }
+    clearReach(bricks);
+    continuation_->run(growth, fence, channel.shown, turnedAlone_, reach_, bricks, label);
 }
 
 void Segmentation::writeApart(int channel, std::uint8_t label, const gl::Texture& labels,

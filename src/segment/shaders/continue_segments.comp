@@ -9,8 +9,8 @@
 // was fenced to what is hidden now ends in front of the face as abruptly: its voxels there do not count. In:
 // texture 0 data, 1 and 4 sculpture, 3 labels; storage 0 grown, 1 rules of each label, 2 shown, 3 and 4
 // generations, 7 brick numbers. In and out: storage 6 the voxels that count as the opposite of what they are;
-// 5 which tiles changes reach. With VS_GRADIENTS some rules ask for gradients. One row of 16 groups a brick,
-// an invocation a word.
+// 5 which tiles changes reach. With VS_GRADIENTS some rules ask for gradients, with VS_ALONE one segment
+// is shown and no other. One row of 16 groups a brick, an invocation a word.
 #include "segment/shaders/constraints.glsl"
 #include "segment/shaders/words.glsl"
 #include "segment/shaders/generations.glsl"
@@ -42,7 +42,15 @@ uniform ivec3 aside;   // voxels along each axis that are about as far as one ac
 const int kLayers = 3; // as far as a kernel sees
 
 bool isGrown(ivec3 voxel) { return (grown[wordAt(wordPlaceOf(voxel))] >> bitOf(voxel) & 1u) != 0u; }
-bool isShown(ivec3 voxel) { return (shown[wordAt(wordPlaceOf(voxel))] >> bitOf(voxel) & 1u) != 0u; }
+#ifdef VS_ALONE
+uniform uint ownLabel;
+bool isSeen(ivec3 voxel) { return ownerOf(voxel) == ownLabel; }
+#else
+bool isSeen(ivec3 voxel) { return true; }
+#endif
+bool isShown(ivec3 voxel) {
+    return (shown[wordAt(wordPlaceOf(voxel))] >> bitOf(voxel) & 1u) != 0u && isSeen(voxel);
+}
 
 // Whether the rules let a voxel in by itself.
 bool admits(Rules of, ivec3 voxel) {

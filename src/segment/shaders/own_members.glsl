@@ -1,5 +1,5 @@
-// Which voxels of a row count: those shown, with VS_APART those of one segment, and nobody's, which are its
-// where segments go on behind a cut. With VS_APART binding: texture 3 labels.
+// Which voxels of a row count: those shown, with VS_APART those of one segment, and those without a label,
+// which are what it is taken to be behind cuts when no other is shown. With VS_APART binding: texture 3 labels.
 #include "segment/shaders/bindings.glsl"
 
 #ifdef VS_APART

@@ -4,6 +4,7 @@
 #include "field/cell_ranges.h"
 #include "sculpt/sculpture/precision.h"
 #include "segment/edits/islands.h"
+#include "segment/edits/label_sets.h"
 #include "studio/editing/contents.h"
 #include "studio/editing/display.h"
 #include "studio/editing/seen_cells.h"
@@ -52,13 +53,24 @@ void addCorners(const Box3& cells, const volume::GridGeometry& geometry, const g
 
 } // namespace
 
+std::vector<std::uint8_t> labelsOf(const std::vector<SeenPart>& pulledOut) {
+    std::vector<std::uint8_t> labels;
+    for (const SeenPart& part : pulledOut) {
+        labels.push_back(std::uint8_t(part.at));
+    }
+    return labels;
+}
+
 std::size_t PartQueries::count() const { return contents_.pasted.parts.size(); }
 
 Box3 PartQueries::box(std::size_t part) { return boxAround(cells(part), contents_); }
 
-Box3 PartQueries::nextBox() { return boxAround(nextCells(), contents_); }
+Box3 PartQueries::nextBox(bool takesTrimmed) { return boxAround(nextCells(takesTrimmed), contents_); }
 
-Box3 PartQueries::segmentBox(std::uint8_t label) { return boxAround(segmentCells(label), contents_); }
+render::Placement PartQueries::putFor(const render::Placement& drawn, const Box3& box) const {
+    return render::broughtTogether(drawn, contents_.view.spread, middleOf(box, contents_),
+                                   contents_.scan.volume.geometry);
+}
 
 std::vector<SeenPart> PartQueries::seen() const {
     const auto places = shownPlaces(contents_.view, contents_.pasted, contents_.scan.volume.geometry);
@@ -92,36 +104,54 @@ std::vector<glm::dvec3> PartQueries::nextCells(bool takesTrimmed) {
     return seenCellsOfPart(contents_, display_, display_.cellsOfNextPart(takesTrimmed));
 }
 
-std::vector<glm::dvec3> PartQueries::segmentCells(std::uint8_t label) {
-    if (!contents_.region.exists()) {
+std::array<Box3, 256> PartQueries::segmentBoxes() {
+    std::array<Box3, 256> boxes{};
+    if (contents_.region.exists()) {
+        const auto found =
+            segment::labelBoxes(contents_.region.growth()->labelMap(), contents_.scan.volume.geometry.dims);
+        std::copy(found.begin(), found.end(), boxes.begin());
+    }
+    return boxes;
+}
+
+std::map<std::uint8_t, std::vector<glm::dvec3>>
+PartQueries::segmentCells(const std::vector<std::uint8_t>& labels) {
+    if (labels.empty() || !contents_.region.exists()) {
         return {};
     }
     const glm::ivec3 dims = contents_.scan.volume.geometry.dims;
     const glm::ivec3 cellDims = field::cellDims(dims);
-    const auto labels = contents_.region.growth()->labelMap();
-    std::vector<bool> isThere(std::size_t(cellDims.x) * std::size_t(cellDims.y) * std::size_t(cellDims.z));
+    const auto cells = std::size_t(cellDims.x) * std::size_t(cellDims.y) * std::size_t(cellDims.z);
+    std::array<std::vector<bool>, 256> isThere;
+    for (const std::uint8_t label : labels) {
+        isThere[label].resize(cells);
+    }
     const auto indexOf = [cellDims](glm::ivec3 cell) {
         return (std::size_t(cell.z) * std::size_t(cellDims.y) + std::size_t(cell.y)) *
                    std::size_t(cellDims.x) +
                std::size_t(cell.x);
     };
-    auto voxel = labels.begin();
+    const auto labelMap = contents_.region.growth()->labelMap();
+    auto voxel = labelMap.begin();
     for (int z = 0; z < dims.z; ++z) {
         for (int y = 0; y < dims.y; ++y) {
             for (int x = 0; x < dims.x; ++x, ++voxel) {
-                if (*voxel == label) {
-                    isThere[indexOf(glm::min(glm::ivec3(x, y, z) / field::kCell, cellDims - 1))] = true;
+                if (!isThere[*voxel].empty()) {
+                    const glm::ivec3 cell = glm::min(glm::ivec3(x, y, z) / field::kCell, cellDims - 1);
+                    isThere[*voxel][indexOf(cell)] = true;
                 }
             }
         }
     }
-    std::vector<glm::dvec3> cells;
-    for (std::size_t n = 0; n < isThere.size(); ++n) {
-        if (isThere[n]) {
-            cells.push_back(middleOfCell(n, cellDims));
+    std::map<std::uint8_t, std::vector<glm::dvec3>> found;
+    for (const std::uint8_t label : labels) {
+        for (std::size_t n = 0; n < cells; ++n) {
+            if (isThere[label][n]) {
+                found[label].push_back(middleOfCell(n, cellDims));
+            }
         }
     }
-    return cells;
+    return found;
 }
 
 std::vector<glm::dvec3> PartQueries::remainingCells() {
@@ -148,8 +178,10 @@ std::vector<glm::dvec3> PartQueries::pointsAroundAll() {
             addPlaced(cells(part.at), part.place, points);
         }
     }
-    for (const SeenPart& part : seenPulledOut()) {
-        addPlaced(segmentCells(std::uint8_t(part.at)), part.place, points);
+    const auto pulledOut = seenPulledOut();
+    auto cellsOf = segmentCells(labelsOf(pulledOut));
+    for (const SeenPart& part : pulledOut) {
+        addPlaced(cellsOf[std::uint8_t(part.at)], part.place, points);
     }
     if (points.empty()) {
         addCorners({glm::ivec3(0), field::cellDims(geometry.dims)}, geometry, geometry.worldFromVoxel,

@@ -89,6 +89,7 @@ void CutEditor::remember(const Operation& operation, sculpt::BrickDelta cut, boo
     edit.isLimited = isLimited;
     try {
         if (auto trim = contents_.trimmed.follow(contents_.sculpture, cut, isTrim); !trim.isEmpty()) {
+            contents_.sculpture.refresh(trim.box()); // parts that were drawn meanwhile were without it
             edit.trim = std::move(trim);
         }
     } catch (...) {

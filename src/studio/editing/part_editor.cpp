@@ -75,8 +75,8 @@ Outcome PartEditor::run(Paste& op) {
                         ? ""
                         : "; what Keep and Clip took away is pasted with \"all\": true");
     }
-    part.middle =
-        middleInWorld(boxAround(seenCellsOfPart(contents_, display_, ranges), contents_), contents_);
+    part.middleVoxel =
+        middleOf(boxAround(seenCellsOfPart(contents_, display_, ranges), contents_), contents_);
     state.last = part.upTo = PastedParts::remember(contents_.sculpture);
     state.parts.push_back(std::move(part));
     state.places.push_back(op.place);
@@ -127,8 +127,12 @@ Outcome PartEditor::run(UnCut& op) {
         edit.trim = std::move(trim);
     }
     edit.cut = std::move(delta);
-    // Parts that were pasted are gone with what they were cut from.
-    change(std::move(edit), contents_.pasted.parts.empty() ? present() : PastedState{});
+    // Parts that were pasted are gone with what they were cut from; nothing is after the last paste.
+    PastedState nothing;
+    if (contents_.pasted.parts.empty()) {
+        nothing.places = contents_.view.pasted;
+    }
+    change(std::move(edit), nothing);
     return {{}, 0, changed, say(VS_TEXT("library", "all cuts cleared"))};
 }
 

@@ -22,13 +22,9 @@ Box3 boxAround(const std::vector<glm::dvec3>& cells, const Contents& contents) {
     return intersect(box, contents.scan.volume.geometry.box());
 }
 
-glm::dvec3 middleInWorld(const Box3& voxels, const Contents& contents) {
-    const auto& geometry = contents.scan.volume.geometry;
-    if (voxels.isEmpty()) {
-        return geometry.centreWorld();
-    }
-    const glm::dvec3 middle = 0.5 * (glm::dvec3(voxels.lo + voxels.hi) - 1.0);
-    return glm::dvec3(geometry.worldFromVoxel * glm::dvec4(middle, 1.0));
+glm::dvec3 middleOf(const Box3& voxels, const Contents& contents) {
+    const Box3 box = voxels.isEmpty() ? contents.scan.volume.geometry.box() : voxels;
+    return 0.5 * (glm::dvec3(box.lo + box.hi) - 1.0);
 }
 
 std::vector<glm::dvec3> seenCells(const Contents& contents, const Display& display,

@@ -25,7 +25,7 @@ std::vector<glm::dvec3> seenCellsOfPart(const Contents& contents, const Display&
 glm::dvec3 middleOfCell(std::size_t n, glm::ivec3 cellDims);
 // The voxels around macrocells.
 Box3 boxAround(const std::vector<glm::dvec3>& cells, const Contents& contents);
-// The middle of a box of voxels, in the world; of an empty one, the grid's.
-glm::dvec3 middleInWorld(const Box3& voxels, const Contents& contents);
+// The middle (voxel space) of a box of voxels; of an empty one, the grid's.
+glm::dvec3 middleOf(const Box3& voxels, const Contents& contents);
 
 } // namespace vs::studio

@@ -141,14 +141,17 @@ void SegmentListEditor::perform(const PullOut& op, Region::Records&) {
     if (op.segment && contents_.segments.find(*op.segment) == nullptr) {
         throw Error("there is no segment '{}' to pull out", *op.segment);
     }
-    const auto middles = this->middles();
+    std::optional<std::array<glm::dvec3, 256>> middles; // looked for when one is needed
     bool isSome = false;
     for (SegmentInfo& segment : contents_.segments.segments) {
         const bool isOut = segment.pulledOut.has_value();
         const bool isMeant = op.segment ? segment.name == *op.segment
                                         : !isOut && contents_.region.voxelCount(segment.label) > 0;
         if (isMeant) {
-            const glm::dvec3 middle = isOut ? segment.pulledOut->middle : middles[segment.label];
+            if (!isOut && !middles) {
+                middles = this->middles();
+            }
+            const glm::dvec3 middle = isOut ? segment.pulledOut->middleVoxel : (*middles)[segment.label];
             segment.pulledOut = {op.place, op.isVisible, middle};
             isSome = true;
         }
@@ -160,12 +163,12 @@ void SegmentListEditor::perform(const PullOut& op, Region::Records&) {
 
 std::array<glm::dvec3, 256> SegmentListEditor::middles() const {
     std::array<glm::dvec3, 256> middles{};
-    middles.fill(middleInWorld({}, contents_));
+    middles.fill(middleOf({}, contents_));
     if (contents_.region.exists()) {
         const auto labels = contents_.region.growth()->labelMap();
         const auto boxes = segment::labelBoxes(labels, contents_.scan.volume.geometry.dims);
         std::transform(boxes.begin(), boxes.end(), middles.begin(),
-                       [this](const Box3& box) { return middleInWorld(box, contents_); });
+                       [this](const Box3& box) { return middleOf(box, contents_); });
     }
     return middles;
 }

@@ -16,7 +16,7 @@ namespace vs::studio {
 struct PulledOut {
     render::Placement place;
     bool isVisible = true;
-    glm::dvec3 middle{0}; // of the segment when it was pulled out, in its own place: world, mm
+    glm::dvec3 middleVoxel{0}; // of the segment when it was pulled out, in its own place
 
     bool operator==(const PulledOut&) const = default;
 };

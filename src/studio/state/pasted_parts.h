@@ -20,7 +20,7 @@ struct PartInfo {
     std::string name;
     bool isVisible = true;
     bool takesTrimmed = false; // what Keep and Clip took away belongs to it too
-    glm::dvec3 middle{0};      // of what was seen of it when it was pasted, where it was cut out: world, mm
+    glm::dvec3 middleVoxel{0}; // of what was seen of it when it was pasted, where it was cut out
 };
 
 // A part that was pasted, with what of the sculpture it is.

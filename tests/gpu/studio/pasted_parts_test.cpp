@@ -227,6 +227,46 @@ TEST_F(ToolsTest, NoLaterPasteTakesWhatWasDiscarded) {
     EXPECT_GT(pasted, 100U);
 }
 
+// Un-Cut ends what was pasted, also where no part is left that says so.
+TEST_F(ToolsTest, WhatIsCutAgainAfterUnCutIsPastedWhole) {
+    Head document;
+    document.apply(scissorsAt(170, 130, 15));
+    document.apply(Paste{});
+    const auto first = partOf(document, 0);
+    document.apply(DiscardPart{0});
+    document.apply(UnCut{});
+    document.apply(scissorsAt(170, 130, 15));
+    document.apply(Paste{});
+    EXPECT_EQ(partOf(document, 0), first);
+}
+
+// Spread, a part goes away from the grid's middle, wherever that is said to lie by now.
+TEST_F(ToolsTest, WhatIsSpreadFollowsACorrectionOfTheGrid) {
+    Head document;
+    document.apply(scissorsAt(170, 130, 15));
+    document.apply(Paste{});
+    document.apply(test::seedAt({50, 39, 30}, {0, 255}));
+    document.apply(Grow{4});
+    document.apply(PullOut{});
+    SetView view;
+    view.spread = 0.5;
+    document.apply(view);
+    document.apply(CorrectGeometry{.spacing = glm::dvec3(1, 1, 3), .orientation = "RPS"});
+    const auto& geometry = document.volume().geometry;
+    auto& parts = document.parts();
+    const auto label = document.segments().working().label;
+    const auto expectSpread = [&](const render::Placement& place, const Box3& box) {
+        const glm::dvec3 middle = 0.5 * (glm::dvec3(box.lo + box.hi) - 1.0);
+        const glm::dvec3 away =
+            glm::dvec3(geometry.worldFromVoxel * glm::dvec4(middle, 1)) - geometry.centreWorld();
+        EXPECT_GT(glm::length(away), 5);
+        EXPECT_LT(glm::distance(place.moveMm, 0.5 * away), 1e-9);
+        EXPECT_LT(glm::length(parts.putFor(place, box).moveMm), 1e-9) << "it was put nowhere else";
+    };
+    expectSpread(parts.seen().at(0).place, parts.box(0));
+    expectSpread(parts.seenPulledOut().at(0).place, parts.segmentBoxes()[label]);
+}
+
 TEST_F(ToolsTest, ASpreadPictureIsOneOfPartsThatWerePutThere) {
     Head document;
     document.apply(scissorsAt(170, 130, 15));

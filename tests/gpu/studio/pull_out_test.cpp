@@ -234,6 +234,36 @@ TEST_F(PullOutTest, FollowsAllThatBecomesOfTheSegmentInTheNextPicture) {
     }
 }
 
+// Two regions that grew up to the same cut go on behind it, each for itself.
+TEST_F(PullOutTest, HasNothingOfAnotherBehindACut) {
+    for (const bool isSmooth : {true, false}) {
+        Parts parts;
+        Document& document = parts.document;
+        for (const std::string name : kNames) {
+            document.apply(RemoveSegment{name});
+        }
+        Clip clip;
+        clip.planes = {{kCentre, {0.2, 0.3, 1}}};
+        document.apply(clip);
+        // The ball and the shell, by their values.
+        const std::array<Range, 2> ranges{Range{100, 139}, Range{140, 176}};
+        document.apply(test::seedAt({kDims / 2, kDims / 2, 20}, ranges[0]));
+        document.apply(Grow{});
+        UseSegment next{"second"};
+        document.apply(next);
+        Seed seed = test::seedAt({kDims / 2 - 15, kDims / 2, 20}, ranges[1]);
+        document.apply(seed);
+        document.apply(Grow{});
+        View view = document.view();
+        view.smoothsSegments = isSmooth;
+        document.showView(view);
+        document.apply(PullOut{"second", aside()});
+        const auto seen = parts.pulledOut();
+        EXPECT_GT(coveredBy(seen), 0.05);
+        expectAlike(seen, parts.alone("second", aside()), kRounding, fmt::format("smooth {}", isSmooth));
+    }
+}
+
 // Drawn voxel by voxel it is what it is alone, too, and smooth again it is what it was.
 TEST_F(PullOutTest, IsDrawnVoxelByVoxelWhereTheViewSaysSo) {
     Parts parts;
@@ -331,7 +361,7 @@ TEST_F(PullOutTest, TakesTheTilesThatItSharesWithOthers) {
     Parts parts;
     const double tiles = 4 * 4 * 4;
     const double bricks = 9 * 4096;
-    const double most = 2 * 17 * 17 * 17 * tiles; // tiles are taken by layers
+    const double most = 4 * 17 * 17 * 17 * tiles; // tiles are taken by layers
     const double none = double(bytesWith(parts.document, {}));
     const double one = double(bytesWith(parts.document, {1}));
     EXPECT_GT(one, none);

@@ -117,8 +117,10 @@ FreeRoom Editor::roomBesideAll() {
     for (const studio::SeenPart& part : parts.seen()) {
         room.take(parts.cells(part.at), part.place);
     }
-    for (const studio::SeenPart& part : parts.seenPulledOut()) {
-        room.take(parts.segmentCells(std::uint8_t(part.at)), part.place);
+    const auto pulledOut = parts.seenPulledOut();
+    auto cells = parts.segmentCells(studio::labelsOf(pulledOut));
+    for (const studio::SeenPart& part : pulledOut) {
+        room.take(cells[std::uint8_t(part.at)], part.place);
     }
     return room;
 }
@@ -140,11 +142,13 @@ bool Editor::pullOut(const std::string& segment) {
     render::Camera camera;
     view_.flush();
     const bool isPlaced = host_.workLong([&] {
+        auto& parts = host_.document()->parts();
         FreeRoom room = roomBesideAll();
-        const auto cells = host_.document()->parts().segmentCells(info->label);
+        const auto cells = parts.segmentCells({info->label})[info->label];
         if (!cells.empty()) {
-            place = room.find(cells);
-            room.take(cells, place);
+            const render::Placement drawn = room.find(cells);
+            room.take(cells, drawn);
+            place = parts.putFor(drawn, parts.segmentBoxes()[info->label]);
         }
         camera = room.cameraOnAll();
     });
@@ -172,8 +176,9 @@ bool Editor::paste(bool takesTrimmed) {
         const auto part = document.parts().nextCells(takesTrimmed);
         isSomething = !part.empty();
         if (isSomething) {
-            place = room.find(part);
-            room.take(part, place);
+            const render::Placement drawn = room.find(part);
+            room.take(part, drawn);
+            place = document.parts().putFor(drawn, document.parts().nextBox(takesTrimmed));
             camera = room.cameraOnAll();
         }
     });

@@ -1202,6 +1202,34 @@
         <source>discard part</source>
         <translation>Teil verwerfen</translation>
     </message>
+    <message>
+        <source>measure</source>
+        <translation>messen</translation>
+    </message>
+    <message>
+        <source>distance</source>
+        <translation>Abstand</translation>
+    </message>
+    <message>
+        <source>angle</source>
+        <translation>Winkel</translation>
+    </message>
+    <message>
+        <source>path</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>cut</source>
+        <translation>Schnitt</translation>
+    </message>
+    <message>
+        <source>remove measurement</source>
+        <translation>Messung löschen</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop</name>
@@ -2464,6 +2492,30 @@
     <message>
         <source>Move, turn and scale pasted parts and segments that are pulled out</source>
         <translation>Eingefügte Teile und herausgezogene Segmente verschieben, drehen und vergrößern</translation>
+    </message>
+    <message>
+        <source>Path</source>
+        <translation>Weg</translation>
+    </message>
+    <message>
+        <source>Along a line that is drawn, in mm</source>
+        <translation>Entlang einer gezeichneten Linie, in mm</translation>
+    </message>
+    <message>
+        <source>Area</source>
+        <translation>Fläche</translation>
+    </message>
+    <message>
+        <source>Inside an outline that is drawn on a slice, with mean and spread of the values</source>
+        <translation>In einem Umriss, der auf einem Schnitt gezeichnet wird, mit Mittelwert und Streuung der Werte</translation>
+    </message>
+    <message>
+        <source>Volume of what is cut</source>
+        <translation>Volumen des Weggeschnittenen</translation>
+    </message>
+    <message>
+        <source>Measure how much is cut away, in ml</source>
+        <translation>Messen, wie viel weggeschnitten ist, in ml</translation>
     </message>
 </context>
 <context>
@@ -5016,6 +5068,30 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
         <source>Click the third place. Esc drops the measurement.</source>
         <translation>Die dritte Stelle anklicken. Esc verwirft die Messung.</translation>
     </message>
+    <message>
+        <source>%1, %2</source>
+        <translation>%1, %2</translation>
+    </message>
+    <message>
+        <source>Turning the view: areas are drawn on slices.</source>
+        <translation>Die Ansicht wird gedreht: Flächen werden auf Schnitten gezeichnet.</translation>
+    </message>
+    <message>
+        <source>Draw along it, and let go at its end. Esc drops the measurement.</source>
+        <translation>Daran entlang zeichnen und am Ende loslassen. Esc verwirft die Messung.</translation>
+    </message>
+    <message>
+        <source>Draw around it, and let go to close the outline. Esc drops it.</source>
+        <translation>Darum herum zeichnen und loslassen, um den Umriss zu schließen. Esc verwirft ihn.</translation>
+    </message>
+    <message>
+        <source>Draw along what is to be measured, on the surface or on a slice.</source>
+        <translation>Auf der Oberfläche oder auf einem Schnitt an dem entlang zeichnen, was gemessen werden soll.</translation>
+    </message>
+    <message>
+        <source>Draw around what is to be measured, on a slice: an area lies in one.</source>
+        <translation>Auf einem Schnitt um das herum zeichnen, was gemessen werden soll: Eine Fläche liegt in einem Schnitt.</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::MoveTool</name>
@@ -5944,6 +6020,38 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
     <message>
         <source>Copied the numbers of %1 segments</source>
         <translation>Zahlen von %1 Segmenten kopiert</translation>
+    </message>
+    <message>
+        <source>Sphericity</source>
+        <translation>Kugelförmigkeit</translation>
+    </message>
+    <message>
+        <source>The surface of a ball of the same volume by this one: 1 for a ball</source>
+        <translation>Die Oberfläche einer Kugel mit demselben Volumen, geteilt durch diese: 1 bei einer Kugel</translation>
+    </message>
+    <message>
+        <source>Axes</source>
+        <translation>Achsen</translation>
+    </message>
+    <message>
+        <source>Of the ellipsoid with the same moments, the longest first</source>
+        <translation>Die des Ellipsoids mit denselben Momenten, die längste zuerst</translation>
+    </message>
+    <message>
+        <source>Parts, tunnels, cavities</source>
+        <translation>Teile, Tunnel, Hohlräume</translation>
+    </message>
+    <message>
+        <source>Pieces that do not touch, ways through as in a ring, hollows that are closed</source>
+        <translation>Stücke, die einander nicht berühren, Durchgänge wie in einem Ring, geschlossene Hohlräume</translation>
+    </message>
+    <message>
+        <source>Euler number</source>
+        <translation>Eulerzahl</translation>
+    </message>
+    <message>
+        <source>Parts less tunnels and more cavities</source>
+        <translation>Teile minus Tunnel plus Hohlräume</translation>
     </message>
 </context>
 <context>

@@ -5,6 +5,8 @@
 usage: measure.py VSTUDIO [DATA_FOLDER]     (real volumes are left out where DATA_FOLDER is not there)
 """
 import csv
+import json
+import math
 import os
 import pathlib
 import statistics
@@ -89,10 +91,46 @@ class Measure(unittest.TestCase):
         # Its faces hold 2 (12 x 10 + 10 x 12 + 12 x 12) mm^2; the 136 mm of rounded edges lack up to 0.6 each.
         self.assertLess(float(box["surface_mm2"]), 768)
         self.assertGreater(float(box["surface_mm2"]), 768 - 0.6 * 136)
+        # Blocks of 12 x 10 x 12 mm: one piece; its axes are those of the ellipsoid with its moments.
+        self.assertEqual([box[key] for key in ("parts", "tunnels", "cavities", "euler_number")], ["1", "0", "0", "1"])
+        for axis, edge in {1: 12, 2: 12, 3: 10}.items():
+            self.assertAlmostEqual(float(box[f"axis_{axis}_mm"]), edge * (5 / 3) ** 0.5, places=6)
+        self.assertEqual([abs(float(box[f"axis_3_{way}"])) for way in ("left", "posterior", "superior")], [0, 1, 0])
+        self.assertAlmostEqual(float(box["sphericity"]), (math.pi * 36 * 1440 ** 2) ** (1 / 3) / float(box["surface_mm2"]), places=6)
         values = [x - 40 for x in range(4)]
         self.assertAlmostEqual(float(wall["mean"]), statistics.mean(values))
         self.assertAlmostEqual(float(wall["standard_deviation"]), statistics.pstdev(values), places=6)
         self.assertEqual((wall["median"], wall["minimum"], wall["maximum"]), ("-38.5", "-40", "-37"))
+
+    def test_a_session_lists_what_was_measured(self):
+        session = self.folder / "s.json"
+        session.write_text(json.dumps({
+            "volumeStudioSession": 1, "volume": {"path": "volume.nrrd"}, "operations": [
+                {"op": "measure", "kind": "distance", "points": [[0, 0, 0], [3, 0, 4]]},
+                {"op": "measure", "kind": "path", "points": [[0, 0, 0], [3, 0, 0], [3, 4, 0]]},
+                {"op": "undo"},
+                {"op": "measure", "kind": "angle", "points": [[3, 0, 0], [0, 0, 0], [0, 4, 0]]},
+                {"op": "measure", "kind": "area", "points": [[5.5, 4.5, 8], [17.5, 4.5, 8], [17.5, 14.5, 8], [5.5, 14.5, 8]]}]}))
+        table = self.folder / "m.csv"
+        result = call("stats", session, "--measurements", table)
+        self.assertEqual(result.returncode, 0, result)
+        lines = result.stdout.splitlines()
+        self.assertEqual(len(lines), 4, result.stdout)
+        self.assertIn("6.7 mm", lines[1])
+        self.assertIn("90.0\u00b0", lines[2])
+        self.assertIn("120 mm\u00b2", lines[3])
+        self.assertIn("200 \u00b1 0", lines[3])
+        with open(table, newline="", encoding="utf-8") as file:
+            rows = list(csv.DictReader(file))
+        self.assertEqual([(row["kind"], row["unit"]) for row in rows], [("distance", "mm"), ("angle", "degrees"), ("area", "mm2")])
+        self.assertAlmostEqual(float(rows[0]["value"]), math.hypot(3, 6), places=8)
+        self.assertEqual((rows[2]["voxels"], rows[2]["mean"], rows[2]["standard_deviation"]), ("120", "200", "0"))
+        self.assertEqual(rows[0]["points_lps_mm"], "0 0 0; 3 0 6")
+        labels = self.labels("l.nrrd", in_box)
+        self.refused(2, ["--measurements", "session"], "stats", labels, "--volume", self.volume, "--measurements", table)
+        session.write_text(json.dumps({"volumeStudioSession": 1, "volume": {"path": "volume.nrrd"}, "operations": [
+            {"op": "measure", "kind": "area", "points": [[5, 4, 8], [7, 4, 9], [7, 4.5, 7]]}]}))
+        self.refused(1, ["operation 1", "points", "one slice"], "stats", session)
 
     def test_values_that_are_no_numbers_are_left_out(self):
         self.volume = write_nrrd(self.folder / "floats.nrrd",

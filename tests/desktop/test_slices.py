@@ -228,10 +228,23 @@ def measure(studio):
         studio.click(point)
     state = studio.wait("the angle", lambda s: len(s["measurements"]) == 3)
     need(abs(state["measurements"][2] - 135) < 0.01, f"{state['measurements'][2]} degrees instead of 135")
+    studio.click("measurePath")
+    x, y = slice_point(studio, "axial", 0.4, 0.5)
+    studio.drag([(x, y), (x + 60, y), (x + 60, y + 40)])
+    state = studio.wait("the path", lambda s: len(s["measurements"]) == 4)
+    need(abs(state["measurements"][3] / (100 * mm) - 1) < 0.02, f"{state['measurements'][3]} mm instead of {100 * mm}")
+    studio.click("measureArea")
+    studio.drag([(x, y), (x + 60, y), (x + 60, y + 40), (x, y + 40), (x, y + 2)])
+    state = studio.wait("the area", lambda s: len(s["measurements"]) == 5)
+    need(abs(state["measurements"][4] / (2400 * mm * mm) - 1) < 0.02, f"{state['measurements'][4]} mm2 instead of {2400 * mm * mm}")
     studio.click("measureDeleteLast")
-    studio.wait("one less", lambda s: len(s["measurements"]) == 2)
+    studio.wait("one less", lambda s: len(s["measurements"]) == 4)
+    studio.key("ctrl+z")
+    studio.wait("undone", lambda s: len(s["measurements"]) == 5)
     studio.click("measureDeleteAll")
     studio.wait("none", lambda s: not s["measurements"])
+    studio.key("ctrl+z")
+    return studio.wait("all again", lambda s: len(s["measurements"]) == 5)["measurements"]
 
 
 @test.step(after=[open_slices])
@@ -272,6 +285,15 @@ def window_of_session(session):
 @test.step
 def brush_of_session(done):
     need([operation["adds"] for operation in done[1:]] == [True, False, True], "the brush's signs are others")
+
+
+@test.step
+def measured_in_session(arguments, measure, session, folder):
+    """The session's measurements are those that the window showed."""
+    table = folder / "measured.csv"
+    run(arguments.vstudio, "stats", session[0], "--measurements", table)
+    values = [float(line.split(",")[2]) for line in table.read_text().splitlines()[1:]]
+    need(len(values) == 5 and all(abs(a - b) < 1e-6 * abs(b) for a, b in zip(values, measure)), f"{values} instead of {measure}")
 
 
 @test.step

@@ -13,6 +13,7 @@
 #include "gl/context.h"
 #include "segment/measures/statistics.h"
 #include "studio/document/document.h"
+#include "studio/document/document_facts.h"
 #include "studio/json/session.h"
 #include "studio/state/region.h"
 
@@ -27,6 +28,7 @@ struct StatsOptions {
     std::string labels; // or a session
     VolumeArgument volume;
     std::string csv;
+    std::string measurements;
 };
 
 std::vector<MeasuredSegment> measureLabels(const StatsOptions& options) {
@@ -47,7 +49,13 @@ std::vector<MeasuredSegment> measureLabels(const StatsOptions& options) {
 }
 
 // Replays everything but what writes files.
-std::vector<MeasuredSegment> measureSession(const StatsOptions& options) {
+struct SessionFigures {
+    std::vector<MeasuredSegment> segments;
+    std::vector<studio::Measured> measurements;
+    volume::GridGeometry geometry;
+};
+
+SessionFigures measureSession(const StatsOptions& options) {
     const studio::Session session = studio::loadSession(options.labels);
     std::vector<std::string> notices;
     auto volume = loadSessionVolume(session, options.labels, options.volume, notices);
@@ -61,42 +69,61 @@ std::vector<MeasuredSegment> measureSession(const StatsOptions& options) {
         progress.advance();
     }
     const auto& infos = document.segments().segments;
-    std::vector<MeasuredSegment> segments;
+    SessionFigures figures{{}, *document.facts()->measured, document.volume().geometry};
     for (const auto& statistics : segment::measure(document.volume(), document.region().labelMap())) {
         const auto info = std::find_if(infos.begin(), infos.end(), [&](const studio::SegmentInfo& segment) {
             return segment.label == statistics.label;
         });
         VS_CHECK(info != infos.end());
-        segments.push_back(
+        figures.segments.push_back(
             {info->label, info->name, glm::u8vec3(glm::round(info->colour * 255.0)), statistics});
     }
     context.requireNoErrors();
-    if (segments.empty()) {
-        throw Error("{}: leaves no voxel in a segment; a session to measure seeds and grows", options.labels);
+    if (figures.segments.empty() && figures.measurements.empty()) {
+        throw Error("{}: leaves no voxel in a segment and no measurement; a session to measure seeds and "
+                    "grows, or measures",
+                    options.labels);
     }
-    return segments;
+    return figures;
+}
+
+void requireCsv(const char* option, const std::string& file) {
+    if (!file.empty()) {
+        if (!file.ends_with(".csv")) {
+            throw UsageError("{} {}: give a name that ends in .csv", option, file);
+        }
+        outputFile(file);
+    }
 }
 
 void run(const StatsOptions& options) {
-    if (!options.csv.empty()) { // what can be wrong is said before anything is read
-        if (!options.csv.ends_with(".csv")) {
-            throw UsageError("--csv {}: give a name that ends in .csv", options.csv);
-        }
-        outputFile(options.csv);
+    requireCsv("--csv", options.csv); // what can be wrong is said before anything is read
+    requireCsv("--measurements", options.measurements);
+    const bool isSession = options.labels.ends_with(".json");
+    if (!options.measurements.empty() && !isSession) {
+        throw UsageError("--measurements {}: only sessions have measurements; give one (.json)",
+                         options.measurements);
     }
-    const auto segments =
-        options.labels.ends_with(".json") ? measureSession(options) : measureLabels(options);
+    const SessionFigures figures =
+        isSession ? measureSession(options) : SessionFigures{measureLabels(options), {}, {}};
     if (!options.csv.empty()) {
-        writeFileAtomically(options.csv, csvOf(segments));
+        writeFileAtomically(options.csv, csvOf(figures.segments));
     }
-    printTable(segments);
+    if (!options.measurements.empty()) {
+        writeFileAtomically(options.measurements, studio::csvOf(figures.measurements));
+    }
+    if (!figures.segments.empty()) {
+        printTable(figures.segments);
+    }
+    printTable(figures.measurements, figures.geometry);
 }
 
 } // namespace
 
 void addStatsCommand(CLI::App& app) {
-    auto* command = app.add_subcommand(
-        "stats", "Measures what labels of a label map, or segments of a session, cover of a volume");
+    auto* command = app.add_subcommand("stats", "Measures what labels of a label map, or segments of a "
+                                                "session, cover of a volume, and lists what was "
+                                                "measured in a session");
     const auto options = std::make_shared<StatsOptions>();
     command
         ->add_option("LABELS", options->labels,
@@ -107,6 +134,8 @@ void addStatsCommand(CLI::App& app) {
                         "The volume that it lies on; of a session, to be used instead of its own");
     addReadOptions(*command, options->volume);
     command->add_option("--csv", options->csv, "Write the table with all digits too (CSV)");
+    command->add_option("--measurements", options->measurements,
+                        "Write the session's measurements with all digits too (CSV)");
     command->callback([options] { run(*options); });
 }
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "reports/measurements.h"
 
+#include "base/names.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -79,6 +81,7 @@ std::vector<Column> columnsOf(const std::vector<MeasuredSegment>& segments) {
     const int places = placesFor(segments);
     add(columns, "volume ml", [&](Segment, Statistics s) { return number(s.millilitres, places); });
     add(columns, "surface mm²", [](Segment, Statistics s) { return number(s.surfaceMm2, 0); });
+    add(columns, "sphericity", [](Segment, Statistics s) { return number(s.sphericity, 3); });
     const int digits = digitsFor(segments, [](Statistics s) { return s.intensities.mean; });
     add(columns, "mean", [&](Segment, Statistics s) { return number(s.intensities.mean, digits); });
     add(columns, "sd", [&](Segment, Statistics s) { return number(s.intensities.deviation, digits); });
@@ -88,17 +91,21 @@ std::vector<Column> columnsOf(const std::vector<MeasuredSegment>& segments) {
     add(columns, "box mm", [](Segment, Statistics s) {
         return fmt::format("{:.4g} x {:.4g} x {:.4g}", s.boxMm.x, s.boxMm.y, s.boxMm.z);
     });
+    add(columns, "axes mm", [](Segment, Statistics s) {
+        return fmt::format("{:.4g} x {:.4g} x {:.4g}", s.axes[0].lengthMm, s.axes[1].lengthMm,
+                           s.axes[2].lengthMm);
+    });
+    add(columns, "parts", [](Segment, Statistics s) { return std::to_string(s.topology.parts); });
+    add(columns, "tunnels", [](Segment, Statistics s) { return std::to_string(s.topology.tunnels()); });
+    add(columns, "cavities", [](Segment, Statistics s) { return std::to_string(s.topology.cavities); });
     add(columns, "centroid mm (LPS)", [](Segment, Statistics s) {
         return fmt::format("{:.1f} {:.1f} {:.1f}", s.centroid.x, s.centroid.y, s.centroid.z);
     });
     return columns;
 }
 
-} // namespace
-
-void printTable(const std::vector<MeasuredSegment>& segments) {
-    const auto columns = columnsOf(segments);
-    for (std::size_t line = 0; line <= segments.size(); ++line) {
+void print(const std::vector<Column>& columns, std::size_t lines) {
+    for (std::size_t line = 0; line <= lines; ++line) {
         std::string text;
         for (const Column& column : columns) {
             std::size_t width = widthOf(column.title);
@@ -112,6 +119,28 @@ void printTable(const std::vector<MeasuredSegment>& segments) {
         }
         fmt::print("{}\n", text);
     }
+}
+
+} // namespace
+
+void printTable(const std::vector<MeasuredSegment>& segments) { print(columnsOf(segments), segments.size()); }
+
+void printTable(const std::vector<studio::Measured>& measurements, const volume::GridGeometry& geometry) {
+    if (measurements.empty()) {
+        return;
+    }
+    Column numbers{"measurement", {}, false};
+    Column kinds{"kind", {}, true};
+    Column values{"value", {}, false};
+    Column inside{"mean and sd of values", {}, false};
+    for (const studio::Measured& measured : measurements) {
+        const std::string found = studio::valuesOf(measured);
+        numbers.cells.push_back(std::to_string(numbers.cells.size()));
+        kinds.cells.emplace_back(nameOf(measured.measure.kind));
+        values.cells.push_back(studio::labelOf(measured, geometry));
+        inside.cells.push_back(found.empty() ? "-" : found);
+    }
+    print({numbers, kinds, values, inside}, measurements.size());
 }
 
 void printAgreement(const segment::Agreement& agreement) {

@@ -46,6 +46,14 @@ SegmentNumbersPanel::SegmentNumbersPanel(StudioController& studio, QWidget* pare
     extremes_ = addFigure(grid, tr("Least, median, most"), "extremeValues");
     box_ = addFigure(grid, tr("Box"), "segmentBox");
     surface_ = addFigure(grid, tr("Surface"), "segmentSurface");
+    sphericity_ = addFigure(grid, tr("Sphericity"), "segmentSphericity");
+    sphericity_->setToolTip(tr("The surface of a ball of the same volume by this one: 1 for a ball"));
+    axes_ = addFigure(grid, tr("Axes"), "segmentAxes");
+    axes_->setToolTip(tr("Of the ellipsoid with the same moments, the longest first"));
+    topology_ = addFigure(grid, tr("Parts, tunnels, cavities"), "segmentTopology");
+    topology_->setToolTip(tr("Pieces that do not touch, ways through as in a ring, hollows that are closed"));
+    euler_ = addFigure(grid, tr("Euler number"), "segmentEuler");
+    euler_->setToolTip(tr("Parts less tunnels and more cavities"));
     card_->content()->addLayout(grid);
     copy_ = named(new QPushButton(tr("Copy all as CSV")), "copyNumbers", tr("Copy the numbers as CSV"));
     copy_->setToolTip(tr("The numbers of all segments, for a table, as `vstudio stats --csv` writes them"));
@@ -79,7 +87,7 @@ void SegmentNumbersPanel::refreshMeasured() {
     copy_->setEnabled(!measurer.segments().empty());
     if (found == nullptr) {
         const QString text = measurer.isMeasuring() ? tr("measuring\u2026") : tr("\u2013");
-        for (QLabel* label : {mean_, extremes_, box_, surface_}) {
+        for (QLabel* label : {mean_, extremes_, box_, surface_, sphericity_, axes_, topology_, euler_}) {
             label->setText(text);
         }
         return;
@@ -92,6 +100,13 @@ void SegmentNumbersPanel::refreshMeasured() {
     box_->setText(
         tr("%1 \u00d7 %2 \u00d7 %3 mm").arg(number(s.boxMm.x), number(s.boxMm.y), number(s.boxMm.z)));
     surface_->setText(tr("%1 cm\u00b2").arg(s.surfaceMm2 / 100, 0, 'f', 2));
+    sphericity_->setText(QString::number(s.sphericity, 'f', 3));
+    axes_->setText(
+        tr("%1 \u00d7 %2 \u00d7 %3 mm")
+            .arg(number(s.axes[0].lengthMm), number(s.axes[1].lengthMm), number(s.axes[2].lengthMm)));
+    const auto& topology = s.topology;
+    topology_->setText(tr("%1, %2, %3").arg(topology.parts).arg(topology.tunnels()).arg(topology.cavities));
+    euler_->setText(QString::number(topology.euler));
 }
 
 void SegmentNumbersPanel::copy() {

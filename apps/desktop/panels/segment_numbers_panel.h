@@ -32,6 +32,10 @@ private:
     QLabel* extremes_;
     QLabel* box_;
     QLabel* surface_;
+    QLabel* sphericity_;
+    QLabel* axes_;
+    QLabel* topology_;
+    QLabel* euler_;
     QPushButton* copy_;
 };
 

@@ -48,11 +48,11 @@ nlohmann::json handlesOnScreen(const QWidget& view, const MoveTool& tool) {
     return places;
 }
 
-// In mm and degrees.
+// In mm, degrees, mm^2 and ml.
 nlohmann::json measured(const MeasureTool& tool) {
     nlohmann::json values = nlohmann::json::array();
-    for (const Measurement& measurement : tool.measurements()) {
-        values.push_back(valueOf(measurement));
+    for (const studio::Measured& measured : tool.measurements()) {
+        values.push_back(measured.value);
     }
     return values;
 }

@@ -3,7 +3,7 @@
 
 #include "tools/kinds/studio_tool.h"
 
-#include "volume/grid/geometry.h"
+#include "studio/state/measured.h"
 
 #include <glm/glm.hpp>
 
@@ -14,19 +14,9 @@ namespace vs::desktop {
 
 class CameraTool;
 
-// A distance between two places, or the angle at the second of three. In mm of the world.
-struct Measurement {
-    std::vector<glm::dvec3> places;
-
-    [[nodiscard]] bool isAngle() const { return places.size() > 2; }
-};
-// What a measurement gives, in mm or in degrees; 0 while there is nothing to measure.
-double valueOf(const Measurement& measurement);
-// A measurement's value as people read it: "12.3 mm", "90.5°".
-QString labelOf(const Measurement& measurement);
-
 // Measures between places that are clicked, on the surface seen or on slices; a drag from one to the next
-// does as well. Where there is no surface, it turns the volume.
+// does as well. Paths are drawn there, and outlines of areas on slices. Where there is no surface, it turns
+// the volume. What is measured is an operation of the document: it stands in sessions, and is undone.
 class MeasureTool : public StudioTool {
     Q_OBJECT
 
@@ -41,18 +31,24 @@ public:
     void hover(const Pen& pen) override;
     void clear() override; // what is in hand, else nothing
 
-    [[nodiscard]] bool measuresAngles() const { return measuresAngles_; }
-    void setMeasuresAngles(bool angles);
+    using Kind = studio::Measure::Kind;
+    [[nodiscard]] Kind kind() const { return kind_; }
+    void setKind(Kind kind);
+    // How much is cut away.
+    void measureCut();
 
-    // A place was pressed, the last one goes to where the pen is now, and it was let go there after a drag or
-    // not.
+    // A place was pressed, the last one goes to where the pen is now (a path goes on to there), and it was
+    // let go there after a drag or not.
     void begin(glm::dvec3 world);
     void lead(glm::dvec3 world);
     void end(bool isDrag);
 
-    [[nodiscard]] const std::vector<Measurement>& measurements() const { return measurements_; }
-    // The measurement in hand, with the place under the pen as its last.
-    [[nodiscard]] const std::optional<Measurement>& inHand() const { return inHand_; }
+    [[nodiscard]] const std::vector<studio::Measured>& measurements() const;
+    // The measurement in hand, with the place under the pen as its last. An area comes to nothing before it
+    // is closed.
+    [[nodiscard]] std::optional<studio::Measured> inHand() const;
+    // What a measurement comes to, with the values of an area.
+    [[nodiscard]] QString labelOf(const studio::Measured& measured) const;
     void removeLast();
     void removeAll();
 
@@ -63,12 +59,13 @@ private:
     [[nodiscard]] std::optional<glm::dvec3> surfaceAt(QPointF position);
     void fix();
     void tell();
-    void followVoxels(const volume::GridGeometry& before);
+    void drop();
+    [[nodiscard]] bool isDrawn() const { return kind_ == Kind::Path || kind_ == Kind::Area; }
+    void finish();
 
     CameraTool& camera_;
-    std::vector<Measurement> measurements_;
-    std::optional<Measurement> inHand_;
-    bool measuresAngles_ = false;
+    std::vector<glm::dvec3> places_; // of the measurement in hand: world, mm; none: there is none
+    Kind kind_ = Kind::Distance;
     bool isHeld_ = false;
     bool isFirst_ = false; // the press that is held began the measurement
     bool isTurning_ = false;

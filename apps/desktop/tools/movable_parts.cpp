@@ -22,7 +22,10 @@ std::vector<MovableParts::Movable> MovableParts::all() const {
     for (std::size_t k = 0; k < studio_.view().shown().pasted.size(); ++k) {
         const studio::PartInfo* part = k < facts->parts.size() ? &facts->parts[k] : nullptr;
         if (part == nullptr || part->isVisible) {
-            found.push_back({k, {}, part != nullptr ? part->name : std::string(), part != nullptr ? part->middleVoxel : 0.5 * (glm::dvec3(geometry->dims) - 1.0)});
+            found.push_back({k,
+                             {},
+                             part != nullptr ? part->name : std::string(),
+                             part != nullptr ? part->middleVoxel : 0.5 * (glm::dvec3(geometry->dims) - 1.0)});
         }
     }
     for (const studio::SegmentInfo& info : facts->segments.segments) {

@@ -24,7 +24,8 @@ public:
     // The number of a segment that is pulled out, and of the part at a place of the view.
     [[nodiscard]] std::optional<int> numberOf(const std::string& segment) const;
     [[nodiscard]] std::optional<int> numberOf(std::size_t pasted) const;
-    // Which one a number is of, whatever numbers parts have later; two that were pasted may be called the same.
+    // Which one a number is of, whatever numbers parts have later; two that were pasted may be called the
+    // same.
     struct Identity {
         bool isSegment = false;
         std::string name;

@@ -8,6 +8,9 @@
 #include <QFontMetricsF>
 #include <QPainter>
 
+#include <algorithm>
+#include <vector>
+
 namespace vs::desktop {
 
 namespace {
@@ -26,37 +29,63 @@ void paintLabel(QPainter& painter, QPointF at, const QString& text, QRectF area)
     painter.drawText(box, Qt::AlignCenter, text);
 }
 
+// Where places were put: all of those that were clicked, both ends of what was drawn.
+void addDots(QPainterPath& line, const std::vector<QPointF>& points, studio::Measure::Kind kind) {
+    constexpr double kDot = 2.5;
+    const bool isDrawn = kind == studio::Measure::Kind::Path || kind == studio::Measure::Kind::Area;
+    for (std::size_t n = 0; n < points.size(); ++n) {
+        if (!isDrawn || n == 0 || n + 1 == points.size()) {
+            line.addEllipse(points[n], kDot, kDot);
+        }
+    }
+}
+
+// At an angle's corner, below an outline, else half-way along.
+QPointF labelPlace(const studio::Measured& measured, const std::vector<QPointF>& points) {
+    if (measured.measure.kind == studio::Measure::Kind::Angle) {
+        return points[1];
+    }
+    if (measured.isArea()) {
+        return *std::max_element(points.begin(), points.end(),
+                                 [](QPointF a, QPointF b) { return a.y() < b.y(); });
+    }
+    return points.size() == 2 ? 0.5 * (points[0] + points[1]) : points[points.size() / 2];
+}
+
 } // namespace
 
 void paintMeasurements(QPainter& painter, const MeasureTool& tool,
                        const std::function<std::optional<QPointF>(glm::dvec3)>& seenAt, QRectF area) {
-    const auto paint = [&](const Measurement& measurement, bool isInHand) {
+    const auto paint = [&](const studio::Measured& measured, bool isInHand) {
         QPainterPath line;
         std::vector<QPointF> points;
-        for (const glm::dvec3 place : measurement.places) {
+        for (const glm::dvec3 place : measured.world) {
             const auto point = seenAt(place);
             if (!point) {
                 return;
             }
             points.push_back(*point);
         }
-        line.moveTo(points.front());
-        for (const QPointF point : points) {
-            line.lineTo(point);
-            line.addEllipse(point, 2.5, 2.5);
-            line.moveTo(point);
+        if (points.empty()) {
+            return; // what is cut has no place
         }
-        paintOverlay(painter, {line, isInHand ? Overlay::Tint::Pen : Overlay::Tint::Seed, 0, 1.5}, area);
-        const QPointF middle = measurement.isAngle() ? points[1] : 0.5 * (points.front() + points.back());
-        if (valueOf(measurement) > 0) {
-            paintLabel(painter, middle, labelOf(measurement), area);
+        line.addPolygon(QPolygonF(QVector<QPointF>(points.begin(), points.end())));
+        if (measured.isArea() && !isInHand) {
+            line.closeSubpath();
+        } else {
+            addDots(line, points, measured.measure.kind);
+        }
+        const double filled = measured.isArea() ? 0.15 : 0;
+        paintOverlay(painter, {line, isInHand ? Overlay::Tint::Pen : Overlay::Tint::Seed, filled, 1.5}, area);
+        if (measured.value > 0) {
+            paintLabel(painter, labelPlace(measured, points), tool.labelOf(measured), area);
         }
     };
-    for (const Measurement& measurement : tool.measurements()) {
-        paint(measurement, false);
+    for (const studio::Measured& measured : tool.measurements()) {
+        paint(measured, false);
     }
-    if (tool.inHand()) {
-        paint(*tool.inHand(), true);
+    if (const auto inHand = tool.inHand()) {
+        paint(*inHand, true);
     }
 }
 

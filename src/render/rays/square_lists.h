@@ -29,7 +29,7 @@ public:
     void list();
     // After two samples: squares where they agree take no more.
     void setSettledAside();
-    // Those of the squares that take samples in which the part with these beams may show something.
+    // Lists those squares that take samples in which the part with these beams may show something.
     void listPart(const gl::Texture& beams, int beamPixels, PartSquares& part);
 
     // How many may show something: they stand first in the list.

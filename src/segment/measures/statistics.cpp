@@ -37,6 +37,7 @@ struct Bins {
 struct Tally {
     std::uint64_t voxels = 0;
     std::array<std::uint64_t, 3> indexSums{};
+    std::array<std::uint64_t, 6> indexProducts{}; // sums of xx, yy, zz, xy, xz, yz
     Box3 box;
     std::uint64_t finite = 0;
     double shift = 0;   // a value of the label: sums about it do not cancel
@@ -52,7 +53,34 @@ struct Tally {
         indexSums[0] += n * std::uint64_t(first.x) + n * (n - 1) / 2;
         indexSums[1] += n * std::uint64_t(first.y);
         indexSums[2] += n * std::uint64_t(first.z);
+        addProducts(glm::u64vec3(first), n);
         box = unite(box, {first, first + glm::ivec3(length, 1, 1)});
+    }
+
+    void addProducts(glm::u64vec3 first, std::uint64_t n) {
+        const std::uint64_t steps = n * (n - 1) / 2; // of 0 to n - 1, and of their squares
+        const std::uint64_t stepSquares = n * (n - 1) * (2 * n - 1) / 6;
+        const std::uint64_t xs = n * first.x + steps;
+        indexProducts[0] += n * first.x * first.x + 2 * first.x * steps + stepSquares;
+        indexProducts[1] += n * first.y * first.y;
+        indexProducts[2] += n * first.z * first.z;
+        indexProducts[3] += xs * first.y;
+        indexProducts[4] += xs * first.z;
+        indexProducts[5] += n * first.y * first.z;
+    }
+
+    // Mean of the voxels' indices.
+    [[nodiscard]] glm::dvec3 middle() const {
+        return glm::dvec3(double(indexSums[0]), double(indexSums[1]), double(indexSums[2])) / double(voxels);
+    }
+
+    // Of all places in the voxels, which are blocks: in voxels squared.
+    [[nodiscard]] glm::dmat3 covariance() const {
+        constexpr double ofABlock = 1.0 / 12;
+        const auto mean = [this](std::size_t i) { return double(indexProducts[i]) / double(voxels); };
+        const glm::dmat3 products(mean(0), mean(3), mean(4), mean(3), mean(1), mean(5), mean(4), mean(5),
+                                  mean(2));
+        return products - glm::outerProduct(middle(), middle()) + glm::dmat3(ofABlock);
     }
 
     template <typename T>
@@ -78,6 +106,9 @@ struct Tally {
         box = unite(box, other.box);
         for (std::size_t axis = 0; axis < 3; ++axis) {
             indexSums[axis] += other.indexSums[axis];
+        }
+        for (std::size_t i = 0; i < indexProducts.size(); ++i) {
+            indexProducts[i] += other.indexProducts[i];
         }
         if (other.finite == 0) {
             return;
@@ -245,6 +276,10 @@ std::vector<SegmentStatistics> measure(const volume::Volume& volume, const volum
     const Tallies tallies = tally(volume, labels, bins);
     const auto middle = medians(volume, labels, bins, tallies);
     const auto areas = surfaceAreas(geometry, labels);
+    std::array<Box3, 256> boxes;
+    std::transform(tallies.begin(), tallies.end(), boxes.begin(), [](const Tally& one) { return one.box; });
+    const auto shapes = topologies(geometry.dims, labels, boxes);
+    const glm::dmat3 worldFromIndex(geometry.worldFromVoxel);
     std::vector<SegmentStatistics> result;
     for (std::size_t label = 1; label < 256; ++label) {
         const Tally& one = tallies[label];
@@ -252,15 +287,17 @@ std::vector<SegmentStatistics> measure(const volume::Volume& volume, const volum
             continue;
         }
         SegmentStatistics& record = result.emplace_back();
-        const glm::dvec3 sums(double(one.indexSums[0]), double(one.indexSums[1]), double(one.indexSums[2]));
         record.label = std::uint8_t(label);
         record.voxels = one.voxels;
         record.millilitres = double(one.voxels) * geometry.voxelMm3() / 1000.0;
         record.intensities = intensitiesOf(one, middle[label]);
         record.box = one.box;
         record.boxMm = glm::dvec3(one.box.size()) * geometry.spacing();
-        record.centroid = glm::dvec3(geometry.worldFromVoxel * glm::dvec4(sums / double(one.voxels), 1.0));
+        record.centroid = glm::dvec3(geometry.worldFromVoxel * glm::dvec4(one.middle(), 1.0));
         record.surfaceMm2 = areas[label];
+        record.sphericity = sphericity(record.millilitres, record.surfaceMm2);
+        record.axes = principalAxes(worldFromIndex * one.covariance() * glm::transpose(worldFromIndex));
+        record.topology = shapes[label];
     }
     return result;
 }

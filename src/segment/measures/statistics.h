@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "segment/measures/shape.h"
+#include "segment/measures/topology.h"
 #include "volume/grid/volume.h"
 
+#include <array>
 #include <cstdint>
 #include <limits>
 #include <span>
@@ -31,11 +34,15 @@ struct SegmentStatistics {
     glm::dvec3 boxMm{0};    // size of the box along the index axes, from border to border
     glm::dvec3 centroid{0}; // mean of the voxels' centres, world (LPS mm)
     double surfaceMm2 = 0;  // see surface_area.h
+    double sphericity = 0;  // see shape.h, as the axes
+    std::array<PrincipalAxis, 3> axes;
+    Topology topology;
 };
 
 // Measures every label that occurs, in the order of their numbers; 0 is none. `labels` lie on the volume's
 // grid, x fastest; the volume's range must be known. Values and places take one pass over the voxels on
-// several threads (values that are no whole numbers a second look for the median), surfaces another.
+// several threads (values that are no whole numbers a second look for the median), surfaces and Euler numbers
+// one each, parts and cavities one over each label's box.
 std::vector<SegmentStatistics> measure(const volume::Volume& volume, std::span<const std::uint8_t> labels);
 // Measures a volume whose voxels lie at `geometry` instead of where it says.
 std::vector<SegmentStatistics> measure(const volume::Volume& volume, const volume::GridGeometry& geometry,

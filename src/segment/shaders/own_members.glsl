@@ -1,5 +1,6 @@
 // Which voxels of a row count: those shown, with VS_APART those of one segment, and those without a label,
-// which are what it is taken to be behind cuts when no other is shown. With VS_APART binding: texture 3 labels.
+// which are what it is taken to be behind cuts when no other is shown. With VS_APART binding: texture 3
+// labels.
 #include "segment/shaders/bindings.glsl"
 
 #ifdef VS_APART

@@ -47,6 +47,14 @@ GrowthStatus statusOf(const Contents& contents) {
     return status;
 }
 
+std::shared_ptr<const std::vector<Measured>> measuredIn(const Contents& contents) {
+    auto found = std::make_shared<std::vector<Measured>>();
+    for (const Measure& measure : *contents.measurements) {
+        found->push_back(measured(measure, contents.scan.volume));
+    }
+    return found;
+}
+
 GrowthRules rulesOf(const Region& region) {
     const segment::Constraints& rules = region.rules();
     GrowthRules result{rules.range, rules.difference, rules.gradient, rules.gradientDifference};
@@ -69,6 +77,10 @@ std::shared_ptr<const DocumentFacts> factsOf(const Contents& contents, std::size
     facts->sliceWindow = contents.scan.slices;
     facts->edits =
         before.edits->revision == contents.history.revision() ? before.edits : editsOf(contents.history);
+    facts->measurements = contents.measurements;
+    const bool isMeasured =
+        before.measurements == contents.measurements && before.geometry == contents.scan.volume.geometry;
+    facts->measured = isMeasured ? before.measured : measuredIn(contents);
     facts->parts.assign(contents.pasted.parts.begin(), contents.pasted.parts.end());
     facts->segments = contents.segments;
     for (const SegmentInfo& segment : contents.segments.segments) {

@@ -55,6 +55,9 @@ struct DocumentFacts {
     FirstLook firstLook; // that suits the scan: how the window shows it when it is opened
     Range sliceWindow;   // that suits the scan: what slices show where the view says nothing
     std::shared_ptr<const Edits> edits = std::make_shared<Edits>();
+    // The measurements and what they come to; shared with earlier facts while that is the same.
+    std::shared_ptr<const std::vector<Measured>> measured = std::make_shared<std::vector<Measured>>();
+    Measurements measurements = std::make_shared<std::vector<Measure>>();
     std::vector<PartInfo> parts; // that were pasted, in the order of the view's places
     SegmentList segments;
     std::array<std::size_t, 256> voxels{}; // shown of each segment, by its label

@@ -47,7 +47,7 @@ Outcome Document::Impl::run(Operation& operation, const std::filesystem::path& f
             } else if constexpr (requires { run(op); }) {
                 return run(op);
             } else {
-                return runByOneOf(op, cuts, parts, scan, growth, segmentList, segmentShapes);
+                return runByOneOf(op, cuts, parts, scan, measurements, growth, segmentList, segmentShapes);
             }
         },
         operation);
@@ -130,6 +130,9 @@ Outcome Document::Impl::travel(Edit& edit, bool isUndo) {
     }
     if (const auto& geometry = isUndo ? edit.geometryBefore : edit.geometryAfter) {
         scan.lay(*geometry);
+    }
+    if (const auto& list = isUndo ? edit.measurementsBefore : edit.measurementsAfter) {
+        measurements.show(list);
     }
     outcome.message = {name(*edit.operation)};
     ++contents.version;

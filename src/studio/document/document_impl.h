@@ -11,6 +11,7 @@
 #include "studio/editing/cut_editor.h"
 #include "studio/editing/file_writer.h"
 #include "studio/editing/growth_editor.h"
+#include "studio/editing/measurement_editor.h"
 #include "studio/editing/part_editor.h"
 #include "studio/editing/scan_editor.h"
 #include "studio/editing/segment_list_editor.h"
@@ -40,6 +41,7 @@ struct Document::Impl {
     CutEditor cuts{contents, display, cutter};
     PartEditor parts{contents, display};
     ScanEditor scan{contents, cutter};
+    MeasurementEditor measurements{contents};
     GrowthEditor growth{contents, display, cutter};
     SegmentListEditor segmentList{contents};
     SegmentShapeEditor segmentShapes{contents, display, cutter, cuts};

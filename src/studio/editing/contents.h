@@ -8,6 +8,7 @@
 #include "studio/operations/segment_list.h"
 #include "studio/operations/view.h"
 #include "studio/state/history.h"
+#include "studio/state/measured.h"
 #include "studio/state/pasted_parts.h"
 #include "studio/state/region.h"
 
@@ -44,6 +45,7 @@ struct Contents {
     PastedState pasted;
     Region region;
     SegmentList segments;
+    Measurements measurements = std::make_shared<const std::vector<Measure>>();
     View view;
     History history;
     std::uint64_t version = 0;      // counts changes that pictures can show

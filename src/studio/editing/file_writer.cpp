@@ -3,6 +3,7 @@
 
 #include "image/image.h"
 #include "render/marks/draw_annotations.h"
+#include "studio/editing/measurement_marks.h"
 #include "studio/editing/stroke_marks.h"
 #include "volume/io/write.h"
 
@@ -24,6 +25,11 @@ Outcome FileWriter::run(const SavePicture& op, const std::filesystem::path& fold
                     contents_.scan.volume.geometry);
     }
     if (op.annotations) {
+        std::vector<Measured> found;
+        for (const Measure& measure : *contents_.measurements) {
+            found.push_back(measured(measure, contents_.scan.volume));
+        }
+        markMeasurements(pixels, found, picture.rays, contents_.scan.volume.geometry);
         render::annotate(pixels, picture.rays, contents_.scan.volume.geometry);
     }
     image::writePng(folder / op.file, pixels);

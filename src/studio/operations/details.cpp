@@ -73,6 +73,12 @@ std::vector<Phrase> ShowSegments::details() const { return {oneOrAll(only)}; }
 
 std::vector<Phrase> EditSegment::details() const { return {{nameOf(kind)}}; }
 
+std::vector<Phrase> Measure::details() const { return {{nameOf(kind)}}; }
+
+std::vector<Phrase> RemoveMeasurement::details() const {
+    return {measurement ? say("%1", *measurement + 1) : say(VS_TEXT("library", "all"))};
+}
+
 std::vector<Phrase> BrushSegment::details() const {
     return {{isToAdd ? VS_TEXT("library", "add") : VS_TEXT("library", "remove")}};
 }

@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is wrong with operations whose members are right one by one.
+#include "studio/operations/measuring.h"
 #include "studio/operations/sweeping.h"
+#include "volume/measures/figures.h"
+
+#include <array>
+#include <limits>
 
 namespace vs::studio {
 
@@ -14,6 +19,30 @@ Fault SweepPath::faultOf() const {
 Fault Clip::faultOf() const {
     if (box && glm::any(glm::greaterThan(box->lo, box->hi))) {
         return {"box", "its first corner must not lie above its second along any axis"};
+    }
+    return {};
+}
+
+Fault Measure::faultOf() const {
+    struct Count {
+        std::size_t least;
+        std::size_t most;
+        const char* wanted;
+    };
+    constexpr std::size_t any = std::numeric_limits<std::size_t>::max();
+    constexpr std::array<Count, kKinds.size()> counts{
+        {{2, 2, "two points are needed for a distance"},
+         {3, 3, "three points are needed for an angle"},
+         {2, any, "at least two points are needed for a path"},
+         {3, any, "at least three points are needed for an area"},
+         {0, 0, "a cut is measured without points"}}};
+    const Count& count = counts[std::size_t(kind)];
+    if (points.size() < count.least || points.size() > count.most) {
+        return {"points", count.wanted};
+    }
+    if (kind == Kind::Area && volume::sliceAxis(points) < 0) {
+        return {"points", "all points of an area must have the same first, second or third coordinate: they "
+                          "must lie in one slice"};
     }
     return {};
 }

@@ -5,6 +5,7 @@
 #include "segment/growth/growth_undo.h"
 #include "studio/operations/operation.h"
 #include "studio/operations/segment_list.h"
+#include "studio/state/measured.h"
 #include "studio/state/pasted_parts.h"
 #include "studio/state/spill_file.h"
 
@@ -30,6 +31,9 @@ struct Edit {
     // Where the scan's voxels lay before and after, where the operation corrected that.
     std::optional<volume::GridGeometry> geometryBefore = {};
     std::optional<volume::GridGeometry> geometryAfter = {};
+    // The measurements before and after, where the operation changed them.
+    Measurements measurementsBefore = {};
+    Measurements measurementsAfter = {};
     // What it changed of what was trimmed (sculpt::Trimmed); it stays in memory.
     std::optional<sculpt::BrickDelta> trim = {};
     bool isLimited = false; // the cut spared segments, or took nothing else

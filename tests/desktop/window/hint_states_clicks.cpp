@@ -59,7 +59,7 @@ private:
         w_.open(); // without it
         choose(tools.get<MeasureTool>());
         look("measure");
-        tools.get<MeasureTool>().setMeasuresAngles(true);
+        tools.get<MeasureTool>().setKind(MeasureTool::Kind::Angle);
         look("measure, angle");
         mouse_.press(kA);
         look("measure, angle: held on the first place");
@@ -70,7 +70,16 @@ private:
         mouse_.release(kB);
         look("measure, angle: two places");
         tools.get<MeasureTool>().clear();
-        tools.get<MeasureTool>().setMeasuresAngles(false);
+        for (const auto kind : {MeasureTool::Kind::Path, MeasureTool::Kind::Area}) {
+            const bool isPath = kind == MeasureTool::Kind::Path;
+            tools.get<MeasureTool>().setKind(kind);
+            look(isPath ? "measure, path" : "measure, area");
+            mouse_.press(kA);
+            look(isPath ? "measure, path: held" : "measure, area: held on the surface");
+            tools.get<MeasureTool>().clear();
+            mouse_.release(kA);
+        }
+        tools.get<MeasureTool>().setKind(MeasureTool::Kind::Distance);
         mouse_.press({0.03, 0.97});
         look("measure: held beside the object");
         mouse_.release({0.03, 0.97});

@@ -4,6 +4,8 @@
 #include "model/studio/studio_controller.h"
 
 #include "render/marks/draw_annotations.h"
+#include "studio/document/document_facts.h"
+#include "studio/editing/measurement_marks.h"
 
 #include <fmt/format.h>
 
@@ -102,6 +104,8 @@ void PictureExport::takePicture() {
     studio_.host().runLong([&] {
         made = caster_->readPicture();
         if (picture_.annotations) {
+            studio::markMeasurements(made, *studio_.host().facts()->measured, rays_,
+                                     *studio_.host().geometry());
             render::annotate(made, rays_, *studio_.host().geometry());
         }
     });

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/state/measured.h"
+
+#include "base/names.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace vs::studio {
+
+namespace {
+
+struct Unit {
+    double mm; // in one of it
+    const char* name;
+};
+
+// The largest of which the scan's step is some hundredths at least.
+const Unit& unitFor(double stepMm) {
+    static constexpr std::array<Unit, 4> units{{{1e3, "m"}, {1, "mm"}, {1e-3, "µm"}, {1e-6, "nm"}}};
+    constexpr double kSteps = 20;
+    const auto found = std::find_if(units.begin(), units.end(),
+                                    [&](const Unit& unit) { return kSteps * stepMm >= unit.mm; });
+    return found != units.end() ? *found : units.back();
+}
+
+std::string lengthLabel(double mm, double stepMm) {
+    const Unit& unit = unitFor(stepMm);
+    constexpr double kPart = 0.1; // of a step: what a person can tell
+    const int digits = std::clamp(int(std::ceil(-std::log10(kPart * stepMm / unit.mm))), 0, 6);
+    return fmt::format("{:.{}f} {}", mm / unit.mm, digits, unit.name);
+}
+
+// With as many digits as an area has whose border is known to a tenth of a step.
+std::string areaLabel(double mm2, double stepMm) {
+    const Unit& unit = unitFor(stepMm);
+    const double border = std::sqrt(mm2) * 4;
+    const double known = std::max(0.1 * stepMm * border, 1e-300) / (unit.mm * unit.mm);
+    const int digits = std::clamp(int(std::ceil(-std::log10(known))), 0, 6);
+    return fmt::format("{:.{}f} {}²", mm2 / (unit.mm * unit.mm), digits, unit.name);
+}
+
+const char* unitOf(Measure::Kind kind) {
+    switch (kind) {
+    case Measure::Kind::Angle:
+        return "degrees";
+    case Measure::Kind::Area:
+        return "mm2";
+    case Measure::Kind::Cut:
+        return "ml";
+    case Measure::Kind::Distance:
+    case Measure::Kind::Path:
+        break;
+    }
+    return "mm";
+}
+
+std::string field(double value) { return std::isnan(value) ? "" : fmt::format("{:.10g}", value); }
+
+} // namespace
+
+Measured measured(const Measure& measure, const volume::Volume& volume) {
+    Measured result;
+    result.measure = measure;
+    for (const glm::dvec3& point : measure.points) {
+        result.world.emplace_back(volume.geometry.worldFromVoxel * glm::dvec4(point, 1));
+    }
+    switch (measure.kind) {
+    case Measure::Kind::Distance:
+    case Measure::Kind::Path:
+        result.value = volume::lengthMm(result.world);
+        break;
+    case Measure::Kind::Angle:
+        result.value = volume::angleDegrees(result.world[0], result.world[1], result.world[2]);
+        break;
+    case Measure::Kind::Area:
+        result.under = volume::underOutline(volume, measure.points);
+        result.value = result.under.mm2;
+        break;
+    case Measure::Kind::Cut:
+        result.value = measure.millilitres.value_or(0);
+        break;
+    }
+    return result;
+}
+
+std::string labelOf(const Measured& measured, const volume::GridGeometry& geometry) {
+    const double step = geometry.stepMm();
+    switch (measured.measure.kind) {
+    case Measure::Kind::Angle:
+        return fmt::format("{:.1f}°", measured.value);
+    case Measure::Kind::Area:
+        return areaLabel(measured.value, step);
+    case Measure::Kind::Cut:
+        return fmt::format("{:.{}f} ml", measured.value,
+                           std::clamp(int(std::ceil(-std::log10(geometry.voxelMm3() / 1000))), 0, 9));
+    case Measure::Kind::Distance:
+    case Measure::Kind::Path:
+        break;
+    }
+    return lengthLabel(measured.value, step);
+}
+
+std::string valuesOf(const Measured& measured) {
+    return measured.under.voxels == 0
+               ? std::string()
+               : fmt::format("{:.4g} ± {:.3g}", measured.under.mean, measured.under.deviation);
+}
+
+std::string csvOf(std::span<const Measured> measurements) {
+    std::string text =
+        "number,kind,value,unit,voxels,mean,standard_deviation,minimum,maximum,points_lps_mm\n";
+    for (std::size_t n = 0; n < measurements.size(); ++n) {
+        const Measured& one = measurements[n];
+        const auto& under = one.under;
+        std::string points;
+        for (const glm::dvec3& place : one.world) {
+            points += fmt::format("{}{:.10g} {:.10g} {:.10g}", points.empty() ? "" : "; ", place.x, place.y,
+                                  place.z);
+        }
+        text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", n, nameOf(one.measure.kind), field(one.value),
+                            unitOf(one.measure.kind), one.isArea() ? std::to_string(under.voxels) : "",
+                            field(under.mean), field(under.deviation), field(under.smallest),
+                            field(under.largest), points);
+    }
+    return text;
+}
+
+} // namespace vs::studio

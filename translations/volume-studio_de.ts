@@ -3021,6 +3021,10 @@ Tab: der nächste Punkt; Pfeiltasten bewegen ihn; Entf; Eingabe: seine Farbe; St
         <source>Making the scan</source>
         <translation>Der Scan wird gemacht</translation>
     </message>
+    <message>
+        <source>%1 is not where %2 says</source>
+        <translation>%1 ist nicht dort, wo %2 sagt</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::DocumentHost</name>
@@ -5036,6 +5040,14 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
     <message>
         <source>Segments voxel by voxel, as they grow, instead of smooth</source>
         <translation>Segmente Voxel für Voxel, wie sie wachsen, statt glatt</translation>
+    </message>
+    <message>
+        <source>Where is %1, the scan of %2?</source>
+        <translation>Wo ist %1, der Scan von %2?</translation>
+    </message>
+    <message>
+        <source>Volumes (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vtk *.dcm *.raw);;All files (*)</source>
+        <translation>Volumen (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vtk *.dcm *.raw);;Alle Dateien (*)</translation>
     </message>
 </context>
 <context>

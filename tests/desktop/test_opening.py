@@ -81,5 +81,35 @@ def replay(arguments, session, folder):
     compare_with_replay(arguments.vstudio, path, folder / "window.png", viewport, folder)
 
 
+@test.step
+def moved(display, arguments, session, folder):
+    """A session whose scan has moved asks where it is; the next time it is found where scans were opened before."""
+    path, _ = session
+    archive, elsewhere = folder / "archive", folder / "elsewhere"
+    archive.mkdir()
+    elsewhere.mkdir()
+    (folder / "pet").rename(archive / "pet")
+    lonely = elsewhere / "session.json"
+    saved = json.loads(path.read_text())
+    saved["volume"]["path"] = str(folder / "pet")
+    lonely.write_text(json.dumps(saved))
+    home = folder / "moved_home"
+    window = folder / "moved"
+    window.mkdir()
+    studio = start(display, arguments.program, window, [lonely], home=home)
+    studio.type_path("findVolumeDialog", next((archive / "pet").iterdir()))
+    state = studio.wait_idle("the session with its scan", lambda s: s["pictureComplete"] and s["segments"][0]["voxels"] > 0)
+    need(state["title"].startswith("pet"), f"the window is called {state['title']}")
+    studio.quit()
+    # Opened once, the folder that it lies in is known.
+    studio = start(display, arguments.program, window, [archive / "pet"], home=home)
+    studio.wait_idle("the scan", lambda s: s["pictureComplete"])
+    studio.quit()
+    studio = start(display, arguments.program, window, [lonely], home=home)
+    studio.wait_idle("the session found its scan", lambda s: s["pictureComplete"] and s["segments"][0]["voxels"] > 0)
+    need("findVolumeDialog" not in studio.state()["windows"], "it asks for what it can find")
+    studio.quit()
+
+
 if __name__ == "__main__":
     sys.exit(test.main(__doc__, "--program", "--vstudio"))

@@ -21,7 +21,8 @@ void load(Loaded& result) {
         request.volume = content.session.volumePath;
         request.session = content.savedAs;
         result.session = std::move(content.session);
-        result.volume = studio::openVolume(*result.session, request.journal, std::nullopt, result.notices);
+        result.volume = studio::openVolume(*result.session, request.journal, std::nullopt, result.notices, {},
+                                           request.folders);
         return;
     }
     if (request.given) {
@@ -33,7 +34,8 @@ void load(Loaded& result) {
         result.session = studio::loadSession(request.session);
         const auto replacement =
             request.volume.empty() ? std::nullopt : std::optional<std::filesystem::path>(request.volume);
-        result.volume = studio::openVolume(*result.session, request.session, replacement, result.notices);
+        result.volume = studio::openVolume(*result.session, request.session, replacement, result.notices, {},
+                                           request.folders);
         return;
     }
     volume::ReadOptions options;
@@ -58,34 +60,37 @@ void VolumeLoader::start(const OpenRequest& request) {
     result->request = request;
     worker_ = std::jthread([this, result] {
         const ProgressListener listener([this](std::optional<double>) { return !isGivenUp_; });
-        QString error;
-        std::vector<volume::SeriesChoice> choices;
+        Ending ending;
         try {
             load(*result);
             reportProgress();
             result->checksum = volume::checksum(result->volume);
         } catch (const volume::SeveralSeries& e) {
-            error = QString::fromUtf8(e.what());
-            choices = e.choices();
+            ending.error = QString::fromUtf8(e.what());
+            ending.choices = e.choices();
+        } catch (const studio::MovedVolume& e) {
+            ending.error = QString::fromUtf8(e.what());
+            ending.missing = e.wanted();
         } catch (const std::exception& e) {
-            error = QString::fromUtf8(e.what());
+            ending.error = QString::fromUtf8(e.what());
         }
         QMetaObject::invokeMethod(
-            this, [this, result, error, choices] { finish(result, error, choices); }, Qt::QueuedConnection);
+            this, [this, result, ending] { finish(result, ending); }, Qt::QueuedConnection);
     });
 }
 
-void VolumeLoader::finish(const std::shared_ptr<Loaded>& result, const QString& error,
-                          const std::vector<volume::SeriesChoice>& choices) {
+void VolumeLoader::finish(const std::shared_ptr<Loaded>& result, const Ending& ending) {
     isLoading_ = false;
     if (isGivenUp_) {
         emit givenUp();
-    } else if (error.isEmpty()) {
+    } else if (ending.error.isEmpty()) {
         emit loaded(result);
-    } else if (!choices.empty() && result->request.session.empty()) {
-        emit severalSeries(result->request, choices);
+    } else if (!ending.choices.empty() && result->request.session.empty()) {
+        emit severalSeries(result->request, ending.choices);
+    } else if (!ending.missing.empty() && !result->request.session.empty()) {
+        emit volumeMissing(result->request, ending.missing);
     } else {
-        emit failed(error);
+        emit failed(ending.error);
     }
 }
 

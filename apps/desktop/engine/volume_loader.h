@@ -35,6 +35,8 @@ struct OpenRequest {
     std::optional<phantom::Recipe> phantom = {}; // what a session's volume was made by
     // A session that no file has, instead of one that is named: a case that comes with the program.
     std::shared_ptr<const studio::Session> given = {};
+    // Where a session's volume is looked for that is not where the session says.
+    std::vector<std::filesystem::path> folders = {};
     bool isPlayed = false; // a session's operations are not done at once, but before one's eyes
 };
 
@@ -68,9 +70,16 @@ signals:
     void severalSeries(const vs::desktop::OpenRequest& request,
                        const std::vector<vs::volume::SeriesChoice>& choices);
 
+    // The session's volume is neither where the session says nor where else it was looked for.
+    void volumeMissing(const vs::desktop::OpenRequest& request, const std::filesystem::path& wanted);
+
 private:
-    void finish(const std::shared_ptr<Loaded>& result, const QString& error,
-                const std::vector<volume::SeriesChoice>& choices);
+    struct Ending {
+        QString error;                             // none: it was read
+        std::vector<volume::SeriesChoice> choices; // of which one has to be chosen
+        std::filesystem::path missing;             // the session's volume, where it was
+    };
+    void finish(const std::shared_ptr<Loaded>& result, const Ending& ending);
 
     bool isLoading_ = false;
     std::atomic<bool> isGivenUp_ = false;

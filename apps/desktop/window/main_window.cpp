@@ -4,6 +4,7 @@
 
 #include "model/hand/pen_watch.h"
 #include "model/hand/tool.h"
+#include "model/keepers/recent_documents.h"
 #include "model/keepers/recovery_keeper.h"
 #include "model/keepers/thumbnail_keeper.h"
 #include "model/segments/growth_controller.h"
@@ -103,6 +104,8 @@ MainWindow::MainWindow(StudioController& studio, ToolBox& tools, QWidget* parent
         box->open();
     });
     connect(&studio_.files(), &DocumentFiles::seriesWanted, this, &MainWindow::chooseSeries);
+    connect(&studio_.files(), &DocumentFiles::volumeWanted, this, &MainWindow::askForVolume);
+    studio_.files().searchIn(foldersUsedBefore);
     connect(view_, &ViewWidget::penMoved, this, [this] { probeTimer_.start(kProbeMs); });
     probeTimer_.setSingleShot(true);
     connect(&probeTimer_, &QTimer::timeout, this, &MainWindow::refreshProbe);

@@ -145,6 +145,7 @@ private:
     void leaveForStartScreen();
     void recover(const LostWork& lost);
     void askForBlock();
+    void askForVolume(const OpenRequest& request, const std::filesystem::path& wanted);
     void chooseSeries(const OpenRequest& request, const std::vector<volume::SeriesChoice>& choices);
     void showView();
 

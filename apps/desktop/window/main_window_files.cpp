@@ -132,6 +132,21 @@ void MainWindow::openFolder() {
            [this](const QString& path) { openPath(path); });
 }
 
+// A folder of slices is opened by any of its files.
+void MainWindow::askForVolume(const OpenRequest& request, const std::filesystem::path& wanted) {
+    choose(
+        "findVolumeDialog",
+        tr("Where is %1, the scan of %2?").arg(textOf(wanted.filename()), textOf(request.session.filename())),
+        false, tr("Volumes (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vtk *.dcm *.raw);;All files (*)"), {},
+        [this, request, wanted](const QString& path) {
+            OpenRequest found = request;
+            found.volume = pathOf(path);
+            const auto folder = found.volume.parent_path();
+            found.volume = folder.filename() == wanted.filename() ? folder : found.volume;
+            studio_.files().open(found);
+        });
+}
+
 void MainWindow::openLabels() {
     choose("openLabelsDialog", tr("Open a label map"), false,
            tr("Label maps (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vtk);;All files (*)"), {},

@@ -5,6 +5,9 @@
 #include "render/marks/annotation.h"
 
 #include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <vector>
 
 namespace vs::studio {
 
@@ -41,22 +44,36 @@ public:
         drawing_.border({diamond}, 2 * scale_, kShade);
         drawing_.fill(diamond, kLine);
     }
-    // Below and to the right of a place, where there is room.
+    // Below and to the right of a place, where there is room and no other label.
     void label(glm::dvec2 at, const std::string& said) {
         image::Text text{said, at + glm::dvec2(9, 20) * scale_, 15 * scale_};
         const double width = image::textWidth(said, text.size);
         text.place.x =
             std::clamp(text.place.x, 4 * scale_, std::max(size_.x - width - 4 * scale_, 4 * scale_));
         text.place.y = std::clamp(text.place.y, 18 * scale_, size_.y - 6 * scale_);
+        const double line = 19 * scale_;
+        const auto overlaps = [&](const Label& other) {
+            return std::abs(other.left.y - text.place.y) < line &&
+                   text.place.x < other.left.x + other.width && other.left.x < text.place.x + width;
+        };
+        while (std::any_of(labels_.begin(), labels_.end(), overlaps) && text.place.y + line < size_.y) {
+            text.place.y += line;
+        }
+        labels_.push_back({text.place, width});
         drawing_.textBorder(text, 3.2 * scale_, kShade);
         drawing_.text(text, kText);
     }
     [[nodiscard]] image::Image picture() const { return drawing_.picture(); }
 
 private:
+    struct Label {
+        glm::dvec2 left;
+        double width;
+    };
     image::Drawing drawing_;
     glm::ivec2 size_;
     double scale_;
+    std::vector<Label> labels_; // that stand there
 };
 
 // Where the value stands: at an angle's corner, at the lowest point of an outline, else half-way.

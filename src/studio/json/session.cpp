@@ -260,17 +260,14 @@ std::optional<volume::ReadResult> madeVolume(const Session& session) {
     return {};
 }
 
-} // namespace
+bool isTheOne(const Session& session, const volume::Volume& volume) {
+    return session.volumeChecksum.empty() || volume::checksum(volume) == session.volumeChecksum;
+}
 
-volume::Volume openVolume(const Session& session, const std::filesystem::path& sessionPath,
-                          const std::optional<std::filesystem::path>& replacement,
-                          std::vector<std::string>& notices, const volume::ReadOptions& overrides) {
-    const std::filesystem::path path =
-        replacement ? *replacement
-                    : (session.volumePath.is_absolute() ? session.volumePath
-                                                        : sessionPath.parent_path() / session.volumePath);
+volume::ReadOptions optionsFor(const Session& session, const volume::ReadOptions& overrides,
+                               const std::filesystem::path& path, bool isReplacement) {
     volume::ReadOptions options = overrides;
-    if (!options.raw && !session.rawLayout.empty() && (!replacement || volume::isHeaderless(path))) {
+    if (!options.raw && !session.rawLayout.empty() && (!isReplacement || volume::isHeaderless(path))) {
         options.raw = volume::parseRawLayout(session.rawLayout);
     }
     if (!options.series && !session.series.empty()) {
@@ -278,6 +275,59 @@ volume::Volume openVolume(const Session& session, const std::filesystem::path& s
     }
     if (!options.frame) {
         options.frame = session.frame;
+    }
+    return options;
+}
+
+// What lies in a folder under the name of the session's volume, if it is that.
+std::optional<volume::ReadResult> readIfTheOne(const Session& session, const std::filesystem::path& path,
+                                               const volume::ReadOptions& options) {
+    if (!std::filesystem::exists(path)) {
+        return {};
+    }
+    try {
+        auto result = volume::readVolume(path, options);
+        return isTheOne(session, result.volume) ? std::optional(std::move(result)) : std::nullopt;
+    } catch (const ReadError&) {
+        return {}; // something else of that name
+    }
+}
+
+volume::Volume findMoved(const Session& session, const std::filesystem::path& sessionPath,
+                         const std::filesystem::path& wanted, const volume::ReadOptions& options,
+                         std::vector<std::string>& notices,
+                         const std::vector<std::filesystem::path>& folders) {
+    const std::filesystem::path clean = wanted.lexically_normal();
+    const auto name = clean.has_filename() ? clean.filename() : clean.parent_path().filename();
+    std::vector<std::filesystem::path> places{sessionPath.parent_path()};
+    places.insert(places.end(), folders.begin(), folders.end());
+    for (const std::filesystem::path& place : places) {
+        if (auto found = readIfTheOne(session, place / name, options)) {
+            notices.push_back(
+                fmt::format("{} is not there any more; opened {}", wanted.string(), (place / name).string()));
+            notices.insert(notices.end(), found->notices.begin(), found->notices.end());
+            return std::move(found->volume);
+        }
+    }
+    throw MovedVolume(fmt::format("{}: its volume {} is not there, and is not beside the session; say with "
+                                  "--volume where it is",
+                                  sessionPath.string(), wanted.string()),
+                      wanted);
+}
+
+} // namespace
+
+volume::Volume openVolume(const Session& session, const std::filesystem::path& sessionPath,
+                          const std::optional<std::filesystem::path>& replacement,
+                          std::vector<std::string>& notices, const volume::ReadOptions& overrides,
+                          const std::vector<std::filesystem::path>& folders) {
+    const std::filesystem::path path =
+        replacement ? *replacement
+                    : (session.volumePath.is_absolute() ? session.volumePath
+                                                        : sessionPath.parent_path() / session.volumePath);
+    const volume::ReadOptions options = optionsFor(session, overrides, path, replacement.has_value());
+    if (!replacement && !session.isMade() && !std::filesystem::exists(path)) {
+        return findMoved(session, sessionPath, path, options, notices, folders);
     }
     auto result = [&] {
         if (replacement) {
@@ -287,7 +337,7 @@ volume::Volume openVolume(const Session& session, const std::filesystem::path& s
         return made ? std::move(*made) : volume::readVolume(path, options);
     }();
     notices.insert(notices.end(), result.notices.begin(), result.notices.end());
-    if (!session.volumeChecksum.empty() && volume::checksum(result.volume) != session.volumeChecksum) {
+    if (!isTheOne(session, result.volume)) {
         if (!replacement && !overrides.raw && !overrides.series && !overrides.frame) {
             throw SessionError(
                 "{}: its volume {} is not the one the session was made with (checksum {}, not {}); give "

@@ -7,6 +7,8 @@
 
 #include <filesystem>
 #include <string_view>
+#include <utility>
+#include <vector>
 
 namespace vs::studio {
 
@@ -51,11 +53,27 @@ void saveSession(const std::filesystem::path& path, const Session& session);
 // came from (path, layout, series, frame); its operations are ignored.
 Session sessionOf(const Document& document, const Session& source);
 
-// Opens the session's volume (or `replacement` instead, with a notice if its content differs). Notices are
-// appended. What `overrides` sets takes the place of the session's layout, series and frame, which apply to a
-// replacement only where they fit it: the layout if it is headerless too, series and frame if it has them.
+// A session's volume is not where the session says, and was not found elsewhere.
+class MovedVolume : public SessionError {
+public:
+    MovedVolume(const std::string& message, std::filesystem::path wanted)
+        : SessionError(message), wanted_(std::move(wanted)) {}
+    // Where the session says that it is.
+    [[nodiscard]] const std::filesystem::path& wanted() const { return wanted_; }
+
+private:
+    std::filesystem::path wanted_;
+};
+
+// Opens the session's volume (or `replacement` instead, with a notice if its content differs). One that is
+// not where the session says is looked for by its name beside the session, then in `folders`; what has
+// another checksum is not taken for it. A notice says where it was found; throws MovedVolume where it was
+// not. Notices are appended. What `overrides` sets takes the place of the session's layout, series and frame,
+// which apply to a replacement only where they fit it: the layout if it is headerless too, series and frame
+// if it has them.
 volume::Volume openVolume(const Session& session, const std::filesystem::path& sessionPath,
                           const std::optional<std::filesystem::path>& replacement,
-                          std::vector<std::string>& notices, const volume::ReadOptions& overrides = {});
+                          std::vector<std::string>& notices, const volume::ReadOptions& overrides = {},
+                          const std::vector<std::filesystem::path>& folders = {});
 
 } // namespace vs::studio

@@ -105,9 +105,16 @@ std::string labelOf(const Measured& measured, const volume::GridGeometry& geomet
 }
 
 std::string valuesOf(const Measured& measured) {
-    return measured.under.voxels == 0
-               ? std::string()
-               : fmt::format("{:.4g} ± {:.3g}", measured.under.mean, measured.under.deviation);
+    const auto& under = measured.under;
+    if (under.voxels == 0) {
+        return {};
+    }
+    if (under.deviation <= 0) {
+        return fmt::format("{:.6g} ± 0", under.mean);
+    }
+    // Three digits of the spread: the mean has no more behind the point.
+    const int digits = std::clamp(2 - int(std::floor(std::log10(under.deviation))), 0, 9);
+    return fmt::format("{:.{}f} ± {:.{}f}", under.mean, digits, under.deviation, digits);
 }
 
 std::string csvOf(std::span<const Measured> measurements) {

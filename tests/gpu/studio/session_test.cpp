@@ -93,6 +93,38 @@ TEST_F(SessionTest, AnotherVolumeIsRefusedUnlessAskedFor) {
     EXPECT_NE(notices[0].find("not the volume"), std::string::npos);
 }
 
+// Beside the session, then in folders used before; never another volume of the same name.
+TEST_F(SessionTest, AScanThatMovedIsFoundByNameAndChecksum) {
+    std::vector<std::string> notices;
+    Session session = source();
+    session.volumeChecksum = volume::checksum(openVolume(session, folder_ / "s.json", {}, notices));
+    session.volumePath = folder_ / "gone" / "head.raw";
+    EXPECT_TRUE(notices.empty());
+    openVolume(session, folder_ / "s.json", {}, notices);
+    ASSERT_EQ(notices.size(), 1U);
+    EXPECT_NE(notices[0].find((folder_ / "head.raw").string()), std::string::npos) << notices[0];
+    // Elsewhere, behind one that has its name and nothing else.
+    const auto other = folder_ / "other";
+    const auto moved = folder_ / "moved";
+    std::filesystem::create_directories(other);
+    std::filesystem::create_directories(moved);
+    std::filesystem::rename(folder_ / "head.raw", moved / "head.raw");
+    std::ofstream(other / "head.raw", std::ios::binary) << std::string(72 * 80 * 60, '\7');
+    notices.clear();
+    const auto found =
+        openVolume(session, folder_ / "s.json", {}, notices, {}, {other, folder_ / "none", moved});
+    EXPECT_EQ(found.path, moved / "head.raw");
+    try {
+        openVolume(session, folder_ / "s.json", {}, notices, {}, {other});
+        ADD_FAILURE() << "it is nowhere";
+    } catch (const MovedVolume& error) {
+        EXPECT_EQ(error.wanted(), session.volumePath);
+        for (const char* part : {"s.json", "gone/head.raw", "--volume"}) {
+            EXPECT_NE(std::string(error.what()).find(part), std::string::npos) << error.what();
+        }
+    }
+}
+
 TEST_F(SessionTest, AReplacementTakesFromTheSessionWhatFitsIt) {
     Session session = source();
     session.volumePath = "gone.raw";

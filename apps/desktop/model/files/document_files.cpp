@@ -62,6 +62,13 @@ void DocumentFiles::connectLoader() {
         host_.say(tr("Given up: nothing was opened"));
         endReading();
     });
+    connect(&loader_, &VolumeLoader::volumeMissing, this,
+            [this](const OpenRequest& request, const auto& wanted) {
+                host_.say(tr("%1 is not where %2 says")
+                              .arg(textOf(wanted.filename()), textOf(request.session.filename())));
+                endReading();
+                emit volumeWanted(request, wanted);
+            });
     connect(&loader_, &VolumeLoader::severalSeries, this,
             [this](const OpenRequest& request, const auto& choices) {
                 host_.say(tr("%1 holds several series").arg(textOf(request.volume.filename())));
@@ -99,7 +106,11 @@ void DocumentFiles::open(const OpenRequest& request) {
     model_.hand.tool().clear();
     host_.say(begun(request));
     host_.setOpening(DocumentHost::Opening::Reading);
-    loader_.start(request);
+    OpenRequest asked = request;
+    if (folders_ && (!request.session.empty() || !request.journal.empty())) {
+        asked.folders = folders_();
+    }
+    loader_.start(asked);
     emit host_.progress(0, 0);
     emit host_.changed();
 }

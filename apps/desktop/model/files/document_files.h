@@ -9,8 +9,10 @@
 
 #include <deque>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace vs::desktop {
@@ -42,6 +44,10 @@ public:
     };
     explicit DocumentFiles(const Model& model);
 
+    // Asks where to look for volumes of sessions that are not where the sessions say.
+    void searchIn(std::function<std::vector<std::filesystem::path>()> folders) {
+        folders_ = std::move(folders);
+    }
     // Returns at once; DocumentHost::opened() or openFailed() tells how it ended.
     void open(const OpenRequest& request);
     [[nodiscard]] const OpenRequest& source() const { return source_; }
@@ -66,6 +72,9 @@ signals:
     void seriesWanted(const vs::desktop::OpenRequest& request,
                       const std::vector<vs::volume::SeriesChoice>& choices);
 
+    // Nothing was opened: the session's volume is not where the session says, and the person must say where.
+    void volumeWanted(const vs::desktop::OpenRequest& request, const std::filesystem::path& wanted);
+
 private:
     void connectLoader();
     [[nodiscard]] static QString begun(const OpenRequest& request);
@@ -76,6 +85,7 @@ private:
     void endReading();
     [[nodiscard]] std::size_t countEdits() const;
 
+    std::function<std::vector<std::filesystem::path>()> folders_;
     Model model_;
     DocumentHost& host_;
     VolumeLoader loader_;

@@ -111,6 +111,17 @@ std::vector<KnownDocument> recentDocuments() {
     return documents;
 }
 
+std::vector<std::filesystem::path> foldersUsedBefore() {
+    std::vector<std::filesystem::path> folders;
+    for (const KnownDocument& document : recentDocuments()) {
+        const auto folder = pathOf(QDir::cleanPath(document.path())).parent_path();
+        if (std::find(folders.begin(), folders.end(), folder) == folders.end()) {
+            folders.push_back(folder);
+        }
+    }
+    return folders;
+}
+
 void rememberDocument(const KnownDocument& document) {
     auto documents = without(recentDocuments(), document.key());
     documents.insert(documents.begin(), document);

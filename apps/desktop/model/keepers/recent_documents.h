@@ -6,6 +6,7 @@
 #include <QDateTime>
 #include <QString>
 
+#include <filesystem>
 #include <vector>
 
 namespace vs::desktop {
@@ -32,6 +33,8 @@ struct KnownDocument {
 
 // The documents that were open of late, the newest first. Kept in Settings, shared by all windows.
 std::vector<KnownDocument> recentDocuments();
+// The folders in which they lie, each once.
+std::vector<std::filesystem::path> foldersUsedBefore();
 // Puts a document in front; the oldest goes when there are many.
 void rememberDocument(const KnownDocument& document);
 // Takes a document off the list, and deletes its picture.

@@ -34,8 +34,15 @@ void load(Loaded& result) {
         result.session = studio::loadSession(request.session);
         const auto replacement =
             request.volume.empty() ? std::nullopt : std::optional<std::filesystem::path>(request.volume);
+        volume::ReadOptions used;
         result.volume = studio::openVolume(*result.session, request.session, replacement, result.notices, {},
-                                           request.folders);
+                                           request.folders, &used);
+        // What did not fit another volume is not said of it when the session is saved.
+        if (!used.raw) {
+            result.session->rawLayout.clear();
+        }
+        result.session->series = used.series.value_or("");
+        result.session->frame = used.frame;
         return;
     }
     volume::ReadOptions options;
@@ -87,7 +94,8 @@ void VolumeLoader::finish(const std::shared_ptr<Loaded>& result, const Ending& e
         emit loaded(result);
     } else if (!ending.choices.empty() && result->request.session.empty()) {
         emit severalSeries(result->request, ending.choices);
-    } else if (!ending.missing.empty() && !result->request.session.empty()) {
+    } else if (!ending.missing.empty() && !result->request.session.empty() &&
+               result->request.journal.empty()) {
         emit volumeMissing(result->request, ending.missing);
     } else {
         emit failed(ending.error);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
+#include <utility>
 #include <variant>
 
 namespace vs::desktop {
@@ -107,17 +108,18 @@ void MovableParts::find() {
     if (!isNew && int(boxes_.size()) == count()) {
         return;
     }
-    boxes_.clear();
+    std::vector<Box3> found; // the window may paint what there is meanwhile
     studio_.host().workLong([&] {
         std::optional<std::array<Box3, 256>> ofSegments;
         for (const Movable& part : all()) {
             if (part.segment && !ofSegments) {
                 ofSegments = document.parts().segmentBoxes();
             }
-            boxes_.push_back(part.segment ? (*ofSegments)[part.segment->label]
-                                          : document.parts().box(part.pasted));
+            found.push_back(part.segment ? (*ofSegments)[part.segment->label]
+                                         : document.parts().box(part.pasted));
         }
     });
+    boxes_ = std::move(found);
     boxes_.resize(std::size_t(count()));
 }
 

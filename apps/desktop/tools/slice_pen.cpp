@@ -64,7 +64,8 @@ bool SlicePen::press(Kind kind, glm::dvec2 place, bool isReversed, Qt::KeyboardM
     }
     isMeasuring_ = use() == Use::Measure;
     if (isMeasuring_) {
-        measure_.begin(worldAt(kind, place));
+        measuredSlice_ = indexOf(kind);
+        measure_.begin(worldAt(kind, place, measuredSlice_));
         return true;
     }
     isReversed_ =
@@ -89,7 +90,7 @@ void SlicePen::move(Kind kind, glm::dvec2 place) {
     if (isLeading_) {
         lead(kind, place);
     } else if (isMeasuring_) {
-        measure_.lead(worldAt(kind, place));
+        measure_.lead(worldAt(kind, place, measuredSlice_));
     } else if (stroke_ && stroke_->kind == kind) {
         // Places nearer than a small part of brush and pixel would change nothing.
         const double apart = std::max(0.1 * stroke_->radiusMm, 0.25 * studio_.slices().view(kind).pixelMm);
@@ -100,10 +101,13 @@ void SlicePen::move(Kind kind, glm::dvec2 place) {
     }
 }
 
-glm::dvec3 SlicePen::worldAt(Kind kind, glm::dvec2 place) const {
+int SlicePen::indexOf(Kind kind) const {
     const SliceController& slices = studio_.slices();
-    const render::SliceGeometry slice = slices.geometry(kind);
-    const glm::dvec3 voxel = slice.voxelAt(place, slices.crosshair()[slice.axis()]);
+    return slices.crosshair()[slices.geometry(kind).axis()];
+}
+
+glm::dvec3 SlicePen::worldAt(Kind kind, glm::dvec2 place, int index) const {
+    const glm::dvec3 voxel = studio_.slices().geometry(kind).voxelAt(place, index);
     return glm::dvec3(studio_.host().geometry()->worldFromVoxel * glm::dvec4(voxel, 1.0));
 }
 
@@ -120,7 +124,7 @@ studio::Trail SlicePen::trail() const {
 
 void SlicePen::hover(Kind kind, glm::dvec2 place) {
     if (use() == Use::Measure) {
-        measure_.lead(worldAt(kind, place));
+        measure_.lead(worldAt(kind, place, indexOf(kind)));
     }
 }
 

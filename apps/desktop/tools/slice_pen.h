@@ -62,7 +62,8 @@ private:
 
     [[nodiscard]] Use use() const;
     void lead(Kind kind, glm::dvec2 place);
-    [[nodiscard]] glm::dvec3 worldAt(Kind kind, glm::dvec2 place) const;
+    [[nodiscard]] int indexOf(Kind kind) const; // of the slice that is shown
+    [[nodiscard]] glm::dvec3 worldAt(Kind kind, glm::dvec2 place, int index) const;
     [[nodiscard]] studio::Trail trail() const;
 
     StudioController& studio_;
@@ -72,6 +73,7 @@ private:
     std::optional<Stroke> stroke_;
     bool isLeading_ = false;
     bool isMeasuring_ = false;
+    int measuredSlice_ = 0; // what is drawn stays in it while others are looked at
     bool isReversed_ = false;
 };
 

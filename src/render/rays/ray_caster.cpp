@@ -359,6 +359,7 @@ const gl::Texture& RayCaster::picture() {
     squares_.bindPlaces();
     const int shown = isLastStage() ? square_ : 0;
     resolve_.set("progress", glm::ivec3(sample_, shown, squares_.occupied()))
+        .set("isFilmAhead", stage_ > 0 || square_ > 0 ? 1 : 0)
         .set("isTransparent", background.isTransparent ? 1 : 0)
         .set("isFlat", background.top == background.bottom ? 1 : 0)
         .set("isBare", hasFilm() ? 0 : 1)

@@ -13,9 +13,9 @@ layout(std430, binding = kPlacesStorage) readonly buffer Places {
     uint places[];
 }; // of squares of pixels, see list_squares.comp
 
-// Whole samples; squares that have one more; squares that may show something: the others have it with the
-// first of them.
+// Whole samples; squares that have one more; squares that may show something.
 uniform ivec3 progress;
+uniform int isFilmAhead; // 1: the other squares have one more
 uniform int isTransparent;
 uniform int isFlat;     // the background is of one colour, which stays exactly that
 uniform int isInverted; // the picture is the complement of what was accumulated
@@ -30,7 +30,7 @@ int placeOfSquareAt(ivec2 pixel) {
 }
 
 float samplesAt(int place) {
-    bool hasMore = place < progress.z ? place < progress.y : progress.y > 0;
+    bool hasMore = place < progress.z ? place < progress.y : isFilmAhead != 0;
     if (place >= settled.x && place < progress.z) {
         return float(settled.y);
     }

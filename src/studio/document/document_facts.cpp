@@ -47,10 +47,15 @@ GrowthStatus statusOf(const Contents& contents) {
     return status;
 }
 
-std::shared_ptr<const std::vector<Measured>> measuredIn(const Contents& contents) {
+std::shared_ptr<const std::vector<Measured>> measuredIn(const Contents& contents,
+                                                        const DocumentFacts& before) {
     auto found = std::make_shared<std::vector<Measured>>();
-    for (const Measure& measure : *contents.measurements) {
-        found->push_back(measured(measure, contents.scan.volume));
+    const bool isSameGrid = before.geometry == contents.scan.volume.geometry;
+    for (std::size_t n = 0; n < contents.measurements->size(); ++n) {
+        const Measure& measure = (*contents.measurements)[n];
+        const bool isKnown =
+            isSameGrid && n < before.measured->size() && (*before.measured)[n].measure == measure;
+        found->push_back(isKnown ? (*before.measured)[n] : measured(measure, contents.scan.volume));
     }
     return found;
 }
@@ -80,7 +85,7 @@ std::shared_ptr<const DocumentFacts> factsOf(const Contents& contents, std::size
     facts->measurements = contents.measurements;
     const bool isMeasured =
         before.measurements == contents.measurements && before.geometry == contents.scan.volume.geometry;
-    facts->measured = isMeasured ? before.measured : measuredIn(contents);
+    facts->measured = isMeasured ? before.measured : measuredIn(contents, before);
     facts->parts.assign(contents.pasted.parts.begin(), contents.pasted.parts.end());
     facts->segments = contents.segments;
     for (const SegmentInfo& segment : contents.segments.segments) {

@@ -42,8 +42,7 @@ Outcome MeasurementEditor::run(Measure& op) {
         throw Error("there are {} measurements already; remove some", kMostMeasurements);
     }
     if (op.kind == Measure::Kind::Cut) {
-        op.millilitres =
-            double(voxelsCut(contents_.sculpture)) * contents_.scan.volume.geometry.voxelMm3() / 1000;
+        op.voxelsCut = double(voxelsCut(contents_.sculpture));
     }
     const Measured found = measured(op, contents_.scan.volume);
     if (found.value <= 0) {

@@ -4,6 +4,8 @@
 #include "image/drawing.h"
 #include "render/marks/annotation.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <iterator>
@@ -112,7 +114,8 @@ void markMeasurements(image::Image& picture, std::span<const Measured> measureme
         }
         const std::string values = valuesOf(measured);
         const std::string label = labelOf(measured, geometry);
-        marker.label(labelPlace(measured, seen), values.empty() ? label : label + ", " + values);
+        marker.label(labelPlace(measured, seen),
+                     values.empty() ? label : fmt::format("{}, {}", label, values));
     }
     image::blend(picture, marker.picture());
 }

@@ -220,18 +220,17 @@ Session sessionOf(const Document& document, const Session& source) {
 namespace {
 
 // Reads another volume than the session's. What the session says about choosing from its own helps where it
-// fits, and is left out where it does not.
-volume::ReadResult readInstead(const std::filesystem::path& path, const volume::ReadOptions& fromSession,
+// fits, and is left out of `options` where it does not.
+volume::ReadResult readInstead(const std::filesystem::path& path, volume::ReadOptions& options,
                                const volume::ReadOptions& overrides) {
-    const bool tellsMore = fromSession.series != overrides.series || fromSession.frame != overrides.frame;
+    const bool tellsMore = options.series != overrides.series || options.frame != overrides.frame;
     if (tellsMore) {
         try {
-            return volume::readVolume(path, fromSession);
+            return volume::readVolume(path, options);
         } catch (const ReadError&) {
             // Whatever else is wrong is told below.
         }
     }
-    volume::ReadOptions options = fromSession;
     options.series = overrides.series;
     options.frame = overrides.frame;
     auto result = volume::readVolume(path, options);
@@ -279,10 +278,16 @@ volume::ReadOptions optionsFor(const Session& session, const volume::ReadOptions
     return options;
 }
 
+// Also false where nobody may look, or a network is gone.
+bool isThere(const std::filesystem::path& path) {
+    std::error_code error;
+    return std::filesystem::exists(path, error) && !error;
+}
+
 // What lies in a folder under the name of the session's volume, if it is that.
 std::optional<volume::ReadResult> readIfTheOne(const Session& session, const std::filesystem::path& path,
                                                const volume::ReadOptions& options) {
-    if (!std::filesystem::exists(path)) {
+    if (!isThere(path)) {
         return {};
     }
     try {
@@ -300,7 +305,9 @@ volume::Volume findMoved(const Session& session, const std::filesystem::path& se
     const std::filesystem::path clean = wanted.lexically_normal();
     const auto name = clean.has_filename() ? clean.filename() : clean.parent_path().filename();
     std::vector<std::filesystem::path> places{sessionPath.parent_path()};
-    places.insert(places.end(), folders.begin(), folders.end());
+    if (!session.volumeChecksum.empty()) { // or anything might be taken for it
+        places.insert(places.end(), folders.begin(), folders.end());
+    }
     for (const std::filesystem::path& place : places) {
         if (auto found = readIfTheOne(session, place / name, options)) {
             notices.push_back(
@@ -320,18 +327,26 @@ volume::Volume findMoved(const Session& session, const std::filesystem::path& se
 volume::Volume openVolume(const Session& session, const std::filesystem::path& sessionPath,
                           const std::optional<std::filesystem::path>& replacement,
                           std::vector<std::string>& notices, const volume::ReadOptions& overrides,
-                          const std::vector<std::filesystem::path>& folders) {
+                          const std::vector<std::filesystem::path>& folders, volume::ReadOptions* used) {
     const std::filesystem::path path =
         replacement ? *replacement
                     : (session.volumePath.is_absolute() ? session.volumePath
                                                         : sessionPath.parent_path() / session.volumePath);
-    const volume::ReadOptions options = optionsFor(session, overrides, path, replacement.has_value());
-    if (!replacement && !session.isMade() && !std::filesystem::exists(path)) {
+    volume::ReadOptions options = optionsFor(session, overrides, path, replacement.has_value());
+    const auto tell = [&] {
+        if (used != nullptr) {
+            *used = options;
+        }
+    };
+    tell();
+    if (!replacement && !session.isMade() && !isThere(path)) {
         return findMoved(session, sessionPath, path, options, notices, folders);
     }
     auto result = [&] {
         if (replacement) {
-            return readInstead(path, options, overrides);
+            auto read = readInstead(path, options, overrides);
+            tell();
+            return read;
         }
         auto made = madeVolume(session);
         return made ? std::move(*made) : volume::readVolume(path, options);

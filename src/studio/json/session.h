@@ -66,14 +66,15 @@ private:
 };
 
 // Opens the session's volume (or `replacement` instead, with a notice if its content differs). One that is
-// not where the session says is looked for by its name beside the session, then in `folders`; what has
-// another checksum is not taken for it. A notice says where it was found; throws MovedVolume where it was
-// not. Notices are appended. What `overrides` sets takes the place of the session's layout, series and frame,
-// which apply to a replacement only where they fit it: the layout if it is headerless too, series and frame
-// if it has them.
+// not where the session says is looked for by its name beside the session, then, if the session has a
+// checksum, in `folders`; what has another one is not taken for it. A notice says where it was found; throws
+// MovedVolume where it was not. `used`, if given, is what it was read with. Notices are appended. What
+// `overrides` sets takes the place of the session's layout, series and frame, which apply to a replacement
+// only where they fit it: the layout if it is headerless too, series and frame if it has them.
 volume::Volume openVolume(const Session& session, const std::filesystem::path& sessionPath,
                           const std::optional<std::filesystem::path>& replacement,
                           std::vector<std::string>& notices, const volume::ReadOptions& overrides = {},
-                          const std::vector<std::filesystem::path>& folders = {});
+                          const std::vector<std::filesystem::path>& folders = {},
+                          volume::ReadOptions* used = nullptr);
 
 } // namespace vs::studio

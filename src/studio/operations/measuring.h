@@ -33,7 +33,7 @@ struct Measure {
 
     Kind kind = Kind::Distance;
     std::vector<glm::dvec3> points = {};
-    std::optional<double> millilitres = {};
+    std::optional<double> voxelsCut = {}; // when a cut was measured
 
     template <typename = void>
     static constexpr auto fields() {
@@ -43,11 +43,12 @@ struct Measure {
                     {.least = -1e5, .most = 1e5, .unit = "voxels", .mostCount = 100000},
                     "two, or three of an angle; of a path at least two; of an area at least three that lie "
                     "in one slice; of a cut none"),
-            sparse("millilitres", &Measure::millilitres, {.least = 0, .most = 1e12},
+            sparse("voxelsCut", &Measure::voxelsCut, {.least = 0, .most = 1e15, .unit = "voxels"},
                    "of a cut: what was found")};
     }
     [[nodiscard]] Fault faultOf() const;
     [[nodiscard]] std::vector<Phrase> details() const;
+    bool operator==(const Measure&) const = default;
 };
 constexpr const auto& namesOf(Measure::Kind) { return Measure::kKinds; }
 

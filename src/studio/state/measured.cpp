@@ -81,7 +81,7 @@ Measured measured(const Measure& measure, const volume::Volume& volume) {
         result.value = result.under.mm2;
         break;
     case Measure::Kind::Cut:
-        result.value = measure.millilitres.value_or(0);
+        result.value = measure.voxelsCut.value_or(0) * volume.geometry.voxelMm3() / 1000;
         break;
     }
     return result;

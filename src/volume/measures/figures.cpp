@@ -60,7 +60,11 @@ void visitEnclosed(std::span<const glm::dvec3> outline, int axis, glm::ivec3 dim
     for (const glm::dvec3& point : outline) {
         flat.emplace_back(point[across], point[down]);
     }
-    for (int row = 0; row < dims[down]; ++row) {
+    const auto [least, most] = std::minmax_element(
+        flat.begin(), flat.end(), [](const glm::dvec2& a, const glm::dvec2& b) { return a.y < b.y; });
+    const int firstRow = std::max(int(std::ceil(std::max(least->y, 0.0))), 0);
+    const int lastRow = std::min(int(std::floor(std::min(most->y, double(dims[down])))), dims[down] - 1);
+    for (int row = firstRow; row <= lastRow; ++row) {
         const auto ends = crossings(flat, row);
         for (std::size_t i = 0; i + 1 < ends.size(); i += 2) {
             const int first = std::max(int(std::ceil(ends[i])), 0);

@@ -111,6 +111,8 @@ TEST_F(MeasurementsTest, ACutIsMeasuredAsItIsThen) {
     EXPECT_DOUBLE_EQ(valuesOf(document).at(0), millilitres);
     document.apply(UnCut{});
     EXPECT_DOUBLE_EQ(valuesOf(document).at(0), millilitres) << "as it was";
+    document.apply(CorrectGeometry{.spacing = glm::dvec3(2, 2, 2.4)});
+    EXPECT_DOUBLE_EQ(valuesOf(document).at(0), 8 * millilitres);
 }
 
 TEST_F(MeasurementsTest, WhatMakesNoSenseIsRefusedAndLeavesNothing) {

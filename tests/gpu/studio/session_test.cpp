@@ -109,11 +109,14 @@ TEST_F(SessionTest, AScanThatMovedIsFoundByNameAndChecksum) {
     std::filesystem::create_directories(other);
     std::filesystem::create_directories(moved);
     std::filesystem::rename(folder_ / "head.raw", moved / "head.raw");
-    std::ofstream(other / "head.raw", std::ios::binary) << std::string(72 * 80 * 60, '\7');
+    std::ofstream(other / "head.raw", std::ios::binary) << std::string(std::size_t(72) * 80 * 60, '\7');
     notices.clear();
     const auto found =
         openVolume(session, folder_ / "s.json", {}, notices, {}, {other, folder_ / "none", moved});
     EXPECT_EQ(found.path, moved / "head.raw");
+    Session unchecked = session; // which anything of that name might be taken for
+    unchecked.volumeChecksum.clear();
+    EXPECT_THROW(openVolume(unchecked, folder_ / "s.json", {}, notices, {}, {moved}), MovedVolume);
     try {
         openVolume(session, folder_ / "s.json", {}, notices, {}, {other});
         ADD_FAILURE() << "it is nowhere";
@@ -147,6 +150,9 @@ TEST_F(SessionTest, AReplacementTakesFromTheSessionWhatFitsIt) {
     EXPECT_EQ(open("other.nrrd").geometry.dims, glm::ivec3(72, 80, 60));
     ASSERT_EQ(notices.size(), 1U);
     EXPECT_NE(notices[0].find("does not fit it"), std::string::npos) << notices[0];
+    volume::ReadOptions used;
+    openVolume(session, folder_ / "s.json", folder_ / "other.nrrd", notices, {}, {}, &used);
+    EXPECT_FALSE(used.raw || used.series || used.frame) << "which is then no part of what is saved";
     other = {};
     other.frame = 1;
     EXPECT_THROW(open("other.nrrd", other), ReadError) << "asked for, so not left out";

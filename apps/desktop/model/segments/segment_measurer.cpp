@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/segments/segment_measurer.h"
 
+#include "base/progress.h"
 #include "model/document/document_host.h"
 #include "model/segments/growth_controller.h"
 #include "model/segments/segment_controller.h"
@@ -8,7 +9,8 @@
 #include "studio/state/region.h"
 
 #include <algorithm>
-#include <new>
+#include <exception>
+#include <stop_token>
 
 namespace vs::desktop {
 
@@ -91,6 +93,7 @@ void SegmentMeasurer::want(const QObject* who, bool wants) {
 void SegmentMeasurer::stop() {
     calm_.stop();
     if (worker_.joinable()) {
+        worker_.request_stop();
         worker_.join();
     }
     isMeasuring_ = false;
@@ -129,12 +132,15 @@ void SegmentMeasurer::begin(const Key& key) {
     emit changed();
     // The volume stays as long as the document, and that goes only after stop().
     worker_ = std::jthread([this, key, &volume = document.volume(), bins = document.histogram().size(),
-                            infos = document.segments().segments, labels = std::move(labels)] {
+                            infos = document.segments().segments,
+                            labels = std::move(labels)](const std::stop_token& stop) {
+        const ProgressListener listener([&stop](std::optional<double>) { return !stop.stop_requested(); });
         Found found;
         try {
             found.segments = measureAll(volume, key.geometry, labels, infos);
             found.histogram = histogramOf(volume, labels, key.atWork, bins);
-        } catch (const std::bad_alloc&) { // nothing is known then
+        } catch (const std::exception&) { // no memory, or nobody wants it any more: nothing is known then
+            found = {};
         }
         QMetaObject::invokeMethod(
             this,

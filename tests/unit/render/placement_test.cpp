@@ -21,11 +21,12 @@ TEST(Placement, SpreadMovesEachMiddleAwayFromTheGridsAndBack) {
         place.moveMm = *vectorUpTo(300);
         place.turnDegrees = *vectorUpTo(200);
         place.scale = *test::between(0.1, 3);
-        const glm::dvec3 middle = *vectorUpTo(200);
+        const glm::dvec3 middle = *vectorUpTo(200); // voxels
         const double spread = *test::between(0, 3);
         const Placement drawn = spreadOut(place, spread, middle, geometry);
         const auto fromMiddle = [&](const Placement& p) {
-            return glm::dvec3(worldFromPart(p, geometry) * glm::dvec4(middle, 1)) - geometry.centreWorld();
+            const glm::dmat4 worldFromVoxel = worldFromPart(p, geometry) * geometry.worldFromVoxel;
+            return glm::dvec3(worldFromVoxel * glm::dvec4(middle, 1)) - geometry.centreWorld();
         };
         RC_ASSERT(glm::distance(fromMiddle(drawn), (1 + spread) * fromMiddle(place)) < 1e-9);
         const Placement back = broughtTogether(drawn, spread, middle, geometry);

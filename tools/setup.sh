@@ -4,7 +4,7 @@
 set -euo pipefail
 ROOT=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 
-# To build and run: compiler, image formats, window, small libraries, Mesa's drivers, and the example scan.
+# To build and run: compiler, image formats, window, small libraries, Mesa's drivers, the example scan, and what encodes films.
 PACKAGES=(
   g++ cmake ninja-build ccache pkg-config
   libinsighttoolkit5-dev libgdcm-dev libfftw3-dev libexpat1-dev libeigen3-dev zlib1g-dev
@@ -14,6 +14,7 @@ PACKAGES=(
   libcairo2-dev fonts-dejavu-core
   libvtk9-dev libdcmtk-dev
   mricron-data
+  ffmpeg
 )
 # To test: a display without a screen, a hand on the mouse, and the checkers.
 TEST_PACKAGES=(libgtest-dev librapidcheck-dev libxcb1-dev python3 python3-pydicom git xvfb xdotool glslang-tools clang-format-14 clang-tidy-14 clang-14 dpkg-dev file

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "image/film.h"
+
+#include <string>
+#include <utility>
+
+// What both kinds of films are made of; for the files that write them.
+namespace vs::image {
+
+// Takes the frames of one film, which all have the film's size. Destroyed without finish(), or when that has
+// thrown, it leaves nothing behind.
+class FilmSink {
+public:
+    FilmSink() = default;
+    virtual ~FilmSink() = default;
+    FilmSink(const FilmSink&) = delete;
+    FilmSink& operator=(const FilmSink&) = delete;
+
+    virtual void add(const Image& frame) = 0;
+    virtual void finish() = 0;
+};
+
+// Frames may be larger than `size` (even for H.264) by a last column or row, which is left out.
+std::unique_ptr<FilmSink> openEncodedFilm(const std::filesystem::path& path, FilmFormat format,
+                                          glm::ivec2 size, const FilmSettings& settings);
+std::unique_ptr<FilmSink> openNumberedPictures(const std::filesystem::path& path);
+
+// A file, or a folder with what is in it, that is removed in the end unless it has moved away.
+class Leftover {
+public:
+    explicit Leftover(std::filesystem::path path) : path_(std::move(path)) {}
+    ~Leftover() {
+        std::error_code ignored;
+        std::filesystem::remove_all(path_, ignored);
+    }
+    Leftover(const Leftover&) = delete;
+    Leftover& operator=(const Leftover&) = delete;
+
+    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
+
+private:
+    std::filesystem::path path_;
+};
+
+// The hidden name beside `target` under which it is written until it is whole, as base/atomic_file.h has it:
+// ".turn.part123.webm". Throws WriteError naming `path`, which is how the person calls the target, when there
+// is no folder for it.
+std::filesystem::path temporaryBeside(const std::filesystem::path& target, const std::filesystem::path& path);
+
+// Throws WriteError: `path` cannot be written, for a reason in one line.
+[[noreturn]] void cannotWrite(const std::filesystem::path& path, const std::string& reason);
+
+// The text with every `from` replaced.
+std::string replaced(std::string text, const std::string& from, const std::string& to);
+
+} // namespace vs::image

@@ -1,24 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "segment/measures/measured_segment.h"
 
+#include "base/csv.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
 
 namespace vs::segment {
 namespace {
-
-// A field that holds a separator or a quote is quoted, as RFC 4180 has it.
-std::string quoted(const std::string& text) {
-    if (text.find_first_of(",\"\r\n") == std::string::npos) {
-        return text;
-    }
-    std::string result = "\"";
-    for (const char c : text) {
-        result += c == '"' ? "\"\"" : std::string(1, c);
-    }
-    return result + '"';
-}
 
 // All digits; nothing where nothing is known.
 std::string field(double value) { return std::isnan(value) ? "" : fmt::format("{:.10g}", value); }
@@ -35,7 +25,7 @@ std::string lineOf(const MeasuredSegment& segment) {
     const std::string colour = segment.colour ? fmt::format("#{:02X}{:02X}{:02X}", segment.colour->r,
                                                             segment.colour->g, segment.colour->b)
                                               : "";
-    std::string text = fmt::format("{},{},{},{},{},{}", segment.label, quoted(segment.name), colour, s.voxels,
+    std::string text = fmt::format("{},{},{},{},{},{}", segment.label, csvField(segment.name), colour, s.voxels,
                                    field(s.millilitres), field(s.surfaceMm2));
     text += fmt::format(",{},{},{},{},{},{}", values.voxels, field(values.mean), field(values.deviation),
                         field(values.smallest), field(values.median), field(values.largest));

@@ -84,6 +84,12 @@ Json schemaOf(Type<int>, const Rule& rule, Json&) {
     return rule.choices.empty() ? numberSchema("integer", rule) : choicesSchema(rule);
 }
 
+void read(const JsonReader& reader, std::uint8_t& value, const Rule& rule) {
+    const auto [least, most] = wholeBounds(rule);
+    value = std::uint8_t(reader.integerBetween(least, most));
+}
+Json write(std::uint8_t value, const Rule&) { return int(value); }
+
 void read(const JsonReader& reader, std::uint32_t& value, const Rule& rule) {
     const auto [least, most] = wholeBounds(rule);
     value = std::uint32_t(reader.integerBetween(least, most));

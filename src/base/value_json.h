@@ -28,6 +28,7 @@ struct Type {};
 
 void read(const JsonReader& reader, bool& value, const Rule& rule);
 void read(const JsonReader& reader, int& value, const Rule& rule);
+void read(const JsonReader& reader, std::uint8_t& value, const Rule& rule);
 void read(const JsonReader& reader, std::uint32_t& value, const Rule& rule);
 void read(const JsonReader& reader, double& value, const Rule& rule);
 void read(const JsonReader& reader, std::string& value, const Rule& rule);
@@ -36,6 +37,7 @@ void read(const JsonReader& reader, Range& value, const Rule& rule);
 
 Json write(bool value, const Rule& rule);
 Json write(int value, const Rule& rule);
+Json write(std::uint8_t value, const Rule& rule);
 Json write(std::uint32_t value, const Rule& rule);
 Json write(double value, const Rule& rule);
 Json write(const std::string& value, const Rule& rule);

@@ -2,6 +2,7 @@
 #include "sculpt/sculpture/brick_backup.h"
 
 #include "base/check.h"
+#include "base/error.h"
 #include "field/field.h"
 #include "gl/pass.h"
 #include "sculpt/sculpture/brick_codec.h"
@@ -15,6 +16,91 @@ namespace {
 constexpr std::size_t kBricksTogether = 16; // in one encoding
 
 } // namespace
+
+// Makes a delta brick by brick.
+class DeltaMaker {
+public:
+    explicit DeltaMaker(const gl::Texture& texture)
+        : texelBytes_(gl::bytesPerTexel(texture.format())), encoder_(texelBytes_) {}
+
+    // Adds a brick in which the delta is to hold `held` while the texture has `current`.
+    void add(const Box3& box, std::span<const std::byte> held, std::span<const std::byte> current) {
+        delta_.changedVoxels_ += encoder_.add(box.size(), held, current);
+        delta_.bricks_.push_back(box);
+        if (delta_.bricks_.size() % kBricksTogether == 0) {
+            endGroup();
+        }
+    }
+    BrickDelta finish() {
+        if (delta_.bricks_.size() % kBricksTogether != 0) {
+            endGroup();
+        }
+        delta_.held_.shrink_to_fit();
+        return std::move(delta_);
+    }
+
+private:
+    void endGroup() {
+        const auto encoded = encoder_.finish();
+        delta_.held_.insert(delta_.held_.end(), encoded.begin(), encoded.end());
+        delta_.ends_.push_back(delta_.held_.size());
+        encoder_ = BrickEncoder(texelBytes_);
+    }
+
+    std::size_t texelBytes_;
+    BrickEncoder encoder_;
+    BrickDelta delta_;
+};
+
+BrickDelta contentOf(const gl::Texture& texture, std::span<const Box3> bricks,
+                     std::span<const std::byte> untouched) {
+    const gl::Pass pass("keep bricks");
+    VS_CHECK_EQ(untouched.size(), gl::bytesPerTexel(texture.format()));
+    DeltaMaker maker(texture);
+    std::vector<std::byte> base;
+    for (const Box3& box : bricks) {
+        const auto bytes = texture.download(box);
+        if (base.size() != bytes.size()) {
+            base.resize(bytes.size());
+            for (std::size_t n = 0; n < base.size(); ++n) {
+                base[n] = untouched[n % untouched.size()];
+            }
+        }
+        if (bytes != base) {
+            maker.add(box, bytes, base);
+        }
+    }
+    return maker.finish();
+}
+
+std::vector<Box3> bricksOf(glm::ivec3 dims) {
+    const glm::ivec3 grid = divideUp(dims, field::kBrick);
+    std::vector<Box3> bricks;
+    forEachVoxel(Box3{glm::ivec3(0), grid}, [&](glm::ivec3 brick, std::size_t) {
+        const glm::ivec3 lo = brick * field::kBrick;
+        bricks.push_back({lo, glm::min(lo + field::kBrick, dims)});
+    });
+    return bricks;
+}
+
+BrickDelta BrickDelta::from(std::vector<Box3> bricks, std::vector<std::byte> held,
+                            std::vector<std::size_t> ends, std::size_t changedVoxels, glm::ivec3 dims) {
+    const auto isInside = [&](const Box3& box) {
+        return !box.isEmpty() && intersect(box, {glm::ivec3(0), dims}) == box &&
+               glm::all(glm::lessThanEqual(box.size(), glm::ivec3(field::kBrick)));
+    };
+    if (!std::all_of(bricks.begin(), bricks.end(), isInside) || !std::is_sorted(ends.begin(), ends.end()) ||
+        ends.size() != (bricks.size() + kBricksTogether - 1) / kBricksTogether ||
+        held.size() != (ends.empty() ? 0 : ends.back())) {
+        throw Error("a change that is kept there does not fit the volume");
+    }
+    BrickDelta delta;
+    delta.bricks_ = std::move(bricks);
+    delta.held_ = std::move(held);
+    delta.ends_ = std::move(ends);
+    delta.changedVoxels_ = changedVoxels;
+    return delta;
+}
 
 void BrickDelta::swap(gl::Texture& texture) {
     const gl::Pass pass("swap bricks");
@@ -99,32 +185,15 @@ Box3 BrickBackup::restore() {
 
 BrickDelta BrickBackup::finish() {
     const gl::Pass pass("finish bricks");
-    const std::size_t texelBytes = gl::bytesPerTexel(texture_->format());
-    BrickDelta delta;
-    BrickEncoder encoder(texelBytes);
-    const auto endGroup = [&] {
-        const auto encoded = encoder.finish();
-        delta.held_.insert(delta.held_.end(), encoded.begin(), encoded.end());
-        delta.ends_.push_back(delta.held_.size());
-        encoder = BrickEncoder(texelBytes);
-    };
+    DeltaMaker maker(*texture_);
     for (const auto& [number, original] : originals_) {
         const auto current = texture_->download(original.box);
-        if (current == original.bytes) {
-            continue;
-        }
-        delta.changedVoxels_ += encoder.add(original.box.size(), original.bytes, current);
-        delta.bricks_.push_back(original.box);
-        if (delta.bricks_.size() % kBricksTogether == 0) {
-            endGroup();
+        if (current != original.bytes) {
+            maker.add(original.box, original.bytes, current);
         }
     }
-    if (delta.bricks_.size() % kBricksTogether != 0) {
-        endGroup();
-    }
-    delta.held_.shrink_to_fit();
     originals_.clear();
-    return delta;
+    return maker.finish();
 }
 
 } // namespace vs::sculpt

@@ -33,13 +33,27 @@ public:
     void drop();
     void giveBack(std::vector<std::byte> held) { held_ = std::move(held); }
 
+    // What files keep beside bricks() and changedVoxels(): where the encodings end in the contents held.
+    [[nodiscard]] const std::vector<std::size_t>& ends() const { return ends_; }
+    // One that was kept in a file, for a texture of that size. Throws Error when the parts do not fit each
+    // other.
+    static BrickDelta from(std::vector<Box3> bricks, std::vector<std::byte> held,
+                           std::vector<std::size_t> ends, std::size_t changedVoxels, glm::ivec3 dims);
+
 private:
-    friend class BrickBackup;
+    friend class DeltaMaker;
     std::vector<Box3> bricks_;
     std::vector<std::byte> held_;   // one encoding after the other, for kBricksTogether bricks each
     std::vector<std::size_t> ends_; // of those encodings in held_
     std::size_t changedVoxels_ = 0;
 };
+
+// What a texture holds in some bricks, as a delta whose swap() brings it back in one in which every texel has
+// the bytes `untouched`. Bricks that are untouched are left out.
+BrickDelta contentOf(const gl::Texture& texture, std::span<const Box3> bricks,
+                     std::span<const std::byte> untouched);
+// All bricks (32^3) of a grid, x fastest.
+std::vector<Box3> bricksOf(glm::ivec3 dims);
 
 // Keeps the original contents of the bricks (32^3) of one texture from the moment they are about to be
 // written for the first time. One backup lasts from the start of an operation to its end. Holds a reference

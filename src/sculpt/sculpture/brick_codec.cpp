@@ -18,14 +18,24 @@ namespace {
 // Fast rather than small: undo must not be felt.
 constexpr int kCompressionLevel = 1;
 
+// The most that a stream of one encoding can have: 16 bricks of 32^3 texels, a byte each.
+constexpr std::size_t kMostBytes = std::size_t(16) * 32 * 32 * 32;
+
 void appendNumber(std::vector<std::byte>& out, std::uint32_t number) {
     const auto* bytes = reinterpret_cast<const std::byte*>(&number);
     out.insert(out.end(), bytes, bytes + sizeof(number));
 }
 
+// Contents may come from a file (BrickDelta::from).
+void expect(bool isRight) {
+    if (!isRight) {
+        throw Error("a change of the sculpture that was kept is damaged");
+    }
+}
+
 std::uint32_t takeNumber(std::span<const std::byte>& in) {
     std::uint32_t number = 0;
-    VS_CHECK(in.size() >= sizeof(number));
+    expect(in.size() >= sizeof(number));
     std::memcpy(&number, in.data(), sizeof(number));
     in = in.subspan(sizeof(number));
     return number;
@@ -45,11 +55,12 @@ void appendStream(std::vector<std::byte>& out, const std::vector<std::byte>& byt
 }
 
 std::vector<std::byte> takeStream(std::span<const std::byte>& in) {
-    std::vector<std::byte> bytes(takeNumber(in));
+    const std::size_t whole = takeNumber(in);
     const std::size_t compressed = takeNumber(in);
-    VS_CHECK(compressed <= in.size());
-    const std::size_t size = ZSTD_decompress(bytes.data(), bytes.size(), in.data(), compressed);
-    VS_CHECK_EQ(size, bytes.size());
+    expect(compressed <= in.size() && ZSTD_getFrameContentSize(in.data(), compressed) == whole &&
+           whole <= kMostBytes);
+    std::vector<std::byte> bytes(whole);
+    expect(ZSTD_decompress(bytes.data(), bytes.size(), in.data(), compressed) == whole);
     in = in.subspan(compressed);
     return bytes;
 }
@@ -181,7 +192,8 @@ void BrickDecoder::next(glm::ivec3 size, std::span<std::byte> texels) {
     std::size_t n = 0;
     for (int z = 0; z < size.z; ++z) {
         for (int y = 0; y < size.y; ++y, n += width) {
-            const std::byte* row = &changed_.at(changedAt_);
+            expect(changedAt_ + rowBytes(size) <= changed_.size());
+            const std::byte* row = &changed_[changedAt_];
             changedAt_ += rowBytes(size);
             std::uint32_t* own = &codes.at(0, y, z);
             loadRow(texels, n, texelBytes_, own, width);
@@ -191,7 +203,8 @@ void BrickDecoder::next(glm::ivec3 size, std::span<std::byte> texels) {
                 }
                 std::uint32_t missed = 0;
                 for (std::size_t plane = 0; plane < texelBytes_; ++plane) {
-                    missed |= std::uint32_t(planes_[plane].at(planeAt_)) << (8 * plane);
+                    expect(planeAt_ < planes_[plane].size());
+                    missed |= std::uint32_t(planes_[plane][planeAt_]) << (8 * plane);
                 }
                 ++planeAt_;
                 own[x] = (codes.predict(int(x), y, z) + unfolded(missed)) & most;

@@ -37,6 +37,7 @@ private:
 class BrickDecoder {
 public:
     // `encoded` is what finish() of an encoder of the same texelBytes gave; it is not needed any more later.
+    // Throws Error, as next() does, when it is damaged.
     BrickDecoder(std::size_t texelBytes, std::span<const std::byte> encoded);
 
     // Decodes the next brick, in the order and of the size in which they were added: turns `texels` from what

@@ -186,6 +186,24 @@ void Sculpture::swap(BrickDelta& delta) {
     refresh(delta.box());
 }
 
+BrickDelta Sculpture::content() const {
+    const std::vector<std::byte> zero(gl::bytesPerTexel(texels_.format()), std::byte(0));
+    return contentOf(texels_, touchedBricks(), zero);
+}
+
+void Sculpture::restore(BrickDelta content, std::uint64_t version, std::uint64_t contentVersion) {
+    VS_CHECK_EQ(version_, std::uint64_t(0));
+    content.swap(texels_);
+    for (const Box3& brick : content.bricks()) {
+        updater_.update(texels_, brick, cells_);
+        markTouched(brick);
+    }
+    isEmpty_.reset();
+    changes_ = {{version, content.box()}};
+    version_ = version;
+    contentVersion_ = contentVersion;
+}
+
 void Sculpture::refresh(const Box3& box) {
     if (!box.isEmpty()) {
         updater_.update(texels_, box, cells_);

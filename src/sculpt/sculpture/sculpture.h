@@ -71,6 +71,10 @@ public:
     void upload(const Box3& box, std::span<const std::byte> texels);
     // Undo or redo, with the macrocells.
     void swap(BrickDelta& delta);
+    // All that is cut, for files; and a sculpture that is untouched becomes what was kept so. Its versions go
+    // on from those that it had.
+    [[nodiscard]] BrickDelta content() const;
+    void restore(BrickDelta content, std::uint64_t version, std::uint64_t contentVersion);
     // Brings the macrocells up to date after texels() was written by something else (BrickBackup::restore).
     void refresh(const Box3& box);
 

@@ -6,6 +6,12 @@
 
 namespace vs::sculpt {
 
+void Trimmed::prepare(const Sculpture& sculpture) {
+    if (!program_) {
+        program_ = gl::Program("sculpt/shaders/follow_trim.comp", storedDefines(sculpture.precision()));
+    }
+}
+
 void Trimmed::make(const Sculpture& sculpture) {
     leftForTools_ =
         gl::Texture(sculpture.dims(), sculpture.texels().format(), gl::Filter::Nearest, "left for tools");
@@ -19,9 +25,7 @@ BrickDelta Trimmed::follow(Sculpture& sculpture, BrickDelta& change, bool isTrim
         return {};
     }
     const gl::Pass pass("follow a trim");
-    if (!program_) {
-        program_ = gl::Program("sculpt/shaders/follow_trim.comp", storedDefines(sculpture.precision()));
-    }
+    prepare(sculpture);
     const Box3 box = change.box();
     gl::Texture before;
     if (isTrim) {
@@ -44,6 +48,17 @@ BrickDelta Trimmed::follow(Sculpture& sculpture, BrickDelta& change, bool isTrim
     program_.set("first", box.lo).set("last", box.hi).set("isTrim", isTrim ? 1 : 0).set("isNew", 0);
     program_.dispatchOver(box.size(), gl::Barrier::Texture);
     return backup.finish();
+}
+
+BrickDelta Trimmed::content(Precision precision) const {
+    const float all = 1; // what make() leaves for tools
+    return contentOf(leftForTools_, bricksOf(leftForTools_.size()), texelsOf({&all, 1}, precision));
+}
+
+void Trimmed::restore(const Sculpture& sculpture, BrickDelta content) {
+    prepare(sculpture);
+    make(sculpture);
+    content.swap(leftForTools_);
 }
 
 } // namespace vs::sculpt

@@ -27,7 +27,12 @@ public:
     // Undo or redo of what follow() did.
     void swap(BrickDelta& delta) { delta.swap(leftForTools_); }
 
+    // What is trimmed, for files, where anything ever was; and what was kept so becomes it again.
+    [[nodiscard]] BrickDelta content(Precision precision) const;
+    void restore(const Sculpture& sculpture, BrickDelta content);
+
 private:
+    void prepare(const Sculpture& sculpture);
     void make(const Sculpture& sculpture);
 
     gl::Texture leftForTools_; // made by the first trim

@@ -64,6 +64,12 @@ std::vector<GenerationSpan> BrickTable::exchangeSpans(std::vector<GenerationSpan
     return spans;
 }
 
+void BrickTable::occupy(const std::vector<std::uint32_t>& bricks) {
+    for (const std::uint32_t brick : bricks) {
+        isOccupied_[brick] = true;
+    }
+}
+
 void BrickTable::truncate(int last) {
     const auto limit = std::uint32_t(last);
     for (GenerationSpan& span : spans_) {

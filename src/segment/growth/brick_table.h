@@ -53,6 +53,8 @@ public:
     void widen(const std::vector<std::uint32_t>& bricks, int generation);
     // Takes another segment's spans (empty: it has none yet) for those there are, which it returns.
     std::vector<GenerationSpan> exchangeSpans(std::vector<GenerationSpan> spans);
+    // Takes note that these bricks may hold voxels of segments that are not at work.
+    void occupy(const std::vector<std::uint32_t>& bricks);
     // Takes note that generations after `last` were erased.
     void truncate(int last);
 

@@ -139,8 +139,8 @@ SeedCounts Growth::addSeeds(std::span<const glm::ivec3> seeds, GrowthUndo* undo)
         state_.seeds = std::make_shared<const std::vector<Seed>>(std::move(remembered));
     }
     if (undo != nullptr) {
-        undo->addedSeeds_ = std::move(added);
-        undo->allowedAgain_ = std::move(allowedAgain);
+        undo->held_.addedSeeds = std::move(added);
+        undo->held_.allowedAgain = std::move(allowedAgain);
         undo->end(*this);
     }
     return counts;
@@ -183,7 +183,7 @@ void Growth::reinstateSeeds(GrowthUndo* undo) {
     if (!entering.empty()) {
         enterSeeds(entering);
         if (undo != nullptr) {
-            undo->addedSeeds_ = std::move(entering);
+            undo->held_.addedSeeds = std::move(entering);
         }
     }
 }

@@ -17,6 +17,7 @@
 namespace vs::segment {
 
 class GrowthUndo;
+struct GrowthSnapshot;
 
 // What became of the seeds of one call.
 struct SeedCounts {
@@ -111,6 +112,11 @@ public:
     void activate(std::uint8_t label, GrowthUndo* undo = nullptr);
     [[nodiscard]] std::uint8_t activeLabel() const { return owner_.label; }
 
+    // All that it holds (segment/growth/growth_snapshot.h); and a growth that has just been made becomes what
+    // such a snapshot says. Throws Error when that does not fit the volume.
+    [[nodiscard]] GrowthSnapshot snapshot() const;
+    void restore(const GrowthSnapshot& all);
+
     [[nodiscard]] int playhead() const { return state_.playhead; }
     [[nodiscard]] int extent() const { return state_.extent; }
     // Whether everything computed is shown, and nothing more grows under these rules.
@@ -186,6 +192,7 @@ private:
     int cutBack(std::uint64_t mostVoxels);
     int compute(int generations);
     void exchangeRun(std::uint8_t label);
+    [[nodiscard]] bool hasGrownOthers() const;
 
     const field::Field* field_;
     GrowthState state_;

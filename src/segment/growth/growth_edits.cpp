@@ -201,9 +201,13 @@ void Growth::exchangeRun(std::uint8_t label) {
         forbidden_ = gl::Buffer(seedMap_.planeBytes(), "forbidden voxels");
         forbidden_.write(std::span<const std::uint32_t>(next.forbidden));
     }
-    owner_ = {label, std::any_of(others_.begin(), others_.end(),
-                                 [](const auto& run) { return run.second.state.extent > 0; })};
+    owner_ = {label, hasGrownOthers()};
     frontier_.invalidate();
+}
+
+bool Growth::hasGrownOthers() const {
+    return std::any_of(others_.begin(), others_.end(),
+                       [](const auto& run) { return run.second.state.extent > 0; });
 }
 
 const GrowthState& Growth::state(std::uint8_t label) const {

@@ -2,10 +2,11 @@
 #pragma once
 
 #include "segment/growth/growth.h"
+#include "segment/growth/saved_brick.h"
 
 #include <cstddef>
 #include <cstdint>
-#include <optional>
+#include <utility>
 #include <vector>
 
 namespace vs::segment {
@@ -26,15 +27,26 @@ public:
     // Memory taken by this record.
     [[nodiscard]] std::size_t bytes() const;
 
+    // All that it holds, for files.
+    struct Content {
+        std::uint8_t labelBefore = 0;
+        std::uint8_t labelAfter = 0;
+        GrowthState before;
+        int extentAfter = 0;
+        std::vector<std::uint32_t> addedSeeds;
+        std::vector<std::uint32_t> allowedAgain; // those of them that were forbidden
+        std::vector<SavedBrick> saved;           // in the order in which they were changed
+        // Whether the call changed what is forbidden, and the plane before it (compressed; empty: nothing
+        // was).
+        bool changesForbidden = false;
+        std::vector<std::byte> forbidden;
+    };
+    GrowthUndo() = default;
+    explicit GrowthUndo(Content content) : held_(std::move(content)) {}
+    [[nodiscard]] const Content& content() const { return held_; }
+
 private:
     friend class Growth;
-
-    struct SavedBrick {
-        std::uint32_t brick = 0;
-        GenerationSpan span;
-        std::size_t size = 0; // uncompressed
-        std::vector<std::byte> compressed;
-    };
 
     void begin(const Growth& growth);
     // Saves bricks as they are.
@@ -43,16 +55,7 @@ private:
     void keepForbidden(const Growth& growth);
     void end(const Growth& growth);
 
-    std::uint8_t labelBefore_ = 0;
-    std::uint8_t labelAfter_ = 0;
-    GrowthState before_;
-    int extentAfter_ = 0;
-    std::vector<std::uint32_t> addedSeeds_;
-    std::vector<std::uint32_t> allowedAgain_; // those of them that were forbidden
-    std::vector<SavedBrick> saved_;           // in the order in which they were changed
-    // Whether the call changed what is forbidden, and the plane before it (compressed; empty: nothing was).
-    bool changesForbidden_ = false;
-    std::vector<std::byte> forbidden_;
+    Content held_;
 };
 
 } // namespace vs::segment

@@ -107,6 +107,11 @@ std::vector<std::byte> SeedMap::saveBrick(std::uint32_t brick) const {
     return bytes;
 }
 
+bool SeedMap::isBrick(std::uint32_t brick, std::size_t sizeBytes) const {
+    const std::size_t least = kGrownBytes + kGenerationBytes + bricks_.box(brick).volume();
+    return sizeBytes == least || sizeBytes == least + kLateBytes;
+}
+
 void SeedMap::restoreBrick(std::uint32_t brick, std::span<const std::byte> bytes) {
     const std::size_t labelBytes = bricks_.box(brick).volume();
     const bool hasLate = bytes.size() > kGrownBytes + kGenerationBytes + labelBytes;

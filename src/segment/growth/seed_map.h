@@ -68,6 +68,8 @@ public:
     // All there is about a brick, for undo.
     [[nodiscard]] std::vector<std::byte> saveBrick(std::uint32_t brick) const;
     void restoreBrick(std::uint32_t brick, std::span<const std::byte> bytes);
+    // Whether so many bytes can be a brick's: with or without generations above kLongest16.
+    [[nodiscard]] bool isBrick(std::uint32_t brick, std::size_t sizeBytes) const;
 
     // Downloads a plane (like grown()) as one byte a voxel of a box, x fastest.
     [[nodiscard]] std::vector<std::uint8_t> downloadPlane(const gl::Buffer& plane, const Box3& box) const;

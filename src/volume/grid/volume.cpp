@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "volume/grid/volume.h"
 
-#include <fmt/format.h>
+#include "base/hash.h"
 
 #include <cmath>
-#include <cstring>
 #include <limits>
+#include <span>
 #include <type_traits>
 
 namespace vs::volume {
@@ -106,26 +106,13 @@ double otsuThreshold(std::span<const std::uint64_t> counts, const Range& range) 
 }
 
 std::string checksum(const Volume& volume) {
-    std::uint64_t hash = 14695981039346656037ULL;
-    const auto mix = [&hash](std::uint64_t word) {
-        hash ^= word;
-        hash *= 1099511628211ULL;
-    };
+    Hash64 hash;
     for (int axis = 0; axis < 3; ++axis) {
-        mix(std::uint64_t(volume.geometry.dims[axis]));
+        hash.add(std::uint64_t(volume.geometry.dims[axis]));
     }
-    mix(std::uint64_t(volume.type));
-    // Eight bytes at a time: the checksum must not dominate opening a file.
-    const std::size_t words = volume.bytes.size() / 8;
-    for (std::size_t i = 0; i < words; ++i) {
-        std::uint64_t word = 0;
-        std::memcpy(&word, volume.bytes.data() + 8 * i, 8);
-        mix(word);
-    }
-    for (std::size_t i = 8 * words; i < volume.bytes.size(); ++i) {
-        mix(std::uint64_t(volume.bytes[i]));
-    }
-    return fmt::format("{:016x}", hash);
+    hash.add(std::uint64_t(volume.type));
+    hash.add(std::span<const std::byte>(volume.bytes));
+    return hash.text();
 }
 
 } // namespace vs::volume

@@ -1230,6 +1230,10 @@
         <source>remove measurement</source>
         <translation>Messung löschen</translation>
     </message>
+    <message>
+        <source>movie</source>
+        <translation>Film</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop</name>
@@ -2517,6 +2521,18 @@
         <source>Measure how much is cut away, in ml</source>
         <translation>Messen, wie viel weggeschnitten ist, in ml</translation>
     </message>
+    <message>
+        <source>Vessel</source>
+        <translation>Gefäß</translation>
+    </message>
+    <message>
+        <source>Between two places along a segment: its centreline, its diameters, the narrowest of them</source>
+        <translation>Zwischen zwei Stellen entlang eines Segments: Mittellinie, Durchmesser und die engste Stelle</translation>
+    </message>
+    <message>
+        <source>Diameters along the vessel that was measured last</source>
+        <translation>Durchmesser entlang des zuletzt gemessenen Gefäßes</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::BlockDialog</name>
@@ -3212,6 +3228,217 @@ Tab: der nächste Punkt; Pfeiltasten bewegen ihn; Entf; Eingabe: seine Farbe; St
     <message>
         <source>%1 (*%2)</source>
         <translation>%1 (*%2)</translation>
+    </message>
+</context>
+<context>
+    <name>vs::desktop::FilmDialog</name>
+    <message>
+        <source>Film</source>
+        <translation>Film</translation>
+    </message>
+    <message>
+        <source>Preview</source>
+        <translation>Vorschau</translation>
+    </message>
+    <message>
+        <source>Play</source>
+        <translation>Abspielen</translation>
+    </message>
+    <message>
+        <source>Play the preview</source>
+        <translation>Die Vorschau abspielen</translation>
+    </message>
+    <message>
+        <source>Moment of the film</source>
+        <translation>Zeitpunkt im Film</translation>
+    </message>
+    <message>
+        <source>What the film shows</source>
+        <translation>Was der Film zeigt</translation>
+    </message>
+    <message>
+        <source>Around the patient&apos;s axis</source>
+        <translation>Um die Achse des Patienten</translation>
+    </message>
+    <message>
+        <source>To and fro</source>
+        <translation>Hin und her</translation>
+    </message>
+    <message>
+        <source>Over the head</source>
+        <translation>Über den Kopf</translation>
+    </message>
+    <message>
+        <source>Around and up</source>
+        <translation>Herum und hinauf</translation>
+    </message>
+    <message>
+        <source>Coming nearer</source>
+        <translation>Näher heran</translation>
+    </message>
+    <message>
+        <source>The segment growing</source>
+        <translation>Das Segment, wie es wächst</translation>
+    </message>
+    <message>
+        <source>The segment going back to its seeds</source>
+        <translation>Das Segment, zurück zu seiner Saat</translation>
+    </message>
+    <message>
+        <source>All that was done, with its strokes</source>
+        <translation>Alles, was getan wurde, mit den Strichen</translation>
+    </message>
+    <message>
+        <source>From view to view</source>
+        <translation>Von Ansicht zu Ansicht</translation>
+    </message>
+    <message>
+        <source>Shows</source>
+        <translation>Zeigt</translation>
+    </message>
+    <message>
+        <source>Duration</source>
+        <translation>Dauer</translation>
+    </message>
+    <message>
+        <source> s</source>
+        <translation> s</translation>
+    </message>
+    <message>
+        <source>How far it turns</source>
+        <translation>Wie weit er sich dreht</translation>
+    </message>
+    <message>
+        <source>°</source>
+        <translation>°</translation>
+    </message>
+    <message>
+        <source>Turns by</source>
+        <translation>Dreht um</translation>
+    </message>
+    <message>
+        <source>How much nearer it comes</source>
+        <translation>Wie viel näher er kommt</translation>
+    </message>
+    <message>
+        <source>Nearer by</source>
+        <translation>Näher um</translation>
+    </message>
+    <message>
+        <source>Turn once meanwhile</source>
+        <translation>Dabei einmal drehen</translation>
+    </message>
+    <message>
+        <source>Goes around the patient&apos;s axis too</source>
+        <translation>Dreht sich dabei um die Achse des Patienten</translation>
+    </message>
+    <message>
+        <source>Size</source>
+        <translation>Größe</translation>
+    </message>
+    <message>
+        <source>%1 × %2</source>
+        <translation>%1 × %2</translation>
+    </message>
+    <message>
+        <source>Frames a second</source>
+        <translation>Bilder je Sekunde</translation>
+    </message>
+    <message>
+        <source>%1 a second</source>
+        <translation>%1 je Sekunde</translation>
+    </message>
+    <message>
+        <source>Frames</source>
+        <translation>Bilder</translation>
+    </message>
+    <message>
+        <source>Background</source>
+        <translation>Hintergrund</translation>
+    </message>
+    <message>
+        <source>As in the window</source>
+        <translation>Wie im Fenster</translation>
+    </message>
+    <message>
+        <source>White</source>
+        <translation>Weiß</translation>
+    </message>
+    <message>
+        <source>Black</source>
+        <translation>Schwarz</translation>
+    </message>
+    <message>
+        <source>Scale bar and orientation marker</source>
+        <translation>Maßstab und Richtungswürfel</translation>
+    </message>
+    <message>
+        <source>Draws both into the picture</source>
+        <translation>Zeichnet beide ins Bild</translation>
+    </message>
+    <message>
+        <source>Views of the film</source>
+        <translation>Ansichten des Films</translation>
+    </message>
+    <message>
+        <source>Add this view</source>
+        <translation>Diese Ansicht hinzufügen</translation>
+    </message>
+    <message>
+        <source>Add what the window shows now: view, displayed range, parts, generation</source>
+        <translation>Hinzufügen, was das Fenster jetzt zeigt: Ansicht, Wertebereich, Teile, Generation</translation>
+    </message>
+    <message>
+        <source>Remove</source>
+        <translation>Entfernen</translation>
+    </message>
+    <message>
+        <source>Remove the view that is chosen</source>
+        <translation>Die gewählte Ansicht entfernen</translation>
+    </message>
+    <message>
+        <source>Views</source>
+        <translation>Ansichten</translation>
+    </message>
+    <message>
+        <source>Message</source>
+        <translation>Meldung</translation>
+    </message>
+    <message>
+        <source>Close</source>
+        <translation>Schließen</translation>
+    </message>
+    <message>
+        <source>Save…</source>
+        <translation>Speichern…</translation>
+    </message>
+    <message>
+        <source>Save</source>
+        <translation>Speichern</translation>
+    </message>
+    <message>
+        <source>View %1: %2° around, %3° up, zoom %4</source>
+        <translation>Ansicht %1: %2° herum, %3° hinauf, Zoom %4</translation>
+    </message>
+    <message>
+        <source>%1 s</source>
+        <translation>%1 s</translation>
+    </message>
+    <message>
+        <source>Turn to a view, and add it</source>
+        <translation>Eine Ansicht einstellen und hinzufügen</translation>
+    </message>
+    <message>
+        <source>Save the film</source>
+        <translation>Film speichern</translation>
+    </message>
+    <message>
+        <source>Films (*.webm *.mp4);;Folders of numbered pictures (*)</source>
+        <translation>Filme (*.webm *.mp4);;Ordner mit nummerierten Bildern (*)</translation>
+    </message>
+    <message>
+        <source>Saved %1</source>
+        <translation>%1 gespeichert</translation>
     </message>
 </context>
 <context>
@@ -5049,6 +5276,34 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
         <source>Volumes (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vtk *.dcm *.raw);;All files (*)</source>
         <translation>Volumen (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vtk *.dcm *.raw);;Alle Dateien (*)</translation>
     </message>
+    <message>
+        <source>Save as…</source>
+        <translation>Speichern unter…</translation>
+    </message>
+    <message>
+        <source>Save the session in another file</source>
+        <translation>Die Sitzung in einer anderen Datei speichern</translation>
+    </message>
+    <message>
+        <source>Ctrl+Shift+S</source>
+        <translation>Ctrl+Shift+S</translation>
+    </message>
+    <message>
+        <source>Film…</source>
+        <translation>Film…</translation>
+    </message>
+    <message>
+        <source>A film around what is seen, of its growth, of all that was done, or from view to view</source>
+        <translation>Ein Film rund um das Sichtbare, vom Wachsen, von allem, was getan wurde, oder von Ansicht zu Ansicht</translation>
+    </message>
+    <message>
+        <source>Ctrl+F12</source>
+        <translation>Ctrl+F12</translation>
+    </message>
+    <message>
+        <source>&amp;Save</source>
+        <translation>&amp;Speichern</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::MeasureTool</name>
@@ -5103,6 +5358,10 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
     <message>
         <source>Draw around what is to be measured, on a slice: an area lies in one.</source>
         <translation>Auf einem Schnitt um das herum zeichnen, was gemessen werden soll: Eine Fläche liegt in einem Schnitt.</translation>
+    </message>
+    <message>
+        <source>Click two places along a segment that is a vessel, on the surface or on a slice.</source>
+        <translation>Zwei Stellen entlang eines Segments anklicken, das ein Gefäß ist, auf der Oberfläche oder in einem Schnittbild.</translation>
     </message>
 </context>
 <context>

@@ -33,6 +33,7 @@ int run(int argc, char** argv) {
     vs::cli::addInfoCommand(app);
     vs::cli::addRenderCommand(app);
     vs::cli::addRunCommand(app);
+    vs::cli::addCheckCommand(app);
     vs::cli::addGrowCommand(app);
     vs::cli::addHistogramCommand(app);
     vs::cli::addPhantomCommand(app);
@@ -41,6 +42,7 @@ int run(int argc, char** argv) {
     vs::cli::addDevicesCommand(app);
     vs::cli::addExperimentsCommand(app);
     vs::cli::addExportCommand(app);
+    vs::cli::addFilmCommand(app);
     vs::cli::addStatsCommand(app);
     vs::cli::addCompareCommand(app);
     vs::cli::addBenchCommand(app);

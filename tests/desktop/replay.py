@@ -47,4 +47,7 @@ def compare_with_replay(vstudio, session, screenshot, viewport, folder):
     need((folder / "replay.png").exists(), "the replay wrote no picture")
     print("replayed picture:", run(vstudio, "compare", screenshot, folder / "replay.png", "--mean", MEAN,
                                    "--changed", CHANGED).strip())
-    return json.loads((folder / "report.json").read_text())
+    report = json.loads((folder / "report.json").read_text())
+    if content.get("state"):
+        need("equal, to the byte" in run(vstudio, "check", session), "the session's state is not what its operations lead to")
+    return report

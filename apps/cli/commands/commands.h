@@ -10,6 +10,7 @@ namespace vs::cli {
 void addInfoCommand(CLI::App& app);
 void addRenderCommand(CLI::App& app);
 void addRunCommand(CLI::App& app);
+void addCheckCommand(CLI::App& app);
 void addGrowCommand(CLI::App& app);
 void addHistogramCommand(CLI::App& app);
 void addPhantomCommand(CLI::App& app);
@@ -18,6 +19,7 @@ void addSweepCommand(CLI::App& app);
 void addDevicesCommand(CLI::App& app);
 void addExperimentsCommand(CLI::App& app);
 void addExportCommand(CLI::App& app);
+void addFilmCommand(CLI::App& app);
 void addStatsCommand(CLI::App& app);
 void addCompareCommand(CLI::App& app);
 void addBenchCommand(CLI::App& app);

@@ -82,21 +82,13 @@ void readFromDocument(Input& input, const ExportOptions& options) {
     input.context->requireNoErrors();
 }
 
-// Replays everything but what writes files.
 Input readSession(const ExportOptions& options) {
     Input input;
     const studio::Session session = studio::loadSession(options.input);
     std::vector<std::string> notices;
     auto volume = loadSessionVolume(session, options.input, options.volume, notices);
     input.context = std::make_unique<gl::Context>(gl::Context::createHeadless());
-    input.document = std::make_unique<studio::Document>(std::move(volume), session.precision);
-    Progress progress("replaying", session.operations.size());
-    for (std::size_t i = 0; i < session.operations.size(); ++i) {
-        if (!studio::isOutput(session.operations[i])) {
-            replayOperation(session, options.input, i, *input.document, *input.context, {});
-        }
-        progress.advance();
-    }
+    input.document = openDocument(session, options.input, std::move(volume), *input.context);
     readFromDocument(input, options);
     if (options.volume.path.empty()) {
         if (!session.series.empty()) {

@@ -10,7 +10,7 @@
 #include "base/log.h"
 #include "base/timer.h"
 #include "gl/context.h"
-#include "studio/json/session.h"
+#include "studio/json/session_state.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -18,6 +18,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 namespace vs::cli {
 
@@ -26,9 +27,11 @@ namespace {
 struct RunOptions {
     std::string session;
     std::string output;
-    std::string picture;   // of the last view; empty: none
-    std::string size;      // of that
-    VolumeArgument volume; // instead of the session's own, as far as given
+    std::string picture;    // of the last view; empty: none
+    std::string size;       // of that
+    std::string saved;      // session file to write, with state; empty: none
+    bool fromState = false; // nothing is done again
+    VolumeArgument volume;  // instead of the session's own, as far as given
 };
 
 using Json = nlohmann::ordered_json;
@@ -130,18 +133,51 @@ studio::SavePicture lastPicture(const RunOptions& options) {
     return picture;
 }
 
-void runSession(const RunOptions& options) {
-    studio::Session session = studio::loadSession(options.session);
-    if (!options.picture.empty()) {
-        session.operations.emplace_back(lastPicture(options));
+// Where the volume that was used comes from.
+studio::Session sourceOf(const studio::Session& session, const RunOptions& options,
+                         const studio::Document& document) {
+    studio::Session source = session;
+    if (!session.isMade()) {
+        source.volumePath = std::filesystem::absolute(document.volume().path);
     }
+    source.rawLayout = options.volume.rawLayout.value_or(source.rawLayout);
+    source.series = options.volume.series.value_or(source.series);
+    source.frame = options.volume.frame ? options.volume.frame : source.frame;
+    return source;
+}
+
+void save(const studio::Session& session, const RunOptions& options, const studio::Document& document) {
+    const Timer timer;
+    studio::saveDocument(options.saved, document, sourceOf(session, options, document));
+    fmt::print("saved {} in {:.0f} ms\n", options.saved, timer.milliseconds());
+}
+
+// As it was when it was saved.
+std::unique_ptr<studio::Document> fromState(const studio::Session& session, const RunOptions& options,
+                                            volume::Volume volume) {
+    std::vector<std::string> notices;
+    auto state = studio::loadState(options.session, session, volume, notices);
+    if (!state) {
+        throw SessionError("{}", notices.empty() ? options.session +
+                                                       ": has no state to be opened from; leave --state out, "
+                                                       "and it is replayed"
+                                                 : notices.front());
+    }
+    return std::make_unique<studio::Document>(std::move(volume), std::move(*state));
+}
+
+void runSession(const RunOptions& options) {
+    const studio::Session session = studio::loadSession(options.session);
+    const auto last = options.picture.empty() ? std::nullopt : std::optional(lastPicture(options));
     const std::filesystem::path folder = options.output;
     std::vector<std::string> notices;
     const Timer loading;
     auto volume = loadSessionVolume(session, options.session, options.volume, notices);
     const auto context = gl::Context::createHeadless();
     const std::string volumeName = volume.name;
-    studio::Document document(std::move(volume), session.precision);
+    const auto document = options.fromState
+                              ? fromState(session, options, std::move(volume))
+                              : std::make_unique<studio::Document>(std::move(volume), session.precision);
     gl::Context::finish();
     makeFolders(folder, session.operations);
     Report report(folder, {{"session", options.session},
@@ -150,17 +186,26 @@ void runSession(const RunOptions& options) {
                            {"loadMilliseconds", loading.milliseconds()},
                            {"notices", notices}});
     try {
-        replay(session, options, context, document, report);
+        if (!options.fromState) {
+            replay(session, options, context, *document, report);
+        }
+        if (!options.saved.empty()) {
+            save(session, options, *document);
+        }
+        if (last) {
+            report.add(document->apply(*last, folder));
+        }
         gl::Context::finish();
         context.requireNoErrors();
     } catch (const std::exception& error) {
         report.fail(error.what());
         throw;
     }
-    report.complete(document.history().statistics());
-    fmt::print("{}: {} operations on {}; results in {}\n", options.session, session.operations.size(),
-               volumeName, folder.string());
-    if (std::none_of(session.operations.begin(), session.operations.end(), studio::isOutput)) {
+    report.complete(document->history().statistics());
+    fmt::print("{}: {} operations on {}{}; results in {}\n", options.session,
+               session.operations.size() + (last ? 1 : 0), volumeName,
+               options.fromState ? ", from the state" : "", folder.string());
+    if (!last && std::none_of(session.operations.begin(), session.operations.end(), studio::isOutput)) {
         fmt::print("the session asks for no picture; --picture last.png writes one of its last view\n");
     }
 }
@@ -177,6 +222,11 @@ void addRunCommand(CLI::App& app) {
                                         "Write the last view too, as PNG, by this name in that folder");
     command->add_option("--size", options->size, "Size of that picture, WxH; 1230x870 without")
         ->needs(picture);
+    command->add_option("--save", options->saved,
+                        "Save the session there, with the state that it leads to, so that it opens at once");
+    command->add_flag("--state", options->fromState,
+                      "Open it from the state that was saved with it: nothing is done again, and files that "
+                      "its operations write are not written");
     command->add_option("--volume", options->volume.path, "Use this volume instead of the session's own");
     addReadOptions(*command, options->volume);
     command->callback([options] { runSession(*options); });

@@ -29,6 +29,7 @@ struct StatsOptions {
     VolumeArgument volume;
     std::string csv;
     std::string measurements;
+    std::string vessels;
 };
 
 std::vector<MeasuredSegment> measureLabels(const StatsOptions& options) {
@@ -48,7 +49,6 @@ std::vector<MeasuredSegment> measureLabels(const StatsOptions& options) {
     return segments;
 }
 
-// Replays everything but what writes files.
 struct SessionFigures {
     std::vector<MeasuredSegment> segments;
     std::vector<studio::Measured> measurements;
@@ -60,14 +60,8 @@ SessionFigures measureSession(const StatsOptions& options) {
     std::vector<std::string> notices;
     auto volume = loadSessionVolume(session, options.labels, options.volume, notices);
     const auto context = gl::Context::createHeadless();
-    studio::Document document(std::move(volume), session.precision);
-    Progress progress("replaying", session.operations.size());
-    for (std::size_t i = 0; i < session.operations.size(); ++i) {
-        if (!studio::isOutput(session.operations[i])) {
-            replayOperation(session, options.labels, i, document, context, {});
-        }
-        progress.advance();
-    }
+    const auto opened = openDocument(session, options.labels, std::move(volume), context);
+    const studio::Document& document = *opened;
     const auto& infos = document.segments().segments;
     SessionFigures figures{{}, *document.facts()->measured, document.volume().geometry};
     for (const auto& statistics : segment::measure(document.volume(), document.region().labelMap())) {
@@ -99,10 +93,12 @@ void requireCsv(const char* option, const std::string& file) {
 void run(const StatsOptions& options) {
     requireCsv("--csv", options.csv); // what can be wrong is said before anything is read
     requireCsv("--measurements", options.measurements);
+    requireCsv("--vessels", options.vessels);
     const bool isSession = options.labels.ends_with(".json");
-    if (!options.measurements.empty() && !isSession) {
-        throw UsageError("--measurements {}: only sessions have measurements; give one (.json)",
-                         options.measurements);
+    for (const std::string& file : {options.measurements, options.vessels}) {
+        if (!file.empty() && !isSession) {
+            throw UsageError("{}: only sessions have measurements to write there; give one (.json)", file);
+        }
     }
     const SessionFigures figures =
         isSession ? measureSession(options) : SessionFigures{measureLabels(options), {}, {}};
@@ -111,6 +107,9 @@ void run(const StatsOptions& options) {
     }
     if (!options.measurements.empty()) {
         writeFileAtomically(options.measurements, studio::csvOf(figures.measurements));
+    }
+    if (!options.vessels.empty()) {
+        writeFileAtomically(options.vessels, studio::vesselsCsvOf(figures.measurements));
     }
     if (!figures.segments.empty()) {
         printTable(figures.segments);
@@ -128,7 +127,7 @@ void addStatsCommand(CLI::App& app) {
     command
         ->add_option("LABELS", options->labels,
                      "Label map (whole numbers, 0 for none, in any format that volumes are read from), or a "
-                     "session (.json), which is replayed without writing its files")
+                     "session (.json), which is opened from its state or replayed without writing its files")
         ->required();
     command->add_option("--volume", options->volume.path,
                         "The volume that it lies on; of a session, to be used instead of its own");
@@ -136,6 +135,8 @@ void addStatsCommand(CLI::App& app) {
     command->add_option("--csv", options->csv, "Write the table with all digits too (CSV)");
     command->add_option("--measurements", options->measurements,
                         "Write the session's measurements with all digits too (CSV)");
+    command->add_option("--vessels", options->vessels,
+                        "Write the diameters along the session's vessels too (CSV)");
     command->callback([options] { run(*options); });
 }
 

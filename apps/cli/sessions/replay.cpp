@@ -5,6 +5,7 @@
 
 #include "base/error.h"
 #include "base/log.h"
+#include "studio/json/session_state.h"
 
 #include <fmt/format.h>
 
@@ -45,6 +46,29 @@ studio::Outcome replayOperation(const studio::Session& session, const std::strin
         throw SessionError("{}: operation {} ({}): {}", sessionPath, index + 1, name(operation),
                            error.what());
     }
+}
+
+std::unique_ptr<studio::Document> openDocument(const studio::Session& session, const std::string& sessionPath,
+                                               volume::Volume volume, const gl::Context& context) {
+    std::vector<std::string> notices;
+    auto state = studio::loadState(sessionPath, session, volume, notices);
+    for (const auto& notice : notices) {
+        logNotice(notice);
+    }
+    if (state) {
+        return std::make_unique<studio::Document>(std::move(volume), std::move(*state));
+    }
+    auto document = std::make_unique<studio::Document>(std::move(volume), session.precision);
+    Progress progress("replaying", session.operations.size());
+    for (std::size_t i = 0; i < session.operations.size(); ++i) {
+        if (studio::isOutput(session.operations[i])) {
+            document->logOutput(session.operations[i]);
+        } else {
+            replayOperation(session, sessionPath, i, *document, context, {});
+        }
+        progress.advance();
+    }
+    return document;
 }
 
 } // namespace vs::cli

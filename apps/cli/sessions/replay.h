@@ -8,6 +8,7 @@
 #include "studio/json/session.h"
 
 #include <filesystem>
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -23,5 +24,10 @@ volume::Volume loadSessionVolume(const studio::Session& session, const std::stri
 studio::Outcome replayOperation(const studio::Session& session, const std::string& sessionPath,
                                 std::size_t index, studio::Document& document, const gl::Context& context,
                                 const std::filesystem::path& outputFolder);
+
+// The document of a session: from the state that was saved with it, or, if there is none that fits, by doing
+// all of its operations again but those that write files.
+std::unique_ptr<studio::Document> openDocument(const studio::Session& session, const std::string& sessionPath,
+                                               volume::Volume volume, const gl::Context& context);
 
 } // namespace vs::cli

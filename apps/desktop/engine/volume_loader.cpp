@@ -43,6 +43,9 @@ void load(Loaded& result) {
         }
         result.session->series = used.series.value_or("");
         result.session->frame = used.frame;
+        if (!request.isPlayed && !request.isReplayed) {
+            result.state = studio::loadState(request.session, *result.session, result.volume, result.notices);
+        }
         return;
     }
     volume::ReadOptions options;

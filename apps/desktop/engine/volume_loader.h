@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "studio/json/session.h"
+#include "studio/json/session_state.h"
 
 #include <QObject>
 
@@ -37,13 +37,15 @@ struct OpenRequest {
     std::shared_ptr<const studio::Session> given = {};
     // Where a session's volume is looked for that is not where the session says.
     std::vector<std::filesystem::path> folders = {};
-    bool isPlayed = false; // a session's operations are not done at once, but before one's eyes
+    bool isPlayed = false;   // a session's operations are not done at once, but before one's eyes
+    bool isReplayed = false; // a session's operations are done again, even if it has a state
 };
 
 struct Loaded {
     OpenRequest request;
     volume::Volume volume;
     std::optional<studio::Session> session;
+    std::optional<studio::DocumentState> state; // what the session's operations led to, if it was saved
     std::vector<std::string> notices;
     std::string checksum; // of the volume
 };

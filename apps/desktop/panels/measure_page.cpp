@@ -6,13 +6,43 @@
 #include "tools/measure_tool.h"
 #include "tools/tool_box.h"
 
+#include "studio/editing/vessel_chart.h"
+
 #include <QFormLayout>
 #include <QHBoxLayout>
+#include <QImage>
+#include <QLabel>
+#include <QPixmap>
 #include <QPushButton>
+
+#include <algorithm>
 
 namespace vs::desktop {
 
-QWidget* makeMeasurePage(StudioController&, ToolBox& tools) {
+namespace {
+
+// The diameters along the vessel that was measured last; nothing where none was.
+void showCurve(QLabel& label, const MeasureTool& tool, StudioController& studio) {
+    const auto& all = tool.measurements();
+    const auto vessel =
+        std::find_if(all.rbegin(), all.rend(), [](const auto& one) { return one.isVessel(); });
+    label.setVisible(vessel != all.rend());
+    if (vessel == all.rend()) {
+        return;
+    }
+    const double ratio = label.devicePixelRatioF();
+    const QSize size = QSize(248, 120) * ratio;
+    const image::Image drawn =
+        studio::vesselChart(*vessel, *studio.host().geometry(), {size.width(), size.height()}, ratio);
+    QPixmap pixels = QPixmap::fromImage(QImage(drawn.rgba.data(), drawn.width, drawn.height,
+                                               qsizetype(4) * drawn.width, QImage::Format_RGBA8888));
+    pixels.setDevicePixelRatio(ratio);
+    label.setPixmap(pixels);
+}
+
+} // namespace
+
+QWidget* makeMeasurePage(StudioController& studio, ToolBox& tools) {
     auto* page = new QWidget;
     auto* form = makeForm(page);
     MeasureTool& tool = tools.get<MeasureTool>();
@@ -21,7 +51,9 @@ QWidget* makeMeasurePage(StudioController&, ToolBox& tools) {
          {"measureAngle", tr("Angle"), tr("At the second of three places, in degrees")},
          {"measurePath", tr("Path"), tr("Along a line that is drawn, in mm")},
          {"measureArea", tr("Area"),
-          tr("Inside an outline that is drawn on a slice, with mean and spread of the values")}},
+          tr("Inside an outline that is drawn on a slice, with mean and spread of the values")},
+         {"measureVessel", tr("Vessel"),
+          tr("Between two places along a segment: its centreline, its diameters, the narrowest of them")}},
         int(tool.kind()), 2);
     QObject::connect(what, &ChoiceRow::chosen, &tool, [&tool](int n) { tool.setKind(MeasureTool::Kind(n)); });
     form->addRow(tr("Measure"), what);
@@ -29,6 +61,8 @@ QWidget* makeMeasurePage(StudioController&, ToolBox& tools) {
     values->setAlignment(Qt::AlignRight);
     values->setTextInteractionFlags(Qt::TextSelectableByMouse);
     form->addRow(tr("Values"), values);
+    auto* curve = named(new QLabel, "vesselCurve", tr("Diameters along the vessel that was measured last"));
+    form->addRow(curve);
     auto* cut = named(new QPushButton(tr("Volume of what is cut")), "measureCut",
                       tr("Measure how much is cut away, in ml"));
     cut->setFocusPolicy(Qt::TabFocus);
@@ -47,12 +81,13 @@ QWidget* makeMeasurePage(StudioController&, ToolBox& tools) {
     form->addRow(buttons);
     QObject::connect(last, &QPushButton::clicked, &tool, &MeasureTool::removeLast);
     QObject::connect(all, &QPushButton::clicked, &tool, &MeasureTool::removeAll);
-    const auto show = [&tool, values, last, all] {
+    const auto show = [&studio, &tool, values, curve, last, all] {
         QStringList lines;
         for (const studio::Measured& measured : tool.measurements()) {
             lines << tool.labelOf(measured);
         }
         values->setText(lines.isEmpty() ? tr("none yet") : lines.join("\n"));
+        showCurve(*curve, tool, studio);
         last->setEnabled(!lines.isEmpty());
         all->setEnabled(!lines.isEmpty());
     };

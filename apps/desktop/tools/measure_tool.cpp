@@ -48,6 +48,10 @@ QString MeasureTool::labelOf(const studio::Measured& measured) const {
     return values.isEmpty() ? label : tr("%1, %2").arg(label, values);
 }
 
+QString MeasureTool::narrowestOf(const studio::Measured& measured) const {
+    return QString::fromStdString(studio::narrowestOf(measured, *studio_.host().geometry()));
+}
+
 QString MeasureTool::hint() const {
     if (isTurning_) {
         return kind_ == Kind::Area ? tr("Turning the view: areas are drawn on slices.")
@@ -72,6 +76,8 @@ QString MeasureTool::hint() const {
         return tr("Draw along what is to be measured, on the surface or on a slice.");
     case Kind::Area:
         return tr("Draw around what is to be measured, on a slice: an area lies in one.");
+    case Kind::Vessel:
+        return tr("Click two places along a segment that is a vessel, on the surface or on a slice.");
     case Kind::Distance:
     case Kind::Cut:
         break;

@@ -49,6 +49,8 @@ public:
     [[nodiscard]] std::optional<studio::Measured> inHand() const;
     // What a measurement comes to, with the values of an area.
     [[nodiscard]] QString labelOf(const studio::Measured& measured) const;
+    // What a vessel's narrowest place is like beside its neighbours.
+    [[nodiscard]] QString narrowestOf(const studio::Measured& measured) const;
     void removeLast();
     void removeAll();
 

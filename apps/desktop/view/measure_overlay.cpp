@@ -15,13 +15,19 @@ namespace vs::desktop {
 
 namespace {
 
-// A dark tag with the value, beside the line's middle or the angle's corner.
-void paintLabel(QPainter& painter, QPointF at, const QString& text, QRectF area) {
+// A dark tag with the value, beside the line's middle or the angle's corner, and below the tags that stand
+// there already.
+void paintLabel(QPainter& painter, QPointF at, const QString& text, QRectF area, std::vector<QRectF>& tags) {
     const QFontMetricsF metrics(painter.font());
     QRectF box = metrics.boundingRect(text).adjusted(-5, -2, 5, 2);
     box.moveTopLeft(at + QPointF(9, 7));
     box.moveRight(std::min(box.right(), area.right() - 4));
     box.moveBottom(std::min(box.bottom(), area.bottom() - 4));
+    const auto overlaps = [&box](const QRectF& other) { return other.intersects(box); };
+    while (std::any_of(tags.begin(), tags.end(), overlaps) && box.bottom() + box.height() < area.bottom()) {
+        box.translate(0, box.height() + 1);
+    }
+    tags.push_back(box);
     painter.setPen(Qt::NoPen);
     painter.setBrush(QColor(10, 12, 14, 190));
     painter.drawRoundedRect(box, 4, 4);
@@ -32,7 +38,8 @@ void paintLabel(QPainter& painter, QPointF at, const QString& text, QRectF area)
 // Where places were put: all of those that were clicked, both ends of what was drawn.
 void addDots(QPainterPath& line, const std::vector<QPointF>& points, studio::Measure::Kind kind) {
     constexpr double kDot = 2.5;
-    const bool isDrawn = kind == studio::Measure::Kind::Path || kind == studio::Measure::Kind::Area;
+    const bool isDrawn = kind == studio::Measure::Kind::Path || kind == studio::Measure::Kind::Area ||
+                         kind == studio::Measure::Kind::Vessel;
     for (std::size_t n = 0; n < points.size(); ++n) {
         if (!isDrawn || n == 0 || n + 1 == points.size()) {
             line.addEllipse(points[n], kDot, kDot);
@@ -52,10 +59,22 @@ QPointF labelPlace(const studio::Measured& measured, const std::vector<QPointF>&
     return points.size() == 2 ? 0.5 * (points[0] + points[1]) : points[points.size() / 2];
 }
 
+// Where a vessel is narrow, and how much.
+void paintNarrowing(QPainter& painter, QPointF at, const QString& text, QRectF area,
+                    std::vector<QRectF>& tags) {
+    constexpr double kSize = 5;
+    QPainterPath diamond;
+    diamond.addPolygon(QPolygonF({at + QPointF(kSize, 0), at + QPointF(0, kSize), at - QPointF(kSize, 0),
+                                  at - QPointF(0, kSize), at + QPointF(kSize, 0)}));
+    paintOverlay(painter, {diamond, Overlay::Tint::Cutting, 0.6, 1.5}, area);
+    paintLabel(painter, at, text, area, tags);
+}
+
 } // namespace
 
 void paintMeasurements(QPainter& painter, const MeasureTool& tool,
                        const std::function<std::optional<QPointF>(glm::dvec3)>& seenAt, QRectF area) {
+    std::vector<QRectF> tags; // that were painted
     const auto paint = [&](const studio::Measured& measured, bool isInHand) {
         QPainterPath line;
         std::vector<QPointF> points;
@@ -78,7 +97,11 @@ void paintMeasurements(QPainter& painter, const MeasureTool& tool,
         const double filled = measured.isArea() ? 0.15 : 0;
         paintOverlay(painter, {line, isInHand ? Overlay::Tint::Pen : Overlay::Tint::Seed, filled, 1.5}, area);
         if (measured.value > 0) {
-            paintLabel(painter, labelPlace(measured, points), tool.labelOf(measured), area);
+            paintLabel(painter, labelPlace(measured, points), tool.labelOf(measured), area, tags);
+        }
+        if (measured.isNarrowed()) {
+            paintNarrowing(painter, points[measured.narrowest->index], tool.narrowestOf(measured), area,
+                           tags);
         }
     };
     for (const studio::Measured& measured : tool.measurements()) {

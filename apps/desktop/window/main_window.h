@@ -7,6 +7,7 @@
 #include "render/slices/slice_view.h"
 
 #include <QMainWindow>
+#include <QPointer>
 #include <QTimer>
 
 #include <functional>
@@ -25,6 +26,7 @@ class QToolButton;
 namespace vs::desktop {
 
 class ActionTable;
+class FilmDialog;
 class HintLine;
 class HistoryPanel;
 class RecoveryKeeper;
@@ -111,6 +113,7 @@ private:
     void openLabels();
     void dropOn(const QString& path);
     void saveSession();
+    void saveSessionAs();
     void exportLabels();
     void screenshot();
     QFileDialog* makeFileDialog(const char* objectName, const QString& title, bool isSave,
@@ -188,6 +191,7 @@ private:
     QTimer probeTimer_;
     QTimer rateTimer_;
     PictureExport* copying_ = nullptr; // to the clipboard
+    QPointer<FilmDialog> film_;        // while it is open
     bool isBusyCursor_ = false;
     bool isLeaving_ = false; // asks whether to
     Timer sinceReversed_;    // the tool's sign: cut or restore

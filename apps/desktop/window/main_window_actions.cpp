@@ -52,6 +52,8 @@ void MainWindow::makeFileActions() {
     actions_->add({"saveSession", "save", tr("Save"),
                    tr("Save the session: everything done so far, to go on or replay"), QKeySequence::Save,
                    [this] { saveSession(); }});
+    actions_->add({"saveSessionAs", "save", tr("Save as\u2026"), tr("Save the session in another file"),
+                   tr("Ctrl+Shift+S"), [this] { saveSessionAs(); }});
     actions_->add({"exportLabels", "labels", tr("Labels"), tr("Export the segmentation as a label map"),
                    tr("Ctrl+E"), [this] { exportLabels(); }, [this] { return hasVoxels(); }});
     actions_->add({"export", "save", tr("Export\u2026"),

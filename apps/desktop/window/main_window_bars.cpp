@@ -48,10 +48,28 @@ void MainWindow::makeMenus() {
             }
         }
     };
-    menu(tr("&File"), {"open",   "playFile",   "openFolder",    "newBlock",    "openLabels",  "startScreen",
-                       "-",      "playAgain",  "playOrPause",   "-",           "saveSession", "exportLabels",
-                       "export", "screenshot", "exportPicture", "copyPicture", "-",           "properties",
-                       "-",      "quit"});
+    menu(tr("&File"), {"open",
+                       "playFile",
+                       "openFolder",
+                       "newBlock",
+                       "openLabels",
+                       "startScreen",
+                       "-",
+                       "playAgain",
+                       "playOrPause",
+                       "-",
+                       "saveSession",
+                       "saveSessionAs",
+                       "exportLabels",
+                       "export",
+                       "screenshot",
+                       "exportPicture",
+                       "film",
+                       "copyPicture",
+                       "-",
+                       "properties",
+                       "-",
+                       "quit"});
     menu(tr("&Edit"), {"undo", "redo", "showHistory", "addNote", "-", "paste", "pasteAll", "pullOut",
                        "moveTool", "-", "unCut", "reSeed", "-", "clearSketch", "-", "preferences"});
     menu(tr("&View"), {"resetView",

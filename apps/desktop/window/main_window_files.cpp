@@ -184,7 +184,17 @@ void MainWindow::dropOn(const QString& path) {
     question->open();
 }
 
+// To where it lies, if it lies anywhere.
 void MainWindow::saveSession() {
+    const auto session = studio_.files().source().session;
+    if (session.empty()) {
+        saveSessionAs();
+    } else {
+        studio_.files().saveSession(session);
+    }
+}
+
+void MainWindow::saveSessionAs() {
     choose("saveDialog", tr("Save the session"), true, tr("Sessions (*.json)"), suggestedSession(),
            [this](const QString& path) { studio_.files().saveSession(pathOf(path)); });
 }

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "dialogs/film_dialog.h"
 #include "dialogs/picture_dialog.h"
 #include "model/exports/picture_export.h"
 #include "model/studio/studio_controller.h"
@@ -20,6 +21,17 @@ void MainWindow::makePictureActions() {
                        dialog->setAttribute(Qt::WA_DeleteOnClose);
                        dialog->open();
                    }});
+    actions_->add(
+        {"film", "play", tr("Film\u2026"),
+         tr("A film around what is seen, of its growth, of all that was done, or from view to view"),
+         tr("Ctrl+F12"), [this] {
+             if (film_ == nullptr) { // the window stays free beside it
+                 film_ = new FilmDialog(studio_, suggestedName({}), this);
+                 film_->setAttribute(Qt::WA_DeleteOnClose);
+             }
+             film_->show();
+             film_->raise();
+         }});
     actions_->add({"copyPicture", nullptr, tr("Copy picture"),
                    tr("The picture as it is seen, for another program"), QKeySequence::Copy,
                    [this] { copyPicture(); }});

@@ -56,7 +56,8 @@ bool MainWindow::agreesToLeave() {
                          tr("There are edits that no session file holds."), QMessageBox::NoButton, this);
     question.setObjectName("unsavedEdits");
     question.setInformativeText(tr("Save the session before leaving it?"));
-    auto* save = question.addButton(tr("&Save…"), QMessageBox::AcceptRole);
+    const bool mustAsk = studio_.files().source().session.empty();
+    auto* save = question.addButton(mustAsk ? tr("&Save…") : tr("&Save"), QMessageBox::AcceptRole);
     auto* discard = question.addButton(tr("&Discard"), QMessageBox::DestructiveRole);
     auto* cancel = question.addButton(tr("&Cancel"), QMessageBox::RejectRole);
     save->setObjectName("saveEdits");
@@ -72,6 +73,10 @@ bool MainWindow::agreesToLeave() {
 
 // False: no name was chosen, or it could not be written; the message says why.
 bool MainWindow::saveBeforeLeaving() {
+    const auto session = studio_.files().source().session;
+    if (!session.empty()) {
+        return studio_.files().saveSession(session);
+    }
     bool isSaved = false;
     auto* dialog = makeFileDialog("saveDialog", tr("Save the session"), true, tr("Sessions (*.json)"),
                                   suggestedSession());

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "field/field.h"
+#include "image/image.h"
 #include "render/rays/ray_caster.h"
 #include "render/slices/slice_renderer.h"
 #include "sculpt/sculpture/sculpture.h"
@@ -17,6 +18,7 @@
 
 namespace vs::studio {
 
+struct DocumentState;
 class LiveGrowth;
 class LiveStroke;
 class PartQueries;
@@ -30,6 +32,9 @@ public:
     // Takes the volume and uploads it. The first displayed range is the suggested one. `precision` is that of
     // what has been cut.
     explicit Document(volume::Volume volume, sculpt::Precision precision = sculpt::Precision::Bits16);
+    // Becomes what another one on that volume was (state()), to the byte, with its undo and redo. Throws Error when the
+    // state does not fit the volume.
+    Document(volume::Volume volume, DocumentState state);
     ~Document();
     Document(const Document&) = delete;
     Document& operator=(const Document&) = delete;
@@ -57,6 +62,8 @@ public:
     // What is known of all this now, as one value that does not change any more. Cheap when nothing has
     // changed since the last time. Needs no current GL context.
     [[nodiscard]] std::shared_ptr<const DocumentFacts> facts() const;
+    // All that it holds beside its volume, for sessions. Nothing may be in hand.
+    [[nodiscard]] DocumentState state() const;
     // Counts document changes that a picture can show (view, sculpture, segmentation); and of them those that
     // the 3D picture shows, which slices' windows are not.
     [[nodiscard]] std::uint64_t version() const;
@@ -111,6 +118,10 @@ public:
     render::SliceFrame slice(const render::SliceView& view, double segmentsMs = kNoHurry);
     [[nodiscard]] bool isBehind() const; // the last frame or slice
 
+    // What a film shows at a time of it, as a picture; the document is afterwards as it was. Throws Error
+    // when the film shows what is not there.
+    image::Image filmFrame(const SaveMovie& film, double seconds, glm::ivec2 size);
+
     // A transfer function with absolute positions on this volume: what can be edited on its histogram.
     render::TransferFunction resolved(const render::TransferFunction& function);
 
@@ -118,6 +129,7 @@ public:
     PartQueries& parts();
 
 private:
+    friend class FilmPlayer;
     struct Impl;
     std::unique_ptr<Impl> impl_;
 };

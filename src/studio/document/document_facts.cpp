@@ -49,15 +49,10 @@ GrowthStatus statusOf(const Contents& contents) {
 
 std::shared_ptr<const std::vector<Measured>> measuredIn(const Contents& contents,
                                                         const DocumentFacts& before) {
-    auto found = std::make_shared<std::vector<Measured>>();
     const bool isSameGrid = before.geometry == contents.scan.volume.geometry;
-    for (std::size_t n = 0; n < contents.measurements->size(); ++n) {
-        const Measure& measure = (*contents.measurements)[n];
-        const bool isKnown =
-            isSameGrid && n < before.measured->size() && (*before.measured)[n].measure == measure;
-        found->push_back(isKnown ? (*before.measured)[n] : measured(measure, contents.scan.volume));
-    }
-    return found;
+    return std::make_shared<const std::vector<Measured>>(
+        allMeasured(*contents.measurements, contents.scan.volume,
+                    isSameGrid ? std::span<const Measured>(*before.measured) : std::span<const Measured>()));
 }
 
 GrowthRules rulesOf(const Region& region) {

@@ -44,6 +44,8 @@ Outcome Document::Impl::run(Operation& operation, const std::filesystem::path& f
                 return files.run(op, folder, strokesFor(op, coming));
             } else if constexpr (requires { files.run(op, folder); }) {
                 return files.run(op, folder);
+            } else if constexpr (requires { run(op, folder); }) {
+                return run(op, folder);
             } else if constexpr (requires { run(op); }) {
                 return run(op);
             } else {

@@ -61,6 +61,7 @@ private:
     Outcome run(Undo&);
     Outcome run(Redo&);
     Outcome run(const Note& op);
+    Outcome run(const SaveMovie& op, const std::filesystem::path& folder);
     // What the pen drew last, or draws next.
     [[nodiscard]] Drawn strokesFor(const SavePicture& op, std::span<const Operation> coming) const;
 };

@@ -14,6 +14,9 @@ class OperationLog {
 public:
     // The view that a document begins with.
     explicit OperationLog(View view) : shown_(std::move(view)) {}
+    // The log of a document that was kept in a file, with the view that it shows.
+    OperationLog(View view, std::vector<Operation> operations)
+        : operations_(std::move(operations)), sealed_(operations_.size()), shown_(std::move(view)) {}
 
     [[nodiscard]] const std::vector<Operation>& operations() const { return operations_; }
 

@@ -11,28 +11,28 @@
 
 namespace vs::studio {
 
-Outcome FileWriter::run(const SavePicture& op, const std::filesystem::path& folder, const Drawn& drawn) {
+image::Image FileWriter::picture(const SavePicture& op, const View& view, const Drawn& drawn) {
     if (!caster_) {
         caster_.emplace();
     }
-    render::Frame picture = display_.frame(contents_.view, op.size);
+    render::Frame picture = display_.frame(view, op.size);
     picture.samples = op.samples;
     picture.background = op.background;
     caster_->render(picture);
     image::Image pixels = caster_->readPicture();
     if (!drawn.isEmpty()) {
-        markStrokes(pixels, drawn, op.strokes == ShownStrokes::Last, contents_.view,
-                    contents_.scan.volume.geometry);
+        markStrokes(pixels, drawn, op.strokes == ShownStrokes::Last, view, contents_.scan.volume.geometry);
     }
     if (op.annotations) {
-        std::vector<Measured> found;
-        for (const Measure& measure : *contents_.measurements) {
-            found.push_back(measured(measure, contents_.scan.volume));
-        }
-        markMeasurements(pixels, found, picture.rays, contents_.scan.volume.geometry);
+        markMeasurements(pixels, allMeasured(*contents_.measurements, contents_.scan.volume), picture.rays,
+                         contents_.scan.volume.geometry);
         render::annotate(pixels, picture.rays, contents_.scan.volume.geometry);
     }
-    image::writePng(folder / op.file, pixels);
+    return pixels;
+}
+
+Outcome FileWriter::run(const SavePicture& op, const std::filesystem::path& folder, const Drawn& drawn) {
+    image::writePng(folder / op.file, picture(op, contents_.view, drawn));
     return {{}, 0, 0, say("%1", op.file)};
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "image/image.h"
 #include "render/rays/ray_caster.h"
 #include "studio/editing/contents.h"
 #include "studio/editing/display.h"
@@ -21,6 +22,8 @@ public:
     FileWriter(const Contents& contents, Display& display, const Cutter& cutter)
         : contents_(contents), display_(display), cutter_(cutter) {}
 
+    // The picture that SavePicture would write of a view.
+    image::Image picture(const SavePicture& op, const View& view, const Drawn& drawn);
     // `drawn`: the strokes that the picture shows, if it shows any.
     Outcome run(const SavePicture& op, const std::filesystem::path& folder, const Drawn& drawn);
     Outcome run(const SaveLabels& op, const std::filesystem::path& folder);

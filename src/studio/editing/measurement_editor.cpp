@@ -2,8 +2,12 @@
 #include "studio/editing/measurement_editor.h"
 
 #include "base/error.h"
+#include "segment/measures/vessel.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
 
 namespace vs::studio {
 
@@ -18,6 +22,69 @@ std::size_t voxelsCut(const sculpt::Sculpture& sculpture) {
             std::count_if(values.begin(), values.end(), [](float value) { return value >= 0.5F; }));
     }
     return voxels;
+}
+
+// The label at a voxel or, if there is none, of the nearest voxel about it that has one; 0: there is none
+// near.
+std::uint8_t labelNear(const std::vector<std::uint8_t>& labels, glm::ivec3 dims, glm::ivec3 voxel) {
+    constexpr int reach = 3; // voxels: a click on a surface hits the voxel before it
+    const Box3 around = intersect({voxel - reach, voxel + reach + 1}, {glm::ivec3(0), dims});
+    std::uint8_t found = 0;
+    int nearest = std::numeric_limits<int>::max();
+    forEachVoxel(around, [&](glm::ivec3 v, std::size_t) {
+        const glm::ivec3 way = v - voxel;
+        const int distance2 = way.x * way.x + way.y * way.y + way.z * way.z;
+        const std::size_t i =
+            (std::size_t(v.z) * std::size_t(dims.y) + std::size_t(v.y)) * std::size_t(dims.x) +
+            std::size_t(v.x);
+        if (labels[i] != 0 && distance2 < nearest) {
+            nearest = distance2;
+            found = labels[i];
+        }
+    });
+    return found;
+}
+
+segment::VoxelSet setOf(const std::vector<std::uint8_t>& labels, glm::ivec3 dims, std::uint8_t label) {
+    segment::VoxelSet set{{glm::ivec3(0), dims}, labels};
+    for (std::uint8_t& voxel : set.inside) {
+        voxel = voxel == label ? 1 : 0;
+    }
+    return set.tight();
+}
+
+// As a session keeps it: more digits tell nothing.
+double rounded(double value) { return std::round(value * 1e4) / 1e4; }
+
+// Finds the vessel between an operation's points.
+void followVessel(Measure& op, const Contents& contents) {
+    if (!contents.region.exists()) {
+        throw Error("there is no segment yet that a vessel could be; grow it first");
+    }
+    const volume::GridGeometry& geometry = contents.scan.volume.geometry;
+    const auto labels = contents.region.labelMap();
+    const std::array<glm::ivec3, 2> ends{glm::ivec3(glm::round(op.points[0])),
+                                         glm::ivec3(glm::round(op.points[1]))};
+    const SegmentInfo* info = op.segment ? contents.segments.find(*op.segment) : nullptr;
+    if (op.segment && info == nullptr) {
+        throw Error("there is no segment {}", *op.segment);
+    }
+    if (info == nullptr) {
+        const std::uint8_t label = labelNear(labels, geometry.dims, ends[0]);
+        const auto& all = contents.segments.segments;
+        const auto found = std::find_if(
+            all.begin(), all.end(), [label](const SegmentInfo& segment) { return segment.label == label; });
+        info = found == all.end() ? &contents.segments.working() : &*found;
+    }
+    op.segment = info->name;
+    const segment::Vessel vessel =
+        segment::vesselBetween(setOf(labels, geometry.dims, info->label), geometry, ends[0], ends[1]);
+    op.centreline.clear();
+    op.diametersMm.clear();
+    for (const segment::VesselPoint& point : vessel.points) {
+        op.centreline.emplace_back(rounded(point.voxel.x), rounded(point.voxel.y), rounded(point.voxel.z));
+        op.diametersMm.push_back(rounded(point.diameterMm));
+    }
 }
 
 } // namespace
@@ -43,6 +110,9 @@ Outcome MeasurementEditor::run(Measure& op) {
     }
     if (op.kind == Measure::Kind::Cut) {
         op.voxelsCut = double(voxelsCut(contents_.sculpture));
+    }
+    if (op.kind == Measure::Kind::Vessel) {
+        followVessel(op, contents_);
     }
     const Measured found = measured(op, contents_.scan.volume);
     if (found.value <= 0) {

@@ -3,6 +3,7 @@
 
 #include "image/drawing.h"
 #include "render/marks/annotation.h"
+#include "studio/editing/vessel_chart.h"
 
 #include <fmt/format.h>
 
@@ -17,6 +18,7 @@ namespace {
 
 constexpr image::Colour kLine{0.18, 0.86, 0.48};
 constexpr image::Colour kShade{0.04, 0.05, 0.06, 0.75}; // around lines, to be seen on anything
+constexpr image::Colour kNarrow{0.98, 0.45, 0.32};
 constexpr image::Colour kText{0.97, 0.97, 0.95};
 constexpr double kFilled = 0.18; // opacity of what an outline encloses
 
@@ -65,6 +67,15 @@ public:
         drawing_.textBorder(text, 3.2 * scale_, kShade);
         drawing_.text(text, kText);
     }
+    // Across a vessel where it is narrow.
+    void narrowing(glm::dvec2 at) {
+        const double r = 5 * scale_;
+        const image::Outline diamond{at + glm::dvec2(r, 0), at + glm::dvec2(0, r), at - glm::dvec2(r, 0),
+                                     at - glm::dvec2(0, r)};
+        drawing_.border({diamond}, 3.5 * scale_, kShade);
+        drawing_.border({diamond}, 1.8 * scale_, kNarrow);
+    }
+    [[nodiscard]] double scale() const { return scale_; }
     [[nodiscard]] image::Image picture() const { return drawing_.picture(); }
 
 private:
@@ -88,6 +99,21 @@ glm::dvec2 labelPlace(const Measured& measured, const image::Outline& seen) {
                                  [](const glm::dvec2& a, const glm::dvec2& b) { return a.y < b.y; });
     }
     return seen.size() == 2 ? 0.5 * (seen[0] + seen[1]) : seen[seen.size() / 2];
+}
+
+// The curves of vessels, one below the other at the upper right, as many as there is room for.
+void blendCharts(image::Image& picture, std::span<const Measured> measurements,
+                 const volume::GridGeometry& geometry, double scale) {
+    const glm::ivec2 size(glm::dvec2(260, 120) * scale);
+    const int margin = int(12 * scale);
+    int top = margin;
+    for (const Measured& measured : measurements) {
+        if (measured.isVessel() && top + size.y < picture.height && size.x + margin < picture.width) {
+            image::blend(picture, vesselChart(measured, geometry, size, scale),
+                         {picture.width - margin - size.x, top});
+            top += size.y + margin;
+        }
+    }
 }
 
 } // namespace
@@ -116,8 +142,13 @@ void markMeasurements(image::Image& picture, std::span<const Measured> measureme
         const std::string label = labelOf(measured, geometry);
         marker.label(labelPlace(measured, seen),
                      values.empty() ? label : fmt::format("{}, {}", label, values));
+        if (measured.isNarrowed()) {
+            marker.narrowing(seen[measured.narrowest->index]);
+            marker.label(seen[measured.narrowest->index], narrowestOf(measured, geometry));
+        }
     }
     image::blend(picture, marker.picture());
+    blendCharts(picture, measurements, geometry, marker.scale());
 }
 
 } // namespace vs::studio

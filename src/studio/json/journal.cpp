@@ -30,7 +30,7 @@ constexpr std::size_t kMayGoOn = 4096;
 void writeWhole(int file, const std::string& text, const std::filesystem::path& path) {
     const off_t before = lseek(file, 0, SEEK_END);
     for (std::size_t done = 0; done < text.size();) {
-        const ssize_t count = write(file, text.data() + done, text.size() - done);
+        const ssize_t count = ::write(file, text.data() + done, text.size() - done);
         if (count < 0 && errno == EINTR) {
             continue;
         }

@@ -4,6 +4,7 @@
 #include "base/atomic_file.h"
 #include "base/described_json.h"
 #include "base/error.h"
+#include "base/hash.h"
 #include "base/json_file.h"
 #include "base/json_reader.h"
 #include "phantom/phantom.h"
@@ -14,6 +15,8 @@
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
+#include <span>
+#include <utility>
 
 namespace vs::studio {
 
@@ -131,9 +134,18 @@ Json volumeToJson(const Session& session, const std::filesystem::path& path) {
 
 namespace {
 
+std::string checksumOf(const Json& operations) {
+    Hash64 hash;
+    for (const Json& operation : operations) {
+        const std::string text = operation.dump() + "\n";
+        hash.add(std::as_bytes(std::span(text)));
+    }
+    return hash.text();
+}
+
 Session sessionFromJson(const Json& json, const std::filesystem::path& path) {
     const JsonReader root(json, path.string());
-    root.allow({"volumeStudioSession", "volume", "precision", "operations"});
+    root.allow({"volumeStudioSession", "volume", "precision", "state", "operations"});
     const long version = root.member("volumeStudioSession").integerBetween(1, 1 << 20);
     if (version > Session::kVersion) {
         throw SessionError(
@@ -141,9 +153,12 @@ Session sessionFromJson(const Json& json, const std::filesystem::path& path) {
             path.string(), version, Session::kVersion);
     }
     Session session;
+    session.version = int(version);
     readVolume(root.member("volume"), session);
     root.ifHas("precision", [&](const JsonReader& r) { session.precision = readPrecision(r); });
+    root.ifHas("state", [&](const JsonReader& r) { session.stateChecksum = r.text(); });
     const JsonReader operations = root.member("operations");
+    session.operationsChecksum = checksumOf(operations.json());
     for (std::size_t i = 0; i < operations.size(); ++i) {
         session.operations.push_back(operationFromJson(
             json.at("operations").at(i), fmt::format("{}: operation {}", path.string(), i + 1)));
@@ -171,40 +186,64 @@ Session sessionFromText(std::string_view text, const std::filesystem::path& path
 
 namespace {
 
-std::string textOf(const std::filesystem::path& path, const Session& session) {
-    const Json volume = volumeToJson(session, session.isMade() ? std::filesystem::path()
-                                                               : storedPath(session.volumePath, path));
-    // One operation a line: sessions are read and compared by people too.
-    std::string text = fmt::format(
-        "{{\n  \"volumeStudioSession\": {},\n  \"volume\": {},\n  \"precision\": {},\n  \"operations\": [",
-        Session::kVersion, volume.dump(), sculpt::kPrecisions[std::size_t(session.precision)]);
-    for (std::size_t i = 0; i < session.operations.size(); ++i) {
-        Operation operation = session.operations[i];
+// As they stand in a file at `path`.
+Json operationsOf(const std::filesystem::path& path, const Session& session) {
+    Json list = Json::array();
+    for (Operation operation : session.operations) {
         if (auto* labels = std::get_if<LoadLabels>(&operation)) {
             labels->path = storedPath(labels->path, path);
         }
-        text += fmt::format("{}\n    {}", i == 0 ? "" : ",", toJson(operation).dump());
+        list.push_back(toJson(operation));
+    }
+    return list;
+}
+
+std::string textOf(const std::filesystem::path& path, const Session& session) {
+    const Json volume = volumeToJson(session, session.isMade() ? std::filesystem::path()
+                                                               : storedPath(session.volumePath, path));
+    const std::string state =
+        session.stateChecksum.empty() ? "" : fmt::format("\n  \"state\": \"{}\",", session.stateChecksum);
+    // One operation a line: sessions are read and compared by people too.
+    std::string text = fmt::format(
+        "{{\n  \"volumeStudioSession\": {},\n  \"volume\": {},\n  \"precision\": {},{}\n  "
+        "\"operations\": [",
+        Session::kVersion, volume.dump(), sculpt::kPrecisions[std::size_t(session.precision)], state);
+    const char* separator = "";
+    for (const Json& operation : operationsOf(path, session)) {
+        text += fmt::format("{}\n    {}", std::exchange(separator, ","), operation.dump());
     }
     return text + "\n  ]\n}\n";
 }
 
+WriteError notUtf8(const std::filesystem::path& path, const Session& session) {
+    return WriteError("{}: cannot be saved: a session is UTF-8 text, and the name of the volume {} or of a "
+                      "file that the session writes is not; rename it",
+                      path.string(), session.volumePath.string());
+}
+
 } // namespace
+
+std::string operationsChecksum(const std::filesystem::path& path, const Session& session) {
+    try {
+        return checksumOf(operationsOf(path, session));
+    } catch (const Json::exception&) {
+        throw notUtf8(path, session);
+    }
+}
 
 void saveSession(const std::filesystem::path& path, const Session& session) {
     std::string text;
     try {
         text = textOf(path, session);
     } catch (const Json::exception&) {
-        throw WriteError(
-            "{}: cannot be saved: a session is UTF-8 text, and the name of the volume {} or of a "
-            "file that the session writes is not; rename it",
-            path.string(), session.volumePath.string());
+        throw notUtf8(path, session);
     }
     writeFileAtomically(path, text);
 }
 
 Session sessionOf(const Document& document, const Session& source) {
     Session session = source;
+    session.stateChecksum.clear();
     if (source.volumePath.empty() && !source.isMade()) {
         const volume::GridGeometry& geometry = document.geometryInFile();
         session.block = Session::Block{geometry.dims, geometry.spacing()};
@@ -215,154 +254,6 @@ Session sessionOf(const Document& document, const Session& source) {
     const View& view = document.view();
     session.operations.emplace_back(setViewTo(view));
     return session;
-}
-
-namespace {
-
-// Reads another volume than the session's. What the session says about choosing from its own helps where it
-// fits, and is left out of `options` where it does not.
-volume::ReadResult readInstead(const std::filesystem::path& path, volume::ReadOptions& options,
-                               const volume::ReadOptions& overrides) {
-    const bool tellsMore = options.series != overrides.series || options.frame != overrides.frame;
-    if (tellsMore) {
-        try {
-            return volume::readVolume(path, options);
-        } catch (const ReadError&) {
-            // Whatever else is wrong is told below.
-        }
-    }
-    options.series = overrides.series;
-    options.frame = overrides.frame;
-    auto result = volume::readVolume(path, options);
-    if (tellsMore) {
-        result.notices.push_back(
-            fmt::format("{}: the session's series or frame does not fit it and is left out", path.string()));
-    }
-    return result;
-}
-
-volume::Volume blockOf(const Session::Block& block) {
-    auto volume = phantom::makePhantom(
-        block.dims, volume::ScalarType::UInt8, [](glm::dvec3) { return 1.0; }, block.spacingMm);
-    volume.name = fmt::format("block of {} x {} x {}", block.dims.x, block.dims.y, block.dims.z);
-    return volume;
-}
-
-// The volume of a session that has no file, if it is one.
-std::optional<volume::ReadResult> madeVolume(const Session& session) {
-    if (session.block) {
-        return volume::ReadResult{blockOf(*session.block), {}};
-    }
-    if (session.phantom) {
-        return volume::ReadResult{phantom::make(*session.phantom).volume, {}};
-    }
-    return {};
-}
-
-bool isTheOne(const Session& session, const volume::Volume& volume) {
-    return session.volumeChecksum.empty() || volume::checksum(volume) == session.volumeChecksum;
-}
-
-volume::ReadOptions optionsFor(const Session& session, const volume::ReadOptions& overrides,
-                               const std::filesystem::path& path, bool isReplacement) {
-    volume::ReadOptions options = overrides;
-    if (!options.raw && !session.rawLayout.empty() && (!isReplacement || volume::isHeaderless(path))) {
-        options.raw = volume::parseRawLayout(session.rawLayout);
-    }
-    if (!options.series && !session.series.empty()) {
-        options.series = session.series;
-    }
-    if (!options.frame) {
-        options.frame = session.frame;
-    }
-    return options;
-}
-
-// Also false where nobody may look, or a network is gone.
-bool isThere(const std::filesystem::path& path) {
-    std::error_code error;
-    return std::filesystem::exists(path, error) && !error;
-}
-
-// What lies in a folder under the name of the session's volume, if it is that.
-std::optional<volume::ReadResult> readIfTheOne(const Session& session, const std::filesystem::path& path,
-                                               const volume::ReadOptions& options) {
-    if (!isThere(path)) {
-        return {};
-    }
-    try {
-        auto result = volume::readVolume(path, options);
-        return isTheOne(session, result.volume) ? std::optional(std::move(result)) : std::nullopt;
-    } catch (const ReadError&) {
-        return {}; // something else of that name
-    }
-}
-
-volume::Volume findMoved(const Session& session, const std::filesystem::path& sessionPath,
-                         const std::filesystem::path& wanted, const volume::ReadOptions& options,
-                         std::vector<std::string>& notices,
-                         const std::vector<std::filesystem::path>& folders) {
-    const std::filesystem::path clean = wanted.lexically_normal();
-    const auto name = clean.has_filename() ? clean.filename() : clean.parent_path().filename();
-    std::vector<std::filesystem::path> places{sessionPath.parent_path()};
-    if (!session.volumeChecksum.empty()) { // or anything might be taken for it
-        places.insert(places.end(), folders.begin(), folders.end());
-    }
-    for (const std::filesystem::path& place : places) {
-        if (auto found = readIfTheOne(session, place / name, options)) {
-            notices.push_back(
-                fmt::format("{} is not there any more; opened {}", wanted.string(), (place / name).string()));
-            notices.insert(notices.end(), found->notices.begin(), found->notices.end());
-            return std::move(found->volume);
-        }
-    }
-    throw MovedVolume(fmt::format("{}: its volume {} is not there, and is not beside the session; say with "
-                                  "--volume where it is",
-                                  sessionPath.string(), wanted.string()),
-                      wanted);
-}
-
-} // namespace
-
-volume::Volume openVolume(const Session& session, const std::filesystem::path& sessionPath,
-                          const std::optional<std::filesystem::path>& replacement,
-                          std::vector<std::string>& notices, const volume::ReadOptions& overrides,
-                          const std::vector<std::filesystem::path>& folders, volume::ReadOptions* used) {
-    const std::filesystem::path path =
-        replacement ? *replacement
-                    : (session.volumePath.is_absolute() ? session.volumePath
-                                                        : sessionPath.parent_path() / session.volumePath);
-    volume::ReadOptions options = optionsFor(session, overrides, path, replacement.has_value());
-    const auto tell = [&] {
-        if (used != nullptr) {
-            *used = options;
-        }
-    };
-    tell();
-    if (!replacement && !session.isMade() && !isThere(path)) {
-        return findMoved(session, sessionPath, path, options, notices, folders);
-    }
-    auto result = [&] {
-        if (replacement) {
-            auto read = readInstead(path, options, overrides);
-            tell();
-            return read;
-        }
-        auto made = madeVolume(session);
-        return made ? std::move(*made) : volume::readVolume(path, options);
-    }();
-    notices.insert(notices.end(), result.notices.begin(), result.notices.end());
-    if (!isTheOne(session, result.volume)) {
-        if (!replacement && !overrides.raw && !overrides.series && !overrides.frame) {
-            throw SessionError(
-                "{}: its volume {} is not the one the session was made with (checksum {}, not {}); give "
-                "the right file with --volume",
-                sessionPath.string(), path.string(), volume::checksum(result.volume), session.volumeChecksum);
-        }
-        notices.push_back(fmt::format("{} is not the volume that {} was made with; the result will differ",
-                                      path.string(), sessionPath.string()));
-    }
-    return std::move(result.volume);
 }
 
 } // namespace vs::studio

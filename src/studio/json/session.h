@@ -15,7 +15,7 @@ namespace vs::studio {
 // A session file: which volume, and what was done to it. doc/session.md describes it, doc/session.schema.json
 // is its schema.
 struct Session {
-    static constexpr int kVersion = 1;
+    static constexpr int kVersion = 2; // 1 had no state
 
     // A volume made from nothing: every voxel 1. What is cut from it is built, and seen in probe view.
     struct Block {
@@ -25,6 +25,7 @@ struct Session {
         glm::ivec3 dims{128};
         glm::dvec3 spacingMm{1};
     };
+    int version = kVersion; // of the file that it was read from
     std::optional<Block> block;
     std::optional<phantom::Recipe> phantom; // a volume that is made
     // With neither the volume is a file:
@@ -35,6 +36,10 @@ struct Session {
     std::optional<int> frame;
     sculpt::Precision precision = sculpt::Precision::Bits16; // of the sculpture
     std::vector<Operation> operations;
+    // The checksum of the state that was saved beside the file (studio/json/session_state.h), and that of the
+    // operations as the file has them. Empty: there is none.
+    std::string stateChecksum = {};
+    std::string operationsChecksum = {};
 
     [[nodiscard]] bool isMade() const { return block || phantom; } // no file has the volume
 };
@@ -44,6 +49,9 @@ Session loadSession(const std::filesystem::path& path);
 // Reads a session from a text that is at hand. `path` is how it is called in messages, and what the names of
 // files are relative to.
 Session sessionFromText(std::string_view text, const std::filesystem::path& path);
+
+// The checksum of a session's operations as a file at `path` would have them.
+std::string operationsChecksum(const std::filesystem::path& path, const Session& session);
 
 // Atomic. The volume's path is stored relative to the file when it lies below its folder. Throws WriteError,
 // also for names that are not UTF-8.

@@ -35,10 +35,14 @@ Fault Measure::faultOf() const {
          {3, 3, "three points are needed for an angle"},
          {2, any, "at least two points are needed for a path"},
          {3, any, "at least three points are needed for an area"},
+         {2, 2, "two points are needed for a vessel: the ends of what is measured"},
          {0, 0, "a cut is measured without points"}}};
     const Count& count = counts[std::size_t(kind)];
     if (points.size() < count.least || points.size() > count.most) {
         return {"points", count.wanted};
+    }
+    if (centreline.size() != diametersMm.size()) {
+        return {"diameters", "must be as many as the centreline has points"};
     }
     if (kind == Kind::Area && volume::sliceAxis(points) < 0) {
         return {"points", "all points of an area must have the same first, second or third coordinate: they "

@@ -23,17 +23,22 @@ struct Measure {
     static constexpr About kAbout{
         VS_TEXT("library", "measure"), Effect::Measures,
         "measures a distance between two points of the scan, an angle at the second of three, the length of "
-        "a "
-        "path, the area inside an outline on a slice with the values in it, or how much is cut away",
+        "a path, the area inside an outline on a slice with the values in it, a vessel between two places "
+        "along it (its centreline, its diameters, the narrowest of them), or how much is cut away",
         "measure"};
-    enum class Kind { Distance, Angle, Path, Area, Cut };
-    static constexpr std::array<const char*, 5> kKinds{
-        VS_TEXT("library", "distance"), VS_TEXT("library", "angle"), VS_TEXT("library", "path"),
-        VS_TEXT("library", "area"), VS_TEXT("library", "cut")};
+    enum class Kind { Distance, Angle, Path, Area, Vessel, Cut };
+    static constexpr std::array<const char*, 6> kKinds{
+        VS_TEXT("library", "distance"), VS_TEXT("library", "angle"),  VS_TEXT("library", "path"),
+        VS_TEXT("library", "area"),     VS_TEXT("library", "vessel"), VS_TEXT("library", "cut")};
 
     Kind kind = Kind::Distance;
     std::vector<glm::dvec3> points = {};
     std::optional<double> voxelsCut = {}; // when a cut was measured
+    // Of a vessel: the segment that it is (without: the one at the first point, else the one at work), and
+    // what was found then, since segments change: points of its centreline, and the diameter at each.
+    std::optional<std::string> segment = {};
+    std::vector<glm::dvec3> centreline = {};
+    std::vector<double> diametersMm = {};
 
     template <typename = void>
     static constexpr auto fields() {
@@ -42,9 +47,17 @@ struct Measure {
             written("points", &Measure::points,
                     {.least = -1e5, .most = 1e5, .unit = "voxels", .mostCount = 100000},
                     "two, or three of an angle; of a path at least two; of an area at least three that lie "
-                    "in one slice; of a cut none"),
+                    "in one slice; of a vessel two on it; of a cut none"),
             sparse("voxelsCut", &Measure::voxelsCut, {.least = 0, .most = 1e15, .unit = "voxels"},
-                   "of a cut: what was found")};
+                   "of a cut: what was found"),
+            sparse("segment", &Measure::segment, {.leastCount = 1, .mostCount = 200, .isReference = true},
+                   "that the vessel is; without: the one at its first point, else the one at work"),
+            sparse("centreline", &Measure::centreline,
+                   {.least = -1e5, .most = 1e5, .unit = "voxels", .mostCount = 100000},
+                   "of a vessel: what was found"),
+            sparse("diameters", &Measure::diametersMm,
+                   {.least = 0, .most = 1e6, .unit = "mm", .mostCount = 100000},
+                   "of a vessel, at the points of its centreline: what was found")};
     }
     [[nodiscard]] Fault faultOf() const;
     [[nodiscard]] std::vector<Phrase> details() const;

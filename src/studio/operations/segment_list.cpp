@@ -6,6 +6,8 @@
 #include "render/colours/segment_palette.h"
 
 #include <algorithm>
+#include <array>
+#include <utility>
 
 namespace vs::studio {
 
@@ -62,6 +64,16 @@ void SegmentList::remove(std::uint8_t label) {
     if (atWork == label) {
         atWork = segments.front().label;
     }
+}
+
+Fault SegmentList::faultOf() const {
+    std::array<bool, kMostLabels + 1> isTaken{};
+    for (const SegmentInfo& segment : segments) {
+        if (std::exchange(isTaken[segment.label], true)) {
+            return {"segments", "must have labels of their own"};
+        }
+    }
+    return {isTaken[atWork] ? Fault() : Fault{"atWork", "must be the label of one of the segments"}};
 }
 
 render::SegmentColours SegmentList::colours() const {

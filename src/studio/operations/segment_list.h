@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "base/description.h"
 #include "render/camera/placement.h"
 #include "render/colours/segment_colours.h"
 
@@ -18,6 +19,11 @@ struct PulledOut {
     bool isVisible = true;
     glm::dvec3 middleVoxel{0}; // of the segment when it was pulled out, in its own place
 
+    template <typename = void>
+    static constexpr auto fields() {
+        return std::tuple{required("place", &PulledOut::place), required("visible", &PulledOut::isVisible),
+                          required("middle", &PulledOut::middleVoxel, {.unit = "voxels"})};
+    }
     bool operator==(const PulledOut&) const = default;
 };
 
@@ -42,6 +48,19 @@ struct SegmentInfo {
     [[nodiscard]] bool isSeenPulledOut() const { return pulledOut && pulledOut->isVisible && isVisible; }
     [[nodiscard]] bool isSpared() const { return isLocked || treatment == Treatment::Spare; }
 
+    // States of sessions keep it so.
+    template <typename = void>
+    static constexpr auto fields() {
+        return std::tuple{required("label", &SegmentInfo::label, {.least = 1, .most = 255}),
+                          required("name", &SegmentInfo::name, {.leastCount = 1, .mostCount = 200}),
+                          required("colour", &SegmentInfo::colour, {.least = 0, .most = 1}),
+                          required("opacity", &SegmentInfo::opacity, {.least = 0.01, .most = 1}),
+                          required("visible", &SegmentInfo::isVisible),
+                          required("locked", &SegmentInfo::isLocked),
+                          required("tools", &SegmentInfo::treatment),
+                          required("claimed", &SegmentInfo::isClaimed),
+                          sparse("pulledOut", &SegmentInfo::pulledOut)};
+    }
     bool operator==(const SegmentInfo&) const = default;
 };
 constexpr const auto& namesOf(SegmentInfo::Treatment) { return SegmentInfo::kTreatments; }
@@ -71,6 +90,12 @@ struct SegmentList {
 
     [[nodiscard]] render::SegmentColours colours() const;
 
+    template <typename = void>
+    static constexpr auto fields() {
+        return std::tuple{required("segments", &SegmentList::segments, {.leastCount = 1, .mostCount = 255}),
+                          required("atWork", &SegmentList::atWork, {.least = 1, .most = 255})};
+    }
+    [[nodiscard]] Fault faultOf() const; // of one that was read
     bool operator==(const SegmentList&) const = default;
 };
 

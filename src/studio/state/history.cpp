@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/state/history.h"
 
+#include "base/check.h"
 #include "base/error.h"
 #include "base/log.h"
 
@@ -95,6 +96,21 @@ void History::keepToLimit() {
             logNotice(error.what());
         }
     }
+}
+
+std::vector<std::byte> History::heldBy(const Edit& edit) const {
+    if (edit.spilled) {
+        return file_.read(*edit.spilled);
+    }
+    const auto held = edit.cut ? edit.cut->held() : std::span<const std::byte>();
+    return {held.begin(), held.end()};
+}
+
+void History::restore(std::vector<Edit> done, std::vector<Edit> undone) {
+    VS_CHECK(done_.empty() && undone_.empty());
+    done_ = std::move(done);
+    undone_ = std::move(undone);
+    keepToLimit();
 }
 
 void History::spill(Edit& edit) {

@@ -84,6 +84,10 @@ public:
     [[nodiscard]] const std::vector<Edit>& done() const { return done_; }
     [[nodiscard]] const std::vector<Edit>& undone() const { return undone_; }
     [[nodiscard]] UndoStatistics statistics() const;
+    // The contents that an edit's cut holds, wherever they are. Throws ReadError.
+    [[nodiscard]] std::vector<std::byte> heldBy(const Edit& edit) const;
+    // Becomes what was kept in a file; there must be no steps yet.
+    void restore(std::vector<Edit> done, std::vector<Edit> undone);
 
     // The operation of the step that undo would take back; there must be one.
     [[nodiscard]] const Operation& lastOperation() const { return *done_.back().operation; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/state/measured.h"
 
+#include "base/csv.h"
 #include "base/names.h"
 
 #include <fmt/format.h>
@@ -53,9 +54,26 @@ const char* unitOf(Measure::Kind kind) {
         return "ml";
     case Measure::Kind::Distance:
     case Measure::Kind::Path:
+    case Measure::Kind::Vessel:
         break;
     }
     return "mm";
+}
+
+// How far along its centreline each point is, and where it is narrow.
+void followVessel(Measured& vessel) {
+    segment::Vessel found;
+    for (std::size_t n = 0; n < vessel.world.size(); ++n) {
+        vessel.value += n == 0 ? 0 : glm::distance(vessel.world[n - 1], vessel.world[n]);
+        vessel.alongMm.push_back(vessel.value);
+        segment::VesselPoint point;
+        point.alongMm = vessel.value;
+        point.diameterMm = vessel.measure.diametersMm[n];
+        found.points.push_back(point);
+    }
+    found.lengthMm = vessel.value;
+    vessel.diametersMm = vessel.measure.diametersMm;
+    vessel.narrowest = segment::narrowestOf(found);
 }
 
 std::string field(double value) { return std::isnan(value) ? "" : fmt::format("{:.10g}", value); }
@@ -65,7 +83,8 @@ std::string field(double value) { return std::isnan(value) ? "" : fmt::format("{
 Measured measured(const Measure& measure, const volume::Volume& volume) {
     Measured result;
     result.measure = measure;
-    for (const glm::dvec3& point : measure.points) {
+    const bool isVessel = measure.kind == Measure::Kind::Vessel;
+    for (const glm::dvec3& point : isVessel ? measure.centreline : measure.points) {
         result.world.emplace_back(volume.geometry.worldFromVoxel * glm::dvec4(point, 1));
     }
     switch (measure.kind) {
@@ -80,11 +99,24 @@ Measured measured(const Measure& measure, const volume::Volume& volume) {
         result.under = volume::underOutline(volume, measure.points);
         result.value = result.under.mm2;
         break;
+    case Measure::Kind::Vessel:
+        followVessel(result);
+        break;
     case Measure::Kind::Cut:
         result.value = measure.voxelsCut.value_or(0) * volume.geometry.voxelMm3() / 1000;
         break;
     }
     return result;
+}
+
+std::vector<Measured> allMeasured(std::span<const Measure> measures, const volume::Volume& volume,
+                                  std::span<const Measured> known) {
+    std::vector<Measured> found;
+    for (std::size_t n = 0; n < measures.size(); ++n) {
+        const bool isKnown = n < known.size() && known[n].measure == measures[n];
+        found.push_back(isKnown ? known[n] : measured(measures[n], volume));
+    }
+    return found;
 }
 
 std::string labelOf(const Measured& measured, const volume::GridGeometry& geometry) {
@@ -99,9 +131,22 @@ std::string labelOf(const Measured& measured, const volume::GridGeometry& geomet
                            std::clamp(int(std::ceil(-std::log10(geometry.voxelMm3() / 1000))), 0, 9));
     case Measure::Kind::Distance:
     case Measure::Kind::Path:
+    case Measure::Kind::Vessel:
         break;
     }
     return lengthLabel(measured.value, step);
+}
+
+std::string lengthText(double mm, const volume::GridGeometry& geometry) {
+    return lengthLabel(mm, geometry.stepMm());
+}
+
+std::string narrowestOf(const Measured& measured, const volume::GridGeometry& geometry) {
+    if (!measured.isNarrowed()) {
+        return {};
+    }
+    return fmt::format("⌀ {} (−{:.0f} %)", lengthText(measured.narrowest->diameterMm, geometry),
+                       measured.narrowest->stenosisPercent);
 }
 
 std::string valuesOf(const Measured& measured) {
@@ -119,7 +164,8 @@ std::string valuesOf(const Measured& measured) {
 
 std::string csvOf(std::span<const Measured> measurements) {
     std::string text =
-        "number,kind,value,unit,voxels,mean,standard_deviation,minimum,maximum,points_lps_mm\n";
+        "number,kind,value,unit,voxels,mean,standard_deviation,minimum,maximum,narrowest_mm,reference_mm,"
+        "stenosis_percent,points_lps_mm\n";
     for (std::size_t n = 0; n < measurements.size(); ++n) {
         const Measured& one = measurements[n];
         const auto& under = one.under;
@@ -128,10 +174,28 @@ std::string csvOf(std::span<const Measured> measurements) {
             points += fmt::format("{}{:.10g} {:.10g} {:.10g}", points.empty() ? "" : "; ", place.x, place.y,
                                   place.z);
         }
-        text += fmt::format("{},{},{},{},{},{},{},{},{},{}\n", n, nameOf(one.measure.kind), field(one.value),
-                            unitOf(one.measure.kind), one.isArea() ? std::to_string(under.voxels) : "",
-                            field(under.mean), field(under.deviation), field(under.smallest),
-                            field(under.largest), points);
+        const std::string narrow = one.narrowest ? fmt::format("{},{},{}", field(one.narrowest->diameterMm),
+                                                               field(one.narrowest->referenceDiameterMm),
+                                                               field(one.narrowest->stenosisPercent))
+                                                 : ",,";
+        text += fmt::format(
+            "{},{},{},{},{},{},{},{},{},{},{}\n", n, nameOf(one.measure.kind), field(one.value),
+            unitOf(one.measure.kind), one.isArea() ? std::to_string(under.voxels) : "", field(under.mean),
+            field(under.deviation), field(under.smallest), field(under.largest), narrow, points);
+    }
+    return text;
+}
+
+std::string vesselsCsvOf(std::span<const Measured> measurements) {
+    std::string text = "number,segment,along_mm,diameter_mm,x_lps_mm,y_lps_mm,z_lps_mm\n";
+    for (std::size_t n = 0; n < measurements.size(); ++n) {
+        const Measured& one = measurements[n];
+        for (std::size_t point = 0; one.isVessel() && point < one.world.size(); ++point) {
+            const glm::dvec3& place = one.world[point];
+            text += fmt::format("{},{},{},{},{},{},{}\n", n, csvField(one.measure.segment.value_or("")),
+                                field(one.alongMm[point]), field(one.diametersMm[point]), field(place.x),
+                                field(place.y), field(place.z));
+        }
     }
     return text;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "base/description.h"
 #include "field/cell_ranges.h"
 #include "gl/program.h"
 #include "render/camera/placement.h"
@@ -21,6 +22,14 @@ struct PartInfo {
     bool isVisible = true;
     bool takesTrimmed = false; // what Keep and Clip took away belongs to it too
     glm::dvec3 middleVoxel{0}; // of what was seen of it when it was pasted, where it was cut out
+
+    // States of sessions keep it so.
+    template <typename = void>
+    static constexpr auto fields() {
+        return std::tuple{required("name", &PartInfo::name, {.mostCount = 200}),
+                          required("visible", &PartInfo::isVisible), required("all", &PartInfo::takesTrimmed),
+                          required("middle", &PartInfo::middleVoxel, {.unit = "voxels"})};
+    }
 };
 
 // A part that was pasted, with what of the sculpture it is.

@@ -3,6 +3,7 @@
 
 #include "sculpt/sculpture/sculpture.h"
 #include "segment/edits/voxel_set.h"
+#include "segment/growth/growth_snapshot.h"
 #include "segment/growth/growth_undo.h"
 #include "segment/growth/seeds.h"
 #include "studio/operations/operation.h"
@@ -62,6 +63,9 @@ public:
     int growFor(double budgetMs, int maxGenerations, std::uint64_t mostVoxels);
     static constexpr int kEndless = 1 << 30;
     void endLive(Records& records);
+
+    // For files: there must be no segments yet. Throws Error when they do not fit the volume.
+    void restore(const segment::GrowthSnapshot& all) { madeGrowth().restore(all); }
 
     [[nodiscard]] bool exists() const { return growth_ != nullptr; }
     [[nodiscard]] bool hasSeeds() const { return growth_ != nullptr && growth_->extent() > 0; }

@@ -1,22 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
-// Lengths, volumes and places in units that suit scans from a nanometre to a metre a voxel.
+// Volumes and places in units that suit scans from a nanometre to a metre a voxel.
 #include "model/texts/quantities.h"
 
 #include <gtest/gtest.h>
 
 namespace vs::desktop {
 namespace {
-
-TEST(Quantities, LengthsHaveTheirUnit) {
-    EXPECT_EQ(lengthText(0), "0.00 mm");
-    EXPECT_EQ(lengthText(12.34), "12.3 mm");
-    EXPECT_EQ(lengthText(0.25), "0.25 mm");
-    EXPECT_EQ(lengthText(0.0030358), QString::fromUtf8("3.04 µm"));
-    EXPECT_EQ(lengthText(0.0999), QString::fromUtf8("99.9 µm"));
-    EXPECT_EQ(lengthText(2.5e-5), "25.0 nm");
-    EXPECT_EQ(lengthText(15179), "15.2 m");
-    EXPECT_EQ(lengthText(9999), "9999.0 mm");
-}
 
 TEST(Quantities, VolumesHaveTheirUnit) {
     EXPECT_EQ(volumeText(0), "0.00 ml");

@@ -28,6 +28,12 @@ sculpt::Precision precisionOf(const Loaded& loaded) {
                                   : sculpt::Precision::Bits16;
 }
 
+std::unique_ptr<studio::Document> documentOf(Loaded& loaded) {
+    return loaded.state
+               ? std::make_unique<studio::Document>(std::move(loaded.volume), std::move(*loaded.state))
+               : std::make_unique<studio::Document>(std::move(loaded.volume), precisionOf(loaded));
+}
+
 } // namespace
 
 DocumentFiles::DocumentFiles(const Model& model) : model_(model), host_(model.host) {
@@ -116,14 +122,18 @@ void DocumentFiles::open(const OpenRequest& request) {
 }
 
 void DocumentFiles::finishOpening(const std::shared_ptr<Loaded>& loaded) {
+    const bool hasState = loaded->state.has_value();
     const bool done = host_.guard([&] {
         std::unique_ptr<studio::Document> fresh;
-        host_.runLong([&] {
-            fresh = std::make_unique<studio::Document>(std::move(loaded->volume), precisionOf(*loaded));
-        });
+        host_.runLong([&] { fresh = documentOf(*loaded); });
         host_.replace(std::move(fresh));
     });
     emit host_.progress(1, 1);
+    if (!done && hasState) { // it is damaged where nobody has looked: do everything again
+        loaded->request.isReplayed = true;
+        open(loaded->request);
+        return;
+    }
     if (!done) {
         emit host_.changed();
         emit host_.openFailed(host_.message());
@@ -136,11 +146,11 @@ void DocumentFiles::finishOpening(const std::shared_ptr<Loaded>& loaded) {
     const bool isPlayed = loaded->session && loaded->request.isPlayed;
     if (loaded->session) {
         takeSource(*loaded->session);
-        if (!isPlayed) {
+        if (!isPlayed && !hasState) {
             takeOperations(*loaded->session);
         }
     }
-    savedEdits_ = 0;
+    savedEdits_ = hasState ? countEdits() : 0;
     model_.view.forget();
     model_.view.adopt();
     if (!loaded->session) { // which says how it is looked at
@@ -264,15 +274,17 @@ bool DocumentFiles::saveSession(const std::filesystem::path& path) {
         return false;
     }
     model_.editor.interrupt();
-    return host_.guard([&] {
-        model_.view.flush();
-        studio::saveSession(path, studio::sessionOf(*host_.document(), provenance()));
-        savedEdits_ = countEdits();
-        host_.document()->seal();
-        source_.session = path;
-        host_.say(tr("Saved %1").arg(textOf(path)));
-        emit saved();
-    });
+    model_.view.flush();
+    const studio::Session source = provenance();
+    if (!host_.workLong([&] { studio::saveDocument(path, *host_.document(), source); })) {
+        return false;
+    }
+    savedEdits_ = countEdits();
+    host_.document()->seal();
+    source_.session = path;
+    host_.say(tr("Saved %1").arg(textOf(path)));
+    emit saved();
+    return true;
 }
 
 bool DocumentFiles::exportLabels(const std::filesystem::path& path) {

@@ -35,17 +35,6 @@ const Unit& unitOfPlaces(double stepMm) { return unitFor(20 * stepMm, kPlaceUnit
 
 } // namespace
 
-QString lengthText(double mm) {
-    constexpr double kMetres = 1e4; // mm, from which on they are used
-    constexpr double kMicrometres = 0.1;
-    const double length = std::abs(mm);
-    if (length == 0 || (length >= kMicrometres && length < kMetres)) {
-        return QString("%1 mm").arg(mm, 0, 'f', length < 9.995 ? 2 : 1);
-    }
-    constexpr std::array<Unit, 3> units{{{1e3, "m"}, {1e-3, "µm"}, {1e-6, "nm"}}};
-    return withUnit(mm, unitFor(length, units));
-}
-
 QString volumeText(double millilitres) {
     constexpr double kMicrolitres = 0.01; // ml, up to which they are used
     constexpr double kLitres = 1e4;

@@ -7,8 +7,6 @@ namespace vs::desktop {
 
 // Quantities as people read them, in units that suit them: scans have voxels from a nanometre to a metre.
 
-// A length: "12.5 mm", "3.04 µm", "15.18 m".
-QString lengthText(double mm);
 // A volume: "12.5 ml", "96.8 nl".
 QString volumeText(double millilitres);
 // Where something lies, without its sign, by the unit and the digits that suit a scan with such voxels:

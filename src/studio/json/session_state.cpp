@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/json/session_state.h"
+
+#include "base/atomic_file.h"
+#include "base/error.h"
+#include "base/value_json.h"
+#include "studio/json/state_json.h"
+
+#include <fmt/format.h>
+
+#include <system_error>
+
+namespace vs::studio {
+
+namespace {
+
+// A new state is written here, until the session that names it is there too.
+std::filesystem::path newStatePath(const std::filesystem::path& session) {
+    return statePath(session).concat(".new");
+}
+
+// Writes the state of a session. Returns its checksum.
+std::string writeState(const std::filesystem::path& session, const DocumentState& state,
+                       const Json& belongsTo) {
+    std::string checksum;
+    writeAtomically(newStatePath(session), [&](const std::filesystem::path& temporary) {
+        StateWriter file(temporary);
+        Json contents = stored(file, state);
+        contents["session"] = belongsTo;
+        checksum = file.finish(contents);
+    });
+    return checksum;
+}
+
+void removeStates(const std::filesystem::path& session) {
+    std::error_code ignored;
+    std::filesystem::remove(statePath(session), ignored);
+    std::filesystem::remove(newStatePath(session), ignored);
+}
+
+// Which session a state belongs to.
+Json identityOf(const Session& session, const std::string& operations) {
+    return {{"volume", session.volumeChecksum},
+            {"precision", sculpt::kPrecisions[std::size_t(session.precision)]},
+            {"operations", operations}};
+}
+
+// The state with the session's checksum, wherever a killed program has left it.
+std::optional<StateReader> findState(const std::filesystem::path& path, const Session& session,
+                                     std::vector<std::string>& notices) {
+    std::string trouble = fmt::format("{} is not there", statePath(path).string());
+    for (const auto& candidate : {statePath(path), newStatePath(path)}) {
+        std::error_code ignored;
+        if (!std::filesystem::is_regular_file(candidate, ignored)) {
+            continue;
+        }
+        try {
+            StateReader file(candidate);
+            if (file.checksum() == session.stateChecksum) {
+                return file;
+            }
+            trouble = fmt::format("{} is not the one that was saved with it", candidate.string());
+        } catch (const Error& error) {
+            trouble = error.what();
+        }
+    }
+    notices.push_back(
+        fmt::format("{}: its state cannot be used ({}); everything is done again", path.string(), trouble));
+    return {};
+}
+
+} // namespace
+
+std::filesystem::path statePath(const std::filesystem::path& session) {
+    std::error_code error;
+    const auto target = std::filesystem::weakly_canonical(session, error);
+    return (error ? session : target).string() + ".state";
+}
+
+void saveDocument(const std::filesystem::path& path, const Document& document, const Session& source) {
+    Session session = sessionOf(document, source);
+    if (!document.history().canUndo() && !document.history().canRedo()) { // a view: nothing to do again
+        saveSession(path, session);
+        removeStates(path);
+        return;
+    }
+    const Json identity = identityOf(session, operationsChecksum(path, session));
+    session.stateChecksum = writeState(path, document.state(), identity);
+    std::error_code ignored;
+    try {
+        saveSession(path, session);
+    } catch (...) {
+        std::filesystem::remove(newStatePath(path), ignored);
+        throw;
+    }
+    // If this fails the new state is found where it is.
+    std::filesystem::rename(newStatePath(path), statePath(path), ignored);
+}
+
+std::optional<DocumentState> loadState(const std::filesystem::path& path, const Session& session,
+                                       const volume::Volume& volume, std::vector<std::string>& notices) {
+    if (session.stateChecksum.empty()) {
+        return {};
+    }
+    const auto decline = [&](const std::string& reason) {
+        notices.push_back(fmt::format("{}: its state cannot be used ({}); everything is done again",
+                                      path.string(), reason));
+        return std::optional<DocumentState>();
+    };
+    Session present = session;
+    present.volumeChecksum = volume::checksum(volume);
+    auto file = findState(path, session, notices);
+    if (!file) {
+        return {};
+    }
+    try {
+        if (file->contents().member("session").json() != identityOf(present, session.operationsChecksum)) {
+            return decline("the session or its volume has been changed since");
+        }
+        DocumentState state = readState(*file, volume.geometry.dims);
+        state.log = session.operations;
+        return state;
+    } catch (const Error& error) {
+        return decline(error.what());
+    }
+}
+
+} // namespace vs::studio

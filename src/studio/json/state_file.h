@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "base/hash.h"
+#include "base/json_reader.h"
+
+#include <cstddef>
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <span>
+#include <string>
+#include <type_traits>
+#include <vector>
+
+namespace vs::studio {
+
+// A file of large blocks of bytes with a table of contents, a JSON object, at its end: the state of a session
+// (doc/session.md). After the first eight bytes, "VSTATE2\n", the blocks follow one another, then the JSON
+// text, and at last, in 16 bytes, where that begins and how long it is (little-endian). In the JSON a block
+// is [where it begins, its length], and a list of numbers [.., its length, its length before compression
+// (zstd)].
+
+// Writes one. What goes wrong throws WriteError.
+class StateWriter {
+public:
+    explicit StateWriter(const std::filesystem::path& path);
+
+    // Adds a block, as it is, and says how the JSON names it.
+    nlohmann::ordered_json block(std::span<const std::byte> bytes);
+    // Adds a list of numbers, compressed.
+    template <typename T>
+    nlohmann::ordered_json list(const std::vector<T>& values) {
+        static_assert(std::is_trivially_copyable_v<T>);
+        return compressed(std::as_bytes(std::span(values)));
+    }
+    // Adds a list that other parts of the state share with this one: it is there once.
+    template <typename T>
+    nlohmann::ordered_json shared(const std::shared_ptr<const std::vector<T>>& values) {
+        const auto known = shared_.find(values.get());
+        if (known != shared_.end()) {
+            return known->second;
+        }
+        keep_.push_back(values);
+        return shared_[values.get()] = list(*values);
+    }
+    // Ends the file. Returns its checksum.
+    std::string finish(const nlohmann::ordered_json& contents);
+
+private:
+    nlohmann::ordered_json compressed(std::span<const std::byte> bytes);
+    void write(std::span<const std::byte> bytes);
+
+    std::filesystem::path path_;
+    std::ofstream out_;
+    std::uint64_t at_ = 0;
+    Hash64 hash_;
+    std::map<const void*, nlohmann::ordered_json> shared_;
+    std::vector<std::shared_ptr<const void>> keep_; // so that no other list takes an address
+};
+
+// Reads one. What is wrong in it throws SessionError naming the file.
+class StateReader {
+public:
+    // Reads all of the file; throws ReadError where that fails.
+    explicit StateReader(const std::filesystem::path& path);
+
+    [[nodiscard]] const std::string& checksum() const { return checksum_; } // as finish() said it
+    [[nodiscard]] JsonReader contents() const { return {contents_, path_.string()}; }
+
+    [[nodiscard]] std::vector<std::byte> block(const JsonReader& place) const;
+    // A list of at most so many numbers.
+    template <typename T>
+    [[nodiscard]] std::vector<T> list(const JsonReader& place, std::size_t most) const {
+        const auto bytes = decompressed(place, most * sizeof(T));
+        if (bytes.size() % sizeof(T) != 0) {
+            place.fail("must be a list of whole numbers");
+        }
+        std::vector<T> values(bytes.size() / sizeof(T));
+        std::memcpy(static_cast<void*>(values.data()), bytes.data(), bytes.size());
+        return values;
+    }
+    // A list that may be shared: read once.
+    template <typename T>
+    std::shared_ptr<const std::vector<T>> shared(const JsonReader& place, std::size_t most) {
+        auto& known = shared_[place.json().dump()];
+        if (!known) {
+            known = std::make_shared<const std::vector<T>>(list<T>(place, most));
+        }
+        return std::static_pointer_cast<const std::vector<T>>(known);
+    }
+
+private:
+    [[nodiscard]] std::span<const std::byte> bytesAt(const JsonReader& place) const;
+    [[nodiscard]] std::vector<std::byte> decompressed(const JsonReader& place, std::size_t mostBytes) const;
+
+    std::filesystem::path path_;
+    std::vector<std::byte> bytes_;
+    std::string checksum_;
+    nlohmann::ordered_json contents_;
+    std::map<std::string, std::shared_ptr<const void>> shared_;
+};
+
+} // namespace vs::studio

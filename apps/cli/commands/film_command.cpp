@@ -105,10 +105,16 @@ Json shotsOf(const FilmOptions& options) {
     return shots;
 }
 
+// A folder for pictures may end in a slash.
+std::filesystem::path fileOf(const FilmOptions& options) {
+    const std::filesystem::path file(options.output);
+    return file.has_filename() ? file : file.parent_path();
+}
+
 // The film as sessions have it, so that one place says what may be given.
 studio::SaveMovie filmOf(const FilmOptions& options) {
     const glm::ivec2 size = parseSize(options.size);
-    const std::filesystem::path file(options.output);
+    const std::filesystem::path file = fileOf(options);
     const Json json{{"op", "movie"},
                     {"file", file.filename().string()},
                     {"size", {size.x, size.y}},
@@ -159,7 +165,7 @@ void makeFilm(const FilmOptions& options) {
             shown = std::max(shown, now);
             return isInterrupted == 0;
         });
-        document->apply(film, std::filesystem::path(options.output).parent_path());
+        document->apply(film, fileOf(options).parent_path());
     }
     context.requireNoErrors();
     fmt::print("{}: {:.1f} s\n", options.output, timer.milliseconds() / 1000);

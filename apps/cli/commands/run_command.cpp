@@ -135,20 +135,29 @@ studio::SavePicture lastPicture(const RunOptions& options) {
 
 // Where the volume that was used comes from.
 studio::Session sourceOf(const studio::Session& session, const RunOptions& options,
-                         const studio::Document& document) {
+                         const studio::Document& document, const volume::ReadOptions& used) {
     studio::Session source = session;
     if (!session.isMade()) {
         source.volumePath = std::filesystem::absolute(document.volume().path);
     }
-    source.rawLayout = options.volume.rawLayout.value_or(source.rawLayout);
-    source.series = options.volume.series.value_or(source.series);
-    source.frame = options.volume.frame ? options.volume.frame : source.frame;
+    if (!used.raw) {
+        source.rawLayout.clear();
+    } else {
+        source.rawLayout = options.volume.rawLayout.value_or(source.rawLayout);
+    }
+    source.series = used.series.value_or("");
+    source.frame = used.frame;
     return source;
 }
 
-void save(const studio::Session& session, const RunOptions& options, const studio::Document& document) {
+void save(const studio::Session& session, const RunOptions& options, const studio::Document& document,
+          const volume::ReadOptions& used) {
     const Timer timer;
-    studio::saveDocument(options.saved, document, sourceOf(session, options, document));
+    std::vector<std::string> notices;
+    studio::saveDocument(options.saved, document, sourceOf(session, options, document, used), notices);
+    for (const auto& notice : notices) {
+        logNotice(notice);
+    }
     fmt::print("saved {} in {:.0f} ms\n", options.saved, timer.milliseconds());
 }
 
@@ -172,7 +181,8 @@ void runSession(const RunOptions& options) {
     const std::filesystem::path folder = options.output;
     std::vector<std::string> notices;
     const Timer loading;
-    auto volume = loadSessionVolume(session, options.session, options.volume, notices);
+    volume::ReadOptions used;
+    auto volume = loadSessionVolume(session, options.session, options.volume, notices, &used);
     const auto context = gl::Context::createHeadless();
     const std::string volumeName = volume.name;
     const auto document = options.fromState
@@ -190,7 +200,7 @@ void runSession(const RunOptions& options) {
             replay(session, options, context, *document, report);
         }
         if (!options.saved.empty()) {
-            save(session, options, *document);
+            save(session, options, *document, used);
         }
         if (last) {
             report.add(document->apply(*last, folder));

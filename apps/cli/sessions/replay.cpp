@@ -15,12 +15,13 @@
 namespace vs::cli {
 
 volume::Volume loadSessionVolume(const studio::Session& session, const std::string& sessionPath,
-                                 const VolumeArgument& instead, std::vector<std::string>& notices) {
+                                 const VolumeArgument& instead, std::vector<std::string>& notices,
+                                 volume::ReadOptions* used) {
     const auto replacement =
         instead.path.empty() ? std::nullopt : std::optional<std::filesystem::path>(instead.path);
     auto volume = [&] {
         const Activity activity("reading the volume of " + sessionPath);
-        return studio::openVolume(session, sessionPath, replacement, notices, readOptions(instead));
+        return studio::openVolume(session, sessionPath, replacement, notices, readOptions(instead), {}, used);
     }();
     for (const auto& notice : notices) {
         logNotice(notice);
@@ -56,7 +57,12 @@ std::unique_ptr<studio::Document> openDocument(const studio::Session& session, c
         logNotice(notice);
     }
     if (state) {
-        return std::make_unique<studio::Document>(std::move(volume), std::move(*state));
+        try {
+            return std::make_unique<studio::Document>(std::move(volume), std::move(*state));
+        } catch (const Error& error) {
+            throw SessionError("{}: its state cannot be used ({}); remove {}, and everything is done again",
+                               sessionPath, error.what(), studio::statePath(sessionPath).string());
+        }
     }
     auto document = std::make_unique<studio::Document>(std::move(volume), session.precision);
     Progress progress("replaying", session.operations.size());

@@ -15,9 +15,10 @@
 namespace vs::cli {
 
 // The session's volume, or what `instead` names, read as far as given as it says. Prints the notices and
-// appends them. Throws as studio::openVolume does.
+// appends them; `used`, if given, is what it was read with. Throws as studio::openVolume does.
 volume::Volume loadSessionVolume(const studio::Session& session, const std::string& sessionPath,
-                                 const VolumeArgument& instead, std::vector<std::string>& notices);
+                                 const VolumeArgument& instead, std::vector<std::string>& notices,
+                                 volume::ReadOptions* used = nullptr);
 
 // Applies operation `index` of a session and prints a notice if a stroke met nothing. Throws SessionError
 // naming file and operation, also for errors that OpenGL reports.

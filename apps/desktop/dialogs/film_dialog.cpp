@@ -29,7 +29,7 @@ namespace {
 using studio::Shot;
 
 constexpr QSize kPreview{384, 216};
-constexpr int kTimeSteps = 1000; // of the slider
+constexpr int kTimeSteps = 1000;    // of the slider
 constexpr int kPreviewAfterMs = 60; // what is chosen on the way is not shown
 constexpr int kPreviewEachMs = 120; // while it plays
 
@@ -302,9 +302,12 @@ void FilmDialog::preview() {
     image::Image picture;
     QString trouble;
     try {
-        studio_.host().runLong([&] {
-            picture = studio_.host().document()->filmFrame(wanted, seconds, {room.width(), room.height()});
-        });
+        studio_.host().runLong(
+            [&] {
+                picture =
+                    studio_.host().document()->filmFrame(wanted, seconds, {room.width(), room.height()});
+            },
+            wanted.shots[0].kind == Shot::Kind::Session ? LongWork::Input::GivesUp : LongWork::Input::Waits);
     } catch (const std::exception& error) {
         trouble = QString::fromUtf8(error.what());
     }

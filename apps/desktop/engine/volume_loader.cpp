@@ -43,7 +43,10 @@ void load(Loaded& result) {
         }
         result.session->series = used.series.value_or("");
         result.session->frame = used.frame;
-        if (!request.isPlayed && !request.isReplayed) {
+        if (!request.stateTrouble.empty()) {
+            result.notices.push_back(request.session.string() + ": its state cannot be used (" +
+                                     request.stateTrouble + "); everything is done again");
+        } else if (!request.isPlayed) {
             result.state = studio::loadState(request.session, *result.session, result.volume, result.notices);
         }
         return;

@@ -37,8 +37,8 @@ struct OpenRequest {
     std::shared_ptr<const studio::Session> given = {};
     // Where a session's volume is looked for that is not where the session says.
     std::vector<std::filesystem::path> folders = {};
-    bool isPlayed = false;   // a session's operations are not done at once, but before one's eyes
-    bool isReplayed = false; // a session's operations are done again, even if it has a state
+    bool isPlayed = false;         // a session's operations are not done at once, but before one's eyes
+    std::string stateTrouble = {}; // why a session's operations are done again although it has a state
 };
 
 struct Loaded {

@@ -15,6 +15,15 @@ namespace {
 
 constexpr std::size_t kBricksTogether = 16; // in one encoding
 
+// So many bytes of texels that are all alike.
+std::vector<std::byte> repeated(std::span<const std::byte> texel, std::size_t bytes) {
+    std::vector<std::byte> all(bytes);
+    for (std::size_t n = 0; n < bytes; ++n) {
+        all[n] = texel[n % texel.size()];
+    }
+    return all;
+}
+
 } // namespace
 
 // Makes a delta brick by brick.
@@ -57,15 +66,9 @@ BrickDelta contentOf(const gl::Texture& texture, std::span<const Box3> bricks,
     const gl::Pass pass("keep bricks");
     VS_CHECK_EQ(untouched.size(), gl::bytesPerTexel(texture.format()));
     DeltaMaker maker(texture);
-    std::vector<std::byte> base;
     for (const Box3& box : bricks) {
         const auto bytes = texture.download(box);
-        if (base.size() != bytes.size()) {
-            base.resize(bytes.size());
-            for (std::size_t n = 0; n < base.size(); ++n) {
-                base[n] = untouched[n % untouched.size()];
-            }
-        }
+        const auto base = repeated(untouched, bytes.size());
         if (bytes != base) {
             maker.add(box, bytes, base);
         }
@@ -127,6 +130,20 @@ void BrickDelta::swap(gl::Texture& texture) {
     other.shrink_to_fit();
     held_ = std::move(other);
     ends_ = std::move(otherEnds);
+}
+
+void BrickDelta::bringInto(gl::Texture& texture, std::span<const std::byte> untouched) const {
+    const gl::Pass pass("bring bricks");
+    for (std::size_t first = 0; first < bricks_.size(); first += kBricksTogether) {
+        const std::size_t group = first / kBricksTogether;
+        const std::size_t begin = group == 0 ? 0 : ends_[group - 1];
+        BrickDecoder decoder(untouched.size(), std::span(held_).subspan(begin, ends_[group] - begin));
+        for (std::size_t n = first; n < std::min(first + kBricksTogether, bricks_.size()); ++n) {
+            auto texels = repeated(untouched, bricks_[n].volume() * untouched.size());
+            decoder.next(bricks_[n].size(), texels);
+            texture.upload(bricks_[n], texels);
+        }
+    }
 }
 
 Box3 BrickDelta::box() const {

@@ -20,6 +20,10 @@ public:
     // of, as it was then or as the last swap() left it. Throws Error when there is no memory to hold them.
     void swap(gl::Texture& texture);
 
+    // For a delta that contentOf() made, and a texture in which every texel has the bytes `untouched`: brings
+    // the contents into it. Costs half of what swap() does, which keeps what was there before.
+    void bringInto(gl::Texture& texture, std::span<const std::byte> untouched) const;
+
     [[nodiscard]] bool isEmpty() const { return bricks_.empty(); }
     // The bricks in which something changed, as boxes of voxels, and the smallest box that holds them all.
     [[nodiscard]] const std::vector<Box3>& bricks() const { return bricks_; }
@@ -48,8 +52,8 @@ private:
     std::size_t changedVoxels_ = 0;
 };
 
-// What a texture holds in some bricks, as a delta whose swap() brings it back in one in which every texel has
-// the bytes `untouched`. Bricks that are untouched are left out.
+// What a texture holds in some bricks, as a delta that brings it into one in which every texel has the bytes
+// `untouched`. Bricks that are untouched are left out.
 BrickDelta contentOf(const gl::Texture& texture, std::span<const Box3> bricks,
                      std::span<const std::byte> untouched);
 // All bricks (32^3) of a grid, x fastest.

@@ -56,6 +56,10 @@ std::vector<float> valuesOf(std::span<const std::byte> texels, Precision precisi
     return values;
 }
 
+std::vector<std::byte> untouchedTexel(Precision precision) {
+    return {gl::bytesPerTexel(formatOf(precision)), std::byte(0)};
+}
+
 std::vector<std::byte> texelsOf(std::span<const float> values, Precision precision) {
     const std::size_t bytes = gl::bytesPerTexel(formatOf(precision));
     std::vector<std::byte> texels(values.size() * bytes);

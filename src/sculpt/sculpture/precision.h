@@ -24,6 +24,8 @@ gl::Defines storedDefines(Precision precision);
 float justVisible(Precision precision);
 // What texels of a sculpture of this precision mean, one value each. The only place that knows.
 std::vector<float> valuesOf(std::span<const std::byte> texels, Precision precision);
+// A texel of a sculpture in which nothing is cut.
+std::vector<std::byte> untouchedTexel(Precision precision);
 // The texels of a sculpture of this precision that mean these values.
 std::vector<std::byte> texelsOf(std::span<const float> values, Precision precision);
 

@@ -187,13 +187,12 @@ void Sculpture::swap(BrickDelta& delta) {
 }
 
 BrickDelta Sculpture::content() const {
-    const std::vector<std::byte> zero(gl::bytesPerTexel(texels_.format()), std::byte(0));
-    return contentOf(texels_, touchedBricks(), zero);
+    return contentOf(texels_, touchedBricks(), untouchedTexel(precision_));
 }
 
-void Sculpture::restore(BrickDelta content, std::uint64_t version, std::uint64_t contentVersion) {
+void Sculpture::restore(const BrickDelta& content, std::uint64_t version, std::uint64_t contentVersion) {
     VS_CHECK_EQ(version_, std::uint64_t(0));
-    content.swap(texels_);
+    content.bringInto(texels_, untouchedTexel(precision_));
     for (const Box3& brick : content.bricks()) {
         updater_.update(texels_, brick, cells_);
         markTouched(brick);

@@ -74,7 +74,7 @@ public:
     // All that is cut, for files; and a sculpture that is untouched becomes what was kept so. Its versions go
     // on from those that it had.
     [[nodiscard]] BrickDelta content() const;
-    void restore(BrickDelta content, std::uint64_t version, std::uint64_t contentVersion);
+    void restore(const BrickDelta& content, std::uint64_t version, std::uint64_t contentVersion);
     // Brings the macrocells up to date after texels() was written by something else (BrickBackup::restore).
     void refresh(const Box3& box);
 

@@ -55,10 +55,11 @@ BrickDelta Trimmed::content(Precision precision) const {
     return contentOf(leftForTools_, bricksOf(leftForTools_.size()), texelsOf({&all, 1}, precision));
 }
 
-void Trimmed::restore(const Sculpture& sculpture, BrickDelta content) {
+void Trimmed::restore(const Sculpture& sculpture, const BrickDelta& content) {
     prepare(sculpture);
     make(sculpture);
-    content.swap(leftForTools_);
+    const float all = 1; // what make() leaves for tools
+    content.bringInto(leftForTools_, texelsOf({&all, 1}, sculpture.precision()));
 }
 
 } // namespace vs::sculpt

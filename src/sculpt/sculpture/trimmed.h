@@ -29,7 +29,7 @@ public:
 
     // What is trimmed, for files, where anything ever was; and what was kept so becomes it again.
     [[nodiscard]] BrickDelta content(Precision precision) const;
-    void restore(const Sculpture& sculpture, BrickDelta content);
+    void restore(const Sculpture& sculpture, const BrickDelta& content);
 
 private:
     void prepare(const Sculpture& sculpture);

@@ -1,10 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "segment/measures/cross_sections.h"
 
-#include "base/parallel.h"
 #include "base/progress.h"
 #include "base/statistics.h"
-#include "segment/measures/wall_fit.h"
 
 #include <glm/gtc/constants.hpp>
 
@@ -13,26 +11,6 @@
 
 namespace vs::segment {
 namespace {
-
-// A wall is told by the voxels of some layers across the axis.
-WallFit fitAt(const Lumen& lumen, const Station& station, double radiusMm) {
-    WallFit fit;
-    fit.alongMm = station.alongMm;
-    fit.sigmaMm = 1.5 * std::max(lumen.stepMm, lumen.apartMm(station.tangent));
-    fit.stepMm = lumen.stepMm;
-    fit.expectedMm = radiusMm;
-    return fit;
-}
-
-// The stations whose neighbourhood counts for a fit.
-std::pair<std::size_t, std::size_t> groupsAround(const Curve& curve, const WallFit& fit) {
-    const auto isBefore = [](const Station& s, double along) { return s.alongMm < along; };
-    const auto first =
-        std::lower_bound(curve.begin(), curve.end(), fit.alongMm - 2.5 * fit.sigmaMm, isBefore);
-    const auto last = std::lower_bound(first, curve.end(), fit.alongMm + 2.5 * fit.sigmaMm, isBefore);
-    const auto begin = std::size_t(std::max<std::ptrdiff_t>(0, first - curve.begin() - 1));
-    return {begin, std::min(curve.size() - 1, std::size_t(last - curve.begin()))};
-}
 
 CrossSection sectionOf(const WallShape& wall) {
     constexpr int kAngles = 64;
@@ -61,40 +39,34 @@ bool isBelievable(const Lumen& lumen, const CrossSection& section, double radius
 
 } // namespace
 
-std::vector<CrossSection> crossSections(const Lumen& lumen, const Centreline& line) {
-    const auto voxels = wallVoxels(lumen, line.curve, line.radiiMm);
-    std::vector<CrossSection> sections(line.curve.size());
-    inParallel(int(sections.size()), [&](int section) {
-        const auto i = std::size_t(section);
-        const WallFit fit = fitAt(lumen, line.curve[i], line.radiiMm[i]);
-        const auto [begin, end] = groupsAround(line.curve, fit);
-        const auto found = sectionOf(fittedWall(std::span(voxels).subspan(begin, end - begin), fit));
+std::vector<CrossSection> crossSections(const Lumen& lumen, const Centreline& line, const ScanEdges* edges) {
+    std::vector<CrossSection> sections;
+    const std::vector<WallShape> walls = wallsAlong(lumen, line, edges);
+    for (std::size_t i = 0; i < walls.size(); ++i) {
+        const CrossSection found = sectionOf(walls[i]);
         const double radius = line.radiiMm[i];
-        sections[i] =
-            isBelievable(lumen, found, radius) ? found : CrossSection{2 * radius, 2 * radius, glm::dvec2(0)};
-    });
+        sections.push_back(
+            isBelievable(lumen, found, radius) ? found : CrossSection{2 * radius, 2 * radius, glm::dvec2(0)});
+    }
     return sections;
 }
 
-void refine(const Lumen& lumen, Centreline& line) {
-    constexpr int kRefiningRounds = 2; // a third one moves nothing by a tenth of a voxel
-    for (int round = 0; round < kRefiningRounds; ++round) {
-        reportProgress();
-        const auto sections = crossSections(lumen, line);
-        std::vector<glm::dvec3> places;
-        for (std::size_t i = 0; i < line.curve.size(); ++i) {
-            const Station& station = line.curve[i];
-            const glm::dvec2 middle = sections[i].middleMm;
-            places.push_back(station.place + middle.x * station.across + middle.y * station.up);
-        }
-        const double spacing = spacingMm(lumen, median(line.radiiMm));
-        const Curve curve = smoothCurve(places, smoothingMm(lumen, line.radiiMm), spacing);
-        std::vector<double> radii;
-        for (std::size_t i = 0; i < curve.size(); ++i) {
-            radii.push_back(line.radiiMm[i * (line.radiiMm.size() - 1) / (curve.size() - 1)]);
-        }
-        line = {curve, radii};
+void refine(const Lumen& lumen, Centreline& line, const ScanEdges* edges) {
+    reportProgress();
+    const auto sections = crossSections(lumen, line, edges);
+    std::vector<glm::dvec3> places;
+    for (std::size_t i = 0; i < line.curve.size(); ++i) {
+        const Station& station = line.curve[i];
+        const glm::dvec2 middle = sections[i].middleMm;
+        places.push_back(station.place + middle.x * station.across + middle.y * station.up);
     }
+    const double spacing = spacingMm(lumen, median(line.radiiMm));
+    const Curve curve = smoothCurve(places, smoothingMm(lumen, line.radiiMm), spacing);
+    std::vector<double> radii;
+    for (std::size_t i = 0; i < curve.size(); ++i) {
+        radii.push_back(line.radiiMm[i * (line.radiiMm.size() - 1) / (curve.size() - 1)]);
+    }
+    line = {curve, radii};
 }
 
 } // namespace vs::segment

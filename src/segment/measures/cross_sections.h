@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "segment/measures/centreline.h"
+#include "segment/measures/wall_edges.h"
 
 namespace vs::segment {
 
@@ -20,10 +20,12 @@ struct CrossSection {
 // the rounder one. Counting voxels, or where a smoothed mask passes a half, would find the mean wall too;
 // but of a vessel along the grid, or of one that is only a few slices thick, all sections are wrong in the
 // same way, and what a circle of the wrong size would leave on the wrong side is what tells its size.
-std::vector<CrossSection> crossSections(const Lumen& lumen, const Centreline& line);
+// With `edges` the scan's values tell the wall where they can, which is exacter (wallsAlong()).
+std::vector<CrossSection> crossSections(const Lumen& lumen, const Centreline& line, const ScanEdges* edges);
 
 // Moves the centreline into the middles of its cross-sections, by which it becomes exact to a fraction of a
-// voxel.
-void refine(const Lumen& lumen, Centreline& line);
+// voxel. Twice without the scan's values and, where there are any, once with them leaves nothing to be moved
+// by a tenth of a voxel.
+void refine(const Lumen& lumen, Centreline& line, const ScanEdges* edges);
 
 } // namespace vs::segment

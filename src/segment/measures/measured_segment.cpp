@@ -25,8 +25,8 @@ std::string lineOf(const MeasuredSegment& segment) {
     const std::string colour = segment.colour ? fmt::format("#{:02X}{:02X}{:02X}", segment.colour->r,
                                                             segment.colour->g, segment.colour->b)
                                               : "";
-    std::string text = fmt::format("{},{},{},{},{},{}", segment.label, csvField(segment.name), colour, s.voxels,
-                                   field(s.millilitres), field(s.surfaceMm2));
+    std::string text = fmt::format("{},{},{},{},{},{}", segment.label, csvField(segment.name), colour,
+                                   s.voxels, field(s.millilitres), field(s.surfaceMm2));
     text += fmt::format(",{},{},{},{},{},{}", values.voxels, field(values.mean), field(values.deviation),
                         field(values.smallest), field(values.median), field(values.largest));
     text += fmt::format(",{},{},{},{},{},{}", s.box.lo.x, s.box.lo.y, s.box.lo.z, last.x, last.y, last.z);

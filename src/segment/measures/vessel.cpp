@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "segment/measures/vessel.h"
 
+#include "base/check.h"
 #include "base/error.h"
 #include "segment/edits/islands.h"
 #include "segment/measures/cross_sections.h"
@@ -8,6 +9,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <optional>
 
 namespace vs::segment {
 namespace {
@@ -61,10 +63,11 @@ double cubic(const std::vector<double>& values, const Between& at) {
     return b + 0.5 * t * (c - a + t * (2 * a - 5 * b + 4 * c - d + t * (3 * (b - c) + d - a)));
 }
 
-Vessel sampled(const Lumen& lumen, const Centreline& line, double first, double last) {
+Vessel sampled(const Lumen& lumen, const Centreline& line, const ScanEdges* edges, double first,
+               double last) {
     std::vector<double> diameters;
     std::vector<double> leastDiameters;
-    for (const CrossSection& section : crossSections(lumen, line)) {
+    for (const CrossSection& section : crossSections(lumen, line, edges)) {
         diameters.push_back(section.diameterMm);
         leastDiameters.push_back(section.leastDiameterMm);
     }
@@ -82,10 +85,16 @@ Vessel sampled(const Lumen& lumen, const Centreline& line, double first, double 
     return vessel;
 }
 
+std::optional<ScanEdges> scanEdgesOf(const volume::Volume* values, const Lumen& lumen,
+                                     const Centreline& line) {
+    return values == nullptr ? std::nullopt : scanEdgesAlong(ScanValues(*values, lumen), lumen, line);
+}
+
 } // namespace
 
 Vessel vesselBetween(const VoxelSet& vessel, const volume::GridGeometry& geometry, glm::ivec3 from,
-                     glm::ivec3 to) {
+                     glm::ivec3 to, const volume::Volume* values) {
+    VS_CHECK(values == nullptr || values->geometry.dims == geometry.dims);
     const glm::ivec3 start = onVessel(vessel, geometry, from);
     const glm::ivec3 end = onVessel(vessel, geometry, to);
     const ConnectedVoxels piece(vessel, start);
@@ -96,8 +105,15 @@ Vessel vesselBetween(const VoxelSet& vessel, const volume::GridGeometry& geometr
     }
     const Lumen lumen(piece, geometry);
     Centreline line = centrelineAlong(lumen, pathBetween(piece, geometry, start, end));
-    refine(lumen, line);
-    return sampled(lumen, line, alongNearest(line.curve, worldOfVoxel(geometry, glm::dvec3(start))),
+    refine(lumen, line, nullptr);
+    refine(lumen, line, nullptr);
+    // Now the axis is good enough to look at the scan's values along it.
+    const auto edges = scanEdgesOf(values, lumen, line);
+    const ScanEdges* const told = edges ? &*edges : nullptr;
+    if (told != nullptr) {
+        refine(lumen, line, told);
+    }
+    return sampled(lumen, line, told, alongNearest(line.curve, worldOfVoxel(geometry, glm::dvec3(start))),
                    alongNearest(line.curve, worldOfVoxel(geometry, glm::dvec3(end))));
 }
 

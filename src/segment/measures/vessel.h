@@ -3,6 +3,7 @@
 
 #include "segment/edits/voxel_set.h"
 #include "volume/grid/geometry.h"
+#include "volume/grid/volume.h"
 
 #include <vector>
 
@@ -28,7 +29,12 @@ struct Vessel {
 // Of several ways from one voxel to the other it takes the one on which the sum of length / (distance to the
 // wall)^2 is least. Throws Error when a voxel lies farther than 3 voxels from the set, and when no way leads
 // from one to the other.
+//
+// With the scan's values, of the same grid, the wall lies where they pass the middle between what they are
+// inside and a little outside of the vessel, to a small fraction of a voxel where they are blurred or tell
+// how much of each voxel lies inside. The mask tells it where they show no edge within about half a voxel of
+// the mask's wall: where the vessel touches another, or where the mask was edited.
 Vessel vesselBetween(const VoxelSet& vessel, const volume::GridGeometry& geometry, glm::ivec3 from,
-                     glm::ivec3 to);
+                     glm::ivec3 to, const volume::Volume* values = nullptr);
 
 } // namespace vs::segment

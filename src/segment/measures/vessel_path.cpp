@@ -42,8 +42,14 @@ void forEachNeighbour(const ConnectedVoxels& piece, std::size_t place, int first
 class NearestOutside {
 public:
     NearestOutside(const ConnectedVoxels& piece, const volume::GridGeometry& geometry)
-        : piece_(piece), steps_(stepsOf(geometry)), metric_(glm::transpose(steps_) * steps_),
-          offsets_(piece.count()), squaredMm2_(piece.count(), std::numeric_limits<float>::infinity()) {}
+        : piece_(piece), metric_(glm::transpose(stepsOf(geometry)) * stepsOf(geometry)),
+          offsets_(piece.count()), squaredMm2_(piece.count(), std::numeric_limits<float>::infinity()) {
+        for (int around = 0; around < kAround; ++around) {
+            const glm::vec3 step(neighbourAt(around));
+            const glm::vec3 slope = 2.0F * (metric_ * step);
+            steps_[std::size_t(around)] = {slope, glm::dot(step, metric_ * step)};
+        }
+    }
 
     void look() {
         piece_.forEachPlace([this](std::size_t place) { lookAround(place, true); });
@@ -59,33 +65,55 @@ public:
 private:
     using Offset = std::array<std::int16_t, 3>;
 
+    // What one voxel more in some direction adds to an offset's squared length: slope . offset + own.
+    struct Step {
+        glm::vec3 slope{0};
+        float own = 0;
+    };
+
     // On the way there: all voxels outside that are neighbours, and what those before have found; on the way
     // back what those after have found.
     void lookAround(std::size_t place, bool isWayThere) {
         const std::uint32_t own = piece_.numberAt(place);
-        const auto visit = [&](int around, bool isInside, std::uint32_t number, std::size_t) {
-            const glm::ivec3 step = neighbourAt(around);
-            if (!isInside) {
-                offer(own, step);
-            } else if (isWayThere ? around < kItself : around > kItself) {
-                const Offset& known = offsets_[number];
-                offer(own, step + glm::ivec3(known[0], known[1], known[2]));
+        float least = squaredMm2_[own];
+        Offset best = offsets_[own];
+        const auto offer = [&](int around, const Offset& from, float squared) {
+            if (squared < least) {
+                least = squared;
+                const glm::ivec3 step = neighbourAt(around);
+                best = {std::int16_t(from[0] + step.x), std::int16_t(from[1] + step.y),
+                        std::int16_t(from[2] + step.z)};
             }
         };
-        forEachNeighbour(piece_, place, isWayThere ? 0 : 4, 9, visit);
+        const auto visit = [&](int around, bool isInside, std::uint32_t number, std::size_t) {
+            const Step& step = steps_[std::size_t(around)];
+            if (!isInside) {
+                offer(around, {}, step.own);
+            } else if (isWayThere ? around < kItself : around > kItself) {
+                const Offset& known = offsets_[number];
+                const float along =
+                    step.slope.x * known[0] + step.slope.y * known[1] + step.slope.z * known[2];
+                offer(around, known, squaredMm2_[number] + along + step.own);
+            }
+        };
+        forEachNeighbour(piece_, place, isWayThere ? 0 : 4, isWayThere && isDeep(place) ? 5 : 9, visit);
+        squaredMm2_[own] = least;
+        offsets_[own] = best;
     }
-    void offer(std::uint32_t number, glm::ivec3 offset) {
-        const glm::vec3 o(offset);
-        const float squared = glm::dot(o, metric_ * o);
-        if (squared < squaredMm2_[number]) {
-            squaredMm2_[number] = squared;
-            offsets_[number] = {std::int16_t(offset.x), std::int16_t(offset.y), std::int16_t(offset.z)};
+    // Whether all voxels that come after a voxel around it are in the piece.
+    [[nodiscard]] bool isDeep(std::size_t place) const {
+        for (int row = 5; row < 9; ++row) {
+            if (piece_.threeFrom(std::size_t(std::ptrdiff_t(place) + piece_.stepTo(neighbourAt(3 * row)))) !=
+                7) {
+                return false;
+            }
         }
+        return true;
     }
 
     const ConnectedVoxels& piece_;
-    glm::mat3 steps_;
     glm::mat3 metric_; // of offsets in voxels: their squared length in mm^2
+    std::array<Step, kAround> steps_{};
     std::vector<Offset> offsets_;
     std::vector<float> squaredMm2_;
 };
@@ -143,10 +171,11 @@ std::vector<std::uint8_t> cheapestWays(const ConnectedVoxels& piece, const std::
                                        std::size_t to) {
     std::vector<std::uint8_t> cameFrom(piece.count(), kItself);
     std::vector<double> costs(piece.count(), std::numeric_limits<double>::infinity());
-    const auto costPerMm = [&](std::uint32_t number) {
-        const double clearance = clearances[number];
-        return 1 / (clearance * clearance);
-    };
+    std::vector<float> halfPerMm; // half of what a mm costs at each voxel
+    halfPerMm.reserve(clearances.size());
+    for (const float clearance : clearances) {
+        halfPerMm.push_back(0.5F / (clearance * clearance));
+    }
     const double least = *std::min_element(clearances.begin(), clearances.end());
     OpenVoxels open(*std::max_element(lengths.begin(), lengths.end()) / (least * least));
     costs[piece.numberAt(from)] = 0;
@@ -159,12 +188,12 @@ std::vector<std::uint8_t> cheapestWays(const ConnectedVoxels& piece, const std::
         if (at.cost > costs[at.number]) {
             continue; // a cheaper way was found since
         }
-        const double own = costPerMm(at.number);
+        const double own = halfPerMm[at.number];
         const auto visit = [&](int around, bool isInside, std::uint32_t number, std::size_t place) {
-            if (!isInside || around == kItself) {
+            if (!isInside || costs[number] <= at.cost) {
                 return;
             }
-            const double cost = at.cost + lengths[std::size_t(around)] * 0.5 * (own + costPerMm(number));
+            const double cost = at.cost + lengths[std::size_t(around)] * (own + halfPerMm[number]);
             if (cost < costs[number]) {
                 costs[number] = cost;
                 cameFrom[number] = std::uint8_t(kAround - 1 - around);

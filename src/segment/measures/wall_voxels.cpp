@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "segment/measures/wall_voxels.h"
 
+#include "base/parallel.h"
+
 #include <glm/gtc/constants.hpp>
 #include <glm/gtx/component_wise.hpp>
 
@@ -19,13 +21,11 @@ struct Shell {
 
 // The shell reaches as far as the nearest voxels on both sides may lie, and a little further, since the wall
 // is known by half a voxel only. Rays beside an open one are open too: the wall bends away there.
-Shell shellOf(const Lumen& lumen, const Station& station, double radiusMm) {
+Shell shellOf(const Lumen& lumen, const Station& station, const Outline& outline) {
     Shell shell;
-    if (!lumen.contains(station.place)) {
+    if (outline.typicalMm <= 0) {
         return shell;
     }
-    const Outline outline =
-        outlineAround(lumen, station, 3 * radiusMm + 2 * lumen.coarseMm, Where::InTheMiddle);
     for (std::size_t i = 0; i < kRays; ++i) {
         if (outline.isOpen[i] || outline.isOpen[(i + 1) % kRays] || outline.isOpen[(i + kRays - 1) % kRays]) {
             continue;
@@ -119,8 +119,8 @@ private:
             return;
         }
         const bool isInside = lumen_.voxels.contains(voxel);
-        found.push_back(
-            {glm::mix(before_.alongMm, after_.alongMm, part), radius, x / radius, y / radius, isInside});
+        const double along = glm::mix(before_.alongMm, after_.alongMm, part);
+        found.push_back({along, radius, x / radius, y / radius, isInside, voxel, ray});
     }
 
     const Lumen& lumen_;
@@ -131,17 +131,29 @@ private:
 
 } // namespace
 
-std::vector<std::vector<WallVoxel>> wallVoxels(const Lumen& lumen, const Curve& curve,
-                                               const std::vector<double>& radiiMm) {
-    std::vector<std::vector<WallVoxel>> found(curve.size() - 1);
-    Shell shell = shellOf(lumen, curve[0], radiiMm[0]);
-    for (std::size_t i = 0; i + 1 < curve.size(); ++i) {
-        const Shell next = shellOf(lumen, curve[i + 1], radiiMm[i + 1]);
-        if (!shell.isEmpty() && !next.isEmpty()) {
-            found[i] = Slab(lumen, curve[i], curve[i + 1], shell).voxels();
+std::vector<Outline> outlinesAlong(const Lumen& lumen, const Curve& curve,
+                                   const std::vector<double>& radiiMm) {
+    std::vector<Outline> outlines(curve.size());
+    inParallel(int(curve.size()), [&](int station) {
+        const auto i = std::size_t(station);
+        if (lumen.contains(curve[i].place)) {
+            outlines[i] =
+                outlineAround(lumen, curve[i], 3 * radiiMm[i] + 2 * lumen.coarseMm, Where::InTheMiddle);
         }
-        shell = next;
-    }
+    });
+    return outlines;
+}
+
+WallVoxels wallVoxels(const Lumen& lumen, const Curve& curve, const std::vector<Outline>& outlines) {
+    WallVoxels found(curve.size() - 1);
+    inParallel(int(found.size()), [&](int station) {
+        const auto i = std::size_t(station);
+        const Shell before = shellOf(lumen, curve[i], outlines[i]);
+        const Shell after = shellOf(lumen, curve[i + 1], outlines[i + 1]);
+        if (!before.isEmpty() && !after.isEmpty()) {
+            found[i] = Slab(lumen, curve[i], curve[i + 1], before).voxels();
+        }
+    });
     return found;
 }
 

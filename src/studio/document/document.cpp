@@ -19,6 +19,7 @@ const View& Document::view() const { return impl_->contents.view; }
 const SegmentList& Document::segments() const { return impl_->contents.segments; }
 const Region& Document::region() const { return impl_->contents.region; }
 const sculpt::Sculpture& Document::sculpture() const { return impl_->contents.sculpture; }
+const sculpt::Trimmed& Document::trimmed() const { return impl_->contents.trimmed; }
 const History& Document::history() const { return impl_->contents.history; }
 const std::vector<Operation>& Document::log() const { return impl_->log.operations(); }
 std::uint64_t Document::version() const { return impl_->contents.version; }

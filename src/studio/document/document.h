@@ -6,6 +6,7 @@
 #include "render/rays/ray_caster.h"
 #include "render/slices/slice_renderer.h"
 #include "sculpt/sculpture/sculpture.h"
+#include "sculpt/sculpture/trimmed.h"
 #include "studio/document/document_facts.h"
 #include "studio/editing/outcome.h"
 #include "studio/operations/operation.h"
@@ -32,8 +33,8 @@ public:
     // Takes the volume and uploads it. The first displayed range is the suggested one. `precision` is that of
     // what has been cut.
     explicit Document(volume::Volume volume, sculpt::Precision precision = sculpt::Precision::Bits16);
-    // Becomes what another one on that volume was (state()), to the byte, with its undo and redo. Throws Error when the
-    // state does not fit the volume.
+    // Becomes what another one on that volume was (state()), to the byte, with its undo and redo. Throws
+    // Error when the state does not fit the volume.
     Document(volume::Volume volume, DocumentState state);
     ~Document();
     Document(const Document&) = delete;
@@ -53,6 +54,7 @@ public:
     const std::vector<std::uint32_t>* visibleHistogram(double budgetMs);
     [[nodiscard]] const View& view() const;
     [[nodiscard]] const sculpt::Sculpture& sculpture() const;
+    [[nodiscard]] const sculpt::Trimmed& trimmed() const; // what of it was trimmed away
     // All segments: their names, labels and looks, and which is at work; and where they are.
     [[nodiscard]] const SegmentList& segments() const;
     [[nodiscard]] const Region& region() const;

@@ -10,6 +10,19 @@
 
 namespace vs::studio {
 
+namespace {
+
+// Without what tells one document's sculpture from another's, and without what growing again may find out:
+// that nothing more grows.
+segment::GrowthState comparable(segment::GrowthState run) {
+    run.constraints.sculpture = nullptr;
+    run.constraints.sculptureVersion = 0;
+    run.isFinished = false;
+    return run;
+}
+
+} // namespace
+
 DocumentContent contentOf(const Document& document) {
     const auto facts = document.facts();
     DocumentContent content;
@@ -19,7 +32,14 @@ DocumentContent contentOf(const Document& document) {
     content.sculpture = document.sculpture().download({glm::ivec3(0), document.sculpture().dims()});
     if (document.region().exists()) {
         content.labels = document.region().labelMap();
-        content.generations = document.region().generations();
+        content.generations = document.region().growth()->generations(false);
+        for (const SegmentInfo& segment : document.segments().segments) {
+            content.runs[segment.label] = comparable(document.region().growth()->state(segment.label));
+        }
+    }
+    if (!document.trimmed().isEmpty()) {
+        content.trimmed =
+            document.trimmed().leftForTools().download({glm::ivec3(0), document.sculpture().dims()});
     }
     content.segments = document.segments();
     content.measurements = *facts->measurements;
@@ -85,6 +105,17 @@ void compareGenerations(const DocumentContent& one, const DocumentContent& other
     }
 }
 
+// Seeds are compared by what they are, not by where they lie in memory.
+bool areAlike(const std::map<std::uint8_t, segment::GrowthState>& one,
+              const std::map<std::uint8_t, segment::GrowthState>& other) {
+    return std::equal(one.begin(), one.end(), other.begin(), other.end(), [](const auto& a, const auto& b) {
+        segment::GrowthState run = b.second;
+        const bool areSeedsAlike = *a.second.seeds == *run.seeds;
+        run.seeds = a.second.seeds;
+        return a.first == b.first && areSeedsAlike && a.second == run;
+    });
+}
+
 } // namespace
 
 std::vector<std::string> differences(const DocumentContent& one, const DocumentContent& other,
@@ -103,6 +134,8 @@ std::vector<std::string> differences(const DocumentContent& one, const DocumentC
         }
     }
     compareGenerations(one, other, found);
+    expectEqual(one.trimmed == other.trimmed, "what is trimmed differs");
+    expectEqual(areAlike(one.runs, other.runs), "how far segments have grown, or by which rules, differs");
     expectEqual(one.segments == other.segments, "the list of segments, or how they look, differs");
     expectEqual(one.measurements == other.measurements, "the measurements differ");
     expectEqual(one.parts == other.parts, "the pasted parts differ");

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/math.h"
+#include "segment/growth/growth.h"
 #include "studio/operations/measuring.h"
 #include "studio/operations/segment_list.h"
 #include "studio/operations/view.h"
@@ -9,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -22,12 +24,15 @@ struct DocumentContent {
     View view;
     volume::GridGeometry geometry;
     sculpt::Precision precision = sculpt::Precision::Bits16;
-    std::vector<std::byte> sculpture;       // all texels, x fastest
-    std::vector<std::uint8_t> labels;       // of each voxel; empty: there never was a segment
-    std::vector<std::uint32_t> generations; // of the segment at work
+    std::vector<std::byte> sculpture; // all texels, x fastest
+    std::vector<std::uint8_t> labels; // of each voxel; empty: there never was a segment
+    std::vector<std::byte> trimmed;   // what trims left for tools, likewise; empty: there never was a trim
+    std::vector<std::uint32_t> generations; // of the segment at work, hidden ones too
+    // How far each segment's run is, and by which rules it goes on, by its label.
+    std::map<std::uint8_t, segment::GrowthState> runs;
     SegmentList segments;
     std::vector<Measure> measurements;
-    std::vector<std::string> parts; // names of those that were pasted
+    std::vector<std::string> parts; // names of those that were pasted; where they are is in the view
     std::size_t stepsDone = 0;      // of undo
     std::size_t stepsUndone = 0;
 };

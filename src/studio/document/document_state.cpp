@@ -30,7 +30,7 @@ DocumentState Document::state() const {
     state.parts = pastes.saved(contents.pasted);
     state.done = savedEdits(contents.history, contents.history.done(), pastes);
     state.undone = savedEdits(contents.history, contents.history.undone(), pastes);
-    state.pastes = pastes.contents();
+    state.pastes = pastes.contents(state.precision);
     return state;
 }
 
@@ -38,11 +38,11 @@ Document::Document(volume::Volume volume, DocumentState state)
     : Document(std::move(volume), state.precision) {
     Contents& contents = impl_->contents;
     if (!(state.geometry == contents.scan.volume.geometry)) {
-        contents.scan.lay(state.geometry);
+        impl_->scan.lay(state.geometry); // tools too
     }
-    contents.sculpture.restore(std::move(state.cut), state.sculptureVersion, state.sculptureContentVersion);
+    contents.sculpture.restore(state.cut, state.sculptureVersion, state.sculptureContentVersion);
     if (state.trimmed) {
-        contents.trimmed.restore(contents.sculpture, std::move(*state.trimmed));
+        contents.trimmed.restore(contents.sculpture, *state.trimmed);
     }
     const gl::Texture* fence = &contents.sculpture.texels();
     if (state.growth) {
@@ -50,7 +50,7 @@ Document::Document(volume::Volume volume, DocumentState state)
     }
     contents.segments = std::move(state.segments);
     contents.measurements = std::move(state.measurements);
-    const RestoredPastes pastes(std::move(state.pastes), contents.sculpture);
+    const RestoredPastes pastes(state.pastes, contents.sculpture);
     contents.pasted = pastes.restored(state.parts);
     contents.history.restore(restoredEdits(std::move(state.done), pastes, fence),
                              restoredEdits(std::move(state.undone), pastes, fence));

@@ -75,23 +75,27 @@ void FilmPlayer::travelTo(std::size_t steps) {
     while (history.done().size() > steps) {
         impl_.travel(history.toUndo(), true);
         history.tookBack();
-        generationsBefore_[history.done().size()] = generationNow();
+        generation_ = generationNow();
+        generationsBefore_[history.done().size()] = generation_;
     }
     while (history.done().size() < steps) {
         impl_.travel(history.toRedo(), false);
         history.appliedAgain();
+        generation_ = generationNow();
     }
 }
 
 void FilmPlayer::show(const FilmFrame& frame) {
     showGeneration(generation_); // undo and redo go on from what a step left
     const std::size_t steps = frame.steps.value_or(steps_);
+    if (steps > 0 && frame.steps && !generationsBefore_[steps - 1]) {
+        travelTo(std::min(steps - 1, impl_.contents.history.done().size())); // to see what the step found
+    }
     travelTo(steps);
-    generation_ = generationNow();
     if (!frame.steps) {
         showGeneration(frame.generation.value_or(generation_));
     } else if (steps > 0 && std::holds_alternative<Grow>(*impl_.contents.history.done().back().operation)) {
-        const int before = generationsBefore_[steps - 1];
+        const int before = generationsBefore_[steps - 1].value_or(0);
         showGeneration(before + int(std::lround(std::min(frame.grown, 1.0) * (generation_ - before))));
     }
 }
@@ -119,6 +123,7 @@ Outcome Document::Impl::run(const SaveMovie& op, const std::filesystem::path& fo
         film.add(player.picture(frame, op.size, op.samples));
         reportProgress(double(frame + 1) / player.frameCount());
     }
+    player.goBack();
     film.finish();
     return {{}, 0, 0, say("%1", op.file)};
 }
@@ -126,7 +131,9 @@ Outcome Document::Impl::run(const SaveMovie& op, const std::filesystem::path& fo
 image::Image Document::filmFrame(const SaveMovie& film, double seconds, glm::ivec2 size) {
     VS_CHECK(impl_->isIdle());
     FilmPlayer player(*impl_, film);
-    return player.picture(player.frameAt(seconds), size, 1);
+    image::Image picture = player.picture(player.frameAt(seconds), size, 1);
+    player.goBack();
+    return picture;
 }
 
 } // namespace vs::studio

@@ -5,7 +5,7 @@
 #include "studio/document/document.h"
 #include "studio/editing/film_plan.h"
 
-#include <filesystem>
+#include <optional>
 #include <vector>
 
 namespace vs::studio {
@@ -23,13 +23,14 @@ public:
     [[nodiscard]] int frameCount() const { return plan_.frameCount(); }
     [[nodiscard]] int frameAt(double seconds) const { return plan_.frameAt(seconds); }
     image::Image picture(int frame, glm::ivec2 size, int samples);
+    // The document is as it was. Without this the end of the player sees to it, as well as it can.
+    void goBack();
 
 private:
     void show(const FilmFrame& frame);
     void travelTo(std::size_t steps);
     void showGeneration(int generation);
     [[nodiscard]] int generationNow() const;
-    void goBack();
 
     Document::Impl& impl_;
     const SaveMovie& film_;
@@ -37,7 +38,7 @@ private:
     int generation_;    // that the segment at work has after the steps that are done now
     View view_;         // that was shown when it began
     FilmPlan plan_;
-    std::vector<int> generationsBefore_; // what each step found, where it was taken back
+    std::vector<std::optional<int>> generationsBefore_; // what each step found, once it was taken back
 };
 
 } // namespace vs::studio

@@ -10,10 +10,6 @@ namespace vs::studio {
 
 namespace {
 
-std::vector<std::byte> untouchedTexel(const gl::Texture& texture) {
-    return {gl::bytesPerTexel(texture.format()), std::byte(0)};
-}
-
 void fence(segment::GrowthState& state, const gl::Texture* sculpture) {
     // What is kept names some sculpture or none, and there is only one.
     state.constraints.sculpture = state.constraints.sculpture != nullptr ? sculpture : nullptr;
@@ -106,19 +102,21 @@ SavedParts KeptPastes::saved(const PastedState& state) {
     return saved;
 }
 
-std::vector<sculpt::BrickDelta> KeptPastes::contents() const {
+std::vector<sculpt::BrickDelta> KeptPastes::contents(sculpt::Precision precision) const {
     std::vector<sculpt::BrickDelta> all;
     for (const auto& paste : pastes_) {
-        all.push_back(sculpt::contentOf(*paste, sculpt::bricksOf(paste->size()), untouchedTexel(*paste)));
+        all.push_back(
+            sculpt::contentOf(*paste, sculpt::bricksOf(paste->size()), sculpt::untouchedTexel(precision)));
     }
     return all;
 }
 
-RestoredPastes::RestoredPastes(std::vector<sculpt::BrickDelta> contents, const sculpt::Sculpture& sculpture) {
-    for (sculpt::BrickDelta& content : contents) {
+RestoredPastes::RestoredPastes(const std::vector<sculpt::BrickDelta>& contents,
+                               const sculpt::Sculpture& sculpture) {
+    for (const sculpt::BrickDelta& content : contents) {
         gl::Texture paste(sculpture.dims(), sculpture.texels().format(), gl::Filter::Linear,
                           "sculpture at a paste");
-        content.swap(paste);
+        content.bringInto(paste, sculpt::untouchedTexel(sculpture.precision()));
         pastes_.push_back(std::make_shared<const gl::Texture>(std::move(paste)));
     }
 }

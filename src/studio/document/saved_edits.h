@@ -17,7 +17,7 @@ class KeptPastes {
 public:
     SavedParts saved(const PastedState& state);
     // What was cut at each, in the order of the numbers that were given out.
-    [[nodiscard]] std::vector<sculpt::BrickDelta> contents() const;
+    [[nodiscard]] std::vector<sculpt::BrickDelta> contents(sculpt::Precision precision) const;
 
 private:
     int numberOf(const std::shared_ptr<const gl::Texture>& paste);
@@ -28,7 +28,7 @@ private:
 // They are on the device again.
 class RestoredPastes {
 public:
-    RestoredPastes(std::vector<sculpt::BrickDelta> contents, const sculpt::Sculpture& sculpture);
+    RestoredPastes(const std::vector<sculpt::BrickDelta>& contents, const sculpt::Sculpture& sculpture);
     // Throws Error when it names what is not there.
     [[nodiscard]] PastedState restored(const SavedParts& saved) const;
 

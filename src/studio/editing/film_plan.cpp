@@ -261,7 +261,7 @@ FilmPlan::FilmPlan(const SaveMovie& film, FilmSubject subject)
 }
 
 int FilmPlan::frameAt(double seconds) const {
-    return std::clamp(int(std::floor(seconds * framesPerSecond_)), 0, frameCount_ - 1);
+    return int(std::clamp(std::floor(seconds * framesPerSecond_), 0.0, double(frameCount_ - 1)));
 }
 
 const FilmPlan::Part& FilmPlan::partOf(int frame) const {

@@ -53,8 +53,11 @@ segment::VoxelSet setOf(const std::vector<std::uint8_t>& labels, glm::ivec3 dims
     return set.tight();
 }
 
-// As a session keeps it: more digits tell nothing.
-double rounded(double value) { return std::round(value * 1e4) / 1e4; }
+// A session keeps no more digits than tell something: `step` is what 1 is of.
+double rounded(double value, double step = 1) {
+    constexpr double perStep = 1e4;
+    return std::round(value / step * perStep) / perStep * step;
+}
 
 // Finds the vessel between an operation's points.
 void followVessel(Measure& op, const Contents& contents) {
@@ -77,13 +80,13 @@ void followVessel(Measure& op, const Contents& contents) {
         info = found == all.end() ? &contents.segments.working() : &*found;
     }
     op.segment = info->name;
-    const segment::Vessel vessel =
-        segment::vesselBetween(setOf(labels, geometry.dims, info->label), geometry, ends[0], ends[1]);
+    const segment::Vessel vessel = segment::vesselBetween(setOf(labels, geometry.dims, info->label), geometry,
+                                                          ends[0], ends[1], &contents.scan.volume);
     op.centreline.clear();
     op.diametersMm.clear();
     for (const segment::VesselPoint& point : vessel.points) {
         op.centreline.emplace_back(rounded(point.voxel.x), rounded(point.voxel.y), rounded(point.voxel.z));
-        op.diametersMm.push_back(rounded(point.diameterMm));
+        op.diametersMm.push_back(rounded(point.diameterMm, geometry.stepMm()));
     }
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/editing/segment_list_editor.h"
 
+#include "base/check.h"
 #include "base/progress.h"
 #include "segment/edits/label_sets.h"
 #include "studio/editing/seen_cells.h"
@@ -200,6 +201,7 @@ Outcome SegmentListEditor::run(PutBack& op) {
 // --- from a label map
 
 std::size_t SegmentListEditor::perform(const LoadLabels& op, Region::Records& records) {
+    VS_CHECK(op.map); // states of sessions keep it too
     const volume::LabelMap& map = *op.map;
     const auto boxes = segment::labelBoxes(map.labels, contents_.scan.volume.geometry.dims);
     const std::uint8_t wasAtWork = contents_.segments.atWork;

@@ -79,7 +79,7 @@ image::Image vesselChart(const Measured& vessel, const volume::GridGeometry& geo
                          double scale) {
     const auto& diameters = vessel.diametersMm;
     const double widest = *std::max_element(diameters.begin(), diameters.end());
-    Plot plot(size, scale, std::max(vessel.value, 1e-9), 1.15 * widest);
+    Plot plot(size, scale, std::max(vessel.value, 1e-12), std::max(1.15 * widest, 1e-12));
     if (vessel.isNarrowed()) {
         plot.dashes(vessel.narrowest->referenceDiameterMm);
     }

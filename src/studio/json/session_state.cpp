@@ -38,11 +38,34 @@ void removeStates(const std::filesystem::path& session) {
     std::filesystem::remove(newStatePath(session), ignored);
 }
 
-// Which session a state belongs to.
-Json identityOf(const Session& session, const std::string& operations) {
+// Which session a state belongs to, and where its file had the voxels: corrections of that are in the state.
+Json identityOf(const Session& session, const std::string& operations,
+                const volume::GridGeometry& geometryInFile) {
+    Json matrix = Json::array();
+    for (int column = 0; column < 4; ++column) {
+        for (int row = 0; row < 3; ++row) {
+            matrix.push_back(geometryInFile.worldFromVoxel[column][row]);
+        }
+    }
     return {{"volume", session.volumeChecksum},
+            {"geometry", std::move(matrix)},
             {"precision", sculpt::kPrecisions[std::size_t(session.precision)]},
             {"operations", operations}};
+}
+
+// A program that was killed after a session was written and before its state had its name left that as new.
+void settle(const std::filesystem::path& session) {
+    std::error_code ignored;
+    const auto left = newStatePath(session);
+    if (!std::filesystem::is_regular_file(left, ignored)) {
+        return;
+    }
+    try {
+        if (StateReader(left).checksum() == loadSession(session).stateChecksum) {
+            std::filesystem::rename(left, statePath(session), ignored);
+        }
+    } catch (const Error&) { // it belongs to nothing
+    }
 }
 
 // The state with the session's checksum, wherever a killed program has left it.
@@ -77,24 +100,36 @@ std::filesystem::path statePath(const std::filesystem::path& session) {
     return (error ? session : target).string() + ".state";
 }
 
-void saveDocument(const std::filesystem::path& path, const Document& document, const Session& source) {
+void saveDocument(const std::filesystem::path& path, const Document& document, const Session& source,
+                  std::vector<std::string>& notices) {
     Session session = sessionOf(document, source);
-    if (!document.history().canUndo() && !document.history().canRedo()) { // a view: nothing to do again
-        saveSession(path, session);
-        removeStates(path);
-        return;
+    const std::filesystem::path target = outputFile(path);
+    settle(target);
+    // What was done to a view alone is done again at once.
+    const bool hasEdits = document.history().canUndo() || document.history().canRedo();
+    try {
+        if (hasEdits) {
+            const Json identity =
+                identityOf(session, operationsChecksum(path, session), document.geometryInFile());
+            session.stateChecksum = writeState(target, document.state(), identity);
+        }
+    } catch (const std::exception& error) { // the log is what must not be lost
+        notices.push_back(
+            fmt::format("{}: saved without its state ({}); it will be done again when it is opened",
+                        path.string(), error.what()));
     }
-    const Json identity = identityOf(session, operationsChecksum(path, session));
-    session.stateChecksum = writeState(path, document.state(), identity);
     std::error_code ignored;
     try {
         saveSession(path, session);
     } catch (...) {
-        std::filesystem::remove(newStatePath(path), ignored);
+        std::filesystem::remove(newStatePath(target), ignored);
         throw;
     }
-    // If this fails the new state is found where it is.
-    std::filesystem::rename(newStatePath(path), statePath(path), ignored);
+    if (session.stateChecksum.empty()) {
+        removeStates(target);
+    } else { // if this fails the new state is found where it is
+        std::filesystem::rename(newStatePath(target), statePath(target), ignored);
+    }
 }
 
 std::optional<DocumentState> loadState(const std::filesystem::path& path, const Session& session,
@@ -114,8 +149,9 @@ std::optional<DocumentState> loadState(const std::filesystem::path& path, const 
         return {};
     }
     try {
-        if (file->contents().member("session").json() != identityOf(present, session.operationsChecksum)) {
-            return decline("the session or its volume has been changed since");
+        if (file->contents().member("session").json() !=
+            identityOf(present, session.operationsChecksum, volume.geometry)) {
+            return decline("the session, its volume or where that lies has been changed since");
         }
         DocumentState state = readState(*file, volume.geometry.dims);
         state.log = session.operations;

@@ -20,8 +20,10 @@ namespace vs::studio {
 std::filesystem::path statePath(const std::filesystem::path& session);
 
 // Saves a document with its state; `source` as for sessionOf(). Whenever the program is killed, the session
-// that was there before or the new one is there, with its state. Throws WriteError.
-void saveDocument(const std::filesystem::path& path, const Document& document, const Session& source);
+// that was there before or the new one is there, with its state. If the state alone cannot be written, the
+// session is saved without it, and a notice says so. Throws WriteError.
+void saveDocument(const std::filesystem::path& path, const Document& document, const Session& source,
+                  std::vector<std::string>& notices);
 
 // The state that lies beside a session, for its volume. Nothing if there is none, or, with a notice, if it
 // does not fit: the session is to be replayed then.

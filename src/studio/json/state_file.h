@@ -13,6 +13,7 @@
 #include <span>
 #include <string>
 #include <type_traits>
+#include <typeinfo>
 #include <vector>
 
 namespace vs::studio {
@@ -85,7 +86,9 @@ public:
     // A list that may be shared: read once.
     template <typename T>
     std::shared_ptr<const std::vector<T>> shared(const JsonReader& place, std::size_t most) {
-        auto& known = shared_[place.json().dump()];
+        // Which numbers they are is part of the key: a file may claim that two lists are one.
+        auto& known = shared_[fmt::format("{} {} {} {}", typeid(T).name(), place.at(0).number(),
+                                          place.at(1).number(), place.at(2).number())];
         if (!known) {
             known = std::make_shared<const std::vector<T>>(list<T>(place, most));
         }

@@ -52,7 +52,7 @@ struct SegmentInfo {
     template <typename = void>
     static constexpr auto fields() {
         return std::tuple{required("label", &SegmentInfo::label, {.least = 1, .most = 255}),
-                          required("name", &SegmentInfo::name, {.leastCount = 1, .mostCount = 200}),
+                          required("name", &SegmentInfo::name, {.leastCount = 1, .mostCount = 300}),
                           required("colour", &SegmentInfo::colour, {.least = 0, .most = 1}),
                           required("opacity", &SegmentInfo::opacity, {.least = 0.01, .most = 1}),
                           required("visible", &SegmentInfo::isVisible),

@@ -38,7 +38,11 @@ protected:
         session.volumePath = folder_ / "head.raw"; // which nobody reads here
         return session;
     }
-    void save(const Document& document) const { saveDocument(file(), document, source()); }
+    void save(const Document& document) const {
+        std::vector<std::string> notices;
+        saveDocument(file(), document, source(), notices);
+        EXPECT_TRUE(notices.empty());
+    }
     // What is there now, from its state; null, and why, if that cannot be used.
     std::unique_ptr<Document> open(std::vector<std::string>& notices) const {
         volume::Volume head = test::testHead();

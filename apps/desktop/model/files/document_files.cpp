@@ -130,7 +130,7 @@ void DocumentFiles::finishOpening(const std::shared_ptr<Loaded>& loaded) {
     });
     emit host_.progress(1, 1);
     if (!done && hasState) { // it is damaged where nobody has looked: do everything again
-        loaded->request.isReplayed = true;
+        loaded->request.stateTrouble = host_.message().toStdString();
         open(loaded->request);
         return;
     }
@@ -181,7 +181,9 @@ void DocumentFiles::takeSource(const studio::Session& session) {
     source_.series = session.series;
     source_.frame = session.frame;
     source_.phantom = session.phantom;
-    if (source_.isPlayed) { // it has not become what that file says
+    // It has not become what that file says, or is of another scan: neither is saved over it.
+    const bool isOfAnother = !session.volumeChecksum.empty() && session.volumeChecksum != checksum_;
+    if (source_.isPlayed || isOfAnother) {
         source_.session.clear();
     }
 }
@@ -231,6 +233,9 @@ void DocumentFiles::finishReplay(const QString& error, bool isGivenUp) {
     savedEdits_ = source_.journal.empty() ? countEdits() : 0;
     source_.journal.clear();
     host_.document()->seal();
+    if (!error.isEmpty()) { // a part of it is not saved over the whole
+        source_.session.clear();
+    }
     model_.view.adopt();
     emit host_.ready();
     host_.say(error.isEmpty() ? tr("Replayed %1 operations").arg(replayTotal_) : error);
@@ -276,9 +281,11 @@ bool DocumentFiles::saveSession(const std::filesystem::path& path) {
     model_.editor.interrupt();
     model_.view.flush();
     const studio::Session source = provenance();
-    if (!host_.workLong([&] { studio::saveDocument(path, *host_.document(), source); })) {
+    std::vector<std::string> notices;
+    if (!host_.workLong([&] { studio::saveDocument(path, *host_.document(), source, notices); })) {
         return false;
     }
+    model_.notices.add(notices);
     savedEdits_ = countEdits();
     host_.document()->seal();
     source_.session = path;

@@ -127,6 +127,10 @@ void RecoveryKeeper::begin() {
         complain(e.what());
     }
     follow();
+    // What was opened from its state is in its file.
+    if (!isReplaying_ && !studio_.files().source().session.empty() && !studio_.files().hasUnsavedEdits()) {
+        noteSaved();
+    }
 }
 
 void RecoveryKeeper::follow() {

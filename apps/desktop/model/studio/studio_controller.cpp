@@ -57,7 +57,7 @@ void StudioController::connectParts() {
     connect(&host_, &DocumentHost::ready, this, &StudioController::showDocument);
     connect(&host_, &DocumentHost::opened, this, [this] {
         host_.document()->setUndoMemory(std::size_t(preferences_.undoMegabytes) << 20);
-        if (!host_.isReplaying() && !files_->source().isPlayed) {
+        if (!host_.isReplaying() && !files_->source().isPlayed && files_->source().session.empty()) {
             preferTo({}); // as volumes are opened where nobody prefers anything
         }
     });

@@ -99,12 +99,19 @@ Operation anyPart() {
     }
 }
 
+const std::filesystem::path& labelFile() {
+    static const test::LabelFile file;
+    return file.path();
+}
+
 Operation anySegmentWork() {
     const auto below = [](int n) { return *test::below(n); };
     const std::string names[] = {"Segment 1", "B", "C"};
     const std::string& who = names[below(3)];
     const glm::ivec3 voxel(30 + below(12), 16 + below(6), 24 + below(12));
-    switch (below(12)) {
+    switch (below(13)) {
+    case 12:
+        return LoadLabels{labelFile()};
     case 0: {
         UseSegment use{who};
         use.isLocked = below(4) == 0;

@@ -22,8 +22,8 @@ class VesselsTest : public test::GlTest {};
 constexpr double kBendMm = 40; // radius of the bend
 constexpr double kTubeMm = 5;  // radius of the tube
 
-// A tube bent by a quarter of a turn about the grid's first corner, in the plane z = 20 mm; half as wide where it
-// is narrow. What the scan has at its wall is how much of a voxel is inside, nearly.
+// A tube bent by a quarter of a turn about the grid's first corner, in the plane z = 20 mm; half as wide
+// where it is narrow. What the scan has at its wall is how much of a voxel is inside, nearly.
 volume::Volume bentTube(glm::dvec3 spacing, bool isNarrow) {
     const glm::ivec3 dims(glm::ceil(glm::dvec3(56, 56, 40) / spacing));
     const double step = std::min({spacing.x, spacing.y, spacing.z});

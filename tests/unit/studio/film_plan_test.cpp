@@ -109,7 +109,8 @@ TEST(FilmPlan, GoesThroughItsKeys) {
     });
 }
 
-// The camera is where a stroke was drawn while it is drawn, the step is done afterwards, and at the end all are.
+// The camera is where a stroke was drawn while it is drawn, the step is done afterwards, and at the end all
+// are.
 TEST(FilmPlan, PlaysWhatWasDone) {
     Peel peel;
     peel.mask = {Shape::FreeForm, {{400, 300}, {500, 300}, {500, 400}, {400, 400}}};

@@ -3041,6 +3041,10 @@ Tab: der nächste Punkt; Pfeiltasten bewegen ihn; Entf; Eingabe: seine Farbe; St
         <source>%1 is not where %2 says</source>
         <translation>%1 ist nicht dort, wo %2 sagt</translation>
     </message>
+    <message>
+        <source>Opened %1 as it was saved</source>
+        <translation>%1 geöffnet, wie es gespeichert wurde</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::DocumentHost</name>

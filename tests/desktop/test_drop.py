@@ -172,7 +172,7 @@ def session_on_volume(studio, drop, files):
     """A session brings its own volume, and its edits."""
     session = files[3]
     need(drop(studio, session) == "copy", "the session was moved, or ignored")
-    state = studio.wait_idle("the session", lambda s: s["message"].startswith("Replayed") and s["pictureComplete"])
+    state = studio.wait_idle("the session", lambda s: "as it was saved" in s["message"] and s["pictureComplete"])
     need(state["title"].startswith("cut.json") or "head" in state["title"], f"the title is {state['title']!r}")
     need(state["operations"] == len(operations(session)), f"the session has {state['operations']} operations")
 

@@ -118,7 +118,7 @@ def session(studio, folder):
 def open_recent_session(studio, session):
     """The session opens with its cut."""
     studio.click("recent0")
-    studio.wait_idle("the session", lambda s: s["message"].startswith("Replayed") and s["pictureComplete"])
+    studio.wait_idle("the session", lambda s: "as it was saved" in s["message"] and s["pictureComplete"])
     need(not studio.state()["unsaved"], "a session that was just opened has unsaved edits")
 
 

@@ -173,7 +173,7 @@ def replay(arguments, session, folder):
 def reopened(display, arguments, folder, session):
     """The same session, opened by the command line."""
     studio = start(display, arguments.program, folder, [session[0]])
-    studio.wait_idle("the session", lambda s: s["message"].startswith("Replayed") and s["pictureComplete"])
+    studio.wait_idle("the session", lambda s: "as it was saved" in s["message"] and s["pictureComplete"])
     return studio
 
 

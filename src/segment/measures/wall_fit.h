@@ -14,7 +14,11 @@ namespace vs::segment {
 struct WallShape {
     static constexpr std::size_t kHarmonics = 4;
     static constexpr std::size_t kNumbers = 4 + 2 * kHarmonics;
-    enum : std::size_t { kFull, kLevel, kSlope, kBend }; // then cosine and sine of each harmonic
+    // Where each number stands; behind them cosine and sine of each harmonic.
+    static constexpr std::size_t kFull = 0;
+    static constexpr std::size_t kLevel = 1;
+    static constexpr std::size_t kSlope = 2;
+    static constexpr std::size_t kBend = 3;
     std::array<double, kNumbers> numbers{};
 
     // The share (WallVoxel) of a voxel that is all inside.

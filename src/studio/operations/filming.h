@@ -53,8 +53,8 @@ struct Shot {
 
     template <typename = void>
     static constexpr auto fields() {
-        constexpr auto isOf = [](Kind kind) {
-            return [kind](const Shot& shot) { return shot.kind == kind; };
+        constexpr auto isOf = [](Kind wanted) {
+            return [wanted](const Shot& shot) { return shot.kind == wanted; };
         };
         return std::tuple{
             required("shot", &Shot::kind, {},

@@ -166,8 +166,13 @@ void DocumentFiles::finishOpening(const std::shared_ptr<Loaded>& loaded) {
     if (!host_.isReplaying()) {
         emit host_.ready();
     }
-    host_.say(loaded->notices.empty() ? tr("Opened %1").arg(QString::fromStdString(host_.volume()->name))
-                                      : QString::fromStdString(loaded->notices.front()));
+    if (!loaded->notices.empty()) {
+        host_.say(QString::fromStdString(loaded->notices.front()));
+    } else if (hasState) {
+        host_.say(tr("Opened %1 as it was saved").arg(textOf(loaded->request.session.filename())));
+    } else {
+        host_.say(tr("Opened %1").arg(QString::fromStdString(host_.volume()->name)));
+    }
     host_.wake();
     emit host_.opened();
     emit host_.changed();

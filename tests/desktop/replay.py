@@ -25,7 +25,7 @@ def save_and_end(studio, folder):
     studio.key("F12")
     studio.type_path("screenshotDialog", folder / "window.png")
     studio.wait_idle("the picture", lambda s: s["message"].startswith("Saved picture"))
-    studio.key("ctrl+s")
+    studio.key("ctrl+shift+s")  # asks, wherever it lies
     studio.type_path("saveDialog", folder / "session.json")
     state = studio.wait_idle("the session", lambda s: "session.json" in s["message"] and not s["unsaved"])
     need(state["glErrors"] == 0, f"{state['glErrors']} OpenGL errors")

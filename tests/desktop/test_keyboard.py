@@ -142,7 +142,7 @@ def session(studio, folder):
     studio.key("F12")
     type_path(studio, "screenshotDialog", folder / "window.png")
     studio.wait_idle("the picture", lambda s: s["message"].startswith("Saved picture"))
-    studio.key("ctrl+s")
+    studio.key("ctrl+shift+s")  # in another file than it was opened from
     type_path(studio, "saveDialog", folder / "session.json")
     studio.wait_idle("the session", lambda s: "session.json" in s["message"])
     viewport = studio.state()["viewport"]

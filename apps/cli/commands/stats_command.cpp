@@ -20,6 +20,7 @@
 #include <algorithm>
 #include <memory>
 #include <string>
+#include <utility>
 
 namespace vs::cli {
 namespace {
@@ -95,9 +96,10 @@ void run(const StatsOptions& options) {
     requireCsv("--measurements", options.measurements);
     requireCsv("--vessels", options.vessels);
     const bool isSession = options.labels.ends_with(".json");
-    for (const std::string& file : {options.measurements, options.vessels}) {
+    for (const auto& [option, file] :
+         {std::pair("--measurements", options.measurements), std::pair("--vessels", options.vessels)}) {
         if (!file.empty() && !isSession) {
-            throw UsageError("{}: only sessions have measurements to write there; give one (.json)", file);
+            throw UsageError("{} {}: only sessions have measurements; give one (.json)", option, file);
         }
     }
     const SessionFigures figures =

@@ -2,6 +2,8 @@
 #include "studio/document/document_content.h"
 
 #include "studio/document/document.h"
+#include "studio/document/document_facts.h"
+#include "studio/state/region.h"
 
 #include <fmt/format.h>
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "base/math.h"
+#include "sculpt/sculpture/precision.h"
 #include "segment/growth/growth.h"
 #include "studio/operations/measuring.h"
 #include "studio/operations/segment_list.h"

@@ -27,7 +27,7 @@ Values coverageOf(const volume::GridGeometry& grid, const Solid& isInside) {
             corners += isInside(worldAt(grid, glm::dvec3(voxel) + corner - 0.5)) ? 1 : 0;
         }
         if (corners == (isInside(worldAt(grid, voxel)) ? 8 : 0)) {
-            coverage.push_back(corners / 8);
+            coverage.push_back(corners == 8 ? 1 : 0);
             return;
         }
         int inside = 0;

@@ -38,7 +38,7 @@ studio::DocumentContent contentOfState(const CheckOptions& options, const studio
         throw SessionError("{}", notices.front());
     }
     const studio::Document document(std::move(volume), std::move(*state));
-    const auto content = studio::contentOf(document);
+    auto content = studio::contentOf(document);
     fmt::print("its state is whole and fits: {} steps to undo, {} to redo; read in {:.0f} ms\n",
                content.stepsDone, content.stepsUndone, timer.milliseconds());
     return content;

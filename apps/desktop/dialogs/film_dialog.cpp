@@ -69,6 +69,7 @@ FilmDialog::FilmDialog(StudioController& studio, const QString& name, QWidget* p
     makeFields(form_);
     makeKeys(form_);
     column->addWidget(fields);
+    column->addStretch(1); // rows that are hidden leave their room here, and the others stay where they are
     makeButtons(column);
     previewing_.setSingleShot(true);
     connect(&previewing_, &QTimer::timeout, this, &FilmDialog::preview);
@@ -205,7 +206,6 @@ void FilmDialog::follow() {
     form_->setRowVisible(turns_, chosen.kind == Shot::Kind::Growth || chosen.kind == Shot::Kind::Keys);
     form_->setRowVisible(keyRow_, chosen.kind == Shot::Kind::Keys);
     listKeys();
-    adjustSize();
     previewSoon();
 }
 

@@ -26,9 +26,9 @@ struct Vessel {
 // Measures the stretch of a vessel between the cross-sections through two voxels, which need not lie on its
 // axis. The vessel is a set of voxels in the grid.
 //
-// Of several ways from one voxel to the other it takes the one on which the sum of length / (distance to the
-// wall)^2 is least. Throws Error when a voxel lies farther than 3 voxels from the set, and when no way leads
-// from one to the other.
+// Where several ways lead from one voxel to the other, it takes the one on which the sum of length /
+// (distance to the wall)^2 is least. Throws Error when a voxel lies farther than 3 voxels from the set, and
+// when no way leads from one to the other.
 //
 // With the scan's values, of the same grid, the wall lies where they pass the middle between what they are
 // inside and a little outside of the vessel, to a small fraction of a voxel where they are blurred or tell

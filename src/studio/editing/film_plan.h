@@ -24,7 +24,7 @@ struct FilmFrame {
     View view;
     std::optional<int> generation = {};    // of the segment at work; without: as the document has it
     std::optional<std::size_t> steps = {}; // so many of the steps are done; without: all
-    // Of what the last of these steps grew, so much is shown; 1: all.
+    // How much is shown of what the last of these steps grew, from 0 to 1.
     double grown = 1;
     Drawn strokes = {}; // over the picture: what the pen has drawn of the next step so far
 };

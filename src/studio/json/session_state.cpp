@@ -4,6 +4,7 @@
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/value_json.h"
+#include "studio/json/kept_json.h"
 #include "studio/json/state_json.h"
 
 #include <fmt/format.h>
@@ -41,14 +42,8 @@ void removeStates(const std::filesystem::path& session) {
 // Which session a state belongs to, and where its file had the voxels: corrections of that are in the state.
 Json identityOf(const Session& session, const std::string& operations,
                 const volume::GridGeometry& geometryInFile) {
-    Json matrix = Json::array();
-    for (int column = 0; column < 4; ++column) {
-        for (int row = 0; row < 3; ++row) {
-            matrix.push_back(geometryInFile.worldFromVoxel[column][row]);
-        }
-    }
     return {{"volume", session.volumeChecksum},
-            {"geometry", std::move(matrix)},
+            {"geometry", stored(geometryInFile)},
             {"precision", sculpt::kPrecisions[std::size_t(session.precision)]},
             {"operations", operations}};
 }

@@ -34,8 +34,8 @@ struct Measure {
     Kind kind = Kind::Distance;
     std::vector<glm::dvec3> points = {};
     std::optional<double> voxelsCut = {}; // when a cut was measured
-    // Of a vessel: the segment that it is (without: the one at the first point, else the one at work), and
-    // what was found then, since segments change: points of its centreline, and the diameter at each.
+    // A vessel has these: the segment that it is (without: the one at the first point, else the one at work),
+    // and what was found then, since segments change: points of its centreline, and the diameter at each.
     std::optional<std::string> segment = {};
     std::vector<glm::dvec3> centreline = {};
     std::vector<double> diametersMm = {};

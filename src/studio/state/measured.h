@@ -23,8 +23,8 @@ struct Measured {
     std::vector<glm::dvec3> world; // its points, of a vessel those of its centreline: LPS mm
     double value = 0;              // mm, degrees, mm^2 or ml
     volume::UnderOutline under;    // of an area
-    // Of a vessel, at each point of its centreline: how far along that is, and the vessel's diameter there;
-    // and where it is narrower than beside.
+    // A vessel has these, at each point of its centreline: how far along that is, and the vessel's diameter
+    // there; and where it is narrower than beside.
     std::vector<double> alongMm = {};
     std::vector<double> diametersMm = {};
     std::optional<segment::Narrowest> narrowest = {};

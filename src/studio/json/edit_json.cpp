@@ -59,7 +59,7 @@ void readPart(StateReader&, const JsonReader& from, glm::ivec3, Measurements& pa
 }
 
 // A label map that was opened: redo takes it from here, and the file may be gone by then.
-Json stored(StateWriter& file, const std::shared_ptr<const volume::LabelMap>& map) {
+Json storedLabels(StateWriter& file, const std::shared_ptr<const volume::LabelMap>& map) {
     Json looks = Json::array();
     for (const auto& [value, look] : map->looks) {
         Json json{{"value", value}, {"name", look.name}};
@@ -116,7 +116,7 @@ bool canBeDoneAgain(const Operation& operation) {
     return labels == nullptr || labels->map;
 }
 
-Json stored(StateWriter& file, const SavedEdit& edit) {
+Json storedEdit(StateWriter& file, const SavedEdit& edit) {
     Json json{{"operation", toJson(*edit.operation)},
               {"limited", edit.isLimited},
               {"changesSegments", edit.changesSegments}};
@@ -131,7 +131,7 @@ Json stored(StateWriter& file, const SavedEdit& edit) {
     }
     json["growth"] = std::move(growth);
     if (const auto* labels = std::get_if<LoadLabels>(edit.operation.get()); labels && labels->map) {
-        json["labels"] = stored(file, labels->map);
+        json["labels"] = storedLabels(file, labels->map);
     }
     return json;
 }
@@ -202,7 +202,7 @@ private:
 Json stored(StateWriter& file, const std::vector<SavedEdit>& edits) {
     Json list = Json::array();
     for (const SavedEdit& edit : edits) {
-        list.push_back(stored(file, edit));
+        list.push_back(storedEdit(file, edit));
     }
     return list;
 }

@@ -102,8 +102,18 @@ Centreline middlePart(const Lumen& lumen, const VesselPath& path) {
     return line;
 }
 
+// The least cosine of the angle between a vessel and a path in it, from wall to opposite wall at most, as
+// long as `lengthMm`. Radii are known by half a voxel, and vessels bend.
+double leastCosineOfPath(double lengthMm, double radiusMm) {
+    const double across = std::min(1.0, 2.4 * radiusMm / std::max(lengthMm, 1e-9));
+    return std::max(0.0, std::sqrt(1 - across * across) - 0.1);
+}
+
 // The direction in which a vessel looks narrowest from a place on its axis is its own.
-Station narrowestAcross(const Lumen& lumen, const glm::dvec3& place, double radiusMm) {
+Station narrowestAcross(const Lumen& lumen, const glm::dvec3& place, double radiusMm,
+                        const glm::dvec3& pathMm) {
+    const double length = glm::length(pathMm);
+    const double leastCosine = leastCosineOfPath(length, radiusMm);
     constexpr int kDirections = 200; // about 10 degrees apart on the half sphere
     Station best;
     double least = std::numeric_limits<double>::infinity();
@@ -113,6 +123,9 @@ Station narrowestAcross(const Lumen& lumen, const glm::dvec3& place, double radi
         const double angle = i * glm::pi<double>() * (3 - std::sqrt(5.0));
         const double r = std::sqrt(1 - z * z);
         const glm::dvec3 direction(r * std::cos(angle), r * std::sin(angle), z);
+        if (std::abs(glm::dot(direction, pathMm)) < leastCosine * length) {
+            continue;
+        }
         const Station station = stationAcross(place, direction, glm::dvec3(0));
         const Outline outline = outlineAround(lumen, station, reachMm(lumen, radiusMm));
         double area = 0;
@@ -134,11 +147,11 @@ Centreline shortPart(const Lumen& lumen, const VesselPath& path) {
     double radius = *widest;
     Station station;
     station.place = worldOf(lumen, path.voxels[std::size_t(widest - path.clearanceMm.begin())]);
+    const glm::dvec3 way = worldOf(lumen, path.voxels.back()) - worldOf(lumen, path.voxels.front());
     for (int round = 0; round < 3; ++round) {
-        station = narrowestAcross(lumen, station.place, radius);
+        station = narrowestAcross(lumen, station.place, radius, way);
         radius = moveIntoMiddle(lumen, station, radius);
     }
-    const glm::dvec3 way = worldOf(lumen, path.voxels.back()) - worldOf(lumen, path.voxels.front());
     const glm::dvec3 along = (glm::dot(way, station.tangent) < 0 ? -1.0 : 1.0) * station.tangent;
     const double half = 0.5 * spacingMm(lumen, radius);
     const std::vector<glm::dvec3> places{station.place - half * along, station.place + half * along};

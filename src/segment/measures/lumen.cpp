@@ -58,6 +58,16 @@ Lumen::Lumen(const ConnectedVoxels& piece, const volume::GridGeometry& geometry)
     : voxels(piece), worldFromVoxel(geometry.worldFromVoxel), voxelFromWorld(geometry.voxelFromWorld()),
       gridDims(geometry.dims), stepMm(geometry.stepMm()), coarseMm(glm::compMax(geometry.spacing())) {}
 
+int Lumen::coarseAxis() const {
+    int coarse = 0;
+    for (const int axis : {1, 2}) {
+        if (glm::length(worldFromVoxel[axis]) > glm::length(worldFromVoxel[coarse])) {
+            coarse = axis;
+        }
+    }
+    return coarse;
+}
+
 bool Lumen::contains(const glm::dvec3& place) const {
     return voxels.contains(glm::ivec3(glm::round(glm::dvec3(voxelFromWorld * glm::dvec4(place, 1)))));
 }

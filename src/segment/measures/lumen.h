@@ -19,6 +19,7 @@ struct Lumen {
     double coarseMm = 1; // the largest spacing
 
     Lumen(const ConnectedVoxels& piece, const volume::GridGeometry& geometry);
+    [[nodiscard]] int coarseAxis() const; // the index axis of the largest spacing
     [[nodiscard]] bool contains(const glm::dvec3& place) const;
     // How far two voxels that are neighbours along an index axis lie apart in a direction (unit), at most:
     // how finely the grid can tell where a surface lies that faces there.

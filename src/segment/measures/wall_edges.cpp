@@ -26,7 +26,7 @@ WallFit fitAt(const Lumen& lumen, const Station& station, double radiusMm, const
         // The more noise there is, the more voxels are needed.
         fit.sigmaMm *= std::clamp(edges->noise / 0.07, 0.7, 2.0);
         fit.shareNoise = std::max(0.1, edges->noise);
-        fit.footprint = footprintAt(lumen, station, edges->blurMm);
+        fit.footprint = footprintAt(lumen, station, edges->sight);
     }
     return fit;
 }
@@ -136,33 +136,57 @@ double wrongOf(std::span<const std::vector<WallVoxel>> groups, const WallFit& fi
     return sum;
 }
 
-// The blur at which a function that has one lowest place is least; nothing where it is not less than `limit`
-// there.
-std::optional<double> leastAt(const std::function<double(double blurMm)>& wrongness, double stepMm,
-                              double limit) {
-    const std::vector<double> variances{0, 0.15, 0.35, 0.65, 1, 1.6, 2.5}; // in steps squared
-    std::vector<double> wrong;
+// Where a function that has one lowest place is least, and what it is there.
+struct Least {
+    double at = 0, value = 0;
+};
+// Among places in rising order, and between them by the parabola through the lowest and its neighbours.
+Least leastAmong(const std::vector<double>& places, const std::function<double(double)>& function) {
+    std::vector<double> values;
     std::size_t best = 0;
-    for (const double variance : variances) {
-        wrong.push_back(wrongness(std::sqrt(variance) * stepMm));
-        best = wrong.back() < wrong[best] ? wrong.size() - 1 : best;
-        if (wrong.size() > best + 2) {
+    for (const double place : places) {
+        values.push_back(function(place));
+        best = values.back() < values[best] ? values.size() - 1 : best;
+        if (values.size() > best + 2) {
             break;
         }
     }
-    if (!(wrong[best] < limit)) {
-        return {};
+    Least least{places[best], values[best]};
+    if (best > 0 && best + 1 < values.size()) {
+        const double before = places[best] - places[best - 1];
+        const double after = places[best + 1] - places[best];
+        const double down = (values[best - 1] - values[best]) / before;
+        const double up = (values[best + 1] - values[best]) / after;
+        if (down + up > 0) {
+            least.at += 0.5 * (down * after - up * before) / (down + up);
+        }
     }
-    double variance = variances[best];
-    if (best > 0 && best + 1 < wrong.size()) {
-        // The lowest point of the parabola through three.
-        const double before = variances[best] - variances[best - 1];
-        const double after = variances[best + 1] - variances[best];
-        const double down = (wrong[best - 1] - wrong[best]) / before;
-        const double up = (wrong[best + 1] - wrong[best]) / after;
-        variance += 0.5 * (down * after - up * before) / (down + up);
-    }
-    return std::sqrt(variance) * stepMm;
+    return least;
+}
+
+// The sight that is least wrong, and how wrong it is.
+struct LeastWrong {
+    Sight sight;
+    double wrong = 0;
+};
+LeastWrong leastWrong(const Lumen& lumen, const std::function<double(const Sight&)>& wrongWith) {
+    LeastWrong found;
+    const auto findBlur = [&](double thickness) {
+        // In steps squared: variances add up, so wrongness is nearly a parabola in them.
+        const Least blur = leastAmong({0, 0.15, 0.35, 0.65, 1, 1.6, 2.5}, [&](double variance) {
+            return wrongWith({std::sqrt(variance) * lumen.stepMm, thickness});
+        });
+        found = {{std::sqrt(blur.at) * lumen.stepMm, thickness}, blur.value};
+        return blur.value;
+    };
+    constexpr double kThick = 1.4; // slices that are not this much thicker than a step tell nothing of it
+    const bool areThick = lumen.coarseMm > kThick * lumen.stepMm;
+    const Least squared =
+        areThick ? leastAmong({0, 0.25, 0.6, 1},
+                              [&](double thicknessSquared) { return findBlur(std::sqrt(thicknessSquared)); })
+                 : Least{1, 0};
+    findBlur(std::sqrt(squared.at));
+    return found;
 }
 
 // The noise in parts of the contrast, in the middle of the stations.
@@ -205,17 +229,17 @@ std::optional<ScanEdges> scanEdgesAlong(const ScanValues& values, const Lumen& l
     addShares(values, plateaus, voxels);
     const double byMask = sumOf(
         {values}, [](const WallFit& fit, auto groups, const WallShape&) { return wrongOf(groups, fit, {}); });
-    const auto wrongWith = [&](double blurMm) {
-        return sumOf({values, blurMm}, [](const WallFit& fit, auto groups, WallShape& wall) {
+    const auto wrongWith = [&](const Sight& sight) {
+        return sumOf({values, sight}, [](const WallFit& fit, auto groups, WallShape& wall) {
             wall = wallByShares(groups, fit, wall);
             return wrongOf(groups, fit, wall);
         });
     };
-    const auto blurMm = leastAt(wrongWith, lumen.stepMm, byMask);
-    if (!blurMm) {
+    const LeastWrong least = leastWrong(lumen, wrongWith);
+    if (!(least.wrong < byMask)) {
         return {};
     }
-    return ScanEdges{values, *blurMm, noiseOf(plateaus)};
+    return ScanEdges{values, least.sight, noiseOf(plateaus)};
 }
 
 std::vector<WallShape> wallsAlong(const Lumen& lumen, const Centreline& line, const ScanEdges* edges) {

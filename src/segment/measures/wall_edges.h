@@ -12,12 +12,13 @@ namespace vs::segment {
 // A scan whose values are edges where the vessel's wall is.
 struct ScanEdges {
     ScanValues values;
-    double blurMm = 0; // of the edges, besides that each voxel sees its own box: a Gaussian's sigma
-    double noise = 0;  // how wrong single values are, standard deviation in parts of the contrast
+    Sight sight;
+    double noise = 0; // how wrong single values are, standard deviation in parts of the contrast
 };
 
-// Tells how blurred the scan's edges are, by which blur a wall explains the values best along the vessel.
-// Nothing where the mask itself explains them better than any wall: its values have no more to say.
+// Tells how blurred the scan's edges are and how thick its slices, by what lets a wall explain the values
+// best along the vessel. Nothing where the mask itself explains them better than any wall: its values have no
+// more to say.
 std::optional<ScanEdges> scanEdgesAlong(const ScanValues& values, const Lumen& lumen, const Centreline& line);
 
 // The walls at the stations of a centreline. With `edges` they lie where the scan's values pass half of what

@@ -8,23 +8,25 @@
 
 namespace vs::segment {
 
-Footprint footprintAt(const Lumen& lumen, const Station& station, double blurMm) {
+Footprint footprintAt(const Lumen& lumen, const Station& station, const Sight& sight) {
+    glm::dmat3 edges(lumen.worldFromVoxel);
+    edges[lumen.coarseAxis()] *= sight.thickness;
     const auto inPlane = [&](const glm::dvec3& v) {
         return glm::dvec2(glm::dot(v, station.across), glm::dot(v, station.up));
     };
     Footprint footprint;
-    footprint.covariance = glm::dmat2(blurMm * blurMm);
+    footprint.covariance = glm::dmat2(sight.blurMm * sight.blurMm);
     glm::ivec3 counts(1);
     for (int axis = 0; axis < 3; ++axis) {
-        const double steps = glm::length(lumen.worldFromVoxel[axis]) / lumen.stepMm;
+        const double steps = glm::length(edges[axis]) / lumen.stepMm;
         const int most = int(Footprint::kMostPlaces) / (counts.x * counts.y * counts.z);
         counts[axis] = std::clamp(int(std::lround(steps)), 1, std::min(most, 4));
-        const glm::dvec2 edge = inPlane(glm::dvec3(lumen.worldFromVoxel[axis])) / double(counts[axis]);
+        const glm::dvec2 edge = inPlane(edges[axis]) / double(counts[axis]);
         footprint.covariance += glm::outerProduct(edge, edge) / 12.0;
     }
     forEachVoxel({glm::ivec3(0), counts}, [&](glm::ivec3 at, std::size_t) {
         const glm::dvec3 offset = (glm::dvec3(at) + 0.5) / glm::dvec3(counts) - 0.5;
-        footprint.places[footprint.count++] = inPlane(glm::dmat3(lumen.worldFromVoxel) * offset);
+        footprint.places[footprint.count++] = inPlane(edges * offset);
     });
     return footprint;
 }

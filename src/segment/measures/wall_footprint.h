@@ -14,9 +14,16 @@ struct Footprint {
     glm::dmat2 covariance{0};
 };
 
+// How a scan sees: a voxel is the mean over its own box, blurred by a Gaussian. Slices that lie far apart may
+// be as thick as that, or thinner.
+struct Sight {
+    double blurMm = 0;    // the Gaussian's sigma
+    double thickness = 1; // of the voxels' boxes along the axis of the largest spacing, in parts of it
+};
+
 // The footprint of the voxels around a station. Voxels that are longer than a step count as several, each
-// about as long as a step. The blur is a Gaussian's sigma.
-Footprint footprintAt(const Lumen& lumen, const Station& station, double blurMm);
+// about as long as a step.
+Footprint footprintAt(const Lumen& lumen, const Station& station, const Sight& sight);
 
 // How far the parts of a voxel are from the axis, of each the mean and the standard deviation.
 class WallParts {

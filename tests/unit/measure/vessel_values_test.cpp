@@ -14,8 +14,10 @@ namespace {
 
 using Values = std::vector<double>;
 
-// How much of each voxel lies inside, by as many places in it as make about four a step.
-Values coverageOf(const volume::GridGeometry& grid, const Solid& isInside) {
+// How much of each voxel lies inside, by as many places in it as make about four a step. Slices (along z) may
+// be thinner than they lie apart.
+Values coverageOf(const volume::GridGeometry& grid, const Solid& isInside, double thickness = 1) {
+    const glm::dvec3 seen(1, 1, thickness);
     const glm::dvec3 steps = grid.spacing() / grid.stepMm();
     const glm::ivec3 counts(glm::ceil(4.0 * steps));
     Values coverage;
@@ -24,7 +26,7 @@ Values coverageOf(const volume::GridGeometry& grid, const Solid& isInside) {
         int corners = 0;
         for (int i = 0; i < 8; ++i) {
             const glm::dvec3 corner(i & 1, i >> 1 & 1, i >> 2);
-            corners += isInside(worldAt(grid, glm::dvec3(voxel) + corner - 0.5)) ? 1 : 0;
+            corners += isInside(worldAt(grid, glm::dvec3(voxel) + seen * (corner - 0.5))) ? 1 : 0;
         }
         if (corners == (isInside(worldAt(grid, voxel)) ? 8 : 0)) {
             coverage.push_back(corners == 8 ? 1 : 0);
@@ -33,7 +35,7 @@ Values coverageOf(const volume::GridGeometry& grid, const Solid& isInside) {
         int inside = 0;
         forEachVoxel({glm::ivec3(0), counts}, [&](glm::ivec3 at, std::size_t) {
             const glm::dvec3 offset = (glm::dvec3(at) + 0.5) / glm::dvec3(counts) - 0.5;
-            inside += isInside(worldAt(grid, glm::dvec3(voxel) + offset)) ? 1 : 0;
+            inside += isInside(worldAt(grid, glm::dvec3(voxel) + seen * offset)) ? 1 : 0;
         });
         coverage.push_back(double(inside) / (counts.x * counts.y * counts.z));
     });
@@ -114,7 +116,7 @@ std::vector<Grid> gridsOf(double half) {
     return {{"even", centredGrid(size, glm::dvec3(1))}, {"flat", centredGrid(size + 6, {1, 1, 3})}};
 }
 
-// All diameters are within 0.2 steps, and their mean within 1 % of nearly all tubes. Along the grid too,
+// All diameters are within 0.2 steps, and their mean within 1 %. Along the grid too,
 // where no mask can tell.
 TEST(VesselValues, TubesAreSubVoxelExact) {
     for (const double radius : {2.5, 5.0}) {
@@ -125,8 +127,25 @@ TEST(VesselValues, TubesAreSubVoxelExact) {
                 const auto scan = scanOf(grid.geometry, coverage);
                 const Errors e = measuredAlong(tube, grid.geometry, setWhere(grid.geometry, tube), &scan);
                 EXPECT_LT(e.diameter, 0.2) << grid.name << radius;
-                EXPECT_LT(std::abs(e.meanDiameter), 0.015 * 2 * radius) << grid.name << radius;
+                EXPECT_LT(std::abs(e.meanDiameter), 0.01 * 2 * radius) << grid.name << radius;
                 EXPECT_LT(e.axis, 0.1) << grid.name << radius;
+            }
+        }
+    }
+}
+
+// How thick slices are is told by the values: nothing else says it in most files.
+TEST(VesselValues, SlicesThinnerThanTheyLieApart) {
+    for (const double radius : {3.0, 5.0}) {
+        for (const double thickness : {0.1, 0.4, 0.7}) {
+            const auto grid = centredGrid(44, {1, 1, 3});
+            const auto tube = straight({2, 1, 1}, radius, 16);
+            const Values coverage = coverageOf(grid, tube, thickness);
+            for (const double noise : {0.0, 0.08}) {
+                const auto scan = scanOf(grid, coverage, noise);
+                const Errors e = measuredAlong(tube, grid, halfOf(grid, coverage), &scan);
+                EXPECT_LT(e.diameter, 0.2) << thickness << " " << radius;
+                EXPECT_LT(std::abs(e.meanDiameter), 0.01 * 2 * radius) << thickness << " " << radius;
             }
         }
     }
@@ -153,7 +172,7 @@ TEST(VesselValues, BlurAndNoise) {
             for (const double contrast : {200.0, -80.0}) {
                 const auto scan = scanOf(grid.geometry, values, noise, contrast);
                 const Errors e = measuredAlong(tube, grid.geometry, mask, &scan);
-                EXPECT_LT(std::abs(e.meanDiameter), 0.015 * 7) << grid.name << noise;
+                EXPECT_LT(std::abs(e.meanDiameter), 0.01 * 7) << grid.name << noise;
                 EXPECT_LT(e.diameter, 0.1 + 2.5 * noise) << grid.name << noise;
                 EXPECT_LT(std::abs(e.meanDiameter), std::abs(byMask.meanDiameter)) << grid.name << noise;
             }

@@ -83,7 +83,7 @@ def replay(arguments, session, folder):
 
 @test.step
 def moved(display, arguments, session, folder):
-    """A session whose scan has moved asks where it is; the next time it is found where scans were opened before."""
+    """A session whose scan has moved asks where it is; the next time it is found there."""
     path, _ = session
     archive, elsewhere = folder / "archive", folder / "elsewhere"
     archive.mkdir()
@@ -100,10 +100,6 @@ def moved(display, arguments, session, folder):
     studio.type_path("findVolumeDialog", next((archive / "pet").iterdir()))
     state = studio.wait_idle("the session with its scan", lambda s: s["pictureComplete"] and s["segments"][0]["voxels"] > 0)
     need(state["title"].startswith("pet"), f"the window is called {state['title']}")
-    studio.quit()
-    # Opened once, the folder that it lies in is known.
-    studio = start(display, arguments.program, window, [archive / "pet"], home=home)
-    studio.wait_idle("the scan", lambda s: s["pictureComplete"])
     studio.quit()
     studio = start(display, arguments.program, window, [lonely], home=home)
     studio.wait_idle("the session found its scan", lambda s: s["pictureComplete"] and s["segments"][0]["voxels"] > 0)

@@ -30,6 +30,7 @@ void write(Settings& settings, const KnownDocument& document) {
     settings.setValue("details", document.details);
     settings.setValue("hasSegments", document.hasSegments);
     settings.setValue("seen", document.seen);
+    settings.setValue("scan", textOf(document.scan));
 }
 
 KnownDocument read(const Settings& settings) {
@@ -44,6 +45,7 @@ KnownDocument read(const Settings& settings) {
     document.details = settings.value("details").toString();
     document.hasSegments = settings.value("hasSegments").toBool();
     document.seen = settings.value("seen").toDateTime();
+    document.scan = pathOf(settings.value("scan").toString());
     return document;
 }
 
@@ -113,11 +115,16 @@ std::vector<KnownDocument> recentDocuments() {
 
 std::vector<std::filesystem::path> foldersUsedBefore() {
     std::vector<std::filesystem::path> folders;
-    for (const KnownDocument& document : recentDocuments()) {
-        const auto folder = pathOf(QDir::cleanPath(document.path())).parent_path();
-        if (std::find(folders.begin(), folders.end(), folder) == folders.end()) {
+    const auto add = [&](const std::filesystem::path& folder) {
+        if (!folder.empty() && std::find(folders.begin(), folders.end(), folder) == folders.end()) {
             folders.push_back(folder);
         }
+    };
+    for (const KnownDocument& document : recentDocuments()) {
+        add(pathOf(QDir::cleanPath(document.path())).parent_path());
+        // A series is its folder, of which a slice may have been pointed out.
+        add(document.scan.parent_path());
+        add(document.scan.parent_path().parent_path());
     }
     return folders;
 }

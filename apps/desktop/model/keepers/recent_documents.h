@@ -17,6 +17,7 @@ struct KnownDocument {
     QString details;     // "256 × 256 × 108"
     bool hasSegments = false;
     QDateTime seen; // when it was last open
+    std::filesystem::path scan = {}; // that was pointed out for a session
     // What a document that comes with the program, and lies in no file, is called, and where its picture is.
     QString title = {};
     QString picture = {};
@@ -33,7 +34,7 @@ struct KnownDocument {
 
 // The documents that were open of late, the newest first. Kept in Settings, shared by all windows.
 std::vector<KnownDocument> recentDocuments();
-// The folders in which they lie, each once.
+// The folders in which they and the scans of sessions lie, each once.
 std::vector<std::filesystem::path> foldersUsedBefore();
 // Puts a document in front; the oldest goes when there are many.
 void rememberDocument(const KnownDocument& document);

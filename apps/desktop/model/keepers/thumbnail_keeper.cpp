@@ -62,6 +62,9 @@ KnownDocument ThumbnailKeeper::present() const {
     for (auto* path : {&known.request.volume, &known.request.session}) {
         *path = path->empty() ? *path : std::filesystem::absolute(*path).lexically_normal();
     }
+    if (known.isSession()) {
+        known.scan = known.request.volume;
+    }
     known.details = tr("%1 × %2 × %3").arg(dims.x).arg(dims.y).arg(dims.z);
     const auto& segments = document->segments().segments;
     known.hasSegments = studio_.host().facts()->growth.voxels > 0 || segments.size() > 1;

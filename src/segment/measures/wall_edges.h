@@ -12,7 +12,7 @@ namespace vs::segment {
 // A scan whose values are edges where the vessel's wall is.
 struct ScanEdges {
     ScanValues values;
-    Sight sight;
+    Sight sight = {};
     double noise = 0; // how wrong single values are, standard deviation in parts of the contrast
 };
 

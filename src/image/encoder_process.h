@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include <sys/types.h>
+#include "base/child_process.h"
 
 #include <chrono>
 #include <cstdint>
@@ -13,24 +13,8 @@
 
 namespace vs::image {
 
-// A file descriptor that is closed in the end.
-class Descriptor {
-public:
-    explicit Descriptor(int number = -1) : number_(number) {}
-    ~Descriptor() { close(); }
-    Descriptor(Descriptor&& other) noexcept;
-    Descriptor& operator=(Descriptor&& other) noexcept;
-
-    void close();
-    [[nodiscard]] int number() const { return number_; } // -1: closed, which poll() passes over
-
-private:
-    int number_;
-};
-
-// A program that is given bytes on its standard input and says on its standard error what goes wrong. It runs
-// in a process group of its own and is ended with this object, and all that it started with it. Should this
-// program end first, it finds the end of its input.
+// A program that is given bytes on its standard input and says on its standard error what goes wrong. Should
+// this program end first, it finds the end of its input.
 //
 // Whoever waits for it reports progress without a share (base/progress.h); GivenUp is thrown from there.
 class EncoderProcess {
@@ -38,10 +22,6 @@ public:
     // Starts a program by its name, which is looked for in PATH, or by its path, with its arguments. Null
     // when there is no such program; throws Error when it cannot be started.
     static std::unique_ptr<EncoderProcess> start(const std::vector<std::string>& command);
-    ~EncoderProcess();
-    EncoderProcess(const EncoderProcess&) = delete;
-    EncoderProcess& operator=(const EncoderProcess&) = delete;
-
     // Waits until the program has taken the bytes. False when it takes no more of them, for it has ended or
     // closed its input.
     [[nodiscard]] bool give(std::span<const std::uint8_t> bytes);
@@ -56,14 +36,11 @@ public:
     [[nodiscard]] Ending finish(std::optional<std::chrono::milliseconds> patience = {});
 
 private:
-    EncoderProcess(pid_t process, Descriptor input, Descriptor errors);
+    EncoderProcess(std::unique_ptr<ChildProcess> process, Descriptor input, Descriptor errors);
     void waitFor(short inputEvents, int most);
     void listen();
-    [[nodiscard]] bool hasEnded();
-    void kill();
 
-    pid_t process_; // 0: it has ended and was asked for its status
-    int status_ = 0;
+    std::unique_ptr<ChildProcess> process_;
     Descriptor input_;  // our end of a pair of sockets
     Descriptor errors_; // our end of a pipe
     std::string said_;  // the end of what came through it

@@ -6,9 +6,12 @@
 #include <fcntl.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
+#include <utility>
+#include <vector>
 
 namespace vs {
 
@@ -39,6 +42,68 @@ void syncFile(const std::filesystem::path& path) {
     close(file);
 }
 
+void fill(const std::filesystem::path& path, std::span<const std::byte> content) {
+    std::ofstream out(path, std::ios::binary);
+    out.write(reinterpret_cast<const char*>(content.data()), std::streamsize(content.size()));
+    out.close();
+    if (!out) {
+        throw WriteError("{}", std::strerror(errno));
+    }
+}
+
+// A temporary file that was filled and synced; gone in the end unless it was published.
+class FilledFile {
+public:
+    explicit FilledFile(const FileWriting& file) : path_(file.path), target_(outputFile(file.path)) {
+        const std::filesystem::path folder = target_.has_parent_path() ? target_.parent_path() : ".";
+        std::error_code ignored;
+        if (!std::filesystem::is_directory(folder, ignored)) {
+            throw WriteError("{}: the folder {} does not exist; make it or choose another", path_.string(),
+                             folder.string());
+        }
+        temporary_ = temporaryIn(folder, path_);
+        attempt([&] {
+            file.write(temporary_);
+            syncFile(temporary_);
+        });
+    }
+    ~FilledFile() { remove(); }
+    FilledFile(FilledFile&& other) noexcept = default;
+    FilledFile(const FilledFile&) = delete;
+    FilledFile& operator=(const FilledFile&) = delete;
+    FilledFile& operator=(FilledFile&&) = delete;
+
+    void publish() {
+        attempt([&] { std::filesystem::rename(temporary_, target_); });
+        temporary_.clear();
+    }
+
+private:
+    // Does what may fail, and says of which file that is.
+    template <typename Work>
+    void attempt(Work work) {
+        try {
+            work();
+        } catch (const std::exception& error) {
+            remove();
+            std::string reason = error.what();
+            std::replace(reason.begin(), reason.end(), '\n', ' ');
+            throw WriteError("{}: cannot be written ({}); choose a folder that can be written to",
+                             path_.string(), reason);
+        }
+    }
+    void remove() const {
+        std::error_code ignored;
+        if (!temporary_.empty()) {
+            std::filesystem::remove(temporary_, ignored);
+        }
+    }
+
+    std::filesystem::path path_;
+    std::filesystem::path target_;
+    std::filesystem::path temporary_; // empty: it is no more
+};
+
 } // namespace
 
 std::filesystem::path outputFile(const std::filesystem::path& path) {
@@ -65,40 +130,31 @@ std::filesystem::path outputFile(const std::filesystem::path& path) {
     return target;
 }
 
-void writeAtomically(const std::filesystem::path& path,
-                     const std::function<void(const std::filesystem::path&)>& write) {
-    const std::filesystem::path target = outputFile(path);
-    const std::filesystem::path folder = target.has_parent_path() ? target.parent_path() : ".";
-    std::error_code ignored;
-    if (!std::filesystem::is_directory(folder, ignored)) {
-        throw WriteError("{}: the folder {} does not exist; make it or choose another", path.string(),
-                         folder.string());
+void writeAllAtomically(std::span<const FileWriting> files) {
+    std::vector<FilledFile> filled;
+    filled.reserve(files.size());
+    for (const FileWriting& file : files) {
+        filled.emplace_back(file);
     }
-    const std::filesystem::path temporary = temporaryIn(folder, path);
-    try {
-        write(temporary);
-        syncFile(temporary);
-        std::filesystem::rename(temporary, target);
-    } catch (const std::exception& error) {
-        std::filesystem::remove(temporary, ignored);
-        std::string reason = error.what();
-        for (char& c : reason) {
-            c = c == '\n' ? ' ' : c;
-        }
-        throw WriteError("{}: cannot be written ({}); choose a folder that can be written to", path.string(),
-                         reason);
+    for (FilledFile& file : filled) {
+        file.publish();
     }
 }
 
+void writeAtomically(const std::filesystem::path& path,
+                     const std::function<void(const std::filesystem::path&)>& write) {
+    const FileWriting file{path, write};
+    writeAllAtomically(std::span(&file, 1));
+}
+
+std::function<void(const std::filesystem::path&)> writingOf(std::string content) {
+    return [content = std::move(content)](const std::filesystem::path& temporary) {
+        fill(temporary, std::as_bytes(std::span(content)));
+    };
+}
+
 void writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> content) {
-    writeAtomically(path, [&](const std::filesystem::path& temporary) {
-        std::ofstream out(temporary, std::ios::binary);
-        out.write(reinterpret_cast<const char*>(content.data()), std::streamsize(content.size()));
-        out.close();
-        if (!out) {
-            throw WriteError("{}", std::strerror(errno));
-        }
-    });
+    writeAtomically(path, [&](const std::filesystem::path& temporary) { fill(temporary, content); });
 }
 
 void writeFileAtomically(const std::filesystem::path& path, const std::string& content) {

@@ -16,9 +16,21 @@ namespace vs {
 void writeAtomically(const std::filesystem::path& path,
                      const std::function<void(const std::filesystem::path& temporary)>& write);
 
+// A file and what fills a temporary one in its place, as above.
+struct FileWriting {
+    std::filesystem::path path;
+    std::function<void(const std::filesystem::path& temporary)> write;
+};
+// Writes files that belong together so that all are new or none is: all are filled and synced before the
+// first is renamed.
+void writeAllAtomically(std::span<const FileWriting> files);
+
 // The file that writing to `path` replaces: where links point, so that they stay. Throws WriteError when what
 // is there already is no file: a folder, a pipe, a device.
 std::filesystem::path outputFile(const std::filesystem::path& path);
+
+// What fills a file with bytes, for FileWriting.
+std::function<void(const std::filesystem::path& temporary)> writingOf(std::string content);
 
 void writeFileAtomically(const std::filesystem::path& path, std::span<const std::byte> content);
 void writeFileAtomically(const std::filesystem::path& path, const std::string& content);

@@ -13,8 +13,11 @@
 #include <vtkUnsignedCharArray.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <cstdint>
 #include <stdexcept>
+#include <string>
 
 namespace vs::mesh {
 
@@ -38,7 +41,7 @@ Mesh together(std::span<const Mesh> meshes) {
     return all;
 }
 
-// VTK's writers say that a disk is full by their error code, and by nothing when a file is missing.
+// VTK's writers say by their error code that a disk is full, and not always.
 void writeBy(vtkWriter& writer, vtkPolyData& data) {
     const QuietVtk quiet;
     writer.SetInputData(&data);
@@ -52,10 +55,16 @@ void writeStl(const std::filesystem::path& path, std::span<const Mesh> meshes) {
     writer->SetFileName(path.c_str());
     writer->SetFileTypeToBinary();
     writer->SetHeader(kSpaceNote);
-    writeBy(*writer, *toVtk(together(meshes)));
+    const auto data = toVtk(together(meshes));
+    writeBy(*writer, *data);
+    const std::uintmax_t wanted = 84 + 50 * std::uintmax_t(data->GetNumberOfPolys());
+    if (std::filesystem::file_size(path) != wanted) {
+        throw std::runtime_error("the disk may be full");
+    }
 }
 
-void writePly(const std::filesystem::path& path, std::span<const Mesh> meshes) {
+// Made in memory: VTK does not notice that a disk is full.
+std::string plyText(std::span<const Mesh> meshes) {
     vtkNew<vtkUnsignedCharArray> colours;
     colours->SetName("colours");
     colours->SetNumberOfComponents(3);
@@ -68,18 +77,21 @@ void writePly(const std::filesystem::path& path, std::span<const Mesh> meshes) {
     }
     auto data = toVtk(together(meshes));
     data->GetPointData()->SetScalars(colours);
-    writer->SetFileName(path.c_str());
+    writer->WriteToOutputStringOn();
     writer->SetFileTypeToBinary();
     writer->SetArrayName("colours");
     writer->AddComment(kSpaceNote);
     writeBy(*writer, *data);
+    return writer->GetOutputString();
 }
 
 void writeObj(const std::filesystem::path& path, std::span<const Mesh> meshes) {
     std::filesystem::path materials = path;
     materials.replace_extension(".mtl");
-    writeFileAtomically(materials, mtlText(meshes));
-    writeFileAtomically(path, objText(meshes, materials.filename().string()));
+    const std::array<FileWriting, 2> files{
+        {{materials, writingOf(mtlText(meshes))},
+         {path, writingOf(objText(meshes, materials.filename().string()))}}};
+    writeAllAtomically(files);
 }
 
 } // namespace
@@ -107,10 +119,10 @@ void writeMeshes(const std::filesystem::path& path, std::span<const Mesh> meshes
             throw WriteError("{}: glTF cannot hold {}; keep fewer triangles or write .stl", path.string(),
                              error.what());
         }
+    } else if (extension == ".ply") {
+        writeFileAtomically(path, plyText(meshes));
     } else {
-        writeAtomically(path, [&](const std::filesystem::path& temporary) {
-            extension == ".stl" ? writeStl(temporary, meshes) : writePly(temporary, meshes);
-        });
+        writeAtomically(path, [&](const std::filesystem::path& temporary) { writeStl(temporary, meshes); });
     }
 }
 

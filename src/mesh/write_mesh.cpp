@@ -16,6 +16,7 @@
 #include <array>
 #include <cctype>
 #include <cstdint>
+#include <fstream>
 #include <stdexcept>
 #include <string>
 
@@ -50,6 +51,13 @@ void writeBy(vtkWriter& writer, vtkPolyData& data) {
     }
 }
 
+// VTK does not always notice that a disk is full: what reached it must be as much as was to be written.
+void requireBytes(const std::filesystem::path& path, std::uintmax_t bytes) {
+    if (std::filesystem::file_size(path) != bytes) {
+        throw std::runtime_error("the disk may be full");
+    }
+}
+
 void writeStl(const std::filesystem::path& path, std::span<const Mesh> meshes) {
     vtkNew<vtkSTLWriter> writer;
     writer->SetFileName(path.c_str());
@@ -57,14 +65,21 @@ void writeStl(const std::filesystem::path& path, std::span<const Mesh> meshes) {
     writer->SetHeader(kSpaceNote);
     const auto data = toVtk(together(meshes));
     writeBy(*writer, *data);
-    const std::uintmax_t wanted = 84 + 50 * std::uintmax_t(data->GetNumberOfPolys());
-    if (std::filesystem::file_size(path) != wanted) {
-        throw std::runtime_error("the disk may be full");
-    }
+    requireBytes(path, 84 + 50 * std::uintmax_t(data->GetNumberOfPolys()));
 }
 
-// Made in memory: VTK does not notice that a disk is full.
-std::string plyText(std::span<const Mesh> meshes) {
+// The bytes of a file's header, with the line that ends it.
+std::uintmax_t plyHeaderBytes(const std::filesystem::path& path) {
+    std::ifstream file(path, std::ios::binary);
+    for (std::string line; std::getline(file, line);) {
+        if (line == "end_header") {
+            return std::uintmax_t(file.tellg());
+        }
+    }
+    return 0;
+}
+
+void writePly(const std::filesystem::path& path, std::span<const Mesh> meshes) {
     vtkNew<vtkUnsignedCharArray> colours;
     colours->SetName("colours");
     colours->SetNumberOfComponents(3);
@@ -77,12 +92,14 @@ std::string plyText(std::span<const Mesh> meshes) {
     }
     auto data = toVtk(together(meshes));
     data->GetPointData()->SetScalars(colours);
-    writer->WriteToOutputStringOn();
+    writer->SetFileName(path.c_str());
     writer->SetFileTypeToBinary();
     writer->SetArrayName("colours");
     writer->AddComment(kSpaceNote);
     writeBy(*writer, *data);
-    return writer->GetOutputString();
+    // Three floats and three bytes of colour a point, a count and three numbers a triangle.
+    requireBytes(path, plyHeaderBytes(path) + 15 * std::uintmax_t(data->GetNumberOfPoints()) +
+                           13 * std::uintmax_t(data->GetNumberOfPolys()));
 }
 
 void writeObj(const std::filesystem::path& path, std::span<const Mesh> meshes) {
@@ -119,10 +136,10 @@ void writeMeshes(const std::filesystem::path& path, std::span<const Mesh> meshes
             throw WriteError("{}: glTF cannot hold {}; keep fewer triangles or write .stl", path.string(),
                              error.what());
         }
-    } else if (extension == ".ply") {
-        writeFileAtomically(path, plyText(meshes));
     } else {
-        writeAtomically(path, [&](const std::filesystem::path& temporary) { writeStl(temporary, meshes); });
+        writeAtomically(path, [&](const std::filesystem::path& temporary) {
+            extension == ".stl" ? writeStl(temporary, meshes) : writePly(temporary, meshes);
+        });
     }
 }
 

@@ -26,7 +26,7 @@ MODULES = {
     "studio": ["phantom", "sculpt", "segment", "render", "mesh"],
 }
 ROOMS = {
-    "src/volume": {"grid": [], "measures": ["grid"], "io": ["grid"], "dicom": ["io"]},
+    "src/volume": {"grid": [], "measures": ["grid"], "io": ["grid"], "dicom": ["io"], "reading": ["io"]},
     "src/sculpt": {"mask": [], "path": [], "radiation": ["mask", "path"], "sculpture": ["radiation"],
                    "surface": ["sculpture"], "solids": ["sculpture"]},
     "src/segment": {"growth": [], "edits": ["growth"], "measures": ["edits"], "membership": ["growth"]},

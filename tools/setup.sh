@@ -11,6 +11,7 @@ PACKAGES=(
   qt6-base-dev libqt6opengl6-dev qt6-svg-dev qt6-qpa-plugins qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools qt6-translations-l10n
   libepoxy-dev libegl-dev libgl1-mesa-dri libegl-mesa0 libegl1 libgl1 libglx-mesa0
   libglm-dev libfmt-dev nlohmann-json3-dev libcli11-dev libzstd-dev libpng-dev
+  libseccomp-dev
   libcairo2-dev fonts-dejavu-core
   libvtk9-dev libdcmtk-dev
   mricron-data

@@ -5,7 +5,7 @@
 #include "phantom/body_phantom.h"
 #include "phantom/noise.h"
 #include "phantom/phantom.h"
-#include "volume/io/read.h"
+#include "volume/reading/read_volume.h"
 
 #include <fmt/format.h>
 

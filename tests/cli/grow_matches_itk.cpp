@@ -5,8 +5,8 @@
 #include "gpu/segment/itk_growing.h"
 #include "phantom/phantom.h"
 #include "reference/growth.h"
-#include "volume/io/read.h"
 #include "volume/io/write.h"
+#include "volume/reading/read_volume.h"
 
 #include <fmt/format.h>
 

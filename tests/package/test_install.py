@@ -9,7 +9,7 @@ import subprocess
 import sys
 import xml.etree.ElementTree as ElementTree
 
-INSTALLED = ["bin/vstudio", "bin/volume-studio", "share/applications/volume-studio.desktop",
+INSTALLED = ["bin/vstudio", "bin/volume-studio", "libexec/volume-studio/volume-studio-decoder", "share/applications/volume-studio.desktop",
              "share/icons/hicolor/scalable/apps/volume-studio.svg", "share/mime/packages/volume-studio.xml",
              "share/metainfo/org.volumestudio.VolumeStudio.metainfo.xml", "share/doc/volume-studio/LICENSE"]
 # What the programs cannot do without, by the beginning of the package's name.

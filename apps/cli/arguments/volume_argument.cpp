@@ -4,6 +4,7 @@
 #include "reports/progress.h"
 
 #include "base/log.h"
+#include "volume/reading/read_volume.h"
 
 namespace vs::cli {
 

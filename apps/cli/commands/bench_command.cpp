@@ -14,6 +14,7 @@
 #include "gl/context.h"
 #include "phantom/phantom.h"
 #include "render/colours/transfer_function_json.h"
+#include "volume/reading/read_volume.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

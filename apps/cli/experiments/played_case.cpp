@@ -7,7 +7,7 @@
 #include "base/timer.h"
 #include "phantom/recipe.h"
 #include "studio/cases/steps.h"
-#include "volume/io/label_map.h"
+#include "volume/reading/label_map.h"
 
 #include <algorithm>
 #include <cmath>

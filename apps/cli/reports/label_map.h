@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "volume/io/label_map.h"
+#include "volume/reading/label_map.h"
 
 #include <cstdint>
 #include <filesystem>

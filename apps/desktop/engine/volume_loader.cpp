@@ -3,6 +3,7 @@
 
 #include "base/progress.h"
 #include "studio/json/journal.h"
+#include "volume/reading/read_volume.h"
 
 namespace vs::desktop {
 

@@ -6,7 +6,7 @@
 #include "segment/edits/label_sets.h"
 #include "studio/editing/seen_cells.h"
 #include "studio/editing/segment_change.h"
-#include "volume/io/label_map.h"
+#include "volume/reading/label_map.h"
 
 #include <algorithm>
 

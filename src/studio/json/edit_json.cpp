@@ -4,7 +4,7 @@
 #include "base/described_json.h"
 #include "studio/json/growth_json.h"
 #include "studio/json/operation_json.h"
-#include "volume/io/label_map.h"
+#include "volume/reading/label_map.h"
 
 #include <algorithm>
 #include <limits>

@@ -2,6 +2,7 @@
 #include "base/error.h"
 #include "phantom/phantom.h"
 #include "studio/json/session.h"
+#include "volume/reading/read_volume.h"
 
 #include <fmt/format.h>
 

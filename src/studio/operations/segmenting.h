@@ -3,7 +3,7 @@
 
 #include "studio/operations/sculpting.h"
 #include "studio/operations/segment_list.h"
-#include "volume/io/label_map.h"
+#include "volume/reading/label_map.h"
 
 #include <filesystem>
 #include <memory>

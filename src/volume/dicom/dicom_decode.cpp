@@ -110,7 +110,7 @@ Volume decodeSlices(const std::filesystem::path& path, const std::vector<DicomSl
     IsolatedDecoder decoder(path, slices);
     DecodedFile decoded;
     for (std::size_t k = 0; k < slices.size(); ++k) {
-        reportProgress(double(k) / double(slices.size()));
+        reportProgress(glm::mix(IsolatedDecoder::kDecoding, 1.0, double(k) / double(slices.size())));
         const DicomSlice& slice = slices[k];
         if (decoded.file != slice.file) {
             decoded = decoder.take(slice);

@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstring>
+#include <limits>
 #include <sstream>
 
 namespace vs::volume {
@@ -170,7 +171,8 @@ private:
     }
 
     void parseItems(std::size_t end, bool marked, int depth, DicomElement& sequence) {
-        constexpr int deepest = 32; // real files stay below ten
+        constexpr int deepest = 32;          // real files stay below ten
+        constexpr int mostItems = 1'000'000; // an image of 10,000 frames has some 200,000
         while (at_ < end) {
             const Head item = parseHead(end);
             if (item.tag == sequenceEndTag && marked) {
@@ -178,6 +180,9 @@ private:
             }
             if (item.tag != itemTag || depth > deepest) {
                 refuseElement(item, "stands where an item of a sequence belongs");
+            }
+            if (++items_ > mostItems) {
+                refuseElement(item, fmt::format("is more than the {}th item", mostItems));
             }
             if (item.length == undefinedLength) {
                 sequence.items.push_back(parseElements(end, depth));
@@ -210,6 +215,7 @@ private:
     const std::filesystem::path& path_;
     std::span<const unsigned char> bytes_;
     std::size_t at_ = 0;
+    int items_ = 0;
     bool explicit_ = true;
     bool bigEndian_ = false;
 };
@@ -230,12 +236,14 @@ std::span<const unsigned char> mapFile(const std::filesystem::path& path) {
 // Elements deflated as a whole (PS3.5, A.5): a stream without header.
 std::vector<unsigned char> inflateElements(const std::filesystem::path& path,
                                            std::span<const unsigned char> bytes) {
-    constexpr std::size_t most = std::size_t(1) << 30; // such files hold single images
+    // Such files hold single images, which deflate packs by a few times; blank ones by more.
+    const std::size_t most = std::max(std::size_t(128) << 20, 20 * bytes.size());
     std::vector<unsigned char> result;
     std::vector<unsigned char> piece(1 << 16);
     z_stream stream{};
     stream.next_in = const_cast<unsigned char*>(bytes.data());
-    stream.avail_in = static_cast<uInt>(std::min(bytes.size(), most));
+    stream.avail_in =
+        static_cast<uInt>(std::min<std::size_t>(bytes.size(), std::numeric_limits<uInt>::max()));
     inflateInit2(&stream, -15);
     int status = Z_OK;
     while (status == Z_OK && result.size() < most) {
@@ -245,8 +253,12 @@ std::vector<unsigned char> inflateElements(const std::filesystem::path& path,
         result.insert(result.end(), piece.begin(), piece.end() - std::ptrdiff_t(stream.avail_out));
     }
     inflateEnd(&stream);
+    if (status == Z_OK) {
+        refuse(path, fmt::format("its deflated elements expand beyond {} MB", most >> 20),
+               "no image needs so much");
+    }
     if (status != Z_STREAM_END) {
-        refuse(path, "its deflated elements are damaged or too many", "get an intact copy of the file");
+        refuse(path, "its deflated elements are damaged", "get an intact copy of the file");
     }
     return result;
 }
@@ -291,10 +303,10 @@ int DicomDataSet::unsignedShort(std::uint32_t tag, int other) const {
 DicomDocument::DicomDocument(const std::filesystem::path& path) : mapped_(mapFile(path)) {
     try {
         Parser meta(path, mapped_, 132); // behind the preamble and the letters DICM
-        const auto syntax = meta.parseMeta();
-        const bool isExplicit = syntax != "1.2.840.10008.1.2";
-        const bool bigEndian = syntax == "1.2.840.10008.1.2.2";
-        if (syntax == "1.2.840.10008.1.2.1.99") {
+        syntax_ = meta.parseMeta();
+        const bool isExplicit = syntax_ != "1.2.840.10008.1.2";
+        const bool bigEndian = syntax_ == "1.2.840.10008.1.2.2";
+        if (syntax_ == "1.2.840.10008.1.2.1.99") {
             inflated_ = inflateElements(path, mapped_.subspan(meta.at()));
             root_ = Parser(path, inflated_, 0).parseDataSet(isExplicit, bigEndian);
         } else {

@@ -46,10 +46,13 @@ public:
     DicomDocument& operator=(const DicomDocument&) = delete;
 
     [[nodiscard]] const DicomDataSet& root() const { return root_; }
+    // The UID that says how elements and pixels are encoded.
+    [[nodiscard]] const std::string& transferSyntax() const { return syntax_; }
 
 private:
     std::span<const unsigned char> mapped_;
     std::vector<unsigned char> inflated_; // the elements, where the file holds them deflated
+    std::string syntax_;
     DicomDataSet root_;
 };
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "volume/dicom/coded_size.h"
 #include "volume/dicom/dicom.h"
 #include "volume/dicom/dicom_elements.h"
 #include "volume/dicom/dicom_text.h"
@@ -132,9 +133,10 @@ DicomSlice fileAttributes(const std::filesystem::path& path, const DicomDataSet&
     }
     const auto frames = set.text(0x00280008);
     const double count = number(set, 0x00280008).value_or(frames.empty() ? 1 : 0);
-    if (!(count >= 1 && count <= 1e6) || count != std::floor(count)) {
+    constexpr double mostFrames = 65536; // slices, and volumes of slices; no scanner makes as many
+    if (!(count >= 1 && count <= mostFrames) || count != std::floor(count)) {
         refuse(path, fmt::format("NumberOfFrames is \"{}\"", printable(frames)),
-               "it must be a number of 1 or more");
+               fmt::format("it must be a number of 1 to {}", mostFrames));
     }
     slice.frameCount = int(count);
     (void)checkedBytes(path, {slice.size.x, slice.size.y, slice.frameCount}, std::uint64_t(bits / 8));
@@ -215,9 +217,36 @@ int jpeg2000Bits(const unsigned char* data, std::size_t size, bool& isSigned) {
     return 0;
 }
 
-// Enough bytes for all pixels; compressed frames complete and of the sign that the header states.
-void checkPixels(const std::filesystem::path& path, const DicomDataSet& set, const DicomElement& pixels,
-                 const DicomSlice& common) {
+// Compressed frames hold as many pixels as the header says.
+void checkCodedSizes(const std::filesystem::path& path, const std::string& syntax, const DicomElement& pixels,
+                     const DicomSlice& common, std::size_t bytesEach) {
+    // One piece a frame, as nearly all files have it; else only where the first begins is known.
+    const std::size_t known =
+        pixels.fragments.size() == std::size_t(common.frameCount) ? pixels.fragments.size() : 1;
+    for (std::size_t i = 0; i < known; ++i) {
+        const auto frame = pixels.fragments[i];
+        if (isJpegSyntax(syntax)) {
+            const auto size = codedSize(frame);
+            if (!size || *size != common.size) {
+                refuse(path,
+                       size ? fmt::format("its compressed image has {} x {} pixels, its header says {} x {}",
+                                          size->x, size->y, common.size.x, common.size.y)
+                            : std::string("its compressed pixels are not what its header says"),
+                       "Rows and Columns must be the image's own");
+            }
+        } else if (isRunLengthSyntax(syntax) && known == pixels.fragments.size() &&
+                   !isRunLengthOf(frame, common.size, bytesEach)) {
+            refuse(path,
+                   fmt::format("its compressed image does not have the {} x {} pixels of its header",
+                               common.size.x, common.size.y),
+                   "Rows and Columns must be the image's own");
+        }
+    }
+}
+
+// Enough bytes for all pixels; compressed frames complete and of the size and sign that the header states.
+void checkPixels(const std::filesystem::path& path, const std::string& syntax, const DicomDataSet& set,
+                 const DicomElement& pixels, const DicomSlice& common) {
     if (!pixels.isEncapsulated) {
         const std::uint64_t expected = std::uint64_t(common.size.x) * std::uint64_t(common.size.y) *
                                        std::uint64_t(common.frameCount) *
@@ -235,6 +264,7 @@ void checkPixels(const std::filesystem::path& path, const DicomDataSet& set, con
                fmt::format("{} compressed pieces for {} frames", pixels.fragments.size(), common.frameCount),
                "the file is cut short");
     }
+    checkCodedSizes(path, syntax, pixels, common, std::size_t(set.unsignedShort(0x00280100, 8) / 8));
     const auto first = pixels.fragments.front();
     const auto last = pixels.fragments.back();
     bool isSigned = false;
@@ -270,7 +300,7 @@ DicomFile scanDicomFile(const std::filesystem::path& path) {
         refuseUnsuitable(path, "it is a segmentation, not an image", "open the image that it belongs to");
     }
     const DicomSlice common = fileAttributes(path, set, file);
-    checkPixels(path, set, *pixels, common);
+    checkPixels(path, document.transferSyntax(), set, *pixels, common);
     takeFrames(path, set, common, file);
     for (std::size_t i = 0; i < file.slices.size(); ++i) {
         // By time point, then echo, then acquisition and instance: whichever differs orders slices at one

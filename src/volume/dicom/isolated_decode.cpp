@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "volume/dicom/isolated_decode.h"
 
+#include "base/progress.h"
 #include "volume/io/inspect.h"
 #include "volume/io/itk_decode.h"
 
@@ -8,20 +9,23 @@
 #include <itkGDCMImageIO.h>
 
 #include <sys/mman.h>
-#include <sys/resource.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cerrno>
+#include <csignal>
 #include <cstring>
+#include <ctime>
 #include <thread>
 
 namespace vs::volume {
 
 // What a child leaves behind about one file. Lies in shared memory: plain data only.
 struct IsolatedDecoder::Record {
-    bool done = false;
+    std::atomic<bool> done = false; // free of locks, so that it works between processes
     itk::IOComponentEnum component = itk::IOComponentEnum::UNKNOWNCOMPONENTTYPE;
     std::size_t bytes = 0;
     double slope = 1;
@@ -33,6 +37,30 @@ namespace {
 
 constexpr std::size_t pageBytes = 4096;
 std::size_t roundUp(std::size_t bytes) { return (bytes + pageBytes - 1) / pageBytes * pageBytes; }
+
+StoredType storedTypeOf(itk::IOComponentEnum component) {
+    using enum itk::CommonEnums::IOComponent;
+    switch (component) {
+    case UCHAR:
+        return StoredType::UInt8;
+    case CHAR:
+        return StoredType::Int8;
+    case USHORT:
+        return StoredType::UInt16;
+    case SHORT:
+        return StoredType::Int16;
+    case UINT:
+        return StoredType::UInt32;
+    case INT:
+        return StoredType::Int32;
+    case FLOAT:
+        return StoredType::Float32;
+    case DOUBLE:
+        return StoredType::Float64;
+    default:
+        throw std::runtime_error("a data type that is not read here");
+    }
+}
 
 // Ends a child, which never returns into the caller's code: without destructors, and without writing out what
 // the parent had buffered.
@@ -66,10 +94,6 @@ IsolatedDecoder::IsolatedDecoder(const std::filesystem::path& path, const std::v
 
     const std::size_t workers =
         std::min<std::size_t>(jobs_.size(), std::clamp(std::thread::hardware_concurrency(), 1U, 16U));
-    // A child has only the thread that called fork(). Where the program has others, POSIX promises it no more
-    // than async-signal-safe calls, and decoding needs more: glibc makes malloc() usable in the child, but a
-    // lock that another thread held at that moment (in ITK, GDCM or a library below them) stays locked there.
-    // A child that waits for one is ended by its alarm, and the files that it has left count as unreadable.
     std::vector<pid_t> children;
     for (std::size_t worker = 0; worker < workers; ++worker) {
         const pid_t child = fork();
@@ -81,10 +105,7 @@ IsolatedDecoder::IsolatedDecoder(const std::filesystem::path& path, const std::v
             children.push_back(child);
         }
     }
-    for (const pid_t child : children) {
-        while (waitpid(child, nullptr, 0) < 0 && errno == EINTR) {
-        }
-    }
+    waitFor(std::move(children));
     for (std::size_t job = 0; job < jobs_.size(); ++job) {
         const Record& record = recordOf(job);
         if (!record.done || record.reason[0] != '\0') {
@@ -99,6 +120,22 @@ IsolatedDecoder::IsolatedDecoder(const std::filesystem::path& path, const std::v
 
 IsolatedDecoder::~IsolatedDecoder() { release(); }
 
+void IsolatedDecoder::waitFor(std::vector<pid_t> children) const {
+    constexpr timespec moment{0, 2'000'000};
+    while (true) {
+        std::erase_if(children, [](pid_t child) { return waitpid(child, nullptr, WNOHANG) == child; });
+        if (children.empty()) {
+            return;
+        }
+        std::size_t done = 0;
+        for (std::size_t job = 0; job < jobs_.size(); ++job) {
+            done += recordOf(job).done ? 1 : 0;
+        }
+        reportProgress(kDecoding * double(done) / double(jobs_.size()));
+        nanosleep(&moment, nullptr);
+    }
+}
+
 void IsolatedDecoder::release() {
     if (shared_ != nullptr) {
         munmap(shared_, sharedBytes_);
@@ -112,8 +149,7 @@ IsolatedDecoder::Record& IsolatedDecoder::recordOf(std::size_t job) const {
 
 void IsolatedDecoder::runChild(std::size_t first, std::size_t step) const {
     constexpr unsigned longest = 120; // seconds for one file; a decoder that hangs ends with the alarm
-    const rlimit none{0, 0};
-    setrlimit(RLIMIT_CORE, &none);
+    prctl(PR_SET_PDEATHSIG, SIGKILL);
     const QuietLibraries quiet;
     for (std::size_t job = first; job < jobs_.size(); job += step) {
         alarm(longest);
@@ -161,7 +197,8 @@ DecodedFile IsolatedDecoder::take(const DicomSlice& slice) const {
     decoded.file = slice.file;
     decoded.values.geometry.dims = {slice.size, slice.frameCount};
     decoded.scale = {record.slope, record.intercept};
-    takeValues(decoded.values, record.component, std::vector<std::byte>(values, values + record.bytes));
+    takeValues(decoded.values, storedTypeOf(record.component),
+               std::vector<std::byte>(values, values + record.bytes));
     return decoded;
 }
 

@@ -3,6 +3,8 @@
 
 #include "volume/dicom/dicom.h"
 
+#include <sys/types.h>
+
 #include <map>
 
 namespace vs::volume {
@@ -15,11 +17,14 @@ struct DecodedFile {
 };
 
 // Decodes the files of a series in child processes, one for each core. GDCM and the decoders behind it answer
-// some damaged streams by aborting or worse; here that costs a child and becomes a ReadError. The values come
-// back through shared memory.
+// some damaged streams by aborting or worse; here that costs a child and becomes a ReadError that names the
+// file. The values come back through shared memory. Children are forked, so the process that decodes has no
+// other threads (the decoder, apps/decoder).
 class IsolatedDecoder {
 public:
-    // Decodes everything before it returns. Throws ReadError naming the first file that failed.
+    static constexpr double kDecoding = 0.9; // the share of all the work
+    // Decodes everything before it returns, and reports progress up to kDecoding. Throws ReadError naming the
+    // first file that failed.
     IsolatedDecoder(const std::filesystem::path& path, const std::vector<DicomSlice>& slices);
     ~IsolatedDecoder();
     IsolatedDecoder(const IsolatedDecoder&) = delete;
@@ -37,6 +42,7 @@ private:
     };
 
     void decode(const Job& job, Record& record) const;
+    void waitFor(std::vector<pid_t> children) const;
     void runChild(std::size_t first, std::size_t step) const;
     [[nodiscard]] Record& recordOf(std::size_t job) const;
     void release();

@@ -77,7 +77,20 @@ int countSlices(const Layout& layout) {
             return int(std::lround(total / step)) + 1;
         }
     }
-    return int(std::ceil(total / base - 1e-6)) + 1;
+    return int(std::min(std::ceil(total / base - 1e-6), 1e9)) + 1;
+}
+
+// One slice whose position is far off must not make a volume that is nearly all made up.
+void requireProportion(const std::filesystem::path& path, const glm::dvec3& from, const glm::dvec3& to) {
+    constexpr double most = 8;
+    const double times = to.x * to.y * to.z / (from.x * from.y * from.z);
+    if (times > most) {
+        refuse(path,
+               fmt::format("its slices lie so far apart that a regular grid would hold {:.0f} times as many "
+                           "voxels ({} x {} x {})",
+                           times, to.x, to.y, to.z),
+               "look for a slice whose ImagePositionPatient is wrong");
+    }
 }
 
 // One source slice on the grid's plane: values, and which part of the plane it covers.
@@ -245,12 +258,14 @@ void makeRegular(const std::filesystem::path& path, SliceStack& stack, std::vect
     Volume target;
     target.type = stack.volume.type;
     target.geometry = grid;
-    const glm::ivec2 extra(glm::ceil((high - low) / stack.pixelSpacing - 0.05));
+    constexpr double mostExtra = 1e6; // beyond what integers hold lies a position that is none
+    const glm::ivec2 extra(glm::min(glm::ceil((high - low) / stack.pixelSpacing - 0.05), mostExtra));
     target.geometry.dims = {grid.dims.x + extra.x, grid.dims.y + extra.y, countSlices(layout)};
     target.geometry.worldFromVoxel[2] =
         glm::dvec4(normal * (layout.offsets.back() / (target.geometry.dims.z - 1)), 0);
     target.geometry.worldFromVoxel[3] += glm::dvec4(stack.alongColumns * low.x + stack.alongRows * low.y, 0);
     const auto dims = target.geometry.dims;
+    requireProportion(path, glm::dvec3(grid.dims), glm::dvec3(dims));
     target.bytes.resize(checkedBytes(path, {dims.x, dims.y, dims.z}, sizeOf(target.type)));
     computeRange(stack.volume);
     visit(stack.volume, [&](const auto* values) { resample(values, stack, layout, low, target); });

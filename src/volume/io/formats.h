@@ -3,9 +3,16 @@
 
 #include "volume/io/read.h"
 
-// The readers behind readVolume. Internal to this folder. Each throws ReadError; none computes the range.
+// The formats that volumes are read from, and their readers behind decodeVolume(). Internal to this folder.
 namespace vs::volume {
 
+enum class Format { Dicom, Nifti, Nrrd, Meta, Vtk, Raw };
+
+// By content where the content says so, else by the extension, so that a damaged file is judged as what it
+// claims to be. Raw: neither says anything.
+Format recognise(const std::filesystem::path& path);
+
+// Each throws ReadError; none computes the range.
 ReadResult readRaw(const std::filesystem::path& path, const RawLayout& layout);
 ReadResult readNifti(const std::filesystem::path& path, const ReadOptions& options);
 // `path` is a folder or one of its files.

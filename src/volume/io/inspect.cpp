@@ -11,6 +11,18 @@
 #include <sstream>
 
 namespace vs::volume {
+namespace {
+
+std::function<void(std::uint64_t)>& promiseListener() {
+    static std::function<void(std::uint64_t)> listener;
+    return listener;
+}
+
+} // namespace
+
+void listenToPromises(std::function<void(std::uint64_t bytes)> listen) {
+    promiseListener() = std::move(listen);
+}
 
 void refuse(const std::filesystem::path& path, std::string_view wrong, std::string_view right) {
     throw ReadError("{}: {}; {}", path.string(), wrong, right);
@@ -85,6 +97,9 @@ std::uint64_t checkedBytes(const std::filesystem::path& path, const std::vector<
                    "check the sizes or crop the volume");
         }
         bytes *= std::uint64_t(size);
+    }
+    if (promiseListener()) {
+        promiseListener()(bytes);
     }
     return bytes;
 }

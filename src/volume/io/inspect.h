@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <span>
 #include <string>
@@ -15,20 +16,31 @@
 // Inspection of headers before anything is allocated or given to a library. Internal to this folder.
 namespace vs::volume {
 
+// The types that values have in files; 64-bit ones become Float32 here.
+enum class StoredType { UInt8, Int8, UInt16, Int16, UInt32, Int32, UInt64, Int64, Float32, Float64 };
+std::uint64_t bytesOf(StoredType type);
+
+enum class Encoding { Raw, Deflated, Ascii };
+
+// Where the values of a file lie, and what they are.
+struct DataBlock {
+    std::filesystem::path file;
+    std::uint64_t offset = 0; // where the block starts
+    Encoding encoding = Encoding::Raw;
+    StoredType type = StoredType::UInt8;
+    bool isBigEndian = false;
+    std::uint64_t count = 0;      // of values
+    std::uint64_t before = 0;     // bytes of the (inflated) block before the first value
+    std::uint64_t mostStored = 0; // bytes that it takes in the file at most; 0: up to its end
+
+    [[nodiscard]] std::uint64_t bytes() const { return before + count * bytesOf(type); }
+};
+
 // What a header promises, checked against the file that should hold it.
 struct Inspection {
     std::vector<std::int64_t> sizes; // fastest axis first; three, or four when the last counts frames
     std::vector<std::string> notices;
-};
-
-enum class Encoding { Raw, Deflated, Ascii };
-
-// Where the values of a file lie and how many bytes (for Ascii: how many numbers) they must be.
-struct DataBlock {
-    std::filesystem::path file;
-    std::uint64_t offset = 0;
-    Encoding encoding = Encoding::Raw;
-    std::uint64_t expected = 0;
+    DataBlock block;
 };
 
 // Refuses a file: throws ReadError "FILE: what is wrong; what would be right".
@@ -44,6 +56,9 @@ bool parseNumber(const std::string& text, double& value);
 std::vector<double> parseNumbers(const std::filesystem::path& path, std::string_view what,
                                  const std::string& text);
 
+// From now on `listen` hears of the bytes of voxels that headers promise, when checkedBytes() has found them
+// to be sound; who limits memory allows for them.
+void listenToPromises(std::function<void(std::uint64_t bytes)> listen);
 // The product of sizes and bytesPerVoxel. Refuses sizes below 1, products that overflow or exceed the
 // machine's memory.
 std::uint64_t checkedBytes(const std::filesystem::path& path, const std::vector<std::int64_t>& sizes,
@@ -52,12 +67,14 @@ std::uint64_t checkedBytes(const std::filesystem::path& path, const std::vector<
 void checkSpacing(const std::filesystem::path& path, double spacing);
 // Refuses geometries that are not finite or squash space.
 void checkGeometry(const std::filesystem::path& path, const GridGeometry& geometry);
-// Refuses a block that is missing, shorter than promised, corrupt, or that expands beyond its promise.
+// Refuses a block that is missing, shorter than promised, corrupt, or that expands beyond its promise; of
+// text also what is no number, or none of the type: a fraction among integers, one that is too large.
 // Trailing bytes of an uncompressed block give a notice.
 void checkDataBlock(const std::filesystem::path& path, const DataBlock& block,
                     std::vector<std::string>& notices);
-// Reads bytes of a block that was checked: `out.size()` of them behind the first `skip`.
-void readBlock(const DataBlock& block, std::uint64_t skip, std::span<std::byte> out);
+// The values of a block that was checked, `count` of them behind the first `skip`, in this machine's byte
+// order.
+std::vector<std::byte> readValues(const DataBlock& block, std::uint64_t skip, std::uint64_t count);
 // The number of the volume to read of a file that holds `frames`; refuses with the choices where that is not
 // clear.
 int chosenFrame(const std::filesystem::path& path, std::int64_t frames, std::optional<int> frame);
@@ -70,13 +87,8 @@ std::vector<unsigned char> readPrefix(const std::filesystem::path& path, std::si
                                       bool inflated = false);
 bool hasGzipMagic(const std::filesystem::path& path);
 
-// What reading NIfTI needs beyond an Inspection: its values are read here, not by ITK (see read_nifti.cpp).
 struct NiftiInspection : Inspection {
-    DataBlock block;
-    std::uint64_t valuesAt = 0; // bytes of the (inflated) block before the first value
-    int datatype = 0;           // the format's code
-    bool swapped = false;       // values are in the other byte order
-    double slope = 1;           // 1 and 0 where the header asks for no scaling
+    double slope = 1; // 1 and 0 where the header asks for no scaling
     double intercept = 0;
     std::optional<glm::dmat4> sform; // LPS mm
 };

@@ -3,10 +3,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <map>
-#include <optional>
+#include <string_view>
 
 namespace vs::volume {
 namespace {
@@ -21,10 +23,35 @@ struct MetaHeader {
     }
 };
 
+// What decides how a volume is read.
+constexpr std::array<std::string_view, 20> kNames{"ObjectType",
+                                                  "NDims",
+                                                  "DimSize",
+                                                  "ElementType",
+                                                  "ElementSpacing",
+                                                  "ElementSize",
+                                                  "ElementNumberOfChannels",
+                                                  "ElementByteOrderMSB",
+                                                  "BinaryDataByteOrderMSB",
+                                                  "BinaryData",
+                                                  "CompressedData",
+                                                  "CompressedDataSize",
+                                                  "HeaderSize",
+                                                  "TransformMatrix",
+                                                  "Rotation",
+                                                  "Orientation",
+                                                  "Offset",
+                                                  "Position",
+                                                  "Origin",
+                                                  "ElementDataFile"};
+
 MetaHeader readMetaHeader(const std::filesystem::path& path) {
     constexpr std::streamoff longestHeader = 1 << 20;
     std::ifstream input(path, std::ios::binary);
     MetaHeader header;
+    const auto refuseName = [&](const std::string& name, std::string_view wrong, std::string_view right) {
+        refuse(path, fmt::format("its header {} \"{}\"", wrong, printable(name)), right);
+    };
     for (std::string line; std::getline(input, line);) {
         if (trimmed(line).empty()) {
             continue;
@@ -34,8 +61,17 @@ MetaHeader readMetaHeader(const std::filesystem::path& path) {
             refuse(path, fmt::format("its header holds \"{}\"", printable(line.substr(0, 24))),
                    "a MetaImage header has lines of \"Name = value\" and ends with ElementDataFile");
         }
-        const auto name = lowerCase(trimmed(line.substr(0, equals)));
-        header.fields[name] = trimmed(line.substr(equals + 1));
+        const auto written = trimmed(line.substr(0, equals));
+        const auto name = lowerCase(written);
+        const auto known = std::find_if(kNames.begin(), kNames.end(),
+                                        [&](std::string_view one) { return lowerCase(one) == name; });
+        // The library that reads the rest of the header knows names in this spelling only.
+        if (known != kNames.end() && written != *known) {
+            refuseName(written, "says", fmt::format("it is spelled {}", *known));
+        }
+        if (!header.fields.emplace(name, trimmed(line.substr(equals + 1))).second && known != kNames.end()) {
+            refuseName(written, "says twice", "once is enough");
+        }
         if (name == "elementdatafile") {
             header.bytes = input.eof() ? std::filesystem::file_size(path) : std::uint64_t(input.tellg());
             return header;
@@ -45,11 +81,14 @@ MetaHeader readMetaHeader(const std::filesystem::path& path) {
            "it must end with \"ElementDataFile = NAME\" or LOCAL");
 }
 
-std::uint64_t voxelBytes(const std::filesystem::path& path, const MetaHeader& header) {
-    static const std::map<std::string, std::uint64_t> types{
-        {"met_char", 1},      {"met_uchar", 1},      {"met_short", 2}, {"met_ushort", 2},
-        {"met_int", 4},       {"met_uint", 4},       {"met_long", 4},  {"met_ulong", 4},
-        {"met_long_long", 8}, {"met_ulong_long", 8}, {"met_float", 4}, {"met_double", 8}};
+StoredType storedType(const std::filesystem::path& path, const MetaHeader& header) {
+    static const std::map<std::string, StoredType> types{
+        {"met_char", StoredType::Int8},       {"met_uchar", StoredType::UInt8},
+        {"met_short", StoredType::Int16},     {"met_ushort", StoredType::UInt16},
+        {"met_int", StoredType::Int32},       {"met_uint", StoredType::UInt32},
+        {"met_long", StoredType::Int32},      {"met_ulong", StoredType::UInt32},
+        {"met_long_long", StoredType::Int64}, {"met_ulong_long", StoredType::UInt64},
+        {"met_float", StoredType::Float32},   {"met_double", StoredType::Float64}};
     const auto found = types.find(lowerCase(header.get("elementtype")));
     if (found == types.end()) {
         refuse(path, fmt::format("its ElementType is \"{}\"", printable(header.get("elementtype"))),
@@ -118,8 +157,36 @@ void checkPlace(const std::filesystem::path& path, const MetaHeader& header, std
     }
 }
 
+// The number of bytes that a field holds.
+std::uint64_t bytesIn(const std::filesystem::path& path, const std::string& name, const std::string& text) {
+    const auto numbers = parseNumbers(path, name, text);
+    if (numbers.size() != 1 || !(numbers[0] >= 0 && numbers[0] < 1e15) ||
+        numbers[0] != std::floor(numbers[0])) {
+        refuse(path, fmt::format("{} is \"{}\"", name, printable(text)), "it must be a number of bytes");
+    }
+    return std::uint64_t(numbers[0]);
+}
+
 bool isTrue(const std::string& text) {
     return !text.empty() && (text[0] == 'T' || text[0] == 't' || text[0] == '1');
+}
+
+// Moves the block's beginning behind what HeaderSize says is before it in the file.
+void skipHeader(const std::filesystem::path& path, const MetaHeader& header, DataBlock& block) {
+    const auto text = header.get("headersize", "0");
+    if (text == "-1" && block.encoding == Encoding::Raw) { // the values are the last bytes of the file
+        const auto size = std::filesystem::file_size(block.file);
+        block.offset = size > block.bytes() ? size - block.bytes() : block.offset;
+        return;
+    }
+    const std::uint64_t skip = bytesIn(path, "HeaderSize", text);
+    if (skip > 0 && (block.encoding != Encoding::Raw || block.file == path)) {
+        refuse(path,
+               fmt::format("HeaderSize is {} for values {}", skip,
+                           block.file == path ? "in the same file" : "that are not plain bytes"),
+               "it is for files of plain bytes beside the header");
+    }
+    block.offset += skip;
 }
 
 } // namespace
@@ -132,11 +199,16 @@ Inspection inspectMeta(const std::filesystem::path& path) {
     }
     Inspection inspection;
     inspection.sizes = readSizes(path, header);
-    const std::uint64_t bytesEach = voxelBytes(path, header);
-    const std::uint64_t bytes = checkedBytes(path, inspection.sizes, bytesEach);
+    const StoredType type = storedType(path, header);
+    const std::uint64_t bytes = checkedBytes(path, inspection.sizes, bytesOf(type));
     checkPlace(path, header, inspection.sizes.size());
 
-    DataBlock block{.file = path, .offset = header.bytes, .encoding = Encoding::Raw, .expected = bytes};
+    DataBlock& block = inspection.block;
+    block = {.file = path,
+             .offset = header.bytes,
+             .type = type,
+             .isBigEndian = isTrue(header.get("elementbyteordermsb", header.get("binarydatabyteordermsb"))),
+             .count = bytes / bytesOf(type)};
     const auto name = header.get("elementdatafile");
     if (name.starts_with("LIST") || name.find('%') != std::string::npos) {
         refuse(path, "its values are spread over several files", "join them into one file");
@@ -145,21 +217,15 @@ Inspection inspectMeta(const std::filesystem::path& path) {
         block.file = siblingFile(path, name);
         block.offset = 0;
     }
-    const auto skip = parseNumbers(path, "HeaderSize", header.get("headersize", "0"));
-    if (skip.size() != 1 || !(skip[0] >= -1 && skip[0] < 1e15) || skip[0] != std::floor(skip[0])) {
-        refuse(path, fmt::format("HeaderSize is \"{}\"", printable(header.get("headersize"))),
-               "it must be a number of bytes, or -1");
-    }
     if (isTrue(header.get("compresseddata"))) {
         block.encoding = Encoding::Deflated;
+        if (const auto size = header.get("compresseddatasize"); !size.empty()) {
+            block.mostStored = bytesIn(path, "CompressedDataSize", size);
+        }
     } else if (!isTrue(header.get("binarydata", "True"))) {
         block.encoding = Encoding::Ascii;
-        block.expected = bytes / bytesEach;
-    } else if (skip[0] >= 0) {
-        block.offset += std::uint64_t(skip[0]);
-    } else if (const auto size = std::filesystem::file_size(block.file); size > bytes) {
-        block.offset = size - bytes; // -1: the values are the last bytes of the file
     }
+    skipHeader(path, header, block);
     checkDataBlock(path, block, inspection.notices);
     return inspection;
 }

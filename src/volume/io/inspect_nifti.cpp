@@ -5,9 +5,11 @@
 
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
 #include <cstring>
 #include <optional>
+#include <utility>
 
 namespace vs::volume {
 namespace {
@@ -29,21 +31,26 @@ public:
     [[nodiscard]] bool hasForm() const { return get<std::int16_t>(252) > 0 || get<std::int16_t>(254) > 0; }
     [[nodiscard]] bool hasSform() const { return get<std::int16_t>(254) > 0; }
     // Quaternion and offset of the qform (256..279), rows of the sform (280..327).
-    [[nodiscard]] bool formsAreFinite() const {
+    [[nodiscard]] bool formsAreSane() const {
         for (std::size_t at = 256; at < (hasSform() ? 328U : 280U); at += 4) {
-            if (!std::isfinite(get<float>(at))) {
+            if (!(std::abs(double(get<float>(at))) < 1e6 / unitsInMm())) {
                 return false;
             }
         }
         return true;
     }
-    // Rows of the sform, from its RAS millimetres to LPS.
+    // What its lengths are in, of mm; mm where it does not say.
+    [[nodiscard]] double unitsInMm() const {
+        const int units = bytes_[123] & 7;
+        return units == 1 ? 1000 : units == 3 ? 0.001 : 1;
+    }
+    // Rows of the sform, from its RAS units to LPS millimetres.
     [[nodiscard]] glm::dmat4 sform() const {
         glm::dmat4 matrix(1.0);
         for (int row = 0; row < 3; ++row) {
             for (int column = 0; column < 4; ++column) {
                 const double value = get<float>(280 + 16 * std::size_t(row) + 4 * std::size_t(column));
-                matrix[column][row] = row < 2 ? -value : value;
+                matrix[column][row] = unitsInMm() * (row < 2 ? -value : value);
             }
         }
         return matrix;
@@ -94,24 +101,28 @@ Header readHeader(const std::filesystem::path& path, bool gzipped) {
     return header;
 }
 
-// Bytes per voxel of the scalar types.
-std::uint64_t voxelBytes(const std::filesystem::path& path, const Header& header,
-                         std::vector<std::string>& notices) {
-    struct Type {
-        int code;
-        std::uint64_t bytes;
-    };
-    constexpr Type scalars[] = {{2, 1},   {4, 2},   {8, 4},   {16, 4},   {64, 8},
-                                {256, 1}, {512, 2}, {768, 4}, {1024, 8}, {1280, 8}};
-    for (const auto& type : scalars) {
-        if (type.code == header.datatype()) {
-            if (header.bitpix() != int(8 * type.bytes)) {
+StoredType storedType(const std::filesystem::path& path, const Header& header,
+                      std::vector<std::string>& notices) {
+    constexpr std::array<std::pair<int, StoredType>, 10> scalars{{{2, StoredType::UInt8},
+                                                                  {4, StoredType::Int16},
+                                                                  {8, StoredType::Int32},
+                                                                  {16, StoredType::Float32},
+                                                                  {64, StoredType::Float64},
+                                                                  {256, StoredType::Int8},
+                                                                  {512, StoredType::UInt16},
+                                                                  {768, StoredType::UInt32},
+                                                                  {1024, StoredType::Int64},
+                                                                  {1280, StoredType::UInt64}}};
+    for (const auto& [code, type] : scalars) {
+        if (code == header.datatype()) {
+            const int bits = int(8 * bytesOf(type));
+            if (header.bitpix() != bits) {
                 notices.push_back(
                     fmt::format("{}: the header says {} bits per voxel, its data type has {}; the type "
                                 "was believed",
-                                path.string(), header.bitpix(), 8 * type.bytes));
+                                path.string(), header.bitpix(), bits));
             }
-            return type.bytes;
+            return type;
         }
     }
     const int code = header.datatype();
@@ -162,11 +173,11 @@ std::filesystem::path dataFile(const std::filesystem::path& path, const Header& 
 
 void checkPlace(const std::filesystem::path& path, const Header& header) {
     for (std::size_t i = 1; i <= 3; ++i) {
-        checkSpacing(path, header.pixdim(i));
+        checkSpacing(path, header.pixdim(i) * header.unitsInMm());
     }
-    if (header.hasForm() && !header.formsAreFinite()) {
-        refuse(path, "its orientation (qform or sform) holds values that are not numbers",
-               "they must be finite");
+    if (header.hasForm() && !header.formsAreSane()) {
+        refuse(path, "its orientation (qform or sform) holds values that are not numbers, or no millimetres",
+               "they must be finite and below a million");
     }
 }
 
@@ -195,28 +206,31 @@ NiftiInspection inspectNifti(const std::filesystem::path& path) {
     const Header header = readHeader(path, gzipped);
     NiftiInspection inspection;
     inspection.sizes = volumeSizes(path, header);
-    const std::uint64_t bytes =
-        checkedBytes(path, inspection.sizes, voxelBytes(path, header, inspection.notices));
+    const StoredType type = storedType(path, header, inspection.notices);
+    const std::uint64_t bytes = checkedBytes(path, inspection.sizes, bytesOf(type));
     checkPlace(path, header);
     takeScaling(path, header, inspection);
 
     const float offset = header.voxOffset();
     const auto file = dataFile(path, header);
     const float least = file == path ? float(headerBytes) : 0.0F;
-    if (!std::isfinite(offset) || offset < least || offset > 1e9F) {
+    constexpr float most = 1 << 26; // extensions behind headers hold texts
+    if (!(offset >= least && offset <= most)) {
         refuse(path, fmt::format("its values should start at byte {}", offset),
-               fmt::format("they start at {} or later", least));
+               fmt::format("they start at {} to {}", least, most));
     }
     const auto start = std::uint64_t(offset);
-    DataBlock& block = inspection.block;
-    block = {.file = file, .offset = start, .encoding = Encoding::Raw, .expected = bytes};
+    inspection.block = {.file = file,
+                        .offset = start,
+                        .type = type,
+                        .isBigEndian = header.isSwapped() != (std::endian::native == std::endian::big),
+                        .count = bytes / bytesOf(type)};
     if (hasGzipMagic(file)) {
-        inspection.valuesAt = start;
-        block = {.file = file, .offset = 0, .encoding = Encoding::Deflated, .expected = bytes + start};
+        inspection.block.offset = 0;
+        inspection.block.encoding = Encoding::Deflated;
+        inspection.block.before = start;
     }
-    checkDataBlock(path, block, inspection.notices);
-    inspection.datatype = header.datatype();
-    inspection.swapped = header.isSwapped();
+    checkDataBlock(path, inspection.block, inspection.notices);
     if (header.hasSform()) {
         inspection.sform = header.sform();
     }

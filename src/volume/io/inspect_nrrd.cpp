@@ -3,10 +3,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <fstream>
 #include <map>
 #include <sstream>
+#include <string_view>
 
 namespace vs::volume {
 namespace {
@@ -64,46 +67,46 @@ NrrdHeader readNrrdHeader(const std::filesystem::path& path) {
     return header;
 }
 
-std::uint64_t voxelBytes(const std::filesystem::path& path, const NrrdHeader& header) {
-    static const std::map<std::string, std::uint64_t> types{{"signed char", 1},
-                                                            {"int8", 1},
-                                                            {"int8_t", 1},
-                                                            {"uchar", 1},
-                                                            {"unsigned char", 1},
-                                                            {"uint8", 1},
-                                                            {"uint8_t", 1},
-                                                            {"short", 2},
-                                                            {"short int", 2},
-                                                            {"signed short", 2},
-                                                            {"int16", 2},
-                                                            {"int16_t", 2},
-                                                            {"ushort", 2},
-                                                            {"uint16", 2},
-                                                            {"unsigned short", 2},
-                                                            {"uint16_t", 2},
-                                                            {"int", 4},
-                                                            {"signed int", 4},
-                                                            {"int32", 4},
-                                                            {"int32_t", 4},
-                                                            {"uint", 4},
-                                                            {"unsigned int", 4},
-                                                            {"uint32", 4},
-                                                            {"uint32_t", 4},
-                                                            {"longlong", 8},
-                                                            {"long long", 8},
-                                                            {"int64", 8},
-                                                            {"int64_t", 8},
-                                                            {"ulonglong", 8},
-                                                            {"unsigned long long", 8},
-                                                            {"uint64", 8},
-                                                            {"uint64_t", 8},
-                                                            {"float", 4},
-                                                            {"double", 8},
-                                                            {"signed short int", 2},
-                                                            {"unsigned short int", 2},
-                                                            {"long long int", 8},
-                                                            {"signed long long", 8},
-                                                            {"unsigned long long int", 8}};
+StoredType storedType(const std::filesystem::path& path, const NrrdHeader& header) {
+    static const std::map<std::string, StoredType> types{{"signed char", StoredType::Int8},
+                                                         {"int8", StoredType::Int8},
+                                                         {"int8_t", StoredType::Int8},
+                                                         {"uchar", StoredType::UInt8},
+                                                         {"unsigned char", StoredType::UInt8},
+                                                         {"uint8", StoredType::UInt8},
+                                                         {"uint8_t", StoredType::UInt8},
+                                                         {"short", StoredType::Int16},
+                                                         {"short int", StoredType::Int16},
+                                                         {"signed short", StoredType::Int16},
+                                                         {"signed short int", StoredType::Int16},
+                                                         {"int16", StoredType::Int16},
+                                                         {"int16_t", StoredType::Int16},
+                                                         {"ushort", StoredType::UInt16},
+                                                         {"unsigned short", StoredType::UInt16},
+                                                         {"unsigned short int", StoredType::UInt16},
+                                                         {"uint16", StoredType::UInt16},
+                                                         {"uint16_t", StoredType::UInt16},
+                                                         {"int", StoredType::Int32},
+                                                         {"signed int", StoredType::Int32},
+                                                         {"int32", StoredType::Int32},
+                                                         {"int32_t", StoredType::Int32},
+                                                         {"uint", StoredType::UInt32},
+                                                         {"unsigned int", StoredType::UInt32},
+                                                         {"uint32", StoredType::UInt32},
+                                                         {"uint32_t", StoredType::UInt32},
+                                                         {"longlong", StoredType::Int64},
+                                                         {"long long", StoredType::Int64},
+                                                         {"long long int", StoredType::Int64},
+                                                         {"signed long long", StoredType::Int64},
+                                                         {"int64", StoredType::Int64},
+                                                         {"int64_t", StoredType::Int64},
+                                                         {"ulonglong", StoredType::UInt64},
+                                                         {"unsigned long long", StoredType::UInt64},
+                                                         {"unsigned long long int", StoredType::UInt64},
+                                                         {"uint64", StoredType::UInt64},
+                                                         {"uint64_t", StoredType::UInt64},
+                                                         {"float", StoredType::Float32},
+                                                         {"double", StoredType::Float64}};
     const auto type = lowerCase(header.get("type"));
     const auto found = types.find(type);
     if (found == types.end()) {
@@ -181,9 +184,21 @@ void checkPlace(const std::filesystem::path& path, const NrrdHeader& header, std
     if (const auto text = header.get("space dimension", "3"); text != "3") {
         refuse(path, fmt::format("its space dimension is {}", printable(text)), "it must be 3");
     }
-    if (const auto text = lowerCase(header.get("space")); text.find("time") != std::string::npos) {
-        refuse(path, fmt::format("its space is \"{}\"", printable(text)),
-               "a space of three dimensions is needed");
+    constexpr std::array<std::string_view, 11> spaces{"right-anterior-superior",
+                                                      "ras",
+                                                      "left-anterior-superior",
+                                                      "las",
+                                                      "left-posterior-superior",
+                                                      "lps",
+                                                      "scanner-xyz",
+                                                      "3d-right-handed",
+                                                      "3d-left-handed",
+                                                      "3d right-handed",
+                                                      "3d left-handed"};
+    const auto space = lowerCase(header.get("space"));
+    if (!space.empty() && std::find(spaces.begin(), spaces.end(), space) == spaces.end()) {
+        refuse(path, fmt::format("its space is \"{}\"", printable(space)),
+               "a space of three dimensions is needed, such as left-posterior-superior");
     }
     if (const auto text = header.get("space directions"); !text.empty()) {
         const auto vectors = readVectors(path, "space directions", lowerCase(text));
@@ -238,7 +253,7 @@ std::uint64_t skippedBytes(const std::filesystem::path& path, const NrrdHeader& 
     const auto start = std::uint64_t(input.tellg());
     if (bytes == -1) { // the values are the last bytes of the file
         const std::uint64_t size = std::filesystem::file_size(block.file);
-        return size < block.expected ? start : size - block.expected;
+        return size < block.bytes() ? start : size - block.bytes();
     }
     return start + std::uint64_t(bytes);
 }
@@ -249,24 +264,29 @@ Inspection inspectNrrd(const std::filesystem::path& path) {
     const NrrdHeader header = readNrrdHeader(path);
     Inspection inspection;
     inspection.sizes = readSizes(path, header);
-    const std::uint64_t bytesEach = voxelBytes(path, header);
-    const std::uint64_t bytes = checkedBytes(path, inspection.sizes, bytesEach);
+    const StoredType type = storedType(path, header);
+    const std::uint64_t bytes = checkedBytes(path, inspection.sizes, bytesOf(type));
     checkAxes(path, header, inspection.sizes.size());
     checkPlace(path, header, inspection.sizes.size());
 
-    DataBlock block{.file = path, .offset = header.bytes, .encoding = Encoding::Raw, .expected = bytes};
+    const auto endian = lowerCase(header.get("endian"));
+    DataBlock& block = inspection.block;
+    block = {.file = path,
+             .offset = header.bytes,
+             .type = type,
+             .isBigEndian = endian == "big",
+             .count = bytes / bytesOf(type)};
     const auto encoding = lowerCase(header.get("encoding"));
     if (encoding == "gzip" || encoding == "gz") {
         block.encoding = Encoding::Deflated;
     } else if (encoding == "ascii" || encoding == "text" || encoding == "txt") {
         block.encoding = Encoding::Ascii;
-        block.expected = bytes / bytesEach;
     } else if (encoding != "raw") {
         refuse(path, fmt::format("its encoding \"{}\" is not read here", printable(encoding)),
                "it must be raw, gzip or ascii");
     }
-    const auto endian = lowerCase(header.get("endian"));
-    if (block.encoding != Encoding::Ascii && bytesEach > 1 && endian != "little" && endian != "big") {
+    const bool needsEndian = block.encoding != Encoding::Ascii && bytesOf(type) > 1;
+    if ((needsEndian || !endian.empty()) && endian != "little" && endian != "big") {
         refuse(path, fmt::format("its endian is \"{}\"", printable(endian)), "it must be little or big");
     }
     if (const auto name = header.get("data file"); !name.empty()) {

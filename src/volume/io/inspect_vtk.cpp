@@ -70,10 +70,12 @@ VtkHeader readVtkHeader(const std::filesystem::path& path) {
            "STRUCTURED_POINTS with SCALARS are needed");
 }
 
-std::uint64_t voxelBytes(const std::filesystem::path& path, const VtkHeader& header) {
-    static const std::map<std::string, std::uint64_t> types{
-        {"unsigned_char", 1}, {"char", 1}, {"unsigned_short", 2}, {"short", 2},
-        {"unsigned_int", 4},  {"int", 4},  {"float", 4},          {"double", 8}};
+StoredType storedType(const std::filesystem::path& path, const VtkHeader& header) {
+    static const std::map<std::string, StoredType> types{
+        {"unsigned_char", StoredType::UInt8},   {"char", StoredType::Int8},
+        {"unsigned_short", StoredType::UInt16}, {"short", StoredType::Int16},
+        {"unsigned_int", StoredType::UInt32},   {"int", StoredType::Int32},
+        {"float", StoredType::Float32},         {"double", StoredType::Float64}};
     const auto found = types.find(lowerCase(header.type));
     if (found == types.end()) {
         refuse(path, fmt::format("the type \"{}\" is not read here", printable(header.type)),
@@ -106,19 +108,19 @@ Inspection inspectVtk(const std::filesystem::path& path) {
         inspection.sizes.push_back(std::int64_t(size));
         checkSpacing(path, header.spacing[axis]);
     }
-    const std::uint64_t bytesEach = voxelBytes(path, header);
-    const std::uint64_t bytes = checkedBytes(path, inspection.sizes, bytesEach);
-    const std::uint64_t count = bytes / bytesEach;
+    const StoredType type = storedType(path, header);
+    const std::uint64_t count = checkedBytes(path, inspection.sizes, bytesOf(type)) / bytesOf(type);
     if (header.points != double(count)) {
         refuse(path, fmt::format("POINT_DATA says {}, its dimensions {}", header.points, count),
                "both must be the same");
     }
-    checkDataBlock(path,
-                   {.file = path,
-                    .offset = header.bytes,
-                    .encoding = header.binary ? Encoding::Raw : Encoding::Ascii,
-                    .expected = header.binary ? bytes : count},
-                   inspection.notices);
+    inspection.block = {.file = path,
+                        .offset = header.bytes,
+                        .encoding = header.binary ? Encoding::Raw : Encoding::Ascii,
+                        .type = type,
+                        .isBigEndian = true,
+                        .count = count};
+    checkDataBlock(path, inspection.block, inspection.notices);
     return inspection;
 }
 

@@ -54,23 +54,6 @@ bool toFloat(const std::vector<std::byte>& from, std::vector<std::byte>& to) {
     return changed;
 }
 
-// Takes one frame out of the values of all. NRRD files have it as the component of each voxel when the axis
-// of frames is a list: ITK turns such an axis into components.
-void keepFrame(std::vector<std::byte>& bytes, std::size_t frames, std::size_t frame, std::size_t voxelBytes,
-               bool interleaved) {
-    const std::size_t frameBytes = bytes.size() / frames;
-    if (interleaved) {
-        for (std::size_t i = 0; i < frameBytes / voxelBytes; ++i) {
-            std::memmove(bytes.data() + i * voxelBytes, bytes.data() + (i * frames + frame) * voxelBytes,
-                         voxelBytes);
-        }
-    } else {
-        std::memmove(bytes.data(), bytes.data() + frame * frameBytes, frameBytes);
-    }
-    bytes.resize(frameBytes);
-    bytes.shrink_to_fit();
-}
-
 } // namespace
 
 GridGeometry geometryOf(const itk::ImageIOBase& io) {
@@ -121,10 +104,9 @@ std::string shortReason(const std::exception& error) {
     return printable(text);
 }
 
-bool takeValues(Volume& volume, itk::IOComponentEnum component, std::vector<std::byte>&& bytes) {
-    using enum itk::CommonEnums::IOComponent;
-    const auto keep = [&](ScalarType type) {
-        volume.type = type;
+bool takeValues(Volume& volume, StoredType type, std::vector<std::byte>&& bytes) {
+    const auto keep = [&](ScalarType kept) {
+        volume.type = kept;
         volume.bytes = std::move(bytes);
         return false;
     };
@@ -132,32 +114,42 @@ bool takeValues(Volume& volume, itk::IOComponentEnum component, std::vector<std:
         volume.type = ScalarType::Float32;
         return toFloat<decltype(example)>(bytes, volume.bytes);
     };
-    switch (component) {
-    case UCHAR:
+    switch (type) {
+    case StoredType::UInt8:
         return keep(ScalarType::UInt8);
-    case CHAR:
+    case StoredType::Int8:
         return keep(ScalarType::Int8);
-    case USHORT:
+    case StoredType::UInt16:
         return keep(ScalarType::UInt16);
-    case SHORT:
+    case StoredType::Int16:
         return keep(ScalarType::Int16);
-    case UINT:
+    case StoredType::UInt32:
         return keep(ScalarType::UInt32);
-    case INT:
+    case StoredType::Int32:
         return keep(ScalarType::Int32);
-    case FLOAT:
+    case StoredType::Float32:
         return keep(ScalarType::Float32);
-    case DOUBLE:
-        return convert(0.0);
-    case LONG:
-    case LONGLONG:
-        return convert(std::int64_t(0));
-    case ULONG:
-    case ULONGLONG:
+    case StoredType::UInt64:
         return convert(std::uint64_t(0));
-    default:
-        throw std::runtime_error("a data type that is not read here");
+    case StoredType::Int64:
+        return convert(std::int64_t(0));
+    case StoredType::Float64:
+        break;
     }
+    return convert(0.0);
+}
+
+void takeFrame(const std::filesystem::path& path, const Inspection& inspection, int frame,
+               ReadResult& result) {
+    const std::uint64_t frames = inspection.sizes.size() > 3 ? std::uint64_t(inspection.sizes[3]) : 1;
+    const std::uint64_t count = inspection.block.count / frames;
+    auto values = readValues(inspection.block, count * std::uint64_t(frame), count);
+    if (takeValues(result.volume, inspection.block.type, std::move(values))) {
+        result.notices.push_back(
+            fmt::format("{}: 64-bit values were rounded to 32-bit floats; some changed", path.string()));
+    }
+    result.volume.details.frame = frame;
+    result.volume.details.frames = int(frames);
 }
 
 ReadResult decodeWithItk(itk::ImageIOBase& io, const std::filesystem::path& path, Inspection&& inspection,
@@ -165,44 +157,21 @@ ReadResult decodeWithItk(itk::ImageIOBase& io, const std::filesystem::path& path
     const std::int64_t frames = inspection.sizes.size() > 3 ? inspection.sizes[3] : 1;
     const int picked = chosenFrame(path, frames, frame);
     ReadResult result;
-    result.notices = std::move(inspection.notices);
-    std::vector<std::byte> bytes;
+    result.notices = inspection.notices;
     try {
         const QuietLibraries quiet;
         io.SetFileName(path.string());
         io.ReadImageInformation();
-        const unsigned dimensions = io.GetNumberOfDimensions();
-        itk::ImageIORegion region(dimensions);
-        std::uint64_t count = io.GetNumberOfComponents();
-        for (unsigned axis = 0; axis < dimensions; ++axis) {
-            region.SetSize(axis, io.GetDimensions(axis));
-            count *= io.GetDimensions(axis);
+        // What ITK has understood must be what was inspected.
+        bool isSame = io.GetNumberOfDimensions() >= 3;
+        for (unsigned axis = 0; axis < 3; ++axis) {
+            isSame = isSame && io.GetDimensions(axis) == std::uint64_t(inspection.sizes[axis]);
         }
-        // What ITK is about to read must be what was inspected.
-        bool same = dimensions >= 3;
-        std::uint64_t inspected = 1;
-        for (std::size_t axis = 0; axis < inspection.sizes.size(); ++axis) {
-            inspected *= std::uint64_t(inspection.sizes[axis]);
-            same = same &&
-                   (axis > 2 || io.GetDimensions(unsigned(axis)) == std::uint64_t(inspection.sizes[axis]));
-        }
-        if (!same || count != inspected) {
+        if (!isSame) {
             throw std::runtime_error("the header is ambiguous");
         }
-        io.SetIORegion(region);
-        bytes.resize(count * io.GetComponentSize());
-        io.Read(bytes.data());
-        if (frames > 1) {
-            keepFrame(bytes, std::size_t(frames), std::size_t(picked), io.GetComponentSize(),
-                      io.GetNumberOfComponents() > 1);
-        }
         result.volume.geometry = geometryOf(io);
-        result.volume.details.frame = picked;
-        result.volume.details.frames = int(frames);
-        if (takeValues(result.volume, io.GetComponentType(), std::move(bytes))) {
-            result.notices.push_back(
-                fmt::format("{}: 64-bit values were rounded to 32-bit floats; some changed", path.string()));
-        }
+        takeFrame(path, inspection, picked, result);
     } catch (const std::bad_alloc&) {
         refuse(path, "it does not fit into memory", "crop it or use a machine with more");
     } catch (const std::exception& error) {

@@ -25,14 +25,21 @@ private:
     int savedOutput_ = -1;
 };
 
-// Sets volume.type and volume.bytes from values that ITK decoded; 64-bit values become Float32. Returns
-// whether that changed one.
-bool takeValues(Volume& volume, itk::IOComponentEnum component, std::vector<std::byte>&& bytes);
+// Sets volume.type and volume.bytes from values in this machine's byte order; 64-bit values become Float32.
+// Returns whether that changed one.
+bool takeValues(Volume& volume, StoredType type, std::vector<std::byte>&& bytes);
+
+// Sets the values of one frame of a file that was inspected, with a notice where 64-bit ones were rounded.
+// They are read here and by no library: those turn NaN into 0, stop at the first number that they do not
+// like, take compressed sizes on trust.
+void takeFrame(const std::filesystem::path& path, const Inspection& inspection, int frame,
+               ReadResult& result);
 
 // The grid of the first three axes, after ReadImageInformation.
 GridGeometry geometryOf(const itk::ImageIOBase& io);
 
-// Reads the file with the given reader after its header was inspected. `frame` picks a volume of a 4D file.
+// Reads the file with the given reader, which tells where the volume lies, after its header was inspected.
+// `frame` picks a volume of a 4D file.
 ReadResult decodeWithItk(itk::ImageIOBase& io, const std::filesystem::path& path, Inspection&& inspection,
                          std::optional<int> frame);
 

@@ -62,10 +62,4 @@ private:
     std::vector<SeriesChoice> choices_;
 };
 
-// Reads NIfTI, NRRD, MetaImage, VTK legacy, a DICOM folder (or any file of it) or a described raw file.
-// Headers are inspected before anything is allocated. DICOM slices are placed by their positions; tilted,
-// uneven or missing slices are resampled to a regular grid with a notice. Throws ReadError with one line
-// naming the file, what is wrong and what would be right; SeveralSeries where a series must be chosen.
-ReadResult readVolume(const std::filesystem::path& path, const ReadOptions& options = {});
-
 } // namespace vs::volume

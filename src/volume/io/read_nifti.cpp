@@ -1,7 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-// ITK says where a NIfTI volume lies; the values are read here, because the library behind ITK's reader
-// silently turns NaN and infinite values into zeros, and because one volume of a 4D file can then be read
-// alone.
+// ITK says where a NIfTI volume lies, but where its axes are not perpendicular.
 #include "volume/io/formats.h"
 #include "volume/io/inspect.h"
 #include "volume/io/itk_decode.h"
@@ -9,46 +7,11 @@
 #include <fmt/format.h>
 #include <itkNiftiImageIO.h>
 
-#include <algorithm>
 #include <limits>
 #include <type_traits>
 
 namespace vs::volume {
 namespace {
-
-itk::IOComponentEnum componentOf(int datatype) {
-    using enum itk::CommonEnums::IOComponent;
-    switch (datatype) {
-    case 2:
-        return UCHAR;
-    case 4:
-        return SHORT;
-    case 8:
-        return INT;
-    case 16:
-        return FLOAT;
-    case 64:
-        return DOUBLE;
-    case 256:
-        return CHAR;
-    case 512:
-        return USHORT;
-    case 768:
-        return UINT;
-    case 1024:
-        return LONGLONG;
-    case 1280:
-        return ULONGLONG;
-    default:
-        throw std::runtime_error("a data type that is not read here");
-    }
-}
-
-void swapBytes(std::vector<std::byte>& bytes, std::size_t width) {
-    for (std::size_t i = 0; width > 1 && i < bytes.size(); i += width) {
-        std::reverse(bytes.data() + i, bytes.data() + i + width);
-    }
-}
 
 // Replaces stored values by slope * value + intercept as 32-bit floats.
 void rescale(Volume& volume, double slope, double intercept) {
@@ -95,30 +58,18 @@ GridGeometry readGeometry(const std::filesystem::path& path, const NiftiInspecti
 } // namespace
 
 ReadResult readNifti(const std::filesystem::path& path, const ReadOptions& options) {
-    NiftiInspection inspection = inspectNifti(path);
+    const NiftiInspection inspection = inspectNifti(path);
     const std::int64_t frames = inspection.sizes.size() > 3 ? inspection.sizes[3] : 1;
     const int frame = chosenFrame(path, frames, options.frame);
     ReadResult result;
-    result.notices = std::move(inspection.notices);
+    result.notices = inspection.notices;
     Volume& volume = result.volume;
     volume.geometry = readGeometry(path, inspection, result.notices);
 
-    const std::uint64_t frameBytes =
-        (inspection.block.expected - inspection.valuesAt) / std::uint64_t(frames);
-    std::vector<std::byte> bytes(frameBytes);
-    readBlock(inspection.block, inspection.valuesAt + frameBytes * std::uint64_t(frame), bytes);
-    if (inspection.swapped) {
-        swapBytes(bytes, frameBytes / volume.geometry.voxelCount());
-    }
-    if (takeValues(volume, componentOf(inspection.datatype), std::move(bytes))) {
-        result.notices.push_back(
-            fmt::format("{}: 64-bit values were rounded to 32-bit floats; some changed", path.string()));
-    }
+    takeFrame(path, inspection, frame, result);
     volume.details.format = "NIfTI";
     volume.details.slope = inspection.slope;
     volume.details.intercept = inspection.intercept;
-    volume.details.frame = frame;
-    volume.details.frames = int(frames);
     // As ITK does: factors that change nothing leave the type alone.
     constexpr double nothing = std::numeric_limits<float>::epsilon();
     if (std::abs(inspection.slope - 1) > nothing || std::abs(inspection.intercept) > nothing) {

@@ -8,7 +8,7 @@
 #include "phantom/head_phantom.h"
 #include "phantom/phantom.h"
 #include "test_data.h"
-#include "volume/io/read.h"
+#include "volume/reading/read_volume.h"
 
 #include <filesystem>
 #include <random>

@@ -6,7 +6,7 @@
 #include "image/compare.h"
 #include "phantom/phantom.h"
 #include "test_data.h"
-#include "volume/io/read.h"
+#include "volume/reading/read_volume.h"
 
 #include <cmath>
 #include <cstdlib>

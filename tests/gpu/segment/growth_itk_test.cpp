@@ -6,7 +6,7 @@
 #include "gpu/segment/growth_cases.h"
 #include "gpu/segment/itk_growing.h"
 #include "test_data.h"
-#include "volume/io/read.h"
+#include "volume/reading/read_volume.h"
 
 #include <algorithm>
 #include <cstdlib>

@@ -5,7 +5,7 @@
 #include "gpu/gl_test.h"
 #include "gpu/studio/test_head.h"
 #include "studio/state/region.h"
-#include "volume/io/read.h"
+#include "volume/reading/read_volume.h"
 
 #include <cmath>
 #include <filesystem>

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // DICOM series of real scanners: every slice must lie where its own header puts it.
 #include "base/error.h"
-#include "volume/io/read.h"
+#include "volume/io/decode.h"
 
 #include "test_files.h"
 
@@ -130,7 +130,7 @@ protected:
 
 TEST_F(DicomData, MissingSlicesKeepTheirNeighboursInPlace) {
     const auto folder = data_ / "bad" / "dicomdir_missing_slice";
-    const auto result = readVolume(folder);
+    const auto result = decodeVolume(folder);
     EXPECT_EQ(result.notices.size(), 1U);
     EXPECT_EQ(result.volume.geometry.dims, glm::ivec3(64, 64, 7));
     EXPECT_EQ(result.volume.type, ScalarType::Int16);
@@ -139,14 +139,14 @@ TEST_F(DicomData, MissingSlicesKeepTheirNeighboursInPlace) {
 
 TEST_F(DicomData, UnevenSlicesStayInPlace) {
     const auto folder = data_ / "bad" / "dicomdir_uneven_spacing";
-    const auto result = readVolume(folder);
+    const auto result = decodeVolume(folder);
     EXPECT_EQ(result.notices.size(), 1U);
     expectSlicesInPlace(result.volume, readSlices(folder), 1e-6); // 0.4 mm divides all distances
 }
 
 TEST_F(DicomData, TiltedGantryIsStraightened) {
     const auto folder = unpack("dicom_ct_tilt_ge");
-    const auto result = readVolume(folder);
+    const auto result = decodeVolume(folder);
     ASSERT_EQ(result.notices.size(), 1U);
     EXPECT_NE(result.notices[0].find("tilted by 18.5 degrees"), std::string::npos) << result.notices[0];
     const glm::dmat3 axes(result.volume.geometry.worldFromVoxel);
@@ -158,7 +158,7 @@ TEST_F(DicomData, TiltedGantryIsStraightened) {
 
 TEST_F(DicomData, SlopesOfEachSliceAreHonoured) {
     const auto folder = data_ / "bad" / "dicomdir_slope_per_slice";
-    const auto result = readVolume(folder);
+    const auto result = decodeVolume(folder);
     EXPECT_EQ(result.notices.size(), 1U);
     for (const auto& slice : readSlices(folder)) {
         EXPECT_LT(compare(result.volume, *slice, glm::dvec3(0)).largest, 1e-3);
@@ -168,7 +168,7 @@ TEST_F(DicomData, SlopesOfEachSliceAreHonoured) {
 TEST_F(DicomData, RegularSeriesEqualsItksReader) {
     const auto unpacked = unpack("dicom_t1_7t");
     for (const auto& folder : {data_ / "dicom_ct_j2k", unpacked}) {
-        const auto result = readVolume(folder);
+        const auto result = decodeVolume(folder);
         EXPECT_TRUE(result.notices.empty());
         EXPECT_EQ(result.volume.unit, folder == unpacked ? "" : "HU");
         EXPECT_EQ(result.volume.details.modality, folder == unpacked ? "MR" : "CT");
@@ -199,7 +199,7 @@ TEST_F(DicomData, RegularSeriesEqualsItksReader) {
 
 TEST_F(DicomData, OneFileStandsForItsSeries) {
     const auto folder = data_ / "bad" / "good_dicomdir";
-    EXPECT_EQ(readVolume(folder / "s03.dcm").volume.bytes, readVolume(folder).volume.bytes);
+    EXPECT_EQ(decodeVolume(folder / "s03.dcm").volume.bytes, decodeVolume(folder).volume.bytes);
 }
 
 TEST_F(DicomData, SeriesArePickedByNumberOrIdentifier) {
@@ -207,7 +207,7 @@ TEST_F(DicomData, SeriesArePickedByNumberOrIdentifier) {
     std::string message;
     std::vector<SeriesChoice> choices;
     try {
-        readVolume(folder);
+        decodeVolume(folder);
     } catch (const SeveralSeries& error) {
         message = error.what();
         choices = error.choices();
@@ -220,25 +220,25 @@ TEST_F(DicomData, SeriesArePickedByNumberOrIdentifier) {
     EXPECT_GT(choices[1].size.x, 0);
     ReadOptions options;
     options.series = "2";
-    const auto byNumber = readVolume(folder, options).volume;
+    const auto byNumber = decodeVolume(folder, options).volume;
     EXPECT_EQ(byNumber.geometry.dims.z, 3);
     options.series = "1.3.6.1.4.1.5962.1.3.4.1.20040826185059.5457.9";
-    EXPECT_EQ(readVolume(folder, options).volume.bytes, byNumber.bytes);
+    EXPECT_EQ(decodeVolume(folder, options).volume.bytes, byNumber.bytes);
     options.series = "3";
-    EXPECT_THROW(readVolume(folder, options), ReadError);
+    EXPECT_THROW(decodeVolume(folder, options), ReadError);
 }
 
 TEST_F(DicomData, EncodingsOfOneImageAgree) {
     const auto folder = data_ / "dicom_odd" / "single";
-    const auto plain = readVolume(folder / "MR_small.dcm").volume;
+    const auto plain = decodeVolume(folder / "MR_small.dcm").volume;
     for (const char* name : {"MR_small_RLE.dcm", "MR_small_bigendian.dcm", "MR_small_implicit.dcm",
                              "MR_small_jp2klossless.dcm"}) {
-        const auto other = readVolume(folder / name).volume;
+        const auto other = decodeVolume(folder / name).volume;
         EXPECT_EQ(other.bytes, plain.bytes) << name;
         EXPECT_EQ(other.geometry, plain.geometry) << name;
     }
-    EXPECT_EQ(readVolume(data_ / "dicom_odd" / "rle").volume.bytes,
-              readVolume(data_ / "dicom_odd" / "jpeg2000_lossless").volume.bytes);
+    EXPECT_EQ(decodeVolume(data_ / "dicom_odd" / "rle").volume.bytes,
+              decodeVolume(data_ / "dicom_odd" / "jpeg2000_lossless").volume.bytes);
 }
 
 } // namespace

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is written comes back with the same values in the same place, in every format.
 #include "base/error.h"
-#include "volume/io/read.h"
+#include "volume/io/decode.h"
 #include "volume/io/write.h"
 
 #include "test_files.h"
@@ -54,7 +54,7 @@ void expectRoundTrip(const std::string& name, const GridGeometry& grid, ScalarTy
     const TemporaryFolder folder;
     const auto values = ramp<T>(grid);
     writeGrid(folder / name, grid, std::span<const T>(values));
-    const auto result = readVolume(folder / name);
+    const auto result = decodeVolume(folder / name);
     EXPECT_EQ(result.volume.type, type) << name;
     expectSamePlace(result.volume.geometry, grid);
     ASSERT_EQ(result.volume.bytes.size(), values.size() * sizeof(T)) << name;
@@ -120,7 +120,7 @@ TEST(Read, CountsNonFiniteValues) {
     values[9] = std::numeric_limits<float>::infinity();
     for (const char* name : {"a.nii", "a.nii.gz", "a.nrrd", "a.mha"}) {
         writeGrid(folder / name, obliqueGrid(), std::span<const float>(values));
-        const auto result = readVolume(folder / name);
+        const auto result = decodeVolume(folder / name);
         EXPECT_EQ(result.volume.nonFiniteCount, 2U) << name;
         EXPECT_EQ(result.volume.range, (Range{3, 142})) << name;
         EXPECT_EQ(result.notices.size(), 1U) << name;
@@ -137,7 +137,7 @@ TEST(Read, NrrdTextAndBigEndianAndDetached) {
               head + "encoding: raw\nendian: little\nbyte skip: -1\ndata file: two.raw\n");
     writeFile(folder / "two.raw", "skip" + std::string("\1\0\xFE\xFF\x2C\1\4\0", 8));
     for (const char* name : {"text.nrrd", "big.nrrd", "two.nhdr"}) {
-        const auto volume = readVolume(folder / name).volume;
+        const auto volume = decodeVolume(folder / name).volume;
         EXPECT_EQ(volume.type, ScalarType::Int16) << name;
         EXPECT_EQ(volume.at({0, 0, 0}), 1) << name;
         EXPECT_EQ(volume.at({1, 0, 0}), -2) << name;
@@ -153,7 +153,7 @@ TEST(Read, VtkLegacy) {
               "# vtk DataFile Version 3.0\nt\nASCII\nDATASET STRUCTURED_POINTS\nDIMENSIONS 2 2 2\n"
               "SPACING 1 1 2\nORIGIN 5 6 7\nPOINT_DATA 8\nSCALARS s short 1\nLOOKUP_TABLE default\n"
               "1 2 3 4 5 6 7 8\n");
-    const auto volume = readVolume(folder / "a.vtk").volume;
+    const auto volume = decodeVolume(folder / "a.vtk").volume;
     EXPECT_EQ(volume.type, ScalarType::Int16);
     EXPECT_EQ(volume.at({1, 1, 1}), 8);
     EXPECT_EQ(glm::dvec3(volume.geometry.worldFromVoxel[3]), glm::dvec3(5, 6, 7));
@@ -166,14 +166,14 @@ TEST(Read, PicksOneVolumeOfFour) {
     writeFile(folder / "list.nrrd", head + "kinds: domain domain domain list\n\nabcdef");
     ReadOptions options;
     for (const char* name : {"plain.nrrd", "list.nrrd"}) {
-        EXPECT_THROW(readVolume(folder / name), ReadError) << name;
+        EXPECT_THROW(decodeVolume(folder / name), ReadError) << name;
         options.frame = 1;
-        const auto volume = readVolume(folder / name, options).volume;
+        const auto volume = decodeVolume(folder / name, options).volume;
         EXPECT_EQ(volume.geometry.dims, glm::ivec3(2, 1, 1)) << name;
         EXPECT_EQ(volume.at({0, 0, 0}), 'c') << name;
         EXPECT_EQ(volume.at({1, 0, 0}), 'd') << name;
         options.frame = 3;
-        EXPECT_THROW(readVolume(folder / name, options), ReadError) << name;
+        EXPECT_THROW(decodeVolume(folder / name, options), ReadError) << name;
     }
 }
 
@@ -202,24 +202,24 @@ std::string niftiFile(std::int16_t datatype, std::int16_t bits, float slope, flo
 TEST(Read, NiftiSlopeAndWideTypesAndFrames) {
     const TemporaryFolder folder;
     writeFile(folder / "slope.nii", niftiFile(2, 8, 2.5F, -1, "\1\3"));
-    const auto scaled = readVolume(folder / "slope.nii").volume;
+    const auto scaled = decodeVolume(folder / "slope.nii").volume;
     EXPECT_EQ(scaled.type, ScalarType::Float32);
     EXPECT_EQ(scaled.at({1, 0, 0}), 6.5);
     writeFile(folder / "none.nii", niftiFile(2, 8, 0, 7, "\1\3"));
-    EXPECT_EQ(readVolume(folder / "none.nii").volume.at({1, 0, 0}), 3);
+    EXPECT_EQ(decodeVolume(folder / "none.nii").volume.at({1, 0, 0}), 3);
 
     const std::int64_t wide[] = {5, (std::int64_t(1) << 40) + 1};
     writeFile(folder / "wide.nii",
               niftiFile(1024, 64, 1, 0, {reinterpret_cast<const char*>(wide), sizeof wide}));
-    const auto rounded = readVolume(folder / "wide.nii");
+    const auto rounded = decodeVolume(folder / "wide.nii");
     EXPECT_EQ(rounded.volume.type, ScalarType::Float32);
     EXPECT_EQ(rounded.notices.size(), 1U);
 
     writeFile(folder / "four.nii", niftiFile(2, 8, 1, 0, "abcdef", 3));
-    EXPECT_THROW(readVolume(folder / "four.nii"), ReadError);
+    EXPECT_THROW(decodeVolume(folder / "four.nii"), ReadError);
     ReadOptions options;
     options.frame = 2;
-    EXPECT_EQ(readVolume(folder / "four.nii", options).volume.at({0, 0, 0}), 'e');
+    EXPECT_EQ(decodeVolume(folder / "four.nii", options).volume.at({0, 0, 0}), 'e');
 }
 
 TEST(Read, ShearedNiftiKeepsItsSform) {
@@ -230,7 +230,7 @@ TEST(Read, ShearedNiftiKeepsItsSform) {
     const std::int16_t code = 1;
     std::memcpy(file.data() + 254, &code, 2);
     writeFile(folder / "a.nii", file);
-    const auto result = readVolume(folder / "a.nii");
+    const auto result = decodeVolume(folder / "a.nii");
     EXPECT_EQ(result.notices.size(), 1U);
     const auto& m = result.volume.geometry.worldFromVoxel; // LPS: the first two rows change sign
     EXPECT_EQ(glm::dvec3(m[2]), glm::dvec3(-0.5, 0, 2));

@@ -2,7 +2,7 @@
 // Files that are not what they claim are refused in one line that names them.
 #include "base/error.h"
 #include "property.h"
-#include "volume/io/read.h"
+#include "volume/io/decode.h"
 #include "volume/io/write.h"
 
 #include "test_files.h"
@@ -15,7 +15,7 @@ namespace {
 
 std::string refusal(const std::filesystem::path& path, const ReadOptions& options = {}) {
     try {
-        readVolume(path, options);
+        decodeVolume(path, options);
     } catch (const ReadError& error) {
         std::string text = error.what();
         EXPECT_NE(text.find(path.filename().string()), std::string::npos) << text;
@@ -54,7 +54,7 @@ TEST(Malformed, NrrdFields) {
     const TemporaryFolder folder;
     const std::string good = "type: uint8\ndimension: 3\nsizes: 2 2 2\nspacings: 1 1 1\nencoding: raw\n";
     writeFile(folder / "good.nrrd", nrrd(good));
-    EXPECT_NO_THROW(readVolume(folder / "good.nrrd"));
+    EXPECT_NO_THROW(decodeVolume(folder / "good.nrrd"));
     const std::pair<const char*, const char*> changes[] = {
         {"2 2 2", "2 2 3"},
         {"2 2 2", "2 2"},
@@ -130,7 +130,7 @@ std::string wholeFile(const std::filesystem::path& path) {
 // What a read error says when a file is refused; nothing when it was read.
 std::optional<std::string> refused(const std::filesystem::path& path) {
     try {
-        RC_ASSERT(!readVolume(path).volume.bytes.empty());
+        RC_ASSERT(!decodeVolume(path).volume.bytes.empty());
         return std::nullopt;
     } catch (const ReadError& error) {
         return error.what();

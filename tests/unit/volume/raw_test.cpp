@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/error.h"
-#include "volume/io/read.h"
+#include "volume/io/decode.h"
 
 #include "test_files.h"
 
@@ -30,7 +30,7 @@ TEST(RawFile, ReadsLittleEndianBehindAnOffset) {
     writeFile(folder / "a.raw", "head" + std::string("\1\0\xFF\xFF", 4));
     ReadOptions options;
     options.raw = parseRawLayout("2x1x1:int16:1,2,3:4");
-    const auto volume = readVolume(folder / "a.raw", options).volume;
+    const auto volume = decodeVolume(folder / "a.raw", options).volume;
     EXPECT_EQ(volume.at({0, 0, 0}), 1);
     EXPECT_EQ(volume.at({1, 0, 0}), -1);
     EXPECT_EQ(volume.range, (Range{-1, 1}));

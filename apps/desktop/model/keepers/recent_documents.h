@@ -16,7 +16,7 @@ struct KnownDocument {
     OpenRequest request; // absolute paths
     QString details;     // "256 × 256 × 108"
     bool hasSegments = false;
-    QDateTime seen; // when it was last open
+    QDateTime seen;                  // when it was last open
     std::filesystem::path scan = {}; // that was pointed out for a session
     // What a document that comes with the program, and lies in no file, is called, and where its picture is.
     QString title = {};

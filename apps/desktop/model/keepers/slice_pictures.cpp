@@ -3,7 +3,7 @@
 
 #include "model/keepers/thumbnail_keeper.h"
 
-#include "volume/io/read.h"
+#include "volume/reading/read_volume.h"
 
 #include <QFileInfo>
 #include <QImage>

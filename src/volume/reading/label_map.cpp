@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "volume/io/label_map.h"
+#include "volume/reading/label_map.h"
 
 #include "base/error.h"
-#include "volume/io/read.h"
+#include "volume/reading/read_volume.h"
 
 #include <fmt/format.h>
 

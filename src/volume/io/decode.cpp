@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
-#include "volume/io/read.h"
+#include "volume/io/decode.h"
 
 #include "volume/io/formats.h"
 #include "volume/io/inspect.h"
@@ -11,53 +11,9 @@
 #include <itkVTKImageIO.h>
 
 #include <fstream>
-#include <string_view>
 
 namespace vs::volume {
 namespace {
-
-enum class Format { Dicom, Nifti, Nrrd, Meta, Vtk, Raw };
-
-// By content where the content says so, else by the extension, so that a damaged file is judged as what it
-// claims to be. Raw: neither says anything.
-Format recognise(const std::filesystem::path& path) {
-    const auto start = readPrefix(path, 352);
-    const std::string_view text(reinterpret_cast<const char*>(start.data()), start.size());
-    const auto mark = [&](std::size_t at, std::string_view expected) {
-        return text.size() >= at + expected.size() && text.substr(at, expected.size()) == expected;
-    };
-    if (mark(0, "NRRD000")) {
-        return Format::Nrrd;
-    }
-    if (mark(128, "DICM")) {
-        return Format::Dicom;
-    }
-    if (mark(0, "# vtk DataFile")) {
-        return Format::Vtk;
-    }
-    if (mark(344, "n+1") || mark(344, "ni1")) {
-        return Format::Nifti;
-    }
-    const auto extension = lowerCase(path.extension().string());
-    const auto stem = lowerCase(path.stem().extension().string());
-    if (extension == ".nii" || extension == ".hdr" ||
-        (extension == ".gz" && (stem == ".nii" || stem == ".hdr"))) {
-        return Format::Nifti;
-    }
-    if (extension == ".nrrd" || extension == ".nhdr") {
-        return Format::Nrrd;
-    }
-    if (extension == ".mhd" || extension == ".mha" || mark(0, "ObjectType") || mark(0, "NDims")) {
-        return Format::Meta;
-    }
-    if (extension == ".vtk") {
-        return Format::Vtk;
-    }
-    if (extension == ".dcm" || extension == ".ima" || extension == ".dicom") {
-        return Format::Dicom;
-    }
-    return Format::Raw;
-}
 
 [[noreturn]] void refuseRaw(const std::filesystem::path& path) {
     const auto extension = lowerCase(path.extension().string());
@@ -128,12 +84,7 @@ ReadResult readFormat(const std::filesystem::path& path, const ReadOptions& opti
 
 } // namespace
 
-bool isHeaderless(const std::filesystem::path& path) {
-    std::error_code error;
-    return std::filesystem::is_regular_file(path, error) && recognise(path) == Format::Raw;
-}
-
-ReadResult readVolume(const std::filesystem::path& path, const ReadOptions& options) {
+ReadResult decodeVolume(const std::filesystem::path& path, const ReadOptions& options) {
     try {
         ReadResult result = readFormat(path, options);
         Volume& volume = result.volume;

@@ -1,0 +1,255 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "volume/reading/decoder_messages.h"
+
+#include "base/error.h"
+
+#include <nlohmann/json.hpp>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace vs::volume {
+namespace {
+
+using Json = nlohmann::json;
+
+constexpr std::size_t kMostBytes = std::size_t(1) << 26; // of a message: notices about thousands of files
+
+Json packed(const glm::ivec3& v) { return Json::array({v.x, v.y, v.z}); }
+Json packed(const glm::dvec3& v) { return Json::array({v.x, v.y, v.z}); }
+Json packed(const glm::dvec2& v) { return Json::array({v.x, v.y}); }
+template <typename T>
+Json packed(const std::optional<T>& value) {
+    return value ? Json(*value) : Json();
+}
+
+glm::ivec3 ivec3Of(const Json& json) {
+    return {json.at(0).get<int>(), json.at(1).get<int>(), json.at(2).get<int>()};
+}
+glm::dvec3 dvec3Of(const Json& json) {
+    return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
+}
+template <typename T>
+std::optional<T> optionalOf(const Json& json) {
+    return json.is_null() ? std::nullopt : std::optional(json.get<T>());
+}
+
+Json packed(const ReadOptions& options) {
+    Json json{{"series", packed(options.series)}, {"frame", packed(options.frame)}};
+    if (options.raw) {
+        json["raw"] = {{"dims", packed(options.raw->dims)},
+                       {"type", int(options.raw->type)},
+                       {"spacing", packed(options.raw->spacing)},
+                       {"offset", options.raw->offsetBytes}};
+    }
+    return json;
+}
+
+ScalarType typeOf(const Json& json) {
+    const int type = json.get<int>();
+    if (type < 0 || type > int(ScalarType::Float32)) {
+        throw Error("there is no type {}", type);
+    }
+    return ScalarType(type);
+}
+
+ReadOptions optionsOf(const Json& json) {
+    ReadOptions options;
+    options.series = optionalOf<std::string>(json.at("series"));
+    options.frame = optionalOf<int>(json.at("frame"));
+    if (json.contains("raw")) {
+        const Json& raw = json.at("raw");
+        options.raw = {ivec3Of(raw.at("dims")), typeOf(raw.at("type")), dvec3Of(raw.at("spacing")),
+                       raw.at("offset").get<std::size_t>()};
+    }
+    return options;
+}
+
+Json packed(const SeriesChoice& choice) {
+    return {{"uid", choice.uid},
+            {"description", choice.description},
+            {"modality", choice.modality},
+            {"size", Json::array({choice.size.x, choice.size.y})},
+            {"pixelSpacing", choice.pixelSpacing ? packed(*choice.pixelSpacing) : Json()},
+            {"sliceSpacing", packed(choice.sliceSpacing)},
+            {"images", choice.images}};
+}
+
+SeriesChoice choiceOf(const Json& json) {
+    SeriesChoice choice;
+    choice.uid = json.at("uid").get<std::string>();
+    choice.description = json.at("description").get<std::string>();
+    choice.modality = json.at("modality").get<std::string>();
+    choice.size = {json.at("size").at(0).get<int>(), json.at("size").at(1).get<int>()};
+    if (const Json& spacing = json.at("pixelSpacing"); !spacing.is_null()) {
+        choice.pixelSpacing = {spacing.at(0).get<double>(), spacing.at(1).get<double>()};
+    }
+    choice.sliceSpacing = optionalOf<double>(json.at("sliceSpacing"));
+    choice.images = json.at("images").get<int>();
+    return choice;
+}
+
+Json packed(const ScanDetails& details) {
+    return {{"format", details.format},
+            {"patient", details.patient},
+            {"study", details.study},
+            {"series", details.series},
+            {"modality", details.modality},
+            {"isAngiography", details.isAngiography},
+            {"slope", details.slope},
+            {"intercept", details.intercept},
+            {"frame", details.frame},
+            {"frames", details.frames},
+            {"interpolated", details.interpolated}};
+}
+
+ScanDetails detailsOf(const Json& json) {
+    ScanDetails details;
+    details.format = json.at("format").get<std::string>();
+    details.patient = json.at("patient").get<std::string>();
+    details.study = json.at("study").get<std::string>();
+    details.series = json.at("series").get<std::string>();
+    details.modality = json.at("modality").get<std::string>();
+    details.isAngiography = json.at("isAngiography").get<bool>();
+    details.slope = json.at("slope").get<double>();
+    details.intercept = json.at("intercept").get<double>();
+    details.frame = json.at("frame").get<int>();
+    details.frames = json.at("frames").get<int>();
+    details.interpolated = json.at("interpolated").get<std::vector<int>>();
+    return details;
+}
+
+Json packed(const Volume& volume) {
+    Json matrix = Json::array();
+    for (int column = 0; column < 4; ++column) {
+        for (int row = 0; row < 4; ++row) {
+            matrix.push_back(volume.geometry.worldFromVoxel[column][row]);
+        }
+    }
+    return {{"dims", packed(volume.geometry.dims)},
+            {"worldFromVoxel", std::move(matrix)},
+            {"type", int(volume.type)},
+            {"range", Json::array({volume.range.lo, volume.range.hi})},
+            {"nonFinite", volume.nonFiniteCount},
+            {"name", volume.name},
+            {"unit", volume.unit},
+            {"details", packed(volume.details)}};
+}
+
+Volume volumeOf(const Json& json) {
+    Volume volume;
+    volume.geometry.dims = ivec3Of(json.at("dims"));
+    if (glm::any(glm::lessThan(volume.geometry.dims, glm::ivec3(1)))) {
+        throw Error("a volume without voxels");
+    }
+    for (std::size_t i = 0; i < 16; ++i) {
+        const double number = json.at("worldFromVoxel").at(i).get<double>();
+        if (!std::isfinite(number)) {
+            throw Error("a place that is not finite");
+        }
+        volume.geometry.worldFromVoxel[int(i / 4)][int(i % 4)] = number;
+    }
+    volume.type = typeOf(json.at("type"));
+    volume.range = {json.at("range").at(0).get<double>(), json.at("range").at(1).get<double>()};
+    volume.nonFiniteCount = json.at("nonFinite").get<std::size_t>();
+    volume.name = json.at("name").get<std::string>();
+    volume.unit = json.at("unit").get<std::string>();
+    volume.details = detailsOf(json.at("details"));
+    return volume;
+}
+
+struct Packer {
+    Json operator()(const DecodeShare& answer) const { return {{"share", packed(answer.share)}}; }
+    Json operator()(const DecodeRefusal& answer) const {
+        Json choices = Json::array();
+        for (const SeriesChoice& choice : answer.choices) {
+            choices.push_back(packed(choice));
+        }
+        return {{"refused", answer.message}, {"usage", answer.isUsage}, {"choices", std::move(choices)}};
+    }
+    Json operator()(const DecodedVolume& answer) const {
+        return {{"volume", packed(answer.result.volume)}, {"notices", answer.result.notices}};
+    }
+};
+
+DecoderAnswer answerOf(const Json& json) {
+    if (json.contains("share")) {
+        return DecodeShare{optionalOf<double>(json.at("share"))};
+    }
+    if (json.contains("refused")) {
+        DecodeRefusal refusal{json.at("refused").get<std::string>(), json.at("usage").get<bool>()};
+        for (const Json& choice : json.at("choices")) {
+            refusal.choices.push_back(choiceOf(choice));
+        }
+        return refusal;
+    }
+    return DecodedVolume{{volumeOf(json.at("volume")), json.at("notices").get<std::vector<std::string>>()}};
+}
+
+// What `unpack` makes of a message. The library's own words about bytes that are none say nothing to people.
+template <typename Unpack>
+auto unpacked(std::span<const std::uint8_t> bytes, Unpack unpack) {
+    try {
+        return unpack(Json::from_cbor(bytes));
+    } catch (const Json::exception&) {
+        throw Error("a message that is none");
+    }
+}
+
+} // namespace
+
+MessageBytes pack(const DecodeRequest& request) {
+    const Json json{{"path", request.path.string()}, {"options", packed(request.options)}};
+    return Json::to_cbor(json);
+}
+
+MessageBytes pack(const DecoderAnswer& answer) { return Json::to_cbor(std::visit(Packer(), answer)); }
+
+DecodeRequest unpackRequest(std::span<const std::uint8_t> bytes) {
+    return unpacked(bytes, [](const Json& json) {
+        return DecodeRequest{json.at("path").get<std::string>(), optionsOf(json.at("options"))};
+    });
+}
+
+DecoderAnswer unpackAnswer(std::span<const std::uint8_t> bytes) { return unpacked(bytes, answerOf); }
+
+void MessageCollector::add(std::span<const std::uint8_t> bytes) {
+    bytes_.insert(bytes_.end(), bytes.begin(), bytes.end());
+}
+
+std::optional<MessageBytes> MessageCollector::next() {
+    constexpr std::size_t head = 4;
+    if (bytes_.size() < head) {
+        return {};
+    }
+    std::size_t length = 0;
+    for (std::size_t i = 0; i < head; ++i) {
+        length |= std::size_t(bytes_[i]) << (8 * i);
+    }
+    if (length > kMostBytes) {
+        throw Error("a message of {} bytes", length);
+    }
+    if (bytes_.size() < head + length) {
+        return {};
+    }
+    const auto begin = bytes_.begin() + head;
+    MessageBytes message(begin, begin + std::ptrdiff_t(length));
+    bytes_.erase(bytes_.begin(), begin + std::ptrdiff_t(length));
+    return message;
+}
+
+MessageBytes framed(const MessageBytes& message) {
+    if (message.size() > kMostBytes) {
+        throw Error("a message of {} bytes", message.size());
+    }
+    constexpr std::size_t head = 4;
+    MessageBytes bytes(head + message.size());
+    for (std::size_t i = 0; i < head; ++i) {
+        bytes[i] = std::uint8_t(message.size() >> (8 * i));
+    }
+    std::copy(message.begin(), message.end(), bytes.begin() + head);
+    return bytes;
+}
+
+} // namespace vs::volume

@@ -1,0 +1,113 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Files that were made to hurt: each gets the answer that its list says, at little cost.
+
+usage: hostile.py VSTUDIO DATA_FOLDER     (DATA_FOLDER holds hostile/expected.tsv; exits 77 if it does not)
+
+refuse: exit 1 and exactly one line on standard error, which names the entry; accept: exit 0; either: one of both. Each
+within two seconds of processor time, all processes together, and half a gigabyte for each.
+"""
+import csv
+import os
+import resource
+import subprocess
+import sys
+import tempfile
+
+SECONDS = 2.0
+MEGABYTES = 500
+SANITIZED = "ASAN_OPTIONS" in os.environ or "TSAN_OPTIONS" in os.environ  # which cost many times as much
+
+# What is known to be answered wrongly still: cutting costs what masks and strokes hold instead of what lies in the grid,
+# and there is no command for journals.
+OPEN = {"session_drill_anisotropic.json", "session_sweep_mask_large.json", "session_helix_long.json",
+        "session_laser_bigmask.json", "journal_one_bad_line.jsonl"}
+
+
+def command(program, path, out):
+    name = os.path.basename(path)
+    if name.endswith(".sh"):
+        return ["sh", path, program]
+    return [program, "run", path, "-o", out] if name.startswith("session_") else [program, "info", path]
+
+
+def run(arguments, folder):
+    """Exit code, lines on standard error, seconds of processor time and the largest process in MB."""
+    before = resource.getrusage(resource.RUSAGE_CHILDREN)
+    try:
+        done = subprocess.run(["/usr/bin/env", "python3", "-c", MEASURE, *arguments], capture_output=True, timeout=120,
+                              env={**os.environ, "TMPDIR": folder})
+    except subprocess.TimeoutExpired:
+        return None, [], 120, 0
+    after = resource.getrusage(resource.RUSAGE_CHILDREN)
+    lines = done.stderr.decode(errors="replace").splitlines()
+    largest = float(lines.pop()) if lines else 0
+    seconds = after.ru_utime + after.ru_stime - before.ru_utime - before.ru_stime
+    return done.returncode, lines, seconds, largest, done.stdout.decode(errors="replace")
+
+
+# Runs a command and says on the last line how large the largest of its processes was, in MB.
+MEASURE = """
+import resource, subprocess, sys
+code = subprocess.run(sys.argv[1:]).returncode
+print(resource.getrusage(resource.RUSAGE_CHILDREN).ru_maxrss / 1024, file=sys.stderr)
+sys.exit(code if code >= 0 else 128 - code)
+"""
+
+
+def wrong(name, expected, program, path, folder):
+    """What is wrong with the answer, or nothing."""
+    code, lines, seconds, megabytes, *_ = run(command(program, path, os.path.join(folder, "out")), folder)
+    errors = [line for line in lines if not line.startswith("note: ")]
+    if code not in {"refuse": (1,), "accept": (0,), "either": (0, 1)}[expected]:
+        return f"exit code {code} instead of {expected}: {' | '.join(lines)[:300]}"
+    if code == 1 and (len(lines) != 1 or name not in lines[0]):
+        return f"not one line that names it: {' | '.join(lines)[:300]}"
+    if code == 0 and errors:
+        return f"stray lines: {errors[0]}"
+    if not SANITIZED and (seconds > SECONDS or megabytes > MEGABYTES):
+        return f"cost {seconds:.1f} s of processor time and {megabytes:.0f} MB"
+    return None
+
+
+def export_on_full_disk(program, path, folder):
+    """A disk that is full must leave the file that was there: the script says how that ends."""
+    if os.geteuid() != 0 or subprocess.run(["sh", "-c", "d=$(mktemp -d) && mount -t tmpfs -o size=1m tmpfs $d && umount $d"],
+                                           capture_output=True).returncode != 0:
+        return "skipped"
+    said = run(["sh", path, program], folder)[4].splitlines()[-1]
+    return None if said == "exit 1, 16 bytes" else f"ended with \"{said}\""  # 16: "older good file"
+
+
+def main():
+    program, data = sys.argv[1:3]
+    hostile = os.path.join(data, "hostile")
+    table = os.path.join(hostile, "expected.tsv")
+    if not os.path.exists(table):
+        print("skipped: no test data at", hostile)
+        return 77
+    with open(table, newline="") as file:
+        entries = [row[:2] for row in csv.reader(file, delimiter="\t") if row and not row[0].startswith("#")]
+    failures, left = [], []
+    with tempfile.TemporaryDirectory() as folder:
+        for name, expected in entries:
+            path = os.path.join(hostile, name)
+            if name in OPEN:
+                left.append(name)
+                continue
+            answer = export_on_full_disk(program, path, folder) if name.endswith(".sh") else wrong(name, expected, program,
+                                                                                                  path, folder)
+            if answer == "skipped":
+                left.append(name)
+            elif answer:
+                failures.append(f"{name}: {answer}")
+    for name in left:
+        print("skipped:", name)
+    print(f"{len(entries) - len(left)} entries, {len(failures)} wrong")
+    for failure in failures:
+        print("WRONG", failure)
+    return 1 if failures or len(left) == len(entries) else 0
+
+
+if __name__ == "__main__":
+    sys.exit(main())

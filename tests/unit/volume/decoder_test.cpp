@@ -1,0 +1,302 @@
+// SPDX-License-Identifier: Apache-2.0
+// What becomes of a scan whose decoder crashes, hangs, is starved, stopped or killed: one line that names the
+// file, and nothing that runs on.
+#include "base/error.h"
+#include "base/progress.h"
+#include "property.h"
+#include "volume/io/decode.h"
+#include "volume/io/write.h"
+#include "volume/reading/decoder_messages.h"
+#include "volume/reading/decoder_process.h"
+#include "volume/reading/read_volume.h"
+
+#include "test_files.h"
+
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <cstdlib>
+#include <fstream>
+#include <random>
+#include <thread>
+
+namespace vs::volume {
+namespace {
+
+// While it lives, a shell script is taken for the decoder.
+class PretendedDecoder {
+public:
+    PretendedDecoder(const TemporaryFolder& folder, const std::string& script) {
+        const auto path = folder / "decoder";
+        writeFile(path, "#!/bin/sh\n" + script + "\n");
+        std::filesystem::permissions(path, std::filesystem::perms::owner_all);
+        setenv("VOLUME_STUDIO_DECODER", path.c_str(), 1);
+    }
+    ~PretendedDecoder() { unsetenv("VOLUME_STUDIO_DECODER"); }
+    PretendedDecoder(const PretendedDecoder&) = delete;
+    PretendedDecoder& operator=(const PretendedDecoder&) = delete;
+};
+
+std::filesystem::path cube(const TemporaryFolder& folder, int edge, const std::string& name = "cube.nrrd") {
+    const auto grid = makeGeometry(glm::ivec3(edge));
+    std::vector<std::int16_t> values(grid.voxelCount());
+    for (std::size_t i = 0; i < values.size(); ++i) {
+        values[i] = std::int16_t(i * 7919 % 2003);
+    }
+    writeGrid(folder / name, grid, std::span<const std::int16_t>(values));
+    return folder / name;
+}
+
+std::string readRefusal(const std::filesystem::path& path) {
+    try {
+        readVolume(path);
+    } catch (const ReadError& error) {
+        const std::string text = error.what();
+        EXPECT_EQ(text.rfind(path.string() + ": ", 0), 0U) << text;
+        EXPECT_EQ(text.find('\n'), std::string::npos) << text;
+        return text;
+    }
+    ADD_FAILURE() << path << " was read";
+    return {};
+}
+
+bool hasChildren() { return waitpid(-1, nullptr, WNOHANG) != -1 || errno != ECHILD; }
+
+// The decoder that this process has started, if it runs. Before it is the decoder it is a copy of this
+// process, and one that is stopped then would hold this one too.
+pid_t runningDecoder() {
+    std::ifstream children("/proc/self/task/" + std::to_string(getpid()) + "/children");
+    for (pid_t child = 0; children >> child;) {
+        std::error_code gone;
+        const auto program = std::filesystem::read_symlink("/proc/" + std::to_string(child) + "/exe", gone);
+        if (!gone && program.filename() == decoderProgram().filename()) {
+            return child;
+        }
+    }
+    return 0;
+}
+
+TEST(Decoder, GivesWhatDecodingHereGives) {
+    const TemporaryFolder folder;
+    for (const char* name : {"a.nii", "a.nii.gz", "a.nrrd", "a.mha", "a.mhd"}) {
+        const auto path = cube(folder, 9, name);
+        const ReadResult here = decodeVolume(path);
+        const ReadResult there = readVolume(path);
+        EXPECT_EQ(there.volume.bytes, here.volume.bytes) << name;
+        EXPECT_EQ(there.volume.type, here.volume.type) << name;
+        EXPECT_EQ(there.volume.geometry, here.volume.geometry) << name;
+        EXPECT_EQ(there.volume.range.lo, here.volume.range.lo) << name;
+        EXPECT_EQ(there.volume.range.hi, here.volume.range.hi) << name;
+        EXPECT_EQ(there.volume.path, path);
+        EXPECT_EQ(there.volume.name, here.volume.name);
+        EXPECT_EQ(there.volume.details.format, here.volume.details.format);
+        EXPECT_EQ(there.notices, here.notices);
+    }
+}
+
+TEST(Decoder, NamesNeedNotBeText) {
+    const TemporaryFolder folder;
+    const auto path = cube(folder, 4, "caf\xe9 \xff.nrrd");
+    EXPECT_EQ(readVolume(path).volume.geometry.dims, glm::ivec3(4));
+}
+
+TEST(Decoder, RefusesInTheSameWords) {
+    const TemporaryFolder folder;
+    writeFile(folder / "a.nrrd",
+              "NRRD0004\ntype: uint8\ndimension: 3\nsizes: 2 2 9\nencoding: raw\n\n12345678");
+    std::string here;
+    try {
+        decodeVolume(folder / "a.nrrd");
+    } catch (const ReadError& error) {
+        here = error.what();
+    }
+    EXPECT_EQ(readRefusal(folder / "a.nrrd"), here);
+    ReadOptions options;
+    options.frame = 3;
+    EXPECT_THROW(readVolume(cube(folder, 3), options), ReadError);
+}
+
+TEST(Decoder, ItsEndIsARefusal) {
+    const TemporaryFolder folder;
+    const auto path = cube(folder, 4);
+    const std::pair<const char*, const char*> ends[] = {
+        {"kill -SEGV $$", "signal 11"},
+        {"kill -ABRT $$", "signal 6"},
+        {"kill -KILL $$", "signal 9"},
+        {"kill -PROF $$", "far more time"},
+        {"kill -STOP $$", "stopped"},
+        {"exit 0", "status 0"},
+        {"exit 3", "status 3"},
+        {"printf '\\004\\000\\000\\000abcd' >&3", "a message that is none"},
+        {"printf '\\377\\377\\377\\377abcd' >&3; sleep 600", "a message of"},
+        {"head -c 100000 /dev/zero >&3; exit 1", "a message that is none"},
+    };
+    for (const auto& [script, said] : ends) {
+        const PretendedDecoder pretended(folder, script);
+        EXPECT_NE(readRefusal(path).find(said), std::string::npos) << script << ": " << readRefusal(path);
+        EXPECT_FALSE(hasChildren()) << script;
+    }
+}
+
+TEST(Decoder, ThatIsNotThereIsNamed) {
+    const TemporaryFolder folder;
+    setenv("VOLUME_STUDIO_DECODER", "/nowhere/decoder", 1);
+    try {
+        readVolume(cube(folder, 4));
+        ADD_FAILURE();
+    } catch (const Error& error) {
+        EXPECT_NE(std::string(error.what()).find("/nowhere/decoder"), std::string::npos) << error.what();
+    }
+    unsetenv("VOLUME_STUDIO_DECODER");
+}
+
+// Voxels that the answer promises and that are not there.
+TEST(Decoder, VoxelsThatAreMissing) {
+    const TemporaryFolder folder;
+    const auto path = cube(folder, 4);
+    DecodedVolume answer{decodeVolume(path)};
+    const MessageBytes bytes = framed(pack(DecoderAnswer(answer)));
+    writeFile(folder / "answer", std::string(bytes.begin(), bytes.end()));
+    for (const char* voxels : {"", "head -c 127 /dev/zero >&4;", "head -c 129 /dev/zero >&4;"}) {
+        const PretendedDecoder pretended(folder, std::string(voxels) + "cat " + (folder / "answer").string() +
+                                                     " >&3");
+        EXPECT_NE(readRefusal(path).find("instead of 128"), std::string::npos) << voxels;
+    }
+    const PretendedDecoder pretended(folder, "head -c 128 /dev/zero >&4; cat " +
+                                                 (folder / "answer").string() + " >&3");
+    EXPECT_EQ(readVolume(path).volume.at({1, 1, 1}), 0);
+}
+
+TEST(Decoder, GivingUpEndsItAtOnce) {
+    const TemporaryFolder folder;
+    const PretendedDecoder pretended(folder, "sleep 600");
+    const auto path = cube(folder, 4);
+    int asked = 0;
+    const ProgressListener listener([&](std::optional<double>) { return ++asked < 3; });
+    const auto begin = std::chrono::steady_clock::now();
+    EXPECT_THROW(readVolume(path), GivenUp);
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(60));
+    EXPECT_FALSE(hasChildren());
+}
+
+// The real one, with next to no memory or time, says so and is gone.
+TEST(Decoder, Starved) {
+    const TemporaryFolder folder;
+    const auto path = cube(folder, 64);
+    const std::string real = decoderProgram().string();
+    for (const char* limit : {"ulimit -v 20000", "ulimit -n 5", "ulimit -n 3"}) {
+        const PretendedDecoder pretended(folder, std::string(limit) + "\nexec " + real);
+        EXPECT_FALSE(readRefusal(path).empty()) << limit;
+        EXPECT_FALSE(hasChildren()) << limit;
+    }
+    EXPECT_EQ(readVolume(path).volume.geometry.dims, glm::ivec3(64));
+}
+
+// Killed or stopped at random while it works: the volume or a refusal, never half of one.
+TEST(Decoder, KilledAtRandom) {
+    const TemporaryFolder folder;
+    const auto path = cube(folder, 96);
+    const Volume whole = decodeVolume(path).volume;
+    std::mt19937 random(4);
+    int refused = 0;
+    for (int round = 0; round < 40; ++round) {
+        const int signal = round % 4 == 0 ? SIGSTOP : round % 4 == 1 ? SIGSEGV : SIGKILL;
+        std::atomic<bool> isOver = false;
+        std::thread killer([&, after = random() % 60] {
+            std::this_thread::sleep_for(std::chrono::milliseconds(after));
+            if (const pid_t child = runningDecoder(); !isOver && child > 0) {
+                kill(child, signal);
+            }
+        });
+        try {
+            EXPECT_EQ(readVolume(path).volume.bytes, whole.bytes);
+        } catch (const ReadError& error) {
+            EXPECT_EQ(std::string(error.what()).rfind(path.string() + ": ", 0), 0U) << error.what();
+            ++refused;
+        }
+        isOver = true;
+        killer.join();
+        EXPECT_FALSE(hasChildren());
+    }
+    EXPECT_GT(refused, 0);
+}
+
+ReadResult anyResult() {
+    ReadResult result;
+    Volume& volume = result.volume;
+    volume.geometry = makeGeometry({3, 4, 5}, {0.1, 1.0 / 3, 7e-5});
+    volume.geometry.worldFromVoxel[3] = glm::dvec4(1e-300, -123456.789, 1e6, 1);
+    volume.type = ScalarType::Int32;
+    volume.range = {-1e30, 3.25};
+    volume.nonFiniteCount = 17;
+    volume.name = "a\n\xff";
+    volume.unit = "HU";
+    volume.details.patient = "M\xc3\xbcller";
+    volume.details.isAngiography = true;
+    volume.details.slope = 0.1;
+    volume.details.interpolated = {1, 4, 9};
+    result.notices = {"one", ""};
+    return result;
+}
+
+TEST(DecoderMessages, ComeBackAsTheyWere) {
+    const ReadResult result = anyResult();
+    const auto bytes = pack(DecoderAnswer(DecodedVolume{result}));
+    const auto back = std::get<DecodedVolume>(unpackAnswer(bytes)).result;
+    EXPECT_EQ(back.volume.geometry, result.volume.geometry);
+    EXPECT_EQ(back.volume.range.lo, result.volume.range.lo);
+    EXPECT_EQ(back.volume.nonFiniteCount, 17U);
+    EXPECT_EQ(back.volume.name, result.volume.name);
+    EXPECT_EQ(back.volume.details.patient, result.volume.details.patient);
+    EXPECT_EQ(back.volume.details.slope, 0.1);
+    EXPECT_EQ(back.volume.details.interpolated, result.volume.details.interpolated);
+    EXPECT_EQ(back.notices, result.notices);
+
+    DecodeRequest request{"/a/\xff", {}};
+    request.options.raw = parseRawLayout("4x5x6:int16:1,2,3:7");
+    request.options.series = "1.2.3";
+    request.options.frame = 4;
+    const DecodeRequest asked = unpackRequest(pack(request));
+    EXPECT_EQ(asked.path, request.path);
+    EXPECT_EQ(asked.options.raw->dims, request.options.raw->dims);
+    EXPECT_EQ(asked.options.raw->offsetBytes, 7U);
+    EXPECT_EQ(asked.options.series, "1.2.3");
+    EXPECT_EQ(asked.options.frame, 4);
+
+    DecodeRefusal refusal{
+        "a: b; c", false, {SeriesChoice{"1.2", "d", "CT", {3, 4}, glm::dvec2(1, 2), {}, 7}}};
+    const auto refused = std::get<DecodeRefusal>(unpackAnswer(pack(DecoderAnswer(refusal))));
+    EXPECT_EQ(refused.message, refusal.message);
+    ASSERT_EQ(refused.choices.size(), 1U);
+    EXPECT_EQ(refused.choices[0].pixelSpacing, glm::dvec2(1, 2));
+    EXPECT_FALSE(refused.choices[0].sliceSpacing);
+}
+
+// A decoder that was taken over can say anything: messages that are changed anywhere are declined or
+// harmless.
+TEST(DecoderMessages, AnyBytes) {
+    const auto bytes = pack(DecoderAnswer(DecodedVolume{anyResult()}));
+    test::checkProperty(2000, [&] {
+        auto changed = bytes;
+        const int count = *rc::gen::inRange(1, 6);
+        for (int i = 0; i < count; ++i) {
+            changed[*rc::gen::inRange<std::size_t>(0, changed.size())] =
+                std::uint8_t(*rc::gen::inRange(0, 256));
+        }
+        changed.resize(*rc::gen::inRange<std::size_t>(0, changed.size() + 1));
+        try {
+            const auto answer = unpackAnswer(changed);
+            if (const auto* decoded = std::get_if<DecodedVolume>(&answer)) {
+                const Volume& volume = decoded->result.volume;
+                RC_ASSERT(volume.geometry.dims.x > 0 && int(volume.type) <= int(ScalarType::Float32));
+            }
+        } catch (const Error&) {
+        }
+    });
+}
+
+} // namespace
+} // namespace vs::volume

@@ -30,6 +30,14 @@ bool isOneFile(const std::filesystem::path& path) {
            extension == ".vtk" || extension == ".raw";
 }
 
+// The hard limit stays what it is: one that was lowered cannot be raised again.
+void setSoftLimit(__rlimit_resource_t resource, rlim_t wanted) {
+    rlimit limit{};
+    getrlimit(resource, &limit);
+    limit.rlim_cur = std::min(wanted, limit.rlim_max);
+    setrlimit(resource, &limit);
+}
+
 double secondsOf(const timeval& time) { return double(time.tv_sec) + 1e-6 * double(time.tv_usec); }
 
 // What this process has used of the processor.
@@ -63,25 +71,29 @@ Limits::Limits(const std::filesystem::path& path) {
 }
 
 void Limits::promise(std::uint64_t bytes) {
-    const std::uint64_t most = std::max(kLeastPromise, 1040 * fileBytes_);
+    constexpr std::uint64_t most = std::uint64_t(1) << 50; // so that nothing overflows
     promisedBytes_ = std::min(most, promisedBytes_ + std::min(most, bytes));
     set();
 }
 
+void Limits::addFile(std::uint64_t bytes) {
+    fileBytes_ += bytes;
+    ++files_;
+    set();
+}
+
 void Limits::set() const {
+    const std::uint64_t promised = std::min(promisedBytes_, std::max(kLeastPromise, 1040 * fileBytes_));
     if (!kIsSanitized) {
-        const rlim_t bytes = kLeastBytes + 2 * fileBytes_ + 6 * promisedBytes_;
-        const rlimit memory{bytes, RLIM_INFINITY};
-        setrlimit(RLIMIT_DATA, &memory);
+        setSoftLimit(RLIMIT_DATA, kLeastBytes + 2 * fileBytes_ + 6 * promised);
     }
-    const double seconds = kLeastSeconds + kSecondsPerByte * double(fileBytes_ + promisedBytes_) +
-                           kSecondsPerFile * double(files_);
+    const double seconds =
+        kLeastSeconds + kSecondsPerByte * double(fileBytes_ + promised) + kSecondsPerFile * double(files_);
     const double left = std::max(0.01, seconds - secondsUsed());
     const itimerval timer{{0, 0}, {time_t(left), suseconds_t(1e6 * (left - std::floor(left)))}};
     setitimer(ITIMER_PROF, &timer, nullptr);
     // For the processes that it starts, which have no timer.
-    const rlimit time{rlim_t(std::ceil(seconds)), rlim_t(std::ceil(seconds)) + 1};
-    setrlimit(RLIMIT_CPU, &time);
+    setSoftLimit(RLIMIT_CPU, rlim_t(std::ceil(seconds)));
 }
 
 } // namespace vs::decoder

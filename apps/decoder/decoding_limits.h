@@ -22,6 +22,8 @@ public:
 
     // The header promises voxels of so many bytes.
     void promise(std::uint64_t bytes);
+    // It names another file of so many bytes, which holds them.
+    void addFile(std::uint64_t bytes);
 
 private:
     void set() const;

@@ -13,14 +13,17 @@
 
 #include <fmt/format.h>
 
+#include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstdint>
 #include <cstdio>
 #include <stdexcept>
 
@@ -73,13 +76,22 @@ private:
     std::chrono::steady_clock::time_point last_{};
 };
 
-void leaveVoxels(const std::vector<std::byte>& voxels) {
+// Leaves voxels for whoever asked, piece by piece, each given back at once, so that they are not there twice.
+void leaveVoxels(std::vector<std::byte>& voxels) {
+    constexpr std::size_t piece = std::size_t(64) << 20;
+    constexpr std::size_t page = 4096;
     for (std::size_t written = 0; written < voxels.size();) {
-        const ssize_t count = write(kDecoderVoxels, voxels.data() + written, voxels.size() - written);
+        const std::size_t wanted = std::min(piece, voxels.size() - written);
+        const ssize_t count = write(kDecoderVoxels, voxels.data() + written, wanted);
         if (count < 0 && errno != EINTR) {
             throw std::bad_alloc();
         }
         written += std::size_t(std::max<ssize_t>(count, 0));
+        if (written >= piece) { // from where the system gave it in pages of its own
+            const auto begin = (reinterpret_cast<std::uintptr_t>(voxels.data()) + page - 1) / page * page;
+            const auto end = (reinterpret_cast<std::uintptr_t>(voxels.data()) + written) / page * page;
+            madvise(reinterpret_cast<void*>(begin), end - begin, MADV_DONTNEED);
+        }
     }
 }
 
@@ -110,7 +122,8 @@ int main() {
     try {
         const DecodeRequest request = receiveRequest();
         decoder::Limits limits(request.path);
-        listenToPromises([&](std::uint64_t bytes) { limits.promise(bytes); });
+        listenToSizes({[&](std::uint64_t bytes) { limits.promise(bytes); },
+                       [&](std::uint64_t bytes) { limits.addFile(bytes); }});
         decoder::closeSandbox();
         const ProgressListener listener((Telling()));
         send(answerTo(request));

@@ -21,8 +21,8 @@ struct FileWriting {
     std::filesystem::path path;
     std::function<void(const std::filesystem::path& temporary)> write;
 };
-// Writes files that belong together so that all are new or none is: all are filled and synced before the
-// first is renamed.
+// Writes files that belong together: all are filled and synced before the first is renamed, so that a full
+// disk leaves the old ones.
 void writeAllAtomically(std::span<const FileWriting> files);
 
 // The file that writing to `path` replaces: where links point, so that they stay. Throws WriteError when what

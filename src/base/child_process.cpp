@@ -9,10 +9,13 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
 #include <cstring>
+#include <ctime>
+#include <thread>
 #include <utility>
 
 namespace vs {
@@ -23,13 +26,16 @@ class ChildActions {
 public:
     explicit ChildActions(std::span<const ChildProcess::Handed> handed) {
         posix_spawn_file_actions_init(&actions_);
+        int last = STDERR_FILENO;
         for (const int stream : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) {
             posix_spawn_file_actions_addopen(&actions_, stream, "/dev/null",
                                              stream == STDIN_FILENO ? O_RDONLY : O_WRONLY, 0);
         }
         for (const auto& [ours, theirs] : handed) {
             posix_spawn_file_actions_adddup2(&actions_, ours, theirs);
+            last = std::max(last, theirs);
         }
+        posix_spawn_file_actions_addclosefrom_np(&actions_, last + 1); // what libraries have left open
     }
     ~ChildActions() { posix_spawn_file_actions_destroy(&actions_); }
     ChildActions(const ChildActions&) = delete;
@@ -51,6 +57,7 @@ public:
         sigemptyset(&none);
         sigemptyset(&usual);
         sigaddset(&usual, SIGPIPE);
+        sigaddset(&usual, SIGCHLD); // one that waits for its own children must not have it ignored
         posix_spawnattr_init(&attributes_);
         posix_spawnattr_setflags(&attributes_,
                                  POSIX_SPAWN_SETPGROUP | POSIX_SPAWN_SETSIGMASK | POSIX_SPAWN_SETSIGDEF);
@@ -75,6 +82,9 @@ public:
         constexpr int beyond = 10;
         for (const auto& [ours, theirs] : handed) {
             copies_.emplace_back(fcntl(ours, F_DUPFD_CLOEXEC, beyond));
+            if (copies_.back().number() < 0) {
+                throw Error("{}", std::strerror(errno));
+            }
             handed_.push_back({copies_.back().number(), theirs});
         }
     }
@@ -164,9 +174,16 @@ void ChildProcess::kill() {
         return;
     }
     ::kill(-process_, SIGKILL);
-    while (waitpid(process_, &status_, 0) < 0 && errno == EINTR) {
+    constexpr timespec moment{0, 5'000'000};
+    constexpr int most = 200;
+    for (int i = 0; i < most && !hasEnded(); ++i) {
+        nanosleep(&moment, nullptr);
     }
-    process_ = 0;
+    if (process_ != 0) { // it waits for a disk or a network that is gone; nobody else has to
+        std::thread([process = process_] { waitpid(process, nullptr, 0); }).detach();
+        process_ = 0;
+        status_ = SIGKILL;
+    }
 }
 
 std::string endingOf(int status) {

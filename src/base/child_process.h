@@ -62,7 +62,7 @@ public:
     [[nodiscard]] bool isStopped() const { return isStopped_; }
     // How it has ended, as waitpid() says it.
     [[nodiscard]] int status() const { return status_; }
-    // Ends it and all that it started, and waits for that.
+    // Ends it and all that it started, and waits for that; not for long where the system cannot end it yet.
     void kill();
 
 private:

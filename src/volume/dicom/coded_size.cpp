@@ -59,29 +59,27 @@ std::optional<glm::ivec2> jpegSize(Bytes stream) {
     return {};
 }
 
-// Where runs (PackBits) end that make as many bytes and end with them, but for one byte that makes an odd
-// number even; nothing where they do not.
+// Where runs (PackBits) end that make as many bytes, or a few more: some programs fill segments up. Nothing
+// where they make others.
 std::optional<std::vector<bool>> endsOfRuns(Bytes runs, std::size_t wanted) {
+    constexpr std::size_t mostMore = 8;
     std::vector<bool> ends(wanted + 1);
     std::size_t made = 0;
-    std::size_t at = 0;
-    while (at < runs.size() && made < wanted) {
+    for (std::size_t at = 0; at < runs.size() && made <= wanted + mostMore;) {
         const auto head = static_cast<signed char>(runs[at]);
-        if (head >= 0) {
-            at += 2 + std::size_t(head);
-            made += 1 + std::size_t(head);
-        } else if (head != -128) {
-            at += 2;
-            made += std::size_t(1 - head);
-        } else {
-            ++at;
+        const std::size_t count = head == -128 ? 0
+                                  : head >= 0  ? 1 + std::size_t(head)
+                                               : std::size_t(1 - head);
+        at += head == -128 ? 1 : head >= 0 ? 1 + count : 2;
+        if (at > runs.size()) {
+            break; // cut off: what fills up
         }
+        made += count;
         if (made <= wanted) {
             ends[made] = true;
         }
     }
-    return made == wanted && at <= runs.size() && at + 1 >= runs.size() ? std::optional(std::move(ends))
-                                                                        : std::nullopt;
+    return made >= wanted && made <= wanted + mostMore ? std::optional(std::move(ends)) : std::nullopt;
 }
 
 // Whether runs end with every row of so many pixels, as the standard wants it.
@@ -97,11 +95,16 @@ bool endWithRows(const std::vector<bool>& ends, std::size_t columns) {
 // Whether the rows are others than those of so many columns: some programs end runs anywhere, which tells
 // nothing, but where they end with all rows of another length, that is the image's.
 bool haveOtherRows(const std::vector<bool>& ends, std::size_t columns) {
-    constexpr std::size_t fewest = 4; // rows or columns that are no chance
-    if (endWithRows(ends, columns)) {
+    constexpr std::size_t fewest = 4;    // rows or columns that are no chance
+    constexpr std::size_t longest = 128; // runs of an even image end where they cannot be longer
+    const std::size_t pixels = ends.size() - 1;
+    bool areLongest = true;
+    for (std::size_t i = 1; i < pixels; ++i) {
+        areLongest = areLongest && (!ends[i] || i % longest == 0);
+    }
+    if (areLongest || endWithRows(ends, columns)) {
         return false;
     }
-    const std::size_t pixels = ends.size() - 1;
     for (std::size_t other = fewest; other * fewest <= pixels; ++other) {
         if (pixels % other == 0 && endWithRows(ends, other)) {
             return true;

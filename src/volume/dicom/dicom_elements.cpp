@@ -171,8 +171,9 @@ private:
     }
 
     void parseItems(std::size_t end, bool marked, int depth, DicomElement& sequence) {
-        constexpr int deepest = 32;          // real files stay below ten
-        constexpr int mostItems = 1'000'000; // an image of 10,000 frames has some 200,000
+        constexpr int deepest = 32; // real files stay below ten
+        // An image of 10,000 frames has some 200,000, and pixels besides.
+        const std::size_t mostItems = std::max<std::size_t>(1'000'000, bytes_.size() / 64);
         while (at_ < end) {
             const Head item = parseHead(end);
             if (item.tag == sequenceEndTag && marked) {
@@ -215,7 +216,7 @@ private:
     const std::filesystem::path& path_;
     std::span<const unsigned char> bytes_;
     std::size_t at_ = 0;
-    int items_ = 0;
+    std::size_t items_ = 0;
     bool explicit_ = true;
     bool bigEndian_ = false;
 };
@@ -233,24 +234,27 @@ std::span<const unsigned char> mapFile(const std::filesystem::path& path) {
     return {static_cast<const unsigned char*>(start), size};
 }
 
-// Elements deflated as a whole (PS3.5, A.5): a stream without header.
-std::vector<unsigned char> inflateElements(const std::filesystem::path& path,
-                                           std::span<const unsigned char> bytes) {
+// Inflates elements that are deflated as a whole (PS3.5, A.5: a stream without header) piece by piece and
+// gives each to `sink`.
+template <typename Sink>
+void forEachInflated(const std::filesystem::path& path, std::span<const unsigned char> bytes, Sink sink) {
     // Such files hold single images, which deflate packs by a few times; blank ones by more.
     const std::size_t most = std::max(std::size_t(128) << 20, 20 * bytes.size());
-    std::vector<unsigned char> result;
     std::vector<unsigned char> piece(1 << 16);
+    std::size_t made = 0;
     z_stream stream{};
     stream.next_in = const_cast<unsigned char*>(bytes.data());
     stream.avail_in =
         static_cast<uInt>(std::min<std::size_t>(bytes.size(), std::numeric_limits<uInt>::max()));
     inflateInit2(&stream, -15);
     int status = Z_OK;
-    while (status == Z_OK && result.size() < most) {
+    while (status == Z_OK && made < most) {
         stream.next_out = piece.data();
         stream.avail_out = static_cast<uInt>(piece.size());
         status = inflate(&stream, Z_NO_FLUSH);
-        result.insert(result.end(), piece.begin(), piece.end() - std::ptrdiff_t(stream.avail_out));
+        const std::span<const unsigned char> fresh(piece.data(), piece.size() - stream.avail_out);
+        made += fresh.size();
+        sink(fresh);
     }
     inflateEnd(&stream);
     if (status == Z_OK) {
@@ -260,6 +264,18 @@ std::vector<unsigned char> inflateElements(const std::filesystem::path& path,
     if (status != Z_STREAM_END) {
         refuse(path, "its deflated elements are damaged", "get an intact copy of the file");
     }
+}
+
+std::vector<unsigned char> inflateElements(const std::filesystem::path& path,
+                                           std::span<const unsigned char> bytes) {
+    using Piece = std::span<const unsigned char>;
+    std::size_t size = 0; // counted first, so that a vector need not grow
+    forEachInflated(path, bytes, [&](Piece piece) { size += piece.size(); });
+    announcePromised(size);
+    std::vector<unsigned char> result;
+    result.reserve(size);
+    forEachInflated(path, bytes,
+                    [&](Piece piece) { result.insert(result.end(), piece.begin(), piece.end()); });
     return result;
 }
 

@@ -133,7 +133,9 @@ DicomSlice fileAttributes(const std::filesystem::path& path, const DicomDataSet&
     }
     const auto frames = set.text(0x00280008);
     const double count = number(set, 0x00280008).value_or(frames.empty() ? 1 : 0);
-    constexpr double mostFrames = 65536; // slices, and volumes of slices; no scanner makes as many
+    // Slices, and volumes of slices; of images that are hardly any, fewer.
+    constexpr int smallPixels = 1024;
+    const double mostFrames = std::int64_t(slice.size.x) * slice.size.y < smallPixels ? 65536 : 1e6;
     if (!(count >= 1 && count <= mostFrames) || count != std::floor(count)) {
         refuse(path, fmt::format("NumberOfFrames is \"{}\"", printable(frames)),
                fmt::format("it must be a number of 1 to {}", mostFrames));
@@ -227,7 +229,10 @@ void checkCodedSizes(const std::filesystem::path& path, const std::string& synta
         const auto frame = pixels.fragments[i];
         if (isJpegSyntax(syntax)) {
             const auto size = codedSize(frame);
-            if (!size || *size != common.size) {
+            // A stream in pieces need not have its size in the first, and may tell its rows at its end.
+            const bool isOther =
+                size && (size->x != common.size.x || (size->y != 0 && size->y != common.size.y));
+            if (isOther || (!size && known == pixels.fragments.size())) {
                 refuse(path,
                        size ? fmt::format("its compressed image has {} x {} pixels, its header says {} x {}",
                                           size->x, size->y, common.size.x, common.size.y)

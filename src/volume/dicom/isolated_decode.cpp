@@ -123,7 +123,10 @@ IsolatedDecoder::~IsolatedDecoder() { release(); }
 void IsolatedDecoder::waitFor(std::vector<pid_t> children) const {
     constexpr timespec moment{0, 2'000'000};
     while (true) {
-        std::erase_if(children, [](pid_t child) { return waitpid(child, nullptr, WNOHANG) == child; });
+        std::erase_if(children, [](pid_t child) {
+            const pid_t found = waitpid(child, nullptr, WNOHANG);
+            return found == child || (found < 0 && errno != EINTR);
+        });
         if (children.empty()) {
             return;
         }

@@ -58,6 +58,9 @@ Layout describe(const SliceStack& stack) {
     return layout;
 }
 
+// How many times the voxels of its slices a regular grid may have.
+constexpr double kMostTimes = 8;
+
 // Slices of the regular grid. A step that meets all positions if there is one near the smallest (missing
 // slices, mixed multiples), else the smallest itself, so that no detail falls between two slices. First and
 // last slice are always met.
@@ -73,8 +76,11 @@ int countSlices(const Layout& layout) {
         const bool meetsAll = std::all_of(layout.offsets.begin(), layout.offsets.end(), [&](double offset) {
             return std::abs(offset / step - std::round(offset / step)) < 0.05;
         });
-        if (meetsAll) {
-            return int(std::lround(total / step)) + 1;
+        // A step that is much finer than most slices lie apart meets them all, and makes up nearly all
+        // others.
+        const double slices = std::round(total / step) + 1;
+        if (meetsAll && slices <= kMostTimes * double(layout.offsets.size())) {
+            return int(slices);
         }
     }
     return int(std::min(std::ceil(total / base - 1e-6), 1e9)) + 1;
@@ -82,9 +88,8 @@ int countSlices(const Layout& layout) {
 
 // One slice whose position is far off must not make a volume that is nearly all made up.
 void requireProportion(const std::filesystem::path& path, const glm::dvec3& from, const glm::dvec3& to) {
-    constexpr double most = 8;
     const double times = to.x * to.y * to.z / (from.x * from.y * from.z);
-    if (times > most) {
+    if (times > kMostTimes) {
         refuse(path,
                fmt::format("its slices lie so far apart that a regular grid would hold {:.0f} times as many "
                            "voxels ({} x {} x {})",

@@ -13,15 +13,19 @@
 namespace vs::volume {
 namespace {
 
-std::function<void(std::uint64_t)>& promiseListener() {
-    static std::function<void(std::uint64_t)> listener;
+SizeListener& sizeListener() {
+    static SizeListener listener;
     return listener;
 }
 
 } // namespace
 
-void listenToPromises(std::function<void(std::uint64_t bytes)> listen) {
-    promiseListener() = std::move(listen);
+void listenToSizes(SizeListener listener) { sizeListener() = std::move(listener); }
+
+void announcePromised(std::uint64_t bytes) {
+    if (sizeListener().promised) {
+        sizeListener().promised(bytes);
+    }
 }
 
 void refuse(const std::filesystem::path& path, std::string_view wrong, std::string_view right) {
@@ -98,9 +102,7 @@ std::uint64_t checkedBytes(const std::filesystem::path& path, const std::vector<
         }
         bytes *= std::uint64_t(size);
     }
-    if (promiseListener()) {
-        promiseListener()(bytes);
-    }
+    announcePromised(bytes);
     return bytes;
 }
 
@@ -147,6 +149,9 @@ std::filesystem::path siblingFile(const std::filesystem::path& header, const std
     if (!std::filesystem::is_regular_file(file, error)) {
         refuse(header, fmt::format("its data file \"{}\" is missing", printable(name)),
                "put it beside the header or correct the name");
+    }
+    if (sizeListener().stored) {
+        sizeListener().stored(std::filesystem::file_size(file));
     }
     return file;
 }

@@ -56,9 +56,14 @@ bool parseNumber(const std::string& text, double& value);
 std::vector<double> parseNumbers(const std::filesystem::path& path, std::string_view what,
                                  const std::string& text);
 
-// From now on `listen` hears of the bytes of voxels that headers promise, when checkedBytes() has found them
-// to be sound; who limits memory allows for them.
-void listenToPromises(std::function<void(std::uint64_t bytes)> listen);
+// What is heard of the sizes that headers state, by who limits memory and time: the bytes of voxels that one
+// promises, when checkedBytes() has found them to be sound, and those of another file that it names.
+struct SizeListener {
+    std::function<void(std::uint64_t bytes)> promised;
+    std::function<void(std::uint64_t bytes)> stored;
+};
+void listenToSizes(SizeListener listener);
+void announcePromised(std::uint64_t bytes);
 // The product of sizes and bytesPerVoxel. Refuses sizes below 1, products that overflow or exceed the
 // machine's memory.
 std::uint64_t checkedBytes(const std::filesystem::path& path, const std::vector<std::int64_t>& sizes,

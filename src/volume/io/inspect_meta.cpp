@@ -171,12 +171,27 @@ bool isTrue(const std::string& text) {
     return !text.empty() && (text[0] == 'T' || text[0] == 't' || text[0] == '1');
 }
 
+// How many bytes compressed values take in the file. Some programs have written large numbers with six
+// digits.
+std::uint64_t storedBytes(const std::filesystem::path& path, const std::string& text,
+                          const DataBlock& block) {
+    constexpr std::uint64_t exact = 1'000'000;
+    const std::uint64_t stated = bytesIn(path, "CompressedDataSize", text);
+    if (stated < exact) {
+        return stated;
+    }
+    const std::uint64_t more = stated + stated / (exact / 10);
+    const std::uint64_t there = std::filesystem::file_size(block.file) - block.offset;
+    return there >= stated - (more - stated) ? std::min(more, there) : stated;
+}
+
 // Moves the block's beginning behind what HeaderSize says is before it in the file.
 void skipHeader(const std::filesystem::path& path, const MetaHeader& header, DataBlock& block) {
     const auto text = header.get("headersize", "0");
-    if (text == "-1" && block.encoding == Encoding::Raw) { // the values are the last bytes of the file
+    if (text == "-1") { // the values are the last bytes of the file
         const auto size = std::filesystem::file_size(block.file);
-        block.offset = size > block.bytes() ? size - block.bytes() : block.offset;
+        const bool isLast = block.encoding == Encoding::Raw && size > block.bytes();
+        block.offset = isLast ? size - block.bytes() : block.offset;
         return;
     }
     const std::uint64_t skip = bytesIn(path, "HeaderSize", text);
@@ -220,7 +235,7 @@ Inspection inspectMeta(const std::filesystem::path& path) {
     if (isTrue(header.get("compresseddata"))) {
         block.encoding = Encoding::Deflated;
         if (const auto size = header.get("compresseddatasize"); !size.empty()) {
-            block.mostStored = bytesIn(path, "CompressedDataSize", size);
+            block.mostStored = storedBytes(path, size, block);
         }
     } else if (!isTrue(header.get("binarydata", "True"))) {
         block.encoding = Encoding::Ascii;

@@ -184,20 +184,15 @@ void checkPlace(const std::filesystem::path& path, const NrrdHeader& header, std
     if (const auto text = header.get("space dimension", "3"); text != "3") {
         refuse(path, fmt::format("its space dimension is {}", printable(text)), "it must be 3");
     }
-    constexpr std::array<std::string_view, 11> spaces{"right-anterior-superior",
-                                                      "ras",
-                                                      "left-anterior-superior",
-                                                      "las",
-                                                      "left-posterior-superior",
-                                                      "lps",
-                                                      "scanner-xyz",
-                                                      "3d-right-handed",
-                                                      "3d-left-handed",
-                                                      "3d right-handed",
-                                                      "3d left-handed"};
-    const auto space = lowerCase(header.get("space"));
+    // Written with hyphens, blanks or neither.
+    constexpr std::array<std::string_view, 9> spaces{
+        "rightanteriorsuperior", "ras", "leftanteriorsuperior", "las",
+        "leftposteriorsuperior", "lps", "scannerxyz",           "3drighthanded",
+        "3dlefthanded"};
+    auto space = lowerCase(header.get("space"));
+    std::erase_if(space, [](char c) { return c == '-' || c == ' '; });
     if (!space.empty() && std::find(spaces.begin(), spaces.end(), space) == spaces.end()) {
-        refuse(path, fmt::format("its space is \"{}\"", printable(space)),
+        refuse(path, fmt::format("its space is \"{}\"", printable(header.get("space"))),
                "a space of three dimensions is needed, such as left-posterior-superior");
     }
     if (const auto text = header.get("space directions"); !text.empty()) {

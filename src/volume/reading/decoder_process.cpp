@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "base/progress.h"
 
+#include <fcntl.h>
 #include <poll.h>
 #include <sys/mman.h>
 #include <sys/socket.h>
@@ -125,13 +126,20 @@ std::vector<std::byte> DecoderProcess::voxels(std::size_t bytes) const {
     if (fstat(voxels_.number(), &status) != 0 || std::size_t(status.st_size) != bytes) {
         throw Error("{} bytes of voxels instead of {}", status.st_size, bytes);
     }
-    std::vector<std::byte> voxels(bytes);
-    for (std::size_t read = 0; read < bytes;) {
-        const ssize_t count = pread(voxels_.number(), voxels.data() + read, bytes - read, off_t(read));
-        if (count <= 0 && errno != EINTR) {
+    // Piece by piece, each given back at once, so that they are not there twice.
+    constexpr std::size_t piece = std::size_t(64) << 20;
+    std::vector<std::byte> voxels;
+    voxels.reserve(bytes);
+    while (voxels.size() < bytes) {
+        const std::size_t at = voxels.size();
+        const std::size_t wanted = std::min(piece, bytes - at);
+        voxels.resize(at + wanted);
+        const ssize_t count = pread(voxels_.number(), voxels.data() + at, wanted, off_t(at));
+        if (count == 0 || (count < 0 && errno != EINTR)) {
             throw Error("voxels that cannot be read");
         }
-        read += std::size_t(std::max<ssize_t>(count, 0));
+        voxels.resize(at + std::size_t(std::max<ssize_t>(count, 0)));
+        fallocate(voxels_.number(), FALLOC_FL_PUNCH_HOLE | FALLOC_FL_KEEP_SIZE, off_t(at), count);
     }
     return voxels;
 }

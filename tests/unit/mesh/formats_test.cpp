@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "shapes.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 #include <vtkAppendPolyData.h>
@@ -16,6 +17,8 @@
 #include <vtkPointData.h>
 #include <vtkPolyData.h>
 #include <vtkSTLReader.h>
+
+#include <unistd.h>
 
 #include <filesystem>
 #include <fstream>
@@ -68,7 +71,8 @@ protected:
         EXPECT_LE(worst, tolerance);
     }
 
-    std::filesystem::path folder_ = std::filesystem::temp_directory_path() / "vs_mesh_formats_test";
+    std::filesystem::path folder_ =
+        std::filesystem::temp_directory_path() / fmt::format("vs_mesh_formats_{}", getpid());
     std::vector<Mesh> meshes_;
 };
 

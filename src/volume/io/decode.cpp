@@ -69,9 +69,9 @@ ReadResult readFormat(const std::filesystem::path& path, const ReadOptions& opti
     case Format::Nifti:
         return readNifti(path, options);
     case Format::Nrrd:
-        return decode<itk::NrrdImageIO>("NRRD", path, inspectNrrd(path), options);
+        return decode<itk::NrrdImageIO>("NRRD", path, inspectNrrd(path, Inflated::Kept), options);
     case Format::Meta:
-        return decode<itk::MetaImageIO>("MetaImage", path, inspectMeta(path), options);
+        return decode<itk::MetaImageIO>("MetaImage", path, inspectMeta(path, Inflated::Kept), options);
     case Format::Vtk:
         return decode<itk::VTKImageIO>("VTK", path, inspectVtk(path), options);
     case Format::Dicom:

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -33,8 +34,14 @@ struct DataBlock {
     std::uint64_t before = 0;     // bytes of the (inflated) block before the first value
     std::uint64_t mostStored = 0; // bytes that it takes in the file at most; 0: up to its end
 
+    // What a deflated block holds, where it was kept when it was checked: inflating takes most of reading.
+    std::shared_ptr<std::vector<std::byte>> inflated = {};
+
     [[nodiscard]] std::uint64_t bytes() const { return before + count * bytesOf(type); }
 };
+
+// Whether what is inflated for a check is kept, for readValues() soon afterwards.
+enum class Inflated { Dropped, Kept };
 
 // What a header promises, checked against the file that should hold it.
 struct Inspection {
@@ -42,6 +49,11 @@ struct Inspection {
     std::vector<std::string> notices;
     DataBlock block;
 };
+
+// Of a file that holds many volumes nothing is kept: one is read.
+inline Inflated keptOf(const Inspection& inspection, Inflated inflated) {
+    return inspection.sizes.size() > 3 && inspection.sizes[3] > 1 ? Inflated::Dropped : inflated;
+}
 
 // Refuses a file: throws ReadError "FILE: what is wrong; what would be right".
 [[noreturn]] void refuse(const std::filesystem::path& path, std::string_view wrong, std::string_view right);
@@ -75,11 +87,11 @@ void checkGeometry(const std::filesystem::path& path, const GridGeometry& geomet
 // Refuses a block that is missing, shorter than promised, corrupt, or that expands beyond its promise; of
 // text also what is no number, or none of the type: a fraction among integers, one that is too large.
 // Trailing bytes of an uncompressed block give a notice.
-void checkDataBlock(const std::filesystem::path& path, const DataBlock& block,
-                    std::vector<std::string>& notices);
+void checkDataBlock(const std::filesystem::path& path, DataBlock& block, std::vector<std::string>& notices,
+                    Inflated inflated = Inflated::Dropped);
 // The values of a block that was checked, `count` of them behind the first `skip`, in this machine's byte
-// order.
-std::vector<std::byte> readValues(const DataBlock& block, std::uint64_t skip, std::uint64_t count);
+// order. Takes what was kept.
+std::vector<std::byte> readValues(DataBlock& block, std::uint64_t skip, std::uint64_t count);
 // The number of the volume to read of a file that holds `frames`; refuses with the choices where that is not
 // clear.
 int chosenFrame(const std::filesystem::path& path, std::int64_t frames, std::optional<int> frame);
@@ -100,9 +112,9 @@ struct NiftiInspection : Inspection {
 
 // Inspect a file's header, one function for each format. Each refuses what does not fit and returns what
 // does.
-NiftiInspection inspectNifti(const std::filesystem::path& path);
-Inspection inspectNrrd(const std::filesystem::path& path);
-Inspection inspectMeta(const std::filesystem::path& path);
+NiftiInspection inspectNifti(const std::filesystem::path& path, Inflated inflated = Inflated::Dropped);
+Inspection inspectNrrd(const std::filesystem::path& path, Inflated inflated = Inflated::Dropped);
+Inspection inspectMeta(const std::filesystem::path& path, Inflated inflated = Inflated::Dropped);
 Inspection inspectVtk(const std::filesystem::path& path);
 
 } // namespace vs::volume

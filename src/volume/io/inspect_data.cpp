@@ -16,6 +16,7 @@
 #include <limits>
 #include <stdexcept>
 #include <type_traits>
+#include <utility>
 
 namespace vs::volume {
 namespace {
@@ -174,7 +175,8 @@ void withType(StoredType type, Work work) {
     work(double());
 }
 
-void checkDeflated(const std::filesystem::path& path, const DataBlock& block, std::uint64_t stored) {
+void checkDeflated(const std::filesystem::path& path, DataBlock& block, std::uint64_t stored,
+                   Inflated inflated) {
     const std::uint64_t expected = block.bytes();
     // Deflate shrinks at most by 1032, so a stream that is too small need not be read at all.
     const auto shortOf = [&](std::uint64_t bytes) {
@@ -192,10 +194,20 @@ void checkDeflated(const std::filesystem::path& path, const DataBlock& block, st
                            stored, expected),
                "the file is cut short or its sizes are wrong");
     }
+    if (inflated == Inflated::Kept) {
+        block.inflated = std::make_shared<std::vector<std::byte>>();
+        block.inflated->reserve(expected); // no more than a thousand times what is stored
+    }
     std::ifstream input(block.file, std::ios::binary);
     input.seekg(static_cast<std::streamoff>(block.offset));
     const auto result =
-        Inflater(input, stored, expected).run([](const unsigned char*, std::size_t) { return true; });
+        Inflater(input, stored, expected).run([&](const unsigned char* data, std::size_t size) {
+            if (block.inflated) {
+                const auto* bytes = reinterpret_cast<const std::byte*>(data);
+                block.inflated->insert(block.inflated->end(), bytes, bytes + size);
+            }
+            return true;
+        });
     switch (result.end) {
     case StreamEnd::Corrupt:
         refuse(path, "its compressed data are corrupt", "get an intact copy of the file");
@@ -297,8 +309,8 @@ std::uint64_t bytesOf(StoredType type) {
     return bytes[std::size_t(type)];
 }
 
-void checkDataBlock(const std::filesystem::path& path, const DataBlock& block,
-                    std::vector<std::string>& notices) {
+void checkDataBlock(const std::filesystem::path& path, DataBlock& block, std::vector<std::string>& notices,
+                    Inflated inflated) {
     std::error_code error;
     const std::uint64_t size = std::filesystem::file_size(block.file, error);
     if (error || block.offset > size) {
@@ -314,7 +326,7 @@ void checkDataBlock(const std::filesystem::path& path, const DataBlock& block,
     }
     const std::uint64_t stored = block.mostStored > 0 ? block.mostStored : there;
     if (block.encoding == Encoding::Deflated) {
-        checkDeflated(path, block, stored);
+        checkDeflated(path, block, stored, inflated);
         return;
     }
     if (block.encoding == Encoding::Ascii) {
@@ -336,13 +348,22 @@ void checkDataBlock(const std::filesystem::path& path, const DataBlock& block,
     }
 }
 
-std::vector<std::byte> readValues(const DataBlock& block, std::uint64_t skip, std::uint64_t count) {
+std::vector<std::byte> readValues(DataBlock& block, std::uint64_t skip, std::uint64_t count) {
     if (block.encoding == Encoding::Ascii) {
         return readAscii(block, skip, count);
     }
     const std::uint64_t width = bytesOf(block.type);
-    std::vector<std::byte> bytes(count * width);
-    readBytes(block, block.before + skip * width, bytes);
+    std::vector<std::byte> bytes;
+    if (block.inflated) {
+        bytes = std::move(*block.inflated);
+        block.inflated.reset();
+        const auto first = bytes.begin() + std::ptrdiff_t(block.before + skip * width);
+        bytes.erase(bytes.begin(), first);
+        bytes.resize(count * width);
+    } else {
+        bytes.resize(count * width);
+        readBytes(block, block.before + skip * width, bytes);
+    }
     if (block.isBigEndian != (std::endian::native == std::endian::big)) {
         swapBytes(bytes, width);
     }

@@ -206,7 +206,7 @@ void skipHeader(const std::filesystem::path& path, const MetaHeader& header, Dat
 
 } // namespace
 
-Inspection inspectMeta(const std::filesystem::path& path) {
+Inspection inspectMeta(const std::filesystem::path& path, Inflated inflated) {
     const MetaHeader header = readMetaHeader(path);
     if (lowerCase(header.get("objecttype", "image")) != "image") {
         refuse(path, fmt::format("its ObjectType is \"{}\"", printable(header.get("objecttype"))),
@@ -241,7 +241,7 @@ Inspection inspectMeta(const std::filesystem::path& path) {
         block.encoding = Encoding::Ascii;
     }
     skipHeader(path, header, block);
-    checkDataBlock(path, block, inspection.notices);
+    checkDataBlock(path, block, inspection.notices, keptOf(inspection, inflated));
     return inspection;
 }
 

@@ -194,7 +194,7 @@ void takeScaling(const std::filesystem::path& path, const Header& header, NiftiI
 
 } // namespace
 
-NiftiInspection inspectNifti(const std::filesystem::path& path) {
+NiftiInspection inspectNifti(const std::filesystem::path& path, Inflated inflated) {
     const bool gzipped = hasGzipMagic(path);
     const bool namedGz = lowerCase(path.extension().string()) == ".gz";
     if (gzipped != namedGz) {
@@ -230,7 +230,7 @@ NiftiInspection inspectNifti(const std::filesystem::path& path) {
         inspection.block.encoding = Encoding::Deflated;
         inspection.block.before = start;
     }
-    checkDataBlock(path, inspection.block, inspection.notices);
+    checkDataBlock(path, inspection.block, inspection.notices, keptOf(inspection, inflated));
     if (header.hasSform()) {
         inspection.sform = header.sform();
     }

@@ -255,7 +255,7 @@ std::uint64_t skippedBytes(const std::filesystem::path& path, const NrrdHeader& 
 
 } // namespace
 
-Inspection inspectNrrd(const std::filesystem::path& path) {
+Inspection inspectNrrd(const std::filesystem::path& path, Inflated inflated) {
     const NrrdHeader header = readNrrdHeader(path);
     Inspection inspection;
     inspection.sizes = readSizes(path, header);
@@ -294,7 +294,7 @@ Inspection inspectNrrd(const std::filesystem::path& path) {
         refuse(path, "its header does not end", "a blank line must stand between the header and the values");
     }
     block.offset = skippedBytes(path, header, block);
-    checkDataBlock(path, block, inspection.notices);
+    checkDataBlock(path, block, inspection.notices, keptOf(inspection, inflated));
     return inspection;
 }
 

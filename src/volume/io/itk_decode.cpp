@@ -139,8 +139,7 @@ bool takeValues(Volume& volume, StoredType type, std::vector<std::byte>&& bytes)
     return convert(0.0);
 }
 
-void takeFrame(const std::filesystem::path& path, const Inspection& inspection, int frame,
-               ReadResult& result) {
+void takeFrame(const std::filesystem::path& path, Inspection& inspection, int frame, ReadResult& result) {
     const std::uint64_t frames = inspection.sizes.size() > 3 ? std::uint64_t(inspection.sizes[3]) : 1;
     const std::uint64_t count = inspection.block.count / frames;
     auto values = readValues(inspection.block, count * std::uint64_t(frame), count);

@@ -32,8 +32,7 @@ bool takeValues(Volume& volume, StoredType type, std::vector<std::byte>&& bytes)
 // Sets the values of one frame of a file that was inspected, with a notice where 64-bit ones were rounded.
 // They are read here and by no library: those turn NaN into 0, stop at the first number that they do not
 // like, take compressed sizes on trust.
-void takeFrame(const std::filesystem::path& path, const Inspection& inspection, int frame,
-               ReadResult& result);
+void takeFrame(const std::filesystem::path& path, Inspection& inspection, int frame, ReadResult& result);
 
 // The grid of the first three axes, after ReadImageInformation.
 GridGeometry geometryOf(const itk::ImageIOBase& io);

@@ -58,7 +58,7 @@ GridGeometry readGeometry(const std::filesystem::path& path, const NiftiInspecti
 } // namespace
 
 ReadResult readNifti(const std::filesystem::path& path, const ReadOptions& options) {
-    const NiftiInspection inspection = inspectNifti(path);
+    NiftiInspection inspection = inspectNifti(path, Inflated::Kept);
     const std::int64_t frames = inspection.sizes.size() > 3 ? inspection.sizes[3] : 1;
     const int frame = chosenFrame(path, frames, options.frame);
     ReadResult result;

@@ -50,7 +50,7 @@ struct Inspection {
     DataBlock block;
 };
 
-// Of a file that holds many volumes nothing is kept: one is read.
+// A file that holds many volumes keeps nothing: one of them is read.
 inline Inflated keptOf(const Inspection& inspection, Inflated inflated) {
     return inspection.sizes.size() > 3 && inspection.sizes[3] > 1 ? Inflated::Dropped : inflated;
 }

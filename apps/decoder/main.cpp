@@ -23,8 +23,8 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <cstdint>
 #include <cstdio>
+#include <memory>
 #include <stdexcept>
 
 namespace {
@@ -87,10 +87,10 @@ void leaveVoxels(std::vector<std::byte>& voxels) {
             throw std::bad_alloc();
         }
         written += std::size_t(std::max<ssize_t>(count, 0));
-        if (written >= piece) { // from where the system gave it in pages of its own
-            const auto begin = (reinterpret_cast<std::uintptr_t>(voxels.data()) + page - 1) / page * page;
-            const auto end = (reinterpret_cast<std::uintptr_t>(voxels.data()) + written) / page * page;
-            madvise(reinterpret_cast<void*>(begin), end - begin, MADV_DONTNEED);
+        void* begin = voxels.data();
+        std::size_t space = written; // from where the system gave it in pages of its own
+        if (std::align(page, page, begin, space) != nullptr) {
+            madvise(begin, space / page * page, MADV_DONTNEED);
         }
     }
 }

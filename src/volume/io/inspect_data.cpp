@@ -15,6 +15,7 @@
 #include <functional>
 #include <limits>
 #include <stdexcept>
+#include <tuple>
 #include <type_traits>
 #include <utility>
 
@@ -147,32 +148,18 @@ void forEachNumber(const DataBlock& block, Work work) {
     }
 }
 
+// In the order of StoredType.
+using StoredTypes = std::tuple<std::uint8_t, std::int8_t, std::uint16_t, std::int16_t, std::uint32_t,
+                               std::int32_t, std::uint64_t, std::int64_t, float, double>;
+
 // Calls work with a value of the type.
 template <typename Work>
 void withType(StoredType type, Work work) {
-    switch (type) {
-    case StoredType::UInt8:
-        return work(std::uint8_t());
-    case StoredType::Int8:
-        return work(std::int8_t());
-    case StoredType::UInt16:
-        return work(std::uint16_t());
-    case StoredType::Int16:
-        return work(std::int16_t());
-    case StoredType::UInt32:
-        return work(std::uint32_t());
-    case StoredType::Int32:
-        return work(std::int32_t());
-    case StoredType::UInt64:
-        return work(std::uint64_t());
-    case StoredType::Int64:
-        return work(std::int64_t());
-    case StoredType::Float32:
-        return work(float());
-    case StoredType::Float64:
-        break;
+    const auto index = std::size_t(type);
+    [&]<std::size_t... I>(std::index_sequence<I...>) {
+        ((I == index ? work(std::tuple_element_t<I, StoredTypes>()) : void()), ...);
     }
-    work(double());
+    (std::make_index_sequence<std::tuple_size_v<StoredTypes>>());
 }
 
 void checkDeflated(const std::filesystem::path& path, DataBlock& block, std::uint64_t stored,

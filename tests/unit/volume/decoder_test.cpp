@@ -54,7 +54,7 @@ std::string readRefusal(const std::filesystem::path& path) {
     try {
         readVolume(path);
     } catch (const ReadError& error) {
-        const std::string text = error.what();
+        std::string text = error.what();
         EXPECT_EQ(text.rfind(path.string() + ": ", 0), 0U) << text;
         EXPECT_EQ(text.find('\n'), std::string::npos) << text;
         return text;

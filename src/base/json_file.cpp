@@ -11,6 +11,8 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
+constexpr int kDeepest = 100; // of values in values; what is written here has some ten
+
 // What the library says, without its own error number in front.
 std::string reasonOf(const Json::exception& error) {
     const std::string text = error.what();
@@ -27,7 +29,14 @@ Json readJsonFile(const std::filesystem::path& path, const std::string& wanted,
         throw SessionError("{}: cannot be read; give {} (JSON)", path.string(), wanted);
     }
     try {
-        return Json::parse(file);
+        // What is nested without end would be read by calls without end.
+        return Json::parse(file, [&](int depth, Json::parse_event_t, const Json&) {
+            if (depth > kDeepest) {
+                throw SessionError("{}: is nested more than {} deep; {} is wanted ({})", path.string(),
+                                   kDeepest, wanted, documentation);
+            }
+            return true;
+        });
     } catch (const Json::parse_error& error) {
         throw SessionError("{}: not valid JSON at byte {}; {} is wanted ({})", path.string(), error.byte,
                            wanted, documentation);

@@ -32,7 +32,7 @@ namespace {
 template <typename ImageIo>
 ReadResult decode(const char* format, const std::filesystem::path& path, Inspection inspection,
                   const ReadOptions& options) {
-    ReadResult result = decodeWithItk(*ImageIo::New(), path, std::move(inspection), options.frame);
+    ReadResult result = readPlacedByItk(*ImageIo::New(), path, std::move(inspection), options.frame);
     result.volume.details.format = format;
     return result;
 }

@@ -151,8 +151,8 @@ void takeFrame(const std::filesystem::path& path, Inspection& inspection, int fr
     result.volume.details.frames = int(frames);
 }
 
-ReadResult decodeWithItk(itk::ImageIOBase& io, const std::filesystem::path& path, Inspection&& inspection,
-                         std::optional<int> frame) {
+ReadResult readPlacedByItk(itk::ImageIOBase& io, const std::filesystem::path& path, Inspection&& inspection,
+                           std::optional<int> frame) {
     const std::int64_t frames = inspection.sizes.size() > 3 ? inspection.sizes[3] : 1;
     const int picked = chosenFrame(path, frames, frame);
     ReadResult result;

@@ -39,8 +39,8 @@ GridGeometry geometryOf(const itk::ImageIOBase& io);
 
 // Reads the file with the given reader, which tells where the volume lies, after its header was inspected.
 // `frame` picks a volume of a 4D file.
-ReadResult decodeWithItk(itk::ImageIOBase& io, const std::filesystem::path& path, Inspection&& inspection,
-                         std::optional<int> frame);
+ReadResult readPlacedByItk(itk::ImageIOBase& io, const std::filesystem::path& path, Inspection&& inspection,
+                           std::optional<int> frame);
 
 // The first line of an exception's text without the place in ITK's sources.
 std::string shortReason(const std::exception& error);

@@ -42,8 +42,9 @@ struct SweepPath {
     std::vector<sculpt::PathPiece> pieces;
     std::optional<sculpt::MaskFrame> standing;
 };
-// "KIND:PLACES", places in voxels; `spacing` of the grid.
-SweepPath parseSweepPath(const std::string& text, sculpt::FrameKind kind, const glm::dvec3& spacing);
+// "KIND:PLACES", places in voxels; `spacing` of the grid, which the mask comes into in `region`.
+SweepPath parseSweepPath(const std::string& text, sculpt::FrameKind kind, const glm::dvec3& spacing,
+                         const sculpt::PathRegion& region);
 inline constexpr const char* kPathForms =
     "line:X,Y,Z:X,Y,Z, polyline:X,Y,Z:X,Y,Z:X,Y,Z..., spline:X,Y,Z:X,Y,Z:X,Y,Z..., "
     "helix:X,Y,Z:X,Y,Z:RADIUS,TURNS, recorded:FILE or at:X,Y,Z:DX,DY,DZ";

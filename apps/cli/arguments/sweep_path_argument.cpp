@@ -91,7 +91,8 @@ void checkLength(const std::string& text, const std::vector<glm::dvec3>& places)
 
 } // namespace
 
-SweepPath parseSweepPath(const std::string& text, sculpt::FrameKind kind, const glm::dvec3& spacing) {
+SweepPath parseSweepPath(const std::string& text, sculpt::FrameKind kind, const glm::dvec3& spacing,
+                         const sculpt::PathRegion& region) {
     const auto [form, rest] = partAtColon(text);
     const glm::dvec3 steps = 1.0 / sculpt::voxelFromSteps(spacing); // steps per voxel
     SweepPath path;
@@ -106,7 +107,7 @@ SweepPath parseSweepPath(const std::string& text, sculpt::FrameKind kind, const 
         return path;
     }
     if (form == "helix") {
-        path.pieces = sculpt::helixPath(parseHelix(rest, text, steps), kind);
+        path.pieces = sculpt::helixPath(parseHelix(rest, text, steps), kind, region);
         if (path.pieces.empty()) {
             throw UsageError("--path {}: a helix of no length; move its ends apart or give it a radius",
                              text);
@@ -125,8 +126,8 @@ SweepPath parseSweepPath(const std::string& text, sculpt::FrameKind kind, const 
     if (form != "line" && form != "polyline") {
         checkLength(text, places);
     }
-    path.pieces = isRecorded         ? sculpt::recordedPath(places, kind)
-                  : form == "spline" ? sculpt::splinePath(places, kind)
+    path.pieces = isRecorded         ? sculpt::recordedPath(places, kind, region)
+                  : form == "spline" ? sculpt::splinePath(places, kind, region)
                                      : sculpt::polylinePath(places, kind);
     if (path.pieces.empty()) {
         throw UsageError("--path {}: needs at least two different points{}", text,

@@ -96,14 +96,20 @@ Sweeping understand(const SweepOptions& options, const volume::Volume* clipped) 
     sweeping.energy = choose<Energy>(options.energy, studio::Sweep::kEnergies, "--energy");
     sweeping.method = choose<Method>(options.method, studio::Sweep::kMethods, "--method");
     const auto kind = choose<sculpt::FrameKind>(options.frame, sculpt::kFrameKinds, "--frame");
-    for (const std::string& path : options.paths) {
-        sweeping.paths.push_back(parseSweepPath(path, kind, sweeping.geometry.spacing()));
-    }
-    checkTogether(options, sweeping);
     const MaskMaking making = makingOf(options, sweeping.energy);
+    sculpt::MaskWindow largest;
     for (const std::string& mask : options.masks) {
         sweeping.masks.push_back(parseMask(mask, making));
+        largest.include(sweeping.masks.back().window());
     }
+    const glm::dvec3 spacing = sweeping.geometry.spacing();
+    const auto grid =
+        sculpt::sweepGrid(sweeping.geometry.dims, sculpt::fitFootprint(sweeping.footprint, spacing),
+                          sculpt::voxelFromSteps(spacing));
+    for (const std::string& path : options.paths) {
+        sweeping.paths.push_back(parseSweepPath(path, kind, spacing, grid.region(largest)));
+    }
+    checkTogether(options, sweeping);
     sweeping.masks.resize(sweeping.paths.size(), sweeping.masks.front());
     return sweeping;
 }

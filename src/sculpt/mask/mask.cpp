@@ -5,6 +5,7 @@
 #include "sculpt/mask/polygon_coverage.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -221,24 +222,56 @@ void fillCoverage(const Outline& outline, MaskRaster& mask) {
 
 } // namespace
 
+std::vector<std::uint16_t> flatness(const MaskRaster& mask) {
+    // The chessboard distance to elements with a neighbour of another value, in two passes (Rosenfeld and
+    // Pfaltz 1968, "Distance functions on digital pictures").
+    constexpr int kMost = 0xFFFF;
+    const glm::ivec2 size = mask.size;
+    std::vector<std::uint16_t> flat(mask.values.size(), kMost);
+    const auto isIn = [&](glm::ivec2 e) { return e.x >= 0 && e.y >= 0 && e.x < size.x && e.y < size.y; };
+    const auto indexOf = [&](glm::ivec2 e) {
+        return std::size_t(e.y) * std::size_t(size.x) + std::size_t(e.x);
+    };
+    constexpr std::array<glm::ivec2, 4> kBefore{glm::ivec2(-1, 0), {-1, -1}, {0, -1}, {1, -1}};
+    const auto pass = [&](glm::ivec2 e, int sign) {
+        std::uint16_t& own = flat[indexOf(e)];
+        for (const glm::ivec2& step : kBefore) {
+            const glm::ivec2 other = e + sign * step;
+            const bool isSame = (isIn(other) ? mask.values[indexOf(other)] : 0.0F) == mask.values[indexOf(e)];
+            const int reached = !isSame ? 0 : (isIn(other) ? flat[indexOf(other)] + 1 : kMost);
+            own = std::uint16_t(std::min<int>(own, reached));
+        }
+    };
+    for (int j = 0; j < size.y; ++j) {
+        for (int i = 0; i < size.x; ++i) {
+            pass({i, j}, 1);
+        }
+    }
+    for (int j = size.y - 1; j >= 0; --j) {
+        for (int i = size.x - 1; i >= 0; --i) {
+            pass({i, j}, -1);
+        }
+    }
+    return flat;
+}
+
+double filterReach(const MaskFilter& filter) {
+    // Elements farther from the outline than half the filter's support are zero; one more closes the raster
+    // with zeros.
+    const bool isFiltered = filter.sampling == Sampling::Uniform || filter.sampling == Sampling::Jittered;
+    return 1 + (isFiltered ? 0.5 * filter.width / kSub : 0.5);
+}
+
 MaskRaster rasterize(const Outline& outline, double pitch, const MaskFilter& filter) {
     MaskRaster mask;
     mask.pitch = pitch;
     if (outline.size() < 3) {
         return mask;
     }
-    glm::dvec2 lo = outline.front();
-    glm::dvec2 hi = outline.front();
-    for (const glm::dvec2& point : outline) {
-        lo = glm::min(lo, point);
-        hi = glm::max(hi, point);
-    }
-    // Elements farther from the outline than half the filter's support are zero; one more closes the raster
-    // with zeros.
-    const bool isFiltered = filter.sampling == Sampling::Uniform || filter.sampling == Sampling::Jittered;
-    const double reach = isFiltered ? 0.5 * filter.width / kSub : 0.5;
-    const glm::dvec2 first = glm::floor(lo / pitch - reach) - 1.0;
-    const glm::dvec2 count = glm::ceil(hi / pitch + reach) + 2.0 - first;
+    const MaskWindow window = windowAround(outline);
+    const double room = filterReach(filter);
+    const glm::dvec2 first = glm::floor(window.lo / pitch - room);
+    const glm::dvec2 count = glm::ceil(window.hi / pitch + room) + 1.0 - first;
     if (!(count.x * count.y <= 64e6)) {
         throw Error("a mask of {:.0f} x {:.0f} elements is more than 64 million; draw it smaller or coarser",
                     count.x, count.y);

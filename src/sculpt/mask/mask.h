@@ -48,7 +48,16 @@ struct MaskRaster {
     [[nodiscard]] float at(int i, int j) const {
         return values[std::size_t(j) * std::size_t(size.x) + std::size_t(i)];
     }
+    // From the first to the last elements' centres.
+    [[nodiscard]] MaskWindow window() const { return {origin, origin + pitch * glm::dvec2(size - 1)}; }
 };
+
+// For each element of a mask how many elements around it, along each axis and diagonal, hold the same value
+// for sure. What lies beyond the raster is 0.
+std::vector<std::uint16_t> flatness(const MaskRaster& mask);
+
+// How many elements beyond an outline a mask may reach.
+double filterReach(const MaskFilter& filter);
 
 // Fills an outline by the even-odd rule (rings and self-crossings work). `pitch` is the distance between
 // elements; they lie at multiples of it, with room around the outline for the whole smooth edge. An outline

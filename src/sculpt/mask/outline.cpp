@@ -73,6 +73,14 @@ Outline subdivide(Outline outline, Subdivision scheme, int levels) {
     return outline;
 }
 
+MaskWindow windowAround(const Outline& outline) {
+    MaskWindow window;
+    for (const glm::dvec2& point : outline) {
+        window.include({point, point});
+    }
+    return window;
+}
+
 Outline clipToBox(Outline outline, glm::dvec2 lo, glm::dvec2 hi) {
     for (int side = 0; side < 4; ++side) {
         const int axis = side % 2;

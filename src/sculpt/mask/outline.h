@@ -24,6 +24,20 @@ Outline polylineOutline(std::span<const glm::dvec2> corners);
 // inner corners at distance `inner`, halfway between them.
 Outline starOutline(glm::dvec2 centre, double outer, double inner, int points);
 
+// A rectangle of a mask's plane, in the outline's unit.
+struct MaskWindow {
+    glm::dvec2 lo{1e300}; // nothing
+    glm::dvec2 hi{-1e300};
+
+    [[nodiscard]] bool isEmpty() const { return !(lo.x <= hi.x && lo.y <= hi.y); }
+    void include(const MaskWindow& other) {
+        lo = glm::min(lo, other.lo);
+        hi = glm::max(hi, other.hi);
+    }
+};
+// The rectangle around an outline.
+MaskWindow windowAround(const Outline& outline);
+
 // The part of an outline within a box (Sutherland and Hodgman 1974, "Reentrant polygon clipping"); an outline
 // that lies within it stays as it is.
 Outline clipToBox(Outline outline, glm::dvec2 lo, glm::dvec2 hi);

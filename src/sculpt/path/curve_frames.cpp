@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sculpt/path/curve_frames.h"
 
+#include "base/error.h"
+
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
@@ -115,6 +117,16 @@ MaskFrame frameFacing(const glm::dvec3& origin, const glm::dvec3& direction) {
     const glm::dvec3 tangent = glm::normalize(direction);
     const glm::dvec3 axis = std::abs(tangent.x) < 0.9 ? glm::dvec3(1, 0, 0) : glm::dvec3(0, 1, 0);
     return frameAt(origin, tangent, across(axis, tangent));
+}
+
+void append(std::vector<CurveSample>& samples, const CurveSample& sample) {
+    if (samples.size() == kMostSamples) {
+        throw Error(
+            "a path of more than {} chords within the mask's reach of the volume; make the path shorter "
+            "or the mask smaller",
+            kMostSamples);
+    }
+    samples.push_back(sample);
 }
 
 std::vector<PathPiece> framesAlong(std::span<const CurveSample> samples, FrameKind kind) {

@@ -36,7 +36,7 @@ glm::dvec3 Helix::at(double t) const {
     return from + t * axes.height + radius * axes.outwards(t);
 }
 
-std::vector<PathPiece> helixPath(const Helix& helix, FrameKind kind) {
+std::vector<PathPiece> helixPath(const Helix& helix, FrameKind kind, const PathRegion& region) {
     const HelixAxes axes(helix);
     const double round = helix.radius * axes.angle; // what it goes about the axis
     const double length = std::hypot(round, glm::length(axes.height));
@@ -46,12 +46,21 @@ std::vector<PathPiece> helixPath(const Helix& helix, FrameKind kind) {
     const double curvature = helix.radius * axes.angle * axes.angle / (length * length);
     const double turn = std::min(kChordTurn, std::sqrt(8 * kChordTolerance / std::max(helix.radius, 1e-9)));
     const int count = std::max(int(std::ceil(std::abs(axes.angle) / turn)), 1);
+    const int coarse = std::max(int(kChordTurn / turn), 1); // chords that one may stand for
     std::vector<CurveSample> samples;
-    for (int n = 0; n <= count; ++n) {
+    const auto add = [&](int n) {
         const double t = double(n) / count;
-        samples.push_back({helix.from + t * axes.height + helix.radius * axes.outwards(t),
-                           (axes.height + round * axes.sidewards(t)) / length,
-                           -curvature * axes.outwards(t)});
+        append(samples, {helix.at(t), (axes.height + round * axes.sidewards(t)) / length,
+                         -curvature * axes.outwards(t)});
+    };
+    add(0);
+    for (int n = 0; n < count; n += coarse) {
+        const int end = std::min(n + coarse, count);
+        const double half = 0.5 * (end - n) / count;
+        const bool isFine = region.mayHold(helix.at(double(n) / count + half), half * length);
+        for (int k = isFine ? n + 1 : end; k <= end; ++k) {
+            add(k);
+        }
     }
     return framesAlong(samples, kind);
 }

@@ -78,8 +78,23 @@ double angleBetween(const glm::dvec3& a, const glm::dvec3& b) {
     return std::atan2(glm::length(glm::cross(a, b)), glm::dot(a, b));
 }
 
+// Whether the part of a cubic from t0 to t1 may be where the path matters: it lies within the hull of its
+// Bezier points.
+bool mayHold(const PathRegion& region, const Cubic& cubic, double t0, double t1) {
+    const glm::dvec3 from = cubic.at(t0);
+    const glm::dvec3 to = cubic.at(t1);
+    const glm::dvec3 middle = 0.5 * (from + to);
+    double radius = 0;
+    for (const glm::dvec3& p :
+         {from, from + (t1 - t0) / 3 * cubic.slope(t0), to - (t1 - t0) / 3 * cubic.slope(t1), to}) {
+        radius = std::max(radius, glm::length(p - middle));
+    }
+    return region.mayHold(middle, radius);
+}
+
 // Adds the samples after t0 up to t1, halving until chords are close enough.
-void appendSamples(std::vector<CurveSample>& samples, const Cubic& cubic, double t0, double t1, int level) {
+void appendSamples(std::vector<CurveSample>& samples, const Cubic& cubic, const PathRegion& region, double t0,
+                   double t1, int level) {
     constexpr int kMaxLevel = 14;
     const CurveSample a = sampleAt(cubic, t0);
     const CurveSample b = sampleAt(cubic, t1);
@@ -87,14 +102,15 @@ void appendSamples(std::vector<CurveSample>& samples, const Cubic& cubic, double
     const CurveSample m = sampleAt(cubic, middle);
     const auto off = [&](double t) { return distanceToChord(cubic.at(t), a.point, b.point); };
     const bool isFine =
-        std::max({off(middle), off(0.5 * (t0 + middle)), off(0.5 * (middle + t1))}) <= kChordTolerance &&
-        std::max({angleBetween(a.tangent, b.tangent), angleBetween(a.tangent, m.tangent)}) <= kChordTurn;
+        std::max({angleBetween(a.tangent, b.tangent), angleBetween(a.tangent, m.tangent)}) <= kChordTurn &&
+        (std::max({off(middle), off(0.5 * (t0 + middle)), off(0.5 * (middle + t1))}) <= kChordTolerance ||
+         !mayHold(region, cubic, t0, t1));
     if (isFine || level == kMaxLevel) {
-        samples.push_back(b);
+        append(samples, b);
         return;
     }
-    appendSamples(samples, cubic, t0, middle, level + 1);
-    appendSamples(samples, cubic, middle, t1, level + 1);
+    appendSamples(samples, cubic, region, t0, middle, level + 1);
+    appendSamples(samples, cubic, region, middle, t1, level + 1);
 }
 
 // The way of points at equal distances of about one step.
@@ -177,6 +193,11 @@ std::vector<glm::dvec3> thinned(std::span<const glm::dvec3> points, double toler
 
 } // namespace
 
+bool PathRegion::mayHold(const glm::dvec3& point, double radius) const {
+    const glm::dvec3 beyond = glm::max(glm::max(lo - point, point - hi), glm::dvec3(0));
+    return glm::length(beyond) <= radius + reach;
+}
+
 std::vector<PathPiece> polylinePath(std::span<const glm::dvec3> all, FrameKind kind) {
     const auto points = withoutRepeats(all);
     std::vector<CurveSample> samples;
@@ -192,7 +213,7 @@ std::vector<PathPiece> polylinePath(std::span<const glm::dvec3> all, FrameKind k
     return framesAlong(samples, kind);
 }
 
-std::vector<PathPiece> splinePath(std::span<const glm::dvec3> all, FrameKind kind) {
+std::vector<PathPiece> splinePath(std::span<const glm::dvec3> all, FrameKind kind, const PathRegion& region) {
     const auto points = withoutRepeats(all);
     std::vector<CurveSample> samples;
     for (std::size_t n = 1; n < points.size(); ++n) {
@@ -203,14 +224,15 @@ std::vector<PathPiece> splinePath(std::span<const glm::dvec3> all, FrameKind kin
         const Cubic cubic = catmullRom(before, from, to, after);
         const CurveSample first = sampleAt(cubic, 0);
         if (samples.empty() || angleBetween(samples.back().tangent, first.tangent) > 1e-6) {
-            samples.push_back(first);
+            append(samples, first);
         }
-        appendSamples(samples, cubic, 0, 1, 0);
+        appendSamples(samples, cubic, region, 0, 1, 0);
     }
     return framesAlong(samples, kind);
 }
 
-std::vector<PathPiece> recordedPath(std::span<const glm::dvec3> all, FrameKind kind) {
+std::vector<PathPiece> recordedPath(std::span<const glm::dvec3> all, FrameKind kind,
+                                    const PathRegion& region) {
     constexpr double kSmoothing = 2; // steps
     constexpr double kTolerance = 0.1;
     const auto points = withoutRepeats(all);
@@ -218,7 +240,7 @@ std::vector<PathPiece> recordedPath(std::span<const glm::dvec3> all, FrameKind k
         return {};
     }
     const auto way = smoothed(atEqualDistances(points), kSmoothing);
-    return splinePath(thinned(way, kTolerance), kind);
+    return splinePath(thinned(way, kTolerance), kind, region);
 }
 
 } // namespace vs::sculpt

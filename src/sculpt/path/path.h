@@ -4,6 +4,7 @@
 #include <glm/glm.hpp>
 
 #include <array>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -32,6 +33,17 @@ struct PathPiece {
     MaskFrame to;
 };
 
+// Where a path matters, in the space of steps: its chords keep to the curve where they come within `reach` of
+// the box. Farther away they are as long as their turn allows, so that a path costs what lies near the box.
+struct PathRegion {
+    glm::dvec3 lo{-std::numeric_limits<double>::infinity()};
+    glm::dvec3 hi{std::numeric_limits<double>::infinity()};
+    double reach = 0;
+
+    // Whether anything within `radius` of a point may be where the path matters.
+    [[nodiscard]] bool mayHold(const glm::dvec3& point, double radius) const;
+};
+
 // How the mask turns about the path. ParallelTransport: as little as it can (Bishop 1975, "There is more than
 // one way to frame a curve"). Frenet: its x keeps to the line of the curve's principal normal (Frenet 1852);
 // on straight parts, which have none, the last normal is kept (before the first bend, the first to come), and
@@ -53,17 +65,20 @@ std::vector<PathPiece> polylinePath(std::span<const glm::dvec3> points,
 
 // The centripetal Catmull-Rom spline through the points (Yuksel et al. 2011, "Parameterization and
 // applications of Catmull-Rom curves"): smooth, without loops or cusps between points. Beyond its ends the
-// curve is continued by the mirror images of the second and the last point but one. Chords stay within 0.01
-// steps of the curve and turn by 0.05 radians at most.
+// curve is continued by the mirror images of the second and the last point but one. Chords turn by 0.05
+// radians at most and stay within 0.01 steps of the curve in the region. Throws Error if that takes more than
+// a quarter of a million chords.
 std::vector<PathPiece> splinePath(std::span<const glm::dvec3> points,
-                                  FrameKind kind = FrameKind::ParallelTransport);
+                                  FrameKind kind = FrameKind::ParallelTransport,
+                                  const PathRegion& region = {});
 
 // A pen's way: many points, close together, noisy, some of them equal. They are taken at equal distances of
 // one step, smoothed by a Gaussian of 2 steps along the way (both ends stay where they are), thinned to those
 // that keep the way within 0.1 steps (Douglas and Peucker 1973) and joined by splinePath(). So tremble
 // goes, and corners are rounded by about 1 step.
 std::vector<PathPiece> recordedPath(std::span<const glm::dvec3> points,
-                                    FrameKind kind = FrameKind::ParallelTransport);
+                                    FrameKind kind = FrameKind::ParallelTransport,
+                                    const PathRegion& region = {});
 
 // A helix about the axis between two points, which are level with its ends. It starts beside `from` in the
 // direction of frameFacing(from, to - from).x and turns right-handed, left-handed for negative `turns`.
@@ -80,6 +95,7 @@ struct Helix {
 // The mask's origin runs on the helix and the mask stands across the curve. Frenet frames are the analytic
 // ones, x towards the axis; parallel transport is by double reflection (Wang et al. 2008, "Computation of
 // rotation minimizing frames"). Chords as in splinePath(). Nothing for a helix of no length.
-std::vector<PathPiece> helixPath(const Helix& helix, FrameKind kind = FrameKind::ParallelTransport);
+std::vector<PathPiece> helixPath(const Helix& helix, FrameKind kind = FrameKind::ParallelTransport,
+                                 const PathRegion& region = {});
 
 } // namespace vs::sculpt

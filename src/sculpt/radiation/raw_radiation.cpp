@@ -2,6 +2,7 @@
 #include "sculpt/radiation/raw_radiation.h"
 
 #include "base/error.h"
+#include "sculpt/radiation/sweep.h"
 
 #include <algorithm>
 
@@ -10,24 +11,6 @@ namespace vs::sculpt {
 namespace {
 
 constexpr int kMostFrames = 4096;
-
-struct Element {
-    glm::dvec2 place;
-    float energy;
-};
-
-std::vector<Element> radiatingElements(const MaskRaster& mask) {
-    std::vector<Element> elements;
-    for (int j = 0; j < mask.size.y; ++j) {
-        for (int i = 0; i < mask.size.x; ++i) {
-            if (mask.at(i, j) > 0) {
-                elements.push_back(
-                    {mask.origin + mask.pitch * glm::dvec2(i, j), kRawStrength * mask.at(i, j)});
-            }
-        }
-    }
-    return elements;
-}
 
 // The voxels whose centres are nearest to the mask's corners in any of its frames, and all between.
 Box3 boxAround(const MaskRaster& mask, std::span<const MaskFrame> frames, const glm::dvec3& voxelFromSteps) {
@@ -72,7 +55,7 @@ std::vector<MaskFrame> framesEachStep(std::span<const PathPiece> path) {
 Box3 radiateRaw(Radiator& radiator, const MaskRaster& mask, std::span<const MaskFrame> frames,
                 glm::ivec3 dims, const Footprint& footprint, const glm::dvec3& voxelFromSteps) {
     radiator.begin(boxAround(mask, frames, voxelFromSteps), dims, footprint);
-    const auto elements = radiatingElements(mask);
+    const SweepGrid grid = sweepGrid(dims, footprint, voxelFromSteps);
     std::vector<glm::vec4> points;
     gl::Buffer buffer(4, "raw points");
     const auto flush = [&] {
@@ -84,10 +67,17 @@ Box3 radiateRaw(Radiator& radiator, const MaskRaster& mask, std::span<const Mask
         }
     };
     for (const MaskFrame& frame : frames) {
-        for (const Element& element : elements) {
-            points.emplace_back(glm::vec3(voxelFromSteps * frame.place(element.place)), element.energy);
-            if (points.size() == Radiator::kMaxPoints) {
-                flush();
+        const MaskElements elements = elementsInto(grid, mask, {frame, frame});
+        for (int j = elements.lo.y; j < elements.hi.y; ++j) {
+            for (int i = elements.lo.x; i < elements.hi.x; ++i) {
+                if (mask.at(i, j) > 0) {
+                    const glm::dvec2 place = mask.origin + mask.pitch * glm::dvec2(i, j);
+                    points.emplace_back(glm::vec3(voxelFromSteps * frame.place(place)),
+                                        kRawStrength * mask.at(i, j));
+                }
+                if (points.size() == Radiator::kMaxPoints) {
+                    flush();
+                }
             }
         }
     }

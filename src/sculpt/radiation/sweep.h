@@ -29,7 +29,31 @@ struct SweepGrid {
     // What lies beyond these corners, in voxel space, may be left out.
     glm::vec3 lo{-1e30F};
     glm::vec3 hi{1e30F};
+
+    // Where paths matter that a mask in this window (in steps) is led along.
+    [[nodiscard]] PathRegion region(const MaskWindow& mask) const;
 };
+
+// The grid of these dimensions as solids radiated with `footprint` go into it.
+SweepGrid sweepGrid(const glm::ivec3& dims, const Footprint& footprint,
+                    const glm::dvec3& voxelFromSteps = glm::dvec3(1));
+
+// What of a window of the mask's plane may come into the grid on a piece of a path: all that does, and little
+// more.
+MaskWindow windowInto(const SweepGrid& grid, const MaskWindow& window, const PathPiece& piece);
+
+// Elements [lo, hi) of a raster.
+struct MaskElements {
+    glm::ivec2 lo{0};
+    glm::ivec2 hi{0};
+};
+// The elements of a mask that may come into the grid on a piece of a path, with all corners of their cells.
+MaskElements elementsInto(const SweepGrid& grid, const MaskRaster& mask, const PathPiece& piece);
+
+// What of an outline (in steps) may come into the grid on its way along a path. A mask that is made from it,
+// of this pitch and filter, is there as one of the whole outline.
+Outline outlineInto(const SweepGrid& grid, Outline outline, std::span<const PathPiece> path, double pitch,
+                    const MaskFilter& filter);
 
 // The solid that a mask (in steps) sweeps along one piece of a path in the space of steps, as patches in
 // voxel space: density 1 inside, its ends exactly at the piece's ends. Nothing for pieces that move the mask

@@ -79,14 +79,16 @@ std::optional<MaskPlane> layOnSurface(render::Picker& picker, const render::Fram
 
 PenStroke::PenStroke(Cutter& cutter, MakeFrame makeFrame, const Drill& operation)
     : CutStroke(cutter, operation, operation.restores), makeFrame_(std::move(makeFrame)),
-      frame_(makeFrame_()), mask_(operation.mask, frame_, *cutter.geometry), covered_(mask_.raster.pitch) {
+      frame_(makeFrame_()), mask_(operation.mask, frame_, *cutter.geometry),
+      flat_(sculpt::flatness(mask_.raster)), covered_(mask_.raster.pitch) {
     toReplay_ = std::exchange(cut().stroke, {}); // filled again as the pen moves
     detectAgain();
 }
 
 PenStroke::PenStroke(Cutter& cutter, MakeFrame makeFrame, const Laser& operation)
     : CutStroke(cutter, operation, operation.restores), makeFrame_(std::move(makeFrame)),
-      frame_(makeFrame_()), mask_(operation.mask, frame_, *cutter.geometry), covered_(mask_.raster.pitch) {
+      frame_(makeFrame_()), mask_(operation.mask, frame_, *cutter.geometry),
+      flat_(sculpt::flatness(mask_.raster)), covered_(mask_.raster.pitch) {
     toReplay_ = std::exchange(cut().stroke, {});
     detectAgain();
 }
@@ -141,8 +143,8 @@ void PenStroke::drawAt(const sculpt::PenPoint& pen) {
 
 void PenStroke::goTo(const sculpt::PenPoint& from, const sculpt::PenPoint& to) {
     const auto isBeside = [&](glm::dvec2 pixel) {
-        return glm::any(glm::lessThan(pixel + mask_.extent, glm::dvec2(0))) ||
-               glm::any(glm::greaterThan(pixel - mask_.extent, glm::dvec2(frame_.rays.size)));
+        return glm::any(glm::lessThan(pixel, mask_.places.lo)) ||
+               glm::any(glm::greaterThan(pixel, mask_.places.hi));
     };
     // Beside the picture there is nothing to cut, however long the stroke.
     if (mask_.raster.values.empty() || !(std::max(depthOf(from), depthOf(to)) > 0) ||
@@ -180,7 +182,9 @@ void PenStroke::drill(const sculpt::PenPoint& from, const sculpt::PenPoint& to) 
     const auto place = [&](const sculpt::PenPoint& pen) {
         return StrokeRaster::Place{pen.pixel, depthOf(pen), drillDirection(pen.pixel, pen.tiltDegrees)};
     };
-    const ElementBox changed = covered_.cover(mask_.raster, place(from), place(to));
+    const ElementBox changed =
+        covered_.cover(mask_.raster, flat_, place(from), place(to),
+                       covered_.elementsIn(pictureOf(*cutter_->geometry, frame_.rays)));
     const glm::dvec3 direction = place(to).direction;
     if (changed.isEmpty()) {
         return;
@@ -212,9 +216,11 @@ void PenStroke::burn(const sculpt::PenPoint& from, const sculpt::PenPoint& to) {
     if (!plane) {
         return;
     }
+    const glm::dvec2 across(acrossMm(*cutter_->geometry) / glm::length(plane->right)); // in pixels
     StrokeRaster piece(mask_.raster.pitch);
-    const auto mask = piece.part(
-        piece.cover(mask_.raster, {from.pixel - centre, depthOf(from)}, {to.pixel - centre, depthOf(to)}));
+    const auto mask =
+        piece.part(piece.cover(mask_.raster, flat_, {from.pixel - centre, depthOf(from)},
+                               {to.pixel - centre, depthOf(to)}, piece.elementsIn({-across, across})));
     std::vector<glm::dvec3> places;
     std::vector<glm::vec2> pixels; // where the mask's elements are seen once it lies on the surface
     for (int j = 0; j < mask.mask.size.y; ++j) {

@@ -53,7 +53,8 @@ private:
     MakeFrame makeFrame_;
     render::Frame frame_;
     ToolMask mask_;
-    StrokeRaster covered_; // by the drill, since it last looked at the surface
+    std::vector<std::uint16_t> flat_; // of the mask: sculpt::flatness()
+    StrokeRaster covered_;            // by the drill, since it last looked at the surface
     sculpt::Stroke toReplay_;
 };
 

@@ -4,6 +4,7 @@
 #include "field/surface_points.h"
 #include "sculpt/mask/mask.h"
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <memory>
@@ -19,6 +20,10 @@ struct ElementBox {
 
     [[nodiscard]] bool isEmpty() const { return hi.x <= lo.x || hi.y <= lo.y; }
     [[nodiscard]] glm::ivec2 size() const { return glm::max(hi - lo, glm::ivec2(0)); }
+    void include(glm::ivec2 e) {
+        lo = glm::min(lo, e);
+        hi = glm::max(hi, e + 1);
+    }
 };
 
 // What a stroke has covered of the picture so far, and how deep: at each place the greatest depth that the
@@ -34,9 +39,13 @@ public:
         double depth = 0;
         glm::dvec3 direction{0, 0, 1};
     };
-    // A mask (centred on the origin, of the same pitch) goes straight from one place to another, depth and
-    // direction changing evenly. Returns the elements that changed.
-    ElementBox cover(const sculpt::MaskRaster& mask, const Place& from, const Place& to);
+    // A mask (centred on the origin, of the same pitch; `flat` is its sculpt::flatness()) goes straight from
+    // one place to another, depth and direction changing evenly. What lies beyond `within` is left alone.
+    // Returns the elements that changed.
+    ElementBox cover(const sculpt::MaskRaster& mask, const std::vector<std::uint16_t>& flat,
+                     const Place& from, const Place& to, const ElementBox& within);
+    // The elements in a window of pixels, and those next to them.
+    [[nodiscard]] ElementBox elementsIn(const sculpt::MaskWindow& pixels) const;
 
     // Asks for the surface points in `box` and next to it that are not known yet: pixels to points.
     using Pick = std::function<std::vector<field::SurfacePoint>(const std::vector<glm::vec2>& pixels)>;

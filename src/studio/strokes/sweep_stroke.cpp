@@ -31,8 +31,10 @@ struct DrawnPath {
 
 class TrackMaker {
 public:
-    TrackMaker(render::Picker& picker, const render::Frame& frame, const volume::GridGeometry& geometry)
-        : picker_(picker), frame_(frame), geometry_(geometry),
+    // The path is exact where the mask may come into `grid`.
+    TrackMaker(render::Picker& picker, const render::Frame& frame, const volume::GridGeometry& geometry,
+               const sculpt::SweepGrid& grid)
+        : picker_(picker), frame_(frame), geometry_(geometry), grid_(grid),
           voxelFromSteps_(sculpt::voxelFromSteps(geometry.spacing())) {}
 
     Track make(const Sweep& op) {
@@ -41,17 +43,18 @@ public:
         }
         Track track;
         track.outline = outlineOf(op.mask);
+        const sculpt::PathRegion region = grid_.region(sculpt::windowAround(track.outline));
         std::vector<glm::dvec3> points;
         for (const glm::dvec3& voxel : op.path.points) {
             points.push_back(voxel / voxelFromSteps_);
         }
         switch (op.path.kind) {
         case SweepPath::Kind::Spline:
-            track.pieces = sculpt::splinePath(points, op.frame);
+            track.pieces = sculpt::splinePath(points, op.frame, region);
             break;
         case SweepPath::Kind::Helix:
-            track.pieces =
-                sculpt::helixPath({points.at(0), points.at(1), op.path.helixRadius, op.path.turns}, op.frame);
+            track.pieces = sculpt::helixPath({points.at(0), points.at(1), op.path.helixRadius, op.path.turns},
+                                             op.frame, region);
             break;
         case SweepPath::Kind::Standing: {
             const sculpt::MaskFrame frame = sculpt::frameFacing(points.at(0), points.at(1) - points.at(0));
@@ -68,8 +71,14 @@ private:
     Track drawn(const Sweep& op) {
         const DrawnPath path = op.path.kind == SweepPath::Kind::Surface ? onSurface(op.path.stroke)
                                                                         : inViewPlane(op.path.stroke);
+        auto outline = outlineOf(op.mask);
+        const glm::dvec2 centre = centreOf(outline);
+        for (glm::dvec2& pixel : outline) {
+            pixel = path.stepsPerPixel * (pixel - centre) * glm::dvec2(1, -1);
+        }
         Track track;
-        track.pieces = sculpt::recordedPath(path.points, op.frame);
+        track.pieces =
+            sculpt::recordedPath(path.points, op.frame, grid_.region(sculpt::windowAround(outline)));
         if (track.pieces.empty()) {
             return track;
         }
@@ -78,10 +87,8 @@ private:
         const glm::dvec2 up(glm::dot(path.up, first.x), glm::dot(path.up, first.y));
         const double angle = glm::length(up) > 1e-6 ? std::atan2(-up.x, up.y) : 0.0;
         const glm::dmat2 turn(std::cos(angle), std::sin(angle), -std::sin(angle), std::cos(angle));
-        const auto outline = outlineOf(op.mask);
-        const glm::dvec2 centre = centreOf(outline);
-        for (const glm::dvec2 pixel : outline) {
-            track.outline.push_back(turn * (path.stepsPerPixel * (pixel - centre) * glm::dvec2(1, -1)));
+        for (const glm::dvec2 element : outline) {
+            track.outline.push_back(turn * element);
         }
         return track;
     }
@@ -135,6 +142,7 @@ private:
     render::Picker& picker_;
     const render::Frame& frame_;
     const volume::GridGeometry& geometry_;
+    const sculpt::SweepGrid& grid_;
     glm::dvec3 voxelFromSteps_;
 };
 
@@ -152,20 +160,22 @@ void SweepStroke::replay() {
         throw Error("sweep: a mask that stands still sweeps nothing; give it a path, or raw energy");
     }
     const volume::GridGeometry& geometry = *cutter_->geometry;
-    const Track track = TrackMaker(cutter_->picker, frame_, geometry).make(op);
+    const glm::dvec3 scale = sculpt::voxelFromSteps(geometry.spacing());
+    const sculpt::Footprint footprint = sculpt::sweepFootprint(op.radius, geometry.spacing());
+    const sculpt::SweepGrid grid = sculpt::sweepGrid(geometry.dims, footprint, scale);
+    const Track track = TrackMaker(cutter_->picker, frame_, geometry, grid).make(op);
     const auto outline = sculpt::subdivide(track.outline, op.subdivision, op.subdivisionLevels);
-    const auto mask = sculpt::rasterize(outline, op.pitch, op.filter);
+    const auto mask = sculpt::rasterize(sculpt::outlineInto(grid, outline, track.pieces, op.pitch, op.filter),
+                                        op.pitch, op.filter);
     if (track.pieces.empty() || mask.values.empty()) {
         return;
     }
-    const glm::dvec3 scale = sculpt::voxelFromSteps(geometry.spacing());
     if (op.method == Sweep::Method::Projection) {
         cutter_->solids.cutValues(*cutter_->sculpture,
                                   sculpt::projectSweep(mask, track.pieces, geometry.dims, scale), how_,
                                   backup_);
         return;
     }
-    const sculpt::Footprint footprint = sculpt::sweepFootprint(op.radius, geometry.spacing());
     sculpt::Radiator& radiator = cutter_->tools.radiator();
     const Box3 touched =
         op.isRaw ? sculpt::radiateRaw(radiator, mask, framesOf(op, track), geometry.dims, footprint, scale)
@@ -178,8 +188,11 @@ void SweepStroke::replay() {
 std::vector<std::vector<glm::dvec2>> sweptOutlines(Cutter& cutter, const render::Frame& frame,
                                                    const Sweep& operation) {
     const volume::GridGeometry& geometry = *cutter.geometry;
-    const Track track = TrackMaker(cutter.picker, frame, geometry).make(operation);
     const glm::dvec3 voxelFromSteps = sculpt::voxelFromSteps(geometry.spacing());
+    sculpt::SweepGrid nowhere; // outlines to look at need no exact chords
+    nowhere.voxelFromSteps = voxelFromSteps;
+    nowhere.lo = nowhere.hi;
+    const Track track = TrackMaker(cutter.picker, frame, geometry, nowhere).make(operation);
     std::vector<std::vector<glm::dvec2>> outlines;
     const std::size_t stride =
         std::max<std::size_t>(1, (track.pieces.size() + kMostPreviews - 1) / kMostPreviews);

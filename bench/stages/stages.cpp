@@ -30,7 +30,7 @@ struct LitBall {
         input.scene.data = &field;
         input.scene.displayedRange = {100, 255};
         input.macrocells = &macrocells;
-        macrocells.rebuild({.dataCells = &cells.cells, .displayedRange = input.scene.displayedRange});
+        macrocells.rebuild({.dataCells = &cells.cells, .visibleRange = input.scene.displayedRange});
         occlusion.rebuild(input);
     }
 

@@ -2,20 +2,70 @@
 #include "base/atomic_file.h"
 
 #include "base/error.h"
+#include "base/hash.h"
 
 #include <fcntl.h>
+#include <sys/utsname.h>
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cerrno>
+#include <charconv>
+#include <csignal>
+#include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <string_view>
 #include <utility>
 #include <vector>
 
 namespace vs {
 
 namespace {
+
+std::filesystem::path folderOf(const std::filesystem::path& file) {
+    return file.has_parent_path() ? file.parent_path() : std::filesystem::path(".");
+}
+
+constexpr std::string_view kPart = ".part"; // what temporary files have in their names, then pid@machine
+
+// Tells machines that write to the same folder of a network apart.
+std::string machine() {
+    utsname names{};
+    uname(&names);
+    Hash64 hash;
+    hash.add(std::as_bytes(std::span(names.nodename, std::strlen(names.nodename))));
+    return hash.text().substr(0, 6);
+}
+
+std::string writerMark() { return std::to_string(getpid()) + "@" + machine(); }
+
+// Whether a file's name is that of a temporary one whose writer has ended on this machine: it was killed.
+bool isLeftover(const std::string& name) {
+    const auto part = name.rfind(kPart);
+    const auto at = name.find('@', part == std::string::npos ? name.size() : part);
+    if (!name.starts_with('.') || at == std::string::npos ||
+        name.substr(at + 1, machine().size()) != machine()) {
+        return false;
+    }
+    pid_t writer = 0;
+    const char* const first = name.data() + part + kPart.size();
+    const auto read = std::from_chars(first, name.data() + at, writer);
+    return read.ptr == name.data() + at && writer > 0 && kill(writer, 0) != 0 && errno == ESRCH;
+}
+
+// Runs that were killed left what they had begun to write.
+void clearLeftovers(const std::filesystem::path& folder) {
+    std::error_code ignored;
+    for (auto entry = std::filesystem::directory_iterator(folder, ignored);
+         !ignored && entry != std::filesystem::directory_iterator(); entry.increment(ignored)) {
+        if (isLeftover(entry->path().filename().string())) {
+            std::error_code stays;
+            std::filesystem::remove_all(entry->path(), stays);
+        }
+    }
+}
 
 // In that folder, with the name's extension; ".nii.gz" counts as one.
 std::filesystem::path temporaryIn(const std::filesystem::path& folder, const std::filesystem::path& name) {
@@ -27,7 +77,9 @@ std::filesystem::path temporaryIn(const std::filesystem::path& folder, const std
         stem.resize(stem.size() - inner.size());
         extension = inner + extension;
     }
-    return folder / ("." + stem + ".part" + std::to_string(getpid()) + extension);
+    std::transform(extension.begin(), extension.end(), extension.begin(),
+                   [](unsigned char letter) { return char(std::tolower(letter)); });
+    return folder / ("." + stem + std::string(kPart) + writerMark() + extension);
 }
 
 void syncFile(const std::filesystem::path& path) {
@@ -51,17 +103,21 @@ void fill(const std::filesystem::path& path, std::span<const std::byte> content)
     }
 }
 
-// A temporary file that was filled and synced; gone in the end unless it was published.
+// The new name itself must reach the disk too. Where folders cannot be synced the file is still whole.
+void syncFolder(const std::filesystem::path& folder) {
+    const int file = open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
+    if (file >= 0) {
+        fsync(file);
+        close(file);
+    }
+}
+
+// A temporary file that was filled and synced; gone in the end. publish() gives it its name, and what had
+// that name the temporary one, so that takeBack() can undo it.
 class FilledFile {
 public:
     explicit FilledFile(const FileWriting& file) : path_(file.path), target_(outputFile(file.path)) {
-        const std::filesystem::path folder = target_.has_parent_path() ? target_.parent_path() : ".";
-        std::error_code ignored;
-        if (!std::filesystem::is_directory(folder, ignored)) {
-            throw WriteError("{}: the folder {} does not exist; make it or choose another", path_.string(),
-                             folder.string());
-        }
-        temporary_ = temporaryIn(folder, path_);
+        temporary_ = temporaryBeside(target_, path_);
         attempt([&] {
             file.write(temporary_);
             syncFile(temporary_);
@@ -74,9 +130,30 @@ public:
     FilledFile& operator=(FilledFile&&) = delete;
 
     void publish() {
-        attempt([&] { std::filesystem::rename(temporary_, target_); });
-        temporary_.clear();
+        attempt([&] {
+            std::error_code ignored;
+            wasThere_ =
+                std::filesystem::is_regular_file(target_, ignored) &&
+                renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) == 0;
+            if (!wasThere_) { // nothing had the name, or the file system cannot exchange
+                std::filesystem::rename(temporary_, target_);
+            }
+        });
+        isPublished_ = true;
     }
+    void takeBack() noexcept {
+        if (!isPublished_) {
+            return;
+        }
+        std::error_code ignored;
+        if (wasThere_) {
+            std::filesystem::rename(temporary_, target_, ignored);
+        } else {
+            std::filesystem::remove(target_, ignored);
+        }
+        isPublished_ = false;
+    }
+    void syncName() const { syncFolder(folderOf(target_)); }
 
 private:
     // Does what may fail, and says of which file that is.
@@ -101,10 +178,24 @@ private:
 
     std::filesystem::path path_;
     std::filesystem::path target_;
-    std::filesystem::path temporary_; // empty: it is no more
+    std::filesystem::path temporary_; // what is in it now is not wanted in the end
+    bool isPublished_ = false;
+    bool wasThere_ = false; // another file had the name
 };
 
 } // namespace
+
+std::filesystem::path temporaryBeside(const std::filesystem::path& target,
+                                      const std::filesystem::path& path) {
+    const std::filesystem::path folder = folderOf(target);
+    std::error_code ignored;
+    if (!std::filesystem::is_directory(folder, ignored)) {
+        throw WriteError("{}: the folder {} does not exist; make it or choose another", path.string(),
+                         folder.string());
+    }
+    clearLeftovers(folder);
+    return temporaryIn(folder, path);
+}
 
 std::filesystem::path outputFile(const std::filesystem::path& path) {
     std::error_code ignored;
@@ -136,8 +227,18 @@ void writeAllAtomically(std::span<const FileWriting> files) {
     for (const FileWriting& file : files) {
         filled.emplace_back(file);
     }
-    for (FilledFile& file : filled) {
-        file.publish();
+    try {
+        for (FilledFile& file : filled) {
+            file.publish();
+        }
+    } catch (...) {
+        for (FilledFile& file : filled) {
+            file.takeBack();
+        }
+        throw;
+    }
+    for (const FilledFile& file : filled) {
+        file.syncName();
     }
 }
 

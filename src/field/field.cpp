@@ -47,12 +47,15 @@ void uploadSlabs(Field& field, const Stored* values, Convert convert) {
 
 } // namespace
 
-float valueTolerance(const Field& field) {
-    // Eight weighted texels and the affine: a few units in the last place of the largest number involved.
-    const double largest = field.isIntegral && field.valueScale > 1
-                               ? double(field.valueScale)
-                               : std::max(std::abs(field.range.lo), std::abs(field.range.hi));
-    return float(5e-7 * largest);
+double toleranceAt(double end, const Field& field) {
+    // Eight weighted texels and the affine: a few units in the last place of the largest number involved. For
+    // floats that is the value itself, whatever others there are in the volume.
+    const double most = std::max(std::abs(field.range.lo), std::abs(field.range.hi));
+    return 5e-7 * (field.valueScale > 1 ? double(field.valueScale) : std::min(std::abs(end), most));
+}
+
+Range withTolerance(const Range& displayed, const Field& field) {
+    return {displayed.lo - toleranceAt(displayed.lo, field), displayed.hi + toleranceAt(displayed.hi, field)};
 }
 
 std::uint64_t nextSerial() {
@@ -66,6 +69,7 @@ Field uploadVolume(const volume::Volume& volume) {
     field.serial = nextSerial();
     field.geometry = volume.geometry;
     field.range = volume.range;
+    field.usual = volume.usual;
     field.isHounsfield = volume.unit == "HU";
     volume::visit(volume, [&]<typename T>(const T* values) {
         const auto make = [&](gl::Format format) {

@@ -21,15 +21,19 @@ struct Field {
     bool isIntegral = false;   // stored values are whole numbers
     bool isHounsfield = false; // the values are said to be Hounsfield units
     Range range;               // smallest and largest finite value
+    Range usual;               // volume::Volume::usual: of histograms, landmarks and tables
     std::uint64_t serial = 0;  // different for each upload: whether what was derived from it is still good
 };
 
 // Stands for NaN and infinity: far below any value, small enough that interpolation stays finite.
 inline constexpr float kNonFinite = -1e30F;
 
-// How far an interpolated value may be off by rounding, in the field's unit: what comparisons with a
-// displayed range allow for, or the inside of an object at exactly the upper end would be seen as outside.
-float valueTolerance(const Field& field);
+// How far interpolated values that lie at `end` of a displayed range may be off by rounding, in the field's
+// unit: what comparisons with it allow for, or the inside of an object of exactly that value would be seen as
+// outside.
+double toleranceAt(double end, const Field& field);
+// A displayed range, wider by that at either end.
+Range withTolerance(const Range& displayed, const Field& field);
 
 // A serial number that no field has yet.
 std::uint64_t nextSerial();

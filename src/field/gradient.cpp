@@ -34,7 +34,7 @@ void bind(gl::Program& program, const Field& field, const Range& gradients, glm:
     program.set("dims", field.geometry.dims)
         .set("bins", bins)
         .set("valueScale", glm::vec3(field.valueScale, field.valueOffset, field.isIntegral ? 1 : 0))
-        .set("ranges", glm::vec4(float(field.range.lo), float(field.range.hi), float(gradients.lo),
+        .set("ranges", glm::vec4(float(field.usual.lo), float(field.usual.hi), float(gradients.lo),
                                  float(gradients.hi)))
         .set("worldFromVoxelGradient",
              glm::mat4(glm::transpose(glm::dmat3(field.geometry.voxelFromWorld()))));
@@ -123,7 +123,7 @@ JointHistogram jointHistogram(const Field& field, const Range& gradients, glm::i
     gl::Buffer counts(all * sizeof(std::uint32_t), "joint histogram");
     counts.bindStorage(kCountsStorage);
     count(program, field, gradients, bins);
-    return {bins, field.range, gradients, counts.read<std::uint32_t>(all)};
+    return {bins, field.usual, gradients, counts.read<std::uint32_t>(all)};
 }
 
 JointCounting::JointCounting(const Field& field, glm::ivec2 bins)
@@ -133,7 +133,7 @@ JointCounting::JointCounting(const Field& field, glm::ivec2 bins)
       counts_(std::size_t(bins.x) * std::size_t(bins.y) * sizeof(std::uint32_t), "joint histogram"),
       measured_(field.geometry.dims), counted_(field.geometry.dims) {
     VS_CHECK(bins.x >= 1 && bins.x <= 4096 && bins.y >= 1 && bins.y <= 4096);
-    joint_ = {bins, field.range, {}, {}};
+    joint_ = {bins, field.usual, {}, {}};
 }
 
 bool JointCounting::advance(double budgetMs) {

@@ -20,7 +20,7 @@ void bind(gl::Program& program, const Field& field, const Box3& box, int bins, c
         .set("last", box.hi - 1)
         .set("bins", bins)
         .set("valueScaleOffset", glm::vec2(field.valueScale, field.valueOffset))
-        .set("valueRange", glm::vec2(float(field.range.lo), float(field.range.hi)));
+        .set("valueRange", glm::vec2(float(field.usual.lo), float(field.usual.hi)));
 }
 
 Box3 wholeOf(const Field& field) { return {glm::ivec3(0), field.geometry.dims}; }
@@ -29,7 +29,7 @@ Box3 wholeOf(const Field& field) { return {glm::ivec3(0), field.geometry.dims}; 
 
 int finestBins(const Field& field) {
     constexpr int most = 4096;
-    return field.isIntegral ? int(std::clamp(field.range.width(), 1.0, double(most))) : most;
+    return field.isIntegral ? int(std::clamp(field.usual.width(), 1.0, double(most))) : most;
 }
 
 std::vector<std::uint32_t> intensityHistogram(const Field& field, int bins) {

@@ -148,7 +148,7 @@ Landmarks findLandmarks(const Field& field) {
     const int bins = finestBins(field);
     const glm::ivec3 rim = field.geometry.dims / 4;
     const Box3 middle{rim, field.geometry.dims - rim};
-    return landmarksOf(intensityHistogram(field, bins), intensityHistogram(field, middle, bins), field.range);
+    return landmarksOf(intensityHistogram(field, bins), intensityHistogram(field, middle, bins), field.usual);
 }
 
 Range findAirAndWater(const Landmarks& landmarks, const Range& range) {

@@ -24,7 +24,7 @@ void SceneBinding::bind(const Scene& scene) {
     block.dims = glm::ivec4(data.geometry.dims, int(scene.view));
     block.spacing = glm::vec4(glm::vec3(data.geometry.spacing()), float(data.geometry.stepMm()));
     block.valueScale = {data.valueScale, data.valueOffset, data.isIntegral ? 1.0F : 0.0F,
-                        valueTolerance(data)};
+                        float(toleranceAt(scene.displayedRange.lo, data))};
     // Never below the data, so that the stand-in for non-finite voxels (which only float fields have) is
     // outside.
     const double lo =
@@ -32,6 +32,7 @@ void SceneBinding::bind(const Scene& scene) {
     block.range = {float(lo), float(scene.displayedRange.hi), float(scene.greyWindow.lo),
                    float(scene.greyWindow.hi)};
     constexpr float beyondAllValues = 1e30F;
+    block.limits.w = float(toleranceAt(scene.displayedRange.hi, data));
     block.limits.x = scene.showsAbove ? beyondAllValues : block.range.y;
     block.sceneFlags =
         glm::vec4(scene.segmentation != nullptr ? 1.0F : 0.0F, 1.0F / glm::vec3(data.geometry.dims));

@@ -25,9 +25,10 @@ constexpr const auto& namesOf(Sampling) { return kSamplings; }
 struct SceneBlock {
     glm::mat4 worldFromVoxel{1};
     glm::mat4 voxelFromWorld{1};
-    glm::ivec4 dims{0};      // xyz: voxels, w: SculptureView
-    glm::vec4 spacing{1};    // xyz: mm, w: step in mm
-    glm::vec4 valueScale{1}; // x scale, y offset, z 1 if values are whole numbers, w tolerance
+    glm::ivec4 dims{0};   // xyz: voxels, w: SculptureView
+    glm::vec4 spacing{1}; // xyz: mm, w: step in mm
+    glm::vec4 valueScale{
+        1}; // x scale, y offset, z 1 if values are whole numbers, w tolerance at the lower end of the range
     glm::vec4 range{0};      // xy displayed range, zw grey window of cut faces, in the field's unit
     glm::vec4 sceneFlags{0}; // x: 1 if there is a segmentation, yzw: 1 / dims
     glm::vec4 limits{0};     // x: the greatest value that is visible, yz: scale and offset of `smoothed`

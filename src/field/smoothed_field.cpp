@@ -93,6 +93,7 @@ Field emptyLike(const Field& source, std::uint64_t serial) {
     Field out;
     out.geometry = source.geometry;
     out.range = source.range;
+    out.usual = source.usual;
     out.serial = serial;
     const gl::Format format = source.isIntegral ? gl::Format::R16 : gl::Format::R32F;
     out.texels = gl::Texture(source.geometry.dims, format, gl::Filter::Linear, "smoothed data");

@@ -3,22 +3,7 @@
 
 #include "base/error.h"
 
-#include <fmt/format.h>
-#include <unistd.h>
-
 namespace vs::image {
-
-std::filesystem::path temporaryBeside(const std::filesystem::path& target,
-                                      const std::filesystem::path& path) {
-    const std::filesystem::path folder = target.has_parent_path() ? target.parent_path() : ".";
-    std::error_code ignored;
-    if (!std::filesystem::is_directory(folder, ignored)) {
-        throw WriteError("{}: the folder {} does not exist; make it or choose another", path.string(),
-                         folder.string());
-    }
-    return folder /
-           fmt::format(".{}.part{}{}", target.stem().string(), getpid(), target.extension().string());
-}
 
 void cannotWrite(const std::filesystem::path& path, const std::string& reason) {
     throw WriteError("{}: cannot be written ({}); choose a folder that can be written to", path.string(),

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "base/atomic_file.h"
 #include "image/film.h"
 
 #include <string>
-#include <utility>
 
 // What both kinds of films are made of; for the files that write them.
 namespace vs::image {
@@ -26,28 +26,6 @@ public:
 std::unique_ptr<FilmSink> openEncodedFilm(const std::filesystem::path& path, FilmFormat format,
                                           glm::ivec2 size, const FilmSettings& settings);
 std::unique_ptr<FilmSink> openNumberedPictures(const std::filesystem::path& path);
-
-// A file, or a folder with what is in it, that is removed in the end unless it has moved away.
-class Leftover {
-public:
-    explicit Leftover(std::filesystem::path path) : path_(std::move(path)) {}
-    ~Leftover() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
-    Leftover(const Leftover&) = delete;
-    Leftover& operator=(const Leftover&) = delete;
-
-    [[nodiscard]] const std::filesystem::path& path() const { return path_; }
-
-private:
-    std::filesystem::path path_;
-};
-
-// The hidden name beside `target` under which it is written until it is whole, as base/atomic_file.h has it:
-// ".turn.part123.webm". Throws WriteError naming `path`, which is how the person calls the target, when there
-// is no folder for it.
-std::filesystem::path temporaryBeside(const std::filesystem::path& target, const std::filesystem::path& path);
 
 // Throws WriteError: `path` cannot be written, for a reason in one line.
 [[noreturn]] void cannotWrite(const std::filesystem::path& path, const std::string& reason);

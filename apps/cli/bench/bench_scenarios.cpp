@@ -143,8 +143,7 @@ void benchData(const BenchSettings& settings, const volume::Volume& volume, cons
     render::Macrocells macrocells;
     render::Macrocells::Input input;
     input.dataCells = &cells.cells;
-    input.displayedRange = displayed;
-    input.valueTolerance = field::valueTolerance(field);
+    input.visibleRange = field::withTolerance(displayed, field);
     add("macrocells", settings.frames, [&] { macrocells.rebuild(input); });
 }
 

@@ -55,13 +55,13 @@ Range notEmpty(const Range& gradients) { return gradients.width() > 0 ? gradient
 // Values that come in steps have bins around as many of them each as make few enough bins: with unequal
 // numbers of them the bins would look like a comb. Others have equal parts of the range.
 Counts countIntensities(const volume::Volume& volume) {
-    if (volume.range.width() == 0) {
-        return {around(volume.range.lo), {double(volume.geometry.voxelCount() - volume.nonFiniteCount)}};
+    if (volume.usual.width() == 0) {
+        return {around(volume.usual.lo), {double(volume.geometry.voxelCount() - volume.nonFiniteCount)}};
     }
     const auto steps = countSteps(volume);
     if (!steps) {
         const auto counts = volume::histogram(volume, kBins);
-        return {volume.range, {counts.begin(), counts.end()}};
+        return {volume.usual, {counts.begin(), counts.end()}};
     }
     const std::size_t perBin = (steps->counts.size() + kBins - 1) / kBins;
     std::vector<double> counts((steps->counts.size() + perBin - 1) / perBin);
@@ -184,7 +184,7 @@ Result jointHistogram(const volume::Volume& volume, const Range& marked, glm::iv
     // The bins along the intensities are those of the intensities alone: values lie inside them, not on their
     // borders.
     const Counts alone = countIntensities(volume);
-    field.range = alone.range;
+    field.usual = alone.range;
     const auto joint = field::jointHistogram(field, gradients, {int(alone.counts.size()), kGradientBins});
     context.requireNoErrors();
     image::DensityChart chart;
@@ -203,8 +203,8 @@ Result jointHistogram(const volume::Volume& volume, const Range& marked, glm::iv
 
 // The range that the volume is shown in at first, as `info` suggests it.
 Range suggestedRange(const volume::Volume& volume) {
-    const double lo = volume::otsuThreshold(volume::histogram(volume, 256), volume.range);
-    return {volume.type == volume::ScalarType::Float32 ? lo : std::ceil(lo), volume.range.hi};
+    const double lo = volume::otsuThreshold(volume::histogram(volume, 256), volume.usual);
+    return {volume.type == volume::ScalarType::Float32 ? lo : std::ceil(lo), volume.usual.hi};
 }
 
 glm::ivec2 chartSize(const std::string& text) {

@@ -36,31 +36,31 @@ std::vector<std::uint64_t> fineCounts(const Volume& volume) {
 }
 
 // The value that the given part of all finite voxels does not exceed.
-double percentile(const Volume& volume, const std::vector<std::uint64_t>& counts, double part) {
+double percentile(const Range& range, const std::vector<std::uint64_t>& counts, double part) {
     const double total = double(std::accumulate(counts.begin(), counts.end(), std::uint64_t(0)));
     double below = 0;
     for (std::size_t bin = 0; bin < counts.size(); ++bin) {
         below += double(counts[bin]);
         if (counts[bin] > 0 && below >= part * total) {
             const double place = counts.size() > 1 ? double(bin) / double(counts.size() - 1) : 0.0;
-            return volume.range.lo + volume.range.width() * place;
+            return range.lo + range.width() * place;
         }
     }
-    return volume.range.hi;
+    return range.hi;
 }
 
 Summary summarise(const Volume& volume) {
     Summary summary;
     summary.counts = volume::histogram(volume, bins);
     const auto fine = fineCounts(volume);
+    const Range& range = hasFewValues(volume) ? volume.range : volume.usual; // of the fine counts
     for (std::size_t i = 0; i < percents.size(); ++i) {
-        summary.percentiles[i] = percentile(volume, fine, percents[i] / 100.0);
+        summary.percentiles[i] = percentile(range, fine, percents[i] / 100.0);
     }
     const auto fullest = std::max_element(fine.begin(), fine.end()) - fine.begin();
     summary.commonest =
-        volume.range.lo +
-        (fine.size() > 1 ? volume.range.width() * double(fullest) / double(fine.size() - 1) : 0.0);
-    summary.foreground = volume::otsuThreshold(summary.counts, volume.range);
+        range.lo + (fine.size() > 1 ? range.width() * double(fullest) / double(fine.size() - 1) : 0.0);
+    summary.foreground = volume::otsuThreshold(summary.counts, volume.usual);
     if (volume.type != volume::ScalarType::Float32) {
         summary.foreground = std::ceil(summary.foreground);
     }
@@ -115,7 +115,7 @@ void printText(const Volume& volume) {
     fmt::print("commonest    {:.6g}\n", summary.commonest);
     fmt::print("histogram    |{}|\n", sparkline(summary.counts));
     fmt::print("suggested    {:.6g} to {:.6g} (shown range: foreground by Otsu's threshold)\n",
-               summary.foreground, volume.range.hi);
+               summary.foreground, volume.usual.hi);
 }
 
 nlohmann::json toJson(const ReadResult& result) {
@@ -146,14 +146,14 @@ nlohmann::json toJson(const ReadResult& result) {
             {"orientation", volume.geometry.orientationCode()},
             {"worldFromVoxel", affine},
             {"range", {volume.range.lo, volume.range.hi}},
-            {"suggestedRange", {summary.foreground, volume.range.hi}},
+            {"suggestedRange", {summary.foreground, volume.usual.hi}},
             {"nonFinite", volume.nonFiniteCount},
             {"voxels", volume.geometry.voxelCount()},
             {"bytes", volume.bytes.size()},
             {"histogram",
              {{"bins", bins},
-              {"lo", volume.range.lo},
-              {"hi", volume.range.hi},
+              {"lo", volume.usual.lo},
+              {"hi", volume.usual.hi},
               {"counts", summary.counts},
               {"percentiles", percentiles}}},
             {"notices", result.notices}};

@@ -34,7 +34,7 @@ QDoubleSpinBox* makeValueBox(const char* name, const QString& accessibleName, co
     auto* box = makeSpinBox(name, accessibleName);
     box->setRange(std::min(volume.range.lo, value), std::max(volume.range.hi, value));
     const bool isWhole = volume.type != volume::ScalarType::Float32;
-    const double width = std::max(volume.range.width(), 1e-9);
+    const double width = std::max(volume.usual.width(), 1e-9);
     box->setDecimals(
         isWhole && value == std::floor(value) ? 0 : std::clamp(4 - int(std::floor(std::log10(width))), 0, 8));
     box->setValue(value);
@@ -120,7 +120,7 @@ void ExportDialog::makeVolumeRows() {
     row->addWidget(most_);
     row->addStretch(1);
     form_->addRow(tr("Values"), rangeRow_);
-    fill_ = makeValueBox("exportFill", tr("Value of what is cut"), volume, volume.range.lo);
+    fill_ = makeValueBox("exportFill", tr("Value of what is cut"), volume, volume.usual.lo);
     fill_->setToolTip(tr("What is written where the scan was cut away"));
     form_->addRow(tr("Cut away becomes"), fill_);
     estimate_ = named(makeQuietLabel({}), "exportEstimate", tr("Size"));
@@ -190,7 +190,7 @@ studio::ExportSettings ExportDialog::settings() const {
     settings.refinement.share = share_->value() / 100.0;
     const Range shown = studio_.view().shown().range;
     settings.range = {numberIn(*least_, shown.lo), numberIn(*most_, shown.hi)};
-    settings.fill = numberIn(*fill_, studio_.host().document()->volume().range.lo);
+    settings.fill = numberIn(*fill_, studio_.host().document()->volume().usual.lo);
     return settings;
 }
 

@@ -164,9 +164,9 @@ void GrowthRulesPanel::takeDocument() {
     const auto* document = studio_.host().document();
     const auto& volume = document->volume();
     const bool isWhole = volume.type != volume::ScalarType::Float32;
-    const double width = std::max(volume.range.width(), 1e-9);
+    const double width = std::max(volume.usual.width(), 1e-9);
     const int decimals = isWhole ? 0 : std::clamp(int(std::ceil(3 - std::log10(width))), 0, 8);
-    histogram_->setCounts(document->histogram(), volume.range);
+    histogram_->setCounts(document->histogram(), volume.usual);
     histogram_->setQuantum(isWhole ? 1 : 0);
     for (QDoubleSpinBox* box : {lo_, hi_}) {
         box->setDecimals(decimals);

@@ -108,13 +108,13 @@ void RangePage::takeDocument() {
     const auto* document = studio_.host().document();
     const auto& volume = document->volume();
     const QString unit = QString::fromStdString(volume.unit);
-    view_->setCounts(document->histogram(), volume.range, unit);
+    view_->setCounts(document->histogram(), volume.usual, unit);
     unit_->setText(unit);
     unit_->setVisible(!unit.isEmpty());
     const bool isWhole = volume.type != volume::ScalarType::Float32;
     view_->setQuantum(isWhole ? 1 : 0);
     // Floats: enough digits for a thousandth of the range.
-    const double width = std::max(volume.range.width(), 1e-9);
+    const double width = std::max(volume.usual.width(), 1e-9);
     const int decimals = isWhole ? 0 : std::clamp(int(std::ceil(3 - std::log10(width))), 0, 8);
     for (QDoubleSpinBox* box : {lo_, hi_}) {
         const QSignalBlocker blocker(box);

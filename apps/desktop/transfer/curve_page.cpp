@@ -55,8 +55,8 @@ void CurvePage::takeDocument() {
     if (kind_ == FunctionEditor::Kind::Intensity) {
         const bool isWhole = volume.type != volume::ScalarType::Float32;
         chart_->setQuantum(isWhole ? 1 : 0);
-        setCounts(document->histogram(), volume.range, QString::fromStdString(volume.unit));
-        setDigits(value_, volume.range, isWhole);
+        setCounts(document->histogram(), volume.usual, QString::fromStdString(volume.unit));
+        setDigits(value_, volume.usual, isWhole);
     } else {
         chart_->setEmptyText(tr("Counting\u2026"));
         chart_->setCounts({});

@@ -101,12 +101,12 @@ Range ShapePage::typed(const QDoubleSpinBox& lo, const QDoubleSpinBox& hi, const
 void ShapePage::takeDocument() {
     const auto& volume = studio_.host().document()->volume();
     const bool isWhole = volume.type != volume::ScalarType::Float32;
-    chart_->setAxis(volume.range, QString::fromStdString(volume.unit));
+    chart_->setAxis(volume.usual, QString::fromStdString(volume.unit));
     chart_->setQuantum(isWhole ? 1 : 0);
     chart_->setEmptyText(tr("Counting\u2026"));
     chart_->forgetJoint();
     for (QDoubleSpinBox* box : {baseLo_, baseHi_, topLo_, topHi_}) {
-        setDigits(box, volume.range, isWhole);
+        setDigits(box, volume.usual, isWhole);
     }
 }
 

@@ -37,10 +37,13 @@ void main() {
     ivec2 column = first.xy + ivec2(gl_GlobalInvocationID.xy) + ivec2(0, 8 * firstRow);
     if (all(lessThanEqual(column, last.xy))) {
         float scale = valueRange.y > valueRange.x ? float(bins) / (valueRange.y - valueRange.x) : 0.0;
+        float margin = max(valueRange.y - valueRange.x, 1.0); // rounding is far below it
         for (int z = first.z; z <= last.z; ++z) {
             float value =
                 texelFetch(dataTexture, ivec3(column, z), 0).r * valueScaleOffset.x + valueScaleOffset.y;
-            if (value > -1e29 && isVisible(ivec3(column, z))) { // non-finite voxels are stored far below
+            // Non-finite voxels are stored far below, and what is not usual lies far away on either side.
+            bool isUsual = value >= valueRange.x - margin && value <= valueRange.y + margin;
+            if (isUsual && isVisible(ivec3(column, z))) {
                 int bin = clamp(int((value - valueRange.x) * scale), 0, bins - 1);
                 atomicAdd(localCounts[bin], 1u);
             }

@@ -13,11 +13,11 @@ layout(std140, binding = kSceneBlock) uniform SceneBlock {
     mat4 voxelFromWorld;
     ivec4 dims;      // xyz voxels, w sculpture view: 0 whole, 1 cut, 2 probe
     vec4 spacing;    // xyz mm, w step mm
-    vec4 valueScale; // x scale, y offset, z 1 if values are whole numbers, w tolerance of comparisons
+    vec4 valueScale; // x scale, y offset, z 1 if values are whole numbers, w tolerance at the lower end of the range
     vec4 range;      // xy displayed range, zw grey window
     vec4 sceneFlags; // x 1 if there is a segmentation, yzw 1 / dims
     vec4 limits; // x the greatest visible value: the displayed range's upper end, or beyond all values (MIP,
-                 // X-ray); yz scale and offset of smoothed values
+                 // X-ray); yz scale and offset of smoothed values, w tolerance at the upper end
 };
 
 #ifdef SMOOTHED
@@ -115,7 +115,7 @@ uint segmentOf(ivec3 voxel) {
 
 // How far a value is inside what is visible of the values: the displayed range, without an upper end where
 // limits.x says so.
-float insideRange(float value) { return min(value - range.x, limits.x - value) + valueScale.w; }
+float insideRange(float value) { return min(value - range.x + valueScale.w, limits.x - value + limits.w); }
 
 // Cut view shows sculpture < 0.5, probe view >= 0.5.
 float visibleSide(float sculpture) {

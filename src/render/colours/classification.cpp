@@ -26,7 +26,7 @@ bool goesByGradients(const TransferFunction& function) { return function.kind !=
 Range robustRange(const field::Field& field) {
     constexpr double odd = 0.001;
     const auto counts = field::intensityHistogram(field, 4096);
-    return {field::percentile(counts, field.range, odd), field::percentile(counts, field.range, 1 - odd)};
+    return {field::percentile(counts, field.usual, odd), field::percentile(counts, field.usual, 1 - odd)};
 }
 
 } // namespace
@@ -54,7 +54,7 @@ double Classification::gradientTop(const field::Field& field) {
 // What the function's positions ask for, each a pass over the voxels.
 Anchors Classification::anchorsFor(const TransferFunction& function, const field::Field& field) {
     Anchors anchors;
-    anchors.values = field.range;
+    anchors.values = field.usual;
     anchors.stepMm = field.geometry.stepMm();
     if (function.positions == Positions::Robust) {
         robustValues_ = robustValues_ ? robustValues_ : robustRange(field);
@@ -66,7 +66,7 @@ Anchors Classification::anchorsFor(const TransferFunction& function, const field
         anchors.landmarks = *landmarks_;
     }
     anchors.airAndWater =
-        field.isHounsfield ? field::kAirAndWaterHu : field::findAirAndWater(anchors.landmarks, field.range);
+        field.isHounsfield ? field::kAirAndWaterHu : field::findAirAndWater(anchors.landmarks, field.usual);
     if (goesByGradients(function)) {
         anchors.gradientTop = gradientTop(field);
     }
@@ -97,7 +97,7 @@ bool Classification::update(const TransferFunction& function, const field::Field
         keepGradients(field, gradientTop(field));
     }
     resolved_ = resolve(function, anchorsFor(function, field));
-    const auto tables = makeTables(resolved_, field.range, field.geometry.stepMm());
+    const auto tables = makeTables(resolved_, field.usual, field.geometry.stepMm());
     uploadTables(tables);
     writeBlock(tables, field);
     ++version_;
@@ -151,8 +151,8 @@ void Classification::writeBlock(const ClassificationTables& tables, const field:
     ClassificationBlock block;
     // Never below the data, so that the stand-in for non-finite voxels (which only float fields have), and
     // what is interpolated from it, stays clear.
-    const double lowest =
-        field.isIntegral ? double(field::kNonFinite) : field.range.lo - double(field::valueTolerance(field));
+    const double lowest = field.isIntegral ? double(field::kNonFinite)
+                                           : field.range.lo - field::toleranceAt(field.range.lo, field);
     block.valueAxis = glm::vec4(glm::dvec4(axisOf(tables.values, columns), lowest, columns));
     block.gradientAxis =
         glm::vec4(glm::dvec4(axisOf(tables.gradients, isGradient ? tables.size.x : tables.size.y),

@@ -14,7 +14,7 @@ struct Greatest {
 float hopelessUntil(Ray ray, float t, float greatest, vec3 inverseDirection) {
     ivec3 cell = cellAt(at(ray, t));
     int distance = int(texelFetch(cellDistances, cell, 0).r);
-    float top = min(texelFetch(dataCellRanges, cell, 0).g, limits.x + valueScale.w);
+    float top = min(texelFetch(dataCellRanges, cell, 0).g, limits.x + limits.w);
     return distance > 0 || top <= greatest ? leaveCells(ray, t, cell, max(distance, 1), inverseDirection)
                                            : 0.0;
 }
@@ -47,7 +47,7 @@ layout(binding = kSlabListsTexture) uniform usamplerBuffer slabLists;
 void searchSlab(Ray ray, Slabs slabs, int slab, float dt, inout Greatest best) {
     float number = slabs.first + float(slab * slabs.samples) + 0.5;
     float end = number + float(slabs.samples);
-    float highest = limits.x + valueScale.w;
+    float highest = limits.x + limits.w;
     do {
         for (int i = 0; i < kSlabBatch; ++i) {
             float t = (number + float(i)) * dt;

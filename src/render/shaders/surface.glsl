@@ -179,7 +179,7 @@ struct Obstacle {
 vec2 partsAt(vec3 p, bool isAbove) {
 #if CONTENT == 0
     float value = dataAt(p);
-    return vec2((isAbove ? limits.x - value : value - range.x) + valueScale.w, sideAt(p));
+    return vec2(isAbove ? limits.x - value + limits.w : value - range.x + valueScale.w, sideAt(p));
 #else
     return vec2(contentAt(p), sideAt(p));
 #endif

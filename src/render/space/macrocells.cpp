@@ -104,8 +104,7 @@ void Macrocells::rebuild(const Input& input) {
     planes_.buffer().bindStorage(kPlanesStorage);
     gl::Program& classify = classify_.with(definesFor(input));
     classify.set("cells", cells)
-        .set("displayedRange", glm::vec2(float(input.displayedRange.lo - input.valueTolerance),
-                                         float(input.displayedRange.hi + input.valueTolerance)))
+        .set("displayedRange", glm::vec2(float(input.visibleRange.lo), float(input.visibleRange.hi)))
         .set("isProbe", input.view == field::SculptureView::Probe ? 1 : 0);
     classify.dispatchOver({blocks.x, cells.y, cells.z}, gl::Barrier::All);
 

@@ -24,8 +24,7 @@ public:
         const gl::Texture* dataCells = nullptr;         // field::CellRanges::cells
         const gl::Texture* sculptureCells = nullptr;    // null: nothing cut
         const gl::Texture* segmentationCells = nullptr; // null: segmentation is not drawn
-        Range displayedRange;
-        double valueTolerance = 0; // field::valueTolerance
+        Range visibleRange; // what is visible of the values, with field::withTolerance()
         field::SculptureView view = field::SculptureView::Cut;
         bool drawsData = true; // false: only the segmentation counts
         // The B-spline of tricubic sampling reaches a voxel further, into the cells around.

@@ -40,11 +40,18 @@ std::vector<float> mostEnergies(const Limits& limits, const Box3& box) {
 }
 
 Sculpture::Sculpture(glm::ivec3 dims, Precision precision)
-    : precision_(precision), texels_(dims, formatOf(precision), gl::Filter::Linear, "sculpture"),
+    : dims_(dims), precision_(precision),
       cells_(field::cellDims(dims), gl::Format::RG32F, gl::Filter::Nearest, "sculpture cells"),
       summarize_("sculpt/shaders/summarize_tiles.comp"), changed_(sizeof(std::uint32_t), "changed voxels"),
       touched_(Box3{glm::ivec3(0), brickGrid(dims)}.volume(), false) {
     combine_.with(defines()); // compiled now, not in the middle of a stroke
+}
+
+gl::Texture& Sculpture::allocated() const {
+    if (!texels_) {
+        texels_ = gl::Texture(dims_, format(), gl::Filter::Linear, "sculpture");
+    }
+    return texels_;
 }
 
 gl::Defines Sculpture::defines() const {
@@ -81,8 +88,8 @@ Box3 Sculpture::combine(const Radiator& radiation, Combine how, Base base, const
         radiation.bindResultTiles(0);
         changed_.bindStorage(kChangedStorage);
         radiation.energy().bindImage(kEnergyImage, gl::Access::Read);
-        texels_.bindImage(kSculptureImage, gl::Access::ReadWrite);
-        (before != nullptr ? *before : texels_).bindImage(kEarlierImage, gl::Access::Read);
+        texels().bindImage(kSculptureImage, gl::Access::ReadWrite);
+        (before != nullptr ? *before : texels()).bindImage(kEarlierImage, gl::Access::Read);
         gl::Program& program = combine_.with(defines());
         bindLimits(program);
         program.set("tileDims", radiation.tileDims())
@@ -106,7 +113,7 @@ Box3 Sculpture::combine(const Radiator& radiation, Combine how, Base base, const
 void Sculpture::summarizeTiles(const Radiator& radiation, const Box3& box) {
     const gl::Pass pass("update cell ranges");
     const Box3 cells = cellsOf(box, cells_.size());
-    texels_.bindTexture(kWholeSculptureTexture);
+    texels().bindTexture(kWholeSculptureTexture);
     cells_.bindImage(kSculptureCellsImage, gl::Access::Write);
     radiation.bindStages(0);
     summarize_.set("dims", dims())
@@ -122,7 +129,7 @@ std::uint64_t Sculpture::changedVoxels() const { return changed_.readValue<std::
 void Sculpture::clear() {
     Box3 all;
     for (const Box3& brick : touchedBricks()) {
-        texels_.clear(brick);
+        texels().clear(brick);
         cells_.clear(cellsOf(brick, cells_.size()));
         all = unite(all, brick);
     }
@@ -177,24 +184,26 @@ std::vector<Box3> Sculpture::touchedBricks() const {
 }
 
 void Sculpture::upload(const Box3& box, std::span<const std::byte> texels) {
-    texels_.upload(box, texels);
+    allocated().upload(box, texels);
     refresh(box);
 }
 
 void Sculpture::swap(BrickDelta& delta) {
-    delta.swap(texels_);
+    delta.swap(texels());
     refresh(delta.box());
 }
 
 BrickDelta Sculpture::content() const {
-    return contentOf(texels_, touchedBricks(), untouchedTexel(precision_));
+    return takesRoom() ? contentOf(texels(), touchedBricks(), untouchedTexel(precision_)) : BrickDelta{};
 }
 
 void Sculpture::restore(const BrickDelta& content, std::uint64_t version, std::uint64_t contentVersion) {
     VS_CHECK_EQ(version_, std::uint64_t(0));
-    content.bringInto(texels_, untouchedTexel(precision_));
+    if (!content.isEmpty()) {
+        content.bringInto(texels(), untouchedTexel(precision_));
+    }
     for (const Box3& brick : content.bricks()) {
-        updater_.update(texels_, brick, cells_);
+        updater_.update(texels(), brick, cells_);
         markTouched(brick);
     }
     isEmpty_.reset();
@@ -205,7 +214,7 @@ void Sculpture::restore(const BrickDelta& content, std::uint64_t version, std::u
 
 void Sculpture::refresh(const Box3& box) {
     if (!box.isEmpty()) {
-        updater_.update(texels_, box, cells_);
+        updater_.update(texels(), box, cells_);
         noteWritten(box);
     }
 }

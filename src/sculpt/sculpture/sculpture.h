@@ -32,7 +32,8 @@ struct Limits {
 std::vector<float> mostEnergies(const Limits& limits, const Box3& box);
 
 // What has been cut away: a scalar from 0 (untouched) to 1 (cut) on the volume's grid, the cut face at 0.5.
-// Kept on the device, together with the range of each macrocell for skipping empty space.
+// Kept on the device, together with the range of each macrocell for skipping empty space. Its texels take
+// room there from when they are first asked for: whoever only looks at a volume never needs it.
 class Sculpture {
 public:
     explicit Sculpture(glm::ivec3 dims, Precision precision = Precision::Bits16);
@@ -64,7 +65,7 @@ public:
     // The bricks (32^3) written to since the sculpture was made or cleared; elsewhere it is 0.
     [[nodiscard]] std::vector<Box3> touchedBricks() const;
     // Texels as they are stored (x fastest), and what they mean. upload() refreshes the macrocells.
-    [[nodiscard]] std::vector<std::byte> download(const Box3& box) const { return texels_.download(box); }
+    [[nodiscard]] std::vector<std::byte> download(const Box3& box) const { return texels().download(box); }
     [[nodiscard]] std::vector<float> values(const Box3& box) const {
         return valuesOf(download(box), precision_);
     }
@@ -78,11 +79,15 @@ public:
     // Brings the macrocells up to date after texels() was written by something else (BrickBackup::restore).
     void refresh(const Box3& box);
 
-    [[nodiscard]] gl::Texture& texels() { return texels_; }
-    [[nodiscard]] const gl::Texture& texels() const { return texels_; }
+    // Throws GlError if the device has no room for them.
+    [[nodiscard]] gl::Texture& texels() { return allocated(); }
+    [[nodiscard]] const gl::Texture& texels() const { return allocated(); }
+    [[nodiscard]] gl::Format format() const { return formatOf(precision_); }
+    // Whether they have been asked for.
+    [[nodiscard]] bool takesRoom() const { return bool(texels_); }
     // RG32F, field::cellDims(dims) texels: smallest and largest value per macrocell.
     [[nodiscard]] const gl::Texture& cells() const { return cells_; }
-    [[nodiscard]] glm::ivec3 dims() const { return texels_.size(); }
+    [[nodiscard]] glm::ivec3 dims() const { return dims_; }
     [[nodiscard]] Precision precision() const { return precision_; }
     // Counts every change.
     [[nodiscard]] std::uint64_t version() const { return version_; }
@@ -105,8 +110,11 @@ private:
     void noteChange(const Box3& box);
     void markTouched(const Box3& box);
 
+    gl::Texture& allocated() const;
+
+    glm::ivec3 dims_;
     Precision precision_;
-    gl::Texture texels_;
+    mutable gl::Texture texels_; // nothing: all 0 still
     gl::Texture cells_;
     Limits limits_;
     gl::ProgramVariants combine_{"sculpt/shaders/combine_sculpture.comp"};

@@ -13,8 +13,7 @@ void Trimmed::prepare(const Sculpture& sculpture) {
 }
 
 void Trimmed::make(const Sculpture& sculpture) {
-    leftForTools_ =
-        gl::Texture(sculpture.dims(), sculpture.texels().format(), gl::Filter::Nearest, "left for tools");
+    leftForTools_ = gl::Texture(sculpture.dims(), sculpture.format(), gl::Filter::Nearest, "left for tools");
     leftForTools_.bindImage(kLeftForToolsImage, gl::Access::Write);
     program_.set("first", glm::ivec3(0)).set("last", sculpture.dims()).set("isNew", 1);
     program_.dispatchOver(sculpture.dims(), gl::Barrier::Image);
@@ -29,8 +28,7 @@ BrickDelta Trimmed::follow(Sculpture& sculpture, BrickDelta& change, bool isTrim
     const Box3 box = change.box();
     gl::Texture before;
     if (isTrim) {
-        before = gl::Texture(box.size(), sculpture.texels().format(), gl::Filter::Nearest,
-                             "sculpture before a trim");
+        before = gl::Texture(box.size(), sculpture.format(), gl::Filter::Nearest, "sculpture before a trim");
         if (isEmpty()) {
             make(sculpture);
         }

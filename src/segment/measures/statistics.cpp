@@ -22,15 +22,20 @@ struct Bins {
     std::size_t count = 1;
     bool holdOneValue = true; // each
 
-    explicit Bins(const volume::Volume& volume) : lo(volume.range.lo) {
+    explicit Bins(const volume::Volume& volume) {
         constexpr double most = 65536;
-        const double width = volume.range.width();
-        holdOneValue = volume.type != volume::ScalarType::Float32 && width < most;
+        holdOneValue = volume.type != volume::ScalarType::Float32 && volume.range.width() < most;
+        const Range& range = holdOneValue ? volume.range : volume.usual;
+        const double width = range.width();
+        lo = range.lo;
         count = std::size_t(holdOneValue ? width + 1 : most);
         perUnit = holdOneValue ? 1.0 : width > 0 ? (most - 1) / width : 0.0;
     }
 
-    [[nodiscard]] std::size_t of(double value) const { return std::size_t((value - lo) * perUnit); }
+    // What is not usual counts as the nearest of what is.
+    [[nodiscard]] std::size_t of(double value) const {
+        return std::size_t(std::clamp((value - lo) * perUnit, 0.0, double(count - 1)));
+    }
 };
 
 // What is known of one label's voxels after some of them.

@@ -46,7 +46,7 @@ public:
     // Where its voxels lie by its file; corrections (CorrectGeometry) are in volume().
     [[nodiscard]] const volume::GridGeometry& geometryInFile() const;
     [[nodiscard]] const field::Field& field() const;
-    // Voxel counts in equal bins over volume().range, at most 256.
+    // Voxel counts in equal bins over volume().usual, at most 256.
     [[nodiscard]] const std::vector<std::uint32_t>& histogram() const;
     // Counts the voxels on the visible side of what was cut, in the same bins, in portions of about
     // `budgetMs`: what choosing a displayed range can show. Anew after each cut; null until all are counted.

@@ -44,7 +44,8 @@ Document::Document(volume::Volume volume, DocumentState state)
     if (state.trimmed) {
         contents.trimmed.restore(contents.sculpture, *state.trimmed);
     }
-    const gl::Texture* fence = &contents.sculpture.texels();
+    const bool mayBeFenced = state.growth || !state.done.empty() || !state.undone.empty();
+    const gl::Texture* fence = mayBeFenced ? &contents.sculpture.texels() : nullptr;
     if (state.growth) {
         contents.region.restore(fencedBy(std::move(*state.growth), fence));
     }

@@ -114,8 +114,7 @@ std::vector<sculpt::BrickDelta> KeptPastes::contents(sculpt::Precision precision
 RestoredPastes::RestoredPastes(const std::vector<sculpt::BrickDelta>& contents,
                                const sculpt::Sculpture& sculpture) {
     for (const sculpt::BrickDelta& content : contents) {
-        gl::Texture paste(sculpture.dims(), sculpture.texels().format(), gl::Filter::Linear,
-                          "sculpture at a paste");
+        gl::Texture paste(sculpture.dims(), sculpture.format(), gl::Filter::Linear, "sculpture at a paste");
         content.bringInto(paste, sculpt::untouchedTexel(sculpture.precision()));
         pastes_.push_back(std::make_shared<const gl::Texture>(std::move(paste)));
     }

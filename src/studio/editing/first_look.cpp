@@ -30,27 +30,27 @@ bool isMr(const volume::Volume& volume) {
                    [](unsigned char letter) { return char(std::tolower(letter)); });
     const bool isNifti = name.ends_with(".nii") || name.ends_with(".nii.gz");
     return volume.details.modality == "MR" ||
-           (volume.details.modality.empty() && isNifti && volume.range.lo > kAirOfCt);
+           (volume.details.modality.empty() && isNifti && volume.usual.lo > kAirOfCt);
 }
 
 } // namespace
 
 FirstLook firstLook(const volume::Volume& volume, const field::Field& field, const Range& suggested) {
     FirstLook look{suggested, isProjected(volume) ? render::Mode::Mip : render::Mode::Surface};
-    if (volume.range.width() <= 0 || !(isMr(volume) || isProjected(volume))) {
+    if (volume.usual.width() <= 0 || !(isMr(volume) || isProjected(volume))) {
         return look;
     }
     const int bins = field::finestBins(field);
     auto counts = field::intensityHistogram(field, bins);
-    const double lo = field::findAir(counts, volume.range, suggested.lo).end;
+    const double lo = field::findAir(counts, volume.usual, suggested.lo).end;
     look.range.lo = field.isIntegral ? std::ceil(lo) : lo;
     if (isProjected(volume)) {
-        const auto dark = std::ptrdiff_t(double(bins) * (lo - volume.range.lo) / volume.range.width());
+        const auto dark = std::ptrdiff_t(double(bins) * (lo - volume.usual.lo) / volume.usual.width());
         std::fill(counts.begin(), counts.begin() + std::clamp(dark, std::ptrdiff_t(0), std::ptrdiff_t(bins)),
                   0U);
         constexpr double saturates = 0.001;
-        const double hi = field::percentile(counts, volume.range, 1 - saturates);
-        look.range.hi = hi > look.range.lo ? hi : volume.range.hi;
+        const double hi = field::percentile(counts, volume.usual, 1 - saturates);
+        look.range.hi = hi > look.range.lo ? hi : volume.usual.hi;
     }
     return look;
 }

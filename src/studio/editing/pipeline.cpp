@@ -348,8 +348,7 @@ void Pipeline::refresh(Cells& cells, const Key& key, const State& state, const r
     input.dataCells = key.surfaceSmoothing > 0 ? &smoothed_->cells.cells : &cellRanges_.cells;
     input.sculptureCells = sculptureCells;
     input.segmentationCells = key.drawsSegmentation ? &segmentation->cells() : nullptr;
-    input.displayedRange = key.range; // what is visible of the values
-    input.valueTolerance = field::valueTolerance(*field_);
+    input.visibleRange = field::withTolerance(key.range, *field_);
     input.view = key.view;
     input.sampling = key.sampling;
     input.classification = frame.mode == render::Mode::Volume ? frame.classification : nullptr;

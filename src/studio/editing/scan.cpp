@@ -45,7 +45,7 @@ Range greyWindow(const std::vector<std::uint32_t>& histogram, const Range& range
 // than the object, as cerebrospinal fluid is in a head of an MR scan, is told from air.
 Range sliceWindow(const std::vector<std::uint32_t>& histogram, const volume::Volume& volume,
                   double objectFrom) {
-    const Range& range = volume.range;
+    const Range& range = volume.usual;
     const Range soft = render::kAbdomenWindow;
     if (volume.unit == "HU" && range.lo < soft.lo && range.hi > soft.hi) {
         return soft;
@@ -62,7 +62,7 @@ Range sliceWindow(const std::vector<std::uint32_t>& histogram, const volume::Vol
 // 256 bins, or one for each step from value to value where whole numbers are fewer: bins of uneven size would
 // comb.
 int histogramBins(const field::Field& field) {
-    return field.isIntegral ? std::clamp(int(std::min(field.range.width(), 256.0)), 1, 256) : 256;
+    return field.isIntegral ? std::clamp(int(std::min(field.usual.width(), 256.0)), 1, 256) : 256;
 }
 
 } // namespace
@@ -70,16 +70,16 @@ int histogramBins(const field::Field& field) {
 Scan::Scan(volume::Volume opened)
     : inFile(opened.geometry), volume(std::move(opened)), field(field::uploadVolume(volume)),
       histogram(field::intensityHistogram(field, histogramBins(field))) {
-    shown = field::suggestRange(histogram, volume.range);
-    if (volume.range.width() <= 0) { // one value all over: all of it is the object
-        shown = {volume.range.lo - 0.5, volume.range.hi + 0.5};
+    shown = field::suggestRange(histogram, volume.usual);
+    if (volume.usual.width() <= 0) { // one value all over: all of it is the object
+        shown = {volume.usual.lo - 0.5, volume.usual.hi + 0.5};
     } else if (field.isIntegral) {
         shown.lo = std::ceil(shown.lo);
     }
     firstLook = studio::firstLook(volume, field, shown);
-    grey = volume.range.width() > 0 ? greyWindow(histogram, volume.range, shown.lo)
-                                    : Range{volume.range.lo - 3, volume.range.hi + 1};
-    slices = volume.range.width() > 0 ? sliceWindow(histogram, volume, shown.lo) : grey;
+    grey = volume.usual.width() > 0 ? greyWindow(histogram, volume.usual, shown.lo)
+                                    : Range{volume.usual.lo - 3, volume.usual.hi + 1};
+    slices = volume.usual.width() > 0 ? sliceWindow(histogram, volume, shown.lo) : grey;
     if (field.isIntegral) {
         slices = {std::floor(slices.lo), std::ceil(slices.hi)};
     }

@@ -21,7 +21,7 @@ struct Scan {
     volume::GridGeometry inFile; // as it was opened
     volume::Volume volume;
     field::Field field;
-    std::vector<std::uint32_t> histogram; // voxel counts in equal bins over volume.range, at most 256
+    std::vector<std::uint32_t> histogram; // voxel counts in equal bins over volume.usual, at most 256
     Range shown;                          // the displayed range to begin with
     FirstLook firstLook;                  // as the window shows it to begin with
     Range grey;                           // the values that cut faces show from black to white

@@ -186,7 +186,7 @@ std::string writeVolume(const std::filesystem::path& path, const ExportSource& s
     const volume::Volume left = sculptedVolume(source, fill);
     volume::writeVolume(path, left);
     return fmt::format("{}: {} values, cut ones {:g}", path.string(), volume::name(left.type),
-                       fill.value_or(source.volume->range.lo));
+                       fill.value_or(source.volume->usual.lo));
 }
 
 } // namespace

@@ -18,6 +18,10 @@ std::shared_ptr<const gl::Texture> PastedParts::remember(const sculpt::Sculpture
 std::vector<PastedParts::Part> PastedParts::parts(const sculpt::Sculpture& sculpture,
                                                   const sculpt::Trimmed& trimmed, const PastedState& state,
                                                   std::size_t places) {
+    if (places == 0) {
+        derived_.clear();
+        return {};
+    }
     const Part everything{&sculpture.texels(), &sculpture.cells(), 0};
     const std::size_t count = std::min(places, state.parts.size());
     derived_.resize(count);
@@ -72,8 +76,7 @@ void PastedParts::derive(Derived& part, const sculpt::Sculpture& sculpture, cons
             gl::Program("sculpt/shaders/derive_part.comp", sculpt::storedDefines(sculpture.precision()));
     }
     if (!part.texels) {
-        part.texels =
-            gl::Texture(sculpture.dims(), sculpture.texels().format(), gl::Filter::Linear, "pasted part");
+        part.texels = gl::Texture(sculpture.dims(), sculpture.format(), gl::Filter::Linear, "pasted part");
         part.cells = gl::Texture(sculpture.cells().size(), gl::Format::RG32F, gl::Filter::Nearest,
                                  "pasted part cells");
     }

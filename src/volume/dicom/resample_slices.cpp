@@ -182,7 +182,7 @@ void resample(const T* source, const SliceStack& stack, const Layout& layout, gl
         samplePlane(source + slice * fromPixels, from, (low - layout.shifts[slice]) / stack.pixelSpacing,
                     glm::ivec2(to), plane);
     };
-    const T padding = roundTo<T>(stack.volume.range.lo);
+    const T padding = roundTo<T>(stack.volume.usual.lo);
     std::size_t lower = 0;
     load(0, below);
     load(1, above);

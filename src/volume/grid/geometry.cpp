@@ -3,6 +3,7 @@
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <utility>
@@ -38,6 +39,15 @@ double GridGeometry::voxelMm3() const { return std::abs(glm::determinant(glm::dm
 
 std::size_t GridGeometry::voxelCount() const {
     return std::size_t(dims.x) * std::size_t(dims.y) * std::size_t(dims.z);
+}
+
+bool GridGeometry::isSheared() const {
+    constexpr double tolerance = 1e-3;
+    const auto m = glm::dmat3(worldFromVoxel);
+    const auto cosine = [](glm::dvec3 a, glm::dvec3 b) {
+        return std::abs(glm::dot(glm::normalize(a), glm::normalize(b)));
+    };
+    return std::max({cosine(m[0], m[1]), cosine(m[1], m[2]), cosine(m[2], m[0])}) > tolerance;
 }
 
 std::string GridGeometry::orientationCode() const {

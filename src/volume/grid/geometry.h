@@ -29,6 +29,9 @@ struct GridGeometry {
     // Three letters naming the patient direction that each index axis runs towards: "LPS", "RAS", "AIL" ...
     // (L left, R right, P posterior, A anterior, S superior, I inferior; nearest axis for oblique grids).
     [[nodiscard]] std::string orientationCode() const;
+    // Whether its axes are farther from perpendicular than what the floats of headers round: by a cosine of
+    // 1e-3, half a voxel over 500.
+    [[nodiscard]] bool isSheared() const;
     [[nodiscard]] Box3 box() const { return {glm::ivec3(0), dims}; }
 
     bool operator==(const GridGeometry&) const = default;

@@ -3,7 +3,9 @@
 
 #include "base/hash.h"
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
 #include <span>
 #include <type_traits>
@@ -39,6 +41,88 @@ bool isFiniteValue([[maybe_unused]] T value) {
     }
 }
 
+// Values that no scanner measures: they stand for those that were not.
+constexpr double kNotMeasured = 1e15;
+
+// The so many largest of the values that it is told.
+class Largest {
+public:
+    explicit Largest(std::size_t count) : count_(count) {}
+
+    void add(double value) {
+        if (values_.size() == count_ && value <= values_.front()) {
+            return;
+        }
+        if (values_.size() == count_) {
+            std::pop_heap(values_.begin(), values_.end(), std::greater<>());
+            values_.pop_back();
+        }
+        values_.push_back(value);
+        std::push_heap(values_.begin(), values_.end(), std::greater<>());
+    }
+    // The smallest of them.
+    [[nodiscard]] double least() const { return values_.front(); }
+    // The largest that is not above a limit, which least() must not be either.
+    [[nodiscard]] double mostUpTo(double limit) const {
+        double most = least();
+        for (const double value : values_) {
+            most = value <= limit ? std::max(most, value) : most;
+        }
+        return most;
+    }
+
+private:
+    std::size_t count_;
+    std::vector<double> values_;
+};
+
+template <typename T>
+bool isMeasured(T value) {
+    return isFiniteValue(value) && std::abs(double(value)) < kNotMeasured;
+}
+
+// Whether a part of the values, taken evenly, leaves it possible that some are far away from the others.
+template <typename T>
+bool mayHoldExtremes(std::span<const T> values, const Range& range) {
+    constexpr std::size_t kMost = 1 << 16;
+    std::vector<double> some;
+    for (std::size_t i = 0; i < values.size(); i += std::max<std::size_t>(1, values.size() / kMost)) {
+        if (isMeasured(values[i])) {
+            some.push_back(double(values[i]));
+        }
+    }
+    if (some.size() < 16) {
+        return true;
+    }
+    std::sort(some.begin(), some.end());
+    const std::size_t rim = std::max<std::size_t>(1, some.size() / 1000);
+    return range.width() > 100 * (some[some.size() - 1 - rim] - some[rim]);
+}
+
+template <typename T>
+Range usualRange(std::span<const T> values, const Range& range) {
+    if (!mayHoldExtremes(values, range)) {
+        return range;
+    }
+    const std::size_t few = std::max<std::size_t>(1, values.size() / 100000);
+    Largest above(few + 1);
+    Largest below(few + 1); // of the values' negatives
+    std::size_t measured = 0;
+    for (const T value : values) {
+        if (isMeasured(value)) {
+            above.add(double(value));
+            below.add(-double(value));
+            ++measured;
+        }
+    }
+    if (measured == 0) {
+        return range;
+    }
+    const Range most{-below.least(), above.least()};
+    const double far = measured > 2 * few + 1 && most.width() > 0 ? 100 * most.width() : 2 * kNotMeasured;
+    return {-below.mostUpTo(far - most.lo), above.mostUpTo(most.hi + far)};
+}
+
 } // namespace
 
 void computeRange(Volume& volume) {
@@ -58,16 +142,17 @@ void computeRange(Volume& volume) {
         }
         volume.nonFiniteCount = nonFinite;
         volume.range = nonFinite == count ? Range{0, 0} : Range{double(lo), double(hi)};
+        volume.usual = usualRange(std::span(values, count), volume.range);
     });
 }
 
 std::vector<std::uint64_t> histogram(const Volume& volume, int bins) {
     std::vector<std::uint64_t> counts(std::size_t(bins), 0);
-    const double scale = volume.range.width() > 0 ? bins / volume.range.width() : 0.0;
+    const double scale = volume.usual.width() > 0 ? bins / volume.usual.width() : 0.0;
     visit(volume, [&](const auto* values) {
         for (std::size_t i = 0; i < volume.geometry.voxelCount(); ++i) {
-            if (isFiniteValue(values[i])) {
-                const int bin = int((double(values[i]) - volume.range.lo) * scale);
+            if (isFiniteValue(values[i]) && volume.usual.contains(double(values[i]))) {
+                const int bin = int((double(values[i]) - volume.usual.lo) * scale);
                 ++counts[std::size_t(std::clamp(bin, 0, bins - 1))];
             }
         }

@@ -25,8 +25,9 @@ std::size_t sizeOf(ScalarType type);
 struct Volume {
     GridGeometry geometry;
     ScalarType type = ScalarType::UInt8;
-    std::vector<std::byte> bytes;   // geometry.voxelCount() * sizeOf(type)
-    Range range;                    // smallest and largest finite value
+    std::vector<std::byte> bytes; // geometry.voxelCount() * sizeOf(type)
+    Range range;                  // smallest and largest finite value
+    Range usual; // the same but for fill values and single extreme ones: of charts and suggestions
     std::size_t nonFiniteCount = 0; // NaN and infinite voxels; they lie outside every range
     std::string name;               // file or folder name, for titles and messages
     std::filesystem::path path;     // where it came from; empty for volumes made in memory
@@ -60,10 +61,13 @@ decltype(auto) visit(const Volume& volume, F&& f) {
     return f(static_cast<const float*>(data));
 }
 
-// Fills in range and nonFiniteCount with one pass over the values.
+// Fills in range, usual and nonFiniteCount. What is not usual are values of 1e15 and beyond, which stand for
+// "not measured", and up to a hundred thousandth of the voxels, or one, if they are farther away from all
+// others than a hundred times the range of those.
 void computeRange(Volume& volume);
 
-// Counts of finite values in `bins` equal bins over volume.range, computed on the CPU (reference, `info`).
+// Counts of the finite values in volume.usual in `bins` equal bins over it, computed on the CPU (reference,
+// `info`).
 std::vector<std::uint64_t> histogram(const Volume& volume, int bins);
 
 // The value that parts a histogram (equal bins over `range`) into background and object: Otsu's threshold,

@@ -8,7 +8,6 @@
 #include <fmt/format.h>
 #include <itkMetaImageIO.h>
 #include <itkNrrdImageIO.h>
-#include <itkVTKImageIO.h>
 
 #include <fstream>
 
@@ -34,6 +33,17 @@ ReadResult decode(const char* format, const std::filesystem::path& path, Inspect
                   const ReadOptions& options) {
     ReadResult result = readPlacedByItk(*ImageIo::New(), path, std::move(inspection), options.frame);
     result.volume.details.format = format;
+    return result;
+}
+
+ReadResult readVtk(const std::filesystem::path& path, const ReadOptions& options) {
+    VtkInspection inspection = inspectVtk(path);
+    const int frame = chosenFrame(path, 1, options.frame);
+    ReadResult result;
+    result.notices = inspection.notices;
+    result.volume.geometry = inspection.geometry;
+    takeFrame(path, inspection, frame, result);
+    result.volume.details.format = "VTK";
     return result;
 }
 
@@ -73,7 +83,7 @@ ReadResult readFormat(const std::filesystem::path& path, const ReadOptions& opti
     case Format::Meta:
         return decode<itk::MetaImageIO>("MetaImage", path, inspectMeta(path, Inflated::Kept), options);
     case Format::Vtk:
-        return decode<itk::VTKImageIO>("VTK", path, inspectVtk(path), options);
+        return readVtk(path, options);
     case Format::Dicom:
         return readDicom(path, options);
     case Format::Raw:

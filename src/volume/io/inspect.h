@@ -48,6 +48,8 @@ struct Inspection {
     std::vector<std::int64_t> sizes; // fastest axis first; three, or four when the last counts frames
     std::vector<std::string> notices;
     DataBlock block;
+
+    [[nodiscard]] glm::ivec3 dims() const { return {int(sizes.at(0)), int(sizes.at(1)), int(sizes.at(2))}; }
 };
 
 // A file that holds many volumes keeps nothing: one of them is read.
@@ -107,7 +109,11 @@ bool hasGzipMagic(const std::filesystem::path& path);
 struct NiftiInspection : Inspection {
     double slope = 1; // 1 and 0 where the header asks for no scaling
     double intercept = 0;
-    std::optional<glm::dmat4> sform; // LPS mm
+    GridGeometry geometry;
+};
+
+struct VtkInspection : Inspection {
+    GridGeometry geometry;
 };
 
 // Inspect a file's header, one function for each format. Each refuses what does not fit and returns what
@@ -115,6 +121,6 @@ struct NiftiInspection : Inspection {
 NiftiInspection inspectNifti(const std::filesystem::path& path, Inflated inflated = Inflated::Dropped);
 Inspection inspectNrrd(const std::filesystem::path& path, Inflated inflated = Inflated::Dropped);
 Inspection inspectMeta(const std::filesystem::path& path, Inflated inflated = Inflated::Dropped);
-Inspection inspectVtk(const std::filesystem::path& path);
+VtkInspection inspectVtk(const std::filesystem::path& path);
 
 } // namespace vs::volume

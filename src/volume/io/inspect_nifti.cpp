@@ -2,6 +2,7 @@
 #include "volume/io/inspect.h"
 
 #include <fmt/format.h>
+#include <nifti1_io.h>
 
 #include <algorithm>
 #include <array>
@@ -28,11 +29,11 @@ public:
     [[nodiscard]] float voxOffset() const { return get<float>(108); }
     [[nodiscard]] float slope() const { return get<float>(112); }
     [[nodiscard]] float intercept() const { return get<float>(116); }
-    [[nodiscard]] bool hasForm() const { return get<std::int16_t>(252) > 0 || get<std::int16_t>(254) > 0; }
+    [[nodiscard]] bool hasQform() const { return get<std::int16_t>(252) > 0; }
     [[nodiscard]] bool hasSform() const { return get<std::int16_t>(254) > 0; }
     // Quaternion and offset of the qform (256..279), rows of the sform (280..327).
     [[nodiscard]] bool formsAreSane() const {
-        for (std::size_t at = 256; at < (hasSform() ? 328U : 280U); at += 4) {
+        for (std::size_t at = hasQform() ? 256 : 280; at < (hasSform() ? 328U : 280U); at += 4) {
             if (!(std::abs(double(get<float>(at))) < 1e6 / unitsInMm())) {
                 return false;
             }
@@ -44,16 +45,20 @@ public:
         const int units = bytes_[123] & 7;
         return units == 1 ? 1000 : units == 3 ? 0.001 : 1;
     }
-    // Rows of the sform, from its RAS units to LPS millimetres.
+    // Where voxels lie by either form, LPS mm.
     [[nodiscard]] glm::dmat4 sform() const {
-        glm::dmat4 matrix(1.0);
-        for (int row = 0; row < 3; ++row) {
-            for (int column = 0; column < 4; ++column) {
-                const double value = get<float>(280 + 16 * std::size_t(row) + 4 * std::size_t(column));
-                matrix[column][row] = unitsInMm() * (row < 2 ? -value : value);
+        mat44 rows{};
+        for (std::size_t row = 0; row < 3; ++row) {
+            for (std::size_t column = 0; column < 4; ++column) {
+                rows.m[row][column] = get<float>(280 + 16 * row + 4 * column);
             }
         }
-        return matrix;
+        return inLpsMm(rows);
+    }
+    [[nodiscard]] glm::dmat4 qform() const {
+        return inLpsMm(nifti_quatern_to_mat44(get<float>(256), get<float>(260), get<float>(264),
+                                              get<float>(268), get<float>(272), get<float>(276), pixdim(1),
+                                              pixdim(2), pixdim(3), pixdim(0) < 0 ? -1.0F : 1.0F));
     }
     [[nodiscard]] bool isSwapped() const { return swapped_; }
     [[nodiscard]] std::string magic() const {
@@ -61,6 +66,17 @@ public:
     }
 
 private:
+    // From rows of RAS in the file's unit.
+    [[nodiscard]] glm::dmat4 inLpsMm(const mat44& rows) const {
+        glm::dmat4 matrix(1.0);
+        for (int row = 0; row < 3; ++row) {
+            for (int column = 0; column < 4; ++column) {
+                const double value = rows.m[row][column];
+                matrix[column][row] = unitsInMm() * (row < 2 ? -value : value);
+            }
+        }
+        return matrix;
+    }
     template <typename T>
     [[nodiscard]] T get(std::size_t at) const {
         std::array<unsigned char, sizeof(T)> raw;
@@ -175,7 +191,7 @@ void checkPlace(const std::filesystem::path& path, const Header& header) {
     for (std::size_t i = 1; i <= 3; ++i) {
         checkSpacing(path, header.pixdim(i) * header.unitsInMm());
     }
-    if (header.hasForm() && !header.formsAreSane()) {
+    if (!header.formsAreSane()) {
         refuse(path, "its orientation (qform or sform) holds values that are not numbers, or no millimetres",
                "they must be finite and below a million");
     }
@@ -190,6 +206,46 @@ void takeScaling(const std::filesystem::path& path, const Header& header, NiftiI
         inspection.slope = header.slope();
         inspection.intercept = header.intercept();
     }
+}
+
+// How far apart two places of a grid put the same voxel at most, in mm.
+double farthestApart(const glm::dmat4& a, const glm::dmat4& b, const glm::ivec3& dims) {
+    double most = 0;
+    for (int corner = 0; corner < 8; ++corner) {
+        const glm::dvec4 voxel((corner & 1) * (dims.x - 1), (corner >> 1 & 1) * (dims.y - 1),
+                               (corner >> 2) * (dims.z - 1), 1);
+        most = std::max(most, glm::length(glm::dvec3(a * voxel - b * voxel)));
+    }
+    return most;
+}
+
+// By the sform where there is one, as other programs do: it holds any grid. A file that says nothing of its
+// place has axes that run to the left, backwards and up, from the origin.
+GridGeometry placeOf(const std::filesystem::path& path, const Header& header, const glm::ivec3& dims,
+                     std::vector<std::string>& notices) {
+    GridGeometry geometry;
+    geometry.dims = dims;
+    if (!header.hasSform() && !header.hasQform()) {
+        for (int axis = 0; axis < 3; ++axis) {
+            geometry.worldFromVoxel[axis][axis] = header.unitsInMm() * header.pixdim(std::size_t(axis) + 1);
+        }
+        return geometry;
+    }
+    geometry.worldFromVoxel = header.hasSform() ? header.sform() : header.qform();
+    if (geometry.isSheared()) {
+        notices.push_back(
+            fmt::format("{}: its axes are not perpendicular; the sform was used as it is", path.string()));
+    }
+    if (header.hasSform() && header.hasQform()) {
+        const double apart = farthestApart(header.sform(), header.qform(), dims);
+        if (apart > 0.5 * geometry.stepMm()) {
+            notices.push_back(
+                fmt::format("{}: its two orientations differ by up to {:.3g} mm; the sform was used, "
+                            "not the qform",
+                            path.string(), apart));
+        }
+    }
+    return geometry;
 }
 
 } // namespace
@@ -231,9 +287,7 @@ NiftiInspection inspectNifti(const std::filesystem::path& path, Inflated inflate
         inspection.block.before = start;
     }
     checkDataBlock(path, inspection.block, inspection.notices, keptOf(inspection, inflated));
-    if (header.hasSform()) {
-        inspection.sform = header.sform();
-    }
+    inspection.geometry = placeOf(path, header, inspection.dims(), inspection.notices);
     return inspection;
 }
 

@@ -90,7 +90,7 @@ StoredType storedType(const std::filesystem::path& path, const VtkHeader& header
 
 } // namespace
 
-Inspection inspectVtk(const std::filesystem::path& path) {
+VtkInspection inspectVtk(const std::filesystem::path& path) {
     const VtkHeader header = readVtkHeader(path);
     if (header.dataset != "structured_points") {
         refuse(path, fmt::format("its data set is \"{}\"", printable(header.dataset)),
@@ -99,7 +99,7 @@ Inspection inspectVtk(const std::filesystem::path& path) {
     if (header.dimensions.size() != 3 || header.spacing.size() != 3 || header.origin.size() != 3) {
         refuse(path, "its dimensions, spacing or origin are not three numbers each", "a volume has 3 axes");
     }
-    Inspection inspection;
+    VtkInspection inspection;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double size = header.dimensions[axis];
         if (!(size >= 1 && size <= 1e9) || size != std::floor(size)) {
@@ -107,7 +107,10 @@ Inspection inspectVtk(const std::filesystem::path& path) {
         }
         inspection.sizes.push_back(std::int64_t(size));
         checkSpacing(path, header.spacing[axis]);
+        inspection.geometry.worldFromVoxel[int(axis)][int(axis)] = header.spacing[axis];
+        inspection.geometry.worldFromVoxel[3][int(axis)] = header.origin[axis];
     }
+    inspection.geometry.dims = inspection.dims();
     const StoredType type = storedType(path, header);
     const std::uint64_t count = checkedBytes(path, inspection.sizes, bytesOf(type)) / bytesOf(type);
     if (header.points != double(count)) {

@@ -131,6 +131,7 @@ Json packed(const Volume& volume) {
             {"worldFromVoxel", std::move(matrix)},
             {"type", int(volume.type)},
             {"range", Json::array({volume.range.lo, volume.range.hi})},
+            {"usual", Json::array({volume.usual.lo, volume.usual.hi})},
             {"nonFinite", volume.nonFiniteCount},
             {"name", volume.name},
             {"unit", volume.unit},
@@ -152,6 +153,7 @@ Volume volumeOf(const Json& json) {
     }
     volume.type = typeOf(json.at("type"));
     volume.range = {json.at("range").at(0).get<double>(), json.at("range").at(1).get<double>()};
+    volume.usual = {json.at("usual").at(0).get<double>(), json.at("usual").at(1).get<double>()};
     volume.nonFiniteCount = json.at("nonFinite").get<std::size_t>();
     volume.name = json.at("name").get<std::string>();
     volume.unit = json.at("unit").get<std::string>();

@@ -52,7 +52,7 @@ TEST_F(MacrocellsTest, DistancesAreThoseToTheNearestMarkedCell) {
             }
             const gl::Texture cells = cellsFrom(size, marked);
             Macrocells macrocells;
-            macrocells.rebuild({.dataCells = &cells, .displayedRange = {0.5, 1.0}});
+            macrocells.rebuild({.dataCells = &cells, .visibleRange = {0.5, 1.0}});
             EXPECT_EQ(macrocells.distances().downloadAll<std::uint32_t>(), byEveryPair(size, marked))
                 << size.x << " x " << size.y << " x " << size.z << ", " << share;
         }

@@ -57,7 +57,7 @@ struct Stage {
     void rebuildMacrocells() {
         Macrocells::Input in;
         in.dataCells = &cells.cells;
-        in.displayedRange = input.scene.displayedRange;
+        in.visibleRange = input.scene.displayedRange;
         in.view = input.scene.view;
         if (input.scene.sculpture != nullptr) {
             sculptureCells = gl::Texture(cells.cells.size(), gl::Format::RG32F, gl::Filter::Nearest, "cells");

@@ -126,7 +126,7 @@ public:
         anything.upload({glm::ivec3(0), anything.size()}, std::as_bytes(std::span(ranges)));
         render::Macrocells::Input input;
         input.dataCells = &anything;
-        input.displayedRange = {-much, much};
+        input.visibleRange = {-much, much};
         input.view = field::SculptureView::Whole;
         macrocells.rebuild(input);
         auto picture = draw();
@@ -163,11 +163,11 @@ private:
         input.dataCells = &cells.cells;
         input.sculptureCells = frame.scene.sculpture != nullptr ? &sculptureCells : nullptr;
         input.segmentationCells = drawsSegmentation ? &segmentationCells : nullptr;
-        input.displayedRange = frame.scene.displayedRange;
+        Range visible = frame.scene.displayedRange;
         if (frame.scene.showsAbove) {
-            input.displayedRange.hi = std::max(input.displayedRange.hi, field.range.hi);
+            visible.hi = std::max(visible.hi, field.range.hi);
         }
-        input.valueTolerance = field::valueTolerance(field);
+        input.visibleRange = field::withTolerance(visible, field);
         input.view = frame.scene.view;
         input.sampling = frame.scene.sampling;
         input.classification = frame.mode == render::Mode::Volume ? frame.classification : nullptr;

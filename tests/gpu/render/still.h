@@ -19,8 +19,7 @@ struct Still {
         frame.macrocells = &macrocells;
         frame.rays = render::viewRays(camera, volume.geometry, size);
         input.dataCells = &cells.cells;
-        input.displayedRange = range;
-        input.valueTolerance = field::valueTolerance(field);
+        input.visibleRange = field::withTolerance(range, field);
         input.view = frame.scene.view;
         input.sampling = sampling;
         macrocells.rebuild(input);
@@ -30,7 +29,7 @@ struct Still {
 
     // From now on nothing is skipped: plain marching.
     void skipNothing() {
-        input.displayedRange = {-1e9, 1e9};
+        input.visibleRange = {-1e9, 1e9};
         macrocells.rebuild(input);
     }
 

@@ -151,6 +151,17 @@ TEST_F(SweepMethods, OnlyWhatReachesTheGridIsSampled) {
         return radiator.download({glm::ivec3(0), dims});
     };
     EXPECT_LT(largestDifference(sweep(50000), sweep(60)), 0.02F);
+    // A mask as wide as a street: what lies in the grid is that of a small one, and made as quickly.
+    const auto along = line({16, 16, 4}, {16, 16, 28});
+    const auto ofWidth = [&](double width) {
+        const Outline outline = rectangleOutline({-6, -5}, {width, 5});
+        const SweepGrid whole = sweepGrid(dims, fitFootprint(3));
+        sweepMask(radiator, generator,
+                  rasterize(outlineInto(whole, outline, along, kSweepPitch, {}), kSweepPitch), along, dims,
+                  fitFootprint(3));
+        return radiator.download({glm::ivec3(0), dims});
+    };
+    EXPECT_LT(largestDifference(ofWidth(1e6), ofWidth(40)), 0.02F);
 }
 
 TEST_F(SweepMethods, ProjectionKeepsTheMaskAlongAnObliqueLine) {

@@ -5,10 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <sys/stat.h>
+#include <sys/wait.h>
 #include <unistd.h>
 
+#include <csignal>
 #include <fstream>
 #include <sstream>
+#include <vector>
 
 namespace vs {
 namespace {
@@ -75,6 +78,56 @@ TEST_F(AtomicFile, WhatIsNoRegularFileIsLeftAlone) {
     EXPECT_TRUE(std::filesystem::is_character_file(folder_ / "null"));
     std::filesystem::create_symlink("round", folder_ / "round");
     expectRefused(folder_ / "round");
+}
+
+TEST_F(AtomicFile, FilesThatBelongTogetherAreAllNewOrAllOld) {
+    const auto write = [&](const std::string& content, bool isBlocked) {
+        const std::vector<FileWriting> files{
+            {folder_ / "a.obj", writingOf(content)},
+            {folder_ / "a.mtl", writingOf(content)},
+            {folder_ / "b.txt", [&](const std::filesystem::path& temporary) {
+                 std::ofstream(temporary) << content;
+                 if (isBlocked) { // nothing can be renamed onto a folder that is not empty
+                     std::filesystem::remove(folder_ / "b.txt");
+                     std::filesystem::create_directories(folder_ / "b.txt" / "in the way");
+                 }
+             }}};
+        writeAllAtomically(files);
+    };
+    write("old", false);
+    std::filesystem::remove(folder_ / "a.mtl");
+    EXPECT_THROW(write("new", true), WriteError);
+    EXPECT_EQ(contentOf(folder_ / "a.obj"), "old");
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "a.mtl")); // nor was it there before
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 2);
+    std::filesystem::remove_all(folder_ / "b.txt");
+    write("new", false);
+    EXPECT_EQ(contentOf(folder_ / "a.obj"), "new");
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 3);
+}
+
+TEST_F(AtomicFile, WhatAKilledRunHasLeftIsCleared) {
+    const pid_t child = fork();
+    if (child == 0) {
+        try {
+            writeAtomically(folder_ / "a.txt", [](const std::filesystem::path& temporary) {
+                std::ofstream(temporary) << "half";
+                raise(SIGKILL);
+            });
+        } catch (...) {
+        }
+        _exit(1);
+    }
+    int status = 0;
+    ASSERT_EQ(waitpid(child, &status, 0), child);
+    ASSERT_TRUE(WIFSIGNALED(status));
+    ASSERT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1);
+    const auto others = folder_ / (".b.part" + std::to_string(child) + "@other1.txt"); // of another machine
+    std::ofstream(others) << "half";
+    std::ofstream(folder_ / ".mine.party") << "a file of the person's own";
+    writeFileAtomically(folder_ / "c.txt", std::string("whole"));
+    EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 3);
+    EXPECT_TRUE(std::filesystem::exists(others));
 }
 
 TEST_F(AtomicFile, ALinkStaysAndItsTargetIsReplaced) {

@@ -37,7 +37,7 @@ double valueAt(const volume::Volume& volume, glm::dvec3 voxel) {
     const glm::ivec3 base(glm::floor(voxel));
     if (glm::any(glm::lessThan(base, glm::ivec3(0))) ||
         glm::any(glm::greaterThanEqual(base + 1, volume.geometry.dims))) {
-        return volume.range.lo;
+        return volume.usual.lo;
     }
     const glm::dvec3 part = voxel - glm::dvec3(base);
     double value = 0;

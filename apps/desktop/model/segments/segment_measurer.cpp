@@ -16,11 +16,11 @@ namespace vs::desktop {
 
 namespace {
 
-// Of the voxels with a label, in equal bins over the volume's range.
+// Of the voxels with a label, in equal bins over the volume's usual values.
 std::vector<std::uint32_t> histogramOf(const volume::Volume& volume, const std::vector<std::uint8_t>& labels,
                                        std::uint8_t label, std::size_t bins) {
     std::vector<std::uint32_t> counts(bins);
-    const Range range = volume.range;
+    const Range range = volume.usual;
     if (range.width() <= 0 || bins == 0) {
         return counts;
     }

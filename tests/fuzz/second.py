@@ -1,0 +1,144 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""Reads volumes by other people's libraries: nibabel, pydicom and VTK's own readers.
+
+Lines "FORMAT<tab>PATH<tab>OUT" on standard input; for each a line of JSON: shape (z, y, x), the affine (LPS mm, 3 x 4) where
+the library knows it, and the values as float64 in OUT; or why it could not. A process of its own, since these crash, too.
+"""
+import json
+import os
+import resource
+import signal
+import sys
+import warnings
+
+import nibabel
+import numpy
+import pydicom
+
+warnings.simplefilter("ignore")
+SECONDS = 10
+BYTES = 4 << 30
+LPS = numpy.diag([-1.0, -1.0, 1.0, 1.0])
+
+
+def nifti(path):
+    image = nibabel.load(path)
+    values = numpy.asanyarray(image.dataobj)
+    while values.ndim > 3 and values.shape[-1] == 1:
+        values = values[..., 0]
+    if values.ndim < 3:
+        values = values.reshape(values.shape + (1,) * (3 - values.ndim))
+    header = image.header
+    placed = int(header["sform_code"]) > 0 or int(header["qform_code"]) > 0
+    units = {1: 1000.0, 2: 1.0, 3: 0.001}.get(int(header["xyzt_units"]) & 7, 1.0)
+    scale = numpy.diag([units, units, units, 1.0])
+    return values.T, (LPS @ scale @ image.affine)[:3] if placed else None
+
+
+def dicom(path):
+    """A file, or a folder of slices that lie one behind the other."""
+    paths = [os.path.join(path, name) for name in sorted(os.listdir(path))] if os.path.isdir(path) else [path]
+    slices = []
+    for one in paths:
+        data = pydicom.dcmread(one)
+        slope = float(getattr(data, "RescaleSlope", 1) or 1)
+        intercept = float(getattr(data, "RescaleIntercept", 0) or 0)
+        stored = data.pixel_array.astype(numpy.float64)
+        if data.PixelRepresentation == 1:  # pydicom leaves the sign where only some of the bits are stored (PS3.5, 8.1.1)
+            half = 2.0 ** (data.BitsStored - 1)
+            stored = (stored + half) % (2 * half) - half
+        values = stored * slope + intercept
+        slices.append((data, values))
+    data = slices[0][0]
+    rows = numpy.array(data.ImageOrientationPatient[:3], float), numpy.array(data.ImageOrientationPatient[3:], float)
+    normal = numpy.cross(*rows)
+    slices.sort(key=lambda entry: numpy.dot(normal, numpy.array(entry[0].ImagePositionPatient, float)))
+    places = [numpy.array(data.ImagePositionPatient, float) for data, _ in slices]
+    spacing = [float(s) for s in data.PixelSpacing]
+    affine = numpy.zeros((3, 4))
+    affine[:, 0] = rows[0] * spacing[1]
+    affine[:, 1] = rows[1] * spacing[0]
+    affine[:, 2] = (places[-1] - places[0]) / (len(places) - 1) if len(places) > 1 else normal
+    affine[:, 3] = places[0]
+    if len(slices) == 1:
+        values = slices[0][1]
+        return (values if values.ndim == 3 else values[None]), None
+    return numpy.stack([values for _, values in slices]), affine
+
+
+def by_vtk(reader):
+    from vtkmodules.util.numpy_support import vtk_to_numpy
+    from vtkmodules.vtkCommonCore import vtkObject
+    vtkObject.GlobalWarningDisplayOff()
+    failed = []
+    reader.AddObserver("ErrorEvent", lambda *_: failed.append(1))
+    reader.Update()
+    image = reader.GetOutput()
+    scalars = image.GetPointData().GetScalars()
+    if failed or scalars is None or scalars.GetNumberOfComponents() != 1:
+        raise ValueError("VTK has no scalars of it")
+    dims = image.GetDimensions()
+    return vtk_to_numpy(scalars).reshape(dims[::-1]), image
+
+
+def vtk_legacy(path):
+    from vtkmodules.vtkIOLegacy import vtkStructuredPointsReader
+    reader = vtkStructuredPointsReader()
+    reader.SetFileName(path)
+    values, image = by_vtk(reader)
+    affine = numpy.zeros((3, 4))
+    affine[:, :3] = numpy.diag(image.GetSpacing())
+    affine[:, 3] = image.GetOrigin()
+    return values, affine
+
+
+def meta(path):
+    from vtkmodules.vtkIOImage import vtkMetaImageReader
+    reader = vtkMetaImageReader()
+    reader.SetFileName(path)
+    if not reader.CanReadFile(path):
+        raise ValueError("VTK does not take it for a MetaImage")
+    values, image = by_vtk(reader)
+    return values, None
+
+
+def nrrd(path):
+    from vtkmodules.vtkIOImage import vtkNrrdReader  # not from vtk, which has one for MPI instead
+    reader = vtkNrrdReader()
+    reader.SetFileName(path)
+    if not reader.CanReadFile(path):
+        raise ValueError("VTK does not take it for a NRRD")
+    values, image = by_vtk(reader)
+    return values, None
+
+
+READERS = {"nifti": nifti, "dicom": dicom, "vtk": vtk_legacy, "meta": meta, "nrrd": nrrd}
+
+
+def too_slow(*_):
+    raise TimeoutError("took too long")
+
+
+def main():
+    resource.setrlimit(resource.RLIMIT_AS, (BYTES, BYTES))
+    signal.signal(signal.SIGALRM, too_slow)
+    answers = os.fdopen(os.dup(1), "w")  # libraries print
+    os.dup2(os.open(os.devnull, os.O_WRONLY), 1)
+    os.dup2(1, 2)
+    for line in sys.stdin:
+        form, path, out = line.rstrip("\n").split("\t")
+        signal.alarm(SECONDS)
+        try:
+            values, affine = READERS[form](path)
+            values = numpy.ascontiguousarray(values, dtype=numpy.float64)
+            values.tofile(out)
+            answer = {"shape": values.shape, "affine": None if affine is None else affine.ravel().tolist()}
+        except BaseException as error:  # any of them: it has no opinion then
+            answer = {"failed": f"{type(error).__name__}: {error}"[:300]}
+        signal.alarm(0)
+        print(json.dumps(answer), file=answers, flush=True)
+
+
+if __name__ == "__main__":
+    main()

@@ -4,7 +4,7 @@
 
 usage: reading.py FUZZ_READER VSTUDIO [--whole N] [--damaged N] [--seed S] [--keep FOLDER]
 
-Whole ones, in all forms that a format allows, must be read as a second library reads them (nibabel, pydicom, VTK), or be
+Whole ones, in all forms that a format allows, must be read as a second library reads them (nibabel, pydicom, VTK, unu), or be
 refused. Damaged ones must be answered with values or one line, within two seconds of processor time and 500 MB; what is read
 all the same must be what the second library reads, where it reads it. Every fiftieth is opened by the real program too.
 With --keep the files of each failure are left there, and a line that makes them again is printed.
@@ -63,8 +63,10 @@ class Server:
 
 
 def places_differ(ours, theirs):
-    ours, theirs = numpy.array(ours).reshape(3, 4), numpy.array(theirs).reshape(3, 4)
-    return not numpy.allclose(ours, theirs, rtol=1e-4, atol=2e-3 * max(1.0, numpy.abs(ours[:, :3]).max()))
+    """What the other library does not know is nan."""
+    ours, theirs = numpy.array(ours, float).reshape(3, 4), numpy.array(theirs, float).reshape(3, 4)
+    near = numpy.isclose(ours, theirs, rtol=1e-4, atol=2e-3 * max(1.0, numpy.abs(ours[:, :3]).max()))
+    return not (near | numpy.isnan(theirs)).all()
 
 
 def differing(ours, theirs):

@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: Apache-2.0
-"""Reads volumes by other people's libraries: nibabel, pydicom and VTK's own readers.
+"""Reads volumes by other people's libraries: nibabel, pydicom, VTK's own readers and teem's unu.
 
 Lines "FORMAT<tab>PATH<tab>OUT" on standard input; for each a line of JSON: shape (z, y, x), the affine (LPS mm, 3 x 4) where
 the library knows it, and the values as float64 in OUT; or why it could not. A process of its own, since these crash, too.
@@ -9,7 +9,9 @@ import json
 import os
 import resource
 import signal
+import subprocess
 import sys
+import tempfile
 import warnings
 
 import nibabel
@@ -100,17 +102,39 @@ def meta(path):
     if not reader.CanReadFile(path):
         raise ValueError("VTK does not take it for a MetaImage")
     values, image = by_vtk(reader)
-    return values, None
+    affine = numpy.full((3, 4), numpy.nan)  # it leaves the axes alone
+    affine[:, 3] = image.GetOrigin()
+    return values, affine
+
+
+UNU_TYPES = {"signed char": "i1", "unsigned char": "u1", "short": "<i2", "unsigned short": "<u2", "int": "<i4",
+             "unsigned int": "<u4", "long long int": "<i8", "unsigned long long int": "<u8", "float": "<f4", "double": "<f8"}
 
 
 def nrrd(path):
-    from vtkmodules.vtkIOImage import vtkNrrdReader  # not from vtk, which has one for MPI instead
-    reader = vtkNrrdReader()
-    reader.SetFileName(path)
-    if not reader.CanReadFile(path):
-        raise ValueError("VTK does not take it for a NRRD")
-    values, image = by_vtk(reader)
-    return values, None
+    """By unu, the program of those who made the format."""
+    with tempfile.TemporaryDirectory() as folder:
+        plain = os.path.join(folder, "plain.nrrd")
+        subprocess.run(["teem-unu", "save", "-f", "nrrd", "-e", "raw", "-en", "little", "-i", path, "-o", plain], check=True,
+                       capture_output=True, timeout=SECONDS)
+        with open(plain, "rb") as file:
+            header, data = file.read().split(b"\n\n", 1)
+    fields = dict(line.split(": ", 1) for line in header.decode().splitlines() if ": " in line and line[0] != "#")
+    sizes = [int(size) for size in fields["sizes"].split()]
+    values = numpy.frombuffer(data, UNU_TYPES[fields["type"]]).reshape(sizes[::-1])
+    while values.ndim > 3 and values.shape[0] == 1:
+        values = values[0]
+    return values, nrrd_place(fields)
+
+
+def nrrd_place(fields):
+    """Where it lies, where the header says it for patients."""
+    signs = {"left-posterior-superior": (1, 1, 1), "right-anterior-superior": (-1, -1, 1)}.get(fields.get("space"))
+    if signs is None or "space directions" not in fields or "none" in fields["space directions"]:
+        return None
+    vectors = [[float(number) for number in vector.strip("()").split(",")] for vector in fields["space directions"].split()]
+    origin = [float(number) for number in fields.get("space origin", "(0,0,0)").strip("()").split(",")]
+    return numpy.diag(signs) @ numpy.array(vectors + [origin]).T
 
 
 READERS = {"nifti": nifti, "dicom": dicom, "vtk": vtk_legacy, "meta": meta, "nrrd": nrrd}

@@ -59,7 +59,7 @@ std::string trimmed(std::string_view text) {
 }
 
 bool parseNumber(const std::string& text, double& value) {
-    if (text.empty()) {
+    if (text.empty() || text.find_first_of("xX") != std::string::npos) { // no hexadecimal ones
         return false;
     }
     char* end = nullptr;

@@ -7,6 +7,7 @@ the library knows it, and the values as float64 in OUT; or why it could not. A p
 """
 import json
 import os
+import re
 import resource
 import signal
 import subprocess
@@ -46,10 +47,9 @@ def dicom(path):
         data = pydicom.dcmread(one)
         slope = float(getattr(data, "RescaleSlope", 1) or 1)
         intercept = float(getattr(data, "RescaleIntercept", 0) or 0)
-        stored = data.pixel_array.astype(numpy.float64)
-        if data.PixelRepresentation == 1:  # pydicom leaves the sign where only some of the bits are stored (PS3.5, 8.1.1)
-            half = 2.0 ** (data.BitsStored - 1)
-            stored = (stored + half) % (2 * half) - half
+        # Bits that are not stored mean nothing (PS3.5, 8.1.1); pydicom takes them for part of the value.
+        half = 2.0 ** (data.BitsStored - 1) if data.PixelRepresentation == 1 else 0.0
+        stored = (data.pixel_array.astype(numpy.float64) + half) % 2.0 ** data.BitsStored - half
         values = stored * slope + intercept
         slices.append((data, values))
     data = slices[0][0]
@@ -84,7 +84,16 @@ def by_vtk(reader):
     return vtk_to_numpy(scalars).reshape(dims[::-1]), image
 
 
+def refuse_texts_with_nan(path):
+    """VTK stops at the first of them, and leaves what is behind as it finds it."""
+    with open(path, "rb") as file:
+        content = file.read()
+    if re.search(rb"BinaryData = [Ff0]|\nASCII", content[:2000]) and re.search(rb"\b(nan|inf)", content, re.I):
+        raise ValueError("VTK stops at the first nan of a text")
+
+
 def vtk_legacy(path):
+    refuse_texts_with_nan(path)
     from vtkmodules.vtkIOLegacy import vtkStructuredPointsReader
     reader = vtkStructuredPointsReader()
     reader.SetFileName(path)
@@ -96,6 +105,11 @@ def vtk_legacy(path):
 
 
 def meta(path):
+    refuse_texts_with_nan(path)
+    with open(path, "rb") as file:
+        header = file.read(4000).split(b"ElementDataFile")[0]
+    if b"CompressedData = True" in header and not re.search(rb"^CompressedDataSize = [1-9]", header, re.M):
+        raise ValueError("MetaIO takes compressed bytes for values where their number is not stated")
     from vtkmodules.vtkIOImage import vtkMetaImageReader
     reader = vtkMetaImageReader()
     reader.SetFileName(path)

@@ -56,6 +56,9 @@ MetaHeader readMetaHeader(const std::filesystem::path& path) {
         if (trimmed(line).empty()) {
             continue;
         }
+        if (line.find('\0') != std::string::npos) {
+            refuse(path, "its header holds a zero byte", "a MetaImage header is text");
+        }
         const auto equals = line.find('=');
         if (equals == std::string::npos || equals > 64 || input.tellg() > longestHeader) {
             refuse(path, fmt::format("its header holds \"{}\"", printable(line.substr(0, 24))),
@@ -167,8 +170,18 @@ std::uint64_t bytesIn(const std::filesystem::path& path, const std::string& name
     return std::uint64_t(numbers[0]);
 }
 
-bool isTrue(const std::string& text) {
-    return !text.empty() && (text[0] == 'T' || text[0] == 't' || text[0] == '1');
+// A field that says yes or no.
+bool isTrue(const std::filesystem::path& path, const MetaHeader& header, const std::string& name,
+            bool otherwise) {
+    const std::string text = header.get(lowerCase(name), otherwise ? "True" : "False");
+    const std::string word = lowerCase(text);
+    if (word == "true" || word == "t" || word == "1") {
+        return true;
+    }
+    if (word != "false" && word != "f" && word != "0") {
+        refuse(path, fmt::format("{} is \"{}\"", name, printable(text)), "it must be True or False");
+    }
+    return false;
 }
 
 // How many bytes compressed values take in the file. Some programs have written large numbers with six
@@ -222,7 +235,8 @@ Inspection inspectMeta(const std::filesystem::path& path, Inflated inflated) {
     block = {.file = path,
              .offset = header.bytes,
              .type = type,
-             .isBigEndian = isTrue(header.get("elementbyteordermsb", header.get("binarydatabyteordermsb"))),
+             .isBigEndian = isTrue(path, header, "ElementByteOrderMSB",
+                                   isTrue(path, header, "BinaryDataByteOrderMSB", false)),
              .count = bytes / bytesOf(type)};
     const auto name = header.get("elementdatafile");
     if (name.starts_with("LIST") || name.find('%') != std::string::npos) {
@@ -232,12 +246,16 @@ Inspection inspectMeta(const std::filesystem::path& path, Inflated inflated) {
         block.file = siblingFile(path, name);
         block.offset = 0;
     }
-    if (isTrue(header.get("compresseddata"))) {
+    const bool isText = !isTrue(path, header, "BinaryData", true);
+    if (isTrue(path, header, "CompressedData", false)) {
+        if (isText) {
+            refuse(path, "its values are said to be both text and compressed", "they are one or the other");
+        }
         block.encoding = Encoding::Deflated;
         if (const auto size = header.get("compresseddatasize"); !size.empty()) {
             block.mostStored = storedBytes(path, size, block);
         }
-    } else if (!isTrue(header.get("binarydata", "True"))) {
+    } else if (isText) {
         block.encoding = Encoding::Ascii;
     }
     skipHeader(path, header, block);

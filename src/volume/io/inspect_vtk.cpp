@@ -62,6 +62,11 @@ VtkHeader readVtkHeader(const std::filesystem::path& path) {
             words >> header.components;
             header.components = key == "scalars" ? header.components : key;
         } else if (key == "lookup_table") {
+            std::string table;
+            if (!(words >> table) || !rest(words).empty()) {
+                refuse(path, fmt::format("its header says \"{}\"", printable(line)),
+                       "LOOKUP_TABLE has one word behind it");
+            }
             header.bytes = std::uint64_t(input.tellg());
             return header;
         }

@@ -14,11 +14,11 @@ MOST_FILES = 45  # sources in one folder
 # are its rooms; so are those of the programs. What lies beside the rooms of a folder ("") may include them all.
 MODULES = {
     "base": [],
-    "volume": ["base"],
+    "volume": ["image"],
     "phantom": ["volume"],
     "image": ["base"],
     "gl": ["base"],
-    "field": ["volume", "image", "gl"],
+    "field": ["volume", "gl"],
     "sculpt": ["field"],
     "segment": ["field"],
     "render": ["field"],
@@ -26,7 +26,7 @@ MODULES = {
     "studio": ["phantom", "sculpt", "segment", "render", "mesh"],
 }
 ROOMS = {
-    "src/volume": {"grid": [], "measures": ["grid"], "io": ["grid"], "dicom": ["io"], "reading": ["io"]},
+    "src/volume": {"grid": [], "measures": ["grid"], "io": ["grid"], "dicom": ["io"], "reading": ["dicom"]},
     "src/sculpt": {"mask": [], "path": [], "radiation": ["mask", "path"], "sculpture": ["radiation"],
                    "surface": ["sculpture"], "solids": ["sculpture"]},
     "src/segment": {"growth": [], "edits": ["growth"], "measures": ["edits"], "membership": ["growth"]},

@@ -27,7 +27,7 @@ constexpr double kSecondsPerFile = kIsSanitized ? 20e-3 : 1e-3;
 bool isOneFile(const std::filesystem::path& path) {
     const auto extension = path.extension().string();
     return extension == ".nii" || extension == ".gz" || extension == ".nrrd" || extension == ".mha" ||
-           extension == ".vtk" || extension == ".raw";
+           extension == ".vtk" || extension == ".raw" || extension == ".png";
 }
 
 // The hard limit stays what it is: one that was lowered cannot be raised again.
@@ -51,7 +51,9 @@ double secondsUsed() {
 
 Limits::Limits(const std::filesystem::path& path) {
     std::error_code error;
-    if (isOneFile(path) && std::filesystem::is_regular_file(path, error)) {
+    if (path.empty()) {
+        files_ = 0;
+    } else if (isOneFile(path) && std::filesystem::is_regular_file(path, error)) {
         fileBytes_ = std::filesystem::file_size(path, error);
     } else {
         const auto folder = std::filesystem::is_directory(path, error) ? path

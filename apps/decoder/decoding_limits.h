@@ -17,7 +17,7 @@ namespace vs::decoder {
 // sanitizer, which reserves much, is built in; time is twenty times as long then.
 class Limits {
 public:
-    // What reading starts with: little, whatever the header will say.
+    // What reading starts with: little, whatever the header will say. An empty path: no file is read.
     explicit Limits(const std::filesystem::path& path);
 
     // The header promises voxels of so many bytes.

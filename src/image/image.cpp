@@ -21,13 +21,16 @@ void writePng(const std::filesystem::path& path, const Image& image) {
     });
 }
 
-Image readPng(const std::filesystem::path& path) {
+Image readPng(const std::filesystem::path& path, const std::function<void(std::size_t)>& promised) {
     png_image png{};
     png.version = PNG_IMAGE_VERSION;
     if (png_image_begin_read_from_file(&png, path.c_str()) == 0) {
         throw ReadError("{}: not a readable PNG ({})", path.string(), png.message);
     }
     png.format = PNG_FORMAT_RGBA;
+    if (promised) {
+        promised(std::size_t(4) * png.width * png.height);
+    }
     Image image(int(png.width), int(png.height));
     if (png_image_finish_read(&png, nullptr, image.rgba.data(), 0, nullptr) == 0) {
         throw ReadError("{}: damaged PNG ({})", path.string(), png.message);

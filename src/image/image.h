@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <vector>
 
 namespace vs::image {
@@ -27,7 +29,9 @@ struct Image {
 // Writes a PNG atomically (temporary file, sync, rename). Throws WriteError naming the file.
 void writePng(const std::filesystem::path& path, const Image& image);
 
-// Reads a PNG. Throws ReadError naming the file.
-Image readPng(const std::filesystem::path& path);
+// Reads a PNG; `promised` hears, before anything is allocated, how many bytes its pixels take. Throws
+// ReadError naming the file. For files that this program has written: those that people give are read by
+// volume/reading/read_picture.h.
+Image readPng(const std::filesystem::path& path, const std::function<void(std::size_t bytes)>& promised = {});
 
 } // namespace vs::image

@@ -5,6 +5,7 @@
 #include "base/error.h"
 #include "image/image.h"
 #include "sculpt/mask/mask_image.h"
+#include "volume/reading/read_picture.h"
 
 #include <fmt/format.h>
 
@@ -57,7 +58,7 @@ sculpt::MaskRaster imageMask(const std::string& text, const std::string& rest, d
                          text);
     }
     const auto width = maskSizes(text, rest.substr(comma + 1), 1, "image:leaf.png,40");
-    return sculpt::maskFromImage(image::readPng(rest.substr(0, comma)), width[0], pitch);
+    return sculpt::maskFromImage(volume::readPicture(rest.substr(0, comma)), width[0], pitch);
 }
 
 } // namespace

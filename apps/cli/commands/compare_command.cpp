@@ -4,6 +4,7 @@
 
 #include "base/error.h"
 #include "image/compare.h"
+#include "volume/reading/read_picture.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -23,7 +24,7 @@ struct CompareOptions {
 };
 
 void runCompare(const CompareOptions& options) {
-    const auto d = image::compare(image::readPng(options.a), image::readPng(options.b));
+    const auto d = image::compare(volume::readPicture(options.a), volume::readPicture(options.b));
     fmt::print("max {} mean {:.4f} changed {:.5f}\n", d.max, d.mean, d.changedFraction);
     if (d.mean > options.mean || d.max > options.max || d.changedFraction > options.changed) {
         throw Error("{}: differs from {} by max {}, mean {:.4f}, changed fraction {:.5f}; at most {}, {}, {} "

@@ -5,6 +5,7 @@
 #include "arguments/parse.h"
 #include "base/error.h"
 #include "sculpt/mask/outline_image.h"
+#include "volume/reading/read_picture.h"
 
 #include <fmt/format.h>
 
@@ -23,7 +24,7 @@ struct SketchOptions {
 
 void runSketch(const SketchOptions& options) {
     const auto centre = parseNumbers(options.centre, ',', 2, "--centre", "615,435");
-    const auto outline = sculpt::outlineFromImage(image::readPng(options.picture), options.width);
+    const auto outline = sculpt::outlineFromImage(volume::readPicture(options.picture), options.width);
     std::string points;
     for (const glm::dvec2 point : outline) { // pictures run down, outlines up
         points += fmt::format("{}[{:.2f}, {:.2f}]", points.empty() ? "" : ", ", centre[0] + point.x,

@@ -13,7 +13,7 @@ layout(std140, binding = kSceneBlock) uniform SceneBlock {
     mat4 voxelFromWorld;
     ivec4 dims;      // xyz voxels, w sculpture view: 0 whole, 1 cut, 2 probe
     vec4 spacing;    // xyz mm, w step mm
-    vec4 valueScale; // x scale, y offset, z 1 if values are whole numbers, w tolerance at the lower end of the range
+    vec4 valueScale; // x scale, y offset, z 1 if whole numbers, w tolerance at the range's lower end
     vec4 range;      // xy displayed range, zw grey window
     vec4 sceneFlags; // x 1 if there is a segmentation, yzw 1 / dims
     vec4 limits; // x the greatest visible value: the displayed range's upper end, or beyond all values (MIP,

@@ -8,9 +8,9 @@
 #include "render/camera/placement.h"
 #include "segment/edits/label_sets.h"
 #include "segment/measures/measured_segment.h"
-#include "volume/dicom/dicom_segmentation.h"
 #include "volume/io/inspect.h"
 #include "volume/io/write.h"
+#include "volume/reading/write_segmentation.h"
 
 #include <algorithm>
 #include <utility>
@@ -149,20 +149,23 @@ std::string writeLabelMap(const std::filesystem::path& path, const ExportSource&
 // With patient and study of the series that the volume came from, where it came from one and still lies
 // there.
 std::string writeDicom(const std::filesystem::path& path, const ExportSource& source) {
-    std::vector<volume::DicomSegment> segments;
+    volume::SegmentationOrder order;
+    order.geometry = source.geometry;
     for (const ExportedSegment& segment : source.segments) {
-        segments.push_back({segment.label, segment.name, segment.colour});
+        order.segments.push_back({segment.label, segment.name, segment.colour});
     }
     // Voxels that were moved lie on none of the series' images, and not in its frame of reference.
     const bool isOnSeries = source.volume != nullptr && !source.volume->path.empty() && !source.isCorrected;
-    const auto series = isOnSeries ? volume::dicomFilesOf(source.volume->path, source.reading)
-                                   : std::vector<std::filesystem::path>();
-    volume::writeDicomSegmentation(path, source.geometry, source.labels, segments, series);
-    return fmt::format("{}: {} segment{}, {}", path.string(), segments.size(),
-                       segments.size() == 1 ? "" : "s",
+    if (isOnSeries) {
+        order.source = source.volume->path;
+        order.reading = source.reading;
+    }
+    const int series = volume::writeDicomSegmentation(path, order, source.labels);
+    return fmt::format("{}: {} segment{}, {}", path.string(), order.segments.size(),
+                       order.segments.size() == 1 ? "" : "s",
                        source.isCorrected ? "of a corrected geometry, which is no DICOM series': patient and "
                                             "study are empty"
-                       : series.empty()   ? "of no DICOM series: patient and study are empty"
+                       : series == 0      ? "of no DICOM series: patient and study are empty"
                                           : "with patient and study of the series");
 }
 

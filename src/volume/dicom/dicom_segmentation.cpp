@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "volume/dicom/dicom_segmentation.h"
 
-#include "base/atomic_file.h"
 #include "base/error.h"
 #include "volume/dicom/dcmtk_log.h"
 
 #include <dcmtk/config/osconfig.h> // DCMTK wants it first
 
+#include <dcmtk/dcmdata/dcostrmb.h>
 #include <dcmtk/dcmdata/dctk.h>
 #include <dcmtk/dcmfg/fgderimg.h>
 #include <dcmtk/dcmfg/fgfracon.h>
@@ -116,7 +116,26 @@ public:
         }
     }
 
-    void save(const std::filesystem::path& path) { need(file_->saveFile(path.c_str())); }
+    // The bytes of its file, piece by piece.
+    void save(const std::function<void(std::span<const std::byte>)>& take) {
+        constexpr E_TransferSyntax syntax = EXS_LittleEndianExplicit;
+        DcmFileFormat file;
+        need(file_->writeDataset(*file.getDataset()));
+        need(file.validateMetaInfo(syntax));
+        std::vector<char> room(std::size_t(1) << 20U);
+        DcmOutputBufferStream stream(room.data(), offile_off_t(room.size()));
+        file.transferInit();
+        OFCondition condition = EC_StreamNotifyClient; // says that the room is full
+        while (condition == EC_StreamNotifyClient) {
+            condition = file.write(stream, syntax, EET_ExplicitLength, nullptr);
+            void* bytes = nullptr;
+            offile_off_t length = 0;
+            stream.flushBuffer(bytes, length);
+            take({static_cast<const std::byte*>(bytes), std::size_t(length)});
+        }
+        file.transferEnd();
+        need(condition);
+    }
 
 private:
     void takeOrigin() {
@@ -245,35 +264,19 @@ private:
     std::unique_ptr<DcmSegmentation> file_;
 };
 
-bool isPerpendicular(const GridGeometry& geometry) {
-    constexpr double tolerance = 1e-3; // cosine, as of NIfTI (write.cpp)
-    const glm::dvec3 spacing = geometry.spacing();
-    const auto along = [&](int axis) { return glm::dvec3(geometry.worldFromVoxel[axis]) / spacing[axis]; };
-    return std::abs(glm::dot(along(0), along(1))) < tolerance &&
-           std::abs(glm::dot(along(1), along(2))) < tolerance &&
-           std::abs(glm::dot(along(2), along(0))) < tolerance;
-}
-
 } // namespace
 
-void writeDicomSegmentation(const std::filesystem::path& path, const GridGeometry& geometry,
-                            std::span<const std::uint8_t> labels, std::span<const DicomSegment> segments,
-                            std::span<const std::filesystem::path> sources) {
-    if (!isPerpendicular(geometry)) {
-        throw WriteError("{}: DICOM cannot hold this grid, whose axes are not perpendicular; write .nrrd",
-                         path.string());
-    }
-    if (std::max(geometry.dims.x, geometry.dims.y) > 65535) {
-        throw WriteError("{}: DICOM holds at most 65535 voxels along an axis; write .nrrd", path.string());
-    }
+int makeDicomSegmentation(const SegmentationOrder& order, std::span<const std::uint8_t> labels,
+                          const std::function<void(std::span<const std::byte>)>& take) {
     silenceDcmtk();
-    writeAtomically(path, [&](const std::filesystem::path& temporary) {
-        SegmentationFile file(geometry, sources);
-        for (const DicomSegment& segment : segments) {
-            file.add(segment, labels);
-        }
-        file.save(temporary);
-    });
+    const auto sources = order.source.empty() ? std::vector<std::filesystem::path>()
+                                              : dicomFilesOf(order.source, order.reading);
+    SegmentationFile file(order.geometry, sources);
+    for (const DicomSegment& segment : order.segments) {
+        file.add(segment, labels);
+    }
+    file.save(take);
+    return int(sources.size());
 }
 
 } // namespace vs::volume

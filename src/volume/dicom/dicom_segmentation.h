@@ -3,8 +3,10 @@
 
 #include "volume/io/read.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -18,18 +20,26 @@ struct DicomSegment {
     glm::dvec3 colour{0.8}; // sRGB, 0 to 1
 };
 
-// The files of a DICOM series that readVolume() would assemble from this path, in the order of the grid's
-// slices; empty when the path is not DICOM. Throws as readVolume() does.
+// The files of a DICOM series that decodeVolume() would assemble from this path, in the order of the grid's
+// slices; empty when the path is not DICOM. Throws as decodeVolume() does.
 std::vector<std::filesystem::path> dicomFilesOf(const std::filesystem::path& path,
                                                 const ReadOptions& options);
 
-// Writes segments as a DICOM Segmentation object (binary; a frame for each slice of each segment that has
-// voxels) by DCMTK. With `sources`, the files of the series that the grid was read from, patient, study and
-// frame of reference are theirs, and each frame names the slice that it lies on; without, identifiers are
+// What a DICOM Segmentation object is made of, beside the labels.
+struct SegmentationOrder {
+    GridGeometry geometry;
+    std::vector<DicomSegment> segments;
+    std::filesystem::path source; // what the grid was read from; empty: nothing that counts
+    ReadOptions reading;          // how
+};
+
+// Makes a DICOM Segmentation object (binary; a frame for each slice of each segment that has voxels) by DCMTK
+// and gives `take` the bytes of its file, piece by piece. Where the source is a DICOM series, patient, study
+// and frame of reference are its, and each frame names the slice that it lies on; without, identifiers are
 // made up and the patient's are empty. The property of every segment is "Tissue": nothing else is known.
-// Atomic. Throws WriteError naming the file, also when the grid's axes are not perpendicular.
-void writeDicomSegmentation(const std::filesystem::path& path, const GridGeometry& geometry,
-                            std::span<const std::uint8_t> labels, std::span<const DicomSegment> segments,
-                            std::span<const std::filesystem::path> sources = {});
+// Returns how many files the series has. For the decoder (volume/reading/write_segmentation.h is for others),
+// since DCMTK reads the headers of strangers' files.
+int makeDicomSegmentation(const SegmentationOrder& order, std::span<const std::uint8_t> labels,
+                          const std::function<void(std::span<const std::byte>)>& take);
 
 } // namespace vs::volume

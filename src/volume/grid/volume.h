@@ -25,9 +25,9 @@ std::size_t sizeOf(ScalarType type);
 struct Volume {
     GridGeometry geometry;
     ScalarType type = ScalarType::UInt8;
-    std::vector<std::byte> bytes; // geometry.voxelCount() * sizeOf(type)
-    Range range;                  // smallest and largest finite value
-    Range usual; // the same but for fill values and single extreme ones: of charts and suggestions
+    std::vector<std::byte> bytes;   // geometry.voxelCount() * sizeOf(type)
+    Range range;                    // smallest and largest finite value
+    Range usual;                    // without fill values and single extremes: for charts and suggestions
     std::size_t nonFiniteCount = 0; // NaN and infinite voxels; they lie outside every range
     std::string name;               // file or folder name, for titles and messages
     std::filesystem::path path;     // where it came from; empty for volumes made in memory

@@ -120,15 +120,56 @@ ScanDetails detailsOf(const Json& json) {
     return details;
 }
 
-Json packed(const Volume& volume) {
+Json packed(const GridGeometry& geometry) {
     Json matrix = Json::array();
     for (int column = 0; column < 4; ++column) {
         for (int row = 0; row < 4; ++row) {
-            matrix.push_back(volume.geometry.worldFromVoxel[column][row]);
+            matrix.push_back(geometry.worldFromVoxel[column][row]);
         }
     }
-    return {{"dims", packed(volume.geometry.dims)},
-            {"worldFromVoxel", std::move(matrix)},
+    return {{"dims", packed(geometry.dims)}, {"worldFromVoxel", std::move(matrix)}};
+}
+
+GridGeometry geometryOf(const Json& json) {
+    GridGeometry geometry;
+    geometry.dims = ivec3Of(json.at("dims"));
+    if (glm::any(glm::lessThan(geometry.dims, glm::ivec3(1)))) {
+        throw Error("a volume without voxels");
+    }
+    for (std::size_t i = 0; i < 16; ++i) {
+        const double number = json.at("worldFromVoxel").at(i).get<double>();
+        if (!std::isfinite(number)) {
+            throw Error("a place that is not finite");
+        }
+        geometry.worldFromVoxel[int(i / 4)][int(i % 4)] = number;
+    }
+    return geometry;
+}
+
+Json packed(const SegmentationOrder& order) {
+    Json segments = Json::array();
+    for (const DicomSegment& segment : order.segments) {
+        segments.push_back(
+            {{"label", segment.label}, {"name", segment.name}, {"colour", packed(segment.colour)}});
+    }
+    return {{"grid", packed(order.geometry)},
+            {"segments", std::move(segments)},
+            {"source", order.source.string()},
+            {"reading", packed(order.reading)}};
+}
+
+SegmentationOrder orderOf(const Json& json) {
+    SegmentationOrder order{
+        geometryOf(json.at("grid")), {}, json.at("source").get<std::string>(), optionsOf(json.at("reading"))};
+    for (const Json& segment : json.at("segments")) {
+        order.segments.push_back({segment.at("label").get<std::uint8_t>(),
+                                  segment.at("name").get<std::string>(), dvec3Of(segment.at("colour"))});
+    }
+    return order;
+}
+
+Json packed(const Volume& volume) {
+    return {{"grid", packed(volume.geometry)},
             {"type", int(volume.type)},
             {"range", Json::array({volume.range.lo, volume.range.hi})},
             {"usual", Json::array({volume.usual.lo, volume.usual.hi})},
@@ -140,17 +181,7 @@ Json packed(const Volume& volume) {
 
 Volume volumeOf(const Json& json) {
     Volume volume;
-    volume.geometry.dims = ivec3Of(json.at("dims"));
-    if (glm::any(glm::lessThan(volume.geometry.dims, glm::ivec3(1)))) {
-        throw Error("a volume without voxels");
-    }
-    for (std::size_t i = 0; i < 16; ++i) {
-        const double number = json.at("worldFromVoxel").at(i).get<double>();
-        if (!std::isfinite(number)) {
-            throw Error("a place that is not finite");
-        }
-        volume.geometry.worldFromVoxel[int(i / 4)][int(i % 4)] = number;
-    }
+    volume.geometry = geometryOf(json.at("grid"));
     volume.type = typeOf(json.at("type"));
     volume.range = {json.at("range").at(0).get<double>(), json.at("range").at(1).get<double>()};
     volume.usual = {json.at("usual").at(0).get<double>(), json.at("usual").at(1).get<double>()};
@@ -173,7 +204,41 @@ struct Packer {
     Json operator()(const DecodedVolume& answer) const {
         return {{"volume", packed(answer.result.volume)}, {"notices", answer.result.notices}};
     }
+    Json operator()(const DecodedPicture& answer) const {
+        return {{"picture", Json::array({answer.size.x, answer.size.y})}};
+    }
+    Json operator()(const MadeSegmentation& answer) const {
+        return {{"segmentation", answer.bytes}, {"sources", answer.sources}};
+    }
 };
+
+struct RequestPacker {
+    Json operator()(const DecodeRequest& request) const {
+        return {{"path", request.path.string()}, {"options", packed(request.options)}};
+    }
+    Json operator()(const PictureRequest& request) const { return {{"picture", request.path.string()}}; }
+    Json operator()(const SegmentationRequest& request) const {
+        return {{"segmentation", packed(request.order)}};
+    }
+};
+
+DecoderRequest requestOf(const Json& json) {
+    if (json.contains("picture")) {
+        return PictureRequest{json.at("picture").get<std::string>()};
+    }
+    if (json.contains("segmentation")) {
+        return SegmentationRequest{orderOf(json.at("segmentation"))};
+    }
+    return DecodeRequest{json.at("path").get<std::string>(), optionsOf(json.at("options"))};
+}
+
+DecodedPicture pictureOf(const Json& json) {
+    const DecodedPicture picture{{json.at(0).get<int>(), json.at(1).get<int>()}};
+    if (glm::any(glm::lessThan(picture.size, glm::ivec2(1)))) {
+        throw Error("a picture without pixels");
+    }
+    return picture;
+}
 
 DecoderAnswer answerOf(const Json& json) {
     if (json.contains("share")) {
@@ -185,6 +250,12 @@ DecoderAnswer answerOf(const Json& json) {
             refusal.choices.push_back(choiceOf(choice));
         }
         return refusal;
+    }
+    if (json.contains("picture")) {
+        return pictureOf(json.at("picture"));
+    }
+    if (json.contains("segmentation")) {
+        return MadeSegmentation{json.at("segmentation").get<std::uint64_t>(), json.at("sources").get<int>()};
     }
     return DecodedVolume{{volumeOf(json.at("volume")), json.at("notices").get<std::vector<std::string>>()}};
 }
@@ -201,18 +272,13 @@ auto unpacked(std::span<const std::uint8_t> bytes, Unpack unpack) {
 
 } // namespace
 
-MessageBytes pack(const DecodeRequest& request) {
-    const Json json{{"path", request.path.string()}, {"options", packed(request.options)}};
-    return Json::to_cbor(json);
+MessageBytes pack(const DecoderRequest& request) {
+    return Json::to_cbor(std::visit(RequestPacker(), request));
 }
 
 MessageBytes pack(const DecoderAnswer& answer) { return Json::to_cbor(std::visit(Packer(), answer)); }
 
-DecodeRequest unpackRequest(std::span<const std::uint8_t> bytes) {
-    return unpacked(bytes, [](const Json& json) {
-        return DecodeRequest{json.at("path").get<std::string>(), optionsOf(json.at("options"))};
-    });
-}
+DecoderRequest unpackRequest(std::span<const std::uint8_t> bytes) { return unpacked(bytes, requestOf); }
 
 DecoderAnswer unpackAnswer(std::span<const std::uint8_t> bytes) { return unpacked(bytes, answerOf); }
 

@@ -60,6 +60,16 @@ std::string whyItEnded(int status) {
     return endingOf(status);
 }
 
+[[noreturn]] void throwRefusal(DecodeRefusal refusal) {
+    if (refusal.isUsage) {
+        throw UsageError("{}", refusal.message);
+    }
+    if (!refusal.choices.empty()) {
+        throw SeveralSeries(refusal.message, std::move(refusal.choices));
+    }
+    throw ReadError("{}", refusal.message);
+}
+
 } // namespace
 
 std::filesystem::path decoderProgram() {
@@ -77,7 +87,15 @@ std::filesystem::path decoderProgram() {
     return folder / name;
 }
 
-DecoderProcess::DecoderProcess(const DecodeRequest& request) : voxels_(fileInMemory()) {
+DecoderProcess::DecoderProcess(const DecoderRequest& request, std::span<const std::byte> content)
+    : voxels_(fileInMemory()) {
+    while (!content.empty()) {
+        const ssize_t count = write(voxels_.number(), content.data(), content.size());
+        if (count < 0 && errno != EINTR) {
+            throw Error("there is no memory for {} bytes ({})", content.size(), std::strerror(errno));
+        }
+        content = content.subspan(std::size_t(std::max<ssize_t>(count, 0)));
+    }
     DescriptorPair sockets = socketPair();
     messages_ = std::move(sockets.ours);
     const std::array<ChildProcess::Handed, 2> handed{
@@ -121,10 +139,23 @@ std::optional<DecoderAnswer> DecoderProcess::answer() {
     }
 }
 
-std::vector<std::byte> DecoderProcess::voxels(std::size_t bytes) const {
+DecoderAnswer DecoderProcess::lastAnswer(const std::filesystem::path& path) {
+    while (auto next = answer()) {
+        if (const auto* share = std::get_if<DecodeShare>(&*next)) {
+            reportProgress(share->share);
+        } else if (auto* refusal = std::get_if<DecodeRefusal>(&*next)) {
+            throwRefusal(std::move(*refusal));
+        } else {
+            return std::move(*next);
+        }
+    }
+    throw ReadError("{}: its decoder gave up ({}); get an intact copy of the file", path.string(), why_);
+}
+
+std::vector<std::byte> DecoderProcess::content(std::size_t bytes, std::size_t skip) const {
     struct stat status {};
-    if (fstat(voxels_.number(), &status) != 0 || std::size_t(status.st_size) != bytes) {
-        throw Error("{} bytes of voxels instead of {}", status.st_size, bytes);
+    if (fstat(voxels_.number(), &status) != 0 || std::size_t(status.st_size) != skip + bytes) {
+        throw Error("{} bytes of voxels instead of {}", std::size_t(status.st_size) - skip, bytes);
     }
     // Piece by piece, each given back at once, so that they are not there twice.
     constexpr std::size_t piece = std::size_t(64) << 20;
@@ -134,12 +165,12 @@ std::vector<std::byte> DecoderProcess::voxels(std::size_t bytes) const {
         const std::size_t at = voxels.size();
         const std::size_t wanted = std::min(piece, bytes - at);
         voxels.resize(at + wanted);
-        const ssize_t count = pread(voxels_.number(), voxels.data() + at, wanted, off_t(at));
+        const ssize_t count = pread(voxels_.number(), voxels.data() + at, wanted, off_t(skip + at));
         if (count == 0 || (count < 0 && errno != EINTR)) {
             throw Error("voxels that cannot be read");
         }
         voxels.resize(at + std::size_t(std::max<ssize_t>(count, 0)));
-        fallocate(voxels_.number(), FALLOC_FL_PUNCH_HOLE | FALLOC_FL_KEEP_SIZE, off_t(at), count);
+        fallocate(voxels_.number(), FALLOC_FL_PUNCH_HOLE | FALLOC_FL_KEEP_SIZE, off_t(skip + at), count);
     }
     return voxels;
 }

@@ -8,12 +8,15 @@
 #include "volume/io/write.h"
 #include "volume/reading/decoder_messages.h"
 #include "volume/reading/decoder_process.h"
+#include "volume/reading/read_picture.h"
 #include "volume/reading/read_volume.h"
+#include "volume/reading/write_segmentation.h"
 
 #include "test_files.h"
 
 #include <sys/wait.h>
 #include <unistd.h>
+#include <zlib.h>
 
 #include <atomic>
 #include <chrono>
@@ -224,6 +227,67 @@ TEST(Decoder, KilledAtRandom) {
     EXPECT_GT(refused, 0);
 }
 
+std::string pictureRefusal(const std::filesystem::path& path) {
+    try {
+        readPicture(path);
+    } catch (const ReadError& error) {
+        return error.what();
+    }
+    return "read";
+}
+
+// A PNG that says it is 30000 x 30000 pixels wide, of which it holds none.
+std::string immensePng() {
+    const auto word = [](std::uint32_t value) {
+        std::string bytes;
+        for (int shift = 24; shift >= 0; shift -= 8) {
+            bytes += char(value >> unsigned(shift));
+        }
+        return bytes;
+    };
+    const std::string header = "IHDR" + word(30000) + word(30000) + std::string("\x08\x06\0\0\0", 5);
+    const auto sum = crc32(0, reinterpret_cast<const Bytef*>(header.data()), uInt(header.size()));
+    return "\x89PNG\r\n\x1a\n" + word(13) + header + word(std::uint32_t(sum));
+}
+
+TEST(Decoder, ReadsPicturesThatPeopleGive) {
+    const TemporaryFolder folder;
+    image::Image picture(7, 5);
+    for (std::size_t i = 0; i < picture.rgba.size(); ++i) {
+        picture.rgba[i] = std::uint8_t(37 * i);
+    }
+    image::writePng(folder / "a.png", picture);
+    const image::Image back = readPicture(folder / "a.png");
+    EXPECT_EQ(back.width, 7);
+    EXPECT_EQ(back.height, 5);
+    EXPECT_EQ(back.rgba, picture.rgba);
+    writeFile(folder / "bad.png", "no picture");
+    EXPECT_NE(pictureRefusal(folder / "bad.png").find("bad.png: not a readable PNG"), std::string::npos);
+    EXPECT_NE(pictureRefusal(folder / "gone.png").find("there is no such file"), std::string::npos);
+    EXPECT_NE(pictureRefusal("/dev/zero").find("is no file"), std::string::npos);
+    writeFile(folder / "immense.png", immensePng()); // 3.6 GB of pixels in 33 bytes
+    EXPECT_NE(pictureRefusal(folder / "immense.png").find("immense.png: "), std::string::npos);
+    const PretendedDecoder killed(folder, "kill -SEGV $$");
+    EXPECT_NE(pictureRefusal(folder / "a.png").find("a.png: its decoder gave up"), std::string::npos);
+}
+
+TEST(Decoder, MakesSegmentationsAndLeavesAnOlderFileWhenItFails) {
+    const TemporaryFolder folder;
+    const SegmentationOrder order{makeGeometry({4, 3, 2}), {{1, "one", glm::dvec3(1)}}, {}, {}};
+    const std::vector<std::uint8_t> labels(24, 1);
+    EXPECT_EQ(writeDicomSegmentation(folder / "s.dcm", order, labels), 0);
+    const auto size = std::filesystem::file_size(folder / "s.dcm");
+    EXPECT_GT(size, 1000U);
+    {
+        const PretendedDecoder killed(folder, "kill -KILL $$");
+        EXPECT_THROW(writeDicomSegmentation(folder / "s.dcm", order, labels), Error);
+    }
+    EXPECT_EQ(std::filesystem::file_size(folder / "s.dcm"), size);
+    EXPECT_THROW(writeDicomSegmentation(folder / "gone" / "s.dcm", order, labels), WriteError);
+    EXPECT_NE(readRefusal(folder / "s.dcm").find("it is a segmentation"),
+              std::string::npos); // what it must be
+}
+
 ReadResult anyResult() {
     ReadResult result;
     Volume& volume = result.volume;
@@ -259,12 +323,32 @@ TEST(DecoderMessages, ComeBackAsTheyWere) {
     request.options.raw = parseRawLayout("4x5x6:int16:1,2,3:7");
     request.options.series = "1.2.3";
     request.options.frame = 4;
-    const DecodeRequest asked = unpackRequest(pack(request));
+    const auto asked = std::get<DecodeRequest>(unpackRequest(pack(DecoderRequest(request))));
     EXPECT_EQ(asked.path, request.path);
     EXPECT_EQ(asked.options.raw->dims, request.options.raw->dims);
     EXPECT_EQ(asked.options.raw->offsetBytes, 7U);
     EXPECT_EQ(asked.options.series, "1.2.3");
     EXPECT_EQ(asked.options.frame, 4);
+
+    const auto picture =
+        std::get<PictureRequest>(unpackRequest(pack(DecoderRequest(PictureRequest{"/b.png"}))));
+    EXPECT_EQ(picture.path, "/b.png");
+    SegmentationRequest order{
+        {makeGeometry({2, 3, 4}, {1, 2, 3}), {{7, "Leber", {0.1, 0.2, 0.3}}}, "/c", {}}};
+    order.order.reading.series = "2";
+    const auto made = std::get<SegmentationRequest>(unpackRequest(pack(DecoderRequest(order)))).order;
+    EXPECT_EQ(made.geometry, order.order.geometry);
+    ASSERT_EQ(made.segments.size(), 1U);
+    EXPECT_EQ(made.segments[0].label, 7);
+    EXPECT_EQ(made.segments[0].name, "Leber");
+    EXPECT_EQ(made.segments[0].colour, glm::dvec3(0.1, 0.2, 0.3));
+    EXPECT_EQ(made.source, "/c");
+    EXPECT_EQ(made.reading.series, "2");
+    EXPECT_EQ(std::get<DecodedPicture>(unpackAnswer(pack(DecoderAnswer(DecodedPicture{{5, 6}})))).size,
+              glm::ivec2(5, 6));
+    EXPECT_THROW(unpackAnswer(pack(DecoderAnswer(DecodedPicture{{5, 0}}))), Error);
+    EXPECT_EQ(std::get<MadeSegmentation>(unpackAnswer(pack(DecoderAnswer(MadeSegmentation{9, 2})))).sources,
+              2);
 
     DecodeRefusal refusal{
         "a: b; c", false, {SeriesChoice{"1.2", "d", "CT", {3, 4}, glm::dvec2(1, 2), {}, 7}}};

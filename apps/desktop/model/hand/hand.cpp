@@ -6,6 +6,7 @@
 
 #include "image/image.h"
 #include "sculpt/mask/outline_image.h"
+#include "volume/reading/read_picture.h"
 
 #include <utility>
 
@@ -55,7 +56,7 @@ void Hand::setShape(studio::Shape shape) {
 bool Hand::setStencil(const std::filesystem::path& picture) {
     std::vector<glm::dvec2> outline;
     const bool isRead = host_.guard([&] {
-        for (const glm::dvec2 point : sculpt::outlineFromImage(image::readPng(picture), 1)) {
+        for (const glm::dvec2 point : sculpt::outlineFromImage(volume::readPicture(picture), 1)) {
             outline.emplace_back(point.x, -point.y);
         }
     });

@@ -16,6 +16,7 @@
 #include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
@@ -132,26 +133,24 @@ public:
     void publish() {
         attempt([&] {
             std::error_code ignored;
-            wasThere_ =
-                std::filesystem::is_regular_file(target_, ignored) &&
-                renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) == 0;
-            if (!wasThere_) { // nothing had the name, or the file system cannot exchange
+            const bool isThere = std::filesystem::is_regular_file(target_, ignored);
+            if (isThere &&
+                renameat2(AT_FDCWD, temporary_.c_str(), AT_FDCWD, target_.c_str(), RENAME_EXCHANGE) == 0) {
+                before_ = Before::Kept;
+            } else {
                 std::filesystem::rename(temporary_, target_);
+                before_ = isThere ? Before::Lost : Before::Nothing;
             }
         });
-        isPublished_ = true;
     }
     void takeBack() noexcept {
-        if (!isPublished_) {
-            return;
-        }
         std::error_code ignored;
-        if (wasThere_) {
+        if (before_ == Before::Kept) {
             std::filesystem::rename(temporary_, target_, ignored);
-        } else {
+        } else if (before_ == Before::Nothing) {
             std::filesystem::remove(target_, ignored);
         }
-        isPublished_ = false;
+        before_.reset();
     }
     void syncName() const { syncFolder(folderOf(target_)); }
 
@@ -179,8 +178,10 @@ private:
     std::filesystem::path path_;
     std::filesystem::path target_;
     std::filesystem::path temporary_; // what is in it now is not wanted in the end
-    bool isPublished_ = false;
-    bool wasThere_ = false; // another file had the name
+    // What had the name before it was published: a file, which is the temporary one now, or is gone where the
+    // file system cannot exchange names.
+    enum class Before { Nothing, Kept, Lost };
+    std::optional<Before> before_;
 };
 
 } // namespace

@@ -23,7 +23,8 @@ struct FileWriting {
     std::function<void(const std::filesystem::path& temporary)> write;
 };
 // Writes files that belong together: all are filled and synced before the first is renamed, and if a later
-// one cannot be renamed the earlier ones are put back, so that either all are new or none.
+// one cannot be renamed the earlier ones are put back, so that either all are new or none (but on file
+// systems that cannot exchange names, where those that were renamed stay).
 void writeAllAtomically(std::span<const FileWriting> files);
 
 // The file that writing to `path` replaces: where links point, so that they stay. Throws WriteError when what

@@ -167,9 +167,6 @@ Box3 sweepMask(Radiator& radiator, PointGenerator& generator, const MaskRaster& 
     std::vector<PathPiece> pieces; // that come into the grid
     Box3 box;
     for (const PathPiece& piece : path) {
-        if (!mayReach(mask.window(), piece, grid)) {
-            continue;
-        }
         const Box3 points = sweepPiece(mask, piece, grid).pointBox();
         if (!points.isEmpty()) {
             pieces.push_back(piece);

@@ -3,6 +3,7 @@
 
 #include "sculpt/surface/layered_cut.h"
 #include "studio/strokes/cut_stroke.h"
+#include "studio/strokes/tool_mask.h"
 
 #include <optional>
 

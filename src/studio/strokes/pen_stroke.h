@@ -3,6 +3,7 @@
 
 #include "studio/strokes/cut_stroke.h"
 #include "studio/strokes/stroke_raster.h"
+#include "studio/strokes/tool_mask.h"
 
 #include <optional>
 

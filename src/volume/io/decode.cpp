@@ -4,12 +4,14 @@
 #include "volume/io/formats.h"
 #include "volume/io/inspect.h"
 #include "volume/io/itk_decode.h"
+#include "volume/io/take_values.h"
 
 #include <fmt/format.h>
 #include <itkMetaImageIO.h>
 #include <itkNrrdImageIO.h>
 
 #include <fstream>
+#include <utility>
 
 namespace vs::volume {
 namespace {
@@ -36,15 +38,10 @@ ReadResult decode(const char* format, const std::filesystem::path& path, Inspect
     return result;
 }
 
-ReadResult readVtk(const std::filesystem::path& path, const ReadOptions& options) {
-    VtkInspection inspection = inspectVtk(path);
-    const int frame = chosenFrame(path, 1, options.frame);
-    ReadResult result;
-    result.notices = inspection.notices;
-    result.volume.geometry = inspection.geometry;
-    takeFrame(path, inspection, frame, result);
-    result.volume.details.format = "VTK";
-    return result;
+ReadResult readNifti(const std::filesystem::path& path, const ReadOptions& options) {
+    NiftiInspection inspection = inspectNifti(path, Inflated::Kept);
+    const Scaling scaling{inspection.slope, inspection.intercept};
+    return readPlaced("NIfTI", path, std::move(inspection), options.frame, scaling);
 }
 
 ReadResult readFormat(const std::filesystem::path& path, const ReadOptions& options) {
@@ -83,7 +80,7 @@ ReadResult readFormat(const std::filesystem::path& path, const ReadOptions& opti
     case Format::Meta:
         return decode<itk::MetaImageIO>("MetaImage", path, inspectMeta(path, Inflated::Kept), options);
     case Format::Vtk:
-        return readVtk(path, options);
+        return readPlaced("VTK", path, inspectVtk(path), options.frame);
     case Format::Dicom:
         return readDicom(path, options);
     case Format::Raw:

@@ -14,7 +14,6 @@ Format recognise(const std::filesystem::path& path);
 
 // Each throws ReadError; none computes the range.
 ReadResult readRaw(const std::filesystem::path& path, const RawLayout& layout);
-ReadResult readNifti(const std::filesystem::path& path, const ReadOptions& options);
 // `path` is a folder or one of its files.
 ReadResult readDicom(const std::filesystem::path& path, const ReadOptions& options);
 

@@ -106,14 +106,13 @@ std::vector<unsigned char> readPrefix(const std::filesystem::path& path, std::si
                                       bool inflated = false);
 bool hasGzipMagic(const std::filesystem::path& path);
 
-struct NiftiInspection : Inspection {
-    double slope = 1; // 1 and 0 where the header asks for no scaling
-    double intercept = 0;
+struct PlacedInspection : Inspection {
     GridGeometry geometry;
 };
 
-struct VtkInspection : Inspection {
-    GridGeometry geometry;
+struct NiftiInspection : PlacedInspection {
+    double slope = 1; // 1 and 0 where the header asks for no scaling
+    double intercept = 0;
 };
 
 // Inspect a file's header, one function for each format. Each refuses what does not fit and returns what
@@ -121,6 +120,6 @@ struct VtkInspection : Inspection {
 NiftiInspection inspectNifti(const std::filesystem::path& path, Inflated inflated = Inflated::Dropped);
 Inspection inspectNrrd(const std::filesystem::path& path, Inflated inflated = Inflated::Dropped);
 Inspection inspectMeta(const std::filesystem::path& path, Inflated inflated = Inflated::Dropped);
-VtkInspection inspectVtk(const std::filesystem::path& path);
+PlacedInspection inspectVtk(const std::filesystem::path& path);
 
 } // namespace vs::volume

@@ -95,7 +95,7 @@ StoredType storedType(const std::filesystem::path& path, const VtkHeader& header
 
 } // namespace
 
-VtkInspection inspectVtk(const std::filesystem::path& path) {
+PlacedInspection inspectVtk(const std::filesystem::path& path) {
     const VtkHeader header = readVtkHeader(path);
     if (header.dataset != "structured_points") {
         refuse(path, fmt::format("its data set is \"{}\"", printable(header.dataset)),
@@ -104,7 +104,7 @@ VtkInspection inspectVtk(const std::filesystem::path& path) {
     if (header.dimensions.size() != 3 || header.spacing.size() != 3 || header.origin.size() != 3) {
         refuse(path, "its dimensions, spacing or origin are not three numbers each", "a volume has 3 axes");
     }
-    VtkInspection inspection;
+    PlacedInspection inspection;
     for (std::size_t axis = 0; axis < 3; ++axis) {
         const double size = header.dimensions[axis];
         if (!(size >= 1 && size <= 1e9) || size != std::floor(size)) {

@@ -155,7 +155,7 @@ DecoderAnswer DecoderProcess::lastAnswer(const std::filesystem::path& path) {
 std::vector<std::byte> DecoderProcess::content(std::size_t bytes, std::size_t skip) const {
     struct stat status {};
     if (fstat(voxels_.number(), &status) != 0 || std::size_t(status.st_size) != skip + bytes) {
-        throw Error("{} bytes of voxels instead of {}", std::size_t(status.st_size) - skip, bytes);
+        throw Error("{} bytes instead of {}", status.st_size, skip + bytes);
     }
     // Piece by piece, each given back at once, so that they are not there twice.
     constexpr std::size_t piece = std::size_t(64) << 20;
@@ -167,7 +167,7 @@ std::vector<std::byte> DecoderProcess::content(std::size_t bytes, std::size_t sk
         voxels.resize(at + wanted);
         const ssize_t count = pread(voxels_.number(), voxels.data() + at, wanted, off_t(skip + at));
         if (count == 0 || (count < 0 && errno != EINTR)) {
-            throw Error("voxels that cannot be read");
+            throw Error("bytes that cannot be read");
         }
         voxels.resize(at + std::size_t(std::max<ssize_t>(count, 0)));
         fallocate(voxels_.number(), FALLOC_FL_PUNCH_HOLE | FALLOC_FL_KEEP_SIZE, off_t(skip + at), count);

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: Apache-2.0
 // How scans are shown to a person who opens them: all of the head and nothing of the air.
 #include "gpu/gl_test.h"
+#include "gpu/studio/test_head.h"
+#include "image/compare.h"
 #include "phantom/head_phantom.h"
 #include "phantom/phantom.h"
 #include "studio/document/document.h"
 #include "studio/document/document_facts.h"
+#include "studio/document/document_state.h"
 
+#include <cstring>
 #include <random>
 
 namespace vs::studio {
@@ -129,6 +133,75 @@ TEST_F(FirstLookTest, WhatIsNotMrBeginsWhereItAlwaysDid) {
                 << modality << path << air;
         }
     }
+}
+
+image::Image seenIn(Document& document, const Range& range) {
+    View view = document.view();
+    view.range = range;
+    document.showView(view);
+    render::RayCaster caster;
+    caster.render(document.frame({200, 160}));
+    return caster.readPicture();
+}
+
+// One value that stands for "not measured", or that a broken pixel gave, does not decide how all others are
+// seen.
+TEST_F(FirstLookTest, ExtremeValuesChangeNothingOfTheRest) {
+    const auto ball =
+        phantom::makeBall({40, 40, 40}, {20, 20, 20}, 15, 180, 0, 3, volume::ScalarType::Float32);
+    Document whole(ball);
+    const Range suggested = whole.view().range;
+    const Range wanted{100, 200};
+    const image::Image picture = seenIn(whole, wanted);
+    for (const float extreme : {1e30F, -1e29F, 3e38F, 1e7F, -1e7F}) {
+        volume::Volume filled = ball;
+        std::memcpy(filled.bytes.data(), &extreme, sizeof extreme); // the first voxel, in a corner
+        volume::computeRange(filled);
+        EXPECT_EQ(extreme > 0 ? filled.range.hi : filled.range.lo, double(extreme)); // as it is
+        Document document(filled);
+        EXPECT_NEAR(document.view().range.lo, suggested.lo, 1e-6) << extreme;
+        EXPECT_NEAR(document.view().range.hi, suggested.hi, 1e-6) << extreme;
+        EXPECT_NEAR(document.facts()->firstLook.range.lo, whole.facts()->firstLook.range.lo, 1e-6);
+        for (std::size_t bin = 1; bin < whole.histogram().size(); ++bin) { // but where the voxel was
+            EXPECT_NEAR(double(document.histogram()[bin]), double(whole.histogram()[bin]), 1) << extreme;
+        }
+        // The ball and not the grid's box; a speck about the corner, where values pass through the range.
+        EXPECT_LT(image::compare(picture, seenIn(document, wanted)).changedFraction, 0.002) << extreme;
+    }
+    // Many of a fill value, and vessels of a few bright voxels, which are no extremes.
+    volume::Volume masked = ball;
+    const float fill = 1e20F;
+    for (std::size_t i = 0; i < 20000; ++i) {
+        std::memcpy(masked.bytes.data() + i * sizeof fill, &fill, sizeof fill);
+    }
+    volume::computeRange(masked);
+    EXPECT_EQ(masked.usual.hi, ball.range.hi);
+    volume::Volume bright = ball;
+    const float vessel = 2000;
+    std::memcpy(bright.bytes.data(), &vessel, sizeof vessel);
+    volume::computeRange(bright);
+    EXPECT_EQ(bright.usual.hi, 2000);
+}
+
+TEST_F(FirstLookTest, LookingTakesNoRoomForCutting) {
+    Document document(
+        phantom::makeBall({40, 40, 40}, {20, 20, 20}, 15, 180, 0, 3, volume::ScalarType::UInt8));
+    for (const render::Mode mode : {render::Mode::Surface, render::Mode::Volume, render::Mode::Mip}) {
+        View view = document.view();
+        view.mode = mode;
+        document.showView(view);
+        seenIn(document, {100, 200});
+        EXPECT_FALSE(document.sculpture().takesRoom()) << int(mode);
+    }
+    const Document again(document.volume(), document.state()); // nor does saving it, or opening it again
+    EXPECT_FALSE(document.sculpture().takesRoom());
+    EXPECT_FALSE(again.sculpture().takesRoom());
+    Peel peel;
+    peel.mask = test::ellipseAt(100, 80, 20, 20);
+    peel.canvas = Canvas{document.view(), {200, 160}};
+    peel.layers = 3;
+    document.apply(peel);
+    EXPECT_TRUE(document.sculpture().takesRoom());
 }
 
 TEST_F(FirstLookTest, EmissionScansAndAngiographiesAreProjected) {

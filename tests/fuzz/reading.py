@@ -7,7 +7,7 @@ usage: reading.py FUZZ_READER VSTUDIO [--whole N] [--damaged N] [--seed S] [--ke
 Whole ones, in all forms that a format allows, must be read as a second library reads them (nibabel, pydicom, VTK, unu), or be
 refused. Damaged ones must be answered with values or one line, within two seconds of processor time and 500 MB; what is read
 all the same must be what the second library reads, where it reads it. Every fiftieth is opened by the real program too.
-Under sanitizers it is an eighth of them. With --keep the files of each failure are left there, and a line that makes them again is printed.
+With --keep the files of each failure are left there, and a line that makes them again is printed.
 """
 import argparse
 import json
@@ -30,7 +30,6 @@ MEGABYTES = 500
 WAIT = 120  # for an answer at all
 TYPES = {"uint8": "u1", "int8": "i1", "uint16": "u2", "int16": "i2", "uint32": "u4", "int32": "i4", "float32": "f4"}
 SANITIZED = "ASAN_OPTIONS" in os.environ or "TSAN_OPTIONS" in os.environ  # which cost many times as much
-SLOWER = 8
 
 
 class Server:
@@ -153,8 +152,6 @@ def main():
     parser.add_argument("--format", choices=FORMATS, help="only this one")
     parser.add_argument("--keep", help="a folder for the files of failures")
     options = parser.parse_args()
-    if SANITIZED:
-        options.whole, options.damaged = options.whole // SLOWER, options.damaged // SLOWER
     servers = Server([options.reader]), Server([sys.executable, os.path.join(HERE, "second.py")])
     failures, counts = [], {}
     with tempfile.TemporaryDirectory() as folder:

@@ -119,6 +119,8 @@ class Round:
         if "shape" not in second:
             return None, "read by us alone" + (f": {second['failed'][:60]}" if whole and "failed" in second else "")
         shape = [n for n in second["shape"]]
+        if any("skipped" in notice for notice in answer["notices"]):
+            return None, "read without a damaged slice, which is said"
         if shape != answer["dims"][::-1]:
             return f"{answer['dims'][::-1]} voxels, the second library: {shape}", "failed"
         found = numpy.fromfile(ours, TYPES[answer["type"]])

@@ -86,9 +86,10 @@ def by_vtk(reader):
 
 def refuse_texts_with_nan(path):
     """VTK stops at the first of them, and leaves what is behind as it finds it."""
-    with open(path, "rb") as file:
-        content = file.read()
-    if re.search(rb"BinaryData = [Ff0]|\nASCII", content[:2000]) and re.search(rb"\b(nan|inf)", content, re.I):
+    folder = os.path.dirname(path)  # values may lie in a file beside the header
+    contents = [open(os.path.join(folder, name), "rb").read() for name in os.listdir(folder)]
+    is_text = any(re.search(rb"BinaryData = [Ff0]|\nASCII", content[:2000]) for content in contents)
+    if is_text and any(re.search(rb"\b(nan|inf)", content, re.I) for content in contents):
         raise ValueError("VTK stops at the first nan of a text")
 
 

@@ -3,7 +3,7 @@
 
 #include "base/progress.h"
 #include "volume/io/inspect.h"
-#include "volume/io/itk_decode.h"
+#include "volume/io/quiet_libraries.h"
 #include "volume/io/take_values.h"
 
 #include <fmt/format.h>

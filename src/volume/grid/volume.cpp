@@ -81,12 +81,18 @@ bool isMeasured(T value) {
     return isFiniteValue(value) && std::abs(double(value)) < kNotMeasured;
 }
 
-// Whether a part of the values, taken evenly, leaves it possible that some are far away from the others.
+// Whether a part of the values, taken all over the scan, leaves it possible that some are far away from the
+// others.
 template <typename T>
 bool mayHoldExtremes(std::span<const T> values, const Range& range) {
-    constexpr std::size_t kMost = 1 << 16;
+    // Steps of the golden section of the whole spread evenly and fall in with no row of the scan, as steps of
+    // a whole number of voxels may: then all that are looked at lie on one of its faces.
+    constexpr std::size_t most = 1 << 14;
+    constexpr double golden = 0.6180339887498949;
     std::vector<double> some;
-    for (std::size_t i = 0; i < values.size(); i += std::max<std::size_t>(1, values.size() / kMost)) {
+    double at = 0;
+    for (std::size_t n = 0; n < std::min(most, values.size()); ++n, at += golden) {
+        const auto i = std::size_t((at - std::floor(at)) * double(values.size()));
         if (isMeasured(values[i])) {
             some.push_back(double(values[i]));
         }
@@ -99,6 +105,30 @@ bool mayHoldExtremes(std::span<const T> values, const Range& range) {
     return range.width() > 100 * (some[some.size() - 1 - rim] - some[rim]);
 }
 
+// Calls `use(value, count)` for all that are measured: for whole numbers of a byte or two once for each that
+// there is.
+template <typename T, typename Use>
+void forEachValue(std::span<const T> values, const Use& use) {
+    if constexpr (std::is_integral_v<T> && sizeof(T) <= 2) {
+        constexpr int least = std::numeric_limits<T>::lowest();
+        std::vector<std::size_t> counts(std::size_t(1) << (8 * sizeof(T)));
+        for (const T value : values) {
+            ++counts[std::size_t(int(value) - least)];
+        }
+        for (std::size_t i = 0; i < counts.size(); ++i) {
+            if (counts[i] > 0) {
+                use(double(least + int(i)), counts[i]);
+            }
+        }
+    } else {
+        for (const T value : values) {
+            if (isMeasured(value)) {
+                use(double(value), std::size_t(1));
+            }
+        }
+    }
+}
+
 template <typename T>
 Range usualRange(std::span<const T> values, const Range& range) {
     if (!mayHoldExtremes(values, range)) {
@@ -108,13 +138,13 @@ Range usualRange(std::span<const T> values, const Range& range) {
     Largest above(few + 1);
     Largest below(few + 1); // of the values' negatives
     std::size_t measured = 0;
-    for (const T value : values) {
-        if (isMeasured(value)) {
-            above.add(double(value));
-            below.add(-double(value));
-            ++measured;
+    forEachValue(values, [&](double value, std::size_t count) {
+        for (std::size_t n = 0; n < std::min(count, few + 1); ++n) {
+            above.add(value);
+            below.add(-value);
         }
-    }
+        measured += count;
+    });
     if (measured == 0) {
         return range;
     }

@@ -4,6 +4,7 @@
 #include "volume/io/formats.h"
 #include "volume/io/inspect.h"
 #include "volume/io/itk_decode.h"
+#include "volume/io/quiet_libraries.h"
 #include "volume/io/take_values.h"
 
 #include <fmt/format.h>

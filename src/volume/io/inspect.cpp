@@ -169,6 +169,14 @@ int chosenFrame(const std::filesystem::path& path, std::int64_t frames, std::opt
     return frame.value_or(0);
 }
 
+std::vector<unsigned char> readPrefix(const std::filesystem::path& path, std::size_t count) {
+    std::ifstream input(path, std::ios::binary);
+    std::vector<unsigned char> prefix(count);
+    input.read(reinterpret_cast<char*>(prefix.data()), static_cast<std::streamsize>(count));
+    prefix.resize(static_cast<std::size_t>(input.gcount()));
+    return prefix;
+}
+
 bool hasGzipMagic(const std::filesystem::path& path) {
     const auto start = readPrefix(path, 2);
     return start.size() == 2 && start[0] == 0x1f && start[1] == 0x8b;

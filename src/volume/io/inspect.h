@@ -101,9 +101,9 @@ int chosenFrame(const std::filesystem::path& path, std::int64_t frames, std::opt
 // missing files.
 std::filesystem::path siblingFile(const std::filesystem::path& header, const std::string& name);
 
-// First bytes of a file, inflated if it is a gzip file; fewer if the file is shorter.
-std::vector<unsigned char> readPrefix(const std::filesystem::path& path, std::size_t count,
-                                      bool inflated = false);
+// First bytes of a file, as they are or of what is deflated in it; fewer if there are not so many.
+std::vector<unsigned char> readPrefix(const std::filesystem::path& path, std::size_t count);
+std::vector<unsigned char> inflatedPrefix(const std::filesystem::path& path, std::size_t count);
 bool hasGzipMagic(const std::filesystem::path& path);
 
 struct PlacedInspection : Inspection {

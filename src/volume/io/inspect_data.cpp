@@ -357,20 +357,14 @@ std::vector<std::byte> readValues(DataBlock& block, std::uint64_t skip, std::uin
     return bytes;
 }
 
-std::vector<unsigned char> readPrefix(const std::filesystem::path& path, std::size_t count, bool inflated) {
+std::vector<unsigned char> inflatedPrefix(const std::filesystem::path& path, std::size_t count) {
     std::ifstream input(path, std::ios::binary);
     std::vector<unsigned char> prefix;
-    if (inflated) {
-        Inflater(input, ~std::uint64_t(0), ~std::uint64_t(0))
-            .run([&](const unsigned char* data, std::size_t size) {
-                prefix.insert(prefix.end(), data, data + std::min(size, count - prefix.size()));
-                return prefix.size() < count;
-            });
-        return prefix;
-    }
-    prefix.resize(count);
-    input.read(reinterpret_cast<char*>(prefix.data()), static_cast<std::streamsize>(count));
-    prefix.resize(static_cast<std::size_t>(input.gcount()));
+    Inflater(input, ~std::uint64_t(0), ~std::uint64_t(0))
+        .run([&](const unsigned char* data, std::size_t size) {
+            prefix.insert(prefix.end(), data, data + std::min(size, count - prefix.size()));
+            return prefix.size() < count;
+        });
     return prefix;
 }
 

@@ -94,7 +94,7 @@ private:
 };
 
 Header readHeader(const std::filesystem::path& path, bool gzipped) {
-    auto bytes = readPrefix(path, headerBytes, gzipped);
+    auto bytes = gzipped ? inflatedPrefix(path, headerBytes) : readPrefix(path, headerBytes);
     if (bytes.size() < headerBytes) {
         refuse(path, fmt::format("its header has {} bytes", bytes.size()), "a NIfTI header has 348");
     }

@@ -4,7 +4,7 @@
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "volume/io/inspect.h"
-#include "volume/io/itk_decode.h"
+#include "volume/io/quiet_libraries.h"
 
 #include <fmt/format.h>
 #include <itkMetaImageIO.h>

@@ -2616,6 +2616,10 @@
         <source>%1 × %2 × %3 mm, %4 million voxels</source>
         <translation>%1 × %2 × %3 mm, %4 Millionen Voxel</translation>
     </message>
+    <message>
+        <source>%1 × %2 × %3 mm, %4 million voxels: at most %5 million are possible</source>
+        <translation>%1 × %2 × %3 mm, %4 Millionen Voxel: höchstens %5 Millionen sind möglich</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::CameraMotion</name>

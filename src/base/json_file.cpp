@@ -2,6 +2,7 @@
 #include "base/json_file.h"
 
 #include "base/error.h"
+#include "base/input_file.h"
 
 #include <fstream>
 
@@ -24,9 +25,11 @@ std::string reasonOf(const Json::exception& error) {
 
 Json readJsonFile(const std::filesystem::path& path, const std::string& wanted,
                   const std::string& documentation) {
-    std::ifstream file(path);
-    if (!file || std::filesystem::is_directory(path)) {
-        throw SessionError("{}: cannot be read; give {} (JSON)", path.string(), wanted);
+    const std::string noFile = whyNoFile(path);
+    std::ifstream file(noFile.empty() ? path : std::filesystem::path());
+    if (!file) {
+        throw SessionError("{}: {}; give {} (JSON)", path.string(),
+                           noFile.empty() ? "cannot be read" : noFile, wanted);
     }
     try {
         // What is nested without end would be read by calls without end.

@@ -120,8 +120,8 @@ void Texture::create(const std::string& label, Filter filter) {
         }
     };
     if (fails(allocate)) {
-        throw GlError("{}: the device has no room for {}x{}x{} texels ({} MiB); use a smaller volume", label,
-                      size_.x, size_.y, size_.z, bytes() >> 20);
+        throw GlError("{}: the device has no room for {}x{}x{} texels ({} MiB); use a smaller {}", label,
+                      size_.x, size_.y, size_.z, bytes() >> 20, is3D_ ? "volume" : "picture");
     }
     glObjectLabel(GL_TEXTURE, name, -1, label.c_str());
     const GLint mode = filter == Filter::Linear ? GL_LINEAR : GL_NEAREST;

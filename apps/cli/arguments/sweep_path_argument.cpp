@@ -2,6 +2,7 @@
 #include "arguments/parse.h"
 #include "arguments/sweep_arguments.h"
 #include "base/error.h"
+#include "base/input_file.h"
 #include "sculpt/radiation/sweep.h"
 
 #include <algorithm>
@@ -34,10 +35,11 @@ std::vector<glm::dvec3> parsePlaces(const std::string& text, const std::string& 
 
 // A text file of one place a line, "X Y Z" or "X,Y,Z"; what follows # is a comment.
 std::vector<glm::dvec3> readPlaces(const std::string& file) {
-    std::ifstream stream(file);
+    const std::string noFile = whyNoFile(file);
+    std::ifstream stream(noFile.empty() ? file : std::string());
     if (!stream) {
-        throw ReadError("{}: cannot be opened; a recorded path is a text file of lines X Y Z, in voxels",
-                        file);
+        throw ReadError("{}: {}; a recorded path is a text file of lines X Y Z, in voxels", file,
+                        noFile.empty() ? "cannot be opened" : noFile);
     }
     std::vector<glm::dvec3> places;
     int number = 0;

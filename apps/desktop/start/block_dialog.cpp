@@ -122,11 +122,17 @@ void BlockDialog::showTotal() {
     const auto wanted = request().block->block;
     const glm::dvec3 mm = glm::dvec3(wanted.dims) * wanted.spacingMm;
     const auto voxels = double(wanted.dims.x) * wanted.dims.y * wanted.dims.z;
-    total_->setText(tr("%1 × %2 × %3 mm, %4 million voxels")
-                        .arg(mm.x, 0, 'g', 4)
-                        .arg(mm.y, 0, 'g', 4)
-                        .arg(mm.z, 0, 'g', 4)
-                        .arg(voxels / 1e6, 0, 'f', 1));
+    const bool isTooLarge = voxels > double(studio::Session::kMostMadeVoxels);
+    const QString text = isTooLarge
+                             ? tr("%1 × %2 × %3 mm, %4 million voxels: at most %5 million are possible")
+                             : tr("%1 × %2 × %3 mm, %4 million voxels");
+    const QString sizes = text.arg(mm.x, 0, 'g', 4).arg(mm.y, 0, 'g', 4).arg(mm.z, 0, 'g', 4);
+    const QString total = sizes.arg(voxels / 1e6, 0, 'f', 1);
+    total_->setText(isTooLarge ? total.arg(double(studio::Session::kMostMadeVoxels) / 1e6, 0, 'f', 0)
+                               : total);
+    if (auto* buttons = findChild<QDialogButtonBox*>()) {
+        buttons->button(QDialogButtonBox::Ok)->setEnabled(!isTooLarge);
+    }
     total_->setProperty("report", total_->text());
 }
 

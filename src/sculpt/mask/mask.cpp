@@ -53,32 +53,38 @@ public:
     // Rows must be asked for in ascending order.
     const std::vector<Run>& row(int y) {
         collectActive(y);
+        collectTouched(y);
         inside_.clear();
-        touched_.clear();
-        for (const Edge& edge : active_) {
-            const double x0 = edge.xAt(y);
-            const double x1 = edge.xAt(y + 1.0);
-            touched_.push_back({std::clamp(int(std::floor(std::min(x0, x1) - 1e-9)), 0, width_ - 1),
-                                std::clamp(int(std::floor(std::max(x0, x1) + 1e-9)), 0, width_ - 1) + 1});
-        }
-        std::sort(touched_.begin(), touched_.end(), [](Run a, Run b) { return a.begin < b.begin; });
+        left_.clear();
+        isLeftOfOdd_ = false;
+        near_.clear();
+        std::size_t next = 0;
         int x = 0;
-        for (const Run& run : touched_) {
-            if (run.begin > x) {
-                addIf(isInside(x + 0.5, y + 0.5), {x, run.begin});
-                x = run.begin;
+        while (x < width_ && !active_.empty()) {
+            for (; next < touched_.size() && touched_[next].cells.begin <= x; ++next) {
+                near_.push_back(touched_[next]);
             }
-            for (; x < run.end; ++x) {
+            std::erase_if(near_, [&](const Touched& touched) { return passes(touched, x); });
+            if (near_.empty()) { // up to the next edge one test serves all cells
+                const int end = next < touched_.size() ? touched_[next].cells.begin : width_;
+                addIf(isInside(x + 0.5, y + 0.5), {x, end});
+                x = end;
+            } else {
                 addIf(isSampleInside(x, y), {x, x + 1});
+                ++x;
             }
-        }
-        if (x < width_ && !active_.empty()) {
-            addIf(isInside(x + 0.5, y + 0.5), {x, width_});
         }
         return inside_;
     }
 
 private:
+    // An edge and the cells of the row that it passes through, or the first or last one if it lies beyond.
+    struct Touched {
+        Run cells;
+        const Edge* edge;
+        bool isWhole; // it crosses every height in the row
+    };
+
     void collectActive(int y) {
         std::erase_if(active_, [&](const Edge& edge) { return edge.bottom.y <= y; });
         while (next_ < edges_.size() && edges_[next_].top.y < y + 1.0) {
@@ -89,10 +95,39 @@ private:
         }
     }
 
-    [[nodiscard]] bool isInside(double x, double y) const {
-        bool parity = false;
+    void collectTouched(int y) {
+        touched_.clear();
         for (const Edge& edge : active_) {
-            parity = parity != (edge.crosses(y) && edge.xAt(y) <= x);
+            const double x0 = edge.xAt(y);
+            const double x1 = edge.xAt(y + 1.0);
+            const Run cells{std::clamp(int(std::floor(std::min(x0, x1) - 1e-9)), 0, width_ - 1),
+                            std::clamp(int(std::floor(std::max(x0, x1) + 1e-9)), 0, width_ - 1) + 1};
+            touched_.push_back({cells, &edge, edge.top.y <= y && edge.bottom.y >= y + 1.0});
+        }
+        std::sort(touched_.begin(), touched_.end(),
+                  [](const Touched& a, const Touched& b) { return a.cells.begin < b.cells.begin; });
+    }
+
+    // Whether an edge lies to the left of cell x and all that follow, which is noted.
+    bool passes(const Touched& touched, int x) {
+        if (touched.cells.end > x) {
+            return false;
+        }
+        if (touched.isWhole) {
+            isLeftOfOdd_ = !isLeftOfOdd_;
+        } else {
+            left_.push_back(touched.edge);
+        }
+        return true;
+    }
+
+    [[nodiscard]] bool isInside(double x, double y) const {
+        bool parity = isLeftOfOdd_;
+        for (const Edge* edge : left_) {
+            parity = parity != edge->crosses(y);
+        }
+        for (const Touched& touched : near_) {
+            parity = parity != (touched.edge->crosses(y) && touched.edge->xAt(y) <= x);
         }
         return parity;
     }
@@ -118,8 +153,13 @@ private:
     std::size_t next_ = 0;
     int width_;
     MaskFilter filter_;
-    std::vector<Run> touched_; // by edges
+    std::vector<Touched> touched_; // in the row, from left to right
     std::vector<Run> inside_;
+    // At the cell that is looked at: the edges that may pass through it, and those to its left, of which the
+    // ones that cross the whole row are counted.
+    std::vector<Touched> near_;
+    std::vector<const Edge*> left_;
+    bool isLeftOfOdd_ = false;
 };
 
 std::vector<Edge> edgesOf(const Outline& outline, glm::dvec2 corner, double cell) {

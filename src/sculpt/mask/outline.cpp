@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <utility>
@@ -87,7 +88,20 @@ Outline clipToBox(Outline outline, glm::dvec2 lo, glm::dvec2 hi) {
         const double sign = side < 2 ? 1 : -1;
         const double limit = side < 2 ? hi[axis] : -lo[axis];
         const auto depth = [&](glm::dvec2 p) { return limit - sign * p[axis]; };
+        if (std::all_of(outline.begin(), outline.end(), [&](glm::dvec2 p) { return depth(p) >= 0; })) {
+            continue;
+        }
         Outline inside;
+        // Of a way along the side its ends are enough, however often it goes to and fro there.
+        const auto addOnSide = [&](glm::dvec2 p) {
+            p[axis] = sign * limit;
+            const std::size_t count = inside.size();
+            if (count >= 2 && inside[count - 1][axis] == p[axis] && inside[count - 2][axis] == p[axis]) {
+                inside.back() = p;
+            } else {
+                inside.push_back(p);
+            }
+        };
         for (std::size_t n = 0; n < outline.size(); ++n) {
             const glm::dvec2 a = outline[n];
             const glm::dvec2 b = outline[(n + 1) % outline.size()];
@@ -95,7 +109,7 @@ Outline clipToBox(Outline outline, glm::dvec2 lo, glm::dvec2 hi) {
                 inside.push_back(a);
             }
             if ((depth(a) >= 0) != (depth(b) >= 0)) {
-                inside.push_back(glm::mix(a, b, depth(a) / (depth(a) - depth(b))));
+                addOnSide(glm::mix(a, b, depth(a) / (depth(a) - depth(b))));
             }
         }
         outline = std::move(inside);

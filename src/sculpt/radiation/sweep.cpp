@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "sculpt/radiation/sweep.h"
 
+#include "base/error.h"
 #include "base/progress.h"
 
 #include <algorithm>
@@ -166,7 +167,20 @@ Box3 sweepMask(Radiator& radiator, PointGenerator& generator, const MaskRaster& 
     const SweepGrid grid = sweepGrid(dims, footprint, voxelFromSteps);
     std::vector<PathPiece> pieces; // that come into the grid
     Box3 box;
+    // What is swept through a grid over and over says nothing more, and takes hours: solids that are made
+    // pass each voxel a few times.
+    const double voxels = double(dims.x) * dims.y * dims.z;
+    const double most = std::max(4e6, 64 * voxels);
+    double passes = 0; // of one element along one piece
     for (const PathPiece& piece : path) {
+        const MaskElements elements = elementsInto(grid, mask, piece);
+        passes += double(elements.hi.x - elements.lo.x) * double(elements.hi.y - elements.lo.y);
+        if (passes > most) {
+            throw Error(
+                "the mask passes every voxel of the volume {:.0f} times; make its path shorter or the "
+                "mask smaller",
+                passes / voxels);
+        }
         const Box3 points = sweepPiece(mask, piece, grid).pointBox();
         if (!points.isEmpty()) {
             pieces.push_back(piece);

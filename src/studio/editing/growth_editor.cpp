@@ -9,12 +9,18 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <iterator>
 #include <limits>
+#include <span>
 #include <tuple>
+#include <utility>
 
 namespace vs::studio {
 
 namespace {
+
+// In the order of a grid's voxels, which found ones have.
+bool isBefore(glm::ivec3 a, glm::ivec3 b) { return std::tie(a.z, a.y, a.x) < std::tie(b.z, b.y, b.x); }
 
 // The voxels of a set, after those there are.
 void addTo(std::vector<glm::ivec3>& voxels, const segment::VoxelSet& set) {
@@ -48,10 +54,7 @@ std::vector<glm::ivec3> nearestOf(const segment::VoxelSet& set, const std::vecto
             nearest.push_back(found);
         }
     }
-    const auto order = [](glm::ivec3 a, glm::ivec3 b) {
-        return std::tie(a.z, a.y, a.x) < std::tie(b.z, b.y, b.x);
-    };
-    std::sort(nearest.begin(), nearest.end(), order);
+    std::sort(nearest.begin(), nearest.end(), isBefore);
     nearest.erase(std::unique(nearest.begin(), nearest.end()), nearest.end());
     return nearest;
 }
@@ -61,10 +64,21 @@ std::vector<glm::ivec3> nearestOf(const segment::VoxelSet& set, const std::vecto
 std::vector<glm::ivec3> GrowthEditor::voxelsUnder(const std::vector<Sketch>& strokes, double widthPixels,
                                                   const Canvas& canvas,
                                                   const segment::Constraints& constraints) {
+    // Piece by piece, so that a stroke over all of a large window takes no more room.
+    constexpr std::size_t kMostAtOnce = std::size_t(1) << 20;
     const auto pixels = pixelsUnder(strokes, widthPixels, canvas.viewport);
-    return contents_.region.findSeeds(cutter_.picker.pick(display_.frame(canvas.view, canvas.viewport),
-                                                          pixels, render::Picker::Meets::Brightest),
-                                      constraints);
+    const render::Frame frame = display_.frame(canvas.view, canvas.viewport);
+    std::vector<glm::ivec3> voxels;
+    for (std::size_t done = 0; done < pixels.size(); done += kMostAtOnce) {
+        const auto some = std::span(pixels).subspan(done, std::min(kMostAtOnce, pixels.size() - done));
+        const auto found = contents_.region.findSeeds(
+            cutter_.picker.pick(frame, some, render::Picker::Meets::Brightest), constraints);
+        std::vector<glm::ivec3> both;
+        std::set_union(voxels.begin(), voxels.end(), found.begin(), found.end(), std::back_inserter(both),
+                       isBefore);
+        voxels = std::move(both);
+    }
+    return voxels;
 }
 
 segment::SeedCounts GrowthEditor::perform(const Seed& op, Region::Records& records) {

@@ -2,6 +2,7 @@
 #include "studio/json/journal.h"
 
 #include "base/error.h"
+#include "base/input_file.h"
 #include "studio/json/operation_json.h"
 #include "studio/json/session_json.h"
 
@@ -134,7 +135,7 @@ std::size_t JournalContent::unsavedEdits() const {
 }
 
 JournalContent readJournal(const std::filesystem::path& path) {
-    std::ifstream in(path, std::ios::binary);
+    std::ifstream in(whyNoFile(path).empty() ? path : std::filesystem::path(), std::ios::binary);
     JournalContent content;
     int number = 0;
     // A line without its end was being written when the process died.

@@ -12,6 +12,7 @@
 #include "studio/json/session_json.h"
 #include "studio/operations/segment_list.h"
 
+#include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
@@ -32,6 +33,14 @@ void checkRawLayout(const JsonReader& reader) {
     }
 }
 
+void checkMade(const JsonReader& dims, const glm::ivec3& made) {
+    const std::int64_t voxels = std::int64_t(made.x) * made.y * made.z;
+    if (voxels > Session::kMostMadeVoxels) {
+        dims.fail(fmt::format("makes {} voxels; a session makes at most {} (512 x 512 x 512)", voxels,
+                              Session::kMostMadeVoxels));
+    }
+}
+
 Session::Block readBlock(const JsonReader& reader) {
     Session::Block block;
     const JsonReader dims = reader.member("block");
@@ -39,6 +48,7 @@ Session::Block readBlock(const JsonReader& reader) {
     for (int axis = 0; axis < 3; ++axis) {
         block.dims[axis] = int(dims.at(std::size_t(axis)).integerBetween(1, Session::Block::kMostVoxels));
     }
+    checkMade(dims, block.dims);
     reader.ifHas("spacing", [&](const JsonReader& r) {
         r.expectSize(3);
         for (int axis = 0; axis < 3; ++axis) {
@@ -86,6 +96,7 @@ void readVolume(const JsonReader& reader, Session& session) {
         reader.allow(names);
         session.phantom.emplace();
         readFields(reader, *session.phantom, phantom::Recipe::fields(), Rule());
+        reader.ifHas("dims", [&](const JsonReader& r) { checkMade(r, *session.phantom->dims); });
         reader.ifHas("checksum", [&](const JsonReader& r) { session.volumeChecksum = r.text(); });
         return;
     }

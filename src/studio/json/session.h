@@ -5,6 +5,7 @@
 #include "studio/document/document.h"
 #include "volume/io/read.h"
 
+#include <cstdint>
 #include <filesystem>
 #include <string_view>
 #include <utility>
@@ -16,6 +17,9 @@ namespace vs::studio {
 // is its schema.
 struct Session {
     static constexpr int kVersion = 2; // 1 had no state
+
+    // Voxels of a volume that a session makes: few words must not ask for more than a machine has.
+    static constexpr std::int64_t kMostMadeVoxels = 1 << 27; // 512 x 512 x 512
 
     // A volume made from nothing: every voxel 1. What is cut from it is built, and seen in probe view.
     struct Block {

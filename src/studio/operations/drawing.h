@@ -18,6 +18,10 @@ inline constexpr Rule kTwoPixels{.least = -kFarthestPixel,
                                  .wrongCount = "this shape takes exactly two points"};
 inline constexpr Rule kVoxel{.least = 0, .most = 1 << 20, .unit = "voxels"};
 inline constexpr Rule kPictureSize{.least = 1, .most = 16384, .unit = "pixels"};
+inline constexpr int kMostPixels = 1 << 26;       // of a picture: 8192 x 8192
+inline constexpr int kMostCanvasPixels = 1 << 25; // of a window: what the largest screens have
+// What is wrong with a size whose two numbers are right one by one, of a member.
+Fault faultOfSize(const char* member, glm::ivec2 size, int mostPixels);
 
 enum class Shape { FreeForm, Ellipse, Circle, Rectangle, Polyline, Stencil };
 inline constexpr std::array<const char*, 6> kShapes{"free-form", "ellipse",  "circle",
@@ -74,6 +78,7 @@ struct Canvas {
                           sparse("pasted", of(&View::pasted), kPlacements)};
     }
 
+    [[nodiscard]] Fault faultOf() const;
     bool operator==(const Canvas&) const = default;
 };
 

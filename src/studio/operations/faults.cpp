@@ -1,13 +1,30 @@
 // SPDX-License-Identifier: Apache-2.0
 // What is wrong with operations whose members are right one by one.
+#include "studio/operations/housekeeping.h"
 #include "studio/operations/measuring.h"
 #include "studio/operations/sweeping.h"
 #include "volume/measures/figures.h"
 
+#include <fmt/format.h>
+
 #include <array>
+#include <cstdint>
 #include <limits>
 
 namespace vs::studio {
+
+Fault faultOfSize(const char* member, glm::ivec2 size, int mostPixels) {
+    const auto pixels = std::int64_t(size.x) * size.y;
+    if (pixels <= mostPixels) {
+        return {};
+    }
+    return {member,
+            fmt::format("{} x {} are {} pixels; there may be {}", size.x, size.y, pixels, mostPixels)};
+}
+
+Fault Canvas::faultOf() const { return faultOfSize("viewport", viewport, kMostCanvasPixels); }
+
+Fault SavePicture::faultOf() const { return faultOfSize("size", size, kMostPixels); }
 
 Fault SweepPath::faultOf() const {
     if (kind == Kind::Standing && points[0] == points[1]) {

@@ -83,6 +83,7 @@ struct SavePicture {
                           sparse("strokes", &SavePicture::strokes, {},
                                  "what the pen drew last, or draws next in the session, over it")};
     }
+    [[nodiscard]] Fault faultOf() const;
 };
 
 // Writes the segments as a label map (uint8, numbered in the order they were made, 0 = none) into the output

@@ -1,76 +1,105 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/operations/sketch.h"
 
+#include "base/capsule.h"
 #include "sculpt/mask/mask.h"
+#include "studio/operations/filled_rows.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace vs::studio {
 
 namespace {
 
-double distanceToSegment(glm::dvec2 p, glm::dvec2 a, glm::dvec2 b) {
-    const glm::dvec2 ab = b - a;
-    const double l2 = glm::dot(ab, ab);
-    const double s = l2 > 0 ? std::clamp(glm::dot(p - a, ab) / l2, 0.0, 1.0) : 0.0;
-    return glm::length(p - (a + s * ab));
-}
+// A bitmap of the viewport that strokes are painted into: pixels are in it by their centres.
+class Bitmap {
+public:
+    explicit Bitmap(glm::ivec2 size)
+        : size_(size), set_(std::size_t(size.x) * std::size_t(size.y)), rows_(std::size_t(size.y), size.x) {}
 
-// A bitmap of the viewport that strokes are painted into.
-struct Bitmap {
-    glm::ivec2 size;
-    std::vector<bool> set;
-
-    explicit Bitmap(glm::ivec2 s) : size(s), set(std::size_t(s.x) * std::size_t(s.y)) {}
-
-    template <typename Inside>
-    void paint(glm::dvec2 lo, glm::dvec2 hi, Inside inside) {
-        const glm::ivec2 first = glm::max(glm::ivec2(glm::floor(lo)), glm::ivec2(0));
-        const glm::ivec2 last = glm::min(glm::ivec2(glm::ceil(hi)), size - 1);
-        for (int y = first.y; y <= last.y; ++y) {
-            for (int x = first.x; x <= last.x; ++x) {
-                if (inside(glm::dvec2(x + 0.5, y + 0.5))) {
-                    set[std::size_t(y) * std::size_t(size.x) + std::size_t(x)] = true;
-                }
+    // Both ends in pixels, y down.
+    void paintLine(glm::dvec2 a, glm::dvec2 b, double half) {
+        const Capsule<2> brush{a, b, half};
+        for (int y = firstRow(std::min(a.y, b.y) - half); y < endRow(std::max(a.y, b.y) + half); ++y) {
+            if (const auto part = brush.onLine({0, y + 0.5}, {1, 0})) {
+                // Both ends are in the line.
+                fill(y, std::ceil(part->lo - 0.5), std::floor(part->hi - 0.5) + 1);
             }
         }
     }
+
+    // By the even-odd rule.
+    void paintFilled(const std::vector<glm::dvec2>& outline) {
+        const auto [low, high] =
+            std::minmax_element(outline.begin(), outline.end(), [](auto a, auto b) { return a.y < b.y; });
+        if (low == outline.end()) {
+            return;
+        }
+        for (int y = firstRow(low->y); y < endRow(high->y); ++y) {
+            if (rows_.isFull(std::size_t(y))) {
+                continue;
+            }
+            findCrossings(outline, y + 0.5);
+            for (std::size_t n = 0; n + 1 < crossings_.size(); n += 2) {
+                fill(y, std::ceil(crossings_[n] - 0.5), std::ceil(crossings_[n + 1] - 0.5));
+            }
+        }
+    }
+
+    // The centres of all that were painted, row by row.
+    [[nodiscard]] std::vector<glm::vec2> pixels() const {
+        std::vector<glm::vec2> pixels;
+        const auto width = std::size_t(size_.x);
+        for (std::size_t i = 0; i < set_.size(); ++i) {
+            if (set_[i]) {
+                pixels.push_back(glm::vec2(glm::ivec2(int(i % width), int(i / width))) + 0.5F);
+            }
+        }
+        return pixels;
+    }
+
+private:
+    [[nodiscard]] int firstRow(double y) const {
+        return int(std::clamp(std::floor(y), 0.0, double(size_.y)));
+    }
+    [[nodiscard]] int endRow(double y) const {
+        return int(std::clamp(std::ceil(y) + 1, 0.0, double(size_.y)));
+    }
+
+    // Where a row crosses the outline, in order: an even number of places.
+    void findCrossings(const std::vector<glm::dvec2>& outline, double y) {
+        crossings_.clear();
+        for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
+            const glm::dvec2 a = outline[i];
+            const glm::dvec2 b = outline[j];
+            if ((a.y > y) != (b.y > y)) {
+                crossings_.push_back((b.x - a.x) * (y - a.y) / (b.y - a.y) + a.x);
+            }
+        }
+        std::sort(crossings_.begin(), crossings_.end());
+    }
+
+    // Pixels [begin, end) of a row.
+    void fill(int y, double begin, double end) {
+        const double width = size_.x;
+        const auto row = set_.begin() + std::ptrdiff_t(y) * size_.x;
+        rows_.fill(std::size_t(y), int(std::clamp(begin, 0.0, width)), int(std::clamp(end, 0.0, width)),
+                   [&](int first, int last) { std::fill(row + first, row + last, true); });
+    }
+
+    glm::ivec2 size_;
+    std::vector<bool> set_;
+    FilledRows rows_;
+    std::vector<double> crossings_;
 };
 
 void paintLine(Bitmap& bitmap, const std::vector<glm::dvec2>& points, double width) {
     // A line thinner than a pixel still marks the pixels that it runs through.
     const double half = std::max(width / 2, 0.71);
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const glm::dvec2 a = points[i == 0 ? 0 : i - 1];
-        const glm::dvec2 b = points[i];
-        bitmap.paint(glm::min(a, b) - half, glm::max(a, b) + half,
-                     [&](glm::dvec2 p) { return distanceToSegment(p, a, b) <= half; });
+        bitmap.paintLine(points[i == 0 ? 0 : i - 1], points[i], half);
     }
-}
-
-bool isInside(const std::vector<glm::dvec2>& outline, glm::dvec2 p) {
-    bool inside = false; // even-odd rule
-    for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
-        const glm::dvec2 a = outline[i];
-        const glm::dvec2 b = outline[j];
-        if ((a.y > p.y) != (b.y > p.y) && p.x < (b.x - a.x) * (p.y - a.y) / (b.y - a.y) + a.x) {
-            inside = !inside;
-        }
-    }
-    return inside;
-}
-
-void paintFilled(Bitmap& bitmap, const std::vector<glm::dvec2>& outline) {
-    if (outline.empty()) {
-        return;
-    }
-    glm::dvec2 lo = outline.front();
-    glm::dvec2 hi = lo;
-    for (const auto& p : outline) {
-        lo = glm::min(lo, p);
-        hi = glm::max(hi, p);
-    }
-    bitmap.paint(lo, hi, [&](glm::dvec2 p) { return isInside(outline, p); });
 }
 
 } // namespace
@@ -113,18 +142,10 @@ std::vector<glm::vec2> pixelsUnder(const std::vector<Sketch>& strokes, double wi
         if (stroke.shape == Shape::FreeForm || stroke.shape == Shape::Polyline) {
             paintLine(bitmap, stroke.points, widthPixels);
         } else {
-            paintFilled(bitmap, outlineOf(stroke));
+            bitmap.paintFilled(outlineOf(stroke));
         }
     }
-    std::vector<glm::vec2> pixels;
-    for (std::size_t i = 0; i < bitmap.set.size(); ++i) {
-        if (bitmap.set[i]) {
-            const auto width = std::size_t(viewport.x);
-            const glm::ivec2 pixel(int(i % width), int(i / width));
-            pixels.push_back(glm::vec2(pixel) + 0.5F);
-        }
-    }
-    return pixels;
+    return bitmap.pixels();
 }
 
 } // namespace vs::studio

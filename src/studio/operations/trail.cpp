@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/operations/trail.h"
 
+#include "base/capsule.h"
+#include "studio/operations/filled_rows.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -37,43 +40,78 @@ Box3 boxAround(const Trail& trail, const volume::GridGeometry& geometry) {
     return intersect(box, geometry.box());
 }
 
-// Marks the voxels within the radius of the line from a to b (voxel space).
-void markAround(glm::dvec3 a, glm::dvec3 b, double radiusMm, const volume::GridGeometry& geometry,
-                VoxelSet& set) {
-    const glm::dmat3 mmFromVoxel(geometry.worldFromVoxel);
-    const glm::dvec3 reach = reachOf(radiusMm, geometry);
-    const Box3 near = intersect(set.box, {glm::ivec3(glm::floor(glm::min(a, b) - reach)),
-                                          glm::ivec3(glm::ceil(glm::max(a, b) + reach)) + 1});
-    const glm::dvec3 way = mmFromVoxel * (b - a);
-    const double perLength = glm::dot(way, way) > 0 ? 1 / glm::dot(way, way) : 0;
-    for (int z = near.lo.z; z < near.hi.z; ++z) {
-        for (int y = near.lo.y; y < near.hi.y; ++y) {
-            std::size_t i = set.indexOf({near.lo.x, y, z});
-            for (int x = near.lo.x; x < near.hi.x; ++x, ++i) {
-                if (set.inside[i] != 0) {
-                    continue; // of an earlier piece: most are
+// A brush that marks the voxels of a set's box where it goes.
+class Brush {
+public:
+    Brush(VoxelSet& set, double radiusMm, const volume::GridGeometry& geometry)
+        : set_(set), radiusMm_(radiusMm), reach_(reachOf(radiusMm, geometry)),
+          mmFromVoxel_(geometry.worldFromVoxel),
+          rows_(std::size_t(set.box.size().y) * std::size_t(set.box.size().z), set.box.size().x) {}
+
+    // Along a straight way (voxel space).
+    void go(glm::dvec3 a, glm::dvec3 b) {
+        markAround(a, b);
+        markThrough(a, b);
+    }
+
+private:
+    // The voxels within the radius of the way.
+    void markAround(glm::dvec3 a, glm::dvec3 b) {
+        const glm::dvec3 lo(set_.box.lo);
+        const glm::dvec3 hi(set_.box.hi);
+        const glm::ivec3 first(glm::clamp(glm::floor(glm::min(a, b) - reach_), lo, hi));
+        const glm::ivec3 end(glm::clamp(glm::ceil(glm::max(a, b) + reach_) + 1.0, lo, hi));
+        // Places are in mm from the way's beginning, for the sake of digits.
+        const Capsule<3> around{glm::dvec3(0), mmFromVoxel_ * (b - a), radiusMm_};
+        for (int z = first.z; z < end.z; ++z) {
+            for (int y = first.y; y < end.y; ++y) {
+                if (const auto part =
+                        around.onLine(mmFromVoxel_ * (glm::dvec3(0, y, z) - a), mmFromVoxel_[0])) {
+                    fill(y, z, std::clamp(std::ceil(part->lo), lo.x, hi.x),
+                         std::clamp(std::floor(part->hi) + 1, lo.x, hi.x));
                 }
-                const glm::dvec3 offset = mmFromVoxel * (glm::dvec3(x, y, z) - a);
-                const double along = std::clamp(glm::dot(offset, way) * perLength, 0.0, 1.0);
-                const glm::dvec3 apart = offset - along * way;
-                set.inside[i] = glm::dot(apart, apart) <= radiusMm * radiusMm ? 1 : 0;
             }
         }
     }
-}
 
-// Marks the voxels that the line itself runs through.
-void markThrough(glm::dvec3 a, glm::dvec3 b, VoxelSet& set) {
-    constexpr double kPerVoxel = 8;
-    const int steps = 1 + int(kPerVoxel * glm::length(b - a));
-    for (int step = 0; step <= steps; ++step) {
-        const glm::ivec3 voxel(glm::floor(glm::mix(a, b, double(step) / steps) + 0.5));
-        const Box3& box = set.box;
-        if (glm::all(glm::greaterThanEqual(voxel, box.lo)) && glm::all(glm::lessThan(voxel, box.hi))) {
-            set.inside[set.indexOf(voxel)] = 1;
+    void fill(int y, int z, double begin, double end) {
+        const Box3& box = set_.box;
+        const std::size_t row =
+            std::size_t(z - box.lo.z) * std::size_t(box.size().y) + std::size_t(y - box.lo.y);
+        auto* const voxels = set_.inside.data() + row * std::size_t(box.size().x);
+        rows_.fill(row, int(begin) - box.lo.x, int(end) - box.lo.x,
+                   [&](int from, int to) { std::fill(voxels + from, voxels + to, std::uint8_t(1)); });
+    }
+
+    // The voxels that the way itself runs through.
+    void markThrough(glm::dvec3 a, glm::dvec3 b) {
+        constexpr double kPerVoxel = 8;
+        const int steps = 1 + int(kPerVoxel * glm::length(b - a));
+        Range near{0, 1};
+        for (int axis = 0; axis < 3; ++axis) { // the part of it that may run through the box
+            const auto part =
+                sharesWithin(a[axis], b[axis], {set_.box.lo[axis] - 1.0, set_.box.hi[axis] + 0.0});
+            if (!part) {
+                return;
+            }
+            near = {std::max(near.lo, part->lo), std::min(near.hi, part->hi)};
+        }
+        const int last = int(std::min(std::ceil(near.hi * steps), double(steps)));
+        for (int step = int(near.lo * steps); step <= last; ++step) {
+            const glm::ivec3 voxel(glm::floor(glm::mix(a, b, double(step) / steps) + 0.5));
+            const Box3& box = set_.box;
+            if (glm::all(glm::greaterThanEqual(voxel, box.lo)) && glm::all(glm::lessThan(voxel, box.hi))) {
+                set_.inside[set_.indexOf(voxel)] = 1;
+            }
         }
     }
-}
+
+    VoxelSet& set_;
+    double radiusMm_;
+    glm::dvec3 reach_;
+    glm::dmat3 mmFromVoxel_;
+    FilledRows rows_;
+};
 
 } // namespace
 
@@ -91,10 +129,9 @@ segment::VoxelSet voxelsAlong(const Trail& trail, const volume::GridGeometry& ge
         }
         return p;
     };
+    Brush brush(set, trail.radiusMm, geometry);
     for (std::size_t n = 0; n < trail.points.size(); ++n) {
-        const glm::dvec3 from = point(n == 0 ? 0 : n - 1);
-        markAround(from, point(n), trail.radiusMm, geometry, set);
-        markThrough(from, point(n), set);
+        brush.go(point(n == 0 ? 0 : n - 1), point(n));
     }
     return set.tight();
 }

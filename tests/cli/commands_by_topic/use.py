@@ -65,6 +65,23 @@ class Use(Case):
         self.expect_error(1, ["no.json"], "run", self.folder / "no.json", "-o", self.folder / "out")
         self.assertEqual([p.name for p in self.folder.iterdir() if p.name.startswith(".")], [], "no half-written files")
 
+    def test_pipes_are_no_input(self):
+        """A pipe that nobody writes to would be waited for without end."""
+        pipe = self.folder / "pipe.nrrd"
+        os.mkfifo(pipe)
+        picture = self.folder / "p.png"
+        header = self.folder / "detached.nhdr"
+        header.write_text("NRRD0004\ntype: uint8\ndimension: 3\nsizes: 4 4 4\nencoding: raw\ndata file: pipe.nrrd\n")
+        for arguments in (["info", pipe], ["info", header], ["run", pipe, "-o", self.folder / "out"], ["check", pipe],
+                          ["render", self.raw, *self.layout, "-o", picture, "--tf", pipe],
+                          ["sketch", pipe, "--centre", "9,9"], ["compare", pipe, pipe], ["stats", pipe, "--volume", self.raw, *self.layout],
+                          ["sweep", "--dims", "8,8,8", "--mask", "circle:3", "--path", f"recorded:{pipe}", "-o",
+                           self.folder / "s.nrrd"],
+                          ["sweep", "--dims", "8,8,8", "--mask", f"image:{pipe},3", "--path", "line:0,0,0:1,1,1", "-o",
+                           self.folder / "s.nrrd"]):
+            with self.subTest(arguments=arguments[:1]):
+                self.expect_error(1, ["pipe.nrrd"], *arguments)
+
     def test_a_device_that_is_no_number_is_named(self):
         result = call("render", self.raw, *self.layout, "-o", self.folder / "p.png", VOLUME_STUDIO_DEVICE="abc")
         self.assertEqual(result.returncode, 1)

@@ -1,8 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/operations/sketch.h"
 
+#include "property.h"
+#include "studio/operations/trail.h"
+
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <numbers>
 
 namespace vs::studio {
@@ -47,6 +51,95 @@ TEST(Sketch, WhatLiesOutsideTheViewportIsLeftOut) {
         EXPECT_TRUE(p.x > 0 && p.x < 20 && p.y > 0 && p.y < 10);
     }
     EXPECT_TRUE(pixelsUnder({{Shape::FreeForm, {}}}, 3, {20, 10}).empty());
+}
+
+// Pixel by pixel, by the definition; pixels on the very rim may fall on either side.
+TEST(Sketch, LinesCoverThePixelsWhoseCentresAreNear) {
+    test::checkProperty(200, [] {
+        const auto place = [] { return glm::dvec2(*test::between(-40, 80), *test::between(-40, 80)); };
+        const std::vector<glm::dvec2> points{place(), place(), place(), place()};
+        const double width = *test::between(2, 30);
+        const glm::ivec2 size(40, 30);
+        const auto found = pixelsUnder({{Shape::FreeForm, points}}, width, size);
+        for (int y = 0; y < size.y; ++y) {
+            for (int x = 0; x < size.x; ++x) {
+                const glm::dvec2 p(x + 0.5, y + 0.5);
+                double distance = glm::length(p - points[0]);
+                for (std::size_t n = 1; n < points.size(); ++n) {
+                    const glm::dvec2 way = points[n] - points[n - 1];
+                    const double s =
+                        glm::dot(way, way) > 0 ? glm::dot(p - points[n - 1], way) / glm::dot(way, way) : 0;
+                    distance =
+                        std::min(distance, glm::length(p - points[n - 1] - std::clamp(s, 0.0, 1.0) * way));
+                }
+                if (std::abs(distance - width / 2) > 1e-9) {
+                    RC_ASSERT((std::find(found.begin(), found.end(), glm::vec2(p)) != found.end()) ==
+                              (distance < width / 2));
+                }
+            }
+        }
+    });
+}
+
+TEST(Sketch, AreasCoverThePixelsInsideByTheEvenOddRule) {
+    test::checkProperty(200, [] {
+        std::vector<glm::dvec2> outline;
+        for (int n = 0; n < 6; ++n) {
+            outline.emplace_back(*test::between(-20, 60), *test::between(-20, 60) + 1e-3);
+        }
+        const glm::ivec2 size(40, 30);
+        const auto found = pixelsUnder({{Shape::Stencil, outline}}, 1, size);
+        for (int y = 0; y < size.y; ++y) {
+            for (int x = 0; x < size.x; ++x) {
+                const glm::dvec2 p(x + 0.5, y + 0.5);
+                bool isInside = false;
+                bool isOnRim = false;
+                for (std::size_t i = 0, j = outline.size() - 1; i < outline.size(); j = i++) {
+                    const glm::dvec2 a = outline[i];
+                    const glm::dvec2 b = outline[j];
+                    if ((a.y > p.y) != (b.y > p.y)) {
+                        const double crossing = (b.x - a.x) * (p.y - a.y) / (b.y - a.y) + a.x;
+                        isInside = isInside != (p.x < crossing);
+                        isOnRim = isOnRim || std::abs(p.x - crossing) < 1e-9;
+                    }
+                }
+                if (!isOnRim) {
+                    RC_ASSERT((std::find(found.begin(), found.end(), glm::vec2(p)) != found.end()) ==
+                              isInside);
+                }
+            }
+        }
+    });
+}
+
+TEST(Trail, BallsCoverTheVoxelsWhoseCentresAreNear) {
+    test::checkProperty(200, [] {
+        auto geometry = volume::makeGeometry({14, 11, 9}, {1.0, 0.7, 2.5});
+        geometry.worldFromVoxel[0] += 0.3 * geometry.worldFromVoxel[1]; // sheared
+        const auto place = [] {
+            return glm::dvec3(*test::between(-10, 25), *test::between(-10, 25), *test::between(-10, 25));
+        };
+        const Trail trail{{place(), place(), place()}, *test::between(1, 9)};
+        const auto found = voxelsAlong(trail, geometry);
+        const glm::dmat3 mm(geometry.worldFromVoxel);
+        forEachVoxel(geometry.box(), [&](glm::ivec3 voxel, std::size_t) {
+            double distance = 1e9;
+            double through = 1e9; // voxels that the way itself may run through are in it anyway
+            for (std::size_t n = 1; n < trail.points.size(); ++n) {
+                const auto nearest = [&](const glm::dmat3& scale) {
+                    const glm::dvec3 way = scale * (trail.points[n] - trail.points[n - 1]);
+                    const glm::dvec3 offset = scale * (glm::dvec3(voxel) - trail.points[n - 1]);
+                    const double s = glm::dot(way, way) > 0 ? glm::dot(offset, way) / glm::dot(way, way) : 0;
+                    return glm::length(offset - std::clamp(s, 0.0, 1.0) * way);
+                };
+                distance = std::min(distance, nearest(mm));
+                through = std::min(through, nearest(glm::dmat3(1)));
+            }
+            if (std::abs(distance - trail.radiusMm) > 1e-9 && (distance < trail.radiusMm || through > 0.87)) {
+                RC_ASSERT(found.contains(voxel) == (distance < trail.radiusMm));
+            }
+        });
+    });
 }
 
 TEST(Sketch, TooFewPointsEncloseNothing) {

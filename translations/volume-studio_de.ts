@@ -1466,10 +1466,6 @@
         <translation>Aus dem Nichts gemacht</translation>
     </message>
     <message>
-        <source>its volume %1 is not there</source>
-        <translation>das Volumen %1 dazu fehlt</translation>
-    </message>
-    <message>
         <source>Grow or shrink by a margin</source>
         <translation>Rand zugeben oder nehmen</translation>
     </message>
@@ -2533,6 +2529,30 @@
         <source>Diameters along the vessel that was measured last</source>
         <translation>Durchmesser entlang des zuletzt gemessenen Gefäßes</translation>
     </message>
+    <message>
+        <source>%1 cannot be recovered</source>
+        <translation>%1 kann nicht wiederhergestellt werden</translation>
+    </message>
+    <message>
+        <source>%1: one edit was not saved</source>
+        <translation>%1: eine Änderung wurde nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>%1: %2 edits were not saved</source>
+        <translation>%1: %2 Änderungen wurden nicht gespeichert</translation>
+    </message>
+    <message>
+        <source>The program ended without being closed. Last edit: %1</source>
+        <translation>Das Programm endete, ohne geschlossen zu werden. Letzte Änderung: %1</translation>
+    </message>
+    <message>
+        <source>Its volume %1 is not there</source>
+        <translation>Ihr Volumen %1 ist nicht da</translation>
+    </message>
+    <message>
+        <source>Not all of it can be read: %1</source>
+        <translation>Nicht alles davon ist lesbar: %1</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::BlockDialog</name>
@@ -3048,6 +3068,10 @@ Tab: der nächste Punkt; Pfeiltasten bewegen ihn; Entf; Eingabe: seine Farbe; St
     <message>
         <source>Opened %1 as it was saved</source>
         <translation>%1 geöffnet, wie es gespeichert wurde</translation>
+    </message>
+    <message>
+        <source>%1 is not where it was</source>
+        <translation>%1 ist nicht mehr, wo es war</translation>
     </message>
 </context>
 <context>
@@ -4849,10 +4873,6 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
         <translation>&amp;Abbrechen</translation>
     </message>
     <message>
-        <source>%1 is being recovered in another window</source>
-        <translation>%1 wird in einem anderen Fenster wiederhergestellt</translation>
-    </message>
-    <message>
         <source>Restore</source>
         <translation>Umkehren</translation>
     </message>
@@ -5311,6 +5331,22 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
     <message>
         <source>&amp;Save</source>
         <translation>&amp;Speichern</translation>
+    </message>
+    <message>
+        <source>Where is %1, the scan of what was lost?</source>
+        <translation>Wo ist %1, die Aufnahme zu den verlorenen Änderungen?</translation>
+    </message>
+    <message>
+        <source>Click to save the session (Ctrl+S)</source>
+        <translation>Klicken, um die Sitzung zu speichern (Strg+S)</translation>
+    </message>
+    <message>
+        <source>It is being recovered in another window</source>
+        <translation>Sie wird in einem anderen Fenster wiederhergestellt</translation>
+    </message>
+    <message>
+        <source>No crash journal</source>
+        <translation>Kein Absturzprotokoll</translation>
     </message>
 </context>
 <context>
@@ -5964,23 +6000,14 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
     </message>
 </context>
 <context>
+    <name>vs::desktop::RecoveryKeeper</name>
+    <message>
+        <source>The crash journal goes on</source>
+        <translation>Das Absturzprotokoll wird wieder geführt</translation>
+    </message>
+</context>
+<context>
     <name>vs::desktop::RecoveryList</name>
-    <message>
-        <source>%1: one edit was not saved</source>
-        <translation>%1: eine Änderung wurde nicht gespeichert</translation>
-    </message>
-    <message>
-        <source>%1: %2 edits were not saved</source>
-        <translation>%1: %2 Änderungen wurden nicht gespeichert</translation>
-    </message>
-    <message>
-        <source>%1 cannot be recovered</source>
-        <translation>%1 kann nicht wiederhergestellt werden</translation>
-    </message>
-    <message>
-        <source>The program ended without being closed. Last edit: %1</source>
-        <translation>Das Programm endete, ohne geschlossen zu werden. Letzte Änderung: %1</translation>
-    </message>
     <message>
         <source>Discard…</source>
         <translation>Verwerfen…</translation>
@@ -6012,6 +6039,10 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
     <message>
         <source>&amp;Keep</source>
         <translation>&amp;Behalten</translation>
+    </message>
+    <message>
+        <source>Find and recover…</source>
+        <translation>Suchen und wiederherstellen…</translation>
     </message>
 </context>
 <context>

@@ -33,6 +33,7 @@ int run(int argc, char** argv) {
     vs::cli::addInfoCommand(app);
     vs::cli::addRenderCommand(app);
     vs::cli::addRunCommand(app);
+    vs::cli::addRecoverCommand(app);
     vs::cli::addCheckCommand(app);
     vs::cli::addGrowCommand(app);
     vs::cli::addHistogramCommand(app);

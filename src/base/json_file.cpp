@@ -5,6 +5,7 @@
 #include "base/input_file.h"
 
 #include <fstream>
+#include <utility>
 
 namespace vs {
 
@@ -21,6 +22,28 @@ std::string reasonOf(const Json::exception& error) {
     return end == std::string::npos ? text : text.substr(end + 2);
 }
 
+// From a stream or a text.
+template <typename Input>
+Json parse(Input&& input, const std::string& where, const std::string& wanted,
+           const std::string& documentation) {
+    try {
+        // What is nested without end would be read by calls without end.
+        return Json::parse(std::forward<Input>(input), [&](int depth, Json::parse_event_t, const Json&) {
+            if (depth > kDeepest) {
+                throw SessionError("{}: is nested more than {} deep; {} is wanted ({})", where, kDeepest,
+                                   wanted, documentation);
+            }
+            return true;
+        });
+    } catch (const Json::parse_error& error) {
+        throw SessionError("{}: not valid JSON at byte {}; {} is wanted ({})", where, error.byte, wanted,
+                           documentation);
+    } catch (const Json::exception& error) { // a number beyond all bounds
+        throw SessionError("{}: not valid JSON ({}); {} is wanted ({})", where, reasonOf(error), wanted,
+                           documentation);
+    }
+}
+
 } // namespace
 
 Json readJsonFile(const std::filesystem::path& path, const std::string& wanted,
@@ -31,22 +54,12 @@ Json readJsonFile(const std::filesystem::path& path, const std::string& wanted,
         throw SessionError("{}: {}; give {} (JSON)", path.string(),
                            noFile.empty() ? "cannot be read" : noFile, wanted);
     }
-    try {
-        // What is nested without end would be read by calls without end.
-        return Json::parse(file, [&](int depth, Json::parse_event_t, const Json&) {
-            if (depth > kDeepest) {
-                throw SessionError("{}: is nested more than {} deep; {} is wanted ({})", path.string(),
-                                   kDeepest, wanted, documentation);
-            }
-            return true;
-        });
-    } catch (const Json::parse_error& error) {
-        throw SessionError("{}: not valid JSON at byte {}; {} is wanted ({})", path.string(), error.byte,
-                           wanted, documentation);
-    } catch (const Json::exception& error) { // a number beyond all bounds
-        throw SessionError("{}: not valid JSON ({}); {} is wanted ({})", path.string(), reasonOf(error),
-                           wanted, documentation);
-    }
+    return parse(file, path.string(), wanted, documentation);
+}
+
+Json parseJson(const std::string& text, const std::string& where, const std::string& wanted,
+               const std::string& documentation) {
+    return parse(text, where, wanted, documentation);
 }
 
 } // namespace vs

@@ -13,4 +13,8 @@ namespace vs {
 nlohmann::ordered_json readJsonFile(const std::filesystem::path& path, const std::string& wanted,
                                     const std::string& documentation);
 
+// Reads a text as JSON, as readJsonFile() does; `where` is how it is called in messages.
+nlohmann::ordered_json parseJson(const std::string& text, const std::string& where, const std::string& wanted,
+                                 const std::string& documentation);
+
 } // namespace vs

@@ -121,6 +121,8 @@ class Round:
         shape = [n for n in second["shape"]]
         if any("skipped" in notice for notice in answer["notices"]):
             return None, "read without a damaged slice, which is said"
+        if any("resampled" in notice for notice in answer["notices"]):
+            return None, "resampled to a regular grid, which is said"
         if shape != answer["dims"][::-1]:
             return f"{answer['dims'][::-1]} voxels, the second library: {shape}", "failed"
         found = numpy.fromfile(ours, TYPES[answer["type"]])

@@ -2,7 +2,7 @@
 #include "engine/volume_loader.h"
 
 #include "base/progress.h"
-#include "studio/json/journal.h"
+#include "studio/json/journal_content.h"
 #include "volume/reading/read_volume.h"
 
 namespace vs::desktop {
@@ -19,11 +19,15 @@ void load(Loaded& result) {
     }
     if (!request.journal.empty()) {
         auto content = studio::readJournal(request.journal);
-        request.volume = content.session.volumePath;
+        const auto replacement = request.volume.empty() ? std::nullopt : std::optional(request.volume);
         request.session = content.savedAs;
         result.session = std::move(content.session);
-        result.volume = studio::openVolume(*result.session, request.journal, std::nullopt, result.notices, {},
+        if (!content.leftOut.empty()) {
+            result.notices.push_back(content.leftOut);
+        }
+        result.volume = studio::openVolume(*result.session, request.journal, replacement, result.notices, {},
                                            request.folders);
+        request.volume = replacement.value_or(result.session->volumePath);
         return;
     }
     if (request.given) {
@@ -101,8 +105,8 @@ void VolumeLoader::finish(const std::shared_ptr<Loaded>& result, const Ending& e
         emit loaded(result);
     } else if (!ending.choices.empty() && result->request.session.empty()) {
         emit severalSeries(result->request, ending.choices);
-    } else if (!ending.missing.empty() && !result->request.session.empty() &&
-               result->request.journal.empty()) {
+    } else if (!ending.missing.empty() &&
+               !(result->request.session.empty() && result->request.journal.empty())) {
         emit volumeMissing(result->request, ending.missing);
     } else {
         emit failed(ending.error);

@@ -1,9 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "model/keepers/recovery_keeper.h"
+#include "studio/json/lost_work.h"
 
 #include <QFrame>
+
+#include <vector>
 
 namespace vs::desktop {
 
@@ -18,11 +20,11 @@ public:
     void refresh();
 
 signals:
-    void recoverRequested(const vs::desktop::LostWork& lost);
+    void recoverRequested(const vs::studio::LostWork& lost);
 
 private:
-    QFrame* makeRow(const LostWork& lost, int number);
-    void askToDiscard(const LostWork& lost);
+    QFrame* makeRow(const studio::LostWork& lost, int number);
+    void askToDiscard(const studio::LostWork& lost);
 
     std::vector<QFrame*> rows_;
 };

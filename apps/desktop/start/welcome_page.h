@@ -9,12 +9,15 @@
 class QLabel;
 class QVBoxLayout;
 
+namespace vs::studio {
+struct LostWork;
+}
+
 namespace vs::desktop {
 
 class CardGrid;
 class RecoveryList;
 class SlicePictures;
-struct LostWork;
 
 // The start screen: what was open of late, examples, and the ways to open something else.
 class WelcomePage : public QWidget {
@@ -29,7 +32,7 @@ signals:
     void openRequested();
     void openFolderRequested();
     void blockRequested();
-    void recoverRequested(const vs::desktop::LostWork& lost);
+    void recoverRequested(const vs::studio::LostWork& lost);
     void documentChosen(const vs::desktop::OpenRequest& request);
 
 protected:

@@ -129,7 +129,7 @@ void MainWindow::makeCentre() {
     connect(welcome_, &WelcomePage::openFolderRequested, this, &MainWindow::openFolder);
     connect(welcome_, &WelcomePage::blockRequested, this, &MainWindow::askForBlock);
     connect(welcome_, &WelcomePage::documentChosen, this, &MainWindow::open);
-    connect(welcome_, &WelcomePage::recoverRequested, this, &MainWindow::recover);
+    connect(welcome_, &WelcomePage::recoverRequested, this, &MainWindow::recoverLost);
     welcome_->setSizePolicy(QSizePolicy::Ignored,
                             QSizePolicy::Preferred); // its width is not the view's least
     centre_->addWidget(welcome_);
@@ -192,6 +192,7 @@ void MainWindow::makeStatusBar() {
     message_->setContentsMargins(8, 0, 8, 0);
     statusBar()->addWidget(message_, 1);
     addNoticesBadge();
+    addJournalBadge();
     progress_ = named(new QProgressBar, "progress", tr("Progress"));
     progress_->setFixedWidth(150);
     progress_->setTextVisible(false);

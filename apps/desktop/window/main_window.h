@@ -23,6 +23,10 @@ class QStackedWidget;
 class QToolBar;
 class QToolButton;
 
+namespace vs::studio {
+struct LostWork;
+}
+
 namespace vs::desktop {
 
 class ActionTable;
@@ -38,7 +42,6 @@ class ToolBox;
 class ViewGrid;
 class ViewWidget;
 class WelcomePage;
-struct LostWork;
 
 // The window: tool bars and menus around the view, panels on the left, the line of hints below the picture
 // and the status bar. What it shows and changes is the controller's. It owns the keepers of recent documents'
@@ -126,6 +129,7 @@ private:
     // main_window_properties.cpp
     void makePropertiesAction();
     void addNoticesBadge();
+    void addJournalBadge();
     void showProperties();
 
     // main_window_help.cpp
@@ -146,7 +150,8 @@ private:
     void open(const OpenRequest& request);
     void showStartScreen();
     void leaveForStartScreen();
-    void recover(const LostWork& lost);
+    void recover(const OpenRequest& request);
+    void recoverLost(const studio::LostWork& lost);
     void askForBlock();
     void askForVolume(const OpenRequest& request, const std::filesystem::path& wanted);
     void chooseSeries(const OpenRequest& request, const std::vector<volume::SeriesChoice>& choices);

@@ -134,17 +134,19 @@ void MainWindow::openFolder() {
 
 // A folder of slices is opened by any of its files.
 void MainWindow::askForVolume(const OpenRequest& request, const std::filesystem::path& wanted) {
-    choose(
-        "findVolumeDialog",
-        tr("Where is %1, the scan of %2?").arg(textOf(wanted.filename()), textOf(request.session.filename())),
-        false, tr("Volumes (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vtk *.dcm *.raw);;All files (*)"), {},
-        [this, request, wanted](const QString& path) {
-            OpenRequest found = request;
-            found.volume = pathOf(path);
-            const auto folder = found.volume.parent_path();
-            found.volume = folder.filename() == wanted.filename() ? folder : found.volume;
-            studio_.files().open(found);
-        });
+    const QString title = request.journal.empty()
+                              ? tr("Where is %1, the scan of %2?")
+                                    .arg(textOf(wanted.filename()), textOf(request.session.filename()))
+                              : tr("Where is %1, the scan of what was lost?").arg(textOf(wanted.filename()));
+    choose("findVolumeDialog", title, false,
+           tr("Volumes (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vtk *.dcm *.raw);;All files (*)"), {},
+           [this, request, wanted](const QString& path) {
+               OpenRequest found = request;
+               found.volume = pathOf(path);
+               const auto folder = found.volume.parent_path();
+               found.volume = folder.filename() == wanted.filename() ? folder : found.volume;
+               found.journal.empty() ? studio_.files().open(found) : recover(found);
+           });
 }
 
 void MainWindow::openLabels() {

@@ -95,9 +95,15 @@ void MainWindow::closeEvent(QCloseEvent* event) {
     }
 }
 
-void MainWindow::recover(const LostWork& lost) {
-    if (!recovery_->recover(lost)) {
-        studio_.host().say(tr("%1 is being recovered in another window").arg(lost.name));
+void MainWindow::recoverLost(const studio::LostWork& lost) {
+    OpenRequest request;
+    request.journal = lost.journal;
+    recover(request);
+}
+
+void MainWindow::recover(const OpenRequest& request) {
+    if (!recovery_->recover(request)) {
+        studio_.host().say(tr("It is being recovered in another window"));
         welcome_->refresh();
     }
 }

@@ -2,19 +2,19 @@
 #include "studio/json/journal.h"
 
 #include "base/error.h"
-#include "base/input_file.h"
 #include "studio/json/operation_json.h"
 #include "studio/json/session_json.h"
 
 #include <nlohmann/json.hpp>
 
 #include <fcntl.h>
+#include <sys/file.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
-#include <fstream>
 
 namespace vs::studio {
 
@@ -22,7 +22,6 @@ using Json = nlohmann::ordered_json;
 
 namespace {
 
-constexpr int kVersion = 1;
 // Operations whose text is longer (strokes, seeds with their voxels) are never replaced, and need not be
 // compared each time; but an absorbing stroke goes on, however many voxels it has.
 constexpr std::size_t kMayGoOn = 4096;
@@ -53,56 +52,32 @@ Json written(Operation operation) {
     return toJson(operation);
 }
 
-Json textOrFail(const std::string& line, const std::string& where) {
-    Json json = Json::parse(line, nullptr, false);
-    if (json.is_discarded()) {
-        throw SessionError("{}: it is no JSON; the journal is damaged, and can only be discarded", where);
-    }
-    return json;
-}
-
-void readHeader(const Json& json, const std::string& where, Session& session) {
-    const JsonReader reader(json, where);
-    reader.allow({"volumeStudioJournal", "volume", "precision"});
-    (void)reader.member("volumeStudioJournal").integerBetween(1, kVersion);
-    readVolume(reader.member("volume"), session);
-    session.precision = readPrecision(reader.member("precision"));
-}
-
-// One line after the first: an operation, or that the session was saved.
-void readEntry(const Json& json, const std::string& where, JournalContent& content) {
-    const JsonReader reader(json, where);
-    auto& operations = content.session.operations;
-    if (json.is_object() && json.contains("saved")) {
-        reader.allow({"saved"});
-        content.savedAs = reader.member("saved").fileName();
-        content.saved = operations.size();
-        return;
-    }
-    reader.allow({"n", "operation"});
-    const auto n = std::size_t(reader.member("n").integerBetween(0, long(operations.size())));
-    operations.resize(n); // of one that went on, the last line counts
-    content.saved = std::min(content.saved, n);
-    operations.push_back(operationFromJson(reader.member("operation").json(), where));
-}
-
 } // namespace
 
 Journal::Journal(const std::filesystem::path& path, const Session& source) : path_(path) {
     std::error_code ignored;
     std::filesystem::create_directories(path.parent_path(), ignored);
     constexpr int kOwnerOnly = 0600; // names of files can be names of patients
-    file_ = open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, kOwnerOnly);
-    if (file_ < 0) {
+    file_ = Descriptor(open(path.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_APPEND | O_CLOEXEC, kOwnerOnly));
+    if (file_.number() < 0) {
         throw WriteError("{}: the journal cannot be made ({}); what is done now would be lost in a crash",
                          path.string(), std::strerror(errno));
     }
-    append({{"volumeStudioJournal", kVersion},
-            {"volume", volumeToJson(source, source.volumePath)},
-            {"precision", std::stoi(sculpt::kPrecisions[std::size_t(source.precision)])}});
+    flock(file_.number(), LOCK_EX);
+    try {
+        append({{"volumeStudioJournal", kJournalVersion},
+                {"volume", volumeToJson(source, source.volumePath)},
+                {"precision", std::stoi(sculpt::kPrecisions[std::size_t(source.precision)])}});
+    } catch (const std::exception&) {
+        std::filesystem::remove(path, ignored);
+        throw;
+    }
 }
 
-Journal::~Journal() { close(file_); }
+bool Journal::isThere() const {
+    struct stat now {};
+    return fstat(file_.number(), &now) == 0 && now.st_nlink > 0;
+}
 
 void Journal::follow(const std::vector<Operation>& log) {
     written_ = std::min(written_, log.size());
@@ -126,29 +101,11 @@ void Journal::append(const Json& line) {
         throw WriteError("{}: the journal is UTF-8 text, and the name of the volume is not; rename it",
                          path_.string());
     }
-    writeWhole(file_, text, path_);
-}
-
-std::size_t JournalContent::unsavedEdits() const {
-    const auto& operations = session.operations;
-    return std::size_t(std::count_if(operations.begin() + std::ptrdiff_t(saved), operations.end(), isEdit));
-}
-
-JournalContent readJournal(const std::filesystem::path& path) {
-    std::ifstream in(whyNoFile(path).empty() ? path : std::filesystem::path(), std::ios::binary);
-    JournalContent content;
-    int number = 0;
-    // A line without its end was being written when the process died.
-    for (std::string line; std::getline(in, line) && !in.eof();) {
-        const std::string where = fmt::format("{}: line {}", path.string(), ++number);
-        const Json json = textOrFail(line, where);
-        number == 1 ? readHeader(json, where, content.session) : readEntry(json, where, content);
+    if (!isThere()) {
+        throw WriteError("{}: the journal has been removed; what is done now would be lost in a crash",
+                         path_.string());
     }
-    if (number == 0) {
-        throw SessionError("{}: it is empty or cannot be read; the journal can only be discarded",
-                           path.string());
-    }
-    return content;
+    writeWhole(file_.number(), text, path_);
 }
 
 } // namespace vs::studio

@@ -127,6 +127,14 @@ DicomSlice fileAttributes(const std::filesystem::path& path, const DicomDataSet&
     if (bits != 8 && bits != 16 && bits != 32) {
         refuseUnsuitable(path, fmt::format("it has {} bits per pixel", bits), "8, 16 or 32 are needed");
     }
+    // Taken for 0 where they are missing, and values would be of one bit.
+    const auto said = [](int n) { return n < 0 ? std::string("missing") : std::to_string(n); };
+    const int stored = set.unsignedShort(0x00280101, -1);
+    const int high = set.unsignedShort(0x00280102, -1);
+    if (stored < 1 || stored > bits || high < stored - 1 || high >= bits) {
+        refuse(path, fmt::format("its BitsStored is {} and its HighBit {}", said(stored), said(high)),
+               fmt::format("of {} bits, 1 or more are stored, up to the high bit", bits));
+    }
     if (set.text(0x00080008).find("MOSAIC") != std::string::npos) {
         refuseUnsuitable(path, "it is a mosaic (all slices side by side in one image)",
                          "export it as single slices or as an enhanced multi-frame image");

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/error.h"
 #include "studio/json/journal.h"
+#include "studio/json/journal_content.h"
+#include "studio/json/lost_work.h"
 #include "studio/json/operation_json.h"
 
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
 
 namespace vs::studio {
@@ -135,17 +139,126 @@ TEST_F(JournalTest, NeverWritesOverAnother) {
     EXPECT_THROW(Journal(path_, source_), WriteError);
 }
 
-TEST_F(JournalTest, DamageIsToldWithItsLine) {
+// What precedes a damaged line is there, and it is said what is not.
+TEST_F(JournalTest, ADamagedLineIsLeftOutAndTold) {
+    const auto log = someLog();
+    for (const char* damage : {R"({"n": 4, "operation": {"op": "bake"}})", "{", "\0\1\2", "[[1]]", ""}) {
+        Journal(path_, source_).follow(log);
+        std::ofstream(path_, std::ios::app) << damage << "\n";
+        const JournalContent content = readJournal(path_);
+        EXPECT_EQ(texts(content.session.operations), texts(log)) << damage;
+        EXPECT_NE(content.leftOut.find("head.jsonl: line 6"), std::string::npos) << content.leftOut;
+        EXPECT_NE(content.leftOut.find("this line is left out"), std::string::npos) << content.leftOut;
+        std::filesystem::remove(path_);
+    }
+}
+
+// Operations behind it need it; a line that begins anew, as after a full disk, does not.
+TEST_F(JournalTest, OfWhatFollowsADamagedLineThatIsReadWhichDoesNotNeedIt) {
+    Journal journal(path_, source_);
+    auto log = someLog();
+    journal.follow(log);
+    std::ofstream(path_, std::ios::app) << R"({"n":4,"opera)"
+                                        << "\n";
+    log.emplace_back(UnCut{});
+    journal.follow(log);
+    const JournalContent whole = readJournal(path_);
+    EXPECT_EQ(texts(whole.session.operations), texts(log));
+    EXPECT_NE(whole.leftOut.find("line 6"), std::string::npos) << whole.leftOut;
+    std::ofstream(path_, std::ios::app) << R"({"n":6,"operation":{"op":"undo"}})"
+                                        << "\n"
+                                        << R"({"n":7,"operation":{"op":"redo"}})"
+                                        << "\n";
+    const JournalContent cutShort = readJournal(path_);
+    EXPECT_EQ(texts(cutShort.session.operations), texts(log));
+    EXPECT_NE(cutShort.leftOut.find("3 lines are left out"), std::string::npos) << cutShort.leftOut;
+}
+
+TEST_F(JournalTest, WithoutAFirstLineNothingCanBeRead) {
     std::filesystem::create_directories(path_.parent_path());
     EXPECT_THROW(readJournal(path_), SessionError); // there is none
-    Journal(path_, source_).follow(someLog());
-    std::ofstream(path_, std::ios::app) << "{\"n\": 4, \"operation\": {\"op\": \"bake\"}}\n";
+    std::ofstream(path_) << "{\"volumeStudioJournal\": 1}\n";
     try {
         readJournal(path_);
-        FAIL() << "an operation that is not known was read";
+        FAIL() << "a journal of nothing was read";
     } catch (const SessionError& error) {
-        EXPECT_NE(std::string(error.what()).find("head.jsonl: line 6"), std::string::npos) << error.what();
+        EXPECT_NE(std::string(error.what()).find("head.jsonl: line 1"), std::string::npos) << error.what();
     }
+}
+
+// The process that writes it has it; then whoever comes first.
+TEST_F(JournalTest, IsHeldByOneAtATime) {
+    {
+        const Journal journal(path_, source_);
+        EXPECT_FALSE(HeldJournal::hold(path_));
+    }
+    auto held = HeldJournal::hold(path_);
+    ASSERT_TRUE(held);
+    EXPECT_FALSE(HeldJournal::hold(path_));
+    const auto aside = held->setAside();
+    EXPECT_TRUE(std::filesystem::exists(aside));
+    EXPECT_FALSE(HeldJournal::hold(path_)); // it is not there
+}
+
+TEST_F(JournalTest, SaysThatItsFileWasRemoved) {
+    Journal journal(path_, source_);
+    std::filesystem::remove(path_);
+    EXPECT_FALSE(journal.isThere());
+    EXPECT_THROW(journal.follow(someLog()), WriteError);
+}
+
+// A disk that is full takes half a line; when it has room again the journal goes on as if nothing had been.
+TEST_F(JournalTest, GoesOnAfterAFullDisk) {
+    Journal journal(path_, source_);
+    auto log = someLog();
+    journal.follow(log);
+    log.emplace_back(UnCut{});
+    const auto written = std::filesystem::file_size(path_);
+    rlimit before{};
+    getrlimit(RLIMIT_FSIZE, &before);
+    signal(SIGXFSZ, SIG_IGN);
+    for (rlim_t room = 0; room < 20; ++room) {
+        const rlimit full{written + room, before.rlim_max};
+        setrlimit(RLIMIT_FSIZE, &full);
+        EXPECT_THROW(journal.follow(log), WriteError);
+        setrlimit(RLIMIT_FSIZE, &before);
+        const JournalContent meanwhile = readJournal(path_);
+        EXPECT_EQ(texts(meanwhile.session.operations), texts(someLog()));
+        EXPECT_EQ(meanwhile.leftOut, "");
+    }
+    signal(SIGXFSZ, SIG_DFL);
+    journal.follow(log);
+    EXPECT_EQ(texts(readJournal(path_).session.operations), texts(log));
+}
+
+// Only what nobody writes and no session holds is lost.
+TEST_F(JournalTest, LostWorkIsWhatNobodyHas) {
+    setenv("XDG_STATE_HOME", folder_.c_str(), 1);
+    const auto journals = journalFolder();
+    Journal(journals / "lost.jsonl", source_).follow(someLog());
+    Journal(journals / "looked.jsonl", source_).follow({setViewTo(View{})});
+    {
+        Journal saved(journals / "saved.jsonl", source_);
+        saved.follow(someLog());
+        saved.noteSaved("/sessions/head.json");
+    }
+    const Journal running(journals / "running.jsonl", source_);
+    std::ofstream(journals / "empty.jsonl").close();
+    std::ofstream(journals / "nonsense.jsonl") << "nonsense\n";
+    std::ofstream(journals / "lost.jsonl.damaged") << "set aside\n";
+    const auto all = lostWork();
+    unsetenv("XDG_STATE_HOME");
+    ASSERT_EQ(all.size(), 2U);
+    const auto& lost = all[0].problem.empty() ? all[0] : all[1];
+    const auto& nonsense = all[0].problem.empty() ? all[1] : all[0];
+    EXPECT_EQ(lost.name, "head.nrrd");
+    EXPECT_EQ(lost.edits, 3U);
+    EXPECT_EQ(lost.missing, "/scans/head.nrrd");
+    EXPECT_NE(nonsense.problem.find("nonsense.jsonl: line 1"), std::string::npos) << nonsense.problem;
+    EXPECT_FALSE(std::filesystem::exists(journals / "looked.jsonl"));
+    EXPECT_FALSE(std::filesystem::exists(journals / "saved.jsonl"));
+    EXPECT_FALSE(std::filesystem::exists(journals / "empty.jsonl"));
+    EXPECT_TRUE(std::filesystem::exists(journals / "running.jsonl"));
 }
 
 } // namespace

@@ -70,8 +70,10 @@ void DocumentFiles::connectLoader() {
     });
     connect(&loader_, &VolumeLoader::volumeMissing, this,
             [this](const OpenRequest& request, const auto& wanted) {
-                host_.say(tr("%1 is not where %2 says")
-                              .arg(textOf(wanted.filename()), textOf(request.session.filename())));
+                host_.say(request.journal.empty()
+                              ? tr("%1 is not where %2 says")
+                                    .arg(textOf(wanted.filename()), textOf(request.session.filename()))
+                              : tr("%1 is not where it was").arg(textOf(wanted.filename())));
                 endReading();
                 emit volumeWanted(request, wanted);
             });

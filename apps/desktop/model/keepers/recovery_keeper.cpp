@@ -5,55 +5,25 @@
 #include "model/texts/texts.h"
 
 #include "base/error.h"
+#include "base/log.h"
 
 #include <QCoreApplication>
-#include <QDir>
-#include <QDirIterator>
-#include <QFileInfo>
-
-#include <algorithm>
+#include <QDateTime>
 
 namespace vs::desktop {
 
 namespace {
 
-// The XDG state folder, which Qt knows of only from 6.7 on.
-QString journalFolder() {
-    const QString state = qEnvironmentVariable("XDG_STATE_HOME", QDir::homePath() + "/.local/state");
-    return state + "/volume-studio/journals";
-}
+constexpr int kRetryMs = 3000;
 
-// Held by nobody else, or null. A lock of a process that has died does not count.
-std::unique_ptr<QLockFile> lockOf(const std::filesystem::path& journal) {
-    auto lock = std::make_unique<QLockFile>(QString::fromStdString(journal.string()) + ".lock");
-    lock->setStaleLockTime(0); // however long it has been held
-    return lock->tryLock(0) ? std::move(lock) : nullptr;
-}
-
-void removeJournal(const std::filesystem::path& journal) {
-    std::error_code ignored;
-    std::filesystem::remove(journal, ignored);
-}
-
-LostWork describe(const QFileInfo& file) {
-    LostWork lost;
-    lost.journal = file.filePath().toStdString();
-    lost.when = file.lastModified();
-    try {
-        const auto content = studio::readJournal(lost.journal);
-        lost.edits = int(content.unsavedEdits());
-        lost.name = content.session.isMade()
-                        ? tr("Made from nothing")
-                        : QString::fromStdString(content.session.volumePath.filename().string());
-        if (!content.session.isMade() && !std::filesystem::exists(content.session.volumePath)) {
-            lost.problem = tr("its volume %1 is not there")
-                               .arg(QString::fromStdString(content.session.volumePath.string()));
-        }
-    } catch (const std::exception& e) {
-        lost.name = file.fileName();
-        lost.problem = QString::fromUtf8(e.what());
-    }
-    return lost;
+// The process, the time and a number: no two are the same.
+std::filesystem::path newJournal() {
+    static int count = 0;
+    const QString name = QString("%1-%2-%3.jsonl")
+                             .arg(QDateTime::currentDateTime().toString("yyyyMMdd-HHmmss"))
+                             .arg(QCoreApplication::applicationPid())
+                             .arg(++count);
+    return studio::journalFolder() / name.toStdString();
 }
 
 } // namespace
@@ -61,50 +31,25 @@ LostWork describe(const QFileInfo& file) {
 RecoveryKeeper::RecoveryKeeper(StudioController& studio) : QObject(&studio), studio_(studio) {
     connect(&studio.host(), &DocumentHost::opened, this, &RecoveryKeeper::begin);
     connect(&studio.host(), &DocumentHost::changed, this, &RecoveryKeeper::follow);
-    connect(&studio.files(), &DocumentFiles::saved, this, &RecoveryKeeper::noteSaved);
+    connect(&studio.files(), &DocumentFiles::saved, this, &RecoveryKeeper::write);
     connect(&studio.host(), &DocumentHost::closed, this, &RecoveryKeeper::finish);
     connect(&studio.host(), &DocumentHost::openFailed, this, [this] { endRecovery(false); });
     connect(&studio.host(), &DocumentHost::givenUp, this, [this] { endRecovery(false); });
+    connect(&studio.files(), &DocumentFiles::volumeWanted, this, [this] { endRecovery(false); });
+    retry_.setInterval(kRetryMs);
+    connect(&retry_, &QTimer::timeout, this, &RecoveryKeeper::write);
 }
 
 // Without finish() the journal stays: the program ends by an error.
 RecoveryKeeper::~RecoveryKeeper() = default;
 
-std::vector<LostWork> RecoveryKeeper::lostWork() {
-    std::vector<LostWork> all;
-    for (QDirIterator it(journalFolder(), {"*.jsonl"}, QDir::Files); it.hasNext();) {
-        const QFileInfo file(it.next());
-        const std::filesystem::path path = file.filePath().toStdString();
-        if (const auto lock = lockOf(path)) {
-            const LostWork lost = describe(file);
-            if (lost.edits > 0 || !lost.problem.isEmpty()) {
-                all.push_back(lost);
-            } else {
-                removeJournal(path);
-            }
-        }
-    }
-    std::sort(all.begin(), all.end(), [](const auto& a, const auto& b) { return a.when > b.when; });
-    return all;
-}
-
-bool RecoveryKeeper::discard(const LostWork& lost) {
-    const auto lock = lockOf(lost.journal);
-    if (lock) {
-        removeJournal(lost.journal);
-    }
-    return lock != nullptr;
-}
-
-bool RecoveryKeeper::recover(const LostWork& lost) {
-    auto lock = lockOf(lost.journal);
-    if (!lock || studio_.host().isLoading()) {
+bool RecoveryKeeper::recover(const OpenRequest& request) {
+    auto held = studio::HeldJournal::hold(request.journal);
+    if (!held || studio_.host().isLoading()) {
         return false;
     }
-    recoveredLock_ = std::move(lock);
-    recovered_ = lost.journal;
-    OpenRequest request;
-    request.journal = lost.journal;
+    recovered_ = std::move(held);
+    isDamaged_ = !studio::describeJournal(request.journal).leftOut.empty();
     studio_.files().open(request);
     return true;
 }
@@ -112,77 +57,86 @@ bool RecoveryKeeper::recover(const LostWork& lost) {
 void RecoveryKeeper::begin() {
     finish();
     isReplaying_ = studio_.host().isReplaying();
-    // The process, the time and a number: no two are the same.
-    static int count = 0;
-    const QString name = QString("%1-%2-%3.jsonl")
-                             .arg(QDateTime::currentDateTime().toString("yyyyMMdd-HHmmss"))
-                             .arg(QCoreApplication::applicationPid())
-                             .arg(++count);
-    const std::filesystem::path path = (journalFolder() + "/" + name).toStdString();
-    QDir().mkpath(journalFolder());
-    lock_ = lockOf(path);
-    try {
-        journal_ = std::make_unique<studio::Journal>(path, studio_.files().provenance());
-    } catch (const std::exception& e) {
-        complain(e.what());
-    }
-    follow();
-    // What was opened from its state is in its file.
-    if (!isReplaying_ && !studio_.files().source().session.empty() && !studio_.files().hasUnsavedEdits()) {
-        noteSaved();
+    write();
+    if (!isReplaying_) { // there was nothing to do again
+        endRecovery(trouble_.isEmpty());
     }
 }
 
 void RecoveryKeeper::follow() {
-    if (journal_ == nullptr || studio_.host().document() == nullptr) {
-        return;
+    if (!journal_ && trouble_.isEmpty()) {
+        return; // nothing is open
     }
-    try {
-        journal_->follow(studio_.host().document()->log());
-    } catch (const std::exception& e) {
-        complain(e.what());
-        return;
-    }
-    // A session that has been replayed whole is in its file; what was recovered is in none.
+    write();
     if (std::exchange(isReplaying_, studio_.host().isReplaying()) && !studio_.host().isReplaying()) {
-        if (!studio_.files().hasUnsavedEdits() && !studio_.files().source().session.empty()) {
-            noteSaved();
-        }
-        endRecovery(true);
+        endRecovery(trouble_.isEmpty());
     }
 }
 
-void RecoveryKeeper::noteSaved() {
-    if (journal_ != nullptr) {
-        try {
-            journal_->follow(studio_.host().document()->log());
-            journal_->noteSaved(std::filesystem::absolute(studio_.files().source().session));
-        } catch (const std::exception& e) {
-            complain(e.what());
+// Brings the journal up to what the document is now, from wherever trouble has left it.
+void RecoveryKeeper::write() {
+    const auto* document = studio_.host().document();
+    if (document == nullptr) {
+        return;
+    }
+    const auto& files = studio_.files();
+    try {
+        if (!journal_ || !journal_->isThere()) {
+            journal_.reset();
+            notedAsSaved_.clear();
+            journal_.emplace(newJournal(), files.provenance());
         }
+        journal_->follow(document->log());
+        // What was opened from its state, or replayed whole, is in its file; what was recovered is in none.
+        const auto& session = files.source().session;
+        const bool isSaved = !studio_.host().isReplaying() && !files.hasUnsavedEdits() && !session.empty();
+        const auto holder = isSaved ? std::filesystem::absolute(session) : std::filesystem::path();
+        if (isSaved && holder != notedAsSaved_) {
+            journal_->noteSaved(holder);
+        }
+        notedAsSaved_ = holder;
+        setTrouble({});
+    } catch (const std::exception& e) {
+        setTrouble(QString::fromUtf8(e.what()));
     }
 }
 
 // The old journal goes only when all of it is in the new one.
 void RecoveryKeeper::endRecovery(bool isDone) {
-    if (recoveredLock_ && isDone && studio_.files().hasUnsavedEdits()) {
-        removeJournal(recovered_);
+    if (recovered_ && isDone && isDamaged_) {
+        try {
+            studio_.notices().add({"the damaged journal is kept as " + recovered_->setAside().string()});
+        } catch (const std::exception& e) {
+            studio_.notices().add({e.what()});
+        }
+    } else if (recovered_ && isDone) {
+        recovered_->remove();
     }
-    recoveredLock_.reset();
+    recovered_.reset();
 }
 
 void RecoveryKeeper::finish() {
-    if (journal_ != nullptr) {
-        removeJournal(journal_->path());
+    if (journal_) {
+        std::error_code ignored;
+        std::filesystem::remove(journal_->path(), ignored);
         journal_.reset();
     }
-    lock_.reset(); // which also removes its file
+    notedAsSaved_.clear();
+    setTrouble({});
 }
 
-// Once: without a journal the work goes on.
-void RecoveryKeeper::complain(const char* problem) {
-    journal_.reset();
-    studio_.host().say(QString::fromUtf8(problem));
+// The work goes on meanwhile.
+void RecoveryKeeper::setTrouble(const QString& trouble) {
+    if (trouble == trouble_) {
+        return;
+    }
+    const bool isOver = trouble.isEmpty() && studio_.host().document() != nullptr;
+    trouble_ = trouble;
+    trouble.isEmpty() ? retry_.stop() : retry_.start();
+    if (!trouble.isEmpty() || isOver) {
+        studio_.host().say(isOver ? tr("The crash journal goes on") : trouble);
+    }
+    emit troubleChanged();
 }
 
 } // namespace vs::desktop

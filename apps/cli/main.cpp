@@ -34,6 +34,7 @@ int run(int argc, char** argv) {
     vs::cli::addRenderCommand(app);
     vs::cli::addRunCommand(app);
     vs::cli::addRecoverCommand(app);
+    vs::cli::addReduceCommand(app);
     vs::cli::addCheckCommand(app);
     vs::cli::addGrowCommand(app);
     vs::cli::addHistogramCommand(app);

@@ -22,7 +22,9 @@ Buffer::Buffer(std::size_t sizeBytes, const std::string& label)
     glCreateBuffers(1, &name);
     handle_ = Handle<detail::deleteBuffer>(name);
     if (fails([&] { glNamedBufferStorage(name, GLsizeiptr(size_), nullptr, GL_DYNAMIC_STORAGE_BIT); })) {
-        throw GlError("{}: the device has no room for {} MiB; use a smaller volume", label, size_ >> 20);
+        throw GlError("{}: the device has no room for {} MiB; use a smaller volume, as vstudio "
+                      "reduce makes, or another device",
+                      label, size_ >> 20);
     }
     glObjectLabel(GL_BUFFER, name, -1, label.c_str());
     clear();

@@ -104,9 +104,11 @@ Texture Texture::pyramid(glm::ivec3 size, Format format, int levels, const std::
 void Texture::create(const std::string& label, Filter filter) {
     GLint limit = 0;
     glGetIntegerv(is3D_ ? GL_MAX_3D_TEXTURE_SIZE : GL_MAX_TEXTURE_SIZE, &limit);
+    const char* remedy =
+        is3D_ ? "use a smaller volume, as vstudio reduce makes, or another device" : "use a smaller picture";
     if (std::max({size_.x, size_.y, size_.z}) > limit) {
-        throw GlError("{}: {}x{}x{} texels are more than this device's limit of {} along an axis", label,
-                      size_.x, size_.y, size_.z, limit);
+        throw GlError("{}: {}x{}x{} texels are more than this device's limit of {} along an axis; {}", label,
+                      size_.x, size_.y, size_.z, limit, remedy);
     }
     GLuint name = 0;
     glCreateTextures(is3D_ ? GL_TEXTURE_3D : GL_TEXTURE_2D, 1, &name);
@@ -120,8 +122,8 @@ void Texture::create(const std::string& label, Filter filter) {
         }
     };
     if (fails(allocate)) {
-        throw GlError("{}: the device has no room for {}x{}x{} texels ({} MiB); use a smaller {}", label,
-                      size_.x, size_.y, size_.z, bytes() >> 20, is3D_ ? "volume" : "picture");
+        throw GlError("{}: the device has no room for {}x{}x{} texels ({} MiB); {}", label, size_.x, size_.y,
+                      size_.z, bytes() >> 20, remedy);
     }
     glObjectLabel(GL_TEXTURE, name, -1, label.c_str());
     const GLint mode = filter == Filter::Linear ? GL_LINEAR : GL_NEAREST;

@@ -41,9 +41,6 @@ bool isFiniteValue([[maybe_unused]] T value) {
     }
 }
 
-// Values that no scanner measures: they stand for those that were not.
-constexpr double kNotMeasured = 1e15;
-
 // The so many largest of the values that it is told.
 class Largest {
 public:

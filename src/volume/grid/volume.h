@@ -64,9 +64,9 @@ decltype(auto) visit(const Volume& volume, F&& f) {
 // Values of this size and beyond no scanner measures: they stand for those that were not.
 inline constexpr double kNotMeasured = 1e15;
 
-// Fills in range, usual and nonFiniteCount. What is not usual are values of kNotMeasured and beyond, and up to
-// a hundred thousandth of the voxels, or one, if they are farther away from all others than a hundred times
-// the range of those.
+// Fills in range, usual and nonFiniteCount. What is not usual are values of kNotMeasured and beyond, and up
+// to a hundred thousandth of the voxels, or one, if they are farther away from all others than a hundred
+// times the range of those.
 void computeRange(Volume& volume);
 
 // Counts of the finite values in volume.usual in `bins` equal bins over it, computed on the CPU (reference,

@@ -46,11 +46,34 @@ void count(gl::Program& program, const Field& field, const Range& gradients, glm
     VoxelRows(field.geometry.dims).advance(program, kUnlimitedMs);
 }
 
-Magnitudes readMagnitudes(const gl::Buffer& counts) {
+// No voxel among usual values is steeper: along each axis half of their width lies between two neighbours.
+double steepestOfUsual(const Field& field) {
+    const glm::dmat3 worldFromVoxelGradient = glm::transpose(glm::dmat3(field.geometry.voxelFromWorld()));
+    double perStep = 0;
+    for (int axis = 0; axis < 3; ++axis) {
+        perStep += glm::length(worldFromVoxelGradient[axis]);
+    }
+    constexpr double rounding = 1 + 1e-4; // of the device's floats
+    return 0.5 * field.usual.width() * perStep * rounding;
+}
+
+// Of what is no steeper than usual values can make it: the edge of a fill value tells nothing.
+Magnitudes readMagnitudes(const gl::Buffer& counts, const Field& field) {
     Magnitudes out;
     out.counts = counts.read<std::uint32_t>(kLogBins + 1);
     out.largest = double(std::bit_cast<float>(out.counts.back()));
     out.counts.pop_back();
+    const double steepest = steepestOfUsual(field);
+    if (out.largest > steepest) {
+        out.largest = 0;
+        for (std::size_t i = 0; i < out.counts.size(); ++i) {
+            if (lowerEnd(i) > steepest) {
+                out.counts[i] = 0;
+            } else if (out.counts[i] > 0 && i > 0) {
+                out.largest = std::min(lowerEnd(i + 1), steepest); // to a bin's width
+            }
+        }
+    }
     return out;
 }
 
@@ -60,7 +83,7 @@ Magnitudes countMagnitudes(const Field& field) {
     gl::Buffer counts((kLogBins + 1) * sizeof(std::uint32_t), "gradient magnitudes");
     counts.bindStorage(kCountsStorage);
     count(program, field, {}, {kLogBins, 1});
-    return readMagnitudes(counts);
+    return readMagnitudes(counts, field);
 }
 
 // From 0 to the 99.9th percentile.
@@ -142,7 +165,7 @@ bool JointCounting::advance(double budgetMs) {
         magnitudes_.bindStorage(kCountsStorage);
         bind(measure_, *field_, {}, {kLogBins, 1});
         if (measured_.advance(measure_, budgetMs)) {
-            joint_.gradients = usualRange(readMagnitudes(magnitudes_));
+            joint_.gradients = usualRange(readMagnitudes(magnitudes_, *field_));
         }
         return false;
     }

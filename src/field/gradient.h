@@ -13,13 +13,14 @@ namespace vs::field {
 
 // Gradient magnitudes at voxel centres, in the volume's unit per mm: central differences over spacing along
 // the patient's axes, as dataGradient() of field/shaders/scene.glsl has them; beyond the grid values are
-// those at its border. Voxels that are, or touch, a non-finite one are left out everywhere. Counted on the
-// device, one pass over the voxels each.
+// those at its border. Voxels that are, or touch, a non-finite one are left out everywhere. Ranges leave out
+// what is steeper than field.usual can make it: the edges of fill values. Counted on the device, one pass
+// over the voxels each.
 
 // The gradient magnitudes from 0 to the 99.9th percentile (to about a hundredth of itself): what most of the
 // volume needs.
 Range gradientRange(const Field& field);
-// The gradient magnitudes from 0 to the largest of all.
+// The gradient magnitudes from 0 to the largest.
 Range fullGradientRange(const Field& field);
 
 // The magnitudes at all voxels, for shaders to look up between them: parts of `most`, as 16 bits; what is

@@ -157,6 +157,29 @@ TEST_F(GradientTest, NonFiniteVoxelsAndTheirNeighboursAreLeftOut) {
     EXPECT_EQ(total(jointHistogram(field, all).counts), volume.geometry.voxelCount() - 7);
 }
 
+TEST_F(GradientTest, TheEdgeOfAFillValueChangesNoRange) {
+    for (const bool oblique : {false, true}) {
+        auto volume = makeWaves(volume::ScalarType::Float32, {40, 40, 40});
+        if (!oblique) {
+            volume.geometry.worldFromVoxel = glm::dmat4(1);
+        }
+        const Field plain = uploadVolume(volume);
+        auto* values = reinterpret_cast<float*>(volume.bytes.data());
+        for (int i = 0; i < 40 * 40 * 40; ++i) {
+            const glm::dvec3 p(i % 40, i / 40 % 40, i / 1600);
+            values[i] = glm::distance(p, glm::dvec3(20)) > 18 ? 1e30F : values[i];
+        }
+        volume::computeRange(volume);
+        const Field filled = uploadVolume(volume);
+        const Range all = fullGradientRange(filled);
+        // Fewer voxels have a gradient, so that the largest of them may be a little smaller.
+        EXPECT_GT(all.hi, 0.7 * fullGradientRange(plain).hi);
+        EXPECT_LT(all.hi, 1.05 * fullGradientRange(plain).hi);
+        EXPECT_NEAR(gradientRange(filled).hi, gradientRange(plain).hi, 0.1 * gradientRange(plain).hi);
+        EXPECT_GT(total(gradientHistogram(filled, all)), 20000U) << "of 24,000 in the ball";
+    }
+}
+
 TEST_F(GradientTest, OneLargeVolumeIsCountedInFull) {
     std::mt19937 random(3);
     const auto volume = phantom::makePhantom(glm::ivec3(256), volume::ScalarType::Int16, [&](glm::dvec3 p) {

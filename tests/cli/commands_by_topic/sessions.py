@@ -83,3 +83,60 @@ class Sessions(Case):
         self.expect_error(1, ["s.json", "JSON"], "run", session, "-o", self.folder / "out")
         session.write_text('{"volumeStudioSession": 99, "volume": {"path": "x"}, "operations": []}')
         self.expect_error(1, ["newer"], "run", session, "-o", self.folder / "out")
+
+    def journal(self, name, *lines):
+        """A journal as a window that was killed leaves it, of two cuts and what `lines` add."""
+        folder = self.folder / "state" / "volume-studio" / "journals"
+        folder.mkdir(parents=True, exist_ok=True)
+        volume = self.folder / "box.nrrd"
+        if not volume.exists():
+            call("grow", self.raw, *self.layout, "--seed", "6,5,4", "--range", "100:255", "-o", volume)
+        clip = [{"op": "clip", "planes": [{"point": [x, 0, 0], "normal": [1, 0, 0]}]} for x in (5, 7)]
+        (folder / name).write_text("\n".join([
+            json.dumps({"volumeStudioJournal": 1, "volume": {"path": str(volume)}, "precision": 16}),
+            *(json.dumps({"n": n, "operation": operation}) for n, operation in enumerate(clip)), *lines]) + "\n")
+        return folder / name
+
+    def recover(self, *arguments):
+        result = call("recover", *arguments, XDG_STATE_HOME=str(self.folder / "state"))
+        return result.returncode, result.stdout, result.stderr
+
+    def test_lost_work_becomes_sessions(self):
+        out = self.folder / "out"
+        out.mkdir()
+        code, said, _ = self.recover()
+        self.assertEqual((code, "nothing to recover" in said), (0, True))
+        whole, torn = self.journal("1.jsonl"), self.journal("2.jsonl", '{"n":2,"opera')
+        code, said, _ = self.recover("--list")
+        self.assertEqual(code, 0)
+        for word in ("1.jsonl", "2.jsonl", "box.nrrd", "2 edits"):
+            self.assertIn(word, said)
+        self.assertTrue(whole.exists() and torn.exists(), "a list changes nothing")
+        code, said, _ = self.recover("1.jsonl", "-o", out, "--keep")
+        self.assertEqual(code, 0)
+        self.assertTrue(whole.exists())
+        code, said, _ = self.recover("-o", out)
+        self.assertEqual(code, 0)
+        self.assertFalse(whole.exists() or torn.exists(), "what is recovered is not offered again")
+        sessions = sorted(path.name for path in out.iterdir())
+        self.assertEqual(sessions, ["box-recovered-2.json", "box-recovered-3.json", "box-recovered.json"])
+        for name in sessions:
+            session = json.loads((out / name).read_text())
+            self.assertEqual([operation["op"] for operation in session["operations"]], ["clip", "clip"])
+            self.assertEqual(call("run", out / name, "-o", self.folder / "replayed").returncode, 0)
+
+    def test_what_cannot_be_recovered_is_said_and_stays(self):
+        bad = self.journal("bad.jsonl")
+        bad.write_text("no journal\n")
+        code, _, said = self.recover("-o", self.folder)
+        self.assertEqual(code, 1)
+        self.assertIn("1 of 1 journals cannot be recovered", said)
+        self.assertTrue(bad.exists())
+        code, _, said = self.recover("gone.jsonl")
+        self.assertEqual((code, said.count("\n")), (1, 1))
+        self.assertIn("gone.jsonl", said)
+        good = self.journal("good.jsonl")
+        code, _, said = self.recover("good.jsonl", "-o", self.folder / "nowhere")
+        self.assertEqual((code, said.count("\n")), (1, 1))
+        self.assertIn("nowhere", said)
+        self.assertTrue(good.exists(), "the work is in the journal as long as it is nowhere else")

@@ -9,7 +9,7 @@ from commands_by_topic.case import Case, VSTUDIO, call
 class Use(Case):
     def test_every_command_has_help(self):
         for command in ([], ["info"], ["render"], ["run"], ["grow"], ["sweep"], ["devices"], ["compare"], ["phantom"],
-                        ["histogram"], ["stats"], ["bench"], ["experiments"]):
+                        ["histogram"], ["stats"], ["bench"], ["experiments"], ["reduce"], ["recover"]):
             result = call(*command, "--help")
             self.assertEqual(result.returncode, 0, command)
             self.assertIn("--help", result.stdout)

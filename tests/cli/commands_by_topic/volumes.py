@@ -95,3 +95,39 @@ class Volumes(Case):
         self.assertEqual(seeds.returncode, 0)
         self.assertTrue(link.is_symlink(), "a link stays, its target is replaced")
         self.assertEqual(sum(json.loads(call("info", labels, "--json").stdout)["histogram"]["counts"][128:]), 1)
+
+    def test_reduce_makes_means_where_they_were(self):
+        small = self.folder / "small.nrrd"
+        result = call("reduce", self.raw, *self.layout, "--by", "2x3x4", "-o", small)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        self.assertIn("12 x 7 x 4 voxels of 2 x 3 x 6 mm", result.stdout)  # the last row is of two voxels only
+        info = json.loads(call("info", small, "--json").stdout)
+        self.assertEqual(info["dims"], [12, 7, 4])
+        self.assertEqual(info["range"], [1, 200])  # the mean of 0 and 1, rounded; the inside of the box
+        middle = [0.5 * 1, 1, 1.5 * 1.5]
+        self.assertEqual([row[3] for row in info["worldFromVoxel"][:3]], middle, "the first block's middle")
+
+    def test_reduce_keeps_labels_whole(self):
+        labels, small = self.folder / "labels.nrrd", self.folder / "small.nrrd"
+        call("phantom", "head", "-o", self.folder / "head.nii", "--labels", labels, "--size", "54")
+        result = call("reduce", labels, "--labels", "--by", "3", "-o", small)
+        self.assertEqual(result.returncode, 0, result.stderr)
+        counts = json.loads(call("info", small, "--json").stdout)["histogram"]["counts"]
+        self.assertEqual(sum(1 for n in counts if n), 7, "nothing between two labels")
+
+    def test_reduce_refuses_what_makes_no_sense(self):
+        small = self.folder / "small.nrrd"
+        for by in ("0", "65", "1.5", "2x2", "two"):
+            self.expect_error(2, ["--by"], "reduce", self.raw, *self.layout, "--by", by, "-o", small)
+        self.expect_error(2, ["small.txt", ".nrrd"], "reduce", self.raw, *self.layout, "-o", self.folder / "small.txt")
+        self.expect_error(1, ["gone.nii"], "reduce", self.folder / "gone.nii", "-o", small)
+        self.assertFalse(small.exists())
+
+    def test_what_no_device_has_room_for_can_be_reduced(self):
+        """A device has 2048 texels or more a side; this row is longer than any has."""
+        long, small = self.folder / "long.raw", self.folder / "small.nrrd"
+        long.write_bytes(bytes(i * 7 % 200 for i in range(40000)) * 4)
+        layout = ("--raw", "40000x2x2:uint8")
+        self.expect_error(1, ["vstudio reduce"], "render", long, *layout, "-o", self.folder / "p.png")
+        self.assertEqual(call("reduce", long, *layout, "--by", "64x1x1", "-o", small).returncode, 0)
+        self.assertEqual(call("render", small, "-o", self.folder / "p.png", "--size", "60x40").returncode, 0)

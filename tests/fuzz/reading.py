@@ -79,6 +79,22 @@ def differing(ours, theirs):
     return numpy.flatnonzero(~(same | near))
 
 
+def difference(answer, second, files, compares_places):
+    """What the two libraries read differently, or nothing. `files`: the values of both."""
+    shape = list(second["shape"])
+    if shape != answer["dims"][::-1]:
+        return f"{answer['dims'][::-1]} voxels, the second library: {shape}"
+    found = numpy.fromfile(files[0], TYPES[answer["type"]])
+    expected = numpy.fromfile(files[1], "f8")
+    wrong = differing(found, expected)
+    if wrong.size:
+        return (f"{wrong.size} values differ: {found[wrong[:4]]}, the second library: {expected[wrong[:4]]}; "
+                f"{answer['notices']}")
+    if compares_places and second["affine"] is not None and places_differ(answer["worldFromVoxel"], second["affine"]):
+        return f"lies elsewhere: {answer['worldFromVoxel']}, the second library: {second['affine']}"
+    return None
+
+
 class Round:
     """One case: written, read by both, compared."""
 
@@ -118,21 +134,13 @@ class Round:
         second = self.second.ask(case.form, path, theirs)
         if "shape" not in second:
             return None, "read by us alone" + (f": {second['failed'][:60]}" if whole and "failed" in second else "")
-        shape = [n for n in second["shape"]]
         if any("skipped" in notice for notice in answer["notices"]):
             return None, "read without a damaged slice, which is said"
         if any("resampled" in notice for notice in answer["notices"]):
             return None, "resampled to a regular grid, which is said"
-        if shape != answer["dims"][::-1]:
-            return f"{answer['dims'][::-1]} voxels, the second library: {shape}", "failed"
-        found = numpy.fromfile(ours, TYPES[answer["type"]])
-        expected = numpy.fromfile(theirs, "f8")
-        wrong = differing(found, expected)
-        if wrong.size:
-            return (f"{wrong.size} values differ: {found[wrong[:4]]}, the second library: {expected[wrong[:4]]}; "
-                    f"{answer['notices']}"), "failed"
-        if whole and second["affine"] is not None and places_differ(answer["worldFromVoxel"], second["affine"]):
-            return f"lies elsewhere: {answer['worldFromVoxel']}, the second library: {second['affine']}", "failed"
+        failure = difference(answer, second, (ours, theirs), whole)
+        if failure:
+            return failure, "failed"
         return None, "the same"
 
 

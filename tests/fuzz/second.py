@@ -14,6 +14,7 @@ import subprocess
 import sys
 import tempfile
 import warnings
+import zlib
 
 import nibabel
 import numpy
@@ -44,7 +45,12 @@ def dicom(path):
     paths = [os.path.join(path, name) for name in sorted(os.listdir(path))] if os.path.isdir(path) else [path]
     slices = []
     for one in paths:
-        data = pydicom.dcmread(one)
+        try:
+            data = pydicom.dcmread(one)
+        except pydicom.errors.InvalidDicomError:
+            if len(paths) == 1:
+                raise
+            continue  # other files lie in folders of slices, too
         slope = float(getattr(data, "RescaleSlope", 1) or 1)
         intercept = float(getattr(data, "RescaleIntercept", 0) or 0)
         # Bits that are not stored mean nothing (PS3.5, 8.1.1); pydicom takes them for part of the value.
@@ -84,17 +90,24 @@ def by_vtk(reader):
     return vtk_to_numpy(scalars).reshape(dims[::-1]), image
 
 
-def refuse_texts_with_nan(path):
+def has_nan_in_text(path):
     """VTK stops at the first of them, and leaves what is behind as it finds it."""
     folder = os.path.dirname(path)  # values may lie in a file beside the header
-    contents = [open(os.path.join(folder, name), "rb").read() for name in os.listdir(folder)]
+    contents = [read(os.path.join(folder, name)) for name in os.listdir(folder) if os.path.isfile(os.path.join(folder, name))]
     is_text = any(re.search(rb"BinaryData = [Ff0]|\nASCII", content[:2000]) for content in contents)
-    if is_text and any(re.search(rb"\b(nan|inf)", content, re.I) for content in contents):
-        raise ValueError("VTK stops at the first nan of a text")
+    return is_text and any(re.search(rb"\b(nan|inf)", content, re.I) for content in contents)
+
+
+def read(path):
+    with open(path, "rb") as file:
+        return file.read()
 
 
 def vtk_legacy(path):
-    refuse_texts_with_nan(path)
+    if has_nan_in_text(path):
+        header, text = read(path).split(b"LOOKUP_TABLE default\n", 1)
+        dims = [int(n) for n in re.search(rb"\nDIMENSIONS (.*)", header)[1].split()]
+        return numpy.array([float(word) for word in text.split()]).reshape(dims[::-1]), None
     from vtkmodules.vtkIOLegacy import vtkStructuredPointsReader
     reader = vtkStructuredPointsReader()
     reader.SetFileName(path)
@@ -105,12 +118,29 @@ def vtk_legacy(path):
     return values, affine
 
 
+MET_TYPES = {"MET_CHAR": "i1", "MET_UCHAR": "u1", "MET_SHORT": "i2", "MET_USHORT": "u2", "MET_INT": "i4", "MET_UINT": "u4",
+             "MET_FLOAT": "f4", "MET_DOUBLE": "f8"}
+
+
+def meta_by_hand(path, header, values):
+    """What MetaIO does not read rightly: texts with nan, and deflated values whose number of bytes is not stated, which it
+    takes for the values."""
+    fields = dict(re.findall(r"^(\w+) = (.*?)\s*$", header.decode("latin-1"), re.M))
+    if fields["ElementDataFile"] != "LOCAL":
+        values = read(os.path.join(os.path.dirname(path), fields["ElementDataFile"]))
+    shape = [int(n) for n in fields["DimSize"].split()][::-1]
+    if fields["BinaryData"] == "False":
+        return numpy.array([float(word) for word in values.split()]).reshape(shape), None
+    order = ">" if fields["BinaryDataByteOrderMSB"] == "True" else "<"
+    return numpy.frombuffer(zlib.decompress(values), order + MET_TYPES[fields["ElementType"]]).reshape(shape), None
+
+
 def meta(path):
-    refuse_texts_with_nan(path)
-    with open(path, "rb") as file:
-        header = file.read(4000).split(b"ElementDataFile")[0]
-    if b"CompressedData = True" in header and not re.search(rb"^CompressedDataSize = [1-9]", header, re.M):
-        raise ValueError("MetaIO takes compressed bytes for values where their number is not stated")
+    header, line, values = re.split(rb"(ElementDataFile = [^\n]*\n)", read(path), maxsplit=1)
+    header += line
+    states_no_size = b"CompressedData = True" in header and not re.search(rb"^CompressedDataSize = [1-9]", header, re.M)
+    if states_no_size or has_nan_in_text(path):
+        return meta_by_hand(path, header, values)
     from vtkmodules.vtkIOImage import vtkMetaImageReader
     reader = vtkMetaImageReader()
     reader.SetFileName(path)

@@ -35,6 +35,22 @@ private:
     }
 };
 
+// What a field may be called, in lines. The library ends the program over unknown ones that are long.
+bool isNrrdField(const std::string& name) {
+    constexpr std::string_view names =
+        "\n"
+        "axis maxs\naxis mins\naxismaxs\naxismins\nblock size\nblocksize\nbyte skip\n"
+        "byteskip\ncenterings\ncenters\ncontent\ndata file\ndatafile\ndimension\nencoding\n"
+        "endian\nkinds\nlabels\nline skip\nlineskip\nmax\nmeasurement frame\nmin\nnumber\n"
+        "old max\nold min\noldmax\noldmin\nsample units\nsampleunits\nsizes\nspace\n"
+        "space dimension\nspace directions\nspace origin\nspace units\nspacings\n"
+        "thicknesses\ntype\nunits\n";
+    return names.find("\n" + name + "\n") != std::string_view::npos;
+}
+
+// The library ends the program over a long line that it does not understand; it always understands a content.
+constexpr std::size_t kLongestField = 1000;
+
 NrrdHeader readNrrdHeader(const std::filesystem::path& path) {
     constexpr std::size_t longestHeader = 1 << 20;
     std::ifstream input(path, std::ios::binary);
@@ -61,7 +77,16 @@ NrrdHeader readNrrdHeader(const std::filesystem::path& path) {
             refuse(path, fmt::format("its header holds \"{}\"", printable(line.substr(0, 24))),
                    "it must be lines of \"field: value\", then a blank line before the values");
         }
-        header.fields[lowerCase(trimmed(line.substr(0, colon)))] = trimmed(line.substr(colon + 1));
+        const auto name = lowerCase(trimmed(line.substr(0, colon)));
+        if (!isNrrdField(name)) {
+            refuse(path, fmt::format("its header has the field \"{}\"", printable(name)),
+                   "NRRD knows none of that name; a key of one's own is written \"key:=value\"");
+        }
+        if (line.size() > kLongestField && name != "content") {
+            refuse(path, fmt::format("its {} has {} characters", name, line.size()),
+                   fmt::format("{} at most are read", kLongestField));
+        }
+        header.fields[name] = trimmed(line.substr(colon + 1));
     }
     header.bytes = header.ended ? std::uint64_t(input.tellg()) : std::filesystem::file_size(path);
     return header;

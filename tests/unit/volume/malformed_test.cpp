@@ -83,13 +83,35 @@ TEST(Malformed, NrrdFields) {
         {"raw", "raw\ndata file: /etc/hostname"},
         {"raw", "raw\ndata file: ../x.raw"},
         {"raw", "raw\nbyte skip: 5"},
-        {"raw", "raw\nline skip: -3"}};
+        {"raw", "raw\nline skip: -3"},
+        {"raw", "raw\nflavour: sweet"}};
     for (const auto& [from, to] : changes) {
         std::string fields = good;
         fields.replace(fields.find(from), std::string(from).size(), to);
         writeFile(folder / "bad.nrrd", nrrd(fields));
         refusal(folder / "bad.nrrd");
     }
+}
+
+// A library that formats its complaint into a buffer of fixed length must not come to see them.
+TEST(Malformed, LongNrrdFields) {
+    const TemporaryFolder folder;
+    const std::string good = "type: uint8\ndimension: 3\nsizes: 2 2 2\nencoding: raw\n";
+    for (const std::string name :
+         {"space", "units", "labels", "kinds", "centers", "thicknesses", "axis mins", "old min", "min",
+          "number", "block size", "sample units", "space units", "measurement frame", "endian", "flavour"}) {
+        for (const char* letter : {"a", "9", "\"", "(", " "}) {
+            std::string value;
+            for (int i = 0; i < 5000; ++i) {
+                value += letter;
+            }
+            writeFile(folder / "long.nrrd", nrrd(good + name + ": " + value + ".\n"));
+            EXPECT_NE(refusal(folder / "long.nrrd").find(name), std::string::npos);
+        }
+    }
+    const std::string text(5000, 'a');
+    writeFile(folder / "content.nrrd", nrrd(good + "content: " + text + "\n" + "note:=" + text + "\n"));
+    EXPECT_EQ(decodeVolume(folder / "content.nrrd").volume.geometry.dims, glm::ivec3(2));
 }
 
 TEST(Malformed, DataFileMayNotBeALinkOutOfTheFolder) {

@@ -83,6 +83,18 @@ std::filesystem::path temporaryIn(const std::filesystem::path& folder, const std
     return folder / ("." + stem + std::string(kPart) + writerMark() + extension);
 }
 
+// Where `target` is to be, which the person calls `named`; cleared of what killed runs have left.
+std::filesystem::path folderFor(const std::filesystem::path& target, const std::filesystem::path& named) {
+    const std::filesystem::path folder = folderOf(target);
+    std::error_code ignored;
+    if (!std::filesystem::is_directory(folder, ignored)) {
+        throw WriteError("{}: the folder {} does not exist; make it or choose another", named.string(),
+                         folder.string());
+    }
+    clearLeftovers(folder);
+    return folder;
+}
+
 void syncFile(const std::filesystem::path& path) {
     const int file = open(path.c_str(), O_RDONLY | O_CLOEXEC);
     if (file < 0 || fsync(file) != 0) {
@@ -117,8 +129,10 @@ void syncFolder(const std::filesystem::path& folder) {
 // that name the temporary one, so that takeBack() can undo it.
 class FilledFile {
 public:
-    explicit FilledFile(const FileWriting& file) : path_(file.path), target_(outputFile(file.path)) {
-        temporary_ = temporaryBeside(target_, path_);
+    // `named`: what the person calls the file, or those that it belongs to.
+    FilledFile(const FileWriting& file, const std::filesystem::path& named)
+        : named_(named), target_(outputFile(file.path)) {
+        temporary_ = temporaryIn(folderFor(target_, named), file.path);
         attempt([&] {
             file.write(temporary_);
             syncFile(temporary_);
@@ -161,11 +175,9 @@ private:
         try {
             work();
         } catch (const std::exception& error) {
+            const std::string reason = reasonNotFilled(temporary_, error.what());
             remove();
-            std::string reason = error.what();
-            std::replace(reason.begin(), reason.end(), '\n', ' ');
-            throw WriteError("{}: cannot be written ({}); choose a folder that can be written to",
-                             path_.string(), reason);
+            refuseToWrite(named_, reason);
         }
     }
     void remove() const {
@@ -175,7 +187,7 @@ private:
         }
     }
 
-    std::filesystem::path path_;
+    std::filesystem::path named_;
     std::filesystem::path target_;
     std::filesystem::path temporary_; // what is in it now is not wanted in the end
     // What had the name before it was published: a file, which is the temporary one now, or is gone where the
@@ -188,14 +200,28 @@ private:
 
 std::filesystem::path temporaryBeside(const std::filesystem::path& target,
                                       const std::filesystem::path& path) {
-    const std::filesystem::path folder = folderOf(target);
-    std::error_code ignored;
-    if (!std::filesystem::is_directory(folder, ignored)) {
-        throw WriteError("{}: the folder {} does not exist; make it or choose another", path.string(),
-                         folder.string());
+    return temporaryIn(folderFor(target, path), path);
+}
+
+std::string reasonNotFilled(const std::filesystem::path& temporary, std::string said) {
+    std::replace(said.begin(), said.end(), '\n', ' ');
+    const int file = open(temporary.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_NONBLOCK | O_CLOEXEC, 0600);
+    if (file < 0) {
+        return errno == EISDIR ? said : std::strerror(errno);
     }
-    clearLeftovers(folder);
-    return temporaryIn(folder, path);
+    const std::vector<char> more(std::size_t(64) << 10U);
+    errno = ENOSPC; // what it is when less is written than was given
+    const bool isTaken = write(file, more.data(), more.size()) == ssize_t(more.size()) && fsync(file) == 0;
+    const int error = errno;
+    close(file);
+    return isTaken ? said : std::strerror(error);
+}
+
+void refuseToWrite(const std::filesystem::path& path, const std::string& reason) {
+    const bool isFull = reason == std::strerror(ENOSPC) || reason == std::strerror(EDQUOT);
+    throw WriteError("{}: cannot be written ({}); {}", path.string(), reason,
+                     isFull ? "make room there or choose another folder"
+                            : "choose a folder that can be written to");
 }
 
 std::filesystem::path outputFile(const std::filesystem::path& path) {
@@ -226,7 +252,7 @@ void writeAllAtomically(std::span<const FileWriting> files) {
     std::vector<FilledFile> filled;
     filled.reserve(files.size());
     for (const FileWriting& file : files) {
-        filled.emplace_back(file);
+        filled.emplace_back(file, files.back().path);
     }
     try {
         for (FilledFile& file : filled) {

@@ -24,7 +24,8 @@ struct FileWriting {
 };
 // Writes files that belong together: all are filled and synced before the first is renamed, and if a later
 // one cannot be renamed the earlier ones are put back, so that either all are new or none (but on file
-// systems that cannot exchange names, where those that were renamed stay).
+// systems that cannot exchange names, where those that were renamed stay). What goes wrong is said of the
+// last one, which is the one that the person has named.
 void writeAllAtomically(std::span<const FileWriting> files);
 
 // The file that writing to `path` replaces: where links point, so that they stay. Throws WriteError when what
@@ -35,6 +36,12 @@ std::filesystem::path outputFile(const std::filesystem::path& path);
 // ".turn.part123@a0b1c2.webm". Throws WriteError naming `path`, which is how the person calls the target,
 // when there is no folder for it. Removes what killed runs of the program have left in that folder.
 std::filesystem::path temporaryBeside(const std::filesystem::path& target, const std::filesystem::path& path);
+
+// Why `temporary` could not be filled, in one line: what the system says where it takes no more bytes of it
+// (a full disk, a folder that may only be read), which libraries do not always tell; else `said`.
+std::string reasonNotFilled(const std::filesystem::path& temporary, std::string said);
+// Throws WriteError: `path` cannot be written for that reason, and what to do about it.
+[[noreturn]] void refuseToWrite(const std::filesystem::path& path, const std::string& reason);
 
 // A file, or a folder with what is in it, that is removed in the end unless it has moved away.
 class Leftover {

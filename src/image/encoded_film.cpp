@@ -90,7 +90,7 @@ void layOnWhite(const Image& frame, glm::ivec2 size, std::vector<std::uint8_t>& 
 void makeEmptyFile(const std::filesystem::path& file, const std::filesystem::path& path) {
     const Descriptor made(open(file.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
     if (made.number() < 0) {
-        cannotWrite(path, std::strerror(errno));
+        refuseToWrite(path, std::strerror(errno));
     }
 }
 
@@ -134,6 +134,9 @@ public:
 private:
     [[noreturn]] void fail(const std::string& said) const {
         const std::string hidden = unfinished_.path().string();
+        if (const auto reason = reasonNotFilled(hidden, ""); !reason.empty()) {
+            refuseToWrite(path_, reason);
+        }
         const std::string bare = replaced(said, "file:" + hidden, hidden);
         throw WriteError("{}: ffmpeg failed: {}", path_.string(), replaced(bare, hidden, path_.string()));
     }

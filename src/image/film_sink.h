@@ -27,9 +27,6 @@ std::unique_ptr<FilmSink> openEncodedFilm(const std::filesystem::path& path, Fil
                                           glm::ivec2 size, const FilmSettings& settings);
 std::unique_ptr<FilmSink> openNumberedPictures(const std::filesystem::path& path);
 
-// Throws WriteError: `path` cannot be written, for a reason in one line.
-[[noreturn]] void cannotWrite(const std::filesystem::path& path, const std::string& reason);
-
 // The text with every `from` replaced.
 std::string replaced(std::string text, const std::string& from, const std::string& to);
 

@@ -50,7 +50,7 @@ void checkReplaceable(const std::filesystem::path& folder, const std::filesystem
         }
     }
     if (fault) {
-        cannotWrite(path, fault.message());
+        refuseToWrite(path, fault.message());
     }
 }
 
@@ -63,7 +63,7 @@ public:
         std::filesystem::remove_all(unfinished_.path(), fault); // of a program that broke down
         std::filesystem::create_directory(unfinished_.path(), fault);
         if (fault) {
-            cannotWrite(path, fault.message());
+            refuseToWrite(path, fault.message());
         }
     }
 
@@ -87,7 +87,7 @@ public:
         std::filesystem::rename(unfinished_.path(), target_, fault);
         if (fault) {
             std::filesystem::rename(old, target_, none);
-            cannotWrite(path_, fault.message());
+            refuseToWrite(path_, fault.message());
         }
         std::filesystem::remove_all(old, none);
     }

@@ -129,7 +129,11 @@ void writePair(const std::filesystem::path& header, const GridGeometry& geometry
     std::string head;
     const auto splitInto = [&](const std::filesystem::path& data) {
         const Leftover whole(std::filesystem::path(data).replace_extension(".mha"));
-        writeWhole(whole.path(), WrittenFormat::Meta, geometry, values);
+        try {
+            writeWhole(whole.path(), WrittenFormat::Meta, geometry, values);
+        } catch (const std::exception& error) { // before it is removed, and there is room again
+            throw std::runtime_error(reasonNotFilled(whole.path(), error.what()));
+        }
         std::ifstream input(whole.path(), std::ios::binary);
         const std::string last = "ElementDataFile = ";
         for (std::string line; std::getline(input, line) && !line.starts_with(last);) {
@@ -140,7 +144,7 @@ void writePair(const std::filesystem::path& header, const GridGeometry& geometry
         out << input.rdbuf();
         out.close();
         if (!out || !input) {
-            throw std::runtime_error("the disk may be full");
+            throw std::runtime_error(reasonNotFilled(data, "its values could not be copied"));
         }
     };
     const std::array<FileWriting, 2> files{

@@ -53,6 +53,23 @@ TEST_F(AtomicFile, AFailedWriteLeavesTheOldFileAndNothingElse) {
     EXPECT_EQ(std::distance(std::filesystem::directory_iterator(folder_), {}), 1);
 }
 
+// The person has named one file and gets to know of that one, whichever it is that cannot be filled.
+TEST_F(AtomicFile, WhatGoesWrongIsSaidOfTheFileThatWasNamed) {
+    const FileWriting files[] = {{folder_ / "a.zraw", [](const auto&) { throw Error("no ink"); }},
+                                 {folder_ / "a.mhd", writingOf("header")}};
+    for (const bool isThere : {true, false}) {
+        try {
+            writeAllAtomically(files);
+            FAIL();
+        } catch (const WriteError& error) {
+            const std::string text = error.what();
+            EXPECT_EQ(text.rfind((folder_ / "a.mhd").string() + ": ", 0), 0U) << text;
+            EXPECT_EQ(text.find("no ink") != std::string::npos, isThere) << text;
+        }
+        std::filesystem::remove_all(folder_);
+    }
+}
+
 TEST_F(AtomicFile, AMissingFolderIsNamedInOneLine) {
     try {
         writeFileAtomically(folder_ / "gone" / "a.txt", std::string("x"));

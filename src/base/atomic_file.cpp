@@ -85,7 +85,7 @@ std::filesystem::path temporaryIn(const std::filesystem::path& folder, const std
 
 // Where `target` is to be, which the person calls `named`; cleared of what killed runs have left.
 std::filesystem::path folderFor(const std::filesystem::path& target, const std::filesystem::path& named) {
-    const std::filesystem::path folder = folderOf(target);
+    std::filesystem::path folder = folderOf(target);
     std::error_code ignored;
     if (!std::filesystem::is_directory(folder, ignored)) {
         throw WriteError("{}: the folder {} does not exist; make it or choose another", named.string(),

@@ -101,16 +101,19 @@ TEST(Malformed, LongNrrdFields) {
          {"space", "units", "labels", "kinds", "centers", "thicknesses", "axis mins", "old min", "min",
           "number", "block size", "sample units", "space units", "measurement frame", "endian", "flavour"}) {
         for (const char* letter : {"a", "9", "\"", "(", " "}) {
-            std::string value;
+            std::string fields = good;
+            fields.append(name).append(": ");
             for (int i = 0; i < 5000; ++i) {
-                value += letter;
+                fields += letter;
             }
-            writeFile(folder / "long.nrrd", nrrd(good + name + ": " + value + ".\n"));
+            writeFile(folder / "long.nrrd", nrrd(fields + ".\n"));
             EXPECT_NE(refusal(folder / "long.nrrd").find(name), std::string::npos);
         }
     }
     const std::string text(5000, 'a');
-    writeFile(folder / "content.nrrd", nrrd(good + "content: " + text + "\n" + "note:=" + text + "\n"));
+    std::string fields = good;
+    fields.append("content: ").append(text).append("\nnote:=").append(text).append("\n");
+    writeFile(folder / "content.nrrd", nrrd(fields));
     EXPECT_EQ(decodeVolume(folder / "content.nrrd").volume.geometry.dims, glm::ivec3(2));
 }
 

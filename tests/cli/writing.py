@@ -162,11 +162,10 @@ def may_mount():
 
 
 def main():
-    if not may_mount():
-        if "WRITING_AGAIN" not in os.environ:
-            again = ["unshare", "--user", "--map-root-user", "--mount", sys.executable, *sys.argv]
-            if shutil.which("unshare") and subprocess.run([*again[:4], "true"], capture_output=True).returncode == 0:
-                os.execvpe(again[0], again, {**os.environ, "WRITING_AGAIN": "1"})
+    if not may_mount() and "WRITING_AGAIN" not in os.environ:
+        again = ["unshare", "--user", "--map-root-user", "--mount", sys.executable, *sys.argv]
+        if shutil.which("unshare") and subprocess.run([*again[:4], "true"], capture_output=True).returncode == 0:
+            os.execvpe(again[0], again, {**os.environ, "WRITING_AGAIN": "1"})
     failures, count = [], 0
     with tempfile.TemporaryDirectory() as name:
         folder = pathlib.Path(name)
@@ -190,7 +189,9 @@ def main():
                 subprocess.run(["umount", disk], check=True)
     for failure in failures:
         print("WRONG", failure)
-    print(f"{count} tried, {len(failures)} wrong" + ("" if mounts else "; full and read-only disks left out"))
+    if not mounts:
+        print("skipped: disks that are full or may only be read, which only those can mount who have the right to")
+    print(f"{count} tried, {len(failures)} wrong")
     return 1 if failures else 0 if mounts else 77
 
 

@@ -12,8 +12,9 @@ namespace {
 constexpr std::array<const char*, 3> kNames{"notice", "performance", "debug"};
 constexpr std::array<const char*, 3> kBeginnings{"note", "performance", "debug"};
 
+// Takes no memory: what is told may be that there is none.
 void print(LogLevel level, std::string_view message) {
-    fmt::print(stderr, "{}: {}\n", kBeginnings[std::size_t(level)], message);
+    std::fprintf(stderr, "%s: %.*s\n", kBeginnings[std::size_t(level)], int(message.size()), message.data());
 }
 
 LogLevel chosenLevel() {

@@ -105,45 +105,85 @@ BrickDelta BrickDelta::from(std::vector<Box3> bricks, std::vector<std::byte> hel
     return delta;
 }
 
+std::span<const Box3> BrickDelta::together(std::size_t group) const {
+    const std::size_t first = group * kBricksTogether;
+    return std::span(bricks_).subspan(first, std::min(kBricksTogether, bricks_.size() - first));
+}
+
+std::span<const std::byte> BrickDelta::encoding(std::size_t group) const {
+    const std::size_t begin = group == 0 ? 0 : ends_[group - 1];
+    VS_CHECK(ends_[group] <= held_.size()); // else they were never given back
+    return std::span(held_).subspan(begin, ends_[group] - begin);
+}
+
 void BrickDelta::swap(gl::Texture& texture) {
     const gl::Pass pass("swap bricks");
-    const std::size_t texelBytes = gl::bytesPerTexel(texture.format());
-    std::vector<std::byte> other;
-    std::vector<std::size_t> otherEnds;
-    for (std::size_t first = 0; first < bricks_.size(); first += kBricksTogether) {
-        const std::size_t group = first / kBricksTogether;
-        const std::size_t begin = group == 0 ? 0 : ends_[group - 1];
-        VS_CHECK(ends_[group] <= held_.size()); // else they were never given back
-        BrickDecoder decoder(texelBytes, std::span(held_).subspan(begin, ends_[group] - begin));
-        BrickEncoder encoder(texelBytes);
-        for (std::size_t n = first; n < std::min(first + kBricksTogether, bricks_.size()); ++n) {
-            const auto current = texture.download(bricks_[n]);
-            auto wanted = current;
-            decoder.next(bricks_[n].size(), wanted);
-            encoder.add(bricks_[n].size(), current, wanted);
-            texture.upload(bricks_[n], wanted);
+    BrickDelta other;
+    other.bricks_ = bricks_;
+    other.ends_.reserve(ends_.size());
+    try {
+        for (std::size_t group = 0; group < ends_.size(); ++group) {
+            exchange(texture, group, other);
         }
-        const auto encoded = encoder.finish();
-        other.insert(other.end(), encoded.begin(), encoded.end());
-        otherEnds.push_back(other.size());
+        other.held_.shrink_to_fit();
+    } catch (...) { // no memory: what has been exchanged goes back
+        for (std::size_t group = 0; group < other.ends_.size(); ++group) {
+            BrickDelta again;
+            again.ends_.reserve(1);
+            other.exchange(texture, group, again);
+        }
+        throw;
     }
-    other.shrink_to_fit();
-    held_ = std::move(other);
-    ends_ = std::move(otherEnds);
+    held_ = std::move(other.held_);
+    ends_ = std::move(other.ends_);
+}
+
+// Exchanges one group of bricks; what brings it back is appended to `other`. Changes nothing when it throws.
+void BrickDelta::exchange(gl::Texture& texture, std::size_t group, BrickDelta& other) const {
+    const std::size_t texelBytes = gl::bytesPerTexel(texture.format());
+    BrickDecoder decoder(texelBytes, encoding(group));
+    BrickEncoder encoder(texelBytes);
+    std::vector<std::vector<std::byte>> wanted;
+    for (const Box3& brick : together(group)) {
+        const auto current = texture.download(brick);
+        wanted.push_back(current);
+        decoder.next(brick.size(), wanted.back());
+        encoder.add(brick.size(), current, wanted.back());
+    }
+    const auto encoded = encoder.finish();
+    other.held_.insert(other.held_.end(), encoded.begin(), encoded.end());
+    other.ends_.push_back(other.held_.size());
+    for (std::size_t n = 0; n < wanted.size(); ++n) {
+        texture.upload(together(group)[n], wanted[n]);
+    }
 }
 
 void BrickDelta::bringInto(gl::Texture& texture, std::span<const std::byte> untouched) const {
     const gl::Pass pass("bring bricks");
-    for (std::size_t first = 0; first < bricks_.size(); first += kBricksTogether) {
-        const std::size_t group = first / kBricksTogether;
-        const std::size_t begin = group == 0 ? 0 : ends_[group - 1];
-        BrickDecoder decoder(untouched.size(), std::span(held_).subspan(begin, ends_[group] - begin));
-        for (std::size_t n = first; n < std::min(first + kBricksTogether, bricks_.size()); ++n) {
-            auto texels = repeated(untouched, bricks_[n].volume() * untouched.size());
-            decoder.next(bricks_[n].size(), texels);
-            texture.upload(bricks_[n], texels);
+    for (std::size_t group = 0; group < ends_.size(); ++group) {
+        BrickDecoder decoder(untouched.size(), encoding(group));
+        for (const Box3& brick : together(group)) {
+            auto texels = repeated(untouched, brick.volume() * untouched.size());
+            decoder.next(brick.size(), texels);
+            texture.upload(brick, texels);
         }
     }
+}
+
+gl::Texture BrickDelta::before(const gl::Texture& texture, const std::string& label) const {
+    const gl::Pass pass("bricks before");
+    const Box3 all = box();
+    gl::Texture before(all.size(), texture.format(), gl::Filter::Nearest, label);
+    before.copyFrom(texture, all, glm::ivec3(0));
+    for (std::size_t group = 0; group < ends_.size(); ++group) {
+        BrickDecoder decoder(gl::bytesPerTexel(texture.format()), encoding(group));
+        for (const Box3& brick : together(group)) {
+            auto texels = texture.download(brick);
+            decoder.next(brick.size(), texels);
+            before.upload({brick.lo - all.lo, brick.hi - all.lo}, texels);
+        }
+    }
+    return before;
 }
 
 Box3 BrickDelta::box() const {
@@ -209,8 +249,9 @@ BrickDelta BrickBackup::finish() {
             maker.add(original.box, original.bytes, current);
         }
     }
+    BrickDelta delta = maker.finish();
     originals_.clear();
-    return maker.finish();
+    return delta;
 }
 
 } // namespace vs::sculpt

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <map>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace vs::sculpt {
@@ -17,12 +18,16 @@ namespace vs::sculpt {
 class BrickDelta {
 public:
     // Exchanges the texture's contents with the ones held here; `texture` must be the one the delta was made
-    // of, as it was then or as the last swap() left it. Throws Error when there is no memory to hold them.
+    // of, as it was then or as the last swap() left it. Throws Error or std::bad_alloc when there is no memory
+    // to hold them; then nothing has changed.
     void swap(gl::Texture& texture);
 
     // For a delta that contentOf() made, and a texture in which every texel has the bytes `untouched`: brings
     // the contents into it. Costs half of what swap() does, which keeps what was there before.
     void bringInto(gl::Texture& texture, std::span<const std::byte> untouched) const;
+
+    // What the texture would have in box() after swap(), as a texture of that size.
+    [[nodiscard]] gl::Texture before(const gl::Texture& texture, const std::string& label) const;
 
     [[nodiscard]] bool isEmpty() const { return bricks_.empty(); }
     // The bricks in which something changed, as boxes of voxels, and the smallest box that holds them all.
@@ -46,6 +51,10 @@ public:
 
 private:
     friend class DeltaMaker;
+    [[nodiscard]] std::span<const Box3> together(std::size_t group) const;
+    [[nodiscard]] std::span<const std::byte> encoding(std::size_t group) const;
+    void exchange(gl::Texture& texture, std::size_t group, BrickDelta& other) const;
+
     std::vector<Box3> bricks_;
     std::vector<std::byte> held_;   // one encoding after the other, for kBricksTogether bricks each
     std::vector<std::size_t> ends_; // of those encodings in held_
@@ -72,7 +81,7 @@ public:
     // changed.
     Box3 restore();
     // Ends the operation: what differs now becomes a delta whose swap() undoes it, and the backup is empty
-    // again.
+    // again. When there is no memory for that, it throws and protects as before.
     BrickDelta finish();
 
     [[nodiscard]] bool isEmpty() const { return originals_.empty(); }

@@ -45,6 +45,7 @@ Sculpture::Sculpture(glm::ivec3 dims, Precision precision)
       summarize_("sculpt/shaders/summarize_tiles.comp"), changed_(sizeof(std::uint32_t), "changed voxels"),
       touched_(Box3{glm::ivec3(0), brickGrid(dims)}.volume(), false) {
     combine_.with(defines()); // compiled now, not in the middle of a stroke
+    changes_.reserve(kChangesRemembered);
 }
 
 gl::Texture& Sculpture::allocated() const {
@@ -128,7 +129,8 @@ std::uint64_t Sculpture::changedVoxels() const { return changed_.readValue<std::
 
 void Sculpture::clear() {
     Box3 all;
-    for (const Box3& brick : touchedBricks()) {
+    const std::vector<Box3> bricks = touchedBricks();
+    for (const Box3& brick : bricks) {
         texels().clear(brick);
         cells_.clear(cellsOf(brick, cells_.size()));
         all = unite(all, brick);
@@ -139,13 +141,12 @@ void Sculpture::clear() {
 }
 
 void Sculpture::noteChange(const Box3& box) {
-    constexpr std::size_t remembered = 64;
+    if (changes_.size() == kChangesRemembered) { // the oldest two become one
+        changes_[1].box = unite(changes_[0].box, changes_[1].box);
+        changes_.erase(changes_.begin());
+    }
     changes_.push_back({++version_, box});
     contentVersion_ = version_;
-    if (changes_.size() > remembered) { // the oldest two become one
-        changes_[1].box = unite(changes_[0].box, changes_[1].box);
-        changes_.pop_front();
-    }
 }
 
 Box3 Sculpture::changedSince(std::uint64_t version) const {
@@ -207,7 +208,7 @@ void Sculpture::restore(const BrickDelta& content, std::uint64_t version, std::u
         markTouched(brick);
     }
     isEmpty_.reset();
-    changes_ = {{version, content.box()}};
+    changes_.assign(1, {version, content.box()});
     version_ = version;
     contentVersion_ = contentVersion;
 }

@@ -11,7 +11,6 @@
 #include "sculpt/sculpture/precision.h"
 
 #include <cstdint>
-#include <deque>
 #include <optional>
 #include <span>
 #include <vector>
@@ -70,7 +69,7 @@ public:
         return valuesOf(download(box), precision_);
     }
     void upload(const Box3& box, std::span<const std::byte> texels);
-    // Undo or redo, with the macrocells.
+    // Undo or redo, with the macrocells. Throws as BrickDelta::swap() does; then nothing has changed.
     void swap(BrickDelta& delta);
     // All that is cut, for files; and a sculpture that is untouched becomes what was kept so. Its versions go
     // on from those that it had.
@@ -127,7 +126,8 @@ private:
         std::uint64_t version = 0; // the one it led to
         Box3 box;
     };
-    std::deque<Change> changes_;                 // oldest first; the first holds all that came before it
+    static constexpr std::size_t kChangesRemembered = 64;
+    std::vector<Change> changes_; // oldest first; the first holds all that came before it; has room for all
     std::vector<bool> touched_;                  // by brick, since it was made or cleared
     mutable std::optional<bool> isEmpty_ = true; // nothing: not known
 };

@@ -21,9 +21,9 @@ public:
     [[nodiscard]] const gl::Texture& leftForTools() const { return leftForTools_; }
 
     // Follows a change of the sculpture that has been made, a trim or another one, and says what undoes that;
-    // what is restored is trimmed no more. Swaps a trim out and in again. Throws Error when there is no
-    // memory for it.
-    BrickDelta follow(Sculpture& sculpture, BrickDelta& change, bool isTrim);
+    // what is restored is trimmed no more. Throws Error or std::bad_alloc when there is no memory for it, and
+    // has changed nothing then.
+    BrickDelta follow(const Sculpture& sculpture, const BrickDelta& change, bool isTrim);
     // Undo or redo of what follow() did.
     void swap(BrickDelta& delta) { delta.swap(leftForTools_); }
 
@@ -33,7 +33,9 @@ public:
 
 private:
     void prepare(const Sculpture& sculpture);
-    void make(const Sculpture& sculpture);
+    [[nodiscard]] gl::Texture nothingTrimmed(const Sculpture& sculpture);
+    BrickDelta follow(const Sculpture& sculpture, const BrickDelta& change, const Box3& box,
+                      const gl::Texture& before);
 
     gl::Texture leftForTools_; // made by the first trim
     gl::Program program_;      // made by the first trim too

@@ -45,9 +45,12 @@ void BrickTable::download() { spans_ = onDevice_.read<GenerationSpan>(spans_.siz
 
 void BrickTable::upload() { onDevice_.write(std::span<const GenerationSpan>(spans_)); }
 
-void BrickTable::add(glm::ivec3 voxel, int generation) { widen({brickOf(voxel)}, generation); }
+void BrickTable::add(glm::ivec3 voxel, int generation) {
+    const std::uint32_t brick = brickOf(voxel);
+    widen(std::span(&brick, 1), generation);
+}
 
-void BrickTable::widen(const std::vector<std::uint32_t>& bricks, int generation) {
+void BrickTable::widen(std::span<const std::uint32_t> bricks, int generation) {
     for (const std::uint32_t brick : bricks) {
         GenerationSpan& span = spans_[brick];
         span.first = span.first == 0 ? std::uint32_t(generation) : span.first;

@@ -5,6 +5,7 @@
 #include "gl/buffer.h"
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 namespace vs::segment {
@@ -50,8 +51,9 @@ public:
     // Widens a brick's span by a voxel of this generation, which must not be older than any in it.
     void add(glm::ivec3 voxel, int generation);
     // Widens the spans of whole bricks by a generation, which must not be older than any in them.
-    void widen(const std::vector<std::uint32_t>& bricks, int generation);
-    // Takes another segment's spans (empty: it has none yet) for those there are, which it returns.
+    void widen(std::span<const std::uint32_t> bricks, int generation);
+    // Takes another segment's spans (empty: it has none yet) for those there are, which it returns. Needs
+    // memory only where they are empty.
     std::vector<GenerationSpan> exchangeSpans(std::vector<GenerationSpan> spans);
     // Takes note that these bricks may hold voxels of segments that are not at work.
     void occupy(const std::vector<std::uint32_t>& bricks);

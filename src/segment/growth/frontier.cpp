@@ -62,9 +62,10 @@ void Frontier::add(std::span<const std::uint32_t> voxels) {
 
 // Both planes are zero wherever no tile is at work.
 void Frontier::clearNewest() {
-    if (carried_ > 0) {
+    if (carried_ > 0 || isAtWork_) {
         newest_.buffer().clear();
     }
+    isAtWork_ = false;
     carried_ = 0;
     if (carriedUnmade_ > 0) {
         ++rulesNumber_; // they count as made
@@ -210,6 +211,9 @@ std::vector<std::uint64_t> Frontier::expand(SeedMap& seedMap, const Rules& rules
                                             int expansions) {
     VS_CHECK(expansions >= 1 && expansions <= kMaxExpansions);
     const gl::Pass pass("expand region");
+    if (isAtWork_) {
+        invalidate();
+    }
     if (generation + expansions - 1 > SeedMap::kLongest16) {
         seedMap.widen();
     }
@@ -225,6 +229,7 @@ std::vector<std::uint64_t> Frontier::expand(SeedMap& seedMap, const Rules& rules
     if (testing_ == Testing::ByVoxel && !goesOver) {
         expansions = std::min(expansions, std::max(expansionsByVoxel_, 1));
     }
+    isAtWork_ = true;
     begin(expansions);
     if (goesOver) {
         goOverToRows(seedMap);
@@ -256,8 +261,11 @@ std::vector<std::uint64_t> Frontier::expand(SeedMap& seedMap, const Rules& rules
     if (rules.forbidden != nullptr) {
         rules.forbidden->bindStorage(kForbiddenToGrowStorage);
     }
-    return run(seedMap, program, allow, *rules.constraints,
-               allow != nullptr ? gl::Defines{{"VS_BY_ROWS", "1"}} : gl::Defines{}, generation, expansions);
+    auto grown = run(seedMap, program, allow, *rules.constraints,
+                     allow != nullptr ? gl::Defines{{"VS_BY_ROWS", "1"}} : gl::Defines{}, generation,
+                     expansions);
+    isAtWork_ = false;
+    return grown;
 }
 
 int Frontier::flood(const SeedMap& seedMap, const Rules& rules, std::span<const std::uint32_t> seeds,
@@ -266,6 +274,7 @@ int Frontier::flood(const SeedMap& seedMap, const Rules& rules, std::span<const 
     invalidate();
     clearNewest();
     const int atOnce = std::min(kMaxExpansions, std::max(expansions, 1));
+    isAtWork_ = true;
     begin(atOnce);
     region.buffer().bindStorage(kRegionStorage);
     push(seedMap, seeds, *rules.constraints, Into::NewestWithin);

@@ -91,6 +91,7 @@ private:
     std::uint32_t carried_ = 0;       // tiles in it
     std::uint32_t carriedUnmade_ = 0; // rows of tiles
     bool isValid_ = false;
+    bool isAtWork_ = false; // still so where something was thrown: what was begun is not finished
     Testing testing_ = Testing::ByVoxel;
     bool growsMuch_ = false;      // enough for rows
     int expansionsByVoxel_ = 0;   // tried since the rules changed; the next submission tries as many

@@ -33,9 +33,7 @@ Frontier::Rules Growth::rules() const {
 // --- rules
 
 void Growth::setConstraints(const Constraints& constraints, GrowthUndo* undo) {
-    if (undo != nullptr) {
-        undo->begin(*this);
-    }
+    const GrowthUndo::Recording recording(undo, *this);
     if (constraints != state_.constraints) {
         truncate(state_.playhead, undo);
         const bool isWider = includes(constraints, state_.constraints);
@@ -48,19 +46,11 @@ void Growth::setConstraints(const Constraints& constraints, GrowthUndo* undo) {
         state_.isFinished = false;
         reinstateSeeds(undo);
     }
-    if (undo != nullptr) {
-        undo->end(*this);
-    }
 }
 
 void Growth::setLive(bool isLive, GrowthUndo* undo) {
-    if (undo != nullptr) {
-        undo->begin(*this);
-    }
+    const GrowthUndo::Recording recording(undo, *this);
     state_.isLive = isLive;
-    if (undo != nullptr) {
-        undo->end(*this);
-    }
 }
 
 // --- seeds
@@ -101,9 +91,7 @@ int Growth::enteringGeneration() const {
 
 SeedCounts Growth::addSeeds(std::span<const glm::ivec3> seeds, GrowthUndo* undo) {
     const gl::Pass pass("add seeds");
-    if (undo != nullptr) {
-        undo->begin(*this);
-    }
+    const GrowthUndo::Recording recording(undo, *this);
     std::vector<std::uint32_t> voxels = voxelsInGrid(seeds);
     SeedCounts counts;
     counts.refused = int(seeds.size() - voxels.size());
@@ -129,25 +117,26 @@ SeedCounts Growth::addSeeds(std::span<const glm::ivec3> seeds, GrowthUndo* undo)
     if (!added.empty()) {
         truncate(state_.playhead, undo);
         if (!allowedAgain.empty()) {
+            if (undo != nullptr) {
+                undo->held_.allowedAgain = allowedAgain;
+            }
             passes_.setBits(seedMap_, forbidden_, allowedAgain, false);
         }
-        enterSeeds(added);
+        enterSeeds(added, undo);
         auto remembered = *state_.seeds;
         for (const std::uint32_t voxel : voxels) {
             remembered.push_back({voxel, state_.extent});
         }
         state_.seeds = std::make_shared<const std::vector<Seed>>(std::move(remembered));
     }
-    if (undo != nullptr) {
-        undo->held_.addedSeeds = std::move(added);
-        undo->held_.allowedAgain = std::move(allowedAgain);
-        undo->end(*this);
-    }
     return counts;
 }
 
-void Growth::enterSeeds(std::span<const std::uint32_t> voxels) {
+void Growth::enterSeeds(std::span<const std::uint32_t> voxels, GrowthUndo* undo) {
     const int generation = enteringGeneration();
+    if (undo != nullptr) {
+        undo->held_.addedSeeds.assign(voxels.begin(), voxels.end());
+    }
     seedMap_.store(voxels, generation);
     std::vector<std::uint32_t> touched;
     for (const std::uint32_t voxel : voxels) {
@@ -181,10 +170,7 @@ void Growth::reinstateSeeds(GrowthUndo* undo) {
         }
     }
     if (!entering.empty()) {
-        enterSeeds(entering);
-        if (undo != nullptr) {
-            undo->held_.addedSeeds = std::move(entering);
-        }
+        enterSeeds(entering, undo);
     }
 }
 
@@ -195,37 +181,24 @@ int Growth::advance(int generations, GrowthUndo* undo) {
 }
 
 int Growth::advanceFor(double budgetMs, int generations, GrowthUndo* undo, std::uint64_t mostVoxels) {
-    if (undo != nullptr) {
-        undo->begin(*this);
-    }
+    const GrowthUndo::Recording recording(undo, *this);
     const Timer timer;
     int shown = reveal(generations, mostVoxels);
     // Batches double while they fit into what is left of the time.
     int batch = budgetMs < std::numeric_limits<double>::infinity() ? 1 : Frontier::kMaxExpansions;
-    const auto end = [&] {
-        if (undo != nullptr) {
-            undo->end(*this);
+    while (shown < generations && !isFinished() && (shown == 0 || timer.milliseconds() < budgetMs) &&
+           voxelCount() < mostVoxels) {
+        reportProgress();
+        const double began = timer.milliseconds();
+        shown += compute(std::min(batch, generations - shown));
+        shown -= cutBack(mostVoxels);
+        const double ended = timer.milliseconds();
+        if (budgetMs - ended > 2 * (ended - began)) {
+            batch = std::min(2 * batch, Frontier::kMaxExpansions);
+        } else {
+            batch = std::max(batch / 2, 1);
         }
-    };
-    try {
-        while (shown < generations && !isFinished() && (shown == 0 || timer.milliseconds() < budgetMs) &&
-               voxelCount() < mostVoxels) {
-            reportProgress();
-            const double began = timer.milliseconds();
-            shown += compute(std::min(batch, generations - shown));
-            shown -= cutBack(mostVoxels);
-            const double ended = timer.milliseconds();
-            if (budgetMs - ended > 2 * (ended - began)) {
-                batch = std::min(2 * batch, Frontier::kMaxExpansions);
-            } else {
-                batch = std::max(batch / 2, 1);
-            }
-        }
-    } catch (...) {
-        end(); // so that what has grown can be taken back
-        throw;
     }
-    end();
     return shown;
 }
 
@@ -264,20 +237,34 @@ int Growth::compute(int generations) {
         state_.isFinished = true;
         return 0;
     }
-    const auto grown = frontier_.expand(seedMap_, rules(), state_.extent + 1, expansions);
+    const auto grown = expand(expansions);
     const auto tried = int(grown.size());
-    int added = 0;
-    while (added < tried && grown[std::size_t(added)] > 0) {
-        ++added;
-    }
+    const auto added = int(std::find(grown.begin(), grown.end(), 0U) - grown.begin());
     state_.voxels.insert(state_.voxels.end(), grown.begin(), grown.begin() + added);
     state_.extent += added;
     state_.isFinished = added < tried;
-    if (added > 0) {
-        seedMap_.bricks().download();
-    }
     movePlayhead(state_.extent);
     return added;
+}
+
+// Voxels grown by each expansion tried. When it throws, nothing has grown.
+std::vector<std::uint64_t> Growth::expand(int expansions) {
+    BrickTable& bricks = seedMap_.bricks();
+    try {
+        const std::size_t most = state_.voxels.size() + std::size_t(expansions);
+        if (state_.voxels.capacity() < most) {
+            state_.voxels.reserve(2 * most);
+        }
+        auto grown = frontier_.expand(seedMap_, rules(), state_.extent + 1, expansions);
+        if (grown.front() > 0) {
+            bricks.download();
+        }
+        return grown;
+    } catch (...) {
+        bricks.download(); // what the device has written already
+        eraseAfter(state_.extent);
+        throw;
+    }
 }
 
 int Growth::takeBack(int generations, GrowthUndo* undo) {
@@ -287,13 +274,8 @@ int Growth::takeBack(int generations, GrowthUndo* undo) {
 }
 
 void Growth::setPlayhead(int generation, GrowthUndo* undo) {
-    if (undo != nullptr) {
-        undo->begin(*this);
-    }
+    const GrowthUndo::Recording recording(undo, *this);
     movePlayhead(std::clamp(generation, 0, state_.extent));
-    if (undo != nullptr) {
-        undo->end(*this);
-    }
 }
 
 void Growth::movePlayhead(int generation) {
@@ -309,6 +291,9 @@ void Growth::truncate(int last, GrowthUndo* undo) {
     if (last >= state_.extent) {
         return;
     }
+    auto seeds = *state_.seeds;
+    std::erase_if(seeds, [&](const Seed& seed) { return seed.generation > last; });
+    auto stay = std::make_shared<const std::vector<Seed>>(std::move(seeds));
     if (undo != nullptr) {
         undo->save(*this, passes_.holding(seedMap_, owner_, {last, nullptr, true},
                                           seedMap_.bricks().holding(last, kNever)));
@@ -319,9 +304,7 @@ void Growth::truncate(int last, GrowthUndo* undo) {
     state_.voxels.resize(std::size_t(last));
     state_.isFinished = false;
     state_.isConsistent = last == 0; // what stays may have been reached by what went
-    auto seeds = *state_.seeds;
-    std::erase_if(seeds, [&](const Seed& seed) { return seed.generation > last; });
-    state_.seeds = std::make_shared<const std::vector<Seed>>(std::move(seeds));
+    state_.seeds = std::move(stay);
 }
 
 void Growth::eraseAfter(int last) {
@@ -334,8 +317,8 @@ void Growth::eraseAfter(int last) {
 }
 
 void Growth::reset(GrowthUndo* undo) {
+    const GrowthUndo::Recording recording(undo, *this);
     if (undo != nullptr) {
-        undo->begin(*this);
         undo->keepForbidden(*this);
     }
     movePlayhead(0);
@@ -344,9 +327,6 @@ void Growth::reset(GrowthUndo* undo) {
     state_.isConsistent = true;
     forbidden_ = {};
     frontier_.invalidate();
-    if (undo != nullptr) {
-        undo->end(*this);
-    }
 }
 
 // --- asking

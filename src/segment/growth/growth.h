@@ -63,8 +63,8 @@ struct GrowthState {
 // under them; a voxel that stays keeps its generation. The region is always what a plain queue gives that
 // replays the same calls; every generation is exact and the same on each run.
 //
-// Calls that change anything take an optional record that undoes them (segment/growth/growth_undo.h). One
-// thread, one context.
+// Calls that change anything take an optional record that undoes them (segment/growth/growth_undo.h), also
+// when they throw midway. One thread, one context.
 class Growth {
 public:
     // `field` must outlive this. Throws GlError when the device has no room: 2 bytes and 5 bits a voxel for
@@ -177,7 +177,7 @@ private:
     [[nodiscard]] Frontier::Rules rules() const;
     std::vector<std::uint32_t> voxelsInGrid(std::span<const glm::ivec3> voxels) const;
     std::vector<std::uint32_t> testSeeds(const std::vector<std::uint32_t>& voxels);
-    void enterSeeds(std::span<const std::uint32_t> voxels);
+    void enterSeeds(std::span<const std::uint32_t> voxels, GrowthUndo* undo);
     int enteringGeneration() const;
     void reinstateSeeds(GrowthUndo* undo);
     void retract(GrowthUndo* undo);
@@ -191,6 +191,7 @@ private:
     int reveal(int generations, std::uint64_t mostVoxels);
     int cutBack(std::uint64_t mostVoxels);
     int compute(int generations);
+    std::vector<std::uint64_t> expand(int expansions);
     void exchangeRun(std::uint8_t label);
     [[nodiscard]] bool hasGrownOthers() const;
 

@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace vs::segment {
 
@@ -57,8 +58,8 @@ void Growth::retract(GrowthUndo* undo) {
 
 int Growth::absorb(std::span<const glm::ivec3> voxels, int expansions, GrowthUndo* undo) {
     const gl::Pass pass("absorb region");
+    const GrowthUndo::Recording recording(undo, *this);
     if (undo != nullptr) {
-        undo->begin(*this);
         undo->keepForbidden(*this);
     }
     truncate(state_.playhead, undo);
@@ -79,9 +80,6 @@ int Growth::absorb(std::span<const glm::ivec3> voxels, int expansions, GrowthUnd
     frontier_.invalidate();
     state_.isFinished = false;
     state_.isConsistent = false;
-    if (undo != nullptr) {
-        undo->end(*this);
-    }
     return found;
 }
 
@@ -113,9 +111,7 @@ void Growth::freeze() {
 void Growth::replace(const Box3& box, std::span<const std::uint8_t> inside, GrowthUndo* undo) {
     const gl::Pass pass("replace region");
     VS_CHECK_EQ(inside.size(), box.volume());
-    if (undo != nullptr) {
-        undo->begin(*this);
-    }
+    const GrowthUndo::Recording recording(undo, *this);
     truncate(state_.playhead, undo);
     gl::Buffer plane(seedMap_.planeBytes(), "edited region");
     seedMap_.uploadPlane(plane, box, inside);
@@ -124,17 +120,12 @@ void Growth::replace(const Box3& box, std::span<const std::uint8_t> inside, Grow
     std::iota(all.begin(), all.end(), 0U);
     addByPlane(plane, all, undo);
     freeze();
-    if (undo != nullptr) {
-        undo->end(*this);
-    }
 }
 
 void Growth::paint(const Box3& box, std::span<const std::uint8_t> inside, bool isToAdd, GrowthUndo* undo) {
     const gl::Pass pass("paint region");
     VS_CHECK_EQ(inside.size(), box.volume());
-    if (undo != nullptr) {
-        undo->begin(*this);
-    }
+    const GrowthUndo::Recording recording(undo, *this);
     truncate(state_.playhead, undo);
     gl::Buffer plane(seedMap_.planeBytes(), "painted voxels");
     seedMap_.uploadPlane(plane, box, inside);
@@ -150,9 +141,6 @@ void Growth::paint(const Box3& box, std::span<const std::uint8_t> inside, bool i
     }
     addByPlane(plane, near, undo);
     freeze();
-    if (undo != nullptr) {
-        undo->end(*this);
-    }
 }
 
 void Growth::confine(std::span<const std::uint8_t> inside) {
@@ -170,37 +158,42 @@ void Growth::confine(std::span<const std::uint8_t> inside) {
 
 void Growth::activate(std::uint8_t label, GrowthUndo* undo) {
     VS_CHECK(label > 0);
-    if (undo != nullptr) {
-        undo->begin(*this);
-    }
+    const GrowthUndo::Recording recording(undo, *this);
     if (label != owner_.label) {
         truncate(state_.playhead, undo);
         exchangeRun(label);
     }
-    if (undo != nullptr) {
-        undo->end(*this);
-    }
 }
 
-// Puts the run at work away and takes another's up; nothing is erased.
+// Puts the run at work away and takes another's up; nothing is erased. All that needs memory comes first: when
+// it throws, nothing has changed.
 void Growth::exchangeRun(std::uint8_t label) {
-    seedMap_.writeLabels(seedMap_.bricks().touched(), owner_);
-    Run now{std::move(state_), seedMap_.bricks().exchangeSpans({}), {}};
+    const auto known = others_.find(label);
+    std::vector<GenerationSpan> spans(seedMap_.bricks().count());
+    GrowthState fresh;
+    gl::Buffer forbidden;
+    if (known != others_.end()) {
+        std::copy(known->second.spans.begin(), known->second.spans.end(), spans.begin());
+        if (!known->second.forbidden.empty()) {
+            forbidden = gl::Buffer(seedMap_.planeBytes(), "forbidden voxels");
+            forbidden.write(std::span<const std::uint32_t>(known->second.forbidden));
+        }
+    }
+    std::map<std::uint8_t, Run> putAway;
+    Run& now = putAway[owner_.label];
     if (forbidden_) {
         now.forbidden = forbidden_.read<std::uint32_t>(seedMap_.planeBytes() / sizeof(std::uint32_t));
-        forbidden_ = {};
     }
-    others_[owner_.label] = std::move(now);
+    seedMap_.writeLabels(seedMap_.bricks().touched(), owner_);
 
-    auto other = others_.extract(label);
-    Run next = other ? std::move(other.mapped()) : Run{};
-    state_ = std::move(next.state);
-    seedMap_.bricks().exchangeSpans(std::move(next.spans));
+    now.state = std::exchange(state_, std::move(known != others_.end() ? known->second.state : fresh));
+    now.spans = seedMap_.bricks().exchangeSpans(std::move(spans));
     seedMap_.bricks().upload();
-    if (!next.forbidden.empty()) {
-        forbidden_ = gl::Buffer(seedMap_.planeBytes(), "forbidden voxels");
-        forbidden_.write(std::span<const std::uint32_t>(next.forbidden));
+    forbidden_ = std::move(forbidden);
+    if (known != others_.end()) {
+        others_.erase(known);
     }
+    others_.insert(putAway.extract(putAway.begin()));
     owner_ = {label, hasGrownOthers()};
     frontier_.invalidate();
 }

@@ -4,13 +4,25 @@
 #include "base/check.h"
 
 #include <algorithm>
+#include <exception>
+#include <utility>
 
 namespace vs::segment {
 
-void GrowthUndo::begin(const Growth& growth) {
-    *this = {};
-    held_.before = growth.state_;
-    held_.labelBefore = growth.owner_.label;
+GrowthUndo::Recording::Recording(GrowthUndo* undo, const Growth& growth)
+    : undo_(undo), growth_(&growth), exceptionsBefore_(std::uncaught_exceptions()) {
+    if (undo_ != nullptr) {
+        *undo_ = {};
+        undo_->held_.before = growth.state_;
+        undo_->held_.labelBefore = growth.owner_.label;
+    }
+}
+
+GrowthUndo::Recording::~Recording() {
+    if (undo_ != nullptr) {
+        undo_->end(*growth_);
+        undo_->isInterrupted_ = std::uncaught_exceptions() > exceptionsBefore_;
+    }
 }
 
 void GrowthUndo::save(const Growth& growth, const std::vector<std::uint32_t>& bricks) {
@@ -20,63 +32,79 @@ void GrowthUndo::save(const Growth& growth, const std::vector<std::uint32_t>& br
 }
 
 void GrowthUndo::keepForbidden(const Growth& growth) {
-    held_.changesForbidden = true;
     if (growth.forbidden_) {
         held_.forbidden = compress(growth.forbidden_.read<std::byte>(growth.seedMap_.planeBytes()));
     }
+    held_.changesForbidden = true;
 }
 
-void GrowthUndo::end(const Growth& growth) {
+void GrowthUndo::end(const Growth& growth) noexcept {
     held_.extentAfter = growth.extent();
     held_.labelAfter = growth.owner_.label;
 }
 
 void GrowthUndo::undo(Growth& growth) const {
-    VS_CHECK_EQ(growth.extent(), held_.extentAfter);
-    VS_CHECK_EQ(int(growth.owner_.label), int(held_.labelAfter));
-    SeedMap& seedMap = growth.seedMap_;
-    BrickTable& bricks = seedMap.bricks();
-    if (held_.labelBefore != held_.labelAfter) {
-        growth.exchangeRun(held_.labelBefore);
-    } else {
-        // First what the call added: hidden, then erased.
-        const int last = std::min(held_.before.extent, held_.extentAfter);
-        growth.movePlayhead(std::min({growth.playhead(), held_.before.playhead, last}));
-        if (held_.extentAfter > last) {
-            growth.eraseAfter(last);
-        }
-        if (!held_.addedSeeds.empty()) {
-            seedMap.store(held_.addedSeeds, 0);
-            std::vector<std::uint32_t> touched;
-            for (const std::uint32_t voxel : held_.addedSeeds) {
-                touched.push_back(bricks.brickOf(seedMap.voxelAt(voxel)));
-            }
-            bricks.markChanged(touched);
-        }
-        if (!held_.allowedAgain.empty()) {
-            growth.passes_.setBits(seedMap, growth.forbidden_, held_.allowedAgain, true);
-        }
+    if (held_.labelBefore == 0) {
+        return;
     }
-    // Then what it erased; bricks that were changed twice are last as they were first.
+    VS_CHECK(growth.owner_.label == held_.labelAfter || growth.owner_.label == held_.labelBefore);
+    GrowthState before = held_.before;
+    growth.frontier_.invalidate();
+    if (held_.labelBefore != growth.owner_.label) {
+        growth.exchangeRun(held_.labelBefore);
+    } else if (held_.labelBefore == held_.labelAfter) {
+        eraseAdded(growth);
+    }
+    putBackErased(growth);
+    growth.movePlayhead(held_.before.playhead);
+    growth.state_ = std::move(before);
+}
+
+// What the call added: hidden, then erased.
+void GrowthUndo::eraseAdded(Growth& growth) const {
+    SeedMap& seedMap = growth.seedMap_;
+    VS_CHECK(growth.extent() == held_.extentAfter || growth.extent() == held_.before.extent);
+    const int last = std::min(held_.before.extent, held_.extentAfter);
+    growth.movePlayhead(std::min({growth.playhead(), held_.before.playhead, last}));
+    if (isInterrupted_) {
+        seedMap.bricks().download(); // the device may have written more than was read
+    }
+    if (isInterrupted_ || held_.extentAfter > last) {
+        growth.eraseAfter(last);
+    }
+    if (!held_.addedSeeds.empty()) {
+        std::vector<std::uint32_t> touched;
+        for (const std::uint32_t voxel : held_.addedSeeds) {
+            touched.push_back(seedMap.bricks().brickOf(seedMap.voxelAt(voxel)));
+        }
+        seedMap.store(held_.addedSeeds, 0);
+        seedMap.bricks().markChanged(touched);
+    }
+    if (!held_.allowedAgain.empty()) {
+        growth.passes_.setBits(seedMap, growth.forbidden_, held_.allowedAgain, true);
+    }
+}
+
+// What the call erased; bricks that were changed twice are last as they were first.
+void GrowthUndo::putBackErased(Growth& growth) const {
+    SeedMap& seedMap = growth.seedMap_;
     std::vector<std::uint32_t> restored;
     for (auto saved = held_.saved.rbegin(); saved != held_.saved.rend(); ++saved) {
-        putBack(seedMap, *saved);
         restored.push_back(saved->brick);
+        putBack(seedMap, *saved);
     }
-    bricks.upload();
-    bricks.markChanged(restored);
+    seedMap.bricks().upload();
+    seedMap.bricks().markChanged(restored);
     if (held_.changesForbidden) {
-        growth.forbidden_ = {};
+        gl::Buffer forbidden;
         if (!held_.forbidden.empty()) {
-            growth.forbidden_ = gl::Buffer(seedMap.planeBytes(), "forbidden voxels");
-            growth.forbidden_.write(
+            forbidden = gl::Buffer(seedMap.planeBytes(), "forbidden voxels");
+            forbidden.write(
                 std::span<const std::byte>(decompress(held_.forbidden, seedMap.planeBytes())));
         }
+        growth.forbidden_ = std::move(forbidden);
     }
     growth.state_.extent = held_.before.extent;
-    growth.movePlayhead(held_.before.playhead);
-    growth.state_ = held_.before;
-    growth.frontier_.invalidate();
 }
 
 std::size_t GrowthUndo::bytes() const {

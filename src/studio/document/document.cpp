@@ -53,11 +53,7 @@ Outcome Document::apply(const Operation& operation, const std::filesystem::path&
                         std::span<const Operation> coming) {
     VS_CHECK(impl_->isIdle());
     const Timer timer;
-    Operation resolved = operation;
-    const View before = impl_->contents.view; // an operation may change where parts are pasted
-    Outcome outcome = impl_->run(resolved, outputFolder, coming);
-    impl_->log.record(std::move(resolved), before, impl_->contents.view);
-    outcome.name = name(operation);
+    Outcome outcome = impl_->runOrNothing(operation, outputFolder, coming);
     outcome.milliseconds = timer.milliseconds();
     return outcome;
 }
@@ -89,12 +85,16 @@ Outcome Document::rewindFurther(int generations) {
     const bool continues = impl_->log.canMerge(view()) && std::holds_alternative<Rewind>(impl_->log.last()) &&
                            !history.canRedo() && history.canUndo() &&
                            std::holds_alternative<Rewind>(history.lastOperation());
+    const int before = continues ? std::get<Rewind>(impl_->log.last()).generations : 0;
     Outcome outcome = apply(Rewind{generations});
     if (continues) {
-        history.mergeLastTwo();
-        impl_->log.takeLast();
-        std::get<Rewind>(impl_->log.last()).generations += generations;
-        history.renameLast(impl_->log.last());
+        try {
+            const Rewind both{before + generations};
+            history.mergeLastTwo(shared(both));
+            impl_->log.takeLast();
+            impl_->log.last() = both;
+        } catch (const std::bad_alloc&) { // then they stay two
+        }
     }
     return outcome;
 }

@@ -55,6 +55,41 @@ Outcome Document::Impl::run(Operation& operation, const std::filesystem::path& f
         operation);
 }
 
+Outcome Document::Impl::runOrNothing(Operation operation, const std::filesystem::path& folder,
+                                     std::span<const Operation> coming) {
+    contents.history.makeRoom();
+    contents.history.settle();
+    const std::size_t stepsDone = contents.history.done().size();
+    const View seen = contents.view; // an operation may change where parts are pasted
+    View before = contents.view;
+    try {
+        Outcome outcome = run(operation, folder, coming);
+        outcome.name = name(operation);
+        log.record(std::move(operation), seen, contents.view);
+        contents.history.settle();
+        return outcome;
+    } catch (...) {
+        takeBackSince(stepsDone);
+        contents.view = std::move(before);
+        throw;
+    }
+}
+
+// An edit may have been made, and then there was no memory to tell of it.
+void Document::Impl::takeBackSince(std::size_t stepsDone) {
+    History& history = contents.history;
+    if (!history.isSettled()) {
+        travel(history.toUndo(), true);
+        history.unpush();
+    } else if (history.done().size() > stepsDone) { // it was redone
+        travel(history.toUndo(), true);
+        history.tookBack();
+    } else if (history.done().size() < stepsDone) { // it was undone
+        travel(history.toRedo(), false);
+        history.appliedAgain();
+    }
+}
+
 Drawn Document::Impl::strokesFor(const SavePicture& op, std::span<const Operation> coming) const {
     if (op.strokes == ShownStrokes::Last) {
         const auto& done = log.operations();
@@ -108,27 +143,29 @@ Outcome Document::Impl::run(const Note& op) {
     return {{}, 0, 0, say("%1", op.text)};
 }
 
+// What needs memory comes first, then what is all or nothing, and last what only puts things in their places:
+// when it throws, nothing has changed.
 Outcome Document::Impl::travel(Edit& edit, bool isUndo) {
-    const std::size_t before = contents.grownVoxels();
     Outcome outcome;
-    if (edit.cut) {
-        contents.sculpture.swap(*edit.cut);
-        outcome.voxelsTouched = edit.cut->changedVoxels();
-    }
-    if (edit.trim) {
-        contents.trimmed.swap(*edit.trim);
-    }
+    outcome.message = {name(*edit.operation)};
+    auto segments = edit.segmentsBefore;
+    auto places = isUndo ? edit.partsBefore : edit.partsAfter;
+    travelCut(edit, outcome);
     if (!edit.growth.empty() || edit.segmentsAfter) {
+        const std::size_t before = contents.grownVoxels();
         if (isUndo) {
             contents.region.undo(edit.growth);
-            contents.segments = edit.segmentsBefore.value_or(contents.segments);
+            if (segments) {
+                contents.segments = std::move(*segments);
+            }
         } else {
             edit.growth = repeat(*edit.operation);
         }
-        outcome.voxelsTouched = describeGrowth(contents, 0, before).voxelsTouched;
+        const std::size_t now = contents.grownVoxels();
+        outcome.voxelsTouched = now > before ? now - before : before - now;
     }
-    if (const auto& places = isUndo ? edit.partsBefore : edit.partsAfter) {
-        parts.show(*places);
+    if (places) {
+        parts.show(std::move(*places));
     }
     if (const auto& geometry = isUndo ? edit.geometryBefore : edit.geometryAfter) {
         scan.lay(*geometry);
@@ -136,9 +173,23 @@ Outcome Document::Impl::travel(Edit& edit, bool isUndo) {
     if (const auto& list = isUndo ? edit.measurementsBefore : edit.measurementsAfter) {
         measurements.show(list);
     }
-    outcome.message = {name(*edit.operation)};
     ++contents.version;
     return outcome;
+}
+
+void Document::Impl::travelCut(Edit& edit, Outcome& outcome) {
+    if (edit.cut) {
+        contents.sculpture.swap(*edit.cut);
+        outcome.voxelsTouched = edit.cut->changedVoxels();
+    }
+    if (edit.trim) {
+        try {
+            contents.trimmed.swap(*edit.trim);
+        } catch (...) {
+            contents.sculpture.swap(*edit.cut);
+            throw;
+        }
+    }
 }
 
 Region::Records Document::Impl::repeat(const Operation& operation) {

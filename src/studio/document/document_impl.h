@@ -26,6 +26,9 @@ namespace vs::studio {
 struct Document::Impl {
     Impl(volume::Volume volume, sculpt::Precision precision);
 
+    // Carries out an operation and tells the log, or throws and leaves everything as it was.
+    Outcome runOrNothing(Operation operation, const std::filesystem::path& folder,
+                         std::span<const Operation> coming);
     // Carries out an operation by the part that can. `folder` is where files go; `coming` is done next.
     Outcome run(Operation& operation, const std::filesystem::path& folder, std::span<const Operation> coming);
     // Goes one step back or forth in the history.
@@ -56,6 +59,8 @@ struct Document::Impl {
     std::shared_ptr<const DocumentFacts> facts; // those that were last asked for
 
 private:
+    void takeBackSince(std::size_t stepsDone);
+    void travelCut(Edit& edit, Outcome& outcome);
     // Operations that belong to no editor.
     Outcome run(SetView& op);
     Outcome run(Undo&);

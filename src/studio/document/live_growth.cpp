@@ -18,8 +18,10 @@ void LiveGrowth::begin(std::optional<field::SculptureView> sculptureView) {
     Run run;
     run.voxelsBefore = contents_.grownVoxels();
     run.sculptureView = sculptureView.value_or(contents_.view.sculptureView);
-    workUnlocked(contents_, run.records);
-    contents_.region.beginLive(run.sculptureView, run.records);
+    changeOrNothing(contents_, run.records, [&] {
+        workUnlocked(contents_, run.records);
+        contents_.region.beginLive(run.sculptureView, run.records);
+    });
     run_ = std::move(run);
     contents_.inHand = InHand::Growth;
 }
@@ -31,21 +33,27 @@ bool LiveGrowth::growFor(double budgetMs, int maxGenerations, std::uint64_t most
     return !contents_.region.growth()->isFinished();
 }
 
+// When it throws, it still grows: all that needs memory comes before what ends it.
 Outcome LiveGrowth::end() {
     VS_CHECK(isGrowing());
-    contents_.inHand = InHand::Nothing;
-    Run run = std::exchange(run_, {});
-    contents_.region.endLive(run.records);
-    Outcome outcome = describeGrowth(contents_, run.generations, run.voxelsBefore);
-    const Operation operation = Grow{run.generations, run.sculptureView};
+    contents_.region.endLive(run_.records);
+    Outcome outcome = describeGrowth(contents_, run_.generations, run_.voxelsBefore);
+    const Operation operation = Grow{run_.generations, run_.sculptureView};
     outcome.name = name(operation);
-    outcome.milliseconds = run.timer.milliseconds();
-    if (run.generations > 0) {
-        contents_.remember({shared(operation), {}, std::move(run.records)});
-        log_.record(operation, contents_.view);
+    outcome.milliseconds = run_.timer.milliseconds();
+    if (run_.generations > 0) {
+        auto entry = log_.prepare(operation, contents_.view, contents_.view);
+        Edit edit{shared(operation), {}, {}};
+        contents_.history.makeRoom();
+        edit.growth = std::move(run_.records);
+        contents_.remember(std::move(edit));
+        log_.add(std::move(entry));
+        contents_.history.settle();
     } else {
-        contents_.region.undo(run.records); // nothing grew: as if it had not begun
+        contents_.region.undo(run_.records); // nothing grew: as if it had not begun
     }
+    run_ = {};
+    contents_.inHand = InHand::Nothing;
     return outcome;
 }
 
@@ -63,10 +71,12 @@ Outcome LiveGrowth::endScrub() {
     VS_CHECK(isScrubbing());
     const Timer timer;
     ShowGeneration shown{contents_.region.growth()->playhead()};
+    auto entry = log_.prepare(shown, contents_.view, contents_.view);
     contents_.region.scrub(scrubbedFrom_);
     contents_.inHand = InHand::Nothing;
     Outcome outcome = editor_.run(shown);
-    log_.record(shown, contents_.view);
+    log_.add(std::move(entry));
+    contents_.history.settle();
     outcome.name = name(Operation(shown));
     outcome.milliseconds = timer.milliseconds();
     return outcome;

@@ -44,6 +44,7 @@ Operation LiveStroke::operation() const {
 
 Outcome LiveStroke::commit() {
     const Operation operation = this->operation();
+    auto entry = log_.prepare(operation, contents_.view, contents_.view);
     Outcome outcome;
     try {
         outcome = cuts_.finish();
@@ -55,7 +56,8 @@ Outcome LiveStroke::commit() {
     outcome.name = name(operation);
     outcome.milliseconds = timer_.milliseconds();
     if (outcome.voxelsTouched > 0) {
-        log_.record(operation, contents_.view);
+        log_.add(std::move(entry));
+        contents_.history.settle();
     }
     return outcome;
 }

@@ -76,7 +76,7 @@ void CutEditor::discard() {
     ++contents_.version;
 }
 
-void CutEditor::remember(const Operation& operation, sculpt::BrickDelta cut, bool isLimited) {
+void CutEditor::remember(const Operation& operation, sculpt::BrickDelta& cut, bool isLimited) {
     const bool isTrim = std::visit(
         [](const auto& op) {
             if constexpr (requires { op.isTrim(); }) {
@@ -87,17 +87,27 @@ void CutEditor::remember(const Operation& operation, sculpt::BrickDelta cut, boo
         operation);
     Edit edit{shared(operation), {}, {}};
     edit.isLimited = isLimited;
-    try {
-        if (auto trim = contents_.trimmed.follow(contents_.sculpture, cut, isTrim); !trim.isEmpty()) {
-            contents_.sculpture.refresh(trim.box()); // parts that were drawn meanwhile were without it
-            edit.trim = std::move(trim);
-        }
-    } catch (...) {
-        contents_.sculpture.swap(cut);
-        throw;
+    contents_.history.makeRoom();
+    if (auto trim = contents_.trimmed.follow(contents_.sculpture, cut, isTrim); !trim.isEmpty()) {
+        contents_.sculpture.refresh(trim.box()); // parts that were drawn meanwhile were without it
+        edit.trim = std::move(trim);
     }
     edit.cut = std::move(cut);
     contents_.remember(std::move(edit));
+}
+
+Phrase CutEditor::saidOf(const sculpt::BrickDelta& delta) const {
+    if (!delta.isEmpty()) {
+        return say(VS_TEXT("library", "%1 voxels changed"), delta.changedVoxels());
+    }
+    if (contents_.sculpture.isLimited()) {
+        return say(
+            VS_TEXT("library", "nothing has changed: what lies there is spared, or was as it would be"));
+    }
+    return stroke_->onlyCuts()
+               ? say(VS_TEXT("library",
+                             "nothing was cut: nothing visible lies there that was not cut already"))
+               : say(VS_TEXT("library", "nothing was restored: nothing was cut away there"));
 }
 
 Outcome CutEditor::finish() {
@@ -110,18 +120,13 @@ Outcome CutEditor::finish() {
     }
     Outcome outcome;
     outcome.voxelsTouched = delta.changedVoxels();
-    outcome.message =
-        !delta.isEmpty() ? say(VS_TEXT("library", "%1 voxels changed"), delta.changedVoxels())
-        : contents_.sculpture.isLimited()
-            ? say(VS_TEXT("library", "nothing has changed: what lies there is spared, or was as it would be"))
-        : stroke_->onlyCuts()
-            ? say(VS_TEXT("library", "nothing was cut: nothing visible lies there that was not cut already"))
-            : say(VS_TEXT("library", "nothing was restored: nothing was cut away there"));
     try {
+        outcome.message = saidOf(delta);
         if (!delta.isEmpty()) {
-            remember(stroke_->operation(), std::move(delta), contents_.sculpture.isLimited());
+            remember(stroke_->operation(), delta, contents_.sculpture.isLimited());
         }
     } catch (...) {
+        stroke_->takeBack(delta);
         forget();
         ++contents_.version;
         throw;
@@ -154,10 +159,40 @@ Outcome CutEditor::run(Scissors& op) { return cutAtOnce(op); }
 Outcome CutEditor::run(Clip& op) { return cutAtOnce(op); }
 Outcome CutEditor::run(KeepConnected& op) { return cutAtOnce(op); }
 
-// What a stroke would cut: the sculpture is left as it was.
+// The voxels of a delta that are cut now and were not before it; of them, where a range is given, those with
+// values in that. The sculpture is as before the delta afterwards.
+segment::VoxelSet CutEditor::takeBackAndTell(sculpt::BrickDelta& delta, const std::optional<Range>& seen) {
+    segment::VoxelSet set = segment::emptySet(delta.box());
+    std::vector<std::vector<float>> after;
+    for (const Box3& brick : delta.bricks()) {
+        after.push_back(contents_.sculpture.values(brick));
+    }
+    contents_.sculpture.swap(delta);
+    for (std::size_t n = 0; n < delta.bricks().size(); ++n) {
+        const segment::VoxelSet brick{delta.bricks()[n], {}};
+        const auto before = contents_.sculpture.values(brick.box);
+        for (std::size_t i = 0; i < before.size(); ++i) {
+            const glm::ivec3 voxel = brick.voxelAt(i);
+            const bool isCut = before[i] < 0.5F && after[n][i] >= 0.5F;
+            if (isCut && (!seen || seen->contains(contents_.scan.volume.at(voxel)))) {
+                set.inside[set.indexOf(voxel)] = 1;
+            }
+        }
+    }
+    return set;
+}
+
 segment::VoxelSet CutEditor::wouldCut(const BrushSegment& op) {
     const std::uint64_t content = contents_.sculpture.contentVersion();
-    std::visit([&](const auto& drawn) { open(drawn); }, op.stroke);
+    std::optional<Range> seen;
+    std::visit(
+        [&](const auto& drawn) {
+            if (op.isToAdd) {
+                seen = drawn.canvas->view.visibleRange(contents_.scan.volume.range);
+            }
+            open(drawn);
+        },
+        op.stroke);
     sculpt::BrickDelta delta;
     try {
         stroke_->replay();
@@ -167,63 +202,69 @@ segment::VoxelSet CutEditor::wouldCut(const BrushSegment& op) {
         throw;
     }
     forget();
-    if (delta.isEmpty()) {
-        return {};
-    }
-    segment::VoxelSet set = segment::emptySet(delta.box());
-    std::vector<std::vector<float>> after;
-    for (const Box3& brick : delta.bricks()) {
-        after.push_back(contents_.sculpture.values(brick));
-    }
-    contents_.sculpture.swap(delta);
-    contents_.sculpture.contentIsAsAt(content);
-    const Range seen = std::visit(
-        [&](const auto& drawn) { return drawn.canvas->view.visibleRange(contents_.scan.volume.range); },
-        op.stroke);
-    for (std::size_t n = 0; n < delta.bricks().size(); ++n) {
-        const segment::VoxelSet brick{delta.bricks()[n], {}};
-        const auto before = contents_.sculpture.values(brick.box);
-        for (std::size_t i = 0; i < before.size(); ++i) {
-            const glm::ivec3 voxel = brick.voxelAt(i);
-            const bool isCut = before[i] < 0.5F && after[n][i] >= 0.5F;
-            if (isCut && (!op.isToAdd || seen.contains(contents_.scan.volume.at(voxel)))) {
-                set.inside[set.indexOf(voxel)] = 1;
-            }
+    const std::uint64_t cut = contents_.sculpture.version();
+    try {
+        segment::VoxelSet set = delta.isEmpty() ? segment::VoxelSet() : takeBackAndTell(delta, seen);
+        contents_.sculpture.contentIsAsAt(content);
+        return set;
+    } catch (...) {
+        if (contents_.sculpture.version() == cut) { // it is still there
+            contents_.sculpture.swap(delta);
         }
+        contents_.sculpture.contentIsAsAt(content);
+        throw;
     }
-    return set;
 }
 
-Outcome CutEditor::run(CutSegment& op) {
-    Region::Records records;
-    const segment::VoxelSet set = contents_.region.voxels(contents_.segments.atWork, records);
-    contents_.region.undo(records);
-    if (set.count() == 0) {
-        throw Error("the segment '{}' is empty; there is nothing to cut by",
-                    contents_.segments.working().name);
-    }
+sculpt::BrickDelta CutEditor::cutBy(const segment::VoxelSet& set, const CutSegment& op,
+                                    const std::vector<float>& most) {
     const auto inside = smoothMembership(
         contents_.scan.field, segment::changeMargin(set, contents_.scan.volume.geometry, op.marginMm));
     reportProgress();
     const Box3 box = contents_.scan.volume.geometry.box();
     std::vector<float> values = contents_.sculpture.values(box);
     reportProgress();
-    const std::vector<float> most = sculpt::mostEnergies(limits_.find(contents_), box);
     for (std::size_t i = 0; i < values.size(); ++i) {
         const float energy = op.keeps ? 1 - inside[i] : inside[i];
         values[i] = std::max(values[i], most.empty() ? energy : std::min(energy, most[i]));
     }
     const auto texels = sculpt::texelsOf(values, contents_.sculpture.precision());
     reportProgress(); // from here on it is done to the end
+    const std::uint64_t content = contents_.sculpture.contentVersion();
     sculpt::BrickBackup backup(contents_.sculpture.texels());
     backup.protect(box);
     contents_.sculpture.upload(box, texels);
-    sculpt::BrickDelta delta = backup.finish();
-    const std::size_t changed = delta.changedVoxels();
-    if (!delta.isEmpty()) {
-        remember(op, std::move(delta), !most.empty());
+    try {
+        return backup.finish();
+    } catch (...) { // no memory to hold what would undo it
+        contents_.sculpture.refresh(backup.restore());
+        contents_.sculpture.contentIsAsAt(content);
+        throw;
     }
-    return {{}, 0, changed, say(VS_TEXT("library", "%1 voxels changed"), changed)};
+}
+
+Outcome CutEditor::run(CutSegment& op) {
+    const segment::VoxelSet set = contents_.region.voxelsOf(contents_.segments.atWork);
+    if (set.count() == 0) {
+        throw Error("the segment '{}' is empty; there is nothing to cut by",
+                    contents_.segments.working().name);
+    }
+    const std::uint64_t content = contents_.sculpture.contentVersion();
+    const std::vector<float> most =
+        sculpt::mostEnergies(limits_.find(contents_), contents_.scan.volume.geometry.box());
+    sculpt::BrickDelta delta = cutBy(set, op, most);
+    const std::size_t changed = delta.changedVoxels();
+    try {
+        Outcome outcome{{}, 0, changed, say(VS_TEXT("library", "%1 voxels changed"), changed)};
+        if (!delta.isEmpty()) {
+            remember(op, delta, !most.empty());
+        }
+        return outcome;
+    } catch (...) {
+        contents_.sculpture.swap(delta);
+        contents_.sculpture.contentIsAsAt(content);
+        throw;
+    }
 }
 
 } // namespace vs::studio

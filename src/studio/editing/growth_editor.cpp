@@ -176,8 +176,7 @@ Outcome GrowthEditor::run(Absorb& op) {
     if (op.voxels.empty()) {
         segment::Constraints anything; // of what is seen: only the segment's own voxels are taken
         anything.range = contents_.scan.volume.range;
-        Region::Records unchanged; // the segment at work stays at work
-        op.voxels = nearestOf(contents_.region.voxels(contents_.segments.atWork, unchanged),
+        op.voxels = nearestOf(contents_.region.voxelsOf(contents_.segments.atWork),
                               voxelsUnder(op.strokes, op.widthPixels, *op.canvas, anything),
                               contents_.scan.volume.geometry);
     }

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
 namespace vs::studio {
 
@@ -43,16 +44,16 @@ PastedPart& PartEditor::partOf(PastedState& state, int number) const {
     return state.parts[std::size_t(number)];
 }
 
-void PartEditor::show(const PastedState& state) {
-    contents_.pasted = state;
-    contents_.view.pasted = state.places;
+void PartEditor::show(PastedState state) noexcept {
+    contents_.view.pasted = std::exchange(state.places, {}); // where they are is in the view
+    contents_.pasted = std::move(state);
 }
 
-void PartEditor::change(Edit edit, const PastedState& state) {
+void PartEditor::change(Edit edit, PastedState state) {
     edit.partsBefore = present();
     edit.partsAfter = state;
     contents_.remember(std::move(edit));
-    show(state);
+    show(std::move(state));
 }
 
 Outcome PartEditor::run(Paste& op) {
@@ -113,27 +114,52 @@ Outcome PartEditor::run(DiscardPart& op) {
     return saying(op.part);
 }
 
-Outcome PartEditor::run(UnCut& op) {
+sculpt::BrickDelta PartEditor::clearSculpture() {
     sculpt::Sculpture& sculpture = contents_.sculpture;
+    const std::uint64_t content = sculpture.contentVersion();
     sculpt::BrickBackup backup(sculpture.texels());
     for (const Box3& brick : sculpture.touchedBricks()) {
         backup.protect(brick);
     }
     sculpture.clear();
-    sculpt::BrickDelta delta = backup.finish();
-    const std::size_t changed = delta.changedVoxels();
-    Edit edit{shared(op), {}, {}};
-    if (auto trim = contents_.trimmed.follow(sculpture, delta, false); !trim.isEmpty()) {
-        edit.trim = std::move(trim);
+    try {
+        return backup.finish();
+    } catch (...) { // no memory to hold what would undo it
+        sculpture.refresh(backup.restore());
+        sculpture.contentIsAsAt(content);
+        throw;
     }
-    edit.cut = std::move(delta);
+}
+
+Outcome PartEditor::run(UnCut& op) {
+    sculpt::Sculpture& sculpture = contents_.sculpture;
     // Parts that were pasted are gone with what they were cut from; nothing is after the last paste.
     PastedState nothing;
     if (contents_.pasted.parts.empty()) {
         nothing.places = contents_.view.pasted;
     }
-    change(std::move(edit), nothing);
-    return {{}, 0, changed, say(VS_TEXT("library", "all cuts cleared"))};
+    Edit edit{shared(op), {}, {}};
+    edit.partsBefore = present();
+    edit.partsAfter = nothing;
+    contents_.history.makeRoom();
+    const std::uint64_t content = sculpture.contentVersion();
+    sculpt::BrickDelta delta = clearSculpture();
+    const std::size_t changed = delta.changedVoxels();
+    Outcome outcome{{}, 0, changed, {}};
+    try {
+        outcome.message = say(VS_TEXT("library", "all cuts cleared"));
+        if (auto trim = contents_.trimmed.follow(sculpture, delta, false); !trim.isEmpty()) {
+            edit.trim = std::move(trim);
+        }
+    } catch (...) {
+        sculpture.swap(delta);
+        sculpture.contentIsAsAt(content);
+        throw;
+    }
+    edit.cut = std::move(delta);
+    contents_.remember(std::move(edit));
+    show(std::move(nothing));
+    return outcome;
 }
 
 } // namespace vs::studio

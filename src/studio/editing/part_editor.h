@@ -22,14 +22,16 @@ public:
     Outcome run(UnCut& op);
 
     // Which parts are pasted where, in the view too; for undo and redo.
-    void show(const PastedState& state);
+    void show(PastedState state) noexcept;
 
 private:
     // The parts as they are, with places that an operation can change.
     [[nodiscard]] PastedState present() const;
     // Throws Error when there is no such part.
     [[nodiscard]] PastedPart& partOf(PastedState& state, int number) const;
-    void change(Edit edit, const PastedState& state);
+    void change(Edit edit, PastedState state);
+    // Clears the sculpture; says what undoes that. When it throws, nothing has changed.
+    sculpt::BrickDelta clearSculpture();
 
     Contents& contents_;
     Display& display_;

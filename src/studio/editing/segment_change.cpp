@@ -5,6 +5,18 @@
 
 namespace vs::studio {
 
+void rememberChange(Contents& contents, const Operation& operation, const SegmentList& before,
+                    Region::Records& records) {
+    Edit edit{shared(operation), {}, {}};
+    if (!(contents.segments == before)) {
+        edit.segmentsBefore = before;
+        edit.segmentsAfter = contents.segments;
+    }
+    contents.history.makeRoom();
+    edit.growth = std::move(records);
+    contents.remember(std::move(edit));
+}
+
 void workUnlocked(Contents& contents, Region::Records& records) {
     const SegmentInfo& working = contents.segments.working();
     if (working.isLocked) {

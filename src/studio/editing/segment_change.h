@@ -15,15 +15,24 @@ namespace vs::studio {
 // throws, segments are as before.
 template <typename Work>
 auto changeOrNothing(Contents& contents, Region::Records& records, Work work) {
-    const SegmentList before = contents.segments;
+    SegmentList before = contents.segments;
+    const bool existed = contents.region.exists();
     try {
         return work();
     } catch (...) {
         contents.region.undo(records);
-        contents.segments = before;
+        if (!existed) {
+            contents.region.unmake();
+        }
+        contents.segments = std::move(before);
         throw;
     }
 }
+
+// Remembers a change of segments, which were `before`, as a step. The records are taken last: who catches
+// what it throws has them still.
+void rememberChange(Contents& contents, const Operation& operation, const SegmentList& before,
+                    Region::Records& records);
 
 // An editor does an operation on segments, perform(op, records), and it is remembered as one edit. Returns
 // what perform() does.
@@ -31,21 +40,13 @@ template <typename Editor, typename Op>
 auto changeSegments(Contents& contents, Editor& editor, const Op& op) {
     Region::Records records;
     const SegmentList before = contents.segments;
-    const auto remember = [&] {
-        Edit edit{shared(op), {}, std::move(records)};
-        if (!(contents.segments == before)) {
-            edit.segmentsBefore = before;
-            edit.segmentsAfter = contents.segments;
-        }
-        contents.remember(std::move(edit));
-    };
     return changeOrNothing(contents, records, [&] {
         if constexpr (std::is_void_v<decltype(editor.perform(op, records))>) {
             editor.perform(op, records);
-            remember();
+            rememberChange(contents, op, before, records);
         } else {
             auto result = editor.perform(op, records);
-            remember();
+            rememberChange(contents, op, before, records);
             return result;
         }
     });

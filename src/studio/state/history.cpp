@@ -5,9 +5,14 @@
 #include "base/error.h"
 #include "base/log.h"
 
+#include <algorithm>
+#include <iterator>
+#include <type_traits>
 #include <utility>
 
 namespace vs::studio {
+
+static_assert(std::is_nothrow_move_constructible_v<Edit> && std::is_nothrow_move_assignable_v<Edit>);
 
 namespace {
 
@@ -33,33 +38,55 @@ void History::forgetLast() {
     ++revision_;
 }
 
-void History::renameLast(Operation operation) {
-    done_.back().operation = std::make_shared<const Operation>(std::move(operation));
-    ++revision_;
+void History::makeRoom() {
+    // Whatever can be undone can be redone, and the other way round. Doubled where more is needed, as
+    // push_back() does.
+    const std::size_t most = done_.size() + undone_.size() + 1;
+    for (std::vector<Edit>* edits : {&done_, &undone_, &replaced_}) {
+        if (edits->capacity() < most) {
+            edits->reserve(2 * most);
+        }
+    }
 }
 
 void History::push(Edit edit) {
-    forget(undone_);
+    makeRoom();
+    settle();
+    replaced_.swap(undone_);
     done_.push_back(std::move(edit));
+    canUnpush_ = true;
     keepToLimit();
 }
 
-void History::mergeLastTwo() {
-    Edit last = std::move(done_.back());
+void History::unpush() noexcept {
     done_.pop_back();
-    for (auto& record : last.growth) {
-        done_.back().growth.push_back(std::move(record));
-    }
+    undone_.swap(replaced_);
+    canUnpush_ = false;
     ++revision_;
 }
 
-void History::move(std::vector<Edit>& from, std::vector<Edit>& to) {
+void History::settle() noexcept {
+    forget(replaced_);
+    canUnpush_ = false;
+}
+
+void History::mergeLastTwo(std::shared_ptr<const Operation> operation) {
+    auto& records = done_[done_.size() - 2].growth;
+    auto& added = done_.back().growth;
+    records.reserve(records.size() + added.size());
+    std::move(added.begin(), added.end(), std::back_inserter(records));
+    done_.pop_back();
+    done_.back().operation = std::move(operation);
+    ++revision_;
+}
+
+void History::move(std::vector<Edit>& from, std::vector<Edit>& to) noexcept {
     to.push_back(std::move(from.back()));
     from.pop_back();
     keepToLimit();
 }
 
-void History::forget(std::vector<Edit>& edits) {
+void History::forget(std::vector<Edit>& edits) noexcept {
     for (const Edit& edit : edits) {
         if (edit.spilled) {
             file_.release(*edit.spilled);
@@ -76,24 +103,28 @@ Edit& History::inMemory(Edit& edit) {
     return edit;
 }
 
-// What is farthest from being needed goes first: the oldest to undo, then the newest to redo.
-void History::keepToLimit() {
+void History::keepToLimit() noexcept {
     ++revision_; // each change of the edits ends here
-    std::size_t bytes = bytesInMemory(done_) + bytesInMemory(undone_);
     try {
-        for (std::vector<Edit>* edits : {&done_, &undone_}) {
-            for (auto edit = edits->begin(); edit != edits->end() && bytes > memoryLimit_; ++edit) {
-                if (edit->cut && !edit->spilled && !edit->cut->held().empty()) {
-                    const std::size_t size = edit->cut->held().size();
-                    spill(*edit);
-                    bytes -= size;
-                }
-            }
-        }
+        spillWhatIsTooMuch();
         hasComplained_ = false;
-    } catch (const WriteError& error) { // nothing is lost: it stays in memory
+    } catch (const std::exception& error) { // nothing is lost: it stays in memory
         if (!std::exchange(hasComplained_, true)) {
             logNotice(error.what());
+        }
+    }
+}
+
+// What is farthest from being needed goes first: the oldest to undo, then the newest to redo.
+void History::spillWhatIsTooMuch() {
+    std::size_t bytes = bytesInMemory(done_) + bytesInMemory(undone_);
+    for (std::vector<Edit>* edits : {&done_, &undone_}) {
+        for (auto edit = edits->begin(); edit != edits->end() && bytes > memoryLimit_; ++edit) {
+            if (edit->cut && !edit->spilled && !edit->cut->held().empty()) {
+                const std::size_t size = edit->cut->held().size();
+                spill(*edit);
+                bytes -= size;
+            }
         }
     }
 }

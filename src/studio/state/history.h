@@ -61,7 +61,8 @@ struct UndoStatistics {
 
 // Undo and redo without limit. A new step forgets what could be redone. When the cuts' contents come to more
 // than memoryLimit() bytes, those farthest from being needed go to a temporary file. If that cannot be
-// written, everything stays in memory and a notice says so once.
+// written, everything stays in memory and a notice says so once. What throws std::bad_alloc has changed
+// nothing.
 class History {
 public:
     static constexpr std::size_t kUsualMemoryLimit = std::size_t(512) << 20;
@@ -73,11 +74,18 @@ public:
     [[nodiscard]] std::size_t memoryLimit() const { return memoryLimit_; }
     void setMemoryLimit(std::size_t bytes);
 
+    // Makes room for one step more, so that one push() and each move between undo and redo need no memory.
+    void makeRoom();
     void push(Edit edit);
+    // The last push() is as if it had never been: what could be redone before it can be again. Only until
+    // settle(), which makes it last.
+    void unpush() noexcept;
+    void settle() noexcept;
+    [[nodiscard]] bool isSettled() const { return !canUnpush_; }
     // The step that undo would take back is no more; its cut, if any, must be in memory.
     void forgetLast();
-    // The last two edits (both changes of the region alone) become one.
-    void mergeLastTwo();
+    // The last two edits (both changes of the region alone) become one, done by this operation.
+    void mergeLastTwo(std::shared_ptr<const Operation> operation);
     [[nodiscard]] bool canUndo() const { return !done_.empty(); }
     [[nodiscard]] bool canRedo() const { return !undone_.empty(); }
     // What holds, the oldest first; and what was undone, the next to redo last.
@@ -91,31 +99,32 @@ public:
 
     // The operation of the step that undo would take back; there must be one.
     [[nodiscard]] const Operation& lastOperation() const { return *done_.back().operation; }
-    // That step was done by another operation, into which several were merged.
-    void renameLast(Operation operation);
     // Counts changes of all this.
     [[nodiscard]] std::uint64_t revision() const { return revision_; }
 
     // The step to take back, in memory; once that is done, tookBack() makes it the one to redo. Throws
     // ReadError when it cannot be read back from the file.
     Edit& toUndo() { return inMemory(done_.back()); }
-    void tookBack() { move(done_, undone_); }
+    void tookBack() noexcept { move(done_, undone_); }
     // The step to apply again, in memory; once that is done, appliedAgain() makes it the one to undo.
     Edit& toRedo() { return inMemory(undone_.back()); }
-    void appliedAgain() { move(undone_, done_); }
+    void appliedAgain() noexcept { move(undone_, done_); }
 
 private:
-    void move(std::vector<Edit>& from, std::vector<Edit>& to);
+    void move(std::vector<Edit>& from, std::vector<Edit>& to) noexcept;
     Edit& inMemory(Edit& edit);
-    void forget(std::vector<Edit>& edits);
-    void keepToLimit();
+    void forget(std::vector<Edit>& edits) noexcept;
+    void keepToLimit() noexcept;
+    void spillWhatIsTooMuch();
     void spill(Edit& edit);
 
     std::vector<Edit> done_;
-    std::vector<Edit> undone_; // the next to redo last
+    std::vector<Edit> undone_;   // the next to redo last
+    std::vector<Edit> replaced_; // what could be redone before the last push()
     SpillFile file_;
     std::size_t memoryLimit_ = kUsualMemoryLimit;
     bool hasComplained_ = false;
+    bool canUnpush_ = false;
     std::uint64_t revision_ = 0;
 };
 

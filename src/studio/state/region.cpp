@@ -3,6 +3,8 @@
 
 #include "base/error.h"
 
+#include <new>
+
 namespace vs::studio {
 
 segment::Connectivity connectivityOf(int neighbours) {
@@ -118,6 +120,19 @@ segment::VoxelSet Region::voxels(std::uint8_t label, Records& records) {
     return set.tight();
 }
 
+segment::VoxelSet Region::voxelsOf(std::uint8_t label) {
+    Records records;
+    segment::VoxelSet set;
+    try {
+        set = voxels(label, records);
+    } catch (...) {
+        undo(records);
+        throw;
+    }
+    undo(records);
+    return set;
+}
+
 void Region::replace(const segment::VoxelSet& set, Records& records) {
     madeGrowth().replace(set.box, set.inside, &records.emplace_back());
 }
@@ -147,7 +162,13 @@ void Region::forgetRules(Records& records) {
 
 void Region::undo(const Records& records) {
     for (auto record = records.rbegin(); record != records.rend(); ++record) {
-        record->undo(*growth_);
+        try {
+            record->undo(*growth_);
+        } catch (const std::bad_alloc&) {
+            record->undo(*growth_);
+        } catch (const GlError&) {
+            record->undo(*growth_);
+        }
     }
 }
 

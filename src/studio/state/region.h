@@ -47,6 +47,8 @@ public:
     int absorb(const std::vector<glm::ivec3>& voxels, int expansions, Records& records);
     // Voxels shown of any segment, and making the segment at work a set of them (as segment::Growth does).
     segment::VoxelSet voxels(std::uint8_t label, Records& records);
+    // The voxels alone; everything is as before.
+    segment::VoxelSet voxelsOf(std::uint8_t label);
     void replace(const segment::VoxelSet& set, Records& records);
     // Adds a set to the segment at work, or takes it away.
     void paint(const segment::VoxelSet& set, bool isToAdd, Records& records);
@@ -56,7 +58,11 @@ public:
     void clear(Records& records);
     // It follows no rules any more, as one that has just been made.
     void forgetRules(Records& records);
+    // Undoes what was recorded, also of a call that threw. When memory is refused, it tries once more, and
+    // goes on where it stopped.
     void undo(const Records& records);
+    // There are no segments any more: for a call that threw and made them.
+    void unmake() { growth_.reset(); }
 
     // Live growth: begin, any number of slices, end. The records of begin() undo all of it.
     void beginLive(field::SculptureView view, Records& records);

@@ -10,6 +10,7 @@
 #include <cerrno>
 #include <cstdlib>
 #include <cstring>
+#include <new>
 #include <utility>
 
 namespace vs::studio {
@@ -85,10 +86,11 @@ void SpillFile::take(const Block& block) {
     }
     const auto gap = gaps_.find(block.offset);
     VS_CHECK(gap != gaps_.end() && gap->second >= block.size);
-    const std::uint64_t rest = gap->second - block.size;
-    gaps_.erase(gap);
-    if (rest > 0) {
-        gaps_.emplace(block.offset + block.size, rest);
+    auto rest = gaps_.extract(gap); // what is left of it is the gap from now on, which needs no memory
+    rest.key() += block.size;
+    rest.mapped() -= block.size;
+    if (rest.mapped() > 0) {
+        gaps_.insert(std::move(rest));
     }
 }
 
@@ -109,11 +111,18 @@ std::vector<std::byte> SpillFile::read(const Block& block) const {
     return bytes;
 }
 
-void SpillFile::release(const Block& block) {
+void SpillFile::release(const Block& block) noexcept {
     inUse_ -= block.size;
     if (block.size == 0) {
         return;
     }
+    try {
+        addGap(block);
+    } catch (const std::bad_alloc&) { // nobody knows of this place any more: the file is longer than need be
+    }
+}
+
+void SpillFile::addGap(const Block& block) {
     auto [gap, isNew] = gaps_.emplace(block.offset, block.size);
     VS_CHECK(isNew);
     if (const auto next = std::next(gap); next != gaps_.end() && gap->first + gap->second == next->first) {

@@ -32,7 +32,7 @@ public:
     // Throws ReadError when the device that holds the file fails.
     [[nodiscard]] std::vector<std::byte> read(const Block& block) const;
     // The block is not needed any more.
-    void release(const Block& block);
+    void release(const Block& block) noexcept;
 
     [[nodiscard]] std::uint64_t bytesInUse() const { return inUse_; } // of all blocks
     [[nodiscard]] std::uint64_t fileBytes() const { return end_; }    // with the gaps between them
@@ -41,6 +41,7 @@ private:
     void open();
     [[nodiscard]] std::uint64_t placeFor(std::size_t size) const;
     void take(const Block& block);
+    void addGap(const Block& block);
     void truncate(std::uint64_t end);
 
     std::filesystem::path folder_;

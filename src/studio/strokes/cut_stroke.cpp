@@ -11,6 +11,11 @@ sculpt::BrickDelta CutStroke::finish() {
     return delta;
 }
 
+void CutStroke::takeBack(sculpt::BrickDelta& delta) {
+    cutter_->sculpture->swap(delta);
+    cutter_->sculpture->contentIsAsAt(contentVersion_);
+}
+
 void CutStroke::discard() {
     if (!backup_.isEmpty()) {
         cutter_->sculpture->refresh(backup_.restore());

@@ -32,6 +32,8 @@ public:
     // When nothing has changed after all, the sculpture counts as untouched.
     sculpt::BrickDelta finish();
     void discard();
+    // After finish(), whose delta this is: everything is back as discard() leaves it.
+    void takeBack(sculpt::BrickDelta& delta);
 
 protected:
     CutStroke(Cutter& cutter, Operation operation, bool restores)

@@ -2,6 +2,7 @@
 #include "gl/shader_source.h"
 
 #include "base/error.h"
+#include "base/text.h"
 #include "gl/embedded_shaders.h"
 
 #include <algorithm>
@@ -55,9 +56,9 @@ void appendFile(const std::string& path, const std::string& includedFrom, const 
     const std::size_t number = out.files.size();
     out.files.push_back(path);
     out.text += fmt::format("#line 1 {}\n", number);
-    std::istringstream lines(*source);
-    std::string line;
-    for (int lineNumber = 1; std::getline(lines, line); ++lineNumber) {
+    int lineNumber = 0;
+    for (const std::string& line : split(*source, '\n')) {
+        ++lineNumber;
         const auto start = line.find_first_not_of(" \t");
         if (start != std::string::npos && line.compare(start, 8, "#include") == 0) {
             const auto open = line.find('"');

@@ -3,6 +3,7 @@
 
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "base/text.h"
 #include "mesh/mesh_formats.h"
 #include "mesh/vtk_mesh.h"
 
@@ -71,7 +72,7 @@ void writeStl(const std::filesystem::path& path, std::span<const Mesh> meshes) {
 // The bytes of a file's header, with the line that ends it.
 std::uintmax_t plyHeaderBytes(const std::filesystem::path& path) {
     std::ifstream file(path, std::ios::binary);
-    for (std::string line; std::getline(file, line);) {
+    for (std::string line; nextLine(file, line, path);) {
         if (line == "end_header") {
             return std::uintmax_t(file.tellg());
         }

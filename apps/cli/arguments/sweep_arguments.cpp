@@ -3,6 +3,7 @@
 
 #include "arguments/parse.h"
 #include "base/error.h"
+#include "base/text.h"
 #include "image/image.h"
 #include "sculpt/mask/mask_image.h"
 #include "volume/reading/read_picture.h"
@@ -11,7 +12,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <sstream>
 
 namespace vs::cli {
 
@@ -30,7 +30,7 @@ std::vector<double> maskSizes(const std::string& text, const std::string& sizes,
 sculpt::Outline polylineMask(const std::string& text, const std::string& corners) {
     const std::string example = "polyline:-10,-8:12,-6:0,14";
     std::vector<glm::dvec2> points;
-    for (const std::string& corner : splitAt(corners, ':')) {
+    for (const std::string& corner : split(corners, ':')) {
         const auto n = parseNumbers(corner, ',', 2, "--mask " + text, example);
         if (std::max(std::abs(n[0]), std::abs(n[1])) > 4096) {
             throw UsageError("--mask {}: coordinates are in steps (voxels), at most 4096", text);
@@ -68,15 +68,6 @@ Parted partAtColon(const std::string& text) {
     return {text.substr(0, split), split == std::string::npos ? "" : text.substr(split + 1)};
 }
 
-std::vector<std::string> splitAt(const std::string& text, char separator) {
-    std::vector<std::string> parts;
-    std::istringstream stream(text);
-    for (std::string part; std::getline(stream, part, separator);) {
-        parts.push_back(part);
-    }
-    return parts;
-}
-
 std::size_t chooseName(const std::string& text, const char* const* names, std::size_t count,
                        const std::string& option) {
     const auto* found = std::find(names, names + count, text);
@@ -105,7 +96,7 @@ glm::dvec3 parseSpacing(const std::string& text) {
 }
 
 sculpt::MaskFilter parseFilter(const std::string& text) {
-    const auto parts = splitAt(text, ',');
+    const auto parts = split(text, ',');
     if (parts.empty() || parts.size() > 3) {
         throw UsageError("--filter {}: write SAMPLING, RECONSTRUCTION and WIDTH, as in jittered,bspline,40",
                          text);

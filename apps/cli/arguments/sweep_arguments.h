@@ -58,8 +58,6 @@ struct Parted {
     std::string rest;
 };
 Parted partAtColon(const std::string& text);
-// The parts of a text between separators.
-std::vector<std::string> splitAt(const std::string& text, char separator);
 
 // The place of `text` among names such as kPrecisions; `option` begins the complaint.
 std::size_t chooseName(const std::string& text, const char* const* names, std::size_t count,

@@ -3,6 +3,7 @@
 #include "arguments/sweep_arguments.h"
 #include "base/error.h"
 #include "base/input_file.h"
+#include "base/text.h"
 #include "sculpt/radiation/sweep.h"
 
 #include <algorithm>
@@ -27,7 +28,7 @@ glm::dvec3 parsePlace(const std::string& text, const std::string& path, const st
 std::vector<glm::dvec3> parsePlaces(const std::string& text, const std::string& path,
                                     const std::string& example) {
     std::vector<glm::dvec3> places;
-    for (const std::string& part : splitAt(text, ':')) {
+    for (const std::string& part : split(text, ':')) {
         places.push_back(parsePlace(part, path, example));
     }
     return places;
@@ -43,7 +44,7 @@ std::vector<glm::dvec3> readPlaces(const std::string& file) {
     }
     std::vector<glm::dvec3> places;
     int number = 0;
-    for (std::string line; std::getline(stream, line);) {
+    for (std::string line; nextLine(stream, line, file);) {
         ++number;
         line = line.substr(0, line.find('#'));
         std::replace(line.begin(), line.end(), ',', ' ');
@@ -65,7 +66,7 @@ std::vector<glm::dvec3> readPlaces(const std::string& file) {
 
 sculpt::Helix parseHelix(const std::string& rest, const std::string& text, const glm::dvec3& steps) {
     const std::string example = "helix:32,32,8:32,32,56:16,2.5";
-    const auto parts = splitAt(rest, ':');
+    const auto parts = split(rest, ':');
     if (parts.size() != 3) {
         throw UsageError("--path {}: needs both ends of its axis and RADIUS,TURNS, as in {}", text, example);
     }

@@ -10,6 +10,7 @@
 #include "base/atomic_file.h"
 #include "base/error.h"
 #include "base/log.h"
+#include "base/text.h"
 #include "field/histogram.h"
 #include "gl/context.h"
 #include "phantom/phantom.h"
@@ -55,16 +56,6 @@ struct BenchRequest {
         return std::find(parts.begin(), parts.end(), part) != parts.end();
     }
 };
-
-std::vector<std::string> split(const std::string& text, char separator) {
-    std::vector<std::string> pieces;
-    for (std::size_t begin = 0; begin <= text.size();) {
-        const std::size_t end = std::min(text.find(separator, begin), text.size());
-        pieces.push_back(text.substr(begin, end - begin));
-        begin = end + 1;
-    }
-    return pieces;
-}
 
 // "AZIMUTH,AZIMUTH,...:ELEVATION", degrees.
 Orbit parseOrbit(const std::string& text) {

@@ -86,10 +86,11 @@ void Classification::keepGradients(const field::Field& field, double unit) {
 }
 
 bool Classification::update(const TransferFunction& function, const field::Field& field) {
-    if (version_ > 0 && serial_ == field.serial && function == function_) {
+    if (isWhole_ && serial_ == field.serial && function == function_) {
         return false;
     }
     const gl::Pass pass("classification tables");
+    isWhole_ = false;
     function_ = function;
     serial_ = field.serial;
     forgetOthers(field);
@@ -100,6 +101,7 @@ bool Classification::update(const TransferFunction& function, const field::Field
     const auto tables = makeTables(resolved_, field.usual, field.geometry.stepMm());
     uploadTables(tables);
     writeBlock(tables, field);
+    isWhole_ = true;
     ++version_;
     return true;
 }

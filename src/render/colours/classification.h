@@ -89,6 +89,7 @@ private:
 
     std::uint64_t serial_ = 0; // of the field that the tables were made for
     int version_ = 0;
+    bool isWhole_ = false; // what was thrown in the midst of an update leaves some of it as it was
     std::size_t uploadedBytes_ = 0;
 };
 

@@ -54,12 +54,12 @@ void OcclusionVolume::allocate(const volume::GridGeometry& geometry) {
     blockSize_ = blockSize(geometry);
     // A multiple of the coarsest texel, so that each texel covers eight of the level before.
     const glm::ivec3 size = divideUp((geometry.dims + blockSize_ - 1) / blockSize_, 1 << (kLevels - 1));
-    texels_ = gl::Texture::pyramid(size << (kLevels - 1), gl::Format::R8, kLevels, "occlusion");
-    geometry_ = geometry;
     if (!scene_) {
         block_ = gl::Buffer(sizeof(OcclusionBlock), "occlusion");
         scene_.emplace();
     }
+    texels_ = gl::Texture::pyramid(size << (kLevels - 1), gl::Format::R8, kLevels, "occlusion");
+    geometry_ = geometry;
 }
 
 gl::Defines OcclusionVolume::definesFor(const Input& input) const {

@@ -96,18 +96,19 @@ void RayCaster::start(const Frame& frame) {
     square_ = 0;
     const glm::ivec2 size = frame.rays.size;
     if (glm::ivec2(accumulation_.size()) != size) {
-        accumulation_ = gl::Texture(size, gl::Format::RGBA32F, gl::Filter::Nearest, "accumulation");
-        picture_ = gl::Texture(size, gl::Format::RGBA8, gl::Filter::Linear, "picture");
+        // Each time last what is asked for: where it is, the others are.
         squares_.resize(size);
+        picture_ = gl::Texture(size, gl::Format::RGBA8, gl::Filter::Linear, "picture");
+        accumulation_ = gl::Texture(size, gl::Format::RGBA32F, gl::Filter::Nearest, "accumulation");
     }
     const bool hasParts = !frame.pasted.empty() || !frame.pulled.empty();
     if (hasParts && glm::ivec2(seenFront_.size()) != size) {
-        seenFront_ = gl::Texture(size, gl::Format::RGBA32F, gl::Filter::Nearest, "seen in front");
         seenBehind_ = gl::Texture(size, gl::Format::RGBA32F, gl::Filter::Nearest, "seen behind");
+        seenFront_ = gl::Texture(size, gl::Format::RGBA32F, gl::Filter::Nearest, "seen in front");
     }
     if (hasParts && drawsTranslucent(frame) && glm::ivec2(seenGlass_.size()) != size) {
-        seenGlass_ = gl::Texture(size, gl::Format::RGBA32F, gl::Filter::Nearest, "seen glass");
         seenGlassDepth_ = gl::Texture(size, gl::Format::R32F, gl::Filter::Nearest, "depth of seen glass");
+        seenGlass_ = gl::Texture(size, gl::Format::RGBA32F, gl::Filter::Nearest, "seen glass");
     }
     segmentColours_.upload({glm::ivec3(0), segmentColours_.size()},
                            std::as_bytes(std::span(frame.segmentColours.entries)));

@@ -66,12 +66,13 @@ const gl::Texture& Macrocells::dilated(const gl::Texture& dataCells) {
     if (dilatedFrom_ == &dataCells && dilated_->size() == dataCells.size()) {
         return *dilated_;
     }
-    dilated_ = std::make_shared<gl::Texture>(dataCells.size(), gl::Format::RG32F, gl::Filter::Nearest,
-                                             "dilated cell ranges");
-    dilatedFrom_ = &dataCells;
+    auto dilated = std::make_shared<gl::Texture>(dataCells.size(), gl::Format::RG32F, gl::Filter::Nearest,
+                                                 "dilated cell ranges");
     dataCells.bindTexture(kRangesTexture);
-    dilated_->bindImage(kDilatedImage, gl::Access::Write);
-    dilate_.with({}).dispatchOver(dilated_->size(), gl::Barrier::Texture);
+    dilated->bindImage(kDilatedImage, gl::Access::Write);
+    dilate_.with({}).dispatchOver(dilated->size(), gl::Barrier::Texture);
+    dilated_ = std::move(dilated);
+    dilatedFrom_ = &dataCells;
     return *dilated_;
 }
 
@@ -88,8 +89,8 @@ void Macrocells::rebuild(const Input& input) {
     const glm::ivec3 blocks = (cells + kBlock - 1) / kBlock;
     if (distances_.size() != cells || !planes_) {
         const auto perPlane = std::size_t(blocks.x) * std::size_t(blocks.y) * std::size_t(blocks.z) + 1;
-        distances_ = gl::Texture(cells, gl::Format::R32UI, gl::Filter::Nearest, "cell distances");
         planes_ = gl::TexelBuffer(perPlane * (kFar + 1), gl::Format::RGBA32UI, "cells within reach");
+        distances_ = gl::Texture(cells, gl::Format::R32UI, gl::Filter::Nearest, "cell distances");
     }
     dataCells_->bindTexture(kDataCellsTexture);
     (input.sculptureCells != nullptr ? *input.sculptureCells : empty_).bindTexture(kSculptureCellsTexture);

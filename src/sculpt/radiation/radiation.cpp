@@ -75,14 +75,15 @@ void Radiator::growScratch(glm::ivec3 texels) {
     scratchA_ = gl::Texture();
     scratchB_ = gl::Texture();
     scratchC_ = gl::Texture();
-    deposited_ = gl::Texture(texels, gl::Format::R32UI, gl::Filter::Nearest, "radiation deposits");
     scratchA_ = gl::Texture(texels, gl::Format::R32F, gl::Filter::Nearest, "radiation a");
     scratchB_ = gl::Texture(texels, gl::Format::R32F, gl::Filter::Nearest, "radiation b");
+    // Last: where it is, all are.
+    deposited_ = gl::Texture(texels, gl::Format::R32UI, gl::Filter::Nearest, "radiation deposits");
 }
 
 void Radiator::begin(const Box3& points, glm::ivec3 dims, const Footprint& footprint) {
     const gl::Pass pass("begin radiation");
-    if (open_ || running_) {
+    if ((open_ || running_) && deposited_) {
         deposited_.clear(); // the last use never came to its finish(), or kept its deposits
     }
     running_ = false;

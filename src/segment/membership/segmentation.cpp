@@ -9,6 +9,7 @@
 #include "segment/shaders/bindings.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace vs::segment {
 
@@ -199,11 +200,53 @@ Box3 Segmentation::update(const Growth& growth, Smoothing smoothing, const Looks
                           const Fence& fence) {
     const gl::Pass pass("update segmentation");
     const bool isFenceStale = continuation_ && continuation_->isStale(fence);
-    isBehind_ = budgetMs <= 0 && version_ > 0 &&
+    isBehind_ = budgetMs <= 0 && version_ > 0 && !startsAnew_ &&
                 (isBehind_ || growth.revision() != seenRevision_ || looks != looks_ || isFenceStale);
     if (isBehind_) {
         return {};
     }
+    std::vector<std::uint32_t> changed;
+    try {
+        changed = bringUpToDate(growth, smoothing, looks, budgetMs, fence);
+    } catch (...) { // no room, or no memory
+        startAnew();
+        throw;
+    }
+    const bool isNewApart = apart_ && apart_->hasNew();
+    version_ += !changed.empty() || isNewApart || startsAnew_ ? 1 : 0;
+    Box3 box = std::exchange(startsAnew_, false) ? Box3{glm::ivec3(0), dims_} : Box3{};
+    for (const std::uint32_t tile : changed) {
+        const glm::ivec3 lo = tileAt(tile) * kTile;
+        box = unite(box, {lo, glm::min(lo + kTile, dims_)});
+    }
+    if (apart_ && (!changed.empty() || isNewApart)) {
+        try {
+            writeApart(growth, fence, changed, smoothing);
+        } catch (...) { // there may be no room for it; all else is as it has to be
+            apart_->renewAll();
+            throw;
+        }
+    }
+    return box;
+}
+
+// All is made from nothing at the next update.
+void Segmentation::startAnew() {
+    startsAnew_ = true;
+    channels_.clear();
+    continuation_.reset();
+    cells_.clear();
+    seenRevision_ = 0;
+    isBehind_ = false;
+    if (apart_) {
+        apart_->renewAll();
+    }
+}
+
+// Returns the tiles that were written, each once.
+std::vector<std::uint32_t> Segmentation::bringUpToDate(const Growth& growth, Smoothing smoothing,
+                                                       const Looks& looks, double budgetMs,
+                                                       const Fence& fence) {
     takeLooks(looks);
     const BrickTable& table = growth.seedMap().bricks();
     const auto bricks = haveLooksChanged_ ? table.occupied() : table.changedSince(seenRevision_);
@@ -229,25 +272,10 @@ Box3 Segmentation::update(const Growth& growth, Smoothing smoothing, const Looks
     }
     std::sort(changed.begin(), changed.end());
     changed.erase(std::unique(changed.begin(), changed.end()), changed.end());
-    const bool isNewApart = apart_ && apart_->hasNew();
-    Box3 box;
-    for (const std::uint32_t tile : changed) {
-        const glm::ivec3 lo = tileAt(tile) * kTile;
-        box = unite(box, {lo, glm::min(lo + kTile, dims_)});
-    }
-    version_ += !changed.empty() || isNewApart ? 1 : 0;
     if (!changed.empty()) {
         summarize(changed, smoothing);
     }
-    if (apart_ && (!changed.empty() || isNewApart)) {
-        try {
-            writeApart(growth, fence, changed, smoothing);
-        } catch (...) { // there may be no room for it; all else is as it has to be
-            apart_->renewAll();
-            throw;
-        }
-    }
-    return box;
+    return changed;
 }
 
 std::size_t Segmentation::deviceBytes() const {

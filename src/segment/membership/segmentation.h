@@ -95,6 +95,9 @@ private:
     };
 
     void takeLooks(const Looks& looks);
+    std::vector<std::uint32_t> bringUpToDate(const Growth& growth, Smoothing smoothing, const Looks& looks,
+                                             double budgetMs, const Fence& fence);
+    void startAnew();
     std::vector<std::uint32_t> show(const Growth& growth, int channel,
                                     const std::vector<std::uint32_t>& bricks);
     std::vector<std::uint32_t> staleBehind(const Growth& growth, const Fence& fence,
@@ -145,6 +148,7 @@ private:
     Looks looks_ = allOpaque();
     bool haveLooksChanged_ = false;
     bool isBehind_ = false;
+    bool startsAnew_ = false;                  // what there was is not to be relied on
     std::optional<Continuation> continuation_; // made with the first fence
     gl::Buffer turnedAlone_; // one bit a voxel, as a channel's, of the segment that is being written alone
 

@@ -3,6 +3,7 @@
 #include "segment/membership/segmentation.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace vs::segment {
 
@@ -43,16 +44,18 @@ void Segmentation::takeLooks(const Looks& looks) {
     texels_ = {}; // first, so that there is never room for both
     texels_ =
         gl::Texture(dims_, isGlass ? gl::Format::RG8 : gl::Format::R8, gl::Filter::Linear, "segmentation");
+    std::vector<Channel> made;
     for (std::size_t i = 0; i < channels; ++i) {
         const auto tiles = std::size_t(tileDims_.x) * std::size_t(tileDims_.y) * std::size_t(tileDims_.z);
-        channels_.push_back({gl::Buffer(planeBytes(dims_), "shown voxels"),
-                             {},
-                             {},
-                             {},
-                             std::vector<std::uint32_t>(tiles, 0),
-                             {},
-                             std::vector<bool>(tiles, false)});
+        made.push_back({gl::Buffer(planeBytes(dims_), "shown voxels"),
+                        {},
+                        {},
+                        {},
+                        std::vector<std::uint32_t>(tiles, 0),
+                        {},
+                        std::vector<bool>(tiles, false)});
     }
+    channels_ = std::move(made);
     haveLooksChanged_ = true;
 }
 

@@ -62,6 +62,8 @@ Outcome Document::Impl::runOrNothing(Operation operation, const std::filesystem:
     const std::size_t stepsDone = contents.history.done().size();
     const View seen = contents.view; // an operation may change where parts are pasted
     View before = contents.view;
+    const bool wasTrimmed = !contents.trimmed.isEmpty();
+    const bool hadRegion = contents.region.exists();
     try {
         Outcome outcome = run(operation, folder, coming);
         outcome.name = name(operation);
@@ -71,6 +73,12 @@ Outcome Document::Impl::runOrNothing(Operation operation, const std::filesystem:
     } catch (...) {
         takeBackSince(stepsDone);
         contents.view = std::move(before);
+        if (!wasTrimmed) {
+            contents.trimmed = {};
+        }
+        if (!hadRegion) {
+            contents.region.unmake();
+        }
         throw;
     }
 }

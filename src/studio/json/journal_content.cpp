@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "base/input_file.h"
 #include "base/json_file.h"
+#include "base/text.h"
 #include "studio/json/operation_json.h"
 #include "studio/json/session_json.h"
 
@@ -53,7 +54,7 @@ JournalContent readJournal(const std::filesystem::path& path) {
     int number = 0;
     int leftOut = 0;
     // A line without its end was being written when the process died.
-    for (std::string line; std::getline(in, line) && !in.eof();) {
+    for (std::string line; nextLine(in, line, path) && !in.eof();) {
         const std::string where = fmt::format("{}: line {}", path.string(), ++number);
         try {
             const auto json = parseJson(line, where, "a line of a journal", "doc/session.md");

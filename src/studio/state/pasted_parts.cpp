@@ -42,7 +42,12 @@ std::vector<PastedParts::Part> PastedParts::parts(const sculpt::Sculpture& sculp
             part.upTo = upTo;
             part.takesTrimmed = takesTrimmed;
             part.making = ++makings_;
-            derive(part, sculpture, trimmed, {glm::ivec3(0), sculpture.dims()});
+            try {
+                derive(part, sculpture, trimmed, {glm::ivec3(0), sculpture.dims()});
+            } catch (...) { // no room for it: it is not there
+                part = {};
+                throw;
+            }
         } else if (part.version != sculpture.version()) {
             derive(part, sculpture, trimmed, sculpture.changedSince(part.version));
         }

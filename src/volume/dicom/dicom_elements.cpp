@@ -2,6 +2,7 @@
 // The encoding of DICOM files: PS3.5 chapter 7 and PS3.10 chapter 7.
 #include "volume/dicom/dicom_elements.h"
 
+#include "base/text.h"
 #include "volume/dicom/dicom.h"
 #include "volume/io/inspect.h"
 
@@ -16,7 +17,6 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-#include <sstream>
 
 namespace vs::volume {
 namespace {
@@ -296,8 +296,7 @@ std::string DicomDataSet::text(std::uint32_t tag) const {
 
 std::vector<double> DicomDataSet::numbers(std::uint32_t tag) const {
     std::vector<double> values;
-    std::istringstream parts(text(tag));
-    for (std::string part; std::getline(parts, part, '\\');) {
+    for (const std::string& part : split(text(tag), '\\')) {
         double value = 0;
         if (!parseNumber(trimmed(part), value) || !std::isfinite(value)) {
             return {};

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "volume/dicom/dicom_text.h"
 
+#include "base/text.h"
 #include "volume/dicom/dcmtk_log.h"
 #include "volume/io/inspect.h"
 
@@ -10,7 +11,6 @@
 
 #include <algorithm>
 #include <cctype>
-#include <sstream>
 #include <vector>
 
 namespace vs::volume {
@@ -20,8 +20,7 @@ constexpr std::size_t kLongest = 200; // bytes of a text that is read
 
 std::vector<std::string> parts(const std::string& text, char separator) {
     std::vector<std::string> result;
-    std::istringstream in(text);
-    for (std::string part; std::getline(in, part, separator);) {
+    for (const std::string& part : split(text, separator)) {
         result.push_back(trimmed(part));
     }
     return result;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "volume/io/inspect.h"
 
+#include "base/text.h"
+
 #include <unistd.h>
 
 #include <cctype>
@@ -8,7 +10,6 @@
 #include <cstdlib>
 #include <fstream>
 #include <limits>
-#include <sstream>
 
 namespace vs::volume {
 namespace {
@@ -69,9 +70,8 @@ bool parseNumber(const std::string& text, double& value) {
 
 std::vector<double> parseNumbers(const std::filesystem::path& path, std::string_view what,
                                  const std::string& text) {
-    std::istringstream words(text);
     std::vector<double> numbers;
-    for (std::string word; words >> word;) {
+    for (const std::string& word : words(text)) {
         double value = 0;
         if (!parseNumber(word, value)) {
             refuse(path, fmt::format("{} holds \"{}\"", what, printable(word)),

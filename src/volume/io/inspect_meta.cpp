@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "volume/io/inspect.h"
 
+#include "base/text.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -52,7 +54,7 @@ MetaHeader readMetaHeader(const std::filesystem::path& path) {
     const auto refuseName = [&](const std::string& name, std::string_view wrong, std::string_view right) {
         refuse(path, fmt::format("its header {} \"{}\"", wrong, printable(name)), right);
     };
-    for (std::string line; std::getline(input, line);) {
+    for (std::string line; nextLine(input, line, path);) {
         if (trimmed(line).empty()) {
             continue;
         }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "volume/io/inspect.h"
 
+#include "base/text.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -8,7 +10,6 @@
 #include <cmath>
 #include <fstream>
 #include <map>
-#include <sstream>
 #include <string_view>
 
 namespace vs::volume {
@@ -55,13 +56,13 @@ NrrdHeader readNrrdHeader(const std::filesystem::path& path) {
     constexpr std::size_t longestHeader = 1 << 20;
     std::ifstream input(path, std::ios::binary);
     std::string line;
-    std::getline(input, line);
+    nextLine(input, line, path);
     if (line.size() > 16 || !line.starts_with("NRRD000")) {
         refuse(path, fmt::format("it starts with \"{}\"", printable(line.substr(0, 12))),
                "a NRRD file starts with NRRD0001 to NRRD0005");
     }
     NrrdHeader header;
-    while (std::getline(input, line)) {
+    while (nextLine(input, line, path)) {
         if (!line.empty() && line.back() == '\r') {
             line.pop_back();
         }
@@ -170,9 +171,9 @@ std::vector<std::int64_t> readSizes(const std::filesystem::path& path, const Nrr
 // Which axis is not one of space: by the kinds, or by "none" among the directions. Refused unless it is the
 // slowest.
 void checkAxes(const std::filesystem::path& path, const NrrdHeader& header, std::size_t dimension) {
-    std::istringstream kinds(lowerCase(header.get("kinds")));
-    std::size_t axis = 0;
-    for (std::string kind; kinds >> kind; ++axis) {
+    const std::vector<std::string> kinds = words(lowerCase(header.get("kinds")));
+    for (std::size_t axis = 0; axis < kinds.size(); ++axis) {
+        const std::string& kind = kinds[axis];
         const bool spatial = kind == "domain" || kind == "space" || kind == "none" || kind == "???";
         if (!spatial && (axis < 3 || dimension == 3)) {
             refuse(path, fmt::format("its axis {} holds a \"{}\" at every voxel", axis, printable(kind)),
@@ -265,7 +266,7 @@ std::uint64_t skippedBytes(const std::filesystem::path& path, const NrrdHeader& 
     input.seekg(static_cast<std::streamoff>(block.offset));
     std::string line;
     for (std::int64_t i = 0; i < lines; ++i) {
-        std::getline(input, line);
+        nextLine(input, line, block.file);
     }
     if (!input) {
         refuse(path, fmt::format("it skips {} lines", lines), "its data file has fewer");

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "volume/io/inspect.h"
 
+#include "base/text.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -34,7 +36,7 @@ VtkHeader readVtkHeader(const std::filesystem::path& path) {
     std::ifstream input(path, std::ios::binary);
     std::string line;
     VtkHeader header;
-    for (int number = 0; number < 64 && std::getline(input, line) && line.size() < 1024; ++number) {
+    for (int number = 0; number < 64 && nextLine(input, line, path) && line.size() < 1024; ++number) {
         std::istringstream words(line);
         std::string key;
         words >> key;

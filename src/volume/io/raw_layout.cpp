@@ -2,10 +2,11 @@
 #include "volume/io/inspect.h"
 #include "volume/io/read.h"
 
+#include "base/text.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
-#include <sstream>
 
 namespace vs::volume {
 namespace {
@@ -19,8 +20,7 @@ namespace {
 
 std::vector<double> splitNumbers(const std::string& layout, const std::string& text, char separator) {
     std::vector<double> numbers;
-    std::istringstream parts(text);
-    for (std::string part; std::getline(parts, part, separator);) {
+    for (const std::string& part : split(text, separator)) {
         double value = 0;
         if (!parseNumber(part, value)) {
             refuseLayout(layout, fmt::format("\"{}\" is not a number", printable(part)));
@@ -33,11 +33,7 @@ std::vector<double> splitNumbers(const std::string& layout, const std::string& t
 } // namespace
 
 RawLayout parseRawLayout(const std::string& text) {
-    std::vector<std::string> parts;
-    std::istringstream input(text);
-    for (std::string part; std::getline(input, part, ':');) {
-        parts.push_back(part);
-    }
+    const std::vector<std::string> parts = split(text, ':');
     if (parts.size() < 2 || parts.size() > 4) {
         refuseLayout(text, fmt::format("it has {} parts", parts.size()));
     }

@@ -3,6 +3,7 @@
 
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "base/text.h"
 #include "volume/io/inspect.h"
 #include "volume/io/quiet_libraries.h"
 
@@ -136,7 +137,7 @@ void writePair(const std::filesystem::path& header, const GridGeometry& geometry
         }
         std::ifstream input(whole.path(), std::ios::binary);
         const std::string last = "ElementDataFile = ";
-        for (std::string line; std::getline(input, line) && !line.starts_with(last);) {
+        for (std::string line; nextLine(input, line, whole.path()) && !line.starts_with(last);) {
             head += line + "\n";
         }
         head += last + dataName + "\n";

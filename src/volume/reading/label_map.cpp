@@ -2,6 +2,7 @@
 #include "volume/reading/label_map.h"
 
 #include "base/error.h"
+#include "base/text.h"
 #include "volume/reading/read_volume.h"
 
 #include <fmt/format.h>
@@ -47,11 +48,11 @@ std::map<std::int64_t, LabelMap::Look> looksIn(const std::filesystem::path& path
     std::map<std::int64_t, LabelMap::Look> looks;
     std::ifstream file(path, std::ios::binary);
     std::string line;
-    if (!std::getline(file, line) || line.rfind("NRRD", 0) != 0) {
+    if (!nextLine(file, line, path) || line.rfind("NRRD", 0) != 0) {
         return looks;
     }
     std::map<std::string, std::map<std::string, std::string>> segments; // "Segment0" -> "Name" -> "Liver"
-    while (std::getline(file, line) && !line.empty() && line != "\r") {
+    while (nextLine(file, line, path) && !line.empty() && line != "\r") {
         const std::size_t assigns = line.find(":=");
         const std::size_t underscore = line.find('_');
         if (line.rfind("Segment", 0) == 0 && assigns != std::string::npos && underscore < assigns) {

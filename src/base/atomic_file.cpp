@@ -2,6 +2,7 @@
 #include "base/atomic_file.h"
 
 #include "base/error.h"
+#include "base/folder.h"
 #include "base/hash.h"
 
 #include <fcntl.h>
@@ -16,6 +17,7 @@
 #include <cstdio>
 #include <cstring>
 #include <fstream>
+#include <new>
 #include <optional>
 #include <string_view>
 #include <utility>
@@ -58,12 +60,10 @@ bool isLeftover(const std::string& name) {
 
 // Runs that were killed left what they had begun to write.
 void clearLeftovers(const std::filesystem::path& folder) {
-    std::error_code ignored;
-    for (auto entry = std::filesystem::directory_iterator(folder, ignored);
-         !ignored && entry != std::filesystem::directory_iterator(); entry.increment(ignored)) {
-        if (isLeftover(entry->path().filename().string())) {
+    for (const auto& entry : entriesOf(folder)) {
+        if (isLeftover(entry.filename().string())) {
             std::error_code stays;
-            std::filesystem::remove_all(entry->path(), stays);
+            std::filesystem::remove_all(entry, stays);
         }
     }
 }
@@ -174,6 +174,9 @@ private:
     void attempt(Work work) {
         try {
             work();
+        } catch (const std::bad_alloc&) {
+            remove();
+            throw;
         } catch (const std::exception& error) {
             const std::string reason = reasonNotFilled(temporary_, error.what());
             remove();

@@ -2,6 +2,7 @@
 #include "studio/json/lost_work.h"
 
 #include "base/error.h"
+#include "base/folder.h"
 #include "studio/json/journal_content.h"
 
 #include <fcntl.h>
@@ -88,15 +89,14 @@ LostWork describeJournal(const std::filesystem::path& journal) {
 
 std::vector<LostWork> lostWork() {
     std::vector<LostWork> all;
-    std::error_code ignored; // there may be no such folder
-    for (std::filesystem::directory_iterator it(journalFolder(), ignored), end; it != end;
-         it.increment(ignored)) {
-        if (it->path().extension() != ".jsonl" || !it->is_regular_file(ignored)) {
+    std::error_code ignored; // it may be gone by now
+    for (const auto& path : entriesOf(journalFolder())) {
+        if (path.extension() != ".jsonl" || !std::filesystem::is_regular_file(path, ignored)) {
             continue;
         }
-        if (const auto held = HeldJournal::hold(it->path())) {
-            LostWork lost = describeJournal(it->path());
-            const bool isEmpty = it->file_size(ignored) == 0; // killed before its first line
+        if (const auto held = HeldJournal::hold(path)) {
+            LostWork lost = describeJournal(path);
+            const bool isEmpty = std::filesystem::file_size(path, ignored) == 0; // killed before its first line
             if (isEmpty || (lost.edits == 0 && lost.leftOut.empty() && lost.problem.empty())) {
                 held->remove();
             } else {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // No memory in the midst of an operation: it is done after all, or throws and the document is as it was, to
-// the byte. Some allocations of each operation are tried; all of them where VS_FAULTS is "all", which takes
-// hours. With VS_FAULTS_TOLD each one is told before it is tried.
+// the byte. Some allocations of each operation are tried; VS_FAULTS chooses how many of each, or "all".
+// VS_FAULTS_SEED makes others of them be tried. With VS_FAULTS_TOLD each one is told before it is tried.
 #include "gpu/faults/everything.h"
 #include "gpu/faults/faults.h"
 #include "gpu/gl_test.h"
@@ -15,7 +15,7 @@
 
 #include <algorithm>
 #include <iostream>
-#include <optional>
+#include <numeric>
 #include <random>
 #include <set>
 
@@ -25,24 +25,27 @@ namespace {
 using test::Memory;
 using test::RefusedAllocation;
 
-constexpr std::size_t kTriedOfEach = 12;
+std::string chosen(const char* variable, const char* otherwise) {
+    const char* value = std::getenv(variable);
+    return value != nullptr ? value : otherwise;
+}
 
-bool triesAll() {
-    const char* chosen = std::getenv("VS_FAULTS");
-    return chosen != nullptr && std::string(chosen) == "all";
+std::size_t triedOf(std::size_t count) {
+    const std::string most = chosen("VS_FAULTS", "12");
+    return most == "all" ? count : std::min<std::size_t>(count, std::stoul(most));
 }
 
 // The numbers of the allocations to be refused, of so many: spread evenly, each somewhere in its part.
-std::vector<std::size_t> chosenOf(std::size_t count, unsigned seed) {
-    std::vector<std::size_t> chosen;
-    std::mt19937 random(seed);
-    const std::size_t parts = triesAll() ? count : std::min(count, kTriedOfEach);
+std::vector<std::size_t> numbersOf(std::size_t count, unsigned operation) {
+    std::vector<std::size_t> numbers;
+    std::mt19937 random(operation + 1000 * unsigned(std::stoul(chosen("VS_FAULTS_SEED", "1"))));
+    const std::size_t parts = triedOf(count);
     for (std::size_t part = 0; part < parts; ++part) {
         const std::size_t first = part * count / parts;
         const std::size_t next = (part + 1) * count / parts;
-        chosen.push_back(1 + first + random() % (next - first));
+        numbers.push_back(1 + first + random() % (next - first));
     }
-    return chosen;
+    return numbers;
 }
 
 class Faults : public test::GlTest, public ::testing::WithParamInterface<Memory> {
@@ -121,7 +124,7 @@ TEST_P(Faults, LeaveTheDocumentAsItWas) {
     Document document(test::testHead());
     const auto start = contentOf(document);
     for (std::size_t n = 0; n < operations.size(); ++n) {
-        for (const std::size_t number : chosenOf(counts[n], unsigned(n))) {
+        for (const std::size_t number : numbersOf(counts[n], unsigned(n))) {
             if (isDone(document, operations[n], number)) {
                 takeBack(document, operations[n]);
             }
@@ -147,12 +150,13 @@ TEST_P(Faults, LeaveTheDocumentAsItWas) {
         std::all_of(undone.labels.begin(), undone.labels.end(), [](auto label) { return label == 0; }));
     EXPECT_EQ(undone.segments, start.segments);
     EXPECT_EQ(undone.geometry, start.geometry);
-    std::cout << refusals_ << " allocations refused\n";
+    std::cout << refusals_ << " refused of " << std::accumulate(counts.begin(), counts.end(), std::size_t(0))
+              << " allocations in " << operations.size() << " operations\n";
     EXPECT_GT(refusals_, operations.size());
 }
 
 INSTANTIATE_TEST_SUITE_P(OnHostAndDevice, Faults, ::testing::Values(Memory::Host, Memory::Device),
-                         [](const auto& chosen) { return chosen.param == Memory::Host ? "Host" : "Device"; });
+                         [](const auto& tried) { return tried.param == Memory::Host ? "Host" : "Device"; });
 
 TEST(FaultsOperations, AreAllThereAre) {
     std::set<std::string> tried;

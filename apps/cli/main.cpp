@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include <cstdio>
+#include <new>
 #include <string>
 
 namespace {
@@ -70,6 +71,8 @@ int main(int argc, char** argv) {
         return code;
     } catch (const vs::UsageError& error) {
         return report(error.what(), wrongUsage);
+    } catch (const std::bad_alloc&) {
+        return report("there is no memory for that; end other programs, or use a smaller volume", failed);
     } catch (const std::exception& error) {
         return report(error.what(), failed);
     }

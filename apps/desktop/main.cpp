@@ -19,13 +19,32 @@
 #include <QMessageBox>
 #include <QScreen>
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <clocale>
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
+#include <vector>
 
 namespace {
+
+// Becomes the program anew, without what was opened. Returns where that cannot be.
+void startAgain(const vs::desktop::Options& options) {
+    std::vector<std::string> arguments{"volume-studio"};
+    if (!options.layoutFile.empty()) {
+        arguments.insert(arguments.end(), {"--layout-file", options.layoutFile.string()});
+    }
+    std::vector<char*> pointers;
+    for (std::string& argument : arguments) {
+        pointers.push_back(argument.data());
+    }
+    pointers.push_back(nullptr);
+    execv("/proc/self/exe", pointers.data());
+    vs::logNotice("the program could not be started again; start it by hand");
+}
 
 int run(vs::desktop::WatchedApplication& application) {
     using namespace vs::desktop;
@@ -56,7 +75,11 @@ int run(vs::desktop::WatchedApplication& application) {
     if (!options.open.volume.empty() || !options.open.session.empty()) {
         studio->files().open(options.open);
     }
-    return QApplication::exec();
+    const int code = QApplication::exec();
+    if (code == MainWindow::kStartsAgain) {
+        startAgain(options); // nothing is taken down first: with the device lost that might not end
+    }
+    return code;
 }
 
 // Help and version are for terminals without a display too.

@@ -38,6 +38,12 @@ public:
     using Error::Error;
 };
 
+// The graphics driver was reset: all that was on the device is gone, and nothing can be done with it any more.
+class ContextLost : public GlError {
+public:
+    using GlError::GlError;
+};
+
 // A command line or an option value that makes no sense. The command line exits with 2 for this one.
 class UsageError : public Error {
 public:

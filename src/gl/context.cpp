@@ -107,13 +107,17 @@ EGLContext contextOn(EGLDisplay display) {
         eglBindAPI(EGL_OPENGL_API) != EGL_TRUE) {
         return EGL_NO_CONTEXT;
     }
-    const EGLint attributes[] = {EGL_CONTEXT_MAJOR_VERSION,
-                                 4,
-                                 EGL_CONTEXT_MINOR_VERSION,
-                                 5,
-                                 EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                 EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT,
-                                 EGL_NONE};
+    std::vector<EGLint> attributes{EGL_CONTEXT_MAJOR_VERSION,
+                                   4,
+                                   EGL_CONTEXT_MINOR_VERSION,
+                                   5,
+                                   EGL_CONTEXT_OPENGL_PROFILE_MASK,
+                                   EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT};
+    if (epoxy_has_egl_extension(display, "EGL_EXT_create_context_robustness")) { // tells of resets
+        attributes.insert(attributes.end(), {EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_EXT,
+                                             EGL_LOSE_CONTEXT_ON_RESET_EXT});
+    }
+    attributes.push_back(EGL_NONE);
     EGLConfig config = nullptr; // EGL_KHR_no_config_context
     if (!epoxy_has_egl_extension(display, "EGL_KHR_no_config_context")) {
         const EGLint wanted[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
@@ -122,7 +126,7 @@ EGLContext contextOn(EGLDisplay display) {
             return EGL_NO_CONTEXT;
         }
     }
-    EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, attributes);
+    EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, attributes.data());
     if (context != EGL_NO_CONTEXT &&
         eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) != EGL_TRUE) {
         eglDestroyContext(display, context);
@@ -226,6 +230,18 @@ void Context::requireNoErrors() const {
         throw GlError("{} reported {} OpenGL errors, so the result cannot be relied on; update the graphics "
                       "driver or choose another device with VOLUME_STUDIO_DEVICE=N",
                       impl_->device.renderer, count);
+    }
+}
+
+void Context::requireDevice() {
+    ErrorCount* count = errorsCounted();
+    const bool isReset = glGetGraphicsResetStatus() != GL_NO_ERROR;
+    if (count != nullptr) {
+        count->isLost = count->isLost || isReset;
+    }
+    if (isReset || (count != nullptr && count->isLost)) {
+        throw ContextLost("the graphics driver was reset, and all that was on the device is gone; start the "
+                          "program again");
     }
 }
 

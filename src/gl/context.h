@@ -41,6 +41,9 @@ public:
     [[nodiscard]] int errorCount() const;
     // Throws GlError if there were GL errors: what was computed cannot be relied on.
     void requireNoErrors() const;
+    // Throws ContextLost if the driver was reset since the current context was made, now and whenever it is
+    // asked: what was computed, and what is on the device, cannot be relied on.
+    static void requireDevice();
     // Whether the current context renders on the CPU.
     static bool isSoftware();
     // Waits until the device has done everything submitted so far.

@@ -13,6 +13,7 @@ struct ErrorCount {
     int messages = 0; // told by the driver
     int silent = 0;   // found by glGetError alone
     int seen = 0;     // messages when glGetError was last asked
+    bool isLost = false; // the context: the driver tells that once
 
     [[nodiscard]] int total() const { return messages + silent; }
 };

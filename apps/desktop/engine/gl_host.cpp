@@ -13,6 +13,7 @@ QSurfaceFormat wantedFormat() {
     QSurfaceFormat format;
     format.setVersion(4, 5);
     format.setProfile(QSurfaceFormat::CoreProfile);
+    format.setOption(QSurfaceFormat::ResetNotification);
     return format;
 }
 

@@ -93,8 +93,8 @@ void LongWork::work(const std::function<void()>& work) {
         thousandths_ = share ? int(1000 * *share) : -1;
         return !isGivenUp_;
     });
-    host_.makeCurrent();
     try {
+        host_.makeCurrent();
         work();
     } catch (...) {
         host_.handOverTo(*thread());

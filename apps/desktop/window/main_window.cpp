@@ -95,6 +95,8 @@ MainWindow::MainWindow(StudioController& studio, ToolBox& tools, QWidget* parent
             [this] { message_->setText(studio_.host().message()); });
     connect(&studio_.host(), &DocumentHost::progress, this, &MainWindow::showProgress);
     connect(&studio_.host(), &DocumentHost::opened, this, &MainWindow::showView);
+    // Later: whoever finds it is in the midst of something.
+    connect(&studio_.host(), &DocumentHost::deviceLost, this, &MainWindow::startAgain, Qt::QueuedConnection);
     connect(&studio_.host(), &DocumentHost::openFailed, this, [this](const QString& message) {
         auto* box =
             new QMessageBox(QMessageBox::Warning, tr("Volume Studio"), message, QMessageBox::Ok, this);

@@ -54,6 +54,9 @@ class MainWindow : public QMainWindow {
 public:
     MainWindow(StudioController& studio, ToolBox& tools, QWidget* parent = nullptr);
 
+    // With this code the program ends that is to be started again: the graphics driver was reset.
+    static constexpr int kStartsAgain = 75;
+
     [[nodiscard]] const ViewWidget& view() const { return *view_; }
     // Opens a path given by a person: a session if it ends in .json, else a volume. Asks for the layout of
     // raw files.
@@ -156,6 +159,7 @@ private:
     void askForVolume(const OpenRequest& request, const std::filesystem::path& wanted);
     void chooseSeries(const OpenRequest& request, const std::vector<volume::SeriesChoice>& choices);
     void showView();
+    void startAgain();
 
     // main_window_pictures.cpp
     void makePictureActions();

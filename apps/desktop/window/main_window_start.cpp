@@ -162,4 +162,17 @@ void MainWindow::showView() {
     view_->setFocus();
 }
 
+// The journal has all that was done, and is let go of when the program ends: the one that is started in its
+// place offers it.
+void MainWindow::startAgain() {
+    QMessageBox told(QMessageBox::Critical, tr("Volume Studio"), tr("The graphics driver was reset."),
+                     QMessageBox::NoButton, this);
+    told.setObjectName("deviceLost");
+    told.setInformativeText(
+        tr("What you have done is kept. Volume Studio starts again and offers to go on with it."));
+    told.addButton(tr("&Start again"), QMessageBox::AcceptRole)->setObjectName("startAgain");
+    told.exec();
+    QApplication::exit(kStartsAgain);
+}
+
 } // namespace vs::desktop

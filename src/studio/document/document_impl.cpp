@@ -2,6 +2,7 @@
 #include "studio/document/document_impl.h"
 
 #include "base/error.h"
+#include "gl/context.h"
 #include "studio/editing/segment_change.h"
 
 #include <algorithm>
@@ -66,10 +67,13 @@ Outcome Document::Impl::runOrNothing(Operation operation, const std::filesystem:
     const bool hadRegion = contents.region.exists();
     try {
         Outcome outcome = run(operation, folder, coming);
+        gl::Context::requireDevice();
         outcome.name = name(operation);
         log.record(std::move(operation), seen, contents.view);
         contents.history.settle();
         return outcome;
+    } catch (const ContextLost&) { // there is nothing left that could be taken back
+        throw;
     } catch (...) {
         takeBackSince(stepsDone);
         contents.view = std::move(before);

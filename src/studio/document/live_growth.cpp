@@ -2,6 +2,7 @@
 #include "studio/document/live_growth.h"
 
 #include "base/check.h"
+#include "gl/context.h"
 #include "studio/document/operation_log.h"
 #include "studio/editing/growth_editor.h"
 #include "studio/editing/segment_change.h"
@@ -22,26 +23,29 @@ void LiveGrowth::begin(std::optional<field::SculptureView> sculptureView) {
         workUnlocked(contents_, run.records);
         contents_.region.beginLive(run.sculptureView, run.records);
     });
+    run.playheadBefore = contents_.region.growth()->playhead();
     run_ = std::move(run);
     contents_.inHand = InHand::Growth;
 }
 
 bool LiveGrowth::growFor(double budgetMs, int maxGenerations, std::uint64_t mostVoxels) {
     VS_CHECK(isGrowing());
-    run_.generations += contents_.region.growFor(budgetMs, maxGenerations, mostVoxels);
     ++contents_.version;
+    contents_.region.growFor(budgetMs, maxGenerations, mostVoxels);
     return !contents_.region.growth()->isFinished();
 }
 
 // When it throws, it still grows: all that needs memory comes before what ends it.
 Outcome LiveGrowth::end() {
     VS_CHECK(isGrowing());
+    gl::Context::requireDevice();
     contents_.region.endLive(run_.records);
-    Outcome outcome = describeGrowth(contents_, run_.generations, run_.voxelsBefore);
-    const Operation operation = Grow{run_.generations, run_.sculptureView};
+    const int generations = contents_.region.growth()->playhead() - run_.playheadBefore;
+    Outcome outcome = describeGrowth(contents_, generations, run_.voxelsBefore);
+    const Operation operation = Grow{generations, run_.sculptureView};
     outcome.name = name(operation);
     outcome.milliseconds = run_.timer.milliseconds();
-    if (run_.generations > 0) {
+    if (generations > 0) {
         auto entry = log_.prepare(operation, contents_.view, contents_.view);
         Edit edit{shared(operation), {}, {}};
         contents_.history.makeRoom();

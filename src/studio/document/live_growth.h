@@ -41,7 +41,7 @@ public:
 private:
     struct Run {
         Region::Records records;
-        int generations = 0;
+        int playheadBefore = 0;
         std::size_t voxelsBefore = 0;
         field::SculptureView sculptureView = field::SculptureView::Cut;
         Timer timer;

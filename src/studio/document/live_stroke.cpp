@@ -2,6 +2,7 @@
 #include "studio/document/live_stroke.h"
 
 #include "base/check.h"
+#include "gl/context.h"
 #include "studio/document/operation_log.h"
 #include "studio/editing/cut_editor.h"
 #include "studio/strokes/peel_stroke.h"
@@ -52,6 +53,7 @@ Outcome LiveStroke::commit() {
         contents_.inHand = cuts_.isOpen() ? InHand::Stroke : InHand::Nothing;
         throw;
     }
+    gl::Context::requireDevice();
     contents_.inHand = InHand::Nothing;
     outcome.name = name(operation);
     outcome.milliseconds = timer_.milliseconds();

@@ -4,6 +4,10 @@
 #include "gpu/studio/test_segments.h"
 #include "gpu/studio/test_tools.h"
 
+#include <fmt/format.h>
+
+#include <iterator>
+
 namespace vs::test {
 
 using namespace studio;
@@ -109,10 +113,14 @@ Operations segments() {
     return all;
 }
 
-Operations files(const std::filesystem::path& labelMap) {
-    SavePicture picture{"picture.png"};
+SavePicture smallPicture(const std::string& file) {
+    SavePicture picture{file};
     picture.samples = 1;
     picture.size = {64, 48};
+    return picture;
+}
+
+Operations files(const std::filesystem::path& labelMap) {
     SaveMovie movie{"film.png"};
     movie.samples = 1;
     movie.size = {64, 48};
@@ -124,7 +132,11 @@ Operations files(const std::filesystem::path& labelMap) {
     again.kind = Shot::Kind::Session;
     again.seconds = 1;
     movie.shots = {growing, again};
-    return {LoadLabels{labelMap}, SaveLabels{"labels.nrrd"}, SaveSculpture{"sculpture.nrrd"}, picture, movie,
+    return {LoadLabels{labelMap},
+            SaveLabels{"labels.nrrd"},
+            SaveSculpture{"sculpture.nrrd"},
+            smallPicture("picture.png"),
+            movie,
             RemoveSegment{"ball"}};
 }
 
@@ -151,8 +163,23 @@ Operations everything(const std::filesystem::path& labelMap) {
     append(all, segments());
     append(all, files(labelMap));
     append(all, measuring());
+    append(all, picturesOfAll());
     all.emplace_back(ReSeed{});
     all.emplace_back(Undo{});
+    return all;
+}
+
+Operations picturesOfAll() {
+    Operations all;
+    for (std::size_t n = 0; n < std::size(render::kModes) + 1; ++n) {
+        SetView view;
+        view.mode = render::kModes[n % std::size(render::kModes)];
+        view.sampling = n % 2 == 0 ? field::Sampling::Trilinear : field::Sampling::Tricubic;
+        view.shadows = n >= 3;
+        view.surfaceSmoothing = n == std::size(render::kModes) ? 1.0 : 0.0;
+        all.emplace_back(view);
+        all.emplace_back(smallPicture(fmt::format("p{}.png", n)));
+    }
     return all;
 }
 

@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/document/document_host.h"
 
+#include "base/error.h"
 #include "base/progress.h"
 #include "studio/document/document.h"
 #include "studio/document/document_facts.h"
 
+#include <new>
 #include <utility>
 
 namespace vs::desktop {
@@ -77,9 +79,19 @@ bool DocumentHost::guard(const std::function<void()>& work) {
     gl_.makeCurrent();
     try {
         work();
+        gl::Context::requireDevice();
         return true;
     } catch (const GivenUp&) {
         say(tr("Given up: nothing was changed"));
+        return false;
+    } catch (const std::bad_alloc&) {
+        say(tr("There is no memory for that: nothing was changed; end other programs, or use a smaller volume"));
+        return false;
+    } catch (const ContextLost& e) {
+        say(QString::fromUtf8(e.what()));
+        if (!std::exchange(isDeviceLost_, true)) {
+            emit deviceLost();
+        }
         return false;
     } catch (const std::exception& e) {
         say(QString::fromUtf8(e.what()));

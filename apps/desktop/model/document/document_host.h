@@ -63,6 +63,9 @@ public:
     [[nodiscard]] bool isReplaying() const { return opening_ == Opening::Replaying; }
     void setOpening(Opening opening) { opening_ = opening; }
 
+    // The graphics driver was reset: nothing can be done with the document any more.
+    [[nodiscard]] bool isDeviceLost() const { return isDeviceLost_; }
+
     // Does something with the document at once. False: it failed, and the message says why.
     bool guard(const std::function<void()>& work);
     // Does something with the document that may take long while the window goes on painting and input waits
@@ -106,6 +109,7 @@ signals:
     void messageChanged();
     void progress(int done, int total); // total 0: unknown; done == total > 0: finished
     void givenUp();                     // what goes on by itself ends
+    void deviceLost();                  // told once; the journal has all that was done
     void woken();
     void workWaits();
 
@@ -123,6 +127,7 @@ private:
     std::vector<std::function<void()>> waiting_; // for the document to be back
     QString message_;
     bool isToldSoon_ = false;
+    bool isDeviceLost_ = false;
     Timer sinceWoken_;
 };
 

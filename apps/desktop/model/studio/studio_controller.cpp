@@ -86,6 +86,9 @@ void StudioController::letGo() {
 // --- one slice of work
 
 void StudioController::tick() {
+    if (host_.isDeviceLost()) {
+        return;
+    }
     if (takeUpWaiting()) {
         schedule(0);
         return;

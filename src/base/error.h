@@ -38,7 +38,8 @@ public:
     using Error::Error;
 };
 
-// The graphics driver was reset: all that was on the device is gone, and nothing can be done with it any more.
+// The graphics driver was reset: all that was on the device is gone, and nothing can be done with it any
+// more.
 class ContextLost : public GlError {
 public:
     using GlError::GlError;

@@ -101,23 +101,22 @@ std::vector<EGLDisplay> candidateDisplays() {
     return displays;
 }
 
+// A 4.5 core context, with further attributes, or EGL_NO_CONTEXT.
+EGLContext makeContext(EGLDisplay display, EGLConfig config, std::initializer_list<EGLint> further) {
+    std::vector<EGLint> attributes{EGL_CONTEXT_MAJOR_VERSION,       4,
+                                   EGL_CONTEXT_MINOR_VERSION,       5,
+                                   EGL_CONTEXT_OPENGL_PROFILE_MASK, EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT};
+    attributes.insert(attributes.end(), further);
+    attributes.push_back(EGL_NONE);
+    return eglCreateContext(display, config, EGL_NO_CONTEXT, attributes.data());
+}
+
 // A current 4.5 core context on this display, or EGL_NO_CONTEXT.
 EGLContext contextOn(EGLDisplay display) {
     if (display == EGL_NO_DISPLAY || eglInitialize(display, nullptr, nullptr) != EGL_TRUE ||
         eglBindAPI(EGL_OPENGL_API) != EGL_TRUE) {
         return EGL_NO_CONTEXT;
     }
-    std::vector<EGLint> attributes{EGL_CONTEXT_MAJOR_VERSION,
-                                   4,
-                                   EGL_CONTEXT_MINOR_VERSION,
-                                   5,
-                                   EGL_CONTEXT_OPENGL_PROFILE_MASK,
-                                   EGL_CONTEXT_OPENGL_CORE_PROFILE_BIT};
-    if (epoxy_has_egl_extension(display, "EGL_EXT_create_context_robustness")) { // tells of resets
-        attributes.insert(attributes.end(), {EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_EXT,
-                                             EGL_LOSE_CONTEXT_ON_RESET_EXT});
-    }
-    attributes.push_back(EGL_NONE);
     EGLConfig config = nullptr; // EGL_KHR_no_config_context
     if (!epoxy_has_egl_extension(display, "EGL_KHR_no_config_context")) {
         const EGLint wanted[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
@@ -126,7 +125,15 @@ EGLContext contextOn(EGLDisplay display) {
             return EGL_NO_CONTEXT;
         }
     }
-    EGLContext context = eglCreateContext(display, config, EGL_NO_CONTEXT, attributes.data());
+    EGLContext context = EGL_NO_CONTEXT;
+    if (epoxy_has_egl_extension(display, "EGL_EXT_create_context_robustness")) {
+        context =
+            makeContext(display, config,
+                        {EGL_CONTEXT_OPENGL_RESET_NOTIFICATION_STRATEGY_EXT, EGL_LOSE_CONTEXT_ON_RESET_EXT});
+    }
+    if (context == EGL_NO_CONTEXT) { // some that have the extension have it for other drivers only
+        context = makeContext(display, config, {});
+    }
     if (context != EGL_NO_CONTEXT &&
         eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, context) != EGL_TRUE) {
         eglDestroyContext(display, context);

@@ -10,9 +10,9 @@ namespace vs::gl {
 // Errors of one context. Drivers report them as debug messages; some keep silent in a context that was not
 // made for debugging, so what glGetError holds counts as well, where no message told of it.
 struct ErrorCount {
-    int messages = 0; // told by the driver
-    int silent = 0;   // found by glGetError alone
-    int seen = 0;     // messages when glGetError was last asked
+    int messages = 0;    // told by the driver
+    int silent = 0;      // found by glGetError alone
+    int seen = 0;        // messages when glGetError was last asked
     bool isLost = false; // the context: the driver tells that once
 
     [[nodiscard]] int total() const { return messages + silent; }

@@ -2,7 +2,7 @@
 #include "gl/shader_source.h"
 
 #include "base/error.h"
-#include "base/text.h"
+#include "base/lines.h"
 #include "gl/embedded_shaders.h"
 
 #include <algorithm>

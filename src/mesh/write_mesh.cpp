@@ -3,7 +3,7 @@
 
 #include "base/atomic_file.h"
 #include "base/error.h"
-#include "base/text.h"
+#include "base/lines.h"
 #include "mesh/mesh_formats.h"
 #include "mesh/vtk_mesh.h"
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Preloaded: says once that the graphics driver was reset, when the file that VS_LOSE_CONTEXT names is there, and
-// takes the file away.
+// Preloaded: says once that the graphics driver was reset, when the file that VS_LOSE_CONTEXT names is there,
+// and takes the file away.
 #include <epoxy/gl.h>
 
 #include <cstdlib>

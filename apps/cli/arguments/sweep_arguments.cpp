@@ -3,7 +3,7 @@
 
 #include "arguments/parse.h"
 #include "base/error.h"
-#include "base/text.h"
+#include "base/lines.h"
 #include "image/image.h"
 #include "sculpt/mask/mask_image.h"
 #include "volume/reading/read_picture.h"

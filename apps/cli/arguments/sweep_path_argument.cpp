@@ -3,7 +3,7 @@
 #include "arguments/sweep_arguments.h"
 #include "base/error.h"
 #include "base/input_file.h"
-#include "base/text.h"
+#include "base/lines.h"
 #include "sculpt/radiation/sweep.h"
 
 #include <algorithm>

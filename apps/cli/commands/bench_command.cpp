@@ -9,8 +9,8 @@
 
 #include "base/atomic_file.h"
 #include "base/error.h"
+#include "base/lines.h"
 #include "base/log.h"
-#include "base/text.h"
 #include "field/histogram.h"
 #include "gl/context.h"
 #include "phantom/phantom.h"

@@ -18,8 +18,8 @@ namespace vs::sculpt {
 class BrickDelta {
 public:
     // Exchanges the texture's contents with the ones held here; `texture` must be the one the delta was made
-    // of, as it was then or as the last swap() left it. Throws Error or std::bad_alloc when there is no memory
-    // to hold them; then nothing has changed.
+    // of, as it was then or as the last swap() left it. Throws Error or std::bad_alloc when there is no
+    // memory to hold them; then nothing has changed.
     void swap(gl::Texture& texture);
 
     // For a delta that contentOf() made, and a texture in which every texel has the bytes `untouched`: brings

@@ -128,7 +128,7 @@ private:
     };
     static constexpr std::size_t kChangesRemembered = 64;
     std::vector<Change> changes_; // oldest first; the first holds all that came before it; has room for all
-    std::vector<bool> touched_;                  // by brick, since it was made or cleared
+    std::vector<bool> touched_;   // by brick, since it was made or cleared
     mutable std::optional<bool> isEmpty_ = true; // nothing: not known
 };
 

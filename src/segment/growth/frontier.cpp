@@ -261,9 +261,9 @@ std::vector<std::uint64_t> Frontier::expand(SeedMap& seedMap, const Rules& rules
     if (rules.forbidden != nullptr) {
         rules.forbidden->bindStorage(kForbiddenToGrowStorage);
     }
-    auto grown = run(seedMap, program, allow, *rules.constraints,
-                     allow != nullptr ? gl::Defines{{"VS_BY_ROWS", "1"}} : gl::Defines{}, generation,
-                     expansions);
+    auto grown =
+        run(seedMap, program, allow, *rules.constraints,
+            allow != nullptr ? gl::Defines{{"VS_BY_ROWS", "1"}} : gl::Defines{}, generation, expansions);
     isAtWork_ = false;
     return grown;
 }

@@ -165,8 +165,8 @@ void Growth::activate(std::uint8_t label, GrowthUndo* undo) {
     }
 }
 
-// Puts the run at work away and takes another's up; nothing is erased. All that needs memory comes first: when
-// it throws, nothing has changed.
+// Puts the run at work away and takes another's up; nothing is erased. All that needs memory comes first:
+// when it throws, nothing has changed.
 void Growth::exchangeRun(std::uint8_t label) {
     const auto known = others_.find(label);
     std::vector<GenerationSpan> spans(seedMap_.bricks().count());

@@ -99,8 +99,7 @@ void GrowthUndo::putBackErased(Growth& growth) const {
         gl::Buffer forbidden;
         if (!held_.forbidden.empty()) {
             forbidden = gl::Buffer(seedMap.planeBytes(), "forbidden voxels");
-            forbidden.write(
-                std::span<const std::byte>(decompress(held_.forbidden, seedMap.planeBytes())));
+            forbidden.write(std::span<const std::byte>(decompress(held_.forbidden, seedMap.planeBytes())));
         }
         growth.forbidden_ = std::move(forbidden);
     }

@@ -13,8 +13,8 @@ namespace vs::segment {
 
 // Undoes one call that changed a Growth, restoring its seed map byte for byte and its state. Made by passing
 // it to the call; redo is calling again. A call that threw is undone likewise, however far it came: all that
-// it needs is recorded before anything changes. What advancing added is not kept, since erasing it needs only its
-// number; erased generations are kept as compressed bricks.
+// it needs is recorded before anything changes. What advancing added is not kept, since erasing it needs only
+// its number; erased generations are kept as compressed bricks.
 class GrowthUndo {
 public:
     // The growth must be as the call left it, apart from where its playhead stands. The sculpture that the

@@ -30,8 +30,8 @@ public:
     Entry prepare(Operation operation, const View& before, const View& after);
     void add(Entry entry) noexcept;
 
-    // Appends an operation that was done in the view `before` and left the view `after`, or throws and changes
-    // nothing.
+    // Appends an operation that was done in the view `before` and left the view `after`, or throws and
+    // changes nothing.
     void record(Operation operation, const View& before, const View& after) {
         add(prepare(std::move(operation), before, after));
     }

@@ -4,7 +4,7 @@
 #include "base/error.h"
 #include "base/input_file.h"
 #include "base/json_file.h"
-#include "base/text.h"
+#include "base/lines.h"
 #include "studio/json/operation_json.h"
 #include "studio/json/session_json.h"
 

@@ -96,7 +96,8 @@ std::vector<LostWork> lostWork() {
         }
         if (const auto held = HeldJournal::hold(path)) {
             LostWork lost = describeJournal(path);
-            const bool isEmpty = std::filesystem::file_size(path, ignored) == 0; // killed before its first line
+            const bool isEmpty =
+                std::filesystem::file_size(path, ignored) == 0; // killed before its first line
             if (isEmpty || (lost.edits == 0 && lost.leftOut.empty() && lost.problem.empty())) {
                 held->remove();
             } else {

@@ -2,7 +2,7 @@
 // The encoding of DICOM files: PS3.5 chapter 7 and PS3.10 chapter 7.
 #include "volume/dicom/dicom_elements.h"
 
-#include "base/text.h"
+#include "base/lines.h"
 #include "volume/dicom/dicom.h"
 #include "volume/io/inspect.h"
 

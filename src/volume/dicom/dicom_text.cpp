@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "volume/dicom/dicom_text.h"
 
-#include "base/text.h"
+#include "base/lines.h"
 #include "volume/dicom/dcmtk_log.h"
 #include "volume/io/inspect.h"
 

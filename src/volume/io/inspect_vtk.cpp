@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "volume/io/inspect.h"
 
-#include "base/text.h"
+#include "base/lines.h"
 
 #include <fmt/format.h>
 

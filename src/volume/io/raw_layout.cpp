@@ -2,7 +2,7 @@
 #include "volume/io/inspect.h"
 #include "volume/io/read.h"
 
-#include "base/text.h"
+#include "base/lines.h"
 
 #include <fmt/format.h>
 

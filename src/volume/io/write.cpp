@@ -3,7 +3,7 @@
 
 #include "base/atomic_file.h"
 #include "base/error.h"
-#include "base/text.h"
+#include "base/lines.h"
 #include "volume/io/inspect.h"
 #include "volume/io/quiet_libraries.h"
 

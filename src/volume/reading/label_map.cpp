@@ -2,7 +2,7 @@
 #include "volume/reading/label_map.h"
 
 #include "base/error.h"
-#include "base/text.h"
+#include "base/lines.h"
 #include "volume/reading/read_volume.h"
 
 #include <fmt/format.h>

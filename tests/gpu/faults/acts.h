@@ -4,6 +4,7 @@
 
 #include "gpu/faults/faults.h"
 #include "gpu/gl_test.h"
+#include "studio/document/document.h"
 #include "studio/document/document_content.h"
 
 #include <filesystem>

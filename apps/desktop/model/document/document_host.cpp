@@ -85,7 +85,8 @@ bool DocumentHost::guard(const std::function<void()>& work) {
         say(tr("Given up: nothing was changed"));
         return false;
     } catch (const std::bad_alloc&) {
-        say(tr("There is no memory for that: nothing was changed; end other programs, or use a smaller volume"));
+        say(tr(
+            "There is no memory for that: nothing was changed; end other programs, or use a smaller volume"));
         return false;
     } catch (const ContextLost& e) {
         say(QString::fromUtf8(e.what()));

@@ -7,21 +7,23 @@ and zone of time, and comes later. Neither uses ccache, which would give the sec
 Nothing is stripped. With --part only what is likeliest to differ is built and compared: two libraries, whose sources name
 their files and hold the shaders, and the resources of the window.
 
-usage: reproduce.py [--part] [--jobs N] FOLDER      FOLDER must not exist; it is left as it is, to look at what differs
+usage: reproduce.py [--part] [--jobs N] FOLDER      FOLDER is left as it is, to look at what differs; with one that is there
+                                                    already, a comparison that was stopped goes on
 """
 import argparse
 import hashlib
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
 
 ROOT = pathlib.Path(__file__).resolve().parents[1]
-NOT_SOURCES = shutil.ignore_patterns("build*", "out", ".git", ".cache", "__pycache__")
-PROGRAMS = ["vstudio", "volume-studio", "volume-studio-decoder"]
+NOT_SOURCES = re.compile(r"(build.*|out|\.git|\.cache|__pycache__)$")
+SHIPPED = ["vstudio", "volume-studio", "volume-studio-decoder", "sbom"]
 PART = ["vs_base", "vs_gl", "vs_desktop_resources_1", "vs_desktop_resources_2", "vs_desktop_resources_3"]
-YEARS = 8 * 365 * 24 * 3600
+EIGHT_YEARS = 8 * 365 * 24 * 3600  # in seconds
 
 # What surrounds each of the two builds: where sources and build lie in the folder, umask and variables.
 SURROUNDINGS = [
@@ -30,11 +32,17 @@ SURROUNDINGS = [
 ]
 
 
-def copy_sources(target, years_older):
-    shutil.copytree(ROOT, target, ignore=NOT_SOURCES, symlinks=True)
-    for path in target.rglob("*") if years_older else []:
-        seconds = path.stat().st_mtime - YEARS
-        os.utime(path, (seconds, seconds))
+def copy_sources(target, age):
+    """Copies what is not there yet or differs, so that a comparison that was stopped goes on; the copies seem `age` seconds older."""
+    for folder, folders, names in os.walk(ROOT):
+        folders[:] = [name for name in folders if not NOT_SOURCES.match(name)]
+        for name in names:
+            source = pathlib.Path(folder) / name
+            copy = target / source.relative_to(ROOT)
+            if name != ".git" and not (copy.is_file() and copy.read_bytes() == source.read_bytes()):
+                copy.parent.mkdir(parents=True, exist_ok=True)
+                shutil.copy2(source, copy)
+                os.utime(copy, (copy.stat().st_mtime - age, copy.stat().st_mtime - age))
 
 
 def run(log, command, **options):
@@ -86,9 +94,9 @@ def differences(first, second):
 def build_and_list(folder, part, jobs):
     """Builds twice; what came of each."""
     for number, (source, made, umask, variables) in enumerate(SURROUNDINGS):
-        copy_sources(folder / source, years_older=number == 1)
+        copy_sources(folder / source, number * EIGHT_YEARS)
         made = folder / made
-        log, surroundings = build(folder / source, made, PART if part else PROGRAMS, jobs, umask, variables)
+        log, surroundings = build(folder / source, made, PART if part else SHIPPED, jobs, umask, variables)
         if part:
             yield compiled(made)
         else:
@@ -103,7 +111,7 @@ def main():
     parser.add_argument("--jobs", type=int, default=os.cpu_count())
     arguments = parser.parse_args()
     folder = arguments.folder.resolve()
-    folder.mkdir(parents=True)
+    folder.mkdir(parents=True, exist_ok=True)
     first, second = build_and_list(folder, arguments.part, arguments.jobs)
     for name, facts in first.items():
         print(f"{facts[0]}  {name}")

@@ -170,7 +170,7 @@ def check_content(bill):
         found = {by_ref[ref]["name"] for ref in needs[f"volume-studio/{name}"]}
         expect(wanted and wanted == found, f"{name} links {sorted(wanted)}, the bill says {sorted(found)}")
     names = {one["name"] for one in bill["components"]}
-    missing = {"libeigen3-dev", "libglm-dev", "libcli11-dev", "nlohmann-json3-dev", "ffmpeg", "fonts-dejavu-core"} - names
+    missing = {"libinsighttoolkit5-dev", "libglm-dev", "libcli11-dev", "nlohmann-json3-dev", "ffmpeg", "fonts-dejavu-core"} - names
     expect(not missing, f"the bill lacks {missing}")
     without = [one["name"] for one in bill["components"] if not one.get("licenses")]
     expect(not without, f"no licence is said of {without}")

@@ -6,6 +6,7 @@ install(FILES ${PACKAGING_DIR}/volume-studio.xml DESTINATION ${CMAKE_INSTALL_DAT
 install(FILES ${PACKAGING_DIR}/org.volumestudio.VolumeStudio.metainfo.xml DESTINATION ${CMAKE_INSTALL_DATADIR}/metainfo)
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/THIRD_PARTY.md
   DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/volume-studio)
+include(BillOfMaterials)
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME volume-studio)

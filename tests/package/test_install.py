@@ -11,7 +11,8 @@ import xml.etree.ElementTree as ElementTree
 
 INSTALLED = ["bin/vstudio", "bin/volume-studio", "libexec/volume-studio/volume-studio-decoder", "share/applications/volume-studio.desktop",
              "share/icons/hicolor/scalable/apps/volume-studio.svg", "share/mime/packages/volume-studio.xml",
-             "share/metainfo/org.volumestudio.VolumeStudio.metainfo.xml", "share/doc/volume-studio/LICENSE"]
+             "share/metainfo/org.volumestudio.VolumeStudio.metainfo.xml", "share/doc/volume-studio/LICENSE",
+             "share/doc/volume-studio/THIRD_PARTY.md", "share/doc/volume-studio/sbom.cdx.json"]
 # What the programs cannot do without, by the beginning of the package's name.
 DEPENDS = ["libqt6widgets6", "libqt6svg6", "libinsighttoolkit5", "libepoxy0", "libzstd1", "libc6"]
 

@@ -70,10 +70,15 @@ void WornDocument::requireEqual(const studio::DocumentContent& wanted, const std
     }
 }
 
-// A seed that is taken back: from then on there is a place for segments, which the start has too.
+// A seed and a trim that are taken back: from then on there is room for segments and for what is trimmed,
+// which the start has too.
 void WornDocument::begin() {
-    document_->apply(test::brainSeed());
-    document_->apply(studio::Undo{});
+    studio::Clip trim;
+    trim.planes = {{{35, 39, 30}, {0, 0, 1}}};
+    for (const Operation& operation : {Operation(test::brainSeed()), Operation(trim)}) {
+        document_->apply(operation);
+        document_->apply(studio::Undo{});
+    }
     start_ = contentNow();
 }
 
@@ -91,13 +96,17 @@ bool WornDocument::done(const Operation& operation) {
     }
 }
 
-void WornDocument::operate() {
-    const Operation operation = any_.anything();
-    const std::string name = studio::name(operation);
-    last_.push_back(toJson(operation).dump());
+void WornDocument::remember(std::string what) {
+    last_.push_back(std::move(what));
     if (last_.size() > kRemembered) {
         last_.erase(last_.begin());
     }
+}
+
+void WornDocument::operate() {
+    const Operation operation = any_.anything();
+    const std::string name = studio::name(operation);
+    remember(toJson(operation).dump());
     const bool isCompared = below(kComparesOneIn) == 0;
     const auto before = isCompared ? contentNow() : studio::DocumentContent();
     ++tried_;
@@ -128,7 +137,7 @@ void WornDocument::travel() {
         }
     }
     ++journeys_;
-    last_.push_back(fmt::format("{} times undo and redo, {} more could be redone", steps, canRedo));
+    remember(fmt::format("{} times undo and redo, {} more could be redone", steps, canRedo));
     requireEqual(before, "undone and redone");
 }
 

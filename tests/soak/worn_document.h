@@ -59,6 +59,7 @@ public:
 private:
     [[nodiscard]] int below(int n) { return int(random_() % std::uint64_t(n)); }
     bool done(const studio::Operation& operation);
+    void remember(std::string what);
     void operate();
     void travel();
     void saveAndOpen();

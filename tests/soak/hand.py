@@ -3,8 +3,8 @@
 
 from driver import Failure
 
-TOOLS = {"p": "peel", "d": "drill", "b": "laser", "w": "sweep", "x": "scissors", "k": "keep", "c": "clip", "s": "seed", "h": "island",
-         "t": "paint", "g": "move", "m": "measure"}
+TOOLS = "xxxxsssttpppddbbwkchgm"  # their keys: those that change most with one stroke more often
+SHAPES = "nnnef"  # rectangle, ellipse, free-form, where the tool in hand has them
 VIEWS = ("1", "2", "3", "4", "5", "9", "6", "7", "8", "l", "a", "shift+s", "shift+a", "shift+t", "shift+x", "shift+i")
 GROWTH = ("period", "comma", "ctrl+g", "ctrl+period", "shift+g", "shift+b", "ctrl+shift+b")
 # What is not pressed at random: what leaves the document, what waits for a file's name, what another test is about.
@@ -47,8 +47,9 @@ class Hand:
 
     def stroke(self):
         """A tool is taken and led along a way of a few places; sometimes it is only clicked with."""
-        key = self.chance.choice(list(TOOLS))
-        self.key(key)
+        self.key(self.chance.choice(TOOLS))
+        if self.chance.random() < 0.5:
+            self.key(self.chance.choice(SHAPES))
         x, y = self.place()
         if self.chance.random() < 0.25:
             self.studio.xdotool("mousemove", x, y, "click", 1, lasting=True)
@@ -104,6 +105,7 @@ class Hand:
         self.settle()
         self.key("ctrl+shift+s")
         if "saveDialog" in self.studio.answer("saving", lasting=True)["windows"]:
+            self.studio.focus("saveDialog")
             self.studio.type_path("saveDialog", self.session)
 
     def leave_dialogs(self):

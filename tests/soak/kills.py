@@ -204,7 +204,7 @@ class Runs:
         shutil.rmtree(place, ignore_errors=True)
         shutil.copytree(self.folder / "whole_older", place)
         process = subprocess.Popen(self.command("newer", place), stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
-        death = Killed(process, self.chance.uniform(0, 1.1 * self.seconds))
+        death = Killed(process, self.chance.uniform(0, 0.95 * self.seconds))
         killed = process.wait() == -9
         death.end()
         self.judge(place)

@@ -138,7 +138,9 @@ int run(int argc, char** argv) {
         return test::isDeviceRequired() ? 1 : kSkipped;
     }
     try {
-        wear(options);
+        if (options.operations > 0) {
+            wear(options);
+        }
         goRound(options);
         context->requireNoErrors();
     } catch (const std::exception& error) {

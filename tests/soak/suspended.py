@@ -25,7 +25,7 @@ def stopped(process):
 
 
 def suspend(processes, seconds):
-    """Stops them all, the first first, and lets them rest. Nothing is waited for: the rest is what is tried."""
+    """Stops them all, in that order, and lets them rest. Nothing is waited for: the rest is what is tried."""
     for process in processes:
         os.kill(process, signal.SIGSTOP)
     for _ in looks(10):
@@ -55,6 +55,21 @@ def studio(display, arguments, folder, decoder):
 
 
 @test.step
+def reading(studio, arguments, folder, decoder):
+    """Window and decoder are stopped together while a scan is read, and go on together: it is read."""
+    begun, gate = folder / "begun", folder / "gate"
+    decoder.does(f"touch {begun}; while [ ! -e {gate} ]; do sleep 0.01; done; exec {{decoder}}")
+    studio.key("ctrl+o")
+    studio.type_path("openDialog", folder / "second.nrrd")
+    studio.wait("the decoder", lambda s: begun.exists())
+    both = [studio.process.pid, *processes_of(studio.process.pid)]
+    suspend(both, arguments.seconds)
+    gate.touch()
+    resume(reversed(both))  # whoever looks finds those at work that it waits for
+    studio.wait_idle("the second scan", lambda s: s["title"].startswith("second") and s["pictureComplete"])
+
+
+@test.step(after=[reading])
 def in_a_stroke(studio, arguments, folder):
     """The pen goes on while the window is stopped: what it drew is there afterwards."""
     studio.move(studio.view_point(0.5, 0.5))
@@ -62,6 +77,7 @@ def in_a_stroke(studio, arguments, folder):
     studio.wait("the scissors", lambda s: s["tool"] == "scissors")
     studio.key("n")
     cut(studio, (0.40, 0.30), (0.46, 0.40))
+    studio.key("f")  # free-form: every place of the pen is a point of the outline
     before = studio.state()["operations"]
     way = [studio.view_point(0.5 + 0.01 * i, 0.3 + 0.02 * (i % 2)) for i in range(6)]
     studio.xdotool("mousemove", *way[0], "mousedown", 1, "mousemove", *way[1])
@@ -90,39 +106,7 @@ def amid_growth(studio, arguments):
     need(state["generation"] >= before and state["segments"][0]["voxels"] > 1000, f"it has grown {state['segments']}")
 
 
-def open_second(studio, folder):
-    studio.key("ctrl+o")
-    studio.type_path("openDialog", folder / "second.nrrd")
-
-
 @test.step(after=[amid_growth])
-def reading(studio, arguments, folder, decoder):
-    """Window and decoder are stopped together while a scan is read, and go on together: it is read."""
-    begun = folder / "begun"
-    gate = folder / "gate"
-    decoder.does(f"touch {begun}; while [ ! -e {gate} ]; do sleep 0.01; done; exec {{decoder}}")
-    studio.key("ctrl+o")
-    studio.wait("openDialog", lambda s: "fileNameEdit" in s["widgets"])
-    studio.click("fileNameEdit")
-    studio.key("ctrl+a")
-    studio.type(folder / "second.nrrd")
-    studio.key("Return", lasting=True)
-    for _ in looks(60):
-        if begun.exists():
-            break
-        if "openDialog" in studio.state()["windows"]:
-            studio.key("Return", lasting=True)
-    need(begun.exists(), "the decoder was not started")
-    both = [studio.process.pid, *processes_of(studio.process.pid)]
-    suspend(both, arguments.seconds)
-    gate.touch()
-    resume(reversed(both))  # whoever looks finds those at work that it waits for
-    if "unsavedEdits" in studio.answer("reading", lasting=True)["windows"]:
-        need(False, "it asks about unsaved edits only now")
-    studio.wait_idle("the second scan", lambda s: s["title"].startswith("second") and s["pictureComplete"])
-
-
-@test.step(after=[reading])
 def ended(studio):
     need(studio.state()["glErrors"] == 0, "OpenGL errors")
     studio.quit()

@@ -113,6 +113,9 @@ Outcome Document::Impl::travel(Edit& edit, bool isUndo) {
     Outcome outcome;
     if (edit.cut) {
         contents.sculpture.swap(*edit.cut);
+        if (const auto known = isUndo ? contents.history.contentBeforeLast() : edit.cutContent) {
+            contents.sculpture.contentIsAsAt(*known);
+        }
         outcome.voxelsTouched = edit.cut->changedVoxels();
     }
     if (edit.trim) {

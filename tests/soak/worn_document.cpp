@@ -2,6 +2,7 @@
 #include "soak/worn_document.h"
 
 #include "base/error.h"
+#include "gl/context.h"
 #include "soak/memory.h"
 #include "studio/document/document_facts.h"
 #include "studio/json/operation_json.h"
@@ -204,7 +205,23 @@ void WornDocument::redoAll() {
     }
 }
 
+void WornDocument::doTheSame() {
+    document_->showView(start_.view);
+    studio::KeepConnected keep;
+    keep.voxel = glm::ivec3(35, 11, 29); // of the skull
+    for (const Operation& operation :
+         {Operation(test::brainSeed()), Operation(studio::Grow{3}), Operation(test::somePeel()),
+          Operation(keep), Operation(studio::BrushSegment{true, test::somePeel()}),
+          Operation(studio::Paste{}), Operation(studio::SavePicture{"same.png", {48, 36}, 1})}) {
+        document_->apply(operation, folder_);
+    }
+    while (done(studio::Undo{})) {
+    }
+    gl::Context::finish();
+}
+
 void WornDocument::forgetHistory() {
+    doTheSame();
     document_->apply(studio::Note{"here"}); // what comes after a step back forgets what could be redone
     document_->apply(studio::Undo{});
     onTheWay_.clear();

@@ -41,7 +41,8 @@ public:
     void requireAsAtTheStart();
     // Redoes all that undoAll() has undone, comparing with what it noted.
     void redoAll();
-    // What could be redone is not kept any more; nothing may be left to undo.
+    // What could be redone is not kept any more; nothing may be left to undo. Before, the same short work is
+    // done each time: drivers keep what was bound last, and that is then the same too.
     void forgetHistory();
 
     // What the log takes, with what it shares with none but the history.
@@ -60,6 +61,7 @@ private:
     [[nodiscard]] int below(int n) { return int(random_() % std::uint64_t(n)); }
     bool done(const studio::Operation& operation);
     void remember(std::string what);
+    void doTheSame();
     void operate();
     void travel();
     void saveAndOpen();

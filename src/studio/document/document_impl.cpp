@@ -162,7 +162,7 @@ Outcome Document::Impl::travel(Edit& edit, bool isUndo) {
     outcome.message = {name(*edit.operation)};
     auto segments = edit.segmentsBefore;
     auto places = isUndo ? edit.partsBefore : edit.partsAfter;
-    travelCut(edit, outcome);
+    travelCut(edit, isUndo, outcome);
     if (!edit.growth.empty() || edit.segmentsAfter) {
         const std::size_t before = contents.grownVoxels();
         if (isUndo) {
@@ -189,19 +189,25 @@ Outcome Document::Impl::travel(Edit& edit, bool isUndo) {
     return outcome;
 }
 
-void Document::Impl::travelCut(Edit& edit, Outcome& outcome) {
-    if (edit.cut) {
-        contents.sculpture.swap(*edit.cut);
-        outcome.voxelsTouched = edit.cut->changedVoxels();
+void Document::Impl::travelCut(Edit& edit, bool isUndo, Outcome& outcome) {
+    if (!edit.cut) {
+        return;
     }
-    if (edit.trim) {
-        try {
+    const std::uint64_t content = contents.sculpture.contentVersion();
+    contents.sculpture.swap(*edit.cut);
+    try {
+        if (edit.trim) {
             contents.trimmed.swap(*edit.trim);
-        } catch (...) {
-            contents.sculpture.swap(*edit.cut);
-            throw;
         }
+    } catch (...) {
+        contents.sculpture.swap(*edit.cut);
+        contents.sculpture.contentIsAsAt(content);
+        throw;
     }
+    if (const auto known = isUndo ? contents.history.contentBeforeLast() : edit.cutContent) {
+        contents.sculpture.contentIsAsAt(*known);
+    }
+    outcome.voxelsTouched = edit.cut->changedVoxels();
 }
 
 Region::Records Document::Impl::repeat(const Operation& operation) {

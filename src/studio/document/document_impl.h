@@ -60,7 +60,7 @@ struct Document::Impl {
 
 private:
     void takeBackSince(std::size_t stepsDone);
-    void travelCut(Edit& edit, Outcome& outcome);
+    void travelCut(Edit& edit, bool isUndo, Outcome& outcome);
     // Operations that belong to no editor.
     Outcome run(SetView& op);
     Outcome run(Undo&);

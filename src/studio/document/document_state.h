@@ -49,6 +49,7 @@ struct SavedEdit {
     Measurements measurementsBefore = {};
     Measurements measurementsAfter = {};
     bool isLimited = false;
+    std::optional<std::uint64_t> cutContent = {};
 };
 
 struct DocumentState {

@@ -46,6 +46,7 @@ SavedEdit savedEdit(const History& history, const Edit& edit, bool isDone, KeptP
     saved.measurementsBefore = edit.measurementsBefore;
     saved.measurementsAfter = edit.measurementsAfter;
     saved.isLimited = edit.isLimited;
+    saved.cutContent = edit.cutContent;
     return saved;
 }
 
@@ -73,6 +74,7 @@ Edit restoredEdit(SavedEdit saved, const RestoredPastes& pastes, const gl::Textu
     edit.measurementsAfter = std::move(saved.measurementsAfter);
     edit.trim = std::move(saved.trim);
     edit.isLimited = saved.isLimited;
+    edit.cutContent = saved.cutContent;
     return edit;
 }
 

@@ -22,6 +22,9 @@ void Contents::show(const View& next) {
 }
 
 void Contents::remember(Edit edit) {
+    if (edit.cut) {
+        edit.cutContent = sculpture.contentVersion();
+    }
     history.push(std::move(edit));
     ++version;
 }

@@ -125,6 +125,9 @@ Json storedEdit(StateWriter& file, const SavedEdit& edit) {
             json[name] = writePart(file, part);
         }
     });
+    if (edit.cutContent) {
+        json["cutContent"] = *edit.cutContent;
+    }
     Json growth = Json::array();
     for (const segment::GrowthUndo& undo : edit.growth) {
         growth.push_back(stored(file, undo));
@@ -151,6 +154,9 @@ SavedEdit readEdit(StateReader& file, const JsonReader& from, glm::ivec3 dims, b
     edit.changesSegments = from.member("changesSegments").boolean();
     forEachPart(edit, [&](const char* name, auto& part) {
         from.ifHas(name, [&](const JsonReader& r) { readPart(file, r, dims, part); });
+    });
+    from.ifHas("cutContent", [&](const JsonReader& r) {
+        edit.cutContent = std::uint64_t(r.integerBetween(0, std::numeric_limits<long>::max()));
     });
     forEachIn(from.member("growth"),
               [&](const JsonReader& one) { edit.growth.push_back(readGrowthUndo(file, one, dims)); });

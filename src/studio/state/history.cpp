@@ -95,6 +95,12 @@ void History::forget(std::vector<Edit>& edits) noexcept {
     edits.clear();
 }
 
+std::optional<std::uint64_t> History::contentBeforeLast() const {
+    const auto cut =
+        std::find_if(done_.rbegin() + 1, done_.rend(), [](const Edit& edit) { return edit.cut.has_value(); });
+    return cut == done_.rend() ? std::optional<std::uint64_t>(0) : cut->cutContent;
+}
+
 Edit& History::inMemory(Edit& edit) {
     if (edit.spilled) {
         edit.cut->giveBack(file_.read(*edit.spilled));

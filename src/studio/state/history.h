@@ -37,6 +37,10 @@ struct Edit {
     // What it changed of what was trimmed (sculpt::Trimmed); it stays in memory.
     std::optional<sculpt::BrickDelta> trim = {};
     bool isLimited = false; // the cut spared segments, or took nothing else
+    // What numbers the sculpture's contents since its cut (sculpt::Sculpture::contentVersion()); undo and
+    // redo give them that number again, by which growth knows the fence that it grew at. Nothing: there is no
+    // cut, or an older file did not say.
+    std::optional<std::uint64_t> cutContent = {};
     // Where the cut's contents are while they are not in memory; History's own business.
     std::optional<SpillFile::Block> spilled = {};
 };
@@ -101,6 +105,9 @@ public:
     [[nodiscard]] const Operation& lastOperation() const { return *done_.back().operation; }
     // Counts changes of all this.
     [[nodiscard]] std::uint64_t revision() const { return revision_; }
+
+    // What numbers the sculpture's contents without the step to take back, where that is known.
+    [[nodiscard]] std::optional<std::uint64_t> contentBeforeLast() const;
 
     // The step to take back, in memory; once that is done, tookBack() makes it the one to redo. Throws
     // ReadError when it cannot be read back from the file.

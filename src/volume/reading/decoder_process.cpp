@@ -15,6 +15,7 @@
 #include <algorithm>
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
@@ -214,13 +215,7 @@ void DecoderProcess::waitFor(short events) {
 
 // Whether it has not worked for very long.
 bool DecoderProcess::isStuck() {
-    const auto now = std::chrono::steady_clock::now();
-    const auto time = processorTimeOf(process_->id());
-    if (!time || *time != lastTime_) {
-        lastTime_ = time.value_or(lastTime_);
-        lastSeen_ = now;
-    }
-    return now - lastSeen_ > kLongestRest;
+    return rest_.look(std::chrono::steady_clock::now(), processorTimeOf(process_->id())) > kLongestRest;
 }
 
 } // namespace vs::volume

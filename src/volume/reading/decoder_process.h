@@ -4,8 +4,8 @@
 #include "base/child_process.h"
 #include "base/error.h"
 #include "volume/reading/decoder_messages.h"
+#include "volume/reading/rest_clock.h"
 
-#include <chrono>
 #include <cstddef>
 #include <filesystem>
 #include <memory>
@@ -53,9 +53,7 @@ private:
     std::unique_ptr<ChildProcess> process_;
     MessageCollector collected_;
     std::string why_;
-    // When it was last seen to do something: its processor time then.
-    std::chrono::steady_clock::time_point lastSeen_ = std::chrono::steady_clock::now();
-    std::chrono::nanoseconds lastTime_{-1};
+    RestClock rest_; // how long it has done nothing
 };
 
 template <typename Answer>

@@ -2,7 +2,7 @@
 // Sessions with state: a document that was saved and opened again is the one that it was, and goes on as it.
 #include "base/hash.h"
 #include "gpu/gl_test.h"
-#include "gpu/studio/test_labels.h"
+#include "gpu/studio/any_edit.h"
 #include "gpu/studio/test_segments.h"
 #include "gpu/studio/test_tools.h"
 #include "property.h"
@@ -56,122 +56,8 @@ protected:
 
 // --- anything that a person can do
 
-Operation anyCut() {
-    const auto below = [](int n) { return *test::below(n); };
-    const double x = 150 + 10 * below(11);
-    const double y = 90 + 10 * below(12);
-    switch (below(6)) {
-    case 0: {
-        Clip clip;
-        clip.planes = {{{35, 39, 20.0 + below(30)}, {0.2, 0.1, -1}}};
-        return clip;
-    }
-    case 1: {
-        KeepConnected keep;
-        keep.voxel = glm::ivec3(35, 39, 29);
-        keep.canvas = testCanvas();
-        return keep;
-    }
-    case 2:
-        return restoring(toolsAt(x, y)[std::size_t(below(6))]);
-    case 3:
-        return below(4) == 0 ? Operation(UnCut{}) : Operation(CutSegment{below(3) == 0, double(below(3))});
-    default:
-        return toolsAt(x, y)[std::size_t(below(6))];
-    }
-}
-
-Operation anyPart() {
-    const auto below = [](int n) { return *test::below(n); };
-    switch (below(4)) {
-    case 0:
-        return MovePart{below(2), {{10.0 * below(9), 0, 5}}};
-    case 1: {
-        ChangePart change{below(2)};
-        change.isVisible = below(2) == 0;
-        change.name = "part";
-        return change;
-    }
-    case 2:
-        return DiscardPart{below(2)};
-    default:
-        return Paste{{{10.0 * below(9), 0, 5}}};
-    }
-}
-
-const std::filesystem::path& labelFile() {
-    static const test::LabelFile file;
-    return file.path();
-}
-
-Operation anySegmentWork() {
-    const auto below = [](int n) { return *test::below(n); };
-    const std::string names[] = {"Segment 1", "B", "C"};
-    const std::string& who = names[below(3)];
-    const glm::ivec3 voxel(30 + below(12), 16 + below(6), 24 + below(12));
-    switch (below(13)) {
-    case 12:
-        return LoadLabels{labelFile()};
-    case 0: {
-        UseSegment use{who};
-        use.isLocked = below(4) == 0;
-        use.treatment = SegmentInfo::Treatment(below(3));
-        return use;
-    }
-    case 1:
-        return UseSegment{who};
-    case 2:
-        return Rewind{below(5)};
-    case 3:
-        return ShowGeneration{below(12)};
-    case 4: {
-        SetGrowthRules rules;
-        rules.isLive = below(2) == 0;
-        rules.range = below(2) == 0 ? Range{80, 120} : Range{30, 255};
-        rules.gradient = Range{0, 30};
-        return rules;
-    }
-    case 5: {
-        Absorb absorb;
-        absorb.voxels = {voxel};
-        absorb.expansions = 1 + below(4);
-        absorb.canvas = testCanvas();
-        return absorb;
-    }
-    case 6:
-        return test::editOf(EditSegment::Kind(below(13)), 0.5 + below(3), who);
-    case 7:
-        return below(2) == 0 ? Operation(PullOut{who, {{10.0 * below(9), 0, 0}}})
-                             : Operation(RemoveSegment{who});
-    case 8:
-    case 9:
-        return test::seedAt(voxel);
-    default:
-        return Grow{1 + below(6)};
-    }
-}
-
 Operation anything() {
-    const auto below = [](int n) { return *test::below(n); };
-    switch (below(12)) {
-    case 0:
-    case 1:
-    case 2:
-        return anyCut();
-    case 3:
-        return anyPart();
-    case 4:
-        return Measure{Measure::Kind::Distance, {{10, 20, 30}, {10.5, 20, 30.0 + below(20)}}};
-    case 5: {
-        CorrectGeometry correct;
-        correct.spacing = glm::dvec3(1, 1.5, 1.0 + below(3));
-        return below(4) == 0 ? Operation(correct) : Operation(Note{"here"});
-    }
-    case 6:
-        return below(2) == 0 ? Operation(Undo{}) : Operation(Redo{});
-    default:
-        return anySegmentWork();
-    }
+    return test::AnyEdit([](int n) { return *test::below(n); }).edit();
 }
 
 bool done(Document& document, const Operation& operation) {

@@ -5,10 +5,15 @@
 #include "gpu/studio/test_head.h"
 #include "property.h"
 #include "sculpt/surface/tool_cut.h"
+#include "studio/document/document_content.h"
 #include "studio/document/document_facts.h"
+#include "studio/document/document_state.h"
 #include "studio/state/history.h"
 
 #include <algorithm>
+#include <memory>
+#include <string>
+#include <vector>
 
 namespace vs::studio {
 namespace {
@@ -53,6 +58,31 @@ TEST_F(UndoTest, UnderATinyLimitDeltasGoToAFileAndComeBack) {
             ASSERT_TRUE(test::sculptureBytes(document) == states[at]) << at;
             ASSERT_LE(document.history().statistics().bytesInMemory, limit);
         }
+    }
+}
+
+// Where the sculpture is what it was, growth that is done again goes on as it did, and does not take it for
+// another fence, at which it would try once more what it had refused.
+TEST_F(UndoTest, GrowthKnowsItsFenceAgain) {
+    for (const bool isOpenedBetween : {false, true}) {
+        auto document = std::make_unique<Document>(testHead());
+        Clip box;
+        box.box = Clip::Box{{13, 10, 5}, {50, 67, 50}};
+        document->apply(box);
+        document->apply(test::brainSeed());
+        document->apply(Grow{4});
+        document->apply(UnCut{});
+        const DocumentContent cleared = contentOf(*document);
+        document->apply(Undo{});
+        const DocumentContent grown = contentOf(*document);
+        document->apply(Undo{});
+        if (isOpenedBetween) {
+            document = std::make_unique<Document>(testHead(), document->state());
+        }
+        document->apply(Redo{});
+        EXPECT_EQ(differences(grown, contentOf(*document), "a", "b"), std::vector<std::string>());
+        document->apply(Redo{});
+        EXPECT_EQ(differences(cleared, contentOf(*document), "a", "b"), std::vector<std::string>());
     }
 }
 

@@ -27,7 +27,7 @@ def expect(condition, message):
 
 status, said = replay({"planted/a": b"nothing", "layout/a": b"1x1x1:uint8"})
 expect(status == 0 and "planted/a" in said, f"an input that breaks no promise: {status}, {said}")
-status, said = replay({"planted/a": b"nothing", "planted/b": b"fault"})
+status, said = replay({"planted/a": b"nothing", "planted/b": b"?!"})
 expect(status != 0 and "a promise was not kept: what was planted" in said, f"an input that breaks one: {status}, {said}")
 status, said = replay({"layout/a": b"1x1x1:nothing"})
 expect(status == 0 and "refused: " in said, f"an input that is refused: {status}, {said}")

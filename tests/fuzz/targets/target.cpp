@@ -48,11 +48,10 @@ std::filesystem::path inOwnFolder(const std::string& name) {
     return folder.path() / name;
 }
 
-// A fault that fuzzing must find, and replaying too, or they would find no others.
+// A fault that fuzzing must find, and replaying too, or they would find no others: two bytes are soon
+// guessed.
 void planted(Input input) {
-    constexpr std::string_view fault = "fault";
-    require(!std::equal(input.begin(), input.end(), fault.begin(), fault.end()),
-            "what was planted is not there");
+    require(input.size() < 2 || input[0] != '?' || input[1] != '!', "what was planted is not there");
 }
 
 std::vector<Target> allTargets() {

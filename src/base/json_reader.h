@@ -2,13 +2,16 @@
 #pragma once
 
 #include "base/error.h"
+#include "base/text.h"
 
 #include <nlohmann/json.hpp>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <initializer_list>
+#include <limits>
 #include <span>
 #include <string>
 
@@ -23,8 +26,11 @@ public:
     JsonReader(const Json& json, std::string where, std::string path = "")
         : json_(json), where_(std::move(where)), path_(std::move(path)) {}
 
+    // `wanted` may quote the file, which may hold anything.
     [[noreturn]] void fail(const std::string& wanted) const {
-        throw SessionError("{}: {}{}{}", where_, path_, path_.empty() ? "" : ": ", wanted);
+        constexpr std::size_t longest = 2000;
+        throw SessionError("{}: {}{}{}", where_, path_, path_.empty() ? "" : ": ",
+                           readableName(wanted, longest));
     }
 
     // Fails about what lies further inside: "points[1].at", or "" for this value.
@@ -116,7 +122,14 @@ public:
         if (!json_.is_number_integer()) {
             fail("must be a whole number");
         }
-        return long(numberBetween(double(lo), double(hi)));
+        // Compared as what they are: a double does not hold all of them.
+        const bool isBeyond = json_.is_number_unsigned() &&
+                              json_.get<std::uint64_t>() > std::uint64_t(std::numeric_limits<long>::max());
+        const long value = isBeyond ? 0 : json_.get<long>();
+        if (isBeyond || value < lo || value > hi) {
+            fail(fmt::format("{} is out of bounds; {} to {} is allowed", json_.dump(), lo, hi));
+        }
+        return value;
     }
 
     [[nodiscard]] bool boolean() const {

@@ -6,6 +6,8 @@
 
 #include <png.h>
 
+#include <memory>
+
 namespace vs::image {
 
 void writePng(const std::filesystem::path& path, const Image& image) {
@@ -27,6 +29,8 @@ Image readPng(const std::filesystem::path& path, const std::function<void(std::s
     if (png_image_begin_read_from_file(&png, path.c_str()) == 0) {
         throw ReadError("{}: not a readable PNG ({})", path.string(), png.message);
     }
+    // What it holds, where the rest throws.
+    const std::unique_ptr<png_image, void (*)(png_image*)> owner(&png, png_image_free);
     png.format = PNG_FORMAT_RGBA;
     if (promised) {
         promised(std::size_t(4) * png.width * png.height);

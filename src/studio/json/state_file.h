@@ -80,7 +80,9 @@ public:
             place.fail("must be a list of whole numbers");
         }
         std::vector<T> values(bytes.size() / sizeof(T));
-        std::memcpy(static_cast<void*>(values.data()), bytes.data(), bytes.size());
+        if (!bytes.empty()) { // memcpy takes no null, even for nothing
+            std::memcpy(static_cast<void*>(values.data()), bytes.data(), bytes.size());
+        }
         return values;
     }
     // A list that may be shared: read once.

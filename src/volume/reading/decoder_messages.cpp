@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "volume/reading/decoder_messages.h"
 
+#include "base/cbor.h"
 #include "base/error.h"
+#include "base/text.h"
 
 #include <nlohmann/json.hpp>
 
@@ -245,7 +247,7 @@ DecoderAnswer answerOf(const Json& json) {
         return DecodeShare{optionalOf<double>(json.at("share"))};
     }
     if (json.contains("refused")) {
-        DecodeRefusal refusal{json.at("refused").get<std::string>(), json.at("usage").get<bool>()};
+        DecodeRefusal refusal{inOneLine(json.at("refused").get<std::string>()), json.at("usage").get<bool>()};
         for (const Json& choice : json.at("choices")) {
             refusal.choices.push_back(choiceOf(choice));
         }
@@ -257,14 +259,19 @@ DecoderAnswer answerOf(const Json& json) {
     if (json.contains("segmentation")) {
         return MadeSegmentation{json.at("segmentation").get<std::uint64_t>(), json.at("sources").get<int>()};
     }
-    return DecodedVolume{{volumeOf(json.at("volume")), json.at("notices").get<std::vector<std::string>>()}};
+    DecodedVolume decoded{{volumeOf(json.at("volume")), {}}};
+    for (const Json& notice : json.at("notices")) {
+        decoded.result.notices.push_back(inOneLine(notice.get<std::string>()));
+    }
+    return decoded;
 }
 
-// What `unpack` makes of a message. The library's own words about bytes that are none say nothing to people.
+// What `unpack` makes of a message.
 template <typename Unpack>
 auto unpacked(std::span<const std::uint8_t> bytes, Unpack unpack) {
+    const Json json = fromCbor(bytes);
     try {
-        return unpack(Json::from_cbor(bytes));
+        return unpack(json);
     } catch (const Json::exception&) {
         throw Error("a message that is none");
     }

@@ -2,22 +2,19 @@
 #include "volume/reading/label_map.h"
 
 #include "base/error.h"
-#include "base/lines.h"
+#include "volume/reading/label_looks.h"
 #include "volume/reading/read_volume.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
 #include <set>
-#include <sstream>
 
 namespace vs::volume {
 namespace {
 
 constexpr std::size_t kMostLabels = 255;
-constexpr std::size_t kLongestName = 200; // characters
 
 // The different values but 0, in their order.
 std::vector<std::int64_t> labelValues(const Volume& volume) {
@@ -43,43 +40,6 @@ std::vector<std::int64_t> labelValues(const Volume& volume) {
     return {found.begin(), found.end()};
 }
 
-// Names and colours that 3D Slicer keeps in the header of a segmentation: "Segment0_Name:=Liver".
-std::map<std::int64_t, LabelMap::Look> looksIn(const std::filesystem::path& path) {
-    std::map<std::int64_t, LabelMap::Look> looks;
-    std::ifstream file(path, std::ios::binary);
-    std::string line;
-    if (!nextLine(file, line, path) || line.rfind("NRRD", 0) != 0) {
-        return looks;
-    }
-    std::map<std::string, std::map<std::string, std::string>> segments; // "Segment0" -> "Name" -> "Liver"
-    while (nextLine(file, line, path) && !line.empty() && line != "\r") {
-        const std::size_t assigns = line.find(":=");
-        const std::size_t underscore = line.find('_');
-        if (line.rfind("Segment", 0) == 0 && assigns != std::string::npos && underscore < assigns) {
-            const std::size_t end = line.find_last_not_of(" \r");
-            const std::size_t begin = line.find_first_not_of(' ', assigns + 2);
-            if (begin <= end && begin != std::string::npos) {
-                segments[line.substr(0, underscore)][line.substr(underscore + 1, assigns - underscore - 1)] =
-                    line.substr(begin, end - begin + 1);
-            }
-        }
-    }
-    for (auto& [id, fields] : segments) {
-        std::istringstream value(fields["LabelValue"]);
-        std::istringstream colour(fields["Color"]);
-        std::int64_t label = 0;
-        glm::dvec3 rgb{0};
-        if (value >> label) {
-            LabelMap::Look& look = looks[label];
-            look.name = fields["Name"].substr(0, kLongestName);
-            if (colour >> rgb.r >> rgb.g >> rgb.b) {
-                look.colour = glm::clamp(rgb, 0.0, 1.0);
-            }
-        }
-    }
-    return looks;
-}
-
 std::string sizeText(glm::ivec3 dims) { return fmt::format("{} x {} x {}", dims.x, dims.y, dims.z); }
 
 } // namespace
@@ -93,7 +53,7 @@ LabelMap readLabelMap(const std::filesystem::path& path, std::vector<std::string
     ReadResult read = readVolume(path);
     const Volume& volume = read.volume;
     notices.insert(notices.end(), read.notices.begin(), read.notices.end());
-    LabelMap map{path, volume.geometry, {}, labelValues(volume), checksum(volume), looksIn(path)};
+    LabelMap map{path, volume.geometry, {}, labelValues(volume), checksum(volume), labelLooksOf(path)};
     map.labels.resize(volume.geometry.voxelCount());
     map.values.insert(map.values.begin(), 0);
     visit(volume, [&](const auto* values) {

@@ -2,11 +2,10 @@
 #pragma once
 
 #include "volume/grid/geometry.h"
+#include "volume/reading/label_looks.h"
 
 #include <cstdint>
 #include <filesystem>
-#include <map>
-#include <optional>
 #include <string>
 #include <vector>
 
@@ -20,12 +19,7 @@ struct LabelMap {
     std::vector<std::uint8_t> labels;
     std::vector<std::int64_t> values; // by label; the first is 0
     std::string checksum;             // of the file's values (volume.h)
-    // What the file says of a label, where it says so: 3D Slicer's .seg.nrrd does.
-    struct Look {
-        std::string name;                 // empty: none
-        std::optional<glm::dvec3> colour; // sRGB, 0 to 1
-    };
-    std::map<std::int64_t, Look> looks = {}; // by value
+    LabelLooks looks = {};
 };
 
 // Reads any format that volumes are read from; notices are appended. Throws ReadError, also for values that

@@ -3080,6 +3080,10 @@ Tab: der nächste Punkt; Pfeiltasten bewegen ihn; Entf; Eingabe: seine Farbe; St
         <source>Given up: nothing was changed</source>
         <translation>Abgebrochen: Nichts wurde geändert</translation>
     </message>
+    <message>
+        <source>There is no memory for that: nothing was changed; end other programs, or use a smaller volume</source>
+        <translation>Dafür ist kein Speicher da: Es wurde nichts geändert; beenden Sie andere Programme, oder nehmen Sie ein kleineres Volumen</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::DrillTool</name>
@@ -5347,6 +5351,18 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
     <message>
         <source>No crash journal</source>
         <translation>Kein Absturzprotokoll</translation>
+    </message>
+    <message>
+        <source>The graphics driver was reset.</source>
+        <translation>Der Grafiktreiber wurde zurückgesetzt.</translation>
+    </message>
+    <message>
+        <source>What you have done is kept. Volume Studio starts again and offers to go on with it.</source>
+        <translation>Was Sie getan haben, ist aufgehoben. Volume Studio startet neu und bietet an, damit weiterzumachen.</translation>
+    </message>
+    <message>
+        <source>&amp;Start again</source>
+        <translation>&amp;Neu starten</translation>
     </message>
 </context>
 <context>

@@ -46,10 +46,13 @@ def studio(display, arguments, folder):
 
 @test.step
 def told(studio, folder):
-    """The driver is reset while the third stroke is made; nothing of that one is kept."""
+    """The driver is reset while the third stroke is drawn; nothing of that one is kept."""
     done = journalled(journals(folder)[0])
+    (x0, y0), (x1, y1) = studio.view_point(0.44, 0.5), studio.view_point(0.52, 0.6)
+    studio.arrive((x0, y0))
+    studio.xdotool("mousedown", 1, "mousemove", (x0 + x1) // 2, y0)
     (folder / "lose").touch()
-    cut(studio, (0.44, 0.5), (0.52, 0.6))
+    studio.send("mousemove", x1, y1, "mouseup", 1)
     studio.wait("the message", lambda s: "startAgain" in s["widgets"])
     need(journalled(journals(folder)[0]) == done, "the journal has what was done without a device")
     return done
@@ -58,8 +61,9 @@ def told(studio, folder):
 @test.step
 def again(studio, told):
     """Becomes the program anew, which offers what was done."""
-    studio.click("startAgain")
-    studio.wait("the offer", lambda s: "recover0" in s["widgets"])
+    studio.send("key", "Return")
+    studio.wait("the offer of the program anew", lambda s: "recover0" in s["widgets"] and "startAgain" not in s["widgets"])
+    studio.fences = 0  # that it has answered
     need(studio.process.poll() is None, "the program has ended")
     studio.click("recover0")
     state = studio.wait_idle("the recovery", lambda s: s["operations"] == len(told) and s["pictureComplete"])
@@ -75,15 +79,16 @@ def goes_on(studio, told):
     studio.wait_idle("the stroke", lambda s: s["operations"] > len(told) and s["pictureComplete"])
 
 
-@test.step(after=[goes_on])
+@test.step(after=[studio])
 def command(arguments, display, folder):
     """The command line says it in a line, and writes nothing."""
     session = folder / "session.json"
     session.write_text(json.dumps({"volumeStudioSession": 1, "volume": {"path": str(folder / "head.nrrd")},
                                    "operations": [{"op": "note", "text": "here"}, {"op": "picture", "file": "a.png"}]}))
-    (folder / "lose").touch()
+    sign = folder / "lose another"
+    sign.touch()
     run = subprocess.run([arguments.vstudio, "run", session, "-o", folder / "out"], capture_output=True, text=True,
-                         env=display.environment)
+                         env={**display.environment, "VS_LOSE_CONTEXT": str(sign)})
     need(run.returncode != 0 and run.stderr.count("\n") == 1, f"status {run.returncode}: {run.stderr}")
     need("driver was reset" in run.stderr, run.stderr)
     need(not list((folder / "out").glob("*.png")), "a picture was written")

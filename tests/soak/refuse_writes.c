@@ -48,18 +48,21 @@ static int liesInFolder(const char* path) {
     return strncmp(whole, folder, length) == 0 && (whole[length] == '/' || whole[length] == '\0');
 }
 
-// Counts one call. Whether it is to be refused: errno says why.
-static int isRefused(void) {
+// Counts one call. Whether it is to be refused: errno says why. `lasts`: so are the calls after the first
+// refused.
+static int isRefusedFor(int lasts) {
     const int number = atomic_fetch_add(&calls, 1) + 1;
     const char* from = getenv("REFUSE_FROM");
     const int first = from != NULL ? atoi(from) : 0;
-    if (first == 0 || number < first || (number > first && getenv("REFUSE_ONCE") != NULL)) {
+    if (first == 0 || number < first || (number > first && !lasts)) {
         return 0;
     }
     const char* error = getenv("REFUSE_ERROR");
     errno = error != NULL ? atoi(error) : ENOSPC;
     return 1;
 }
+
+static int isRefused(void) { return isRefusedFor(getenv("REFUSE_ONCE") == NULL); }
 
 static int isWatchedFile(int file) { return file >= 0 && file < kMostFiles && isWatched[file]; }
 static int isRefusedTo(int file) { return isWatchedFile(file) && isRefused(); }
@@ -192,16 +195,18 @@ int ftruncate64(int file, off64_t size) {
     return isRefusedTo(file) ? -1 : NEXT(int (*)(int, off64_t), "ftruncate64")(file, size);
 }
 
-// --- names
+// --- names: a new one may find no room, but those that are there are exchanged and given back on a full disk
+// too
 
 int rename(const char* from, const char* to) {
-    return liesInFolder(to) && isRefused() ? -1 : NEXT(int (*)(const char*, const char*), "rename")(from, to);
+    return liesInFolder(to) && isRefusedFor(0) ? -1
+                                               : NEXT(int (*)(const char*, const char*), "rename")(from, to);
 }
 
 int renameat2(int fromFolder, const char* from, int toFolder, const char* to, unsigned flags) {
-    return liesInFolder(to) && isRefused() ? -1
-                                           : NEXT(int (*)(int, const char*, int, const char*, unsigned),
-                                                  "renameat2")(fromFolder, from, toFolder, to, flags);
+    return liesInFolder(to) && isRefusedFor(0) ? -1
+                                               : NEXT(int (*)(int, const char*, int, const char*, unsigned),
+                                                      "renameat2")(fromFolder, from, toFolder, to, flags);
 }
 
 int mkdir(const char* path, mode_t mode) {

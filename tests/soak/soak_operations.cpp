@@ -33,16 +33,17 @@ constexpr int kRowEvery = 500;
 
 void printHead() {
     fmt::print("{:>10} {:>8} {:>9} {:>8} {:>8} {:>9} {:>9} {:>9}\n", "operations", "refused", "resident",
-               "heap", "undo", "in memory", "in file", "log");
+               "heap", "undo", "of undo", "in file", "of log");
 }
 
 void printRow(const WornDocument& worn) {
     const Memory memory = Memory::now();
     const auto undo = worn.document().history().statistics();
-    fmt::print("{:>10} {:>8} {:>6.1f} MB {:>5.1f} MB {:>8} {:>6.1f} MB {:>6.1f} MB {:>9}\n", worn.tried(),
-               worn.refused(), double(memory.resident) / kMegabyte, double(memory.heap) / kMegabyte,
-               undo.steps, double(undo.bytesInMemory) / kMegabyte, double(undo.fileBytes) / kMegabyte,
-               worn.document().log().size());
+    const std::size_t log = worn.logBytes();
+    fmt::print("{:>10} {:>8} {:>6.1f} MB {:>5.1f} MB {:>8} {:>6.1f} MB {:>6.1f} MB {:>6.1f} MB\n",
+               worn.tried(), worn.refused(), double(memory.resident) / kMegabyte,
+               double(memory.heap) / kMegabyte, undo.steps, double(worn.historyBytes()) / kMegabyte,
+               double(undo.fileBytes) / kMegabyte, double(log) / kMegabyte);
     std::fflush(stdout);
 }
 

@@ -240,6 +240,34 @@ std::size_t WornDocument::logBytes() const {
     return shared + heapBytesOf(document_->log());
 }
 
+std::size_t WornDocument::historyBytes() const {
+    std::size_t records = 0;
+    std::set<const void*> pastes;
+    const auto& history = document_->history();
+    for (const auto* edits : {&history.done(), &history.undone()}) {
+        for (const studio::Edit& edit : *edits) {
+            for (const auto& record : edit.growth) {
+                records += record.bytes();
+            }
+            records += edit.trim ? edit.trim->held().size() : 0;
+            for (const auto* list : {&edit.segmentsBefore, &edit.segmentsAfter}) {
+                records += *list ? (*list)->segments.capacity() * sizeof(studio::SegmentInfo) : 0;
+            }
+            for (const auto* list : {&edit.measurementsBefore, &edit.measurementsAfter}) {
+                records += *list ? (*list)->size() * sizeof(studio::Measure) : 0;
+            }
+            for (const auto* parts : {&edit.partsBefore, &edit.partsAfter}) {
+                if (*parts && (*parts)->last) {
+                    pastes.insert((*parts)->last.get());
+                }
+            }
+        }
+    }
+    const auto statistics = history.statistics();
+    records += (history.done().size() + history.undone().size()) * (sizeof(studio::Edit) + sizeof(Operation));
+    return records + statistics.bytesInMemory + pastes.size() * start_.sculpture.size();
+}
+
 void WornDocument::requireAllTried() const {
     std::vector<std::string> never;
     for (const char* name : studio::operationNames()) {

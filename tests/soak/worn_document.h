@@ -47,6 +47,9 @@ public:
 
     // What the log takes, with what it shares with none but the history.
     [[nodiscard]] std::size_t logBytes() const;
+    // What undo and redo keep in memory, as far as it can be counted: contents of cuts and trims, records of
+    // growth, lists, and of each paste what was cut then, a texture of the sculpture's size.
+    [[nodiscard]] std::size_t historyBytes() const;
     // Throws when an operation's name was never drawn, or never done.
     void requireAllTried() const;
 

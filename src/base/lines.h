@@ -37,8 +37,8 @@ inline std::vector<std::string> words(std::string_view text) {
     return all;
 }
 
-// As std::getline(), which takes the want of memory and a failing disk for the end of the file: this one
-// throws std::bad_alloc, and ReadError that names the file.
+// Reads a line, or says that there is none. std::getline() takes the want of memory and a failing disk for
+// the end of the file; this one throws std::bad_alloc, or ReadError, which names the file.
 inline bool nextLine(std::istream& in, std::string& line, const std::filesystem::path& path) {
     const auto before = in.exceptions();
     try {

@@ -209,12 +209,22 @@ void WornDocument::doTheSame() {
     document_->showView(start_.view);
     studio::KeepConnected keep;
     keep.voxel = glm::ivec3(35, 11, 29); // of the skull
-    for (const Operation& operation :
-         {Operation(test::brainSeed()), Operation(studio::Grow{3}), Operation(test::somePeel()),
-          Operation(keep), Operation(studio::BrushSegment{true, test::somePeel()}),
-          Operation(studio::Paste{}), Operation(studio::SavePicture{"same.png", {48, 36}, 1})}) {
+    std::vector<Operation> all{test::brainSeed(),
+                               studio::Grow{3},
+                               test::somePeel(),
+                               keep,
+                               studio::BrushSegment{true, test::somePeel()},
+                               studio::Paste{}};
+    for (const render::Mode mode : render::kModes) {
+        studio::SetView view;
+        view.mode = mode;
+        all.emplace_back(view);
+        all.emplace_back(studio::SavePicture{"same.png", {48, 36}, 1});
+    }
+    for (const Operation& operation : all) {
         document_->apply(operation, folder_);
     }
+    document_->showView(start_.view);
     while (done(studio::Undo{})) {
     }
     gl::Context::finish();

@@ -238,6 +238,14 @@ void WornDocument::forgetHistory() {
     (void)document_->facts(); // which have the history too
 }
 
+void WornDocument::renew() {
+    document_.reset();
+    document_ = std::make_unique<studio::Head>();
+    document_->setUndoMemory(kUndoMemory);
+    begin();
+    forgetHistory();
+}
+
 std::size_t WornDocument::logBytes() const {
     std::size_t shared = 0; // label maps that were read, which copies of the log do not copy
     std::set<const void*> maps;

@@ -44,6 +44,8 @@ public:
     // What could be redone is not kept any more; nothing may be left to undo. Before, the same short work is
     // done each time: drivers keep what was bound last, and that is then the same too.
     void forgetHistory();
+    // Becomes a new document, in which the same short work is done.
+    void renew();
 
     // What the log takes, with what it shares with none but the history.
     [[nodiscard]] std::size_t logBytes() const;

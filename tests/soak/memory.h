@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <fstream>
+#include <optional>
 
 namespace vs::soak {
 
@@ -27,7 +28,8 @@ struct Memory {
 template <typename T>
 std::size_t heapBytesOf(const T& value) {
     const std::size_t before = Memory::now().heap;
-    const T copy = value;
+    std::optional<T> copy;
+    copy.emplace(value);
     return Memory::now().heap - before;
 }
 

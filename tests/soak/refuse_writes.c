@@ -10,7 +10,6 @@
 //
 // A program may write in the library's own name (fwrite) or by the system's (write): both are counted where
 // the program calls them.
-#define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
 #include <fcntl.h>
@@ -24,10 +23,10 @@
 #include <sys/uio.h>
 #include <unistd.h>
 
-enum { kMostFiles = 4096 };
+#define VS_MOST_FILES 4096
 
 static atomic_int calls;
-static atomic_char isWatched[kMostFiles]; // by the number of a descriptor: of a file of the folder
+static atomic_char isWatched[VS_MOST_FILES]; // by the number of a descriptor: of a file of the folder
 
 // The function of that name that this one stands before.
 #define NEXT(type, name) ((type)dlsym(RTLD_NEXT, name))
@@ -64,11 +63,11 @@ static int isRefusedFor(int lasts) {
 
 static int isRefused(void) { return isRefusedFor(getenv("REFUSE_ONCE") == NULL); }
 
-static int isWatchedFile(int file) { return file >= 0 && file < kMostFiles && isWatched[file]; }
+static int isWatchedFile(int file) { return file >= 0 && file < VS_MOST_FILES && isWatched[file]; }
 static int isRefusedTo(int file) { return isWatchedFile(file) && isRefused(); }
 
 static int watched(int file, int isToWatch) {
-    if (file >= 0 && file < kMostFiles) {
+    if (file >= 0 && file < VS_MOST_FILES) {
         isWatched[file] = (char)isToWatch;
     }
     return file;
@@ -100,7 +99,7 @@ static mode_t modeOf(int flags, va_list rest) {
     return (flags & O_CREAT) != 0 || (flags & O_TMPFILE) == O_TMPFILE ? va_arg(rest, mode_t) : 0;
 }
 
-#define OPEN(name)                                                                                           \
+#define VS_OPEN(name)                                                                                        \
     int name(const char* path, int flags, ...) {                                                             \
         va_list rest;                                                                                        \
         va_start(rest, flags);                                                                               \
@@ -108,7 +107,7 @@ static mode_t modeOf(int flags, va_list rest) {
         va_end(rest);                                                                                        \
         return openWith(AT_FDCWD, path, flags, mode);                                                        \
     }
-#define OPENAT(name)                                                                                         \
+#define VS_OPENAT(name)                                                                                      \
     int name(int folder, const char* path, int flags, ...) {                                                 \
         va_list rest;                                                                                        \
         va_start(rest, flags);                                                                               \
@@ -116,7 +115,7 @@ static mode_t modeOf(int flags, va_list rest) {
         va_end(rest);                                                                                        \
         return openWith(folder, path, flags, mode);                                                          \
     }
-#define FOPEN(name)                                                                                          \
+#define VS_FOPEN(name)                                                                                       \
     FILE* name(const char* path, const char* mode) {                                                         \
         const int writes = strpbrk(mode, "wa+") != NULL && liesInFolder(path);                               \
         if (writes && isRefused()) {                                                                         \
@@ -128,12 +127,12 @@ static mode_t modeOf(int flags, va_list rest) {
         }                                                                                                    \
         return file;                                                                                         \
     }
-OPEN(open)
-OPEN(open64)
-OPENAT(openat)
-OPENAT(openat64)
-FOPEN(fopen)
-FOPEN(fopen64)
+VS_OPEN(open)
+VS_OPEN(open64)
+VS_OPENAT(openat)
+VS_OPENAT(openat64)
+VS_FOPEN(fopen)
+VS_FOPEN(fopen64)
 
 int close(int file) {
     watched(file, 0);

@@ -2,6 +2,7 @@
 #include "gpu/faults/acts.h"
 
 #include "gpu/faults/everything.h"
+#include "gpu/studio/test_head.h"
 #include "studio/json/operation_json.h"
 
 #include <nlohmann/json.hpp>

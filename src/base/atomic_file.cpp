@@ -2,7 +2,6 @@
 #include "base/atomic_file.h"
 
 #include "base/error.h"
-#include "base/folder.h"
 #include "base/hash.h"
 
 #include <fcntl.h>
@@ -62,8 +61,7 @@ bool isLeftover(const std::string& name) {
 void clearLeftovers(const std::filesystem::path& folder) {
     for (const auto& entry : entriesOf(folder)) {
         if (isLeftover(entry.filename().string())) {
-            std::error_code stays;
-            std::filesystem::remove_all(entry, stays);
+            removeAll(entry);
         }
     }
 }

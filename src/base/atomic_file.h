@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "base/folder.h"
+
 #include <cstddef>
 #include <filesystem>
 #include <functional>
@@ -47,10 +49,7 @@ std::string reasonNotFilled(const std::filesystem::path& temporary, std::string 
 class Leftover {
 public:
     explicit Leftover(std::filesystem::path path) : path_(std::move(path)) {}
-    ~Leftover() {
-        std::error_code ignored;
-        std::filesystem::remove_all(path_, ignored);
-    }
+    ~Leftover() { removeAll(path_); }
     Leftover(const Leftover&) = delete;
     Leftover& operator=(const Leftover&) = delete;
 

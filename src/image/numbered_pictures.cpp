@@ -2,6 +2,7 @@
 #include "image/film_sink.h"
 
 #include "base/error.h"
+#include "base/folder.h"
 
 #include <algorithm>
 
@@ -42,11 +43,11 @@ void checkReplaceable(const std::filesystem::path& folder, const std::filesystem
         throw WriteError("{}: is no folder, which numbered pictures need; give another name", path.string());
     }
     const std::string name = folder.filename().string();
-    for (const auto& entry : std::filesystem::directory_iterator(folder, fault)) {
-        if (!isNumbered(entry.path(), name) || !entry.is_regular_file()) {
+    for (const auto& entry : entriesOf(folder, fault)) {
+        if (!isNumbered(entry, name) || !std::filesystem::is_regular_file(entry)) {
             throw WriteError("{}: has something else in it ({}) than numbered pictures; choose a folder that "
                              "is empty or new",
-                             path.string(), entry.path().filename().string());
+                             path.string(), entry.filename().string());
         }
     }
     if (fault) {
@@ -59,8 +60,8 @@ public:
     explicit NumberedPictures(const std::filesystem::path& path)
         : path_(path), target_(pictureFolder(path)), unfinished_(temporaryBeside(target_, path)) {
         checkReplaceable(target_, path);
+        removeAll(unfinished_.path()); // of a program that broke down
         std::error_code fault;
-        std::filesystem::remove_all(unfinished_.path(), fault); // of a program that broke down
         std::filesystem::create_directory(unfinished_.path(), fault);
         if (fault) {
             refuseToWrite(path, fault.message());
@@ -89,7 +90,7 @@ public:
             std::filesystem::rename(old, target_, none);
             refuseToWrite(path_, fault.message());
         }
-        std::filesystem::remove_all(old, none);
+        removeAll(old);
     }
 
 private:

@@ -123,7 +123,8 @@ void Faults::refuseIn(const std::vector<Act>& acts) {
     Document document(test::testHead());
     const auto start = contentOf(document);
     for (std::size_t n = 0; n < acts.size(); ++n) {
-        for (const std::size_t number : numbersOf(counts[n], unsigned(n))) {
+        const bool isTried = acts[n].name.find(chosen("VS_FAULTS_IN", "")) != std::string::npos;
+        for (const std::size_t number : numbersOf(isTried ? counts[n] : 0, unsigned(n))) {
             if (isDone(document, acts[n], number)) {
                 acts[n].takeBack(document);
             }
@@ -145,7 +146,7 @@ void Faults::refuseIn(const std::vector<Act>& acts) {
     EXPECT_EQ(undone.geometry, start.geometry);
     std::cout << refusals_ << " refused of " << std::accumulate(counts.begin(), counts.end(), std::size_t(0))
               << " allocations in " << acts.size() << " acts\n";
-    EXPECT_GT(refusals_, acts.size());
+    EXPECT_GT(refusals_, chosen("VS_FAULTS_IN", "").empty() ? acts.size() : 0);
 }
 
 // What was done in spite of all that is what would have been done without, and looks so.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // No memory in the midst of an operation. Some allocations of each are tried; VS_FAULTS chooses how many, or
-// "all". VS_FAULTS_SEED makes others of them be tried. With VS_FAULTS_TOLD each one is told before it is
-// tried.
+// "all", VS_FAULTS_SEED makes others of them be tried, VS_FAULTS_IN tries them only in acts with that in
+// their name ("movie"). With VS_FAULTS_TOLD each one is told before it is tried.
 #include "gpu/faults/acts.h"
 #include "gpu/faults/everything.h"
 #include "gpu/studio/test_labels.h"

@@ -101,12 +101,16 @@ class Hand:
             self.studio.xdotool("key", "Return", lasting=True)
 
     def save(self):
-        """The session, each time into the same file."""
+        """The session, each time into the same file: by name at first, and then where it lies, which asks nothing."""
         self.settle()
-        self.key("ctrl+shift+s")
+        is_there = self.session.exists()
+        self.key("ctrl+s" if is_there else "ctrl+shift+s")
         if "saveDialog" in self.studio.answer("saving", lasting=True)["windows"]:
             self.studio.focus("saveDialog")
-            self.studio.type_path("saveDialog", self.session)
+            if is_there: # the document is another one than was saved there: whether to replace that would be asked
+                self.studio.xdotool("key", "Escape", lasting=True)
+            else:
+                self.studio.type_path("saveDialog", self.session)
 
     def leave_dialogs(self):
         """Dialogs and menus that have opened are left as they came."""

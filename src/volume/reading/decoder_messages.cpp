@@ -10,6 +10,8 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <concepts>
+#include <utility>
 
 namespace vs::volume {
 namespace {
@@ -26,8 +28,20 @@ Json packed(const std::optional<T>& value) {
     return value ? Json(*value) : Json();
 }
 
+// A whole number that T can hold.
+template <std::integral T>
+T wholeOf(const Json& json) {
+    const bool fits = json.is_number_unsigned()  ? std::in_range<T>(json.get<std::uint64_t>())
+                      : json.is_number_integer() ? std::in_range<T>(json.get<std::int64_t>())
+                                                 : false;
+    if (!fits) {
+        throw Error("{} where a whole number should be", json.type_name());
+    }
+    return json.get<T>();
+}
+
 glm::ivec3 ivec3Of(const Json& json) {
-    return {json.at(0).get<int>(), json.at(1).get<int>(), json.at(2).get<int>()};
+    return {wholeOf<int>(json.at(0)), wholeOf<int>(json.at(1)), wholeOf<int>(json.at(2))};
 }
 glm::dvec3 dvec3Of(const Json& json) {
     return {json.at(0).get<double>(), json.at(1).get<double>(), json.at(2).get<double>()};
@@ -35,6 +49,9 @@ glm::dvec3 dvec3Of(const Json& json) {
 template <typename T>
 std::optional<T> optionalOf(const Json& json) {
     return json.is_null() ? std::nullopt : std::optional(json.get<T>());
+}
+std::optional<int> optionalWholeOf(const Json& json) {
+    return json.is_null() ? std::nullopt : std::optional(wholeOf<int>(json));
 }
 
 Json packed(const ReadOptions& options) {
@@ -49,7 +66,7 @@ Json packed(const ReadOptions& options) {
 }
 
 ScalarType typeOf(const Json& json) {
-    const int type = json.get<int>();
+    const int type = wholeOf<int>(json);
     if (type < 0 || type > int(ScalarType::Float32)) {
         throw Error("there is no type {}", type);
     }
@@ -59,11 +76,11 @@ ScalarType typeOf(const Json& json) {
 ReadOptions optionsOf(const Json& json) {
     ReadOptions options;
     options.series = optionalOf<std::string>(json.at("series"));
-    options.frame = optionalOf<int>(json.at("frame"));
+    options.frame = optionalWholeOf(json.at("frame"));
     if (json.contains("raw")) {
         const Json& raw = json.at("raw");
         options.raw = {ivec3Of(raw.at("dims")), typeOf(raw.at("type")), dvec3Of(raw.at("spacing")),
-                       raw.at("offset").get<std::size_t>()};
+                       wholeOf<std::size_t>(raw.at("offset"))};
     }
     return options;
 }
@@ -83,12 +100,12 @@ SeriesChoice choiceOf(const Json& json) {
     choice.uid = json.at("uid").get<std::string>();
     choice.description = json.at("description").get<std::string>();
     choice.modality = json.at("modality").get<std::string>();
-    choice.size = {json.at("size").at(0).get<int>(), json.at("size").at(1).get<int>()};
+    choice.size = {wholeOf<int>(json.at("size").at(0)), wholeOf<int>(json.at("size").at(1))};
     if (const Json& spacing = json.at("pixelSpacing"); !spacing.is_null()) {
         choice.pixelSpacing = {spacing.at(0).get<double>(), spacing.at(1).get<double>()};
     }
     choice.sliceSpacing = optionalOf<double>(json.at("sliceSpacing"));
-    choice.images = json.at("images").get<int>();
+    choice.images = wholeOf<int>(json.at("images"));
     return choice;
 }
 
@@ -116,9 +133,11 @@ ScanDetails detailsOf(const Json& json) {
     details.isAngiography = json.at("isAngiography").get<bool>();
     details.slope = json.at("slope").get<double>();
     details.intercept = json.at("intercept").get<double>();
-    details.frame = json.at("frame").get<int>();
-    details.frames = json.at("frames").get<int>();
-    details.interpolated = json.at("interpolated").get<std::vector<int>>();
+    details.frame = wholeOf<int>(json.at("frame"));
+    details.frames = wholeOf<int>(json.at("frames"));
+    for (const Json& slice : json.at("interpolated")) {
+        details.interpolated.push_back(wholeOf<int>(slice));
+    }
     return details;
 }
 
@@ -164,7 +183,7 @@ SegmentationOrder orderOf(const Json& json) {
     SegmentationOrder order{
         geometryOf(json.at("grid")), {}, json.at("source").get<std::string>(), optionsOf(json.at("reading"))};
     for (const Json& segment : json.at("segments")) {
-        order.segments.push_back({segment.at("label").get<std::uint8_t>(),
+        order.segments.push_back({wholeOf<std::uint8_t>(segment.at("label")),
                                   segment.at("name").get<std::string>(), dvec3Of(segment.at("colour"))});
     }
     return order;
@@ -187,7 +206,7 @@ Volume volumeOf(const Json& json) {
     volume.type = typeOf(json.at("type"));
     volume.range = {json.at("range").at(0).get<double>(), json.at("range").at(1).get<double>()};
     volume.usual = {json.at("usual").at(0).get<double>(), json.at("usual").at(1).get<double>()};
-    volume.nonFiniteCount = json.at("nonFinite").get<std::size_t>();
+    volume.nonFiniteCount = wholeOf<std::size_t>(json.at("nonFinite"));
     volume.name = json.at("name").get<std::string>();
     volume.unit = json.at("unit").get<std::string>();
     volume.details = detailsOf(json.at("details"));
@@ -235,7 +254,7 @@ DecoderRequest requestOf(const Json& json) {
 }
 
 DecodedPicture pictureOf(const Json& json) {
-    const DecodedPicture picture{{json.at(0).get<int>(), json.at(1).get<int>()}};
+    const DecodedPicture picture{{wholeOf<int>(json.at(0)), wholeOf<int>(json.at(1))}};
     if (glm::any(glm::lessThan(picture.size, glm::ivec2(1)))) {
         throw Error("a picture without pixels");
     }
@@ -257,7 +276,8 @@ DecoderAnswer answerOf(const Json& json) {
         return pictureOf(json.at("picture"));
     }
     if (json.contains("segmentation")) {
-        return MadeSegmentation{json.at("segmentation").get<std::uint64_t>(), json.at("sources").get<int>()};
+        return MadeSegmentation{wholeOf<std::uint64_t>(json.at("segmentation")),
+                                wholeOf<int>(json.at("sources"))};
     }
     DecodedVolume decoded{{volumeOf(json.at("volume")), {}}};
     for (const Json& notice : json.at("notices")) {

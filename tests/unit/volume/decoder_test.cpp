@@ -14,6 +14,7 @@
 
 #include "test_files.h"
 
+#include <nlohmann/json.hpp>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <zlib.h>
@@ -360,6 +361,17 @@ TEST(DecoderMessages, ComeBackAsTheyWere) {
     ASSERT_EQ(refused.choices.size(), 1U);
     EXPECT_EQ(refused.choices[0].pixelSpacing, glm::dvec2(1, 2));
     EXPECT_FALSE(refused.choices[0].sliceSpacing);
+}
+
+TEST(DecoderMessages, NumbersThatAreNotWholeOrTooLargeAreDeclined) {
+    using Json = nlohmann::json;
+    const auto answer = [](const Json& width) {
+        return unpackAnswer(Json::to_cbor({{"picture", Json::array({width, 6})}}));
+    };
+    EXPECT_EQ(std::get<DecodedPicture>(answer(5)).size, glm::ivec2(5, 6));
+    for (const Json& width : {Json(5.5), Json(5.8e257), Json(std::int64_t(1) << 33), Json(-1), Json(true)}) {
+        EXPECT_THROW(answer(width), Error) << width;
+    }
 }
 
 // A decoder that was taken over can say anything: messages that are changed anywhere are declined or

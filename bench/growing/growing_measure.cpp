@@ -32,6 +32,7 @@ class Grower {
 public:
     explicit Grower(const GrowingCase& task)
         : task_(task), field_(field::uploadVolume(task.volume)), growth_(field_) {
+        field_.onHost = &task.volume;
         restrict(task.range);
     }
     double restrict(const Range& range) {

@@ -22,7 +22,10 @@ struct Field {
     bool isHounsfield = false; // the values are said to be Hounsfield units
     Range range;               // smallest and largest finite value
     Range usual;               // volume::Volume::usual: of histograms, landmarks and tables
-    std::uint64_t serial = 0;  // different for each upload: whether what was derived from it is still good
+    // The volume that was uploaded, where its owner keeps it beside the field, as studio::Scan does: its
+    // values on the host. Null: they can be read back.
+    const volume::Volume* onHost = nullptr;
+    std::uint64_t serial = 0; // different for each upload: whether what was derived from it is still good
 };
 
 // Stands for NaN and infinity: far below any value, small enough that interpolation stays finite.

@@ -16,12 +16,22 @@ namespace detail {
 void deleteBuffer(unsigned int name) { glDeleteBuffers(1, &name); }
 } // namespace detail
 
-Buffer::Buffer(std::size_t sizeBytes, const std::string& label)
+Buffer::Buffer(std::size_t sizeBytes, const std::string& label, Reach reach)
     : size_(std::max<std::size_t>(sizeBytes, 4)), label_(label) {
     GLuint name = 0;
     glCreateBuffers(1, &name);
     handle_ = Handle<detail::deleteBuffer>(name);
-    if (fails([&] { glNamedBufferStorage(name, GLsizeiptr(size_), nullptr, GL_DYNAMIC_STORAGE_BIT); })) {
+    constexpr GLbitfield mapping =
+        GL_MAP_READ_BIT | GL_MAP_WRITE_BIT | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
+    const bool isShared = reach == Reach::Shared;
+    const auto make = [&] {
+        glNamedBufferStorage(name, GLsizeiptr(size_), nullptr,
+                             GL_DYNAMIC_STORAGE_BIT | (isShared ? mapping : 0));
+        if (isShared) {
+            shared_ = static_cast<std::byte*>(glMapNamedBufferRange(name, 0, GLsizeiptr(size_), mapping));
+        }
+    };
+    if (fails(make) || (isShared && shared_ == nullptr)) {
         throw GlError("{}: the device has no room for {} MiB; use a smaller volume, as vstudio "
                       "reduce makes, or another device",
                       label, size_ >> 20);
@@ -47,6 +57,16 @@ void Buffer::read(std::span<std::byte> bytes, std::size_t offset) const {
     glGetNamedBufferSubData(name(), GLintptr(offset), GLsizeiptr(bytes.size()), bytes.data());
 }
 
+std::span<std::byte> Buffer::shared() const {
+    VS_CHECK(shared_ != nullptr);
+    return {shared_, size_};
+}
+
+void Buffer::waitForDevice() {
+    glMemoryBarrier(GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT);
+    glFinish();
+}
+
 void Buffer::clear(std::size_t offset, std::size_t sizeBytes) {
     const GLuint zero = 0;
     glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
@@ -57,7 +77,8 @@ void Buffer::clear(std::size_t offset, std::size_t sizeBytes) {
 
 void Buffer::reserve(std::size_t sizeBytes) {
     if (sizeBytes > size_) {
-        *this = Buffer(std::max(sizeBytes, size_ + size_ / 2), std::string(label_));
+        *this = Buffer(std::max(sizeBytes, size_ + size_ / 2), std::string(label_),
+                       shared_ != nullptr ? Reach::Shared : Reach::Device);
     }
 }
 

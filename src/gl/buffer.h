@@ -16,13 +16,16 @@ namespace detail {
 void deleteBuffer(unsigned int name);
 }
 
+// Who can reach a buffer's bytes: shared ones the host too, by a pointer.
+enum class Reach { Device, Shared };
+
 // Memory on the device that shaders read and write (storage block, uniform block, indirect arguments). All
 // calls need a current context. Sizes and offsets are in bytes.
 class Buffer {
 public:
     Buffer() = default;
     // Contents start as zeros. Throws GlError when the device has no room for it.
-    Buffer(std::size_t sizeBytes, const std::string& label);
+    Buffer(std::size_t sizeBytes, const std::string& label, Reach reach = Reach::Device);
 
     [[nodiscard]] std::size_t size() const { return size_; }
     [[nodiscard]] unsigned int name() const { return handle_.name(); }
@@ -52,6 +55,12 @@ public:
         return read<T>(1, offset).front();
     }
 
+    // The bytes themselves, of a shared buffer only. What the device wrote is in them after waitForDevice(),
+    // what is written to them the device's next work sees.
+    [[nodiscard]] std::span<std::byte> shared() const;
+    // Waits until what was submitted so far has written shared buffers.
+    static void waitForDevice();
+
     // Sets bytes [offset, offset + sizeBytes) to zero; everything when sizeBytes is 0.
     void clear(std::size_t offset = 0, std::size_t sizeBytes = 0);
     // Makes the buffer at least this large, throwing the contents away when it has to grow (it grows by at
@@ -65,6 +74,7 @@ private:
     Handle<detail::deleteBuffer> handle_;
     std::size_t size_ = 0;
     std::string label_;
+    std::byte* shared_ = nullptr;
 };
 
 } // namespace vs::gl

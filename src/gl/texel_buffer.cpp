@@ -7,8 +7,8 @@
 
 namespace vs::gl {
 
-TexelBuffer::TexelBuffer(std::size_t texels, Format format, const std::string& label)
-    : buffer_(texels * bytesPerTexel(format), label), texels_(texels), format_(format) {
+TexelBuffer::TexelBuffer(std::size_t texels, Format format, const std::string& label, Reach reach)
+    : buffer_(texels * bytesPerTexel(format), label, reach), texels_(texels), format_(format) {
     VS_CHECK(texels <= mostTexels());
     GLuint name = 0;
     glCreateTextures(GL_TEXTURE_BUFFER, 1, &name);

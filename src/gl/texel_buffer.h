@@ -11,7 +11,7 @@ class TexelBuffer {
 public:
     TexelBuffer() = default;
     // Contents start as zeros. Throws GlError when the device cannot hold it; there are mostTexels() at most.
-    TexelBuffer(std::size_t texels, Format format, const std::string& label);
+    TexelBuffer(std::size_t texels, Format format, const std::string& label, Reach reach = Reach::Device);
 
     static std::size_t mostTexels();
 

@@ -169,7 +169,8 @@ void run(const GrowOptions& options, const VolumeArgument& argument) {
     std::vector<std::int64_t> values = input.others ? input.others->values : std::vector<std::int64_t>{0};
     values.push_back(input.others ? nextFreeValue(*input.others) : 1);
     const auto context = gl::Context::createHeadless();
-    const field::Field field = field::uploadVolume(input.volume);
+    field::Field field = field::uploadVolume(input.volume);
+    field.onHost = &input.volume;
     segment::Growth growth(field);
     const double milliseconds = grow(growth, request, input);
     const auto labels = growth.labelMap();

@@ -56,6 +56,10 @@ glm::vec2 comparableRange(const field::Field& field, const Range& range) {
     return ends;
 }
 
+glm::mat3 gradientColumns(const field::Field& field) {
+    return {glm::transpose(glm::inverse(glm::dmat3(field.geometry.worldFromVoxel))) * 0.5};
+}
+
 bool isInRange(const field::Field& field, const Range& range, double value) {
     const glm::vec2 ends = comparableRange(field, range);
     const auto stored = static_cast<float>(value);
@@ -68,8 +72,7 @@ gl::Program& ConstrainedProgram::prepare(const field::Field& field, const Constr
     defines.insert(defines.end(), more.begin(), more.end());
     gl::Program& program = variants_.with(defines);
     field.texels.bindTexture(kDataTexture);
-    // Columns of what turns differences along voxel axes into a gradient in world axes.
-    const glm::mat3 gradient(glm::transpose(glm::inverse(glm::dmat3(field.geometry.worldFromVoxel))) * 0.5);
+    const glm::mat3 gradient = gradientColumns(field);
     program.set("gridDims", field.geometry.dims)
         .set("valueScale", glm::vec3(field.valueScale, field.valueOffset, field.isIntegral ? 1.0F : 0.0F))
         .set("valueRange", comparableRange(field, constraints.range))

@@ -49,6 +49,10 @@ bool includes(const Constraints& wide, const Constraints& narrow);
 // 41:130), rounded to float, and clipped to the data so that the stand-in for non-finite voxels is outside.
 glm::vec2 comparableRange(const field::Field& field, const Range& range);
 
+// What turns the values' differences along the voxel axes, across two voxels, into a gradient in world axes:
+// its columns, 1 / mm.
+glm::mat3 gradientColumns(const field::Field& field);
+
 // Whether a stored value passes `range`: what the shaders do, on the CPU.
 bool isInRange(const field::Field& field, const Range& range, double value);
 

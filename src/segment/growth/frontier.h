@@ -2,30 +2,22 @@
 #pragma once
 
 #include "gl/buffer.h"
-#include "gl/program.h"
 #include "gl/texel_buffer.h"
 #include "segment/growth/constraints.h"
 #include "segment/growth/seed_map.h"
 
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 namespace vs::segment {
 
-// Expands a set of voxels by whole generations on the device, 128 voxels at a time: only tiles of 8^3 voxels
-// that something may happen in are looked at. While little grows, voxels are tested as they are offered; once
-// much does, rows of four tiles are tested whole when the set first comes near them, which is quicker a
-// voxel. Beside the seed map it keeps three bits a voxel: which voxels the rules let in, and the newest of
-// two generations. All of it can be made anew from the seed map. Internal to this folder.
+// Expands a set of voxels by whole generations and writes them into the seed map. There are two, which give
+// the same to the byte: one computes on the device, the other on the host. What they keep beside the seed map
+// can be made anew from it. Internal to this folder.
 class Frontier {
 public:
-    // The most expansions in one submission.
-    static constexpr int kMaxExpansions = 128;
-
-    // Makes room for a seed map's grid. Throws GlError when there is none on the device.
-    explicit Frontier(const SeedMap& seedMap);
-
     // What a run's expansions go by.
     struct Rules {
         const field::Field* field = nullptr;
@@ -35,76 +27,39 @@ public:
         int frozen = 0; // generations up to this one do not grow any more
     };
 
+    Frontier() = default;
+    Frontier(const Frontier&) = delete;
+    Frontier& operator=(const Frontier&) = delete;
+    virtual ~Frontier() = default;
+
     // The rules or the seed map have changed: the next expansion tests voxels that were refused again, and
     // tries the neighbours of every grown voxel.
-    void invalidate();
+    virtual void invalidate() = 0;
     // Voxels (linear indices) that were given the newest generation.
-    void add(std::span<const std::uint32_t> voxels);
+    virtual void add(std::span<const std::uint32_t> voxels) = 0;
 
-    // Tries at most `expansions` (at most kMaxExpansions) expansions; the first gives `generation`. Returns
-    // the voxels grown by each one tried.
-    std::vector<std::uint64_t> expand(SeedMap& seedMap, const Rules& rules, int generation, int expansions);
-
-    // What it takes on the device.
-    [[nodiscard]] std::size_t deviceBytes() const {
-        return allowed_.buffer().size() + newest_.buffer().size() + work_.size() + expansions_.size() +
-               list_.size();
-    }
+    // Tries at most `expansions` (at most mostExpansions()) expansions; the first gives `generation`. Returns
+    // the voxels grown by each one tried. The device's spans of the seed map's bricks are up to date then,
+    // also when this throws.
+    virtual std::vector<std::uint64_t> expand(SeedMap& seedMap, const Rules& rules, int generation,
+                                              int expansions) = 0;
+    [[nodiscard]] virtual int mostExpansions() const = 0;
 
     // Spreads a set through a region, both planes of bits: from `seeds`, which become part of it, by at most
     // so many expansions. Only the connectivity and the rules for pairs of the constraints count. Returns how
     // many expansions found something. Invalidates.
-    int flood(const SeedMap& seedMap, const Rules& rules, std::span<const std::uint32_t> seeds,
-              const gl::TexelBuffer& region, const gl::Buffer& reached, int expansions);
+    virtual int flood(const SeedMap& seedMap, const Rules& rules, std::span<const std::uint32_t> seeds,
+                      const gl::TexelBuffer& region, const gl::Buffer& reached, int expansions) = 0;
 
-private:
-    struct Expansion;
-    enum class Testing { ByVoxel, ByRows };
-
-    void clearNewest();
-    [[nodiscard]] std::uint32_t planeStart(int plane) const;
-    void collect(SeedMap& seedMap, const Rules& rules);
-    // Where voxels are put: into the newest; or into the newest or a plane in storage 2, but only what lies
-    // in the plane in storage 1.
-    enum class Into { Newest, NewestWithin, PlaneWithin };
-    void push(const SeedMap& seedMap, std::span<const std::uint32_t> voxels, const Constraints& constraints,
-              Into into = Into::Newest);
-    void prepareToNote(gl::Program& program, int expansion, int list, std::uint32_t stamp) const;
-    void begin(int expansions);
-    void goOverToRows(const SeedMap& seedMap);
-    void judge(const Expansion& last, int expansions);
-    std::vector<std::uint64_t> run(const SeedMap& seedMap, gl::Program& program, gl::Program* allow,
-                                   const Constraints& constraints, gl::Defines noteDefines, int generation,
-                                   int expansions);
-
-    std::uint32_t tileCount_;
-    std::size_t planeWords_;
-    gl::TexelBuffer allowed_;
-    gl::TexelBuffer newest_; // two planes
-    gl::Buffer work_;        // see shaders/active_tiles.glsl
-    gl::Buffer expansions_;
-    gl::Buffer list_; // voxel numbers on their way to the device
-    std::vector<std::uint32_t> added_;
-    std::uint32_t rulesNumber_ = 1;
-    std::uint32_t stamp_ = 0;         // of the last expansion
-    int now_ = 0;                     // which plane holds the newest voxels, and which list their tiles
-    std::uint32_t carried_ = 0;       // tiles in it
-    std::uint32_t carriedUnmade_ = 0; // rows of tiles
-    bool isValid_ = false;
-    bool isAtWork_ = false; // still so where something was thrown: what was begun is not finished
-    Testing testing_ = Testing::ByVoxel;
-    bool growsMuch_ = false;      // enough for rows
-    int expansionsByVoxel_ = 0;   // tried since the rules changed; the next submission tries as many
-    bool isOver_ = false;         // nothing grew at last
-    bool newestIsLast_ = false;   // the newest voxels have the generation before the next; else any
-    bool newestIsRegion_ = false; // the newest voxels are the whole region's
-
-    ConstrainedProgram allow_{"segment/shaders/allow_tiles.comp"};
-    ConstrainedProgram expand_{"segment/shaders/expand_tiles.comp"};
-    gl::ProgramVariants collect_{"segment/shaders/collect_region.comp"};
-    gl::ProgramVariants push_{"segment/shaders/push_voxels.comp"};
-    gl::ProgramVariants note_{"segment/shaders/note_tiles.comp"};
-    gl::ProgramVariants noteRows_{"segment/shaders/note_rows.comp"};
+    // What it takes on the device.
+    [[nodiscard]] virtual std::size_t deviceBytes() const = 0;
 };
+
+// Where growth is computed.
+enum class GrowthEngine { Device, Host };
+// The one that is quicker here: the host where the device is one too.
+GrowthEngine quickerEngine();
+std::unique_ptr<Frontier> makeFrontier(GrowthEngine engine, const SeedMap& seedMap,
+                                       const field::Field& field);
 
 } // namespace vs::segment

@@ -22,8 +22,10 @@ enum Answer : std::uint32_t { Refused, Present, Admitted, AdmittedAgain };
 
 } // namespace
 
-Growth::Growth(const field::Field& field)
-    : field_(&field), seedMap_(field.geometry.dims), frontier_(seedMap_), answers_(4, "seed answers"),
+Growth::Growth(const field::Field& field, GrowthEngine engine)
+    : field_(&field),
+      seedMap_(field.geometry.dims, engine == GrowthEngine::Host ? gl::Reach::Shared : gl::Reach::Device),
+      frontier_(makeFrontier(engine, seedMap_, field)), answers_(4, "seed answers"),
       kinds_(4, "kinds of segments") {}
 
 Frontier::Rules Growth::rules() const {
@@ -38,7 +40,7 @@ void Growth::setConstraints(const Constraints& constraints, GrowthUndo* undo) {
         truncate(state_.playhead, undo);
         const bool isWider = includes(constraints, state_.constraints);
         state_.constraints = constraints;
-        frontier_.invalidate();
+        frontier_->invalidate();
         if (state_.isLive && !(state_.isConsistent && isWider)) {
             retract(undo);
         }
@@ -145,7 +147,7 @@ void Growth::enterSeeds(std::span<const std::uint32_t> voxels, GrowthUndo* undo)
     }
     seedMap_.bricks().upload();
     seedMap_.bricks().markChanged(touched);
-    frontier_.add(voxels);
+    frontier_->add(voxels);
     state_.voxels.resize(std::size_t(generation));
     state_.voxels.back() += voxels.size();
     state_.extent = generation;
@@ -185,7 +187,7 @@ int Growth::advanceFor(double budgetMs, int generations, GrowthUndo* undo, std::
     const Timer timer;
     int shown = reveal(generations, mostVoxels);
     // Batches double while they fit into what is left of the time.
-    int batch = budgetMs < std::numeric_limits<double>::infinity() ? 1 : Frontier::kMaxExpansions;
+    int batch = budgetMs < std::numeric_limits<double>::infinity() ? 1 : frontier_->mostExpansions();
     while (shown < generations && !isFinished() && (shown == 0 || timer.milliseconds() < budgetMs) &&
            voxelCount() < mostVoxels) {
         reportProgress();
@@ -194,7 +196,7 @@ int Growth::advanceFor(double budgetMs, int generations, GrowthUndo* undo, std::
         shown -= cutBack(mostVoxels);
         const double ended = timer.milliseconds();
         if (budgetMs - ended > 2 * (ended - began)) {
-            batch = std::min(2 * batch, Frontier::kMaxExpansions);
+            batch = std::min(2 * batch, frontier_->mostExpansions());
         } else {
             batch = std::max(batch / 2, 1);
         }
@@ -255,7 +257,7 @@ std::vector<std::uint64_t> Growth::expand(int expansions) {
         if (state_.voxels.capacity() < most) {
             state_.voxels.reserve(2 * most);
         }
-        auto grown = frontier_.expand(seedMap_, rules(), state_.extent + 1, expansions);
+        auto grown = frontier_->expand(seedMap_, rules(), state_.extent + 1, expansions);
         if (grown.front() > 0) {
             bricks.download();
         }
@@ -313,7 +315,7 @@ void Growth::eraseAfter(int last) {
     passes_.erase(seedMap_, owner_, {last, nullptr, true}, bricks.holding(last, kNever), 0);
     bricks.truncate(last);
     bricks.upload();
-    frontier_.invalidate();
+    frontier_->invalidate();
 }
 
 void Growth::reset(GrowthUndo* undo) {
@@ -326,7 +328,7 @@ void Growth::reset(GrowthUndo* undo) {
     state_.seeds = std::make_shared<const std::vector<Seed>>();
     state_.isConsistent = true;
     forbidden_ = {};
-    frontier_.invalidate();
+    frontier_->invalidate();
 }
 
 // --- asking

@@ -69,7 +69,7 @@ class Growth {
 public:
     // `field` must outlive this. Throws GlError when the device has no room: 2 bytes and 5 bits a voxel for
     // the run, 1 byte for the segments, of the grid filled up to bricks of 32^3 voxels.
-    explicit Growth(const field::Field& field);
+    explicit Growth(const field::Field& field, GrowthEngine engine = quickerEngine());
 
     // Changes the rules. Nothing happens if they equal the present ones.
     void setConstraints(const Constraints& constraints, GrowthUndo* undo = nullptr);
@@ -140,7 +140,7 @@ public:
 
     // What growth takes on the device at the moment, volume and sculpture aside.
     [[nodiscard]] std::size_t deviceBytes() const {
-        return seedMap_.deviceBytes() + frontier_.deviceBytes() + forbidden_.size() + answers_.size();
+        return seedMap_.deviceBytes() + frontier_->deviceBytes() + forbidden_.size() + answers_.size();
     }
 
     // Counts changes of what is shown.
@@ -199,7 +199,7 @@ private:
     GrowthState state_;
     mutable SeedMap seedMap_; // labels are written when asked for
     mutable std::uint64_t labelledRevision_ = 0;
-    Frontier frontier_;
+    std::unique_ptr<Frontier> frontier_;
     RegionPasses passes_;
     Owner owner_;
     std::map<std::uint8_t, Run> others_;

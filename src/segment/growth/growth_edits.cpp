@@ -35,7 +35,7 @@ void Growth::eraseByPlane(const gl::Buffer& plane, bool isInPlane, int last,
         state_.voxels[g - 1] -= lost[g];
     }
     seedMap_.bricks().markChanged(losing);
-    frontier_.invalidate();
+    frontier_->invalidate();
 }
 
 // Live mode: keeps what can be reached from the seeds under the present rules, within what has grown.
@@ -44,15 +44,15 @@ void Growth::retract(GrowthUndo* undo) {
     if (state_.extent == 0) {
         return;
     }
-    const gl::TexelBuffer region(seedMap_.planeBytes() / sizeof(std::uint32_t), gl::Format::R32UI, "region");
-    const gl::Buffer reached(seedMap_.planeBytes(), "reached");
+    const gl::TexelBuffer region = seedMap_.makeTexelPlane("region");
+    const gl::Buffer reached = seedMap_.makePlane("reached");
     passes_.planeOf(seedMap_, owner_, state_.frozen, *field_, &state_.constraints, rules().forbidden,
                     region.buffer(), seedMap_.bricks().touched());
     std::vector<std::uint32_t> seeds;
     for (const Seed& seed : *state_.seeds) {
         seeds.push_back(seed.voxel);
     }
-    frontier_.flood(seedMap_, rules(), seeds, region, reached, kAll);
+    frontier_->flood(seedMap_, rules(), seeds, region, reached, kAll);
     eraseByPlane(reached, false, state_.frozen, seedMap_.bricks().touched(), undo);
 }
 
@@ -63,21 +63,21 @@ int Growth::absorb(std::span<const glm::ivec3> voxels, int expansions, GrowthUnd
         undo->keepForbidden(*this);
     }
     truncate(state_.playhead, undo);
-    const gl::TexelBuffer region(seedMap_.planeBytes() / sizeof(std::uint32_t), gl::Format::R32UI, "region");
-    const gl::Buffer reached(seedMap_.planeBytes(), "absorbed");
+    const gl::TexelBuffer region = seedMap_.makeTexelPlane("region");
+    const gl::Buffer reached = seedMap_.makePlane("absorbed");
     passes_.planeOf(seedMap_, owner_, 0, *field_, nullptr, nullptr, region.buffer(),
                     seedMap_.bricks().touched());
     Constraints unpaired;
     unpaired.connectivity = state_.constraints.connectivity;
     Frontier::Rules rules = this->rules();
     rules.constraints = &unpaired;
-    const int found = frontier_.flood(seedMap_, rules, voxelsInGrid(voxels), region, reached, expansions);
+    const int found = frontier_->flood(seedMap_, rules, voxelsInGrid(voxels), region, reached, expansions);
     eraseByPlane(reached, true, 0, seedMap_.bricks().touched(), undo);
     if (!forbidden_) {
-        forbidden_ = gl::Buffer(seedMap_.planeBytes(), "forbidden voxels");
+        forbidden_ = seedMap_.makePlane("forbidden voxels");
     }
     passes_.join(seedMap_, forbidden_, reached);
-    frontier_.invalidate();
+    frontier_->invalidate();
     state_.isFinished = false;
     state_.isConsistent = false;
     return found;
@@ -105,7 +105,7 @@ void Growth::freeze() {
     state_.frozen = state_.extent;
     state_.isFinished = true;
     state_.seeds = std::make_shared<const std::vector<Seed>>();
-    frontier_.invalidate();
+    frontier_->invalidate();
 }
 
 void Growth::replace(const Box3& box, std::span<const std::uint8_t> inside, GrowthUndo* undo) {
@@ -113,7 +113,7 @@ void Growth::replace(const Box3& box, std::span<const std::uint8_t> inside, Grow
     VS_CHECK_EQ(inside.size(), box.volume());
     const GrowthUndo::Recording recording(undo, *this);
     truncate(state_.playhead, undo);
-    gl::Buffer plane(seedMap_.planeBytes(), "edited region");
+    gl::Buffer plane = seedMap_.makePlane("edited region");
     seedMap_.uploadPlane(plane, box, inside);
     eraseByPlane(plane, false, 0, seedMap_.bricks().touched(), undo);
     std::vector<std::uint32_t> all(seedMap_.bricks().count());
@@ -127,7 +127,7 @@ void Growth::paint(const Box3& box, std::span<const std::uint8_t> inside, bool i
     VS_CHECK_EQ(inside.size(), box.volume());
     const GrowthUndo::Recording recording(undo, *this);
     truncate(state_.playhead, undo);
-    gl::Buffer plane(seedMap_.planeBytes(), "painted voxels");
+    gl::Buffer plane = seedMap_.makePlane("painted voxels");
     seedMap_.uploadPlane(plane, box, inside);
     std::vector<std::uint32_t> near;
     for (std::uint32_t brick = 0; brick < seedMap_.bricks().count(); ++brick) {
@@ -148,9 +148,9 @@ void Growth::confine(std::span<const std::uint8_t> inside) {
     std::vector<std::uint8_t> outside(inside.size());
     std::transform(inside.begin(), inside.end(), outside.begin(),
                    [](std::uint8_t value) { return value == 0 ? 1 : 0; });
-    forbidden_ = gl::Buffer(seedMap_.planeBytes(), "forbidden voxels");
+    forbidden_ = seedMap_.makePlane("forbidden voxels");
     seedMap_.uploadPlane(forbidden_, field_->geometry.box(), outside);
-    frontier_.invalidate();
+    frontier_->invalidate();
     state_.isFinished = false;
 }
 
@@ -175,7 +175,7 @@ void Growth::exchangeRun(std::uint8_t label) {
     if (known != others_.end()) {
         std::copy(known->second.spans.begin(), known->second.spans.end(), spans.begin());
         if (!known->second.forbidden.empty()) {
-            forbidden = gl::Buffer(seedMap_.planeBytes(), "forbidden voxels");
+            forbidden = seedMap_.makePlane("forbidden voxels");
             forbidden.write(std::span<const std::uint32_t>(known->second.forbidden));
         }
     }
@@ -195,7 +195,7 @@ void Growth::exchangeRun(std::uint8_t label) {
     }
     others_.insert(putAway.extract(putAway.begin()));
     owner_ = {label, hasGrownOthers()};
-    frontier_.invalidate();
+    frontier_->invalidate();
 }
 
 bool Growth::hasGrownOthers() const {
@@ -227,7 +227,7 @@ std::vector<std::uint8_t> Growth::labels(const Box3& box) const {
     }
     RegionPasses passes;
     const auto after = [&](int last) {
-        const gl::Buffer plane(seedMap_.planeBytes(), "region");
+        const gl::Buffer plane = seedMap_.makePlane("region");
         passes.planeOf(seedMap_, owner_, last, *field_, nullptr, nullptr, plane, seedMap_.bricks().touched());
         return seedMap_.downloadPlane(plane, box);
     };

@@ -43,7 +43,7 @@ void Growth::restore(const GrowthSnapshot& all) {
     bricks.markChanged(touched);
     state_ = all.atWork.state;
     if (!all.atWork.forbidden.empty()) {
-        forbidden_ = gl::Buffer(seedMap_.planeBytes(), "forbidden voxels");
+        forbidden_ = seedMap_.makePlane("forbidden voxels");
         forbidden_.write(std::span<const std::byte>(decompress(all.atWork.forbidden, seedMap_.planeBytes())));
     }
     for (const auto& [label, run] : all.others) {
@@ -55,7 +55,7 @@ void Growth::restore(const GrowthSnapshot& all) {
         }
     }
     owner_ = {all.label, hasGrownOthers()};
-    frontier_.invalidate();
+    frontier_->invalidate();
 }
 
 } // namespace vs::segment

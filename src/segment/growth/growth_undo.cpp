@@ -49,7 +49,7 @@ void GrowthUndo::undo(Growth& growth) const {
     }
     VS_CHECK(growth.owner_.label == held_.labelAfter || growth.owner_.label == held_.labelBefore);
     GrowthState before = held_.before;
-    growth.frontier_.invalidate();
+    growth.frontier_->invalidate();
     if (held_.labelBefore != growth.owner_.label) {
         growth.exchangeRun(held_.labelBefore);
     } else if (held_.labelBefore == held_.labelAfter) {
@@ -98,7 +98,7 @@ void GrowthUndo::putBackErased(Growth& growth) const {
     if (held_.changesForbidden) {
         gl::Buffer forbidden;
         if (!held_.forbidden.empty()) {
-            forbidden = gl::Buffer(seedMap.planeBytes(), "forbidden voxels");
+            forbidden = seedMap.makePlane("forbidden voxels");
             forbidden.write(std::span<const std::byte>(decompress(held_.forbidden, seedMap.planeBytes())));
         }
         growth.forbidden_ = std::move(forbidden);

@@ -13,11 +13,10 @@ namespace vs::segment {
 
 namespace {
 
-constexpr std::size_t kWordsPerBrick = 1024;
 constexpr std::size_t kSlabBytes = 16;
-constexpr std::size_t kGrownBytes = kWordsPerBrick * 4;
-constexpr std::size_t kGenerationBytes = kWordsPerBrick * 64;
-constexpr std::size_t kLateBytes = kWordsPerBrick * 32;
+constexpr std::size_t kGrownBytes = SeedMap::kWordsPerBrick * 4;
+constexpr std::size_t kGenerationBytes = SeedMap::kWordsPerBrick * 64;
+constexpr std::size_t kLateBytes = SeedMap::kWordsPerBrick * 32;
 
 glm::ivec3 checked(glm::ivec3 dims) {
     if (double(dims.x) * dims.y * dims.z > double(std::numeric_limits<std::uint32_t>::max())) {
@@ -30,21 +29,33 @@ glm::ivec3 checked(glm::ivec3 dims) {
 
 } // namespace
 
-SeedMap::SeedMap(glm::ivec3 dims)
-    : dims_(checked(dims)), bricks_(dims),
-      grown_(planeBytes() / kSlabBytes, gl::Format::RGBA32UI, "grown voxels"),
-      generations_(planeBytes() * 16, "generations"),
+SeedMap::SeedMap(glm::ivec3 dims, gl::Reach reach)
+    : dims_(checked(dims)), reach_(reach), bricks_(dims),
+      grown_(planeBytes() / kSlabBytes, gl::Format::RGBA32UI, "grown voxels", reach),
+      generations_(planeBytes() * 16, "generations", reach),
       labels_(dims, gl::Format::R8UI, gl::Filter::Nearest, "segment labels"), list_(4, "growth list"),
       writeLabels_("segment/shaders/write_labels.comp") {}
 
 std::size_t SeedMap::planeBytes() const {
-    return (bricks_.count() + 1) * kWordsPerBrick * sizeof(std::uint32_t);
+    return (bricks_.count() + 1) * SeedMap::kWordsPerBrick * sizeof(std::uint32_t);
 }
 
 void SeedMap::widen() {
     if (!isWide()) {
-        late_ = gl::Buffer(planeBytes() * 8, "late generations");
+        late_ = gl::Buffer(planeBytes() * 8, "late generations", reach_);
     }
+}
+
+SeedMap::Shared SeedMap::shared() const {
+    return {reinterpret_cast<std::uint32_t*>(grown_.buffer().shared().data()),
+            reinterpret_cast<std::uint16_t*>(generations_.shared().data()),
+            isWide() ? reinterpret_cast<std::uint8_t*>(late_.shared().data()) : nullptr};
+}
+
+gl::Buffer SeedMap::makePlane(const std::string& label) const { return {planeBytes(), label, reach_}; }
+
+gl::TexelBuffer SeedMap::makeTexelPlane(const std::string& label) const {
+    return {planeBytes() / sizeof(std::uint32_t), gl::Format::R32UI, label, reach_};
 }
 
 void SeedMap::bind(gl::Program& program) const {
@@ -153,7 +164,8 @@ std::vector<std::uint8_t> SeedMap::downloadPlane(const gl::Buffer& plane, const 
     std::vector<std::uint8_t> inside(box.volume(), 0);
     forEachVoxel(bricksAround(box), [&](glm::ivec3 brickPlace, std::size_t) {
         const std::uint32_t brick = bricks_.brickOf(brickPlace * field::kBrick);
-        const auto words = plane.read<std::uint32_t>(kWordsPerBrick, std::size_t(brick) * kGrownBytes);
+        const auto words =
+            plane.read<std::uint32_t>(SeedMap::kWordsPerBrick, std::size_t(brick) * kGrownBytes);
         forEachVoxel(intersect(bricks_.box(brick), box), [&](glm::ivec3 v, std::size_t) {
             const Place place = placeOf(v);
             inside[indexIn(box, v)] = words[place.word] >> place.bit & 1U;
@@ -166,8 +178,8 @@ void SeedMap::uploadPlane(gl::Buffer& plane, const Box3& box, std::span<const st
     std::vector<std::uint32_t> words(planeBytes() / sizeof(std::uint32_t), 0);
     forEachVoxel(box, [&](glm::ivec3 v, std::size_t i) {
         const Place place = placeOf(v);
-        words[std::size_t(place.brick) * kWordsPerBrick + place.word] |= (inside[i] != 0 ? 1U : 0U)
-                                                                         << place.bit;
+        words[std::size_t(place.brick) * SeedMap::kWordsPerBrick + place.word] |= (inside[i] != 0 ? 1U : 0U)
+                                                                                  << place.bit;
     });
     plane.write(std::span<const std::uint32_t>(words));
 }
@@ -179,10 +191,12 @@ std::vector<std::uint32_t> SeedMap::downloadGenerations(const Box3& box) const {
         if (!bricks_.isOccupied(brick)) {
             return;
         }
-        const auto grown = grown_.buffer().read<std::uint32_t>(kWordsPerBrick, brick * kGrownBytes);
-        const auto low = generations_.read<std::uint16_t>(kWordsPerBrick * 32, brick * kGenerationBytes);
-        const auto late = isWide() ? late_.read<std::uint8_t>(kWordsPerBrick * 32, brick * kLateBytes)
-                                   : std::vector<std::uint8_t>();
+        const auto grown = grown_.buffer().read<std::uint32_t>(SeedMap::kWordsPerBrick, brick * kGrownBytes);
+        const auto low =
+            generations_.read<std::uint16_t>(SeedMap::kWordsPerBrick * 32, brick * kGenerationBytes);
+        const auto late = isWide()
+                              ? late_.read<std::uint8_t>(SeedMap::kWordsPerBrick * 32, brick * kLateBytes)
+                              : std::vector<std::uint8_t>();
         forEachVoxel(intersect(bricks_.box(brick), box), [&](glm::ivec3 v, std::size_t) {
             const Place place = placeOf(v);
             const std::size_t i = place.word * 32 + place.bit;

@@ -9,6 +9,7 @@
 
 #include <cstdint>
 #include <span>
+#include <string>
 #include <vector>
 
 namespace vs::segment {
@@ -27,13 +28,27 @@ class SeedMap {
 public:
     static constexpr int kLongest16 = 0xffff;
     static constexpr int kLongest = 0xffffff;
+    // Words of a plane: 32 voxels each.
+    static constexpr std::size_t kWordsPerTile = 16;
+    static constexpr std::size_t kWordsPerBrick = 1024;
 
     // Makes an empty map of a grid. Throws GlError when the device has no room, or when there are more voxels
     // than lists can name.
-    explicit SeedMap(glm::ivec3 dims);
+    explicit SeedMap(glm::ivec3 dims, gl::Reach reach = gl::Reach::Device);
+
+    // The bytes of a shared map on the host, laid out as on the device (gl::Buffer::shared()).
+    struct Shared {
+        std::uint32_t* grown = nullptr;
+        std::uint16_t* generations = nullptr; // their lower 16 bits
+        std::uint8_t* late = nullptr;         // and eight more; null where it is not wide
+    };
+    [[nodiscard]] Shared shared() const;
 
     [[nodiscard]] glm::ivec3 dims() const { return dims_; }
     [[nodiscard]] std::size_t planeBytes() const; // of one bit a voxel, with the brick of zeros
+    // A plane of zeros that the map's owner can reach as it can reach the map.
+    [[nodiscard]] gl::Buffer makePlane(const std::string& label) const;
+    [[nodiscard]] gl::TexelBuffer makeTexelPlane(const std::string& label) const; // R32UI
     [[nodiscard]] const gl::Buffer& grown() const { return grown_.buffer(); }
     // The grown voxels as texels of four words (RGBA32UI), which software renderers read many times faster.
     [[nodiscard]] const gl::TexelBuffer& grownTexels() const { return grown_; }
@@ -94,6 +109,7 @@ private:
     [[nodiscard]] Place placeOf(glm::ivec3 voxel) const;
 
     glm::ivec3 dims_;
+    gl::Reach reach_;
     BrickTable bricks_;
     gl::TexelBuffer grown_;
     gl::Buffer generations_;

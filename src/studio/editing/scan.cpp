@@ -70,6 +70,7 @@ int histogramBins(const field::Field& field) {
 Scan::Scan(volume::Volume opened)
     : inFile(opened.geometry), volume(std::move(opened)), field(field::uploadVolume(volume)),
       histogram(field::intensityHistogram(field, histogramBins(field))) {
+    field.onHost = &volume;
     shown = field::suggestRange(histogram, volume.usual);
     if (volume.usual.width() <= 0) { // one value all over: all of it is the object
         shown = {volume.usual.lo - 0.5, volume.usual.hi + 0.5};

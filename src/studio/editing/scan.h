@@ -14,6 +14,8 @@ namespace vs::studio {
 // never change; where its voxels lie can be corrected. Needs a current OpenGL context.
 struct Scan {
     explicit Scan(volume::Volume opened);
+    Scan(const Scan&) = delete; // the field knows where the volume lies
+    Scan& operator=(const Scan&) = delete;
 
     // Its voxels lie there: of the same dimensions. What was derived from the field is to be made anew.
     void lay(const volume::GridGeometry& geometry);

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "segment/growth/host_bricks.h"
+
+#include "base/check.h"
+
+#include <cstring>
+
+namespace vs::segment {
+
+namespace {
+
+// Calls f(tile, words) with each tile of a brick and its words in a plane.
+template <typename Words, typename F>
+void forEachTile(HostBrick& brick, Words* plane, F&& f) {
+    Words* words = plane + brick.number * SeedMap::kWordsPerBrick;
+    for (HostTile& tile : brick.tiles) {
+        f(tile, words);
+        words += SeedMap::kWordsPerTile;
+    }
+}
+
+void close(HostBrick& brick, const std::uint32_t* plane) {
+    forEachTile(brick, plane,
+                [](HostTile& tile, const std::uint32_t* words) { tile.open -= slices::fromWords(words); });
+}
+
+// Whether a texel of the sculpture says that the voxel is cut away.
+bool isCut(const std::byte* texel, gl::Format format) {
+    if (format == gl::Format::R8) {
+        return std::to_integer<int>(*texel) >= 0x80;
+    }
+    if (format == gl::Format::R16) {
+        std::uint16_t value = 0;
+        std::memcpy(&value, texel, sizeof(value));
+        return value >= 0x8000;
+    }
+    VS_CHECK(format == gl::Format::R32F);
+    float value = 0;
+    std::memcpy(&value, texel, sizeof(value));
+    return value >= 0.5F;
+}
+
+} // namespace
+
+HostBricks::HostBricks(const SeedMap& seedMap)
+    : brickDims_(seedMap.bricks().brickDims()), bricks_(seedMap.bricks().count()) {}
+
+void HostBricks::forget() {
+    ++present_;
+    for (HostBrick* brick : joined_) {
+        brick->joinedIn = {};
+    }
+    joined_.clear();
+}
+
+HostBrick& HostBricks::brick(std::uint32_t number) {
+    const glm::uvec3 dims(brickDims_);
+    return brickAt(number,
+                   {int(number % dims.x), int(number / dims.x % dims.y), int(number / (dims.x * dims.y))});
+}
+
+HostBrick& HostBricks::brickAt(std::uint32_t number, glm::ivec3 place) {
+    std::unique_ptr<HostBrick>& brick = bricks_[number];
+    if (!brick) {
+        if (joined_.capacity() == made_) {
+            joined_.reserve(2 * made_ + 16);
+        }
+        brick = std::make_unique<HostBrick>();
+        brick->number = number;
+        brick->place = place;
+        ++made_;
+    }
+    if (brick->madeFor != present_) {
+        brick->around.fill(0);
+        brick->isTested.fill(0);
+        brick->hasJoined.fill(0);
+        for (HostTile& tile : brick->tiles) {
+            tile.joined = {};
+        }
+        open(*brick);
+        brick->madeFor = present_;
+    }
+    return *brick;
+}
+
+TileOfBrick HostBricks::across(const HostBrick& from, glm::ivec3 step, std::uint32_t tile) {
+    const glm::ivec3 to = from.place + step;
+    if (!glm::all(glm::lessThan(glm::uvec3(to), glm::uvec3(brickDims_)))) {
+        return {};
+    }
+    return {&brickAt(std::uint32_t((to.z * brickDims_.y + to.y) * brickDims_.x + to.x), to), tile};
+}
+
+TileOfBrick HostBricks::tileOf(glm::ivec3 voxel) {
+    const glm::ivec3 place = voxel / field::kBrick;
+    const glm::ivec3 tile = (voxel & (field::kBrick - 1)) >> 3;
+    return {&brickAt(std::uint32_t((place.z * brickDims_.y + place.y) * brickDims_.x + place.x), place),
+            std::uint32_t(tile.x | tile.y << 2 | tile.z << 4)};
+}
+
+void HostBricks::writeJoined(HostBrick& brick, std::uint32_t* plane) noexcept {
+    std::size_t tile = 0;
+    forEachTile(brick, plane, [&](HostTile& t, std::uint32_t* words) {
+        if (std::exchange(brick.hasJoined[tile++], std::uint8_t(0)) != 0) {
+            slices::joinWords(t.joined, words);
+            t.joined = {};
+        }
+    });
+}
+
+void BricksToGrowInto::open(HostBrick& brick) const {
+    const glm::ivec3 left = seedMap_->dims() - brick.place * field::kBrick;
+    for (std::uint32_t tile = 0; tile < brick.tiles.size(); ++tile) {
+        brick.tiles[tile].open =
+            slices::box(glm::clamp(left - 8 * placeOfTile(tile), glm::ivec3(0), glm::ivec3(8)));
+    }
+    if (seedMap_->bricks().isOccupied(brick.number)) {
+        close(brick, seedMap_->shared().grown);
+    }
+    if (rules_.forbidden != nullptr) {
+        close(brick, reinterpret_cast<const std::uint32_t*>(rules_.forbidden->shared().data()));
+    }
+    if (rules_.constraints->hasFence()) {
+        closeBehindFence(brick);
+    }
+}
+
+void BricksToGrowInto::closeBehindFence(HostBrick& brick) const {
+    const gl::Texture& sculpture = *rules_.constraints->sculpture;
+    const bool keepsCutPart = rules_.constraints->view == field::SculptureView::Probe;
+    const Box3 box = seedMap_->bricks().box(brick.number);
+    const auto texels = sculpture.download(box);
+    const std::byte* texel = texels.data();
+    forEachVoxel(box, [&](glm::ivec3 voxel, std::size_t) {
+        if (isCut(texel, sculpture.format()) != keepsCutPart) {
+            const glm::ivec3 tile = (voxel & (field::kBrick - 1)) >> 3;
+            slices::clear(brick.tiles[std::size_t(tile.x | tile.y << 2 | tile.z << 4)].open,
+                          slices::placeOf(voxel & 7));
+        }
+        texel += gl::bytesPerTexel(sculpture.format());
+    });
+}
+
+void BricksOfRegion::open(HostBrick& brick) const {
+    forEachTile(brick, region_,
+                [](HostTile& tile, const std::uint32_t* words) { tile.open = slices::fromWords(words); });
+    brick.isTested.fill(1);
+}
+
+} // namespace vs::segment

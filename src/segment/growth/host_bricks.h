@@ -1,0 +1,152 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "segment/growth/frontier.h"
+#include "segment/growth/slices.h"
+
+#include <array>
+#include <cstdint>
+#include <memory>
+#include <utility>
+#include <vector>
+
+namespace vs::segment {
+
+// What spreading on the host keeps of a tile of 8^3 voxels.
+struct alignas(64) HostTile {
+    std::array<Slices, 2> newest; // of two generations, each read while the other is written
+    Slices open;                  // what may be joined yet, as far as is known
+    Slices joined;                // what has, and is not written into the set's own bits yet
+};
+
+// And of a brick.
+struct HostBrick {
+    std::array<HostTile, 64> tiles;
+    // Which of the 27 tiles around one (bit (dx + 1) + 3 (dy + 1) + 9 (dz + 1)) have newest voxels that the
+    // next expansion is to spread from into it; 0: it is not on the list of the next expansion.
+    std::array<std::uint32_t, 64> around{};
+    std::array<std::uint8_t, 64> isTested{};  // whether the rules were asked about all that is open
+    std::array<std::uint8_t, 64> hasJoined{}; // whether something has
+    std::uint32_t number = 0;
+    glm::ivec3 place{0};     // in bricks
+    GenerationSpan joinedIn; // the generations of what has joined; 0, 0: nothing has
+    std::uint64_t madeFor = 0;
+};
+
+// A tile, by its brick.
+struct TileOfBrick {
+    HostBrick* brick = nullptr;
+    std::uint32_t tile = 0; // x + 4 y + 16 z
+
+    explicit operator bool() const { return brick != nullptr; }
+    [[nodiscard]] HostTile& operator*() const { return brick->tiles[tile]; }
+    [[nodiscard]] HostTile* operator->() const { return &brick->tiles[tile]; }
+    [[nodiscard]] std::uint32_t& around() const { return brick->around[tile]; }
+    [[nodiscard]] std::uint32_t number() const { return brick->number << 6U | tile; } // in the whole grid
+    [[nodiscard]] glm::ivec3 origin() const {
+        return brick->place * field::kBrick +
+               8 * glm::ivec3(int(tile & 3U), int(tile >> 2U & 3U), int(tile >> 4U));
+    }
+};
+
+// The place of one of the 27 tiles, or voxels, around one.
+constexpr glm::ivec3 offsetOf(std::uint32_t n) {
+    return {int(n % 3) - 1, int(n / 3 % 3) - 1, int(n / 9) - 1};
+}
+inline constexpr std::uint32_t kItself = 13; // among the 27
+
+// What a set may spread into, brick by brick: each is made when it is first asked for. Internal to this
+// folder.
+class HostBricks {
+public:
+    explicit HostBricks(const SeedMap& seedMap);
+    virtual ~HostBricks() = default;
+    HostBricks(const HostBricks&) = delete;
+    HostBricks& operator=(const HostBricks&) = delete;
+
+    // From now on bricks are made anew.
+    void forget();
+
+    // A brick by its number. Throws std::bad_alloc, and whatever makes it open.
+    HostBrick& brick(std::uint32_t number);
+    // One of the 27 tiles around one; none outside the grid.
+    TileOfBrick near(const TileOfBrick& tile, std::uint32_t n) {
+        const glm::ivec3 place = placeOfTile(tile.tile) + offsetOf(n);
+        const auto inBrick = std::uint32_t((place.x & 3) | (place.y & 3) << 2 | (place.z & 3) << 4);
+        const bool isInBrick = ((place.x | place.y | place.z) & ~3) == 0;
+        return isInBrick ? TileOfBrick{tile.brick, inBrick} : across(*tile.brick, place >> 2, inBrick);
+    }
+    // The tile that a voxel lies in.
+    TileOfBrick tileOf(glm::ivec3 voxel);
+
+    // Takes note that something of a brick has joined.
+    void noteJoined(HostBrick& brick, int generation) {
+        if (brick.joinedIn.first == 0) {
+            joined_.push_back(&brick); // there is room
+            brick.joinedIn.first = std::uint32_t(generation);
+        }
+        brick.joinedIn.last = std::uint32_t(generation);
+    }
+    // Writes what has joined into a plane of the seed map's layout, and hands out the bricks' numbers and
+    // spans.
+    template <typename F>
+    void writeJoined(std::uint32_t* plane, F&& noteSpan) noexcept {
+        for (HostBrick* brick : joined_) {
+            writeJoined(*brick, plane);
+            noteSpan(brick->number, std::exchange(brick->joinedIn, {}));
+        }
+        joined_.clear();
+    }
+
+    static constexpr glm::ivec3 placeOfTile(std::uint32_t tile) {
+        return {int(tile & 3U), int(tile >> 2U & 3U), int(tile >> 4U)};
+    }
+
+protected:
+    // Says what is open in a brick, and whether that has been tested.
+    virtual void open(HostBrick& brick) const = 0;
+
+private:
+    TileOfBrick across(const HostBrick& from, glm::ivec3 step, std::uint32_t tile);
+    HostBrick& brickAt(std::uint32_t number, glm::ivec3 place);
+    static void writeJoined(HostBrick& brick, std::uint32_t* plane) noexcept;
+
+    glm::ivec3 brickDims_;
+    std::vector<std::unique_ptr<HostBrick>> bricks_;
+    std::size_t made_ = 0;
+    std::vector<HostBrick*> joined_;
+    std::uint64_t present_ = 1;
+};
+
+// The voxels that a segment may grow into: those in the grid that have not grown in any, are not forbidden
+// and not beyond the fence. The rules by their values are left to be tested.
+class BricksToGrowInto final : public HostBricks {
+public:
+    using HostBricks::HostBricks;
+    // Both must stay until the next call.
+    void goBy(const SeedMap& seedMap, const Frontier::Rules& rules) {
+        seedMap_ = &seedMap;
+        rules_ = rules;
+    }
+
+private:
+    void open(HostBrick& brick) const override;
+    void closeBehindFence(HostBrick& brick) const;
+
+    const SeedMap* seedMap_ = nullptr;
+    Frontier::Rules rules_;
+};
+
+// The voxels of a region, a plane of the seed map's layout; nothing is left to be tested.
+class BricksOfRegion final : public HostBricks {
+public:
+    BricksOfRegion(const SeedMap& seedMap, const std::uint32_t* region)
+        : HostBricks(seedMap), region_(region) {}
+
+private:
+    void open(HostBrick& brick) const override;
+
+    const std::uint32_t* region_;
+};
+
+} // namespace vs::segment

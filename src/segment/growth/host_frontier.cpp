@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "segment/growth/host_frontier.h"
+
+#include "gl/pass.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace vs::segment {
+
+namespace {
+
+// Of a tile's grown voxels those of the segment at work, where `labels` are those of the tile's brick.
+Slices ownOf(const TileOfBrick& tile, Slices grown, const Owner& owner, const Box3& box,
+             const std::vector<std::byte>& labels) {
+    const glm::ivec3 size = box.size();
+    slices::forEach(Slices(grown), [&](std::uint32_t place) {
+        const glm::ivec3 at = tile.origin() - box.lo + slices::voxelAt(place);
+        const auto label = std::to_integer<std::uint8_t>(
+            labels[(std::size_t(at.z) * std::size_t(size.y) + std::size_t(at.y)) * std::size_t(size.x) +
+                   std::size_t(at.x)]);
+        if (label != 0 && label != owner.label) {
+            slices::clear(grown, place);
+        }
+    });
+    return grown;
+}
+
+// Those of generations after `last`.
+Slices laterThan(const TileOfBrick& tile, Slices grown, const SeedMap::Shared& map, std::uint32_t last) {
+    slices::forEach(Slices(grown), [&](std::uint32_t place) {
+        const std::size_t i = tile.number() * slices::kVoxels + slices::numberOf(place);
+        const std::uint32_t late = map.late != nullptr ? map.late[i] : 0U;
+        if ((map.generations[i] | late << 16U) <= last) {
+            slices::clear(grown, place);
+        }
+    });
+    return grown;
+}
+
+} // namespace
+
+void HostFrontier::invalidate() {
+    isValid_ = false;
+    added_.clear();
+}
+
+void HostFrontier::add(std::span<const std::uint32_t> voxels) {
+    if (isValid_) { // else all grown voxels are collected anyway
+        added_.insert(added_.end(), voxels.begin(), voxels.end());
+    }
+}
+
+// All grown voxels of the segment at work, other than frozen ones, are the newest.
+void HostFrontier::collect(const SeedMap& seedMap, const Rules& rules) {
+    bricks_.forget();
+    spread_.clear();
+    const SeedMap::Shared map = seedMap.shared();
+    for (const std::uint32_t number : seedMap.bricks().touched()) {
+        HostBrick& brick = bricks_.brick(number);
+        const Box3 box = seedMap.bricks().box(number);
+        const auto labels = rules.owner.hasOthers ? seedMap.labels().download(box) : std::vector<std::byte>();
+        for (std::uint32_t t = 0; t < brick.tiles.size(); ++t) {
+            const TileOfBrick tile{&brick, t};
+            Slices grown = slices::fromWords(map.grown + tile.number() * SeedMap::kWordsPerTile);
+            if (rules.owner.hasOthers) {
+                grown = ownOf(tile, grown, rules.owner, box, labels);
+            }
+            if (rules.frozen > 0) {
+                grown = laterThan(tile, grown, map, std::uint32_t(rules.frozen));
+            }
+            if (grown.any() != 0) {
+                spread_.add(tile, grown, rules.constraints->connectivity);
+            }
+        }
+    }
+}
+
+std::vector<std::uint64_t> HostFrontier::expand(SeedMap& seedMap, const Rules& rules, int generation,
+                                                int expansions) {
+    const gl::Pass pass("expand region");
+    if (generation > SeedMap::kLongest16) {
+        seedMap.widen();
+    } else {
+        expansions = std::min(expansions, SeedMap::kLongest16 + 1 - generation);
+    }
+    gl::Buffer::waitForDevice();
+    bricks_.goBy(seedMap, rules);
+    const bool wasValid = std::exchange(isValid_, false); // until all has gone well
+    if (!wasValid) {
+        collect(seedMap, rules);
+    }
+    for (const std::uint32_t voxel : added_) {
+        spread_.add(seedMap.voxelAt(voxel));
+    }
+    added_.clear();
+
+    std::vector<std::uint64_t> grown;
+    grown.reserve(std::size_t(expansions));
+    const SeedMap::Shared map = seedMap.shared();
+    const Connectivity connectivity = rules.constraints->connectivity;
+    try {
+        volume::visit(values_.get(), [&](const auto* values) {
+            const HostRules hostRules(values, *rules.field, *rules.constraints);
+            std::uint64_t total = 0;
+            for (int i = 0; i < expansions && total < kManyVoxels && (i == 0 || grown.back() > 0); ++i) {
+                grown.push_back(spread_.expand(hostRules, connectivity, {map.generations, map.late},
+                                               std::uint32_t(generation + i)));
+                total += grown.back();
+            }
+        });
+    } catch (...) {
+        writeJoined(seedMap);
+        throw;
+    }
+    writeJoined(seedMap);
+    isValid_ = true;
+    return grown;
+}
+
+void HostFrontier::writeJoined(SeedMap& seedMap) noexcept {
+    BrickTable& bricks = seedMap.bricks();
+    bricks_.writeJoined(seedMap.shared().grown, [&](std::uint32_t brick, GenerationSpan joined) {
+        const GenerationSpan before = bricks.span(brick);
+        bricks.setSpan(brick, {before.first == 0 ? joined.first : before.first, joined.last});
+    });
+    bricks.upload();
+}
+
+int HostFrontier::flood(const SeedMap& seedMap, const Rules& rules, std::span<const std::uint32_t> seeds,
+                        const gl::TexelBuffer& region, const gl::Buffer& reached, int expansions) {
+    const gl::Pass pass("flood region");
+    invalidate();
+    gl::Buffer::waitForDevice();
+    BricksOfRegion bricks(seedMap, reinterpret_cast<const std::uint32_t*>(region.buffer().shared().data()));
+    HostSpread spread(bricks);
+    for (const std::uint32_t seed : seeds) {
+        const glm::ivec3 voxel = seedMap.voxelAt(seed);
+        const TileOfBrick tile = bricks.tileOf(voxel);
+        const std::uint32_t place = slices::placeOf(voxel & 7);
+        if (slices::has(tile->open, place)) {
+            spread.add(voxel);
+            slices::set(tile->joined, place);
+            tile.brick->hasJoined[tile.tile] = 1;
+            bricks.noteJoined(*tile.brick, 1);
+        }
+    }
+    int found = 0;
+    volume::visit(values_.get(), [&](const auto* values) {
+        const HostRules hostRules(values, *rules.field, *rules.constraints);
+        bool goesOn = true;
+        while (goesOn && found < expansions) {
+            goesOn = spread.expand(hostRules, rules.constraints->connectivity, {}, 1) > 0;
+            found += goesOn ? 1 : 0;
+        }
+    });
+    bricks.writeJoined(reinterpret_cast<std::uint32_t*>(reached.shared().data()),
+                       [](std::uint32_t, GenerationSpan) {});
+    return found;
+}
+
+} // namespace vs::segment

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "segment/growth/constraints.h"
+#include "segment/growth/slices.h"
+
+#include <cmath>
+#include <cstring>
+#include <optional>
+#include <type_traits>
+
+namespace vs::segment {
+
+// What the rules of growth say of a volume's voxels, by their values: shaders/constraints.glsl on the host,
+// with equal answers. The fence is not among them. Internal to this folder.
+template <typename T>
+class HostRules {
+public:
+    // The values of the field, x fastest, must outlive this.
+    HostRules(const T* values, const field::Field& field, const Constraints& constraints)
+        : values_(values), dims_(field.geometry.dims), range_(comparable(field, constraints.range)),
+          gradient_(rounded(constraints.gradient)), difference_(rounded(constraints.difference)),
+          gradientDifference_(rounded(constraints.gradientDifference)),
+          gradientAlong_(gradientColumns(field)) {}
+
+    [[nodiscard]] glm::ivec3 dims() const { return dims_; }
+    [[nodiscard]] std::size_t indexOf(glm::ivec3 voxel) const {
+        return (std::size_t(voxel.z) * std::size_t(dims_.y) + std::size_t(voxel.y)) * std::size_t(dims_.x) +
+               std::size_t(voxel.x);
+    }
+
+    // What a voxel alone decides.
+    [[nodiscard]] bool admits(glm::ivec3 voxel) const {
+        return isInRange(values_[indexOf(voxel)]) && (!gradient_ || isWithin(magnitude(voxel), *gradient_));
+    }
+    [[nodiscard]] bool asksOnlyForRange() const { return !gradient_; }
+    [[nodiscard]] bool isInRangeAt(std::size_t index) const { return isInRange(values_[index]); }
+
+    // Whether there are rules for pairs; what a pair of neighbours decides.
+    [[nodiscard]] bool hasPairs() const { return difference_ || gradientDifference_; }
+    [[nodiscard]] bool admitsFrom(glm::ivec3 parent, glm::ivec3 child) const {
+        return (!difference_ || isWithin(valueAt(child) - valueAt(parent), *difference_)) &&
+               (!gradientDifference_ || isWithin(magnitude(child) - magnitude(parent), *gradientDifference_));
+    }
+
+    // What the voxels of the tile at `origin` decide alone; those outside the grid are refused.
+    [[nodiscard]] Slices admitted(glm::ivec3 origin) const {
+        const glm::ivec3 size = glm::min(dims_ - origin, glm::ivec3(8));
+        Slices admitted;
+        for (int z = 0; z < size.z; ++z) {
+            const T* row = values_ + indexOf(origin + glm::ivec3(0, 0, z));
+            for (int y = 0; y < size.y; ++y, row += dims_.x) {
+                admitted.z[std::size_t(z)] |= inRange(row, size.x) << unsigned(8 * y);
+            }
+        }
+        if (gradient_) {
+            slices::forEach(admitted, [&](std::uint32_t place) {
+                if (!isWithin(magnitude(origin + slices::voxelAt(place)), *gradient_)) {
+                    slices::clear(admitted, place);
+                }
+            });
+        }
+        return admitted;
+    }
+
+private:
+    // What ranges are compared in: whole numbers of the type itself, or floats.
+    using Compared = std::conditional_t<std::is_integral_v<T> && sizeof(T) <= 2, T, float>;
+    struct Ends {
+        Compared lo{};
+        Compared hi{};
+    };
+
+    static Ends comparable(const field::Field& field, const Range& range) {
+        const glm::vec2 ends = comparableRange(field, range);
+        return ends.x <= ends.y ? Ends{Compared(ends.x), Compared(ends.y)} : Ends{Compared(1), Compared(0)};
+    }
+    static std::optional<glm::vec2> rounded(const std::optional<Range>& range) {
+        return range ? std::optional(glm::vec2(float(range->lo), float(range->hi))) : std::nullopt;
+    }
+
+    [[nodiscard]] bool isInRange(T value) const {
+        const auto compared = Compared(value);
+        return compared >= range_.lo && compared <= range_.hi;
+    }
+    static bool isWithin(float value, glm::vec2 range) { return value >= range.x && value <= range.y; }
+
+    // Bit x: whether voxel x of a row of up to eight is in the range.
+    [[nodiscard]] std::uint64_t inRange(const T* row, int count) const {
+        std::array<std::uint8_t, 8> is{};
+        if (count == 8) {
+            for (std::size_t x = 0; x < 8; ++x) {
+                is[x] = std::uint8_t(isInRange(row[x]));
+            }
+        } else {
+            for (std::size_t x = 0; x < std::size_t(count); ++x) {
+                is[x] = std::uint8_t(isInRange(row[x]));
+            }
+        }
+        std::uint64_t bytes = 0;
+        std::memcpy(&bytes, is.data(), 8);
+        return bytes * 0x0102040810204080ULL >> 56U; // gathers the lowest bits of the bytes
+    }
+
+    // As the device has it: non-finite values are all one.
+    [[nodiscard]] float valueAt(glm::ivec3 voxel) const {
+        const auto value = float(values_[indexOf(voxel)]);
+        return std::is_integral_v<T> || std::isfinite(value) ? value : field::kNonFinite;
+    }
+
+    // Central differences; beyond the grid values are those at its border. Rounded one by one, as on the
+    // device: this folder is compiled without contraction.
+    [[nodiscard]] float magnitude(glm::ivec3 voxel) const {
+        const auto along = [&](int axis) {
+            glm::ivec3 before = voxel;
+            glm::ivec3 after = voxel;
+            before[axis] = std::max(voxel[axis] - 1, 0);
+            after[axis] = std::min(voxel[axis] + 1, dims_[axis] - 1);
+            return valueAt(after) - valueAt(before);
+        };
+        const glm::vec3 x = gradientAlong_[0] * along(0);
+        const glm::vec3 y = gradientAlong_[1] * along(1);
+        const glm::vec3 z = gradientAlong_[2] * along(2);
+        const glm::vec3 gradient = (x + y) + z;
+        const glm::vec3 squares = gradient * gradient;
+        return std::sqrt((squares.x + squares.y) + squares.z);
+    }
+
+    const T* values_;
+    glm::ivec3 dims_;
+    Ends range_;
+    std::optional<glm::vec2> gradient_;
+    std::optional<glm::vec2> difference_;
+    std::optional<glm::vec2> gradientDifference_;
+    glm::mat3 gradientAlong_;
+};
+
+} // namespace vs::segment

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "segment/growth/host_spread.h"
+
+#include <bit>
+
+namespace vs::segment {
+
+namespace {
+
+constexpr std::array<std::uint8_t, 6> kAcrossFaces{4, 10, 12, 14, 16, 22};
+constexpr std::array<std::uint8_t, 26> kAllAround{0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11, 12,
+                                                  14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
+
+// Of the 27 tiles around one, those across its faces.
+constexpr std::uint32_t kBeforeX = 12;
+constexpr std::uint32_t kAfterX = 14;
+constexpr std::uint32_t kBeforeY = 10;
+constexpr std::uint32_t kAfterY = 16;
+constexpr std::uint32_t kBeforeZ = 4;
+constexpr std::uint32_t kAfterZ = 22;
+
+constexpr bool has(std::uint32_t around, std::uint32_t n) { return (around >> n & 1U) != 0; }
+
+} // namespace
+
+std::span<const std::uint8_t> neighbours(Connectivity connectivity) {
+    return connectivity == Connectivity::Six ? std::span<const std::uint8_t>(kAcrossFaces)
+                                             : std::span<const std::uint8_t>(kAllAround);
+}
+
+std::uint32_t tilesTouched(const Slices& voxels, Connectivity connectivity) {
+    const std::uint64_t all = voxels.any();
+    const auto along = [](bool before, bool after) {
+        return 2U | std::uint32_t(before) | std::uint32_t(after) << 2U;
+    };
+    const std::uint32_t x = along((all & slices::kColumn) != 0, (all & slices::kColumn << 7U) != 0);
+    const std::uint32_t y = along((all & slices::kRow) != 0, (all & slices::kRow << 56U) != 0);
+    const std::uint32_t z = along(voxels.z[0] != 0, voxels.z[7] != 0);
+    if (connectivity == Connectivity::Six) {
+        return x << 12U | (y & 1U) << kBeforeY | (y >> 2U) << kAfterY | (z & 1U) << kBeforeZ |
+               (z >> 2U) << kAfterZ;
+    }
+    const std::uint32_t plane = (y & 1U) * x | x << 3U | (y >> 2U) * x << 6U;
+    return (z & 1U) * plane | plane << 9U | (z >> 2U) * plane << 18U;
+}
+
+void HostSpread::clear() {
+    tiles_.clear();
+    queue_.clear();
+    isByTile_ = false;
+    last_ = 0;
+}
+
+void HostSpread::add(glm::ivec3 voxel) {
+    const Queued queued{bricks_->tileOf(voxel), slices::placeOf(voxel & 7)};
+    slices::clear(queued.tile->open, queued.place);
+    queue_.push_back(queued);
+}
+
+void HostSpread::add(const TileOfBrick& tile, const Slices& voxels, Connectivity connectivity) {
+    isByTile_ = true;
+    tile->newest[now_] = voxels;
+    const std::uint32_t itself = tile->open.any() != 0 ? 0 : 1U << kItself;
+    activateAround(tile, tilesTouched(voxels, connectivity) & ~itself);
+    last_ += kMany; // whatever there is is spread by tiles first
+}
+
+void HostSpread::chooseHow(Connectivity connectivity) {
+    if (isByTile_ && last_ < kFew) {
+        goOverToQueue();
+    }
+    if (queue_.size() > kMany || (isByTile_ && !queue_.empty())) {
+        goOverToTiles(connectivity);
+    }
+}
+
+void HostSpread::goOverToTiles(Connectivity connectivity) {
+    isByTile_ = true;
+    for (const Queued& voxel : queue_) {
+        if (!has(voxel.tile.around(), kItself)) {
+            voxel.tile->newest[now_] = {};
+            activate(voxel.tile, kItself);
+        }
+        slices::set(voxel.tile->newest[now_], voxel.place);
+        Slices one;
+        slices::set(one, voxel.place);
+        activateAround(voxel.tile, tilesTouched(one, connectivity));
+    }
+    queue_.clear();
+}
+
+void HostSpread::goOverToQueue() {
+    isByTile_ = false;
+    for (std::size_t i = 0; i < looked_.size(); ++i) {
+        if (found_[i].joined > 0) {
+            slices::forEach(looked_[i]->newest[now_], [&](std::uint32_t place) {
+                queue_.push_back({looked_[i], place});
+            });
+        }
+    }
+    for (const TileOfBrick& tile : tiles_) {
+        tile.around() = 0;
+    }
+    tiles_.clear();
+}
+
+void HostSpread::activate(const TileOfBrick& tile, std::uint32_t from) {
+    if (tile.around() == 0) {
+        tiles_.push_back(tile);
+    }
+    tile.around() |= 1U << from;
+}
+
+void HostSpread::activateAround(const TileOfBrick& tile, std::uint32_t touched) {
+    for (; touched != 0; touched &= touched - 1) {
+        const auto n = std::uint32_t(std::countr_zero(touched));
+        // Its own newest voxels count as read by itself, even where it is full.
+        const TileOfBrick near = n == kItself ? tile : bricks_->near(tile, n);
+        if (near && (n == kItself || near->open.any() != 0)) {
+            activate(near, 26 - n);
+        }
+    }
+}
+
+Slices HostSpread::offered(const TileOfBrick& tile, std::uint32_t around, Connectivity connectivity) const {
+    return connectivity == Connectivity::Six ? offeredAcrossFaces(tile, around)
+                                             : offeredAllAround(tile, around);
+}
+
+Slices HostSpread::offeredAcrossFaces(const TileOfBrick& tile, std::uint32_t around) const {
+    Slices to;
+    if (has(around, kItself)) {
+        const Slices& own = tile->newest[now_];
+        for (std::size_t z = 0; z < 8; ++z) {
+            to.z[z] = slices::spreadX(own.z[z]) | slices::spreadY(own.z[z]);
+        }
+        for (std::size_t z = 0; z < 7; ++z) {
+            to.z[z] |= own.z[z + 1];
+            to.z[z + 1] |= own.z[z];
+        }
+    }
+    const auto from = [&](std::uint32_t n) -> const Slices& { return bricks_->near(tile, n)->newest[now_]; };
+    if (has(around, kBeforeX)) {
+        const Slices& before = from(kBeforeX);
+        for (std::size_t z = 0; z < 8; ++z) {
+            to.z[z] |= slices::fromX(before.z[z], 0);
+        }
+    }
+    if (has(around, kAfterX)) {
+        const Slices& after = from(kAfterX);
+        for (std::size_t z = 0; z < 8; ++z) {
+            to.z[z] |= slices::fromX(0, after.z[z]);
+        }
+    }
+    if (has(around, kBeforeY)) {
+        const Slices& before = from(kBeforeY);
+        for (std::size_t z = 0; z < 8; ++z) {
+            to.z[z] |= slices::fromY(before.z[z], 0);
+        }
+    }
+    if (has(around, kAfterY)) {
+        const Slices& after = from(kAfterY);
+        for (std::size_t z = 0; z < 8; ++z) {
+            to.z[z] |= slices::fromY(0, after.z[z]);
+        }
+    }
+    to.z[0] |= has(around, kBeforeZ) ? from(kBeforeZ).z[7] : 0;
+    to.z[7] |= has(around, kAfterZ) ? from(kAfterZ).z[0] : 0;
+    return to;
+}
+
+Slices HostSpread::offeredAllAround(const TileOfBrick& tile, std::uint32_t around) const {
+    static constexpr Slices kNothing{};
+    std::array<const Slices*, 27> from{};
+    for (std::uint32_t n = 0; n < 27; ++n) {
+        from[n] = !has(around, n) ? &kNothing
+                  : n == kItself  ? &tile->newest[now_]
+                                  : &bricks_->near(tile, n)->newest[now_];
+    }
+    // Slices -1 to 8, each spread in its plane.
+    std::array<std::uint64_t, 10> spread{};
+    for (std::size_t i = 0; i < 10; ++i) {
+        const std::size_t layer = i == 0 ? 0 : i == 9 ? 2 : 1;
+        const std::size_t z = (i + 7) % 8;
+        const auto row = [&](std::size_t y) { // of three tiles along x
+            const std::size_t n = 9 * layer + 3 * y;
+            return slices::spreadX(from[n + 1]->z[z]) | slices::fromX(from[n]->z[z], from[n + 2]->z[z]);
+        };
+        spread[i] = slices::spreadY(row(1)) | slices::fromY(row(0), row(2));
+    }
+    Slices to;
+    for (std::size_t z = 0; z < 8; ++z) {
+        to.z[z] = spread[z] | spread[z + 1] | spread[z + 2];
+    }
+    return to;
+}
+
+} // namespace vs::segment

@@ -1,0 +1,253 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "segment/growth/host_bricks.h"
+#include "segment/growth/host_rules.h"
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+namespace vs::segment {
+
+// Where the voxels that join get their generation; with no numbers they get none.
+struct GenerationsOnHost {
+    std::uint16_t* low = nullptr; // as SeedMap::Shared has them
+    std::uint8_t* late = nullptr;
+
+    void store(const TileOfBrick& tile, std::uint32_t place, std::uint32_t generation) const {
+        if (low != nullptr) {
+            const std::size_t i = tile.number() * slices::kVoxels + slices::numberOf(place);
+            low[i] = std::uint16_t(generation);
+            if (late != nullptr) {
+                late[i] = std::uint8_t(generation >> 16U);
+            }
+        }
+    }
+};
+
+// A set that spreads breadth first, on the host: while it is small voxel by voxel, as a plain queue, then by
+// tiles of 8^3 voxels, eight words of bits at a time. Internal to this folder.
+class HostSpread {
+public:
+    explicit HostSpread(HostBricks& bricks) : bricks_(&bricks) {}
+
+    // There are no newest voxels any more.
+    void clear();
+    // A voxel is among the newest, and no longer open.
+    void add(glm::ivec3 voxel);
+    // So are the given ones of a tile, which has no others.
+    void add(const TileOfBrick& tile, const Slices& voxels, Connectivity connectivity);
+
+    // Everything open next to the newest voxels that the rules let in joins, and they are the newest then.
+    // Returns how many. When this throws, what has joined so far is noted in the bricks.
+    template <typename T>
+    std::uint64_t expand(const HostRules<T>& rules, Connectivity connectivity, GenerationsOnHost generations,
+                         std::uint32_t generation) {
+        const Step<T> step{rules, connectivity, generations, generation};
+        chooseHow(connectivity);
+        last_ = isByTile_ ? expandTiles(step) : expandQueue(step);
+        return last_;
+    }
+
+private:
+    // A voxel of the queue, by its place in a tile.
+    struct Queued {
+        TileOfBrick tile;
+        std::uint32_t place = 0;
+    };
+    // What became of a tile.
+    struct Found {
+        std::uint32_t joined = 0;
+        std::uint32_t touched =
+            0; // of the 27 tiles around it, those that its newest voxels have neighbours in
+    };
+    template <typename T>
+    struct Step {
+        const HostRules<T>& rules;
+        Connectivity connectivity;
+        GenerationsOnHost generations;
+        std::uint32_t generation;
+    };
+
+    // As many in a generation make tiles worth their while; so few do not.
+    static constexpr std::uint64_t kMany = 256;
+    static constexpr std::uint64_t kFew = 64;
+
+    void chooseHow(Connectivity connectivity);
+    void goOverToTiles(Connectivity connectivity);
+    void goOverToQueue();
+    void activate(const TileOfBrick& tile, std::uint32_t from);
+    void activateAround(const TileOfBrick& tile, std::uint32_t touched);
+    [[nodiscard]] Slices offered(const TileOfBrick& tile, std::uint32_t around,
+                                 Connectivity connectivity) const;
+    [[nodiscard]] Slices offeredAcrossFaces(const TileOfBrick& tile, std::uint32_t around) const;
+    [[nodiscard]] Slices offeredAllAround(const TileOfBrick& tile, std::uint32_t around) const;
+
+    template <typename T>
+    std::uint64_t expandTiles(const Step<T>& step);
+    template <typename T>
+    Found expandTile(const Step<T>& step, const TileOfBrick& tile);
+    template <typename T>
+    void test(const Step<T>& step, const TileOfBrick& tile, Slices& fresh);
+    template <typename T>
+    void testPairs(const Step<T>& step, const TileOfBrick& tile, std::uint32_t around, Slices& fresh) const;
+    template <typename T>
+    std::uint64_t expandQueue(const Step<T>& step);
+    template <typename T>
+    void enterFrom(const Step<T>& step, const Queued& parent, glm::ivec3 offset);
+
+    HostBricks* bricks_;
+    bool isByTile_ = false;
+    std::uint32_t now_ = 0;           // which of a tile's newest voxels are read
+    std::uint64_t last_ = 0;          // as many are the newest
+    std::vector<TileOfBrick> tiles_;  // to be looked at by the next expansion
+    std::vector<TileOfBrick> looked_; // by the last one
+    std::vector<Found> found_;        // in those
+    std::vector<Queued> queue_;
+    std::vector<Queued> joining_;
+};
+
+// Those of the 27 voxels around one that are its neighbours.
+std::span<const std::uint8_t> neighbours(Connectivity connectivity);
+// The tiles around one, itself among them, in which some of these voxels have neighbours.
+std::uint32_t tilesTouched(const Slices& voxels, Connectivity connectivity);
+
+template <typename T>
+std::uint64_t HostSpread::expandTiles(const Step<T>& step) {
+    looked_.swap(tiles_);
+    tiles_.clear();
+    found_.resize(looked_.size());
+    for (std::size_t i = 0; i < looked_.size(); ++i) {
+        found_[i] = expandTile(step, looked_[i]);
+    }
+    now_ = 1 - now_;
+    std::uint64_t joined = 0;
+    for (std::size_t i = 0; i < looked_.size(); ++i) {
+        if (found_[i].joined > 0) {
+            joined += found_[i].joined;
+            bricks_->noteJoined(*looked_[i].brick, int(step.generation));
+        }
+    }
+    for (std::size_t i = 0; i < looked_.size(); ++i) {
+        if (found_[i].joined > 0) {
+            activateAround(looked_[i], found_[i].touched);
+        }
+    }
+    return joined;
+}
+
+template <typename T>
+HostSpread::Found HostSpread::expandTile(const Step<T>& step, const TileOfBrick& tile) {
+    const std::uint32_t around = std::exchange(tile.around(), 0U);
+    Slices fresh = offered(tile, around, step.connectivity);
+    fresh &= tile->open;
+    if (fresh.any() == 0) {
+        return {};
+    }
+    if (tile.brick->isTested[tile.tile] == 0) {
+        test(step, tile, fresh);
+    }
+    if (step.rules.hasPairs()) {
+        testPairs(step, tile, around, fresh);
+    }
+    if (fresh.any() == 0) {
+        return {};
+    }
+    tile->newest[1 - now_] = fresh;
+    tile->open -= fresh;
+    tile->joined |= fresh;
+    tile.brick->hasJoined[tile.tile] = 1;
+    std::uint32_t count = 0;
+    slices::forEach(fresh, [&](std::uint32_t place) {
+        step.generations.store(tile, place, step.generation);
+        ++count;
+    });
+    return {count, tilesTouched(fresh, step.connectivity)};
+}
+
+// Leaves of the fresh voxels those that the rules let in by themselves. A tile is tested whole as soon as
+// they let some in; until then what they refuse is not asked about again.
+template <typename T>
+void HostSpread::test(const Step<T>& step, const TileOfBrick& tile, Slices& fresh) {
+    const glm::ivec3 origin = tile.origin();
+    bool letsIn = false;
+    slices::forEach(fresh, [&](std::uint32_t place) {
+        letsIn = letsIn || step.rules.admits(origin + slices::voxelAt(place));
+    });
+    if (letsIn) {
+        tile->open &= step.rules.admitted(origin);
+        tile.brick->isTested[tile.tile] = 1;
+        fresh &= tile->open;
+    } else {
+        tile->open -= fresh;
+        fresh = {};
+    }
+}
+
+// Leaves those that one of the newest voxels around them may be left for.
+template <typename T>
+void HostSpread::testPairs(const Step<T>& step, const TileOfBrick& tile, std::uint32_t around,
+                           Slices& fresh) const {
+    const glm::ivec3 origin = tile.origin();
+    const auto isNewest = [&](glm::ivec3 inTile) {
+        const glm::ivec3 offset = inTile >> 3; // -1, 0 or 1
+        const auto n = std::uint32_t(offset.x + 1 + 3 * (offset.y + 1) + 9 * (offset.z + 1));
+        return (around >> n & 1U) != 0 &&
+               slices::has(bricks_->near(tile, n)->newest[now_], slices::placeOf(inTile & 7));
+    };
+    slices::forEach(Slices(fresh), [&](std::uint32_t place) {
+        const glm::ivec3 child = slices::voxelAt(place);
+        bool isLetIn = false;
+        for (const std::uint8_t n : neighbours(step.connectivity)) {
+            isLetIn = isLetIn || (isNewest(child + offsetOf(n)) &&
+                                  step.rules.admitsFrom(origin + child + offsetOf(n), origin + child));
+        }
+        if (!isLetIn) {
+            slices::clear(fresh, place);
+        }
+    });
+}
+
+template <typename T>
+std::uint64_t HostSpread::expandQueue(const Step<T>& step) {
+    joining_.clear();
+    for (const Queued& parent : queue_) {
+        for (const std::uint8_t n : neighbours(step.connectivity)) {
+            enterFrom(step, parent, offsetOf(n));
+        }
+    }
+    queue_.swap(joining_);
+    return queue_.size();
+}
+
+template <typename T>
+void HostSpread::enterFrom(const Step<T>& step, const Queued& parent, glm::ivec3 offset) {
+    const glm::ivec3 inTile = slices::voxelAt(parent.place) + offset;
+    const bool isInTile = ((inTile.x | inTile.y | inTile.z) & ~7) == 0;
+    const glm::ivec3 step3 = inTile >> 3;
+    const TileOfBrick tile =
+        isInTile
+            ? parent.tile
+            : bricks_->near(parent.tile, std::uint32_t(step3.x + 1 + 3 * (step3.y + 1) + 9 * (step3.z + 1)));
+    const std::uint32_t place = slices::placeOf(inTile & 7);
+    if (!tile || !slices::has(tile->open, place)) {
+        return;
+    }
+    const glm::ivec3 voxel = tile.origin() + slices::voxelAt(place);
+    if (tile.brick->isTested[tile.tile] == 0 && !step.rules.admits(voxel)) {
+        slices::clear(tile->open, place);
+        return;
+    }
+    if (step.rules.hasPairs() && !step.rules.admitsFrom(voxel - offset, voxel)) {
+        return;
+    }
+    joining_.push_back({tile, place});
+    slices::clear(tile->open, place);
+    slices::set(tile->joined, place);
+    tile.brick->hasJoined[tile.tile] = 1;
+    bricks_->noteJoined(*tile.brick, int(step.generation));
+    step.generations.store(tile, place, step.generation);
+}
+
+} // namespace vs::segment

@@ -41,6 +41,7 @@ struct TileOfBrick {
     explicit operator bool() const { return brick != nullptr; }
     [[nodiscard]] HostTile& operator*() const { return brick->tiles[tile]; }
     [[nodiscard]] HostTile* operator->() const { return &brick->tiles[tile]; }
+    [[nodiscard]] bool isTested() const { return brick->isTested[tile] != 0; }
     [[nodiscard]] std::uint32_t& around() const { return brick->around[tile]; }
     [[nodiscard]] std::uint32_t number() const { return brick->number << 6U | tile; } // in the whole grid
     [[nodiscard]] glm::ivec3 origin() const {

@@ -133,7 +133,7 @@ int HostFrontier::flood(const SeedMap& seedMap, const Rules& rules, std::span<co
     invalidate();
     gl::Buffer::waitForDevice();
     BricksOfRegion bricks(seedMap, reinterpret_cast<const std::uint32_t*>(region.buffer().shared().data()));
-    HostSpread spread(bricks);
+    HostSpread spread(bricks, seedMap.dims());
     for (const std::uint32_t seed : seeds) {
         const glm::ivec3 voxel = seedMap.voxelAt(seed);
         const TileOfBrick tile = bricks.tileOf(voxel);

@@ -15,7 +15,7 @@ namespace vs::segment {
 class HostFrontier final : public Frontier {
 public:
     HostFrontier(const SeedMap& seedMap, const field::Field& field)
-        : values_(field), bricks_(seedMap), spread_(bricks_) {}
+        : values_(field), bricks_(seedMap), spread_(bricks_, seedMap.dims()) {}
 
     void invalidate() override;
     void add(std::span<const std::uint32_t> voxels) override;

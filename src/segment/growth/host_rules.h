@@ -33,7 +33,7 @@ public:
     [[nodiscard]] bool admits(glm::ivec3 voxel) const {
         return isInRange(values_[indexOf(voxel)]) && (!gradient_ || isWithin(magnitude(voxel), *gradient_));
     }
-    [[nodiscard]] bool asksOnlyForRange() const { return !gradient_; }
+    [[nodiscard]] bool asksOnlyForRange() const { return !gradient_ && !hasPairs(); }
     [[nodiscard]] bool isInRangeAt(std::size_t index) const { return isInRange(values_[index]); }
 
     // Whether there are rules for pairs; what a pair of neighbours decides.

@@ -7,9 +7,28 @@ namespace vs::segment {
 
 namespace {
 
-constexpr std::array<std::uint8_t, 6> kAcrossFaces{4, 10, 12, 14, 16, 22};
-constexpr std::array<std::uint8_t, 26> kAllAround{0,  1,  2,  3,  4,  5,  6,  7,  8,  9,  10, 11, 12,
-                                                  14, 15, 16, 17, 18, 19, 20, 21, 22, 23, 24, 25, 26};
+constexpr Way wayTo(std::uint32_t n) {
+    const glm::ivec3 offset = offsetOf(n);
+    return {offset, offset.x + 8 * offset.y + 64 * offset.z,
+            slices::sidesOf(offset.x<0, offset.x> 0, offset.y<0, offset.y> 0, offset.z<0, offset.z> 0)};
+}
+
+constexpr auto kAcrossFaces = [] {
+    std::array<Way, 6> ways{};
+    std::size_t i = 0;
+    for (const std::uint32_t n : {4U, 10U, 12U, 14U, 16U, 22U}) {
+        ways[i++] = wayTo(n);
+    }
+    return ways;
+}();
+
+constexpr auto kAllAround = [] {
+    std::array<Way, 26> ways{};
+    for (std::uint32_t n = 0; n < 26; ++n) {
+        ways[n] = wayTo(n < kItself ? n : n + 1);
+    }
+    return ways;
+}();
 
 // Of the 27 tiles around one, those across its faces.
 constexpr std::uint32_t kBeforeX = 12;
@@ -23,9 +42,9 @@ constexpr bool has(std::uint32_t around, std::uint32_t n) { return (around >> n 
 
 } // namespace
 
-std::span<const std::uint8_t> neighbours(Connectivity connectivity) {
-    return connectivity == Connectivity::Six ? std::span<const std::uint8_t>(kAcrossFaces)
-                                             : std::span<const std::uint8_t>(kAllAround);
+std::span<const Way> waysTo(Connectivity connectivity) {
+    return connectivity == Connectivity::Six ? std::span<const Way>(kAcrossFaces)
+                                             : std::span<const Way>(kAllAround);
 }
 
 std::uint32_t tilesTouched(const Slices& voxels, Connectivity connectivity) {
@@ -52,9 +71,21 @@ void HostSpread::clear() {
 }
 
 void HostSpread::add(glm::ivec3 voxel) {
-    const Queued queued{bricks_->tileOf(voxel), slices::placeOf(voxel & 7)};
+    const Queued queued{{bricks_->tileOf(voxel), slices::placeOf(voxel & 7)}, indexOf(voxel)};
     slices::clear(queued.tile->open, queued.place);
     queue_.push_back(queued);
+}
+
+std::size_t HostSpread::indexOf(glm::ivec3 voxel) const {
+    return (std::size_t(voxel.z) * std::size_t(dims_.y) + std::size_t(voxel.y)) * std::size_t(dims_.x) +
+           std::size_t(voxel.x);
+}
+
+HostSpread::TileAndPlace HostSpread::across(const TileAndPlace& from, const Way& way) const {
+    const glm::ivec3 to = slices::voxelAt(from.place) + way.offset;
+    const glm::ivec3 step = to >> 3;
+    return {bricks_->near(from.tile, std::uint32_t(step.x + 1 + 3 * (step.y + 1) + 9 * (step.z + 1))),
+            slices::placeOf(to & 7)};
 }
 
 void HostSpread::add(const TileOfBrick& tile, const Slices& voxels, Connectivity connectivity) {
@@ -92,9 +123,10 @@ void HostSpread::goOverToTiles(Connectivity connectivity) {
 void HostSpread::goOverToQueue() {
     isByTile_ = false;
     for (std::size_t i = 0; i < looked_.size(); ++i) {
+        const TileOfBrick& tile = looked_[i];
         if (found_[i].joined > 0) {
-            slices::forEach(looked_[i]->newest[now_], [&](std::uint32_t place) {
-                queue_.push_back({looked_[i], place});
+            slices::forEach(tile->newest[now_], [&](std::uint32_t place) {
+                queue_.push_back({{tile, place}, indexOf(tile.origin() + slices::voxelAt(place))});
             });
         }
     }

@@ -26,11 +26,20 @@ struct GenerationsOnHost {
     }
 };
 
+// The way from a voxel to a neighbour.
+struct Way {
+    glm::ivec3 offset{0};
+    int place = 0; // what it adds to a place in a tile
+    std::uint8_t sides =
+        0; // of a tile: the way leads out of it from voxels at one of these (slices::kSidesAt)
+};
+std::span<const Way> waysTo(Connectivity connectivity);
+
 // A set that spreads breadth first, on the host: while it is small voxel by voxel, as a plain queue, then by
 // tiles of 8^3 voxels, eight words of bits at a time. Internal to this folder.
 class HostSpread {
 public:
-    explicit HostSpread(HostBricks& bricks) : bricks_(&bricks) {}
+    HostSpread(HostBricks& bricks, glm::ivec3 dims) : bricks_(&bricks), dims_(dims) {}
 
     // There are no newest voxels any more.
     void clear();
@@ -51,11 +60,14 @@ public:
     }
 
 private:
-    // A voxel of the queue, by its place in a tile.
-    struct Queued {
+    struct TileAndPlace {
         TileOfBrick tile;
-        std::uint32_t place = 0;
+        std::uint32_t place = 0; // in it
     };
+    struct Queued : TileAndPlace {
+        std::size_t index; // in the volume
+    };
+    enum class Answer { Joins, Refused, RefusedFromHere };
     // What became of a tile.
     struct Found {
         std::uint32_t joined = 0;
@@ -94,10 +106,14 @@ private:
     void testPairs(const Step<T>& step, const TileOfBrick& tile, std::uint32_t around, Slices& fresh) const;
     template <typename T>
     std::uint64_t expandQueue(const Step<T>& step);
-    template <typename T>
-    void enterFrom(const Step<T>& step, const Queued& parent, glm::ivec3 offset);
+    template <typename T, typename Ask>
+    void expandQueueBy(const Step<T>& step, const Ask& ask);
+    [[nodiscard]] TileAndPlace across(const TileAndPlace& from, const Way& way) const;
+
+    [[nodiscard]] std::size_t indexOf(glm::ivec3 voxel) const;
 
     HostBricks* bricks_;
+    glm::ivec3 dims_;
     bool isByTile_ = false;
     std::uint32_t now_ = 0;           // which of a tile's newest voxels are read
     std::uint64_t last_ = 0;          // as many are the newest
@@ -108,8 +124,6 @@ private:
     std::vector<Queued> joining_;
 };
 
-// Those of the 27 voxels around one that are its neighbours.
-std::span<const std::uint8_t> neighbours(Connectivity connectivity);
 // The tiles around one, itself among them, in which some of these voxels have neighbours.
 std::uint32_t tilesTouched(const Slices& voxels, Connectivity connectivity);
 
@@ -145,7 +159,7 @@ HostSpread::Found HostSpread::expandTile(const Step<T>& step, const TileOfBrick&
     if (fresh.any() == 0) {
         return {};
     }
-    if (tile.brick->isTested[tile.tile] == 0) {
+    if (!tile.isTested()) {
         test(step, tile, fresh);
     }
     if (step.rules.hasPairs()) {
@@ -199,9 +213,9 @@ void HostSpread::testPairs(const Step<T>& step, const TileOfBrick& tile, std::ui
     slices::forEach(Slices(fresh), [&](std::uint32_t place) {
         const glm::ivec3 child = slices::voxelAt(place);
         bool isLetIn = false;
-        for (const std::uint8_t n : neighbours(step.connectivity)) {
-            isLetIn = isLetIn || (isNewest(child + offsetOf(n)) &&
-                                  step.rules.admitsFrom(origin + child + offsetOf(n), origin + child));
+        for (const Way& way : waysTo(step.connectivity)) {
+            isLetIn = isLetIn || (isNewest(child + way.offset) &&
+                                  step.rules.admitsFrom(origin + child + way.offset, origin + child));
         }
         if (!isLetIn) {
             slices::clear(fresh, place);
@@ -212,42 +226,55 @@ void HostSpread::testPairs(const Step<T>& step, const TileOfBrick& tile, std::ui
 template <typename T>
 std::uint64_t HostSpread::expandQueue(const Step<T>& step) {
     joining_.clear();
-    for (const Queued& parent : queue_) {
-        for (const std::uint8_t n : neighbours(step.connectivity)) {
-            enterFrom(step, parent, offsetOf(n));
-        }
+    if (step.rules.asksOnlyForRange()) {
+        expandQueueBy(step, [&](const TileOfBrick& tile, std::uint32_t, std::size_t index, const Way&) {
+            return tile.isTested() || step.rules.isInRangeAt(index) ? Answer::Joins : Answer::Refused;
+        });
+    } else {
+        expandQueueBy(step, [&](const TileOfBrick& tile, std::uint32_t place, std::size_t, const Way& way) {
+            const glm::ivec3 voxel = tile.origin() + slices::voxelAt(place);
+            if (!tile.isTested() && !step.rules.admits(voxel)) {
+                return Answer::Refused;
+            }
+            return step.rules.admitsFrom(voxel - way.offset, voxel) ? Answer::Joins : Answer::RefusedFromHere;
+        });
     }
     queue_.swap(joining_);
     return queue_.size();
 }
 
-template <typename T>
-void HostSpread::enterFrom(const Step<T>& step, const Queued& parent, glm::ivec3 offset) {
-    const glm::ivec3 inTile = slices::voxelAt(parent.place) + offset;
-    const bool isInTile = ((inTile.x | inTile.y | inTile.z) & ~7) == 0;
-    const glm::ivec3 step3 = inTile >> 3;
-    const TileOfBrick tile =
-        isInTile
-            ? parent.tile
-            : bricks_->near(parent.tile, std::uint32_t(step3.x + 1 + 3 * (step3.y + 1) + 9 * (step3.z + 1)));
-    const std::uint32_t place = slices::placeOf(inTile & 7);
-    if (!tile || !slices::has(tile->open, place)) {
-        return;
-    }
-    const glm::ivec3 voxel = tile.origin() + slices::voxelAt(place);
-    if (tile.brick->isTested[tile.tile] == 0 && !step.rules.admits(voxel)) {
+template <typename T, typename Ask>
+void HostSpread::expandQueueBy(const Step<T>& step, const Ask& ask) {
+    const glm::ivec3 dims = step.rules.dims();
+    const auto enter = [&](const TileOfBrick& tile, std::uint32_t place, std::size_t index, const Way& way) {
+        if (!slices::has(tile->open, place)) {
+            return;
+        }
+        const Answer answer = ask(tile, place, index, way);
+        if (answer == Answer::RefusedFromHere) {
+            return;
+        }
         slices::clear(tile->open, place);
-        return;
+        if (answer == Answer::Joins) {
+            joining_.push_back({tile, place, index});
+            slices::set(tile->joined, place);
+            tile.brick->hasJoined[tile.tile] = 1;
+            bricks_->noteJoined(*tile.brick, int(step.generation));
+            step.generations.store(tile, place, step.generation);
+        }
+    };
+    for (const Queued& parent : queue_) {
+        for (const Way& way : waysTo(step.connectivity)) {
+            const std::size_t index =
+                parent.index +
+                std::size_t(way.offset.x + dims.x * (way.offset.y + std::ptrdiff_t(dims.y) * way.offset.z));
+            if ((slices::kSidesAt[parent.place] & way.sides) == 0) {
+                enter(parent.tile, parent.place + std::uint32_t(way.place), index, way);
+            } else if (const TileAndPlace to = across(parent, way); to.tile) {
+                enter(to.tile, to.place, index, way);
+            }
+        }
     }
-    if (step.rules.hasPairs() && !step.rules.admitsFrom(voxel - offset, voxel)) {
-        return;
-    }
-    joining_.push_back({tile, place});
-    slices::clear(tile->open, place);
-    slices::set(tile->joined, place);
-    tile.brick->hasJoined[tile.tile] = 1;
-    bricks_->noteJoined(*tile.brick, int(step.generation));
-    step.generations.store(tile, place, step.generation);
 }
 
 } // namespace vs::segment

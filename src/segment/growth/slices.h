@@ -68,6 +68,22 @@ void forEach(const Slices& s, F&& f) {
     }
 }
 
+// Sides of a tile: bits 0 and 1 lower and upper x, 2 and 3 y, 4 and 5 z.
+constexpr std::uint8_t sidesOf(bool beforeX, bool afterX, bool beforeY, bool afterY, bool beforeZ,
+                               bool afterZ) {
+    return std::uint8_t(int(beforeX) | int(afterX) << 1 | int(beforeY) << 2 | int(afterY) << 3 |
+                        int(beforeZ) << 4 | int(afterZ) << 5);
+}
+// Those that a voxel lies at.
+inline constexpr auto kSidesAt = [] {
+    std::array<std::uint8_t, kVoxels> sides{};
+    for (std::uint32_t place = 0; place < kVoxels; ++place) {
+        const glm::ivec3 v = voxelAt(place);
+        sides[place] = sidesOf(v.x == 0, v.x == 7, v.y == 0, v.y == 7, v.z == 0, v.z == 7);
+    }
+    return sides;
+}();
+
 // The first `size` voxels along each axis.
 inline Slices box(glm::ivec3 size) {
     const std::uint64_t row = (1ULL << unsigned(size.x)) - 1;

@@ -45,7 +45,29 @@ DeviceFrontier::DeviceFrontier(const SeedMap& seedMap)
       allowed_(planeWords_ / kWordsPerSlab, gl::Format::RGBA32UI, "growth allowed"),
       newest_(2 * planeWords_ / kWordsPerSlab, gl::Format::RGBA32UI, "growth newest"),
       work_(std::size_t(tileCount_) * 10 * sizeof(std::uint32_t), "growth work"),
-      expansions_((kMaxExpansions + 1) * sizeof(Expansion), "growth expansions"), list_(4, "growth seeds") {}
+      expansions_((kMaxExpansions + 1) * sizeof(Expansion), "growth expansions"), answers_(4, "seed answers"),
+      list_(4, "growth seeds") {}
+
+std::vector<Frontier::SeedAnswer> DeviceFrontier::testSeeds(SeedMap& seedMap, const Rules& rules,
+                                                            int playhead,
+                                                            std::span<const std::uint32_t> voxels) {
+    gl::Defines defines = seedMap.widthDefines();
+    if (rules.forbidden != nullptr) {
+        defines.emplace_back("VS_FORBIDDEN", "1");
+    }
+    gl::Program& test = testSeeds_.prepare(*rules.field, *rules.constraints, defines);
+    answers_.reserve(voxels.size() * sizeof(SeedAnswer));
+    seedMap.bind(test);
+    seedMap.bindOwner(test, rules.owner);
+    seedMap.bindList(voxels);
+    answers_.bindStorage(kAnswersStorage);
+    if (rules.forbidden != nullptr) {
+        rules.forbidden->bindStorage(kForbiddenToSeedStorage);
+    }
+    test.set("count", int(voxels.size())).set("playhead", std::uint32_t(playhead));
+    test.dispatchOverList(voxels.size(), gl::Barrier::Storage);
+    return answers_.read<SeedAnswer>(voxels.size()); // numbered as in shaders/test_seeds.comp
+}
 
 void DeviceFrontier::invalidate() {
     ++rulesNumber_; // what may be entered has changed

@@ -22,6 +22,8 @@ public:
     // Makes room for a seed map's grid. Throws GlError when there is none on the device.
     explicit DeviceFrontier(const SeedMap& seedMap);
 
+    std::vector<SeedAnswer> testSeeds(SeedMap& seedMap, const Rules& rules, int playhead,
+                                      std::span<const std::uint32_t> voxels) override;
     void invalidate() override;
     void add(std::span<const std::uint32_t> voxels) override;
     std::vector<std::uint64_t> expand(SeedMap& seedMap, const Rules& rules, int generation,
@@ -31,7 +33,7 @@ public:
               const gl::TexelBuffer& region, const gl::Buffer& reached, int expansions) override;
     [[nodiscard]] std::size_t deviceBytes() const override {
         return allowed_.buffer().size() + newest_.buffer().size() + work_.size() + expansions_.size() +
-               list_.size();
+               list_.size() + answers_.size();
     }
 
 private:
@@ -63,7 +65,8 @@ private:
     gl::TexelBuffer newest_; // two planes
     gl::Buffer work_;        // see shaders/active_tiles.glsl
     gl::Buffer expansions_;
-    gl::Buffer list_; // voxel numbers on their way to the device
+    gl::Buffer answers_; // about seeds
+    gl::Buffer list_;    // voxel numbers on their way to the device
     std::vector<std::uint32_t> added_;
     std::uint32_t rulesNumber_ = 1;
     std::uint32_t stamp_ = 0;         // of the last expansion
@@ -79,6 +82,7 @@ private:
     bool newestIsLast_ = false;   // the newest voxels have the generation before the next; else any
     bool newestIsRegion_ = false; // the newest voxels are the whole region's
 
+    ConstrainedProgram testSeeds_{"segment/shaders/test_seeds.comp"};
     ConstrainedProgram allow_{"segment/shaders/allow_tiles.comp"};
     ConstrainedProgram expand_{"segment/shaders/expand_tiles.comp"};
     gl::ProgramVariants collect_{"segment/shaders/collect_region.comp"};

@@ -32,6 +32,12 @@ public:
     Frontier& operator=(const Frontier&) = delete;
     virtual ~Frontier() = default;
 
+    // Whether voxels (linear indices) can be seeds now, where generations after the playhead count as not
+    // grown.
+    enum class SeedAnswer : std::uint32_t { Refused, Present, Admitted, AdmittedAgain };
+    virtual std::vector<SeedAnswer> testSeeds(SeedMap& seedMap, const Rules& rules, int playhead,
+                                              std::span<const std::uint32_t> voxels) = 0;
+
     // The rules or the seed map have changed: the next expansion tests voxels that were refused again, and
     // tries the neighbours of every grown voxel.
     virtual void invalidate() = 0;

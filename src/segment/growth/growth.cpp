@@ -17,16 +17,14 @@ namespace {
 
 constexpr int kNever = std::numeric_limits<int>::max();
 
-// What shaders/test_seeds.comp answers.
-enum Answer : std::uint32_t { Refused, Present, Admitted, AdmittedAgain };
+using SeedAnswer = Frontier::SeedAnswer;
 
 } // namespace
 
 Growth::Growth(const field::Field& field, GrowthEngine engine)
     : field_(&field),
       seedMap_(field.geometry.dims, engine == GrowthEngine::Host ? gl::Reach::Shared : gl::Reach::Device),
-      frontier_(makeFrontier(engine, seedMap_, field)), answers_(4, "seed answers"),
-      kinds_(4, "kinds of segments") {}
+      frontier_(makeFrontier(engine, seedMap_, field)), kinds_(4, "kinds of segments") {}
 
 Frontier::Rules Growth::rules() const {
     return {field_, &state_.constraints, forbidden_ ? &forbidden_ : nullptr, owner_, state_.frozen};
@@ -68,23 +66,8 @@ std::vector<std::uint32_t> Growth::voxelsInGrid(std::span<const glm::ivec3> voxe
     return indices;
 }
 
-std::vector<std::uint32_t> Growth::testSeeds(const std::vector<std::uint32_t>& voxels) {
-    gl::Defines defines = seedMap_.widthDefines();
-    if (forbidden_) {
-        defines.emplace_back("VS_FORBIDDEN", "1");
-    }
-    gl::Program& test = testSeeds_.prepare(*field_, state_.constraints, defines);
-    answers_.reserve(voxels.size() * sizeof(std::uint32_t));
-    seedMap_.bind(test);
-    seedMap_.bindOwner(test, owner_);
-    seedMap_.bindList(voxels);
-    answers_.bindStorage(kAnswersStorage);
-    if (forbidden_) {
-        forbidden_.bindStorage(kForbiddenToSeedStorage);
-    }
-    test.set("count", int(voxels.size())).set("playhead", std::uint32_t(state_.playhead));
-    test.dispatchOverList(voxels.size(), gl::Barrier::Storage);
-    return answers_.read<std::uint32_t>(voxels.size());
+std::vector<SeedAnswer> Growth::testSeeds(const std::vector<std::uint32_t>& voxels) {
+    return frontier_->testSeeds(seedMap_, rules(), state_.playhead, voxels);
 }
 
 int Growth::enteringGeneration() const {
@@ -106,13 +89,13 @@ SeedCounts Growth::addSeeds(std::span<const glm::ivec3> seeds, GrowthUndo* undo)
     std::vector<std::uint32_t> added;
     std::vector<std::uint32_t> allowedAgain;
     for (std::size_t i = 0; i < voxels.size(); ++i) {
-        if (answers[i] >= Admitted) {
+        if (answers[i] == SeedAnswer::Admitted || answers[i] == SeedAnswer::AdmittedAgain) {
             added.push_back(voxels[i]);
-            if (answers[i] == AdmittedAgain) {
+            if (answers[i] == SeedAnswer::AdmittedAgain) {
                 allowedAgain.push_back(voxels[i]);
             }
         } else {
-            ++(answers[i] == Present ? counts.present : counts.refused);
+            ++(answers[i] == SeedAnswer::Present ? counts.present : counts.refused);
         }
     }
     counts.added = int(added.size());
@@ -167,7 +150,7 @@ void Growth::reinstateSeeds(GrowthUndo* undo) {
     const auto answers = testSeeds(voxels);
     std::vector<std::uint32_t> entering;
     for (std::size_t i = 0; i < voxels.size(); ++i) {
-        if (answers[i] == Admitted) { // what was absorbed must be seeded anew
+        if (answers[i] == SeedAnswer::Admitted) { // what was absorbed must be seeded anew
             entering.push_back(voxels[i]);
         }
     }

@@ -140,7 +140,7 @@ public:
 
     // What growth takes on the device at the moment, volume and sculpture aside.
     [[nodiscard]] std::size_t deviceBytes() const {
-        return seedMap_.deviceBytes() + frontier_->deviceBytes() + forbidden_.size() + answers_.size();
+        return seedMap_.deviceBytes() + frontier_->deviceBytes() + forbidden_.size();
     }
 
     // Counts changes of what is shown.
@@ -176,7 +176,7 @@ private:
 
     [[nodiscard]] Frontier::Rules rules() const;
     std::vector<std::uint32_t> voxelsInGrid(std::span<const glm::ivec3> voxels) const;
-    std::vector<std::uint32_t> testSeeds(const std::vector<std::uint32_t>& voxels);
+    std::vector<Frontier::SeedAnswer> testSeeds(const std::vector<std::uint32_t>& voxels);
     void enterSeeds(std::span<const std::uint32_t> voxels, GrowthUndo* undo);
     int enteringGeneration() const;
     void reinstateSeeds(GrowthUndo* undo);
@@ -204,10 +204,8 @@ private:
     Owner owner_;
     std::map<std::uint8_t, Run> others_;
     gl::Buffer forbidden_; // a plane, made when first needed
-    gl::Buffer answers_;
     mutable gl::Buffer kinds_;
     mutable gl::ProgramVariants show_{"segment/shaders/show_rows.comp"};
-    ConstrainedProgram testSeeds_{"segment/shaders/test_seeds.comp"};
 };
 
 } // namespace vs::segment

@@ -1,9 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "segment/growth/host_bricks.h"
 
-#include "base/check.h"
-
-#include <cstring>
+#include "segment/growth/host_fence.h"
 
 namespace vs::segment {
 
@@ -22,22 +20,6 @@ void forEachTile(HostBrick& brick, Words* plane, F&& f) {
 void close(HostBrick& brick, const std::uint32_t* plane) {
     forEachTile(brick, plane,
                 [](HostTile& tile, const std::uint32_t* words) { tile.open -= slices::fromWords(words); });
-}
-
-// Whether a texel of the sculpture says that the voxel is cut away.
-bool isCut(const std::byte* texel, gl::Format format) {
-    if (format == gl::Format::R8) {
-        return std::to_integer<int>(*texel) >= 0x80;
-    }
-    if (format == gl::Format::R16) {
-        std::uint16_t value = 0;
-        std::memcpy(&value, texel, sizeof(value));
-        return value >= 0x8000;
-    }
-    VS_CHECK(format == gl::Format::R32F);
-    float value = 0;
-    std::memcpy(&value, texel, sizeof(value));
-    return value >= 0.5F;
 }
 
 } // namespace
@@ -126,18 +108,14 @@ void BricksToGrowInto::open(HostBrick& brick) const {
 }
 
 void BricksToGrowInto::closeBehindFence(HostBrick& brick) const {
-    const gl::Texture& sculpture = *rules_.constraints->sculpture;
-    const bool keepsCutPart = rules_.constraints->view == field::SculptureView::Probe;
     const Box3 box = seedMap_->bricks().box(brick.number);
-    const auto texels = sculpture.download(box);
-    const std::byte* texel = texels.data();
+    const HostFence fence(*rules_.constraints, box);
     forEachVoxel(box, [&](glm::ivec3 voxel, std::size_t) {
-        if (isCut(texel, sculpture.format()) != keepsCutPart) {
+        if (!fence.letsIn(voxel)) {
             const glm::ivec3 tile = (voxel & (field::kBrick - 1)) >> 3;
             slices::clear(brick.tiles[std::size_t(tile.x | tile.y << 2 | tile.z << 4)].open,
                           slices::placeOf(voxel & 7));
         }
-        texel += gl::bytesPerTexel(sculpture.format());
     });
 }
 

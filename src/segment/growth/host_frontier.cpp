@@ -2,6 +2,8 @@
 #include "segment/growth/host_frontier.h"
 
 #include "gl/pass.h"
+#include "segment/growth/brick_texels.h"
+#include "segment/growth/host_seeds.h"
 
 #include <algorithm>
 #include <utility>
@@ -10,15 +12,10 @@ namespace vs::segment {
 
 namespace {
 
-// Of a tile's grown voxels those of the segment at work, where `labels` are those of the tile's brick.
-Slices ownOf(const TileOfBrick& tile, Slices grown, const Owner& owner, const Box3& box,
-             const std::vector<std::byte>& labels) {
-    const glm::ivec3 size = box.size();
+// Of a tile's grown voxels those of the segment at work; the labels are of the tile's brick.
+Slices ownOf(const TileOfBrick& tile, Slices grown, const Owner& owner, const BrickTexels& labels) {
     slices::forEach(Slices(grown), [&](std::uint32_t place) {
-        const glm::ivec3 at = tile.origin() - box.lo + slices::voxelAt(place);
-        const auto label = std::to_integer<std::uint8_t>(
-            labels[(std::size_t(at.z) * std::size_t(size.y) + std::size_t(at.y)) * std::size_t(size.x) +
-                   std::size_t(at.x)]);
+        const auto label = std::to_integer<std::uint8_t>(*labels.at(tile.origin() + slices::voxelAt(place)));
         if (label != 0 && label != owner.label) {
             slices::clear(grown, place);
         }
@@ -29,9 +26,7 @@ Slices ownOf(const TileOfBrick& tile, Slices grown, const Owner& owner, const Bo
 // Those of generations after `last`.
 Slices laterThan(const TileOfBrick& tile, Slices grown, const SeedMap::Shared& map, std::uint32_t last) {
     slices::forEach(Slices(grown), [&](std::uint32_t place) {
-        const std::size_t i = tile.number() * slices::kVoxels + slices::numberOf(place);
-        const std::uint32_t late = map.late != nullptr ? map.late[i] : 0U;
-        if ((map.generations[i] | late << 16U) <= last) {
+        if (map.generationAt(tile.number() * slices::kVoxels + slices::numberOf(place)) <= last) {
             slices::clear(grown, place);
         }
     });
@@ -39,6 +34,22 @@ Slices laterThan(const TileOfBrick& tile, Slices grown, const SeedMap::Shared& m
 }
 
 } // namespace
+
+std::vector<Frontier::SeedAnswer> HostFrontier::testSeeds(SeedMap& seedMap, const Rules& rules, int playhead,
+                                                          std::span<const std::uint32_t> voxels) {
+    gl::Buffer::waitForDevice();
+    std::vector<SeedAnswer> answers;
+    answers.reserve(voxels.size());
+    volume::visit(values_.get(), [&](const auto* values) {
+        const HostRules byValue(values, *rules.field, *rules.constraints);
+        HostSeeds seeds(seedMap, rules, playhead);
+        for (const std::uint32_t voxel : voxels) {
+            const glm::ivec3 at = seedMap.voxelAt(voxel);
+            answers.push_back(seeds.answer(at, byValue.admits(at)));
+        }
+    });
+    return answers;
+}
 
 void HostFrontier::invalidate() {
     isValid_ = false;
@@ -58,13 +69,14 @@ void HostFrontier::collect(const SeedMap& seedMap, const Rules& rules) {
     const SeedMap::Shared map = seedMap.shared();
     for (const std::uint32_t number : seedMap.bricks().touched()) {
         HostBrick& brick = bricks_.brick(number);
-        const Box3 box = seedMap.bricks().box(number);
-        const auto labels = rules.owner.hasOthers ? seedMap.labels().download(box) : std::vector<std::byte>();
+        const BrickTexels labels = rules.owner.hasOthers
+                                       ? BrickTexels(seedMap.labels(), seedMap.bricks().box(number))
+                                       : BrickTexels();
         for (std::uint32_t t = 0; t < brick.tiles.size(); ++t) {
             const TileOfBrick tile{&brick, t};
             Slices grown = slices::fromWords(map.grown + tile.number() * SeedMap::kWordsPerTile);
             if (rules.owner.hasOthers) {
-                grown = ownOf(tile, grown, rules.owner, box, labels);
+                grown = ownOf(tile, grown, rules.owner, labels);
             }
             if (rules.frozen > 0) {
                 grown = laterThan(tile, grown, map, std::uint32_t(rules.frozen));
@@ -104,8 +116,7 @@ std::vector<std::uint64_t> HostFrontier::expand(SeedMap& seedMap, const Rules& r
             const HostRules hostRules(values, *rules.field, *rules.constraints);
             std::uint64_t total = 0;
             for (int i = 0; i < expansions && total < kManyVoxels && (i == 0 || grown.back() > 0); ++i) {
-                grown.push_back(spread_.expand(hostRules, connectivity, {map.generations, map.late},
-                                               std::uint32_t(generation + i)));
+                grown.push_back(spread_.expand(hostRules, connectivity, &map, std::uint32_t(generation + i)));
                 total += grown.back();
             }
         });
@@ -150,7 +161,7 @@ int HostFrontier::flood(const SeedMap& seedMap, const Rules& rules, std::span<co
         const HostRules hostRules(values, *rules.field, *rules.constraints);
         bool goesOn = true;
         while (goesOn && found < expansions) {
-            goesOn = spread.expand(hostRules, rules.constraints->connectivity, {}, 1) > 0;
+            goesOn = spread.expand(hostRules, rules.constraints->connectivity, nullptr, 1) > 0;
             found += goesOn ? 1 : 0;
         }
     });

@@ -17,6 +17,8 @@ public:
     HostFrontier(const SeedMap& seedMap, const field::Field& field)
         : values_(field), bricks_(seedMap), spread_(bricks_, seedMap.dims()) {}
 
+    std::vector<SeedAnswer> testSeeds(SeedMap& seedMap, const Rules& rules, int playhead,
+                                      std::span<const std::uint32_t> voxels) override;
     void invalidate() override;
     void add(std::span<const std::uint32_t> voxels) override;
     std::vector<std::uint64_t> expand(SeedMap& seedMap, const Rules& rules, int generation,

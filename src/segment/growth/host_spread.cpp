@@ -2,33 +2,11 @@
 #include "segment/growth/host_spread.h"
 
 #include <bit>
+#include <cstdlib>
 
 namespace vs::segment {
 
 namespace {
-
-constexpr Way wayTo(std::uint32_t n) {
-    const glm::ivec3 offset = offsetOf(n);
-    return {offset, offset.x + 8 * offset.y + 64 * offset.z,
-            slices::sidesOf(offset.x<0, offset.x> 0, offset.y<0, offset.y> 0, offset.z<0, offset.z> 0)};
-}
-
-constexpr auto kAcrossFaces = [] {
-    std::array<Way, 6> ways{};
-    std::size_t i = 0;
-    for (const std::uint32_t n : {4U, 10U, 12U, 14U, 16U, 22U}) {
-        ways[i++] = wayTo(n);
-    }
-    return ways;
-}();
-
-constexpr auto kAllAround = [] {
-    std::array<Way, 26> ways{};
-    for (std::uint32_t n = 0; n < 26; ++n) {
-        ways[n] = wayTo(n < kItself ? n : n + 1);
-    }
-    return ways;
-}();
 
 // Of the 27 tiles around one, those across its faces.
 constexpr std::uint32_t kBeforeX = 12;
@@ -42,9 +20,18 @@ constexpr bool has(std::uint32_t around, std::uint32_t n) { return (around >> n 
 
 } // namespace
 
-std::span<const Way> waysTo(Connectivity connectivity) {
-    return connectivity == Connectivity::Six ? std::span<const Way>(kAcrossFaces)
-                                             : std::span<const Way>(kAllAround);
+std::vector<Way> waysTo(Connectivity connectivity, glm::ivec3 dims) {
+    std::vector<Way> ways;
+    for (std::uint32_t n = 0; n < 27; ++n) {
+        const glm::ivec3 to = offsetOf(n);
+        if (n != kItself && (connectivity == Connectivity::TwentySix ||
+                             std::abs(to.x) + std::abs(to.y) + std::abs(to.z) == 1)) {
+            ways.push_back({to, to.x + 8 * to.y + 64 * to.z,
+                            slices::sidesOf(to.x<0, to.x> 0, to.y<0, to.y> 0, to.z<0, to.z> 0),
+                            to.x + dims.x * (to.y + std::ptrdiff_t(dims.y) * to.z)});
+        }
+    }
+    return ways;
 }
 
 std::uint32_t tilesTouched(const Slices& voxels, Connectivity connectivity) {

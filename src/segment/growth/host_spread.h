@@ -5,41 +5,27 @@
 #include "segment/growth/host_rules.h"
 
 #include <cstdint>
-#include <span>
 #include <vector>
 
 namespace vs::segment {
 
-// Where the voxels that join get their generation; with no numbers they get none.
-struct GenerationsOnHost {
-    std::uint16_t* low = nullptr; // as SeedMap::Shared has them
-    std::uint8_t* late = nullptr;
-
-    void store(const TileOfBrick& tile, std::uint32_t place, std::uint32_t generation) const {
-        if (low != nullptr) {
-            const std::size_t i = tile.number() * slices::kVoxels + slices::numberOf(place);
-            low[i] = std::uint16_t(generation);
-            if (late != nullptr) {
-                late[i] = std::uint8_t(generation >> 16U);
-            }
-        }
-    }
-};
-
 // The way from a voxel to a neighbour.
 struct Way {
     glm::ivec3 offset{0};
-    int place = 0; // what it adds to a place in a tile
-    std::uint8_t sides =
-        0; // of a tile: the way leads out of it from voxels at one of these (slices::kSidesAt)
+    int place = 0;            // what it adds to a place in a tile
+    std::uint32_t sides = 0;  // of a tile: the way leads out of it from voxels at one of these
+    std::ptrdiff_t index = 0; // what it adds to an index in the volume
 };
-std::span<const Way> waysTo(Connectivity connectivity);
+// All ways, in a volume of these dimensions.
+std::vector<Way> waysTo(Connectivity connectivity, glm::ivec3 dims);
 
 // A set that spreads breadth first, on the host: while it is small voxel by voxel, as a plain queue, then by
 // tiles of 8^3 voxels, eight words of bits at a time. Internal to this folder.
 class HostSpread {
 public:
-    HostSpread(HostBricks& bricks, glm::ivec3 dims) : bricks_(&bricks), dims_(dims) {}
+    HostSpread(HostBricks& bricks, glm::ivec3 dims)
+        : bricks_(&bricks), dims_(dims), acrossFaces_(waysTo(Connectivity::Six, dims)),
+          allAround_(waysTo(Connectivity::TwentySix, dims)) {}
 
     // There are no newest voxels any more.
     void clear();
@@ -51,9 +37,9 @@ public:
     // Everything open next to the newest voxels that the rules let in joins, and they are the newest then.
     // Returns how many. When this throws, what has joined so far is noted in the bricks.
     template <typename T>
-    std::uint64_t expand(const HostRules<T>& rules, Connectivity connectivity, GenerationsOnHost generations,
+    std::uint64_t expand(const HostRules<T>& rules, Connectivity connectivity, const SeedMap::Shared* map,
                          std::uint32_t generation) {
-        const Step<T> step{rules, connectivity, generations, generation};
+        const Step<T> step{rules, connectivity, map, generation};
         chooseHow(connectivity);
         last_ = isByTile_ ? expandTiles(step) : expandQueue(step);
         return last_;
@@ -78,8 +64,14 @@ private:
     struct Step {
         const HostRules<T>& rules;
         Connectivity connectivity;
-        GenerationsOnHost generations;
+        const SeedMap::Shared* map; // null: the set has no generations
         std::uint32_t generation;
+
+        void store(const TileOfBrick& tile, std::uint32_t place) const {
+            if (map != nullptr) {
+                map->setGeneration(tile.number() * slices::kVoxels + slices::numberOf(place), generation);
+            }
+        }
     };
 
     // As many in a generation make tiles worth their while; so few do not.
@@ -111,9 +103,14 @@ private:
     [[nodiscard]] TileAndPlace across(const TileAndPlace& from, const Way& way) const;
 
     [[nodiscard]] std::size_t indexOf(glm::ivec3 voxel) const;
+    [[nodiscard]] const std::vector<Way>& ways(Connectivity connectivity) const {
+        return connectivity == Connectivity::Six ? acrossFaces_ : allAround_;
+    }
 
     HostBricks* bricks_;
     glm::ivec3 dims_;
+    std::vector<Way> acrossFaces_;
+    std::vector<Way> allAround_;
     bool isByTile_ = false;
     std::uint32_t now_ = 0;           // which of a tile's newest voxels are read
     std::uint64_t last_ = 0;          // as many are the newest
@@ -174,7 +171,7 @@ HostSpread::Found HostSpread::expandTile(const Step<T>& step, const TileOfBrick&
     tile.brick->hasJoined[tile.tile] = 1;
     std::uint32_t count = 0;
     slices::forEach(fresh, [&](std::uint32_t place) {
-        step.generations.store(tile, place, step.generation);
+        step.store(tile, place);
         ++count;
     });
     return {count, tilesTouched(fresh, step.connectivity)};
@@ -213,7 +210,7 @@ void HostSpread::testPairs(const Step<T>& step, const TileOfBrick& tile, std::ui
     slices::forEach(Slices(fresh), [&](std::uint32_t place) {
         const glm::ivec3 child = slices::voxelAt(place);
         bool isLetIn = false;
-        for (const Way& way : waysTo(step.connectivity)) {
+        for (const Way& way : ways(step.connectivity)) {
             isLetIn = isLetIn || (isNewest(child + way.offset) &&
                                   step.rules.admitsFrom(origin + child + way.offset, origin + child));
         }
@@ -245,7 +242,6 @@ std::uint64_t HostSpread::expandQueue(const Step<T>& step) {
 
 template <typename T, typename Ask>
 void HostSpread::expandQueueBy(const Step<T>& step, const Ask& ask) {
-    const glm::ivec3 dims = step.rules.dims();
     const auto enter = [&](const TileOfBrick& tile, std::uint32_t place, std::size_t index, const Way& way) {
         if (!slices::has(tile->open, place)) {
             return;
@@ -260,14 +256,12 @@ void HostSpread::expandQueueBy(const Step<T>& step, const Ask& ask) {
             slices::set(tile->joined, place);
             tile.brick->hasJoined[tile.tile] = 1;
             bricks_->noteJoined(*tile.brick, int(step.generation));
-            step.generations.store(tile, place, step.generation);
+            step.store(tile, place);
         }
     };
     for (const Queued& parent : queue_) {
-        for (const Way& way : waysTo(step.connectivity)) {
-            const std::size_t index =
-                parent.index +
-                std::size_t(way.offset.x + dims.x * (way.offset.y + std::ptrdiff_t(dims.y) * way.offset.z));
+        for (const Way& way : ways(step.connectivity)) {
+            const std::size_t index = parent.index + std::size_t(way.index);
             if ((slices::kSidesAt[parent.place] & way.sides) == 0) {
                 enter(parent.tile, parent.place + std::uint32_t(way.place), index, way);
             } else if (const TileAndPlace to = across(parent, way); to.tile) {

@@ -91,11 +91,25 @@ void SeedMap::store(std::span<const std::uint32_t> voxels, int generation) {
     if (generation > kLongest16) {
         widen();
     }
+    if (reach_ == gl::Reach::Shared && generation > 0) { // what has not grown has no label
+        storeOnHost(voxels, generation);
+        return;
+    }
     gl::Program& program = store_.with(widthDefines());
     bind(program);
     bindList(voxels);
     program.set("count", int(voxels.size())).set("generation", std::uint32_t(generation));
     program.dispatchOverList(voxels.size(), gl::Barrier::All);
+}
+
+void SeedMap::storeOnHost(std::span<const std::uint32_t> voxels, int generation) {
+    gl::Buffer::waitForDevice();
+    const Shared map = shared();
+    for (const std::uint32_t voxel : voxels) {
+        const std::size_t bit = bitOf(voxelAt(voxel));
+        map.grown[bit / 32] |= 1U << bit % 32;
+        map.setGeneration(bit, std::uint32_t(generation));
+    }
 }
 
 void SeedMap::writeLabels(std::span<const std::uint32_t> bricks, const Owner& owner) {

@@ -41,6 +41,16 @@ public:
         std::uint32_t* grown = nullptr;
         std::uint16_t* generations = nullptr; // their lower 16 bits
         std::uint8_t* late = nullptr;         // and eight more; null where it is not wide
+
+        [[nodiscard]] std::uint32_t generationAt(std::size_t i) const {
+            return generations[i] | (late != nullptr ? std::uint32_t(late[i]) << 16U : 0U);
+        }
+        void setGeneration(std::size_t i, std::uint32_t generation) const {
+            generations[i] = std::uint16_t(generation);
+            if (late != nullptr) {
+                late[i] = std::uint8_t(generation >> 16U);
+            }
+        }
     };
     [[nodiscard]] Shared shared() const;
 
@@ -75,6 +85,12 @@ public:
     // Puts a list of numbers into storage 7.
     void bindList(std::span<const std::uint32_t> numbers);
 
+    // Where a voxel's bit is in a plane: bit % 32 of word bit / 32; and its number among the generations.
+    [[nodiscard]] std::size_t bitOf(glm::ivec3 voxel) const {
+        const Place place = placeOf(voxel);
+        return (std::size_t(place.brick) * kWordsPerBrick + place.word) * 32 + place.bit;
+    }
+
     // Gives listed voxels (linear indices) a generation and no label; 0: takes it away.
     void store(std::span<const std::uint32_t> voxels, int generation);
     // Labels the voxels of the segment at work in these bricks.
@@ -107,6 +123,7 @@ private:
         std::uint32_t bit = 0;
     };
     [[nodiscard]] Place placeOf(glm::ivec3 voxel) const;
+    void storeOnHost(std::span<const std::uint32_t> voxels, int generation);
 
     glm::ivec3 dims_;
     gl::Reach reach_;

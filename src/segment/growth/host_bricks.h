@@ -50,10 +50,14 @@ struct TileOfBrick {
     }
 };
 
-// The place of one of the 27 tiles, or voxels, around one.
-constexpr glm::ivec3 offsetOf(std::uint32_t n) {
-    return {int(n % 3) - 1, int(n / 3 % 3) - 1, int(n / 9) - 1};
-}
+// The places of the 27 tiles, or voxels, around one.
+inline constexpr auto kOffsets = [] {
+    std::array<glm::ivec3, 27> offsets{};
+    for (int n = 0; n < 27; ++n) {
+        offsets[std::size_t(n)] = {n % 3 - 1, n / 3 % 3 - 1, n / 9 - 1};
+    }
+    return offsets;
+}();
 inline constexpr std::uint32_t kItself = 13; // among the 27
 
 // What a set may spread into, brick by brick: each is made when it is first asked for. Internal to this
@@ -70,13 +74,15 @@ public:
 
     // A brick by its number. Throws std::bad_alloc, and whatever makes it open.
     HostBrick& brick(std::uint32_t number);
-    // One of the 27 tiles around one; none outside the grid.
-    TileOfBrick near(const TileOfBrick& tile, std::uint32_t n) {
-        const glm::ivec3 place = placeOfTile(tile.tile) + offsetOf(n);
+    // A tile beside one; none outside the grid.
+    TileOfBrick near(const TileOfBrick& tile, glm::ivec3 offset) {
+        const glm::ivec3 place = placeOfTile(tile.tile) + offset;
         const auto inBrick = std::uint32_t((place.x & 3) | (place.y & 3) << 2 | (place.z & 3) << 4);
         const bool isInBrick = ((place.x | place.y | place.z) & ~3) == 0;
         return isInBrick ? TileOfBrick{tile.brick, inBrick} : across(*tile.brick, place >> 2, inBrick);
     }
+    // One of the 27 tiles around one.
+    TileOfBrick near(const TileOfBrick& tile, std::uint32_t n) { return near(tile, kOffsets[n]); }
     // The tile that a voxel lies in.
     TileOfBrick tileOf(glm::ivec3 voxel);
 

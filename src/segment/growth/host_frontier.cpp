@@ -110,15 +110,12 @@ std::vector<std::uint64_t> HostFrontier::expand(SeedMap& seedMap, const Rules& r
     std::vector<std::uint64_t> grown;
     grown.reserve(std::size_t(expansions));
     const SeedMap::Shared map = seedMap.shared();
-    const Connectivity connectivity = rules.constraints->connectivity;
     try {
         volume::visit(values_.get(), [&](const auto* values) {
             const HostRules hostRules(values, *rules.field, *rules.constraints);
-            std::uint64_t total = 0;
-            for (int i = 0; i < expansions && total < kManyVoxels && (i == 0 || grown.back() > 0); ++i) {
-                grown.push_back(spread_.expand(hostRules, connectivity, &map, std::uint32_t(generation + i)));
-                total += grown.back();
-            }
+            spread_.expand(hostRules,
+                           {rules.constraints->connectivity, &map, generation, expansions, kManyVoxels},
+                           grown);
         });
     } catch (...) {
         writeJoined(seedMap);
@@ -156,18 +153,14 @@ int HostFrontier::flood(const SeedMap& seedMap, const Rules& rules, std::span<co
             bricks.noteJoined(*tile.brick, 1);
         }
     }
-    int found = 0;
+    std::vector<std::uint64_t> joined;
     volume::visit(values_.get(), [&](const auto* values) {
         const HostRules hostRules(values, *rules.field, *rules.constraints);
-        bool goesOn = true;
-        while (goesOn && found < expansions) {
-            goesOn = spread.expand(hostRules, rules.constraints->connectivity, nullptr, 1) > 0;
-            found += goesOn ? 1 : 0;
-        }
+        spread.expand(hostRules, {rules.constraints->connectivity, nullptr, 1, expansions}, joined);
     });
     bricks.writeJoined(reinterpret_cast<std::uint32_t*>(reached.shared().data()),
                        [](std::uint32_t, GenerationSpan) {});
-    return found;
+    return int(std::ranges::count_if(joined, [](std::uint64_t voxels) { return voxels > 0; }));
 }
 
 } // namespace vs::segment

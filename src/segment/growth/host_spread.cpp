@@ -23,7 +23,7 @@ constexpr bool has(std::uint32_t around, std::uint32_t n) { return (around >> n 
 std::vector<Way> waysTo(Connectivity connectivity, glm::ivec3 dims) {
     std::vector<Way> ways;
     for (std::uint32_t n = 0; n < 27; ++n) {
-        const glm::ivec3 to = offsetOf(n);
+        const glm::ivec3 to = kOffsets[n];
         if (n != kItself && (connectivity == Connectivity::TwentySix ||
                              std::abs(to.x) + std::abs(to.y) + std::abs(to.z) == 1)) {
             ways.push_back({to, to.x + 8 * to.y + 64 * to.z,
@@ -66,13 +66,6 @@ void HostSpread::add(glm::ivec3 voxel) {
 std::size_t HostSpread::indexOf(glm::ivec3 voxel) const {
     return (std::size_t(voxel.z) * std::size_t(dims_.y) + std::size_t(voxel.y)) * std::size_t(dims_.x) +
            std::size_t(voxel.x);
-}
-
-HostSpread::TileAndPlace HostSpread::across(const TileAndPlace& from, const Way& way) const {
-    const glm::ivec3 to = slices::voxelAt(from.place) + way.offset;
-    const glm::ivec3 step = to >> 3;
-    return {bricks_->near(from.tile, std::uint32_t(step.x + 1 + 3 * (step.y + 1) + 9 * (step.z + 1))),
-            slices::placeOf(to & 7)};
 }
 
 void HostSpread::add(const TileOfBrick& tile, const Slices& voxels, Connectivity connectivity) {

@@ -5,6 +5,7 @@
 #include "segment/growth/host_rules.h"
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 namespace vs::segment {
@@ -34,15 +35,31 @@ public:
     // So are the given ones of a tile, which has no others.
     void add(const TileOfBrick& tile, const Slices& voxels, Connectivity connectivity);
 
-    // Everything open next to the newest voxels that the rules let in joins, and they are the newest then.
-    // Returns how many. When this throws, what has joined so far is noted in the bricks.
+    // What a spread is to do: so many expansions, but none after one that found nothing, nor once so many
+    // voxels have joined.
+    struct Order {
+        Connectivity connectivity = Connectivity::Six;
+        const SeedMap::Shared* map = nullptr; // where generations are written; null: nowhere
+        int generation = 1;                   // of the first expansion
+        int expansions = 1;
+        std::uint64_t mostVoxels = std::numeric_limits<std::uint64_t>::max();
+    };
+    // In an expansion everything open next to the newest voxels that the rules let in joins, and they are the
+    // newest then. Adds to `joined` how many by each. When this throws, what has joined so far is noted in
+    // the bricks.
     template <typename T>
-    std::uint64_t expand(const HostRules<T>& rules, Connectivity connectivity, const SeedMap::Shared* map,
-                         std::uint32_t generation) {
-        const Step<T> step{rules, connectivity, map, generation};
-        chooseHow(connectivity);
-        last_ = isByTile_ ? expandTiles(step) : expandQueue(step);
-        return last_;
+    void expand(const HostRules<T>& rules, const Order& order, std::vector<std::uint64_t>& joined) {
+        Step<T> step{rules, order.connectivity, order.map, std::uint32_t(order.generation)};
+        std::uint64_t total = 0;
+        bool goesOn = true;
+        for (int i = 0; i < order.expansions && total < order.mostVoxels && goesOn; ++i) {
+            chooseHow(order.connectivity);
+            last_ = isByTile_ ? expandTiles(step) : expandQueue(step);
+            joined.push_back(last_);
+            total += last_;
+            goesOn = last_ > 0;
+            ++step.generation;
+        }
     }
 
 private:
@@ -100,7 +117,10 @@ private:
     std::uint64_t expandQueue(const Step<T>& step);
     template <typename T, typename Ask>
     void expandQueueBy(const Step<T>& step, const Ask& ask);
-    [[nodiscard]] TileAndPlace across(const TileAndPlace& from, const Way& way) const;
+    [[nodiscard]] TileAndPlace across(const TileAndPlace& from, const Way& way) const {
+        const glm::ivec3 to = slices::voxelAt(from.place) + way.offset;
+        return {bricks_->near(from.tile, to >> 3), slices::placeOf(to & 7)};
+    }
 
     [[nodiscard]] std::size_t indexOf(glm::ivec3 voxel) const;
     [[nodiscard]] const std::vector<Way>& ways(Connectivity connectivity) const {
@@ -224,13 +244,14 @@ template <typename T>
 std::uint64_t HostSpread::expandQueue(const Step<T>& step) {
     joining_.clear();
     if (step.rules.asksOnlyForRange()) {
-        expandQueueBy(step, [&](const TileOfBrick& tile, std::uint32_t, std::size_t index, const Way&) {
-            return tile.isTested() || step.rules.isInRangeAt(index) ? Answer::Joins : Answer::Refused;
+        expandQueueBy(step, [&](const Queued& child, const Way&) {
+            return child.tile.isTested() || step.rules.isInRangeAt(child.index) ? Answer::Joins
+                                                                                : Answer::Refused;
         });
     } else {
-        expandQueueBy(step, [&](const TileOfBrick& tile, std::uint32_t place, std::size_t, const Way& way) {
-            const glm::ivec3 voxel = tile.origin() + slices::voxelAt(place);
-            if (!tile.isTested() && !step.rules.admits(voxel)) {
+        expandQueueBy(step, [&](const Queued& child, const Way& way) {
+            const glm::ivec3 voxel = child.tile.origin() + slices::voxelAt(child.place);
+            if (!child.tile.isTested() && !step.rules.admits(voxel)) {
                 return Answer::Refused;
             }
             return step.rules.admitsFrom(voxel - way.offset, voxel) ? Answer::Joins : Answer::RefusedFromHere;
@@ -242,30 +263,27 @@ std::uint64_t HostSpread::expandQueue(const Step<T>& step) {
 
 template <typename T, typename Ask>
 void HostSpread::expandQueueBy(const Step<T>& step, const Ask& ask) {
-    const auto enter = [&](const TileOfBrick& tile, std::uint32_t place, std::size_t index, const Way& way) {
-        if (!slices::has(tile->open, place)) {
-            return;
-        }
-        const Answer answer = ask(tile, place, index, way);
-        if (answer == Answer::RefusedFromHere) {
-            return;
-        }
-        slices::clear(tile->open, place);
-        if (answer == Answer::Joins) {
-            joining_.push_back({tile, place, index});
-            slices::set(tile->joined, place);
-            tile.brick->hasJoined[tile.tile] = 1;
-            bricks_->noteJoined(*tile.brick, int(step.generation));
-            step.store(tile, place);
-        }
-    };
+    const std::vector<Way>& waysOut = ways(step.connectivity);
     for (const Queued& parent : queue_) {
-        for (const Way& way : ways(step.connectivity)) {
-            const std::size_t index = parent.index + std::size_t(way.index);
-            if ((slices::kSidesAt[parent.place] & way.sides) == 0) {
-                enter(parent.tile, parent.place + std::uint32_t(way.place), index, way);
-            } else if (const TileAndPlace to = across(parent, way); to.tile) {
-                enter(to.tile, to.place, index, way);
+        const std::uint32_t sides = slices::kSidesAt[parent.place];
+        for (const Way& way : waysOut) {
+            const Queued child{(sides & way.sides) == 0
+                                   ? TileAndPlace{parent.tile, parent.place + std::uint32_t(way.place)}
+                                   : across(parent, way),
+                               parent.index + std::size_t(way.index)};
+            if (!child.tile || !slices::has(child.tile->open, child.place)) {
+                continue;
+            }
+            const Answer answer = ask(child, way);
+            if (answer != Answer::RefusedFromHere) {
+                slices::clear(child.tile->open, child.place);
+            }
+            if (answer == Answer::Joins) {
+                joining_.push_back(child);
+                slices::set(child.tile->joined, child.place);
+                child.tile.brick->hasJoined[child.tile.tile] = 1;
+                bricks_->noteJoined(*child.tile.brick, int(step.generation));
+                step.store(child.tile, child.place);
             }
         }
     }

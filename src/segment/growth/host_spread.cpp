@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "segment/growth/host_spread.h"
 
+#include "base/parallel.h"
+
 #include <bit>
 #include <cstdlib>
 
@@ -74,6 +76,13 @@ void HostSpread::add(const TileOfBrick& tile, const Slices& voxels, Connectivity
     const std::uint32_t itself = tile->open.any() != 0 ? 0 : 1U << kItself;
     activateAround(tile, tilesTouched(voxels, connectivity) & ~itself);
     last_ += kMany; // whatever there is is spread by tiles first
+}
+
+Crew& HostSpread::crew() {
+    if (!crew_) {
+        crew_ = std::make_unique<Crew>(processorCount());
+    }
+    return *crew_;
 }
 
 void HostSpread::chooseHow(Connectivity connectivity) {

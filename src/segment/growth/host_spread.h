@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "base/crew.h"
 #include "segment/growth/host_bricks.h"
 #include "segment/growth/host_rules.h"
 
 #include <cstdint>
 #include <limits>
+#include <memory>
 #include <vector>
 
 namespace vs::segment {
@@ -95,6 +97,11 @@ private:
     static constexpr std::uint64_t kMany = 256;
     static constexpr std::uint64_t kFew = 64;
 
+    // Tiles that are looked at by several threads.
+    static constexpr std::size_t kWorthACrew = 256;
+    static constexpr std::size_t kTilesAtOnce = 64;
+
+    Crew& crew();
     void chooseHow(Connectivity connectivity);
     void goOverToTiles(Connectivity connectivity);
     void goOverToQueue();
@@ -139,6 +146,7 @@ private:
     std::vector<Found> found_;        // in those
     std::vector<Queued> queue_;
     std::vector<Queued> joining_;
+    std::unique_ptr<Crew> crew_; // made when first needed
 };
 
 // The tiles around one, itself among them, in which some of these voxels have neighbours.
@@ -149,8 +157,15 @@ std::uint64_t HostSpread::expandTiles(const Step<T>& step) {
     looked_.swap(tiles_);
     tiles_.clear();
     found_.resize(looked_.size());
-    for (std::size_t i = 0; i < looked_.size(); ++i) {
-        found_[i] = expandTile(step, looked_[i]);
+    const auto expandSome = [&](std::size_t first, std::size_t last) {
+        for (std::size_t i = first; i < last; ++i) {
+            found_[i] = expandTile(step, looked_[i]);
+        }
+    };
+    if (looked_.size() < kWorthACrew) {
+        expandSome(0, looked_.size());
+    } else {
+        crew().run(looked_.size(), kTilesAtOnce, expandSome);
     }
     now_ = 1 - now_;
     std::uint64_t joined = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "gpu/gl_test.h"
 #include "phantom/phantom.h"
 #include "reference/growth.h"
 #include "segment/growth/growth.h"
@@ -9,9 +10,17 @@
 #include <cmath>
 #include <limits>
 #include <random>
+#include <string>
 #include <vector>
 
 namespace vs::segment {
+
+// A test of growth, on the device and on the host.
+class GrowthCase : public test::GlTest, public testing::WithParamInterface<GrowthEngine> {};
+inline const auto kEngines = testing::Values(GrowthEngine::Device, GrowthEngine::Host);
+inline std::string nameOfEngine(const testing::TestParamInfo<GrowthEngine>& engine) {
+    return engine.param == GrowthEngine::Device ? "Device" : "Host";
+}
 
 // The last of all generations.
 inline constexpr int kAll = std::numeric_limits<int>::max();

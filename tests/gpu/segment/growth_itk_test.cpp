@@ -17,7 +17,7 @@
 namespace vs::segment {
 namespace {
 
-using GrowthItkTest = test::GlTest;
+using GrowthItkTest = GrowthCase;
 const std::filesystem::path kTemplates = "/usr/share/mricron/templates";
 
 // The voxel with a value in the range that lies nearest to the middle of the volume.
@@ -43,7 +43,7 @@ void expectEqualsItk(const volume::Volume& volume, const std::vector<glm::ivec3>
                      std::uint64_t atLeast) {
     const field::Field field = field::uploadVolume(volume);
     for (const auto connectivity : {Connectivity::Six, Connectivity::TwentySix}) {
-        Growth growth(field);
+        Growth growth(field, GrowthItkTest::GetParam());
         Constraints constraints;
         constraints.range = range;
         constraints.connectivity = connectivity;
@@ -56,7 +56,7 @@ void expectEqualsItk(const volume::Volume& volume, const std::vector<glm::ivec3>
     }
 }
 
-TEST_F(GrowthItkTest, RandomVolumesOfEveryScalarType) {
+TEST_P(GrowthItkTest, RandomVolumesOfEveryScalarType) {
     using enum volume::ScalarType;
     for (const auto type : {UInt8, Int8, UInt16, Int16, UInt32, Int32, Float32}) {
         const auto volume = randomVolume({37, 21, 19}, type, 0, 100);
@@ -98,7 +98,7 @@ void expectEqualsItkNeighbourhoods(const volume::Volume& volume, const std::vect
         const glm::ivec3 dims = volume.geometry.dims;
         return inside[(std::size_t(seed.z) * dims.y + seed.y) * dims.x + seed.x] != 0;
     });
-    Growth growth(field);
+    Growth growth(field, GrowthItkTest::GetParam());
     Constraints constraints;
     constraints.range = range;
     growth.setConstraints(constraints);
@@ -112,7 +112,7 @@ void expectEqualsItkNeighbourhoods(const volume::Volume& volume, const std::vect
 
 // Few of a hundred values are out of the range, so that whole neighbourhoods of 27 are common and touch, also
 // at the border, while those of 125 are rare.
-TEST_F(GrowthItkTest, WholeNeighbourhoodsOfRandomVolumes) {
+TEST_P(GrowthItkTest, WholeNeighbourhoodsOfRandomVolumes) {
     using enum volume::ScalarType;
     for (const auto type : {UInt8, Int16, Float32}) {
         const auto volume = randomVolume({37, 21, 19}, type, 0, 100);
@@ -126,7 +126,7 @@ TEST_F(GrowthItkTest, WholeNeighbourhoodsOfRandomVolumes) {
     }
 }
 
-TEST_F(GrowthItkTest, WholeNeighbourhoodsOfTheBrainTemplate) {
+TEST_P(GrowthItkTest, WholeNeighbourhoodsOfTheBrainTemplate) {
     const auto path = kTemplates / "ch2.nii.gz";
     ASSERT_TRUE(std::filesystem::exists(path)) << path << " is not installed (package mricron-data)";
     const auto volume = volume::readVolume(path).volume;
@@ -135,14 +135,14 @@ TEST_F(GrowthItkTest, WholeNeighbourhoodsOfTheBrainTemplate) {
     expectEqualsItkNeighbourhoods(volume, seeds, range, 1, 1);
 }
 
-TEST_F(GrowthItkTest, BrainTemplate) {
+TEST_P(GrowthItkTest, BrainTemplate) {
     const auto path = kTemplates / "ch2.nii.gz";
     ASSERT_TRUE(std::filesystem::exists(path)) << path << " is not installed (package mricron-data)";
     expectEqualsItk(volume::readVolume(path).volume, {{90, 108, 90}, {60, 100, 90}, {120, 120, 80}},
                     {70, 130}, 500000);
 }
 
-TEST_F(GrowthItkTest, CompressedCtSeries) {
+TEST_P(GrowthItkTest, CompressedCtSeries) {
     const auto path = test::dataFolder() / "dicom_ct_j2k";
     if (!std::filesystem::exists(path)) {
         GTEST_SKIP() << path << " is not here; set VOLUME_STUDIO_TEST_DATA";
@@ -152,7 +152,7 @@ TEST_F(GrowthItkTest, CompressedCtSeries) {
     expectEqualsItk(volume, {nearestInRange(volume, range)}, range, 100000);
 }
 
-TEST_F(GrowthItkTest, ObliqueMrSeries) {
+TEST_P(GrowthItkTest, ObliqueMrSeries) {
     const auto archive = test::dataFolder() / "dicom_t1_7t.tar.gz";
     if (!std::filesystem::exists(archive)) {
         GTEST_SKIP() << archive << " is not here; set VOLUME_STUDIO_TEST_DATA";
@@ -173,12 +173,12 @@ TEST_F(GrowthItkTest, ObliqueMrSeries) {
 }
 
 // Also says how fast both are, in turns, so that both see the same load of the machine.
-TEST_F(GrowthItkTest, LargeBrainTemplate) {
+TEST_P(GrowthItkTest, LargeBrainTemplate) {
     const auto path = kTemplates / "ch2better.nii.gz";
     ASSERT_TRUE(std::filesystem::exists(path)) << path << " is not installed (package mricron-data)";
     const auto volume = volume::readVolume(path).volume;
     const field::Field field = field::uploadVolume(volume);
-    Growth growth(field);
+    Growth growth(field, GrowthItkTest::GetParam());
     const glm::ivec3 seed(150, 185, 200);
     Constraints constraints;
     constraints.range = {40, 130};
@@ -198,6 +198,8 @@ TEST_F(GrowthItkTest, LargeBrainTemplate) {
                    run == 0 ? " (first run, with compiling)" : "");
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(OnDeviceAndHost, GrowthItkTest, kEngines, nameOfEngine);
 
 } // namespace
 } // namespace vs::segment

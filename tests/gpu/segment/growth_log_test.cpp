@@ -10,13 +10,13 @@
 namespace vs::segment {
 namespace {
 
-using GrowthLogTest = test::GlTest;
+using GrowthLogTest = GrowthCase;
 
 // Growth on the device and the reference side by side.
 class Pair {
 public:
     Pair(const volume::Volume& volume, const field::Field& field)
-        : volume_(volume), growth(field), queue(volume.geometry.dims) {}
+        : volume_(volume), growth(field, GrowthLogTest::GetParam()), queue(volume.geometry.dims) {}
 
     void setRange(Range range, Connectivity connectivity = Connectivity::Six) {
         Constraints constraints;
@@ -48,10 +48,10 @@ public:
     reference::QueueGrowth queue;
 };
 
-TEST_F(GrowthLogTest, AGenerationLooksTheSameFromEitherSide) {
+TEST_P(GrowthLogTest, AGenerationLooksTheSameFromEitherSide) {
     const auto volume = randomVolume({50, 40, 30}, volume::ScalarType::UInt8, 0, 100);
     const field::Field field = field::uploadVolume(volume);
-    Growth growth(field);
+    Growth growth(field, GetParam());
     Constraints constraints;
     constraints.range = {0, 60};
     growth.setConstraints(constraints);
@@ -77,7 +77,7 @@ TEST_F(GrowthLogTest, AGenerationLooksTheSameFromEitherSide) {
     EXPECT_TRUE(growth.generations(true) == forward.back());
 }
 
-TEST_F(GrowthLogTest, AWiderRangeMidwayTakesUpWhatWasRefused) {
+TEST_P(GrowthLogTest, AWiderRangeMidwayTakesUpWhatWasRefused) {
     const auto volume = randomVolume({50, 40, 30}, volume::ScalarType::Int16, -100, 100);
     const field::Field field = field::uploadVolume(volume);
     Pair pair(volume, field);
@@ -102,11 +102,11 @@ TEST_F(GrowthLogTest, AWiderRangeMidwayTakesUpWhatWasRefused) {
     EXPECT_EQ(pair.growth.voxelCount(), volume.geometry.voxelCount());
 }
 
-TEST_F(GrowthLogTest, LateSeedsEnterAtThePlayhead) {
+TEST_P(GrowthLogTest, LateSeedsEnterAtThePlayhead) {
     const auto volume =
         phantom::makePhantom({40, 8, 8}, volume::ScalarType::UInt8, [](glm::dvec3) { return 10.0; });
     const field::Field field = field::uploadVolume(volume);
-    Growth growth(field);
+    Growth growth(field, GetParam());
     Constraints constraints;
     constraints.range = {10, 10};
     growth.setConstraints(constraints);
@@ -126,11 +126,11 @@ TEST_F(GrowthLogTest, LateSeedsEnterAtThePlayhead) {
     EXPECT_EQ(generations[8], 0U);
 }
 
-TEST_F(GrowthLogTest, RefusedSeedsLeaveHiddenGenerationsAlone) {
+TEST_P(GrowthLogTest, RefusedSeedsLeaveHiddenGenerationsAlone) {
     const auto volume =
         phantom::makePhantom({16, 8, 8}, volume::ScalarType::UInt8, [](glm::dvec3 p) { return p.x; });
     const field::Field field = field::uploadVolume(volume);
-    Growth growth(field);
+    Growth growth(field, GetParam());
     Constraints constraints;
     constraints.range = {0, 10};
     growth.setConstraints(constraints);
@@ -145,7 +145,7 @@ TEST_F(GrowthLogTest, RefusedSeedsLeaveHiddenGenerationsAlone) {
     EXPECT_TRUE(growth.generations(false) == before);
 }
 
-TEST_F(GrowthLogTest, AdvanceForStopsInTimeAndGoesOnExactly) {
+TEST_P(GrowthLogTest, AdvanceForStopsInTimeAndGoesOnExactly) {
     const auto volume = randomVolume({64, 64, 64}, volume::ScalarType::UInt8, 0, 100);
     const field::Field field = field::uploadVolume(volume);
     Pair pair(volume, field);
@@ -159,7 +159,7 @@ TEST_F(GrowthLogTest, AdvanceForStopsInTimeAndGoesOnExactly) {
     pair.expectEqual("in slices of time");
 }
 
-TEST_F(GrowthLogTest, GrowthGoesOnExactlyAfterUndo) {
+TEST_P(GrowthLogTest, GrowthGoesOnExactlyAfterUndo) {
     const auto volume = randomVolume({45, 35, 40}, volume::ScalarType::UInt8, 0, 100);
     const field::Field field = field::uploadVolume(volume);
     Pair pair(volume, field);
@@ -177,6 +177,8 @@ TEST_F(GrowthLogTest, GrowthGoesOnExactlyAfterUndo) {
     pair.advance(kAll);
     pair.expectEqual("to the end");
 }
+
+INSTANTIATE_TEST_SUITE_P(OnDeviceAndHost, GrowthLogTest, kEngines, nameOfEngine);
 
 } // namespace
 } // namespace vs::segment

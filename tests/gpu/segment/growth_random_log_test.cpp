@@ -12,7 +12,7 @@
 namespace vs::segment {
 namespace {
 
-using GrowthLogTest = test::GlTest;
+using GrowthRandomLogTest = GrowthCase;
 using test::below;
 
 const glm::ivec3 kDims(45, 35, 40);
@@ -20,7 +20,7 @@ const glm::ivec3 kDims(45, 35, 40);
 // The same growth on the device and in the reference.
 struct LoggedPair {
     explicit LoggedPair(const volume::Volume& values, const field::Field& field)
-        : volume(values), growth(field), queue(values.geometry.dims) {}
+        : volume(values), growth(field, GrowthRandomLogTest::GetParam()), queue(values.geometry.dims) {}
 
     void setRules(const Constraints& constraints, GrowthUndo* undo) {
         growth.setConstraints(constraints, undo);
@@ -168,7 +168,7 @@ struct Moment {
     GrowthUndo undo;
 };
 
-TEST_F(GrowthLogTest, RandomLogsEqualTheQueueAndUndoRestoresEveryByte) {
+TEST_P(GrowthRandomLogTest, RandomLogsEqualTheQueueAndUndoRestoresEveryByte) {
     const auto volume = randomVolume(kDims, volume::ScalarType::UInt8, 0, 100);
     const field::Field field = field::uploadVolume(volume);
     test::checkProperty(12, [&] {
@@ -189,6 +189,8 @@ TEST_F(GrowthLogTest, RandomLogsEqualTheQueueAndUndoRestoresEveryByte) {
         }
     });
 }
+
+INSTANTIATE_TEST_SUITE_P(OnDeviceAndHost, GrowthRandomLogTest, kEngines, nameOfEngine);
 
 } // namespace
 } // namespace vs::segment

@@ -8,7 +8,7 @@
 namespace vs::segment {
 namespace {
 
-using GrowthRulesTest = test::GlTest;
+using GrowthRulesTest = GrowthCase;
 
 // A blurred random volume: neighbours differ little enough for growth to get somewhere.
 volume::Volume softVolume(volume::ScalarType type, glm::dvec3 spacing) {
@@ -32,7 +32,7 @@ void expectSameAsQueue(const volume::Volume& volume, const Constraints& constrai
     const std::vector<glm::ivec3> seeds{{22, 19, 13}, {3, 3, 3}, {40, 30, 20}, {10, 30, 5}};
     std::vector<std::uint32_t> first;
     for (int run = 0; run < 2; ++run) {
-        Growth growth(field);
+        Growth growth(field, GrowthRulesTest::GetParam());
         growth.setConstraints(constraints);
         reference::QueueGrowth queue(volume.geometry.dims);
         queue.setRules(admits(volume, constraints), constraints.connectivity == Connectivity::TwentySix,
@@ -46,7 +46,7 @@ void expectSameAsQueue(const volume::Volume& volume, const Constraints& constrai
     }
 }
 
-TEST_F(GrowthRulesTest, EveryRuleEqualsAPlainQueue) {
+TEST_P(GrowthRulesTest, EveryRuleEqualsAPlainQueue) {
     for (const auto type :
          {volume::ScalarType::UInt8, volume::ScalarType::Int16, volume::ScalarType::Float32}) {
         for (const glm::dvec3 spacing : {glm::dvec3(1), glm::dvec3(0.7, 0.9, 2.5)}) {
@@ -75,6 +75,8 @@ TEST_F(GrowthRulesTest, EveryRuleEqualsAPlainQueue) {
         }
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(OnDeviceAndHost, GrowthRulesTest, kEngines, nameOfEngine);
 
 } // namespace
 } // namespace vs::segment

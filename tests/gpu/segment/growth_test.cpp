@@ -9,12 +9,12 @@
 namespace vs::segment {
 namespace {
 
-using GrowthTest = test::GlTest;
+using GrowthTest = GrowthCase;
 
 void expectEqualsReference(const volume::Volume& volume, const Constraints& constraints,
                            const std::vector<glm::ivec3>& seeds, const std::string& what) {
     const field::Field field = field::uploadVolume(volume);
-    Growth growth(field);
+    Growth growth(field, GrowthTest::GetParam());
     growth.setConstraints(constraints);
     growth.addSeeds(seeds);
     growth.advance(kAll);
@@ -31,7 +31,7 @@ void expectEqualsReference(const volume::Volume& volume, const Constraints& cons
     EXPECT_EQ(growth.voxelCount(), std::uint64_t(inside)) << what;
 }
 
-TEST_F(GrowthTest, EveryGenerationEqualsAPlainQueueOnEveryScalarType) {
+TEST_P(GrowthTest, EveryGenerationEqualsAPlainQueueOnEveryScalarType) {
     using enum volume::ScalarType;
     const glm::ivec3 dims(37, 21, 19);
     for (const auto type : {UInt8, Int8, UInt16, Int16, UInt32, Int32, Float32}) {
@@ -54,7 +54,7 @@ TEST_F(GrowthTest, EveryGenerationEqualsAPlainQueueOnEveryScalarType) {
     }
 }
 
-TEST_F(GrowthTest, SizesThatFillNoWordOrBrick) {
+TEST_P(GrowthTest, SizesThatFillNoWordOrBrick) {
     for (const glm::ivec3 dims :
          {glm::ivec3(1, 1, 1), glm::ivec3(1, 1, 77), glm::ivec3(5, 3, 1), glm::ivec3(33, 65, 34)}) {
         const auto volume = randomVolume(dims, volume::ScalarType::UInt8, 0, 100, 3);
@@ -68,10 +68,10 @@ TEST_F(GrowthTest, SizesThatFillNoWordOrBrick) {
     }
 }
 
-TEST_F(GrowthTest, RepeatedRunsAreTheSame) {
+TEST_P(GrowthTest, RepeatedRunsAreTheSame) {
     const auto volume = randomVolume({64, 48, 40}, volume::ScalarType::UInt8, 0, 100);
     const field::Field field = field::uploadVolume(volume);
-    Growth growth(field);
+    Growth growth(field, GetParam());
     Constraints constraints;
     constraints.range = {0, 55};
     growth.setConstraints(constraints);
@@ -89,7 +89,7 @@ TEST_F(GrowthTest, RepeatedRunsAreTheSame) {
     EXPECT_GT(growth.voxelCount(), 1000U);
 }
 
-TEST_F(GrowthTest, CorridorOfThousandsOfGenerations) {
+TEST_P(GrowthTest, CorridorOfThousandsOfGenerations) {
     // One voxel wide, winding through every second row of every second slice.
     const glm::ivec3 dims(41, 39, 9);
     auto volume = phantom::makePhantom(dims, volume::ScalarType::UInt8, [&](glm::dvec3 p) {
@@ -107,18 +107,18 @@ TEST_F(GrowthTest, CorridorOfThousandsOfGenerations) {
     constraints.range = {100, 255};
     expectEqualsReference(volume, constraints, {{0, 0, 0}}, "corridor");
     const field::Field field = field::uploadVolume(volume);
-    Growth growth(field);
+    Growth growth(field, GetParam());
     growth.setConstraints(constraints);
     growth.addSeeds(std::vector<glm::ivec3>{{0, 0, 0}});
     EXPECT_GT(growth.advance(kAll), 2000);
 }
 
-TEST_F(GrowthTest, SolidBlockGrowsByDistance) {
+TEST_P(GrowthTest, SolidBlockGrowsByDistance) {
     const glm::ivec3 dims(200);
     const auto volume =
         phantom::makePhantom(dims, volume::ScalarType::UInt8, [](glm::dvec3) { return 100.0; });
     const field::Field field = field::uploadVolume(volume);
-    Growth growth(field);
+    Growth growth(field, GetParam());
     const glm::ivec3 seed(20, 100, 199);
     for (const auto connectivity : {Connectivity::Six, Connectivity::TwentySix}) {
         Constraints constraints;
@@ -146,11 +146,11 @@ TEST_F(GrowthTest, SolidBlockGrowsByDistance) {
     }
 }
 
-TEST_F(GrowthTest, RangesAreComparedExactly) {
+TEST_P(GrowthTest, RangesAreComparedExactly) {
     // Values one apart at the ends of 16-bit data, and floats that no decimal number names.
     const auto count = [](const volume::Volume& volume, Range range) {
         const field::Field field = field::uploadVolume(volume);
-        Growth growth(field);
+        Growth growth(field, GetParam());
         Constraints constraints;
         constraints.range = range;
         growth.setConstraints(constraints);
@@ -177,13 +177,13 @@ TEST_F(GrowthTest, RangesAreComparedExactly) {
     EXPECT_EQ(count(tenths, {0.3, 0.6}), 4);
 }
 
-TEST_F(GrowthTest, NonFiniteVoxelsAreNeverEntered) {
+TEST_P(GrowthTest, NonFiniteVoxelsAreNeverEntered) {
     auto volume =
         phantom::makePhantom({8, 1, 1}, volume::ScalarType::Float32, [](glm::dvec3) { return 1.0; });
     reinterpret_cast<float*>(volume.bytes.data())[4] = std::numeric_limits<float>::quiet_NaN();
     volume::computeRange(volume);
     const field::Field field = field::uploadVolume(volume);
-    Growth growth(field);
+    Growth growth(field, GetParam());
     Constraints constraints;
     constraints.range = {-1e300, 1e300};
     growth.setConstraints(constraints);
@@ -192,11 +192,11 @@ TEST_F(GrowthTest, NonFiniteVoxelsAreNeverEntered) {
     EXPECT_EQ(growth.voxelCount(), 4U);
 }
 
-TEST_F(GrowthTest, SeedsAreCountedAsAddedPresentOrRefused) {
+TEST_P(GrowthTest, SeedsAreCountedAsAddedPresentOrRefused) {
     const auto volume =
         phantom::makePhantom({16, 16, 16}, volume::ScalarType::UInt8, [](glm::dvec3 p) { return p.x; });
     const field::Field field = field::uploadVolume(volume);
-    Growth growth(field);
+    Growth growth(field, GetParam());
     Constraints constraints;
     constraints.range = {4, 7};
     growth.setConstraints(constraints);
@@ -210,7 +210,7 @@ TEST_F(GrowthTest, SeedsAreCountedAsAddedPresentOrRefused) {
     EXPECT_EQ(growth.addSeeds(std::vector<glm::ivec3>{{4, 0, 0}}).present, 1);
 }
 
-TEST_F(GrowthTest, StaysOnItsSideOfTheSculpture) {
+TEST_P(GrowthTest, StaysOnItsSideOfTheSculpture) {
     const glm::ivec3 dims(40, 30, 20);
     const auto volume = randomVolume(dims, volume::ScalarType::UInt8, 0, 100);
     const field::Field field = field::uploadVolume(volume);
@@ -226,7 +226,7 @@ TEST_F(GrowthTest, StaysOnItsSideOfTheSculpture) {
         constraints.sculpture = &sculpture;
         constraints.view = view;
         constraints.connectivity = Connectivity::TwentySix;
-        Growth growth(field);
+        Growth growth(field, GetParam());
         growth.setConstraints(constraints);
         std::vector<glm::ivec3> seeds;
         for (int i = 0; i < 30; ++i) {
@@ -242,6 +242,8 @@ TEST_F(GrowthTest, StaysOnItsSideOfTheSculpture) {
         EXPECT_GT(growth.voxelCount(), 100U);
     }
 }
+
+INSTANTIATE_TEST_SUITE_P(OnDeviceAndHost, GrowthTest, kEngines, nameOfEngine);
 
 } // namespace
 } // namespace vs::segment

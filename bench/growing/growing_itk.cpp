@@ -10,7 +10,7 @@
 
 namespace vs {
 
-ItkRun growWithItk(const GrowingCase& task) {
+PeerRun growWithItk(const GrowingCase& task) {
     return volume::visit(task.volume, [&]<typename T>(const T* values) {
         using Input = itk::Image<T, 3>;
         using Output = itk::Image<std::uint8_t, 3>;
@@ -35,7 +35,7 @@ ItkRun growWithItk(const GrowingCase& task) {
         filter->Update();
         const double milliseconds = timer.milliseconds();
         const std::uint8_t* labels = filter->GetOutput()->GetBufferPointer();
-        return ItkRun{milliseconds, std::uint64_t(std::count(labels, labels + count, std::uint8_t(1)))};
+        return PeerRun{milliseconds, std::uint64_t(std::count(labels, labels + count, std::uint8_t(1)))};
     });
 }
 

@@ -5,6 +5,7 @@
 #include "base/timer.h"
 #include "gl/context.h"
 #include "growing_itk.h"
+#include "growing_scanline.h"
 #include "phantom/noise.h"
 #include "segment/growth/growth.h"
 #include "segment/membership/segmentation.h"
@@ -30,8 +31,8 @@ double timed(const Work& work) {
 // A case on the device.
 class Grower {
 public:
-    explicit Grower(const GrowingCase& task)
-        : task_(task), field_(field::uploadVolume(task.volume)), growth_(field_) {
+    Grower(const GrowingCase& task, segment::GrowthEngine engine)
+        : task_(task), field_(field::uploadVolume(task.volume)), growth_(field_, engine) {
         field_.onHost = &task.volume;
         restrict(task.range);
     }
@@ -85,11 +86,11 @@ Range onePercentNarrower(Grower& grower, const Range& range) {
 
 } // namespace
 
-Comparison compareWithItk(const GrowingCase& task, int runs) {
+Comparison compareWithOthers(const GrowingCase& task, segment::GrowthEngine engine, int runs) {
     Comparison result;
     result.name = task.name;
     const Timer timer;
-    Grower grower(task);
+    Grower grower(task, engine);
     grower.growth().addSeeds(task.seeds);
     grower.growth().advance(1);
     gl::Context::finish();
@@ -97,24 +98,26 @@ Comparison compareWithItk(const GrowingCase& task, int runs) {
     for (int run = 0; run <= runs; ++run) {
         const double reset = grower.reset();
         const double ours = grower.grow();
-        const ItkRun itk = growWithItk(task);
+        const PeerRun itk = growWithItk(task);
+        const PeerRun scanlines = growByScanlines(task);
         result.voxels = grower.growth().voxelCount();
         result.generations = grower.growth().extent();
-        if (itk.voxels != result.voxels) {
-            throw Error("{}: {} voxels grown here and {} by ITK; they should be the same", task.name,
-                        result.voxels, itk.voxels);
+        if (itk.voxels != result.voxels || scanlines.voxels != result.voxels) {
+            throw Error("{}: {} voxels grown here, {} by ITK and {} by scanlines; they should be the same",
+                        task.name, result.voxels, itk.voxels, scanlines.voxels);
         }
         if (run > 0) {
             result.resets.push_back(reset);
             result.ours.push_back(ours);
             result.itk.push_back(itk.milliseconds);
+            result.scanlines.push_back(scanlines.milliseconds);
         }
     }
     return result;
 }
 
-ChangeCost measureChange(const GrowingCase& task, int runs) {
-    Grower grower(task);
+ChangeCost measureChange(const GrowingCase& task, segment::GrowthEngine engine, int runs) {
+    Grower grower(task, engine);
     ChangeCost result;
     result.name = task.name;
     result.range = task.wider ? task.range : onePercentNarrower(grower, task.range);
@@ -134,8 +137,8 @@ ChangeCost measureChange(const GrowingCase& task, int runs) {
     return result;
 }
 
-ScrubCost measureScrubbing(const GrowingCase& task, int moves) {
-    Grower grower(task);
+ScrubCost measureScrubbing(const GrowingCase& task, segment::GrowthEngine engine, int moves) {
+    Grower grower(task, engine);
     grower.grow();
     segment::Segmentation segmentation(task.volume.geometry);
     ScrubCost result;

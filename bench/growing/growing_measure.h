@@ -2,10 +2,11 @@
 #pragma once
 
 #include "growing_cases.h"
+#include "segment/growth/frontier.h"
 
 namespace vs {
 
-// One region grown on the device and by ITK, in turns. Times in milliseconds, one a run.
+// One region grown by us, by ITK and by a scanline fill, in turns. Times in milliseconds, one a run.
 struct Comparison {
     std::string name;
     std::uint64_t voxels = 0;
@@ -14,6 +15,7 @@ struct Comparison {
     std::vector<double> ours;   // from seeds to the last generation, the device waited for
     std::vector<double> resets; // erasing what was grown, between runs
     std::vector<double> itk;
+    std::vector<double> scanlines;
 };
 
 // A region grown afresh, and then on after its range was widened.
@@ -35,13 +37,13 @@ struct ScrubCost {
     std::vector<double> moves;
 };
 
-// Each needs a current context. One run that does not count comes first. Throws Error when the two regions
-// have different sizes.
-Comparison compareWithItk(const GrowingCase& task, int runs);
+// Each needs a current context. One run that does not count comes first. Throws Error when the regions have
+// different sizes.
+Comparison compareWithOthers(const GrowingCase& task, segment::GrowthEngine engine, int runs);
 // Without a wider range of its own, the case's is the wider one, and growth starts within one whose lower end
 // is raised until the region loses 1 %.
-ChangeCost measureChange(const GrowingCase& task, int runs);
+ChangeCost measureChange(const GrowingCase& task, segment::GrowthEngine engine, int runs);
 // Generations are picked at random, the same ones each time.
-ScrubCost measureScrubbing(const GrowingCase& task, int moves);
+ScrubCost measureScrubbing(const GrowingCase& task, segment::GrowthEngine engine, int moves);
 
 } // namespace vs

@@ -172,11 +172,11 @@ int Growth::advanceFor(double budgetMs, int generations, GrowthUndo* undo, std::
     // Batches double while they fit into what is left of the time.
     int batch = budgetMs < std::numeric_limits<double>::infinity() ? 1 : frontier_->mostExpansions();
     while (shown < generations && !isFinished() && (shown == 0 || timer.milliseconds() < budgetMs) &&
-           voxelCount() < mostVoxels) {
+           (mostVoxels == kAnyNumber || voxelCount() < mostVoxels)) {
         reportProgress();
         const double began = timer.milliseconds();
         shown += compute(std::min(batch, generations - shown));
-        shown -= cutBack(mostVoxels);
+        shown -= mostVoxels == kAnyNumber ? 0 : cutBack(mostVoxels);
         const double ended = timer.milliseconds();
         if (budgetMs - ended > 2 * (ended - began)) {
             batch = std::min(2 * batch, frontier_->mostExpansions());

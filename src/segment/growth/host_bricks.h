@@ -21,11 +21,15 @@ struct alignas(64) HostTile {
 
 // And of a brick.
 struct HostBrick {
+    static constexpr std::uint8_t kTested = 0xff;
+
     std::array<HostTile, 64> tiles;
     // Which of the 27 tiles around one (bit (dx + 1) + 3 (dy + 1) + 9 (dz + 1)) have newest voxels that the
     // next expansion is to spread from into it; 0: it is not on the list of the next expansion.
     std::array<std::uint32_t, 64> around{};
-    std::array<std::uint8_t, 64> isTested{};  // whether the rules were asked about all that is open
+    // Whether the rules were asked about all that is open (kTested), or how many voxels they let in one by
+    // one.
+    std::array<std::uint8_t, 64> tests{};
     std::array<std::uint8_t, 64> hasJoined{}; // whether something has
     std::uint32_t number = 0;
     glm::ivec3 place{0};     // in bricks
@@ -41,7 +45,8 @@ struct TileOfBrick {
     explicit operator bool() const { return brick != nullptr; }
     [[nodiscard]] HostTile& operator*() const { return brick->tiles[tile]; }
     [[nodiscard]] HostTile* operator->() const { return &brick->tiles[tile]; }
-    [[nodiscard]] bool isTested() const { return brick->isTested[tile] != 0; }
+    [[nodiscard]] std::uint8_t& tests() const { return brick->tests[tile]; }
+    [[nodiscard]] bool isTested() const { return brick->tests[tile] == HostBrick::kTested; }
     [[nodiscard]] std::uint32_t& around() const { return brick->around[tile]; }
     [[nodiscard]] std::uint32_t number() const { return brick->number << 6U | tile; } // in the whole grid
     [[nodiscard]] glm::ivec3 origin() const {
@@ -114,7 +119,7 @@ protected:
     virtual void open(HostBrick& brick) const = 0;
 
 private:
-    TileOfBrick across(const HostBrick& from, glm::ivec3 step, std::uint32_t tile);
+    TileOfBrick across(const HostBrick& from, const glm::ivec3& step, std::uint32_t tile);
     HostBrick& brickAt(std::uint32_t number, glm::ivec3 place);
     static void writeJoined(HostBrick& brick, std::uint32_t* plane) noexcept;
 

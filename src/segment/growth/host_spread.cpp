@@ -60,9 +60,10 @@ void HostSpread::clear() {
 }
 
 void HostSpread::add(glm::ivec3 voxel) {
-    const Queued queued{{bricks_->tileOf(voxel), slices::placeOf(voxel & 7)}, indexOf(voxel)};
-    slices::clear(queued.tile->open, queued.place);
-    queue_.push_back(queued);
+    const TileOfBrick tile = bricks_->tileOf(voxel);
+    const std::uint32_t place = slices::placeOf(voxel & 7);
+    slices::clear(tile->open, place);
+    queue_.emplace_back(tile, place, indexOf(voxel));
 }
 
 std::size_t HostSpread::indexOf(glm::ivec3 voxel) const {
@@ -97,14 +98,15 @@ void HostSpread::chooseHow(Connectivity connectivity) {
 void HostSpread::goOverToTiles(Connectivity connectivity) {
     isByTile_ = true;
     for (const Queued& voxel : queue_) {
-        if (!has(voxel.tile.around(), kItself)) {
-            voxel.tile->newest[now_] = {};
-            activate(voxel.tile, kItself);
+        const TileOfBrick tile = voxel.tile();
+        if (!has(tile.around(), kItself)) {
+            tile->newest[now_] = {};
+            activate(tile, kItself);
         }
-        slices::set(voxel.tile->newest[now_], voxel.place);
+        slices::set(tile->newest[now_], voxel.place);
         Slices one;
         slices::set(one, voxel.place);
-        activateAround(voxel.tile, tilesTouched(one, connectivity));
+        activateAround(tile, tilesTouched(one, connectivity));
     }
     queue_.clear();
 }
@@ -115,7 +117,7 @@ void HostSpread::goOverToQueue() {
         const TileOfBrick& tile = looked_[i];
         if (found_[i].joined > 0) {
             slices::forEach(tile->newest[now_], [&](std::uint32_t place) {
-                queue_.push_back({{tile, place}, indexOf(tile.origin() + slices::voxelAt(place))});
+                queue_.emplace_back(tile, place, indexOf(tile.origin() + slices::voxelAt(place)));
             });
         }
     }

@@ -65,12 +65,17 @@ public:
     }
 
 private:
-    struct TileAndPlace {
-        TileOfBrick tile;
-        std::uint32_t place = 0; // in it
-    };
-    struct Queued : TileAndPlace {
-        std::size_t index; // in the volume
+    struct Queued {
+        // Each member is stored by itself: read back as a pair from where it was put one by one, processors
+        // wait.
+        Queued(const TileOfBrick& tile, std::uint32_t inTile, std::size_t inVolume)
+            : brick(tile.brick), tileOfBrick(tile.tile), place(inTile), index(inVolume) {}
+        [[nodiscard]] TileOfBrick tile() const { return {brick, tileOfBrick}; }
+
+        HostBrick* brick;
+        std::uint32_t tileOfBrick;
+        std::uint32_t place; // in the tile
+        std::size_t index;   // in the volume
     };
     enum class Answer { Joins, Refused, RefusedFromHere };
     // What became of a tile.
@@ -97,6 +102,8 @@ private:
     static constexpr std::uint64_t kMany = 256;
     static constexpr std::uint64_t kFew = 64;
 
+    // Voxels that were let in one by one, after which the queue has their tile tested whole.
+    static constexpr std::uint8_t kWorthAWholeTest = 32;
     // Tiles that are looked at by several threads.
     static constexpr std::size_t kWorthACrew = 256;
     static constexpr std::size_t kTilesAtOnce = 64;
@@ -117,6 +124,8 @@ private:
     template <typename T>
     Found expandTile(const Step<T>& step, const TileOfBrick& tile);
     template <typename T>
+    void testWhole(const Step<T>& step, const TileOfBrick& tile);
+    template <typename T>
     void test(const Step<T>& step, const TileOfBrick& tile, Slices& fresh);
     template <typename T>
     void testPairs(const Step<T>& step, const TileOfBrick& tile, std::uint32_t around, Slices& fresh) const;
@@ -124,11 +133,6 @@ private:
     std::uint64_t expandQueue(const Step<T>& step);
     template <typename T, typename Ask>
     void expandQueueBy(const Step<T>& step, const Ask& ask);
-    [[nodiscard]] TileAndPlace across(const TileAndPlace& from, const Way& way) const {
-        const glm::ivec3 to = slices::voxelAt(from.place) + way.offset;
-        return {bricks_->near(from.tile, to >> 3), slices::placeOf(to & 7)};
-    }
-
     [[nodiscard]] std::size_t indexOf(glm::ivec3 voxel) const;
     [[nodiscard]] const std::vector<Way>& ways(Connectivity connectivity) const {
         return connectivity == Connectivity::Six ? acrossFaces_ : allAround_;
@@ -212,6 +216,12 @@ HostSpread::Found HostSpread::expandTile(const Step<T>& step, const TileOfBrick&
     return {count, tilesTouched(fresh, step.connectivity)};
 }
 
+template <typename T>
+[[gnu::noinline]] void HostSpread::testWhole(const Step<T>& step, const TileOfBrick& tile) {
+    tile->open &= step.rules.admitted(tile.origin());
+    tile.tests() = HostBrick::kTested;
+}
+
 // Leaves of the fresh voxels those that the rules let in by themselves. A tile is tested whole as soon as
 // they let some in; until then what they refuse is not asked about again.
 template <typename T>
@@ -222,8 +232,7 @@ void HostSpread::test(const Step<T>& step, const TileOfBrick& tile, Slices& fres
         letsIn = letsIn || step.rules.admits(origin + slices::voxelAt(place));
     });
     if (letsIn) {
-        tile->open &= step.rules.admitted(origin);
-        tile.brick->isTested[tile.tile] = 1;
+        testWhole(step, tile);
         fresh &= tile->open;
     } else {
         tile->open -= fresh;
@@ -259,14 +268,13 @@ template <typename T>
 std::uint64_t HostSpread::expandQueue(const Step<T>& step) {
     joining_.clear();
     if (step.rules.asksOnlyForRange()) {
-        expandQueueBy(step, [&](const Queued& child, const Way&) {
-            return child.tile.isTested() || step.rules.isInRangeAt(child.index) ? Answer::Joins
-                                                                                : Answer::Refused;
+        expandQueueBy(step, [&](TileOfBrick tile, std::uint32_t, std::size_t index, const Way&) {
+            return tile.isTested() || step.rules.isInRangeAt(index) ? Answer::Joins : Answer::Refused;
         });
     } else {
-        expandQueueBy(step, [&](const Queued& child, const Way& way) {
-            const glm::ivec3 voxel = child.tile.origin() + slices::voxelAt(child.place);
-            if (!child.tile.isTested() && !step.rules.admits(voxel)) {
+        expandQueueBy(step, [&](TileOfBrick tile, std::uint32_t place, std::size_t, const Way& way) {
+            const glm::ivec3 voxel = tile.origin() + slices::voxelAt(place);
+            if (!tile.isTested() && !step.rules.admits(voxel)) {
                 return Answer::Refused;
             }
             return step.rules.admitsFrom(voxel - way.offset, voxel) ? Answer::Joins : Answer::RefusedFromHere;
@@ -282,23 +290,27 @@ void HostSpread::expandQueueBy(const Step<T>& step, const Ask& ask) {
     for (const Queued& parent : queue_) {
         const std::uint32_t sides = slices::kSidesAt[parent.place];
         for (const Way& way : waysOut) {
-            const Queued child{(sides & way.sides) == 0
-                                   ? TileAndPlace{parent.tile, parent.place + std::uint32_t(way.place)}
-                                   : across(parent, way),
-                               parent.index + std::size_t(way.index)};
-            if (!child.tile || !slices::has(child.tile->open, child.place)) {
+            TileOfBrick tile = parent.tile();
+            std::uint32_t place = parent.place + std::uint32_t(way.place);
+            if ((sides & way.sides) != 0) {
+                const glm::ivec3 to = slices::voxelAt(parent.place) + way.offset;
+                tile = bricks_->near(tile, to >> 3);
+                place = slices::placeOf(to & 7);
+            }
+            if (!tile || !slices::has(tile->open, place)) {
                 continue;
             }
-            const Answer answer = ask(child, way);
+            const std::size_t index = parent.index + std::size_t(way.index);
+            const Answer answer = ask(tile, place, index, way);
             if (answer != Answer::RefusedFromHere) {
-                slices::clear(child.tile->open, child.place);
+                slices::clear(tile->open, place);
             }
             if (answer == Answer::Joins) {
-                joining_.push_back(child);
-                slices::set(child.tile->joined, child.place);
-                child.tile.brick->hasJoined[child.tile.tile] = 1;
-                bricks_->noteJoined(*child.tile.brick, int(step.generation));
-                step.store(child.tile, child.place);
+                joining_.emplace_back(tile, place, index);
+                slices::set(tile->joined, place);
+                tile.brick->hasJoined[tile.tile] = 1;
+                bricks_->noteJoined(*tile.brick, int(step.generation));
+                step.store(tile, place);
             }
         }
     }

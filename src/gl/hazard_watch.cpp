@@ -67,7 +67,7 @@ std::string labelOf(Memory memory) {
     std::array<char, 256> text{};
     glGetObjectLabel(memory.isBuffer ? GL_BUFFER : GL_TEXTURE, memory.name, GLsizei(text.size()), nullptr,
                      text.data());
-    return text.data();
+    return text[0] != '\0' ? text.data() : fmt::format("number {}", memory.name);
 }
 
 } // namespace

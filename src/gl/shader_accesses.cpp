@@ -2,98 +2,29 @@
 #include "gl/shader_accesses.h"
 
 #include "base/error.h"
+#include "gl/shader_statements.h"
 #include "gl/shader_text.h"
 
 #include <algorithm>
 #include <set>
-#include <span>
-#include <vector>
 
 namespace vs::gl {
 
 namespace {
 
-using Tokens = std::vector<std::string_view>;
-using TokenSpan = std::span<const std::string_view>;
-
-// A declaration or a function at the outermost level of a shader.
-struct Statement {
-    TokenSpan head; // all before the braces; all of it if it has none
-    TokenSpan body; // what is within the braces
-    TokenSpan tail; // what stands between the braces and the semicolon
-    bool hasBraces = false;
+// What main() reaches.
+struct Reach {
+    std::set<std::string_view> names;
+    std::vector<TokenSpan> texts; // of functions
 };
 
-bool has(TokenSpan tokens, std::string_view token) {
-    return std::find(tokens.begin(), tokens.end(), token) != tokens.end();
-}
-
-bool isFunction(const Statement& s) { return s.hasBraces && s.head.back() == ")"; }
-
-// The index behind the bracket that closes the one at `open`, which is counted by both kinds of `pair`.
-std::size_t behindPair(TokenSpan tokens, std::size_t open, std::string_view pair) {
-    int depth = 0;
-    for (std::size_t i = open; i < tokens.size(); ++i) {
-        depth += tokens[i] == pair.substr(0, 1) ? 1 : tokens[i] == pair.substr(1, 1) ? -1 : 0;
-        if (depth == 0) {
-            return i + 1;
-        }
-    }
-    return tokens.size();
-}
-
-// The index behind layout(...), or 0 if a declaration has none.
-std::size_t behindLayout(TokenSpan head) {
-    return !head.empty() && head[0] == "layout" ? behindPair(head, 1, "()") : 0;
-}
-
-std::vector<Statement> statementsOf(TokenSpan tokens) {
-    std::vector<Statement> out;
-    std::size_t begin = 0;
-    for (std::size_t i = 0; i < tokens.size(); ++i) {
-        if (tokens[i] == ";") {
-            if (i > begin) {
-                out.push_back({tokens.subspan(begin, i - begin), {}, {}, false});
-            }
-            begin = i + 1;
-        } else if (tokens[i] == "{" && i > begin) {
-            const std::size_t behind = behindPair(tokens, i, "{}");
-            Statement& s = out.emplace_back();
-            s.hasBraces = true;
-            s.head = tokens.subspan(begin, i - begin);
-            s.body = tokens.subspan(i + 1, behind - i - 2);
-            std::size_t end = behind;
-            while (!isFunction(s) && end < tokens.size() && tokens[end] != ";") {
-                ++end;
-            }
-            s.tail = tokens.subspan(behind, end - behind);
-            begin = isFunction(s) ? behind : end + 1;
-            i = begin - 1;
-        }
-    }
-    return out;
-}
-
-// The name of a function: what stands before its parameters.
-std::size_t placeOfName(TokenSpan head) {
-    int depth = 0;
-    for (std::size_t i = head.size(); i-- > 0;) {
-        depth += head[i] == ")" ? 1 : head[i] == "(" ? -1 : 0;
-        if (depth == 0) {
-            return i == 0 ? 0 : i - 1;
-        }
-    }
-    return 0;
-}
-
-// The names that main() reaches.
-std::set<std::string_view> reachedNames(const std::vector<Statement>& statements, const Tokens& macroTokens) {
+Reach reachOf(const std::vector<Statement>& statements, TokenSpan macroTokens) {
     std::multimap<std::string_view, TokenSpan> functions;
     std::vector<std::string_view> waiting{"main"};
-    std::set<std::string_view> reached{"main"};
+    Reach out{{"main"}, {}};
     const auto reach = [&](TokenSpan tokens) {
         for (const std::string_view token : tokens) {
-            if (isName(token) && reached.insert(token).second) {
+            if (isName(token) && out.names.insert(token).second) {
                 waiting.push_back(token);
             }
         }
@@ -105,9 +36,8 @@ std::set<std::string_view> reachedNames(const std::vector<Statement>& statements
             functions.emplace(s.head[name], s.body);
             reach(s.head.first(name)); // a macro that makes a function may stand before this one
         } else {
-            const std::size_t begin = behindLayout(s.head);
-            reach(s.head.subspan(std::find(s.head.begin() + std::ptrdiff_t(begin), s.head.end(), "=") -
-                                 s.head.begin())); // an initial value
+            const auto begin = s.head.begin() + std::ptrdiff_t(behindLayout(s.head));
+            reach({std::find(begin, s.head.end(), "="), s.head.end()}); // an initial value
         }
     }
     while (!waiting.empty()) {
@@ -116,29 +46,103 @@ std::set<std::string_view> reachedNames(const std::vector<Statement>& statements
         const auto [first, last] = functions.equal_range(name);
         for (auto it = first; it != last; ++it) {
             reach(it->second);
+            out.texts.push_back(it->second);
         }
     }
-    return reached;
+    return out;
 }
 
-// The name that a declaration of one variable ends with, before the lengths of an array and its value.
-std::string_view declaredName(TokenSpan head) {
-    std::string_view name;
-    for (std::size_t i = behindLayout(head); i < head.size() && head[i] != "[" && head[i] != "="; ++i) {
-        name = head[i];
+// Whether the tokens from `at` on, behind a variable, assign to it: =, +=, ++ and so on.
+bool isAssignedAt(TokenSpan text, std::size_t at) {
+    const auto token = [&](std::size_t i) { return i < text.size() ? text[i] : std::string_view(); };
+    const std::string_view sign = token(at);
+    if (sign == "=") {
+        return token(at + 1) != "=";
     }
-    return name;
+    if (sign == "<" || sign == ">") {
+        return token(at + 1) == sign && token(at + 2) == "=";
+    }
+    constexpr std::string_view kSigns = "+-*/%&|^";
+    const bool isSign = sign.size() == 1 && kSigns.find(sign.front()) != kSigns.npos;
+    const bool isTwice = (sign == "+" || sign == "-") && token(at + 1) == sign;
+    return isSign && (token(at + 1) == "=" || isTwice);
 }
 
-bool namesAMember(const Statement& block, const std::set<std::string_view>& reached) {
-    for (std::size_t i = 0; i + 1 < block.body.size(); ++i) {
-        const std::string_view next = block.body[i + 1];
-        if ((next == "[" || next == ";" || next == ",") && reached.contains(block.body[i])) {
-            return true;
+// The name of the function that a variable is given to as an argument, and whether it is the first one.
+struct Call {
+    std::string_view function; // nothing if there is none
+    bool isFirst = true;
+};
+
+Call callAround(TokenSpan text, std::size_t at) {
+    Call call;
+    int depth = 0;
+    for (std::size_t i = at; i-- > 0;) {
+        const std::string_view token = text[i];
+        if (token == ")" || token == "]") {
+            ++depth;
+        } else if (token == "(" && depth == 0 && i > 0 && isName(text[i - 1])) {
+            call.function = text[i - 1];
+            return call;
+        } else if (token == "[" && depth == 0) {
+            return {}; // it is an index
+        } else if (token == "(" || token == "[") {
+            depth = std::max(depth - 1, 0);
+        } else if (token == ";" || token == "{" || token == "}") {
+            return {};
+        } else if (token == "," && depth == 0) {
+            call.isFirst = false;
         }
     }
-    return std::any_of(block.tail.begin(), block.tail.end(), // the name of an instance
-                       [&](std::string_view t) { return reached.contains(t); });
+    return {};
+}
+
+// Whether the variable that is named at `at` may be changed there, for members of blocks and for images.
+// `changing` are functions of the shader's own that may change what they are given.
+bool mayChangeAt(TokenSpan text, std::size_t at, const std::set<std::string_view>& changing) {
+    std::size_t behind = at + 1;
+    while (behind < text.size() && (text[behind] == "[" || text[behind] == ".")) {
+        behind = text[behind] == "[" ? behindPair(text, behind, "[]") : behind + 2;
+    }
+    if (isAssignedAt(text, behind)) {
+        return true;
+    }
+    if (at > 1 && text[at - 1] == text[at - 2] && (text[at - 1] == "+" || text[at - 1] == "-")) {
+        return true;
+    }
+    const Call call = callAround(text, at);
+    const bool isBuiltIn = call.function.starts_with("atomic") || call.function == "imageStore" ||
+                           call.function.starts_with("imageAtomic");
+    return (isBuiltIn && call.isFirst) || changing.contains(call.function);
+}
+
+bool mayChange(std::string_view name, const Reach& reach, TokenSpan macroTokens,
+               const std::set<std::string_view>& changing) {
+    if (has(macroTokens, name)) {
+        return true; // where the macro is used is not looked for
+    }
+    return std::any_of(reach.texts.begin(), reach.texts.end(), [&](TokenSpan text) {
+        for (std::size_t i = 0; i < text.size(); ++i) {
+            if (text[i] == name && mayChangeAt(text, i, changing)) {
+                return true;
+            }
+        }
+        return false;
+    });
+}
+
+// The functions of a shader that may change what they are given: images, or arguments that go out.
+std::set<std::string_view> changingFunctions(const std::vector<Statement>& statements) {
+    std::set<std::string_view> names;
+    for (const Statement& s : statements) {
+        const bool changes = std::any_of(s.head.begin(), s.head.end(), [](std::string_view t) {
+            return t == "out" || t == "inout" || t.find("image") != t.npos;
+        });
+        if (isFunction(s) && changes) {
+            names.insert(s.head[placeOfName(s.head)]);
+        }
+    }
+    return names;
 }
 
 Tokens tokensOfMacros(const Definitions& macros) {
@@ -148,6 +152,10 @@ Tokens tokensOfMacros(const Definitions& macros) {
         out.insert(out.end(), tokens.begin(), tokens.end());
     }
     return out;
+}
+
+bool isImageType(std::string_view token) {
+    return token.starts_with("image") || token.starts_with("uimage") || token.starts_with("iimage");
 }
 
 std::size_t bytesOfType(std::string_view type) {
@@ -168,8 +176,10 @@ std::size_t bytesOfType(std::string_view type) {
 std::map<std::string, DeclaredAccess, std::less<>> declaredAccesses(std::string_view source) {
     const ActiveText active = activeText(source);
     const Tokens tokens = tokensOf(active.text);
+    const Tokens macroTokens = tokensOfMacros(active.macros);
     const std::vector<Statement> statements = statementsOf(tokens);
-    const auto reached = reachedNames(statements, tokensOfMacros(active.macros));
+    const Reach reach = reachOf(statements, macroTokens);
+    const auto changing = changingFunctions(statements);
     std::map<std::string, DeclaredAccess, std::less<>> out;
     for (const Statement& s : statements) {
         const bool isStorage = has(s.head, "buffer");
@@ -178,12 +188,21 @@ std::map<std::string, DeclaredAccess, std::less<>> declaredAccesses(std::string_
         }
         const bool isBlock = s.hasBraces;
         const std::string_view name = isBlock ? s.head.back() : declaredName(s.head);
-        const bool isImage = !isBlock && std::any_of(s.head.begin(), s.head.end(), [](std::string_view t) {
-            return t.starts_with("image") || t.starts_with("uimage") || t.starts_with("iimage");
-        });
-        out[std::string(name)] = {!has(s.head, "writeonly"),
-                                  (isStorage || isImage) && !has(s.head, "readonly"),
-                                  isBlock ? namesAMember(s, reached) : reached.contains(name)};
+        Tokens variables = isBlock ? memberNames(s) : Tokens{name};
+        DeclaredAccess access{!has(s.head, "writeonly"), false, false};
+        access.isUsed = std::any_of(variables.begin(), variables.end(),
+                                    [&](std::string_view v) { return reach.names.contains(v); });
+        const bool isInstance = std::any_of(s.tail.begin(), s.tail.end(), isName);
+        if (isInstance) { // which the members are named through
+            access.isUsed = reach.names.contains(s.tail.front());
+        }
+        if ((isStorage || std::any_of(s.head.begin(), s.head.end(), isImageType)) &&
+            !has(s.head, "readonly")) {
+            access.writes = isInstance || std::any_of(variables.begin(), variables.end(), [&](auto v) {
+                                return mayChange(v, reach, macroTokens, changing);
+                            });
+        }
+        out[std::string(name)] = access;
     }
     return out;
 }

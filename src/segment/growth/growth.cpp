@@ -81,7 +81,8 @@ std::vector<std::uint32_t> Growth::testSeeds(const std::vector<std::uint32_t>& v
         forbidden_.bindStorage(kForbiddenToSeedStorage);
     }
     test.set("count", int(voxels.size())).set("playhead", std::uint32_t(state_.playhead));
-    test.dispatchOverList(voxels.size(), gl::Barrier::Storage);
+    // Labels and sculpture, which this reads as textures, are written next, as images.
+    test.dispatchOverList(voxels.size(), gl::Barrier::All);
     return answers_.read<std::uint32_t>(voxels.size());
 }
 
@@ -366,7 +367,7 @@ void Growth::show(const gl::Buffer& plane, const gl::Buffer& reach, const std::v
     plane.bindStorage(kShownBitsStorage);
     reach.bindStorage(kReachStorage);
     show.set("playhead", std::uint32_t(state_.playhead)).set("wanted", wanted);
-    seedMap_.dispatchOverBricks(show, bricks, gl::Barrier::Storage);
+    seedMap_.dispatchOverBricks(show, bricks, gl::Barrier::All); // labels are images when growth goes on
 }
 
 std::vector<std::uint32_t> Growth::generations(bool upToPlayhead) const {

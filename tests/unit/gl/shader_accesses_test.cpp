@@ -49,6 +49,7 @@ layout(r8, binding = 2) uniform image2D both[2];
 #endif
 layout(std430, binding = 0) readonly buffer List { uint list[]; };
 layout(std430, binding = 1) buffer Counts { uint count; uint others[4]; };
+layout(std430, binding = 5) writeonly buffer Log { uint log[]; };
 layout(std430, binding = 2) buffer Idle { uint idle[]; };
 layout(std430, binding = 3) buffer ByMacro { uint byMacro[]; };
 layout(std430, binding = 4) buffer Named { uint it[]; } named;
@@ -59,7 +60,7 @@ void nothing() {}
 uint neverCalled() { return idle[0]; }
 uint deeper(uint i) { return others[i]; }
 uint called(uint i) { if (i > 2u) { return deeper(i); } return list[i] + named.it[0]; }
-void main() { imageStore(target, ivec3(0), vec4(called(1u)) + place); }
+void main() { log[1] = 2u; imageStore(target, ivec3(0), vec4(called(1u)) + place); }
 )";
 
 TEST(ShaderAccesses, QualifiersAndUsesAreFound) {
@@ -74,16 +75,49 @@ TEST(ShaderAccesses, QualifiersAndUsesAreFound) {
     expect("values", true, false, false);
     expect("target", false, true, true);
     expect("source", true, false, false);
+    expect("Log", false, true, true);
     expect("List", true, false, true);
-    expect("Counts", true, true, true); // by a function that another calls
-    expect("Idle", true, true, false);  // by a function that nobody calls
+    expect("Counts", true, false, true); // by a function that another calls
+    expect("Idle", true, false, false);  // by a function that nobody calls
     expect("ByMacro", true, true, true);
     expect("Named", true, true, true);
     expect("Block", true, false, true);
-    EXPECT_EQ(found.size(), 9U);
+    EXPECT_EQ(found.size(), 10U);
     const auto more = declaredAccesses("#define BOTH\n" + std::string(kShader));
     ASSERT_TRUE(more.contains("both"));
-    EXPECT_TRUE(more.find("both")->second.reads && more.find("both")->second.writes);
+    EXPECT_TRUE(more.find("both")->second.reads && !more.find("both")->second.isUsed);
+}
+
+// Whether the member `m` of a block, or the image `im`, counts as written by these statements of main().
+bool writes(const std::string& statements, const char* what = "B") {
+    const auto found = declaredAccesses("layout(r32ui, binding = 0) uniform uimage2D im;\n"
+                                        "layout(std430, binding = 0) buffer B { S m[]; uint other; };\n"
+                                        "void change(int a, inout uint b) { b = 1u; }\n"
+                                        "uint look(uint b) { return b; }\n"
+                                        "void through(uimage2D i) { }\n"
+                                        "void main() { " +
+                                        statements + " }\n");
+    return found.find(what)->second.writes;
+}
+
+TEST(ShaderAccesses, WhatIsOnlyReadIsToldFromWhatIsWritten) {
+    for (const char* text :
+         {"m[0] = 1u;", "m[i[2]].x.y += 1u;", "m[0]++;", "++m[0];", "m[0].x <<= 2;", "atomicAdd(m[0], 1u);",
+          "x = max(1u, atomicMax(m[f(2)].w, y));", "change(1, m[3]);", "change(1, other);", "other |= 4u;",
+          "if (a == b) { m[1].y = z; }", "atomicAdd((m[0]), 1u);"}) {
+        EXPECT_TRUE(writes(text)) << text;
+    }
+    for (const char* text :
+         {"x = m[0];", "x[m[0]] = 1u;", "if (m[0] == 1u) { x = 2u; }", "y = m[0] <= 3u;",
+          "y = m[0] >= 3u || m[1] != 2u;", "atomicAdd(x, m[0]);", "atomicAdd(x[m[0]], 1u);",
+          "y = look(m[0]);", "y = max(m[0], 1u) + m[1] * 2u - other;", "y = m[0] << 2;",
+          "y = uint[](m[0], 1u)[0];", "for (uint i = m[0]; i < m[1]; ++i) { x = i; }"}) {
+        EXPECT_FALSE(writes(text)) << text;
+    }
+    EXPECT_TRUE(writes("imageStore(im, ivec2(0), uvec4(1u));", "im"));
+    EXPECT_TRUE(writes("x = imageAtomicAdd(im, ivec2(0), 1u);", "im"));
+    EXPECT_TRUE(writes("through(im);", "im"));
+    EXPECT_FALSE(writes("x = imageLoad(im, ivec2(0)).x + uint(imageSize(im).x);", "im"));
 }
 
 TEST(ShaderAccesses, SharedMemoryIsCounted) {

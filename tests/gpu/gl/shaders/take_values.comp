@@ -3,9 +3,16 @@ layout(local_size_x = 1) in;
 #if FROM == 0
 layout(r32ui, binding = 0) uniform readonly uimage3D texels;
 uint taken() { return imageLoad(texels, ivec3(0)).x; }
+uint taken() { return imageLoad(texels, ivec3(0)).x; }
 #elif FROM == 6
 layout(r32ui, binding = 0) uniform uimage3D texels;
-uint taken() { return imageLoad(texels, ivec3(0)).x; }
+uniform int stores; // 0 in the tests, which a compiler does not know
+uint taken() {
+    if (stores != 0) {
+        imageStore(texels, ivec3(1), uvec4(1u));
+    }
+    return imageLoad(texels, ivec3(0)).x;
+}
 #elif FROM == 1
 layout(binding = 0) uniform usampler3D texels;
 uint taken() { return texelFetch(texels, ivec3(0), 0).x; }

@@ -3,7 +3,6 @@ layout(local_size_x = 1) in;
 #if FROM == 0
 layout(r32ui, binding = 0) uniform readonly uimage3D texels;
 uint taken() { return imageLoad(texels, ivec3(0)).x; }
-uint taken() { return imageLoad(texels, ivec3(0)).x; }
 #elif FROM == 6
 layout(r32ui, binding = 0) uniform uimage3D texels;
 uniform int stores; // 0 in the tests, which a compiler does not know

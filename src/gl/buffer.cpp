@@ -3,6 +3,8 @@
 
 #include "base/error.h"
 #include "gl/errors.h"
+#include "gl/hazard_watch.h"
+#include "gl/limits.h"
 
 #include <epoxy/gl.h>
 
@@ -13,11 +15,19 @@ namespace vs::gl {
 static_assert(std::is_nothrow_move_constructible_v<Buffer> && std::is_nothrow_move_assignable_v<Buffer>);
 
 namespace detail {
-void deleteBuffer(unsigned int name) { glDeleteBuffers(1, &name); }
+void deleteBuffer(unsigned int name) {
+    glDeleteBuffers(1, &name);
+    noteDeleted({true, name});
+}
 } // namespace detail
 
 Buffer::Buffer(std::size_t sizeBytes, const std::string& label, Reach reach)
     : size_(std::max<std::size_t>(sizeBytes, 4)), label_(label) {
+    if (const std::size_t limit = limits().storageBlockBytes; size_ > limit) {
+        throw GlError("{}: {} MiB are more than this device's limit of {} MiB for a storage block; use a "
+                      "smaller volume, as vstudio reduce makes, or another device",
+                      label, size_ >> 20, limit >> 20);
+    }
     GLuint name = 0;
     glCreateBuffers(1, &name);
     handle_ = Handle<detail::deleteBuffer>(name);
@@ -43,6 +53,9 @@ Buffer::Buffer(std::size_t sizeBytes, const std::string& label, Reach reach)
 void Buffer::write(std::span<const std::byte> bytes, std::size_t offset) {
     VS_CHECK(offset + bytes.size() <= size_);
     if (!bytes.empty()) {
+        // What shaders have written before must not come after it.
+        memoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+        noteBufferCommand("Buffer::write", name(), bytes.size() == size_ ? Does::Fill : Does::Write);
         glNamedBufferSubData(name(), GLintptr(offset), GLsizeiptr(bytes.size()), bytes.data());
     }
 }
@@ -53,7 +66,8 @@ void Buffer::read(std::span<std::byte> bytes, std::size_t offset) const {
         return;
     }
     // Shader writes must be visible to the copy.
-    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    memoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    noteBufferCommand("Buffer::read", name(), Does::Read);
     glGetNamedBufferSubData(name(), GLintptr(offset), GLsizeiptr(bytes.size()), bytes.data());
 }
 
@@ -63,16 +77,17 @@ std::span<std::byte> Buffer::shared() const {
 }
 
 void Buffer::waitForDevice() {
-    glMemoryBarrier(GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT);
+    memoryBarrier(GL_CLIENT_MAPPED_BUFFER_BARRIER_BIT);
     glFinish();
 }
 
 void Buffer::clear(std::size_t offset, std::size_t sizeBytes) {
     const GLuint zero = 0;
-    glMemoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
-    glClearNamedBufferSubData(name(), GL_R32UI, GLintptr(offset),
-                              GLsizeiptr(sizeBytes == 0 ? (size_ - offset) / 4 * 4 : sizeBytes),
-                              GL_RED_INTEGER, GL_UNSIGNED_INT, &zero);
+    const std::size_t cleared = sizeBytes == 0 ? (size_ - offset) / 4 * 4 : sizeBytes;
+    memoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
+    noteBufferCommand("Buffer::clear", name(), cleared == size_ ? Does::Fill : Does::Write);
+    glClearNamedBufferSubData(name(), GL_R32UI, GLintptr(offset), GLsizeiptr(cleared), GL_RED_INTEGER,
+                              GL_UNSIGNED_INT, &zero);
 }
 
 void Buffer::reserve(std::size_t sizeBytes) {

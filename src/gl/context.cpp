@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "base/log.h"
 #include "gl/errors.h"
+#include "gl/hazard_watch.h"
 
 #include <epoxy/egl.h>
 #include <epoxy/gl.h>
@@ -65,8 +66,17 @@ void GLAPIENTRY onMessage(GLenum source, GLenum type, GLuint, GLenum, GLsizei, c
     }
 }
 
+void watchIn(ErrorCount& count) {
+    if (!count.hazards) {
+        count.hazards = std::make_unique<HazardChecker>(makeHazardChecker());
+    }
+}
+
 void listenForErrors(ErrorCount& count) {
     countErrorsIn(&count);
+    if (const char* asked = std::getenv("VOLUME_STUDIO_HAZARDS"); asked != nullptr && *asked == '1') {
+        watchIn(count);
+    }
     glEnable(GL_DEBUG_OUTPUT);
     glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
     glDebugMessageCallback(onMessage, &count);
@@ -232,7 +242,17 @@ int Context::errorCount() const {
     return impl_->errors.total();
 }
 
+void Context::watchHazards() { watchIn(impl_->errors); }
+
+std::vector<std::string> Context::takeHazards() {
+    return impl_->errors.hazards ? impl_->errors.hazards->take() : std::vector<std::string>();
+}
+
 void Context::requireNoErrors() const {
+    if (impl_->errors.hazards && impl_->errors.hazards->count() > 0) {
+        throw GlError("{} hazards were found, so the result cannot be relied on; the first: {}",
+                      impl_->errors.hazards->count(), impl_->errors.hazards->first());
+    }
     if (const int count = errorCount(); count > 0) {
         throw GlError("{} reported {} OpenGL errors, so the result cannot be relied on; update the graphics "
                       "driver or choose another device with VOLUME_STUDIO_DEVICE=N",

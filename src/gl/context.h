@@ -39,7 +39,13 @@ public:
     // The number of GL errors that the driver has reported, or kept for whoever asks, since the context was
     // made.
     [[nodiscard]] int errorCount() const;
-    // Throws GlError if there were GL errors: what was computed cannot be relied on.
+    // From now on finds barriers that are missing between what shaders write and what comes after
+    // (gl/hazards.h): each hazard is logged, and counts as an error. With VOLUME_STUDIO_HAZARDS=1 every
+    // context does so from its beginning.
+    void watchHazards();
+    // Gives away the texts of the hazards found so far, which count no more.
+    [[nodiscard]] std::vector<std::string> takeHazards();
+    // Throws GlError if there were GL errors or hazards: what was computed cannot be relied on.
     void requireNoErrors() const;
     // Throws ContextLost if the driver was reset since the current context was made, now and whenever it is
     // asked: what was computed, and what is on the device, cannot be relied on.

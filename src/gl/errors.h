@@ -1,21 +1,26 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "gl/hazards.h"
+
 #include <functional>
+#include <memory>
 #include <string_view>
 
 // How driver errors are counted. Internal to this folder; others ask Context::errorCount().
 namespace vs::gl {
 
 // Errors of one context. Drivers report them as debug messages; some keep silent in a context that was not
-// made for debugging, so what glGetError holds counts as well, where no message told of it.
+// made for debugging, so what glGetError holds counts as well, where no message told of it. A hazard counts
+// as an error too: on some device the result is another one.
 struct ErrorCount {
-    int messages = 0;    // told by the driver
-    int silent = 0;      // found by glGetError alone
-    int seen = 0;        // messages when glGetError was last asked
-    bool isLost = false; // the context: the driver tells that once
+    int messages = 0;                       // told by the driver
+    int silent = 0;                         // found by glGetError alone
+    int seen = 0;                           // messages when glGetError was last asked
+    bool isLost = false;                    // the context: the driver tells that once
+    std::unique_ptr<HazardChecker> hazards; // while they are watched
 
-    [[nodiscard]] int total() const { return messages + silent; }
+    [[nodiscard]] int total() const { return messages + silent + (hazards ? hazards->count() : 0); }
 };
 
 // Counts for the context that this thread works with from now on; null for none.

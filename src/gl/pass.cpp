@@ -3,6 +3,8 @@
 
 #include <epoxy/gl.h>
 
+#include <utility>
+
 namespace vs::gl {
 
 namespace {
@@ -17,6 +19,8 @@ Timing& timing() {
     return table;
 }
 
+thread_local Pass* innermost = nullptr;
+
 // Nanoseconds, once the device has come there.
 GLint64 stampOf(unsigned query) {
     GLint64 nanoseconds = 0;
@@ -26,7 +30,7 @@ GLint64 stampOf(unsigned query) {
 
 } // namespace
 
-Pass::Pass(const char* name) : name_(name) {
+Pass::Pass(const char* name) : name_(name), outer_(std::exchange(innermost, this)) {
     glPushDebugGroup(GL_DEBUG_SOURCE_APPLICATION, 0, -1, name);
     if (timing().enabled) {
         glFinish();
@@ -47,6 +51,15 @@ Pass::~Pass() {
         glDeleteQueries(int(stamps_.size()), stamps_.data());
     }
     glPopDebugGroup();
+    innermost = outer_;
+}
+
+std::string Pass::openNames() {
+    std::string names;
+    for (const Pass* pass = innermost; pass != nullptr; pass = pass->outer_) {
+        names = names.empty() ? pass->name_ : std::string(pass->name_) + ": " + names;
+    }
+    return names;
 }
 
 void Pass::enableTiming(bool enabled) { timing().enabled = enabled; }

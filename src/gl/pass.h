@@ -27,12 +27,16 @@ public:
     Pass(const Pass&) = delete;
     Pass& operator=(const Pass&) = delete;
 
+    // The names of the passes that are open on this thread, from the outermost on, or nothing.
+    static std::string openNames();
+
     static void enableTiming(bool enabled);
     static const std::map<std::string, PassTimes>& times();
     static void resetTimes();
 
 private:
     const char* name_;
+    Pass* outer_; // the pass that this one lies in
     Timer timer_;
     std::array<unsigned, 2> stamps_{}; // timer queries at both ends, while timing is on
 };

@@ -2,6 +2,7 @@
 #include "gl/program.h"
 
 #include "base/error.h"
+#include "gl/hazard_watch.h"
 #include "gl/shader_reload.h"
 
 #include <epoxy/gl.h>
@@ -33,15 +34,15 @@ void addBarrier(Barrier after) {
     case Barrier::None:
         return;
     case Barrier::Image:
-        return glMemoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+        return memoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     case Barrier::Texture:
-        return glMemoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+        return memoryBarrier(GL_TEXTURE_FETCH_BARRIER_BIT | GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
     case Barrier::Storage:
-        return glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
+        return memoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_BUFFER_UPDATE_BARRIER_BIT);
     case Barrier::Indirect:
-        return glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
+        return memoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT | GL_COMMAND_BARRIER_BIT);
     case Barrier::All:
-        return glMemoryBarrier(GL_ALL_BARRIER_BITS);
+        return memoryBarrier(GL_ALL_BARRIER_BITS);
     }
 }
 
@@ -62,6 +63,9 @@ Program::Program(const std::string& path, const Defines& defines)
     glObjectLabel(GL_PROGRAM, program, -1, path.c_str());
     glGetProgramiv(program, GL_COMPUTE_WORK_GROUP_SIZE, glm::value_ptr(localSize_));
     uniforms_ = readUniforms(program, source.text);
+    if (hazards() != nullptr) {
+        accesses_ = std::make_shared<const ProgramAccesses>(readAccesses(program, source.text));
+    }
 }
 
 // Comes before everything that the program is used for.
@@ -80,6 +84,18 @@ void Program::reload() {
     } catch (const GlError& error) {
         tellShaderFault(error.what());
     }
+}
+
+// What the next dispatch accesses, for whoever watches; `arguments` is the buffer of an indirect one, or 0.
+void Program::tellHazards(unsigned int arguments) {
+    if (hazards() == nullptr) {
+        return;
+    }
+    if (!accesses_) { // hazards were not watched yet when the program was made
+        accesses_ =
+            std::make_shared<const ProgramAccesses>(readAccesses(name(), expandSource(path_, defines_).text));
+    }
+    noteDispatch(path_, *accesses_, arguments);
 }
 
 Program::Place Program::find(std::string_view uniform, unsigned int type) {
@@ -156,6 +172,7 @@ Program& Program::set(std::string_view uniform, std::span<const glm::vec4> value
 void Program::dispatch(glm::ivec3 groups, Barrier after) {
     if (groups.x > 0 && groups.y > 0 && groups.z > 0) {
         use();
+        tellHazards(0);
         glUseProgram(name());
         glDispatchCompute(GLuint(groups.x), GLuint(groups.y), GLuint(groups.z));
         addBarrier(after);
@@ -179,6 +196,7 @@ void Program::dispatchOverList(std::size_t items, Barrier after) {
 
 void Program::dispatchIndirect(const Buffer& arguments, std::size_t offset, Barrier after) {
     use();
+    tellHazards(arguments.name());
     glUseProgram(name());
     glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, arguments.name());
     glDispatchComputeIndirect(GLintptr(offset));

@@ -8,11 +8,15 @@
 #include "gl/uniforms.h"
 
 #include <map>
+#include <memory>
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 namespace vs::gl {
+
+struct ProgramAccess;
 
 namespace detail {
 void deleteProgram(unsigned int name);
@@ -71,6 +75,7 @@ private:
     [[nodiscard]] Place find(std::string_view uniform, unsigned int type);
     void use();
     void reload();
+    void tellHazards(unsigned int arguments);
 
     Handle<detail::deleteProgram> handle_;
     std::string path_;
@@ -78,6 +83,7 @@ private:
     int generation_ = 0; // of shaders
     Uniforms uniforms_;
     glm::ivec3 localSize_{1};
+    std::shared_ptr<const std::vector<ProgramAccess>> accesses_; // while hazards are watched
 };
 
 // One shader compiled for each set of defines when that is first needed.

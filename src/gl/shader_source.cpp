@@ -4,9 +4,9 @@
 #include "base/error.h"
 #include "base/lines.h"
 #include "gl/embedded_shaders.h"
+#include "gl/shader_text.h"
 
 #include <algorithm>
-#include <cctype>
 #include <cstdlib>
 #include <fstream>
 #include <regex>
@@ -86,32 +86,6 @@ ExpandedSource expandSource(const std::string& path, const Defines& defines, con
     appendFile(path, "", lookup, out);
     return out;
 }
-
-namespace {
-
-// Each comment becomes a space, as in the language itself.
-std::string withoutComments(std::string_view source) {
-    std::string out;
-    while (!source.empty()) {
-        std::size_t taken = 1;
-        if (source.starts_with("//")) {
-            taken = std::min(source.find('\n'), source.size());
-            out += ' ';
-        } else if (source.starts_with("/*")) {
-            const auto end = source.find("*/", 2);
-            taken = end == source.npos ? source.size() : end + 2;
-            out += ' ';
-        } else {
-            out += source.front();
-        }
-        source.remove_prefix(taken);
-    }
-    return out;
-}
-
-bool isOfName(char c) { return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_'; }
-
-} // namespace
 
 std::vector<std::string> declaredUniforms(std::string_view source) {
     constexpr std::string_view kWord = "uniform";

@@ -4,6 +4,8 @@
 #include "base/check.h"
 #include "base/error.h"
 #include "gl/errors.h"
+#include "gl/hazard_watch.h"
+#include "gl/limits.h"
 
 #include <epoxy/gl.h>
 
@@ -12,7 +14,10 @@ namespace vs::gl {
 static_assert(std::is_nothrow_move_constructible_v<Texture> && std::is_nothrow_move_assignable_v<Texture>);
 
 namespace detail {
-void deleteTexture(unsigned int name) { glDeleteTextures(1, &name); }
+void deleteTexture(unsigned int name) {
+    glDeleteTextures(1, &name);
+    noteDeleted({false, name});
+}
 } // namespace detail
 
 namespace {
@@ -102,8 +107,7 @@ Texture Texture::pyramid(glm::ivec3 size, Format format, int levels, const std::
 }
 
 void Texture::create(const std::string& label, Filter filter) {
-    GLint limit = 0;
-    glGetIntegerv(is3D_ ? GL_MAX_3D_TEXTURE_SIZE : GL_MAX_TEXTURE_SIZE, &limit);
+    const int limit = is3D_ ? limits().texture3D : limits().texture2D;
     const char* remedy =
         is3D_ ? "use a smaller volume, as vstudio reduce makes, or another device" : "use a smaller picture";
     if (std::max({size_.x, size_.y, size_.z}) > limit) {
@@ -143,7 +147,8 @@ void Texture::upload(const Box3& box, std::span<const std::byte> texels) {
     const FormatInfo f = info(format_);
     const glm::ivec3 s = box.size();
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
-    glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+    memoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+    noteTextureCommand("Texture::upload", name(), Does::Write);
     if (is3D_) {
         glTextureSubImage3D(name(), 0, box.lo.x, box.lo.y, box.lo.z, s.x, s.y, s.z, f.layout, f.type,
                             texels.data());
@@ -161,7 +166,8 @@ std::vector<std::byte> Texture::download(const Box3& box, int level) const {
     }
     glPixelStorei(GL_PACK_ALIGNMENT, 1);
     // Image stores must be visible to the read-back.
-    glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+    memoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+    noteTextureCommand("Texture::download", name(), Does::Read);
     glGetTextureSubImage(name(), level, box.lo.x, box.lo.y, box.lo.z, s.x, s.y, s.z, f.layout, f.type,
                          GLsizei(texels.size()), texels.data());
     return texels;
@@ -171,14 +177,17 @@ void Texture::copyFrom(const Texture& source, const Box3& sourceBox, glm::ivec3 
     VS_CHECK(format_ == source.format_);
     const glm::ivec3 s = sourceBox.size();
     const GLenum target = is3D_ ? GL_TEXTURE_3D : GL_TEXTURE_2D;
-    glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+    memoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+    noteTextureCommand("Texture::copyFrom", source.name(), Does::CopyFrom);
+    noteTextureCommand("Texture::copyFrom", name(), Does::Write);
     glCopyImageSubData(source.name(), target, 0, sourceBox.lo.x, sourceBox.lo.y, sourceBox.lo.z, name(),
                        target, 0, destination.x, destination.y, destination.z, s.x, s.y, s.z);
 }
 
 void Texture::clear() {
     const FormatInfo f = info(format_);
-    glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+    memoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+    noteTextureCommand("Texture::clear", name(), Does::Fill);
     for (int level = 0; level < levels_; ++level) {
         glClearTexImage(name(), level, f.layout, f.type, nullptr);
     }
@@ -188,7 +197,8 @@ void Texture::clear(const Box3& box) {
     const FormatInfo f = info(format_);
     const glm::ivec3 s = box.size();
     if (!box.isEmpty()) {
-        glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+        memoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+        noteTextureCommand("Texture::clear", name(), Does::Write);
         glClearTexSubImage(name(), 0, box.lo.x, box.lo.y, box.lo.z, s.x, s.y, s.z, f.layout, f.type, nullptr);
     }
 }
@@ -199,7 +209,8 @@ void Texture::clear(const Box3& box, unsigned int value) {
     VS_CHECK(format_ == Format::R8UI || format_ == Format::R16UI || format_ == Format::R32UI);
     const glm::ivec3 s = box.size();
     if (!box.isEmpty()) {
-        glMemoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+        memoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
+        noteTextureCommand("Texture::clear", name(), Does::Write);
         glClearTexSubImage(name(), 0, box.lo.x, box.lo.y, box.lo.z, s.x, s.y, s.z, GL_RED_INTEGER,
                            GL_UNSIGNED_INT, &value);
     }

@@ -8,6 +8,7 @@
 
 #include <cstdlib>
 #include <memory>
+#include <string>
 
 namespace vs::test {
 
@@ -17,7 +18,8 @@ inline bool isDeviceRequired() {
 }
 
 // Fixture of every test that needs a device: one headless context for the process, and after each test no GL
-// error. Without a device the test skips; where one is required that is a failure.
+// error, and no barrier that was missing (gl/hazards.h). Without a device the test skips; where one is
+// required that is a failure.
 class GlTest : public ::testing::Test {
 protected:
     void SetUp() override {
@@ -31,6 +33,9 @@ protected:
     }
     void TearDown() override {
         if (context()) {
+            for (const std::string& hazard : context()->takeHazards()) {
+                ADD_FAILURE() << "hazard: " << hazard;
+            }
             EXPECT_EQ(context()->errorCount(), errorsBefore_) << "the test caused GL errors";
         }
     }
@@ -38,7 +43,9 @@ protected:
     static gl::Context* context() {
         static const std::unique_ptr<gl::Context> shared = [] {
             try {
-                return std::make_unique<gl::Context>(gl::Context::createHeadless());
+                auto made = std::make_unique<gl::Context>(gl::Context::createHeadless());
+                made->watchHazards();
+                return made;
             } catch (const Error&) {
                 return std::unique_ptr<gl::Context>();
             }

@@ -59,7 +59,8 @@ field::SurfacePoints Picker::pick(const Frame& frame, std::span<const glm::vec2>
     positions_.bindStorage(kPositionsStorage);
     out.points.bindStorage(kPointsStorage);
     program.set("count", int(positions.size()));
-    program.dispatchOverList(positions.size(), gl::Barrier::Storage);
+    // Read at once; and what was looked at as textures may be cut next.
+    program.dispatchOverList(positions.size(), gl::Barrier::All);
     return out;
 }
 

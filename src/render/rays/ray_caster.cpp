@@ -172,6 +172,7 @@ bool RayCaster::hasFilm() const {
     return isSeenAgainstFilm && glm::any(glm::greaterThan(brightest, Background{}.bottom));
 }
 
+// Samples of one place follow each other in the accumulated picture (an image) and its contrasts (storage).
 void RayCaster::fillFilm() {
     const gl::Pass pass("fill film");
     bindPart(parts_.back());
@@ -182,7 +183,7 @@ void RayCaster::fillFilm() {
         .set("addToPrevious", sample_ > 0 ? 1 : 0)
         .set("backgroundTop", glm::vec4(frame_.background.top, 0.0F))
         .set("backgroundBottom", glm::vec4(frame_.background.bottom, 0.0F));
-    fillFilm_.dispatch(SquareLists::groupsFor(empty), gl::Barrier::Image);
+    fillFilm_.dispatch(SquareLists::groupsFor(empty), gl::Barrier::All);
 }
 
 // What is the same for all parts.
@@ -240,7 +241,7 @@ void RayCaster::castSquares(const Part& part, int count) {
     if (part.pulled) {
         program.set("pulled", *part.pulled);
     }
-    program.dispatch(SquareLists::groupsFor(count), gl::Barrier::Image);
+    program.dispatch(SquareLists::groupsFor(count), gl::Barrier::All);
 }
 
 gl::Program& RayCaster::showParts(bool clears) {
@@ -257,7 +258,7 @@ void RayCaster::clearSeen() {
     const int count = squares_.active();
     gl::Program& program = showParts(true);
     setSample(program, count);
-    program.dispatch(SquareLists::groupsFor(count), gl::Barrier::Image);
+    program.dispatch(SquareLists::groupsFor(count), gl::Barrier::All);
 }
 
 void RayCaster::showSeen(int count) {
@@ -265,7 +266,7 @@ void RayCaster::showSeen(int count) {
     gl::Program& program = showParts(false);
     setPicture(program);
     setSample(program, count);
-    program.dispatch(SquareLists::groupsFor(count), gl::Barrier::Image);
+    program.dispatch(SquareLists::groupsFor(count), gl::Barrier::All);
 }
 
 int RayCaster::squaresOfStage(std::size_t stage) const {

@@ -18,7 +18,9 @@ constexpr int kSquare = 8; // pixels; a work group's
 
 SquareLists::SquareLists()
     : mark_("render/shaders/mark_squares.comp"), list_("render/shaders/list_squares.comp"),
-      counts_(2 * sizeof(std::uint32_t), "square counts") {}
+      marks_(4, "marks of squares"), squares_(4, "squares"), places_(4, "places of squares"),
+      counts_(2 * sizeof(std::uint32_t), "square counts"), contrasts_(4, "contrasts of squares"),
+      unsettled_(4, "unsettled squares") {}
 
 std::size_t SquareLists::bytes() const { return std::size_t(all()) * sizeof(std::uint32_t); }
 
@@ -71,7 +73,9 @@ void SquareLists::setSettledAside() {
 
 void SquareLists::listPart(const gl::Texture& beams, int beamPixels, PartSquares& part) {
     const gl::Pass pass("list squares of a part");
-    part.list.reserve(bytes());
+    if (part.list.size() < bytes()) {
+        part.list = gl::Buffer(bytes(), "squares of a part");
+    }
     beams.bindTexture(kBeamsTexture);
     part.list.bindStorage(kSquaresStorage);
     places_.bindStorage(kPlacesStorage);

@@ -117,7 +117,7 @@ void Macrocells::rebuild(const Input& input) {
     }
     distances_.bindImage(kDistancesImage, gl::Access::Write);
     countSteps_.set("cells", cells).set("far", kFar);
-    countSteps_.dispatchOver(blocks, gl::Barrier::Texture);
+    countSteps_.dispatchOver(blocks, gl::Barrier::All); // the planes are storage again when cells are rebuilt
     version_ = nextVersion();
 }
 

@@ -177,7 +177,8 @@ void Radiator::convolve(int axis, const gl::Texture& from, const gl::Texture& to
     program.set("tileDims", tileDims_)
         .set("keepsDeposits", running_ ? 1 : 0)
         .set("taps", std::span(shape.taps).first(std::size_t(shape.reach) + 1));
-    program.dispatchIndirect(lists_[std::size_t(axis)], 0, gl::Barrier::Texture);
+    // The lists and stages, which this reads, are written anew by the next round.
+    program.dispatchIndirect(lists_[std::size_t(axis)], 0, gl::Barrier::All);
 }
 
 Box3 Radiator::finish() {

@@ -98,7 +98,8 @@ Box3 Sculpture::combine(const Radiator& radiation, Combine how, Base base, const
             .set("dims", dims())
             .set("isRestore", how == Combine::Restore ? 1 : 0)
             .set("base", int(base));
-        program.dispatchIndirect(radiation.tileArguments(), 0, gl::Barrier::Texture);
+        // The list of tiles is written again by the next round of radiation.
+        program.dispatchIndirect(radiation.tileArguments(), 0, gl::Barrier::All);
     }
     // A cut only adds: what was not empty stays so.
     const bool staysNonEmpty = how == Combine::Cut && base == Base::Itself && isEmpty_ == false;
@@ -122,7 +123,8 @@ void Sculpture::summarizeTiles(const Radiator& radiation, const Box3& box) {
         .set("cellHi", cells.hi)
         .set("originTile", radiation.originVoxel() / kTile)
         .set("tileDims", radiation.tileDims());
-    summarize_.dispatchOver(cells.size(), gl::Barrier::Texture);
+    // The stages, which this reads, are written by the next round.
+    summarize_.dispatchOver(cells.size(), gl::Barrier::All);
 }
 
 std::uint64_t Sculpture::changedVoxels() const { return changed_.readValue<std::uint32_t>(); }

@@ -51,7 +51,7 @@ Box3 IslandCutter::cut(Sculpture& sculpture, const field::Scene& scene, const gl
         gl::Program& program = cut_.with(sculpture.defines());
         sculpture.bindLimits(program);
         program.set("words", words).set("dims", dims);
-        program.dispatchOver(words, gl::Barrier::Texture);
+        program.dispatchOver(words, gl::Barrier::All); // islands, read here, are packed again next time
     }
     sculpture.refresh(box);
     return box;

@@ -38,7 +38,7 @@ std::vector<float> RestoreReach::measure(const field::Scene& scene,
     directions_.bindStorage(kWaysStorage);
     reach_.bindStorage(kReachStorage);
     program_.set("count", int(points.size())).set("radius", float(radius));
-    program_.dispatchOverList(points.size(), gl::Barrier::Storage);
+    program_.dispatchOverList(points.size(), gl::Barrier::All); // the sculpture that this reads changes next
     return reach_.read<float>(points.size());
 }
 

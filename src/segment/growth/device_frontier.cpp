@@ -65,7 +65,8 @@ std::vector<Frontier::SeedAnswer> DeviceFrontier::testSeeds(SeedMap& seedMap, co
         rules.forbidden->bindStorage(kForbiddenToSeedStorage);
     }
     test.set("count", int(voxels.size())).set("playhead", std::uint32_t(playhead));
-    test.dispatchOverList(voxels.size(), gl::Barrier::Storage);
+    // Labels and sculpture, which this reads as textures, are written next, as images.
+    test.dispatchOverList(voxels.size(), gl::Barrier::All);
     return answers_.read<SeedAnswer>(voxels.size()); // numbered as in shaders/test_seeds.comp
 }
 
@@ -168,10 +169,11 @@ std::vector<std::uint64_t> DeviceFrontier::run(const SeedMap& seedMap, gl::Progr
                                                gl::Defines noteDefines, int generation, int expansions) {
     gl::Program& note = note_.with(definesFor(constraints.connectivity, std::move(noteDefines)));
     note.set("dims", seedMap.dims()).set("brickDims", seedMap.bricks().brickDims());
-    seedMap.bricks().onDevice().bindStorage(kBrickNumbersStorage);
     newest_.bindTexture(kNewestTexelsTexture);
     for (int i = 0; i < expansions; ++i) {
         const int next = 1 - now_;
+        // A device need not have a ninth binding, so what is allowed and the numbers of bricks share one.
+        allowed_.buffer().bindStorage(kAllowedStorage);
         if (allow != nullptr) {
             prepareToNote(*allow, i + 1, next, stamp_);
             allow->set("expansionIndex", i);
@@ -186,6 +188,7 @@ std::vector<std::uint64_t> DeviceFrontier::run(const SeedMap& seedMap, gl::Progr
             .set("nextAt", planeStart(next))
             .set("isBefore", newestIsLast_ ? 1 : 0);
         program.dispatchIndirect(expansions_, std::size_t(i) * sizeof(Expansion), gl::Barrier::Storage);
+        seedMap.bricks().onDevice().bindStorage(kBrickNumbersStorage);
         prepareToNote(note, i + 1, next, stamp_);
         const bool clears = newestIsRegion_;
         note.set("expansionIndex", i)

@@ -351,7 +351,7 @@ void Growth::show(const gl::Buffer& plane, const gl::Buffer& reach, const std::v
     plane.bindStorage(kShownBitsStorage);
     reach.bindStorage(kReachStorage);
     show.set("playhead", std::uint32_t(state_.playhead)).set("wanted", wanted);
-    seedMap_.dispatchOverBricks(show, bricks, gl::Barrier::Storage);
+    seedMap_.dispatchOverBricks(show, bricks, gl::Barrier::All); // labels are images when growth goes on
 }
 
 std::vector<std::uint32_t> Growth::generations(bool upToPlayhead) const {

@@ -103,7 +103,8 @@ void RegionPasses::planeOf(SeedMap& seedMap, const Owner& owner, int last, const
     seedMap.bindOwner(program, owner);
     plane.bindStorage(kMadePlaneStorage);
     program.set("last", std::uint32_t(last));
-    seedMap.dispatchOverBricks(program, bricks, gl::Barrier::Storage);
+    // A plane is storage, or the texels of a region that is flooded.
+    seedMap.dispatchOverBricks(program, bricks, gl::Barrier::All);
 }
 
 void RegionPasses::setBits(SeedMap& seedMap, const gl::Buffer& plane, std::span<const std::uint32_t> voxels,
@@ -113,7 +114,7 @@ void RegionPasses::setBits(SeedMap& seedMap, const gl::Buffer& plane, std::span<
     seedMap.bindList(voxels);
     plane.bindStorage(kMadePlaneStorage);
     program.set("count", int(voxels.size())).set("isToSet", isToSet ? 1 : 0);
-    program.dispatchOverList(voxels.size(), gl::Barrier::Storage);
+    program.dispatchOverList(voxels.size(), gl::Barrier::All);
 }
 
 void RegionPasses::join(SeedMap& seedMap, const gl::Buffer& plane, const gl::Buffer& added) {
@@ -122,7 +123,7 @@ void RegionPasses::join(SeedMap& seedMap, const gl::Buffer& plane, const gl::Buf
     added.bindStorage(kAddedStorage);
     plane.bindStorage(kMadePlaneStorage);
     program.set("count", int(words));
-    program.dispatchOverList(words, gl::Barrier::Storage);
+    program.dispatchOverList(words, gl::Barrier::All);
 }
 
 } // namespace vs::segment

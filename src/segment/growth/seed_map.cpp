@@ -115,7 +115,7 @@ void SeedMap::storeOnHost(std::span<const std::uint32_t> voxels, int generation)
 void SeedMap::writeLabels(std::span<const std::uint32_t> bricks, const Owner& owner) {
     bind(writeLabels_);
     bindOwner(writeLabels_, owner);
-    dispatchOverBricks(writeLabels_, bricks, gl::Barrier::Texture);
+    dispatchOverBricks(writeLabels_, bricks, gl::Barrier::All); // grown voxels, read here, change next
 }
 
 std::vector<std::byte> SeedMap::saveBrick(std::uint32_t brick) const {

@@ -31,7 +31,7 @@ std::vector<glm::ivec3> SeedFinder::find(const field::SurfacePoints& points, con
     program.set("count", int(count))
         .set("tableMask", std::uint32_t(slots - 1))
         .set("worldFromVoxel", glm::mat4(field.geometry.worldFromVoxel));
-    program.dispatchOverList(count, gl::Barrier::Storage);
+    program.dispatchOverList(count, gl::Barrier::All); // the sculpture that this reads may be cut next
 
     auto voxels = found_.read<std::uint32_t>(found_.readValue<std::uint32_t>(), sizeof(std::uint32_t));
     std::sort(voxels.begin(), voxels.end());

@@ -117,7 +117,7 @@ std::vector<std::uint32_t> Continuation::takeFence(const BrickTable& table, cons
     answers_.bindStorage(kAnswersStorage);
     bindFence(findFences_, fence);
     findFences_.set("brickDims", table.brickDims()).set("count", int(listed.size()));
-    findFences_.dispatchOverList(listed.size(), gl::Barrier::Storage);
+    findFences_.dispatchOverList(listed.size(), gl::Barrier::All); // the sculpture may be cut next
     const auto answers = answers_.read<std::uint32_t>(listed.size());
     std::vector<std::uint32_t> affected;
     for (std::size_t i = 0; i < listed.size(); ++i) {
@@ -194,7 +194,7 @@ void Continuation::run(const Growth& growth, const Fence& fence, const gl::Buffe
         program.set("firstBrick", int(first));
         program.dispatch(
             {groupsPerBrick, int(std::min<std::size_t>(gl::kMaxGroups, bricks.size() - first)), 1},
-            gl::Barrier::Storage);
+            gl::Barrier::All); // labels and sculpture, which this reads, are written as images
     }
 }
 

@@ -143,7 +143,8 @@ void Segmentation::smooth(int channel, std::uint32_t first, std::uint32_t count,
     packRows.dispatchOver({kPadded * kPadded, int(count), 1}, gl::Barrier::Storage);
     smoothXY_.dispatchOver({kPadded * kTile, int(count), 1}, gl::Barrier::Storage);
     (what.isApart ? apart_->texels() : texels_).bindImage(kSegmentationImage, gl::Access::ReadWrite);
-    smoothZ.dispatchOver({kTile * kTile, int(count), 1}, gl::Barrier::Texture);
+    // The image is read as a texture; the rows are written again for the next tiles.
+    smoothZ.dispatchOver({kTile * kTile, int(count), 1}, gl::Barrier::All);
 }
 
 // The same without smoothing.
@@ -163,7 +164,7 @@ void Segmentation::writePlain(int channel, std::uint32_t first, std::uint32_t co
     } else if (channels_.size() > 1) {
         writePlain.set("channel", channel);
     }
-    writePlain.dispatchOver({kTile * kTile, int(count), 1}, gl::Barrier::Texture);
+    writePlain.dispatchOver({kTile * kTile, int(count), 1}, gl::Barrier::All); // what is shown changes next
 }
 
 void Segmentation::write(int channel, const std::vector<std::uint32_t>& tiles, Smoothing smoothing) {

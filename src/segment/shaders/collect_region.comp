@@ -1,7 +1,7 @@
 // After the rules have changed, or the newest generations were erased: all grown voxels of the segment at
 // work, other than frozen ones, become the newest, and the tiles are listed in which something next to them
-// may join. One group a brick, an invocation a tile. In: texture 3 labels, 6 grown; storage 3 and 4
-// generations, 7 brick numbers, 8 first and last generation of each brick. Out: storage 2 newest, 5
+// may join. One group a brick, an invocation a tile. In: texture 3 labels, 6 grown; storage 1 first
+// and last generation of each brick, 3 and 4 generations, 7 brick numbers. Out: storage 2 newest, 5
 // expansions[0], 6 work.
 #include "segment/shaders/words.glsl"
 #include "segment/shaders/generations.glsl"

@@ -1,6 +1,6 @@
 // After an expansion: counts what has joined, and notes which tiles the next one has to look at. One
-// invocation a tile that was at work. In and out: storage 5 expansions, 6 work, 8 first and last generation
-// of each brick.
+// invocation a tile that was at work. In and out: storage 1 first and last generation of each brick, 5
+// expansions, 6 work.
 #include "segment/shaders/words.glsl"
 #include "segment/shaders/active_tiles.glsl"
 

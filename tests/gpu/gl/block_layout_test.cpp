@@ -2,6 +2,7 @@
 #include "field/scene.h"
 #include "gl/embedded_shaders.h"
 #include "gl/program.h"
+#include "gpu/gl/variants.h"
 #include "gpu/gl_test.h"
 #include "render/colours/classification.h"
 #include "render/rays/occlusion.h"
@@ -15,7 +16,6 @@
 #include <map>
 #include <regex>
 #include <set>
-#include <sstream>
 
 namespace vs::gl {
 namespace {
@@ -137,44 +137,6 @@ std::vector<std::string> differences(const BlockLayout& layout, const DriverBloc
     return out;
 }
 
-std::vector<std::string> split(const std::string& text, char separator) {
-    std::vector<std::string> parts;
-    std::istringstream in(text);
-    for (std::string part; std::getline(in, part, separator);) {
-        parts.push_back(part);
-    }
-    return parts;
-}
-
-// The sets of defines that a shader's "// variants:" line names, or one without any.
-std::vector<Defines> variantsOf(const std::string& source) {
-    constexpr std::string_view kBegin = "// variants:";
-    const auto begin = source.find(kBegin);
-    if (begin == source.npos) {
-        return {Defines{}};
-    }
-    const auto at = begin + kBegin.size();
-    std::vector<Defines> variants;
-    for (const std::string& set : split(source.substr(at, source.find('\n', at) - at), ';')) {
-        Defines& defines = variants.emplace_back();
-        std::istringstream words(set);
-        for (std::string word; words >> word;) {
-            const auto equals = word.find('=');
-            defines.emplace_back(word.substr(0, equals), word.substr(equals + 1));
-        }
-    }
-    return variants;
-}
-
-// A name for failures.
-std::string textOf(const std::string& path, const Defines& defines) {
-    std::string text = path;
-    for (const auto& [name, value] : defines) {
-        text.append(" ").append(name).append("=").append(value);
-    }
-    return text;
-}
-
 const std::regex kBlock(R"(uniform\s+(\w+)\s*\{)");
 
 // The names of blocks that shader files declare, whether programs have them or not.
@@ -196,11 +158,11 @@ TEST_F(BlockLayoutTest, EveryBlockOfEveryProgramIsAsItsStruct) {
         if (!path.ends_with(".comp")) {
             continue;
         }
-        for (const Defines& defines : variantsOf(findShader(path).value())) {
+        for (const Defines& defines : test::variantsOf(findShader(path).value())) {
             if (!std::regex_search(expandSource(path, defines).text, kBlock)) {
                 continue;
             }
-            SCOPED_TRACE(textOf(path, defines));
+            SCOPED_TRACE(test::textOf(path, defines));
             for (const auto& [name, block] : blocksOf(Program(path, defines))) {
                 ASSERT_TRUE(kLayouts.contains(name)) << name << " has no BlockLayout in this test";
                 EXPECT_EQ(differences(*kLayouts.at(name), block), std::vector<std::string>()) << name;

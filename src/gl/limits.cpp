@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "gl/limits.h"
+
+#include "gl/context.h"
+
+#include <epoxy/gl.h>
+
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <string_view>
+
+namespace vs::gl {
+
+Limits limits() {
+    const char* pretended = std::getenv("VOLUME_STUDIO_LIMITS");
+    if (pretended != nullptr && std::string_view(pretended) == "guaranteed") {
+        return kGuaranteedLimits;
+    }
+    Limits out;
+    GLint texels = 0;
+    GLint64 bytes = 0;
+    glGetIntegerv(GL_MAX_TEXTURE_SIZE, &out.texture2D);
+    glGetIntegerv(GL_MAX_3D_TEXTURE_SIZE, &out.texture3D);
+    glGetIntegerv(GL_MAX_TEXTURE_BUFFER_SIZE, &texels);
+    glGetInteger64v(GL_MAX_SHADER_STORAGE_BLOCK_SIZE, &bytes);
+    out.texelBufferTexels = std::size_t(texels);
+    // Mesa's software renderers name the least that is allowed, and work on whole buffers, whose bytes they
+    // count with 32 bits.
+    out.storageBlockBytes =
+        Context::isSoftware() ? std::numeric_limits<std::uint32_t>::max() : std::size_t(bytes);
+    return out;
+}
+
+} // namespace vs::gl

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include <cstddef>
+
+namespace vs::gl {
+
+// How large things may be on a device.
+struct Limits {
+    int texture2D = 0; // texels along an axis
+    int texture3D = 0;
+    std::size_t texelBufferTexels = 0;
+    std::size_t storageBlockBytes = 0;
+};
+
+// The limits of the current context's device. With VOLUME_STUDIO_LIMITS=guaranteed those that every device
+// has at least, so that tests can see what becomes of a small one.
+Limits limits();
+
+// What every device with OpenGL 4.5 has at least (OpenGL 4.5 core, tables 23.53 to 23.68).
+inline constexpr Limits kGuaranteedLimits{16384, 2048, 65536, std::size_t(1) << 27};
+
+} // namespace vs::gl

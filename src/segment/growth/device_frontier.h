@@ -31,7 +31,7 @@ public:
     [[nodiscard]] int mostExpansions() const override { return kMaxExpansions; }
     int flood(const SeedMap& seedMap, const Rules& rules, std::span<const std::uint32_t> seeds,
               const gl::TexelBuffer& region, const gl::Buffer& reached, int expansions) override;
-    [[nodiscard]] std::size_t deviceBytes() const override {
+    [[nodiscard]] std::size_t bytes() const override {
         return allowed_.buffer().size() + newest_.buffer().size() + work_.size() + expansions_.size() +
                list_.size() + answers_.size();
     }

@@ -57,8 +57,8 @@ public:
     virtual int flood(const SeedMap& seedMap, const Rules& rules, std::span<const std::uint32_t> seeds,
                       const gl::TexelBuffer& region, const gl::Buffer& reached, int expansions) = 0;
 
-    // What it takes on the device.
-    [[nodiscard]] virtual std::size_t deviceBytes() const = 0;
+    // What it takes, on the device or the host.
+    [[nodiscard]] virtual std::size_t bytes() const = 0;
 };
 
 // Where growth is computed.

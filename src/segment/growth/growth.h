@@ -68,7 +68,8 @@ struct GrowthState {
 class Growth {
 public:
     // `field` must outlive this. Throws GlError when the device has no room: 2 bytes and 5 bits a voxel for
-    // the run, 1 byte for the segments, of the grid filled up to bricks of 32^3 voxels.
+    // the run, 1 byte for the segments, of the grid filled up to bricks of 32^3 voxels. What it computes is
+    // the same to the byte wherever it is computed.
     explicit Growth(const field::Field& field, GrowthEngine engine = quickerEngine());
 
     // Changes the rules. Nothing happens if they equal the present ones.
@@ -138,9 +139,10 @@ public:
     // not. After undoing it may be larger.
     [[nodiscard]] Box3 touchedBox() const;
 
-    // What growth takes on the device at the moment, volume and sculpture aside.
+    // What growth takes at the moment, volume and sculpture aside: on the device, and on the host instead
+    // where it grows there.
     [[nodiscard]] std::size_t deviceBytes() const {
-        return seedMap_.deviceBytes() + frontier_->deviceBytes() + forbidden_.size();
+        return seedMap_.deviceBytes() + frontier_->bytes() + forbidden_.size();
     }
 
     // Counts changes of what is shown.

@@ -110,6 +110,10 @@ public:
         joined_.clear();
     }
 
+    [[nodiscard]] std::size_t bytes() const {
+        return made_ * sizeof(HostBrick) + bricks_.size() * sizeof(bricks_[0]);
+    }
+
     static constexpr glm::ivec3 placeOfTile(std::uint32_t tile) {
         return {int(tile & 3U), int(tile >> 2U & 3U), int(tile >> 4U)};
     }

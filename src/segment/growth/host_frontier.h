@@ -26,7 +26,7 @@ public:
     [[nodiscard]] int mostExpansions() const override { return kMaxExpansions; }
     int flood(const SeedMap& seedMap, const Rules& rules, std::span<const std::uint32_t> seeds,
               const gl::TexelBuffer& region, const gl::Buffer& reached, int expansions) override;
-    [[nodiscard]] std::size_t deviceBytes() const override { return 0; }
+    [[nodiscard]] std::size_t bytes() const override { return bricks_.bytes(); }
 
 private:
     // The most expansions at once, and the voxels after which no further one is tried: some 30 ms.

@@ -3,6 +3,7 @@
 
 #include "base/check.h"
 
+#include <cstdint>
 #include <cstring>
 
 namespace vs::segment {
@@ -25,6 +26,9 @@ bool HostFence::isCut(const std::byte* texel) const {
     }
     if (format_ == gl::Format::R16) {
         return valueOf<std::uint16_t>(texel) >= 0x8000;
+    }
+    if (format_ == gl::Format::R16F) { // positive halves are ordered as their bits are
+        return valueOf<std::int16_t>(texel) >= 0x3800;
     }
     VS_CHECK(format_ == gl::Format::R32F);
     return valueOf<float>(texel) >= 0.5F;

@@ -22,7 +22,7 @@ class DeviceErrors(Case):
         picture, labels, solid = (self.folder / name for name in ("p.png", "l.nrrd", "s.nrrd"))
         for shader, arguments in (
                 ("render/shaders/classify_cells.comp", ("render", self.raw, *self.layout, "-o", picture)),
-                ("segment/shaders/store_generation.comp",
+                ("segment/shaders/write_labels.comp",
                  ("grow", self.raw, *self.layout, "--seed", "10,10,8", "--range", "100:255", "-o", labels)),
                 ("sculpt/shaders/deposit_points.comp", ("sweep", "--dims", "16,16,16", "--mask", "circle:3", "--path",
                                                         "line:8,8,4:8,8,12", "-o", solid))):

@@ -6,6 +6,9 @@
 #include "segment/growth/growth_undo.h"
 #include "segment/growth/saved_brick.h"
 
+#include <glm/gtc/packing.hpp>
+
+#include <algorithm>
 #include <array>
 #include <functional>
 
@@ -19,14 +22,15 @@ const glm::ivec3 kGrid(70, 41, 66);
 
 // A sculpture of which a random half is cut away, in clumps.
 gl::Texture clumps() {
-    gl::Texture sculpture(kGrid, gl::Format::R8, gl::Filter::Nearest, "sculpture");
+    gl::Texture sculpture(kGrid, gl::Format::R16F, gl::Filter::Nearest, "sculpture");
     std::mt19937 random(3);
-    std::vector<std::uint8_t> noise(512);
-    std::generate(noise.begin(), noise.end(), [&] { return std::uint8_t(random()); });
-    std::vector<std::uint8_t> texels;
+    std::vector<float> noise(512);
+    std::generate(noise.begin(), noise.end(), [&] { return float(random() % 257) / 256.0F; });
+    std::vector<std::uint16_t> texels;
     forEachVoxel({glm::ivec3(0), kGrid}, [&](glm::ivec3 v, std::size_t) {
         const glm::ivec3 clump = v / 11;
-        texels.push_back(noise[std::size_t(clump.x * 49 + clump.y * 7 + clump.z) % noise.size()]);
+        texels.push_back(
+            glm::packHalf1x16(noise[std::size_t(clump.x * 49 + clump.y * 7 + clump.z) % noise.size()]));
     });
     sculpture.upload({glm::ivec3(0), kGrid}, std::as_bytes(std::span(texels)));
     return sculpture;

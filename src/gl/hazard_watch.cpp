@@ -6,11 +6,24 @@
 
 #include <epoxy/gl.h>
 
+#include <fmt/format.h>
+
 #include <array>
 
 namespace vs::gl {
 
 namespace {
+
+thread_local bool isAtWork = false;
+
+// From here to the end of the block the watcher is at work.
+class AtWork {
+public:
+    AtWork() { isAtWork = true; }
+    ~AtWork() { isAtWork = false; }
+    AtWork(const AtWork&) = delete;
+    AtWork& operator=(const AtWork&) = delete;
+};
 
 // A path of a shader or a function of this folder, with the pass that it works for.
 std::string nameWithPass(std::string_view who) {
@@ -52,6 +65,7 @@ void addAccess(std::vector<MemoryAccess>& out, const ProgramAccess& access) {
 }
 
 void noteCommand(const char* who, const MemoryAccess& access, Does does) {
+    const AtWork atWork;
     HazardChecker& checker = *hazards();
     const std::string name = nameWithPass(who);
     if (does == Does::Fill) {
@@ -77,9 +91,18 @@ HazardChecker* hazards() {
     return count != nullptr ? count->hazards.get() : nullptr;
 }
 
+bool isWatcherAtWork() { return isAtWork; }
+
+std::shared_ptr<const ProgramAccesses> accessesIfWatched(unsigned int program, std::string_view source) {
+    const AtWork atWork;
+    return hazards() == nullptr ? nullptr
+                                : std::make_shared<const ProgramAccesses>(readAccesses(program, source));
+}
+
 HazardChecker makeHazardChecker() { return HazardChecker(labelOf); }
 
 void noteDispatch(const std::string& path, const ProgramAccesses& accesses, unsigned int arguments) {
+    const AtWork atWork;
     std::vector<MemoryAccess> made;
     for (const ProgramAccess& access : accesses) {
         addAccess(made, access);

@@ -3,6 +3,7 @@
 
 #include "gl/hazards.h"
 
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -25,6 +26,13 @@ using ProgramAccesses = std::vector<ProgramAccess>;
 // What a program accesses, by what the driver tells of it and its source declares. Throws GlError for a kind
 // of texture that is not known here.
 ProgramAccesses readAccesses(unsigned int program, std::string_view source);
+
+// What readAccesses() tells, for programs to keep; nothing while hazards are not watched.
+std::shared_ptr<const ProgramAccesses> accessesIfWatched(unsigned int program, std::string_view source);
+
+// Whether the checker is at work on this thread. The memory that it takes then is not the program's: tests
+// that refuse the program memory leave it alone.
+bool isWatcherAtWork();
 
 // The checker of the context that is current on this thread; null while hazards are not watched.
 HazardChecker* hazards();

@@ -8,6 +8,8 @@
 #include <set>
 #include <span>
 #include <string>
+#include <tuple>
+#include <utility>
 #include <vector>
 
 // Finds barriers that are missing. Internal to this folder; others ask Context::watchHazards().
@@ -34,8 +36,10 @@ unsigned int barrierBit(Use use); // OpenGL's bit for it
 struct Memory {
     bool isBuffer = true;
     unsigned int name = 0;
-    auto operator<=>(const Memory&) const = default;
 };
+inline bool operator<(const Memory& a, const Memory& b) {
+    return std::tie(a.isBuffer, a.name) < std::tie(b.isBuffer, b.name);
+}
 
 struct MemoryAccess {
     Memory memory;

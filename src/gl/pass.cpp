@@ -57,7 +57,7 @@ Pass::~Pass() {
 std::string Pass::openNames() {
     std::string names;
     for (const Pass* pass = innermost; pass != nullptr; pass = pass->outer_) {
-        names = names.empty() ? pass->name_ : std::string(pass->name_) + ": " + names;
+        names.insert(0, names.empty() ? "" : ": ").insert(0, pass->name_);
     }
     return names;
 }

@@ -63,9 +63,7 @@ Program::Program(const std::string& path, const Defines& defines)
     glObjectLabel(GL_PROGRAM, program, -1, path.c_str());
     glGetProgramiv(program, GL_COMPUTE_WORK_GROUP_SIZE, glm::value_ptr(localSize_));
     uniforms_ = readUniforms(program, source.text);
-    if (hazards() != nullptr) {
-        accesses_ = std::make_shared<const ProgramAccesses>(readAccesses(program, source.text));
-    }
+    accesses_ = accessesIfWatched(program, source.text);
 }
 
 // Comes before everything that the program is used for.
@@ -92,8 +90,7 @@ void Program::tellHazards(unsigned int arguments) {
         return;
     }
     if (!accesses_) { // hazards were not watched yet when the program was made
-        accesses_ =
-            std::make_shared<const ProgramAccesses>(readAccesses(name(), expandSource(path_, defines_).text));
+        accesses_ = accessesIfWatched(name(), expandSource(path_, defines_).text);
     }
     noteDispatch(path_, *accesses_, arguments);
 }

@@ -76,20 +76,19 @@ struct Call {
 
 Call callAround(TokenSpan text, std::size_t at) {
     Call call;
-    int depth = 0;
+    int depth = 0; // of the brackets that close before `at`
     for (std::size_t i = at; i-- > 0;) {
         const std::string_view token = text[i];
+        const bool opens = token == "(" || token == "[";
         if (token == ")" || token == "]") {
             ++depth;
-        } else if (token == "(" && depth == 0 && i > 0 && isName(text[i - 1])) {
+        } else if (opens && depth > 0) {
+            --depth;
+        } else if (token == "(" && i > 0 && isName(text[i - 1])) {
             call.function = text[i - 1];
             return call;
-        } else if (token == "[" && depth == 0) {
-            return {}; // it is an index
-        } else if (token == "(" || token == "[") {
-            depth = std::max(depth - 1, 0);
-        } else if (token == ";" || token == "{" || token == "}") {
-            return {};
+        } else if (token == "[" || (!opens && std::string_view(";{}").find(token) != token.npos)) {
+            return {}; // it is an index, or stands in no call
         } else if (token == "," && depth == 0) {
             call.isFirst = false;
         }

@@ -41,7 +41,8 @@ void SquareLists::mark(const gl::Texture& beams, int beamPixels) {
     beams.bindTexture(kBeamsTexture);
     marks_.bindStorage(kMarksStorage);
     mark_.set("squareCount", count_).set("beamPixels", beamPixels);
-    mark_.dispatchOver({count_, 1}, gl::Barrier::Storage);
+    // The beams, which this reads as a texture, are an image when a picture begins anew.
+    mark_.dispatchOver({count_, 1}, gl::Barrier::All);
 }
 
 void SquareLists::list() {
@@ -83,7 +84,7 @@ void SquareLists::listPart(const gl::Texture& beams, int beamPixels, PartSquares
     counts_.bindStorage(kSquareCountsStorage);
     gl::Program& listPart = listPart_.with({});
     listPart.set("squareCount", count_).set("beamPixels", beamPixels).set("activeSquares", active_);
-    listPart.dispatchOver({count_, 1}, gl::Barrier::Storage);
+    listPart.dispatchOver({count_, 1}, gl::Barrier::All); // beams, as in mark()
     part.count = int(counts_.readValue<std::uint32_t>());
 }
 

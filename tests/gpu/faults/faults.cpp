@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gpu/faults/faults.h"
 
+#include "gl/hazard_watch.h"
 #include "gpu/faults/own_code.h"
 
 #include <epoxy/gl.h>
@@ -35,7 +36,7 @@ Refusal onDevice;
 thread_local bool isLooking = false; // at the stack, which may need memory itself
 
 bool isRefused() {
-    if (!onHost.isOn || isLooking || onHost.hasHappened) {
+    if (!onHost.isOn || isLooking || onHost.hasHappened || vs::gl::isWatcherAtWork()) {
         return false;
     }
     isLooking = true;

@@ -96,10 +96,10 @@ TEST_F(GlObjectsTest, ABufferBeyondTheLimitIsRefusedWithItsSize) {
 
 TEST_F(GlObjectsTest, WhatIsBeyondTheLeastDeviceIsRefusedThereInOneLine) {
     setenv("VOLUME_STUDIO_LIMITS", "guaranteed", 1);
-    Texture(glm::ivec3(2048, 1, 1), Format::R8, Filter::Linear, "volume");
-    Texture(glm::ivec2(16384, 1), Format::R8, Filter::Linear, "picture");
-    TexelBuffer(65536, Format::R8, "row");
-    Buffer(std::size_t(1) << 27, "block");
+    const Texture volume(glm::ivec3(2048, 1, 1), Format::R8, Filter::Linear, "volume");
+    const Texture picture(glm::ivec2(16384, 1), Format::R8, Filter::Linear, "picture");
+    const TexelBuffer row(65536, Format::R8, "row");
+    const Buffer block(std::size_t(1) << 27, "block");
     const std::vector<std::string> found{
         refusalOf([] { Texture(glm::ivec3(2049, 1, 1), Format::R8, Filter::Linear, "volume"); }),
         refusalOf([] { Texture(glm::ivec2(1, 16385), Format::R8, Filter::Linear, "picture"); }),

@@ -13,15 +13,15 @@ namespace vs::gl {
 namespace {
 
 // What main() reaches.
-struct Touch {
+struct Reached {
     std::set<std::string_view> names;
     std::vector<TokenSpan> texts; // of functions
 };
 
-Touch touchOf(const std::vector<Statement>& statements, TokenSpan macroTokens) {
+Reached reachedOf(const std::vector<Statement>& statements, TokenSpan macroTokens) {
     std::multimap<std::string_view, TokenSpan> functions;
     std::vector<std::string_view> waiting{"main"};
-    Touch out{{"main"}, {}};
+    Reached out{{"main"}, {}};
     const auto reach = [&](TokenSpan tokens) {
         for (const std::string_view token : tokens) {
             if (isName(token) && out.names.insert(token).second) {
@@ -115,7 +115,7 @@ bool mayChangeAt(TokenSpan text, std::size_t at, const std::set<std::string_view
     return (isBuiltIn && call.isFirst) || changing.contains(call.function);
 }
 
-bool mayChange(std::string_view name, const Touch& reach, TokenSpan macroTokens,
+bool mayChange(std::string_view name, const Reached& reach, TokenSpan macroTokens,
                const std::set<std::string_view>& changing) {
     if (has(macroTokens, name)) {
         return true; // where the macro is used is not looked for
@@ -177,7 +177,7 @@ std::map<std::string, DeclaredAccess, std::less<>> declaredAccesses(std::string_
     const Tokens tokens = tokensOf(active.text);
     const Tokens macroTokens = tokensOfMacros(active.macros);
     const std::vector<Statement> statements = statementsOf(tokens);
-    const Touch reach = touchOf(statements, macroTokens);
+    const Reached reach = reachedOf(statements, macroTokens);
     const auto changing = changingFunctions(statements);
     std::map<std::string, DeclaredAccess, std::less<>> out;
     for (const Statement& s : statements) {

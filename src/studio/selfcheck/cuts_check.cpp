@@ -13,33 +13,31 @@ namespace vs::studio {
 
 namespace {
 
-using sculpt::MaskRaster;
-
-constexpr double kSurface = 10.3; // z of a slab's surface, voxels
-constexpr double kDepth = 8;
-constexpr glm::dvec2 kAxis(17, 15.5);
-constexpr double kHole = 8;    // its radius
-constexpr double kOutside = 3; // of the surface, where a sweep begins: the radius
+constexpr double kSlabSurface = 10.3; // z of a slab's surface, voxels
+constexpr double kDrillDepth = 8;
+constexpr glm::dvec2 kDrillAxis(17, 15.5);
+constexpr double kDrillRadius = 8; // its radius
+constexpr double kSweepBegin = 3;  // of the surface, where a sweep begins: the radius
 
 // The points on which a mask stands on a plane, looked at along +z.
-std::vector<field::SurfacePoint> slabUnder(const MaskRaster& mask) {
+std::vector<field::SurfacePoint> slabUnder(const sculpt::MaskRaster& mask) {
     std::vector<field::SurfacePoint> points;
     forEachVoxel({glm::ivec3(0), {mask.size, 1}}, [&](glm::ivec3 e, std::size_t) {
         const glm::dvec2 place = mask.origin + mask.pitch * glm::dvec2(e);
-        points.push_back({glm::vec4(place, kSurface, 1), glm::vec4(0, 0, -1, 0)});
+        points.push_back({glm::vec4(place, kSlabSurface, 1), glm::vec4(0, 0, -1, 0)});
     });
     return points;
 }
 
 // What a drill radiates: the mask's values on their whole way, as points a quarter of a voxel apart.
-std::vector<glm::vec4> drilledPoints(const MaskRaster& mask) {
+std::vector<glm::vec4> drilledPoints(const sculpt::MaskRaster& mask) {
     constexpr double pitch = 0.25;
     std::vector<glm::vec4> points;
     forEachVoxel({glm::ivec3(0), {mask.size, 1}}, [&](glm::ivec3 e, std::size_t n) {
         const glm::dvec2 place = mask.origin + mask.pitch * glm::dvec2(e);
         const double energy = double(mask.values[n]) * mask.pitch * mask.pitch * pitch;
-        for (double t = 0.5 * pitch - kOutside; t < kDepth && energy > 0; t += pitch) {
-            points.emplace_back(place, kSurface + t, energy);
+        for (double t = 0.5 * pitch - kSweepBegin; t < kDrillDepth && energy > 0; t += pitch) {
+            points.emplace_back(place, kSlabSurface + t, energy);
         }
     });
     return points;
@@ -57,12 +55,12 @@ double blurredBall(double radius, double distance) {
 
 void checkDrill(Tally& tally) {
     const auto geometry = volume::makeGeometry({34, 32, 30});
-    const auto mask = sculpt::rasterize(sculpt::circleOutline(kAxis, kHole), 0.5);
+    const auto mask = sculpt::rasterize(sculpt::circleOutline(kDrillAxis, kDrillRadius), 0.5);
     const auto surface = slabUnder(mask);
     sculpt::Sculpture sculpture(geometry.dims);
     sculpt::ToolCutter cutter(geometry);
     sculpt::ToolCut how;
-    how.sweep.depthSteps = kDepth;
+    how.sweep.depthSteps = kDrillDepth;
     sculpt::BrickBackup backup(sculpture.texels());
     cutter.cut(sculpture, surface, mask, how, &backup);
     const auto expected =
@@ -71,7 +69,7 @@ void checkDrill(Tally& tally) {
     forEachVoxel(geometry.box(), [&](glm::ivec3 v, std::size_t n) {
         // The program has fewer points, as far apart as voxels: its edges are a little steeper, most where
         // one of them stands for several elements of the mask.
-        const bool isWall = std::abs(glm::length(glm::dvec2(v) - kAxis) - kHole) < 4;
+        const bool isWall = std::abs(glm::length(glm::dvec2(v) - kDrillAxis) - kDrillRadius) < 4;
         tally.about(isWall ? "values at the wall" : "values of the hole and beside it");
         tally.compare(double(found[n]), std::clamp(double(expected[n]), 0.0, 1.0), isWall ? 0.04 : 0.02);
     });
@@ -120,9 +118,9 @@ void checkPeel(Tally& tally) {
             tally.compare(double(found[n]), 0, 1e-3);
         } else if (across < opening - 6) {
             tally.about("values of a shell");
-            tally.compare(double(found[n]),
-                          blurredBall(radius + kOutside, distance) - blurredBall(radius - layers, distance),
-                          0.03);
+            tally.compare(
+                double(found[n]),
+                blurredBall(radius + kSweepBegin, distance) - blurredBall(radius - layers, distance), 0.03);
         }
     });
 }

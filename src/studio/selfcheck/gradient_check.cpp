@@ -13,7 +13,7 @@ namespace vs::studio {
 namespace {
 
 // The magnitudes that are kept for functions of gradients, at every voxel.
-void checkKept(Tally& tally, const field::Field& field, const std::vector<double>& expected) {
+void checkKeptGradients(Tally& tally, const field::Field& field, const std::vector<double>& expected) {
     const double usual = field::gradientRange(field).hi;
     const auto kept = field::computeGradients(field, usual);
     const std::size_t pitch = kept.quads ? 4 : 1;
@@ -30,7 +30,7 @@ void checkKept(Tally& tally, const field::Field& field, const std::vector<double
 }
 
 // How many voxels stand in other bins than on the CPU.
-void checkCounts(Tally& tally, const field::Field& field, const std::vector<double>& magnitudes) {
+void checkGradientCounts(Tally& tally, const field::Field& field, const std::vector<double>& magnitudes) {
     constexpr int bins = 32;
     const Range gradients{0, 0.7 * field::fullGradientRange(field).hi};
     std::vector<std::uint32_t> expected(bins);
@@ -70,8 +70,8 @@ void checkGradients(Tally& tally) {
         const double largest = *std::max_element(expected.begin(), expected.end());
         tally.about("largest magnitudes");
         tally.compare(field::fullGradientRange(field).hi, largest, 1e-5 * largest);
-        checkKept(tally, field, expected);
-        checkCounts(tally, field, expected);
+        checkKeptGradients(tally, field, expected);
+        checkGradientCounts(tally, field, expected);
     }
 }
 

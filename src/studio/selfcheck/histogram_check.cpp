@@ -9,16 +9,16 @@ namespace vs::studio {
 namespace {
 
 // A prime number, which the values' range is no multiple of: no whole number lies at the border of two bins.
-constexpr int kBins = 37;
-constexpr int kMost = 120;
+constexpr int kHistogramBins = 37;
+constexpr int kHistogramMost = 120;
 
 // Counts the voxels of a volume whose `isCounted` says so.
 template <typename IsCounted>
 std::vector<std::uint32_t> counted(const volume::Volume& volume, const IsCounted& isCounted) {
-    std::vector<std::uint32_t> counts(kBins);
+    std::vector<std::uint32_t> counts(kHistogramBins);
     forEachVoxel(volume.geometry.box(), [&](glm::ivec3 v, std::size_t n) {
-        const int bin = int(volume.at(v) * kBins / kMost);
-        counts[std::size_t(std::min(bin, kBins - 1))] += isCounted(n) ? 1U : 0U;
+        const int bin = int(volume.at(v) * kHistogramBins / kHistogramMost);
+        counts[std::size_t(std::min(bin, kHistogramBins - 1))] += isCounted(n) ? 1U : 0U;
     });
     return counts;
 }
@@ -29,14 +29,14 @@ void compareCounts(Tally& tally, const std::vector<std::uint32_t>& found,
 }
 
 // What a cut leaves of a volume and what it takes away; one in seven of the sculpture's voxels is at 0.5.
-void checkVisible(Tally& tally, const volume::Volume& volume, const field::Field& field) {
+void checkVisibleCounts(Tally& tally, const volume::Volume& volume, const field::Field& field) {
     std::vector<float> cut(volume.geometry.voxelCount());
     for (std::size_t n = 0; n < cut.size(); ++n) {
         cut[n] = float(n % 7) / 6;
     }
     gl::Texture sculpture(volume.geometry.dims, gl::Format::R32F, gl::Filter::Nearest, "self check cut");
     sculpture.upload(volume.geometry.box(), std::as_bytes(std::span(cut)));
-    field::VisibleHistogram counting(field, kBins);
+    field::VisibleHistogram counting(field, kHistogramBins);
     for (const auto view : {field::SculptureView::Cut, field::SculptureView::Probe}) {
         counting.start(view);
         while (!counting.advance(sculpture, 0)) {
@@ -52,13 +52,13 @@ void checkVisible(Tally& tally, const volume::Volume& volume, const field::Field
 
 void checkHistograms(Tally& tally) {
     for (const auto type : kScalarTypes) {
-        const auto volume = makeNoise({37, 21, 19}, type, 0, kMost);
+        const auto volume = makeNoise({37, 21, 19}, type, 0, kHistogramMost);
         const auto field = field::uploadVolume(volume);
         tally.about(std::string("counts of ") + name(type));
-        compareCounts(tally, field::intensityHistogram(field, kBins),
+        compareCounts(tally, field::intensityHistogram(field, kHistogramBins),
                       counted(volume, [](std::size_t) { return true; }));
         if (type == volume::ScalarType::UInt8 || type == volume::ScalarType::Float32) {
-            checkVisible(tally, volume, field);
+            checkVisibleCounts(tally, volume, field);
         }
     }
 }

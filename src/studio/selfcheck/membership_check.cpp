@@ -11,17 +11,17 @@ namespace vs::studio {
 
 namespace {
 
-constexpr glm::ivec3 kDims(37, 21, 19);
-constexpr glm::dvec3 kSpacing(1, 1, 2.5); // so that the kernel is narrower along z
+constexpr glm::ivec3 kSegmentDims(37, 21, 19);
+constexpr glm::dvec3 kSegmentSpacing(1, 1, 2.5); // so that the kernel is narrower along z
 
 // A segment smoothed by a Gaussian of one step that ends at three voxels, and held to the truth: at least
 // one half in its voxels and less in others.
-std::vector<double> smoothed(const std::vector<std::uint8_t>& inside) {
+std::vector<double> smoothedMembership(const std::vector<std::uint8_t>& inside) {
     std::array<std::array<double, 7>, 3> weights{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         double sum = 0;
         for (int i = -3; i <= 3; ++i) {
-            const double steps = i * kSpacing[int(axis)];
+            const double steps = i * kSegmentSpacing[int(axis)];
             sum += weights[axis][std::size_t(i + 3)] = std::exp(-0.5 * steps * steps);
         }
         for (double& weight : weights[axis]) {
@@ -29,13 +29,14 @@ std::vector<double> smoothed(const std::vector<std::uint8_t>& inside) {
         }
     }
     std::vector<double> values;
-    forEachVoxel({glm::ivec3(0), kDims}, [&](glm::ivec3 v, std::size_t n) {
+    forEachVoxel({glm::ivec3(0), kSegmentDims}, [&](glm::ivec3 v, std::size_t n) {
         double value = 0;
-        forEachVoxel(intersect({v - 3, v + 4}, {glm::ivec3(0), kDims}), [&](glm::ivec3 there, std::size_t) {
-            const glm::ivec3 o = there - v + 3;
-            value += inside[indexOf(there, kDims)] * weights[0][std::size_t(o.x)] *
-                     weights[1][std::size_t(o.y)] * weights[2][std::size_t(o.z)];
-        });
+        forEachVoxel(intersect({v - 3, v + 4}, {glm::ivec3(0), kSegmentDims}),
+                     [&](glm::ivec3 there, std::size_t) {
+                         const glm::ivec3 o = there - v + 3;
+                         value += inside[indexOf(there, kSegmentDims)] * weights[0][std::size_t(o.x)] *
+                                  weights[1][std::size_t(o.y)] * weights[2][std::size_t(o.z)];
+                     });
         values.push_back(inside[n] != 0 ? std::max(value, 1 - value) : std::min(value, 1 - value));
     });
     return values;
@@ -44,7 +45,7 @@ std::vector<double> smoothed(const std::vector<std::uint8_t>& inside) {
 } // namespace
 
 void checkMembership(Tally& tally) {
-    const auto volume = makeNoise(kDims, volume::ScalarType::UInt8, 0, 99, kSpacing);
+    const auto volume = makeNoise(kSegmentDims, volume::ScalarType::UInt8, 0, 99, kSegmentSpacing);
     const auto field = field::uploadVolume(volume);
     segment::Growth growth(field, segment::GrowthEngine::Host);
     growth.setConstraints({.range = {0, 55}});
@@ -58,7 +59,7 @@ void checkMembership(Tally& tally) {
     const auto labels = growth.labels();
     tally.about("smooth memberships");
     const auto found = segmentation.values();
-    const auto expected = smoothed(labels);
+    const auto expected = smoothedMembership(labels);
     // They are held as 8 bits.
     tally.compareAll(std::span<const float>(found), std::span<const double>(expected), 0.6 / 255);
 

@@ -12,16 +12,16 @@ namespace vs::studio {
 
 namespace {
 
-constexpr int kPlaces = 1500;
+constexpr int kSampledPlaces = 1500;
 
-struct Expected {
+struct ExpectedSample {
     double value = 0;
     glm::dvec3 gradient{0};
 };
 
 // The gradient of trilinear values as scene.glsl defines it: central differences one voxel wide, not beyond
 // the grid's box.
-Expected linearAt(const volume::Volume& volume, glm::dvec3 p) {
+ExpectedSample linearSample(const volume::Volume& volume, glm::dvec3 p) {
     glm::dvec3 difference(0);
     for (int axis = 0; axis < 3; ++axis) {
         glm::dvec3 before = p;
@@ -35,19 +35,19 @@ Expected linearAt(const volume::Volume& volume, glm::dvec3 p) {
             glm::transpose(glm::dmat3(volume.geometry.voxelFromWorld())) * difference};
 }
 
-Expected cubicAt(const volume::Volume& volume, glm::dvec3 p) {
+ExpectedSample cubicSample(const volume::Volume& volume, glm::dvec3 p) {
     const auto sample = reference::bsplineAt(volume, p);
     return {sample.value, sample.gradient};
 }
 
-void check(Tally& tally, const volume::Volume& volume, const field::Field& field, field::Sampling sampling,
-           bool fromQuads, gl::ProgramVariants& programs) {
+void checkSamples(Tally& tally, const volume::Volume& volume, const field::Field& field,
+                  field::Sampling sampling, bool fromQuads, gl::ProgramVariants& programs) {
     const bool isCubic = sampling == field::Sampling::Tricubic;
     field::SceneBinding binding;
     binding.bind(
         {.data = &field, .displayedRange = field.range, .greyWindow = field.range, .sampling = sampling});
     gl::Program& program = programs.with(gl::switchesOn({{"TRICUBIC", isCubic}, {"QUADS", fromQuads}}));
-    const auto places = placesIn(volume.geometry.dims, kPlaces);
+    const auto places = placesIn(volume.geometry.dims, kSampledPlaces);
     const auto answers = answersOf(program, places);
     // Hardware filters know the place between two texels to 8 bits only, along each axis.
     const double part = 1e-5 + (gl::Context::isSoftware() || fromQuads ? 0 : 3.0 / 256);
@@ -56,7 +56,7 @@ void check(Tally& tally, const volume::Volume& volume, const field::Field& field
                             (fromQuads ? " of quads, " : " of textures, ") + name(volume.type);
     for (std::size_t i = 0; i < places.size(); ++i) {
         const glm::dvec3 p(places[i]);
-        const Expected expected = isCubic ? cubicAt(volume, p) : linearAt(volume, p);
+        const ExpectedSample expected = isCubic ? cubicSample(volume, p) : linearSample(volume, p);
         tally.about("values, " + how);
         tally.compare(double(answers[i].w), expected.value, allowed);
         tally.about("gradients, " + how);
@@ -75,9 +75,9 @@ void checkSampling(Tally& tally) {
         turnOblique(volume);
         const auto field = field::uploadVolume(volume);
         for (const auto sampling : {field::Sampling::Trilinear, field::Sampling::Tricubic}) {
-            check(tally, volume, field, sampling, false, programs);
+            checkSamples(tally, volume, field, sampling, false, programs);
             if (field.quads) {
-                check(tally, volume, field, sampling, true, programs);
+                checkSamples(tally, volume, field, sampling, true, programs);
             }
         }
         if (!field.quads) {

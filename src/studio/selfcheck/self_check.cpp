@@ -11,7 +11,7 @@ namespace vs::studio {
 
 namespace {
 
-constexpr StageCheck kChecks[] = {
+constexpr StageCheck kStageChecks[] = {
     {"upload and read-back", checkUpload},
     {"sampling between voxels", checkSampling},
     {"intensity histogram", checkHistograms},
@@ -40,7 +40,7 @@ constexpr StageCheck kChecks[] = {
 
 } // namespace
 
-std::span<const StageCheck> stageChecks() { return kChecks; }
+std::span<const StageCheck> stageChecks() { return kStageChecks; }
 
 std::string withoutPaths(const std::string& message) {
     static const std::regex path(R"([\w.+~@-]*(?:/[\w.+~@-]*)*/([\w+~@-]+)(?:\.[\w.]*\w)?)");

@@ -12,8 +12,8 @@ namespace vs::studio {
 
 namespace {
 
-constexpr Range kWindow{20, 180}; // from black to white
-constexpr glm::dvec3 kBeside = 255.0 * glm::dvec3(0.043, 0.051, 0.059);
+constexpr Range kGreyWindow{20, 180}; // from black to white
+constexpr glm::dvec3 kBesideGrid = 255.0 * glm::dvec3(0.043, 0.051, 0.059);
 
 // Compares a slice with the values that lie under its pixels, each in a grey of the window.
 void compareSlice(Tally& tally, const volume::Volume& volume, const field::Field& field,
@@ -21,7 +21,7 @@ void compareSlice(Tally& tally, const volume::Volume& volume, const field::Field
     render::SliceFrame frame;
     frame.scene.data = &field;
     frame.scene.displayedRange = volume.range;
-    frame.window = kWindow;
+    frame.window = kGreyWindow;
     frame.view = view;
     frame.isSmooth = isSmooth;
     render::SliceRenderer renderer;
@@ -42,10 +42,10 @@ void compareSlice(Tally& tally, const volume::Volume& volume, const field::Field
             const double value =
                 isSmooth ? reference::trilinearAt(volume, p)
                          : volume.at(glm::clamp(glm::ivec3(glm::floor(p + 0.5)), glm::ivec3(0), dims - 1));
-            const double grey = 255 * std::clamp((value - kWindow.lo) / kWindow.width(), 0.0, 1.0);
+            const double grey = 255 * std::clamp((value - kGreyWindow.lo) / kGreyWindow.width(), 0.0, 1.0);
             for (int c = 0; c < 3; ++c) {
                 // Rounding to 8 bits, and smooth values of a filter that knows places to 8 bits only.
-                tally.compare(picture.pixel(x, y)[c], isInGrid ? grey : kBeside[c],
+                tally.compare(picture.pixel(x, y)[c], isInGrid ? grey : kBesideGrid[c],
                               isSmooth && !gl::Context::isSoftware() ? 5 : 1);
             }
         }

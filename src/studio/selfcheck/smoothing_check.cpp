@@ -12,7 +12,7 @@ namespace vs::studio {
 
 namespace {
 
-std::vector<double> valuesOf(const field::Field& field) {
+std::vector<double> smoothedValues(const field::Field& field) {
     std::vector<double> values;
     if (field.texels.format() == gl::Format::R16) {
         for (const std::uint16_t texel : field.texels.downloadAll<std::uint16_t>()) {
@@ -26,9 +26,9 @@ std::vector<double> valuesOf(const field::Field& field) {
     return values;
 }
 
-void check(Tally& tally, const volume::Volume& volume, double sigma, double allowed) {
+void checkSmoothed(Tally& tally, const volume::Volume& volume, double sigma, double allowed) {
     const auto smoothed = field::smoothField(field::uploadVolume(volume), sigma);
-    const auto found = valuesOf(smoothed.field);
+    const auto found = smoothedValues(smoothed.field);
     const auto expected = reference::convolved(volume, sigma);
     tally.about(std::string("smoothed values of ") + name(volume.type));
     tally.compare(double(found.size()), double(expected.size()));
@@ -47,13 +47,13 @@ void checkSmoothing(Tally& tally) {
     constexpr glm::ivec3 dims(27, 19, 33);
     constexpr glm::dvec3 spacing(1, 1.25, 2);
     // Half a step of 65,535 over the range of the values, and sums in single precision.
-    check(tally, makeNoise(dims, volume::ScalarType::Int16, 0, 4000, spacing), 1, 0.05);
+    checkSmoothed(tally, makeNoise(dims, volume::ScalarType::Int16, 0, 4000, spacing), 1, 0.05);
     auto holed = makeNoise(dims, volume::ScalarType::Float32, 0, 4000, spacing);
     for (std::size_t n = 0; n < holed.geometry.voxelCount(); n += 97) {
         reinterpret_cast<float*>(holed.bytes.data())[n] = std::numeric_limits<float>::quiet_NaN();
     }
     volume::computeRange(holed);
-    check(tally, holed, 1.5, 0.005);
+    checkSmoothed(tally, holed, 1.5, 0.005);
 }
 
 } // namespace vs::studio

@@ -12,20 +12,20 @@ namespace vs::studio {
 
 namespace {
 
-constexpr glm::ivec3 kDims(37, 30, 26);
-constexpr glm::dvec3 kSpacing(1, 1.3, 0.8);
+constexpr glm::ivec3 kSolidDims(37, 30, 26);
+constexpr glm::dvec3 kSolidSpacing(1, 1.3, 0.8);
 
 // The edge that radiation gives a plane: half of it lies a step (sigma, of radius 3) either side.
-double energyBehind(double distanceMm) {
+double energyBehindPlane(double distanceMm) {
     return 0.5 + 0.5 * std::erf(distanceMm / (0.8 * std::numbers::sqrt2));
 }
 
 // Compares a sculpture with the energies of a solid whose depth (mm, negative outside) is known.
 template <typename Depth>
 void compareSolid(Tally& tally, const sculpt::Sculpture& sculpture, const Depth& depth) {
-    const auto found = sculpture.values({glm::ivec3(0), kDims});
-    forEachVoxel({glm::ivec3(0), kDims}, [&](glm::ivec3 v, std::size_t n) {
-        const double expected = energyBehind(depth(glm::dvec3(v) * kSpacing));
+    const auto found = sculpture.values({glm::ivec3(0), kSolidDims});
+    forEachVoxel({glm::ivec3(0), kSolidDims}, [&](glm::ivec3 v, std::size_t n) {
+        const double expected = energyBehindPlane(depth(glm::dvec3(v) * kSolidSpacing));
         // What is next to nothing is left out, and next to all is all.
         tally.compare(double(found[n]), expected, 5e-3);
     });
@@ -34,7 +34,7 @@ void compareSolid(Tally& tally, const sculpt::Sculpture& sculpture, const Depth&
 } // namespace
 
 void checkSolids(Tally& tally) {
-    const auto geometry = volume::makeGeometry(kDims, kSpacing);
+    const auto geometry = volume::makeGeometry(kSolidDims, kSolidSpacing);
     sculpt::SolidCutter cutter(geometry);
 
     const glm::dvec3 tilted = glm::normalize(glm::dvec3(1, 0.4, -0.3));
@@ -43,7 +43,7 @@ void checkSolids(Tally& tally) {
         return std::max(glm::dot(tilted, world) - 19.7, 6.3 - world.z);
     };
     for (const bool cutsInside : {false, true}) {
-        sculpt::Sculpture sculpture(kDims);
+        sculpt::Sculpture sculpture(kSolidDims);
         sculpt::BrickBackup backup(sculpture.texels());
         cutter.clip(sculpture, {planes, cutsInside}, sculpt::Combine::Cut, backup);
         tally.about(cutsInside ? "a clip of what is inside" : "a clip of what is outside");
@@ -58,7 +58,7 @@ void checkSolids(Tally& tally) {
     circle.projector.pixelMm = 0.25;
     circle.projector.isOrthographic = true;
     circle.projector.viewport = {160, 160};
-    sculpt::Sculpture sculpture(kDims);
+    sculpt::Sculpture sculpture(kSolidDims);
     sculpt::BrickBackup backup(sculpture.texels());
     cutter.extrude(sculpture, circle, sculpt::Combine::Cut, backup);
     tally.about("a circle through everything");

@@ -10,6 +10,10 @@ Still::Still(volume::Volume v, const Range& displayed, const render::Camera& cam
     frame_.scene.greyWindow = field_.range;
     frame_.macrocells = &macrocells_;
     frame_.background = render::backgroundFromName("black");
+    look(camera, size);
+}
+
+void Still::look(const render::Camera& camera, glm::ivec2 size) {
     frame_.rays = render::viewRays(camera, volume_.geometry, size);
 }
 

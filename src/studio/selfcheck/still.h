@@ -19,6 +19,8 @@ public:
     Still(const Still&) = delete;
     Still& operator=(const Still&) = delete;
 
+    void look(const render::Camera& camera, glm::ivec2 size);
+
     // Functions of voxel coordinates, from 0 to 1: what is cut away, and what belongs to segment 1.
     using OfVoxel = std::function<double(glm::dvec3 voxel)>;
     void sculpt(const OfVoxel& part);

@@ -12,19 +12,19 @@ namespace vs::studio {
 
 namespace {
 
-using render::Mode;
-
-constexpr glm::dvec3 kCentre(47.3, 46.1, 48.2);
-constexpr double kRadius = 40; // so large that values between voxels are those of a sphere to 0.007 voxel
-constexpr glm::ivec2 kSize(56, 44);
+constexpr glm::dvec3 kSphereCentre(47.3, 46.1, 48.2);
+constexpr double kSphereRadius =
+    40; // so large that values between voxels are those of a sphere to 0.007 voxel
+constexpr glm::ivec2 kSurfacePicture(56, 44);
 
 // 100 on a sphere, and more inside by the distance from it: in voxels of 1 mm.
 volume::Volume makeRoundRamp() {
-    return phantom::makePhantom({96, 94, 97}, volume::ScalarType::Float32,
-                                [](glm::dvec3 p) { return 100 + kRadius - glm::length(p - kCentre); });
+    return phantom::makePhantom({96, 94, 97}, volume::ScalarType::Float32, [](glm::dvec3 p) {
+        return 100 + kSphereRadius - glm::length(p - kSphereCentre);
+    });
 }
 
-glm::ivec2 pixelOf(std::size_t i) { return {int(i) % kSize.x, int(i) / kSize.x}; }
+glm::ivec2 pixelOfIndex(std::size_t i) { return {int(i) % kSurfacePicture.x, int(i) / kSurfacePicture.x}; }
 
 // How much farther off hits are where the texture filter knows places between voxels to 8 bits only.
 double filterError() { return gl::Context::isSoftware() ? 0 : 0.008; }
@@ -35,8 +35,8 @@ struct Passage {
     double entry = 0; // mm; meaningful for rays that meet it
 };
 Passage passageOf(const render::ViewRays::Ray& ray, double radius) {
-    const double along = glm::dot(kCentre - ray.origin, ray.direction);
-    const double miss = glm::length(kCentre - ray.origin - along * ray.direction);
+    const double along = glm::dot(kSphereCentre - ray.origin, ray.direction);
+    const double miss = glm::length(kSphereCentre - ray.origin - along * ray.direction);
     return {miss, along - std::sqrt(std::max(radius * radius - miss * miss, 0.0))};
 }
 
@@ -45,15 +45,15 @@ Passage passageOf(const render::ViewRays::Ray& ray, double radius) {
 void compareSphere(Tally& tally, const Still& still, const std::vector<field::SurfacePoint>& points,
                    const std::string& what) {
     tally.about(what + ": rays");
-    tally.compare(double(points.size()), kSize.x * kSize.y);
+    tally.compare(double(points.size()), kSurfacePicture.x * kSurfacePicture.y);
     int hits = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const auto ray = still.rayOf(pixelOf(i));
-        const Passage passage = passageOf(ray, kRadius);
+        const auto ray = still.rayOf(pixelOfIndex(i));
+        const Passage passage = passageOf(ray, kSphereRadius);
         const bool isHit = points[i].voxel.w > 0.5F;
-        if (std::abs(passage.miss - kRadius) > 0.05) {
+        if (std::abs(passage.miss - kSphereRadius) > 0.05) {
             tally.about(what + ": hits");
-            tally.compare(isHit ? 1 : 0, passage.miss < kRadius ? 1 : 0);
+            tally.compare(isHit ? 1 : 0, passage.miss < kSphereRadius ? 1 : 0);
         }
         if (!isHit) {
             continue;
@@ -62,27 +62,27 @@ void compareSphere(Tally& tally, const Still& still, const std::vector<field::Su
         const glm::dvec3 found(points[i].voxel);
         const glm::dvec3 fromEye = found - ray.origin;
         tally.about(what + ": distance from the sphere, voxels");
-        tally.compare(glm::length(found - kCentre), kRadius, 0.01 + filterError());
+        tally.compare(glm::length(found - kSphereCentre), kSphereRadius, 0.01 + filterError());
         tally.about(what + ": distance from the ray, voxels");
         tally.compare(glm::length(fromEye - glm::dot(fromEye, ray.direction) * ray.direction), 0, 1e-3);
         tally.about(what + ": distance from the eye, mm");
         tally.compare(double(points[i].normal.w), glm::length(fromEye), 2e-3);
         tally.about(what + ": cosine of the normal's error");
-        tally.compare(glm::dot(glm::dvec3(points[i].normal), glm::normalize(found - kCentre)), 1, 2e-3);
+        tally.compare(glm::dot(glm::dvec3(points[i].normal), glm::normalize(found - kSphereCentre)), 1, 2e-3);
     }
     tally.about(what + ": hits");
     tally.require(hits > 500);
 }
 
 // Each pixel of a surface picture shows something where its ray meets the sphere, and black elsewhere.
-void comparePicture(Tally& tally, const Still& still, const image::Image& picture) {
+void compareSpherePicture(Tally& tally, const Still& still, const image::Image& picture) {
     tally.about("pixels that show a surface");
-    for (int y = 0; y < kSize.y; ++y) {
-        for (int x = 0; x < kSize.x; ++x) {
-            const double miss = passageOf(still.rayOf({x, y}), kRadius).miss;
-            if (std::abs(miss - kRadius) > 0.05) {
+    for (int y = 0; y < kSurfacePicture.y; ++y) {
+        for (int x = 0; x < kSurfacePicture.x; ++x) {
+            const double miss = passageOf(still.rayOf({x, y}), kSphereRadius).miss;
+            if (std::abs(miss - kSphereRadius) > 0.05) {
                 const auto* pixel = picture.pixel(x, y);
-                tally.compare(pixel[0] + pixel[1] + pixel[2] > 0 ? 1 : 0, miss < kRadius ? 1 : 0);
+                tally.compare(pixel[0] + pixel[1] + pixel[2] > 0 ? 1 : 0, miss < kSphereRadius ? 1 : 0);
             }
         }
     }
@@ -91,23 +91,25 @@ void comparePicture(Tally& tally, const Still& still, const image::Image& pictur
 } // namespace
 
 void checkSurfaces(Tally& tally) {
+    Still still(makeRoundRamp(), {100, 1000}, {}, kSurfacePicture);
     for (const auto projection : {render::Projection::Perspective, render::Projection::Orthographic}) {
-        Still still(makeRoundRamp(), {100, 1000}, {25, 15, 1, {}, projection}, kSize);
-        compareSphere(tally, still, still.pick(Mode::Surface), "picked surface");
-        comparePicture(tally, still, still.picture(Mode::Surface));
+        still.look({25, 15, 1, {}, projection}, kSurfacePicture);
+        compareSphere(tally, still, still.pick(render::Mode::Surface), "picked surface");
+        compareSpherePicture(tally, still, still.picture(render::Mode::Surface));
     }
 }
 
 void checkCutFaces(Tally& tally) {
     constexpr double cutAt = 50.3; // voxel y; what lies behind is cut away
-    Still still(makeRoundRamp(), {100, 1000}, {180, 10, 1, {}, render::Projection::Perspective}, kSize);
+    Still still(makeRoundRamp(), {100, 1000}, {180, 10, 1, {}, render::Projection::Perspective},
+                kSurfacePicture);
     still.sculpt([](glm::dvec3 p) { return std::clamp(0.5 + (p.y - cutAt) / 8, 0.0, 1.0); });
-    const auto points = still.pick(Mode::Surface);
+    const auto points = still.pick(render::Mode::Surface);
     int onFace = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const auto ray = still.rayOf(pixelOf(i));
+        const auto ray = still.rayOf(pixelOfIndex(i));
         const glm::dvec3 place = ray.origin + (cutAt - ray.origin.y) / ray.direction.y * ray.direction;
-        const double depth = kRadius - glm::length(place - kCentre);
+        const double depth = kSphereRadius - glm::length(place - kSphereCentre);
         if (depth > 0.2) {
             ++onFace;
             tally.about("places on a cut's face, voxels");
@@ -127,21 +129,22 @@ void checkSegmentSurfaces(Tally& tally) {
     // A haze whose gradient must not be taken for the segment's.
     Still still(
         phantom::makePhantom({96, 94, 97}, volume::ScalarType::UInt8, [](glm::dvec3 p) { return p.x; }),
-        {200, 255}, {40, -20, 1, {}, render::Projection::Perspective}, kSize);
-    still.segment(
-        [](glm::dvec3 p) { return std::clamp(0.5 + (kRadius - glm::length(p - kCentre)) / 12, 0.0, 1.0); });
-    compareSphere(tally, still, still.pick(Mode::Segment), "picked segment");
-    comparePicture(tally, still, still.picture(Mode::Segment));
+        {200, 255}, {40, -20, 1, {}, render::Projection::Perspective}, kSurfacePicture);
+    still.segment([](glm::dvec3 p) {
+        return std::clamp(0.5 + (kSphereRadius - glm::length(p - kSphereCentre)) / 12, 0.0, 1.0);
+    });
+    compareSphere(tally, still, still.pick(render::Mode::Segment), "picked segment");
+    compareSpherePicture(tally, still, still.picture(render::Mode::Segment));
 }
 
 void checkBrightest(Tally& tally) {
     Still still(makeNoise({22, 19, 25}, volume::ScalarType::Float32, 0, 200, {1, 1.4, 0.8}), {0, 200},
-                {40, 28, 1, {}, render::Projection::Perspective}, kSize);
-    const auto points = still.pick(Mode::Mip, render::Picker::Meets::Brightest);
+                {40, 28, 1, {}, render::Projection::Perspective}, kSurfacePicture);
+    const auto points = still.pick(render::Mode::Mip, render::Picker::Meets::Brightest);
     tally.about("greatest values along rays");
     int met = 0;
     for (std::size_t i = 0; i < points.size(); ++i) {
-        const auto ray = still.plainRayOf(pixelOf(i));
+        const auto ray = still.plainRayOf(pixelOfIndex(i));
         // A ray that only touches the box may have one sample more or less.
         if (points[i].voxel.w > 0.5F && ray.way.hi - ray.way.lo > 1) {
             ++met;

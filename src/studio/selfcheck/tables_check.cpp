@@ -9,12 +9,8 @@ namespace vs::studio {
 
 namespace {
 
-using render::FunctionKind;
-using render::TransferFunction;
-using render::Trapezoid;
-
-TransferFunction curve(FunctionKind kind) {
-    TransferFunction function;
+render::TransferFunction curveOver(render::FunctionKind kind) {
+    render::TransferFunction function;
     function.kind = kind;
     function.points = {{500, 0, {10, 20, 30}},
                        {900, 0.1, {200, 20, 30}},
@@ -24,15 +20,17 @@ TransferFunction curve(FunctionKind kind) {
     return function;
 }
 
-TransferFunction plane() {
-    TransferFunction function;
-    function.kind = FunctionKind::TwoD;
-    function.shapes = {{Trapezoid{{1000, 2000}, {1300, 1700}, {100, 900}, {1, 1}}, {255, 0, 0}, 0.8},
-                       {Trapezoid{{1500, 3000}, {1500, 3000}, {-200, 600}, {1, 1}}, {0, 90, 255}, 0.4}};
+render::TransferFunction planeOfShapes() {
+    render::TransferFunction function;
+    function.kind = render::FunctionKind::TwoD;
+    function.shapes = {
+        {render::Trapezoid{{1000, 2000}, {1300, 1700}, {100, 900}, {1, 1}}, {255, 0, 0}, 0.8},
+        {render::Trapezoid{{1500, 3000}, {1500, 3000}, {-200, 600}, {1, 1}}, {0, 90, 255}, 0.4}};
     return function;
 }
 
-void check(Tally& tally, const TransferFunction& function, const field::Field& field, double allowed) {
+void checkFunction(Tally& tally, const render::TransferFunction& function, const field::Field& field,
+                   double allowed) {
     render::Classification classification;
     classification.update(function, field);
     gl::Defines defines;
@@ -61,10 +59,10 @@ void check(Tally& tally, const TransferFunction& function, const field::Field& f
 void checkTables(Tally& tally) {
     const auto field = field::uploadVolume(makeNoise({17, 16, 16}, volume::ScalarType::Int16, 0, 4000));
     // Half a texel of the table, where the function is steepest, and what an 8-bit filter adds to that.
-    check(tally, curve(FunctionKind::Intensity), field, 5e-3);
-    check(tally, curve(FunctionKind::Gradient), field, 5e-3);
+    checkFunction(tally, curveOver(render::FunctionKind::Intensity), field, 5e-3);
+    checkFunction(tally, curveOver(render::FunctionKind::Gradient), field, 5e-3);
     // Soft edges bend between the 512 x 256 places at which the table has them.
-    check(tally, plane(), field, 0.012);
+    checkFunction(tally, planeOfShapes(), field, 0.012);
 }
 
 } // namespace vs::studio

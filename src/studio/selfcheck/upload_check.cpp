@@ -12,7 +12,7 @@ namespace vs::studio {
 namespace {
 
 template <typename Texel>
-std::vector<double> valuesOf(const field::Field& field, const Box3& box, double unit) {
+std::vector<double> uploadedValues(const field::Field& field, const Box3& box, double unit) {
     const auto bytes = field.texels.download(box);
     std::vector<Texel> texels(bytes.size() / sizeof(Texel));
     std::copy(bytes.begin(), bytes.end(), reinterpret_cast<std::byte*>(texels.data()));
@@ -25,53 +25,53 @@ std::vector<double> valuesOf(const field::Field& field, const Box3& box, double 
     return values;
 }
 
-std::vector<double> valuesOf(const field::Field& field, const Box3& box) {
+std::vector<double> uploadedValues(const field::Field& field, const Box3& box) {
     switch (field.texels.format()) {
     case gl::Format::R8:
-        return valuesOf<std::uint8_t>(field, box, 255);
+        return uploadedValues<std::uint8_t>(field, box, 255);
     case gl::Format::R16:
-        return valuesOf<std::uint16_t>(field, box, 65535);
+        return uploadedValues<std::uint16_t>(field, box, 65535);
     default:
-        return valuesOf<float>(field, box, 1);
+        return uploadedValues<float>(field, box, 1);
     }
 }
 
 // The least and the greatest value of a type that a float holds exactly.
 template <typename T>
-std::pair<int, int> endsOf() {
+std::pair<int, int> exactEnds() {
     constexpr std::int64_t most = 1 << 24;
     return {int(std::max<std::int64_t>(std::numeric_limits<T>::min(), -most)),
             int(std::min<std::int64_t>(std::numeric_limits<T>::max(), most))};
 }
 
-std::pair<int, int> endsOf(volume::ScalarType type) {
+std::pair<int, int> exactEnds(volume::ScalarType type) {
     using enum volume::ScalarType;
     switch (type) {
     case UInt8:
-        return endsOf<std::uint8_t>();
+        return exactEnds<std::uint8_t>();
     case Int8:
-        return endsOf<std::int8_t>();
+        return exactEnds<std::int8_t>();
     case UInt16:
-        return endsOf<std::uint16_t>();
+        return exactEnds<std::uint16_t>();
     case Int16:
-        return endsOf<std::int16_t>();
+        return exactEnds<std::int16_t>();
     case UInt32:
-        return endsOf<std::uint32_t>();
+        return exactEnds<std::uint32_t>();
     case Int32:
     case Float32:
         break;
     }
-    return endsOf<std::int32_t>();
+    return exactEnds<std::int32_t>();
 }
 
-void compareBox(Tally& tally, const volume::Volume& volume, const field::Field& field, const Box3& box) {
+void compareUploaded(Tally& tally, const volume::Volume& volume, const field::Field& field, const Box3& box) {
     std::vector<double> expected;
     forEachVoxel(box, [&](glm::ivec3 v, std::size_t) { expected.push_back(volume.at(v)); });
-    const auto found = valuesOf(field, box);
+    const auto found = uploadedValues(field, box);
     tally.compareAll(std::span<const double>(found), std::span<const double>(expected));
 }
 
-void checkQuads(Tally& tally, const volume::Volume& volume, const field::Field& field) {
+void checkQuadTexels(Tally& tally, const volume::Volume& volume, const field::Field& field) {
     const auto texels = field.texels.downloadAll<std::uint16_t>();
     const auto quads = field.quads.buffer().read<std::uint16_t>(4 * texels.size());
     const glm::ivec3 dims = volume.geometry.dims;
@@ -102,15 +102,15 @@ void checkBuffer(Tally& tally) {
 void checkUpload(Tally& tally) {
     constexpr glm::ivec3 dims(37, 21, 19);
     for (const auto type : kScalarTypes) {
-        const auto [lo, hi] = endsOf(type);
+        const auto [lo, hi] = exactEnds(type);
         const auto volume = makeNoise(dims, type, lo, hi);
         const auto field = field::uploadVolume(volume);
         tally.about(std::string("values of ") + name(type));
-        compareBox(tally, volume, field, volume.geometry.box());
-        compareBox(tally, volume, field, {{3, 5, 7}, {20, 6, 19}});
+        compareUploaded(tally, volume, field, volume.geometry.box());
+        compareUploaded(tally, volume, field, {{3, 5, 7}, {20, 6, 19}});
         if (field.quads && field.texels.format() == gl::Format::R16) {
             tally.about("texels of quads");
-            checkQuads(tally, volume, field);
+            checkQuadTexels(tally, volume, field);
         }
     }
     auto holed = makeNoise(dims, volume::ScalarType::Float32, 0, 9);

@@ -30,7 +30,7 @@ FAULTS = {
     "transfer function tables": ("render/shaders/classification.glsl", "? c.a : 0.0;\n    return c;\n}\n\n#if",
                                  "? 0.97 * c.a : 0.0;\n    return c;\n}\n\n#if"),
     "point radiation": ("sculpt/shaders/convolve_tiles.comp", "(1.0 / FIXED_ONE)", "(1.003 / FIXED_ONE)"),
-    "drill, restore, undo": ("sculpt/shaders/combine_sculpture.comp", "isRestore != 0 ? min(before, remains)", "isRestore != 0 ? before"),
+    "drill and undo": ("sculpt/shaders/combine_sculpture.comp", "isRestore != 0 ? min(before, remains)", "isRestore != 0 ? before"),
     "peel": ("sculpt/shaders/generate_tool_points.comp", "max(forwards * dot(", "0.95 * max(forwards * dot("),
     "clip and outline cut": ("sculpt/shaders/cut_solid.glsl", "1.5976", "1.55"),
     "growth": ("segment/shaders/constraints.glsl", "max(voxel - 1, 0)", "max(voxel - 2, 0)"),
@@ -44,6 +44,9 @@ FAULTS = {
     "X-ray pictures": ("render/shaders/seen_along.glsl", "return sum * lattice.x;", "return sum * lattice.x * 1.03;"),
     "volume pictures": ("render/shaders/composite.glsl", "opacityOfPart(c.a, 2.0 * steps)", "opacityOfPart(c.a, 1.8 * steps)"),
     "skipping of empty space": ("render/shaders/rays.glsl", "ivec3 upper = cell + distance;", "ivec3 upper = cell + distance + 1;"),
+    "islands and solids": ("sculpt/shaders/cut_islands.comp", "lessThanEqual(abs(offset), ivec2(1))", "lessThanEqual(abs(offset), ivec2(0))"),
+    "pasted parts": ("render/shaders/seen.glsl", "one.front = other.front.a > one.front.a ? other.front : one.front;", ""),
+    "light": ("render/shaders/average_occlusion.comp", "kInTheWay = 0.6", "kInTheWay = 0.5"),
     "slices": ("render/shaders/draw_slice.comp", "(1.0 - f.x) * (1.0 - f.y)", "0.97 * (1.0 - f.x) * (1.0 - f.y)"),
 }
 WITHOUT_SHADER = {"upload and read-back"}
@@ -95,7 +98,7 @@ class Devices(unittest.TestCase):
         self.assertEqual(result.stderr, "")
         report = json.loads(self.json.read_text())
         self.assertTrue(report["ok"])
-        self.assertGreaterEqual(len(report["stages"]), 24)
+        self.assertGreaterEqual(len(report["stages"]), 27)
         for stage in report["stages"]:
             self.assertTrue(stage["ok"], stage)
             self.assertGreater(stage["values"], 0, stage)

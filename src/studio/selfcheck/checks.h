@@ -33,6 +33,9 @@ void checkDrill(Tally& tally);
 void checkPeel(Tally& tally);
 // A clip by planes and an outline cut through everything have the edges that their distances say.
 void checkSolids(Tally& tally);
+// What is seen and belongs to no region is cut, with two voxels around it, and a solid given voxel by voxel
+// is united with that.
+void checkIslands(Tally& tally);
 // Segments grow on the device as on the host, voxel by voxel and generation by generation, by every rule.
 void checkGrowth(Tally& tally);
 // Places on a surface become the nearest voxels of a range, each once.
@@ -55,6 +58,10 @@ void checkXRay(Tally& tally);
 void checkCompositing(Tally& tally);
 // Leaving out empty space changes no picture.
 void checkSkipping(Tally& tally);
+// A part that was cut out and is pasted where it was makes the picture whole again.
+void checkParts(Tally& tally);
+// As much blocks the light as a ball fills, and each level of that is the average of the level before.
+void checkLight(Tally& tally);
 // Slices show the values that lie in them.
 void checkSlices(Tally& tally);
 

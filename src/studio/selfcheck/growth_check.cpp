@@ -83,6 +83,24 @@ void compareGrowths(Tally& tally, const segment::Growth& device, const segment::
     tally.compare(double(device.voxelCount()), double(host.voxelCount()));
 }
 
+// Paints every other voxel of a box into the segment at work, and away from it again: voxels of others stay
+// theirs.
+void paintBoth(Tally& tally, segment::Growth& growth) {
+    const Box3 box{{5, 6, 7}, {34, 31, 22}};
+    std::vector<std::uint8_t> inside;
+    forEachVoxel(box, [&](glm::ivec3 v, std::size_t) { inside.push_back((v.x + v.y + v.z) % 2); });
+    for (const bool isToAdd : {true, false}) {
+        auto expected = growth.labelMap();
+        forEachVoxel(box, [&](glm::ivec3 v, std::size_t n) {
+            auto& label = expected[indexOf(v, kGrowthDims)];
+            label = inside[n] == 0 || label == 2 ? label : std::uint8_t(isToAdd ? 1 : 0);
+        });
+        growth.paint(box, inside, isToAdd);
+        const auto found = growth.labelMap();
+        tally.compareAll(std::span<const std::uint8_t>(found), std::span<const std::uint8_t>(expected));
+    }
+}
+
 // Two segments, grown, taken back, absorbed in part, grown on and in the end erased.
 void growBoth(Tally& tally, segment::Growth& device, segment::Growth& host,
               const segment::Constraints& rules) {
@@ -112,6 +130,8 @@ void growBoth(Tally& tally, segment::Growth& device, segment::Growth& host,
     compareGrowths(tally, device, host);
     // Growth that gets nowhere would leave nothing to compare.
     tally.require(host.voxelCount(1) > 100 && host.voxelCount(2) > 100);
+    paintBoth(tally, device);
+    paintBoth(tally, host);
     for (const std::uint8_t label : {2, 1}) {
         both([&](segment::Growth& growth) {
             growth.activate(label);

@@ -196,7 +196,36 @@ void checkSkipping(Tally& tally) {
         // After a skip samples fall elsewhere: rays that graze a surface may meet it a little later.
         tally.about("mean of grey levels against marching everywhere, " + which);
         tally.compare(meanDifference(fast, marched), 0, mode == render::Mode::Surface ? 0.35 : 0.05);
+        if (mode == render::Mode::Mip) {
+            still.frame().scene.sampling = field::Sampling::Tricubic;
+            const auto smooth = still.picture(mode);
+            tally.about("mean of grey levels against marching everywhere, tricubic");
+            tally.compare(meanDifference(smooth, still.marchedPicture(mode)), 0, 0.05);
+            tally.require(meanDifference(smooth, fast) > 0);
+            still.frame().scene.sampling = field::Sampling::Trilinear;
+        }
         tally.require(std::accumulate(fast.rgba.begin(), fast.rgba.end(), 0.0) > 65 * 96 * 72);
+    }
+}
+
+void checkParts(Tally& tally) {
+    Still still = noiseStill(volume::ScalarType::UInt8);
+    still.look({40, 28, 1, {}, render::Projection::Perspective}, still.size());
+    const auto wholeMip = still.picture(render::Mode::Mip);
+    const auto wholeXRay = still.picture(render::Mode::XRay);
+    still.sculpt([](glm::dvec3 p) { return std::clamp(0.5 + (p.x - 0.4 * p.y - 7.3) / 4, 0.0, 1.0); });
+    tally.about("what a cut changes in a picture");
+    tally.require(meanDifference(still.picture(render::Mode::Mip), wholeMip) > 5);
+    still.pasteInPlace();
+    // Every place of the volume is seen on one side of the cut and on no other.
+    for (const auto& [mode, whole] :
+         {std::pair(render::Mode::Mip, wholeMip), std::pair(render::Mode::XRay, wholeXRay)}) {
+        const auto joined = still.picture(mode);
+        tally.about(std::string("grey levels of what was cut and pasted, ") + render::name(mode));
+        tally.compare(double(joined.rgba.size()), double(whole.rgba.size()));
+        for (std::size_t i = 0; i < whole.rgba.size(); ++i) {
+            tally.compare(joined.rgba[i], whole.rgba[i], 1);
+        }
     }
 }
 

@@ -21,9 +21,10 @@ constexpr StageCheck kStageChecks[] = {
     {"smoothed values", checkSmoothing},
     {"transfer function tables", checkTables},
     {"point radiation", checkRadiation},
-    {"drill, restore, undo", checkDrill},
+    {"drill and undo", checkDrill},
     {"peel", checkPeel},
     {"clip and outline cut", checkSolids},
+    {"islands and solids", checkIslands},
     {"growth", checkGrowth},
     {"seeds on surfaces", checkSeeds},
     {"memberships of segments", checkMembership},
@@ -35,6 +36,8 @@ constexpr StageCheck kStageChecks[] = {
     {"X-ray pictures", checkXRay},
     {"volume pictures", checkCompositing},
     {"skipping of empty space", checkSkipping},
+    {"pasted parts", checkParts},
+    {"light", checkLight},
     {"slices", checkSlices},
 };
 
@@ -43,8 +46,10 @@ constexpr StageCheck kStageChecks[] = {
 std::span<const StageCheck> stageChecks() { return kStageChecks; }
 
 std::string withoutPaths(const std::string& message) {
-    static const std::regex path(R"([\w.+~@-]*(?:/[\w.+~@-]*)*/([\w+~@-]+)(?:\.[\w.]*\w)?)");
-    std::string line = std::regex_replace(message, path, "$1");
+    static const std::regex absolute(R"((^|[\s"'(=:])/[^\s:,;'")]+)");
+    static const std::regex relative(R"([\w.+~@-]*(?:/[\w.+~@-]*)*/([\w+~@-]+)(?:\.[\w.]*\w)?)");
+    std::string line = std::regex_replace(message, absolute, "$1a path");
+    line = std::regex_replace(line, relative, "$1");
     for (char& c : line) {
         c = c == '\n' || c == '\r' ? ' ' : c;
     }

@@ -37,8 +37,8 @@ struct StageResult {
 // is left.
 StageResult runCheck(const StageCheck& check, const gl::Context& context);
 
-// A message with each path in it replaced by the name at its end, without what follows that name's last dot:
-// "render/shaders/cast_rays.comp:12" becomes "cast_rays:12".
+// A message of one line without paths: those from a root are only said to be paths, and of others the name
+// at their end is left, up to its first dot, as "cast_rays:12" of "render/shaders/cast_rays.comp:12".
 std::string withoutPaths(const std::string& message);
 
 } // namespace vs::studio

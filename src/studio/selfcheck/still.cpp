@@ -29,6 +29,8 @@ void Still::segment(const OfVoxel& part) {
     frame_.scene.segmentation = &segmentation_;
 }
 
+void Still::pasteInPlace() { frame_.pasted.push_back({{}, &sculpture_, &pastedMacrocells_}); }
+
 void Still::classify(const render::TransferFunction& function) {
     classification_.update(function, field_);
     frame_.classification = &classification_;
@@ -58,8 +60,13 @@ void Still::rebuild(render::Mode mode) {
     input.segmentationCells = drawsSegments ? &segmentationCells_ : nullptr;
     input.visibleRange = field::withTolerance(frame_.scene.displayedRange, field_);
     input.view = frame_.scene.view;
+    input.sampling = frame_.scene.sampling;
     input.classification = mode == render::Mode::Volume ? frame_.classification : nullptr;
     macrocells_.rebuild(input);
+    input.view = field::SculptureView::Probe;
+    if (!frame_.pasted.empty()) {
+        pastedMacrocells_.rebuild(input);
+    }
 }
 
 image::Image Still::draw() {

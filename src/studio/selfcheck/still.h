@@ -27,6 +27,9 @@ public:
     void segment(const OfVoxel& part);
     void classify(const render::TransferFunction& function);
 
+    // Pastes what is cut away where it was.
+    void pasteInPlace();
+
     // A picture as the program makes it, and one for which nothing counts as empty.
     image::Image picture(render::Mode mode);
     image::Image marchedPicture(render::Mode mode);
@@ -56,6 +59,7 @@ private:
     gl::Texture segmentationCells_;
     render::Classification classification_;
     render::Macrocells macrocells_;
+    render::Macrocells pastedMacrocells_;
     render::RayCaster caster_;
     render::Picker picker_;
     render::Frame frame_;

@@ -60,7 +60,7 @@ void checkCompositing(Tally& tally);
 void checkSkipping(Tally& tally);
 // A part that was cut out and is pasted where it was makes the picture whole again.
 void checkParts(Tally& tally);
-// As much blocks the light as a ball fills, and each level of that is the average of the level before.
+// A ball blocks as much of the light as it fills, and each level of that is the average of the level before.
 void checkLight(Tally& tally);
 // Slices show the values that lie in them.
 void checkSlices(Tally& tally);

@@ -50,7 +50,7 @@ bool includes(const Constraints& wide, const Constraints& narrow);
 // stand-in for non-finite voxels is outside.
 glm::vec2 comparableRange(const field::Field& field, const Range& range);
 
-// Likewise for differences of two values; nothing given: all there are.
+// What the shaders compare differences of two values with; nothing given: all there are.
 glm::vec2 comparableDifference(const field::Field& field, const std::optional<Range>& range);
 
 // What turns the values' differences along the voxel axes, across two voxels, into a gradient in world axes:

@@ -16,6 +16,7 @@ MODULES = {
     "base": [],
     "volume": ["image"],
     "phantom": ["volume"],
+    "reference": ["volume"],
     "image": ["base"],
     "gl": ["base"],
     "field": ["volume", "gl"],
@@ -23,7 +24,7 @@ MODULES = {
     "segment": ["field"],
     "render": ["field"],
     "mesh": ["segment"],
-    "studio": ["phantom", "sculpt", "segment", "render", "mesh"],
+    "studio": ["phantom", "reference", "sculpt", "segment", "render", "mesh"],
 }
 ROOMS = {
     "src/volume": {"grid": [], "measures": ["grid"], "io": ["grid"], "dicom": ["io"], "reading": ["dicom"]},
@@ -34,7 +35,7 @@ ROOMS = {
                    "slices": ["colours"], "rays": ["space", "marks"]},
     "src/studio": {"operations": [], "state": ["operations"], "strokes": ["state"],
                    "editing": ["strokes"], "document": ["editing"],
-                   "exports": ["document"], "json": ["document"], "cases": ["json"]},
+                   "exports": ["document"], "json": ["document"], "cases": ["json"], "selfcheck": []},
     "apps/cli": {"reports": [], "arguments": ["reports"], "bench": [],
                  "sessions": ["arguments"],
                  "experiments": ["sessions"], "commands": ["experiments", "bench"]},

@@ -32,4 +32,18 @@ Limits limits() {
     return out;
 }
 
+ComputeLimits computeLimits() {
+    ComputeLimits out;
+    for (int axis = 0; axis < 3; ++axis) {
+        glGetIntegeri_v(GL_MAX_COMPUTE_WORK_GROUP_COUNT, GLuint(axis), &out.groups[axis]);
+        glGetIntegeri_v(GL_MAX_COMPUTE_WORK_GROUP_SIZE, GLuint(axis), &out.groupSize[axis]);
+    }
+    glGetIntegerv(GL_MAX_COMPUTE_WORK_GROUP_INVOCATIONS, &out.groupInvocations);
+    glGetIntegerv(GL_MAX_COMPUTE_SHARED_MEMORY_SIZE, &out.sharedBytes);
+    glGetIntegerv(GL_MAX_COMPUTE_SHADER_STORAGE_BLOCKS, &out.storageBlocks);
+    glGetIntegerv(GL_MAX_COMPUTE_IMAGE_UNIFORMS, &out.images);
+    glGetIntegerv(GL_MAX_COMPUTE_TEXTURE_IMAGE_UNITS, &out.textures);
+    return out;
+}
+
 } // namespace vs::gl

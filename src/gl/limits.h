@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include <glm/glm.hpp>
+
 #include <cstddef>
 
 namespace vs::gl {
@@ -19,5 +21,19 @@ Limits limits();
 
 // What every device with OpenGL 4.5 has at least (OpenGL 4.5 core, tables 23.53 to 23.68).
 inline constexpr Limits kGuaranteedLimits{16384, 2048, 65536, std::size_t(1) << 27};
+
+// How much one dispatch and one shader may take on a device.
+struct ComputeLimits {
+    glm::ivec3 groups{0};    // of a dispatch, along each axis
+    glm::ivec3 groupSize{0}; // invocations of a group along each axis
+    int groupInvocations = 0;
+    int sharedBytes = 0;
+    int storageBlocks = 0; // of a compute shader
+    int images = 0;
+    int textures = 0;
+};
+
+// What the driver of the current context's device says of compute shaders.
+ComputeLimits computeLimits();
 
 } // namespace vs::gl

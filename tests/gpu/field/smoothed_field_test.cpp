@@ -3,6 +3,7 @@
 #include "field/smoothed_field.h"
 #include "gpu/gl_test.h"
 #include "phantom/phantom.h"
+#include "reference/convolution.h"
 
 #include <cmath>
 #include <random>
@@ -26,48 +27,6 @@ std::vector<double> valuesOf(const Field& field) {
     return values;
 }
 
-// Three axes one after the other, weights from the integral of the Gaussian over each voxel; values that are
-// not finite count for nothing and stay.
-std::vector<double> convolved(const volume::Volume& volume, double sigmaSteps) {
-    const glm::ivec3 dims = volume.geometry.dims;
-    const auto at = [&](glm::ivec3 v) {
-        return (std::size_t(v.z) * std::size_t(dims.y) + std::size_t(v.y)) * std::size_t(dims.x) +
-               std::size_t(v.x);
-    };
-    std::vector<double> values(volume.geometry.voxelCount());
-    const auto forAll = [&](const auto& work) {
-        for (glm::ivec3 v(0); v.z < dims.z; ++v.z) {
-            for (v.y = 0; v.y < dims.y; ++v.y) {
-                for (v.x = 0; v.x < dims.x; ++v.x) {
-                    work(v);
-                }
-            }
-        }
-    };
-    forAll([&](glm::ivec3 v) { values[at(v)] = volume.at(v); });
-    for (int axis = 0; axis < 3; ++axis) {
-        const double sigma = sigmaSteps * volume.geometry.stepMm() / volume.geometry.spacing()[axis];
-        const int reach = std::max(1, int(std::ceil(3 * sigma)));
-        const auto before = values;
-        forAll([&](glm::ivec3 v) {
-            double sum = 0;
-            double weights = 0;
-            for (int d = -reach; d <= reach; ++d) {
-                glm::ivec3 there = v;
-                there[axis] = std::clamp(v[axis] + d, 0, dims[axis] - 1);
-                const double w = std::erf((d + 0.5) / (sigma * std::sqrt(2))) -
-                                 std::erf((d - 0.5) / (sigma * std::sqrt(2)));
-                if (std::isfinite(before[at(there)])) {
-                    sum += w * before[at(there)];
-                    weights += w;
-                }
-            }
-            values[at(v)] = std::isfinite(before[at(v)]) ? sum / weights : before[at(v)];
-        });
-    }
-    return values;
-}
-
 volume::Volume noise(volume::ScalarType type, bool hasHoles) {
     std::mt19937 random(3);
     return phantom::makePhantom({37, 29, 71}, type,
@@ -83,7 +42,7 @@ volume::Volume noise(volume::ScalarType type, bool hasHoles) {
 
 void expectConvolved(const volume::Volume& volume, double sigma, double tolerance) {
     const SmoothedField smoothed = smoothField(uploadVolume(volume), sigma);
-    const auto expected = convolved(volume, sigma);
+    const auto expected = reference::convolved(volume, sigma);
     const auto values = valuesOf(smoothed.field);
     ASSERT_EQ(values.size(), expected.size());
     double worst = 0;

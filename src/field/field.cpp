@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "field/field.h"
 
+#include "field/whole_steps.h"
 #include "gl/pass.h"
 
 #include <atomic>
@@ -49,9 +50,12 @@ void uploadSlabs(Field& field, const Stored* values, Convert convert) {
 
 double toleranceAt(double end, const Field& field) {
     // Eight weighted texels and the affine: a few units in the last place of the largest number involved. For
-    // floats that is the value itself, whatever others there are in the volume.
+    // floats that is the value itself, whatever others there are in the volume; for scaled ones it may be
+    // their offset.
     const double most = std::max(std::abs(field.range.lo), std::abs(field.range.hi));
-    return 5e-7 * (field.valueScale > 1 ? double(field.valueScale) : std::min(std::abs(end), most));
+    const bool isNormalised = field.texels.format() != gl::Format::R32F;
+    const double ofSteps = field.step > 0 ? most : 0;
+    return 5e-7 * (isNormalised ? double(field.valueScale) + ofSteps : std::min(std::abs(end), most));
 }
 
 Range withTolerance(const Range& displayed, const Field& field) {
@@ -78,6 +82,21 @@ Field uploadVolume(const volume::Volume& volume) {
             field.quads = makeQuads(volume.geometry.dims, format);
         };
         field.isIntegral = std::is_integral_v<T>;
+        if (const auto steps = wholeStepsOf(volume)) {
+            const bool isByte = steps->count <= 256;
+            make(isByte ? gl::Format::R8 : gl::Format::R16);
+            field.step = steps->step();
+            field.valueScale = float(steps->step() * (isByte ? 255 : 65535));
+            field.valueOffset = float(volume.range.lo);
+            if (isByte) {
+                uploadSlabs<std::uint8_t>(field, values,
+                                          [&](T v) { return std::uint8_t(steps->stepsTo(float(v))); });
+            } else {
+                uploadSlabs<std::uint16_t>(field, values,
+                                           [&](T v) { return std::uint16_t(steps->stepsTo(float(v))); });
+            }
+            return;
+        }
         if constexpr (sizeof(T) == 1) {
             make(gl::Format::R8);
             field.valueScale = 255;

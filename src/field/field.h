@@ -9,9 +9,10 @@
 
 namespace vs::field {
 
-// A volume's values on the device. 8- and 16-bit integers are unsigned-normalised texels, everything else
-// 32-bit float; value = texel * valueScale + valueOffset in both cases, exact at voxel centres after rounding
-// (isIntegral). Non-finite voxels hold kNonFinite, which no range contains.
+// A volume's values on the device. 8- and 16-bit integers, scaled ones too, are unsigned-normalised texels,
+// everything else 32-bit float; value = texel * valueScale + valueOffset in all cases, exact at voxel centres
+// after rounding to whole numbers (isIntegral) or whole steps. Non-finite voxels hold kNonFinite, which no
+// range contains.
 struct Field {
     gl::Texture texels;
     gl::TexelBuffer quads; // on software renderers: the same again, for faster sampling
@@ -19,6 +20,7 @@ struct Field {
     float valueScale = 1;
     float valueOffset = 0;
     bool isIntegral = false;   // stored values are whole numbers
+    double step = 0;           // scaled values are whole steps of this size apart (field/whole_steps.h); or 0
     bool isHounsfield = false; // the values are said to be Hounsfield units
     Range range;               // smallest and largest finite value
     Range usual;               // volume::Volume::usual: of histograms, landmarks and tables

@@ -182,6 +182,8 @@ void Texture::copyFrom(const Texture& source, const Box3& sourceBox, glm::ivec3 
     noteTextureCommand("Texture::copyFrom", name(), Does::Write);
     glCopyImageSubData(source.name(), target, 0, sourceBox.lo.x, sourceBox.lo.y, sourceBox.lo.z, name(),
                        target, 0, destination.x, destination.y, destination.z, s.x, s.y, s.z);
+    // Image stores that follow must not come before the source has been read.
+    memoryBarrier(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
 }
 
 void Texture::clear() {

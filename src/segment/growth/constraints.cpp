@@ -28,6 +28,19 @@ glm::vec2 ends(const std::optional<Range>& range) {
     return range ? glm::vec2(float(range->lo), float(range->hi)) : glm::vec2(-all, all);
 }
 
+// Of numbers that are whole steps from `first` on those in the range, bounded by halves of steps: what
+// rounding makes of the numbers does not count.
+glm::vec2 halvesAround(double first, double step, const Range& range) {
+    constexpr double hair = 0.05; // of a step: more than floats are off by where there are steps
+    const double lo = std::ceil((range.lo - first) / step - hair) - 0.5;
+    const double hi = std::floor((range.hi - first) / step + hair) + 0.5;
+    return {float(first + lo * step), float(first + hi * step)};
+}
+
+glm::vec2 betweenSteps(const field::Field& field, const Range& range) {
+    return halvesAround(double(field.valueOffset), field.step, range);
+}
+
 } // namespace
 
 bool includes(const Constraints& wide, const Constraints& narrow) {
@@ -47,6 +60,9 @@ glm::vec2 comparableRange(const field::Field& field, const Range& range) {
         lo = std::ceil(lo);
         hi = std::floor(hi);
     }
+    if (field.step > 0) {
+        return lo <= hi ? betweenSteps(field, {lo, hi}) : glm::vec2(1.0F, 0.0F);
+    }
     // Rounding is monotonic, so no voxel inside the range is refused even where integers exceed float's
     // precision.
     glm::vec2 ends(static_cast<float>(lo), static_cast<float>(hi));
@@ -54,6 +70,10 @@ glm::vec2 comparableRange(const field::Field& field, const Range& range) {
         ends = {1.0F, 0.0F}; // rounding must not make an empty range hold a value
     }
     return ends;
+}
+
+glm::vec2 comparableDifference(const field::Field& field, const std::optional<Range>& range) {
+    return range && field.step > 0 ? halvesAround(0, field.step, *range) : ends(range);
 }
 
 glm::mat3 gradientColumns(const field::Field& field) {
@@ -80,7 +100,7 @@ gl::Program& ConstrainedProgram::prepare(const field::Field& field, const Constr
         .set("gradientAlongY", gradient[1])
         .set("gradientAlongZ", gradient[2])
         .set("gradientRange", ends(constraints.gradient))
-        .set("differenceRange", ends(constraints.difference))
+        .set("differenceRange", comparableDifference(field, constraints.difference))
         .set("gradientDifferenceRange", ends(constraints.gradientDifference));
     if (constraints.hasFence()) {
         constraints.sculpture->bindTexture(kSculptureTexture);

@@ -46,8 +46,12 @@ struct Constraints {
 bool includes(const Constraints& wide, const Constraints& narrow);
 
 // The ends of a range as the shaders compare them: whole numbers for integral volumes (40.5:130 means
-// 41:130), rounded to float, and clipped to the data so that the stand-in for non-finite voxels is outside.
+// 41:130), halves between two steps for scaled ones, rounded to float, and clipped to the data so that the
+// stand-in for non-finite voxels is outside.
 glm::vec2 comparableRange(const field::Field& field, const Range& range);
+
+// What the shaders compare differences of two values with; nothing given: all there are.
+glm::vec2 comparableDifference(const field::Field& field, const std::optional<Range>& range);
 
 // What turns the values' differences along the voxel axes, across two voxels, into a gradient in world axes:
 // its columns, 1 / mm.

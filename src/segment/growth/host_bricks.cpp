@@ -54,7 +54,7 @@ HostBrick& HostBricks::brickAt(std::uint32_t number, glm::ivec3 place) {
     }
     if (brick->madeFor != present_) {
         brick->around.fill(0);
-        brick->tests.fill(0);
+        brick->isTested.fill(0);
         brick->hasJoined.fill(0);
         for (HostTile& tile : brick->tiles) {
             tile.joined = {};
@@ -122,7 +122,7 @@ void BricksToGrowInto::closeBehindFence(HostBrick& brick) const {
 void BricksOfRegion::open(HostBrick& brick) const {
     forEachTile(brick, region_,
                 [](HostTile& tile, const std::uint32_t* words) { tile.open = slices::fromWords(words); });
-    brick.tests.fill(HostBrick::kTested);
+    brick.isTested.fill(1);
 }
 
 } // namespace vs::segment

@@ -19,17 +19,13 @@ struct alignas(64) HostTile {
     Slices joined;                // what has, and is not written into the set's own bits yet
 };
 
-// And of a brick.
+// What it keeps of a brick.
 struct HostBrick {
-    static constexpr std::uint8_t kTested = 0xff;
-
     std::array<HostTile, 64> tiles;
     // Which of the 27 tiles around one (bit (dx + 1) + 3 (dy + 1) + 9 (dz + 1)) have newest voxels that the
     // next expansion is to spread from into it; 0: it is not on the list of the next expansion.
     std::array<std::uint32_t, 64> around{};
-    // Whether the rules were asked about all that is open (kTested), or how many voxels they let in one by
-    // one.
-    std::array<std::uint8_t, 64> tests{};
+    std::array<std::uint8_t, 64> isTested{};  // whether the rules were asked about all that is open
     std::array<std::uint8_t, 64> hasJoined{}; // whether something has
     std::uint32_t number = 0;
     glm::ivec3 place{0};     // in bricks
@@ -45,8 +41,7 @@ struct TileOfBrick {
     explicit operator bool() const { return brick != nullptr; }
     [[nodiscard]] HostTile& operator*() const { return brick->tiles[tile]; }
     [[nodiscard]] HostTile* operator->() const { return &brick->tiles[tile]; }
-    [[nodiscard]] std::uint8_t& tests() const { return brick->tests[tile]; }
-    [[nodiscard]] bool isTested() const { return brick->tests[tile] == HostBrick::kTested; }
+    [[nodiscard]] bool isTested() const { return brick->isTested[tile] != 0; }
     [[nodiscard]] std::uint32_t& around() const { return brick->around[tile]; }
     [[nodiscard]] std::uint32_t number() const { return brick->number << 6U | tile; } // in the whole grid
     [[nodiscard]] glm::ivec3 origin() const {

@@ -20,7 +20,7 @@ public:
     // The values of the field, x fastest, must outlive this.
     HostRules(const T* values, const field::Field& field, const Constraints& constraints)
         : values_(values), dims_(field.geometry.dims), range_(comparable(field, constraints.range)),
-          gradient_(rounded(constraints.gradient)), difference_(rounded(constraints.difference)),
+          gradient_(rounded(constraints.gradient)), difference_(differenceOf(field, constraints.difference)),
           gradientDifference_(rounded(constraints.gradientDifference)),
           gradientAlong_(gradientColumns(field)) {}
 
@@ -81,6 +81,11 @@ private:
         return range ? std::optional(glm::vec2(float(range->lo), float(range->hi))) : std::nullopt;
     }
 
+    static std::optional<glm::vec2> differenceOf(const field::Field& field,
+                                                 const std::optional<Range>& range) {
+        return range ? std::optional(comparableDifference(field, range)) : std::nullopt;
+    }
+
     [[nodiscard]] bool isInRange(T value) const {
         const auto compared = Compared(value);
         return compared >= range_.lo && compared <= range_.hi;
@@ -108,7 +113,7 @@ private:
         return inRange(eight.data()) & ((1U << unsigned(count)) - 1);
     }
 
-    // As the device has it: non-finite values are all one.
+    // The device has one number for all values that are not finite.
     [[nodiscard]] float valueAt(glm::ivec3 voxel) const {
         const auto value = float(values_[indexOf(voxel)]);
         return std::is_integral_v<T> || std::isfinite(value) ? value : field::kNonFinite;

@@ -81,8 +81,7 @@ private:
     // What became of a tile.
     struct Found {
         std::uint32_t joined = 0;
-        std::uint32_t touched =
-            0; // of the 27 tiles around it, those that its newest voxels have neighbours in
+        std::uint32_t touched = 0; // of the 27 tiles around it: in these the newest voxels have neighbours
     };
     template <typename T>
     struct Step {
@@ -98,12 +97,10 @@ private:
         }
     };
 
-    // As many in a generation make tiles worth their while; so few do not.
+    // So many in a generation make tiles worth their while, so few do not.
     static constexpr std::uint64_t kMany = 256;
     static constexpr std::uint64_t kFew = 64;
 
-    // Voxels that were let in one by one, after which the queue has their tile tested whole.
-    static constexpr std::uint8_t kWorthAWholeTest = 32;
     // Tiles that are looked at by several threads.
     static constexpr std::size_t kWorthACrew = 256;
     static constexpr std::size_t kTilesAtOnce = 64;
@@ -123,8 +120,6 @@ private:
     std::uint64_t expandTiles(const Step<T>& step);
     template <typename T>
     Found expandTile(const Step<T>& step, const TileOfBrick& tile);
-    template <typename T>
-    void testWhole(const Step<T>& step, const TileOfBrick& tile);
     template <typename T>
     void test(const Step<T>& step, const TileOfBrick& tile, Slices& fresh);
     template <typename T>
@@ -216,12 +211,6 @@ HostSpread::Found HostSpread::expandTile(const Step<T>& step, const TileOfBrick&
     return {count, tilesTouched(fresh, step.connectivity)};
 }
 
-template <typename T>
-[[gnu::noinline]] void HostSpread::testWhole(const Step<T>& step, const TileOfBrick& tile) {
-    tile->open &= step.rules.admitted(tile.origin());
-    tile.tests() = HostBrick::kTested;
-}
-
 // Leaves of the fresh voxels those that the rules let in by themselves. A tile is tested whole as soon as
 // they let some in; until then what they refuse is not asked about again.
 template <typename T>
@@ -232,7 +221,8 @@ void HostSpread::test(const Step<T>& step, const TileOfBrick& tile, Slices& fres
         letsIn = letsIn || step.rules.admits(origin + slices::voxelAt(place));
     });
     if (letsIn) {
-        testWhole(step, tile);
+        tile->open &= step.rules.admitted(origin);
+        tile.brick->isTested[tile.tile] = 1;
         fresh &= tile->open;
     } else {
         tile->open -= fresh;

@@ -2,6 +2,7 @@
 #include "segment/growth/host_values.h"
 
 #include <algorithm>
+#include <vector>
 
 namespace vs::segment {
 
@@ -11,6 +12,9 @@ using volume::ScalarType;
 
 // The type of which the field's texels are the values, less an offset for signed ones.
 ScalarType typeOf(const field::Field& field) {
+    if (field.step > 0) {
+        return ScalarType::Float32;
+    }
     const bool isSigned = field.valueOffset < 0;
     switch (field.texels.format()) {
     case gl::Format::R8:
@@ -31,6 +35,20 @@ void takeOffsetAway(volume::Volume& volume) {
     }
 }
 
+// Texels that count steps become values.
+template <typename Texel>
+std::vector<std::byte> scaled(const std::vector<std::byte>& texels, const field::Field& field) {
+    std::vector<std::byte> values(texels.size() / sizeof(Texel) * sizeof(float));
+    const auto* from = reinterpret_cast<const Texel*>(texels.data());
+    std::transform(from, from + texels.size() / sizeof(Texel), reinterpret_cast<float*>(values.data()),
+                   [&](Texel steps) { return float(field.valueOffset + steps * field.step); });
+    return values;
+}
+void scale(volume::Volume& volume, const field::Field& field) {
+    volume.bytes = field.texels.format() == gl::Format::R8 ? scaled<std::uint8_t>(volume.bytes, field)
+                                                           : scaled<std::uint16_t>(volume.bytes, field);
+}
+
 } // namespace
 
 const volume::Volume& HostValues::get() {
@@ -41,7 +59,11 @@ const volume::Volume& HostValues::get() {
         read_.geometry = field_->geometry;
         read_.type = typeOf(*field_);
         read_.bytes = field_->texels.download({glm::ivec3(0), field_->geometry.dims});
-        takeOffsetAway(read_);
+        if (field_->step > 0) {
+            scale(read_, *field_);
+        } else {
+            takeOffsetAway(read_);
+        }
         isRead_ = true;
     }
     return read_;

@@ -74,7 +74,7 @@ constexpr std::uint8_t sidesOf(bool beforeX, bool afterX, bool beforeY, bool aft
     return std::uint8_t(int(beforeX) | int(afterX) << 1 | int(beforeY) << 2 | int(afterY) << 3 |
                         int(beforeZ) << 4 | int(afterZ) << 5);
 }
-// Those that a voxel lies at.
+// The sides that a voxel lies at.
 inline constexpr auto kSidesAt = [] {
     std::array<std::uint8_t, kVoxels> sides{};
     for (std::uint32_t place = 0; place < kVoxels; ++place) {

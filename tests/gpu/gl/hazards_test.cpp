@@ -245,6 +245,20 @@ TEST_F(HazardsTest, AWriteAfterAReadOfAnotherDispatchNeedsABarrier) {
     expectHazard({"'the row'", "take_values.comp (pass 'take') reads it", "GL_SHADER_STORAGE_BARRIER_BIT"});
 }
 
+TEST_F(HazardsTest, AStoreAfterACopyHasReadItsSourceNeedsABarrier) {
+    Texture other(glm::ivec3(2), Format::R32UI, Filter::Nearest, "the other");
+    const Box3 all{glm::ivec3(0), glm::ivec3(2)};
+    other.copyFrom(texture_, all, glm::ivec3(0));
+    fillImage(Barrier::All);
+    expectNone(); // Texture issues the barrier, which is taken away now
+    hazards()->ignoreBarriers(GL_SHADER_IMAGE_ACCESS_BARRIER_BIT);
+    other.copyFrom(texture_, all, glm::ivec3(0));
+    hazards()->ignoreBarriers(0);
+    fillImage(Barrier::All);
+    expectHazard({"'the texture'", "Texture::copyFrom reads it from the program, then",
+                  "fill_values.comp (pass 'fill') writes it", "GL_SHADER_IMAGE_ACCESS_BARRIER_BIT"});
+}
+
 TEST_F(HazardsTest, WhatCommandsDoAfterReadsIsOrderedByOpenGL) {
     take(kFromTexture, Barrier::None);
     texture_.clear();

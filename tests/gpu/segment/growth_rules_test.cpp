@@ -3,6 +3,7 @@
 #include "gpu/gl_test.h"
 #include "gpu/segment/growth_cases.h"
 
+#include <algorithm>
 #include <limits>
 
 namespace vs::segment {
@@ -73,6 +74,42 @@ TEST_P(GrowthRulesTest, EveryRuleEqualsAPlainQueue) {
                 expectSameAsQueue(volume, all, where + ", all");
             }
         }
+    }
+}
+
+// Values of a file with a slope and an intercept, and rules whose ends are such values: what was stored
+// decides, not what rounding makes of it.
+TEST_P(GrowthRulesTest, EndsOfRulesAreMetExactlyByScaledValues) {
+    const auto stored = softVolume(volume::ScalarType::UInt8, glm::dvec3(1));
+    for (const double slope : {0.1, -0.3, 1.0 / 3, 1e-3}) {
+        volume::Volume scaled = stored;
+        scaled.type = volume::ScalarType::Float32;
+        scaled.details.slope = slope;
+        scaled.details.intercept = 7.7;
+        const auto valueOf = [&](double number) { return double(float(slope * number + 7.7)); };
+        scaled.bytes.resize(4 * stored.bytes.size());
+        std::transform(stored.bytes.begin(), stored.bytes.end(),
+                       reinterpret_cast<float*>(scaled.bytes.data()),
+                       [&](std::byte number) { return float(valueOf(std::to_integer<int>(number))); });
+        volume::computeRange(scaled);
+        const field::Field field = field::uploadVolume(scaled);
+        ASSERT_EQ(field.texels.format(), gl::Format::R8);
+        Constraints inNumbers;
+        inNumbers.range = {40, 170};
+        inNumbers.difference = {-4, 7};
+        Constraints inValues;
+        inValues.range = {std::min(valueOf(40), valueOf(170)), std::max(valueOf(40), valueOf(170))};
+        inValues.difference = {std::min(-4 * slope, 7 * slope), std::max(-4 * slope, 7 * slope)};
+        Growth growth(field, GetParam());
+        growth.setConstraints(inValues);
+        reference::QueueGrowth queue(stored.geometry.dims);
+        queue.setRules(admits(stored, inNumbers), false, admitsFrom(stored, inNumbers));
+        const std::vector<glm::ivec3> seeds{{22, 19, 13}, {3, 3, 3}, {40, 30, 20}, {10, 30, 5}};
+        growth.addSeeds(seeds);
+        queue.addSeeds(seeds);
+        EXPECT_EQ(growth.advance(kAll), queue.advance(kAll)) << slope;
+        EXPECT_TRUE(growth.generations(false) == queue.generations()) << slope;
+        EXPECT_GT(growth.voxelCount(), 200U) << slope;
     }
 }
 

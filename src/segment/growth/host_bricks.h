@@ -86,6 +86,13 @@ public:
     // The tile that a voxel lies in.
     TileOfBrick tileOf(glm::ivec3 voxel);
 
+    // A voxel of a tile joins.
+    void join(const TileOfBrick& tile, std::uint32_t place, int generation) {
+        slices::clear(tile->open, place);
+        slices::set(tile->joined, place);
+        tile.brick->hasJoined[tile.tile] = 1;
+        noteJoined(*tile.brick, generation);
+    }
     // Takes note that something of a brick has joined.
     void noteJoined(HostBrick& brick, int generation) {
         if (brick.joinedIn.first == 0) {

@@ -148,9 +148,7 @@ int HostFrontier::flood(const SeedMap& seedMap, const Rules& rules, std::span<co
         const std::uint32_t place = slices::placeOf(voxel & 7);
         if (slices::has(tile->open, place)) {
             spread.add(voxel);
-            slices::set(tile->joined, place);
-            tile.brick->hasJoined[tile.tile] = 1;
-            bricks.noteJoined(*tile.brick, 1);
+            bricks.join(tile, place, 1);
         }
     }
     std::vector<std::uint64_t> joined;

@@ -150,55 +150,48 @@ Slices HostSpread::offered(const TileOfBrick& tile, std::uint32_t around, Connec
                                              : offeredAllAround(tile, around);
 }
 
+// The newest voxels of one of the 27 tiles around one, where they are to be spread from.
+const Slices& HostSpread::newestIn(const TileOfBrick& tile, std::uint32_t around, std::uint32_t n) const {
+    static constexpr Slices kNothing{};
+    return !has(around, n) ? kNothing
+           : n == kItself  ? tile->newest[now_]
+                           : bricks_->near(tile, n)->newest[now_];
+}
+
 Slices HostSpread::offeredAcrossFaces(const TileOfBrick& tile, std::uint32_t around) const {
+    const auto from = [&](std::uint32_t n) -> const Slices& { return newestIn(tile, around, n); };
+    const Slices& own = from(kItself);
     Slices to;
-    if (has(around, kItself)) {
-        const Slices& own = tile->newest[now_];
-        for (std::size_t z = 0; z < 8; ++z) {
-            to.z[z] = slices::spreadX(own.z[z]) | slices::spreadY(own.z[z]);
-        }
-        for (std::size_t z = 0; z < 7; ++z) {
-            to.z[z] |= own.z[z + 1];
-            to.z[z + 1] |= own.z[z];
-        }
+    for (std::size_t z = 0; z < 8; ++z) {
+        to.z[z] = slices::spreadX(own.z[z]) | slices::spreadY(own.z[z]);
     }
-    const auto from = [&](std::uint32_t n) -> const Slices& { return bricks_->near(tile, n)->newest[now_]; };
-    if (has(around, kBeforeX)) {
+    for (std::size_t z = 0; z < 7; ++z) {
+        to.z[z] |= own.z[z + 1];
+        to.z[z + 1] |= own.z[z];
+    }
+    if (has(around, kBeforeX) || has(around, kAfterX)) {
         const Slices& before = from(kBeforeX);
-        for (std::size_t z = 0; z < 8; ++z) {
-            to.z[z] |= slices::fromX(before.z[z], 0);
-        }
-    }
-    if (has(around, kAfterX)) {
         const Slices& after = from(kAfterX);
         for (std::size_t z = 0; z < 8; ++z) {
-            to.z[z] |= slices::fromX(0, after.z[z]);
+            to.z[z] |= slices::fromX(before.z[z], after.z[z]);
         }
     }
-    if (has(around, kBeforeY)) {
+    if (has(around, kBeforeY) || has(around, kAfterY)) {
         const Slices& before = from(kBeforeY);
-        for (std::size_t z = 0; z < 8; ++z) {
-            to.z[z] |= slices::fromY(before.z[z], 0);
-        }
-    }
-    if (has(around, kAfterY)) {
         const Slices& after = from(kAfterY);
         for (std::size_t z = 0; z < 8; ++z) {
-            to.z[z] |= slices::fromY(0, after.z[z]);
+            to.z[z] |= slices::fromY(before.z[z], after.z[z]);
         }
     }
-    to.z[0] |= has(around, kBeforeZ) ? from(kBeforeZ).z[7] : 0;
-    to.z[7] |= has(around, kAfterZ) ? from(kAfterZ).z[0] : 0;
+    to.z[0] |= from(kBeforeZ).z[7];
+    to.z[7] |= from(kAfterZ).z[0];
     return to;
 }
 
 Slices HostSpread::offeredAllAround(const TileOfBrick& tile, std::uint32_t around) const {
-    static constexpr Slices kNothing{};
     std::array<const Slices*, 27> from{};
     for (std::uint32_t n = 0; n < 27; ++n) {
-        from[n] = !has(around, n) ? &kNothing
-                  : n == kItself  ? &tile->newest[now_]
-                                  : &bricks_->near(tile, n)->newest[now_];
+        from[n] = &newestIn(tile, around, n);
     }
     // Slices -1 to 8, each spread in its plane.
     std::array<std::uint64_t, 10> spread{};

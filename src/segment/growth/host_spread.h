@@ -111,6 +111,8 @@ private:
     void goOverToQueue();
     void activate(const TileOfBrick& tile, std::uint32_t from);
     void activateAround(const TileOfBrick& tile, std::uint32_t touched);
+    [[nodiscard]] const Slices& newestIn(const TileOfBrick& tile, std::uint32_t around,
+                                         std::uint32_t n) const;
     [[nodiscard]] Slices offered(const TileOfBrick& tile, std::uint32_t around,
                                  Connectivity connectivity) const;
     [[nodiscard]] Slices offeredAcrossFaces(const TileOfBrick& tile, std::uint32_t around) const;
@@ -292,14 +294,11 @@ void HostSpread::expandQueueBy(const Step<T>& step, const Ask& ask) {
             }
             const std::size_t index = parent.index + std::size_t(way.index);
             const Answer answer = ask(tile, place, index, way);
-            if (answer != Answer::RefusedFromHere) {
+            if (answer == Answer::Refused) {
                 slices::clear(tile->open, place);
-            }
-            if (answer == Answer::Joins) {
+            } else if (answer == Answer::Joins) {
                 joining_.emplace_back(tile, place, index);
-                slices::set(tile->joined, place);
-                tile.brick->hasJoined[tile.tile] = 1;
-                bricks_->noteJoined(*tile.brick, int(step.generation));
+                bricks_->join(tile, place, int(step.generation));
                 step.store(tile, place);
             }
         }

@@ -5,6 +5,7 @@
 #include "gl/errors.h"
 #include "gl/hazard_watch.h"
 #include "gl/limits.h"
+#include "gl/staging.h"
 
 #include <epoxy/gl.h>
 
@@ -22,7 +23,7 @@ void deleteBuffer(unsigned int name) {
 } // namespace detail
 
 Buffer::Buffer(std::size_t sizeBytes, const std::string& label, Reach reach)
-    : size_(std::max<std::size_t>(sizeBytes, 4)), label_(label) {
+    : size_(std::max<std::size_t>(sizeBytes, 4)), label_(label), isStaged_(areTransfersStaged()) {
     if (const std::size_t limit = limits().storageBlockBytes; size_ > limit) {
         throw GlError("{}: {} MiB are more than this device's limit of {} MiB for a storage block; use a "
                       "smaller volume, as vstudio reduce makes, or another device",
@@ -36,7 +37,7 @@ Buffer::Buffer(std::size_t sizeBytes, const std::string& label, Reach reach)
     const bool isShared = reach == Reach::Shared;
     const auto make = [&] {
         glNamedBufferStorage(name, GLsizeiptr(size_), nullptr,
-                             GL_DYNAMIC_STORAGE_BIT | (isShared ? mapping : 0));
+                             (isStaged_ ? 0 : GL_DYNAMIC_STORAGE_BIT) | (isShared ? mapping : 0));
         if (isShared) {
             shared_ = static_cast<std::byte*>(glMapNamedBufferRange(name, 0, GLsizeiptr(size_), mapping));
         }
@@ -48,6 +49,9 @@ Buffer::Buffer(std::size_t sizeBytes, const std::string& label, Reach reach)
     }
     glObjectLabel(GL_BUFFER, name, -1, label.c_str());
     clear();
+    if (isShared) {
+        glFinish(); // the host may write from now on, which must not come before the zeros
+    }
 }
 
 void Buffer::write(std::span<const std::byte> bytes, std::size_t offset) {
@@ -56,7 +60,11 @@ void Buffer::write(std::span<const std::byte> bytes, std::size_t offset) {
         // What shaders have written before must not come after it.
         memoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
         noteBufferCommand("Buffer::write", name(), bytes.size() == size_ ? Does::Fill : Does::Write);
-        glNamedBufferSubData(name(), GLintptr(offset), GLsizeiptr(bytes.size()), bytes.data());
+        if (isStaged_) {
+            writeStaged(name(), offset, bytes);
+        } else {
+            glNamedBufferSubData(name(), GLintptr(offset), GLsizeiptr(bytes.size()), bytes.data());
+        }
     }
 }
 
@@ -68,7 +76,11 @@ void Buffer::read(std::span<std::byte> bytes, std::size_t offset) const {
     // Shader writes must be visible to the copy.
     memoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     noteBufferCommand("Buffer::read", name(), Does::Read);
-    glGetNamedBufferSubData(name(), GLintptr(offset), GLsizeiptr(bytes.size()), bytes.data());
+    if (isStaged_) {
+        readStaged(name(), offset, bytes);
+    } else {
+        glGetNamedBufferSubData(name(), GLintptr(offset), GLsizeiptr(bytes.size()), bytes.data());
+    }
 }
 
 std::span<std::byte> Buffer::shared() const {
@@ -82,10 +94,14 @@ void Buffer::waitForDevice() {
 }
 
 void Buffer::clear(std::size_t offset, std::size_t sizeBytes) {
-    const GLuint zero = 0;
     const std::size_t cleared = sizeBytes == 0 ? (size_ - offset) / 4 * 4 : sizeBytes;
     memoryBarrier(GL_BUFFER_UPDATE_BARRIER_BIT);
     noteBufferCommand("Buffer::clear", name(), cleared == size_ ? Does::Fill : Does::Write);
+    if (isStaged_) {
+        clearByDispatch(name(), offset, cleared);
+        return;
+    }
+    const GLuint zero = 0;
     glClearNamedBufferSubData(name(), GL_R32UI, GLintptr(offset), GLsizeiptr(cleared), GL_RED_INTEGER,
                               GL_UNSIGNED_INT, &zero);
 }

@@ -75,6 +75,7 @@ private:
     std::size_t size_ = 0;
     std::string label_;
     std::byte* shared_ = nullptr;
+    bool isStaged_ = false; // out of the host's reach but by copying (gl/staging.h)
 };
 
 } // namespace vs::gl

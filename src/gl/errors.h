@@ -19,6 +19,7 @@ struct ErrorCount {
     int seen = 0;                           // messages when glGetError was last asked
     bool isLost = false;                    // the context: the driver tells that once
     std::unique_ptr<HazardChecker> hazards; // while they are watched
+    unsigned int clearing = 0; // the program that clears buffers (staging.h); it goes with the context
 
     [[nodiscard]] int total() const { return messages + silent + (hazards ? hazards->count() : 0); }
 };

@@ -2,6 +2,7 @@
 #include "sculpt/radiation/radiation.h"
 
 #include "base/check.h"
+#include "gl/context.h"
 #include "gl/pass.h"
 #include "sculpt/shaders/bindings.h"
 
@@ -14,7 +15,7 @@ namespace vs::sculpt {
 namespace {
 
 // Fixed point: 22 bits after the point round a weight to 1.2e-7, and leave room for 1024 before the sum would
-// wrap; it is brought back to the limit at a quarter of that (see deposit_points.comp).
+// wrap; it stays at the limit, a quarter of that (see deposit_points.comp).
 constexpr unsigned int kFixedOne = 1U << 22;
 static_assert(Radiator::kMaxVoxelEnergy * 4 * kFixedOne <= 4294967296.0);
 
@@ -30,6 +31,9 @@ gl::Defines fixedPointDefines() {
 gl::Defines depositDefines(int width) {
     gl::Defines defines = fixedPointDefines();
     defines.emplace_back("WIDTH", std::to_string(width));
+    if (!gl::Context::isSoftware()) {
+        defines.emplace_back("VS_EXCHANGE", "1");
+    }
     return defines;
 }
 

@@ -1,7 +1,7 @@
 // Deposits points into the WIDTH^3 voxels around each with B-spline weights, as fixed-point integers, so that
 // the sum does not depend on the order. Marks the tiles it writes to. WIDTH 3: quadratic or, per axis,
 // linear; 4: cubic or lower.
-// variants: WIDTH=3 FIXED_ONE=4194304.0 FIXED_LIMIT=1073741824u MAX_POINT_ENERGY=16.0;WIDTH=4 FIXED_ONE=4194304.0 FIXED_LIMIT=1073741824u MAX_POINT_ENERGY=16.0
+// variants: WIDTH=3 FIXED_ONE=4194304.0 FIXED_LIMIT=1073741824u MAX_POINT_ENERGY=16.0;WIDTH=4 FIXED_ONE=4194304.0 FIXED_LIMIT=1073741824u MAX_POINT_ENERGY=16.0;WIDTH=3 VS_EXCHANGE=1 FIXED_ONE=4194304.0 FIXED_LIMIT=1073741824u MAX_POINT_ENERGY=16.0
 // In: storage 0 points (xyz voxel space, w energy). In/out: image 0 deposits, storage 1 one mark a tile: the
 // round.
 layout(local_size_x = 64) in;
@@ -43,6 +43,27 @@ float[4] weightsAlong(int degree, float x) {
 }
 #endif
 
+// Adds to a sum that is held to the limit.
+#ifdef VS_EXCHANGE
+// Hundreds of thousands of invocations may add to one voxel at once, so no sum passes the limit even for a
+// moment: it could wrap.
+void addUpToLimit(ivec3 texel, uint amount) {
+    uint before = imageLoad(deposits, texel).r; // may be old; then the exchange tells what is there
+    for (uint seen; amount > 0u && before < FIXED_LIMIT; before = seen) {
+        seen = imageAtomicCompSwap(deposits, texel, before, min(before + amount, FIXED_LIMIT));
+        amount = seen == before ? 0u : amount;
+    }
+}
+#else
+// Few invocations are at work at once, so what they add together does not reach from the limit to where a sum
+// wraps: each brings back what it finds beyond. A fifth faster on software renderers than exchanging.
+void addUpToLimit(ivec3 texel, uint amount) {
+    if (imageAtomicAdd(deposits, texel, amount) >= FIXED_LIMIT) {
+        imageAtomicMin(deposits, texel, FIXED_LIMIT);
+    }
+}
+#endif
+
 void main() {
     int index = int(gl_GlobalInvocationID.x);
     if (index >= count) {
@@ -58,23 +79,17 @@ void main() {
     float wx[WIDTH] = weightsAlong(degrees.x, point.x - first.x);
     float wy[WIDTH] = weightsAlong(degrees.y, point.y - first.y);
     float wz[WIDTH] = weightsAlong(degrees.z, point.z - first.z);
-    uint highest = 0u;
     for (int z = 0; z < WIDTH; ++z) {
         for (int y = 0; y < WIDTH; ++y) {
             float row = energy * wz[z] * wy[y];
             for (int x = 0; x < WIDTH; ++x) {
                 uint amount = uint(row * wx[x] + 0.5);
-                amount = running < 0 ? 0u - amount : amount;
-                highest = max(highest, imageAtomicAdd(deposits, texel + ivec3(x, y, z), amount));
+                if (running == 0) {
+                    addUpToLimit(texel + ivec3(x, y, z), amount);
+                } else {
+                    imageAtomicAdd(deposits, texel + ivec3(x, y, z), running < 0 ? 0u - amount : amount);
+                }
             }
-        }
-    }
-    // A full voxel is brought back to the limit, far below the wrap: what is read later is min(sum, limit) in
-    // any order.
-    if (running == 0 && highest >= FIXED_LIMIT) {
-        for (int n = 0; n < WIDTH * WIDTH * WIDTH; ++n) {
-            imageAtomicMin(deposits, texel + ivec3(n % WIDTH, (n / WIDTH) % WIDTH, n / (WIDTH * WIDTH)),
-                           FIXED_LIMIT);
         }
     }
     ivec3 low = texel >> 3;

@@ -8,6 +8,8 @@ namespace vs::studio {
 
 // Volumes of every scalar type come back from the device as they were, whole and in part.
 void checkUpload(Tally& tally);
+// Clears, uploads, dispatches and the sizes of dispatches take effect in the order that they were asked for.
+void checkOrder(Tally& tally);
 // Values and gradients between voxels, by the texture filter and by quads, trilinear and tricubic, are those
 // that are interpolated on the CPU.
 void checkSampling(Tally& tally);

@@ -13,6 +13,7 @@ namespace {
 
 constexpr StageCheck kStageChecks[] = {
     {"upload and read-back", checkUpload},
+    {"order of work", checkOrder},
     {"sampling between voxels", checkSampling},
     {"intensity histogram", checkHistograms},
     {"gradient magnitudes", checkGradients},

@@ -69,6 +69,39 @@ TEST_F(GlObjectsTest, BuffersStartAsZerosAndGiveBackTheirBytes) {
     EXPECT_EQ(buffer.readValue<std::uint32_t>(24), 5U);
 }
 
+// As buffers are on hardware (gl/staging.h).
+TEST_F(GlObjectsTest, BuffersThatOnlyTheDeviceReachesGiveBackTheirBytes) {
+    setenv("VOLUME_STUDIO_TRANSFERS", "staged", 1);
+    const std::size_t size = (std::size_t(65) << 20) / sizeof(std::uint32_t); // more than is copied at once
+    Buffer buffer(size * sizeof(std::uint32_t), "test");
+    unsetenv("VOLUME_STUDIO_TRANSFERS");
+    EXPECT_EQ(buffer.read<std::uint32_t>(size), std::vector<std::uint32_t>(size, 0));
+    std::vector<std::uint32_t> values(size - 3);
+    std::iota(values.begin(), values.end(), 3U);
+    buffer.write(std::span<const std::uint32_t>(values), 8);
+    EXPECT_EQ(buffer.read<std::uint32_t>(size - 3, 8), values);
+    buffer.clear(16, 4000);
+    EXPECT_EQ(buffer.readValue<std::uint32_t>(12), 4U);
+    EXPECT_EQ(buffer.read<std::uint32_t>(1000, 16), std::vector<std::uint32_t>(1000, 0));
+    EXPECT_EQ(buffer.readValue<std::uint32_t>(4016), 1005U);
+    EXPECT_EQ(buffer.readValue<std::uint32_t>((size - 1) * sizeof(std::uint32_t)), 0U);
+}
+
+// Growth, for one, clears a plane between two dispatches that use the same bindings.
+TEST_F(GlObjectsTest, ClearingLeavesBindingsAsTheyWere) {
+    setenv("VOLUME_STUDIO_TRANSFERS", "staged", 1);
+    Buffer cleared(64, "test");
+    Buffer filled(64, "test");
+    unsetenv("VOLUME_STUDIO_TRANSFERS");
+    Program fill("gl/shaders/fill_words.comp");
+    fill.set("firstWord", 2U).set("wordCount", 3U).set("value", 7U);
+    filled.bindStorage(0);
+    cleared.clear();
+    fill.dispatch({1, 1, 1}, Barrier::Storage);
+    EXPECT_EQ(filled.read<std::uint32_t>(6), (std::vector<std::uint32_t>{0, 0, 7, 7, 7, 0}));
+    EXPECT_EQ(cleared.read<std::uint32_t>(16), std::vector<std::uint32_t>(16, 0));
+}
+
 TEST_F(GlObjectsTest, ATextureBeyondTheLimitIsRefusedWithItsSize) {
     try {
         Texture texture(glm::ivec3(100000, 2, 2), Format::R8, Filter::Linear, "data of big.nii");

@@ -19,14 +19,14 @@ struct Context::Impl {
     EGLDisplay display = EGL_NO_DISPLAY; // none for an adopted context
     EGLContext context = EGL_NO_CONTEXT;
     DeviceInfo device;
-    ErrorCount errors;
+    ContextRecord errors;
 
     Impl() = default;
     Impl(const Impl&) = delete;
     Impl& operator=(const Impl&) = delete;
     ~Impl() {
-        if (errorsCounted() == &errors) {
-            countErrorsIn(nullptr);
+        if (currentRecord() == &errors) {
+            recordIn(nullptr);
         }
         if (context != EGL_NO_CONTEXT) {
             eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
@@ -59,21 +59,21 @@ void GLAPIENTRY onMessage(GLenum source, GLenum type, GLuint, GLenum, GLsizei, c
         return; // Program throws what the shader compiler says, with the file's name
     }
     if (type == GL_DEBUG_TYPE_ERROR) {
-        addErrorMessage(*static_cast<ErrorCount*>(const_cast<void*>(user)), message);
+        addErrorMessage(*static_cast<ContextRecord*>(const_cast<void*>(user)), message);
     } else if (type != GL_DEBUG_TYPE_PUSH_GROUP && type != GL_DEBUG_TYPE_POP_GROUP) {
         tell(type == GL_DEBUG_TYPE_PERFORMANCE ? LogLevel::Performance : LogLevel::Debug,
              fmt::format("OpenGL: {}", message));
     }
 }
 
-void watchIn(ErrorCount& count) {
+void watchIn(ContextRecord& count) {
     if (!count.hazards) {
         count.hazards = std::make_unique<HazardChecker>(makeHazardChecker());
     }
 }
 
-void listenForErrors(ErrorCount& count) {
-    countErrorsIn(&count);
+void listenForErrors(ContextRecord& count) {
+    recordIn(&count);
     if (const char* asked = std::getenv("VOLUME_STUDIO_HAZARDS"); asked != nullptr && *asked == '1') {
         watchIn(count);
     }
@@ -230,13 +230,13 @@ void Context::makeCurrent() {
     if (impl_->context != EGL_NO_CONTEXT) {
         eglMakeCurrent(impl_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, impl_->context);
     }
-    countErrorsIn(&impl_->errors);
+    recordIn(&impl_->errors);
 }
 
 const DeviceInfo& Context::device() const { return impl_->device; }
 
 int Context::errorCount() const {
-    if (errorsCounted() == &impl_->errors) {
+    if (currentRecord() == &impl_->errors) {
         collectErrors();
     }
     return impl_->errors.total();
@@ -261,7 +261,7 @@ void Context::requireNoErrors() const {
 }
 
 void Context::requireDevice() {
-    ErrorCount* count = errorsCounted();
+    ContextRecord* count = currentRecord();
     const bool isReset = glGetGraphicsResetStatus() != GL_NO_ERROR;
     if (count != nullptr) {
         count->isLost = count->isLost || isReset;

@@ -11,7 +11,7 @@ namespace {
 
 constexpr int kLogged = 8; // what fails in one tile fails in all of them
 
-thread_local ErrorCount* current = nullptr;
+thread_local ContextRecord* current = nullptr;
 thread_local bool isExpected = false;
 
 // The oldest error held, GL_NO_ERROR after the last. Bounded: a lost context may never run out of them.
@@ -26,10 +26,10 @@ void takeErrors(F&& each) {
 
 } // namespace
 
-void countErrorsIn(ErrorCount* count) { current = count; }
-ErrorCount* errorsCounted() { return current; }
+void recordIn(ContextRecord* count) { current = count; }
+ContextRecord* currentRecord() { return current; }
 
-void addErrorMessage(ErrorCount& count, std::string_view message) {
+void addErrorMessage(ContextRecord& count, std::string_view message) {
     if (isExpected) {
         return;
     }

@@ -2,34 +2,35 @@
 #pragma once
 
 #include "gl/hazards.h"
+#include "gl/staging.h"
 
 #include <functional>
 #include <memory>
 #include <string_view>
 
-// How driver errors are counted. Internal to this folder; others ask Context::errorCount().
+// What is kept of contexts, and how driver errors are counted. Internal to this folder; others ask Context::errorCount().
 namespace vs::gl {
 
-// Errors of one context. Drivers report them as debug messages; some keep silent in a context that was not
-// made for debugging, so what glGetError holds counts as well, where no message told of it. A hazard counts
-// as an error too: on some device the result is another one.
-struct ErrorCount {
+// What is kept of one context. Errors: drivers report them as debug messages; some keep silent in a context
+// that was not made for debugging, so what glGetError holds counts as well, where no message told of it. A
+// hazard counts as an error too: on some device the result is another one.
+struct ContextRecord {
     int messages = 0;                       // told by the driver
     int silent = 0;                         // found by glGetError alone
     int seen = 0;                           // messages when glGetError was last asked
     bool isLost = false;                    // the context: the driver tells that once
     std::unique_ptr<HazardChecker> hazards; // while they are watched
-    unsigned int clearing = 0; // the program that clears buffers (staging.h); it goes with the context
+    Staging staging;
 
     [[nodiscard]] int total() const { return messages + silent + (hazards ? hazards->count() : 0); }
 };
 
-// Counts for the context that this thread works with from now on; null for none.
-void countErrorsIn(ErrorCount* count);
-[[nodiscard]] ErrorCount* errorsCounted();
+// The record of the context that this thread works with from now on; null for none.
+void recordIn(ContextRecord* count);
+[[nodiscard]] ContextRecord* currentRecord();
 
 // One error message of the driver. The first few are logged.
-void addErrorMessage(ErrorCount& count, std::string_view message);
+void addErrorMessage(ContextRecord& count, std::string_view message);
 
 // Counts what glGetError holds and leaves it empty.
 void collectErrors();

@@ -87,7 +87,7 @@ std::string labelOf(Memory memory) {
 } // namespace
 
 HazardChecker* hazards() {
-    const ErrorCount* count = errorsCounted();
+    const ContextRecord* count = currentRecord();
     return count != nullptr ? count->hazards.get() : nullptr;
 }
 

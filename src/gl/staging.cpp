@@ -5,7 +5,6 @@
 #include "base/error.h"
 #include "gl/context.h"
 #include "gl/errors.h"
-#include "gl/handle.h"
 #include "gl/program.h"
 #include "gl/shader_source.h"
 
@@ -20,41 +19,47 @@ namespace vs::gl {
 
 namespace {
 
-constexpr std::size_t kMostAtOnce = std::size_t(64) << 20;
+constexpr std::size_t kWindowBytes = std::size_t(8) << 20;
+constexpr std::size_t kAlignment = 16;
 
-void deleteStage(unsigned int name) { glDeleteBuffers(1, &name); }
-
-using Stage = Handle<deleteStage>;
-
-// `access`: GL_MAP_READ_BIT or GL_MAP_WRITE_BIT.
-Stage makeStage(std::size_t sizeBytes, GLbitfield access) {
-    GLuint name = 0;
-    glCreateBuffers(1, &name);
-    Stage stage(name);
-    const auto allocate = [&] {
-        glNamedBufferStorage(name, GLsizeiptr(sizeBytes), nullptr, access | GL_CLIENT_STORAGE_BIT);
-    };
-    if (fails(allocate)) {
-        throw GlError("the driver has no room for {} MiB to copy to or from the device; close other programs",
-                      (sizeBytes >> 20) + 1);
-    }
-    return stage;
+Staging& staging() {
+    VS_CHECK(currentRecord() != nullptr);
+    return currentRecord()->staging;
 }
 
-void* mapped(const Stage& stage, std::size_t sizeBytes, GLbitfield access) {
-    void* bytes = glMapNamedBufferRange(stage.name(), 0, GLsizeiptr(sizeBytes), access);
-    if (bytes == nullptr) {
-        throw GlError(
-            "the driver could not map {} bytes to copy to or from the device; its context may be lost",
-            sizeBytes);
+// `access`: GL_MAP_READ_BIT or GL_MAP_WRITE_BIT.
+void make(Staging::Window& window, GLbitfield access) {
+    const GLbitfield mapping = access | GL_MAP_PERSISTENT_BIT | GL_MAP_COHERENT_BIT;
+    glCreateBuffers(1, &window.name);
+    const auto allocate = [&] {
+        glNamedBufferStorage(window.name, GLsizeiptr(kWindowBytes), nullptr, mapping | GL_CLIENT_STORAGE_BIT);
+        window.bytes =
+            static_cast<std::byte*>(glMapNamedBufferRange(window.name, 0, GLsizeiptr(kWindowBytes), mapping));
+    };
+    if (fails(allocate) || window.bytes == nullptr) {
+        glDeleteBuffers(1, &window.name);
+        window = {};
+        throw GlError("the driver has no room for the {} MiB through which bytes go to and from the device; "
+                      "close other programs",
+                      kWindowBytes >> 20);
     }
-    return bytes;
+}
+
+// Where the next bytes to be written may lie in the window; some at least are free.
+std::size_t placeIn(Staging::Window& window) {
+    if (window.name == 0) {
+        make(window, GL_MAP_WRITE_BIT);
+    }
+    if (window.used == kWindowBytes) {
+        glFinish();
+        window.used = 0;
+    }
+    return window.used;
 }
 
 // Of the current context, made when it is first needed.
-GLuint fillingProgram() {
-    VS_CHECK(errorsCounted() != nullptr);
-    GLuint& program = errorsCounted()->clearing;
+GLuint fillProgram() {
+    GLuint& program = staging().fill;
     if (program == 0) {
         const std::string source = expandSource("gl/shaders/fill_words.comp", {}).text;
         const char* text = source.c_str();
@@ -71,28 +76,38 @@ bool areTransfersStaged() {
 }
 
 void writeStaged(unsigned int buffer, std::size_t offset, std::span<const std::byte> bytes) {
-    for (std::size_t done = 0; done < bytes.size(); done += kMostAtOnce) {
-        const auto part = bytes.subspan(done, std::min(kMostAtOnce, bytes.size() - done));
-        const Stage stage = makeStage(part.size(), GL_MAP_WRITE_BIT);
-        std::memcpy(mapped(stage, part.size(), GL_MAP_WRITE_BIT), part.data(), part.size());
-        glUnmapNamedBuffer(stage.name());
-        glCopyNamedBufferSubData(stage.name(), buffer, 0, GLintptr(offset + done), GLsizeiptr(part.size()));
+    Staging::Window& window = staging().in;
+    while (!bytes.empty()) {
+        const std::size_t at = placeIn(window);
+        const auto part = bytes.first(std::min(kWindowBytes - at, bytes.size()));
+        std::memcpy(window.bytes + at, part.data(), part.size());
+        glCopyNamedBufferSubData(window.name, buffer, GLintptr(at), GLintptr(offset),
+                                 GLsizeiptr(part.size()));
+        window.used = std::min(kWindowBytes, (at + part.size() + kAlignment - 1) / kAlignment * kAlignment);
+        offset += part.size();
+        bytes = bytes.subspan(part.size());
     }
 }
 
 void readStaged(unsigned int buffer, std::size_t offset, std::span<std::byte> bytes) {
-    for (std::size_t done = 0; done < bytes.size(); done += kMostAtOnce) {
-        const auto part = bytes.subspan(done, std::min(kMostAtOnce, bytes.size() - done));
-        const Stage stage = makeStage(part.size(), GL_MAP_READ_BIT);
-        glCopyNamedBufferSubData(buffer, stage.name(), GLintptr(offset + done), 0, GLsizeiptr(part.size()));
-        std::memcpy(part.data(), mapped(stage, part.size(), GL_MAP_READ_BIT), part.size());
-        glUnmapNamedBuffer(stage.name());
+    Staging::Window& window = staging().out;
+    if (window.name == 0) {
+        make(window, GL_MAP_READ_BIT);
+    }
+    while (!bytes.empty()) {
+        const auto part = bytes.first(std::min(kWindowBytes, bytes.size()));
+        glCopyNamedBufferSubData(buffer, window.name, GLintptr(offset), 0, GLsizeiptr(part.size()));
+        glFinish();
+        std::memcpy(part.data(), window.bytes, part.size());
+        offset += part.size();
+        bytes = bytes.subspan(part.size());
     }
 }
 
 void clearByDispatch(unsigned int buffer, std::size_t offset, std::size_t sizeBytes) {
-    constexpr std::size_t bytesPerGroup = 256 * 16; // 4 words an invocation
-    const GLuint program = fillingProgram();
+    constexpr std::size_t bytesPerGroup = std::size_t(256) * 16; // 4 words an invocation
+    const std::size_t groups = (sizeBytes + bytesPerGroup - 1) / bytesPerGroup;
+    const GLuint program = fillProgram();
     glProgramUniform1ui(program, glGetUniformLocation(program, "firstWord"), GLuint(offset / 4));
     glProgramUniform1ui(program, glGetUniformLocation(program, "wordCount"), GLuint(sizeBytes / 4));
     GLint boundBefore = 0; // whoever clears may be between two dispatches that use what is bound there
@@ -100,8 +115,7 @@ void clearByDispatch(unsigned int buffer, std::size_t offset, std::size_t sizeBy
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, buffer);
     glUseProgram(program);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
-    glDispatchCompute(
-        GLuint(std::min<std::size_t>((sizeBytes + bytesPerGroup - 1) / bytesPerGroup, kMaxGroups)), 1, 1);
+    glDispatchCompute(GLuint(std::min<std::size_t>(groups, kMaxGroups)), 1, 1);
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
     glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, GLuint(boundBefore));
 }

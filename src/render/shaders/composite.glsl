@@ -5,11 +5,15 @@
 // "classification.glsl" and "shading.glsl" first. Defines: TF_KIND, SCULPTED.
 
 const float kOpaque = 0.99;   // nothing behind this much opacity is looked at
-const float kLitShare = 0.06; // the light is asked once for pieces that together make this much of the pixel,
-const int kLitTurns = 2;      // or for this many turns of kPieces pieces
-const int kPieces = 4; // several a turn: on a software renderer the turn itself costs as much as they do.
-                       // Turns begin at every fourth sample, so that what is lit together does not depend on
-                       // what was skipped
+#if TF_KIND == 0
+const float kCoarse = 0.8; // behind this much opacity pieces are twice as long: little is left of what they miss
+#else
+const float kCoarse = 1.0; // gradients are asked for at every other piece: they are as far apart as they may be
+#endif
+const int kPieces = 8; // several a turn: on a software renderer the turn itself costs as much as four of them. What
+                       // a turn finds is lit together; turns begin at every eighth sample, so that this does not
+                       // depend on what was skipped, but at another one in each pixel: else surfaces that lie
+                       // aslant would show terraces
 const int kColoursAPiece = 2;       // of a transfer function of gradients, that are mixed
 const float kUnseen = 1.0 / 2048.0; // pieces that make less of the pixel than this are not lit, only coloured
 
@@ -98,10 +102,10 @@ struct Walk {
     bool isCut; // something found begins where the sculpture was cut
 };
 
-// One piece, up to the sample of that number. Gradient magnitudes change little from piece to piece: two
-// pieces share the one where they meet, the end of the first.
-void addPiece(inout Walk walk, Ray ray, float numberAfter, float dt, float jitter, bool isFirst) {
-    bool isPiece = numberAfter < walk.number + 1.5; // else a way over nothing
+// One piece, up to the sample of that number; `stride`: how many samples it goes over. Gradient magnitudes
+// change little from piece to piece: two pieces share the one where they meet, the end of the first.
+void addPiece(inout Walk walk, Ray ray, float numberAfter, float stride, float dt, float jitter, bool isFirst) {
+    bool isPiece = numberAfter < walk.number + stride + 0.5; // else a way over nothing
     float to = clamp((numberAfter + jitter) * dt, ray.tNear, ray.tFar);
     vec3 after = at(ray, to);
     float back = seenValue(after);
@@ -146,7 +150,8 @@ vec4 compositeAlong(Ray ray, float dt, float jitter, out float depth) {
     const float pieces = float(kPieces);
     float stop = ray.tEnd / dt - jitter; // the number of a sample that is too far
     Walk walk;
-    walk.number = pieces * floor((ray.tBegin / dt - jitter) / pieces) - 1.0;
+    float phase = 2.0 * floor(0.5 * pieces * fract(61.7 * jitter)); // a sample where a turn begins; even, as pairs are
+    walk.number = pieces * floor((ray.tBegin / dt - jitter - phase) / pieces) + phase - 1.0;
     walk.from = clamp((walk.number + jitter) * dt, ray.tNear, ray.tFar);
     walk.front = seenValue(at(ray, walk.from));
     walk.side = sideAt(at(ray, walk.from));
@@ -154,30 +159,36 @@ vec4 compositeAlong(Ray ray, float dt, float jitter, out float depth) {
 #ifdef SEGMENTS
     walk.clear = clearOfSegments(membershipsAt(at(ray, walk.from)));
 #endif
-    while (walk.number < stop) {
-        // Look for the next pieces that show something; they are lit together.
+    do {
+        // Look for the next turn that shows something.
         walk.found = vec4(0.0);
         walk.weightedT = 0.0;
         walk.isCut = false;
-        int turns = 0;
-        float enough = kLitShare / (1.0 - sum.a);
-        while (walk.number < stop && turns < kLitTurns && walk.found.a < enough) {
-            // Over what is empty, to the last fourth sample before its end; a turn's first piece leads there.
-            float skip = walk.found.a > 0.0 ? 0.0 : emptyUntil(ray, walk.from, inverseDirection);
-            float last = ceil((walk.from + skip) / dt - jitter) - 1.0;
-            addPiece(walk, ray, max(walk.number + 1.0, pieces * floor(last / pieces)), dt, jitter, true);
+        float stride = sum.a > kCoarse && dt < 0.75 ? 2.0 : 1.0; // in drafts pieces are long enough
+        do {
+            // Over what is empty, whole ways of it: rays that are through wait here for those beside them, which
+            // costs less than looking at pieces of nothing with them. A turn's first piece leads to the last
+            // eighth sample before the end of that.
+            float begin = walk.from;
+            float skip;
+            do {
+                skip = emptyUntil(ray, begin, inverseDirection);
+                begin += skip;
+            } while (skip > 0.0 && begin < ray.tEnd);
+            float last = ceil(begin / dt - jitter) - 1.0;
+            float turn = max(floor((walk.number - phase) / pieces) + 1.0, floor((last - phase) / pieces));
+            addPiece(walk, ray, pieces * turn + phase, stride, dt, jitter, true);
             for (int i = 1; i < kPieces; ++i) {
-                addPiece(walk, ray, walk.number + 1.0, dt, jitter, i % 2 == 0);
+                addPiece(walk, ray, walk.number + stride, stride, dt, jitter, i % 2 == 0);
             }
-            turns += walk.found.a > 0.0 ? 1 : 0;
-        }
+        } while (walk.number < stop && walk.found.a == 0.0);
         if (walk.found.a * (1.0 - sum.a) > kUnseen) {
             walk.found.rgb = litInVolume(walk.found, ray, at(ray, walk.weightedT / walk.found.a), walk.isCut);
         }
         depth += (1.0 - sum.a) * walk.weightedT;
         sum += (1.0 - sum.a) * walk.found;
         stop = sum.a > kOpaque ? -1e30 : stop;
-    }
+    } while (walk.number < stop);
     depth /= max(sum.a, 1e-6);
     return sum;
 }

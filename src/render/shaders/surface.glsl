@@ -101,7 +101,7 @@ struct Crossing {
     float value;
 };
 
-const int kBatch = 4; // samples a turn: on a software renderer the turn itself costs as much as they do
+const int kBatch = 8; // samples a turn: on a software renderer the turn itself costs as much as four of them
 
 // Looks at the samples of one turn, from crossing.t on, and moves t to the first that is visible or past them
 // all. `last` is the visibility's parts (content, side) at the sample before them.

@@ -8,7 +8,8 @@
 #include <memory>
 #include <string_view>
 
-// What is kept of contexts, and how driver errors are counted. Internal to this folder; others ask Context::errorCount().
+// What is kept of contexts, and how driver errors are counted. Internal to this folder; others ask
+// Context::errorCount().
 namespace vs::gl {
 
 // What is kept of one context. Errors: drivers report them as debug messages; some keep silent in a context
@@ -26,7 +27,7 @@ struct ContextRecord {
 };
 
 // The record of the context that this thread works with from now on; null for none.
-void recordIn(ContextRecord* count);
+void recordIn(ContextRecord* record);
 [[nodiscard]] ContextRecord* currentRecord();
 
 // One error message of the driver. The first few are logged.

@@ -4,16 +4,18 @@
 // between their ends, so that what is thin in it is not missed. Include "render/shaders/surface.glsl",
 // "classification.glsl" and "shading.glsl" first. Defines: TF_KIND, SCULPTED.
 
-const float kOpaque = 0.99;   // nothing behind this much opacity is looked at
+const float kOpaque = 0.99; // nothing behind this much opacity is looked at
+// Behind this much opacity pieces are twice as long, for little is left of what they miss. Where gradients
+// count, never: they are asked for at every other piece, as far apart as they may be.
 #if TF_KIND == 0
-const float kCoarse = 0.8; // behind this much opacity pieces are twice as long: little is left of what they miss
+const float kCoarse = 0.8;
 #else
-const float kCoarse = 1.0; // gradients are asked for at every other piece: they are as far apart as they may be
+const float kCoarse = 1.0;
 #endif
-const int kPieces = 8; // several a turn: on a software renderer the turn itself costs as much as four of them. What
-                       // a turn finds is lit together; turns begin at every eighth sample, so that this does not
-                       // depend on what was skipped, but at another one in each pixel: else surfaces that lie
-                       // aslant would show terraces
+const int kPieces = 8; // several a turn: on a software renderer the turn itself costs as much as four of
+                       // them. What a turn finds is lit together; turns begin at every eighth sample, so that
+                       // this does not depend on what was skipped, but at another one in each pixel: else
+                       // surfaces that lie aslant would show terraces
 const int kColoursAPiece = 2;       // of a transfer function of gradients, that are mixed
 const float kUnseen = 1.0 / 2048.0; // pieces that make less of the pixel than this are not lit, only coloured
 
@@ -104,7 +106,8 @@ struct Walk {
 
 // One piece, up to the sample of that number; `stride`: how many samples it goes over. Gradient magnitudes
 // change little from piece to piece: two pieces share the one where they meet, the end of the first.
-void addPiece(inout Walk walk, Ray ray, float numberAfter, float stride, float dt, float jitter, bool isFirst) {
+void addPiece(inout Walk walk, Ray ray, float numberAfter, float stride, float dt, float jitter,
+              bool isFirst) {
     bool isPiece = numberAfter < walk.number + stride + 0.5; // else a way over nothing
     float to = clamp((numberAfter + jitter) * dt, ray.tNear, ray.tFar);
     vec3 after = at(ray, to);
@@ -150,7 +153,8 @@ vec4 compositeAlong(Ray ray, float dt, float jitter, out float depth) {
     const float pieces = float(kPieces);
     float stop = ray.tEnd / dt - jitter; // the number of a sample that is too far
     Walk walk;
-    float phase = 2.0 * floor(0.5 * pieces * fract(61.7 * jitter)); // a sample where a turn begins; even, as pairs are
+    // The number of a sample where a turn begins; even, as the pairs are that share a gradient.
+    float phase = 2.0 * floor(0.5 * pieces * fract(61.7 * jitter));
     walk.number = pieces * floor((ray.tBegin / dt - jitter - phase) / pieces) + phase - 1.0;
     walk.from = clamp((walk.number + jitter) * dt, ray.tNear, ray.tFar);
     walk.front = seenValue(at(ray, walk.from));
@@ -166,9 +170,9 @@ vec4 compositeAlong(Ray ray, float dt, float jitter, out float depth) {
         walk.isCut = false;
         float stride = sum.a > kCoarse && dt < 0.75 ? 2.0 : 1.0; // in drafts pieces are long enough
         do {
-            // Over what is empty, whole ways of it: rays that are through wait here for those beside them, which
-            // costs less than looking at pieces of nothing with them. A turn's first piece leads to the last
-            // eighth sample before the end of that.
+            // Over what is empty, whole ways of it: rays that are through wait here for those beside them,
+            // which costs less than looking at pieces of nothing with them. A turn's first piece leads to the
+            // last eighth sample before the end of that.
             float begin = walk.from;
             float skip;
             do {

@@ -129,7 +129,8 @@ EGLContext contextOn(EGLDisplay display) {
     }
     EGLConfig config = nullptr; // EGL_KHR_no_config_context
     if (!epoxy_has_egl_extension(display, "EGL_KHR_no_config_context")) {
-        const EGLint wanted[] = {EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
+        // Of any surfaces or none: a display without windows has no configuration for them.
+        const EGLint wanted[] = {EGL_SURFACE_TYPE, 0, EGL_RENDERABLE_TYPE, EGL_OPENGL_BIT, EGL_NONE};
         EGLint found = 0;
         if (eglChooseConfig(display, wanted, &config, 1, &found) != EGL_TRUE || found == 0) {
             return EGL_NO_CONTEXT;

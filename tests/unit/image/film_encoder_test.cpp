@@ -138,9 +138,14 @@ TEST_F(FilmEncoder, OneThatHangsIsEndedByGivingUp) {
         ids >> child >> encoder;
         ASSERT_GT(child, 0);
         EXPECT_EQ(kill(encoder, 0), -1) << "it was not reaped";
-        // Nobody may have reaped its child yet, which has become an orphan; then it is dead all the same.
-        const std::string state = contentOf("/proc/" + std::to_string(child) + "/stat");
-        EXPECT_TRUE(state.empty() || state.find(") Z ") != std::string::npos) << state;
+        // Its child has been killed too, and dies as soon as it gets a processor; left alone it would sleep
+        // on for a quarter of an hour. Nobody may have reaped it yet, for it has become an orphan.
+        const auto state = [&] { return contentOf("/proc/" + std::to_string(child) + "/stat"); };
+        const auto isDead = [&] { return state().empty() || state().find(") Z ") != std::string::npos; };
+        while (!isDead() && lasts() < 60) {
+            usleep(1000);
+        }
+        EXPECT_TRUE(isDead()) << state();
     }
 }
 

@@ -19,14 +19,14 @@ struct Context::Impl {
     EGLDisplay display = EGL_NO_DISPLAY; // none for an adopted context
     EGLContext context = EGL_NO_CONTEXT;
     DeviceInfo device;
-    ContextRecord errors;
+    ContextRecord record;
 
     Impl() = default;
     Impl(const Impl&) = delete;
     Impl& operator=(const Impl&) = delete;
     ~Impl() {
-        if (currentRecord() == &errors) {
-            recordIn(nullptr);
+        if (currentRecord() == &record) {
+            setCurrentRecord(nullptr);
         }
         if (context != EGL_NO_CONTEXT) {
             eglMakeCurrent(display, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
@@ -66,20 +66,20 @@ void GLAPIENTRY onMessage(GLenum source, GLenum type, GLuint, GLenum, GLsizei, c
     }
 }
 
-void watchIn(ContextRecord& count) {
-    if (!count.hazards) {
-        count.hazards = std::make_unique<HazardChecker>(makeHazardChecker());
+void watchIn(ContextRecord& record) {
+    if (!record.hazards) {
+        record.hazards = std::make_unique<HazardChecker>(makeHazardChecker());
     }
 }
 
-void listenForErrors(ContextRecord& count) {
-    recordIn(&count);
+void listenForErrors(ContextRecord& record) {
+    setCurrentRecord(&record);
     if (const char* asked = std::getenv("VOLUME_STUDIO_HAZARDS"); asked != nullptr && *asked == '1') {
-        watchIn(count);
+        watchIn(record);
     }
     glEnable(GL_DEBUG_OUTPUT);
     glEnable(GL_DEBUG_OUTPUT_SYNCHRONOUS);
-    glDebugMessageCallback(onMessage, &count);
+    glDebugMessageCallback(onMessage, &record);
     // What nobody is told need not be made.
     const auto listen = [](GLenum type, LogLevel level) {
         glDebugMessageControl(GL_DONT_CARE, type, GL_DONT_CARE, 0, nullptr,
@@ -200,12 +200,12 @@ Context Context::createHeadless(std::optional<int> device) {
         }
         software.reset(); // its destructor unbinds, so make ours current after it
         eglMakeCurrent(impl->display, EGL_NO_SURFACE, EGL_NO_SURFACE, impl->context);
-        listenForErrors(impl->errors);
+        listenForErrors(impl->record);
         return Context(std::move(impl));
     }
     if (software) {
         eglMakeCurrent(software->display, EGL_NO_SURFACE, EGL_NO_SURFACE, software->context);
-        listenForErrors(software->errors);
+        listenForErrors(software->record);
         return Context(std::move(software));
     }
     if (device) {
@@ -223,7 +223,7 @@ Context Context::adoptCurrent() {
     }
     auto impl = std::make_unique<Impl>();
     impl->device = describeCurrent();
-    listenForErrors(impl->errors);
+    listenForErrors(impl->record);
     return Context(std::move(impl));
 }
 
@@ -231,28 +231,28 @@ void Context::makeCurrent() {
     if (impl_->context != EGL_NO_CONTEXT) {
         eglMakeCurrent(impl_->display, EGL_NO_SURFACE, EGL_NO_SURFACE, impl_->context);
     }
-    recordIn(&impl_->errors);
+    setCurrentRecord(&impl_->record);
 }
 
 const DeviceInfo& Context::device() const { return impl_->device; }
 
 int Context::errorCount() const {
-    if (currentRecord() == &impl_->errors) {
+    if (currentRecord() == &impl_->record) {
         collectErrors();
     }
-    return impl_->errors.total();
+    return impl_->record.total();
 }
 
-void Context::watchHazards() { watchIn(impl_->errors); }
+void Context::watchHazards() { watchIn(impl_->record); }
 
 std::vector<std::string> Context::takeHazards() {
-    return impl_->errors.hazards ? impl_->errors.hazards->take() : std::vector<std::string>();
+    return impl_->record.hazards ? impl_->record.hazards->take() : std::vector<std::string>();
 }
 
 void Context::requireNoErrors() const {
-    if (impl_->errors.hazards && impl_->errors.hazards->count() > 0) {
+    if (impl_->record.hazards && impl_->record.hazards->count() > 0) {
         throw GlError("{} hazards were found, so the result cannot be relied on; the first: {}",
-                      impl_->errors.hazards->count(), impl_->errors.hazards->first());
+                      impl_->record.hazards->count(), impl_->record.hazards->first());
     }
     if (const int count = errorCount(); count > 0) {
         throw GlError("{} reported {} OpenGL errors, so the result cannot be relied on; update the graphics "
@@ -262,12 +262,12 @@ void Context::requireNoErrors() const {
 }
 
 void Context::requireDevice() {
-    ContextRecord* count = currentRecord();
+    ContextRecord* record = currentRecord();
     const bool isReset = glGetGraphicsResetStatus() != GL_NO_ERROR;
-    if (count != nullptr) {
-        count->isLost = count->isLost || isReset;
+    if (record != nullptr) {
+        record->isLost = record->isLost || isReset;
     }
-    if (isReset || (count != nullptr && count->isLost)) {
+    if (isReset || (record != nullptr && record->isLost)) {
         throw ContextLost("the graphics driver was reset, and all that was on the device is gone; start the "
                           "program again");
     }

@@ -26,14 +26,14 @@ void takeErrors(F&& each) {
 
 } // namespace
 
-void recordIn(ContextRecord* count) { current = count; }
+void setCurrentRecord(ContextRecord* record) { current = record; }
 ContextRecord* currentRecord() { return current; }
 
-void addErrorMessage(ContextRecord& count, std::string_view message) {
+void addErrorMessage(ContextRecord& record, std::string_view message) {
     if (isExpected) {
         return;
     }
-    if (++count.messages <= kLogged) {
+    if (++record.messages <= kLogged) {
         logNotice(fmt::format("OpenGL: {}", message));
     }
 }

@@ -27,11 +27,11 @@ struct ContextRecord {
 };
 
 // The record of the context that this thread works with from now on; null for none.
-void recordIn(ContextRecord* record);
+void setCurrentRecord(ContextRecord* record);
 [[nodiscard]] ContextRecord* currentRecord();
 
 // One error message of the driver. The first few are logged.
-void addErrorMessage(ContextRecord& count, std::string_view message);
+void addErrorMessage(ContextRecord& record, std::string_view message);
 
 // Counts what glGetError holds and leaves it empty.
 void collectErrors();

@@ -87,8 +87,8 @@ std::string labelOf(Memory memory) {
 } // namespace
 
 HazardChecker* hazards() {
-    const ContextRecord* count = currentRecord();
-    return count != nullptr ? count->hazards.get() : nullptr;
+    const ContextRecord* record = currentRecord();
+    return record != nullptr ? record->hazards.get() : nullptr;
 }
 
 bool isWatcherAtWork() { return isAtWork; }

@@ -7,6 +7,7 @@
 #include "gl/errors.h"
 #include "gl/program.h"
 #include "gl/shader_source.h"
+#include "gl/shaders/bindings.h"
 
 #include <epoxy/gl.h>
 
@@ -57,7 +58,8 @@ std::size_t placeIn(Staging::Window& window) {
     return window.used;
 }
 
-// Of the current context, made when it is first needed.
+// Of the current context, made when it is first needed. No gl::Program: that must go while its context is
+// current, and tells whoever watches hazards of dispatches that Buffer has told of already.
 GLuint fillProgram() {
     GLuint& program = staging().fill;
     if (program == 0) {
@@ -111,13 +113,13 @@ void clearByDispatch(unsigned int buffer, std::size_t offset, std::size_t sizeBy
     glProgramUniform1ui(program, glGetUniformLocation(program, "firstWord"), GLuint(offset / 4));
     glProgramUniform1ui(program, glGetUniformLocation(program, "wordCount"), GLuint(sizeBytes / 4));
     GLint boundBefore = 0; // whoever clears may be between two dispatches that use what is bound there
-    glGetIntegeri_v(GL_SHADER_STORAGE_BUFFER_BINDING, 0, &boundBefore);
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, buffer);
+    glGetIntegeri_v(GL_SHADER_STORAGE_BUFFER_BINDING, kWordsStorage, &boundBefore);
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kWordsStorage, buffer);
     glUseProgram(program);
     glMemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
     glDispatchCompute(GLuint(std::min<std::size_t>(groups, kMaxGroups)), 1, 1);
     glMemoryBarrier(GL_ALL_BARRIER_BITS);
-    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, 0, GLuint(boundBefore));
+    glBindBufferBase(GL_SHADER_STORAGE_BUFFER, kWordsStorage, GLuint(boundBefore));
 }
 
 } // namespace vs::gl

@@ -2,7 +2,8 @@
 // invocations there are.
 layout(local_size_x = 256) in;
 
-layout(std430, binding = 0) writeonly buffer Words { uint words[]; };
+#include "gl/shaders/bindings.glsl"
+layout(std430, binding = kWordsStorage) writeonly buffer Words { uint words[]; };
 
 uniform uint firstWord;
 uniform uint wordCount;

@@ -1,7 +1,7 @@
 // Deposits points into the WIDTH^3 voxels around each with B-spline weights, as fixed-point integers, so that
 // the sum does not depend on the order. Marks the tiles it writes to. WIDTH 3: quadratic or, per axis,
 // linear; 4: cubic or lower.
-// variants: WIDTH=3 FIXED_ONE=4194304.0 FIXED_LIMIT=1073741824u MAX_POINT_ENERGY=16.0;WIDTH=4 FIXED_ONE=4194304.0 FIXED_LIMIT=1073741824u MAX_POINT_ENERGY=16.0;WIDTH=3 VS_EXCHANGE=1 FIXED_ONE=4194304.0 FIXED_LIMIT=1073741824u MAX_POINT_ENERGY=16.0
+// variants: WIDTH=3 FIXED_ONE=4194304.0 FIXED_LIMIT=1073741824u MAX_POINT_ENERGY=16.0;WIDTH=4 FIXED_ONE=4194304.0 FIXED_LIMIT=1073741824u MAX_POINT_ENERGY=16.0;WIDTH=4 VS_EXCHANGE=1 FIXED_ONE=4194304.0 FIXED_LIMIT=1073741824u MAX_POINT_ENERGY=16.0;WIDTH=3 VS_EXCHANGE=1 FIXED_ONE=4194304.0 FIXED_LIMIT=1073741824u MAX_POINT_ENERGY=16.0
 // In: storage 0 points (xyz voxel space, w energy). In/out: image 0 deposits, storage 1 one mark a tile: the
 // round.
 layout(local_size_x = 64) in;

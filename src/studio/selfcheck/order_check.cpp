@@ -2,6 +2,7 @@
 #include "studio/selfcheck/checks.h"
 
 #include "gl/program.h"
+#include "gl/shaders/bindings.h"
 
 #include <algorithm>
 #include <array>
@@ -39,7 +40,7 @@ public:
 
 private:
     void prepare(std::size_t first, std::size_t count, std::uint32_t value) {
-        buffer_.bindStorage(0);
+        buffer_.bindStorage(gl::kWordsStorage);
         fill_.set("firstWord", std::uint32_t(first))
             .set("wordCount", std::uint32_t(count))
             .set("value", value);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "gl/buffer.h"
 #include "gl/program.h"
+#include "gl/shaders/bindings.h"
 #include "gl/texel_buffer.h"
 #include "gl/texture.h"
 #include "gpu/gl_test.h"
@@ -95,7 +96,7 @@ TEST_F(GlObjectsTest, ClearingLeavesBindingsAsTheyWere) {
     unsetenv("VOLUME_STUDIO_TRANSFERS");
     Program fill("gl/shaders/fill_words.comp");
     fill.set("firstWord", 2U).set("wordCount", 3U).set("value", 7U);
-    filled.bindStorage(0);
+    filled.bindStorage(kWordsStorage);
     cleared.clear();
     fill.dispatch({1, 1, 1}, Barrier::Storage);
     EXPECT_EQ(filled.read<std::uint32_t>(6), (std::vector<std::uint32_t>{0, 0, 7, 7, 7, 0}));

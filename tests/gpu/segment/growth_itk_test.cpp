@@ -8,6 +8,8 @@
 #include "test_data.h"
 #include "volume/reading/read_volume.h"
 
+#include <unistd.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -158,7 +160,7 @@ TEST_P(GrowthItkTest, ObliqueMrSeries) {
         GTEST_SKIP() << archive << " is not here; set VOLUME_STUDIO_TEST_DATA";
     }
     const auto folder =
-        std::filesystem::temp_directory_path() / fmt::format("volume_studio_t1_{}", std::rand());
+        std::filesystem::temp_directory_path() / fmt::format("vs_oblique_series_{}", getpid());
     std::filesystem::create_directories(folder);
     const std::string unpack = fmt::format("tar -xzf '{}' -C '{}'", archive.string(), folder.string());
     ASSERT_EQ(std::system(unpack.c_str()), 0);

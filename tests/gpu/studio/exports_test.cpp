@@ -7,6 +7,9 @@
 #include "studio/state/region.h"
 #include "volume/reading/read_volume.h"
 
+#include <fmt/format.h>
+#include <unistd.h>
+
 #include <cmath>
 #include <filesystem>
 #include <limits>
@@ -96,7 +99,7 @@ TEST_F(ExportsTest, TheSculptedVolumeIsWhatIsSeen) {
 }
 
 TEST_F(ExportsTest, PastedPartsAreObjectsWhereTheyWerePut) {
-    const auto path = std::filesystem::temp_directory_path() / "vs_exports_test.glb";
+    const auto path = std::filesystem::temp_directory_path() / fmt::format("vs_exports_{}.glb", getpid());
     Document document(testHead());
     const auto settings = surfaceSettings();
     const double whole = millilitresOf(writeExport(path, read(document, What::Volume), settings).front());
@@ -111,7 +114,7 @@ TEST_F(ExportsTest, PastedPartsAreObjectsWhereTheyWerePut) {
 }
 
 TEST_F(ExportsTest, SegmentsWithVoxelsAreExported) {
-    const auto path = std::filesystem::temp_directory_path() / "vs_exports_test.stl";
+    const auto path = std::filesystem::temp_directory_path() / fmt::format("vs_exports_{}.stl", getpid());
     Document document(testHead());
     EXPECT_TRUE(exportable(document).empty());
     EXPECT_THROW(writeExport(path, read(document, What::Segments), {}), WriteError);
@@ -134,7 +137,8 @@ TEST_F(ExportsTest, SegmentsWithVoxelsAreExported) {
 }
 
 TEST_F(ExportsTest, FilesSayWhereVoxelsLieOnceThatWasCorrected) {
-    const auto folder = std::filesystem::temp_directory_path() / "vs_exports_corrected";
+    const auto folder =
+        std::filesystem::temp_directory_path() / fmt::format("vs_exports_corrected_{}", getpid());
     std::filesystem::create_directories(folder);
     Document document(testHead());
     document.apply(brainSeed());

@@ -3,8 +3,10 @@
 
 #include "base/error.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
+#include <unistd.h>
 
 #include <fstream>
 
@@ -44,7 +46,8 @@ TEST(TransferFunctionJson, EveryKindComesBackAsItWas) {
     for (ControlPoint& point : mapped.points) {
         point.colour = ControlPoint().colour;
     }
-    const auto path = std::filesystem::temp_directory_path() / "vs_transfer_function_test.json";
+    const auto path =
+        std::filesystem::temp_directory_path() / fmt::format("vs_transfer_function_{}.json", getpid());
     for (const TransferFunction& f : {someCurve(), mapped, somePlane()}) {
         saveTransferFunction(path, f);
         EXPECT_EQ(loadTransferFunction(path), f);

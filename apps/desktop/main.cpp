@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "engine/rehearsal.h"
 #include "engine/watched_application.h"
+#include "model/keepers/rehearsal_keeper.h"
 #include "model/settings/preferences.h"
 #include "model/studio/studio_controller.h"
 #include "model/texts/language.h"
@@ -61,6 +63,7 @@ int run(vs::desktop::WatchedApplication& application) {
         QMessageBox::critical(nullptr, QApplication::applicationDisplayName(), QString::fromUtf8(e.what()));
         throw;
     }
+    const RehearsalKeeper rehearsals(studio->host());
     auto& tools = *new ToolBox(*studio); // the studio owns it
     MainWindow window(*studio, tools);
     const QSize screen = window.screen()->availableSize();
@@ -99,6 +102,9 @@ void answerWithoutDisplay(int argc, char** argv) {
 } // namespace
 
 int main(int argc, char** argv) {
+    if (argc == 4 && argv[1] == std::string_view(vs::desktop::RehearsalKeeper::kRehearse)) {
+        return vs::desktop::rehearse(argv[2], argv[3]);
+    }
     answerWithoutDisplay(argc, argv);
     vs::desktop::WatchedApplication application(argc, argv);
     // Every place that the pen reports belongs to the stroke; on X11 Qt drops those it has no time for. Set

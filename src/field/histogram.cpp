@@ -3,8 +3,10 @@
 
 #include "base/check.h"
 #include "field/shaders/bindings.h"
+#include "gl/context.h"
 #include "gl/pass.h"
 #include "gl/program.h"
+#include "volume/grid/histogram.h"
 
 #include <algorithm>
 #include <numeric>
@@ -39,6 +41,10 @@ std::vector<std::uint32_t> intensityHistogram(const Field& field, int bins) {
 std::vector<std::uint32_t> intensityHistogram(const Field& field, const Box3& box, int bins) {
     VS_CHECK(bins >= 1 && bins <= 4096);
     VS_CHECK(!box.isEmpty() && intersect(box, wholeOf(field)) == box);
+    if (field.onHost != nullptr && gl::Context::isSoftware()) {
+        const auto counts = volume::histogram(*field.onHost, box, bins);
+        return {counts.begin(), counts.end()};
+    }
     const gl::Pass pass("intensity histogram");
     gl::Program program("field/shaders/count_histogram.comp", {{"VISIBLE", "0"}});
     gl::Buffer counts(std::size_t(bins) * sizeof(std::uint32_t), "histogram");

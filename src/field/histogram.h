@@ -10,8 +10,9 @@
 
 namespace vs::field {
 
-// Counts of voxels in `bins` (at most 4096) equal bins over field.usual, counted on the device. Non-finite
-// voxels and those outside are left out.
+// Counts of voxels in `bins` (at most 4096) equal bins over field.usual, counted on the device, or where that
+// is a software renderer and the volume is at hand (Field::onHost), from the volume, many times sooner.
+// Non-finite voxels and those outside are left out.
 std::vector<std::uint32_t> intensityHistogram(const Field& field, int bins = 256);
 // Counts a part of the voxels only, which must lie in the grid.
 std::vector<std::uint32_t> intensityHistogram(const Field& field, const Box3& box, int bins);

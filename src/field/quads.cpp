@@ -6,9 +6,13 @@
 #include "gl/context.h"
 #include "gl/program.h"
 
+#include <atomic>
+
 namespace vs::field {
 
 namespace {
+
+std::atomic<std::size_t> mostQuadBytes = kMostQuadBytes;
 
 gl::Format fourOf(gl::Format format) {
     VS_CHECK(format == gl::Format::R8 || format == gl::Format::R16 || format == gl::Format::R32F);
@@ -19,10 +23,12 @@ gl::Format fourOf(gl::Format format) {
 
 } // namespace
 
+void limitQuads(std::size_t bytes) { mostQuadBytes = bytes; }
+
 gl::TexelBuffer makeQuads(glm::ivec3 dims, gl::Format ofTexels) {
     const std::size_t voxels = Box3{glm::ivec3(0), dims}.volume();
     const gl::Format format = fourOf(ofTexels);
-    if (!gl::Context::isSoftware() || voxels * gl::bytesPerTexel(format) > kMostQuadBytes ||
+    if (!gl::Context::isSoftware() || voxels * gl::bytesPerTexel(format) > mostQuadBytes ||
         voxels > gl::TexelBuffer::mostTexels()) {
         return {};
     }

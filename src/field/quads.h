@@ -18,6 +18,10 @@ namespace vs::field {
 // faster than the filter (doc/performance.md).
 inline constexpr std::size_t kMostQuadBytes = std::size_t(256) << 20;
 
+// Makes none that take more than so many bytes, from now on, of any volume: for what tries out how volumes
+// are drawn that have none.
+void limitQuads(std::size_t bytes);
+
 // Room for the quads of a volume of these voxels, or nothing where they would be of no use: for large
 // volumes, and on hardware. Throws GlError if the device has no room.
 gl::TexelBuffer makeQuads(glm::ivec3 dims, gl::Format ofTexels);

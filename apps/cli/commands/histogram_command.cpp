@@ -14,7 +14,7 @@
 #include "image/chart.h"
 #include "image/image.h"
 #include "render/colours/colour_map.h"
-#include "volume/grid/volume.h"
+#include "volume/grid/histogram.h"
 
 #include <CLI/CLI.hpp>
 

@@ -4,7 +4,7 @@
 #include "commands/commands.h"
 #include "reports/value_counts.h"
 
-#include "volume/grid/volume.h"
+#include "volume/grid/histogram.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>

@@ -38,6 +38,7 @@ void PictureLoop::setDocument(studio::Document* document) {
     shown_ = QImage();
     nanosPerPixel_ = 0;
     ++pictures_;
+    rest();
 }
 
 void PictureLoop::setViewport(glm::ivec2 devicePixels) {
@@ -66,7 +67,7 @@ PictureLoop::State PictureLoop::step(double budgetMs) {
     }
     const bool isStale = startedVersion_ != document_->pictureVersion() || startedViewport_ != viewport_ ||
                          (isBehind_ && pass_ != Pass::Draft);
-    const bool isCalm = sinceInput_.milliseconds() >= kCalmMs;
+    const bool isCalm = !sinceInput_ || sinceInput_->milliseconds() >= kCalmMs;
     if (isStale) {
         begin(Pass::Draft);
         if (prepareMs_ > budgetMs) {

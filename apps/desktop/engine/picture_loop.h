@@ -29,13 +29,16 @@ public:
     // The frame rate that is held while things move is lower on the software renderer.
     PictureLoop(bool isSoftwareRenderer, Run run);
 
-    // Shows another document, or nothing for null, and forgets the picture of the one before.
+    // Shows another document, or nothing for null, and forgets the picture of the one before. Nothing has
+    // moved on it yet.
     void setDocument(studio::Document* document);
     void setViewport(glm::ivec2 devicePixels);
     // Makes the picture once more: not the document has changed, but what draws it.
     void drawAnew() { startedVersion_.reset(); }
     // Says that something is moving: only drafts are made until it has been calm for a moment.
     void interact() { sinceInput_ = Timer(); }
+    // Says that nothing will move now: the picture at full quality follows its draft at once.
+    void rest() { sinceInput_.reset(); }
     // Works on the picture for a portion, which takes about `budgetMs`, or one tile where that is longer.
     // Throws Error when the picture cannot be made.
     enum class State { Busy, Waiting, Complete };
@@ -89,10 +92,10 @@ private:
     glm::ivec2 startedViewport_{0};
     bool isFullDone_ = false;
     bool isHurried_ = false;
-    bool isBehind_ = false; // the last pass does not have all that the document has
-    double passMs_ = 0;     // spent in this pass so far
-    double passShare_ = 0;  // how much of it is done, 0 to 1
-    Timer sinceInput_;
+    bool isBehind_ = false;           // the last pass does not have all that the document has
+    double passMs_ = 0;               // spent in this pass so far
+    double passShare_ = 0;            // how much of it is done, 0 to 1
+    std::optional<Timer> sinceInput_; // none: nothing has moved
     Timer sinceDraft_;
     double meanFrameMs_ = 0; // running mean of the time from draft to draft
     double besideMs_ = 0;    // charged since the last draft began

@@ -68,9 +68,9 @@ int histogramBins(const field::Field& field) {
 } // namespace
 
 Scan::Scan(volume::Volume opened)
-    : inFile(opened.geometry), volume(std::move(opened)), field(field::uploadVolume(volume)),
-      histogram(field::intensityHistogram(field, histogramBins(field))) {
+    : inFile(opened.geometry), volume(std::move(opened)), field(field::uploadVolume(volume)) {
     field.onHost = &volume;
+    histogram = field::intensityHistogram(field, histogramBins(field));
     shown = field::suggestRange(histogram, volume.usual);
     if (volume.usual.width() <= 0) { // one value all over: all of it is the object
         shown = {volume.usual.lo - 0.5, volume.usual.hi + 0.5};

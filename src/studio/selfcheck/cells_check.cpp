@@ -10,7 +10,7 @@ namespace vs::studio {
 
 void checkCellRanges(Tally& tally) {
     constexpr glm::ivec3 dims(23, 9, 14); // no multiple of a cell
-    for (const auto type : kScalarTypes) {
+    for (const auto type : volume::kScalarTypes) {
         const auto volume = makeNoise(dims, type, 0, volume::sizeOf(type) == 1 ? 127 : 30000);
         const auto ranges = field::computeCellRanges(field::uploadVolume(volume));
         const auto found = ranges.cells.downloadAll<glm::vec2>();

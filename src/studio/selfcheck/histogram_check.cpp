@@ -51,7 +51,7 @@ void checkVisibleCounts(Tally& tally, const volume::Volume& volume, const field:
 } // namespace
 
 void checkHistograms(Tally& tally) {
-    for (const auto type : kScalarTypes) {
+    for (const auto type : volume::kScalarTypes) {
         const auto volume = makeNoise({37, 21, 19}, type, 0, kHistogramMost);
         const auto field = field::uploadVolume(volume);
         tally.about(std::string("counts of ") + name(type));

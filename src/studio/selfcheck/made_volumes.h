@@ -11,11 +11,6 @@
 // Inputs that several checks share. They are the same on each run.
 namespace vs::studio {
 
-inline constexpr std::array kScalarTypes{volume::ScalarType::UInt8,  volume::ScalarType::Int8,
-                                         volume::ScalarType::UInt16, volume::ScalarType::Int16,
-                                         volume::ScalarType::UInt32, volume::ScalarType::Int32,
-                                         volume::ScalarType::Float32};
-
 inline std::size_t indexOf(glm::ivec3 v, glm::ivec3 dims) {
     return (std::size_t(v.z) * std::size_t(dims.y) + std::size_t(v.y)) * std::size_t(dims.x) +
            std::size_t(v.x);

@@ -69,7 +69,7 @@ void checkSamples(Tally& tally, const volume::Volume& volume, const field::Field
 
 void checkSampling(Tally& tally) {
     gl::ProgramVariants programs("studio/shaders/sample_values.comp");
-    for (const auto type : kScalarTypes) {
+    for (const auto type : volume::kScalarTypes) {
         const bool isByte = volume::sizeOf(type) == 1;
         auto volume = makeNoise({23, 17, 11}, type, 0, isByte ? 127 : 30000);
         turnOblique(volume);

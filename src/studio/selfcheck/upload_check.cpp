@@ -101,7 +101,7 @@ void checkBuffer(Tally& tally) {
 
 void checkUpload(Tally& tally) {
     constexpr glm::ivec3 dims(37, 21, 19);
-    for (const auto type : kScalarTypes) {
+    for (const auto type : volume::kScalarTypes) {
         const auto [lo, hi] = exactEnds(type);
         const auto volume = makeNoise(dims, type, lo, hi);
         const auto field = field::uploadVolume(volume);

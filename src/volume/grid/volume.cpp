@@ -173,50 +173,6 @@ void computeRange(Volume& volume) {
     });
 }
 
-std::vector<std::uint64_t> histogram(const Volume& volume, int bins) {
-    std::vector<std::uint64_t> counts(std::size_t(bins), 0);
-    const double scale = volume.usual.width() > 0 ? bins / volume.usual.width() : 0.0;
-    visit(volume, [&](const auto* values) {
-        for (std::size_t i = 0; i < volume.geometry.voxelCount(); ++i) {
-            if (isFiniteValue(values[i]) && volume.usual.contains(double(values[i]))) {
-                const int bin = int((double(values[i]) - volume.usual.lo) * scale);
-                ++counts[std::size_t(std::clamp(bin, 0, bins - 1))];
-            }
-        }
-    });
-    return counts;
-}
-
-double otsuThreshold(std::span<const std::uint64_t> counts, const Range& range) {
-    double total = 0;
-    double weighted = 0;
-    for (std::size_t i = 0; i < counts.size(); ++i) {
-        total += double(counts[i]);
-        weighted += double(i) * double(counts[i]);
-    }
-    double below = 0;
-    double weightedBelow = 0;
-    double bestVariance = -1;
-    std::size_t first = 0;
-    std::size_t last = 0;
-    for (std::size_t i = 0; i + 1 < counts.size(); ++i) {
-        below += double(counts[i]);
-        weightedBelow += double(i) * double(counts[i]);
-        const double above = total - below;
-        if (below <= 0 || above <= 0) {
-            continue;
-        }
-        const double meanGap = weightedBelow / below - (weighted - weightedBelow) / above;
-        const double variance = below * above * meanGap * meanGap;
-        if (variance > bestVariance) {
-            bestVariance = variance;
-            first = i + 1;
-        }
-        last = variance >= bestVariance ? i + 1 : last;
-    }
-    return range.lo + range.width() * 0.5 * double(first + last) / double(counts.size());
-}
-
 std::string checksum(const Volume& volume) {
     Hash64 hash;
     for (int axis = 0; axis < 3; ++axis) {

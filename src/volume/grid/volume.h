@@ -5,6 +5,7 @@
 #include "volume/grid/geometry.h"
 #include "volume/grid/scan_details.h"
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -15,6 +16,9 @@
 namespace vs::volume {
 
 enum class ScalarType { UInt8, Int8, UInt16, Int16, UInt32, Int32, Float32 };
+inline constexpr std::array kScalarTypes{ScalarType::UInt8,  ScalarType::Int8,   ScalarType::UInt16,
+                                         ScalarType::Int16,  ScalarType::UInt32, ScalarType::Int32,
+                                         ScalarType::Float32};
 
 // "uint8", "int16", "float32" ...: the names used on the command line, in JSON and in messages.
 const char* name(ScalarType type);
@@ -68,15 +72,6 @@ inline constexpr double kNotMeasured = 1e15;
 // to a hundred thousandth of the voxels, or one, if they are farther away from all others than a hundred
 // times the range of those.
 void computeRange(Volume& volume);
-
-// Counts of the finite values in volume.usual in `bins` equal bins over it, computed on the CPU (reference,
-// `info`).
-std::vector<std::uint64_t> histogram(const Volume& volume, int bins);
-
-// The value that parts a histogram (equal bins over `range`) into background and object: Otsu's threshold,
-// the one with the largest variance between the two classes (Otsu 1979, "A threshold selection method from
-// gray-level histograms"). Where a gap in the histogram makes many equally good, their middle.
-double otsuThreshold(std::span<const std::uint64_t> counts, const Range& range);
 
 // Checksum of geometry and values (FNV-1a, 64 bit, as 16 hex digits): tells a session whether it has its
 // volume.

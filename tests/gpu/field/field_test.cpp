@@ -4,9 +4,11 @@
 #include "field/histogram.h"
 #include "gpu/gl_test.h"
 #include "phantom/phantom.h"
+#include "volume/grid/histogram.h"
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <random>
 
 namespace vs::field {
@@ -35,6 +37,27 @@ TEST_F(FieldTest, HistogramEqualsTheOneCountedOnTheCpu) {
         EXPECT_EQ(total, volume.geometry.voxelCount()) << name(type);
         // A value on a bin's border may fall to either side in single precision.
         EXPECT_LE(moved, type == Float32 ? 4U : volume.geometry.voxelCount() / 50) << name(type);
+    }
+}
+
+// Software renderers count where the volume is; of each kind of number, whole and in part.
+TEST_F(FieldTest, HistogramsOfAVolumeAtHandEqualThoseOfTheDevice) {
+    using enum volume::ScalarType;
+    constexpr int kBins = 37; // a prime number: no whole number lies at the border of two bins
+    for (const auto type : {UInt8, Int8, UInt16, Int16, UInt32, Int32, Float32}) {
+        const bool isSigned = type != UInt8 && type != UInt16 && type != UInt32;
+        std::mt19937 random(11);
+        std::uniform_int_distribution<int> value(isSigned ? -100 : 0, 100);
+        const auto volume =
+            phantom::makePhantom({37, 21, 19}, type, [&](glm::dvec3) { return double(value(random)); });
+        Field field = uploadVolume(volume);
+        const Box3 part{{3, 2, 5}, {30, 21, 17}};
+        const auto whole = intensityHistogram(field, kBins);
+        const auto ofPart = intensityHistogram(field, part, kBins);
+        field.onHost = &volume;
+        EXPECT_EQ(intensityHistogram(field, kBins), whole) << name(type);
+        EXPECT_EQ(intensityHistogram(field, part, kBins), ofPart) << name(type);
+        EXPECT_EQ(std::accumulate(ofPart.begin(), ofPart.end(), std::size_t(0)), part.volume());
     }
 }
 

@@ -2,6 +2,7 @@
 #include "phantom/phantom.h"
 #include "property.h"
 #include "volume/grid/geometry.h"
+#include "volume/grid/histogram.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 #include <gtest/gtest.h>

@@ -102,7 +102,11 @@ void answerWithoutDisplay(int argc, char** argv) {
 } // namespace
 
 int main(int argc, char** argv) {
-    if (argc == 4 && argv[1] == std::string_view(vs::desktop::RehearsalKeeper::kRehearse)) {
+    using vs::desktop::RehearsalKeeper;
+    if (argc >= 4 && argv[1] == std::string_view(RehearsalKeeper::kRehearse)) {
+        if (argc == 5 && argv[4] == std::string_view(RehearsalKeeper::kAside)) {
+            vs::desktop::standBack();
+        }
         return vs::desktop::rehearse(argv[2], argv[3]);
     }
     answerWithoutDisplay(argc, argv);

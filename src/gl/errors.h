@@ -2,6 +2,7 @@
 #pragma once
 
 #include "gl/hazards.h"
+#include "gl/sampler_slots.h"
 #include "gl/staging.h"
 
 #include <functional>
@@ -22,6 +23,7 @@ struct ContextRecord {
     bool isLost = false;                    // the context: the driver tells that once
     std::unique_ptr<HazardChecker> hazards; // while they are watched
     Staging staging;
+    SamplerSlots samplerSlots;
 
     [[nodiscard]] int total() const { return messages + silent + (hazards ? hazards->count() : 0); }
 };

@@ -3,12 +3,15 @@
 
 #include "base/error.h"
 #include "gl/hazard_watch.h"
+#include "gl/kept_programs.h"
+#include "gl/sampler_slots.h"
 #include "gl/shader_reload.h"
 
 #include <epoxy/gl.h>
 
 #include <glm/gtc/type_ptr.hpp>
 
+#include <algorithm>
 #include <utility>
 
 namespace vs::gl {
@@ -16,7 +19,10 @@ namespace vs::gl {
 static_assert(std::is_nothrow_move_constructible_v<Program>);
 
 namespace detail {
-void deleteProgram(unsigned int name) { glDeleteProgram(name); }
+void deleteProgram(unsigned int name) {
+    glDeleteProgram(name);
+    forgetInSamplerSlots(name);
+}
 } // namespace detail
 
 namespace {
@@ -27,6 +33,35 @@ std::string programLog(GLuint program) {
     std::string log(std::size_t(std::max(length, 1)), '\0');
     glGetProgramInfoLog(program, length, nullptr, log.data());
     return log.c_str();
+}
+
+Handle<detail::deleteProgram> compiled(const std::string& path, const ExpandedSource& source) {
+    const char* text = source.text.c_str();
+    Handle<detail::deleteProgram> program(glCreateShaderProgramv(GL_COMPUTE_SHADER, 1, &text));
+    GLint isLinked = GL_FALSE;
+    glGetProgramiv(program.name(), GL_LINK_STATUS, &isLinked);
+    if (isLinked != GL_TRUE) {
+        throw GlError("{} does not compile on this driver: {}", path,
+                      readableLog(programLog(program.name()), source));
+    }
+    return program;
+}
+
+bool isTexelBuffer(const Uniform& uniform) {
+    return uniform.location >= 0 &&
+           (uniform.type == GL_SAMPLER_BUFFER || uniform.type == GL_INT_SAMPLER_BUFFER ||
+            uniform.type == GL_UNSIGNED_INT_SAMPLER_BUFFER);
+}
+
+// From a file wherever that can be, also when the file was only just written (gl/kept_programs.h says why).
+Handle<detail::deleteProgram> made(const std::string& path, const ExpandedSource& source) {
+    if (const GLuint kept = loadKeptProgram(source.text)) {
+        return Handle<detail::deleteProgram>(kept);
+    }
+    auto fresh = compiled(path, source);
+    keepProgram(fresh.name(), source.text);
+    const GLuint kept = loadKeptProgram(source.text);
+    return kept != 0 ? Handle<detail::deleteProgram>(kept) : std::move(fresh);
 }
 
 void addBarrier(Barrier after) {
@@ -51,18 +86,13 @@ void addBarrier(Barrier after) {
 Program::Program(const std::string& path, const Defines& defines)
     : path_(path), defines_(defines), generation_(shaderGeneration()) {
     const ExpandedSource source = expandSource(path, defines);
-    const char* text = source.text.c_str();
-    const GLuint program = glCreateShaderProgramv(GL_COMPUTE_SHADER, 1, &text);
-    handle_ = Handle<detail::deleteProgram>(program);
-    GLint linked = GL_FALSE;
-    glGetProgramiv(program, GL_LINK_STATUS, &linked);
-    if (linked != GL_TRUE) {
-        throw GlError("{} does not compile on this driver: {}", path,
-                      readableLog(programLog(program), source));
-    }
+    handle_ = made(path, source);
+    const GLuint program = name();
     glObjectLabel(GL_PROGRAM, program, -1, path.c_str());
     glGetProgramiv(program, GL_COMPUTE_WORK_GROUP_SIZE, glm::value_ptr(localSize_));
     uniforms_ = readUniforms(program, source.text);
+    readsTexelBuffers_ = std::any_of(uniforms_.begin(), uniforms_.end(),
+                                     [](const auto& uniform) { return isTexelBuffer(uniform.second); });
     accesses_ = accessesIfWatched(program, source.text);
 }
 
@@ -170,6 +200,7 @@ void Program::dispatch(glm::ivec3 groups, Barrier after) {
     if (groups.x > 0 && groups.y > 0 && groups.z > 0) {
         use();
         tellHazards(0);
+        settleSamplerSlots(name(), readsTexelBuffers_);
         glUseProgram(name());
         glDispatchCompute(GLuint(groups.x), GLuint(groups.y), GLuint(groups.z));
         addBarrier(after);
@@ -194,6 +225,7 @@ void Program::dispatchOverList(std::size_t items, Barrier after) {
 void Program::dispatchIndirect(const Buffer& arguments, std::size_t offset, Barrier after) {
     use();
     tellHazards(arguments.name());
+    settleSamplerSlots(name(), readsTexelBuffers_);
     glUseProgram(name());
     glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, arguments.name());
     glDispatchComputeIndirect(GLintptr(offset));

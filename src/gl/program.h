@@ -82,6 +82,7 @@ private:
     Defines defines_;
     int generation_ = 0; // of shaders
     Uniforms uniforms_;
+    bool readsTexelBuffers_ = false;
     glm::ivec3 localSize_{1};
     std::shared_ptr<const std::vector<ProgramAccess>> accesses_; // while hazards are watched
 };

@@ -24,8 +24,9 @@ namespace {
 
 using namespace studio;
 
-// No power of two, and parts of it by 2, 4 and 8 are none either: what most windows are like.
-constexpr glm::ivec2 kViewport{328, 248};
+// At every scale that drafts have, neither it nor its squares of 4 and 8 pixels are a power of two wide or
+// high: what windows are like but for one in twenty.
+constexpr glm::ivec2 kViewport{328, 296};
 constexpr glm::dvec2 kMiddle = glm::dvec2(kViewport) / 2.0; // the ball's, too
 constexpr double kUnlimitedMs = std::numeric_limits<double>::max();
 constexpr double kInside = 100;
@@ -114,12 +115,7 @@ void Rehearsal::planStrokes() {
 }
 
 void Rehearsal::planGrowth() {
-    add([this] {
-        Seed seed;
-        seed.strokes = {{Shape::FreeForm, {kMiddle, kMiddle + glm::dvec2(8, 3)}}};
-        seed.canvas = canvas();
-        document_.apply(seed);
-    });
+    addSeed();
     addView([](View& view) { view.mode = render::Mode::Segment; });
     add([this] {
         document_.growing().begin();
@@ -138,6 +134,17 @@ void Rehearsal::planGrowth() {
     });
     addOperation(Rewind{4});
     addOperation(Undo{});
+    addSeed(); // where segments are seen
+    add([this] { document_.visibleHistogram(kUnlimitedMs); });
+}
+
+void Rehearsal::addSeed() {
+    add([this] {
+        Seed seed;
+        seed.strokes = {{Shape::FreeForm, {kMiddle, kMiddle + glm::dvec2(8, 3)}}};
+        seed.canvas = canvas();
+        document_.apply(seed);
+    });
 }
 
 void Rehearsal::planCutsAndParts() {
@@ -258,9 +265,6 @@ void Rehearsal::showSlice() {
 
 // --- a process of its own
 
-namespace {
-
-// Takes the processor only where nothing else wants it, and ends with whoever started it.
 void standBack() {
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     const sched_param none{};
@@ -268,6 +272,8 @@ void standBack() {
     constexpr int least = 19;
     setpriority(PRIO_PROCESS, 0, least); // where that policy is refused
 }
+
+namespace {
 
 void doAll(Rehearsal& rehearsal) {
     for (bool isMore = true; isMore;) {
@@ -282,7 +288,6 @@ void doAll(Rehearsal& rehearsal) {
 } // namespace
 
 int rehearse(const std::string& renderer, const std::string& text) {
-    standBack();
     try {
         const auto kind = kindFromText(text);
         if (!kind) {

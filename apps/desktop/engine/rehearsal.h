@@ -50,6 +50,7 @@ private:
     void planSegments();
     void planModes();
     void add(std::function<void()> step) { steps_.push_back(std::move(step)); }
+    void addSeed();
     void addOperation(const studio::Operation& operation);
     void addStroke(const studio::Operation& operation, const Leading& lead);
     void addView(const std::function<void(studio::View&)>& change);
@@ -65,8 +66,12 @@ private:
     std::size_t done_ = 0;
 };
 
-// Does all that as a process of its own, for the window's device, while nothing else wants the processor;
-// ends with the process that started it. Returns the exit status.
+// Does all that, in a context of its own, where that is one of the renderer named. Returns the exit status of a
+// program that does nothing else.
 int rehearse(const std::string& renderer, const std::string& kind);
+
+// For a process that rehearses beside a window: takes the processor only where nothing else wants it, and ends
+// with whoever started it.
+void standBack();
 
 } // namespace vs::desktop

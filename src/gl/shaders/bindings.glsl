@@ -3,3 +3,6 @@
 
 // Storage blocks.
 const int kWordsStorage = 0;
+
+// Textures.
+const int kUnusedTextures = 16; // and after it: beyond all units that other programs use

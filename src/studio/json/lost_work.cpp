@@ -3,28 +3,19 @@
 
 #include "base/error.h"
 #include "base/folder.h"
+#include "base/user_folders.h"
 #include "studio/json/journal_content.h"
 
 #include <fcntl.h>
-#include <pwd.h>
 #include <sys/file.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <cstdlib>
 
 namespace vs::studio {
 
 namespace {
-
-std::filesystem::path homeFolder() {
-    if (const char* home = std::getenv("HOME"); home != nullptr && *home != '\0') {
-        return home;
-    }
-    const passwd* user = getpwuid(getuid());
-    return user != nullptr ? user->pw_dir : "/";
-}
 
 std::time_t lastChange(const std::filesystem::path& path) {
     struct stat found {};
@@ -33,11 +24,7 @@ std::time_t lastChange(const std::filesystem::path& path) {
 
 } // namespace
 
-std::filesystem::path journalFolder() {
-    const char* given = std::getenv("XDG_STATE_HOME");
-    const std::filesystem::path state = given != nullptr ? given : "";
-    return (state.is_absolute() ? state : homeFolder() / ".local" / "state") / "volume-studio" / "journals";
-}
+std::filesystem::path journalFolder() { return stateFolder() / "volume-studio" / "journals"; }
 
 std::optional<HeldJournal> HeldJournal::hold(const std::filesystem::path& journal) {
     Descriptor file(open(journal.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC));

@@ -28,7 +28,7 @@ void RehearsalKeeper::prepareFor(const ScanKind& kind) {
     rehearsed_.push_back(kind);
     try {
         process_ = ChildProcess::start(
-            {"/proc/self/exe", kRehearse, host_.gl().device().renderer, toText(kind)}, {});
+            {"/proc/self/exe", kRehearse, host_.gl().device().renderer, toText(kind), kAside}, {});
         if (process_) {
             watch_.start();
         }

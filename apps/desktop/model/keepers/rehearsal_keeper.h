@@ -24,8 +24,10 @@ public:
     // kRehearse.
     explicit RehearsalKeeper(DocumentHost& host);
 
-    // The argument that makes a program rehearse(); the renderer and the kind follow.
+    // The arguments that make a program rehearse(): the first, the renderer, the kind, and where it is to
+    // standBack(), the second.
     static constexpr const char* kRehearse = "--rehearse";
+    static constexpr const char* kAside = "aside";
 
 private:
     void prepareFor(const ScanKind& kind);

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 // volume-studio-decoder: reads one volume or picture for another program of Volume Studio, or makes a DICOM
-// segmentation that names a series. That program starts it with a socket and a file in memory
-// (volume/reading/decoder_messages.h). Whatever a file does to the libraries that decode it, it does here
-// (decision 0030).
+// segmentation that names a series. That program starts it with a socket, often long before it asks
+// (volume/reading/decoder_messages.h, decoder_at_hand.h). Whatever a file does to the libraries that decode
+// it, it does here (decision 0030).
 #include "decoding_limits.h"
 #include "sandbox.h"
 
 #include "base/error.h"
+#include "base/large_pages.h"
 #include "base/progress.h"
 #include "image/image.h"
 #include "volume/io/decode.h"
@@ -15,6 +16,8 @@
 
 #include <fmt/format.h>
 
+#include <malloc.h>
+#include <poll.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
 #include <sys/socket.h>
@@ -30,39 +33,52 @@
 #include <memory>
 #include <span>
 #include <stdexcept>
+#include <utility>
 #include <variant>
+#include <vector>
 
 namespace {
 
 using namespace vs;
 using namespace vs::volume;
 
-// What was asked for. Throws where nobody asks.
-DecoderRequest receiveRequest() {
-    MessageCollector collected;
-    std::array<std::uint8_t, 4096> bytes{};
+// What has come by now, or comes next. Throws where nobody asks any more.
+std::size_t receive(std::span<std::byte> bytes) {
+    ssize_t count = -1;
+    do {
+        count = recv(kDecoderSocket, bytes.data(), bytes.size(), 0);
+    } while (count < 0 && errno == EINTR);
+    if (count <= 0) {
+        throw std::runtime_error("nobody asks");
+    }
+    return std::size_t(count);
+}
+
+// What was asked for, as soon as it is. What follows it is left in `collected`.
+DecoderRequest receiveRequest(MessageCollector& collected) {
+    std::array<std::byte, 4096> bytes{};
     while (true) {
         if (const auto message = collected.next()) {
             return unpackRequest(*message);
         }
-        const ssize_t count = recv(kDecoderMessages, bytes.data(), bytes.size(), 0);
-        if (count == 0 || (count < 0 && errno != EINTR)) {
-            throw std::runtime_error("nobody asks");
+        const std::size_t count = receive(bytes);
+        collected.add({reinterpret_cast<const std::uint8_t*>(bytes.data()), count});
+    }
+}
+
+void sendBytes(std::span<const std::byte> bytes) {
+    while (!bytes.empty()) {
+        const ssize_t count = ::send(kDecoderSocket, bytes.data(), bytes.size(), MSG_NOSIGNAL);
+        if (count < 0 && errno != EINTR) {
+            _exit(1); // nobody listens any more
         }
-        collected.add(std::span(bytes.data(), std::size_t(std::max<ssize_t>(count, 0))));
+        bytes = bytes.subspan(std::size_t(std::max<ssize_t>(count, 0)));
     }
 }
 
 void send(const DecoderAnswer& answer) {
-    const MessageBytes bytes = framed(pack(answer));
-    for (std::size_t sent = 0; sent < bytes.size();) {
-        const ssize_t count =
-            ::send(kDecoderMessages, bytes.data() + sent, bytes.size() - sent, MSG_NOSIGNAL);
-        if (count < 0 && errno != EINTR) {
-            _exit(1); // nobody listens any more
-        }
-        sent += std::size_t(std::max<ssize_t>(count, 0));
-    }
+    const MessageBytes message = framed(pack(answer));
+    sendBytes(std::as_bytes(std::span(message)));
 }
 
 // Tells now and then how far reading is.
@@ -81,53 +97,35 @@ private:
     std::chrono::steady_clock::time_point last_{};
 };
 
-// Leaves bytes for whoever asked.
-void leave(std::span<const std::byte> bytes) {
-    while (!bytes.empty()) {
-        const ssize_t count = write(kDecoderVoxels, bytes.data(), bytes.size());
-        if (count < 0 && errno != EINTR) {
-            throw std::bad_alloc();
-        }
-        bytes = bytes.subspan(std::size_t(std::max<ssize_t>(count, 0)));
-    }
-}
-
-// Leaves voxels piece by piece, each given back at once, so that they are not there twice.
-void leaveVoxels(std::vector<std::byte>& voxels) {
-    constexpr std::size_t piece = std::size_t(64) << 20;
-    constexpr std::size_t page = 4096;
-    for (std::size_t written = 0; written < voxels.size();) {
-        const std::size_t wanted = std::min(piece, voxels.size() - written);
-        leave(std::span(voxels).subspan(written, wanted));
-        written += wanted;
+// Sends voxels piece by piece, each given back at once, so that they are not there twice: the program takes
+// the memory that was just freed here.
+void sendVoxels(std::span<std::byte> voxels) {
+    constexpr std::size_t piece = std::size_t(4) << 20;
+    constexpr std::size_t page = std::size_t(2) << 20; // of memory, at most: none is given back in parts
+    for (std::size_t sent = 0; sent < voxels.size();) {
+        const std::size_t wanted = std::min(piece, voxels.size() - sent);
+        sendBytes(voxels.subspan(sent, wanted));
+        sent += wanted;
         void* begin = voxels.data();
-        std::size_t space = written; // from where the system gave it in pages of its own
-        if (std::align(page, page, begin, space) != nullptr) {
+        std::size_t space = sent; // from where the system gave it in pages of its own
+        if (sent < voxels.size() && std::align(page, page, begin, space) != nullptr) {
             madvise(begin, space / page * page, MADV_DONTNEED);
         }
     }
 }
 
-// The labels that whoever asked has left.
-std::span<const std::uint8_t> labelsOf(std::size_t count) {
-    void* labels = mmap(nullptr, count, PROT_READ, MAP_SHARED, kDecoderVoxels, 0);
-    if (labels == MAP_FAILED) {
-        throw std::bad_alloc();
-    }
-    return {static_cast<const std::uint8_t*>(labels), count};
-}
-
-// Does what is asked for.
+// Does what is asked for and sends it.
 class Work {
 public:
-    explicit Work(decoder::Limits& limits) : limits_(limits) {}
+    Work(decoder::Limits& limits, MessageCollector& collected) : limits_(limits), collected_(collected) {}
 
-    DecoderAnswer operator()(const DecodeRequest& request) const {
+    void operator()(const DecodeRequest& request) const {
         DecodedVolume decoded{decodeVolume(request.path, request.options)};
-        leaveVoxels(decoded.result.volume.bytes);
-        return decoded;
+        auto voxels = std::move(decoded.result.volume.bytes);
+        send(std::move(decoded));
+        sendVoxels(voxels);
     }
-    DecoderAnswer operator()(const PictureRequest& request) const {
+    void operator()(const PictureRequest& request) const {
         std::error_code error;
         const auto status = std::filesystem::status(request.path, error);
         if (!std::filesystem::is_regular_file(status)) {
@@ -136,24 +134,52 @@ public:
         }
         const image::Image picture =
             image::readPng(request.path, [&](std::size_t bytes) { limits_.promise(bytes); });
-        leave(std::as_bytes(std::span(picture.rgba)));
-        return DecodedPicture{{picture.width, picture.height}};
+        send(DecodedPicture{{picture.width, picture.height}});
+        sendBytes(std::as_bytes(std::span(picture.rgba)));
     }
-    DecoderAnswer operator()(const SegmentationRequest& request) const {
+    void operator()(const SegmentationRequest& request) const {
         const std::size_t voxels = request.order.geometry.voxelCount();
         // The labels are the program's own: what is made of them is a bit a voxel and segment at most.
         limits_.addFile(voxels * (2 + request.order.segments.size() / 2));
+        const std::vector<std::uint8_t> labels = receiveLabels(voxels);
+        std::vector<std::byte> file;
         MadeSegmentation made;
-        made.sources = makeDicomSegmentation(request.order, labelsOf(voxels), [&](auto bytes) {
-            leave(bytes);
-            made.bytes += bytes.size();
-        });
-        return made;
+        made.sources = makeDicomSegmentation(
+            request.order, labels, [&](auto bytes) { file.insert(file.end(), bytes.begin(), bytes.end()); });
+        made.bytes = file.size();
+        send(made);
+        sendBytes(file);
     }
 
 private:
+    [[nodiscard]] std::vector<std::uint8_t> receiveLabels(std::size_t count) const {
+        std::vector<std::uint8_t> labels(count);
+        auto missing = std::as_writable_bytes(std::span(labels));
+        missing = missing.subspan(collected_.take(missing));
+        while (!missing.empty()) {
+            missing = missing.subspan(receive(missing));
+        }
+        return labels;
+    }
+
     decoder::Limits& limits_;
+    MessageCollector& collected_;
 };
+
+// Touches the memory that small scans are read into and keeps it at hand, if nobody asks yet: for the first
+// time that takes a tenth of the time that reading one does.
+void touchMemoryWhileWaiting() {
+    pollfd asked{kDecoderSocket, POLLIN, 0};
+    if (poll(&asked, 1, 0) != 0) {
+        return;
+    }
+    constexpr std::size_t bytes = std::size_t(16) << 20;
+    mallopt(M_MMAP_THRESHOLD, 2 * bytes); // less than that is taken from what was kept
+    mallopt(M_TRIM_THRESHOLD, 4 * bytes); // so much is kept
+    std::vector<std::byte> touched;
+    reserveInLargePages(touched, bytes);
+    touched.resize(bytes);
+}
 
 // The file that a request is about; of a segmentation the series that it names, if there is one.
 std::filesystem::path pathOf(const DecoderRequest& request) {
@@ -164,22 +190,22 @@ std::filesystem::path pathOf(const DecoderRequest& request) {
     return picture != nullptr ? picture->path : std::get<DecodeRequest>(request).path;
 }
 
-DecoderAnswer answerTo(const DecoderRequest& request, decoder::Limits& limits) {
+void answer(const DecoderRequest& request, const Work& work) {
     const std::string path = pathOf(request).string();
     try {
-        return std::visit(Work(limits), request);
+        std::visit(work, request);
     } catch (const SeveralSeries& several) {
-        return DecodeRefusal{several.what(), false, several.choices()};
+        send(DecodeRefusal{several.what(), false, several.choices()});
     } catch (const UsageError& error) {
-        return DecodeRefusal{error.what(), true};
+        send(DecodeRefusal{error.what(), true});
     } catch (const Error& error) {
-        return DecodeRefusal{error.what()};
+        send(DecodeRefusal{error.what()});
     } catch (const std::bad_alloc&) {
-        return DecodeRefusal{
-            fmt::format("{}: it does not fit into memory; crop it or use a machine with more", path)};
+        send(DecodeRefusal{
+            fmt::format("{}: it does not fit into memory; crop it or use a machine with more", path)});
     } catch (const std::exception& error) {
-        return DecodeRefusal{
-            fmt::format("{}: it cannot be read ({}); check the file", path, printable(error.what()))};
+        send(DecodeRefusal{
+            fmt::format("{}: it cannot be read ({}); check the file", path, printable(error.what()))});
     }
 }
 
@@ -188,13 +214,15 @@ DecoderAnswer answerTo(const DecoderRequest& request, decoder::Limits& limits) {
 int main() {
     prctl(PR_SET_PDEATHSIG, SIGKILL); // with whoever waits for it
     try {
-        const DecoderRequest request = receiveRequest();
+        decoder::closeSandbox();
+        touchMemoryWhileWaiting();
+        MessageCollector collected;
+        const DecoderRequest request = receiveRequest(collected);
         decoder::Limits limits(pathOf(request));
         listenToSizes({[&](std::uint64_t bytes) { limits.promise(bytes); },
                        [&](std::uint64_t bytes) { limits.addFile(bytes); }});
-        decoder::closeSandbox();
         const ProgressListener listener((Telling()));
-        send(answerTo(request, limits));
+        answer(request, Work(limits, collected));
     } catch (const std::exception& error) {
         fmt::print(stderr, "volume-studio-decoder: {}; it is started by Volume Studio\n", error.what());
         _exit(2);

@@ -16,6 +16,7 @@
 
 #include "base/error.h"
 #include "base/log.h"
+#include "volume/reading/decoder_at_hand.h"
 
 #include <QIcon>
 #include <QMessageBox>
@@ -52,6 +53,7 @@ int run(vs::desktop::WatchedApplication& application) {
     using namespace vs::desktop;
     speak(application, Preferences::load().language);
     const Options options = parseOptions(application);
+    std::optional<vs::volume::DecoderAtHand> decoder(std::in_place); // for all that is opened
     applyTheme(application, Preferences::load().theme);
     const DesktopAppearance desktop(application);
     QObject::connect(&desktop, &DesktopAppearance::changed, &application,
@@ -80,7 +82,8 @@ int run(vs::desktop::WatchedApplication& application) {
     }
     const int code = QApplication::exec();
     if (code == MainWindow::kStartsAgain) {
-        startAgain(options); // nothing is taken down first: with the device lost that might not end
+        decoder.reset();
+        startAgain(options); // nothing else is taken down first: with the device lost that might not end
     }
     return code;
 }

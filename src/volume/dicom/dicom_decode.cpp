@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "volume/dicom/dicom_decode.h"
 
+#include "base/large_pages.h"
 #include "base/progress.h"
 #include "volume/dicom/isolated_decode.h"
 #include "volume/io/inspect.h"
@@ -126,8 +127,10 @@ Volume decodeSlices(const std::filesystem::path& path, const std::vector<DicomSl
         const ScalarType type = k == 0 ? source.type : commonType(result.type, source.type);
         if (k == 0) {
             result.type = type;
-            result.bytes.resize(
-                checkedBytes(path, {size.x, size.y, std::int64_t(slices.size())}, sizeOf(type)));
+            const auto bytes =
+                checkedBytes(path, {size.x, size.y, std::int64_t(slices.size())}, sizeOf(type));
+            reserveInLargePages(result.bytes, bytes);
+            result.bytes.resize(bytes);
         } else if (type != result.type) {
             result.bytes = converted(result, 0, pixels * slices.size(), type);
             result.type = type;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "volume/dicom/isolated_decode.h"
 
+#include "base/large_pages.h"
 #include "base/progress.h"
 #include "volume/io/inspect.h"
 #include "volume/io/quiet_libraries.h"
@@ -20,7 +21,9 @@
 #include <csignal>
 #include <cstring>
 #include <ctime>
+#include <stdexcept>
 #include <thread>
+#include <utility>
 
 namespace vs::volume {
 
@@ -35,9 +38,6 @@ struct IsolatedDecoder::Record {
 };
 
 namespace {
-
-constexpr std::size_t pageBytes = 4096;
-std::size_t roundUp(std::size_t bytes) { return (bytes + pageBytes - 1) / pageBytes * pageBytes; }
 
 StoredType storedTypeOf(itk::IOComponentEnum component) {
     using enum itk::CommonEnums::IOComponent;
@@ -75,31 +75,32 @@ IsolatedDecoder::IsolatedDecoder(const std::filesystem::path& path, const std::v
             jobs_.push_back({.slice = slice});
         }
     }
-    sharedBytes_ = roundUp(jobs_.size() * sizeof(Record));
-    for (auto& job : jobs_) {
-        // Room for the widest type; pages that stay untouched cost nothing.
-        job.bytes =
-            checkedBytes(path, {job.slice.size.x, job.slice.size.y, job.slice.frameCount}, sizeof(double));
-        job.offset = sharedBytes_;
-        sharedBytes_ += roundUp(job.bytes);
+    const std::size_t workers =
+        std::min<std::size_t>(jobs_.size(), std::clamp(std::thread::hardware_concurrency(), 1U, 16U));
+    for (std::size_t worker = 0; worker < workers; ++worker) {
+        values_.emplace_back(memfd_create("values", MFD_CLOEXEC));
+        std::size_t offset = 0;
+        for (std::size_t i = worker; i < jobs_.size(); i += workers) {
+            Job& job = jobs_[i];
+            // Room for the widest type; what is not written there costs nothing.
+            job.bytes = checkedBytes(path, {job.slice.size.x, job.slice.size.y, job.slice.frameCount},
+                                     sizeof(double));
+            job.worker = worker;
+            job.offset = std::exchange(offset, offset + job.bytes);
+        }
     }
-    void* memory = mmap(nullptr, sharedBytes_, PROT_READ | PROT_WRITE,
-                        MAP_SHARED | MAP_ANONYMOUS | MAP_NORESERVE, -1, 0);
+    void* memory = mmap(nullptr, jobs_.size() * sizeof(Record), PROT_READ | PROT_WRITE,
+                        MAP_SHARED | MAP_ANONYMOUS, -1, 0);
     if (memory == MAP_FAILED) {
         throw std::bad_alloc();
     }
-    shared_ = static_cast<std::byte*>(memory);
-    for (std::size_t job = 0; job < jobs_.size(); ++job) {
-        new (shared_ + job * sizeof(Record)) Record;
-    }
+    records_ = new (memory) Record[jobs_.size()];
 
-    const std::size_t workers =
-        std::min<std::size_t>(jobs_.size(), std::clamp(std::thread::hardware_concurrency(), 1U, 16U));
     std::vector<pid_t> children;
     for (std::size_t worker = 0; worker < workers; ++worker) {
         const pid_t child = fork();
         if (child == 0) {
-            runChild(worker, workers);
+            runChild(worker);
             leave();
         }
         if (child > 0) {
@@ -108,7 +109,7 @@ IsolatedDecoder::IsolatedDecoder(const std::filesystem::path& path, const std::v
     }
     waitFor(std::move(children));
     for (std::size_t job = 0; job < jobs_.size(); ++job) {
-        const Record& record = recordOf(job);
+        const Record& record = records_[job];
         if (!record.done || record.reason[0] != '\0') {
             const std::string reason = record.done ? record.reason.data() : "the decoder gave up";
             const auto file = jobs_[job].slice.file;
@@ -133,7 +134,7 @@ void IsolatedDecoder::waitFor(std::vector<pid_t> children) const {
         }
         std::size_t done = 0;
         for (std::size_t job = 0; job < jobs_.size(); ++job) {
-            done += recordOf(job).done ? 1 : 0;
+            done += records_[job].done ? 1 : 0;
         }
         reportProgress(kDecoding * double(done) / double(jobs_.size()));
         nanosleep(&moment, nullptr);
@@ -141,25 +142,22 @@ void IsolatedDecoder::waitFor(std::vector<pid_t> children) const {
 }
 
 void IsolatedDecoder::release() {
-    if (shared_ != nullptr) {
-        munmap(shared_, sharedBytes_);
-        shared_ = nullptr;
+    if (records_ != nullptr) {
+        munmap(records_, jobs_.size() * sizeof(Record));
+        records_ = nullptr;
     }
 }
 
-IsolatedDecoder::Record& IsolatedDecoder::recordOf(std::size_t job) const {
-    return *std::launder(reinterpret_cast<Record*>(shared_ + job * sizeof(Record)));
-}
-
-void IsolatedDecoder::runChild(std::size_t first, std::size_t step) const {
+void IsolatedDecoder::runChild(std::size_t worker) const {
     constexpr unsigned longest = 120; // seconds for one file; a decoder that hangs ends with the alarm
     prctl(PR_SET_PDEATHSIG, SIGKILL);
     const QuietLibraries quiet;
-    for (std::size_t job = first; job < jobs_.size(); job += step) {
+    std::vector<std::byte> values;
+    for (std::size_t job = worker; job < jobs_.size(); job += values_.size()) {
         alarm(longest);
-        Record& record = recordOf(job);
+        Record& record = records_[job];
         try {
-            decode(jobs_[job], record);
+            decode(jobs_[job], record, values);
         } catch (const std::exception& error) {
             const auto reason = shortReason(error);
             std::strncpy(record.reason.data(), reason.empty() ? "unknown cause" : reason.c_str(),
@@ -170,7 +168,8 @@ void IsolatedDecoder::runChild(std::size_t first, std::size_t step) const {
     leave();
 }
 
-void IsolatedDecoder::decode(const Job& job, Record& record) const {
+// Uses `values` for what it has decoded; what was in it does not matter.
+void IsolatedDecoder::decode(const Job& job, Record& record, std::vector<std::byte>& values) const {
     const auto io = itk::GDCMImageIO::New();
     io->SetFileName(job.slice.file.string());
     io->ReadImageInformation();
@@ -187,7 +186,16 @@ void IsolatedDecoder::decode(const Job& job, Record& record) const {
         throw std::runtime_error("its header is ambiguous");
     }
     io->SetIORegion(region);
-    io->Read(shared_ + job.offset);
+    values.resize(record.bytes);
+    io->Read(values.data());
+    for (std::size_t at = 0; at < record.bytes;) {
+        const ssize_t written = pwrite(values_[job.worker].number(), values.data() + at, record.bytes - at,
+                                       off_t(job.offset + at));
+        if (written < 0 && errno != EINTR) {
+            throw std::bad_alloc();
+        }
+        at += std::size_t(std::max<ssize_t>(written, 0));
+    }
     record.component = io->GetComponentType();
     record.slope = io->GetRescaleSlope();
     record.intercept = io->GetRescaleIntercept();
@@ -195,14 +203,23 @@ void IsolatedDecoder::decode(const Job& job, Record& record) const {
 
 DecodedFile IsolatedDecoder::take(const DicomSlice& slice) const {
     const std::size_t job = jobOf_.at(slice.file);
-    const Record& record = recordOf(job);
-    const std::byte* values = shared_ + jobs_[job].offset;
+    const Record& record = records_[job];
     DecodedFile decoded;
     decoded.file = slice.file;
     decoded.values.geometry.dims = {slice.size, slice.frameCount};
     decoded.scale = {record.slope, record.intercept};
-    takeValues(decoded.values, storedTypeOf(record.component),
-               std::vector<std::byte>(values, values + record.bytes));
+    std::vector<std::byte> values;
+    reserveInLargePages(values, record.bytes);
+    values.resize(record.bytes);
+    for (std::size_t at = 0; at < record.bytes;) {
+        const ssize_t count = pread(values_[jobs_[job].worker].number(), values.data() + at,
+                                    record.bytes - at, off_t(jobs_[job].offset + at));
+        if (count == 0 || (count < 0 && errno != EINTR)) {
+            throw std::runtime_error("its pixels are not there");
+        }
+        at += std::size_t(std::max<ssize_t>(count, 0));
+    }
+    takeValues(decoded.values, storedTypeOf(record.component), std::move(values));
     return decoded;
 }
 

@@ -87,6 +87,7 @@ bool mayHoldExtremes(std::span<const T> values, const Range& range) {
     constexpr std::size_t most = 1 << 14;
     constexpr double golden = 0.6180339887498949;
     std::vector<double> some;
+    some.reserve(std::min(most, values.size()));
     double at = 0;
     for (std::size_t n = 0; n < std::min(most, values.size()); ++n, at += golden) {
         const auto i = std::size_t((at - std::floor(at)) * double(values.size()));
@@ -97,9 +98,12 @@ bool mayHoldExtremes(std::span<const T> values, const Range& range) {
     if (some.size() < 16) {
         return true;
     }
-    std::sort(some.begin(), some.end());
     const std::size_t rim = std::max<std::size_t>(1, some.size() / 1000);
-    return range.width() > 100 * (some[some.size() - 1 - rim] - some[rim]);
+    const auto low = some.begin() + std::ptrdiff_t(rim);
+    const auto high = some.end() - 1 - std::ptrdiff_t(rim);
+    std::nth_element(some.begin(), low, some.end());
+    std::nth_element(low, high, some.end());
+    return range.width() > 100 * (*high - *low);
 }
 
 // Calls `use(value, count)` for all that are measured: for whole numbers of a byte or two once for each that

@@ -34,7 +34,8 @@ struct DataBlock {
     std::uint64_t before = 0;     // bytes of the (inflated) block before the first value
     std::uint64_t mostStored = 0; // bytes that it takes in the file at most; 0: up to its end
 
-    // What a deflated block holds, where it was kept when it was checked: inflating takes most of reading.
+    // The values that a deflated block holds, where they were kept when it was checked: inflating takes most
+    // of reading.
     std::shared_ptr<std::vector<std::byte>> inflated = {};
 
     [[nodiscard]] std::uint64_t bytes() const { return before + count * bytesOf(type); }

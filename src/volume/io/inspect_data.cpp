@@ -2,6 +2,8 @@
 // Checks of the values' block: enough bytes, an intact deflate stream of the promised length, enough numbers.
 #include "volume/io/inspect.h"
 
+#include "base/large_pages.h"
+
 #include <fmt/format.h>
 #include <zlib.h>
 
@@ -33,9 +35,10 @@ struct InflateResult {
 // to `sink`, which returns false to stop. Never holds more than the window, whatever the stream claims.
 class Inflater {
 public:
-    // Reads at most `mostStored` bytes and makes at most `limit`.
-    Inflater(std::istream& input, std::uint64_t mostStored, std::uint64_t limit)
-        : input_(input), left_(mostStored), limit_(limit) {
+    // Reads at most `mostStored` bytes and makes at most `limit`, so many of them at a time.
+    Inflater(std::istream& input, std::uint64_t mostStored, std::uint64_t limit,
+             std::size_t window = std::size_t(1) << 18)
+        : input_(input), left_(mostStored), limit_(limit), out_(window) {
         inflateInit2(&stream_, 15 + 32); // 15: largest window; +32: detect gzip or zlib
     }
     ~Inflater() { inflateEnd(&stream_); }
@@ -100,7 +103,7 @@ private:
     z_stream stream_{};
     bool memberEnded_ = false;
     std::vector<unsigned char> in_ = std::vector<unsigned char>(1 << 16);
-    std::vector<unsigned char> out_ = std::vector<unsigned char>(1 << 18);
+    std::vector<unsigned char> out_;
 };
 
 // A number of text, as a value of a type: whole and within its range where that is one of integers, so that
@@ -181,17 +184,21 @@ void checkDeflated(const std::filesystem::path& path, DataBlock& block, std::uin
                            stored, expected),
                "the file is cut short or its sizes are wrong");
     }
+    std::uint64_t before = block.before;
     if (inflated == Inflated::Kept) {
         block.inflated = std::make_shared<std::vector<std::byte>>();
-        block.inflated->reserve(expected); // no more than a thousand times what is stored
+        reserveInLargePages(*block.inflated,
+                            expected - before); // no more than a thousand times what is stored
     }
     std::ifstream input(block.file, std::ios::binary);
     input.seekg(static_cast<std::streamoff>(block.offset));
     const auto result =
         Inflater(input, stored, expected).run([&](const unsigned char* data, std::size_t size) {
             if (block.inflated) {
+                const auto dropped = std::size_t(std::min<std::uint64_t>(before, size));
                 const auto* bytes = reinterpret_cast<const std::byte*>(data);
-                block.inflated->insert(block.inflated->end(), bytes, bytes + size);
+                block.inflated->insert(block.inflated->end(), bytes + dropped, bytes + size);
+                before -= dropped;
             }
             return true;
         });
@@ -344,10 +351,10 @@ std::vector<std::byte> readValues(DataBlock& block, std::uint64_t skip, std::uin
     if (block.inflated) {
         bytes = std::move(*block.inflated);
         block.inflated.reset();
-        const auto first = bytes.begin() + std::ptrdiff_t(block.before + skip * width);
-        bytes.erase(bytes.begin(), first);
+        bytes.erase(bytes.begin(), bytes.begin() + std::ptrdiff_t(skip * width));
         bytes.resize(count * width);
     } else {
+        reserveInLargePages(bytes, count * width);
         bytes.resize(count * width);
         readBytes(block, block.before + skip * width, bytes);
     }
@@ -360,7 +367,7 @@ std::vector<std::byte> readValues(DataBlock& block, std::uint64_t skip, std::uin
 std::vector<unsigned char> inflatedPrefix(const std::filesystem::path& path, std::size_t count) {
     std::ifstream input(path, std::ios::binary);
     std::vector<unsigned char> prefix;
-    Inflater(input, ~std::uint64_t(0), ~std::uint64_t(0))
+    Inflater(input, ~std::uint64_t(0), ~std::uint64_t(0), std::max<std::size_t>(1, count))
         .run([&](const unsigned char* data, std::size_t size) {
             prefix.insert(prefix.end(), data, data + std::min(size, count - prefix.size()));
             return prefix.size() < count;

@@ -334,6 +334,13 @@ std::optional<MessageBytes> MessageCollector::next() {
     return message;
 }
 
+std::size_t MessageCollector::take(std::span<std::byte> out) {
+    const std::size_t count = std::min(out.size(), bytes_.size());
+    std::copy_n(std::as_bytes(std::span(bytes_)).begin(), count, out.begin());
+    bytes_.erase(bytes_.begin(), bytes_.begin() + std::ptrdiff_t(count));
+    return count;
+}
+
 MessageBytes framed(const MessageBytes& message) {
     if (message.size() > kMostBytes) {
         throw Error("a message of {} bytes", message.size());

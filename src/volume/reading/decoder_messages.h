@@ -4,6 +4,7 @@
 #include "volume/dicom/dicom_segmentation.h"
 #include "volume/io/read.h"
 
+#include <cstddef>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -13,14 +14,13 @@
 #include <vector>
 
 // What this program and its decoder (apps/decoder) say to each other: messages in CBOR, each behind its
-// length in four bytes. CBOR and no JSON, since names of files need not be text. Internal to reading and the
-// decoder.
+// length in four bytes, and behind some of them what they tell of, byte by byte. CBOR and no JSON, since
+// names of files need not be text. Internal to reading and the decoder.
 namespace vs::volume {
 
-// The descriptors that the decoder is given: a socket for messages and a file in memory for voxels, pixels,
-// labels.
-inline constexpr int kDecoderMessages = 3;
-inline constexpr int kDecoderVoxels = 4;
+// The descriptor that the decoder is given: a socket. Voxels go through it too, which costs a third of what
+// memory that both have does (decision 0030).
+inline constexpr int kDecoderSocket = 3;
 
 using MessageBytes = std::vector<std::uint8_t>;
 
@@ -33,7 +33,7 @@ struct DecodeRequest {
 struct PictureRequest {
     std::filesystem::path path;
 };
-// A DICOM segmentation is to be made of the labels that lie in the file in memory.
+// A DICOM segmentation is to be made of the labels that follow, a byte for each voxel of the grid.
 struct SegmentationRequest {
     SegmentationOrder order;
 };
@@ -49,16 +49,15 @@ struct DecodeRefusal {
     bool isUsage = false;
     std::vector<SeriesChoice> choices = {}; // some: as SeveralSeries has them
 };
-// The volume without its voxels, which lie in the file in memory, and without its path.
+// The volume without its voxels, which follow, and without its path.
 struct DecodedVolume {
     ReadResult result;
 };
-// A picture of this size without its pixels, which lie in the file in memory: rows from the top, red, green,
-// blue and alpha.
+// A picture of this size without its pixels, which follow: rows from the top, red, green, blue and alpha.
 struct DecodedPicture {
     glm::ivec2 size{0};
 };
-// A segmentation, whose file lies in the file in memory behind the labels.
+// A segmentation, whose file follows.
 struct MadeSegmentation {
     std::uint64_t bytes = 0;
     int sources = 0; // files of the series that it names
@@ -79,6 +78,8 @@ public:
     void add(std::span<const std::uint8_t> bytes);
     // The next message that is complete. Throws Error where one would be absurdly long.
     std::optional<MessageBytes> next();
+    // What follows a message: moves as much of it as has come to the front of `out` and returns how much.
+    std::size_t take(std::span<std::byte> out);
 
 private:
     MessageBytes bytes_;

@@ -2,23 +2,18 @@
 #include "volume/reading/decoder_process.h"
 
 #include "base/error.h"
+#include "base/large_pages.h"
 #include "base/progress.h"
 
-#include <fcntl.h>
 #include <poll.h>
-#include <sys/mman.h>
 #include <sys/socket.h>
-#include <sys/stat.h>
 #include <sys/wait.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cerrno>
 #include <chrono>
 #include <csignal>
-#include <cstdlib>
-#include <cstring>
 #include <ctime>
 #include <utility>
 
@@ -30,19 +25,6 @@ constexpr int kAnswerMs = 50; // between looks whether anybody still wants the v
 // A disk or a network may keep a decoder waiting for long, which whoever waits can give up; without end it is
 // stuck.
 constexpr std::chrono::seconds kLongestRest{120};
-
-Descriptor fileInMemory() {
-    Descriptor file(memfd_create("voxels", MFD_CLOEXEC));
-    if (file.number() < 0) {
-        throw Error("there is no memory for voxels ({})", std::strerror(errno));
-    }
-    return file;
-}
-
-std::filesystem::path ownFolder() {
-    std::error_code error;
-    return std::filesystem::read_symlink("/proc/self/exe", error).parent_path();
-}
 
 // What a process has used of the processor; nothing when that cannot be told.
 std::optional<std::chrono::nanoseconds> processorTimeOf(pid_t process) {
@@ -73,44 +55,16 @@ std::string whyItEnded(int status) {
 
 } // namespace
 
-std::filesystem::path decoderProgram() {
-    if (const char* named = std::getenv("VOLUME_STUDIO_DECODER"); named != nullptr && *named != '\0') {
-        return named;
+DecoderProcess::DecoderProcess(const DecoderRequest& request, std::span<const std::byte> content)
+    : decoder_(takeDecoder()) {
+    const MessageBytes message = framed(pack(request));
+    // A program that ended already takes nothing; answer() finds that.
+    if (send(std::as_bytes(std::span(message)))) {
+        send(content);
     }
-    constexpr const char* name = "volume-studio-decoder";
-    const auto folder = ownFolder();
-    std::error_code error;
-    for (const auto& place : {folder, folder.parent_path() / VOLUME_STUDIO_LIBEXEC}) {
-        if (std::filesystem::exists(place / name, error)) {
-            return place / name;
-        }
-    }
-    return folder / name;
 }
 
-DecoderProcess::DecoderProcess(const DecoderRequest& request, std::span<const std::byte> content)
-    : voxels_(fileInMemory()) {
-    while (!content.empty()) {
-        const ssize_t count = write(voxels_.number(), content.data(), content.size());
-        if (count < 0 && errno != EINTR) {
-            throw Error("there is no memory for {} bytes ({})", content.size(), std::strerror(errno));
-        }
-        content = content.subspan(std::size_t(std::max<ssize_t>(count, 0)));
-    }
-    DescriptorPair sockets = socketPair();
-    messages_ = std::move(sockets.ours);
-    const std::array<ChildProcess::Handed, 2> handed{
-        {{sockets.theirs.number(), kDecoderMessages}, {voxels_.number(), kDecoderVoxels}}};
-    const auto program = decoderProgram();
-    process_ = ChildProcess::start({program.string()}, handed);
-    if (!process_) {
-        throw Error("{}: the program that reads scans is not there; install Volume Studio again",
-                    program.string());
-    }
-    sockets.theirs.close();
-    // A program that ended already takes nothing; answer() finds that.
-    send(framed(pack(request)));
-}
+DecoderProcess::~DecoderProcess() { endDecoder(std::move(decoder_)); }
 
 std::optional<DecoderAnswer> DecoderProcess::answer() {
     while (true) {
@@ -120,23 +74,15 @@ std::optional<DecoderAnswer> DecoderProcess::answer() {
             }
         } catch (const Error& error) {
             why_ = fmt::format("it answered with {}", error.what());
-            process_->kill();
+            decoder_.process->kill();
             return {};
         }
-        const bool hasEnded = process_->hasEnded(); // before the last look at what it said
-        if (receive()) {
-            continue;
-        }
-        if (hasEnded) {
-            why_ = vs::volume::whyItEnded(process_->status());
+        std::array<std::byte, 65536> bytes{};
+        if (const std::size_t count = receive(bytes); count > 0) {
+            collected_.add({reinterpret_cast<const std::uint8_t*>(bytes.data()), count});
+        } else if (!await(POLLIN)) {
             return {};
         }
-        if (process_->isStopped() || isStuck()) {
-            why_ = process_->isStopped() ? "it was stopped" : "it does nothing any more";
-            process_->kill();
-            return {};
-        }
-        waitFor(POLLIN);
     }
 }
 
@@ -153,38 +99,35 @@ DecoderAnswer DecoderProcess::lastAnswer(const std::filesystem::path& path) {
     throw ReadError("{}: its decoder gave up ({}); get an intact copy of the file", path.string(), why_);
 }
 
-std::vector<std::byte> DecoderProcess::content(std::size_t bytes, std::size_t skip) const {
-    struct stat status {};
-    if (fstat(voxels_.number(), &status) != 0 || std::size_t(status.st_size) != skip + bytes) {
-        throw Error("{} bytes instead of {}", status.st_size, skip + bytes);
-    }
-    // Piece by piece, each given back at once, so that they are not there twice.
-    constexpr std::size_t piece = std::size_t(64) << 20;
-    std::vector<std::byte> voxels;
-    voxels.reserve(bytes);
-    while (voxels.size() < bytes) {
-        const std::size_t at = voxels.size();
-        const std::size_t wanted = std::min(piece, bytes - at);
-        voxels.resize(at + wanted);
-        const ssize_t count = pread(voxels_.number(), voxels.data() + at, wanted, off_t(skip + at));
-        if (count == 0 || (count < 0 && errno != EINTR)) {
-            throw Error("bytes that cannot be read");
+std::vector<std::byte> DecoderProcess::content(std::size_t bytes) {
+    constexpr std::size_t piece = std::size_t(256) << 10; // stays in the processor's cache while it is filled
+    std::vector<std::byte> content;
+    reserveInLargePages(content, bytes);
+    while (content.size() < bytes) {
+        const std::size_t at = content.size();
+        content.resize(std::min(bytes, at + piece));
+        const auto wanted = std::span(content).subspan(at);
+        std::size_t count = collected_.take(wanted);
+        count = count > 0 ? count : receive(wanted);
+        content.resize(at + count);
+        if (count == 0 && !await(POLLIN)) {
+            throw Error("{} bytes instead of {} ({})", at, bytes, why_);
         }
-        voxels.resize(at + std::size_t(std::max<ssize_t>(count, 0)));
-        fallocate(voxels_.number(), FALLOC_FL_PUNCH_HOLE | FALLOC_FL_KEEP_SIZE, off_t(skip + at), count);
     }
-    return voxels;
+    return content;
 }
 
 // False when the decoder takes no more.
-bool DecoderProcess::send(std::span<const std::uint8_t> bytes) {
+bool DecoderProcess::send(std::span<const std::byte> bytes) {
     while (!bytes.empty()) {
         const ssize_t sent =
-            ::send(messages_.number(), bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
+            ::send(decoder_.socket.number(), bytes.data(), bytes.size(), MSG_NOSIGNAL | MSG_DONTWAIT);
         if (sent >= 0) {
             bytes = bytes.subspan(std::size_t(sent));
         } else if (errno == EAGAIN || errno == EWOULDBLOCK) {
-            waitFor(POLLOUT);
+            if (!await(POLLOUT)) {
+                return false;
+            }
         } else if (errno != EINTR) {
             return false;
         }
@@ -192,19 +135,37 @@ bool DecoderProcess::send(std::span<const std::uint8_t> bytes) {
     return true;
 }
 
-// Takes what has come; false when that was nothing.
-bool DecoderProcess::receive() {
-    std::array<std::uint8_t, 65536> bytes{};
-    const ssize_t count = recv(messages_.number(), bytes.data(), bytes.size(), MSG_DONTWAIT);
-    if (count <= 0) {
+// Takes what has come and returns how much that was.
+std::size_t DecoderProcess::receive(std::span<std::byte> bytes) {
+    const ssize_t count = recv(decoder_.socket.number(), bytes.data(), bytes.size(), MSG_DONTWAIT);
+    return std::size_t(std::max<ssize_t>(count, 0));
+}
+
+// Waits until more has come than was received (POLLIN), or more can be sent (POLLOUT). False when that will
+// never be, and why_ tells why.
+bool DecoderProcess::await(short events) {
+    ChildProcess& process = *decoder_.process;
+    if (process.hasEnded()) {
+        std::byte last{}; // before it ended it may have sent more
+        if (recv(decoder_.socket.number(), &last, 1, MSG_DONTWAIT | MSG_PEEK) == 1) {
+            return true;
+        }
+        if (why_.empty()) {
+            why_ = vs::volume::whyItEnded(process.status());
+        }
         return false;
     }
-    collected_.add(std::span(bytes.data(), std::size_t(count)));
+    if (process.isStopped() || isStuck()) {
+        why_ = process.isStopped() ? "it was stopped" : "it does nothing any more";
+        process.kill();
+        return false;
+    }
+    waitFor(events);
     return true;
 }
 
 void DecoderProcess::waitFor(short events) {
-    pollfd wait{messages_.number(), events, 0};
+    pollfd wait{decoder_.socket.number(), events, 0};
     poll(&wait, 1, kAnswerMs);
     if ((wait.revents & POLLHUP) != 0) { // it is about to end: that need not be looked for without a rest
         constexpr timespec moment{0, 1'000'000};
@@ -215,7 +176,8 @@ void DecoderProcess::waitFor(short events) {
 
 // Whether it has not worked for very long.
 bool DecoderProcess::isStuck() {
-    return rest_.look(std::chrono::steady_clock::now(), processorTimeOf(process_->id())) > kLongestRest;
+    return rest_.look(std::chrono::steady_clock::now(), processorTimeOf(decoder_.process->id())) >
+           kLongestRest;
 }
 
 } // namespace vs::volume

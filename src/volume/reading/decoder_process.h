@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "base/child_process.h"
 #include "base/error.h"
 #include "volume/reading/decoder_messages.h"
+#include "volume/reading/decoder_start.h"
 #include "volume/reading/rest_clock.h"
 
 #include <cstddef>
 #include <filesystem>
-#include <memory>
 #include <optional>
 #include <span>
 #include <string>
@@ -18,15 +17,15 @@
 
 namespace vs::volume {
 
-// Where the decoder lies: what VOLUME_STUDIO_DECODER names, else beside this program, else where it is
-// installed.
-std::filesystem::path decoderProgram();
-
 // The decoder at work on one request. Ends with this object. Internal to this folder.
 class DecoderProcess {
 public:
-    // Starts it, with what it is to find in the file in memory. Throws Error when it is not there.
+    // Asks one that waits already, or starts one, and sends what belongs to the request behind it. Throws
+    // Error when there is none.
     explicit DecoderProcess(const DecoderRequest& request, std::span<const std::byte> content = {});
+    ~DecoderProcess();
+    DecoderProcess(const DecoderProcess&) = delete;
+    DecoderProcess& operator=(const DecoderProcess&) = delete;
 
     // Waits for its next answer and reports progress meanwhile; GivenUp is thrown from there. Nothing when it
     // has ended without one, or does nothing any more: whyItEnded() tells then.
@@ -37,20 +36,18 @@ public:
     template <typename Answer>
     Answer finalAnswer(const std::filesystem::path& path);
 
-    // What it left in the file in memory behind the first `skip` bytes. Throws Error where that are not as
-    // many bytes.
-    [[nodiscard]] std::vector<std::byte> content(std::size_t bytes, std::size_t skip = 0) const;
+    // What it sends behind its answer. Throws Error where that are not as many bytes.
+    std::vector<std::byte> content(std::size_t bytes);
 
 private:
     DecoderAnswer lastAnswer(const std::filesystem::path& path);
-    bool send(std::span<const std::uint8_t> bytes);
-    bool receive();
+    bool send(std::span<const std::byte> bytes);
+    std::size_t receive(std::span<std::byte> bytes);
+    bool await(short events);
     void waitFor(short events);
     [[nodiscard]] bool isStuck();
 
-    Descriptor messages_;
-    Descriptor voxels_;
-    std::unique_ptr<ChildProcess> process_;
+    StartedDecoder decoder_;
     MessageCollector collected_;
     std::string why_;
     RestClock rest_; // how long it has done nothing

@@ -21,7 +21,13 @@ int writeDicomSegmentation(const std::filesystem::path& path, const Segmentation
     outputFile(path); // what cannot be written is refused before the work
     DecoderProcess decoder(SegmentationRequest{order}, std::as_bytes(labels));
     const auto made = decoder.finalAnswer<MadeSegmentation>(path);
-    writeFileAtomically(path, decoder.content(made.bytes, labels.size()));
+    std::vector<std::byte> file;
+    try {
+        file = decoder.content(made.bytes);
+    } catch (const Error& error) {
+        throw WriteError("{}: its decoder gave {}; try it again", path.string(), error.what());
+    }
+    writeFileAtomically(path, file);
     return made.sources;
 }
 

@@ -7,6 +7,8 @@
 #include <gtest/gtest.h>
 #include <nlohmann/json.hpp>
 
+#include <array>
+
 namespace vs::volume {
 namespace {
 
@@ -113,6 +115,20 @@ TEST(DecoderMessages, AnyBytes) {
         } catch (const Error&) {
         }
     });
+}
+
+TEST(DecoderMessages, WhatFollowsOneIsTakenAsItIs) {
+    const MessageBytes message = pack(DecoderAnswer(DecodeShare{0.5}));
+    MessageBytes bytes = framed(message);
+    bytes.insert(bytes.end(), {255, 255, 255}); // no message
+    MessageCollector collected;
+    collected.add(bytes);
+    EXPECT_EQ(collected.next(), message);
+    std::array<std::byte, 2> two{};
+    EXPECT_EQ(collected.take(two), 2U);
+    EXPECT_EQ(two[1], std::byte(255));
+    EXPECT_EQ(collected.take(two), 1U);
+    EXPECT_EQ(collected.take(two), 0U);
 }
 
 } // namespace

@@ -11,9 +11,8 @@
 #include "volume/reading/read_volume.h"
 #include "volume/reading/write_segmentation.h"
 
-#include "test_files.h"
+#include "pretended_decoder.h"
 
-#include <sys/wait.h>
 #include <unistd.h>
 #include <zlib.h>
 
@@ -28,30 +27,6 @@
 namespace vs::volume {
 namespace {
 
-// While it lives, a shell script is taken for the decoder.
-class PretendedDecoder {
-public:
-    PretendedDecoder(const TemporaryFolder& folder, const std::string& script) {
-        const auto path = folder / "decoder";
-        writeFile(path, "#!/bin/sh\n" + script + "\n");
-        std::filesystem::permissions(path, std::filesystem::perms::owner_all);
-        setenv("VOLUME_STUDIO_DECODER", path.c_str(), 1);
-    }
-    ~PretendedDecoder() { unsetenv("VOLUME_STUDIO_DECODER"); }
-    PretendedDecoder(const PretendedDecoder&) = delete;
-    PretendedDecoder& operator=(const PretendedDecoder&) = delete;
-};
-
-std::filesystem::path cube(const TemporaryFolder& folder, int edge, const std::string& name = "cube.nrrd") {
-    const auto grid = makeGeometry(glm::ivec3(edge));
-    std::vector<std::int16_t> values(grid.voxelCount());
-    for (std::size_t i = 0; i < values.size(); ++i) {
-        values[i] = std::int16_t(i * 7919 % 2003);
-    }
-    writeGrid(folder / name, grid, std::span<const std::int16_t>(values));
-    return folder / name;
-}
-
 std::string readRefusal(const std::filesystem::path& path) {
     try {
         readVolume(path);
@@ -64,8 +39,6 @@ std::string readRefusal(const std::filesystem::path& path) {
     ADD_FAILURE() << path << " was read";
     return {};
 }
-
-bool hasChildren() { return waitpid(-1, nullptr, WNOHANG) != -1 || errno != ECHILD; }
 
 // The decoder that this process has started, if it runs.
 pid_t runningDecoder() {
@@ -161,13 +134,12 @@ TEST(Decoder, VoxelsThatAreMissing) {
     DecodedVolume answer{decodeVolume(path)};
     const MessageBytes bytes = framed(pack(DecoderAnswer(answer)));
     writeFile(folder / "answer", std::string(bytes.begin(), bytes.end()));
-    for (const char* voxels : {"", "head -c 127 /dev/zero >&4;", "head -c 129 /dev/zero >&4;"}) {
-        const PretendedDecoder pretended(folder, std::string(voxels) + "cat " + (folder / "answer").string() +
-                                                     " >&3");
+    const std::string answers = "cat " + (folder / "answer").string() + " >&3; ";
+    for (const char* voxels : {"", "head -c 127 /dev/zero >&3", "head -c 9 /dev/zero >&3; kill -STOP $$"}) {
+        const PretendedDecoder pretended(folder, answers + voxels);
         EXPECT_NE(readRefusal(path).find("instead of 128"), std::string::npos) << voxels;
     }
-    const PretendedDecoder pretended(folder, "head -c 128 /dev/zero >&4; cat " +
-                                                 (folder / "answer").string() + " >&3");
+    const PretendedDecoder pretended(folder, answers + "head -c 128 /dev/zero >&3");
     EXPECT_EQ(readVolume(path).volume.at({1, 1, 1}), 0);
 }
 
@@ -283,6 +255,13 @@ TEST(Decoder, MakesSegmentationsAndLeavesAnOlderFileWhenItFails) {
     {
         const PretendedDecoder killed(folder, "kill -KILL $$");
         EXPECT_THROW(writeDicomSegmentation(folder / "s.dcm", order, labels), Error);
+    }
+    {
+        // More labels than a socket holds, for one that takes none of them.
+        const SegmentationOrder large{makeGeometry({256, 256, 256}), order.segments, {}, {}};
+        const std::vector<std::uint8_t> many(large.geometry.voxelCount(), 1);
+        const PretendedDecoder stopped(folder, "kill -STOP $$");
+        EXPECT_THROW(writeDicomSegmentation(folder / "s.dcm", large, many), Error);
     }
     EXPECT_EQ(std::filesystem::file_size(folder / "s.dcm"), size);
     EXPECT_THROW(writeDicomSegmentation(folder / "gone" / "s.dcm", order, labels), WriteError);

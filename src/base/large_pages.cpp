@@ -7,16 +7,20 @@
 
 namespace vs {
 
-void reserveInLargePages(std::vector<std::byte>& bytes, std::size_t count) {
+void askForLargePages(std::span<std::byte> memory) {
     constexpr std::size_t page = 4096;
     constexpr std::size_t least = std::size_t(2) << 20;
-    bytes.reserve(count);
-    void* begin = bytes.data();
-    std::size_t space = bytes.capacity();
-    if (count >= least && std::align(page, page, begin, space) != nullptr) {
+    void* begin = memory.data();
+    std::size_t space = memory.size();
+    if (memory.size() >= least && std::align(page, page, begin, space) != nullptr) {
         madvise(begin, space / page * page,
                 MADV_HUGEPAGE); // a system without them says no, which is all right
     }
+}
+
+void reserveInLargePages(std::vector<std::byte>& bytes, std::size_t count) {
+    bytes.reserve(count);
+    askForLargePages({bytes.data(), bytes.capacity()});
 }
 
 } // namespace vs

@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "field/cell_ranges.h"
 
+#include "field/host_cell_ranges.h"
 #include "field/shaders/bindings.h"
+#include "gl/context.h"
 #include "gl/pass.h"
 
-#include <limits>
+#include <span>
+#include <utility>
 
 namespace vs::field {
 
@@ -37,6 +40,14 @@ gl::Texture rangesOf(const gl::Texture& texels, glm::vec2 valueScaleOffset) {
 } // namespace
 
 CellRanges computeCellRanges(const Field& field) {
+    if (field.onHost != nullptr && gl::Context::isSoftware()) {
+        if (const auto ranges = hostCellRanges(*field.onHost); !ranges.empty()) {
+            const glm::ivec3 count = cellDims(field.geometry.dims);
+            gl::Texture cells(count, gl::Format::RG32F, gl::Filter::Nearest, "cell ranges");
+            cells.upload({glm::ivec3(0), count}, std::as_bytes(std::span(ranges)));
+            return {std::move(cells)};
+        }
+    }
     return {rangesOf(field.texels, {field.valueScale, field.valueOffset})};
 }
 

@@ -17,6 +17,7 @@ struct CellRanges {
     gl::Texture cells;
 };
 
+// On the device, or where that is a software renderer and the volume is at hand (Field::onHost), from it.
 CellRanges computeCellRanges(const Field& field);
 // Such cells of any texture of one value a voxel, as RG32F texels.
 gl::Texture computeCellRanges(const gl::Texture& texels);

@@ -16,10 +16,7 @@ template <typename Texel>
 void uploadSlab(Field& field, const Box3& box, std::span<const Texel> texels) {
     field.texels.upload(box, std::as_bytes(texels));
     if (field.quads) {
-        const glm::ivec2 slice(box.size());
-        const auto quads = quadsOfSlices(texels, slice);
-        field.quads.write(std::as_bytes(std::span(quads)),
-                          std::size_t(slice.x) * std::size_t(slice.y) * std::size_t(box.lo.z));
+        fillQuads(texels, glm::ivec2(box.size()), box.lo.z, field.quads);
     }
 }
 

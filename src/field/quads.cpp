@@ -32,7 +32,7 @@ gl::TexelBuffer makeQuads(glm::ivec3 dims, gl::Format ofTexels) {
         voxels > gl::TexelBuffer::mostTexels()) {
         return {};
     }
-    return {voxels, format, "data in quads"};
+    return {voxels, format, "data in quads", gl::Reach::Shared};
 }
 
 void fillQuads(const gl::Texture& texels, gl::TexelBuffer& quads) {

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "base/check.h"
+#include "base/parallel.h"
 #include "gl/texel_buffer.h"
 
 #include <span>
-#include <vector>
 
 namespace vs::field {
 
@@ -29,23 +30,38 @@ gl::TexelBuffer makeQuads(glm::ivec3 dims, gl::Format ofTexels);
 // Fills quads from texels that were computed on the device (R16 or R32F).
 void fillQuads(const gl::Texture& texels, gl::TexelBuffer& quads);
 
-// The quads of whole slices, four texels each.
+// The quads of one slice, four texels each.
 template <typename Texel>
-std::vector<Texel> quadsOfSlices(std::span<const Texel> texels, glm::ivec2 slice) {
-    std::vector<Texel> quads(4 * texels.size());
-    Texel* out = quads.data();
-    for (const Texel* row = texels.data(); row != texels.data() + texels.size(); row += slice.x) {
-        const bool isLast = (row - texels.data()) / slice.x % slice.y == slice.y - 1;
-        const Texel* next = isLast ? row : row + slice.x;
-        for (int x = 0; x < slice.x; ++x, out += 4) {
-            const int right = std::min(x + 1, slice.x - 1);
+void quadsOfSlice(std::span<const Texel> texels, glm::ivec2 slice, Texel* out) {
+    for (int y = 0; y < slice.y; ++y) {
+        const Texel* row = texels.data() + std::size_t(y) * std::size_t(slice.x);
+        const Texel* next = y + 1 < slice.y ? row + slice.x : row;
+        const auto write = [&](int x, int right) {
             out[0] = row[x];
             out[1] = row[right];
             out[2] = next[x];
             out[3] = next[right];
+            out += 4;
+        };
+        for (int x = 0; x + 1 < slice.x; ++x) {
+            write(x, x + 1);
         }
+        write(slice.x - 1, slice.x - 1);
     }
-    return quads;
+}
+
+// Fills quads from the texels of whole slices, of which the first is slice `firstZ` of the volume, on all
+// processors.
+template <typename Texel>
+void fillQuads(std::span<const Texel> texels, glm::ivec2 slice, int firstZ, gl::TexelBuffer& quads) {
+    const std::size_t perSlice = std::size_t(slice.x) * std::size_t(slice.y);
+    const auto memory = quads.buffer().shared().subspan(4 * sizeof(Texel) * perSlice * std::size_t(firstZ));
+    VS_CHECK(texels.size() % perSlice == 0 && 4 * texels.size_bytes() <= memory.size());
+    inParallel(int(texels.size() / perSlice), [&](int z) {
+        const std::size_t first = perSlice * std::size_t(z);
+        quadsOfSlice(texels.subspan(first, perSlice), slice,
+                     reinterpret_cast<Texel*>(memory.data()) + 4 * first);
+    });
 }
 
 } // namespace vs::field

@@ -2,6 +2,7 @@
 #include "gl/buffer.h"
 
 #include "base/error.h"
+#include "base/large_pages.h"
 #include "gl/errors.h"
 #include "gl/hazard_watch.h"
 #include "gl/limits.h"
@@ -48,6 +49,9 @@ Buffer::Buffer(std::size_t sizeBytes, const std::string& label, Reach reach)
                       label, size_ >> 20);
     }
     glObjectLabel(GL_BUFFER, name, -1, label.c_str());
+    if (isShared) {
+        askForLargePages(shared());
+    }
     clear();
     if (isShared) {
         glFinish(); // the host may write from now on, which must not come before the zeros

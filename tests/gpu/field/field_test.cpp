@@ -61,6 +61,27 @@ TEST_F(FieldTest, HistogramsOfAVolumeAtHandEqualThoseOfTheDevice) {
     }
 }
 
+// Software renderers take them from the volume where it is at hand.
+TEST_F(FieldTest, CellRangesOfAVolumeAtHandEqualThoseOfTheDevice) {
+    using enum volume::ScalarType;
+    for (const auto type : {UInt8, Int8, UInt16, Int16, Int32, Float32}) {
+        for (const glm::ivec3 dims : {glm::ivec3(37, 21, 19), glm::ivec3(5, 1, 4), glm::ivec3(1, 9, 1)}) {
+            const bool isSigned = type != UInt8 && type != UInt16;
+            const auto volume = randomVolume(dims, type, isSigned ? -100 : 0, 100);
+            Field field = uploadVolume(volume);
+            const auto onDevice = computeCellRanges(field).cells.downloadAll<glm::vec2>();
+            field.onHost = &volume;
+            const auto atHand = computeCellRanges(field).cells.downloadAll<glm::vec2>();
+            ASSERT_EQ(atHand.size(), onDevice.size()) << name(type);
+            for (std::size_t i = 0; i < atHand.size(); ++i) {
+                // Texels of whole numbers are rounded to single precision.
+                EXPECT_NEAR(atHand[i].x, onDevice[i].x, 1e-6 * double(field.valueScale)) << name(type) << i;
+                EXPECT_NEAR(atHand[i].y, onDevice[i].y, 1e-6 * double(field.valueScale)) << name(type) << i;
+            }
+        }
+    }
+}
+
 TEST_F(FieldTest, NonFiniteVoxelsAreInNoBin) {
     auto volume = randomVolume({16, 16, 16}, volume::ScalarType::Float32, 0, 1);
     auto* values = reinterpret_cast<float*>(volume.bytes.data());

@@ -66,12 +66,12 @@ private:
     std::size_t done_ = 0;
 };
 
-// Does all that, in a context of its own, where that is one of the renderer named. Returns the exit status of a
-// program that does nothing else.
+// Does all that, in a context of its own, where that is one of the renderer named. Returns the exit status of
+// a program that does nothing else.
 int rehearse(const std::string& renderer, const std::string& kind);
 
-// For a process that rehearses beside a window: takes the processor only where nothing else wants it, and ends
-// with whoever started it.
+// For a process that rehearses beside a window: takes the processor only where nothing else wants it, and
+// ends with whoever started it.
 void standBack();
 
 } // namespace vs::desktop

@@ -58,16 +58,20 @@ VisibleHistogram::VisibleHistogram(const Field& field, int bins)
     VS_CHECK(bins >= 1 && bins <= 4096);
 }
 
-void VisibleHistogram::start(SculptureView view) {
+void VisibleHistogram::start(SculptureView view) { start(view, wholeOf(*field_)); }
+
+void VisibleHistogram::start(SculptureView view, const Box3& box) {
     VS_CHECK(view != SculptureView::Whole); // that is intensityHistogram()
+    VS_CHECK(intersect(box, wholeOf(*field_)) == box);
     view_ = view;
+    box_ = box;
     counts_ = gl::Buffer(std::size_t(bins_) * sizeof(std::uint32_t), "visible histogram");
-    rows_ = VoxelRows(field_->geometry.dims);
+    rows_ = VoxelRows(box.size());
 }
 
 bool VisibleHistogram::advance(const gl::Texture& sculpture, double budgetMs) {
     const gl::Pass pass("visible histogram");
-    bind(program_, *field_, wholeOf(*field_), bins_, counts_);
+    bind(program_, *field_, box_, bins_, counts_);
     sculpture.bindTexture(kSculptureTexture);
     program_.set("sculptureView", view_ == SculptureView::Cut ? 1 : 2);
     return rows_.advance(program_, budgetMs);

@@ -27,8 +27,9 @@ class VisibleHistogram {
 public:
     VisibleHistogram(const Field& field, int bins);
 
-    // Begins anew.
+    // Begins anew; in a part of the voxels, which must lie in the grid.
     void start(SculptureView view);
+    void start(SculptureView view, const Box3& box);
     // Goes on for about `budgetMs`, or for one portion where that takes longer (tens of milliseconds on a
     // software renderer). The sculpture must not have changed since start(). True when all is counted.
     bool advance(const gl::Texture& sculpture, double budgetMs);
@@ -37,6 +38,7 @@ public:
 private:
     const Field* field_;
     int bins_;
+    Box3 box_;
     SculptureView view_ = SculptureView::Cut;
     gl::Program program_;
     gl::Buffer counts_;

@@ -4,14 +4,12 @@
 #include "base/error.h"
 #include "gl/hazard_watch.h"
 #include "gl/kept_programs.h"
-#include "gl/sampler_slots.h"
 #include "gl/shader_reload.h"
 
 #include <epoxy/gl.h>
 
 #include <glm/gtc/type_ptr.hpp>
 
-#include <algorithm>
 #include <utility>
 
 namespace vs::gl {
@@ -45,12 +43,6 @@ Handle<detail::deleteProgram> compiled(const std::string& path, const ExpandedSo
                       readableLog(programLog(program.name()), source));
     }
     return program;
-}
-
-bool isTexelBuffer(const Uniform& uniform) {
-    return uniform.location >= 0 &&
-           (uniform.type == GL_SAMPLER_BUFFER || uniform.type == GL_INT_SAMPLER_BUFFER ||
-            uniform.type == GL_UNSIGNED_INT_SAMPLER_BUFFER);
 }
 
 // From a file wherever that can be, also when the file was only just written (gl/kept_programs.h says why).
@@ -91,8 +83,7 @@ Program::Program(const std::string& path, const Defines& defines)
     glObjectLabel(GL_PROGRAM, program, -1, path.c_str());
     glGetProgramiv(program, GL_COMPUTE_WORK_GROUP_SIZE, glm::value_ptr(localSize_));
     uniforms_ = readUniforms(program, source.text);
-    readsTexelBuffers_ = std::any_of(uniforms_.begin(), uniforms_.end(),
-                                     [](const auto& uniform) { return isTexelBuffer(uniform.second); });
+    samplers_ = samplersOf(uniforms_);
     accesses_ = accessesIfWatched(program, source.text);
 }
 
@@ -200,7 +191,7 @@ void Program::dispatch(glm::ivec3 groups, Barrier after) {
     if (groups.x > 0 && groups.y > 0 && groups.z > 0) {
         use();
         tellHazards(0);
-        settleSamplerSlots(name(), readsTexelBuffers_);
+        settleSamplerSlots(name(), samplers_);
         glUseProgram(name());
         glDispatchCompute(GLuint(groups.x), GLuint(groups.y), GLuint(groups.z));
         addBarrier(after);
@@ -225,7 +216,7 @@ void Program::dispatchOverList(std::size_t items, Barrier after) {
 void Program::dispatchIndirect(const Buffer& arguments, std::size_t offset, Barrier after) {
     use();
     tellHazards(arguments.name());
-    settleSamplerSlots(name(), readsTexelBuffers_);
+    settleSamplerSlots(name(), samplers_);
     glUseProgram(name());
     glBindBuffer(GL_DISPATCH_INDIRECT_BUFFER, arguments.name());
     glDispatchComputeIndirect(GLintptr(offset));

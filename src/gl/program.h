@@ -4,6 +4,7 @@
 #include "base/math.h"
 #include "gl/buffer.h"
 #include "gl/handle.h"
+#include "gl/sampler_slots.h"
 #include "gl/shader_source.h"
 #include "gl/uniforms.h"
 
@@ -82,7 +83,7 @@ private:
     Defines defines_;
     int generation_ = 0; // of shaders
     Uniforms uniforms_;
-    bool readsTexelBuffers_ = false;
+    Samplers samplers_;
     glm::ivec3 localSize_{1};
     std::shared_ptr<const std::vector<ProgramAccess>> accesses_; // while hazards are watched
 };

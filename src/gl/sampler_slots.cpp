@@ -7,6 +7,8 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
+#include <array>
 #include <string>
 
 namespace vs::gl {
@@ -22,9 +24,30 @@ GLuint settlingProgram(SamplerSlots& slots) {
     return slots.settling;
 }
 
+bool isTexelBuffer(GLenum type) {
+    return type == GL_SAMPLER_BUFFER || type == GL_INT_SAMPLER_BUFFER ||
+           type == GL_UNSIGNED_INT_SAMPLER_BUFFER;
+}
+
+bool isTexture(GLenum type) {
+    constexpr std::array<GLenum, 6> kTypes{GL_SAMPLER_2D, GL_INT_SAMPLER_2D, GL_UNSIGNED_INT_SAMPLER_2D,
+                                           GL_SAMPLER_3D, GL_INT_SAMPLER_3D, GL_UNSIGNED_INT_SAMPLER_3D};
+    return std::find(kTypes.begin(), kTypes.end(), type) != kTypes.end();
+}
+
 } // namespace
 
-void settleSamplerSlots(unsigned int program, bool readsTexelBuffers) {
+Samplers samplersOf(const Uniforms& uniforms) {
+    Samplers samplers;
+    for (const auto& [name, uniform] : uniforms) {
+        const bool isUsed = uniform.location >= 0;
+        samplers.areOfTexelBuffers |= isUsed && isTexelBuffer(uniform.type);
+        samplers.areOfTextures |= isUsed && isTexture(uniform.type);
+    }
+    return samplers;
+}
+
+void settleSamplerSlots(unsigned int program, Samplers samplers) {
     if (currentRecord() == nullptr) {
         return;
     }
@@ -33,16 +56,23 @@ void settleSamplerSlots(unsigned int program, bool readsTexelBuffers) {
         slots.isKnown = true;
         slots.isNeeded = Context::isSoftware();
     }
-    if (slots.isNeeded && readsTexelBuffers && slots.last != program) {
+    if (!slots.isNeeded) {
+        return;
+    }
+    if (samplers.areOfTexelBuffers && slots.unsettledBy != 0 && slots.unsettledBy != program) {
         glUseProgram(settlingProgram(slots));
         glDispatchCompute(1, 1, 1);
+        slots.unsettledBy = 0;
     }
-    slots.last = program;
+    if (samplers.areOfTextures) {
+        const bool isAlone = slots.unsettledBy == 0 || slots.unsettledBy == program;
+        slots.unsettledBy = isAlone ? program : SamplerSlots::kSeveral;
+    }
 }
 
 void forgetInSamplerSlots(unsigned int program) {
-    if (currentRecord() != nullptr && currentRecord()->samplerSlots.last == program) {
-        currentRecord()->samplerSlots.last = 0;
+    if (currentRecord() != nullptr && currentRecord()->samplerSlots.unsettledBy == program) {
+        currentRecord()->samplerSlots.unsettledBy = SamplerSlots::kSeveral;
     }
 }
 

@@ -15,7 +15,6 @@
 #include <fstream>
 #include <initializer_list>
 #include <numeric>
-#include <sstream>
 #include <string_view>
 #include <vector>
 

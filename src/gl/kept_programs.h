@@ -5,10 +5,7 @@
 
 // Programs as the driver has compiled them (OpenGL 4.5, section 7.5), kept in files from one start to the
 // next in the person's cache folder, by driver and by the shader's text: drivers that have no cache of their
-// own, or none for this person, compile once. Those that have one profit too. Mesa keeps machine code by the
-// intermediate code that it was made of, which differs between a program that was just compiled and one that
-// was read from a file, so that what one start has compiled was compiled once more by the next; here every
-// program comes from a file.
+// own, or none for this person, compile once, and the others need not read GLSL again.
 namespace vs::gl {
 
 // A program made of what was kept of a shader's text (with all that it includes); 0: nothing was kept, or the

@@ -45,15 +45,13 @@ Handle<detail::deleteProgram> compiled(const std::string& path, const ExpandedSo
     return program;
 }
 
-// From a file wherever that can be, also when the file was only just written (gl/kept_programs.h says why).
 Handle<detail::deleteProgram> made(const std::string& path, const ExpandedSource& source) {
     if (const GLuint kept = loadKeptProgram(source.text)) {
         return Handle<detail::deleteProgram>(kept);
     }
     auto fresh = compiled(path, source);
     keepProgram(fresh.name(), source.text);
-    const GLuint kept = loadKeptProgram(source.text);
-    return kept != 0 ? Handle<detail::deleteProgram>(kept) : std::move(fresh);
+    return fresh;
 }
 
 void addBarrier(Barrier after) {

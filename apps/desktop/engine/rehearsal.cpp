@@ -46,15 +46,16 @@ Sketch circleAt(glm::dvec2 centre, double radius) {
 
 } // namespace
 
-ScanKind kindOf(const volume::Volume& volume) {
-    ScanKind kind{volume.type};
-    double quadBytes = 4.0 * double(volume::sizeOf(volume.type));
+ScanKind kindOf(const field::Field& field) {
+    using volume::ScalarType;
+    const gl::Format format = field.texels.format();
+    ScanKind kind{format == gl::Format::R8    ? ScalarType::UInt8
+                  : format == gl::Format::R16 ? ScalarType::Int16
+                                              : ScalarType::Float32};
     for (int axis = 0; axis < 3; ++axis) {
-        const int size = volume.geometry.dims[axis];
-        kind.isPowerOfTwo[axis] = std::has_single_bit(unsigned(size));
-        quadBytes *= size;
+        kind.isPowerOfTwo[axis] = std::has_single_bit(unsigned(field.geometry.dims[axis]));
     }
-    kind.isLarge = quadBytes > double(field::kMostQuadBytes);
+    kind.isLarge = !field.quads;
     return kind;
 }
 

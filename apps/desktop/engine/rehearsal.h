@@ -18,14 +18,14 @@ namespace vs::desktop {
 
 // What decides into which machine code a driver compiles the programs that a scan is worked on with.
 struct ScanKind {
-    volume::ScalarType type = volume::ScalarType::Int16;
-    glm::bvec3 isPowerOfTwo{false}; // each of its dimensions
-    bool isLarge = true;            // too large for quads (field/quads.h)
+    volume::ScalarType type = volume::ScalarType::Int16; // one whose texels are of the same format
+    glm::bvec3 isPowerOfTwo{false};                      // each of its dimensions
+    bool isLarge = true;                                 // has no quads (field/quads.h)
 
     bool operator==(const ScanKind&) const = default;
 };
 
-ScanKind kindOf(const volume::Volume& volume);
+ScanKind kindOf(const field::Field& field);
 // A few words without spaces, such as "int16:001:large"; and back: nothing where a text is no such kind.
 std::string toText(const ScanKind& kind);
 std::optional<ScanKind> kindFromText(const std::string& text);

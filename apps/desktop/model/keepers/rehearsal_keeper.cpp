@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "base/log.h"
 #include "model/document/document_host.h"
+#include "studio/document/document.h"
 
 #include <algorithm>
 
@@ -17,7 +18,7 @@ RehearsalKeeper::RehearsalKeeper(DocumentHost& host) : host_(host) {
             watch_.stop();
         }
     });
-    connect(&host_, &DocumentHost::ready, this, [this] { prepareFor(kindOf(*host_.volume())); });
+    connect(&host_, &DocumentHost::ready, this, [this] { prepareFor(kindOf(host_.document()->field())); });
     prepareFor(ScanKind());
 }
 

@@ -2,6 +2,7 @@
 #include "gl/program.h"
 
 #include "base/error.h"
+#include "base/timer.h"
 #include "gl/hazard_watch.h"
 #include "gl/kept_programs.h"
 #include "gl/shader_reload.h"
@@ -24,6 +25,8 @@ void deleteProgram(unsigned int name) {
 } // namespace detail
 
 namespace {
+
+constexpr std::string_view kFirstPlace = "firstPlace"; // gl/shaders/place.glsl
 
 std::string programLog(GLuint program) {
     GLint length = 0;
@@ -96,6 +99,7 @@ void Program::reload() {
     generation_ = shaderGeneration();
     try {
         Program fresh(path_, defines_);
+        fresh.pace_ = pace_;
         copyUniforms(name(), uniforms_, fresh.name(), fresh.uniforms_);
         *this = std::move(fresh);
     } catch (const GlError& error) {
@@ -198,7 +202,36 @@ void Program::dispatch(glm::ivec3 groups, Barrier after) {
 
 void Program::dispatchOver(glm::ivec3 items, Barrier after) {
     use(); // the local size may be another one
-    dispatch((items + localSize_ - 1) / localSize_, after);
+    const glm::ivec3 groups = (items + localSize_ - 1) / localSize_;
+    if (!uniforms_.contains(kFirstPlace)) {
+        dispatch(groups, after);
+    } else if (groups.x > 0 && groups.y > 0 && groups.z > 0) {
+        submitLayers(groups, after);
+    }
+}
+
+// Waits for nothing where all may go at once.
+void Program::submitLayers(glm::ivec3 groups, Barrier after) {
+    if (!pace_) {
+        pace_.emplace(longestDispatchMs());
+    }
+    const glm::ivec3 all = groups * localSize_;
+    const std::size_t perLayer = std::size_t(all.x) * std::size_t(all.y) * std::size_t(localSize_.z);
+    for (int z = 0; z < groups.z;) {
+        const int layers = pace_->layers(groups.z - z, perLayer);
+        if (z == 0 && layers < groups.z) {
+            glFinish(); // or it would be charged for what was submitted before
+        }
+        set(kFirstPlace, glm::ivec3(0, 0, z * localSize_.z));
+        const Timer timer;
+        dispatch({groups.x, groups.y, layers}, after);
+        if (layers < groups.z) {
+            glFinish();
+            pace_->note(std::size_t(layers) * perLayer, timer.milliseconds());
+        }
+        z += layers;
+    }
+    set(kFirstPlace, glm::ivec3(0)); // whatever runs it next
 }
 
 void Program::dispatchOverList(std::size_t items, Barrier after) {

@@ -3,6 +3,7 @@
 
 #include "base/math.h"
 #include "gl/buffer.h"
+#include "gl/dispatch_pace.h"
 #include "gl/handle.h"
 #include "gl/sampler_slots.h"
 #include "gl/shader_source.h"
@@ -10,6 +11,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -60,7 +62,8 @@ public:
     // Runs the given number of work groups; nothing if one of them is 0. `after` makes the writes visible to
     // what follows.
     void dispatch(glm::ivec3 groups, Barrier after);
-    // Runs enough groups of the shader's own local size to cover `items`.
+    // Runs enough groups of the shader's own local size to cover `items`. Where the shader takes its place
+    // from gl/shaders/place.glsl, what may take long is submitted in several layers along z, and waited for.
     void dispatchOver(glm::ivec3 items, Barrier after);
     // Runs enough groups to cover a list of any length, for shaders with a local size along x only that take
     // their item from gl/shaders/items.glsl: one row of kMaxGroups groups is soon used up.
@@ -77,6 +80,7 @@ private:
     void use();
     void reload();
     void tellHazards(unsigned int arguments);
+    void submitLayers(glm::ivec3 groups, Barrier after);
 
     Handle<detail::deleteProgram> handle_;
     std::string path_;
@@ -85,6 +89,7 @@ private:
     Uniforms uniforms_;
     Samplers samplers_;
     glm::ivec3 localSize_{1};
+    std::optional<DispatchPace> pace_; // of a shader whose work can be submitted in layers
     std::shared_ptr<const std::vector<ProgramAccess>> accesses_; // while hazards are watched
 };
 

@@ -3,6 +3,8 @@
 // variants: VS_FORMAT=rgba16;VS_FORMAT=rgba32f
 layout(local_size_x = 64) in;
 
+#include "gl/shaders/place.glsl"
+
 #include "field/shaders/bindings.glsl"
 layout(binding = kTexelsTexture) uniform sampler3D texels;
 layout(VS_FORMAT, binding = kQuadsImage) uniform writeonly imageBuffer quads;
@@ -12,7 +14,7 @@ uniform ivec3 dims;
 float texelAt(ivec3 voxel) { return texelFetch(texels, min(voxel, dims - 1), 0).r; }
 
 void main() {
-    ivec3 voxel = ivec3(gl_GlobalInvocationID);
+    ivec3 voxel = placeOfInvocation();
     if (any(greaterThanEqual(voxel, dims))) {
         return;
     }

@@ -6,6 +6,8 @@
 // variants: VS_FORMAT=r32f VS_REACH=6 VS_MASKED=1;VS_FORMAT=r16 VS_REACH=1;VS_FORMAT=r32f VS_REACH=3
 layout(local_size_x = 8, local_size_y = 8) in;
 
+#include "gl/shaders/place.glsl"
+
 #include "field/shaders/bindings.glsl"
 layout(binding = kSourceTexture) uniform sampler3D source;
 layout(VS_FORMAT, binding = kTargetImage) uniform writeonly image3D target;
@@ -46,7 +48,7 @@ Value fetched(ivec3 voxel, ivec3 axis, int place) {
 
 void main() {
     ivec3 axis = ivec3(axisAtWork == 0, axisAtWork == 1, axisAtWork == 2);
-    ivec3 voxel = ivec3(gl_GlobalInvocationID) * (ivec3(1) + axis * (kRun - 1)) + ivec3(0, 0, task.x);
+    ivec3 voxel = placeOfInvocation() * (ivec3(1) + axis * (kRun - 1)) + ivec3(0, 0, task.x);
     if (any(greaterThanEqual(voxel, ivec3(dims.xy, task.y)))) {
         return;
     }

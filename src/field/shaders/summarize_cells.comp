@@ -2,6 +2,8 @@
 // In: texture 0 values. Out: image 0 (rg32f) one texel a cell.
 layout(local_size_x = 8, local_size_y = 4, local_size_z = 2) in;
 
+#include "gl/shaders/place.glsl"
+
 #include "field/shaders/bindings.glsl"
 layout(binding = kValuesTexture) uniform sampler3D values;
 layout(rg32f, binding = kCellsImage) uniform writeonly image3D cells;
@@ -12,7 +14,7 @@ uniform ivec3 cellHi;
 uniform vec2 valueScaleOffset;
 
 void main() {
-    ivec3 cell = cellLo + ivec3(gl_GlobalInvocationID);
+    ivec3 cell = cellLo + placeOfInvocation();
     if (any(greaterThanEqual(cell, cellHi))) {
         return;
     }

@@ -3,6 +3,8 @@
 // the next level, texels [texelLo, texelHi).
 layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 
+#include "gl/shaders/place.glsl"
+
 #include "render/shaders/bindings.glsl"
 layout(binding = kOcclusionTexture) uniform sampler3D occlusion;
 layout(r8, binding = kAveragesImage) uniform writeonly image3D averages;
@@ -17,7 +19,7 @@ uniform ivec3 texelHi;
 uniform int level; // the level before
 
 void main() {
-    ivec3 texel = texelLo + ivec3(gl_GlobalInvocationID);
+    ivec3 texel = texelLo + placeOfInvocation();
     if (any(greaterThanEqual(texel, texelHi))) {
         return;
     }

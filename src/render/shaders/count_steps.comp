@@ -5,6 +5,8 @@
 
 layout(local_size_x = 4, local_size_y = 16) in;
 
+#include "gl/shaders/place.glsl"
+
 #include "render/shaders/bindings.glsl"
 layout(binding = kPlanesTexture) uniform usamplerBuffer planes;
 layout(r32ui, binding = kDistancesImage) uniform writeonly uimage3D distances;
@@ -12,7 +14,7 @@ layout(r32ui, binding = kDistancesImage) uniform writeonly uimage3D distances;
 uniform int far;
 
 void main() {
-    ivec3 place = ivec3(gl_GlobalInvocationID);
+    ivec3 place = placeOfInvocation();
     if (any(greaterThanEqual(place, blocks()))) {
         return;
     }

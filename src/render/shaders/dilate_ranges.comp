@@ -2,12 +2,14 @@
 // give. In: texture 0 ranges (rg: smallest, largest value in the cell). Out: image 0 (rg32f) the same size.
 layout(local_size_x = 8, local_size_y = 4, local_size_z = 2) in;
 
+#include "gl/shaders/place.glsl"
+
 #include "render/shaders/bindings.glsl"
 layout(binding = kRangesTexture) uniform sampler3D ranges;
 layout(rg32f, binding = kDilatedImage) uniform writeonly image3D dilated;
 
 void main() {
-    ivec3 cell = ivec3(gl_GlobalInvocationID);
+    ivec3 cell = placeOfInvocation();
     ivec3 last = imageSize(dilated) - 1;
     if (any(greaterThan(cell, last))) {
         return;

@@ -6,6 +6,8 @@
 // variants: CONTENT=0 ON_VOXELS=1;CONTENT=0;CONTENT=1 SCULPTED=1;CONTENT=2;CONTENT=3 TF_KIND=0 SCULPTED=1 ON_VOXELS=1;CONTENT=3 TF_KIND=2
 layout(local_size_x = 4, local_size_y = 4, local_size_z = 4) in;
 
+#include "gl/shaders/place.glsl"
+
 #include "field/shaders/bindings.glsl"
 #include "render/shaders/bindings.glsl"
 #include "field/shaders/scene.glsl"
@@ -135,7 +137,7 @@ float blockedPart(vec3 centre) {
 }
 
 void main() {
-    ivec3 texel = texelLo + ivec3(gl_GlobalInvocationID);
+    ivec3 texel = texelLo + placeOfInvocation();
     if (any(greaterThanEqual(texel, texelHi))) {
         return;
     }

@@ -5,6 +5,8 @@
 
 layout(local_size_x = 4, local_size_y = 16) in;
 
+#include "gl/shaders/place.glsl"
+
 #include "render/shaders/bindings.glsl"
 layout(binding = kPlanesBeforeTexture) uniform usamplerBuffer
     planesBefore; // much faster than a storage block on software renderers
@@ -22,7 +24,7 @@ uvec4 spreadAlongX(ivec3 place) {
 }
 
 void main() {
-    ivec3 place = ivec3(gl_GlobalInvocationID);
+    ivec3 place = placeOfInvocation();
     if (any(greaterThanEqual(place, blocks()))) {
         return;
     }

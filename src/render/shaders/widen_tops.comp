@@ -5,6 +5,8 @@
 // those one cell wide along y, first of each those one cell wide along x.
 layout(local_size_x = 8, local_size_y = 4, local_size_z = 2) in;
 
+#include "gl/shaders/place.glsl"
+
 #include "field/shaders/scene.glsl"
 #include "render/shaders/slabs.glsl"
 
@@ -29,7 +31,7 @@ uvec4 codesInLayer(ivec3 cell) {
 uvec4 inOneWord(uvec4 codes) { return uvec4(codes.x | codes.y << 8 | codes.z << 16 | codes.w << 24); }
 
 void main() {
-    ivec3 cell = ivec3(gl_GlobalInvocationID);
+    ivec3 cell = placeOfInvocation();
     if (any(greaterThanEqual(cell, textureSize(cellDistances, 0)))) {
         return;
     }

@@ -4,6 +4,8 @@
 // In: storage 0 islands, 1 kept. In/out: image 1 sculpture.
 layout(local_size_x = 8, local_size_y = 8) in;
 
+#include "gl/shaders/place.glsl"
+
 #include "sculpt/shaders/stored_values.glsl"
 
 #include "sculpt/shaders/bindings.glsl"
@@ -21,7 +23,7 @@ bool isInside(ivec3 word) { return all(greaterThanEqual(word, ivec3(0))) && all(
 int placeOf(ivec3 word) { return (word.z * words.y + word.y) * words.x + word.x; }
 
 void main() {
-    ivec3 word = ivec3(gl_GlobalInvocationID);
+    ivec3 word = placeOfInvocation();
     if (any(greaterThanEqual(word, words))) {
         return;
     }

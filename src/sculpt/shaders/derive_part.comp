@@ -5,6 +5,8 @@
 // the part.
 layout(local_size_x = 8, local_size_y = 4, local_size_z = 2) in;
 
+#include "gl/shaders/place.glsl"
+
 #include "sculpt/shaders/bindings.glsl"
 layout(binding = kWholeSculptureTexture) uniform sampler3D sculpture;
 layout(binding = kUpToTexture) uniform sampler3D upTo;
@@ -19,7 +21,7 @@ uniform ivec3 last; // exclusive
 uniform ivec3 has;  // x: there is an end, y: there is a beginning, z: without what was trimmed
 
 void main() {
-    ivec3 voxel = first + ivec3(gl_GlobalInvocationID);
+    ivec3 voxel = first + placeOfInvocation();
     if (any(greaterThanEqual(voxel, last))) {
         return;
     }

@@ -4,6 +4,8 @@
 // In: textures 0 sculpture, 1 what it was in the box, of a trim. In and out: image 0 what is left for tools.
 layout(local_size_x = 8, local_size_y = 4, local_size_z = 2) in;
 
+#include "gl/shaders/place.glsl"
+
 #include "sculpt/shaders/bindings.glsl"
 layout(binding = kWholeSculptureTexture) uniform sampler3D sculpture;
 layout(binding = kBeforeTexture) uniform sampler3D before; // its first texel is `first`
@@ -20,7 +22,7 @@ uniform int isNew; // only everything is left for tools
 float leftBy(float cut) { return cut < 0.5 ? asStored(1.0 - cut) : min(asStored(1.0 - cut), justVisible); }
 
 void main() {
-    ivec3 voxel = first + ivec3(gl_GlobalInvocationID);
+    ivec3 voxel = first + placeOfInvocation();
     if (any(greaterThanEqual(voxel, last))) {
         return;
     }

@@ -6,6 +6,8 @@
 // tile of the last.
 layout(local_size_x = 8, local_size_y = 4, local_size_z = 2) in;
 
+#include "gl/shaders/place.glsl"
+
 #include "sculpt/shaders/bindings.glsl"
 layout(std430, binding = kMarkedTilesStorage) readonly buffer Marks { uint marks[]; };
 layout(std430, binding = kStagesStorage) writeonly buffer Stages { uint stages[]; };
@@ -39,7 +41,7 @@ uint markAlongXY(ivec3 tile) {
 }
 
 void main() {
-    ivec3 tile = ivec3(gl_GlobalInvocationID);
+    ivec3 tile = placeOfInvocation();
     if (any(greaterThanEqual(tile, tileDims))) {
         return;
     }

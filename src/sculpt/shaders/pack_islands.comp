@@ -3,6 +3,8 @@
 // islands, 1 kept, 2 lowest and highest voxel of islands.
 layout(local_size_x = 8, local_size_y = 8) in;
 
+#include "gl/shaders/place.glsl"
+
 #include "field/shaders/scene.glsl"
 
 #include "sculpt/shaders/bindings.glsl"
@@ -14,7 +16,7 @@ layout(std430, binding = kIslandBoundsStorage) buffer Bounds { int bounds[6]; };
 uniform ivec3 words;
 
 void main() {
-    ivec3 word = ivec3(gl_GlobalInvocationID);
+    ivec3 word = placeOfInvocation();
     if (any(greaterThanEqual(word, words))) {
         return;
     }

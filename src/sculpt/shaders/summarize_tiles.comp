@@ -3,6 +3,8 @@
 // (list_tiles.comp). Out: image 0 (rg32f) one texel a cell.
 layout(local_size_x = 8, local_size_y = 4, local_size_z = 2) in;
 
+#include "gl/shaders/place.glsl"
+
 #include "sculpt/shaders/bindings.glsl"
 layout(std430, binding = kSummaryStagesStorage) readonly buffer Stages { uint stages[]; };
 layout(binding = kWholeSculptureTexture) uniform sampler3D sculpture;
@@ -20,7 +22,7 @@ bool isResult(ivec3 tile) {
 }
 
 void main() {
-    ivec3 cell = cellLo + ivec3(gl_GlobalInvocationID);
+    ivec3 cell = cellLo + placeOfInvocation();
     if (any(greaterThanEqual(cell, cellHi))) {
         return;
     }

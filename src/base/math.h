@@ -17,6 +17,16 @@ struct Range {
     bool operator==(const Range&) const = default;
 };
 
+// Half-open rectangle of pixels [lo, hi), y down; empty when hi <= lo along any axis.
+struct Box2 {
+    glm::ivec2 lo{0};
+    glm::ivec2 hi{0};
+
+    [[nodiscard]] bool isEmpty() const { return hi.x <= lo.x || hi.y <= lo.y; }
+    [[nodiscard]] glm::ivec2 size() const { return glm::max(hi - lo, glm::ivec2(0)); }
+    bool operator==(const Box2&) const = default;
+};
+
 // Half-open box of voxels [lo, hi) in index space; empty when hi <= lo along any axis.
 struct Box3 {
     glm::ivec3 lo{0};

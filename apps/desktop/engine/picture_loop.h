@@ -2,7 +2,9 @@
 #pragma once
 
 #include "base/timer.h"
+#include "engine/draft_pace.h"
 #include "render/rays/ray_caster.h"
+#include "studio/state/picture_content.h"
 
 #include <QImage>
 
@@ -17,8 +19,9 @@ namespace vs::desktop {
 
 // Keeps a picture of the document up to date in short portions. Whatever changed is shown first as a draft,
 // as coarse as it must be to hold the frame rate (scale 1 .. 1/4); when nothing has moved for a moment the
-// picture is made at full resolution and then refined to 8 samples per pixel. No widgets; the engine's
-// context must be current in every call.
+// picture is made at full resolution and then refined to 8 samples per pixel. Of a picture that shows
+// something already, only those pixels are made anew whose rays pass where voxels changed
+// (doc/decisions/0034). No widgets; the engine's context must be current in every call.
 class PictureLoop {
 public:
     static constexpr int kFullSamples = 8;
@@ -33,8 +36,8 @@ public:
     // moved on it yet.
     void setDocument(studio::Document* document);
     void setViewport(glm::ivec2 devicePixels);
-    // Makes the picture once more: not the document has changed, but what draws it.
-    void drawAnew() { startedVersion_.reset(); }
+    // Makes the whole picture once more: not the document has changed, but what draws it.
+    void drawAnew();
     // Says that something is moving: only drafts are made until it has been calm for a moment.
     void interact() { sinceInput_ = Timer(); }
     // Says that nothing will move now: the picture at full quality follows its draft at once.
@@ -57,7 +60,7 @@ public:
     [[nodiscard]] bool isComplete() const;
     [[nodiscard]] glm::ivec2 viewport() const { return viewport_; }
     // What to show, in pixels of its own; null before the first picture. Replaced in step() only.
-    [[nodiscard]] const QImage& shown() const { return shown_; }
+    [[nodiscard]] const QImage& shown() const { return shown_.image; }
     // Counts pictures shown.
     [[nodiscard]] int pictures() const { return pictures_; }
     // What the last draft took, macrocells and all.
@@ -67,15 +70,28 @@ public:
     // How much of the full quality is done, 0 to 1, while a picture at rest takes long enough to be told of.
     [[nodiscard]] std::optional<double> refined() const;
     // The finished picture. isComplete() must hold.
-    image::Image readPicture() { return caster_.readPicture(); }
+    [[nodiscard]] image::Image readPicture() const;
 
 private:
     enum class Pass { None, Draft, Full };
 
+    // A picture, and what of the document it shows where it has the view's pixels.
+    struct Picture {
+        QImage image;
+        std::optional<studio::PictureContent> content;
+    };
+
     void begin(Pass pass);
+    [[nodiscard]] bool isFirstDraft() const;
+    [[nodiscard]] bool isWhole() const;
+    [[nodiscard]] Box2 changedPixels(const render::Frame& frame) const;
+    double draftScale(double preparedMs);
+    void start(render::Frame& frame);
+    void takeOver();
+    void advance(double budgetMs);
     void show();
     void finishDraft();
-    [[nodiscard]] double wantedScale() const;
+    void finishFull();
     [[nodiscard]] double segmentsMs() const;
 
     Run run_;
@@ -84,9 +100,9 @@ private:
     glm::ivec2 viewport_{0};
     double frameMs_; // time from picture to picture while things move
     double lastDraftMs_ = 0;
-    double prepareMs_ = 0;     // of the running pass, before the first ray: macrocells and such
-    double scale_ = 2;         // draft pixels are this many times larger
-    double nanosPerPixel_ = 0; // running estimate; 0: not known yet
+    double prepareMs_ = 0; // of the running pass, before the first ray: macrocells and such
+    DraftPace wholePace_;
+    DraftPace partPace_; // of drafts of some of the picture
     Pass pass_ = Pass::None;
     std::optional<std::uint64_t> startedVersion_; // what the running or last pass shows
     glm::ivec2 startedViewport_{0};
@@ -102,7 +118,17 @@ private:
     double meanBesideMs_ = 0;
     int samplesShown_ = 0;
     int pictures_ = 0;
-    QImage shown_;
+
+    Picture shown_;
+    Picture finished_; // the last one at full quality
+    // Of the running pass: the picture that it goes on from, the pixels of the view that it makes anew, how
+    // much larger its own are and which it casts of them (nothing: all), and what the picture then shows.
+    Picture base_;
+    Box2 pixels_;
+    double passScale_ = 1;
+    glm::ivec2 castSize_{0};
+    std::optional<Box2> window_;
+    std::optional<studio::PictureContent> content_;
 };
 
 } // namespace vs::desktop

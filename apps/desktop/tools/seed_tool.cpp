@@ -34,6 +34,9 @@ Overlays SeedTool::overlays() const {
                : Overlays{};
 }
 
+void SeedTool::taken() { studio_.growth().prepare(); }
+void SeedTool::putDown() { studio_.growth().giveBack(); }
+
 void SeedTool::setReversed(bool reversed) {
     if (reversed != isReversed_) {
         isReversed_ = reversed;

@@ -16,6 +16,8 @@ public:
     [[nodiscard]] QString name() const override { return "seed"; }
     [[nodiscard]] QString hint() const override;
     [[nodiscard]] Overlays overlays() const override;
+    void taken() override;
+    void putDown() override;
 
     // The sign reversed: strokes absorb the segment at work from where they are drawn.
     [[nodiscard]] bool hasSign() const override { return true; }

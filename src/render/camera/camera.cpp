@@ -58,6 +58,30 @@ glm::dvec2 ViewRays::project(glm::dvec3 world) const {
     return 0.5 * (n + 1.0) * glm::dvec2(size);
 }
 
+Box2 pixelsAround(const Box3& voxels, const ViewRays& rays, const volume::GridGeometry& geometry) {
+    const Box2 whole{glm::ivec2(0), rays.size};
+    if (voxels.isEmpty()) {
+        return {};
+    }
+    const glm::dvec3 corners[2] = {glm::dvec3(voxels.lo) - 0.5, glm::dvec3(voxels.hi) - 0.5};
+    glm::dvec2 lo(1e30);
+    glm::dvec2 hi(-1e30);
+    for (int i = 0; i < 8; ++i) {
+        const glm::dvec3 corner(corners[i & 1].x, corners[i >> 1 & 1].y, corners[i >> 2].z);
+        const glm::dvec3 world = glm::dvec3(geometry.worldFromVoxel * glm::dvec4(corner, 1.0));
+        if (!rays.isOrthographic && glm::dot(world - rays.eye, rays.forward) < geometry.stepMm()) {
+            return whole;
+        }
+        const glm::dvec2 pixel = rays.project(world);
+        lo = glm::min(lo, pixel);
+        hi = glm::max(hi, pixel);
+    }
+    const glm::dvec2 most(rays.size); // what lies far outside is no whole number any more
+    lo = glm::clamp(lo, glm::dvec2(0), most);
+    hi = glm::clamp(hi, glm::dvec2(0), most);
+    return {glm::ivec2(glm::floor(lo)), glm::ivec2(glm::ceil(hi))};
+}
+
 double ViewRays::pixelMm(glm::dvec3 world) const {
     const double perUnit = 2 * glm::length(up) / size.y;
     return isOrthographic ? perUnit : perUnit * std::max(glm::dot(world - eye, forward), 1e-12);

@@ -67,4 +67,8 @@ struct ViewRays {
 
 ViewRays viewRays(const Camera& camera, const volume::GridGeometry& geometry, glm::ivec2 size);
 
+// The pixels of the picture whose rays may pass through these voxels: the smallest rectangle around the box
+// that they fill, or the whole picture where some of it is not in front of the viewer.
+Box2 pixelsAround(const Box3& voxels, const ViewRays& rays, const volume::GridGeometry& geometry);
+
 } // namespace vs::render

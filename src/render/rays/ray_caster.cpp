@@ -132,7 +132,7 @@ void RayCaster::findBeams() {
     for (const Part& part : parts_) {
         bindPart(part);
         part.beams.bindImage(kBeamsImage, gl::Access::Write);
-        findBeams_.set("beamPixels", beamPixels(frame_));
+        findBeams_.set("beamPixels", beamPixels(frame_)).set("window", glm::vec4(window().lo, window().hi));
         findBeams_.dispatchOver(part.beams.size(), gl::Barrier::Texture);
     }
 }
@@ -142,7 +142,7 @@ void RayCaster::listSquares() {
     for (const Part& part : parts_) {
         squares_.mark(part.beams, beamPixels(frame_));
     }
-    squares_.list();
+    squares_.list(window());
     listPartSquares();
 }
 
@@ -177,8 +177,8 @@ void RayCaster::fillFilm() {
     const gl::Pass pass("fill film");
     bindPart(parts_.back());
     squares_.bind();
-    const int empty = squares_.all() - squares_.occupied();
-    fillFilm_.set("squareRange", glm::ivec2(squares_.occupied(), empty))
+    const int empty = squares_.empty();
+    fillFilm_.set("squareRange", glm::ivec2(squares_.all() - empty, empty))
         .set("pixelOffset", sample_ == 0 ? kCentre : placeInPixel(sample_))
         .set("addToPrevious", sample_ > 0 ? 1 : 0)
         .set("backgroundTop", glm::vec4(frame_.background.top, 0.0F))
@@ -360,7 +360,8 @@ const gl::Texture& RayCaster::picture() {
     const Background& background = frame_.background;
     squares_.bindPlaces();
     const int shown = isLastStage() ? square_ : 0;
-    resolve_.set("progress", glm::ivec3(sample_, shown, squares_.occupied()))
+    resolve_.set("window", glm::vec4(window().lo, window().hi))
+        .set("progress", glm::ivec3(sample_, shown, squares_.occupied()))
         .set("isFilmAhead", stage_ > 0 || square_ > 0 ? 1 : 0)
         .set("isTransparent", background.isTransparent ? 1 : 0)
         .set("isFlat", background.top == background.bottom ? 1 : 0)
@@ -369,13 +370,14 @@ const gl::Texture& RayCaster::picture() {
         .set("settled", glm::ivec2(squares_.active(), kSettling))
         .set("backgroundTop", glm::vec4(background.top, 0.0F))
         .set("backgroundBottom", glm::vec4(background.bottom, 0.0F));
-    resolve_.dispatchOver(picture_.size(), gl::Barrier::All);
+    resolve_.dispatchOver({window().size(), 1}, gl::Barrier::All);
     return picture_;
 }
 
 image::Image RayCaster::readPicture() {
-    image::Image out(frame_.rays.size.x, frame_.rays.size.y);
-    const auto texels = picture().download({glm::ivec3(0), picture_.size()});
+    const Box2 window = this->window();
+    image::Image out(window.size().x, window.size().y);
+    const auto texels = picture().download({glm::ivec3(window.lo, 0), glm::ivec3(window.hi, 1)});
     std::transform(texels.begin(), texels.end(), out.rgba.begin(),
                    [](std::byte b) { return std::uint8_t(b); });
     return out;

@@ -93,6 +93,9 @@ struct Frame {
     // Squares of pixels whose first two samples agree are left at that: most of a picture that is much
     // enlarged.
     bool endsEarly = false;
+    // The pixels that are made, where the others are not asked for: their squares of 8 x 8 are cast, and no
+    // other.
+    std::optional<Box2> window;
 };
 
 // Casts rays (doc/behaviour.md, "Pictures") in a compute shader, some squares of pixels at a time so that no
@@ -114,8 +117,10 @@ public:
     [[nodiscard]] int completedSamples() const { return sample_; }
     // How much of the frame is done, 0 to 1.
     [[nodiscard]] double share() const;
-    // The samples so far, averaged, as an RGBA8 texture of the frame's size.
+    // The samples so far, averaged, as an RGBA8 texture of the frame's size; of its window alone, where it
+    // has one.
     const gl::Texture& picture();
+    // Downloaded: of the window's size where there is one.
     image::Image readPicture();
 
 private:
@@ -150,6 +155,9 @@ private:
     void setPicture(gl::Program& program);
     static int beamShift(const Frame& frame);
     static int beamPixels(const Frame& frame);
+    [[nodiscard]] Box2 window() const {
+        return frame_.window.value_or(Box2{glm::ivec2(0), frame_.rays.size});
+    }
     void findBeams();
     void listSquares();
     void listPartSquares();

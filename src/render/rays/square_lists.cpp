@@ -45,16 +45,18 @@ void SquareLists::mark(const gl::Texture& beams, int beamPixels) {
     mark_.dispatchOver({count_, 1}, gl::Barrier::All);
 }
 
-void SquareLists::list() {
+void SquareLists::list(const Box2& window) {
     const gl::Pass pass("list squares");
     marks_.bindStorage(kMarksStorage);
     squares_.bindStorage(kSquaresStorage);
     places_.bindStorage(kPlacesStorage);
     counts_.clear();
     counts_.bindStorage(kSquareCountsStorage);
-    list_.set("squareCount", count_);
+    list_.set("squareCount", count_).set("window", glm::vec4(window.lo, window.hi));
     list_.dispatchOver({count_, 1}, gl::Barrier::Storage);
-    occupied_ = active_ = int(counts_.readValue<std::uint32_t>());
+    const auto counts = counts_.read<std::uint32_t>(2);
+    occupied_ = active_ = int(counts[0]);
+    empty_ = int(counts[1]);
 }
 
 void SquareLists::setSettledAside() {

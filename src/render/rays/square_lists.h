@@ -26,7 +26,8 @@ public:
     void forget();
     // `beams`: what find_beams.comp made of a part, one for each square of so many pixels.
     void mark(const gl::Texture& beams, int beamPixels);
-    void list();
+    // Lists those with any of these pixels.
+    void list(const Box2& window);
     // After two samples: squares where they agree take no more.
     void setSettledAside();
     // Lists those squares that take samples in which the part with these beams may show something.
@@ -36,6 +37,8 @@ public:
     [[nodiscard]] int occupied() const { return occupied_; }
     // How many of these take samples: they stand first of all.
     [[nodiscard]] int active() const { return active_; }
+    // How many may not: they stand last.
+    [[nodiscard]] int empty() const { return empty_; }
     [[nodiscard]] int all() const { return count_.x * count_.y; }
 
     // For squares.glsl: the list of all squares, and of a part's.
@@ -53,6 +56,7 @@ private:
     glm::ivec2 count_{0};
     int occupied_ = 0;
     int active_ = 0;
+    int empty_ = 0;
     gl::Program mark_;
     gl::Program list_;
     gl::ProgramVariants listPart_{"render/shaders/list_part_squares.comp"}; // compiled when first needed

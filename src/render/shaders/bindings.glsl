@@ -41,6 +41,7 @@ const int kSeenGlassDepthImage = 4;
 
 // Storage blocks.
 const int kPlanesStorage = 0;
+const int kOtherPlaneStorage = 1;
 const int kPositionsStorage = 0;
 const int kSquaresStorage = 0;
 const int kSquareCountsStorage = 1;

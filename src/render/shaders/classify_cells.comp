@@ -3,20 +3,25 @@
 // sculpture ranges; with VS_SEGMENTATION 2 segmentation ranges (rg: smallest, largest value in the cell).
 // With VS_DATA the data is drawn; with VS_BY_FUNCTION the transfer function says what of it can be seen, not
 // the displayed range, with VS_GRADIENTS also by the gradient magnitudes in the cell (texture 8 gradient
-// ranges). Out: storage 0 planes.
+// ranges). In and out: storage 0 planes. Out: storage 1, 1 where the first plane was another.
 // variants: VS_DATA=1;VS_DATA=1 VS_BY_FUNCTION=1;VS_DATA=1 VS_BY_FUNCTION=1 VS_GRADIENTS=1 VS_SCULPTURE=1
 layout(local_size_x = 4, local_size_y = 16) in;
+
+#include "gl/shaders/place.glsl"
 
 #include "render/shaders/bindings.glsl"
 layout(binding = kDataCellsTexture) uniform sampler3D dataCells;
 layout(binding = kSculptureCellsTexture) uniform sampler3D sculptureCells;
 layout(binding = kSegmentationCellsTexture) uniform sampler3D segmentationCells;
 
+uniform ivec3 firstRow; // the cells that are looked at, from here, x a multiple of 32,
+uniform ivec3 endRow;   // and before that place
 uniform vec2 displayedRange;
 uniform int isProbe; // 1: what was cut away is seen, else what is left
 
 #include "render/shaders/cell_bits.glsl"
-layout(std430, binding = kPlanesStorage) writeonly buffer Planes { uint planes[]; };
+layout(std430, binding = kPlanesStorage) buffer Planes { uint planes[]; };
+layout(std430, binding = kOtherPlaneStorage) writeonly buffer OtherPlane { uint isOther; };
 
 #ifdef VS_BY_FUNCTION
 #define TF_KIND 0
@@ -50,8 +55,8 @@ bool mayHoldSomething(ivec3 cell) {
 }
 
 void main() {
-    ivec3 row = ivec3(gl_GlobalInvocationID) * ivec3(kBlock.x, 1, 1);
-    if (any(greaterThanEqual(row, cells))) {
+    ivec3 row = firstRow + placeOfInvocation() * ivec3(kBlock.x, 1, 1);
+    if (any(greaterThanEqual(row, endRow))) {
         return;
     }
     uint bits = 0u;
@@ -59,5 +64,9 @@ void main() {
         ivec3 cell = row + ivec3(x, 0, 0);
         bits |= uint(mayHoldSomething(min(cell, cells - 1)) && cell.x < cells.x) << x;
     }
-    planes[blockAt(row / kBlock) * kBlock.y + row.y % kBlock.y] = bits;
+    int place = blockAt(row / kBlock) * kBlock.y + row.y % kBlock.y;
+    if (planes[place] != bits) {
+        isOther = 1u; // whichever invocation says so
+        planes[place] = bits;
+    }
 }

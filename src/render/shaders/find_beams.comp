@@ -11,6 +11,9 @@ layout(local_size_x = 8, local_size_y = 8) in;
 layout(rg32f, binding = kBeamsImage) uniform writeonly image2D beams;
 
 uniform int beamPixels; // side of a square
+uniform vec4 window;    // the pixels that are wanted, [xy, zw): nothing is to be seen in squares without any
+
+const vec2 kNowhere = vec2(1e30, -1e30);
 
 // From t, where nothing before it (walking forward) or after it (backward) can be seen, to the farthest such
 // t that the distances around the central ray vouch for; `limit` at the most.
@@ -76,9 +79,13 @@ void main() {
     }
     vec2 lower = vec2(square * beamPixels);
     vec2 upper = min(lower + float(beamPixels), viewport.xy);
+    if (any(greaterThanEqual(lower, window.zw)) || any(lessThanEqual(upper, window.xy))) {
+        imageStore(beams, square, vec4(kNowhere, 0.0, 0.0));
+        return;
+    }
     Beam beam = beamThrough(lower, upper);
     vec2 way = wayInBox(lower, upper);
     float begin = walk(beam, way.x, way.y, true);
     float end = begin < way.y ? walk(beam, way.y, begin, false) : begin;
-    imageStore(beams, square, begin < end ? vec4(begin, end, 0.0, 0.0) : vec4(1e30, -1e30, 0.0, 0.0));
+    imageStore(beams, square, vec4(begin < end ? vec2(begin, end) : kNowhere, 0.0, 0.0));
 }

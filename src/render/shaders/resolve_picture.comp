@@ -13,6 +13,7 @@ layout(std430, binding = kPlacesStorage) readonly buffer Places {
     uint places[];
 }; // of squares of pixels, see list_squares.comp
 
+uniform vec4 window; // the pixels that are wanted, [xy, zw)
 // Whole samples; squares that have one more; squares that may show something.
 uniform ivec3 progress;
 uniform int isFilmAhead; // 1: the other squares have one more
@@ -49,8 +50,8 @@ float dither(ivec2 pixel) {
 vec3 shownColour(vec3 accumulated) { return isInverted != 0 ? 1.0 - accumulated : accumulated; }
 
 void main() {
-    ivec2 pixel = ivec2(gl_GlobalInvocationID.xy);
-    if (any(greaterThanEqual(pixel, imageSize(picture)))) {
+    ivec2 pixel = ivec2(window.xy) + ivec2(gl_GlobalInvocationID.xy);
+    if (any(greaterThanEqual(pixel, ivec2(window.zw)))) {
         return;
     }
     int place = placeOfSquareAt(pixel);

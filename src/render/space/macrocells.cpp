@@ -5,6 +5,7 @@
 #include "render/shaders/bindings.h"
 
 #include <atomic>
+#include <utility>
 
 namespace vs::render {
 
@@ -13,9 +14,23 @@ namespace {
 // Of cells; mirrors shaders/cell_bits.glsl.
 constexpr glm::ivec3 kBlock{32, 4, 1};
 
+glm::ivec3 blocksOf(glm::ivec3 cells) { return (cells + kBlock - 1) / kBlock; }
+
 std::uint64_t nextVersion() {
     static std::atomic<std::uint64_t> last = 0;
     return ++last;
+}
+
+// The cells whose ranges may be others; each also has the values of the voxels that border on it.
+Box3 changedCells(const Macrocells::Input& input) {
+    const Box3 all{glm::ivec3(0), input.dataCells->size()};
+    if (!input.changed) {
+        return all;
+    }
+    const Box3 voxels = grow(*input.changed, 1);
+    return input.changed->isEmpty()
+               ? Box3{}
+               : intersect({voxels.lo / field::kCell, divideUp(voxels.hi, field::kCell)}, all);
 }
 
 // Those of voxel centres bound only what trilinear samples have.
@@ -41,7 +56,7 @@ gl::Defines definesFor(const Macrocells::Input& input) {
 Macrocells::Macrocells()
     : spreadInPlane_("render/shaders/spread_cells.comp"),
       spreadAlongZ_("render/shaders/spread_cells.comp", {{"VS_ALONG_Z", "1"}}),
-      countSteps_("render/shaders/count_steps.comp"),
+      countSteps_("render/shaders/count_steps.comp"), isOther_(sizeof(std::uint32_t), "other cells"),
       empty_(glm::ivec3(1), gl::Format::RG32F, gl::Filter::Nearest, "no cells") {}
 
 void Macrocells::bind() const {
@@ -55,15 +70,19 @@ void Macrocells::copyFrom(const Macrocells& other) {
         distances_ = gl::Texture(size, gl::Format::R32UI, gl::Filter::Nearest, "cell distances");
         planes_ = {};
     }
+    havePlanes_ = false;
     dataCells_ = other.dataCells_;
     dilated_ = other.dilated_;
     dilatedFrom_ = other.dilatedFrom_;
+    dilatedSerial_ = other.dilatedSerial_;
     distances_.copyFrom(other.distances_, {glm::ivec3(0), size}, glm::ivec3(0));
     version_ = nextVersion();
 }
 
-const gl::Texture& Macrocells::dilated(const gl::Texture& dataCells) {
-    if (dilatedFrom_ == &dataCells && dilated_->size() == dataCells.size()) {
+const gl::Texture& Macrocells::dilated(const Input& input) {
+    const gl::Texture& dataCells = *input.dataCells;
+    if (dilatedFrom_ == &dataCells && dilatedSerial_ == input.dataSerial &&
+        dilated_->size() == dataCells.size()) {
         return *dilated_;
     }
     auto dilated = std::make_shared<gl::Texture>(dataCells.size(), gl::Format::RG32F, gl::Filter::Nearest,
@@ -73,6 +92,7 @@ const gl::Texture& Macrocells::dilated(const gl::Texture& dataCells) {
     dilate_.with({}).dispatchOver(dilated->size(), gl::Barrier::Texture);
     dilated_ = std::move(dilated);
     dilatedFrom_ = &dataCells;
+    dilatedSerial_ = input.dataSerial;
     return *dilated_;
 }
 
@@ -85,12 +105,26 @@ void Macrocells::spread(glm::ivec3 blocks, int from, int to, gl::Program& progra
 void Macrocells::rebuild(const Input& input) {
     const gl::Pass pass("macrocells");
     const glm::ivec3 cells = input.dataCells->size();
-    dataCells_ = input.sampling == field::Sampling::Tricubic ? &dilated(*input.dataCells) : input.dataCells;
-    const glm::ivec3 blocks = (cells + kBlock - 1) / kBlock;
+    dataCells_ = input.sampling == field::Sampling::Tricubic ? &dilated(input) : input.dataCells;
     if (distances_.size() != cells || !planes_) {
+        const glm::ivec3 blocks = blocksOf(cells);
         const auto perPlane = std::size_t(blocks.x) * std::size_t(blocks.y) * std::size_t(blocks.z) + 1;
+        havePlanes_ = false;
         planes_ = gl::TexelBuffer(perPlane * (kFar + 1), gl::Format::RGBA32UI, "cells within reach");
         distances_ = gl::Texture(cells, gl::Format::R32UI, gl::Filter::Nearest, "cell distances");
+    }
+    const bool hadPlanes = std::exchange(havePlanes_, false); // until all is done
+    if (classify(input, hadPlanes ? changedCells(input) : Box3{glm::ivec3(0), cells}) || !hadPlanes) {
+        countDistances();
+    }
+    havePlanes_ = true;
+    version_ = nextVersion();
+}
+
+// Marks the cells of a box that may hold something; returns whether they are others than those marked before.
+bool Macrocells::classify(const Input& input, const Box3& box) {
+    if (box.isEmpty()) {
+        return false;
     }
     dataCells_->bindTexture(kDataCellsTexture);
     (input.sculptureCells != nullptr ? *input.sculptureCells : empty_).bindTexture(kSculptureCellsTexture);
@@ -102,13 +136,25 @@ void Macrocells::rebuild(const Input& input) {
     if (const gl::Texture* steepness = gradientCells(input)) {
         steepness->bindTexture(kGradientCellsTexture);
     }
+    isOther_.clear();
+    isOther_.bindStorage(kOtherPlaneStorage);
     planes_.buffer().bindStorage(kPlanesStorage);
     gl::Program& classify = classify_.with(definesFor(input));
-    classify.set("cells", cells)
+    const glm::ivec3 first(box.lo.x / kBlock.x * kBlock.x, box.lo.y, box.lo.z); // rows are whole
+    classify.set("cells", distances_.size())
+        .set("firstRow", first)
+        .set("endRow", box.hi)
         .set("displayedRange", glm::vec2(float(input.visibleRange.lo), float(input.visibleRange.hi)))
         .set("isProbe", input.view == field::SculptureView::Probe ? 1 : 0);
-    classify.dispatchOver({blocks.x, cells.y, cells.z}, gl::Barrier::All);
+    const glm::ivec3 size = box.hi - first;
+    classify.dispatchOver({divideUp(size.x, kBlock.x), size.y, size.z}, gl::Barrier::All);
+    return isOther_.readValue<std::uint32_t>() != 0;
+}
 
+void Macrocells::countDistances() {
+    const glm::ivec3 cells = distances_.size();
+    const glm::ivec3 blocks = blocksOf(cells);
+    planes_.buffer().bindStorage(kPlanesStorage);
     planes_.bindTexture(kPlanesBeforeTexture);
     constexpr int scratch = kFar;
     for (int r = 1; r < kFar; ++r) {
@@ -118,7 +164,6 @@ void Macrocells::rebuild(const Input& input) {
     distances_.bindImage(kDistancesImage, gl::Access::Write);
     countSteps_.set("cells", cells).set("far", kFar);
     countSteps_.dispatchOver(blocks, gl::Barrier::All); // the planes are storage again when cells are rebuilt
-    version_ = nextVersion();
 }
 
 } // namespace vs::render

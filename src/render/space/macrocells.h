@@ -8,6 +8,7 @@
 #include "render/colours/classification.h"
 
 #include <memory>
+#include <optional>
 
 namespace vs::render {
 
@@ -22,6 +23,7 @@ public:
 
     struct Input {
         const gl::Texture* dataCells = nullptr;         // field::CellRanges::cells
+        std::uint64_t dataSerial = 0;                   // of these ranges: others have another
         const gl::Texture* sculptureCells = nullptr;    // null: nothing cut
         const gl::Texture* segmentationCells = nullptr; // null: segmentation is not drawn
         Range visibleRange; // what is visible of the values, with field::withTolerance()
@@ -31,8 +33,12 @@ public:
         field::Sampling sampling = field::Sampling::Trilinear;
         // Volume mode: its opacity says what can be seen, not the displayed range.
         const Classification* classification = nullptr;
+        // The voxels outside of which all ranges are what they were at the last rebuild(), all else being the
+        // same; nothing: anything may be different.
+        std::optional<Box3> changed = {};
     };
-    // Recomputes everything. The data's cells must outlive this and stay as they are.
+    // Brings everything up to date: where the same cells may hold something as before, which is soon known,
+    // nothing changes. The data's cells must outlive this and stay as they are.
     void rebuild(const Input& input);
 
     // Becomes what `other` is now.
@@ -51,8 +57,10 @@ public:
 
 private:
     // The ranges that tricubic samples can have in each cell of `dataCells`, made when first asked for.
-    const gl::Texture& dilated(const gl::Texture& dataCells);
+    const gl::Texture& dilated(const Input& input);
 
+    bool classify(const Input& input, const Box3& box);
+    void countDistances();
     void spread(glm::ivec3 blocks, int from, int to, gl::Program& program);
 
     gl::ProgramVariants classify_{"render/shaders/classify_cells.comp"};
@@ -61,9 +69,12 @@ private:
     gl::Program countSteps_;
     gl::Texture distances_;
     gl::TexelBuffer planes_;                 // see shaders/cell_bits.glsl
+    bool havePlanes_ = false;                // the first of which is what the distances are from
+    gl::Buffer isOther_;                     // whether a classification was another than the one before
     const gl::Texture* dataCells_ = nullptr; // what samples can give: the data's, or dilated_
     gl::ProgramVariants dilate_{"render/shaders/dilate_ranges.comp"};
     const gl::Texture* dilatedFrom_ = nullptr;
+    std::uint64_t dilatedSerial_ = 0;      // of the ranges that it was made from
     std::shared_ptr<gl::Texture> dilated_; // shared with copies
     gl::Texture empty_;
     std::uint64_t version_ = 0;

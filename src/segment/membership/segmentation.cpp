@@ -9,6 +9,7 @@
 #include "segment/shaders/bindings.h"
 
 #include <algorithm>
+#include <iterator>
 #include <utility>
 
 namespace vs::segment {
@@ -31,7 +32,9 @@ Segmentation::Segmentation(const volume::GridGeometry& geometry)
     for (int axis = 0; axis < 3; ++axis) {
         weights_[axis] = smoothingKernel(geometry.stepMm(), spacing[axis]);
     }
+    changedAt_.assign(std::size_t(tileDims_.x) * std::size_t(tileDims_.y) * std::size_t(tileDims_.z), 0);
     takeLooks(allOpaque());
+    isRemade_ = false;
 }
 
 // For shaders that include shaders/segmentation_image.glsl.
@@ -88,16 +91,54 @@ void Segmentation::queueTiles(Channel& channel) const {
     channel.queue.insert(channel.queue.end(), tiles.begin(), tiles.end());
 }
 
+// Segments are to be continued in these bricks.
+void Segmentation::owe(Channel& channel, const std::vector<std::uint32_t>& bricks) {
+    std::vector<std::uint32_t> both;
+    std::set_union(channel.owed.begin(), channel.owed.end(), bricks.begin(), bricks.end(),
+                   std::back_inserter(both));
+    channel.owed = std::move(both);
+}
+
+// Continues segments, where that is owed, in the bricks that the first tiles of the queue look at; everywhere
+// when these are all, or there are none. What changes by that is queued.
+void Segmentation::continueOwed(const Growth& growth, const Fence& fence, Channel& channel,
+                                std::size_t tiles) {
+    if (channel.owed.empty()) {
+        return;
+    }
+    std::vector<bool> isNear(std::size_t(brickDims_.x) * std::size_t(brickDims_.y) *
+                                 std::size_t(brickDims_.z),
+                             tiles == channel.queue.size());
+    for (std::size_t i = 0; i < tiles; ++i) {
+        const glm::ivec3 lo = tileAt(channel.queue[i]) * kTile;
+        const Box3 seen = intersect(grow({lo, lo + kTile}, kKernelReach), {glm::ivec3(0), dims_});
+        forEachVoxel({seen.lo / field::kBrick, divideUp(seen.hi, field::kBrick)},
+                     [&](glm::ivec3 b, std::size_t) {
+                         isNear[std::size_t((b.z * brickDims_.y + b.y) * brickDims_.x + b.x)] = true;
+                     });
+    }
+    const auto firstLeft = std::stable_partition(channel.owed.begin(), channel.owed.end(),
+                                                 [&](std::uint32_t brick) { return isNear[brick]; });
+    const std::vector<std::uint32_t> bricks(channel.owed.begin(), firstLeft);
+    goOnBehind(growth, fence, channel, bricks);
+    channel.owed.erase(channel.owed.begin(), channel.owed.begin() + std::ptrdiff_t(bricks.size()));
+    queueTiles(channel);
+}
+
 // Returns the tiles that were smoothed.
-std::vector<std::uint32_t> Segmentation::smoothQueued(int channel, double budgetMs) {
+std::vector<std::uint32_t> Segmentation::smoothQueued(const Growth& growth, const Fence& fence, int channel,
+                                                      double budgetMs) {
     const Timer timer;
     Channel& own = channels_[std::size_t(channel)];
     const bool isHurried = budgetMs < kNoHurry;
     std::vector<std::uint32_t> done;
-    while (!own.queue.empty() && (done.empty() || timer.milliseconds() < budgetMs)) {
-        constexpr std::size_t kAtOnce = 32; // tiles, before the clock is read again
-        const auto end = own.queue.begin() +
-                         std::ptrdiff_t(std::min(isHurried ? kAtOnce : own.queue.size(), own.queue.size()));
+    const auto next = [&] { // tiles, before the clock is read again
+        constexpr std::size_t kAtOnce = 32;
+        return isHurried ? std::min(kAtOnce, own.queue.size()) : own.queue.size();
+    };
+    while ((!own.queue.empty() || !own.owed.empty()) && (done.empty() || timer.milliseconds() < budgetMs)) {
+        continueOwed(growth, fence, own, next());
+        const auto end = own.queue.begin() + std::ptrdiff_t(next());
         const std::vector<std::uint32_t> tiles(own.queue.begin(), end);
         own.queue.erase(own.queue.begin(), end);
         for (const std::uint32_t tile : tiles) {
@@ -214,7 +255,7 @@ Box3 Segmentation::update(const Growth& growth, Smoothing smoothing, const Looks
         throw;
     }
     const bool isNewApart = apart_ && apart_->hasNew();
-    version_ += !changed.empty() || isNewApart || startsAnew_ ? 1 : 0;
+    version_ += isNewApart ? 1 : 0;
     Box3 box = std::exchange(startsAnew_, false) ? Box3{glm::ivec3(0), dims_} : Box3{};
     for (const std::uint32_t tile : changed) {
         const glm::ivec3 lo = tileAt(tile) * kTile;
@@ -258,13 +299,14 @@ std::vector<std::uint32_t> Segmentation::bringUpToDate(const Growth& growth, Smo
     for (int channel = 0; channel < int(channels_.size()); ++channel) {
         Channel& own = channels_[std::size_t(channel)];
         auto tiles = show(growth, channel, bricks);
-        const auto behind = goOnBehind(growth, fence, own, continued);
-        tiles.insert(tiles.end(), behind.begin(), behind.end());
+        owe(own, continued);
         if (smoothing == Smoothing::Smooth) {
             queueTiles(own);
-            tiles = smoothQueued(channel, budgetMs);
-            isBehind_ = isBehind_ || !own.queue.empty();
+            tiles = smoothQueued(growth, fence, channel, budgetMs);
+            isBehind_ = isBehind_ || !own.queue.empty() || !own.owed.empty();
         } else {
+            const auto behind = goOnBehind(growth, fence, own, std::exchange(own.owed, {}));
+            tiles.insert(tiles.end(), behind.begin(), behind.end());
             tiles.insert(tiles.end(), own.queue.begin(),
                          own.queue.end()); // which are smoothed later all the same
             write(channel, tiles, smoothing);
@@ -276,7 +318,44 @@ std::vector<std::uint32_t> Segmentation::bringUpToDate(const Growth& growth, Smo
     if (!changed.empty()) {
         summarize(changed, smoothing);
     }
+    const bool areColoured = growth.hasOthers(); // else all have one colour, and labels may lag behind
+    const bool hasAllChanged = startsAnew_ || isRemade_ || areColoured != wereColoured_;
+    noteChanged(changed, areColoured ? bricks : std::vector<std::uint32_t>(), table, hasAllChanged);
+    isRemade_ = false;
+    wereColoured_ = areColoured;
     return changed;
+}
+
+// Tiles whose memberships were written, and bricks where voxels may have another colour.
+void Segmentation::noteChanged(const std::vector<std::uint32_t>& tiles,
+                               const std::vector<std::uint32_t>& recoloured, const BrickTable& table,
+                               bool hasAllChanged) {
+    if (tiles.empty() && recoloured.empty() && !hasAllChanged) {
+        return;
+    }
+    ++version_;
+    if (hasAllChanged) {
+        std::fill(changedAt_.begin(), changedAt_.end(), version_);
+    }
+    for (const std::uint32_t tile : tiles) {
+        changedAt_[tile] = version_;
+    }
+    for (const std::uint32_t brick : recoloured) {
+        const Box3 box = table.box(brick);
+        forEachVoxel({box.lo / kTile, divideUp(box.hi, kTile)},
+                     [&](glm::ivec3 tile, std::size_t) { changedAt_[tileIndex(tile)] = version_; });
+    }
+}
+
+Box3 Segmentation::changedSince(std::uint64_t version) const {
+    Box3 box;
+    for (std::uint32_t tile = 0; tile < changedAt_.size(); ++tile) {
+        if (changedAt_[tile] > version) {
+            const glm::ivec3 lo = tileAt(tile) * kTile;
+            box = unite(box, {lo, glm::min(lo + kTile, dims_)});
+        }
+    }
+    return box;
 }
 
 std::size_t Segmentation::deviceBytes() const {

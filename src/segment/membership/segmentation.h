@@ -67,8 +67,14 @@ public:
     [[nodiscard]] std::vector<float> values() const;
     // What it takes on the device at the moment.
     [[nodiscard]] std::size_t deviceBytes() const;
-    // Counts the updates that changed something.
+    // How the segments look that it shows.
+    [[nodiscard]] const Looks& looks() const { return looks_; }
+    // Counts the updates that changed something that pictures show: memberships, whose voxels are, or what is
+    // kept apart.
     [[nodiscard]] std::uint64_t version() const { return version_; }
+    // The voxels that may differ from what they were at an earlier version(), at 0 from those of no segment,
+    // while the looks are the same.
+    [[nodiscard]] Box3 changedSince(std::uint64_t version) const;
 
     // Voxels along an edge of the tiles that an update rewrites.
     static constexpr int kTile = 16;
@@ -87,6 +93,7 @@ private:
         std::vector<std::uint32_t> pending;
         std::deque<std::uint32_t> queue; // tiles to smooth, the oldest first
         std::vector<bool> isQueued;      // by tile
+        std::vector<std::uint32_t> owed; // bricks in which segments are to be continued before that
     };
 
     struct Of { // all segments together, or one of them alone
@@ -109,7 +116,10 @@ private:
                                          const std::vector<std::uint32_t>& bricks);
     void bindMembers(const Channel& channel, const Of& what) const;
     void queueTiles(Channel& channel) const;
-    std::vector<std::uint32_t> smoothQueued(int channel, double budgetMs);
+    static void owe(Channel& channel, const std::vector<std::uint32_t>& bricks);
+    void continueOwed(const Growth& growth, const Fence& fence, Channel& channel, std::size_t tiles);
+    std::vector<std::uint32_t> smoothQueued(const Growth& growth, const Fence& fence, int channel,
+                                            double budgetMs);
     void write(int channel, const std::vector<std::uint32_t>& tiles, Smoothing smoothing);
     // Tiles smoothed at a time: 512 take 1 MiB of bits and 11 MiB of values.
     static constexpr std::uint32_t kTilesAtOnce = 512;
@@ -132,6 +142,8 @@ private:
     void summarize(const std::vector<std::uint32_t>& tiles, Smoothing smoothing);
     void listTiles(const std::vector<std::uint32_t>& tiles);
     [[nodiscard]] gl::Defines memberDefines() const;
+    void noteChanged(const std::vector<std::uint32_t>& tiles, const std::vector<std::uint32_t>& recoloured,
+                     const BrickTable& table, bool hasAllChanged);
     [[nodiscard]] glm::ivec3 tileAt(std::uint32_t tile) const;
     [[nodiscard]] std::uint32_t tileIndex(glm::ivec3 place) const;
 
@@ -144,11 +156,14 @@ private:
     gl::Texture cells_;
     std::uint64_t seenRevision_ = 0;
     std::uint64_t version_ = 0;
+    std::vector<std::uint64_t> changedAt_; // by tile: the version that last changed it
     std::vector<Channel> channels_;
     Looks looks_ = allOpaque();
     bool haveLooksChanged_ = false;
     bool isBehind_ = false;
     bool startsAnew_ = false;                  // what there was is not to be relied on
+    bool isRemade_ = false;                    // the texels are others since the last update
+    bool wereColoured_ = false;                // there were segments of several colours at the last one
     std::optional<Continuation> continuation_; // made with the first fence
     gl::Buffer turnedAlone_; // one bit a voxel, as a channel's, of the segment that is being written alone
 

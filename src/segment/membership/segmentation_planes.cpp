@@ -40,6 +40,7 @@ void Segmentation::takeLooks(const Looks& looks) {
     if (channels == channels_.size()) {
         return;
     }
+    isRemade_ = true;
     channels_.clear();
     texels_ = {}; // first, so that there is never room for both
     texels_ =
@@ -53,7 +54,8 @@ void Segmentation::takeLooks(const Looks& looks) {
                         {},
                         std::vector<std::uint32_t>(tiles, 0),
                         {},
-                        std::vector<bool>(tiles, false)});
+                        std::vector<bool>(tiles, false),
+                        {}});
     }
     channels_ = std::move(made);
     haveLooksChanged_ = true;

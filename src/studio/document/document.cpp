@@ -114,6 +114,12 @@ render::Frame Document::frame(glm::ivec2 size, double segmentsMs) {
     return impl_->display.frame(view(), size, segmentsMs);
 }
 
+const PictureContent& Document::content() const { return impl_->display.content(); }
+
+std::optional<Box3> Document::changedSince(const PictureContent& before) const {
+    return impl_->display.changedSince(before);
+}
+
 render::SliceFrame Document::slice(const render::SliceView& view, double segmentsMs) {
     return impl_->display.slice(view, segmentsMs);
 }

@@ -11,6 +11,7 @@
 #include "studio/editing/outcome.h"
 #include "studio/operations/operation.h"
 #include "studio/state/history.h"
+#include "studio/state/picture_content.h"
 #include "volume/grid/volume.h"
 
 #include <filesystem>
@@ -115,6 +116,11 @@ public:
     // segments' surface is not all there yet.
     render::Frame frame(glm::ivec2 size, double segmentsMs = kNoHurry);
     static constexpr double kNoHurry = 1e30;
+
+    // What the last frame shows, and the voxels along whose rays it may differ from an earlier frame of this
+    // document: none is no difference, nothing that it may differ everywhere.
+    [[nodiscard]] const PictureContent& content() const;
+    [[nodiscard]] std::optional<Box3> changedSince(const PictureContent& before) const;
 
     // A slice through it, ready for a SliceRenderer; valid as long.
     render::SliceFrame slice(const render::SliceView& view, double segmentsMs = kNoHurry);

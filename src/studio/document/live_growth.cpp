@@ -14,6 +14,9 @@ namespace vs::studio {
 bool LiveGrowth::isGrowing() const { return contents_.inHand == InHand::Growth; }
 bool LiveGrowth::isScrubbing() const { return contents_.inHand == InHand::Scrub; }
 
+void LiveGrowth::prepare() { editor_.prepare(); }
+void LiveGrowth::giveBack() { editor_.giveBack(); }
+
 void LiveGrowth::begin(std::optional<field::SculptureView> sculptureView) {
     VS_CHECK(contents_.inHand == InHand::Nothing);
     Run run;

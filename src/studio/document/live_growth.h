@@ -21,6 +21,11 @@ public:
     LiveGrowth(Contents& contents, GrowthEditor& editor, OperationLog& log)
         : contents_(contents), editor_(editor), log_(log) {}
 
+    // Takes the room that the first seeds need, so that they are answered at once. Nothing of the document
+    // changes. Throws GlError when the device has none. giveBack() gives it back where there were none.
+    void prepare();
+    void giveBack();
+
     // Grows the segment at work: any number of portions of about `budgetMs`, of at most so many generations,
     // each ending with the generation in which the segment gets to have `mostVoxels`. growFor() returns false
     // when nothing grows any more. end() appends one Grow operation for all of them.

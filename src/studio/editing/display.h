@@ -16,6 +16,15 @@ public:
     // `segmentsMs` is the time that bringing the segments' surfaces up to date may take.
     render::Frame frame(const View& from, glm::ivec2 size,
                         double segmentsMs = segment::Segmentation::kNoHurry);
+    // What the last frame shows, and the voxels along whose rays that may differ from an earlier one: nothing
+    // means everywhere.
+    [[nodiscard]] const PictureContent& content() const { return pipeline_.content(); }
+    [[nodiscard]] std::optional<Box3> changedSince(const PictureContent& before) const {
+        return pipeline_.changedSince(state(), before);
+    }
+    // Takes the room that drawing segments needs, and gives it back.
+    void prepareSegments() { pipeline_.prepareSegments(contents_->view); }
+    void forgetSegments() { pipeline_.forgetSegments(); }
     render::SliceFrame slice(const render::SliceView& view, double segmentsMs);
     // The segments in the last frame or slice are not up to date: there was no time for it.
     [[nodiscard]] bool isBehind() const { return pipeline_.isBehind(); }

@@ -89,6 +89,18 @@ segment::SeedCounts GrowthEditor::perform(const Seed& op, Region::Records& recor
                                  records);
 }
 
+void GrowthEditor::prepare() {
+    contents_.region.prepare();
+    display_.prepareSegments();
+}
+
+void GrowthEditor::giveBack() {
+    contents_.region.giveBack();
+    if (!contents_.region.exists()) {
+        display_.forgetSegments();
+    }
+}
+
 Outcome GrowthEditor::run(Seed& op) {
     contents_.fillIn(op.canvas);
     if (!op.range) {

@@ -18,6 +18,9 @@ public:
     GrowthEditor(Contents& contents, Display& display, Cutter& cutter)
         : contents_(contents), display_(display), cutter_(cutter) {}
 
+    // Takes the room that the first seeds need, and gives it back if there were none.
+    void prepare();
+    void giveBack();
     Outcome run(Seed& op);
     Outcome run(Grow& op);
     Outcome run(Rewind& op);

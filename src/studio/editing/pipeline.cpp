@@ -89,12 +89,29 @@ const field::SmoothedField* Pipeline::smooth(const View& view) {
     return &*smoothed_;
 }
 
+void Pipeline::makeSegmentation() {
+    if (!segmentation_) {
+        segmentation_.emplace(field_->geometry);
+        ++segmentationsMade_;
+    }
+}
+
+void Pipeline::prepareSegments(const View& view) {
+    follow(view);
+    makeSegmentation();
+}
+
+void Pipeline::forgetSegments() {
+    if (cells_.key && cells_.key->drawsSegmentation) {
+        dropSegments();
+    }
+    segmentation_.reset();
+}
+
 field::Scene Pipeline::scene(const State& state, bool wantsSegments) {
     const bool hasSegmentation = wantsSegments && state.growth != nullptr;
     if (hasSegmentation) {
-        if (!segmentation_) {
-            segmentation_.emplace(field_->geometry);
-        }
+        makeSegmentation();
         segmentation_->keepApart(apartFromOthers(state));
         segmentation_->update(*state.growth, state.smoothing, looksOf(*state.segments), state.segmentsMs,
                               fence(state, state.view->sculptureView));
@@ -211,7 +228,35 @@ render::Frame Pipeline::frame(const State& state, glm::ivec2 size) {
     if (pullsOut) {
         addPulledOut(frame, withSegments, state);
     }
+    content_ = contentOf(state, frame);
     return frame;
+}
+
+PictureContent Pipeline::contentOf(const State& state, const render::Frame& frame) const {
+    const View& view = *state.view;
+    PictureContent content;
+    content.view = viewOfPicture(view);
+    content.fieldSerial = field_->serial;
+    content.functionVersion = frame.classification != nullptr ? frame.classification->version() : 0;
+    content.sculptureVersion = state.sculpture->version();
+    content.showsUncut =
+        frame.scene.sculpture == nullptr && view.sculptureView == field::SculptureView::Probe;
+    content.isCutAlongSegments = frame.scene.isCutAlongSegments;
+    content.isLocal = frame.pasted.empty() && frame.pulled.empty() && frame.occlusion == nullptr;
+    content.segments.making = segmentationsMade_;
+    if (frame.scene.segmentation != nullptr) {
+        content.segments = {true,
+                            segmentationsMade_,
+                            segmentation_->version(),
+                            segmentation_->looks(),
+                            frame.segmentColours,
+                            frame.scene.segmentLabels != nullptr};
+    }
+    return content;
+}
+
+std::optional<Box3> Pipeline::changedSince(const State& state, const PictureContent& before) const {
+    return changedBetween(before, content_, *state.sculpture, segmentation_ ? &*segmentation_ : nullptr);
 }
 
 std::vector<const SegmentInfo*> Pipeline::pulledOut(const State& state) {
@@ -330,6 +375,24 @@ std::vector<glm::vec2> Pipeline::cellsOfNextPart(const State& state, bool takesT
     return pastedParts_.cellsOf(next, *state.sculpture, *state.trimmed);
 }
 
+// Where a cut or a segment changed what macrocells were made from. Nothing: more than that has changed.
+std::optional<Box3> Pipeline::changedVoxels(const Key& before, const Key& now,
+                                            const sculpt::Sculpture& sculpture,
+                                            const segment::Segmentation* segmentation) {
+    Key same = before;
+    same.sculptureVersion = now.sculptureVersion;
+    same.segmentationVersion = now.segmentationVersion;
+    same.drawsSegmentation = now.drawsSegmentation;
+    const bool hasSegments = before.drawsSegmentation || now.drawsSegmentation;
+    if (same != now || now.part != nullptr || (hasSegments && segmentation == nullptr)) {
+        return std::nullopt;
+    }
+    const bool haveStayed = before.drawsSegmentation && now.drawsSegmentation;
+    const Box3 cut = sculpture.changedSince(before.sculptureVersion);
+    return hasSegments ? unite(cut, segmentation->changedSince(haveStayed ? before.segmentationVersion : 0))
+                       : cut;
+}
+
 void Pipeline::refresh(Cells& cells, const Key& key, const State& state, const render::Frame& frame,
                        const gl::Texture* sculptureCells, const segment::Segmentation* segmentation) {
     const auto& old = cells.key;
@@ -346,12 +409,15 @@ void Pipeline::refresh(Cells& cells, const Key& key, const State& state, const r
     }
     render::Macrocells::Input input;
     input.dataCells = key.surfaceSmoothing > 0 ? &smoothed_->cells.cells : &cellRanges_.cells;
+    input.dataSerial = key.surfaceSmoothing > 0 ? smoothed_->field.serial : field_->serial;
     input.sculptureCells = sculptureCells;
     input.segmentationCells = key.drawsSegmentation ? &segmentation->cells() : nullptr;
     input.visibleRange = field::withTolerance(key.range, *field_);
     input.view = key.view;
     input.sampling = key.sampling;
     input.classification = frame.mode == render::Mode::Volume ? frame.classification : nullptr;
+    input.changed = old ? changedVoxels(*old, key, *state.sculpture, segmentation) : std::nullopt;
+    cells.key.reset(); // or what is left half done would pass for it
     cells.macrocells.rebuild(input);
     cells.key = key;
 }
@@ -369,6 +435,10 @@ void Pipeline::refreshSegmentCells() {
     input.segmentationCells = &segmentation_->cells();
     input.view = field::SculptureView::Whole;
     input.drawsData = false;
+    if (segmentCells_.key) {
+        input.changed = segmentation_->changedSince(segmentCells_.key->segmentationVersion);
+    }
+    segmentCells_.key.reset();
     segmentCells_.macrocells.rebuild(input);
     segmentCells_.key = key;
 }

@@ -11,6 +11,7 @@
 #include "studio/operations/operation.h"
 #include "studio/operations/segment_list.h"
 #include "studio/state/pasted_parts.h"
+#include "studio/state/picture_content.h"
 
 #include <memory>
 
@@ -38,6 +39,13 @@ public:
         std::optional<std::uint64_t> cuttingSince;
     };
     render::Frame frame(const State& state, glm::ivec2 size);
+    // What the last frame shows, and where that may differ from an earlier one of the same document: see
+    // changedBetween().
+    [[nodiscard]] const PictureContent& content() const { return content_; }
+    [[nodiscard]] std::optional<Box3> changedSince(const State& state, const PictureContent& before) const;
+    // Takes the room that drawing segments needs, ahead of the first; and gives it back while there are none.
+    void prepareSegments(const View& view);
+    void forgetSegments();
     // The document's content on a slice. Segments are drawn whatever the view's mode is.
     render::SliceFrame slice(const State& state, const render::SliceView& view);
 
@@ -80,9 +88,12 @@ private:
     bool areSegmentsSmooth_ = true;
     field::CellRanges cellRanges_;
     std::optional<segment::Segmentation> segmentation_; // made when first drawn
+    int segmentationsMade_ = 0;
+    PictureContent content_; // of the last frame
     // The same for pasted parts, while they are drawn beside what is left and growth had a fence.
     std::optional<segment::Segmentation> partSegmentation_;
     bool isBehind_ = false;
+    void makeSegmentation();
     // What shaders see of the document, with the segments if they are wanted; brings those up to date.
     field::Scene scene(const State& state, bool wantsSegments);
     // What the viewer does not see of the sculpture in a view.
@@ -96,6 +107,8 @@ private:
     // there.
     const field::SmoothedField* smooth(const View& view);
 
+    [[nodiscard]] PictureContent contentOf(const State& state, const render::Frame& frame) const;
+
     // Brings the tables of the view's transfer function up to date; null if it has none and needs none.
     const render::Classification* classify(const View& view);
 
@@ -104,6 +117,9 @@ private:
         render::Macrocells macrocells;
         std::optional<Key> key;
     };
+    static std::optional<Box3> changedVoxels(const Key& before, const Key& now,
+                                             const sculpt::Sculpture& sculpture,
+                                             const segment::Segmentation* segmentation);
     void refresh(Cells& cells, const Key& key, const State& state, const render::Frame& frame,
                  const gl::Texture* sculptureCells, const segment::Segmentation* segmentation);
 

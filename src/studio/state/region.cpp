@@ -16,9 +16,18 @@ bool Region::isUntouched() const {
            (!hasSeeds() && growth_->constraints() == segment::Constraints() && !growth_->state().isLive);
 }
 
+void Region::prepare() {
+    if (!growth_ && (!prepared_ || preparedFor_ != field_->serial)) {
+        prepared_.reset(); // there may be no room for both
+        prepared_ = std::make_unique<segment::Growth>(*field_);
+        preparedFor_ = field_->serial;
+    }
+}
+
 segment::Growth& Region::madeGrowth() {
     if (!growth_) {
-        growth_ = std::make_unique<segment::Growth>(*field_);
+        prepare();
+        growth_ = std::move(prepared_);
     }
     return *growth_;
 }

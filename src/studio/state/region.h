@@ -30,6 +30,11 @@ public:
     [[nodiscard]] segment::Constraints constraints(const Range& range, field::SculptureView view,
                                                    segment::Connectivity connectivity) const;
 
+    // Takes the room that segments need; as far as anybody can see there are none yet. And
+    // gives back what was not used.
+    void prepare();
+    void giveBack() { prepared_.reset(); }
+
     // The voxels that strokes found; none if nothing admissible was hit.
     std::vector<glm::ivec3> findSeeds(const field::SurfacePoints& points,
                                       const segment::Constraints& constraints);
@@ -98,6 +103,8 @@ private:
     const field::Field* field_;
     const sculpt::Sculpture* sculpture_;
     std::unique_ptr<segment::Growth> growth_;
+    std::unique_ptr<segment::Growth> prepared_; // will be that, for the field
+    std::uint64_t preparedFor_ = 0;             // with this serial
     segment::SeedFinder finder_;
 };
 

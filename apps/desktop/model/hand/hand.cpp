@@ -32,7 +32,9 @@ Hand::Hand(DocumentHost& host) : host_(host), tool_(new NoTool(this)) {}
 void Hand::take(Tool& tool) {
     if (tool_ != &tool) {
         tool_->clear(); // leaving a tool changes nothing: a stroke in hand is dropped
+        tool_->putDown();
         tool_ = &tool;
+        tool_->taken();
         host_.wake();
         emit overlayChanged();
         emit host_.changed();

@@ -47,6 +47,10 @@ public:
     [[nodiscard]] virtual Overlays overlays() const { return {}; }
     [[nodiscard]] virtual Qt::CursorShape cursor() const { return Qt::CrossCursor; }
 
+    // The hand has taken it: the time to get ready what its first stroke would wait for. And it has put it
+    // down.
+    virtual void taken() {}
+    virtual void putDown() {}
     virtual void press(const Pen& pen) = 0;
     virtual void move(const Pen& pen) = 0;
     virtual void release(const Pen& pen) = 0;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "model/segments/growth_controller.h"
 
+#include "base/error.h"
 #include "model/document/document_host.h"
 #include "model/document/view_model.h"
 #include "model/edits/editor.h"
@@ -9,6 +10,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <new>
+#include <utility>
 
 namespace vs::desktop {
 
@@ -73,6 +76,26 @@ void GrowthController::showRegion() {
     view_.showView(view);
 }
 
+void GrowthController::prepare() {
+    if (host_.isAway() || host_.isLoading() || host_.document() == nullptr) {
+        return;
+    }
+    try {
+        host_.runLong([&] { host_.document()->growing().prepare(); });
+    } catch (const Error&) { // no room: the stroke says so, if there is none then
+        giveBack();
+    } catch (const std::bad_alloc&) {
+        giveBack();
+    }
+}
+
+void GrowthController::giveBack() {
+    if (!host_.isAway() && host_.document() != nullptr) {
+        host_.gl().makeCurrent();
+        host_.document()->growing().giveBack();
+    }
+}
+
 // --- strokes
 
 void GrowthController::addSeeds(const studio::Seed& seed) {
@@ -134,6 +157,7 @@ void GrowthController::start(Run run) {
     }
     run_ = run;
     isWaiting_ = false;
+    isJustBegun_ = true;
     hasRunOut_ = false;
     sinceStart_ = Timer();
     played_ = 0;
@@ -200,7 +224,9 @@ bool GrowthController::growOn() {
     if (steps == 0) {
         return false;
     }
-    const double portionMs = host_.isHandAtWork() ? kHurriedPortionMs : kPortionMs;
+    // The first is soon seen: it is the answer to a stroke.
+    const bool isFirst = std::exchange(isJustBegun_, false);
+    const double portionMs = host_.isHandAtWork() || isFirst ? kHurriedPortionMs : kPortionMs;
     bool goesOn = false;
     const bool done =
         host_.workLong([&] { goesOn = host_.document()->growing().growFor(portionMs, steps, mostVoxels()); });

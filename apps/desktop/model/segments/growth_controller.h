@@ -26,6 +26,11 @@ class GrowthController : public QObject {
 public:
     GrowthController(DocumentHost& host, ViewModel& view, Editor& editor);
 
+    // Gets ready what the first seeds of a scan would wait for; nothing happens when there is no room. And
+    // gives that back where none came.
+    void prepare();
+    void giveBack();
+
     // --- strokes
     void addSeeds(const studio::Seed& seed); // and plays, with auto start on
     // Targeted shrink: one expansion, and on from there until paused, with auto start on.
@@ -133,6 +138,7 @@ private:
     bool strokesAbsorb_ = false;
     Run run_ = Run::None;
     bool isWaiting_ = false;
+    bool isJustBegun_ = false; // no portion has grown since start()
     bool hasShownRegion_ = false;
     bool takesDisplayedRange_ = true;
     GrowthLimit limit_;

@@ -205,6 +205,7 @@ Box2 PictureLoop::changedPixels(const render::Frame& frame) const {
 
 double PictureLoop::draftScale(double preparedMs) {
     const double frameMs = isFirstDraft() ? std::min(frameMs_, kFirstFrameMs) : frameMs_;
+    // Where preparing takes most of the time, fewer pixels would not help much and only look worse.
     const double forRays = std::max(frameMs - preparedMs - meanBesideMs_, kLeastShare * frameMs);
     const glm::dvec2 size(pixels_.size());
     partPace_.assume(wholePace_);

@@ -120,15 +120,13 @@ private:
     int pictures_ = 0;
 
     Picture shown_;
-    Picture finished_; // the last one at full quality
-    // Of the running pass: the picture that it goes on from, the pixels of the view that it makes anew, how
-    // much larger its own are and which it casts of them (nothing: all), and what the picture then shows.
-    Picture base_;
-    Box2 pixels_;
-    double passScale_ = 1;
-    glm::ivec2 castSize_{0};
-    std::optional<Box2> window_;
-    std::optional<studio::PictureContent> content_;
+    Picture finished_;                              // the last one at full quality
+    Picture base_;                                  // that the running pass goes on from
+    std::optional<studio::PictureContent> content_; // what its picture shows
+    Box2 pixels_;                                   // of the view, which it makes anew
+    double passScale_ = 1;                          // how many times larger its own pixels are
+    glm::ivec2 castSize_{0};                        // of the whole view in its own pixels
+    std::optional<Box2> window_;                    // of those, the ones that it casts; nothing: all
 };
 
 } // namespace vs::desktop

@@ -1,10 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/state/picture_content.h"
 
-#include "base/check.h"
-
-#include <utility>
-
 namespace vs::studio {
 
 namespace {

@@ -30,8 +30,8 @@ public:
     [[nodiscard]] segment::Constraints constraints(const Range& range, field::SculptureView view,
                                                    segment::Connectivity connectivity) const;
 
-    // Takes the room that segments need; as far as anybody can see there are none yet. And
-    // gives back what was not used.
+    // Takes the room that segments need; as far as anybody can see there are none yet. And gives back what
+    // was not used.
     void prepare();
     void giveBack() { prepared_.reset(); }
 

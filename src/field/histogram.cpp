@@ -21,7 +21,7 @@ void bind(gl::Program& program, const Field& field, const Box3& box, int bins, c
     program.set("first", box.lo)
         .set("last", box.hi - 1)
         .set("bins", bins)
-        .set("valueScaleOffset", glm::vec2(field.valueScale, field.valueOffset))
+        .set("valueScaleOffset", glm::vec3(field.valueScale, field.valueOffset, field.isIntegral ? 1 : 0))
         .set("valueRange", glm::vec2(float(field.usual.lo), float(field.usual.hi)));
 }
 

@@ -4,6 +4,7 @@
 #include "base/check.h"
 #include "field/shaders/bindings.h"
 #include "gl/context.h"
+#include "gl/limits.h"
 #include "gl/program.h"
 
 #include <atomic>
@@ -28,8 +29,8 @@ void limitQuads(std::size_t bytes) { mostQuadBytes = bytes; }
 gl::TexelBuffer makeQuads(glm::ivec3 dims, gl::Format ofTexels) {
     const std::size_t voxels = Box3{glm::ivec3(0), dims}.volume();
     const gl::Format format = fourOf(ofTexels);
-    if (!gl::Context::isSoftware() || voxels * gl::bytesPerTexel(format) > mostQuadBytes ||
-        voxels > gl::TexelBuffer::mostTexels()) {
+    if (!gl::Context::isSoftware() || gl::pretendedFilterSteps() > 0 ||
+        voxels * gl::bytesPerTexel(format) > mostQuadBytes || voxels > gl::TexelBuffer::mostTexels()) {
         return {};
     }
     return {voxels, format, "data in quads", gl::Reach::Shared};

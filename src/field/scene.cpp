@@ -29,9 +29,9 @@ void SceneBinding::bind(const Scene& scene) {
     // outside.
     const double lo =
         data.isIntegral ? scene.displayedRange.lo : std::max(scene.displayedRange.lo, data.range.lo);
-    block.range = {float(lo), float(scene.displayedRange.hi), float(scene.greyWindow.lo),
-                   float(scene.greyWindow.hi)};
-    constexpr float beyondAllValues = 1e30F;
+    constexpr float beyondAllValues = 1e30F; // a range's width must have a reciprocal
+    block.range = {float(lo), std::min(float(scene.displayedRange.hi), beyondAllValues),
+                   float(scene.greyWindow.lo), float(scene.greyWindow.hi)};
     block.limits.w = float(toleranceAt(scene.displayedRange.hi, data));
     block.limits.x = scene.showsAbove ? beyondAllValues : block.range.y;
     block.sceneFlags =

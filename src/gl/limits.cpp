@@ -5,6 +5,7 @@
 
 #include <epoxy/gl.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
@@ -30,6 +31,11 @@ Limits limits() {
     out.storageBlockBytes =
         Context::isSoftware() ? std::numeric_limits<std::uint32_t>::max() : std::size_t(bytes);
     return out;
+}
+
+int pretendedFilterSteps() {
+    const char* asked = std::getenv("VOLUME_STUDIO_FILTER_STEPS");
+    return asked == nullptr ? 0 : std::max(std::atoi(asked), 0);
 }
 
 ComputeLimits computeLimits() {

@@ -33,6 +33,12 @@ struct ComputeLimits {
     int textures = 0;
 };
 
+// Steps that a texture unit has from one texel to the next, where one is pretended by
+// VOLUME_STUDIO_FILTER_STEPS (hardware has 256 and software as many as floats have, so that tests can see on
+// the one what the other gives); 0: the device's own. Programs are then compiled with FILTER_STEPS, which
+// field/shaders/scene.glsl heeds.
+int pretendedFilterSteps();
+
 // What the driver of the current context's device says of compute shaders.
 ComputeLimits computeLimits();
 

@@ -5,6 +5,7 @@
 #include "base/timer.h"
 #include "gl/hazard_watch.h"
 #include "gl/kept_programs.h"
+#include "gl/limits.h"
 #include "gl/shader_reload.h"
 
 #include <epoxy/gl.h>
@@ -74,11 +75,18 @@ void addBarrier(Barrier after) {
     }
 }
 
+Defines withPretended(Defines defines) {
+    if (const int steps = pretendedFilterSteps(); steps > 0) {
+        defines.emplace_back("FILTER_STEPS", std::to_string(steps));
+    }
+    return defines;
+}
+
 } // namespace
 
 Program::Program(const std::string& path, const Defines& defines)
     : path_(path), defines_(defines), generation_(shaderGeneration()) {
-    const ExpandedSource source = expandSource(path, defines);
+    const ExpandedSource source = expandSource(path, withPretended(defines));
     handle_ = made(path, source);
     const GLuint program = name();
     glObjectLabel(GL_PROGRAM, program, -1, path.c_str());
@@ -113,7 +121,7 @@ void Program::tellHazards(unsigned int arguments) {
         return;
     }
     if (!accesses_) { // hazards were not watched yet when the program was made
-        accesses_ = accessesIfWatched(name(), expandSource(path_, defines_).text);
+        accesses_ = accessesIfWatched(name(), expandSource(path_, withPretended(defines_)).text);
     }
     noteDispatch(path_, *accesses_, arguments);
 }

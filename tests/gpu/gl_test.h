@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "gl/context.h"
+#include "gl/limits.h"
 
 #include <gtest/gtest.h>
 
@@ -20,6 +21,13 @@ inline bool isDeviceRequired() {
 // Fixture of every test that needs a device: one headless context for the process, and after each test no GL
 // error, and no barrier that was missing (gl/hazards.h). Without a device the test skips; where one is
 // required that is a failure.
+// By how much of the difference between two neighbouring texels a device's filter may be off: hardware knows
+// 256 places between them, software all that floats have.
+inline double filterError() {
+    const int steps = gl::pretendedFilterSteps();
+    return gl::Context::isSoftware() ? (steps > 0 ? 0.5 / steps : 0.0) : 0.5 / 256;
+}
+
 class GlTest : public ::testing::Test {
 protected:
     void SetUp() override {

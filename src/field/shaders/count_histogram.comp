@@ -12,7 +12,7 @@ layout(std430, binding = kCountsStorage) buffer Counts { uint counts[]; };
 uniform ivec3 first; // of the voxels that count
 uniform ivec3 last;
 uniform int bins;
-uniform vec2 valueScaleOffset;
+uniform vec3 valueScaleOffset; // z 1 if values are whole numbers
 uniform vec2 valueRange;
 uniform int firstRow; // of work groups
 #if VISIBLE
@@ -41,6 +41,7 @@ void main() {
         for (int z = first.z; z <= last.z; ++z) {
             float value =
                 texelFetch(dataTexture, ivec3(column, z), 0).r * valueScaleOffset.x + valueScaleOffset.y;
+            value = valueScaleOffset.z > 0.5 ? round(value) : value;
             // Non-finite voxels are stored far below, and what is not usual lies far away on either side.
             bool isUsual = value >= valueRange.x - margin && value <= valueRange.y + margin;
             if (isUsual && isVisible(ivec3(column, z))) {

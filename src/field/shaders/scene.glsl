@@ -40,7 +40,13 @@ struct SceneSample {
     float uncut;      // >= 0 on the visible side of the sculpture; continuous, 0.5 level at 0
 };
 
+#ifdef FILTER_STEPS // of a texture unit that is pretended (gl::pretendedFilterSteps())
+vec3 textureFromVoxel(vec3 p) {
+    return (round(p * float(FILTER_STEPS)) / float(FILTER_STEPS) + 0.5) * sceneFlags.yzw;
+}
+#else
 vec3 textureFromVoxel(vec3 p) { return (p + 0.5) * sceneFlags.yzw; }
+#endif
 
 #include "field/shaders/quads.glsl"
 #ifdef QUADS

@@ -38,13 +38,13 @@ float samplesAt(int place) {
     return float(progress.x + (hasMore ? 1 : 0));
 }
 
-// Half a step of the display's 8 bits either way, the same for each pixel each time: dark gradients do not
-// band.
+// Almost half a step of the display's 8 bits either way, the same for each pixel each time: dark gradients do
+// not band, and what is quite white stays so where a device rounds a little otherwise.
 float dither(ivec2 pixel) {
     // Interleaved gradient noise (Jimenez 2014, "Next generation post processing in Call of Duty: Advanced
     // Warfare").
     float noise = fract(52.9829189 * fract(dot(vec2(pixel), vec2(0.06711056, 0.00583715))));
-    return (noise - 0.5) / 255.0;
+    return (noise - 0.5) * 0.998 / 255.0;
 }
 
 vec3 shownColour(vec3 accumulated) { return isInverted != 0 ? 1.0 - accumulated : accumulated; }

@@ -212,14 +212,16 @@ bool endsAtCut(Obstacle obstacle, vec3 p) {
 }
 
 // The zero between an invisible place a and a visible one b, given a third place c close by (x place, y what
-// is beyond there): by inverse quadratic interpolation, or linearly where that leads out of the interval.
+// is beyond there): by inverse quadratic interpolation, or linearly where that leads out of the interval or
+// where two of the three are so much alike that their difference may be a coarse filter's.
 float zeroBetween(vec2 a, vec2 b, vec2 c) {
     float linear = mix(a.x, b.x, a.y / (a.y - b.y));
     vec3 differences = vec3(a.y - b.y, b.y - c.y, c.y - a.y);
     float quadratic = -(a.x * b.y * c.y * differences.y + b.x * a.y * c.y * differences.z +
                         c.x * a.y * b.y * differences.x) /
                       (differences.x * differences.y * differences.z);
-    return quadratic >= a.x && quadratic <= b.x ? quadratic : linear;
+    bool isApart = min(abs(differences.y), abs(differences.z)) > 0.2 * abs(differences.x);
+    return isApart && quadratic >= a.x && quadratic <= b.x ? quadratic : linear;
 }
 
 // Moves a crossing back to the surface: an invisible place just before it, and the surface. Two more samples,
@@ -275,9 +277,10 @@ vec3 outwards(vec3 outward, vec3 towardsViewer) {
 
 #if defined(CUT_ALONG_SEGMENTS) && defined(MEETS_SEGMENTS)
 // Whether a cut face is a segment's own surface, because a tool spared the segment or took nothing else:
-// there membership is a half but for what rounding to 8 bits leaves, and both face the same way.
+// there membership is a half but for rounding to 8 bits and for texture units, which know 256 places from one
+// texel to the next, and both face the same way.
 bool isSegmentsSurface(vec3 p, vec3 cutOutward) {
-    const float rounding = 0.02;
+    const float rounding = 0.04;
     bool isClose = abs(segmentationAt(p) - 0.5) < rounding;
     vec3 inward = segmentationGradient(p);
     float lengths = length(inward) * length(cutOutward); // zero where no cut is near

@@ -24,7 +24,13 @@ bool differ(float a, float b) { return abs(a - b) > 0.25 / 255.0; }
 #elif SCULPTURE_BITS == 16
 const float negligible = 1.0 / 2048.0;
 const float justVisible = 0.499755859375;
-float asStored(float value) { return unpackHalf2x16(packHalf2x16(vec2(value, 0.0))).x; }
+// The nearest number of 11 binary digits, the even one of two. Whole numbers find it: a driver may leave out
+// a packing that is unpacked at once, and images may cut off what they cannot hold.
+float asStored(float value) {
+    uint bits = floatBitsToUint(value);
+    float rounded = uintBitsToFloat((bits + 0x0FFFu + ((bits >> 13) & 1u)) & ~0x1FFFu);
+    return value < 1.0 / 16384.0 ? roundEven(value * 16777216.0) / 16777216.0 : rounded;
+}
 bool differ(float a, float b) { return a != b; }
 #else
 const float negligible = 1.0 / 2048.0;

@@ -35,6 +35,35 @@ float valueOf(ivec3 voxel) {
     return valueScale.z > 0.5 ? round(value) : value;
 }
 
+// The square root, rounded to the nearest float as a processor's is; those of devices may be a few steps off.
+// s * s compares with the argument as whole numbers: (s - 1/2)^2 < argument < (s + 1/2)^2.
+float exactSqrt(float argument) {
+    float about = sqrt(argument);
+    uint bits = floatBitsToUint(argument);
+    int exponent = int(bits >> 23) - 127;
+    if (!(argument > 0.0) || exponent == -127 || exponent == 128) {
+        return about; // zero, too small to matter, or no number
+    }
+    uint digits = (bits & 0x7FFFFFu) | 0x800000u; // argument = digits * 2^(exponent - 23)
+    int rootExponent = exponent >> 1;             // of the root
+    int shift = 23 + (exponent & 1);
+    uvec2 wanted = uvec2(digits >> (32 - shift), digits << shift); // high and low word of s * s
+    uint s = uint(about * uintBitsToFloat(uint(127 + 23 - rootExponent) << 23));
+    for (int n = 0; n < 8; ++n) {
+        uvec2 above; // s * (s + 1): what is more belongs to s + 1
+        uvec2 below; // s * (s - 1): what is not more belongs to s - 1
+        umulExtended(s, s + 1u, above.x, above.y);
+        umulExtended(s, s - 1u, below.x, below.y);
+        bool isMore = wanted.x > above.x || (wanted.x == above.x && wanted.y > above.y);
+        bool isLess = wanted.x < below.x || (wanted.x == below.x && wanted.y <= below.y);
+        if (isMore == isLess) {
+            break;
+        }
+        s = isMore ? s + 1u : s - 1u;
+    }
+    return float(s) * uintBitsToFloat(uint(127 - 23 + rootExponent) << 23);
+}
+
 // Central differences; beyond the grid values are those at its border.
 float gradientMagnitude(ivec3 voxel) {
     ivec3 before = max(voxel - 1, 0);
@@ -51,7 +80,7 @@ float gradientMagnitude(ivec3 voxel) {
     precise vec3 squares = gradient * gradient;
     precise float sum = squares.x + squares.y;
     precise float squared = sum + squares.z;
-    return sqrt(squared);
+    return exactSqrt(squared);
 }
 
 // What the voxel alone decides. It must be inside the grid.

@@ -84,7 +84,7 @@ TEST_F(GradientTest, WhatIsKeptIsWhatWasCounted) {
         const auto magnitudes = reference::gradientMagnitudes(volume);
         const double usual = gradientRange(field).hi;
         const GradientField kept = computeGradients(field, usual);
-        ASSERT_EQ(bool(kept.quads), gl::Context::isSoftware());
+        ASSERT_EQ(bool(kept.quads), gl::Context::isSoftware() && gl::pretendedFilterSteps() == 0);
         ASSERT_NE(bool(kept.quads), bool(kept.texels));
         const auto quads = kept.quads ? kept.quads.buffer().read<std::uint16_t>(4 * magnitudes.size())
                                       : std::vector<std::uint16_t>();

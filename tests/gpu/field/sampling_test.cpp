@@ -144,7 +144,7 @@ TEST_F(SamplingTest, TricubicEqualsTheBSplineOnTheCpu) {
 }
 
 TEST_F(SamplingTest, TheSoftwareRenderersFilterIsExactEnough) {
-    if (context()->device().renderer.find("llvmpipe") == std::string::npos) {
+    if (test::filterError() > 0) {
         GTEST_SKIP() << "hardware filters with 8 bits between texels";
     }
     EXPECT_LT(filterError(), 1e-6);
@@ -158,7 +158,11 @@ TEST_F(SamplingTest, ARampIsReproducedAwayFromTheBorder) {
     for (auto& p : places) {
         p += glm::vec4(1.5F, 1.5F, 1.5F, 0); // 1 to 18: the four voxels along each axis are in the grid
     }
-    const double tolerance = 65535 * 2e-6 + 10 * 6 * filterError();
+    // The slope is a difference of values, each off by as much along each axis (3 + 2 + 5 from voxel to
+    // voxel), divided by the one voxel that is between their places at the least. Hardware adds 16-bit
+    // numbers up with about two bits more.
+    const double perTexel = 65535 * (test::filterError() > 0 ? 8e-6 : 2e-6);
+    const double tolerance = perTexel + 10 * 12 * filterError();
     const auto samples = sample(volume, places);
     for (std::size_t i = 0; i < places.size(); ++i) {
         EXPECT_NEAR(samples[i].w, 40 + glm::dot(glm::dvec3(places[i]), slopes), tolerance);
@@ -181,11 +185,14 @@ TEST_F(SamplingTest, WhereANonFiniteVoxelCountsNothingIsInside) {
     volume::computeRange(volume);
     const auto places = placesIn({12, 12, 12}, 4000);
     const auto samples = sample(volume, places);
+    // The outermost two of four neighbours are joined at a place that a coarse filter may take for the inner
+    // one's: where the outer one's weight, distance^3 / 6, is less than a step of the inner one's, 1/6 to 0.3.
+    const auto reach = float(1.99 - 1.6 * std::cbrt(test::filterError()));
     for (std::size_t i = 0; i < places.size(); ++i) {
         const glm::vec3 away = glm::abs(glm::vec3(places[i]) - 6.0F);
         const float farthest = std::max({away.x, away.y, away.z});
-        if (farthest < 1.99F) {
-            EXPECT_LT(samples[i].w, 0.9F) << "a voxel of no value reaches two voxels far";
+        if (farthest < reach) {
+            EXPECT_LT(samples[i].w, 0.9F) << "a voxel of no value reaches two voxels far, as at " << away.x << ' ' << away.y << ' ' << away.z;
         } else if (farthest > 2.01F) {
             EXPECT_GT(samples[i].w, 0.9F);
         }

@@ -164,6 +164,12 @@ TEST_F(MinimaTest, EveryVariantOfEveryShaderRunsOnEveryDevice) {
 }
 
 TEST_F(MinimaTest, WhatNeedsMoreIsNamed) {
+    int units = 0;
+    glGetIntegerv(GL_MAX_IMAGE_UNITS, &units);
+    if (units <= 8) {
+        GTEST_SKIP()
+            << "this device has no more than what is guaranteed, and compiles nothing that needs more";
+    }
     setenv("VOLUME_STUDIO_SHADER_DIR", VS_TEST_SHADERS, 1);
     const Needs needs = needsOf(Program("need_much.comp"), expandSource("need_much.comp", {}).text);
     unsetenv("VOLUME_STUDIO_SHADER_DIR");

@@ -170,6 +170,7 @@ TEST_F(AnalyticTest, AMipIsTheGreatestOfItsSamples) {
                 {0, 1});
     stage.darken();
     constexpr glm::ivec2 size{80, 72};
+    const double coarse = 255 * 3 * test::filterError(); // voxels from 0 to 1, three axes
     const test::CpuRays cpu(stage.volume);
     for (const Projection projection : kProjections) {
         for (const double azimuth : {0.0, 40.0, 130.0}) {
@@ -182,9 +183,9 @@ TEST_F(AnalyticTest, AMipIsTheGreatestOfItsSamples) {
                 const double off =
                     std::abs(picture.pixel(int(pixel.x), int(pixel.y))[0] - std::max(expected, 0.0));
                 sum += off;
-                beyond += off > 1.05 ? 1 : 0; // rounding and dithering to 8 bits
+                beyond += off > 1.05 + coarse ? 1 : 0; // rounding and dithering to 8 bits
             }
-            EXPECT_LT(sum / (size.x * size.y), 0.4);
+            EXPECT_LT(sum / (size.x * size.y), 0.4 + coarse);
             // Rays along an edge of the grid have a single sample, which rounding takes or leaves.
             EXPECT_LE(beyond, size.x * size.y / 500);
         }

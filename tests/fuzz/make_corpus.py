@@ -120,7 +120,7 @@ class StateFile:
     def run(self, *voxels):
         rules = {"range": [1.0, 2.0], "fenced": False, "sculptureVersion": 0, "view": 0, "connectivity": 6, "difference": [0.0, 5.0]}
         return {"playhead": len(voxels), "extent": len(voxels), "finished": True, "voxels": self.list("Q", *voxels), "rules": rules,
-                "live": False, "consistent": True, "frozen": 0, "seeds": self.list("i", 17, 1)}
+                "live": False, "consistentFrom": 0, "frozen": 0, "seeds": self.list("i", 17, 1)}
 
     def bricks(self):
         data = b"some bytes"

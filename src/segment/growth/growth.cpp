@@ -15,7 +15,7 @@ namespace vs::segment {
 
 namespace {
 
-constexpr int kNever = std::numeric_limits<int>::max();
+constexpr int kNever = GrowthState::kNever;
 
 using SeedAnswer = Frontier::SeedAnswer;
 
@@ -39,10 +39,13 @@ void Growth::setConstraints(const Constraints& constraints, GrowthUndo* undo) {
         const bool isWider = includes(constraints, state_.constraints);
         state_.constraints = constraints;
         frontier_->invalidate();
-        if (state_.isLive && !(state_.isConsistent && isWider)) {
-            retract(undo);
+        const bool staysConsistent = isWider && state_.consistentFrom <= state_.extent;
+        if (!staysConsistent) {
+            if (state_.isLive) {
+                retract(undo);
+            }
+            state_.consistentFrom = state_.extent == 0 ? 0 : state_.isLive ? state_.extent : kNever;
         }
-        state_.isConsistent = state_.isLive || state_.extent == 0 || (state_.isConsistent && isWider);
         state_.isFinished = false;
         reinstateSeeds(undo);
     }
@@ -208,10 +211,8 @@ int Growth::cutBack(std::uint64_t mostVoxels) {
     }
     const int surplus = state_.playhead - last;
     if (surplus > 0) {
-        const bool isConsistent = state_.isConsistent;
         movePlayhead(last);
         truncate(last, nullptr);
-        state_.isConsistent = isConsistent;
     }
     return surplus;
 }
@@ -288,7 +289,11 @@ void Growth::truncate(int last, GrowthUndo* undo) {
     state_.frozen = std::min(state_.frozen, last);
     state_.voxels.resize(std::size_t(last));
     state_.isFinished = false;
-    state_.isConsistent = last == 0; // what stays may have been reached by what went
+    if (last == 0) {
+        state_.consistentFrom = 0;
+    } else if (last < state_.consistentFrom) {
+        state_.consistentFrom = kNever; // what stays may have been reached by what went
+    }
     state_.seeds = std::move(stay);
 }
 
@@ -309,7 +314,7 @@ void Growth::reset(GrowthUndo* undo) {
     movePlayhead(0);
     truncate(0, undo);
     state_.seeds = std::make_shared<const std::vector<Seed>>();
-    state_.isConsistent = true;
+    state_.consistentFrom = 0;
     forbidden_ = {};
     frontier_->invalidate();
 }

@@ -37,14 +37,18 @@ struct Seed {
 
 // Everything about one segment's run but its voxels.
 struct GrowthState {
+    static constexpr int kNever = std::numeric_limits<int>::max();
+
     int playhead = 0;
     int extent = 0;
     bool isFinished = false;
     std::vector<std::uint64_t> voxels; // grown by generations 1, 2, ...; `extent` numbers
     Constraints constraints;
     bool isLive = false;
-    // Whether everything grown can be reached under the present rules; in live mode only.
-    bool isConsistent = true;
+    // From this extent on, everything grown can be reached under the present rules: each later generation by
+    // the one before it, but those up to this one perhaps by one another in another order. kNever: nobody
+    // knows; in live mode only.
+    int consistentFrom = 0;
     // Generations up to this one are what an edit or a label map gave: they do not grow, nor are they
     // retracted.
     int frozen = 0;

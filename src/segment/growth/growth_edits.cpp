@@ -79,7 +79,7 @@ int Growth::absorb(std::span<const glm::ivec3> voxels, int expansions, GrowthUnd
     passes_.join(seedMap_, forbidden_, reached);
     frontier_->invalidate();
     state_.isFinished = false;
-    state_.isConsistent = false;
+    state_.consistentFrom = GrowthState::kNever;
     return found;
 }
 

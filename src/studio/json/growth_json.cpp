@@ -75,9 +75,16 @@ Json writeRun(StateWriter& file, const GrowthState& run) {
             {"voxels", file.list(run.voxels)},
             {"rules", writeRules(run.constraints)},
             {"live", run.isLive},
-            {"consistent", run.isConsistent},
+            {"consistentFrom", run.consistentFrom == GrowthState::kNever ? -1 : run.consistentFrom},
             {"frozen", run.frozen},
             {"seeds", file.shared(run.seeds)}};
+}
+
+// Earlier programs wrote whether all that had grown by then could be reached.
+int readConsistentFrom(const JsonReader& from, int extent) {
+    const long first = from.has("consistent") ? (from.member("consistent").boolean() ? extent : -1)
+                                              : from.member("consistentFrom").integerBetween(-1, extent);
+    return first < 0 ? GrowthState::kNever : int(first);
 }
 
 GrowthState readRun(StateReader& file, const JsonReader& from, glm::ivec3 dims) {
@@ -91,7 +98,7 @@ GrowthState readRun(StateReader& file, const JsonReader& from, glm::ivec3 dims) 
     }
     run.constraints = readRules(from.member("rules"));
     run.isLive = from.member("live").boolean();
-    run.isConsistent = from.member("consistent").boolean();
+    run.consistentFrom = readConsistentFrom(from, run.extent);
     run.frozen = int(from.member("frozen").integerBetween(0, kMostGenerations));
     // A seed can be named again and again, but hardly more often than there are voxels.
     run.seeds = file.shared<segment::Seed>(from.member("seeds"), 2 * voxelsOf(dims));

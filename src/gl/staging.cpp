@@ -20,7 +20,6 @@ namespace vs::gl {
 
 namespace {
 
-constexpr std::size_t kWindowBytes = std::size_t(8) << 20;
 constexpr std::size_t kAlignment = 16;
 
 Staging& staging() {
@@ -58,6 +57,25 @@ std::size_t placeIn(Staging::Window& window) {
     return window.used;
 }
 
+Staging::Window& windowToRead() {
+    Staging::Window& window = staging().out;
+    if (window.name == 0) {
+        make(window, GL_MAP_READ_BIT);
+    }
+    return window;
+}
+
+void setUsed(Staging::Window& window, std::size_t end) {
+    window.used = std::min(kWindowBytes, (end + kAlignment - 1) / kAlignment * kAlignment);
+}
+
+void withPixelBuffer(GLenum target, const Staging::Window& window, std::size_t at,
+                     const PixelTransfer& transfer) {
+    glBindBuffer(target, window.name);
+    transfer(reinterpret_cast<void*>(at)); // NOLINT(performance-no-int-to-ptr): OpenGL's way to say an offset
+    glBindBuffer(target, 0);
+}
+
 // Of the current context, made when it is first needed. No gl::Program: that must go while its context is
 // current, and tells whoever watches hazards of dispatches that Buffer has told of already.
 GLuint fillProgram() {
@@ -85,17 +103,14 @@ void writeStaged(unsigned int buffer, std::size_t offset, std::span<const std::b
         std::memcpy(window.bytes + at, part.data(), part.size());
         glCopyNamedBufferSubData(window.name, buffer, GLintptr(at), GLintptr(offset),
                                  GLsizeiptr(part.size()));
-        window.used = std::min(kWindowBytes, (at + part.size() + kAlignment - 1) / kAlignment * kAlignment);
+        setUsed(window, at + part.size());
         offset += part.size();
         bytes = bytes.subspan(part.size());
     }
 }
 
 void readStaged(unsigned int buffer, std::size_t offset, std::span<std::byte> bytes) {
-    Staging::Window& window = staging().out;
-    if (window.name == 0) {
-        make(window, GL_MAP_READ_BIT);
-    }
+    Staging::Window& window = windowToRead();
     while (!bytes.empty()) {
         const auto part = bytes.first(std::min(kWindowBytes, bytes.size()));
         glCopyNamedBufferSubData(buffer, window.name, GLintptr(offset), 0, GLsizeiptr(part.size()));
@@ -104,6 +119,26 @@ void readStaged(unsigned int buffer, std::size_t offset, std::span<std::byte> by
         offset += part.size();
         bytes = bytes.subspan(part.size());
     }
+}
+
+void writeStaged(std::span<const std::byte> texels, const PixelTransfer& transfer) {
+    VS_CHECK(texels.size() <= kWindowBytes);
+    Staging::Window& window = staging().in;
+    if (placeIn(window) + texels.size() > kWindowBytes) {
+        window.used = kWindowBytes; // what is left of it is too little
+    }
+    const std::size_t at = placeIn(window);
+    std::memcpy(window.bytes + at, texels.data(), texels.size());
+    withPixelBuffer(GL_PIXEL_UNPACK_BUFFER, window, at, transfer);
+    setUsed(window, at + texels.size());
+}
+
+void readStaged(std::span<std::byte> texels, const PixelTransfer& transfer) {
+    VS_CHECK(texels.size() <= kWindowBytes);
+    Staging::Window& window = windowToRead();
+    withPixelBuffer(GL_PIXEL_PACK_BUFFER, window, 0, transfer);
+    glFinish();
+    std::memcpy(texels.data(), window.bytes, texels.size());
 }
 
 void clearByDispatch(unsigned int buffer, std::size_t offset, std::size_t sizeBytes) {

@@ -2,10 +2,11 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 #include <span>
 
-// How bytes come to buffers that only the device can reach, and back. Internal to this folder; others call
-// Buffer::write() and Buffer::read().
+// How bytes come to buffers and textures that only the device can reach, and back. Internal to this folder;
+// others call Buffer::write() and Buffer::read(), Texture::upload() and Texture::download().
 namespace vs::gl {
 
 // Whether new buffers are made out of the host's reach: on hardware, where a driver may keep a second copy of
@@ -31,6 +32,15 @@ struct Staging {
 // for what host and device share.
 void writeStaged(unsigned int buffer, std::size_t offset, std::span<const std::byte> bytes);
 void readStaged(unsigned int buffer, std::size_t offset, std::span<std::byte> bytes); // waits for the device
+
+// What a window holds at the most.
+inline constexpr std::size_t kWindowBytes = std::size_t(8) << 20;
+
+// Likewise for what goes to or comes from a texture's texels, of kWindowBytes at the most: `transfer` is
+// called with the window bound as GL's pixel buffer, and with the place in it that stands for a pointer.
+using PixelTransfer = std::function<void(void* place)>;
+void writeStaged(std::span<const std::byte> texels, const PixelTransfer& transfer);
+void readStaged(std::span<std::byte> texels, const PixelTransfer& transfer); // waits for the device
 
 // Sets bytes to zero by a dispatch with barriers around it; both numbers are multiples of 4.
 void clearByDispatch(unsigned int buffer, std::size_t offset, std::size_t sizeBytes);

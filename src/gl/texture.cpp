@@ -6,8 +6,11 @@
 #include "gl/errors.h"
 #include "gl/hazard_watch.h"
 #include "gl/limits.h"
+#include "gl/staging.h"
 
 #include <epoxy/gl.h>
+
+#include <algorithm>
 
 namespace vs::gl {
 
@@ -65,6 +68,26 @@ FormatInfo info(Format format) {
     return {GL_RGBA32F, GL_RGBA, GL_FLOAT, 16};
 }
 
+// Calls `work` with parts of a box of `most` bytes each at the most, whole slices or rows of one, and the
+// byte at which each begins among the box's texels.
+template <class Work>
+void forEachPart(const Box3& box, std::size_t most, std::size_t texelBytes, const Work& work) {
+    const glm::ivec3 size = box.size();
+    const std::size_t row = std::size_t(std::max(size.x, 1)) * texelBytes;
+    const std::size_t slice = row * std::size_t(std::max(size.y, 1));
+    const int slices = int(std::clamp<std::size_t>(most / slice, 1, std::size_t(std::max(size.z, 1))));
+    const int rows = int(std::clamp<std::size_t>(most / row, 1, std::size_t(std::max(size.y, 1))));
+    std::size_t at = 0;
+    for (int z = box.lo.z; z < box.hi.z; z += slices) {
+        for (int y = box.lo.y; y < box.hi.y; y += rows) {
+            const Box3 part{{box.lo.x, y, z},
+                            {box.hi.x, std::min(y + rows, box.hi.y), std::min(z + slices, box.hi.z)}};
+            work(part, at);
+            at += part.volume() * texelBytes;
+        }
+    }
+}
+
 } // namespace
 
 std::size_t bytesPerTexel(Format format) { return info(format).bytes; }
@@ -107,6 +130,7 @@ Texture Texture::pyramid(glm::ivec3 size, Format format, int levels, const std::
 }
 
 void Texture::create(const std::string& label, Filter filter) {
+    isStaged_ = areTransfersStaged();
     const int limit = is3D_ ? limits().texture3D : limits().texture2D;
     const char* remedy =
         is3D_ ? "use a smaller volume, as vstudio reduce makes, or another device" : "use a smaller picture";
@@ -145,21 +169,31 @@ void Texture::create(const std::string& label, Filter filter) {
 void Texture::upload(const Box3& box, std::span<const std::byte> texels) {
     VS_CHECK_EQ(texels.size(), box.volume() * bytesPerTexel(format_));
     const FormatInfo f = info(format_);
-    const glm::ivec3 s = box.size();
     glPixelStorei(GL_UNPACK_ALIGNMENT, 1);
     memoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
     noteTextureCommand("Texture::upload", name(), Does::Write);
-    if (is3D_) {
-        glTextureSubImage3D(name(), 0, box.lo.x, box.lo.y, box.lo.z, s.x, s.y, s.z, f.layout, f.type,
-                            texels.data());
-    } else {
-        glTextureSubImage2D(name(), 0, box.lo.x, box.lo.y, s.x, s.y, f.layout, f.type, texels.data());
-    }
+    forEachPart(
+        box, isStaged_ ? kWindowBytes : texels.size(), f.bytes, [&](const Box3& part, std::size_t at) {
+            const glm::ivec3 s = part.size();
+            const auto bytes = texels.subspan(at, part.volume() * f.bytes);
+            const auto give = [&](const void* from) {
+                if (is3D_) {
+                    glTextureSubImage3D(name(), 0, part.lo.x, part.lo.y, part.lo.z, s.x, s.y, s.z, f.layout,
+                                        f.type, from);
+                } else {
+                    glTextureSubImage2D(name(), 0, part.lo.x, part.lo.y, s.x, s.y, f.layout, f.type, from);
+                }
+            };
+            if (isStaged_) {
+                writeStaged(bytes, give);
+            } else {
+                give(bytes.data());
+            }
+        });
 }
 
 std::vector<std::byte> Texture::download(const Box3& box, int level) const {
     const FormatInfo f = info(format_);
-    const glm::ivec3 s = box.size();
     std::vector<std::byte> texels(box.volume() * f.bytes);
     if (texels.empty()) {
         return texels;
@@ -168,8 +202,20 @@ std::vector<std::byte> Texture::download(const Box3& box, int level) const {
     // Image stores must be visible to the read-back.
     memoryBarrier(GL_TEXTURE_UPDATE_BARRIER_BIT);
     noteTextureCommand("Texture::download", name(), Does::Read);
-    glGetTextureSubImage(name(), level, box.lo.x, box.lo.y, box.lo.z, s.x, s.y, s.z, f.layout, f.type,
-                         GLsizei(texels.size()), texels.data());
+    forEachPart(box, isStaged_ ? kWindowBytes : texels.size(), f.bytes,
+                [&](const Box3& part, std::size_t at) {
+                    const glm::ivec3 s = part.size();
+                    const auto bytes = std::span(texels).subspan(at, part.volume() * f.bytes);
+                    const auto take = [&](void* to) {
+                        glGetTextureSubImage(name(), level, part.lo.x, part.lo.y, part.lo.z, s.x, s.y, s.z,
+                                             f.layout, f.type, GLsizei(bytes.size()), to);
+                    };
+                    if (isStaged_) {
+                        readStaged(bytes, take);
+                    } else {
+                        take(bytes.data());
+                    }
+                });
     return texels;
 }
 

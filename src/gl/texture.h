@@ -92,6 +92,7 @@ private:
     Format format_ = Format::R8;
     bool is3D_ = true;
     int levels_ = 1;
+    bool isStaged_ = false; // texels come and go by a window that host and device share (gl/staging.h)
 };
 
 } // namespace vs::gl

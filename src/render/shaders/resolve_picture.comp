@@ -38,14 +38,17 @@ float samplesAt(int place) {
     return float(progress.x + (hasMore ? 1 : 0));
 }
 
-// Almost half a step of the display's 8 bits either way, the same for each pixel each time: dark gradients do
-// not band, and what is quite white stays so where a device rounds a little otherwise.
+// Half a step of the display's 8 bits either way, the same for each pixel each time: dark gradients do not
+// band.
 float dither(ivec2 pixel) {
     // Interleaved gradient noise (Jimenez 2014, "Next generation post processing in Call of Duty: Advanced
     // Warfare").
     float noise = fract(52.9829189 * fract(dot(vec2(pixel), vec2(0.06711056, 0.00583715))));
-    return (noise - 0.5) * 0.998 / 255.0;
+    return (noise - 0.5) / 255.0;
 }
+
+// What an image of 8 bits holds exactly, so that every device stores it alike; what is quite white stays so.
+vec4 asStored(vec4 colour) { return floor(clamp(colour, 0.0, 1.0) * 255.0 + 0.5001) / 255.0; }
 
 vec3 shownColour(vec3 accumulated) { return isInverted != 0 ? 1.0 - accumulated : accumulated; }
 
@@ -64,9 +67,9 @@ void main() {
     }
     if (isTransparent != 0) {
         vec3 colour = sum.a > 0.0 ? shownColour(sum.rgb / sum.a) + dither(pixel) : vec3(0.0);
-        imageStore(picture, pixel, vec4(colour, sum.a / samples));
+        imageStore(picture, pixel, asStored(vec4(colour, sum.a / samples)));
     } else {
         float offset = isFlat != 0 && sum.a == 0.0 ? 0.0 : dither(pixel);
-        imageStore(picture, pixel, vec4(shownColour(sum.rgb / samples) + offset, 1.0));
+        imageStore(picture, pixel, asStored(vec4(shownColour(sum.rgb / samples) + offset, 1.0)));
     }
 }

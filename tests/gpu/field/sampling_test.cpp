@@ -185,15 +185,20 @@ TEST_F(SamplingTest, WhereANonFiniteVoxelCountsNothingIsInside) {
     volume::computeRange(volume);
     const auto places = placesIn({12, 12, 12}, 4000);
     const auto samples = sample(volume, places);
-    // The outermost two of four neighbours are joined at a place that a coarse filter may take for the inner
-    // one's: where the outer one's weight, distance^3 / 6, is less than a step of the inner one's, 1/6 to 0.3.
-    const auto reach = float(1.99 - 1.6 * std::cbrt(test::filterError()));
+    // Of two neighbours that are joined in one fetch, the part that the one d voxels away has. A fetch gives
+    // the voxel the product of the three; where that is about as little as a coarse filter's step, none of
+    // it.
+    const auto weight = [](double d) {
+        return d > 1 ? std::pow(std::max(2 - d, 0.0), 3) / 6 : 2.0 / 3 - 0.5 * d * d * (2 - d);
+    };
+    const auto part = [&](double d) { return d > 1 ? weight(d) / (weight(d) + weight(d - 1)) : 0.5; };
+    const double seen = std::max(4 * test::filterError(), 1e-7);
     for (std::size_t i = 0; i < places.size(); ++i) {
-        const glm::vec3 away = glm::abs(glm::vec3(places[i]) - 6.0F);
-        const float farthest = std::max({away.x, away.y, away.z});
-        if (farthest < reach) {
-            EXPECT_LT(samples[i].w, 0.9F) << "a voxel of no value reaches two voxels far, as at " << away.x << ' ' << away.y << ' ' << away.z;
-        } else if (farthest > 2.01F) {
+        const glm::dvec3 away = glm::abs(glm::dvec3(places[i]) - 6.0);
+        if (part(away.x) * part(away.y) * part(away.z) > seen) {
+            EXPECT_LT(samples[i].w, 0.9F) << "a voxel of no value reaches two voxels far, as at " << away.x
+                                          << ' ' << away.y << ' ' << away.z;
+        } else if (std::max({away.x, away.y, away.z}) > 2.01) {
             EXPECT_GT(samples[i].w, 0.9F);
         }
     }

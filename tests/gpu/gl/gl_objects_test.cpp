@@ -14,6 +14,7 @@
 #include <functional>
 #include <numeric>
 #include <optional>
+#include <random>
 
 namespace vs::gl {
 namespace {
@@ -86,6 +87,28 @@ TEST_F(GlObjectsTest, BuffersThatOnlyTheDeviceReachesGiveBackTheirBytes) {
     EXPECT_EQ(buffer.read<std::uint32_t>(1000, 16), std::vector<std::uint32_t>(1000, 0));
     EXPECT_EQ(buffer.readValue<std::uint32_t>(4016), 1005U);
     EXPECT_EQ(buffer.readValue<std::uint32_t>((size - 1) * sizeof(std::uint32_t)), 0U);
+}
+
+// Parts of slices, whole slices and several of them, to and from anywhere in a texture.
+TEST_F(GlObjectsTest, TexturesThatOnlyTheDeviceReachesGiveBackTheirTexels) {
+    setenv("VOLUME_STUDIO_TRANSFERS", "staged", 1);
+    Texture texture(glm::ivec3(1500, 1500, 5), Format::R32UI, Filter::Nearest, "test"); // slices of 9 MB
+    Texture picture(glm::ivec2(700, 300), Format::R32F, Filter::Nearest, "test");
+    unsetenv("VOLUME_STUDIO_TRANSFERS");
+    std::mt19937 random(5);
+    for (const Box3& box : {Box3{{0, 0, 0}, {1500, 1500, 5}}, Box3{{7, 3, 1}, {1400, 1401, 4}},
+                            Box3{{700, 20, 0}, {900, 70, 5}}, Box3{{1499, 1499, 4}, {1500, 1500, 5}}}) {
+        std::vector<std::uint32_t> values(box.volume());
+        std::generate(values.begin(), values.end(), std::ref(random));
+        const auto bytes = std::as_bytes(std::span(values));
+        texture.upload(box, bytes);
+        const auto back = texture.download(box);
+        EXPECT_TRUE(std::equal(back.begin(), back.end(), bytes.begin(), bytes.end()));
+    }
+    std::vector<float> values(std::size_t(700) * 300);
+    std::iota(values.begin(), values.end(), 1.0F);
+    picture.upload({{0, 0, 0}, {700, 300, 1}}, std::as_bytes(std::span(values)));
+    EXPECT_EQ(picture.downloadAll<float>(), values);
 }
 
 // Growth, for one, clears a plane between two dispatches that use the same bindings.

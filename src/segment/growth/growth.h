@@ -47,7 +47,8 @@ struct GrowthState {
     bool isLive = false;
     // From this extent on, everything grown can be reached under the present rules: each later generation by
     // the one before it, but those up to this one perhaps by one another in another order. kNever: nobody
-    // knows; in live mode only.
+    // knows. In live mode only, which it spares looking through everything: a segment is the same whether or
+    // not this is known.
     int consistentFrom = 0;
     // Generations up to this one are what an edit or a label map gave: they do not grow, nor are they
     // retracted.

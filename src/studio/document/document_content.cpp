@@ -114,6 +114,7 @@ bool areAlike(const std::map<std::uint8_t, segment::GrowthState>& one,
         segment::GrowthState run = b.second;
         const bool areSeedsAlike = *a.second.seeds == *run.seeds;
         run.seeds = a.second.seeds;
+        run.consistentFrom = a.second.consistentFrom; // what is known about it, and nothing of its own
         return a.first == b.first && areSeedsAlike && a.second == run;
     });
 }

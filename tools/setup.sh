@@ -10,7 +10,7 @@ PACKAGES=(
   libinsighttoolkit5-dev libgdcm-dev libfftw3-dev libexpat1-dev libeigen3-dev zlib1g-dev
   qt6-base-dev libqt6opengl6-dev qt6-svg-dev qt6-qpa-plugins qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools qt6-translations-l10n
   libepoxy-dev libegl-dev libgl1-mesa-dri libegl-mesa0 libegl1 libgl1 libglx-mesa0
-  libglm-dev libfmt-dev nlohmann-json3-dev libcli11-dev libzstd-dev libpng-dev
+  libglm-dev libfmt-dev nlohmann-json3-dev libcli11-dev libzstd-dev libblosc-dev libpng-dev
   libseccomp-dev
   libcairo2-dev fonts-dejavu-core
   libvtk9-dev libdcmtk-dev
@@ -18,7 +18,7 @@ PACKAGES=(
   ffmpeg
 )
 # To test: a display without a screen, a hand on the mouse, and the checkers.
-TEST_PACKAGES=(libgtest-dev librapidcheck-dev libxcb1-dev python3 python3-pydicom python3-nibabel teem-apps git xvfb xdotool glslang-tools spirv-tools clang-format-14 clang-tidy-14 clang-14 libclang-rt-14-dev dpkg-dev file
+TEST_PACKAGES=(libgtest-dev librapidcheck-dev libxcb1-dev python3 python3-pydicom python3-nibabel python3-zarr teem-apps git xvfb xdotool glslang-tools spirv-tools clang-format-14 clang-tidy-14 clang-14 libclang-rt-14-dev dpkg-dev file
   desktop-file-utils appstream dbus-daemon)
 
 say() { printf '== %s\n' "$*"; }

@@ -36,6 +36,7 @@ int run(int argc, char** argv) {
     vs::cli::addRunCommand(app);
     vs::cli::addRecoverCommand(app);
     vs::cli::addReduceCommand(app);
+    vs::cli::addConvertCommand(app);
     vs::cli::addCheckCommand(app);
     vs::cli::addGrowCommand(app);
     vs::cli::addHistogramCommand(app);

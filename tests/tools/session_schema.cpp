@@ -30,7 +30,9 @@ Json volumeSchema(Json& definitions) {
                               {"checksum", text},
                               {"raw", text},
                               {"series", text},
-                              {"frame", {{"type", "integer"}, {"minimum", 0}}}},
+                              {"frame", {{"type", "integer"}, {"minimum", 0}}},
+                              {"level", {{"type", "integer"}, {"minimum", 0}}},
+                              {"channel", {{"type", "integer"}, {"minimum", 0}}}},
                              Json::array({"path"}));
     Json dims = coordinates({{"type", "integer"}, {"minimum", 1}, {"maximum", 1024}});
     dims["description"] = "voxels of a volume made from nothing";

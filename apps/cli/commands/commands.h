@@ -10,6 +10,7 @@ namespace vs::cli {
 void addInfoCommand(CLI::App& app);
 void addRecoverCommand(CLI::App& app);
 void addReduceCommand(CLI::App& app);
+void addConvertCommand(CLI::App& app);
 void addRenderCommand(CLI::App& app);
 void addRunCommand(CLI::App& app);
 void addCheckCommand(CLI::App& app);

@@ -95,6 +95,8 @@ Input readSession(const ExportOptions& options) {
             input.source.reading.series = session.series;
         }
         input.source.reading.frame = session.frame;
+        input.source.reading.level = session.level;
+        input.source.reading.channel = session.channel;
     } else {
         input.source.reading = readOptions(options.volume);
     }
@@ -233,7 +235,7 @@ void addExportCommand(CLI::App& app) {
                         "With --what volume: the value where it was cut; without, its least value");
     command->add_option("--volume", options->volume.path,
                         "The volume that a label map lies on; of a session, to be used instead of its own");
-    addReadOptions(*command, options->volume);
+    addReadOptions(*command, options->volume, "--store-level"); // --level is a value here
     command->callback([options] { runExport(*options); });
 }
 

@@ -147,6 +147,8 @@ studio::Session sourceOf(const studio::Session& session, const RunOptions& optio
     }
     source.series = used.series.value_or("");
     source.frame = used.frame;
+    source.level = used.level;
+    source.channel = used.channel;
     return source;
 }
 

@@ -48,6 +48,8 @@ void load(Loaded& result) {
         }
         result.session->series = used.series.value_or("");
         result.session->frame = used.frame;
+        result.session->level = used.level;
+        result.session->channel = used.channel;
         if (!request.stateTrouble.empty()) {
             result.notices.push_back(request.session.string() + ": its state cannot be used (" +
                                      request.stateTrouble + "); everything is done again");
@@ -64,6 +66,8 @@ void load(Loaded& result) {
         options.series = request.series;
     }
     options.frame = request.frame;
+    options.level = request.level;
+    options.channel = request.channel;
     auto read = volume::readVolume(request.volume, options);
     result.volume = std::move(read.volume);
     result.notices = std::move(read.notices);

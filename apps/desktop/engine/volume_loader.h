@@ -30,6 +30,8 @@ struct OpenRequest {
     std::string rawLayout;
     std::string series;
     std::optional<int> frame;
+    std::optional<int> level = {};   // of a store of OME-Zarr
+    std::optional<int> channel = {}; // likewise
     std::filesystem::path journal = {};
     std::optional<NewBlock> block = {};
     std::optional<phantom::Recipe> phantom = {}; // what a session's volume was made by

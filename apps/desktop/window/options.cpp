@@ -8,7 +8,27 @@
 #include <QCommandLineParser>
 #include <QCoreApplication>
 
+#include <optional>
+
 namespace vs::desktop {
+
+namespace {
+
+// A number from 0 on; nothing where the option is not given.
+std::optional<int> countOf(const QCommandLineParser& parser, const QCommandLineOption& option) {
+    if (!parser.isSet(option)) {
+        return {};
+    }
+    bool isNumber = false;
+    const int count = parser.value(option).toInt(&isNumber);
+    if (!isNumber) {
+        throw UsageError("--{} {} is not a number; give 0, 1 ...", option.names().first().toStdString(),
+                         parser.value(option).toStdString());
+    }
+    return count;
+}
+
+} // namespace
 
 Options parseOptions(const QCoreApplication& application) {
     QCommandLineParser parser;
@@ -23,6 +43,8 @@ Options parseOptions(const QCoreApplication& application) {
     const QCommandLineOption series("series", tr("Which DICOM series of a folder: its UID or its number."),
                                     "SERIES");
     const QCommandLineOption frame("frame", tr("Which volume of a 4D file, counted from 0."), "N");
+    const QCommandLineOption level("level", tr("Which level of a store of OME-Zarr; 0 is the finest."), "N");
+    const QCommandLineOption channel("channel", tr("Which channel of a store, counted from 0."), "N");
     const QCommandLineOption layout(
         "layout-file",
         tr("For tests and automation: keep PATH up to date with a JSON object of the program's state "
@@ -39,7 +61,7 @@ Options parseOptions(const QCoreApplication& application) {
            "else for "
            "more than 40 ms (\"blocks\"), in milliseconds."),
         "PATH");
-    parser.addOptions({session, raw, series, frame, layout, timings});
+    parser.addOptions({session, raw, series, frame, level, channel, layout, timings});
     parser.process(application);
 
     Options options;
@@ -58,13 +80,9 @@ Options parseOptions(const QCoreApplication& application) {
     }
     options.open.rawLayout = parser.value(raw).toStdString();
     options.open.series = parser.value(series).toStdString();
-    if (parser.isSet(frame)) {
-        bool isNumber = false;
-        options.open.frame = parser.value(frame).toInt(&isNumber);
-        if (!isNumber) {
-            throw UsageError("--frame {} is not a number; give 0, 1 ...", parser.value(frame).toStdString());
-        }
-    }
+    options.open.frame = countOf(parser, frame);
+    options.open.level = countOf(parser, level);
+    options.open.channel = countOf(parser, channel);
     options.layoutFile = pathOf(parser.value(layout));
     options.timingsFile = pathOf(parser.value(timings));
     return options;

@@ -100,7 +100,7 @@ void readVolume(const JsonReader& reader, Session& session) {
         reader.ifHas("checksum", [&](const JsonReader& r) { session.volumeChecksum = r.text(); });
         return;
     }
-    reader.allow({"path", "checksum", "raw", "series", "frame"});
+    reader.allow({"path", "checksum", "raw", "series", "frame", "level", "channel"});
     session.volumePath = reader.member("path").fileName();
     reader.ifHas("checksum", [&](const JsonReader& r) { session.volumeChecksum = r.text(); });
     reader.ifHas("raw", [&](const JsonReader& r) {
@@ -108,7 +108,12 @@ void readVolume(const JsonReader& reader, Session& session) {
         session.rawLayout = r.text();
     });
     reader.ifHas("series", [&](const JsonReader& r) { session.series = r.text(); });
-    reader.ifHas("frame", [&](const JsonReader& r) { session.frame = int(r.integerBetween(0, 1 << 20)); });
+    const auto readCount = [&](const char* key, std::optional<int>& count) {
+        reader.ifHas(key, [&](const JsonReader& r) { count = int(r.integerBetween(0, 1 << 20)); });
+    };
+    readCount("frame", session.frame);
+    readCount("level", session.level);
+    readCount("channel", session.channel);
 }
 
 sculpt::Precision readPrecision(const JsonReader& reader) {
@@ -137,9 +142,14 @@ Json volumeToJson(const Session& session, const std::filesystem::path& path) {
     addText("checksum", session.volumeChecksum);
     addText("raw", session.rawLayout);
     addText("series", session.series);
-    if (session.frame) {
-        volume["frame"] = *session.frame;
-    }
+    const auto addCount = [&volume](const char* key, std::optional<int> count) {
+        if (count) {
+            volume[key] = *count;
+        }
+    };
+    addCount("frame", session.frame);
+    addCount("level", session.level);
+    addCount("channel", session.channel);
     return volume;
 }
 

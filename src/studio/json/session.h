@@ -38,6 +38,8 @@ struct Session {
     std::string rawLayout;            // set for headerless files
     std::string series;               // set when a DICOM series was chosen
     std::optional<int> frame;
+    std::optional<int> level;   // of a store of OME-Zarr
+    std::optional<int> channel; // likewise
     sculpt::Precision precision = sculpt::Precision::Bits16; // of the sculpture
     std::vector<Operation> operations;
     // The checksum of the state that was saved beside the file (studio/json/session_state.h), and that of the
@@ -62,7 +64,7 @@ std::string operationsChecksum(const std::filesystem::path& path, const Session&
 void saveSession(const std::filesystem::path& path, const Session& session);
 
 // The session of a document as it is now: its log, ended by its current view. `source` says where the volume
-// came from (path, layout, series, frame); its operations are ignored.
+// came from (path, layout, series, frame, level, channel); its operations are ignored.
 Session sessionOf(const Document& document, const Session& source);
 
 // A session's volume is not where the session says, and was not found elsewhere.

@@ -17,7 +17,8 @@ namespace {
 // fits, and is left out of `options` where it does not.
 volume::ReadResult readInstead(const std::filesystem::path& path, volume::ReadOptions& options,
                                const volume::ReadOptions& overrides) {
-    const bool tellsMore = options.series != overrides.series || options.frame != overrides.frame;
+    const bool tellsMore = options.series != overrides.series || options.frame != overrides.frame ||
+                           options.level != overrides.level || options.channel != overrides.channel;
     if (tellsMore) {
         try {
             return volume::readVolume(path, options);
@@ -27,10 +28,13 @@ volume::ReadResult readInstead(const std::filesystem::path& path, volume::ReadOp
     }
     options.series = overrides.series;
     options.frame = overrides.frame;
+    options.level = overrides.level;
+    options.channel = overrides.channel;
     auto result = volume::readVolume(path, options);
     if (tellsMore) {
         result.notices.push_back(
-            fmt::format("{}: the session's series or frame does not fit it and is left out", path.string()));
+            fmt::format("{}: the session's series, frame, level or channel does not fit it and is left out",
+                        path.string()));
     }
     return result;
 }
@@ -66,9 +70,12 @@ volume::ReadOptions optionsFor(const Session& session, const volume::ReadOptions
     if (!options.series && !session.series.empty()) {
         options.series = session.series;
     }
-    if (!options.frame) {
-        options.frame = session.frame;
-    }
+    const auto takeIfNone = [](std::optional<int>& chosen, std::optional<int> said) {
+        chosen = chosen ? chosen : said;
+    };
+    takeIfNone(options.frame, session.frame);
+    takeIfNone(options.level, session.level);
+    takeIfNone(options.channel, session.channel);
     return options;
 }
 
@@ -147,7 +154,8 @@ volume::Volume openVolume(const Session& session, const std::filesystem::path& s
     }();
     notices.insert(notices.end(), result.notices.begin(), result.notices.end());
     if (!isTheOne(session, result.volume)) {
-        if (!replacement && !overrides.raw && !overrides.series && !overrides.frame) {
+        if (!replacement && !overrides.raw && !overrides.series && !overrides.frame && !overrides.level &&
+            !overrides.channel) {
             throw SessionError(
                 "{}: its volume {} is not the one the session was made with (checksum {}, not {}); give "
                 "the right file with --volume",

@@ -69,6 +69,19 @@ void reduceSlice(const T* from, glm::ivec3 dims, glm::ivec3 by, Reducing how, in
     }
 }
 
+// Fills in the values of a grid of `size` voxels, on so many threads.
+void reduceAll(const Volume& volume, glm::ivec3 by, Reducing how, glm::ivec3 size, int threads,
+               std::vector<std::byte>& bytes) {
+    bytes.resize(Box3{glm::ivec3(0), size}.volume() * sizeOf(volume.type));
+    visit(volume, [&]<typename T>(const T* from) {
+        T* to = reinterpret_cast<T*>(bytes.data());
+        inParallel(size.z, threads, [&](int k) {
+            reduceSlice(from, volume.geometry.dims, by, how, k, size,
+                        to + std::size_t(k) * std::size_t(size.x) * std::size_t(size.y));
+        });
+    });
+}
+
 } // namespace
 
 Volume reduced(const Volume& volume, glm::ivec3 by, Reducing how) {
@@ -82,17 +95,15 @@ Volume reduced(const Volume& volume, glm::ivec3 by, Reducing how) {
     result.geometry.dims = (dims + by - 1) / by;
     result.geometry.worldFromVoxel =
         glm::scale(glm::translate(volume.geometry.worldFromVoxel, 0.5 * glm::dvec3(by - 1)), glm::dvec3(by));
-    result.bytes.resize(result.geometry.voxelCount() * sizeOf(result.type));
-    const glm::ivec2 size(result.geometry.dims);
-    visit(volume, [&]<typename T>(const T* from) {
-        T* to = reinterpret_cast<T*>(result.bytes.data());
-        inParallel(result.geometry.dims.z, [&](int k) {
-            reduceSlice(from, dims, by, how, k, size,
-                        to + std::size_t(k) * std::size_t(size.x) * std::size_t(size.y));
-        });
-    });
+    reduceAll(volume, by, how, result.geometry.dims, processorCount(), result.bytes);
     computeRange(result);
     return result;
+}
+
+std::vector<std::byte> reducedValues(const Volume& volume, glm::ivec3 by, Reducing how) {
+    std::vector<std::byte> bytes;
+    reduceAll(volume, by, how, (volume.geometry.dims + by - 1) / by, 1, bytes);
+    return bytes;
 }
 
 } // namespace vs::volume

@@ -55,6 +55,9 @@ ReadResult readFormat(const std::filesystem::path& path, const ReadOptions& opti
         if (options.raw) {
             refuse(path, "it is a folder", "--raw describes one file");
         }
+        if (isStore(path)) {
+            return readStore(path, options);
+        }
         return readDicom(path, options);
     }
     if (!std::filesystem::is_regular_file(status)) {
@@ -62,6 +65,9 @@ ReadResult readFormat(const std::filesystem::path& path, const ReadOptions& opti
     }
     if (!std::ifstream(path).good()) {
         refuse(path, "it cannot be opened", "check its permissions");
+    }
+    if (options.level || options.channel) {
+        refuse(path, "it is one file", "--level and --channel are for stores of OME-Zarr");
     }
     if (options.raw) {
         return readRaw(path, *options.raw);

@@ -16,5 +16,11 @@ Format recognise(const std::filesystem::path& path);
 ReadResult readRaw(const std::filesystem::path& path, const RawLayout& layout);
 // `path` is a folder or one of its files.
 ReadResult readDicom(const std::filesystem::path& path, const ReadOptions& options);
+// One level of a store of OME-Zarr 0.4: `level` of the options, the finest without; `channel`, and `frame` of
+// time, where there are several.
+ReadResult readStore(const std::filesystem::path& path, const ReadOptions& options);
+
+// Whether a folder is a store of Zarr: whatever else is wrong with it, it is to be read as one.
+bool isStore(const std::filesystem::path& path);
 
 } // namespace vs::volume

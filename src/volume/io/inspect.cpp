@@ -29,6 +29,12 @@ void announcePromised(std::uint64_t bytes) {
     }
 }
 
+void announceStored(std::uint64_t bytes) {
+    if (sizeListener().stored) {
+        sizeListener().stored(bytes);
+    }
+}
+
 void refuse(const std::filesystem::path& path, std::string_view wrong, std::string_view right) {
     throw ReadError("{}: {}; {}", path.string(), wrong, right);
 }

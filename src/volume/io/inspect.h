@@ -79,6 +79,7 @@ struct SizeListener {
 };
 void listenToSizes(SizeListener listener);
 void announcePromised(std::uint64_t bytes);
+void announceStored(std::uint64_t bytes);
 // The product of sizes and bytesPerVoxel. Refuses sizes below 1, products that overflow or exceed the
 // machine's memory.
 std::uint64_t checkedBytes(const std::filesystem::path& path, const std::vector<std::int64_t>& sizes,

@@ -32,6 +32,8 @@ struct ReadOptions {
     std::optional<std::string>
         series;               // which DICOM series of a folder: its UID or its number in the list of choices
     std::optional<int> frame; // which volume of a 4D file, counted from 0
+    std::optional<int> level; // of a store of OME-Zarr: 0 is the finest, which is read without
+    std::optional<int> channel; // of a store that has several
 };
 
 struct ReadResult {

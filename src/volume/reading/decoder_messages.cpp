@@ -55,7 +55,10 @@ std::optional<int> optionalWholeOf(const Json& json) {
 }
 
 Json packed(const ReadOptions& options) {
-    Json json{{"series", packed(options.series)}, {"frame", packed(options.frame)}};
+    Json json{{"series", packed(options.series)},
+              {"frame", packed(options.frame)},
+              {"level", packed(options.level)},
+              {"channel", packed(options.channel)}};
     if (options.raw) {
         json["raw"] = {{"dims", packed(options.raw->dims)},
                        {"type", int(options.raw->type)},
@@ -77,6 +80,8 @@ ReadOptions optionsOf(const Json& json) {
     ReadOptions options;
     options.series = optionalOf<std::string>(json.at("series"));
     options.frame = optionalWholeOf(json.at("frame"));
+    options.level = optionalWholeOf(json.at("level"));
+    options.channel = optionalWholeOf(json.at("channel"));
     if (json.contains("raw")) {
         const Json& raw = json.at("raw");
         options.raw = {ivec3Of(raw.at("dims")), typeOf(raw.at("type")), dvec3Of(raw.at("spacing")),

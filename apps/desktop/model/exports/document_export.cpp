@@ -36,8 +36,11 @@ void DocumentExport::save(const std::filesystem::path& path, const studio::Expor
     reader_ = std::make_unique<studio::ExportReader>(*studio_.host().document(), settings.what,
                                                      std::move(segments));
     const OpenRequest& origin = studio_.files().source();
-    reader_->setReading(
-        {{}, origin.series.empty() ? std::nullopt : std::optional(origin.series), origin.frame});
+    reader_->setReading({{},
+                         origin.series.empty() ? std::nullopt : std::optional(origin.series),
+                         origin.frame,
+                         origin.level,
+                         origin.channel});
     shared_ = std::make_shared<Shared>();
     start();
 }

@@ -187,6 +187,8 @@ void DocumentFiles::takeSource(const studio::Session& session) {
     source_.rawLayout = session.rawLayout;
     source_.series = session.series;
     source_.frame = session.frame;
+    source_.level = session.level;
+    source_.channel = session.channel;
     source_.phantom = session.phantom;
     // It has not become what that file says, or is of another scan: neither is saved over it.
     const bool isOfAnother = !session.volumeChecksum.empty() && session.volumeChecksum != checksum_;
@@ -270,6 +272,8 @@ studio::Session DocumentFiles::provenance() const {
     source.rawLayout = source_.rawLayout;
     source.series = source_.series;
     source.frame = source_.frame;
+    source.level = source_.level;
+    source.channel = source_.channel;
     return source;
 }
 

@@ -26,7 +26,12 @@ void write(Settings& settings, const KnownDocument& document) {
     settings.setValue(document.isSession() ? "session" : "volume", document.path());
     settings.setValue("raw", QString::fromStdString(document.request.rawLayout));
     settings.setValue("series", QString::fromStdString(document.request.series));
-    settings.setValue("frame", document.request.frame ? QVariant(*document.request.frame) : QVariant());
+    const auto setCount = [&](const char* key, std::optional<int> count) {
+        settings.setValue(key, count ? QVariant(*count) : QVariant());
+    };
+    setCount("frame", document.request.frame);
+    setCount("level", document.request.level);
+    setCount("channel", document.request.channel);
     settings.setValue("details", document.details);
     settings.setValue("hasSegments", document.hasSegments);
     settings.setValue("seen", document.seen);
@@ -39,9 +44,14 @@ KnownDocument read(const Settings& settings) {
     document.request.session = settings.value("session").toString().toStdString();
     document.request.rawLayout = settings.value("raw").toString().toStdString();
     document.request.series = settings.value("series").toString().toStdString();
-    if (const QVariant frame = settings.value("frame"); !frame.toString().isEmpty()) {
-        document.request.frame = frame.toInt();
-    }
+    const auto takeCount = [&](const char* key, std::optional<int>& count) {
+        if (const QVariant value = settings.value(key); !value.toString().isEmpty()) {
+            count = value.toInt();
+        }
+    };
+    takeCount("frame", document.request.frame);
+    takeCount("level", document.request.level);
+    takeCount("channel", document.request.channel);
     document.details = settings.value("details").toString();
     document.hasSegments = settings.value("hasSegments").toBool();
     document.seen = settings.value("seen").toDateTime();
@@ -87,10 +97,13 @@ QString KnownDocument::name() const {
 bool KnownDocument::isMissing() const { return !request.given && !QFileInfo::exists(path()); }
 
 QString KnownDocument::key() const {
-    const QString frame = request.frame ? QString::number(*request.frame) : QString();
-    return QStringList{path(), QString::fromStdString(request.rawLayout),
-                       QString::fromStdString(request.series), frame}
-        .join('\n');
+    const auto text = [](std::optional<int> count) { return count ? QString::number(*count) : QString(); };
+    QStringList parts{path(), QString::fromStdString(request.rawLayout),
+                      QString::fromStdString(request.series), text(request.frame)};
+    if (request.level || request.channel) { // others keep the keys that they had
+        parts << text(request.level) << text(request.channel);
+    }
+    return parts.join('\n');
 }
 
 QString KnownDocument::picturePath() const {

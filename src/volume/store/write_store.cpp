@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "volume/store/write_store.h"
+
+#include "base/check.h"
+#include "base/parallel.h"
+#include "base/progress.h"
+#include "volume/store/box_reader.h"
+#include "volume/store/store_json.h"
+#include "volume/store/store_progress.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <algorithm>
+#include <cstring>
+
+namespace vs::volume {
+
+namespace {
+
+StoredType storedTypeOf(ScalarType type) {
+    switch (type) {
+    case ScalarType::UInt8:
+        return StoredType::UInt8;
+    case ScalarType::Int8:
+        return StoredType::Int8;
+    case ScalarType::UInt16:
+        return StoredType::UInt16;
+    case ScalarType::Int16:
+        return StoredType::Int16;
+    case ScalarType::UInt32:
+        return StoredType::UInt32;
+    case ScalarType::Int32:
+        return StoredType::Int32;
+    case ScalarType::Float32:
+        break;
+    }
+    return StoredType::Float32;
+}
+
+glm::ivec3 halvedAlong(glm::ivec3 dims) {
+    return {dims.x > 1 ? 2 : 1, dims.y > 1 ? 2 : 1, dims.z > 1 ? 2 : 1};
+}
+
+class StoreWriter {
+public:
+    StoreWriter(const std::filesystem::path& path, const StoreSource& source, const StoreLayout& layout)
+        : source_(source), layout_(layout),
+          progress_(path, fmt::format("{}, chunks of {}", source.identity, layout.chunk)) {
+        store_.path = path;
+        store_.spatial = {2, 1, 0};
+        for (const GridGeometry& geometry : levelsOf(source.facts.geometry, layout.chunk)) {
+            ZarrArray array;
+            array.folder = path / std::to_string(store_.levels.size());
+            array.shape = {geometry.dims.z, geometry.dims.y, geometry.dims.x};
+            array.chunks.assign(3, layout.chunk);
+            array.type = storedTypeOf(source.type);
+            array.codec = layout.codec;
+            slabs_ += array.chunkCount(0);
+            store_.levels.push_back({std::move(array), geometry});
+        }
+    }
+
+    void run() {
+        writeStoreFile(store_.path / ".zgroup", {{"zarr_format", 2}});
+        for (std::size_t level = 0; level < store_.levels.size(); ++level) {
+            createZarrArray(store_.levels[level].array);
+            for (int slab = 0; slab < int(store_.levels[level].array.chunkCount(0)); ++slab) {
+                if (!progress_.isDone(int(level), slab)) {
+                    writeSlab(level, slab);
+                    progress_.note(int(level), slab);
+                }
+            }
+        }
+        std::vector<GridGeometry> grids;
+        for (const auto& level : store_.levels) {
+            grids.push_back(level.geometry);
+        }
+        writeStoreFile(store_.path / ".zattrs", multiscalesJson(source_.facts, grids));
+        progress_.finish();
+    }
+
+private:
+    void writeSlab(std::size_t level, int slab) {
+        const ZarrArray& array = store_.levels[level].array;
+        const int columns = int(array.chunkCount(2));
+        const int count = columns * int(array.chunkCount(1));
+        const int atOnce = 4 * processorCount();
+        for (int first = 0; first < count; first += atOnce) {
+            // A slab of the finest level costs about eight times one of the next.
+            reportProgress((double(progress_.doneSlabs()) + double(first) / count) / double(slabs_));
+            inParallel(std::min(atOnce, count - first), [&](int n) {
+                writeChunk(level, {(first + n) % columns, (first + n) / columns, slab});
+            });
+        }
+    }
+
+    void writeChunk(std::size_t level, glm::ivec3 place) const {
+        const auto& [array, geometry] = store_.levels[level];
+        const Box3 box = intersect({place * layout_.chunk, (place + 1) * layout_.chunk}, geometry.box());
+        const auto values = level == 0 ? source_.read(box) : reducedTo(level, box);
+        VS_CHECK_EQ(values.size(), box.volume() * sizeOf(source_.type));
+        if (std::all_of(values.begin(), values.end(), [](std::byte b) { return b == std::byte(0); })) {
+            return; // as a chunk without a file is
+        }
+        array.writeChunk(std::array<std::int64_t, 3>{place.z, place.y, place.x},
+                         filledUp(values, box.size()));
+    }
+
+    // A box of a level from the level before.
+    [[nodiscard]] std::vector<std::byte> reducedTo(std::size_t level, const Box3& box) const {
+        const GridGeometry& finer = store_.levels[level - 1].geometry;
+        const glm::ivec3 by = halvedAlong(finer.dims);
+        const Box3 source = intersect({box.lo * by, box.hi * by}, finer.box());
+        Volume part;
+        part.type = source_.type;
+        part.geometry = makeGeometry(source.size());
+        part.bytes = readBox(store_, level - 1, source);
+        return reducedValues(part, by, layout_.reducing);
+    }
+
+    // A whole chunk, zeros beyond the box.
+    [[nodiscard]] std::vector<std::byte> filledUp(const std::vector<std::byte>& values,
+                                                  glm::ivec3 size) const {
+        const auto side = std::size_t(layout_.chunk);
+        const std::size_t row = std::size_t(size.x) * sizeOf(source_.type);
+        if (size == glm::ivec3(layout_.chunk)) {
+            return values;
+        }
+        std::vector<std::byte> chunk(side * side * side * sizeOf(source_.type));
+        for (std::size_t z = 0; z < std::size_t(size.z); ++z) {
+            for (std::size_t y = 0; y < std::size_t(size.y); ++y) {
+                std::memcpy(chunk.data() + (z * side + y) * side * sizeOf(source_.type),
+                            values.data() + (z * std::size_t(size.y) + y) * row, row);
+            }
+        }
+        return chunk;
+    }
+
+    const StoreSource& source_;
+    StoreLayout layout_;
+    StoreProgress progress_;
+    Multiscales store_;
+    std::int64_t slabs_ = 0;
+};
+
+} // namespace
+
+StoreSource sourceOf(const Volume& volume) {
+    StoreSource source;
+    source.facts = {volume.geometry, volume.unit, volume.name};
+    source.type = volume.type;
+    source.identity = fmt::format("{} {}", volume.name, checksum(volume));
+    source.read = [&volume](const Box3& box) {
+        const std::size_t valueBytes = sizeOf(volume.type);
+        const std::size_t row = std::size_t(box.size().x) * valueBytes;
+        const glm::ivec3 dims = volume.geometry.dims;
+        std::vector<std::byte> values(box.volume() * valueBytes);
+        std::byte* to = values.data();
+        for (int z = box.lo.z; z < box.hi.z; ++z) {
+            for (int y = box.lo.y; y < box.hi.y; ++y, to += row) {
+                const std::size_t from =
+                    (std::size_t(z) * std::size_t(dims.y) + std::size_t(y)) * std::size_t(dims.x) +
+                    std::size_t(box.lo.x);
+                std::memcpy(to, volume.bytes.data() + from * valueBytes, row);
+            }
+        }
+        return values;
+    };
+    return source;
+}
+
+std::vector<GridGeometry> levelsOf(const GridGeometry& finest, int chunk) {
+    std::vector<GridGeometry> levels{finest};
+    while (glm::any(glm::greaterThan(levels.back().dims, glm::ivec3(chunk)))) {
+        const GridGeometry& finer = levels.back();
+        const glm::ivec3 by = halvedAlong(finer.dims);
+        const glm::dmat4 finerFromVoxel =
+            glm::scale(glm::translate(glm::dmat4(1), (glm::dvec3(by) - 1.0) / 2.0), glm::dvec3(by));
+        levels.push_back({(finer.dims + by - 1) / by, finer.worldFromVoxel * finerFromVoxel});
+    }
+    return levels;
+}
+
+void writeStore(const std::filesystem::path& path, const StoreSource& source, const StoreLayout& layout) {
+    StoreWriter(path, source, layout).run();
+}
+
+} // namespace vs::volume

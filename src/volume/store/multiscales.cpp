@@ -283,14 +283,15 @@ nlohmann::ordered_json multiscalesJson(const StoreFacts& facts, const std::vecto
     const glm::dvec3 spacing = facts.geometry.spacing();
     Json datasets = Json::array();
     for (std::size_t n = 0; n < levels.size(); ++n) {
-        // A coarser level's first voxel lies between those that it stands for.
+        // A coarser level's first voxel lies between those that it stands for: whole or half voxels away.
         const glm::dmat4 finestFromVoxel = facts.geometry.voxelFromWorld() * levels[n].worldFromVoxel;
-        const glm::dvec3 by(finestFromVoxel[0][0], finestFromVoxel[1][1], finestFromVoxel[2][2]);
+        const glm::dvec3 by =
+            glm::round(glm::dvec3(finestFromVoxel[0][0], finestFromVoxel[1][1], finestFromVoxel[2][2]));
+        const glm::dvec3 first = glm::round(2.0 * glm::dvec3(finestFromVoxel[3])) / 2.0;
         datasets.push_back({{"path", std::to_string(n)},
                             {"coordinateTransformations",
                              {{{"type", "scale"}, {"scale", ofAxes(by * spacing)}},
-                              {{"type", "translation"},
-                               {"translation", ofAxes(glm::dvec3(finestFromVoxel[3]) * spacing)}}}}});
+                              {{"type", "translation"}, {"translation", ofAxes(first * spacing)}}}}});
     }
     Json axes = Json::array();
     for (const char* name : {"z", "y", "x"}) {

@@ -1,0 +1,134 @@
+// SPDX-License-Identifier: Apache-2.0
+// Stores of OME-Zarr as they are written and read here; tests/cli/stores.py has other people's.
+#include "base/error.h"
+#include "base/progress.h"
+#include "phantom/phantom.h"
+#include "property.h"
+#include "volume/io/decode.h"
+#include "volume/store/box_reader.h"
+#include "volume/store/write_store.h"
+
+#include "test_files.h"
+
+#include <glm/gtc/matrix_transform.hpp>
+
+#include <random>
+
+namespace vs::volume {
+namespace {
+
+// Noise with an empty part, in a grid that lies aslant.
+Volume drawVolume() {
+    const glm::ivec3 dims(1 + *test::below(40), 1 + *test::below(40), 1 + *test::below(40));
+    const auto type = kScalarTypes[std::size_t(*test::below(int(kScalarTypes.size())))];
+    std::mt19937 random(std::mt19937::result_type(*test::below(1000)));
+    const int firstFull = *test::below(40);
+    Volume volume = phantom::makePhantom(
+        dims, type, [&](glm::dvec3 p) { return p.x < firstFull ? 0.0 : double(random() % 100); });
+    volume.name = "noise";
+    volume.unit = "HU";
+    volume.geometry.worldFromVoxel =
+        glm::rotate(glm::translate(glm::dmat4(1), {12.3, -7.7, 1e3}), 0.3, glm::dvec3(1, 2, 3)) *
+        glm::scale(glm::dmat4(1), {0.7, 0.9, 2.5});
+    computeRange(volume);
+    return volume;
+}
+
+Codec drawCodec() {
+    Codec codec;
+    codec.kind = Codec::Kind(*test::below(5));
+    codec.level = 1 + *test::below(5);
+    codec.inner = *test::coin() ? "lz4" : "zstd";
+    codec.shuffle = *test::below(3);
+    return codec;
+}
+
+TEST(Store, IsTheVolumeAndItsLevelsAreReduced) {
+    test::checkProperty(60, [] {
+        const TemporaryFolder folder;
+        const Volume volume = drawVolume();
+        const StoreLayout layout{8 + *test::below(20), drawCodec(),
+                                 *test::coin() ? Reducing::Mean : Reducing::Commonest};
+        writeStore(folder / "a.zarr", sourceOf(volume), layout);
+        const Volume read = decodeVolume(folder / "a.zarr").volume;
+        RC_ASSERT(read.bytes == volume.bytes);
+        RC_ASSERT(read.type == volume.type);
+        RC_ASSERT(read.unit == volume.unit);
+        RC_ASSERT(checksum(read) == checksum(volume)); // the grid too, to the last bit
+        Volume finer = volume;
+        const auto levels = levelsOf(volume.geometry, layout.chunk);
+        for (int level = 1; level < int(levels.size()); ++level) {
+            const glm::ivec3 dims = finer.geometry.dims;
+            finer =
+                reduced(finer, {dims.x > 1 ? 2 : 1, dims.y > 1 ? 2 : 1, dims.z > 1 ? 2 : 1}, layout.reducing);
+            ReadOptions options;
+            options.level = level;
+            const Volume coarse = decodeVolume(folder / "a.zarr", options).volume;
+            RC_ASSERT(coarse.bytes == finer.bytes);
+            RC_ASSERT(coarse.geometry.dims == finer.geometry.dims);
+            for (int i = 0; i < 4; ++i) {
+                RC_ASSERT(glm::length(coarse.geometry.worldFromVoxel[i] - finer.geometry.worldFromVoxel[i]) <
+                          1e-9);
+            }
+        }
+        RC_ASSERT(glm::all(glm::lessThanEqual(levels.back().dims, glm::ivec3(layout.chunk))));
+    });
+}
+
+TEST(Store, ABoxIsThatPartOfTheVolume) {
+    test::checkProperty(60, [] {
+        const TemporaryFolder folder;
+        const Volume volume = drawVolume();
+        writeStore(folder / "a.zarr", sourceOf(volume), {8 + *test::below(20), drawCodec()});
+        const Multiscales store = openMultiscales(folder / "a.zarr");
+        const glm::ivec3 dims = volume.geometry.dims;
+        const glm::ivec3 lo(*test::below(dims.x), *test::below(dims.y), *test::below(dims.z));
+        const glm::ivec3 size(1 + *test::below(dims.x - lo.x), 1 + *test::below(dims.y - lo.y),
+                              1 + *test::below(dims.z - lo.z));
+        RC_ASSERT(readBox(store, 0, {lo, lo + size}) == sourceOf(volume).read({lo, lo + size}));
+    });
+}
+
+TEST(Store, ChunksOfNothingHaveNoFile) {
+    const TemporaryFolder folder;
+    const Volume volume = phantom::makePhantom({64, 64, 64}, ScalarType::UInt8, [](glm::dvec3 p) {
+        return p.x < 16 && p.y < 16 && p.z < 16 ? 9 : 0;
+    });
+    writeStore(folder / "a.zarr", sourceOf(volume), {16, {}});
+    EXPECT_TRUE(std::filesystem::exists(folder / "a.zarr/0/0/0/0"));
+    EXPECT_FALSE(std::filesystem::exists(folder / "a.zarr/0/0/0/1"));
+    EXPECT_TRUE(decodeVolume(folder / "a.zarr").volume.bytes == volume.bytes);
+}
+
+// Given up at any moment, it is gone on with, and nobody takes it for finished before.
+TEST(Store, WhatIsGivenUpIsGoneOnWith) {
+    const TemporaryFolder folder;
+    const Volume volume =
+        phantom::makePhantom({70, 60, 50}, ScalarType::Int16, [](glm::dvec3 p) { return p.x + p.y * p.z; });
+    int tries = 0;
+    for (bool isDone = false; !isDone; ++tries) {
+        int left = 24; // a slab and more: 20 chunks, of which one processor takes four at once
+        const ProgressListener listener([&](std::optional<double>) { return left-- > 0; });
+        try {
+            writeStore(folder / "a.zarr", sourceOf(volume), {16, {}});
+            isDone = true;
+        } catch (const GivenUp&) {
+            EXPECT_THROW((void)decodeVolume(folder / "a.zarr"), ReadError);
+        }
+        ASSERT_LT(tries, 100);
+    }
+    EXPECT_GT(tries, 2);
+    EXPECT_TRUE(decodeVolume(folder / "a.zarr").volume.bytes == volume.bytes);
+    EXPECT_THROW(writeStore(folder / "a.zarr", sourceOf(volume), {16, {}}), WriteError);
+}
+
+TEST(Store, WhatIsThereAlreadyIsLeftAlone) {
+    const TemporaryFolder folder;
+    writeFile(folder / "mine.txt", "mine");
+    const Volume volume = phantom::makePhantom({9, 9, 9}, ScalarType::UInt8, [](glm::dvec3) { return 1; });
+    EXPECT_THROW(writeStore(folder.path(), sourceOf(volume)), WriteError);
+    EXPECT_FALSE(std::filesystem::exists(folder / ".zgroup"));
+}
+
+} // namespace
+} // namespace vs::volume

@@ -107,7 +107,7 @@ TEST(Store, WhatIsGivenUpIsGoneOnWith) {
         phantom::makePhantom({70, 60, 50}, ScalarType::Int16, [](glm::dvec3 p) { return p.x + p.y * p.z; });
     int tries = 0;
     for (bool isDone = false; !isDone; ++tries) {
-        int left = 24; // a slab and more: 20 chunks, of which one processor takes four at once
+        int left = 6; // a slab and more: 20 chunks, of which one processor takes four at once
         const ProgressListener listener([&](std::optional<double>) { return left-- > 0; });
         try {
             writeStore(folder / "a.zarr", sourceOf(volume), {16, {}});

@@ -27,7 +27,8 @@ MODULES = {
     "studio": ["phantom", "reference", "sculpt", "segment", "render", "mesh"],
 }
 ROOMS = {
-    "src/volume": {"grid": [], "measures": ["grid"], "io": ["grid"], "dicom": ["io"], "store": ["io"], "reading": ["dicom", "store"]},
+    "src/volume": {"grid": [], "measures": ["grid"], "io": ["grid"], "dicom": ["io"], "store": ["io"], "tiff": ["io"],
+                   "reading": ["dicom", "store", "tiff"]},
     "src/sculpt": {"mask": [], "path": [], "radiation": ["mask", "path"], "sculpture": ["radiation"],
                    "surface": ["sculpture"], "solids": ["sculpture"]},
     "src/segment": {"growth": [], "edits": ["growth"], "measures": ["edits"], "membership": ["growth"]},

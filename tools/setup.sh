@@ -10,7 +10,7 @@ PACKAGES=(
   libinsighttoolkit5-dev libgdcm-dev libfftw3-dev libexpat1-dev libeigen3-dev zlib1g-dev
   qt6-base-dev libqt6opengl6-dev qt6-svg-dev qt6-qpa-plugins qt6-tools-dev qt6-tools-dev-tools qt6-l10n-tools qt6-translations-l10n
   libepoxy-dev libegl-dev libgl1-mesa-dri libegl-mesa0 libegl1 libgl1 libglx-mesa0
-  libglm-dev libfmt-dev nlohmann-json3-dev libcli11-dev libzstd-dev libblosc-dev libpng-dev
+  libglm-dev libfmt-dev nlohmann-json3-dev libcli11-dev libzstd-dev libblosc-dev libtiff-dev libpng-dev
   libseccomp-dev
   libcairo2-dev fonts-dejavu-core
   libvtk9-dev libdcmtk-dev

@@ -27,7 +27,8 @@ constexpr double kSecondsPerFile = kIsSanitized ? 20e-3 : 1e-3;
 bool isOneFile(const std::filesystem::path& path) {
     const auto extension = path.extension().string();
     return extension == ".nii" || extension == ".gz" || extension == ".nrrd" || extension == ".mha" ||
-           extension == ".vtk" || extension == ".raw" || extension == ".png";
+           extension == ".vtk" || extension == ".raw" || extension == ".png" || extension == ".tif" ||
+           extension == ".tiff";
 }
 
 // The hard limit stays what it is: one that was lowered cannot be raised again.

@@ -5,6 +5,8 @@
 #include "reports/progress.h"
 
 #include "base/error.h"
+#include "base/log.h"
+#include "volume/reading/stack_source.h"
 #include "volume/store/write_store.h"
 
 #include <CLI/CLI.hpp>
@@ -20,26 +22,53 @@ struct ConvertOptions {
     std::shared_ptr<VolumeArgument> volume;
     std::string output;
     int chunk = volume::StoreLayout().chunk;
+    int memoryMiB = 2048;
     bool isLabels = false;
 };
+
+// What a store is made of, and what keeps it.
+struct ToConvert {
+    volume::Volume volume; // of what is read as a whole
+    volume::StoreSource source;
+};
+
+ToConvert toConvert(const ConvertOptions& options) {
+    ToConvert input;
+    std::vector<std::string> notices;
+    const auto bytes = std::uint64_t(options.memoryMiB) << 20;
+    const auto stack = volume::stackSource(options.volume->path, readOptions(*options.volume), options.chunk,
+                                           bytes, notices);
+    for (const auto& notice : notices) {
+        logNotice(notice);
+    }
+    if (stack) {
+        input.source = *stack;
+        return input;
+    }
+    input.volume = loadVolume(*options.volume).volume;
+    return input;
+}
 
 void run(const ConvertOptions& options) {
     if (std::filesystem::path(options.output).extension() != ".zarr") {
         throw WriteError("{}: a store of OME-Zarr is written; give a name that ends in .zarr",
                          options.output);
     }
-    const auto volume = loadVolume(*options.volume).volume;
+    ToConvert input = toConvert(options);
+    if (!input.source.read) {
+        input.source = volume::sourceOf(input.volume);
+    }
     volume::StoreLayout layout;
     layout.chunk = options.chunk;
     layout.reducing = options.isLabels ? volume::Reducing::Commonest : volume::Reducing::Mean;
     {
         const Activity activity("writing " + options.output);
-        volume::writeStore(options.output, volume::sourceOf(volume), layout);
+        volume::writeStore(options.output, input.source, layout);
     }
-    const auto levels = volume::levelsOf(volume.geometry, layout.chunk);
-    const glm::ivec3 dims = volume.geometry.dims;
-    fmt::print("{}: {} x {} x {} voxels, {}, in chunks of {}, {} {}\n", options.output, dims.x, dims.y,
-               dims.z, volume::name(volume.type), layout.chunk, levels.size(),
+    const auto& geometry = input.source.facts.geometry;
+    const auto levels = volume::levelsOf(geometry, layout.chunk);
+    fmt::print("{}: {} x {} x {} voxels, {}, in chunks of {}, {} {}\n", options.output, geometry.dims.x,
+               geometry.dims.y, geometry.dims.z, volume::name(input.source.type), layout.chunk, levels.size(),
                levels.size() == 1 ? "level" : "levels");
 }
 
@@ -56,6 +85,12 @@ void addConvertCommand(CLI::App& app) {
         ->required();
     command->add_option("--chunk", options->chunk, "Voxels along each side of a chunk")
         ->check(CLI::Range(8, 512))
+        ->capture_default_str();
+    command
+        ->add_option(
+            "--memory", options->memoryMiB,
+            "MiB that slices may take while they wait, where a volume is read slice by slice (TIFF, --raw)")
+        ->check(CLI::Range(1, 1 << 24))
         ->capture_default_str();
     command->add_flag("--labels", options->isLabels,
                       "It is a label map: coarser voxels get the label that most of theirs have");

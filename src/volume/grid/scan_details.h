@@ -20,6 +20,7 @@ struct ScanDetails {
     double intercept = 0;
     int frame = 0; // which volume of the file's it is, of so many
     int frames = 1;
+    int slices = 0; // of the whole stack, whatever part of it was read; 0: it says nothing
     // Slices along the third voxel axis that no file holds, in order: they were interpolated.
     std::vector<int> interpolated;
 };

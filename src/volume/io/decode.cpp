@@ -26,9 +26,9 @@ namespace {
         refuse(path, "a raw file has no header",
                "describe it with --raw, for example --raw 256x256x128:uint8:1,1,2");
     }
-    refuse(
-        path, "it is no volume of a known format",
-        "NIfTI (.nii, .nii.gz), NRRD, MetaImage, VTK legacy, DICOM or a raw file with --raw can be opened");
+    refuse(path, "it is no volume of a known format",
+           "NIfTI (.nii, .nii.gz), NRRD, MetaImage, VTK legacy, DICOM, TIFF, OME-Zarr or a raw file with "
+           "--raw can be opened");
 }
 
 template <typename ImageIo>
@@ -58,6 +58,9 @@ ReadResult readFormat(const std::filesystem::path& path, const ReadOptions& opti
         if (isStore(path)) {
             return readStore(path, options);
         }
+        if (isTiffFolder(path)) {
+            return readTiff(path, options);
+        }
         return readDicom(path, options);
     }
     if (!std::filesystem::is_regular_file(status)) {
@@ -66,16 +69,19 @@ ReadResult readFormat(const std::filesystem::path& path, const ReadOptions& opti
     if (!std::ifstream(path).good()) {
         refuse(path, "it cannot be opened", "check its permissions");
     }
-    if (options.level || options.channel) {
-        refuse(path, "it is one file", "--level and --channel are for stores of OME-Zarr");
+    if (options.level) {
+        refuse(path, "it is one file", "--level is for stores of OME-Zarr");
     }
     if (options.raw) {
-        return readRaw(path, *options.raw);
+        return readRaw(path, *options.raw, options.slices);
     }
     if (std::filesystem::file_size(path) == 0) {
         refuse(path, "it is empty", "get a complete copy of the file");
     }
     const Format format = recognise(path);
+    if (options.channel && format != Format::Tiff) {
+        refuse(path, "it has no channels", "--channel is for stores of OME-Zarr and stacks of TIFF");
+    }
     if (options.series && format != Format::Dicom) {
         refuse(path, "it holds no DICOM series", "leave out --series");
     }
@@ -90,6 +96,8 @@ ReadResult readFormat(const std::filesystem::path& path, const ReadOptions& opti
         return readPlaced("VTK", path, inspectVtk(path), options.frame);
     case Format::Dicom:
         return readDicom(path, options);
+    case Format::Tiff:
+        return readTiff(path, options);
     case Format::Raw:
         break;
     }

@@ -19,6 +19,13 @@ Format recognise(const std::filesystem::path& path) {
     if (mark(128, "DICM")) {
         return Format::Dicom;
     }
+    constexpr std::size_t four = 4;
+    for (const std::string_view magic : {std::string_view("II*\0", four), std::string_view("MM\0*", four),
+                                         std::string_view("II+\0", four), std::string_view("MM\0+", four)}) {
+        if (mark(0, magic)) {
+            return Format::Tiff;
+        }
+    }
     if (mark(0, "# vtk DataFile")) {
         return Format::Vtk;
     }
@@ -39,6 +46,9 @@ Format recognise(const std::filesystem::path& path) {
     }
     if (extension == ".vtk") {
         return Format::Vtk;
+    }
+    if (extension == ".tif" || extension == ".tiff") {
+        return Format::Tiff;
     }
     if (extension == ".dcm" || extension == ".ima" || extension == ".dicom") {
         return Format::Dicom;

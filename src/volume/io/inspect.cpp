@@ -175,6 +175,18 @@ int chosenFrame(const std::filesystem::path& path, std::int64_t frames, std::opt
     return frame.value_or(0);
 }
 
+int chosenChannel(const std::filesystem::path& path, int channels, std::optional<int> channel,
+                  const std::string& names) {
+    if (channel ? *channel >= 0 && *channel < channels : channels == 1) {
+        return channel.value_or(0);
+    }
+    refuse(path,
+           channel ? fmt::format("it has no channel {}", *channel)
+                   : fmt::format("it has {} channels", channels),
+           channels == 1 ? std::string("leave out --channel")
+                         : fmt::format("choose one of 0 to {} with --channel{}", channels - 1, names));
+}
+
 std::vector<unsigned char> readPrefix(const std::filesystem::path& path, std::size_t count) {
     std::ifstream input(path, std::ios::binary);
     std::vector<unsigned char> prefix(count);

@@ -27,13 +27,20 @@ RawLayout parseRawLayout(const std::string& text);
 // Whether a file is of no known format, so that only a layout can tell what it holds.
 bool isHeaderless(const std::filesystem::path& path);
 
+// So many slices of a stack.
+struct Slices {
+    int first = 0;
+    int count = 0;
+};
+
 struct ReadOptions {
     std::optional<RawLayout> raw; // set: the file is headerless and has this layout
     std::optional<std::string>
         series;               // which DICOM series of a folder: its UID or its number in the list of choices
     std::optional<int> frame; // which volume of a 4D file, counted from 0
     std::optional<int> level; // of a store of OME-Zarr: 0 is the finest, which is read without
-    std::optional<int> channel; // of a store that has several
+    std::optional<Slices> slices; // only these, of a stack of TIFF pictures
+    std::optional<int> channel;   // of a store that has several
 };
 
 struct ReadResult {

@@ -59,6 +59,9 @@ Json packed(const ReadOptions& options) {
               {"frame", packed(options.frame)},
               {"level", packed(options.level)},
               {"channel", packed(options.channel)}};
+    if (options.slices) {
+        json["slices"] = Json::array({options.slices->first, options.slices->count});
+    }
     if (options.raw) {
         json["raw"] = {{"dims", packed(options.raw->dims)},
                        {"type", int(options.raw->type)},
@@ -82,6 +85,10 @@ ReadOptions optionsOf(const Json& json) {
     options.frame = optionalWholeOf(json.at("frame"));
     options.level = optionalWholeOf(json.at("level"));
     options.channel = optionalWholeOf(json.at("channel"));
+    if (json.contains("slices")) {
+        const Json& slices = json.at("slices");
+        options.slices = {wholeOf<int>(slices.at(0)), wholeOf<int>(slices.at(1))};
+    }
     if (json.contains("raw")) {
         const Json& raw = json.at("raw");
         options.raw = {ivec3Of(raw.at("dims")), typeOf(raw.at("type")), dvec3Of(raw.at("spacing")),
@@ -115,17 +122,12 @@ SeriesChoice choiceOf(const Json& json) {
 }
 
 Json packed(const ScanDetails& details) {
-    return {{"format", details.format},
-            {"patient", details.patient},
-            {"study", details.study},
-            {"series", details.series},
-            {"modality", details.modality},
-            {"isAngiography", details.isAngiography},
-            {"slope", details.slope},
-            {"intercept", details.intercept},
-            {"frame", details.frame},
-            {"frames", details.frames},
-            {"interpolated", details.interpolated}};
+    return {{"format", details.format},     {"patient", details.patient},
+            {"study", details.study},       {"series", details.series},
+            {"modality", details.modality}, {"isAngiography", details.isAngiography},
+            {"slope", details.slope},       {"intercept", details.intercept},
+            {"frame", details.frame},       {"frames", details.frames},
+            {"slices", details.slices},     {"interpolated", details.interpolated}};
 }
 
 ScanDetails detailsOf(const Json& json) {
@@ -140,6 +142,7 @@ ScanDetails detailsOf(const Json& json) {
     details.intercept = json.at("intercept").get<double>();
     details.frame = wholeOf<int>(json.at("frame"));
     details.frames = wholeOf<int>(json.at("frames"));
+    details.slices = wholeOf<int>(json.at("slices"));
     for (const Json& slice : json.at("interpolated")) {
         details.interpolated.push_back(wholeOf<int>(slice));
     }

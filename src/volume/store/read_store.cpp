@@ -32,19 +32,12 @@ std::size_t chosenLevel(const Multiscales& store, std::optional<int> level) {
     return std::size_t(level.value_or(0));
 }
 
-int chosenChannel(const Multiscales& store, std::optional<int> channel) {
-    const int count = store.channels();
-    if (channel ? *channel >= 0 && *channel < count : count == 1) {
-        return channel.value_or(0);
-    }
+std::string namesOf(const Multiscales& store) {
     std::string names;
-    for (std::size_t n = 0; n < store.channelNames.size() && n < 20 && int(n) < count; ++n) {
+    for (std::size_t n = 0; n < store.channelNames.size() && n < 20 && int(n) < store.channels(); ++n) {
         names += fmt::format("{}{} {}", n == 0 ? ": " : ", ", n, store.channelNames[n]);
     }
-    refuse(store.path,
-           channel ? fmt::format("it has no channel {}", *channel) : fmt::format("it has {} channels", count),
-           count == 1 ? std::string("leave out --channel")
-                      : fmt::format("choose one of 0 to {} with --channel{}", count - 1, names));
+    return names;
 }
 
 } // namespace
@@ -53,7 +46,7 @@ ReadResult readStore(const std::filesystem::path& path, const ReadOptions& optio
     requireFinished(path);
     Multiscales store = openMultiscales(path);
     const std::size_t level = chosenLevel(store, options.level);
-    const int channel = chosenChannel(store, options.channel);
+    const int channel = chosenChannel(path, store.channels(), options.channel, namesOf(store));
     const int time = chosenFrame(path, store.times(), options.frame);
     const auto& [array, geometry] = store.levels[level];
     const glm::ivec3 dims = geometry.dims;

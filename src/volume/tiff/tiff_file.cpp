@@ -1,0 +1,245 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "volume/tiff/tiff_file.h"
+
+#include <tiffio.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdarg>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <limits>
+#include <vector>
+
+namespace vs::volume {
+
+namespace {
+
+// What libtiff said last. Only the decoder reads, one file at a time.
+std::string& lastError() {
+    static std::string text;
+    return text;
+}
+
+void noteError(const char* /*module*/, const char* format, va_list arguments) {
+    std::array<char, 300> line{};
+    std::vsnprintf(line.data(), line.size(), format, arguments);
+    lastError() = line.data();
+}
+
+[[noreturn]] void refuseDamaged(const std::filesystem::path& path, std::string_view what) {
+    const std::string said =
+        lastError().empty() ? std::string("libtiff does not say why") : printable(lastError());
+    refuse(path, fmt::format("{} cannot be read ({})", what, said), "get an intact copy of the file");
+}
+
+StoredType typeOf(const std::filesystem::path& path, int bits, int format) {
+    const bool isFloat = format == SAMPLEFORMAT_IEEEFP;
+    const bool isSigned = format == SAMPLEFORMAT_INT;
+    switch (bits) {
+    case 8:
+        if (!isFloat) {
+            return isSigned ? StoredType::Int8 : StoredType::UInt8;
+        }
+        break;
+    case 16:
+        if (!isFloat) {
+            return isSigned ? StoredType::Int16 : StoredType::UInt16;
+        }
+        break;
+    case 32:
+        return isFloat ? StoredType::Float32 : isSigned ? StoredType::Int32 : StoredType::UInt32;
+    case 64:
+        return isFloat ? StoredType::Float64 : isSigned ? StoredType::Int64 : StoredType::UInt64;
+    default:
+        break;
+    }
+    refuse(path, fmt::format("its pixels have {} bits of {}", bits, isFloat ? "a float" : "a whole number"),
+           "whole numbers of 8, 16, 32 and 64 bits and floats of 32 and 64 can be read");
+}
+
+} // namespace
+
+void TiffFile::Close::operator()(tiff* file) const { TIFFClose(file); }
+
+TiffFile::TiffFile(const std::filesystem::path& path) : path_(path) {
+    TIFFSetWarningHandler(nullptr);
+    TIFFSetErrorHandler(noteError);
+    lastError().clear();
+    file_.reset(
+        TIFFOpen(path.c_str(), "rm")); // m: not mapped, so that a file that is cut meanwhile is an error
+    if (!file_) {
+        refuseDamaged(path, "it");
+    }
+}
+
+std::int64_t TiffFile::pages() {
+    if (pages_ >= 0) {
+        return pages_;
+    }
+    pages_ = 0;
+    std::int64_t number = 0;
+    do {
+        std::uint32_t kind = 0;
+        TIFFGetFieldDefaulted(file_.get(), TIFFTAG_SUBFILETYPE, &kind);
+        if ((kind & (FILETYPE_REDUCEDIMAGE | FILETYPE_MASK)) != 0) {
+            if (number != pages_) {
+                refuse(path_, "small and whole pictures take turns in it",
+                       "save it with whole pictures only");
+            }
+            break; // they come behind the whole ones
+        }
+        ++number;
+        pages_ = number;
+    } while (number < std::numeric_limits<tdir_t>::max() && TIFFReadDirectory(file_.get()) != 0);
+    at_ = -1;
+    if (pages_ == 0) {
+        refuse(path_, "it has no picture", "get an intact copy of the file");
+    }
+    return pages_;
+}
+
+void TiffFile::go(std::int64_t number) {
+    if (at_ == number) {
+        return;
+    }
+    lastError().clear();
+    const bool isThere = at_ >= 0 && number == at_ + 1 ? TIFFReadDirectory(file_.get()) != 0
+                                                       : TIFFSetDirectory(file_.get(), tdir_t(number)) != 0;
+    at_ = isThere ? number : -1;
+    if (!isThere) {
+        refuseDamaged(path_, fmt::format("page {}", number + 1));
+    }
+}
+
+TiffPage TiffFile::page(std::int64_t number) {
+    go(number);
+    std::uint32_t width = 0;
+    std::uint32_t height = 0;
+    std::uint16_t bits = 1;
+    std::uint16_t samples = 1;
+    std::uint16_t format = SAMPLEFORMAT_UINT;
+    std::uint16_t photometric = PHOTOMETRIC_MINISBLACK;
+    TIFFGetField(file_.get(), TIFFTAG_IMAGEWIDTH, &width);
+    TIFFGetField(file_.get(), TIFFTAG_IMAGELENGTH, &height);
+    TIFFGetFieldDefaulted(file_.get(), TIFFTAG_BITSPERSAMPLE, &bits);
+    TIFFGetFieldDefaulted(file_.get(), TIFFTAG_SAMPLESPERPIXEL, &samples);
+    TIFFGetFieldDefaulted(file_.get(), TIFFTAG_SAMPLEFORMAT, &format);
+    TIFFGetField(file_.get(), TIFFTAG_PHOTOMETRIC, &photometric);
+    if (samples != 1 || photometric == PHOTOMETRIC_PALETTE) {
+        refuse(path_, "its pixels are colours", "save it with one value a pixel, each channel by itself");
+    }
+    if (width == 0 || height == 0) {
+        refuse(path_, fmt::format("page {} has no pixels", number + 1), "get an intact copy of the file");
+    }
+    return {width, height, typeOf(path_, bits, format)};
+}
+
+void TiffFile::read(std::int64_t number, std::span<std::byte> values) {
+    const TiffPage page = this->page(number);
+    if (values.size() != page.bytes()) {
+        throw Error("{}: page {} changed while it was read", path_.string(), number + 1);
+    }
+    lastError().clear();
+    const std::size_t rowBytes = std::size_t(page.width) * bytesOf(page.type);
+    if (TIFFIsTiled(file_.get()) == 0) {
+        std::uint32_t rows = 0;
+        TIFFGetFieldDefaulted(file_.get(), TIFFTAG_ROWSPERSTRIP, &rows);
+        const std::size_t stripBytes =
+            std::size_t(std::min<std::int64_t>(std::max<std::uint32_t>(rows, 1), page.height)) * rowBytes;
+        const std::uint32_t strips = TIFFNumberOfStrips(file_.get());
+        for (std::uint32_t strip = 0; strip < strips && std::size_t(strip) * stripBytes < values.size();
+             ++strip) {
+            const auto part = values.subspan(std::size_t(strip) * stripBytes);
+            const std::size_t wanted = std::min(stripBytes, part.size());
+            if (TIFFReadEncodedStrip(file_.get(), strip, part.data(), tmsize_t(wanted)) != tmsize_t(wanted)) {
+                refuseDamaged(path_, fmt::format("page {}", number + 1));
+            }
+        }
+        return;
+    }
+    std::uint32_t tileWidth = 0;
+    std::uint32_t tileHeight = 0;
+    TIFFGetField(file_.get(), TIFFTAG_TILEWIDTH, &tileWidth);
+    TIFFGetField(file_.get(), TIFFTAG_TILELENGTH, &tileHeight);
+    constexpr std::uint64_t mostTileBytes = std::uint64_t(1) << 30;
+    const auto tileBytes = std::uint64_t(TIFFTileSize64(file_.get()));
+    if (tileWidth == 0 || tileHeight == 0 || tileBytes > mostTileBytes) {
+        refuse(path_, fmt::format("page {} has tiles of {} x {}", number + 1, tileWidth, tileHeight),
+               "get an intact copy of the file");
+    }
+    std::vector<std::byte> tile(tileBytes);
+    const std::size_t tileRow = std::size_t(tileWidth) * bytesOf(page.type);
+    for (std::int64_t y = 0; y < page.height; y += tileHeight) {
+        for (std::int64_t x = 0; x < page.width; x += tileWidth) {
+            if (TIFFReadTile(file_.get(), tile.data(), std::uint32_t(x), std::uint32_t(y), 0, 0) < 0) {
+                refuseDamaged(path_, fmt::format("page {}", number + 1));
+            }
+            const std::int64_t rows = std::min<std::int64_t>(tileHeight, page.height - y);
+            const std::size_t width =
+                std::size_t(std::min<std::int64_t>(tileWidth, page.width - x)) * bytesOf(page.type);
+            for (std::int64_t row = 0; row < rows; ++row) {
+                std::memcpy(values.data() + std::size_t(y + row) * rowBytes +
+                                std::size_t(x) * bytesOf(page.type),
+                            tile.data() + std::size_t(row) * tileRow, width);
+            }
+        }
+    }
+}
+
+std::string TiffFile::description() {
+    go(0);
+    const char* text = nullptr;
+    constexpr std::size_t most = std::size_t(1) << 20;
+    return TIFFGetField(file_.get(), TIFFTAG_IMAGEDESCRIPTION, &text) != 0 && text != nullptr
+               ? std::string(text, strnlen(text, most))
+               : std::string();
+}
+
+glm::dvec2 TiffFile::resolution() {
+    go(0);
+    float x = 0;
+    float y = 0;
+    TIFFGetField(file_.get(), TIFFTAG_XRESOLUTION, &x);
+    TIFFGetField(file_.get(), TIFFTAG_YRESOLUTION, &y);
+    return {x, y};
+}
+
+std::uint64_t TiffFile::plainOffset() {
+    const TiffPage first = page(0);
+    std::uint16_t compression = COMPRESSION_NONE;
+    TIFFGetFieldDefaulted(file_.get(), TIFFTAG_COMPRESSION, &compression);
+    const std::uint64_t* offsets = nullptr;
+    if (compression != COMPRESSION_NONE || TIFFIsTiled(file_.get()) != 0 ||
+        TIFFGetField(file_.get(), TIFFTAG_STRIPOFFSETS, &offsets) == 0 || offsets == nullptr) {
+        return 0;
+    }
+    const std::uint32_t strips = TIFFNumberOfStrips(file_.get());
+    std::uint32_t rows = 0;
+    TIFFGetFieldDefaulted(file_.get(), TIFFTAG_ROWSPERSTRIP, &rows);
+    const std::uint64_t stripBytes = std::uint64_t(rows) * std::uint64_t(first.width) * bytesOf(first.type);
+    for (std::uint32_t strip = 1; strip < strips; ++strip) {
+        if (offsets[strip] != offsets[0] + strip * stripBytes) {
+            return 0;
+        }
+    }
+    return offsets[0];
+}
+
+void TiffFile::readPlain(std::uint64_t offset, std::span<std::byte> values) {
+    const TiffPage page = this->page(0);
+    std::ifstream stream(path_, std::ios::binary);
+    stream.seekg(std::streamoff(offset));
+    if (!stream.read(reinterpret_cast<char*>(values.data()), std::streamsize(values.size()))) {
+        refuse(path_, "it cannot be read to its end", "check the disk and the permissions");
+    }
+    const std::size_t valueBytes = bytesOf(page.type);
+    if (TIFFIsByteSwapped(file_.get()) != 0) {
+        for (auto value = values.begin(); value != values.end(); value += std::ptrdiff_t(valueBytes)) {
+            std::reverse(value, value + std::ptrdiff_t(valueBytes));
+        }
+    }
+}
+
+} // namespace vs::volume

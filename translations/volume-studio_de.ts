@@ -2553,6 +2553,14 @@
         <source>Not all of it can be read: %1</source>
         <translation>Nicht alles davon ist lesbar: %1</translation>
     </message>
+    <message>
+        <source>Which level of a store of OME-Zarr; 0 is the finest.</source>
+        <translation>Welche Stufe eines OME-Zarr-Speichers; 0 ist die feinste.</translation>
+    </message>
+    <message>
+        <source>Which channel of a store, counted from 0.</source>
+        <translation>Welcher Kanal eines Speichers, gezählt ab 0.</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::BlockDialog</name>
@@ -4629,8 +4637,8 @@ DIMS:TYPE[:SPACING[:OFFSET]]</source>
 DIMS:TYPE[:SPACING[:OFFSET]]</translation>
     </message>
     <message>
-        <source>Volumes and sessions (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vtk *.dcm *.raw *.json);;All files (*)</source>
-        <translation>Volumen und Sitzungen (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vtk *.dcm *.raw *.json);;Alle Dateien (*)</translation>
+        <source>Volumes and sessions (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vtk *.dcm *.tif *.tiff *.raw *.json);;All files (*)</source>
+        <translation>Volumen und Sitzungen (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vtk *.dcm *.tif *.tiff *.raw *.json);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Open a label map</source>
@@ -5305,8 +5313,8 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
         <translation>Wo ist %1, der Scan von %2?</translation>
     </message>
     <message>
-        <source>Volumes (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vtk *.dcm *.raw);;All files (*)</source>
-        <translation>Volumen (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vtk *.dcm *.raw);;Alle Dateien (*)</translation>
+        <source>Volumes (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vtk *.dcm *.tif *.tiff *.raw);;All files (*)</source>
+        <translation>Volumen (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vtk *.dcm *.tif *.tiff *.raw);;Alle Dateien (*)</translation>
     </message>
     <message>
         <source>Save as…</source>

@@ -36,7 +36,7 @@ void readStaged(unsigned int buffer, std::size_t offset, std::span<std::byte> by
 // What a window holds at the most.
 inline constexpr std::size_t kWindowBytes = std::size_t(8) << 20;
 
-// Likewise for what goes to or comes from a texture's texels, of kWindowBytes at the most: `transfer` is
+// For what goes to or comes from a texture's texels, of kWindowBytes at the most: `transfer` is
 // called with the window bound as GL's pixel buffer, and with the place in it that stands for a pointer.
 using PixelTransfer = std::function<void(void* place)>;
 void writeStaged(std::span<const std::byte> texels, const PixelTransfer& transfer);

@@ -285,7 +285,7 @@ class Stores(unittest.TestCase):
     def test_options_of_stores_are_for_stores(self):
         scan = self.folder / "a.nrrd"
         self.succeed("phantom", "head", "--size", "20", "-o", scan)
-        self.refuse("--level and --channel are for stores", "info", scan, "--level", 1)
+        self.refuse("--level is for stores of OME-Zarr", "info", scan, "--level", 1)
 
 
 if __name__ == "__main__":

@@ -31,7 +31,7 @@ struct OpenRequest {
     std::string series;
     std::optional<int> frame;
     std::optional<int> level = {};   // of a store of OME-Zarr
-    std::optional<int> channel = {}; // likewise
+    std::optional<int> channel = {}; // of a store or a stack
     std::filesystem::path journal = {};
     std::optional<NewBlock> block = {};
     std::optional<phantom::Recipe> phantom = {}; // what a session's volume was made by

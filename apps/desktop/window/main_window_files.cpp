@@ -103,7 +103,8 @@ QString MainWindow::suggestedSession() const {
 
 void MainWindow::openFile() {
     choose("openDialog", tr("Open a volume or a session"), false,
-           tr("Volumes and sessions (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vtk *.dcm *.raw *.json);;All "
+           tr("Volumes and sessions (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vtk *.dcm *.tif *.tiff *.raw "
+              "*.json);;All "
               "files (*)"),
            {}, [this](const QString& path) { openPath(path); });
 }
@@ -139,8 +140,9 @@ void MainWindow::askForVolume(const OpenRequest& request, const std::filesystem:
                                     .arg(textOf(wanted.filename()), textOf(request.session.filename()))
                               : tr("Where is %1, the scan of what was lost?").arg(textOf(wanted.filename()));
     choose("findVolumeDialog", title, false,
-           tr("Volumes (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vtk *.dcm *.raw);;All files (*)"), {},
-           [this, request, wanted](const QString& path) {
+           tr("Volumes (*.nii *.nii.gz *.nrrd *.nhdr *.mha *.mhd *.vtk *.dcm *.tif *.tiff *.raw);;All files "
+              "(*)"),
+           {}, [this, request, wanted](const QString& path) {
                OpenRequest found = request;
                found.volume = pathOf(path);
                const auto folder = found.volume.parent_path();

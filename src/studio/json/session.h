@@ -38,8 +38,8 @@ struct Session {
     std::string rawLayout;            // set for headerless files
     std::string series;               // set when a DICOM series was chosen
     std::optional<int> frame;
-    std::optional<int> level;   // of a store of OME-Zarr
-    std::optional<int> channel; // likewise
+    std::optional<int> level;                                // of a store of OME-Zarr
+    std::optional<int> channel;                              // of a store or a stack
     sculpt::Precision precision = sculpt::Precision::Bits16; // of the sculpture
     std::vector<Operation> operations;
     // The checksum of the state that was saved beside the file (studio/json/session_state.h), and that of the

@@ -99,7 +99,7 @@ std::vector<std::byte> readValues(DataBlock& block, std::uint64_t skip, std::uin
 // The number of the volume to read of a file that holds `frames`; refuses with the choices where that is not
 // clear.
 int chosenFrame(const std::filesystem::path& path, std::int64_t frames, std::optional<int> frame);
-// Likewise the channel; `names` is told where there are several: " 0 DAPI, 1 GFP".
+// The number of the channel to read; `names` is told where there are several: " 0 DAPI, 1 GFP".
 int chosenChannel(const std::filesystem::path& path, int channels, std::optional<int> channel,
                   const std::string& names);
 // The file that a header names beside itself. Refuses absolute names, those that leave the folder, and

@@ -40,7 +40,7 @@ public:
         if (first != first_) {
             load(first);
         }
-        return sourceOf(held_).read({box.lo - glm::ivec3(0, 0, first), box.hi - glm::ivec3(0, 0, first)});
+        return valuesIn(held_, {box.lo - glm::ivec3(0, 0, first), box.hi - glm::ivec3(0, 0, first)});
     }
 
 private:

@@ -18,6 +18,9 @@ struct StoreSource {
     std::string identity;
 };
 
+// The values of a box of a volume, x fastest.
+std::vector<std::byte> valuesIn(const Volume& volume, const Box3& box);
+
 // All of a volume that is in memory; it must live as long as the source.
 StoreSource sourceOf(const Volume& volume);
 

@@ -79,20 +79,23 @@ std::int64_t TiffFile::pages() {
         return pages_;
     }
     pages_ = 0;
-    std::int64_t number = 0;
-    do {
+    bool isBehind = false; // the small ones come behind the whole ones
+    for (std::int64_t number = 1;; ++number) {
         std::uint32_t kind = 0;
         TIFFGetFieldDefaulted(file_.get(), TIFFTAG_SUBFILETYPE, &kind);
-        if ((kind & (FILETYPE_REDUCEDIMAGE | FILETYPE_MASK)) != 0) {
-            if (number != pages_) {
-                refuse(path_, "small and whole pictures take turns in it",
-                       "save it with whole pictures only");
-            }
-            break; // they come behind the whole ones
+        const bool isWhole = (kind & (FILETYPE_REDUCEDIMAGE | FILETYPE_MASK)) == 0;
+        if (isWhole && isBehind) {
+            refuse(path_, "small and whole pictures take turns in it", "save it with whole pictures only");
         }
-        ++number;
-        pages_ = number;
-    } while (number < std::numeric_limits<tdir_t>::max() && TIFFReadDirectory(file_.get()) != 0);
+        isBehind = !isWhole;
+        pages_ += isWhole ? 1 : 0;
+        if (TIFFLastDirectory(file_.get()) != 0) {
+            break;
+        }
+        if (number == std::numeric_limits<tdir_t>::max() || TIFFReadDirectory(file_.get()) == 0) {
+            refuseDamaged(path_, fmt::format("what follows page {}", number));
+        }
+    }
     at_ = -1;
     if (pages_ == 0) {
         refuse(path_, "it has no picture", "get an intact copy of the file");
@@ -129,6 +132,12 @@ TiffPage TiffFile::page(std::int64_t number) {
     TIFFGetField(file_.get(), TIFFTAG_PHOTOMETRIC, &photometric);
     if (samples != 1 || photometric == PHOTOMETRIC_PALETTE) {
         refuse(path_, "its pixels are colours", "save it with one value a pixel, each channel by itself");
+    }
+    std::uint16_t compression = COMPRESSION_NONE;
+    TIFFGetFieldDefaulted(file_.get(), TIFFTAG_COMPRESSION, &compression);
+    if (compression ==
+        COMPRESSION_JBIG) { // of black and white only; JBIG-KIT, which libtiff links, is never called
+        refuse(path_, "its pixels are black or white", "save it with whole numbers of 8 bits or more");
     }
     if (width == 0 || height == 0) {
         refuse(path_, fmt::format("page {} has no pixels", number + 1), "get an intact copy of the file");

@@ -36,11 +36,12 @@ void DocumentExport::save(const std::filesystem::path& path, const studio::Expor
     reader_ = std::make_unique<studio::ExportReader>(*studio_.host().document(), settings.what,
                                                      std::move(segments));
     const OpenRequest& origin = studio_.files().source();
-    reader_->setReading({{},
-                         origin.series.empty() ? std::nullopt : std::optional(origin.series),
-                         origin.frame,
-                         origin.level,
-                         origin.channel});
+    volume::ReadOptions reading;
+    reading.series = origin.series.empty() ? std::nullopt : std::optional(origin.series);
+    reading.frame = origin.frame;
+    reading.level = origin.level;
+    reading.channel = origin.channel;
+    reader_->setReading(reading);
     shared_ = std::make_shared<Shared>();
     start();
 }

@@ -134,6 +134,27 @@ class Stacks(unittest.TestCase):
         path.write_bytes(start + data[:-10])
         self.refuse("ImageJ wrote 30 pictures, and fewer are there", "info", path)
 
+    def test_white_may_be_zero(self):
+        for kind in ("u1", "u2"):
+            values = noise((5, 20, 30), kind)
+            path = self.folder / "a.tif"
+            tifffile.imwrite(path, values, photometric="miniswhite", metadata=None)
+            read, _ = self.values_of(path)
+            self.assertTrue((read == numpy.iinfo(kind).max - values).all())
+
+    def test_what_is_no_stack(self):
+        """Pictures beside DICOM files, and files of several pages side by side."""
+        mixed = self.folder / "mixed"
+        (mixed / "DICOM").mkdir(parents=True)
+        tifffile.imwrite(mixed / "preview.tif", noise((20, 30), "u1"), metadata=None)
+        self.refuse("mixed: ", "info", mixed)
+        several = self.folder / "several"
+        several.mkdir()
+        for n in range(3):
+            tifffile.imwrite(several / f"{n}.tif", noise((4, 20, 30), "u1"), photometric="minisblack", metadata=None)
+        self.refuse(r"\.tif: it has several pages, and is one of several files; open one", "info", several)
+        self.refuse("it is a stack of pictures; leave out --level", "info", several, "--level", 1)
+
     def test_bad_stacks(self):
         path = self.folder / "a.tif"
         tifffile.imwrite(path, noise((4, 20, 30, 3), "u1"), photometric="rgb", metadata=None)
@@ -143,9 +164,15 @@ class Stacks(unittest.TestCase):
         for cut in (3, 7, 100, 5000, len(whole) // 2):
             path.write_bytes(whole[:cut])
             self.refuse("a.tif: ", "info", path)
+        tifffile.imwrite(path, noise((4, 20, 30), "f4").astype("c8"), photometric="minisblack", metadata=None)
+        self.refuse("neither whole numbers nor floats", "info", path)
+        tifffile.imwrite(path, noise((4, 20, 30), "u1"), photometric="minisblack", metadata=None, extratags=[(274, 3, 1, 4, True)])
+        self.refuse("rows do not begin at the top left", "info", path)
+        tifffile.imwrite(path, noise((4, 20, 30), "u1"), photometric="minisblack", metadata=None, description="ImageJ=1.53\nimages=9\nslices=9\n")
+        self.refuse("ImageJ wrote 9 pictures, and 4 are there", "info", path)
         path.write_bytes(b"II*\0" + b"\xff" * 200)
         self.refuse("a.tif: ", "info", path)
-        self.refuse("--level is for stores", "info", path, "--level", 1)
+        self.refuse("it is one file; leave out --level", "info", path, "--level", 1)
 
     def test_memory_is_for_a_slab_and_not_for_the_stack(self):
         path, store = self.folder / "large.tif", self.folder / "large.zarr"
@@ -161,6 +188,28 @@ class Stacks(unittest.TestCase):
         self.assertLess(most, max(before, 200 * 1024), "kilobytes of the largest process; the stack has 246,000")
         values = tifffile.imread(path)
         self.assertTrue((zarr.open_group(str(store), "r")["0"][:] == values).all())
+
+    def test_another_stack_of_that_name_is_not_gone_on_with(self):
+        stack, store = self.folder / "stack", self.folder / "a.zarr"
+        stack.mkdir()
+        for z in range(24):
+            tifffile.imwrite(stack / f"{z}.tif", numpy.full((80, 90), 5, "u1"), metadata=None)
+        self.succeed("convert", stack, store, "--chunk", 8)
+        marker = store / ".volume-studio-unfinished"
+        # As if it had been killed behind the first slab.
+        again = self.folder / "again.zarr"
+        running = subprocess.Popen([VSTUDIO, "convert", stack, again, "--chunk", "8"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        unfinished = again / marker.name
+        first = ""
+        while running.poll() is None and not first:
+            first = unfinished.read_text().split("\n")[0] if unfinished.exists() else ""
+        running.wait()
+        if not first:
+            self.skipTest("it was done before anyone looked")
+        marker.write_text(f"{first}\n0 0 ;\n")
+        for z in range(24):
+            tifffile.imwrite(stack / f"{z}.tif", numpy.zeros((80, 90), "u1"), metadata=None)
+        self.refuse("something else was begun there", "convert", stack, store, "--chunk", 8)
 
     def test_a_raw_file_is_gone_through_too(self):
         values = noise((70, 40, 50), "<i2")

@@ -253,7 +253,7 @@ class Stores(unittest.TestCase):
             ("of another size", r"0/1/1/1: .*it holds \d+ bytes of the 1024",
              lambda p: (p / "0/1/1/1").write_bytes(numcodecs.Blosc("lz4").encode(bytes(77)))),
             ("shape against chunks", r"\.zarray: chunks: must be 3 numbers", edit("0/.zarray", chunks=[8, 8])),
-            ("hostile shape", "memory", edit("0/.zarray", shape=[2000000, 2000000, 2000000])),
+            ("hostile shape", "1.56e.16 chunks", edit("0/.zarray", shape=[2000000, 2000000, 2000000])),
             ("hostile chunks", "1 GiB", edit("0/.zarray", chunks=[100000, 100000, 100000])),
             ("no number", "shape", edit("0/.zarray", shape=[20, 24, "x"])),
             ("zero", "shape", edit("0/.zarray", shape=[20, 24, 0])),
@@ -271,6 +271,9 @@ class Stores(unittest.TestCase):
             ("absolute", "folder in the store", dataset(path="/etc")),
             ("no scale", "must be 3 numbers", dataset(coordinateTransformations=[{"type": "scale", "scale": [1]}])),
             ("spacing of zero", "spacing", dataset(coordinateTransformations=[{"type": "scale", "scale": [0, 1, 1]}])),
+            ("no regular file", "0/1/1/1: this is no chunk of 1024 bytes",
+             lambda p: ((p / "0/1/1/1").unlink(), os.mkfifo(p / "0/1/1/1"))),
+            ("too large a file", "0/1/1/1: this is no chunk of 1024 bytes", lambda p: (p / "0/1/1/1").write_bytes(bytes(10 ** 6))),
             ("levels upside down", "levels must become coarser", lambda p: edit("1/.zarray", shape=[40, 48, 56])(p)),
         ]
         for name, expected, change in cases:
@@ -282,10 +285,50 @@ class Stores(unittest.TestCase):
             read, _ = self.values_of(path, "--level", 1)
             self.assertTrue((read == values[::2, ::2, ::2]).all())
 
+    def test_sides_of_chunks_may_be_larger_than_anything(self):
+        path = self.make("wide.zarr", noise((3, 4, 5), "u1"), image([(1, 1, 1)]), compressor=None)
+        described = json.loads((path / "0/.zarray").read_text())
+        (path / "0/.zarray").write_text(json.dumps({**described, "chunks": [1, 1, 2 ** 27], "shape": [1, 1, 2 ** 26], "fill_value": 7}))
+        shutil.rmtree(path / "0/0")
+        done = self.succeed("info", path)
+        self.assertIn("values       7 to 7", done.stdout)
+        self.assertIn("no chunk of it is there; all of it has the value 7", done.stderr)
+
+    def test_chunks_of_single_voxels(self):
+        path = self.make("fine.zarr", noise((3, 4, 5), "u1"), image([(1, 1, 1)]))
+        described = json.loads((path / "0/.zarray").read_text())
+        (path / "0/.zarray").write_text(json.dumps({**described, "chunks": [1, 1, 1], "shape": [1, 65536, 65536]}))
+        self.refuse(r"it has 4.29e\+09 chunks; save it with larger ones", "info", path)
+
+    def test_folders_of_chunks_are_found_where_nobody_speaks_of_them(self):
+        values = noise((9, 10, 11), "<u2")
+        path = self.make("nested.zarr", values, image([(1, 1, 1)]), (4, 4, 4))
+        described = json.loads((path / "0/.zarray").read_text())
+        del described["dimension_separator"]
+        (path / "0/.zarray").write_text(json.dumps(described))
+        self.assertTrue((self.values_of(path)[0] == values).all())
+
+    def test_levels_have_the_same_channels(self):
+        path = self.make("c.zarr", noise((3, 6, 8, 8), "u1"), image([(1, 1, 1, 1), (1, 2, 2, 2)], "czyx"), (1, 4, 4, 4))
+        self.succeed("info", path, "--channel", 2, "--level", 1)
+        described = json.loads((path / "1/.zarray").read_text())
+        (path / "1/.zarray").write_text(json.dumps({**described, "shape": [1, *described["shape"][1:]]}))
+        self.refuse("level 1 has other channels or times", "info", path, "--channel", 2, "--level", 1)
+
+    def test_a_name_may_be_any_bytes_and_a_folder_end_in_a_slash(self):
+        scan = self.folder / "a.raw"
+        scan.write_bytes(bytes(range(27)))
+        odd = os.fsencode(self.folder) + b"/n\xff\n.raw"
+        os.rename(scan, odd)
+        done = subprocess.run([os.fsencode(VSTUDIO), b"convert", odd, os.fsencode(self.folder / "o.zarr") + b"/", b"--raw", b"3x3x3:uint8"],
+                              capture_output=True)
+        self.assertEqual(done.returncode, 0, done.stderr)
+        self.assertTrue((zarr.open_group(str(self.folder / "o.zarr"), "r")["0"][:].ravel() == numpy.arange(27)).all())
+
     def test_options_of_stores_are_for_stores(self):
         scan = self.folder / "a.nrrd"
         self.succeed("phantom", "head", "--size", "20", "-o", scan)
-        self.refuse("--level is for stores of OME-Zarr", "info", scan, "--level", 1)
+        self.refuse("it is one file; leave out --level", "info", scan, "--level", 1)
 
 
 if __name__ == "__main__":

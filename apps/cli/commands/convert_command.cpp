@@ -50,7 +50,9 @@ ToConvert toConvert(const ConvertOptions& options) {
 }
 
 void run(const ConvertOptions& options) {
-    if (std::filesystem::path(options.output).extension() != ".zarr") {
+    auto output = std::filesystem::path(options.output).lexically_normal();
+    output = output.has_filename() ? output : output.parent_path(); // "NAME.zarr/", as shells complete it
+    if (output.extension() != ".zarr") {
         throw WriteError("{}: a store of OME-Zarr is written; give a name that ends in .zarr",
                          options.output);
     }
@@ -63,7 +65,7 @@ void run(const ConvertOptions& options) {
     layout.reducing = options.isLabels ? volume::Reducing::Commonest : volume::Reducing::Mean;
     {
         const Activity activity("writing " + options.output);
-        volume::writeStore(options.output, input.source, layout);
+        volume::writeStore(output, input.source, layout);
     }
     const auto& geometry = input.source.facts.geometry;
     const auto levels = volume::levelsOf(geometry, layout.chunk);

@@ -12,6 +12,7 @@
 #include <itkNrrdImageIO.h>
 
 #include <fstream>
+#include <initializer_list>
 #include <utility>
 
 namespace vs::volume {
@@ -45,6 +46,16 @@ ReadResult readNifti(const std::filesystem::path& path, const ReadOptions& optio
     return readPlaced("NIfTI", path, std::move(inspection), options.frame, scaling);
 }
 
+// What was chosen that means nothing for this kind of thing.
+void refuseOptions(const std::filesystem::path& path, std::string_view kind,
+                   std::initializer_list<std::pair<const char*, bool>> options) {
+    for (const auto& [name, isGiven] : options) {
+        if (isGiven) {
+            refuse(path, fmt::format("it is {}", kind), fmt::format("leave out {}", name));
+        }
+    }
+}
+
 ReadResult readFormat(const std::filesystem::path& path, const ReadOptions& options) {
     std::error_code error;
     const auto status = std::filesystem::status(path, error);
@@ -56,11 +67,16 @@ ReadResult readFormat(const std::filesystem::path& path, const ReadOptions& opti
             refuse(path, "it is a folder", "--raw describes one file");
         }
         if (isStore(path)) {
+            refuseOptions(path, "a store of OME-Zarr", {{"--series", options.series.has_value()}});
             return readStore(path, options);
         }
         if (isTiffFolder(path)) {
+            refuseOptions(path, "a stack of pictures",
+                          {{"--series", options.series.has_value()}, {"--level", options.level.has_value()}});
             return readTiff(path, options);
         }
+        refuseOptions(path, "a folder of DICOM files",
+                      {{"--level", options.level.has_value()}, {"--channel", options.channel.has_value()}});
         return readDicom(path, options);
     }
     if (!std::filesystem::is_regular_file(status)) {
@@ -69,18 +85,16 @@ ReadResult readFormat(const std::filesystem::path& path, const ReadOptions& opti
     if (!std::ifstream(path).good()) {
         refuse(path, "it cannot be opened", "check its permissions");
     }
-    if (options.level) {
-        refuse(path, "it is one file", "--level is for stores of OME-Zarr");
+    const Format format = options.raw ? Format::Raw : recognise(path);
+    refuseOptions(path, "one file", {{"--level", options.level.has_value()}});
+    if (format != Format::Tiff) {
+        refuseOptions(path, "no stack of pictures", {{"--channel", options.channel.has_value()}});
     }
     if (options.raw) {
         return readRaw(path, *options.raw, options.slices);
     }
     if (std::filesystem::file_size(path) == 0) {
         refuse(path, "it is empty", "get a complete copy of the file");
-    }
-    const Format format = recognise(path);
-    if (options.channel && format != Format::Tiff) {
-        refuse(path, "it has no channels", "--channel is for stores of OME-Zarr and stacks of TIFF");
     }
     if (options.series && format != Format::Dicom) {
         refuse(path, "it holds no DICOM series", "leave out --series");

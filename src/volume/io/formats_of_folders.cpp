@@ -2,6 +2,9 @@
 #include "volume/io/formats.h"
 #include "volume/io/inspect.h"
 
+#include <algorithm>
+#include <vector>
+
 namespace vs::volume {
 
 bool isTiffName(const std::filesystem::path& path) {
@@ -10,14 +13,28 @@ bool isTiffName(const std::filesystem::path& path) {
 }
 
 bool isTiffFolder(const std::filesystem::path& path) {
+    namespace fs = std::filesystem;
     std::error_code error;
     std::size_t pictures = 0;
-    std::size_t others = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(path, error)) {
-        const bool isHidden = entry.path().filename().string().starts_with('.');
-        (isTiffName(entry.path()) ? pictures : others) += !isHidden && entry.is_regular_file(error) ? 1 : 0;
+    std::vector<fs::path> others; // what scanners write beside them
+    std::size_t folders = 0;
+    for (fs::directory_iterator it(path, error), end; !error && it != end; it.increment(error)) {
+        std::error_code unknown;
+        if (it->path().filename().string().starts_with('.')) {
+            continue;
+        }
+        if (!it->is_regular_file(unknown)) {
+            ++folders;
+        } else if (isTiffName(it->path())) {
+            ++pictures;
+        } else {
+            others.push_back(it->path());
+        }
     }
-    return pictures > 0 && pictures >= others;
+    const bool isAlone = others.empty() && folders == 0;
+    return (isAlone ? pictures > 0 : pictures > 1 && pictures > others.size()) &&
+           std::none_of(others.begin(), others.end(),
+                        [](const fs::path& other) { return recognise(other) == Format::Dicom; });
 }
 
 } // namespace vs::volume

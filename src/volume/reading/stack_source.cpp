@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "volume/reading/stack_source.h"
 
+#include "base/hash.h"
 #include "base/progress.h"
 #include "volume/io/formats.h"
 #include "volume/reading/read_volume.h"
@@ -9,6 +10,7 @@
 #include <cstring>
 #include <memory>
 #include <mutex>
+#include <span>
 
 namespace vs::volume {
 
@@ -25,6 +27,29 @@ bool isReadInSlices(const fs::path& path, const ReadOptions& options) {
         return !isStore(path) && isTiffFolder(path);
     }
     return fs::is_regular_file(path, error) && (options.raw || recognise(path) == Format::Tiff);
+}
+
+// Names, sizes and times of a file, or of those in a folder.
+std::string contentOf(const fs::path& path) {
+    Hash64 hash;
+    const auto add = [&hash](const fs::path& file) {
+        std::error_code error;
+        const auto text = fmt::format("{} {} {};", file.filename().string(), fs::file_size(file, error),
+                                      fs::last_write_time(file, error).time_since_epoch().count());
+        hash.add(std::as_bytes(std::span(text)));
+    };
+    std::error_code error;
+    if (!fs::is_directory(path, error)) {
+        add(path);
+        return hash.text();
+    }
+    std::vector<fs::path> files;
+    for (fs::directory_iterator it(path, error), end; !error && it != end; it.increment(error)) {
+        files.push_back(it->path());
+    }
+    std::sort(files.begin(), files.end());
+    std::for_each(files.begin(), files.end(), add);
+    return hash.text();
 }
 
 // Some slices of a volume, kept until others are asked for.
@@ -88,9 +113,9 @@ std::optional<StoreSource> stackSource(const fs::path& path, const ReadOptions& 
     const glm::ivec3 dims = source.facts.geometry.dims;
     std::error_code error;
     source.identity =
-        fmt::format("{} of {} x {} x {} {}, channel {}, frame {}, {}", fs::absolute(path, error).string(),
-                    dims.x, dims.y, dims.z, name(source.type), options.channel.value_or(0),
-                    options.frame.value_or(0), fs::last_write_time(path, error).time_since_epoch().count());
+        fmt::format("{} of {} x {} x {} {}, channel {}, frame {}, {}",
+                    fs::weakly_canonical(path, error).string(), dims.x, dims.y, dims.z, name(source.type),
+                    options.channel.value_or(0), options.frame.value_or(0), contentOf(path));
     const auto slab = std::make_shared<Slab>(path, options, chunk, dims.z);
     source.read = [slab](const Box3& box) { return slab->read(box); };
     return source;

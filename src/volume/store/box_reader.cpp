@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "volume/store/box_reader.h"
 
+#include <algorithm>
 #include <cstring>
 
 namespace vs::volume {
@@ -31,11 +32,18 @@ BoxReader::BoxReader(const Multiscales& store, std::size_t level, const Box3& bo
     }
     for (int i = 0; i < 3; ++i) {
         const int axis = store.spatial[std::size_t(i)];
-        side_[i] = axis < 0 ? 1 : int(array_.chunks[std::size_t(axis)]);
+        // A chunk that is larger than the array ends where that ends.
+        side_[i] =
+            axis < 0 ? 1 : int(std::min(array_.chunks[std::size_t(axis)], array_.shape[std::size_t(axis)]));
         stride_[i] = axis < 0 ? 0 : std::size_t(strides_[std::size_t(axis)]) * valueBytes_;
     }
     first_ = box.lo / side_;
     count_ = (box.hi - 1) / side_ + 1 - first_;
+    constexpr double most = 1 << 26;
+    if (const double chunks = double(count_.x) * count_.y * count_.z; chunks > most) {
+        refuse(array_.folder, fmt::format("it has {:.3g} chunks", chunks),
+               "save it with larger ones; 64 x 64 x 64 voxels are usual");
+    }
 }
 
 glm::ivec3 BoxReader::placeOf(int n) const {

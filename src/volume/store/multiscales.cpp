@@ -174,6 +174,17 @@ glm::ivec3 dimsOf(const ZarrArray& array, const Multiscales& store) {
     return dims;
 }
 
+// Some programs write folders and do not say so.
+void findSeparator(ZarrArray& array) {
+    const std::vector<std::int64_t> first(array.shape.size(), 0);
+    const auto nested = array.folder / "0";
+    std::error_code error;
+    if (array.separator == '.' && array.shape.size() > 1 && !fs::exists(array.chunkFile(first), error) &&
+        fs::is_directory(nested, error)) {
+        array.separator = '/';
+    }
+}
+
 // The array that a level names; a name must not lead out of the store.
 ZarrArray arrayOf(const JsonReader& level, std::size_t axes, const Multiscales& store) {
     const JsonReader name = level.member("path");
@@ -182,6 +193,7 @@ ZarrArray arrayOf(const JsonReader& level, std::size_t axes, const Multiscales& 
         name.fail("must be the name of a folder in the store");
     }
     ZarrArray array = openZarrArray(store.path / inside);
+    findSeparator(array);
     if (array.shape.size() != axes) {
         refuse(array.folder / ".zarray",
                fmt::format("the array has {} axes, and the store's description {}", array.shape.size(), axes),
@@ -194,6 +206,13 @@ void expectCoarser(const Multiscales& store) {
     for (std::size_t n = 1; n < store.levels.size(); ++n) {
         const auto& finer = store.levels[n - 1];
         const auto& coarser = store.levels[n];
+        const auto areAlike = [&](int axis) {
+            return axis < 0 || finer.array.shape[std::size_t(axis)] == coarser.array.shape[std::size_t(axis)];
+        };
+        if (!areAlike(store.channelAxis) || !areAlike(store.timeAxis)) {
+            refuse(store.path, fmt::format("level {} has other channels or times than the one before", n),
+                   "they must be the same in all levels; get another copy of the store");
+        }
         if (glm::any(glm::greaterThan(coarser.geometry.dims, finer.geometry.dims)) ||
             coarser.array.type != finer.array.type) {
             refuse(store.path,
@@ -302,11 +321,11 @@ nlohmann::ordered_json multiscalesJson(const StoreFacts& facts, const std::vecto
         world.push_back(facts.geometry.worldFromVoxel[n % 4][n / 4]);
     }
     return {{"multiscales", Json::array({{{"version", "0.4"},
-                                          {"name", facts.name},
+                                          {"name", printable(facts.name)},
                                           {"axes", axes},
                                           {"datasets", datasets},
-                                          {"type", "mean"}}})},
-            {kOurs, {{"worldFromVoxel", world}, {"unit", facts.unit}}}};
+                                          {"type", facts.reducing}}})},
+            {kOurs, {{"worldFromVoxel", world}, {"unit", printable(facts.unit)}}}};
 }
 
 } // namespace vs::volume

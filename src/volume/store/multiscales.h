@@ -52,6 +52,7 @@ struct StoreFacts {
     GridGeometry geometry; // of the finest level
     std::string unit;
     std::string name;
+    std::string reducing = "mean"; // how voxels became coarser ones, for people
 };
 
 // The attributes of a store of `levels`, each half as fine along the axes that `halves` names as the one

@@ -40,6 +40,26 @@ std::string namesOf(const Multiscales& store) {
     return names;
 }
 
+// Tells whoever limits time and memory of the chunks' files. Returns how many there are.
+int announceChunks(const BoxReader& reader, std::uint64_t bytes) {
+    // Emptiness is stored as nothing: what the format promises for it is as sound as what it has files for.
+    announceStored(bytes / 1000);
+    constexpr int atOnce = 64;
+    int files = 0;
+    std::uint64_t stored = 0;
+    for (int n = 0; n < reader.chunks(); ++n) {
+        const std::uint64_t here = reader.storedBytes(n);
+        files += here > 0 ? 1 : 0;
+        stored += here;
+        if (n % atOnce == atOnce - 1 || n + 1 == reader.chunks()) {
+            reportProgress();
+            announceStored(stored);
+            stored = 0;
+        }
+    }
+    return files;
+}
+
 } // namespace
 
 ReadResult readStore(const std::filesystem::path& path, const ReadOptions& options) {
@@ -51,12 +71,6 @@ ReadResult readStore(const std::filesystem::path& path, const ReadOptions& optio
     const auto& [array, geometry] = store.levels[level];
     const glm::ivec3 dims = geometry.dims;
     const BoxReader reader(store, level, geometry.box(), channel, time);
-    // Emptiness is stored as nothing: what the format promises for it is as sound as what it has files for.
-    std::uint64_t stored = geometry.voxelCount() * bytesOf(array.type) / 1000;
-    for (int n = 0; n < reader.chunks(); ++n) {
-        stored += reader.storedBytes(n);
-    }
-    announceStored(stored);
     try {
         (void)checkedBytes(path, {dims.x, dims.y, dims.z}, bytesOf(array.type));
     } catch (const ReadError&) {
@@ -68,8 +82,13 @@ ReadResult readStore(const std::filesystem::path& path, const ReadOptions& optio
                            dims.y, dims.z),
                fmt::format("choose a coarser one with --level, of {}", store.levelsText()));
     }
+    const int files = announceChunks(reader, geometry.voxelCount() * bytesOf(array.type));
     ReadResult result;
     result.notices = store.notices;
+    if (files == 0) {
+        result.notices.push_back(fmt::format("{}: no chunk of it is there; all of it has the value {}",
+                                             array.folder.string(), array.fill));
+    }
     if (level > 0) {
         result.notices.push_back(
             fmt::format("{}: this is level {} of {}", path.string(), level, store.levelsText()));

@@ -16,7 +16,7 @@ void writeStoreFile(const std::filesystem::path& file, const nlohmann::ordered_j
     }
     writeAtomically(file, [&](const std::filesystem::path& temporary) {
         std::ofstream stream(temporary);
-        stream << json.dump(1) << '\n';
+        stream << json.dump(1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << '\n';
         if (!stream.flush()) {
             throw WriteError("{}: it cannot be written; make room, or name another place", file.string());
         }

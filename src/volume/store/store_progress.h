@@ -14,7 +14,11 @@ class StoreProgress {
 public:
     // `what` says in one line what is written; one that was begun with another is not gone on with. Throws
     // WriteError then, and where there is something else in that place.
+    // The store is this one's alone until it goes.
     StoreProgress(const std::filesystem::path& store, const std::string& what);
+    ~StoreProgress();
+    StoreProgress(const StoreProgress&) = delete;
+    StoreProgress& operator=(const StoreProgress&) = delete;
 
     [[nodiscard]] bool isDone(int level, int slab) const { return done_.contains({level, slab}); }
     [[nodiscard]] std::size_t doneSlabs() const { return done_.size(); }
@@ -24,9 +28,12 @@ public:
     void finish();
 
 private:
+    void takeUp(const std::string& what);
+
     std::filesystem::path store_;
     std::filesystem::path file_;
     std::set<std::pair<int, int>> done_;
+    int lock_ = -1; // the file, open and locked
 };
 
 // Throws ReadError where a store is not finished.

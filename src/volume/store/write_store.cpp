@@ -37,6 +37,17 @@ StoredType storedTypeOf(ScalarType type) {
     return StoredType::Float32;
 }
 
+// In one line, what is written and how: only that is gone on with.
+std::string identityOf(const StoreSource& source, const StoreLayout& layout) {
+    std::string line =
+        fmt::format("1: {}, chunks of {}, codec {} {} {} {}, {}", source.identity, layout.chunk,
+                    int(layout.codec.kind), layout.codec.level, layout.codec.inner, layout.codec.shuffle,
+                    layout.reducing == Reducing::Mean ? "mean" : "commonest");
+    std::replace_if(
+        line.begin(), line.end(), [](char c) { return c == '\n' || c == '\r'; }, ' ');
+    return line;
+}
+
 glm::ivec3 halvedAlong(glm::ivec3 dims) {
     return {dims.x > 1 ? 2 : 1, dims.y > 1 ? 2 : 1, dims.z > 1 ? 2 : 1};
 }
@@ -44,8 +55,7 @@ glm::ivec3 halvedAlong(glm::ivec3 dims) {
 class StoreWriter {
 public:
     StoreWriter(const std::filesystem::path& path, const StoreSource& source, const StoreLayout& layout)
-        : source_(source), layout_(layout),
-          progress_(path, fmt::format("{}, chunks of {}", source.identity, layout.chunk)) {
+        : source_(source), layout_(layout), progress_(path, identityOf(source, layout)) {
         store_.path = path;
         store_.spatial = {2, 1, 0};
         for (const GridGeometry& geometry : levelsOf(source.facts.geometry, layout.chunk)) {
@@ -75,7 +85,9 @@ public:
         for (const auto& level : store_.levels) {
             grids.push_back(level.geometry);
         }
-        writeStoreFile(store_.path / ".zattrs", multiscalesJson(source_.facts, grids));
+        StoreFacts facts = source_.facts;
+        facts.reducing = layout_.reducing == Reducing::Mean ? "mean" : "commonest";
+        writeStoreFile(store_.path / ".zattrs", multiscalesJson(facts, grids));
         progress_.finish();
     }
 
@@ -96,14 +108,15 @@ private:
 
     void writeChunk(std::size_t level, glm::ivec3 place) const {
         const auto& [array, geometry] = store_.levels[level];
+        const std::array<std::int64_t, 3> chunk{place.z, place.y, place.x};
         const Box3 box = intersect({place * layout_.chunk, (place + 1) * layout_.chunk}, geometry.box());
         const auto values = level == 0 ? source_.read(box) : reducedTo(level, box);
         VS_CHECK_EQ(values.size(), box.volume() * sizeOf(source_.type));
         if (std::all_of(values.begin(), values.end(), [](std::byte b) { return b == std::byte(0); })) {
-            return; // as a chunk without a file is
+            array.removeChunk(chunk); // one without a file is so
+            return;
         }
-        array.writeChunk(std::array<std::int64_t, 3>{place.z, place.y, place.x},
-                         filledUp(values, box.size()));
+        array.writeChunk(chunk, filledUp(values, box.size()));
     }
 
     // A box of a level from the level before.

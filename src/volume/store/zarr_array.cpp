@@ -57,10 +57,12 @@ void readType(const JsonReader& from, ZarrArray& array) {
               "as \"<u2\" and \"<f4\"");
 }
 
+constexpr std::int64_t kMostAlongAxis = std::int64_t(1) << 27;
+
 std::vector<std::int64_t> readSizes(const JsonReader& from) {
     std::vector<std::int64_t> sizes;
     for (std::size_t axis = 0; axis < std::min(from.size(), kMostAxes + 1); ++axis) {
-        sizes.push_back(from.at(axis).integerBetween(1, std::numeric_limits<int>::max()));
+        sizes.push_back(from.at(axis).integerBetween(1, kMostAlongAxis));
     }
     if (sizes.empty() || sizes.size() > kMostAxes) {
         from.fail(fmt::format("must be 1 to {} numbers", kMostAxes));
@@ -242,8 +244,16 @@ std::uint64_t ZarrArray::storedBytes(std::span<const std::int64_t> chunk) const 
 std::optional<std::vector<std::byte>> ZarrArray::readChunk(std::span<const std::int64_t> chunk) const {
     const fs::path file = chunkFile(chunk);
     std::error_code error;
-    if (!fs::exists(file, error) && !error) {
+    const auto status = fs::status(file, error);
+    if (status.type() == fs::file_type::not_found) {
         return std::nullopt;
+    }
+    // No codec makes more of a chunk than some headers.
+    const std::uint64_t most = chunkBytes() + chunkBytes() / 4 + (std::uint64_t(1) << 16);
+    if (!fs::is_regular_file(status) || fs::file_size(file, error) > most) {
+        throw ReadError(
+            "{}: this is no chunk of {} bytes; get another copy of it, or remove it to have it empty",
+            file.string(), chunkBytes());
     }
     const auto bytes = bytesIn(file);
     try {
@@ -268,6 +278,10 @@ void ZarrArray::writeChunk(std::span<const std::int64_t> chunk, std::span<const 
     const auto bytes = encoded(codec, values, bytesOf(type));
     std::error_code error;
     fs::create_directories(file.parent_path(), error);
+    if (error) {
+        throw WriteError("{}: this folder cannot be made ({}); make room, or name another place",
+                         file.parent_path().string(), error.message());
+    }
     errno = 0;
     std::ofstream stream(part, std::ios::binary);
     stream.write(reinterpret_cast<const char*>(bytes.data()), std::streamsize(bytes.size()));
@@ -280,6 +294,14 @@ void ZarrArray::writeChunk(std::span<const std::int64_t> chunk, std::span<const 
         fs::remove(part, error);
         throw WriteError("{}: this chunk cannot be written ({}); make room, or name another place",
                          file.string(), why);
+    }
+}
+
+void ZarrArray::removeChunk(std::span<const std::int64_t> chunk) const {
+    std::error_code error;
+    fs::remove(chunkFile(chunk), error);
+    if (error) {
+        throw WriteError("{}: this chunk cannot be removed ({})", chunkFile(chunk).string(), error.message());
     }
 }
 

@@ -39,6 +39,8 @@ struct ZarrArray {
     [[nodiscard]] std::uint64_t storedBytes(std::span<const std::int64_t> chunk) const;
     // Writes a chunk under a name of its own first, and then renames it. Throws WriteError.
     void writeChunk(std::span<const std::int64_t> chunk, std::span<const std::byte> values) const;
+    // From now on it holds the fill value. Throws WriteError.
+    void removeChunk(std::span<const std::int64_t> chunk) const;
     // One value as it fills chunks that have no file, bytesOf(type) bytes in this machine's order.
     [[nodiscard]] std::vector<std::byte> fillValue() const;
 };

@@ -84,6 +84,10 @@ public:
             first_.readPlain(plainOffset_ + std::uint64_t(number) * page_.bytes(), values);
         } else if (files_.size() > 1) {
             TiffFile file(files_[std::size_t(number)]);
+            if (!file.isSinglePage()) {
+                refuse(files_[std::size_t(number)], "it has several pages, and is one of several files",
+                       "open one file of pages by itself, or a folder of files with one page each");
+            }
             expectAlike(files_[std::size_t(number)], file.page(0));
             file.read(0, values);
         } else {
@@ -99,10 +103,11 @@ private:
             return {path};
         }
         std::vector<fs::path> files;
-        for (const auto& entry : fs::directory_iterator(path, error)) {
-            if (isTiffName(entry.path()) && entry.is_regular_file(error) &&
-                !entry.path().filename().string().starts_with('.')) {
-                files.push_back(entry.path());
+        for (fs::directory_iterator it(path, error), end; !error && it != end; it.increment(error)) {
+            std::error_code unknown;
+            if (isTiffName(it->path()) && it->is_regular_file(unknown) &&
+                !it->path().filename().string().starts_with('.')) {
+                files.push_back(it->path());
             }
         }
         std::sort(files.begin(), files.end(), [](const fs::path& a, const fs::path& b) {
@@ -118,7 +123,11 @@ private:
                             times <= pages_ / slices / channels && slices * channels * times == pages_;
         const bool isOneFileOfMany = files_.size() > 1; // each may tell of all, or of itself
         if (!isSaid) {
-            if (slices > 0 && !isOneFileOfMany && !isImageJ) {
+            if (isImageJ && !isOneFileOfMany && images > pages_) {
+                refuse(path_, fmt::format("ImageJ wrote {} pictures, and {} are there", images, pages_),
+                       "get a complete copy of the file");
+            }
+            if (slices > 0 && !isOneFileOfMany) {
                 notices_.push_back(
                     fmt::format("{}: it tells of {} slices, {} channels and {} times, and has {} "
                                 "pages; they are taken for slices",

@@ -35,6 +35,11 @@ void noteError(const char* /*module*/, const char* format, va_list arguments) {
 }
 
 StoredType typeOf(const std::filesystem::path& path, int bits, int format) {
+    if (format != SAMPLEFORMAT_UINT && format != SAMPLEFORMAT_INT && format != SAMPLEFORMAT_IEEEFP) {
+        refuse(path,
+               fmt::format("its values are neither whole numbers nor floats (sample format {})", format),
+               "save it as whole numbers or floats");
+    }
     const bool isFloat = format == SAMPLEFORMAT_IEEEFP;
     const bool isSigned = format == SAMPLEFORMAT_INT;
     switch (bits) {
@@ -57,6 +62,15 @@ StoredType typeOf(const std::filesystem::path& path, int bits, int format) {
     }
     refuse(path, fmt::format("its pixels have {} bits of {}", bits, isFloat ? "a float" : "a whole number"),
            "whole numbers of 8, 16, 32 and 64 bits and floats of 32 and 64 can be read");
+}
+
+// Turns values of which 0 is white the other way round.
+void setRight(const TiffPage& page, std::span<std::byte> values) {
+    if (page.isInverted) {
+        for (std::byte& part : values) { // the greatest number less a value is its bits turned over
+            part = ~part;
+        }
+    }
 }
 
 } // namespace
@@ -103,6 +117,11 @@ std::int64_t TiffFile::pages() {
     return pages_;
 }
 
+bool TiffFile::isSinglePage() {
+    go(0);
+    return TIFFLastDirectory(file_.get()) != 0;
+}
+
 void TiffFile::go(std::int64_t number) {
     if (at_ == number) {
         return;
@@ -139,10 +158,21 @@ TiffPage TiffFile::page(std::int64_t number) {
         COMPRESSION_JBIG) { // of black and white only; JBIG-KIT, which libtiff links, is never called
         refuse(path_, "its pixels are black or white", "save it with whole numbers of 8 bits or more");
     }
+    std::uint16_t orientation = ORIENTATION_TOPLEFT;
+    TIFFGetFieldDefaulted(file_.get(), TIFFTAG_ORIENTATION, &orientation);
+    if (orientation != ORIENTATION_TOPLEFT) {
+        refuse(path_, fmt::format("its rows do not begin at the top left (orientation {})", orientation),
+               "save it upright, so that left and right are not mistaken");
+    }
     if (width == 0 || height == 0) {
         refuse(path_, fmt::format("page {} has no pixels", number + 1), "get an intact copy of the file");
     }
-    return {width, height, typeOf(path_, bits, format)};
+    const StoredType type = typeOf(path_, bits, format);
+    const bool isInverted = photometric == PHOTOMETRIC_MINISWHITE;
+    if (isInverted && type != StoredType::UInt8 && type != StoredType::UInt16) {
+        refuse(path_, "its greatest values mean black", "save it with the greatest values as white");
+    }
+    return {width, height, type, isInverted};
 }
 
 void TiffFile::read(std::int64_t number, std::span<std::byte> values) {
@@ -151,47 +181,53 @@ void TiffFile::read(std::int64_t number, std::span<std::byte> values) {
         throw Error("{}: page {} changed while it was read", path_.string(), number + 1);
     }
     lastError().clear();
-    const std::size_t rowBytes = std::size_t(page.width) * bytesOf(page.type);
     if (TIFFIsTiled(file_.get()) == 0) {
-        std::uint32_t rows = 0;
-        TIFFGetFieldDefaulted(file_.get(), TIFFTAG_ROWSPERSTRIP, &rows);
-        const std::size_t stripBytes =
-            std::size_t(std::min<std::int64_t>(std::max<std::uint32_t>(rows, 1), page.height)) * rowBytes;
-        const std::uint32_t strips = TIFFNumberOfStrips(file_.get());
-        for (std::uint32_t strip = 0; strip < strips && std::size_t(strip) * stripBytes < values.size();
-             ++strip) {
-            const auto part = values.subspan(std::size_t(strip) * stripBytes);
-            const std::size_t wanted = std::min(stripBytes, part.size());
-            if (TIFFReadEncodedStrip(file_.get(), strip, part.data(), tmsize_t(wanted)) != tmsize_t(wanted)) {
-                refuseDamaged(path_, fmt::format("page {}", number + 1));
-            }
-        }
-        return;
+        readStrips(number, page, values);
+    } else {
+        readTiles(number, page, values);
     }
-    std::uint32_t tileWidth = 0;
-    std::uint32_t tileHeight = 0;
-    TIFFGetField(file_.get(), TIFFTAG_TILEWIDTH, &tileWidth);
-    TIFFGetField(file_.get(), TIFFTAG_TILELENGTH, &tileHeight);
-    constexpr std::uint64_t mostTileBytes = std::uint64_t(1) << 30;
-    const auto tileBytes = std::uint64_t(TIFFTileSize64(file_.get()));
-    if (tileWidth == 0 || tileHeight == 0 || tileBytes > mostTileBytes) {
-        refuse(path_, fmt::format("page {} has tiles of {} x {}", number + 1, tileWidth, tileHeight),
+    setRight(page, values);
+}
+
+void TiffFile::readStrips(std::int64_t number, const TiffPage& page, std::span<std::byte> values) {
+    std::uint32_t rows = 0;
+    TIFFGetFieldDefaulted(file_.get(), TIFFTAG_ROWSPERSTRIP, &rows);
+    const auto rowsOfStrip = std::min<std::int64_t>(std::max<std::uint32_t>(rows, 1), page.height);
+    const std::size_t stripBytes = std::size_t(rowsOfStrip) * page.rowBytes();
+    for (std::uint32_t strip = 0; !values.empty(); ++strip) {
+        const std::size_t wanted = std::min(stripBytes, values.size());
+        if (TIFFReadEncodedStrip(file_.get(), strip, values.data(), tmsize_t(wanted)) != tmsize_t(wanted)) {
+            refuseDamaged(path_, fmt::format("page {}", number + 1));
+        }
+        values = values.subspan(wanted);
+    }
+}
+
+void TiffFile::readTiles(std::int64_t number, const TiffPage& page, std::span<std::byte> values) {
+    std::uint32_t width = 0;
+    std::uint32_t height = 0;
+    TIFFGetField(file_.get(), TIFFTAG_TILEWIDTH, &width);
+    TIFFGetField(file_.get(), TIFFTAG_TILELENGTH, &height);
+    constexpr std::uint64_t most = std::uint64_t(1) << 30;
+    const auto bytes = std::uint64_t(TIFFTileSize64(file_.get()));
+    if (width == 0 || height == 0 || bytes > most) {
+        refuse(path_, fmt::format("page {} has tiles of {} x {}", number + 1, width, height),
                "get an intact copy of the file");
     }
-    std::vector<std::byte> tile(tileBytes);
-    const std::size_t tileRow = std::size_t(tileWidth) * bytesOf(page.type);
-    for (std::int64_t y = 0; y < page.height; y += tileHeight) {
-        for (std::int64_t x = 0; x < page.width; x += tileWidth) {
+    std::vector<std::byte> tile(bytes);
+    const std::size_t tileRow = std::size_t(width) * bytesOf(page.type);
+    for (std::int64_t y = 0; y < page.height; y += height) {
+        for (std::int64_t x = 0; x < page.width; x += width) {
             if (TIFFReadTile(file_.get(), tile.data(), std::uint32_t(x), std::uint32_t(y), 0, 0) < 0) {
                 refuseDamaged(path_, fmt::format("page {}", number + 1));
             }
-            const std::int64_t rows = std::min<std::int64_t>(tileHeight, page.height - y);
-            const std::size_t width =
-                std::size_t(std::min<std::int64_t>(tileWidth, page.width - x)) * bytesOf(page.type);
-            for (std::int64_t row = 0; row < rows; ++row) {
-                std::memcpy(values.data() + std::size_t(y + row) * rowBytes +
-                                std::size_t(x) * bytesOf(page.type),
-                            tile.data() + std::size_t(row) * tileRow, width);
+            const std::int64_t rows = std::min<std::int64_t>(height, page.height - y);
+            const std::size_t taken =
+                std::size_t(std::min<std::int64_t>(width, page.width - x)) * bytesOf(page.type);
+            std::byte* to =
+                values.data() + std::size_t(y) * page.rowBytes() + std::size_t(x) * bytesOf(page.type);
+            for (std::int64_t row = 0; row < rows; ++row, to += page.rowBytes()) {
+                std::memcpy(to, tile.data() + std::size_t(row) * tileRow, taken);
             }
         }
     }
@@ -249,6 +285,7 @@ void TiffFile::readPlain(std::uint64_t offset, std::span<std::byte> values) {
             std::reverse(value, value + std::ptrdiff_t(valueBytes));
         }
     }
+    setRight(page, values);
 }
 
 } // namespace vs::volume

@@ -20,11 +20,11 @@ struct TiffPage {
     std::int64_t width = 0;
     std::int64_t height = 0;
     StoredType type = StoredType::UInt8;
+    bool isInverted = false; // 0 is white in the file; values that are read are the other way round
 
     bool operator==(const TiffPage&) const = default;
-    [[nodiscard]] std::uint64_t bytes() const {
-        return std::uint64_t(width) * std::uint64_t(height) * bytesOf(type);
-    }
+    [[nodiscard]] std::size_t rowBytes() const { return std::size_t(width) * bytesOf(type); }
+    [[nodiscard]] std::uint64_t bytes() const { return std::uint64_t(height) * rowBytes(); }
 };
 
 // A file of pages, read by libtiff. What it throws are ReadErrors that name the file.
@@ -34,6 +34,8 @@ public:
 
     // Pages, without those that only show another one smaller.
     [[nodiscard]] std::int64_t pages();
+    // Whether there is but one; quicker than counting.
+    bool isSinglePage();
     // Refuses what is no picture of one value a pixel.
     TiffPage page(std::int64_t number);
     // A page's values, rows from the top, in this machine's byte order.
@@ -50,6 +52,8 @@ public:
 
 private:
     void go(std::int64_t number);
+    void readStrips(std::int64_t number, const TiffPage& page, std::span<std::byte> values);
+    void readTiles(std::int64_t number, const TiffPage& page, std::span<std::byte> values);
 
     struct Close {
         void operator()(tiff* file) const;

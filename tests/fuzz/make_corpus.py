@@ -63,12 +63,12 @@ def pictures():
 
 
 GRID = {"dims": [3, 4, 5], "worldFromVoxel": [1.0, 0.0, 0.0, 0.0, 0.0, 0.5, 0.0, 0.0, 0.0, 0.0, 2.0, 0.0, -1.5, 2.25, 1e6, 1.0]}
-OPTIONS = {"series": None, "frame": 2, "raw": {"dims": [4, 5, 6], "type": 3, "spacing": [1.0, 2.0, 3.0], "offset": 7}}
+OPTIONS = {"series": None, "frame": 2, "level": 1, "channel": None, "slices": [3, 4], "raw": {"dims": [4, 5, 6], "type": 3, "spacing": [1.0, 2.0, 3.0], "offset": 7}}
 
 
 def answers():
     details = {"format": "DICOM", "patient": "Doe, Jane", "study": "", "series": "thin", "modality": "CT", "isAngiography": True,
-               "slope": 0.5, "intercept": -1024.0, "frame": 0, "frames": 1, "interpolated": [1, 4]}
+               "slope": 0.5, "intercept": -1024.0, "frame": 0, "frames": 1, "slices": 5, "interpolated": [1, 4]}
     volume = {"grid": GRID, "type": 2, "range": [-5.0, 9.5], "usual": [0.0, 9.0], "nonFinite": 1, "name": "head", "unit": "HU",
               "details": details}
     choice = {"uid": "1.2", "description": "thin", "modality": "CT", "size": [3, 4], "pixelSpacing": [0.5, 0.5], "sliceSpacing": None,
@@ -76,6 +76,53 @@ def answers():
     return [encoded(one) for one in (
         {"share": 0.5}, {"share": None}, {"refused": "a.nii: is empty", "usage": False, "choices": [choice]},
         {"volume": volume, "notices": ["one", "two"]}, {"picture": [5, 6]}, {"segmentation": 900, "sources": 2})]
+
+
+def tiffs():
+    """Small stacks in the plainest form (TIFF 6.0, section 2): little and big endian, strips, a description, two pages, BigTIFF."""
+    def page(order, big, at, data, last, more=()):
+        entry, count, offset = ("HHQQ", "Q", "Q") if big else ("HHII", "H", "I")
+        fields = [(256, 4, 3), (257, 4, 2), (258, 3, 16), (259, 3, 1), (262, 3, 1), (273, 4, at), (277, 3, 1), (278, 4, 2), (279, 4, 12), *more]
+        fields.sort()
+        def value(kind, number):
+            size = 8 if big else 4
+            return int.from_bytes(number.to_bytes({3: 2, 4: 4}[kind], order).ljust(size, b"\0"), order)
+        sign = "<" if order == "little" else ">"
+        size = struct.calcsize(sign + entry) * len(fields) + struct.calcsize(sign + count + offset)
+        directory = struct.pack(sign + count, len(fields)) + b"".join(struct.pack(sign + entry, tag, kind, 1, value(kind, number))
+                                                                       for tag, kind, number in fields)
+        following = 0 if last else at + len(data) + size + len(data)
+        return data + directory + struct.pack(sign + offset, following)
+
+    data = bytes(range(12))
+    def file(order, pages=1, big=False):
+        sign = "<" if order == "little" else ">"
+        head = (b"II" if order == "little" else b"MM") + (struct.pack(sign + "HHHQ", 43, 8, 0, 16 + 12) if big else struct.pack(sign + "HI", 42, 8 + 12))
+        out = head
+        for number in range(pages):
+            out += page(order, big, len(out), data, number + 1 == pages)
+        return out
+    return [file("little"), file("big"), file("little", 2), file("big", 3), file("little", 1, True)]
+
+
+def stores():
+    """Stores of one level and one chunk: attributes, array, chunk."""
+    axes = [{"name": name, "type": "space", "unit": "micrometer"} for name in "zyx"]
+    image = {"multiscales": [{"version": "0.4", "axes": axes, "datasets": [
+        {"path": "0", "coordinateTransformations": [{"type": "scale", "scale": [2, 0.5, 0.5]}, {"type": "translation", "translation": [1, 2, 3]}]}]}]}
+    ours = {**image, "volumeStudio": {"worldFromVoxel": [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 2, 5.5], "unit": "HU"}}
+    channels = {"multiscales": [{"axes": [{"name": "c", "type": "channel"}, *axes], "datasets": [
+        {"path": "0", "coordinateTransformations": [{"type": "scale", "scale": [1, 1, 1, 1]}]}]}], "omero": {"channels": [{"label": "DAPI"}]}}
+    data = bytes(range(24))
+    def array(shape=(2, 3, 4), codec=None, **more):
+        return {"zarr_format": 2, "shape": list(shape), "chunks": list(shape), "dtype": "|u1", "compressor": codec, "fill_value": 0, "order": "C",
+                "filters": None, "dimension_separator": "/", **more}
+    blosc = bytes([2, 1, 2, 1]) + struct.pack("<III", 24, 24, 40) + data  # its own bytes, not compressed
+    return [json.dumps(attributes).encode() + b"\0" + json.dumps(one).encode() + b"\0" + chunk for attributes, one, chunk in (
+        (image, array(), data), (ours, array(codec={"id": "zlib", "level": 1}), zlib.compress(data)),
+        (image, array(codec={"id": "zstd", "level": 1}), zstd(data)), (image, array(codec={"id": "blosc", "cname": "lz4", "clevel": 1, "shuffle": 1}), blosc),
+        (channels, array((1, 2, 3, 4), fill_value="NaN", dimension_separator="."), data),
+        (image, array((1, 3, 4), dtype=">u2", chunks=[1, 3, 4]), data))]
 
 
 def requests():
@@ -189,7 +236,7 @@ def layouts():
 
 
 MADE = {"answer": answers, "request": requests, "stream": streams, "labels": labels, "picture": pictures, "session": sessions,
-        "function": functions, "journal": journals, "state": states, "layout": layouts,
+        "function": functions, "journal": journals, "state": states, "layout": layouts, "tiff": tiffs, "store": stores,
         **{form: lambda form=form: scans(form, 5) for form in FORMATS},
         "volume": lambda: [scan for form in FORMATS for scan in scans(form, 2)]}
 

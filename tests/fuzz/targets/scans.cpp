@@ -9,7 +9,9 @@
 #include "volume/io/inspect.h"
 #include "volume/reading/decoder_messages.h"
 
+#include <algorithm>
 #include <cmath>
+#include <fstream>
 #include <numeric>
 
 namespace vs::fuzz {
@@ -150,9 +152,22 @@ void requireSurvivesMessage(const ReadResult& result) {
     require(pack(unpackAnswer(message)) == message, "a volume's message must come back as it was");
 }
 
-void volume(Input input) {
-    const auto path = scanWith(input, "");
+// Reads a scan whose header may promise more than its file could hold; the decoder's limits are beyond that.
+std::optional<ReadResult> decodedWithin(const std::filesystem::path& path, std::uint64_t most) {
+    listenToSizes({.promised =
+                       [most](std::uint64_t bytes) {
+                           if (bytes > most) {
+                               throw ReadError("a file: it promises {} bytes; give one that is smaller",
+                                               bytes);
+                           }
+                       },
+                   .stored = {}});
     auto found = unlessRefused([&] { return decodeVolume(path); });
+    listenToSizes({});
+    return found;
+}
+
+void requireSoundVolume(std::optional<ReadResult> found) {
     if (!found) {
         return;
     }
@@ -174,6 +189,36 @@ void volume(Input input) {
     requireSurvivesMessage(*found);
 }
 
+constexpr std::uint64_t kMostPromised = std::uint64_t(32) << 20;
+
+void volume(Input input) {
+    requireSoundVolume(unlessRefused([&] { return decodeVolume(scanWith(input, "")); }));
+}
+
+void tiff(Input input) { requireSoundVolume(decodedWithin(fileWith("scan.tif", input), kMostPromised)); }
+
+// A store of one level: what describes the image, what describes the array, and a chunk, with a zero between.
+void store(Input input) {
+    const auto folder = fileWith("beside", std::string_view()).parent_path() / "scan.zarr";
+    std::filesystem::remove_all(folder);
+    std::filesystem::create_directories(folder / "0/0/0");
+    const auto put = [&folder](const char* name, Input content) {
+        std::ofstream(folder / name, std::ios::binary)
+            .write(reinterpret_cast<const char*>(content.data()), std::streamsize(content.size()));
+    };
+    const auto takePart = [&input] {
+        const auto end = std::find(input.begin(), input.end(), 0);
+        const auto part = input.first(std::size_t(end - input.begin()));
+        input = input.subspan(std::min(part.size() + 1, input.size()));
+        return part;
+    };
+    put(".zattrs", takePart());
+    put("0/.zarray", takePart());
+    put("0/0/0/0", input);
+    put("0/0.0.0", input);
+    requireSoundVolume(decodedWithin(folder, kMostPromised));
+}
+
 // What describes a file without a header on a command line or in a session.
 void layout(Input input) {
     const std::string text(input.begin(), input.end());
@@ -186,8 +231,8 @@ void layout(Input input) {
 } // namespace
 
 std::vector<Target> scanTargets() {
-    return {{"nifti", nifti}, {"nrrd", nrrd},     {"meta", meta},    {"vtk", vtk},
-            {"dicom", dicom}, {"volume", volume}, {"layout", layout}};
+    return {{"nifti", nifti},   {"nrrd", nrrd},     {"meta", meta}, {"vtk", vtk},    {"dicom", dicom},
+            {"volume", volume}, {"layout", layout}, {"tiff", tiff}, {"store", store}};
 }
 
 } // namespace vs::fuzz

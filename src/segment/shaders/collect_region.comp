@@ -38,9 +38,10 @@ uvec4 growing(uint slab, uvec4 bits) {
 // Tiles around one that lie in other bricks, of which only those are meant that hold nothing of this segment.
 void activateAcross(ivec3 place) {
     ivec3 inBrick = place & 3;
-    uint sides = uint(inBrick.x == 0) | uint(inBrick.x == 3) << 1 | uint(inBrick.y == 0) << 2 |
-                 uint(inBrick.y == 3) << 3 | uint(inBrick.z == 0) << 4 | uint(inBrick.z == 3) << 5;
-    for (uint around = tilesTouched(sides) & ~(1u << 13); around != 0u; around &= around - 1u) {
+    bool isAtSide = any(equal(inBrick, ivec3(0))) || any(equal(inBrick, ivec3(3)));
+    // All around: one that lies across an edge may be in another brick though only one side is a brick's.
+    uint all = isAtSide ? tilesTouched(0x3fu) & ~(1u << 13) : 0u;
+    for (uint around = all; around != 0u; around &= around - 1u) {
         int n = findLSB(around);
         uint tile = tileAt(place + ivec3(n % 3, n / 3 % 3, n / 9) - 1);
         uint brick = tile / kTilesPerBrick;

@@ -113,6 +113,29 @@ TEST_P(GrowthRulesTest, EndsOfRulesAreMetExactlyByScaledValues) {
     }
 }
 
+// Edges and corners of tiles that are another brick's along one axis only.
+TEST_P(GrowthRulesTest, DiagonalNeighboursAreMetAcrossBricks) {
+    const auto volume = softVolume(volume::ScalarType::UInt8, glm::dvec3(1));
+    const field::Field field = field::uploadVolume(volume);
+    Constraints all;
+    all.range = {-1000, 1000};
+    all.connectivity = Connectivity::TwentySix;
+    for (const glm::ivec3 seed : {glm::ivec3(8, 31, 20), glm::ivec3(23, 31, 8), glm::ivec3(31, 8, 15),
+                                  glm::ivec3(32, 15, 16), glm::ivec3(16, 32, 7), glm::ivec3(31, 31, 24)}) {
+        Growth growth(field, GetParam());
+        growth.setConstraints(all);
+        reference::QueueGrowth queue(volume.geometry.dims);
+        queue.setRules(admits(volume, all), true, admitsFrom(volume, all));
+        const std::vector<glm::ivec3> seeds{seed};
+        growth.addSeeds(seeds);
+        queue.addSeeds(seeds);
+        for (int generation = 0; generation < 3; ++generation) {
+            EXPECT_EQ(growth.advance(1), queue.advance(1));
+            EXPECT_TRUE(growth.generations(false) == queue.generations()) << seed.x << ' ' << seed.y;
+        }
+    }
+}
+
 INSTANTIATE_TEST_SUITE_P(OnDeviceAndHost, GrowthRulesTest, kEngines, nameOfEngine);
 
 } // namespace

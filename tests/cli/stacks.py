@@ -4,57 +4,16 @@
 
 usage: stacks.py VSTUDIO
 """
-import pathlib
-import re
 import resource
 import subprocess
-import sys
-import tempfile
 import unittest
 
-try:
-    import numpy
-    import tifffile
-    import zarr
-except ImportError:
-    print("skipped: 1 test program needs python3-tifffile and python3-zarr")
-    sys.exit(77)
+from scan_case import ScanCase, libraries, noise
 
-VSTUDIO = sys.argv.pop(1)
+numpy, tifffile, zarr = libraries("numpy", "tifffile", "zarr")
 
 
-def call(*arguments):
-    return subprocess.run([VSTUDIO, *map(str, arguments)], capture_output=True, text=True, errors="replace", timeout=300)
-
-
-def noise(shape, kind, seed=1):
-    random = numpy.random.default_rng(seed)
-    if numpy.dtype(kind).kind == "f":
-        return random.normal(0, 100, shape).astype(kind)
-    info = numpy.iinfo(kind)
-    return random.integers(max(info.min, -30000), min(info.max, 30000), shape).astype(kind)
-
-
-class Stacks(unittest.TestCase):
-    def setUp(self):
-        self.scratch = tempfile.TemporaryDirectory()
-        self.folder = pathlib.Path(self.scratch.name)
-
-    def tearDown(self):
-        self.scratch.cleanup()
-
-    def succeed(self, *arguments):
-        done = call(*arguments)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        return done
-
-    def refuse(self, expected, *arguments, status=1):
-        done = call(*arguments)
-        self.assertEqual(done.returncode, status, done.stdout + done.stderr)
-        lines = [line for line in done.stderr.split("\n") if line and not line.startswith("note:")]
-        self.assertEqual(len(lines), 1, done.stderr)
-        self.assertRegex(lines[0], expected)
-
+class Stacks(ScanCase):
     def values_of(self, stack, *options):
         """What vstudio reads of a stack, by way of a store; and the spacing that it takes, in mm."""
         out = self.folder / "read.zarr"
@@ -198,7 +157,7 @@ class Stacks(unittest.TestCase):
         marker = store / ".volume-studio-unfinished"
         # As if it had been killed behind the first slab.
         again = self.folder / "again.zarr"
-        running = subprocess.Popen([VSTUDIO, "convert", stack, again, "--chunk", "8"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
+        running = subprocess.Popen([self.vstudio, "convert", stack, again, "--chunk", "8"], stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL)
         unfinished = again / marker.name
         first = ""
         while running.poll() is None and not first:

@@ -6,29 +6,16 @@ usage: stores.py VSTUDIO
 """
 import json
 import os
-import pathlib
 import re
 import shutil
 import signal
 import subprocess
-import sys
-import tempfile
 import time
 import unittest
 
-try:
-    import numcodecs
-    import numpy
-    import zarr
-except ImportError:
-    print("skipped: 1 test program needs python3-zarr")
-    sys.exit(77)
+from scan_case import ScanCase, libraries, noise
 
-VSTUDIO = sys.argv.pop(1)
-
-
-def call(*arguments):
-    return subprocess.run([VSTUDIO, *map(str, arguments)], capture_output=True, text=True, errors="replace", timeout=300)
+numcodecs, numpy, zarr = libraries("numcodecs", "numpy", "zarr")
 
 
 def read_nrrd(path):
@@ -40,14 +27,6 @@ def read_nrrd(path):
              "unsigned char": "u1", "signed char": "i1", "unsigned short": "<u2", "short": "<i2", "unsigned int": "<u4", "int": "<i4"}
     sizes = [int(n) for n in fields["sizes"].split()]
     return numpy.frombuffer(data, kinds[fields["type"]]).reshape(sizes[::-1]), fields
-
-
-def noise(shape, kind, seed=1):
-    random = numpy.random.default_rng(seed)
-    if numpy.dtype(kind).kind == "f":
-        return random.normal(0, 100, shape).astype(kind)
-    info = numpy.iinfo(kind)
-    return random.integers(max(info.min, -30000), min(info.max, 30000), shape).astype(kind)
 
 
 def image(scales, axes="zyx", unit="micrometer", translations=None):
@@ -63,28 +42,7 @@ def image(scales, axes="zyx", unit="micrometer", translations=None):
     return {"multiscales": [{"version": "0.4", "axes": described, "datasets": datasets}]}
 
 
-class Stores(unittest.TestCase):
-    def setUp(self):
-        self.scratch = tempfile.TemporaryDirectory()
-        self.folder = pathlib.Path(self.scratch.name)
-
-    def tearDown(self):
-        self.scratch.cleanup()
-
-    def succeed(self, *arguments):
-        done = call(*arguments)
-        self.assertEqual(done.returncode, 0, done.stderr)
-        return done
-
-    def refuse(self, expected, *arguments):
-        """One line, which names the file, says what is wrong and what would be right."""
-        done = call(*arguments)
-        self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
-        lines = [line for line in done.stderr.split("\n") if line and not line.startswith("note:")]
-        self.assertEqual(len(lines), 1, done.stderr)
-        self.assertRegex(lines[0], expected)
-        return lines[0]
-
+class Stores(ScanCase):
     def make(self, name, values, attributes, chunks=None, **how):
         """A store with levels, each every second value of the one before."""
         path = self.folder / name
@@ -202,7 +160,7 @@ class Stores(unittest.TestCase):
         scan, store, whole = self.folder / "a.nrrd", self.folder / "a.zarr", self.folder / "whole.zarr"
         self.succeed("phantom", "head", "--size", "160", "-o", scan)
         self.succeed("convert", scan, whole, "--chunk", 16)
-        running = subprocess.Popen([VSTUDIO, "convert", scan, store, "--chunk", "16"], stdout=subprocess.DEVNULL,
+        running = subprocess.Popen([self.vstudio, "convert", scan, store, "--chunk", "16"], stdout=subprocess.DEVNULL,
                                    stderr=subprocess.DEVNULL)
         unfinished = store / ".volume-studio-unfinished"
         while running.poll() is None and not (unfinished.exists() and ";" in unfinished.read_text()):
@@ -320,7 +278,7 @@ class Stores(unittest.TestCase):
         scan.write_bytes(bytes(range(27)))
         odd = os.fsencode(self.folder) + b"/n\xff\n.raw"
         os.rename(scan, odd)
-        done = subprocess.run([os.fsencode(VSTUDIO), b"convert", odd, os.fsencode(self.folder / "o.zarr") + b"/", b"--raw", b"3x3x3:uint8"],
+        done = subprocess.run([os.fsencode(self.vstudio), b"convert", odd, os.fsencode(self.folder / "o.zarr") + b"/", b"--raw", b"3x3x3:uint8"],
                               capture_output=True)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertTrue((zarr.open_group(str(self.folder / "o.zarr"), "r")["0"][:].ravel() == numpy.arange(27)).all())

@@ -47,7 +47,7 @@ Format recognise(const std::filesystem::path& path) {
     if (extension == ".vtk") {
         return Format::Vtk;
     }
-    if (extension == ".tif" || extension == ".tiff") {
+    if (isTiffName(path)) {
         return Format::Tiff;
     }
     if (extension == ".dcm" || extension == ".ima" || extension == ".dicom") {

@@ -37,4 +37,11 @@ bool isTiffFolder(const std::filesystem::path& path) {
                         [](const fs::path& other) { return recognise(other) == Format::Dicom; });
 }
 
+bool isStore(const std::filesystem::path& path) {
+    namespace fs = std::filesystem;
+    std::error_code error;
+    return fs::exists(path / ".zattrs", error) || fs::exists(path / ".zgroup", error) ||
+           fs::exists(path / ".zarray", error) || fs::exists(path / "zarr.json", error);
+}
+
 } // namespace vs::volume

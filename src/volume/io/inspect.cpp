@@ -156,9 +156,7 @@ std::filesystem::path siblingFile(const std::filesystem::path& header, const std
         refuse(header, fmt::format("its data file \"{}\" is missing", printable(name)),
                "put it beside the header or correct the name");
     }
-    if (sizeListener().stored) {
-        sizeListener().stored(std::filesystem::file_size(file));
-    }
+    announceStored(std::filesystem::file_size(file));
     return file;
 }
 

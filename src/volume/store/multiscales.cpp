@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "volume/store/multiscales.h"
 
-#include "volume/io/formats.h"
+#include "volume/io/length_units.h"
 #include "volume/store/store_json.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 namespace vs::volume {
 
@@ -18,16 +17,6 @@ namespace fs = std::filesystem;
 
 constexpr std::size_t kMostLevels = 32;
 constexpr const char* kOurs = "volumeStudio";
-
-// Millimetres of the units of length that UDUNITS names and people use.
-std::optional<double> millimetresOf(const std::string& unit) {
-    static const std::map<std::string, double> known{
-        {"angstrom", 1e-7},  {"nanometer", 1e-6},  {"micrometer", 1e-3},
-        {"millimeter", 1.0}, {"centimeter", 10.0}, {"decimeter", 100},
-        {"meter", 1000},     {"inch", 25.4},       {"picometer", 1e-9}};
-    const auto found = known.find(unit);
-    return found == known.end() ? std::nullopt : std::optional(found->second);
-}
 
 struct Axis {
     std::string name;
@@ -275,12 +264,6 @@ std::string Multiscales::levelsText() const {
         all.push_back(fmt::format("{} ({} x {} x {})", n, dims.x, dims.y, dims.z));
     }
     return fmt::format("{}", fmt::join(all, ", "));
-}
-
-bool isStore(const fs::path& path) {
-    std::error_code error;
-    return fs::exists(path / ".zattrs", error) || fs::exists(path / ".zgroup", error) ||
-           fs::exists(path / ".zarray", error) || fs::exists(path / "zarr.json", error);
 }
 
 Multiscales openMultiscales(const fs::path& path) {

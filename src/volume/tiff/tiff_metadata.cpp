@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "volume/tiff/tiff_metadata.h"
 
+#include "volume/io/length_units.h"
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
-#include <map>
 #include <sstream>
 
 namespace vs::volume {
@@ -12,16 +13,6 @@ namespace vs::volume {
 namespace {
 
 constexpr std::int64_t kMostPages = std::int64_t(1) << 31;
-
-std::optional<double> millimetresOf(const std::string& unit) {
-    static const std::map<std::string, double> known{
-        {"nm", 1e-6},       {"nanometer", 1e-6},  {"um", 1e-3},        {"micron", 1e-3}, {"microns", 1e-3},
-        {"\\u00B5m", 1e-3}, {"\xC2\xB5m", 1e-3},  {"\xCE\xBCm", 1e-3}, {"\xB5m", 1e-3},  {"mm", 1},
-        {"millimeter", 1},  {"micrometer", 1e-3}, {"cm", 10},          {"m", 1000},      {"inch", 25.4},
-        {"pm", 1e-9},       {"\xC3\x85", 1e-7},   {"centimeter", 10}};
-    const auto found = known.find(unit);
-    return found == known.end() ? std::nullopt : std::optional(found->second);
-}
 
 std::int64_t countOf(const std::string& text) {
     return std::clamp<std::int64_t>(std::strtoll(text.c_str(), nullptr, 10), 0, kMostPages);

@@ -11,8 +11,10 @@ const int kValuesTexture = 0;
 const int kSculptureTexture = 1;
 const int kSegmentationTexture = 2;
 const int kQuadsTexture = 6;
+const int kBrickPagesTexture = 6; // of bricks there are no quads
 const int kApartTilesTexture = 7;
 const int kSmoothedQuadsTexture = 12;
+const int kBrickPoolTexture = 12; // nor smoothed values
 const int kSegmentLabelsTexture = 13;
 const int kApartPagesTexture = 15; // of a segment, whose surfaces are not looked for in smoothed values
 const int kSmoothedTexture = 15;
@@ -24,6 +26,8 @@ const int kTargetImage = 0;
 
 // Storage blocks.
 const int kCountsStorage = 0;
+const int kBrickUsesStorage = 6;
 
 // Uniform blocks.
 const int kSceneBlock = 0;
+const int kBricksBlock = 4;

@@ -3,7 +3,8 @@
 //
 // Spaces: voxel space has voxel centres at integers; texture space is (p + 0.5) / dims; world is LPS
 // millimetres. Bindings: uniform block 0; textures 0 data, 1 sculpture, 2 segmentation, 13 labels, with QUADS
-// 6 (field::SceneBinding). ALL_SEGMENTS: translucent segments count as opaque ones do. SMOOTHED: dataAt()
+// 6 (field::SceneBinding). BRICKS: the data's values are those of a finer level, from bricks (bricks.glsl).
+// ALL_SEGMENTS: translucent segments count as opaque ones do. SMOOTHED: dataAt()
 // gives smoothed values, of textures 15 and 12, sectionValueAt() the values themselves. PULLED: of segments
 // only one is there; APART: others may touch it (one_segment.glsl).
 
@@ -48,22 +49,43 @@ vec3 textureFromVoxel(vec3 p) {
 vec3 textureFromVoxel(vec3 p) { return (p + 0.5) * sceneFlags.yzw; }
 #endif
 
+// Values are sampled in a voxel space of their own, of the scene's grid or of a finer level's.
+#ifdef BRICKS
+#include "field/shaders/bricks.glsl"
+vec3 sampledFromVoxel(vec3 p) { return levelFromVoxel(p); }
+vec3 sampledPerVoxel() { return levelScale.xyz; }
+ivec3 sampledDims() { return levelDims.xyz; }
+// A voxel of that grid, in steps of the scene: how far apart samples of the data need be.
+float fineStep() { return levelScale.w; }
+#else
+vec3 sampledFromVoxel(vec3 p) { return p; }
+vec3 sampledPerVoxel() { return vec3(1.0); }
+ivec3 sampledDims() { return dims.xyz; }
+float fineStep() { return 1.0; }
+#endif
+
 #include "field/shaders/quads.glsl"
-#ifdef QUADS
+#if defined(BRICKS)
+float storedAt(vec3 q) { return levelValueAt(q); }
+vec2 storedScale() { return vec2(1.0, 0.0); }
+#else
+vec2 storedScale() { return dataScale(); }
+#endif
+#if defined(QUADS) && !defined(BRICKS)
 #ifdef SMOOTHED
 layout(binding = kSmoothedQuadsTexture) uniform samplerBuffer quads;
 #else
 layout(binding = kQuadsTexture) uniform samplerBuffer quads;
 #endif
-float storedAt(vec3 p) { return ofQuads(quads, p); }
-#else
-float storedAt(vec3 p) { return textureLod(dataTexture, textureFromVoxel(p), 0.0).r; }
+float storedAt(vec3 q) { return ofQuads(quads, q); }
+#elif !defined(BRICKS)
+float storedAt(vec3 q) { return textureLod(dataTexture, textureFromVoxel(q), 0.0).r; }
 #endif
 
 #ifdef TRICUBIC
 #include "field/shaders/tricubic.glsl"
 #else
-float dataAt(vec3 p) { return storedAt(p) * dataScale().x + dataScale().y; }
+float dataAt(vec3 p) { return storedAt(sampledFromVoxel(p)) * storedScale().x + storedScale().y; }
 #endif
 
 #ifdef SMOOTHED
@@ -160,6 +182,16 @@ vec3 placesBefore(vec3 p) { return max(p - 1.0, vec3(-0.5)); }
 
 #ifdef TRICUBIC
 vec3 dataGradient(vec3 p) { return worldGradient(voxelGradientAt(p)); }
+#elif defined(BRICKS)
+vec3 dataGradient(vec3 p) {
+    vec3 q = sampledFromVoxel(p);
+    vec3 before = placesBefore(q);
+    vec3 after = q + 1.0;
+    return worldGradient(0.5 * sampledPerVoxel() *
+                         vec3(storedAt(vec3(after.x, q.yz)) - storedAt(vec3(before.x, q.yz)),
+                              storedAt(vec3(q.x, after.y, q.z)) - storedAt(vec3(q.x, before.y, q.z)),
+                              storedAt(vec3(q.xy, after.z)) - storedAt(vec3(q.xy, before.z))));
+}
 #else
 DEFINE_GRADIENT(dataGradient, dataAt)
 #endif

@@ -13,7 +13,7 @@ struct Taps {
 };
 
 // Values outside are those at the border, which a mirrored texture would not give.
-vec3 tapAt(vec3 p) { return clamp(p, vec3(0.0), vec3(dims.xyz - 1)); }
+vec3 tapAt(vec3 q) { return clamp(q, vec3(0.0), vec3(sampledDims() - 1)); }
 
 Taps valueTaps(vec3 p) {
     vec3 first = floor(p);
@@ -65,14 +65,17 @@ Taps tapsAlong(vec3 axis, Taps values, Taps slopes) {
                 mix(values.weightUpper, slopes.weightUpper, axis));
 }
 
-float dataAt(vec3 p) { return eightTaps(valueTaps(p)) * dataScale().x + dataScale().y; }
+float dataAt(vec3 p) {
+    return eightTaps(valueTaps(sampledFromVoxel(p))) * storedScale().x + storedScale().y;
+}
 
 // Value per voxel along each axis.
 vec3 voxelGradientAt(vec3 p) {
-    Taps values = valueTaps(p);
-    Taps slopes = slopeTaps(p);
+    vec3 q = sampledFromVoxel(p);
+    Taps values = valueTaps(q);
+    Taps slopes = slopeTaps(q);
     const vec3 e = vec3(1.0, 0.0, 0.0);
-    return dataScale().x * vec3(eightTaps(tapsAlong(e.xyy, values, slopes)),
-                                eightTaps(tapsAlong(e.yxy, values, slopes)),
-                                eightTaps(tapsAlong(e.yyx, values, slopes)));
+    return sampledPerVoxel() * storedScale().x *
+           vec3(eightTaps(tapsAlong(e.xyy, values, slopes)), eightTaps(tapsAlong(e.yxy, values, slopes)),
+                eightTaps(tapsAlong(e.yyx, values, slopes)));
 }

@@ -82,6 +82,16 @@ Box2 pixelsAround(const Box3& voxels, const ViewRays& rays, const volume::GridGe
     return {glm::ivec2(glm::floor(lo)), glm::ivec2(glm::ceil(hi))};
 }
 
+double leastPixelMm(const ViewRays& rays, const volume::GridGeometry& geometry) {
+    const glm::dvec3 corners[2] = {glm::dvec3(-0.5), glm::dvec3(geometry.dims) - 0.5};
+    double least = 1e300;
+    for (int i = 0; i < 8; ++i) {
+        const glm::dvec3 corner(corners[i & 1].x, corners[i >> 1 & 1].y, corners[i >> 2].z);
+        least = std::min(least, rays.pixelMm(glm::dvec3(geometry.worldFromVoxel * glm::dvec4(corner, 1.0))));
+    }
+    return least;
+}
+
 double ViewRays::pixelMm(glm::dvec3 world) const {
     const double perUnit = 2 * glm::length(up) / size.y;
     return isOrthographic ? perUnit : perUnit * std::max(glm::dot(world - eye, forward), 1e-12);

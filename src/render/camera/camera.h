@@ -67,6 +67,10 @@ struct ViewRays {
 
 ViewRays viewRays(const Camera& camera, const volume::GridGeometry& geometry, glm::ivec2 size);
 
+// The least width in mm that a pixel has anywhere in the volume: where it is nearest to the viewer, 0 where the
+// viewer is in it.
+double leastPixelMm(const ViewRays& rays, const volume::GridGeometry& geometry);
+
 // The pixels of the picture whose rays may pass through these voxels: the smallest rectangle around the box
 // that they fill, or the whole picture where some of it is not in front of the viewer.
 Box2 pixelsAround(const Box3& voxels, const ViewRays& rays, const volume::GridGeometry& geometry);

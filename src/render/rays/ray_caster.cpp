@@ -16,6 +16,7 @@ namespace vs::render {
 namespace {
 
 constexpr int kFewSquares = 256;     // no submission is shorter, but for what is left
+constexpr int kAllSquares = 1 << 30; // more than there are
 constexpr double kSubmissionMs = 25; // nor much longer than this
 constexpr glm::vec2 kCentre{0.5F, 0.5F};
 constexpr int kSettling = 2; // samples, after which some squares may take no more
@@ -110,6 +111,7 @@ void RayCaster::start(const Frame& frame) {
         seenGlassDepth_ = gl::Texture(size, gl::Format::R32F, gl::Filter::Nearest, "depth of seen glass");
         seenGlass_ = gl::Texture(size, gl::Format::RGBA32F, gl::Filter::Nearest, "seen glass");
     }
+    chooseLevel();
     segmentColours_.upload({glm::ivec3(0), segmentColours_.size()},
                            std::as_bytes(std::span(frame.segmentColours.entries)));
     arrangeParts();
@@ -160,7 +162,7 @@ void RayCaster::boundSlabs() {
     }
     for (Part& part : parts_) {
         bindPart(part);
-        part.slabs.update(*part.macrocells, part.beams, beamPixels(frame_), float(frame_.sampleStep));
+        part.slabs.update(*part.macrocells, part.beams, beamPixels(frame_), float(sampleStep()));
     }
 }
 
@@ -224,11 +226,15 @@ void RayCaster::setSample(gl::Program& program, int count) const {
 
 void RayCaster::castSquares(const Part& part, int count) {
     const gl::Pass pass("cast rays");
-    const Lattice lattice = latticeOf(sample_, frame_.samples, frame_.sampleStep);
+    const Lattice lattice = latticeOf(sample_, frame_.samples, sampleStep());
     gl::Program& program = castRays_.with(part.defines);
     setPicture(program);
     setSample(program, count);
-    program.set("corners", 8).set("sampleStep", float(frame_.sampleStep)).set("beamShift", beamShift(frame_));
+    program.set("corners", 8).set("sampleStep", float(sampleStep())).set("beamShift", beamShift(frame_));
+    if (frame_.detail != nullptr) {
+        rounds_.bindImage(kRoundsImage, gl::Access::ReadWrite);
+        program.set("castRound", castRound());
+    }
     if (hasParts()) {
         program.set("partScale", part.scale);
     }
@@ -298,7 +304,9 @@ void RayCaster::castSome(double milliseconds) {
     double& pace = shows ? shownSquaresPerMs_ : parts_[stage_].squaresPerMs;
     const int left = squaresOfStage(stage_) - square_;
     const int wanted = std::max(int(pace * std::min(milliseconds, kSubmissionMs)), kFewSquares);
-    const int count = std::min(wanted, left);
+    const bool seesBricks = !shows && frame_.detail != nullptr;
+    const int count =
+        std::min({wanted, left, seesBricks && squaresAtOnce_ > 0 ? squaresAtOnce_ : kAllSquares});
     const Timer submission;
     if (shows) {
         showSeen(count);
@@ -307,7 +315,9 @@ void RayCaster::castSome(double milliseconds) {
     }
     gl::Context::finish(); // or the budget would count only submissions
     pace = count / std::max(submission.milliseconds(), 1e-3);
-    square_ += count;
+    if (!seesBricks || !awaitsBricks(parts_[stage_], count, milliseconds - submission.milliseconds())) {
+        square_ += count;
+    }
 }
 
 void RayCaster::endStage() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "field/bricks/detail.h"
 #include "field/scene.h"
 #include "gl/block_layout.h"
 #include "gl/program.h"
@@ -68,6 +69,9 @@ struct PulledSegment {
 // Everything one picture depends on. The pointers must stay alive until the picture is finished.
 struct Frame {
     field::Scene scene;
+    // Finer levels of the scene's data, which are drawn where the pixels ask for them; null: there are none,
+    // or the picture is a draft. Where surfaces are those of smoothed values, the scene's own are drawn.
+    field::Detail* detail = nullptr;
     const Macrocells* macrocells = nullptr;
     // Where segments may be, whatever else is there: overlay and volume mode look for their surfaces in these
     // cells only, most of which are empty. Null: wherever something may be.
@@ -108,6 +112,9 @@ public:
     // Starts over with a new picture.
     void start(const Frame& frame);
     // Renders squares for about `budgetMs`, some at the least. True when all samples of the frame are done.
+    // Where the frame has finer levels (Frame::detail) the one is used that its pixels ask for, and
+    // rays that met missing bricks are cast again when those have been read, for which it waits within the
+    // budget.
     bool renderSome(double budgetMs);
     // start() and everything at once.
     void render(const Frame& frame);
@@ -177,6 +184,10 @@ private:
     void endStage();
     void setSample(gl::Program& program, int count) const;
     void castSquares(const Part& part, int count);
+    void chooseLevel();
+    [[nodiscard]] bool awaitsBricks(const Part& part, int count, double milliseconds);
+    [[nodiscard]] double sampleStep() const;
+    [[nodiscard]] int castRound() const;
     void clearSeen();
     void showSeen(int count);
     gl::Program& showParts(bool clears);
@@ -195,6 +206,9 @@ private:
     gl::Texture segmentColours_; // of the frame
     field::SceneBinding sceneBinding_;
     gl::Texture accumulation_;
+    gl::Texture rounds_;       // of each pixel, which casting of it was the last without missing bricks
+    std::optional<int> level_; // of the frame's detail, that its pixels ask for
+    int squaresAtOnce_ = 0;    // whose rays the pool has room for; 0: any number
     gl::Texture picture_;
     Frame frame_;
     int sample_ = 0;

@@ -74,6 +74,10 @@ void RayCaster::place(Part& part, const Placement& placement) {
 
 void RayCaster::bindPart(const Part& part) {
     sceneBinding_.bind(part.scene);
+    if (frame_.detail != nullptr) {
+        frame_.detail->use(*level_);
+        frame_.detail->bind();
+    }
     part.view.bindUniform(kViewBlock);
     part.macrocells->bind();
     part.beams.bindTexture(kBeamsTexture);

@@ -38,6 +38,7 @@ const int kSeenFrontImage = 1;
 const int kSeenBehindImage = 2;
 const int kSeenGlassImage = 3;
 const int kSeenGlassDepthImage = 4;
+const int kRoundsImage = 5;
 
 // Storage blocks.
 const int kPlanesStorage = 0;

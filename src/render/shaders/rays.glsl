@@ -36,7 +36,11 @@ struct Ray {
     vec2 beamEnds; // where that one may show something
 };
 
+#ifdef BRICKS
+#define kDt (0.5 * fineStep())
+#else
 const float kDt = 0.5; // steps between samples of a surface
+#endif
 
 Ray rayThrough(vec2 pixel) {
     vec2 n = 2.0 * pixel / viewport.xy - 1.0;

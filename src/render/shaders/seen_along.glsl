@@ -18,7 +18,7 @@ vec3 functionColour(float value, vec3 p) {
 // is asked for what lies a step behind it.
 vec3 surfaceColour(Hit hit, Ray ray) {
 #ifdef TF_KIND
-    vec3 behind = hit.voxel + ray.direction;
+    vec3 behind = hit.voxel + fineStep() * ray.direction;
     return functionColour(dataAt(behind), behind);
 #else
     return kSurfaceColour;

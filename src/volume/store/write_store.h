@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "volume/grid/brick_source.h"
 #include "volume/grid/reduced.h"
 #include "volume/store/multiscales.h"
 
@@ -17,9 +18,6 @@ struct StoreSource {
     // In one line, what tells it from anything else: only the same is gone on with.
     std::string identity;
 };
-
-// The values of a box of a volume, x fastest.
-std::vector<std::byte> valuesIn(const Volume& volume, const Box3& box);
 
 // All of a volume that is in memory; it must live as long as the source.
 StoreSource sourceOf(const Volume& volume);

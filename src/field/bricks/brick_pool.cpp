@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "field/bricks/brick_pool.h"
+
+#include "base/check.h"
+#include "gl/limits.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace vs::field {
+
+namespace {
+
+// A box of slots, about as wide as it is high and deep, of no more than so many in all.
+glm::ivec3 slotsAlong(std::size_t slots, int mostAlong) {
+    const int side = std::clamp(int(std::cbrt(double(slots))), 1, mostAlong);
+    glm::ivec3 counts(side);
+    counts.y = std::clamp(int(slots / std::size_t(side * side)), 1, mostAlong);
+    counts.z = std::clamp(int(slots / (std::size_t(side) * std::size_t(counts.y))), 1, mostAlong);
+    return counts;
+}
+
+} // namespace
+
+BrickPool::BrickPool(int texels, gl::Format format, std::size_t bytes, std::size_t most) : texels_(texels) {
+    const std::size_t perSlot =
+        std::size_t(texels) * std::size_t(texels) * std::size_t(texels) * gl::bytesPerTexel(format);
+    const std::size_t wanted = std::clamp<std::size_t>(bytes / perSlot, 1, std::max<std::size_t>(most, 1));
+    // Page tables have ten bits for a slot's place along an axis.
+    counts_ = slotsAlong(wanted, std::clamp(gl::limits().texture3D / texels, 1, 1023));
+    texture_ = gl::Texture(counts_ * texels, format, gl::Filter::Linear, "bricks");
+    forEachVoxel({glm::ivec3(0), counts_}, [&](glm::ivec3 slot, std::size_t) { free_.push_back(slot); });
+    std::reverse(free_.begin(), free_.end());
+}
+
+std::size_t BrickPool::slots() const {
+    return std::size_t(counts_.x) * std::size_t(counts_.y) * std::size_t(counts_.z);
+}
+
+std::size_t BrickPool::bytes() const {
+    return Box3{glm::ivec3(0), texture_.size()}.volume() * gl::bytesPerTexel(texture_.format());
+}
+
+Box3 BrickPool::boxOf(glm::ivec3 slot) const { return {slot * texels_, (slot + 1) * texels_}; }
+
+std::optional<glm::ivec3> BrickPool::find(const BrickKey& key) const {
+    const auto found = bricks_.find(key);
+    return found == bricks_.end() ? std::nullopt : std::optional(found->second.slot);
+}
+
+void BrickPool::use(const BrickKey& key) {
+    const auto found = bricks_.find(key);
+    if (found != bricks_.end()) {
+        found->second.round = round_;
+        order_.splice(order_.begin(), order_, found->second.order);
+    }
+}
+
+std::optional<BrickPool::Put> BrickPool::put(const BrickKey& key, std::span<const std::byte> texels) {
+    VS_CHECK(!bricks_.contains(key));
+    Put put;
+    if (!free_.empty()) {
+        put.slot = free_.back();
+        free_.pop_back();
+    } else {
+        const auto oldest = bricks_.find(order_.back());
+        if (oldest->second.round == round_) {
+            return {};
+        }
+        put.slot = oldest->second.slot;
+        put.goneInstead = oldest->first;
+        order_.pop_back();
+        bricks_.erase(oldest);
+    }
+    texture_.upload(boxOf(put.slot), texels);
+    order_.push_front(key);
+    bricks_[key] = {put.slot, round_, order_.begin()};
+    return put;
+}
+
+} // namespace vs::field

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "field/bricks/brick_grid.h"
+#include "gl/texture.h"
+
+#include <cstdint>
+#include <list>
+#include <map>
+#include <optional>
+#include <span>
+#include <vector>
+
+namespace vs::field {
+
+// Bricks on the device: slots of one size in one texture. When all are taken, the brick goes that was used
+// least recently, but none of those that are in use now.
+class BrickPool {
+public:
+    // As many slots of texels^3 as so many bytes and the device have room for, `most` at the most. Throws
+    // GlError when the device has no room.
+    BrickPool(int texels, gl::Format format, std::size_t bytes, std::size_t most);
+
+    [[nodiscard]] std::size_t slots() const;
+    [[nodiscard]] const gl::Texture& texture() const { return texture_; }
+    [[nodiscard]] std::size_t bytes() const;
+
+    // Where a brick lies, in slots; nothing: it is not there.
+    [[nodiscard]] std::optional<glm::ivec3> find(const BrickKey& key) const;
+    // What is used from here on is in use now, what was used before is not.
+    void beginRound() { ++round_; }
+    void use(const BrickKey& key);
+    struct Put {
+        glm::ivec3 slot{0};
+        std::optional<BrickKey> goneInstead;
+    };
+    // Puts a brick's texels there. Nothing: every slot is in use.
+    std::optional<Put> put(const BrickKey& key, std::span<const std::byte> texels);
+
+private:
+    struct Brick {
+        glm::ivec3 slot{0};
+        std::uint64_t round = 0; // in which it was used last
+        std::list<BrickKey>::iterator order;
+    };
+    [[nodiscard]] Box3 boxOf(glm::ivec3 slot) const;
+
+    int texels_;
+    glm::ivec3 counts_{0}; // slots along each axis
+    gl::Texture texture_;
+    std::vector<glm::ivec3> free_;
+    std::map<BrickKey, Brick> bricks_;
+    std::list<BrickKey> order_; // the one used last first
+    std::uint64_t round_ = 1;
+};
+
+} // namespace vs::field

@@ -1,0 +1,194 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "field/bricks/detail.h"
+
+#include "base/error.h"
+#include "field/shaders/bindings.h"
+#include "gl/pass.h"
+
+#include <algorithm>
+
+namespace vs::field {
+
+namespace {
+
+// What a page says of a brick: mirrors field/shaders/bricks.glsl.
+constexpr std::uint32_t kNotThere = 0;
+constexpr std::uint32_t kNotReadable = 1;
+std::uint32_t pageOf(glm::ivec3 slot) {
+    return 0x80000000U | std::uint32_t(slot.x) | std::uint32_t(slot.y) << 10 | std::uint32_t(slot.z) << 20;
+}
+
+constexpr std::size_t kMostFailures = 20; // that are told of
+
+// The source's levels, from the finest on, that are finer than the scene's grid.
+std::vector<BrickGrid> gridsOf(const volume::BrickSource& source, const volume::GridGeometry& scene,
+                               const DetailOptions& options) {
+    std::vector<BrickGrid> grids;
+    for (const volume::GridGeometry& level : source.levels()) {
+        const auto grid = brickGrid(level, scene, options.side);
+        const double finest = grid ? glm::max(grid->perSceneVoxel.x,
+                                              glm::max(grid->perSceneVoxel.y, grid->perSceneVoxel.z))
+                                   : 0;
+        if (!grid || (options.hasOwnLevel ? finest < 0.99 : finest < 1.01)) {
+            break;
+        }
+        grids.push_back(*grid);
+    }
+    if (grids.empty()) {
+        throw Error("{}: it has no level that is finer than the one that is worked on", source.name());
+    }
+    return grids;
+}
+
+std::size_t mostBricks(const std::vector<BrickGrid>& grids) {
+    std::size_t count = 0;
+    for (const BrickGrid& grid : grids) {
+        count += grid.count();
+    }
+    return count;
+}
+
+} // namespace
+
+Detail::Detail(std::shared_ptr<const volume::BrickSource> source, const volume::GridGeometry& scene,
+               const DetailOptions& options)
+    : grids_(gridsOf(*source, scene, options)), sceneStepMm_(scene.stepMm()),
+      reader_(source, grids_, options.hostBytes, options.threads), texels_(brickTexels(source->type())),
+      pool_(options.side + 1, texels_.format, options.deviceBytes, mostBricks(grids_)),
+      block_(sizeof(BricksBlock), "bricks") {
+    while (finest_ + 1 < int(grids_.size()) &&
+           grids_[std::size_t(finest_)].count() > gl::TexelBuffer::mostTexels()) {
+        ++finest_;
+    }
+    use(finest_);
+}
+
+std::optional<int> Detail::levelFor(double pixelMm) const {
+    if (sceneStepMm_ <= pixelMm && grids_.back().stepMm < 0.99 * sceneStepMm_) {
+        return {};
+    }
+    for (int level = int(grids_.size()) - 1; level > finest_; --level) {
+        if (grids_[std::size_t(level)].stepMm <= pixelMm) {
+            return level;
+        }
+    }
+    return finest_;
+}
+
+double Detail::stepShare() const { return grids_[std::size_t(level_)].stepMm / sceneStepMm_; }
+
+void Detail::use(int level) {
+    if (level == level_) {
+        return;
+    }
+    level_ = level;
+    const BrickGrid& grid = grids_[std::size_t(level)];
+    const glm::vec3 pool(pool_.texture().size());
+    BricksBlock block;
+    block.levelScale = glm::vec4(grid.perSceneVoxel, stepShare());
+    block.levelOrigin = glm::vec4(grid.origin, 1.0 / grid.side);
+    block.levelDims = glm::ivec4(grid.dims, grid.side);
+    block.brickCounts = glm::ivec4(grid.counts(), 0);
+    block.poolScale = glm::vec4(1.0F / pool, float(grid.texels()));
+    block.brickValue = {texels_.valueScale, texels_.valueOffset, 0, 0};
+    block_.writeValue(block);
+    writePages();
+}
+
+void Detail::writePages() {
+    const BrickGrid& grid = grids_[std::size_t(level_)];
+    pageOf_.assign(grid.count(), kNotThere);
+    for (int place = 0; place < int(grid.count()); ++place) {
+        const BrickKey key{level_, place};
+        const auto slot = pool_.find(key);
+        pageOf_[std::size_t(place)] = slot ? pageOf(*slot) : failed_.contains(key) ? kNotReadable : kNotThere;
+    }
+    if (pages_.texels() < pageOf_.size()) {
+        pages_ = gl::TexelBuffer(pageOf_.size(), gl::Format::R32UI, "pages of bricks");
+        uses_ = gl::Buffer(pageOf_.size() * sizeof(std::uint32_t), "uses of bricks");
+    }
+    pages_.write(std::as_bytes(std::span(pageOf_)), 0);
+    uses_.clear();
+}
+
+void Detail::setPage(int place, std::uint32_t page) {
+    pageOf_[std::size_t(place)] = page;
+    pages_.write(std::as_bytes(std::span(&page, 1)), std::size_t(place));
+}
+
+void Detail::bind() const {
+    block_.bindUniform(kBricksBlock);
+    pages_.bindTexture(kBrickPagesTexture);
+    pool_.texture().bindTexture(kBrickPoolTexture);
+    uses_.bindStorage(kBrickUsesStorage);
+}
+
+std::size_t Detail::endRound(glm::dvec3 viewerVoxel) {
+    const gl::Pass pass("bricks asked for");
+    const BrickGrid& grid = grids_[std::size_t(level_)];
+    const auto uses = uses_.read<std::uint32_t>(grid.count());
+    uses_.clear();
+    pool_.beginRound();
+    isFull_ = false;
+    std::vector<std::pair<double, BrickKey>> missing;
+    const glm::dvec3 viewer = viewerVoxel * grid.perSceneVoxel + grid.origin;
+    for (int place = 0; place < int(uses.size()); ++place) {
+        if (uses[std::size_t(place)] == 0) {
+            continue;
+        }
+        const BrickKey key{level_, place};
+        if (pageOf_[std::size_t(place)] == kNotThere) {
+            const glm::dvec3 middle = (glm::dvec3(grid.brickAt(place)) + 0.5) * double(grid.side);
+            missing.emplace_back(glm::distance(middle, viewer), key);
+        } else {
+            pool_.use(key);
+        }
+    }
+    std::sort(missing.begin(), missing.end());
+    std::vector<BrickKey> keys;
+    for (const auto& [distance, key] : missing) {
+        keys.push_back(key);
+    }
+    reader_.want(keys);
+    return keys.size();
+}
+
+bool Detail::deliver(double waitMs) {
+    bool hasChanged = false;
+    for (const ReadBrick& brick : reader_.take(waitMs)) {
+        if (!brick.failure.empty()) {
+            failed_.insert(brick.key);
+            if (failures_.size() < kMostFailures) {
+                failures_.push_back(brick.failure);
+            }
+            if (brick.key.level == level_) {
+                setPage(brick.key.place, kNotReadable);
+            }
+            hasChanged = true;
+            continue;
+        }
+        if (pool_.find(brick.key)) {
+            continue;
+        }
+        const auto put = pool_.put(brick.key, brick.texels);
+        if (!put) {
+            isFull_ = true; // it is in the host's cache, and comes again when it is asked for again
+            continue;
+        }
+        ++bricksRead_;
+        hasChanged = true;
+        if (put->goneInstead && put->goneInstead->level == level_) {
+            setPage(put->goneInstead->place, kNotThere);
+        }
+        if (brick.key.level == level_) {
+            setPage(brick.key.place, pageOf(put->slot));
+        }
+    }
+    return hasChanged;
+}
+
+std::size_t Detail::deviceBytes() const {
+    return pool_.bytes() + pages_.texels() * sizeof(std::uint32_t) + uses_.size();
+}
+
+} // namespace vs::field

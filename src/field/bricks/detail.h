@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "field/bricks/brick_pool.h"
+#include "field/bricks/brick_reader.h"
+#include "gl/block_layout.h"
+#include "gl/buffer.h"
+#include "gl/texel_buffer.h"
+
+#include <memory>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace vs::field {
+
+// What shaders need to know of the level whose bricks they see; mirrors BricksBlock in
+// field/shaders/bricks.glsl (std140).
+struct BricksBlock {
+    glm::vec4 levelScale{1};   // xyz: place in the level = place in the scene * this, w: steps of the scene
+                               // in one of the level
+    glm::vec4 levelOrigin{0};  // xyz: + this, w: 1 / side of a brick
+    glm::ivec4 levelDims{1};   // xyz: voxels of the level, w: side of a brick
+    glm::ivec4 brickCounts{1}; // xyz: bricks
+    glm::vec4 poolScale{1};    // xyz: 1 / texels of the pool, w: texels of a slot
+    glm::vec4 brickValue{1};   // x scale, y offset
+};
+inline constexpr gl::BlockMember kBricksBlockMembers[] = {
+    VS_BLOCK_MEMBER(BricksBlock, levelScale), VS_BLOCK_MEMBER(BricksBlock, levelOrigin),
+    VS_BLOCK_MEMBER(BricksBlock, levelDims),  VS_BLOCK_MEMBER(BricksBlock, brickCounts),
+    VS_BLOCK_MEMBER(BricksBlock, poolScale),  VS_BLOCK_MEMBER(BricksBlock, brickValue)};
+inline constexpr gl::BlockLayout kBricksBlockLayout{"BricksBlock", sizeof(BricksBlock), kBricksBlockMembers};
+static_assert(isWhole(kBricksBlockLayout));
+
+struct DetailOptions {
+    std::size_t deviceBytes = std::size_t(256) << 20; // that bricks may take on the device
+    std::size_t hostBytes = std::size_t(256) << 20;   // and values of bricks on the host
+    int side = 64;                                    // voxels of a brick along each axis
+    int threads = 2;                                  // that read
+    // The scene's own resolution is looked up in bricks too, for tests.
+    bool hasOwnLevel = false;
+};
+
+// What levels of a scan hold that are finer than its scene: pictures at rest are drawn from them. Bricks of
+// any of them share a pool on the device. A program that is compiled with BRICKS looks up bricks of one level
+// (use()); it notes which ones it came through, and where one is not there it takes the scene's own value and
+// remembers that it did. Who dispatched it then asks for what was missing, and dispatches again what is not
+// exact when that has come. All calls but the reader's own threads need a current context.
+class Detail {
+public:
+    // Levels of `source` that are finer than the scene's grid and lie as it does. Throws Error where there is
+    // none, and GlError where the device has no room for the pool.
+    Detail(std::shared_ptr<const volume::BrickSource> source, const volume::GridGeometry& scene,
+           const DetailOptions& options);
+
+    // The coarsest level whose voxels are no larger than a pixel of so many mm, or the finest; nothing: the
+    // scene's own voxels are no larger.
+    [[nodiscard]] std::optional<int> levelFor(double pixelMm) const;
+
+    // Shaders see this level from now on.
+    void use(int level);
+    [[nodiscard]] int level() const { return level_; }
+    // How many of its steps are in one of the scene's, the other way round: 0.25 for a level four times as
+    // fine.
+    [[nodiscard]] double stepShare() const;
+    // Binds uniform block 4, textures 6 and 12 and storage 6: see field/shaders/bricks.glsl.
+    void bind() const;
+
+    // After a dispatch: asks for what it missed, in the order of `distance` from the viewer that callers give
+    // for a place in the scene's voxel space. Returns how many bricks are missing.
+    std::size_t endRound(glm::dvec3 viewerVoxel);
+    // Puts what was read in its place, waiting up to so long for something. Returns whether anything changed.
+    bool deliver(double waitMs);
+    // Bricks that are being waited for.
+    [[nodiscard]] std::size_t coming() const { return reader_.outstanding(); }
+    // The last round used more bricks than there is room for.
+    [[nodiscard]] bool isFull() const { return isFull_; }
+
+    // Lines about bricks that could not be read, once each; a picture shows the scene's own values there.
+    [[nodiscard]] const std::vector<std::string>& failures() const { return failures_; }
+
+    [[nodiscard]] const std::vector<BrickGrid>& grids() const { return grids_; }
+    [[nodiscard]] std::size_t deviceBytes() const;
+    [[nodiscard]] std::size_t hostBytes() const { return reader_.cachedBytes(); }
+    [[nodiscard]] std::size_t bricksRead() const { return bricksRead_; }
+
+private:
+    void setPage(int place, std::uint32_t page);
+    void writePages();
+
+    std::vector<BrickGrid> grids_; // of the source's levels that are used, the finest first
+    double sceneStepMm_;
+    BrickReader reader_;
+    BrickTexels texels_;
+    BrickPool pool_;
+    gl::Buffer block_;
+    gl::TexelBuffer pages_;
+    gl::Buffer uses_;
+    std::vector<std::uint32_t> pageOf_; // of the level in use, as pages_ has them
+    std::set<BrickKey> failed_;
+    std::vector<std::string> failures_;
+    std::size_t bricksRead_ = 0;
+    int level_ = -1;
+    int finest_ = 0; // level of which a page table has room for all bricks
+    bool isFull_ = false;
+};
+
+} // namespace vs::field

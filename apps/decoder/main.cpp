@@ -13,6 +13,7 @@
 #include "volume/io/decode.h"
 #include "volume/io/inspect.h"
 #include "volume/reading/decoder_messages.h"
+#include "volume/store/store_levels.h"
 
 #include <fmt/format.h>
 
@@ -42,6 +43,10 @@ namespace {
 using namespace vs;
 using namespace vs::volume;
 
+struct NobodyAsks : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
 // What has come by now, or comes next. Throws where nobody asks any more.
 std::size_t receive(std::span<std::byte> bytes) {
     ssize_t count = -1;
@@ -49,7 +54,7 @@ std::size_t receive(std::span<std::byte> bytes) {
         count = recv(kDecoderSocket, bytes.data(), bytes.size(), 0);
     } while (count < 0 && errno == EINTR);
     if (count <= 0) {
-        throw std::runtime_error("nobody asks");
+        throw NobodyAsks("nobody asks");
     }
     return std::size_t(count);
 }
@@ -151,7 +156,45 @@ public:
         sendBytes(file);
     }
 
+    // Goes on until nobody asks any more.
+    void operator()(const LevelsRequest& request) const {
+        const StoreLevels store(request.path, request.options);
+        send(OpenedLevels{store.levels(), store.type()});
+        while (true) {
+            const auto next = nextRequest();
+            if (!next) {
+                return;
+            }
+            try {
+                if (const auto* box = std::get_if<BoxRequest>(&*next)) {
+                    const auto values = store.read(box->level, box->box);
+                    send(SentValues{values.size()});
+                    sendBytes(values);
+                } else if (std::holds_alternative<ExtremesRequest>(*next)) {
+                    const auto extremes = store.extremes().value_or(CellExtremes());
+                    const auto bytes = std::as_bytes(std::span(extremes.ranges));
+                    send(SentValues{bytes.size(), extremes.side, extremes.cells});
+                    sendBytes(bytes);
+                } else {
+                    return;
+                }
+            } catch (const Error& error) {
+                send(DecodeRefusal{error.what()}); // what else it has can be had still
+            }
+        }
+    }
+    void operator()(const BoxRequest& /*request*/) const { throw ReadError("no store has been opened"); }
+    void operator()(const ExtremesRequest& /*request*/) const { throw ReadError("no store has been opened"); }
+
 private:
+    // Nothing: nobody asks any more.
+    [[nodiscard]] std::optional<DecoderRequest> nextRequest() const {
+        try {
+            return receiveRequest(collected_);
+        } catch (const NobodyAsks&) {
+            return {};
+        }
+    }
     [[nodiscard]] std::vector<std::uint8_t> receiveLabels(std::size_t count) const {
         std::vector<std::uint8_t> labels(count);
         auto missing = std::as_writable_bytes(std::span(labels));
@@ -186,8 +229,14 @@ std::filesystem::path pathOf(const DecoderRequest& request) {
     if (const auto* segmentation = std::get_if<SegmentationRequest>(&request)) {
         return segmentation->order.source;
     }
-    const auto* picture = std::get_if<PictureRequest>(&request);
-    return picture != nullptr ? picture->path : std::get<DecodeRequest>(request).path;
+    if (const auto* levels = std::get_if<LevelsRequest>(&request)) {
+        return levels->path;
+    }
+    if (const auto* picture = std::get_if<PictureRequest>(&request)) {
+        return picture->path;
+    }
+    const auto* volume = std::get_if<DecodeRequest>(&request);
+    return volume != nullptr ? volume->path : std::filesystem::path();
 }
 
 void answer(const DecoderRequest& request, const Work& work) {

@@ -239,6 +239,16 @@ struct Packer {
     Json operator()(const MadeSegmentation& answer) const {
         return {{"segmentation", answer.bytes}, {"sources", answer.sources}};
     }
+    Json operator()(const OpenedLevels& answer) const {
+        Json grids = Json::array();
+        for (const GridGeometry& grid : answer.grids) {
+            grids.push_back(packed(grid));
+        }
+        return {{"levels", std::move(grids)}, {"type", int(answer.type)}};
+    }
+    Json operator()(const SentValues& answer) const {
+        return {{"values", answer.bytes}, {"side", answer.side}, {"cells", packed(answer.cells)}};
+    }
 };
 
 struct RequestPacker {
@@ -249,6 +259,13 @@ struct RequestPacker {
     Json operator()(const SegmentationRequest& request) const {
         return {{"segmentation", packed(request.order)}};
     }
+    Json operator()(const LevelsRequest& request) const {
+        return {{"levels", request.path.string()}, {"options", packed(request.options)}};
+    }
+    Json operator()(const BoxRequest& request) const {
+        return {{"box", request.level}, {"lo", packed(request.box.lo)}, {"hi", packed(request.box.hi)}};
+    }
+    Json operator()(const ExtremesRequest& /*request*/) const { return {{"extremes", true}}; }
 };
 
 DecoderRequest requestOf(const Json& json) {
@@ -257,6 +274,15 @@ DecoderRequest requestOf(const Json& json) {
     }
     if (json.contains("segmentation")) {
         return SegmentationRequest{orderOf(json.at("segmentation"))};
+    }
+    if (json.contains("levels")) {
+        return LevelsRequest{json.at("levels").get<std::string>(), optionsOf(json.at("options"))};
+    }
+    if (json.contains("box")) {
+        return BoxRequest{wholeOf<int>(json.at("box")), {ivec3Of(json.at("lo")), ivec3Of(json.at("hi"))}};
+    }
+    if (json.contains("extremes")) {
+        return ExtremesRequest{};
     }
     return DecodeRequest{json.at("path").get<std::string>(), optionsOf(json.at("options"))};
 }
@@ -267,6 +293,17 @@ DecodedPicture pictureOf(const Json& json) {
         throw Error("a picture without pixels");
     }
     return picture;
+}
+
+OpenedLevels levelsOf(const Json& json) {
+    OpenedLevels levels{{}, typeOf(json.at("type"))};
+    for (const Json& grid : json.at("levels")) {
+        levels.grids.push_back(geometryOf(grid));
+    }
+    if (levels.grids.empty()) {
+        throw Error("a store without levels");
+    }
+    return levels;
 }
 
 DecoderAnswer answerOf(const Json& json) {
@@ -286,6 +323,13 @@ DecoderAnswer answerOf(const Json& json) {
     if (json.contains("segmentation")) {
         return MadeSegmentation{wholeOf<std::uint64_t>(json.at("segmentation")),
                                 wholeOf<int>(json.at("sources"))};
+    }
+    if (json.contains("levels")) {
+        return levelsOf(json);
+    }
+    if (json.contains("values")) {
+        return SentValues{wholeOf<std::uint64_t>(json.at("values")), wholeOf<int>(json.at("side")),
+                          ivec3Of(json.at("cells"))};
     }
     DecodedVolume decoded{{volumeOf(json.at("volume")), {}}};
     for (const Json& notice : json.at("notices")) {

@@ -37,7 +37,21 @@ struct PictureRequest {
 struct SegmentationRequest {
     SegmentationOrder order;
 };
-using DecoderRequest = std::variant<DecodeRequest, PictureRequest, SegmentationRequest>;
+// The levels of a store are wanted: what it has is answered, and then each of the two requests below, until
+// nobody asks any more.
+struct LevelsRequest {
+    std::filesystem::path path;
+    ReadOptions options; // `level` counts for nothing
+};
+// The values of a box of a level.
+struct BoxRequest {
+    int level = 0;
+    Box3 box;
+};
+// The ranges of its CellExtremes, two floats a cell.
+struct ExtremesRequest {};
+using DecoderRequest = std::variant<DecodeRequest, PictureRequest, SegmentationRequest, LevelsRequest, BoxRequest,
+                                    ExtremesRequest>;
 
 // How far the decoder is; nothing: that is not known.
 struct DecodeShare {
@@ -62,8 +76,20 @@ struct MadeSegmentation {
     std::uint64_t bytes = 0;
     int sources = 0; // files of the series that it names
 };
-using DecoderAnswer =
-    std::variant<DecodeShare, DecodeRefusal, DecodedVolume, DecodedPicture, MadeSegmentation>;
+// What a store has.
+struct OpenedLevels {
+    std::vector<GridGeometry> grids; // the finest first
+    ScalarType type = ScalarType::UInt8;
+};
+// What a box or the extremes are, whose bytes follow: of extremes also how they lie (CellExtremes), or no bytes
+// where the store has none.
+struct SentValues {
+    std::uint64_t bytes = 0;
+    int side = 0;
+    glm::ivec3 cells{0};
+};
+using DecoderAnswer = std::variant<DecodeShare, DecodeRefusal, DecodedVolume, DecodedPicture, MadeSegmentation,
+                                   OpenedLevels, SentValues>;
 
 MessageBytes pack(const DecoderRequest& request);
 MessageBytes pack(const DecoderAnswer& answer);

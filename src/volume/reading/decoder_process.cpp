@@ -64,6 +64,11 @@ DecoderProcess::DecoderProcess(const DecoderRequest& request, std::span<const st
     }
 }
 
+void DecoderProcess::ask(const DecoderRequest& request) {
+    const MessageBytes message = framed(pack(request));
+    send(std::as_bytes(std::span(message))); // answer() finds that it has ended
+}
+
 DecoderProcess::~DecoderProcess() { endDecoder(std::move(decoder_)); }
 
 std::optional<DecoderAnswer> DecoderProcess::answer() {

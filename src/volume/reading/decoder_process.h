@@ -36,6 +36,9 @@ public:
     template <typename Answer>
     Answer finalAnswer(const std::filesystem::path& path);
 
+    // Asks it for something else that belongs to the request.
+    void ask(const DecoderRequest& request);
+
     // What it sends behind its answer. Throws Error where that are not as many bytes.
     std::vector<std::byte> content(std::size_t bytes);
 

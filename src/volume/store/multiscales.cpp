@@ -211,6 +211,26 @@ void expectCoarser(const Multiscales& store) {
     }
 }
 
+// Of stores of our own that have them: they must be of the finest level.
+void readExtremes(const JsonReader& attributes, Multiscales& store) {
+    if (!attributes.has(kOurs) || !attributes.member(kOurs).has("ranges")) {
+        return;
+    }
+    const JsonReader ranges = attributes.member(kOurs).member("ranges");
+    const auto& finest = store.levels.front();
+    Multiscales::Extremes extremes{arrayOf(ranges, finest.array.shape.size() + 1, store),
+                                   int(ranges.member("side").integerBetween(1, 1 << 20))};
+    const glm::ivec3 cells = divideUp(finest.geometry.dims, extremes.side);
+    const std::vector<std::int64_t> shape{cells.z, cells.y, cells.x, 2};
+    const auto& chunks = extremes.array.chunks;
+    if (extremes.array.shape != shape || extremes.array.type != finest.array.type || chunks[1] != cells.y ||
+        chunks[2] != cells.x || chunks[3] != 2) {
+        refuse(extremes.array.folder / ".zarray", "its ranges are not those of its finest level",
+               "remove \"ranges\" from its .zattrs, or get another copy of the store");
+    }
+    store.extremes = std::move(extremes);
+}
+
 Multiscales readImage(const JsonReader& attributes, const fs::path& path) {
     Multiscales store;
     store.path = path;
@@ -242,6 +262,7 @@ Multiscales readImage(const JsonReader& attributes, const fs::path& path) {
         store.levels.push_back(std::move(level));
     }
     expectCoarser(store);
+    readExtremes(attributes, store);
     attributes.ifHas("omero", [&](const JsonReader& omero) {
         omero.ifHas("channels", [&](const JsonReader& channels) {
             for (std::size_t n = 0; n < std::min<std::size_t>(channels.size(), 1000); ++n) {
@@ -266,6 +287,14 @@ std::string Multiscales::levelsText() const {
     return fmt::format("{}", fmt::join(all, ", "));
 }
 
+std::string namesOf(const Multiscales& store) {
+    std::string names;
+    for (std::size_t n = 0; n < store.channelNames.size() && n < 20 && int(n) < store.channels(); ++n) {
+        names += fmt::format("{}{} {}", n == 0 ? ": " : ", ", n, store.channelNames[n]);
+    }
+    return names;
+}
+
 Multiscales openMultiscales(const fs::path& path) {
     std::error_code error;
     if (fs::exists(path / "zarr.json", error)) {
@@ -279,7 +308,8 @@ Multiscales openMultiscales(const fs::path& path) {
                          [&](const JsonReader& from) { return readImage(from, path); });
 }
 
-nlohmann::ordered_json multiscalesJson(const StoreFacts& facts, const std::vector<GridGeometry>& levels) {
+nlohmann::ordered_json multiscalesJson(const StoreFacts& facts, const std::vector<GridGeometry>& levels,
+                                       int extremesSide) {
     using Json = nlohmann::ordered_json;
     const auto ofAxes = [](glm::dvec3 v) { return Json{v.z, v.y, v.x}; };
     const glm::dvec3 spacing = facts.geometry.spacing();
@@ -303,12 +333,16 @@ nlohmann::ordered_json multiscalesJson(const StoreFacts& facts, const std::vecto
     for (int n = 0; n < 12; ++n) {
         world.push_back(facts.geometry.worldFromVoxel[n % 4][n / 4]);
     }
+    Json ours{{"worldFromVoxel", world}, {"unit", printable(facts.unit)}};
+    if (extremesSide > 0) {
+        ours["ranges"] = {{"path", "ranges"}, {"side", extremesSide}};
+    }
     return {{"multiscales", Json::array({{{"version", "0.4"},
                                           {"name", printable(facts.name)},
                                           {"axes", axes},
                                           {"datasets", datasets},
                                           {"type", facts.reducing}}})},
-            {kOurs, {{"worldFromVoxel", world}, {"unit", printable(facts.unit)}}}};
+            {kOurs, std::move(ours)}};
 }
 
 } // namespace vs::volume

@@ -24,6 +24,12 @@ struct Multiscales {
 
     std::filesystem::path path;
     std::vector<Level> levels; // the finest first
+    // Smallest and largest values of the finest level (store_extremes.h), in stores of our own.
+    struct Extremes {
+        ZarrArray array;
+        int side = 0; // voxels along each side of a cell
+    };
+    std::optional<Extremes> extremes;
     // Which axis of the arrays is the volume's x, y and z; -1: there is none, and there is one voxel along
     // it.
     std::array<int, 3> spatial{-1, -1, -1};
@@ -44,6 +50,9 @@ private:
     }
 };
 
+// The names of its channels as messages list them: ": 0 DAPI, 1 actin".
+std::string namesOf(const Multiscales& store);
+
 // The first image of a store. Nothing but its descriptions is read. Throws ReadError.
 Multiscales openMultiscales(const std::filesystem::path& path);
 
@@ -56,7 +65,8 @@ struct StoreFacts {
 };
 
 // The attributes of a store of `levels`, each half as fine along the axes that `halves` names as the one
-// before, for its .zattrs.
-nlohmann::ordered_json multiscalesJson(const StoreFacts& facts, const std::vector<GridGeometry>& levels);
+// before, for its .zattrs. `extremesSide`: of its cells with extremes, 0 where it has none.
+nlohmann::ordered_json multiscalesJson(const StoreFacts& facts, const std::vector<GridGeometry>& levels,
+                                       int extremesSide);
 
 } // namespace vs::volume

@@ -32,14 +32,6 @@ std::size_t chosenLevel(const Multiscales& store, std::optional<int> level) {
     return std::size_t(level.value_or(0));
 }
 
-std::string namesOf(const Multiscales& store) {
-    std::string names;
-    for (std::size_t n = 0; n < store.channelNames.size() && n < 20 && int(n) < store.channels(); ++n) {
-        names += fmt::format("{}{} {}", n == 0 ? ": " : ", ", n, store.channelNames[n]);
-    }
-    return names;
-}
-
 // Tells whoever limits time and memory of the chunks' files. Returns how many there are.
 int announceChunks(const BoxReader& reader, std::uint64_t bytes) {
     // Emptiness is stored as nothing: what the format promises for it is as sound as what it has files for.

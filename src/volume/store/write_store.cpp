@@ -5,6 +5,7 @@
 #include "base/parallel.h"
 #include "base/progress.h"
 #include "volume/store/box_reader.h"
+#include "volume/store/store_extremes.h"
 #include "volume/store/store_json.h"
 #include "volume/store/store_progress.h"
 
@@ -17,30 +18,10 @@ namespace vs::volume {
 
 namespace {
 
-StoredType storedTypeOf(ScalarType type) {
-    switch (type) {
-    case ScalarType::UInt8:
-        return StoredType::UInt8;
-    case ScalarType::Int8:
-        return StoredType::Int8;
-    case ScalarType::UInt16:
-        return StoredType::UInt16;
-    case ScalarType::Int16:
-        return StoredType::Int16;
-    case ScalarType::UInt32:
-        return StoredType::UInt32;
-    case ScalarType::Int32:
-        return StoredType::Int32;
-    case ScalarType::Float32:
-        break;
-    }
-    return StoredType::Float32;
-}
-
 // In one line, what is written and how: only that is gone on with.
 std::string identityOf(const StoreSource& source, const StoreLayout& layout) {
     std::string line =
-        fmt::format("1: {}, chunks of {}, codec {} {} {} {}, {}", source.identity, layout.chunk,
+        fmt::format("2: {}, chunks of {}, codec {} {} {} {}, {}", source.identity, layout.chunk,
                     int(layout.codec.kind), layout.codec.level, layout.codec.inner, layout.codec.shuffle,
                     layout.reducing == Reducing::Mean ? "mean" : "commonest");
     std::replace_if(
@@ -68,10 +49,17 @@ public:
             slabs_ += array.chunkCount(0);
             store_.levels.push_back({std::move(array), geometry});
         }
+        const auto& finest = store_.levels.front();
+        if (const int side = extremesSide(finest.geometry.dims, layout.chunk); side > 0) {
+            store_.extremes = {extremesArray(path, finest.array, finest.geometry.dims, side), side};
+        }
     }
 
     void run() {
         writeStoreFile(store_.path / ".zgroup", {{"zarr_format", 2}});
+        if (store_.extremes) {
+            createZarrArray(store_.extremes->array);
+        }
         for (std::size_t level = 0; level < store_.levels.size(); ++level) {
             createZarrArray(store_.levels[level].array);
             for (int slab = 0; slab < int(store_.levels[level].array.chunkCount(0)); ++slab) {
@@ -87,7 +75,7 @@ public:
         }
         StoreFacts facts = source_.facts;
         facts.reducing = layout_.reducing == Reducing::Mean ? "mean" : "commonest";
-        writeStoreFile(store_.path / ".zattrs", multiscalesJson(facts, grids));
+        writeStoreFile(store_.path / ".zattrs", multiscalesJson(facts, grids, store_.extremes ? store_.extremes->side : 0));
         progress_.finish();
     }
 
@@ -97,26 +85,42 @@ private:
         const int columns = int(array.chunkCount(2));
         const int count = columns * int(array.chunkCount(1));
         const int atOnce = 4 * processorCount();
+        std::optional<SlabExtremes> extremes;
+        if (level == 0 && store_.extremes) {
+            extremes.emplace(store_.extremes->array, source_.type, store_.extremes->side, slab * layout_.chunk);
+        }
         for (int first = 0; first < count; first += atOnce) {
             // A slab of the finest level costs about eight times one of the next.
             reportProgress((double(progress_.doneSlabs()) + double(first) / count) / double(slabs_));
             inParallel(std::min(atOnce, count - first), [&](int n) {
-                writeChunk(level, {(first + n) % columns, (first + n) / columns, slab});
+                writeChunk(level, {(first + n) % columns, (first + n) / columns, slab}, extremes);
             });
+        }
+        if (extremes) {
+            writeOrRemove(store_.extremes->array, std::array<std::int64_t, 4>{slab, 0, 0, 0}, extremes->bytes());
         }
     }
 
-    void writeChunk(std::size_t level, glm::ivec3 place) const {
+    // One of nothing but zeros has no file.
+    static void writeOrRemove(const ZarrArray& array, std::span<const std::int64_t> chunk,
+                              std::span<const std::byte> values) {
+        if (std::all_of(values.begin(), values.end(), [](std::byte b) { return b == std::byte(0); })) {
+            array.removeChunk(chunk);
+        } else {
+            array.writeChunk(chunk, values);
+        }
+    }
+
+    void writeChunk(std::size_t level, glm::ivec3 place, std::optional<SlabExtremes>& extremes) const {
         const auto& [array, geometry] = store_.levels[level];
         const std::array<std::int64_t, 3> chunk{place.z, place.y, place.x};
         const Box3 box = intersect({place * layout_.chunk, (place + 1) * layout_.chunk}, geometry.box());
         const auto values = level == 0 ? source_.read(box) : reducedTo(level, box);
         VS_CHECK_EQ(values.size(), box.volume() * sizeOf(source_.type));
-        if (std::all_of(values.begin(), values.end(), [](std::byte b) { return b == std::byte(0); })) {
-            array.removeChunk(chunk); // one without a file is so
-            return;
+        if (extremes) {
+            extremes->add(box, values);
         }
-        array.writeChunk(chunk, filledUp(values, box.size()));
+        writeOrRemove(array, chunk, filledUp(values, box.size()));
     }
 
     // A box of a level from the level before.

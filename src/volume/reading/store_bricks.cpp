@@ -1,0 +1,97 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "volume/reading/store_bricks.h"
+
+#include "volume/io/formats.h"
+#include "volume/io/inspect.h"
+#include "volume/reading/decoder_process.h"
+
+#include <cstring>
+
+namespace vs::volume {
+
+struct StoreBricks::Levels : OpenedLevels {};
+
+bool hasLevels(const std::filesystem::path& path) { return isStore(path); }
+
+StoreBricks::StoreBricks(std::filesystem::path path, const ReadOptions& options)
+    : path_(std::move(path)), options_(options) {
+    Levels levels;
+    giveBack(start(levels));
+    grids_ = levels.grids;
+    type_ = levels.type;
+}
+
+StoreBricks::~StoreBricks() = default;
+
+StoreBricks::Decoder StoreBricks::start(Levels& levels) const {
+    auto decoder = std::make_unique<DecoderProcess>(LevelsRequest{path_, options_});
+    static_cast<OpenedLevels&>(levels) = decoder->finalAnswer<OpenedLevels>(path_);
+    return decoder;
+}
+
+// One that is idle, or another one.
+StoreBricks::Decoder StoreBricks::take() const {
+    {
+        const std::lock_guard lock(mutex_);
+        if (!idle_.empty()) {
+            Decoder decoder = std::move(idle_.back());
+            idle_.pop_back();
+            return decoder;
+        }
+    }
+    Levels levels;
+    Decoder decoder = start(levels);
+    const auto areAlike = [](const GridGeometry& a, const GridGeometry& b) { return a.dims == b.dims; };
+    if (levels.type != type_ ||
+        !std::equal(levels.grids.begin(), levels.grids.end(), grids_.begin(), grids_.end(), areAlike)) {
+        refuse(path_, "it has become another store", "open it anew");
+    }
+    return decoder;
+}
+
+void StoreBricks::giveBack(Decoder decoder) const {
+    const std::lock_guard lock(mutex_);
+    idle_.push_back(std::move(decoder));
+}
+
+std::vector<std::byte> StoreBricks::read(int level, const Box3& box) const {
+    Decoder decoder = take();
+    decoder->ask(BoxRequest{level, box});
+    SentValues sent;
+    try {
+        sent = decoder->finalAnswer<SentValues>(path_);
+    } catch (const ReadError&) {
+        if (decoder->whyItEnded().empty()) {
+            giveBack(std::move(decoder)); // it refused this one, and works still
+        }
+        throw;
+    }
+    if (sent.bytes != box.volume() * sizeOf(type_)) {
+        refuse(path_, "its decoder gave another number of values", "get an intact copy of the store");
+    }
+    auto values = decoder->content(sent.bytes);
+    giveBack(std::move(decoder));
+    return values;
+}
+
+std::optional<CellExtremes> StoreBricks::extremes() const {
+    Decoder decoder = take();
+    decoder->ask(ExtremesRequest{});
+    const auto sent = decoder->finalAnswer<SentValues>(path_);
+    if (sent.bytes == 0) {
+        giveBack(std::move(decoder));
+        return {};
+    }
+    CellExtremes extremes{sent.side, sent.cells, {}};
+    if (sent.side < 1 || sent.cells != divideUp(grids_.front().dims, sent.side) ||
+        sent.bytes != Box3{glm::ivec3(0), sent.cells}.volume() * sizeof(glm::vec2)) {
+        refuse(path_, "its decoder gave ranges of something else", "get an intact copy of the store");
+    }
+    const auto values = decoder->content(sent.bytes);
+    giveBack(std::move(decoder));
+    extremes.ranges.resize(values.size() / sizeof(glm::vec2));
+    std::memcpy(extremes.ranges.data(), values.data(), values.size());
+    return extremes;
+}
+
+} // namespace vs::volume

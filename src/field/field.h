@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "field/bricks/non_finite.h"
 #include "field/quads.h"
 #include "gl/texture.h"
 #include "volume/grid/volume.h"
@@ -29,9 +30,6 @@ struct Field {
     const volume::Volume* onHost = nullptr;
     std::uint64_t serial = 0; // different for each upload: whether what was derived from it is still good
 };
-
-// Stands for NaN and infinity: far below any value, small enough that interpolation stays finite.
-inline constexpr float kNonFinite = -1e30F;
 
 // How far interpolated values that lie at `end` of a displayed range may be off by rounding, in the field's
 // unit: what comparisons with it allow for, or the inside of an object of exactly that value would be seen as

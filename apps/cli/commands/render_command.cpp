@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "arguments/parse.h"
+#include "arguments/storage_argument.h"
 #include "arguments/volume_argument.h"
 #include "commands/commands.h"
 #include "reports/progress.h"
@@ -22,6 +23,7 @@ namespace {
 
 struct RenderOptions {
     std::shared_ptr<VolumeArgument> volume;
+    StorageArgument storage;
     std::string output;
     std::string mode = "surface";
     std::string range;
@@ -53,9 +55,10 @@ void runRender(const RenderOptions& options) {
     if (!options.function.empty()) {
         function = render::transferFunctionFromArgument(options.function);
     }
-    auto volume = loadVolume(*options.volume).volume;
+    auto scan = loadScan(*options.volume, options.storage);
     const auto context = gl::Context::createHeadless();
-    studio::Document document(std::move(volume));
+    const auto opened = documentOf(std::move(scan));
+    studio::Document& document = *opened;
     studio::View view = document.view();
     view.camera = options.camera;
     view.camera.projection = options.projection == "perspective" ? render::Projection::Perspective
@@ -96,6 +99,7 @@ void addRenderCommand(CLI::App& app) {
     auto* command = app.add_subcommand("render", "Render one picture of a volume as PNG");
     auto options = std::make_shared<RenderOptions>();
     options->volume = addVolumeArgument(*command);
+    addStorageOptions(*command, options->storage);
     command->add_option("-o,--output", options->output, "Picture to write (PNG)")->required();
     command
         ->add_option("--mode", options->mode,

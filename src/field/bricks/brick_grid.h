@@ -24,7 +24,7 @@ struct BrickGrid {
     int side = 64;              // voxels of a brick along each axis
     glm::dvec3 perSceneVoxel{1}; // place in the level = place in the scene * this
     glm::dvec3 origin{0};        // + this
-    double stepMm = 1;           // smallest spacing of the level
+    double step = 1;             // its smallest spacing, in steps of the scene
 
     [[nodiscard]] glm::ivec3 counts() const { return divideUp(dims, side); }
     [[nodiscard]] std::size_t count() const {

@@ -2,7 +2,7 @@
 #include "field/bricks/brick_reader.h"
 
 #include "base/error.h"
-#include "field/field.h"
+#include "field/bricks/non_finite.h"
 
 #include <algorithm>
 #include <chrono>

@@ -52,7 +52,7 @@ std::size_t mostBricks(const std::vector<BrickGrid>& grids) {
 
 Detail::Detail(std::shared_ptr<const volume::BrickSource> source, const volume::GridGeometry& scene,
                const DetailOptions& options)
-    : grids_(gridsOf(*source, scene, options)), sceneStepMm_(scene.stepMm()),
+    : grids_(gridsOf(*source, scene, options)),
       reader_(source, grids_, options.hostBytes, options.threads), texels_(brickTexels(source->type())),
       pool_(options.side + 1, texels_.format, options.deviceBytes, mostBricks(grids_)),
       block_(sizeof(BricksBlock), "bricks") {
@@ -63,19 +63,18 @@ Detail::Detail(std::shared_ptr<const volume::BrickSource> source, const volume::
     use(finest_);
 }
 
-std::optional<int> Detail::levelFor(double pixelMm) const {
-    if (sceneStepMm_ <= pixelMm && grids_.back().stepMm < 0.99 * sceneStepMm_) {
+std::optional<int> Detail::levelFor(double pixelSteps) const {
+    const bool hasOwnLevel = grids_.back().step > 0.99;
+    if (pixelSteps >= 1 && !hasOwnLevel) {
         return {};
     }
     for (int level = int(grids_.size()) - 1; level > finest_; --level) {
-        if (grids_[std::size_t(level)].stepMm <= pixelMm) {
+        if (grids_[std::size_t(level)].step <= pixelSteps) {
             return level;
         }
     }
     return finest_;
 }
-
-double Detail::stepShare() const { return grids_[std::size_t(level_)].stepMm / sceneStepMm_; }
 
 void Detail::use(int level) {
     if (level == level_) {
@@ -85,7 +84,7 @@ void Detail::use(int level) {
     const BrickGrid& grid = grids_[std::size_t(level)];
     const glm::vec3 pool(pool_.texture().size());
     BricksBlock block;
-    block.levelScale = glm::vec4(grid.perSceneVoxel, stepShare());
+    block.levelScale = glm::vec4(grid.perSceneVoxel, step());
     block.levelOrigin = glm::vec4(grid.origin, 1.0 / grid.side);
     block.levelDims = glm::ivec4(grid.dims, grid.side);
     block.brickCounts = glm::ivec4(grid.counts(), 0);

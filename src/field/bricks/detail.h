@@ -54,16 +54,15 @@ public:
     Detail(std::shared_ptr<const volume::BrickSource> source, const volume::GridGeometry& scene,
            const DetailOptions& options);
 
-    // The coarsest level whose voxels are no larger than a pixel of so many mm, or the finest; nothing: the
-    // scene's own voxels are no larger.
-    [[nodiscard]] std::optional<int> levelFor(double pixelMm) const;
+    // The coarsest level whose voxels are no larger than a pixel of so many steps of the scene, or the finest;
+    // nothing: the scene's own voxels are no larger.
+    [[nodiscard]] std::optional<int> levelFor(double pixelSteps) const;
 
     // Shaders see this level from now on.
     void use(int level);
     [[nodiscard]] int level() const { return level_; }
-    // How many of its steps are in one of the scene's, the other way round: 0.25 for a level four times as
-    // fine.
-    [[nodiscard]] double stepShare() const;
+    // One of its steps, in steps of the scene: 0.25 for a level four times as fine.
+    [[nodiscard]] double step() const { return grids_[std::size_t(level_)].step; }
     // Binds uniform block 4, textures 6 and 12 and storage 6: see field/shaders/bricks.glsl.
     void bind() const;
 
@@ -90,7 +89,6 @@ private:
     void writePages();
 
     std::vector<BrickGrid> grids_; // of the source's levels that are used, the finest first
-    double sceneStepMm_;
     BrickReader reader_;
     BrickTexels texels_;
     BrickPool pool_;

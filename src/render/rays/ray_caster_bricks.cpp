@@ -19,8 +19,8 @@ void RayCaster::chooseLevel() {
     level_.reset();
     squaresAtOnce_ = 0;
     if (frame_.detail != nullptr && frame_.scene.smoothed == nullptr) {
-        level_ = frame_.detail->levelFor(
-            leastPixelMm(frame_.rays, frame_.scene.data->geometry));
+        const auto& geometry = frame_.scene.data->geometry;
+        level_ = frame_.detail->levelFor(leastPixelMm(frame_.rays, geometry) / geometry.stepMm());
     }
     if (!level_) {
         frame_.detail = nullptr;
@@ -36,7 +36,7 @@ void RayCaster::chooseLevel() {
 
 // Steps between samples of the data: as many to a voxel of the level that is drawn as to one of the scene.
 double RayCaster::sampleStep() const {
-    return frame_.sampleStep * (frame_.detail != nullptr ? frame_.detail->stepShare() : 1);
+    return frame_.sampleStep * (frame_.detail != nullptr ? frame_.detail->step() : 1);
 }
 
 int RayCaster::castRound() const { return sample_ * int(stages()) + int(stage_) + 1; }

@@ -55,7 +55,7 @@ vec4 colourOfPiece(float front, float back, float gradient, float steps, float d
     for (int i = 0; i < kColoursAPiece; ++i) {
         vec4 c = classify(mix(front, back, (float(i) + 0.5) / float(kColoursAPiece)), gradient);
         // Opacities are per step; here for half a step or, in drafts, a whole one, shared by the colours.
-#ifdef BRICKS
+#ifdef FINER
         float a = 1.0 - pow(1.0 - c.a, steps / float(kColoursAPiece)); // pieces are of any length
 #else
         float a = dt > 0.75 ? c.a : 1.0 - sqrt(1.0 - c.a);

@@ -3,7 +3,7 @@
 // as texels, 2 as quads.
 
 #if defined(TF_KIND) && TF_KIND != 0
-#if defined(TF_GRADIENTS) && !defined(TRICUBIC)
+#if defined(TF_GRADIENTS) && !defined(TRICUBIC) && !defined(FINER)
 // Between voxel centres that of the voxels around, as histograms count it.
 #if TF_GRADIENTS == 2
 layout(binding = kGradientsTexture) uniform samplerBuffer gradientQuads;
@@ -15,7 +15,7 @@ float gradientAt(vec3 p) {
 }
 #endif
 #else
-// With tricubic sampling, and where the device has no room for all of them, that of the data at p.
+// With tricubic sampling, of a finer level than the scene's, and where the device has no room for all of them, that of the data at p.
 float gradientAt(vec3 p) { return length(dataGradient(p)); }
 #endif
 #endif

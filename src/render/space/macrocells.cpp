@@ -35,7 +35,7 @@ Box3 changedCells(const Macrocells::Input& input) {
 
 // Those of voxel centres bound only what trilinear samples have.
 const gl::Texture* gradientCells(const Macrocells::Input& input) {
-    return input.classification != nullptr && input.sampling == field::Sampling::Trilinear
+    return input.classification != nullptr && !input.isFiner && input.sampling == field::Sampling::Trilinear
                ? input.classification->gradientCells()
                : nullptr;
 }

@@ -33,6 +33,8 @@ public:
         field::Sampling sampling = field::Sampling::Trilinear;
         // Volume mode: its opacity says what can be seen, not the displayed range.
         const Classification* classification = nullptr;
+        // Finer levels are drawn, whose gradients may be steeper than the scene's.
+        bool isFiner = false;
         // The voxels outside of which all ranges are what they were at the last rebuild(), all else being the
         // same; nothing: anything may be different.
         std::optional<Box3> changed = {};

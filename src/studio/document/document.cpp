@@ -3,7 +3,9 @@
 
 #include "base/check.h"
 #include "base/progress.h"
+#include "field/finer_cells.h"
 #include "studio/document/document_impl.h"
+#include "studio/document/finer_levels.h"
 
 namespace vs::studio {
 
@@ -27,6 +29,25 @@ std::uint64_t Document::version() const { return impl_->contents.version; }
 std::uint64_t Document::pictureVersion() const {
     return impl_->contents.version - impl_->contents.sliceChanges;
 }
+void Document::showFinerLevels(const FinerLevels& levels) {
+    Contents& contents = impl_->contents;
+    Scan& scan = contents.scan;
+    std::shared_ptr<const volume::BrickSource> source = levels.source;
+    const bool isOwn = source == nullptr;
+    if (isOwn) {
+        source = std::make_shared<volume::VolumeBricks>(scan.volume);
+    }
+    auto detail = std::make_unique<field::Detail>(source, scan.inFile, levels.options);
+    const field::BrickGrid& finest = detail->grids().front();
+    impl_->display.showFiner(*detail, finest.step > 0.99 ? field::computeCellRanges(scan.field)
+                                                         : field::finerCellRanges(scan.inFile.dims, finest,
+                                                                                  levels.extremes));
+    scan.detail = std::move(detail);
+    ++contents.version;
+}
+
+const field::Detail* Document::detail() const { return impl_->contents.scan.detail.get(); }
+
 void Document::setUndoMemory(std::size_t bytes) { impl_->contents.history.setMemoryLimit(bytes); }
 LiveStroke& Document::stroke() { return impl_->liveStroke; }
 LiveGrowth& Document::growing() { return impl_->liveGrowth; }

@@ -26,6 +26,7 @@ class LiveStroke;
 class PartQueries;
 class Region;
 class SurfaceQueries;
+struct FinerLevels;
 
 // A volume with everything a person has done to it. All edits go through apply(), or through a live stroke or
 // live growth, which end as one operation. Needs a current GL context for its whole life; one thread.
@@ -100,6 +101,12 @@ public:
 
     // Changes the view without logging; used while the view is being dragged. The next apply() logs it first.
     void showView(const View& view);
+
+    // Pictures show finer levels of the scan from now on, where their pixels ask for them; all that is done is
+    // done to volume() all the same. Throws Error, and GlError where the device has no room.
+    void showFinerLevels(const FinerLevels& levels);
+    // What it has of them; null: it shows none.
+    [[nodiscard]] const field::Detail* detail() const;
 
     // Undo has no end, but what it keeps of cuts takes no more than so many bytes of memory; the rest is in a
     // temporary file.

@@ -13,6 +13,10 @@ public:
     // The contents must outlive it.
     explicit Display(const Contents& contents) : contents_(&contents), pipeline_(contents.scan.field) {}
 
+    void showFiner(field::Detail& detail, field::CellRanges cells) {
+        pipeline_.showFiner(detail, std::move(cells));
+    }
+
     // `segmentsMs` is the time that bringing the segments' surfaces up to date may take.
     render::Frame frame(const View& from, glm::ivec2 size,
                         double segmentsMs = segment::Segmentation::kNoHurry);

@@ -12,6 +12,14 @@ namespace vs::studio {
 Pipeline::Pipeline(const field::Field& field)
     : field_(&field), serial_(field.serial), cellRanges_(field::computeCellRanges(field)) {}
 
+void Pipeline::showFiner(field::Detail& detail, field::CellRanges cells) {
+    detail_ = &detail;
+    cellRanges_ = std::move(cells);
+    cells_.key.reset();
+    light_.key.reset();
+    partStages_.clear();
+}
+
 void Pipeline::follow(const View& view) {
     if (std::exchange(serial_, field_->serial) != field_->serial) {
         smoothed_.reset();
@@ -228,6 +236,7 @@ render::Frame Pipeline::frame(const State& state, glm::ivec2 size) {
     if (pullsOut) {
         addPulledOut(frame, withSegments, state);
     }
+    frame.detail = detail_;
     content_ = contentOf(state, frame);
     return frame;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "field/bricks/detail.h"
 #include "field/smoothed_field.h"
 #include "render/rays/ray_caster.h"
 #include "render/slices/slice_renderer.h"
@@ -22,6 +23,9 @@ namespace vs::studio {
 class Pipeline {
 public:
     explicit Pipeline(const field::Field& field);
+
+    // Frames show these levels from now on, of which `cells` says what may be seen where.
+    void showFiner(field::Detail& detail, field::CellRanges cells);
 
     struct State {
         const View* view = nullptr;
@@ -84,6 +88,7 @@ private:
     void dropSegments();
 
     const field::Field* field_;
+    field::Detail* detail_ = nullptr;
     std::uint64_t serial_; // the field's, for which all the following was made
     bool areSegmentsSmooth_ = true;
     field::CellRanges cellRanges_;

@@ -47,6 +47,7 @@ void Pipeline::refresh(Cells& cells, const Key& key, const State& state, const r
     input.view = key.view;
     input.sampling = key.sampling;
     input.classification = frame.mode == render::Mode::Volume ? frame.classification : nullptr;
+    input.isFiner = detail_ != nullptr;
     input.changed = old ? changedVoxels(*old, key, *state.sculpture, segmentation) : std::nullopt;
     cells.key.reset(); // or what is left half done would pass for it
     cells.macrocells.rebuild(input);

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "field/bricks/detail.h"
 #include "field/field.h"
 #include "studio/editing/first_look.h"
 #include "volume/grid/volume.h"
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 namespace vs::studio {
@@ -23,6 +25,7 @@ struct Scan {
     volume::GridGeometry inFile; // as it was opened
     volume::Volume volume;
     field::Field field;
+    std::unique_ptr<field::Detail> detail; // finer levels of it, which pictures show; null: there are none
     std::vector<std::uint32_t> histogram; // voxel counts in equal bins over volume.usual, at most 256
     Range shown;                          // the displayed range to begin with
     FirstLook firstLook;                  // as the window shows it to begin with

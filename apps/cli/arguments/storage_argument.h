@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "arguments/volume_argument.h"
+
+#include "studio/document/document.h"
+#include "studio/document/finer_levels.h"
+
+#include <CLI/CLI.hpp>
+
+#include <string>
+
+namespace vs::cli {
+
+// How a volume lies in memory, and how much of that there is, as given on the command line.
+struct StorageArgument {
+    std::string storage = "auto";
+    std::string deviceMemory;
+    std::string hostMemory;
+
+    [[nodiscard]] studio::Storage kind() const;
+    // Throws UsageError for what is no amount of memory.
+    [[nodiscard]] studio::MemoryBudgets budgets() const;
+};
+
+// Adds --storage, --device-memory and --memory.
+void addStorageOptions(CLI::App& command, StorageArgument& argument);
+
+// An amount of memory in bytes: "512MiB", "2GiB", or a number of MiB. Throws UsageError naming `what`.
+std::size_t parseMemory(const std::string& text, const std::string& what);
+
+// Reads the volume and prints its notices. Throws as volume::readVolume() does.
+studio::OpenedScan loadScan(const VolumeArgument& argument, const StorageArgument& storage);
+
+// A document of it, which shows the finer levels that it has. Needs a current context.
+std::unique_ptr<studio::Document> documentOf(studio::OpenedScan scan);
+
+} // namespace vs::cli

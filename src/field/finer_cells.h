@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "field/bricks/brick_grid.h"
+#include "field/cell_ranges.h"
+#include "volume/grid/brick_source.h"
+
+#include <optional>
+
+namespace vs::field {
+
+// The macrocells of a scene whose pictures are drawn from finer levels: what samples of any of them can find
+// in each, by the ranges of the finest, whose grid lies so in the scene's voxel space. Where no ranges are
+// known, anything may be anywhere.
+CellRanges finerCellRanges(glm::ivec3 sceneDims, const BrickGrid& finest,
+                           const std::optional<volume::CellExtremes>& extremes);
+
+} // namespace vs::field

@@ -77,6 +77,7 @@ int run(vs::desktop::WatchedApplication& application) {
     if (!options.timingsFile.empty()) {
         new LatencyRecorder(application, *studio, window.view(), options.timingsFile); // the studio owns it
     }
+    studio->files().limitMemory(options.budgets);
     if (!options.open.volume.empty() || !options.open.session.empty()) {
         studio->files().open(options.open);
     }

@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "base/large_pages.h"
+#include "gl/device_bytes.h"
 #include "gl/errors.h"
 #include "gl/hazard_watch.h"
 #include "gl/limits.h"
@@ -20,6 +21,7 @@ namespace detail {
 void deleteBuffer(unsigned int name) {
     glDeleteBuffers(1, &name);
     noteDeleted({true, name});
+    countDeleted(Counted::Buffer, name);
 }
 } // namespace detail
 
@@ -48,6 +50,7 @@ Buffer::Buffer(std::size_t sizeBytes, const std::string& label, Reach reach)
                       "reduce makes, or another device",
                       label, size_ >> 20);
     }
+    countMade(Counted::Buffer, name, size_);
     glObjectLabel(GL_BUFFER, name, -1, label.c_str());
     if (isShared) {
         askForLargePages(shared());

@@ -3,6 +3,7 @@
 
 #include "base/check.h"
 #include "base/error.h"
+#include "gl/device_bytes.h"
 #include "gl/errors.h"
 #include "gl/hazard_watch.h"
 #include "gl/limits.h"
@@ -20,6 +21,7 @@ namespace detail {
 void deleteTexture(unsigned int name) {
     glDeleteTextures(1, &name);
     noteDeleted({false, name});
+    countDeleted(Counted::Texture, name);
 }
 } // namespace detail
 
@@ -152,6 +154,9 @@ void Texture::create(const std::string& label, Filter filter) {
     if (fails(allocate)) {
         throw GlError("{}: the device has no room for {}x{}x{} texels ({} MiB); {}", label, size_.x, size_.y,
                       size_.z, bytes() >> 20, remedy);
+    }
+    if (is3D_) {
+        countMade(Counted::Texture, name, bytes());
     }
     glObjectLabel(GL_TEXTURE, name, -1, label.c_str());
     const GLint mode = filter == Filter::Linear ? GL_LINEAR : GL_NEAREST;

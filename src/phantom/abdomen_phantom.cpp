@@ -239,11 +239,15 @@ void Abdomen::paintArteries() {
 
 } // namespace
 
+Scanner abdomenScanner(const AbdomenPhantomOptions& options) {
+    return ctScanner({options.dims, kAbdomenExtentMm, options.noisePercent, options.seed}, "abdomen phantom",
+                     [tubes = std::make_shared<const Tubes>()](glm::dvec3 p, double voxelMm, std::size_t) {
+                         return Abdomen(*tubes, p, voxelMm).paint();
+                     });
+}
+
 LabelledVolume makeAbdomenPhantom(const AbdomenPhantomOptions& options) {
-    const Tubes tubes;
-    return scanByCt(
-        {options.dims, kAbdomenExtentMm, options.noisePercent, options.seed}, "abdomen phantom",
-        [&](glm::dvec3 p, double voxelMm, std::size_t) { return Abdomen(tubes, p, voxelMm).paint(); });
+    return scanAll(abdomenScanner(options));
 }
 
 } // namespace vs::phantom

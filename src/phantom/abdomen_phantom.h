@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "phantom/head_phantom.h"
+#include "phantom/scanner.h"
 
 namespace vs::phantom {
 
@@ -35,5 +35,6 @@ struct AbdomenPhantomOptions {
 // (250). Bones are 720 outside and 430 inside. In the left groin a plaque (300) joins the artery to the
 // pelvis, so that growth leaks from one into the other. Borders inside one voxel are mixed as in the head.
 LabelledVolume makeAbdomenPhantom(const AbdomenPhantomOptions& options);
+Scanner abdomenScanner(const AbdomenPhantomOptions& options);
 
 } // namespace vs::phantom

@@ -110,12 +110,14 @@ private:
 
 } // namespace
 
-LabelledVolume makeBodyPhantom(const BodyPhantomOptions& options) {
-    return scanByCt({options.dims, kBodyExtentMm, options.noisePercent, options.seed}, "body phantom",
+Scanner bodyScanner(const BodyPhantomOptions& options) {
+    return ctScanner({options.dims, kBodyExtentMm, options.noisePercent, options.seed}, "body phantom",
                     [](glm::dvec3 p, double voxelMm, std::size_t n) {
                         const double grain = double(randomBits(n) >> 12) / double(1ULL << 51) - 1;
                         return Body(p, voxelMm).paint(grain);
                     });
 }
+
+LabelledVolume makeBodyPhantom(const BodyPhantomOptions& options) { return scanAll(bodyScanner(options)); }
 
 } // namespace vs::phantom

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "phantom/head_phantom.h"
+#include "phantom/scanner.h"
 
 namespace vs::phantom {
 
@@ -19,5 +19,6 @@ struct BodyPhantomOptions {
 // spine, lungs. All air around it (-1000) is one region, which its skin bounds with the roughness of a real
 // one; the lungs (-850) do not touch it. Borders inside one voxel are mixed as in the head.
 LabelledVolume makeBodyPhantom(const BodyPhantomOptions& options);
+Scanner bodyScanner(const BodyPhantomOptions& options);
 
 } // namespace vs::phantom

@@ -22,67 +22,48 @@ double sensitivity(glm::dvec3 p) {
 bool isBrain(std::uint8_t label) { return label >= std::uint8_t(HeadTissue::Csf); }
 
 // The range of the sensitivity over the brain and the fluid around it.
-Range sensitivityRange(const volume::GridGeometry& grid, const std::vector<std::uint8_t>& labels) {
-    Range range{1e9, -1e9};
-    std::size_t n = 0;
-    for (int z = 0; z < grid.dims.z; ++z) {
-        for (int y = 0; y < grid.dims.y; ++y) {
-            for (int x = 0; x < grid.dims.x; ++x, ++n) {
-                if (isBrain(labels[n])) {
-                    const double s = sensitivity(glm::dvec3(grid.worldFromVoxel * glm::dvec4(x, y, z, 1)));
-                    range = {std::min(range.lo, s), std::max(range.hi, s)};
-                }
+Range sensitivityRange(const volume::GridGeometry& grid, double voxelMm) {
+    std::vector<Range> ofSlices(std::size_t(grid.dims.z), Range{1e9, -1e9});
+    inParallel(grid.dims.z, [&](int z) {
+        Range& range = ofSlices[std::size_t(z)];
+        forEachVoxel({{0, 0, z}, {grid.dims.x, grid.dims.y, z + 1}}, [&](glm::ivec3 v, std::size_t) {
+            const auto p = glm::dvec3(grid.worldFromVoxel * glm::dvec4(v, 1));
+            if (isBrain(paintHead(p, voxelMm).label())) {
+                const double s = sensitivity(p);
+                range = {std::min(range.lo, s), std::max(range.hi, s)};
             }
-        }
+        });
+    });
+    Range range{1e9, -1e9};
+    for (const Range& ofSlice : ofSlices) {
+        range = {std::min(range.lo, ofSlice.lo), std::max(range.hi, ofSlice.hi)};
     }
     return range.hi > range.lo ? range : Range{0, 1};
 }
 
 } // namespace
 
-volume::GridGeometry phantomGrid(glm::ivec3 dims, glm::dvec3 extentMm) {
-    auto grid = volume::makeGeometry(dims, extentMm / glm::dvec3(dims));
-    grid.worldFromVoxel[3] = glm::dvec4(0.5 * (grid.spacing() - extentMm), 1);
-    return grid;
+Scanner headScanner(const HeadPhantomOptions& options) {
+    const auto grid = phantomGrid(options.dims, kHeadExtentMm);
+    const double voxelMm = std::cbrt(grid.voxelMm3());
+    const Range range = options.biasPercent > 0 ? sensitivityRange(grid, voxelMm) : Range{0, 1};
+    const double sigma = 0.01 * options.noisePercent * t1::white;
+    return scannerOf<std::uint8_t>(
+        "head phantom", grid, volume::ScalarType::UInt8,
+        [options, voxelMm, range, sigma](glm::dvec3 p, std::size_t n) -> Measured {
+            const TissuePainter painted = paintHead(p, voxelMm);
+            const double middle =
+                options.biasPercent > 0 ? (sensitivity(p) - range.lo) / range.width() - 0.5 : 0;
+            double value =
+                std::max(1 + 0.01 * options.biasPercent * middle, 0.0) * double(float(painted.value()));
+            if (sigma > 0) {
+                const glm::dvec2 noise = sigma * normalPair(options.seed, n);
+                value = std::hypot(value + noise.x, noise.y);
+            }
+            return {std::clamp(std::floor(value + 0.5), 0.0, 255.0), painted.label()};
+        });
 }
 
-LabelledVolume makeHeadPhantom(const HeadPhantomOptions& options) {
-    LabelledVolume head;
-    const auto grid = head.volume.geometry = phantomGrid(options.dims, kHeadExtentMm);
-    const double voxelMm = std::cbrt(grid.voxelMm3());
-    head.volume.name = "head phantom";
-    head.labels.resize(grid.voxelCount());
-    std::vector<float> clean(grid.voxelCount());
-    const std::size_t slice = std::size_t(grid.dims.x) * std::size_t(grid.dims.y);
-    const auto forEachVoxel = [&](const auto& visitVoxel) {
-        inParallel(grid.dims.z, [&](int z) {
-            std::size_t n = slice * std::size_t(z);
-            for (int y = 0; y < grid.dims.y; ++y) {
-                for (int x = 0; x < grid.dims.x; ++x, ++n) {
-                    visitVoxel(n, glm::dvec3(grid.worldFromVoxel * glm::dvec4(x, y, z, 1)));
-                }
-            }
-        });
-    };
-    forEachVoxel([&](std::size_t n, glm::dvec3 p) {
-        const TissuePainter painted = paintHead(p, voxelMm);
-        clean[n] = float(painted.value());
-        head.labels[n] = painted.label();
-    });
-    const Range range = options.biasPercent > 0 ? sensitivityRange(grid, head.labels) : Range{0, 1};
-    const double sigma = 0.01 * options.noisePercent * t1::white;
-    head.volume.bytes.resize(grid.voxelCount());
-    forEachVoxel([&](std::size_t n, glm::dvec3 p) {
-        const double middle = options.biasPercent > 0 ? (sensitivity(p) - range.lo) / range.width() - 0.5 : 0;
-        double value = std::max(1 + 0.01 * options.biasPercent * middle, 0.0) * double(clean[n]);
-        if (sigma > 0) {
-            const glm::dvec2 noise = sigma * normalPair(options.seed, n);
-            value = std::hypot(value + noise.x, noise.y);
-        }
-        head.volume.bytes[n] = std::byte(std::uint8_t(std::clamp(std::floor(value + 0.5), 0.0, 255.0)));
-    });
-    volume::computeRange(head.volume);
-    return head;
-}
+LabelledVolume makeHeadPhantom(const HeadPhantomOptions& options) { return scanAll(headScanner(options)); }
 
 } // namespace vs::phantom

@@ -2,10 +2,9 @@
 #pragma once
 
 #include "phantom/head_anatomy.h"
-#include "volume/grid/volume.h"
+#include "phantom/scanner.h"
 
 #include <cstdint>
-#include <vector>
 
 namespace vs::phantom {
 
@@ -23,18 +22,11 @@ struct HeadPhantomOptions {
     std::uint64_t seed = 1;
 };
 
-// A volume and what is truly in it, one label a voxel.
-struct LabelledVolume {
-    volume::Volume volume;
-    std::vector<std::uint8_t> labels; // of HeadTissue for a head
-};
-
 // A head as T1-weighted MR shows it (uint8, intensities of namespace t1): scalp with fat, skull with marrow,
 // fluid, a folded cortex, ventricles. Voxels on borders hold the mean of what is in them. Always the same for
 // the same options, however many threads make it.
 LabelledVolume makeHeadPhantom(const HeadPhantomOptions& options);
-
-// The grid of a phantom that covers `extentMm` around the world's origin.
-volume::GridGeometry phantomGrid(glm::ivec3 dims, glm::dvec3 extentMm);
+// With a bias all voxels are looked at once to begin with.
+Scanner headScanner(const HeadPhantomOptions& options);
 
 } // namespace vs::phantom

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "base/description.h"
-#include "phantom/head_phantom.h"
+#include "phantom/scanner.h"
 
 #include <array>
 #include <cstdint>
@@ -16,7 +16,8 @@ inline constexpr std::array<const char*, 5> kKinds{"head", "body", "vessels", "a
 constexpr const auto& namesOf(Kind) { return kKinds; }
 
 inline constexpr int kLeastVoxels = 8; // along each axis
-inline constexpr int kMostVoxels = 2048;
+inline constexpr int kMostVoxels = 2048;        // of one that is in memory
+inline constexpr int kMostStoredVoxels = 16384; // of one that is written box by box
 
 // Which phantom to make, and what it is measured with: what a command line or a session says of it.
 struct Recipe {
@@ -48,11 +49,12 @@ struct About {
     bool hasBias;
     const char* noiseOf;                  // what the noise is a percentage of
     std::span<const char* const> tissues; // what each label stands for, from 0
-    LabelledVolume (*make)(const Recipe& recipe);
+    Scanner (*scanner)(const Recipe& recipe);
 };
 const About& about(Kind kind);
 
-// Makes it. Throws UsageError for a bias where there is none.
+// Makes it box by box, or all of it. Both throw UsageError for a bias where there is none.
+Scanner scannerOf(const Recipe& recipe);
 LabelledVolume make(const Recipe& recipe);
 
 } // namespace vs::phantom

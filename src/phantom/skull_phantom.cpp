@@ -170,11 +170,13 @@ void Skull::paintBrain() {
 
 } // namespace
 
-LabelledVolume makeSkullPhantom(const SkullPhantomOptions& options) {
-    return scanByCt({options.dims, kSkullExtentMm, options.noisePercent, options.seed}, "skull phantom",
+Scanner skullScanner(const SkullPhantomOptions& options) {
+    return ctScanner({options.dims, kSkullExtentMm, options.noisePercent, options.seed}, "skull phantom",
                     [](glm::dvec3 p, double voxelMm, std::size_t) {
                         return Skull(p + kSkullMiddleInHead, voxelMm).paint();
                     });
 }
+
+LabelledVolume makeSkullPhantom(const SkullPhantomOptions& options) { return scanAll(skullScanner(options)); }
 
 } // namespace vs::phantom

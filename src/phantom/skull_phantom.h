@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "phantom/head_phantom.h"
+#include "phantom/scanner.h"
 
 namespace vs::phantom {
 
@@ -21,5 +21,6 @@ struct SkullPhantomOptions {
 // socket of the jaw (900) from which a gap of 1.5 mm (150) parts it. Borders inside one voxel are mixed as in
 // the head.
 LabelledVolume makeSkullPhantom(const SkullPhantomOptions& options);
+Scanner skullScanner(const SkullPhantomOptions& options);
 
 } // namespace vs::phantom

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "phantom/vessels_phantom.h"
 
-#include "base/parallel.h"
 #include "phantom/artery_tree.h"
 #include "phantom/head_cortex.h"
 #include "phantom/head_shape.h"
@@ -10,6 +9,7 @@
 #include "phantom/tissue_painter.h"
 
 #include <cmath>
+#include <memory>
 
 namespace vs::phantom {
 
@@ -138,36 +138,31 @@ void AngioHead::paintBlood() {
 
 } // namespace
 
-LabelledVolume makeVesselsPhantom(const VesselsPhantomOptions& options) {
-    LabelledVolume head;
-    const auto grid = head.volume.geometry = phantomGrid(options.dims, kVesselsExtentMm);
+Scanner vesselsScanner(const VesselsPhantomOptions& options) {
+    struct Trees {
+        TubeSet arteries = arteryTree();
+        TubeSet veins = veinTree();
+    };
+    const auto grid = phantomGrid(options.dims, kVesselsExtentMm);
     const double voxelMm = std::cbrt(grid.voxelMm3());
     const double sigma = 0.01 * options.noisePercent * tof::largeArtery;
-    head.volume.name = "vessels phantom";
-    head.volume.bytes.resize(grid.voxelCount());
-    head.labels.resize(grid.voxelCount());
-    const TubeSet arteries = arteryTree();
-    const TubeSet veins = veinTree();
-    const std::size_t slice = std::size_t(grid.dims.x) * std::size_t(grid.dims.y);
-    inParallel(grid.dims.z, [&](int z) {
-        std::size_t n = slice * std::size_t(z);
-        for (int y = 0; y < grid.dims.y; ++y) {
-            for (int x = 0; x < grid.dims.x; ++x, ++n) {
-                const auto p = glm::dvec3(grid.worldFromVoxel * glm::dvec4(x, y, z, 1)) + kMiddleInHead;
-                const TissuePainter painted = AngioHead(arteries, veins, p, voxelMm).paint();
-                double value = painted.value();
-                if (sigma > 0) {
-                    const glm::dvec2 noise = sigma * normalPair(options.seed, n);
-                    value = std::hypot(value + noise.x, noise.y);
-                }
-                head.volume.bytes[n] =
-                    std::byte(std::uint8_t(std::clamp(std::floor(value + 0.5), 0.0, 255.0)));
-                head.labels[n] = painted.label();
+    return scannerOf<std::uint8_t>(
+        "vessels phantom", grid, volume::ScalarType::UInt8,
+        [trees = std::make_shared<const Trees>(), voxelMm, sigma, seed = options.seed](
+            glm::dvec3 place, std::size_t n) -> Measured {
+            const glm::dvec3 p = place + kMiddleInHead;
+            const TissuePainter painted = AngioHead(trees->arteries, trees->veins, p, voxelMm).paint();
+            double value = painted.value();
+            if (sigma > 0) {
+                const glm::dvec2 noise = sigma * normalPair(seed, n);
+                value = std::hypot(value + noise.x, noise.y);
             }
-        }
-    });
-    volume::computeRange(head.volume);
-    return head;
+            return {std::clamp(std::floor(value + 0.5), 0.0, 255.0), painted.label()};
+        });
+}
+
+LabelledVolume makeVesselsPhantom(const VesselsPhantomOptions& options) {
+    return scanAll(vesselsScanner(options));
 }
 
 } // namespace vs::phantom

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "phantom/head_phantom.h"
+#include "phantom/scanner.h"
 
 namespace vs::phantom {
 
@@ -25,5 +25,6 @@ struct VesselsPhantomOptions {
 // skull a thin vein (152) leads from the right carotid to fat in the cheek (160) and a vein of the temple
 // (166): growth by a wide range leaks through it. Borders inside one voxel are mixed as in the head.
 LabelledVolume makeVesselsPhantom(const VesselsPhantomOptions& options);
+Scanner vesselsScanner(const VesselsPhantomOptions& options);
 
 } // namespace vs::phantom

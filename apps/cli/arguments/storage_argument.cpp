@@ -7,9 +7,6 @@
 #include "base/error.h"
 #include "base/log.h"
 
-#include <cmath>
-#include <charconv>
-
 namespace vs::cli {
 
 studio::Storage StorageArgument::kind() const {
@@ -17,8 +14,8 @@ studio::Storage StorageArgument::kind() const {
 }
 
 studio::MemoryBudgets StorageArgument::budgets() const {
-    return {deviceMemory.empty() ? 0 : parseMemory(deviceMemory, "--device-memory"),
-            hostMemory.empty() ? 0 : parseMemory(hostMemory, "--memory")};
+    return {deviceMemory.empty() ? 0 : studio::memoryOf(deviceMemory, "--device-memory"),
+            hostMemory.empty() ? 0 : studio::memoryOf(hostMemory, "--memory")};
 }
 
 void addStorageOptions(CLI::App& command, StorageArgument& argument) {
@@ -32,17 +29,6 @@ void addStorageOptions(CLI::App& command, StorageArgument& argument) {
                        "What volumes and edits may take on the device, for example 512MiB or 4GiB; without, "
                        "what this machine has");
     command.add_option("--memory", argument.hostMemory, "What they may take on the host, likewise");
-}
-
-std::size_t parseMemory(const std::string& text, const std::string& what) {
-    double number = 0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-    const std::string unit(end, text.data() + text.size());
-    const double mebibytes = unit.empty() || unit == "MiB" ? number : unit == "GiB" ? 1024 * number : -1;
-    if (error != std::errc() || !(mebibytes >= 1) || mebibytes > 1e9) {
-        throw UsageError("{} {}: it is no amount of memory; give one as 512MiB or 4GiB", what, text);
-    }
-    return std::size_t(mebibytes * 1024 * 1024);
 }
 
 studio::OpenedScan loadScan(const VolumeArgument& argument, const StorageArgument& storage) {
@@ -63,6 +49,14 @@ std::unique_ptr<studio::Document> documentOf(studio::OpenedScan scan) {
         document->showFinerLevels(*scan.finer);
     }
     return document;
+}
+
+void tellFailures(const studio::Document& document) {
+    if (const field::Detail* detail = document.detail()) {
+        for (const std::string& failure : detail->failures()) {
+            logNotice(failure + "; the picture is coarser there");
+        }
+    }
 }
 
 } // namespace vs::cli

@@ -26,13 +26,13 @@ struct StorageArgument {
 // Adds --storage, --device-memory and --memory.
 void addStorageOptions(CLI::App& command, StorageArgument& argument);
 
-// An amount of memory in bytes: "512MiB", "2GiB", or a number of MiB. Throws UsageError naming `what`.
-std::size_t parseMemory(const std::string& text, const std::string& what);
-
 // Reads the volume and prints its notices. Throws as volume::readVolume() does.
 studio::OpenedScan loadScan(const VolumeArgument& argument, const StorageArgument& storage);
 
 // A document of it, which shows the finer levels that it has. Needs a current context.
 std::unique_ptr<studio::Document> documentOf(studio::OpenedScan scan);
+
+// Prints what of finer levels could not be read: pictures show there what is worked on.
+void tellFailures(const studio::Document& document);
 
 } // namespace vs::cli

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "arguments/parse.h"
+#include "arguments/storage_argument.h"
 #include "arguments/volume_argument.h"
 #include "commands/commands.h"
 #include "reports/progress.h"
@@ -43,6 +44,7 @@ struct FilmOptions {
     std::string range;
     std::string mode;
     VolumeArgument volume;
+    StorageArgument storage;
 };
 
 using Json = nlohmann::ordered_json;
@@ -130,12 +132,19 @@ std::unique_ptr<studio::Document> openInput(const FilmOptions& options, const gl
     std::vector<std::string> notices;
     if (options.input.ends_with(".json")) {
         const studio::Session session = studio::loadSession(options.input);
-        auto volume = loadSessionVolume(session, options.input, options.volume, notices);
-        return openDocument(session, options.input, std::move(volume), context);
+        volume::ReadOptions used;
+        auto volume = loadSessionVolume(session, options.input, options.volume, notices, &used);
+        const auto finer =
+            studio::finerLevels(volume, used, options.storage.kind(), options.storage.budgets(), notices);
+        auto document = openDocument(session, options.input, std::move(volume), context);
+        if (finer) {
+            document->showFinerLevels(*finer);
+        }
+        return document;
     }
     VolumeArgument argument = options.volume;
     argument.path = options.input;
-    return std::make_unique<studio::Document>(loadVolume(argument).volume);
+    return documentOf(loadScan(argument, options.storage));
 }
 
 void look(const FilmOptions& options, studio::Document& document) {
@@ -203,6 +212,7 @@ void addFilmCommand(CLI::App& app) {
     command->add_option("--mode", options->mode, "Mode, instead of the session's");
     command->add_option("--volume", options->volume.path, "Use this volume instead of the session's own");
     addReadOptions(*command, options->volume);
+    addStorageOptions(*command, options->storage);
     command->callback([options] { makeFilm(*options); });
 }
 

@@ -2,16 +2,19 @@
 // vstudio phantom: volumes made from nothing, with labels that are known to be true.
 #include "arguments/parse.h"
 #include "commands/commands.h"
+#include "reports/progress.h"
 
 #include "base/error.h"
 #include "base/names.h"
 #include "phantom/recipe.h"
 #include "volume/io/write.h"
+#include "volume/store/write_store.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <functional>
 #include <memory>
 #include <string>
@@ -29,14 +32,16 @@ struct PhantomOptions {
     phantom::Recipe recipe; // the rest
 };
 
+bool isStoreName(const std::string& path) { return std::filesystem::path(path).extension() == ".zarr"; }
+
 // "N": voxels along the longest side of `whole`, the others in proportion; "NxMxK": along each.
-glm::ivec3 dimsFrom(const std::string& text, glm::ivec3 whole) {
+glm::ivec3 dimsFrom(const std::string& text, glm::ivec3 whole, int most) {
     const bool isOne = text.find('x') == std::string::npos;
     const auto sizes = parseNumbers(text, 'x', isOne ? 1 : 3, "size", "256 or 181x217x181");
     for (const double n : sizes) {
-        if (n < phantom::kLeastVoxels || n > phantom::kMostVoxels || n != std::floor(n)) {
+        if (n < phantom::kLeastVoxels || n > most || n != std::floor(n)) {
             throw UsageError("size '{}' is out of bounds; {} to {} voxels each way are allowed, like 256",
-                             text, phantom::kLeastVoxels, phantom::kMostVoxels);
+                             text, phantom::kLeastVoxels, most);
         }
     }
     if (!isOne) {
@@ -53,7 +58,8 @@ phantom::Recipe recipeFrom(const PhantomOptions& options) {
         throw UsageError("--bias {}: a {} has none", recipe.biasPercent, phantom::about(recipe.kind).meaning);
     }
     if (!options.size.empty()) {
-        recipe.dims = dimsFrom(options.size, phantom::about(recipe.kind).dims);
+        recipe.dims = dimsFrom(options.size, phantom::about(recipe.kind).dims,
+                               isStoreName(options.output) ? phantom::kMostStoredVoxels : phantom::kMostVoxels);
     }
     return recipe;
 }
@@ -67,7 +73,53 @@ void writeVolume(const std::string& path, const volume::Volume& volume) {
     });
 }
 
+// Box by box, so that memory has room for it whatever its size; the values, or the labels.
+void writeStore(const std::string& path, const phantom::Scanner& scanner, const phantom::Recipe& recipe,
+                bool isOfLabels) {
+    volume::StoreSource source;
+    source.facts = {scanner.grid, "", scanner.name};
+    source.type = isOfLabels ? volume::ScalarType::UInt8 : scanner.type;
+    source.identity = fmt::format("{} {} {} x {} x {}, {} {} {}", scanner.name, isOfLabels ? "labels" : "values",
+                                  scanner.grid.dims.x, scanner.grid.dims.y, scanner.grid.dims.z,
+                                  recipe.noisePercent, recipe.biasPercent, recipe.seed);
+    source.read = [&scanner, isOfLabels](const Box3& box) {
+        std::vector<std::byte> values(box.volume() * volume::sizeOf(scanner.type));
+        std::vector<std::uint8_t> labels(isOfLabels ? box.volume() : 0);
+        scanner.scan(box, values, labels);
+        if (isOfLabels) {
+            values.resize(labels.size());
+            std::transform(labels.begin(), labels.end(), values.begin(), [](auto l) { return std::byte(l); });
+        }
+        return values;
+    };
+    volume::StoreLayout layout;
+    layout.reducing = isOfLabels ? volume::Reducing::Commonest : volume::Reducing::Mean;
+    const Activity activity("writing " + path);
+    volume::writeStore(path, source, layout);
+}
+
+void runToStore(const PhantomOptions& options) {
+    const phantom::Recipe recipe = recipeFrom(options);
+    const auto scanner = phantom::scannerOf(recipe);
+    writeStore(options.output, scanner, recipe, false);
+    if (!options.labels.empty()) {
+        writeStore(options.labels, scanner, recipe, true);
+    }
+    const auto& grid = scanner.grid;
+    const auto spacing = grid.spacing();
+    fmt::print("{}: {}, {} x {} x {} voxels of {:.4g} x {:.4g} x {:.4g} mm\n", options.output, scanner.name,
+               grid.dims.x, grid.dims.y, grid.dims.z, spacing.x, spacing.y, spacing.z);
+}
+
 void run(const PhantomOptions& options) {
+    if (isStoreName(options.output) != isStoreName(options.labels) && !options.labels.empty()) {
+        throw UsageError("--labels {}: write them as the volume is written, both as stores (.zarr) or neither",
+                         options.labels);
+    }
+    if (isStoreName(options.output)) {
+        runToStore(options);
+        return;
+    }
     checkGridName(options.output);
     if (!options.labels.empty()) {
         checkGridName(options.labels);
@@ -118,7 +170,8 @@ void addPhantomCommand(CLI::App& app) {
                      ofEachKind([](const phantom::About& kind) { return std::string(kind.meaning); }))
         ->required()
         ->check(CLI::IsMember(std::vector<std::string>(phantom::kKinds.begin(), phantom::kKinds.end())));
-    command->add_option("-o,--output", options->output, "File to write: .nrrd, .nii, .nii.gz, .mha or .mhd")
+    command->add_option("-o,--output", options->output, "File to write: .nrrd, .nii, .nii.gz, .mha or .mhd; or a store of OME-Zarr, .zarr, which may be "
+                    "larger than memory")
         ->required();
     command->add_option("--labels", options->labels, "File for the true labels. " + ofEachKind(tissuesOf));
     command->add_option("--size", options->size,

@@ -84,6 +84,7 @@ void runRender(const RenderOptions& options) {
         }
     }
     context.requireNoErrors();
+    tellFailures(document);
     image::Image picture = caster.readPicture();
     if (options.annotations) {
         render::annotate(picture, frame.rays, document.volume().geometry);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "arguments/parse.h"
+#include "arguments/storage_argument.h"
 #include "arguments/volume_argument.h"
 #include "commands/commands.h"
 #include "reports/progress.h"
@@ -10,10 +11,13 @@
 #include "base/log.h"
 #include "base/timer.h"
 #include "gl/context.h"
+#include "gl/device_bytes.h"
 #include "studio/json/session_state.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
+
+#include <sys/resource.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -31,7 +35,8 @@ struct RunOptions {
     std::string size;       // of that
     std::string saved;      // session file to write, with state; empty: none
     bool fromState = false; // nothing is done again
-    VolumeArgument volume;  // instead of the session's own, as far as given
+    StorageArgument storage;
+    VolumeArgument volume; // instead of the session's own, as far as given
 };
 
 using Json = nlohmann::ordered_json;
@@ -71,6 +76,13 @@ void makeFolders(const std::filesystem::path& folder, const std::vector<studio::
     }
 }
 
+// The most memory that this process has had at any time, in bytes.
+std::size_t peakOfProcess() {
+    rusage usage{};
+    getrusage(RUSAGE_SELF, &usage);
+    return std::size_t(usage.ru_maxrss) * 1024;
+}
+
 // What a run has done so far, on disk at any moment: an older report must not be taken for this run's.
 class Report {
 public:
@@ -90,6 +102,7 @@ public:
                          {"bytesInFile", undo.bytesInFile},
                          {"changedVoxels", undo.changedVoxels},
                          {"bytesPerChangedVoxel", undo.bytesPerChangedVoxel()}};
+        json_["memory"] = {{"devicePeakBytes", gl::deviceBytes().peak}, {"hostPeakBytes", peakOfProcess()}};
         json_["complete"] = true;
         write();
     }
@@ -185,16 +198,23 @@ void runSession(const RunOptions& options) {
     const Timer loading;
     volume::ReadOptions used;
     auto volume = loadSessionVolume(session, options.session, options.volume, notices, &used);
+    const auto finer =
+        studio::finerLevels(volume, used, options.storage.kind(), options.storage.budgets(), notices);
     const auto context = gl::Context::createHeadless();
     const std::string volumeName = volume.name;
     const auto document = options.fromState
                               ? fromState(session, options, std::move(volume))
                               : std::make_unique<studio::Document>(std::move(volume), session.precision);
+    if (finer) {
+        document->showFinerLevels(*finer);
+    }
     gl::Context::finish();
     makeFolders(folder, session.operations);
     Report report(folder, {{"session", options.session},
                            {"volume", volumeName},
                            {"device", context.device().renderer},
+                           {"level", used.level.value_or(0)},
+                           {"storage", finer ? "bricks" : "dense"},
                            {"loadMilliseconds", loading.milliseconds()},
                            {"notices", notices}});
     try {
@@ -213,6 +233,7 @@ void runSession(const RunOptions& options) {
         report.fail(error.what());
         throw;
     }
+    tellFailures(*document);
     report.complete(document->history().statistics());
     fmt::print("{}: {} operations on {}{}; results in {}\n", options.session,
                session.operations.size() + (last ? 1 : 0), volumeName,
@@ -241,6 +262,7 @@ void addRunCommand(CLI::App& app) {
                       "its operations write are not written");
     command->add_option("--volume", options->volume.path, "Use this volume instead of the session's own");
     addReadOptions(*command, options->volume);
+    addStorageOptions(*command, options->storage);
     command->callback([options] { runSession(*options); });
 }
 

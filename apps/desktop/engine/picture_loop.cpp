@@ -77,6 +77,11 @@ double PictureLoop::framesPerSecond() const {
     return meanFrameMs_ > 0 && sinceDraft_.milliseconds() < 500 ? 1000 / meanFrameMs_ : 0;
 }
 
+std::size_t PictureLoop::bricksComing() const {
+    const bool mayWait = document_ != nullptr && pass_ == Pass::Full && document_->detail() != nullptr;
+    return mayWait ? document_->detail()->coming() : 0;
+}
+
 std::optional<double> PictureLoop::refined() const {
     return pass_ == Pass::Full && passMs_ > kLongPassMs ? std::optional(passShare_) : std::nullopt;
 }
@@ -170,6 +175,7 @@ void PictureLoop::begin(Pass pass) {
         frame.samples = isDraft ? 1 : kFullSamples;
         frame.endsEarly = true;
         if (isDraft) {
+            frame.detail = nullptr; // what is worked on is there at once
             frame.sampleStep = 1; // pixels of a draft are wider than that
             frame.scene.sampling =
                 field::Sampling::Trilinear; // many times faster; the difference is seen at rest

@@ -69,6 +69,8 @@ public:
     [[nodiscard]] double framesPerSecond() const;
     // How much of the full quality is done, 0 to 1, while a picture at rest takes long enough to be told of.
     [[nodiscard]] std::optional<double> refined() const;
+    // Bricks of finer levels that the picture under way waits for.
+    [[nodiscard]] std::size_t bricksComing() const;
     // The finished picture. isComplete() must hold.
     [[nodiscard]] image::Image readPicture() const;
 

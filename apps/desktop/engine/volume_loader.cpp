@@ -3,11 +3,16 @@
 
 #include "base/progress.h"
 #include "studio/json/journal_content.h"
-#include "volume/reading/read_volume.h"
 
 namespace vs::desktop {
 
 namespace {
+
+// The levels that are finer than what was read.
+void findFiner(Loaded& result, const volume::ReadOptions& used) {
+    result.finer = studio::finerLevels(result.volume, used, studio::Storage::Auto, result.request.budgets,
+                                       result.notices);
+}
 
 void load(Loaded& result) {
     OpenRequest& request = result.request;
@@ -25,8 +30,10 @@ void load(Loaded& result) {
         if (!content.leftOut.empty()) {
             result.notices.push_back(content.leftOut);
         }
+        volume::ReadOptions used;
         result.volume = studio::openVolume(*result.session, request.journal, replacement, result.notices, {},
-                                           request.folders);
+                                           request.folders, &used);
+        findFiner(result, used);
         request.volume = replacement.value_or(result.session->volumePath);
         return;
     }
@@ -50,6 +57,7 @@ void load(Loaded& result) {
         result.session->frame = used.frame;
         result.session->level = used.level;
         result.session->channel = used.channel;
+        findFiner(result, used);
         if (!request.stateTrouble.empty()) {
             result.notices.push_back(request.session.string() + ": its state cannot be used (" +
                                      request.stateTrouble + "); everything is done again");
@@ -68,9 +76,11 @@ void load(Loaded& result) {
     options.frame = request.frame;
     options.level = request.level;
     options.channel = request.channel;
-    auto read = volume::readVolume(request.volume, options);
-    result.volume = std::move(read.volume);
-    result.notices = std::move(read.notices);
+    auto opened = studio::openScan(request.volume, options, studio::Storage::Auto, request.budgets);
+    request.level = opened.options.level;
+    result.volume = std::move(opened.read.volume);
+    result.notices = std::move(opened.read.notices);
+    result.finer = std::move(opened.finer);
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "studio/document/finer_levels.h"
 #include "studio/json/session_state.h"
 
 #include <QObject>
@@ -40,6 +41,7 @@ struct OpenRequest {
     // Where a session's volume is looked for that is not where the session says.
     std::vector<std::filesystem::path> folders = {};
     bool isPlayed = false;         // a session's operations are not done at once, but before one's eyes
+    studio::MemoryBudgets budgets = {};
     std::string stateTrouble = {}; // why a session's operations are done again although it has a state
 };
 
@@ -50,6 +52,7 @@ struct Loaded {
     std::optional<studio::DocumentState> state; // what the session's operations led to, if it was saved
     std::vector<std::string> notices;
     std::string checksum; // of the volume
+    std::optional<studio::FinerLevels> finer; // than the level that was read, where a store has them
 };
 
 // Reads volumes on a thread of its own, so that the window answers meanwhile. No OpenGL here: a volume is

@@ -114,7 +114,10 @@ MainWindow::MainWindow(StudioController& studio, ToolBox& tools, QWidget* parent
     connect(&rateTimer_, &QTimer::timeout, this, [this] {
         const double rate = studio_.picture().framesPerSecond();
         const auto refined = studio_.picture().refined();
-        rate_->setText(refined    ? tr("Refining %1 %").arg(int(100 * *refined))
+        tellUnreadBricks();
+        const std::size_t coming = studio_.picture().bricksComing();
+        rate_->setText(coming > 0 ? tr("Reading %n brick(s)", nullptr, int(coming))
+                       : refined  ? tr("Refining %1 %").arg(int(100 * *refined))
                        : rate > 0 ? tr("%1 fps").arg(rate, 0, 'f', rate < 10 ? 1 : 0)
                                   : QString());
     });
@@ -222,7 +225,7 @@ void MainWindow::makeStatusBar() {
     connect(&studio_.editor(), &Editor::done, this, &MainWindow::showDuration);
     volume_ = add("volume", tr("Size and type of the volume"));
     rate_ = add("rate", tr("Frame rate; at rest, how far the picture is refined"));
-    rate_->setText(tr("Refining %1 %").arg(100)); // the longest that it says
+    rate_->setText(tr("Reading %n brick(s)", nullptr, 1000)); // the longest that it says
     rate_->setFixedWidth(rate_->sizeHint().width());
     rate_->clear();
     rate_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
@@ -246,8 +249,38 @@ void MainWindow::refresh() {
         const auto dims = volume->geometry.dims;
         volume_->setText(
             tr("%1 × %2 × %3  %4").arg(dims.x).arg(dims.y).arg(dims.z).arg(volume::name(volume->type)));
+        showLevels();
     }
     refreshHint();
+}
+
+// What is worked on, where pictures show more than that.
+void MainWindow::showLevels() {
+    const field::Detail* detail = studio_.host().document()->detail();
+    if (detail == nullptr) {
+        volume_->setToolTip({});
+        return;
+    }
+    const int level = studio_.files().source().level.value_or(0);
+    const glm::ivec3 finest = detail->grids().front().dims;
+    volume_->setText(volume_->text() + tr("  level %1").arg(level));
+    volume_->setToolTip(tr("Edits are made on level %1. Pictures at rest show up to %2 × %3 × %4 voxels.")
+                            .arg(level)
+                            .arg(finest.x)
+                            .arg(finest.y)
+                            .arg(finest.z));
+}
+
+// Pictures show there what is worked on, which nobody would see.
+void MainWindow::tellUnreadBricks() {
+    const studio::Document* document = studio_.host().document();
+    const field::Detail* detail = document != nullptr ? document->detail() : nullptr;
+    const std::size_t known = detail != nullptr ? detail->failures().size() : 0;
+    for (; toldFailures_ < known; ++toldFailures_) {
+        studio_.notices().add(
+            {detail->failures()[toldFailures_] + tr("; the picture is coarser there").toStdString()});
+    }
+    toldFailures_ = known; // another document begins anew
 }
 
 void MainWindow::refreshHint() {

@@ -168,6 +168,8 @@ private:
     void makeCentre();
     void makeDock();
     void makeStatusBar();
+    void showLevels();
+    void tellUnreadBricks();
     void refresh();
     void refreshHint();
     void refreshProbe();
@@ -199,6 +201,7 @@ private:
     QToolButton* giveUp_ = nullptr; // beside the progress bar
     QTimer probeTimer_;
     QTimer rateTimer_;
+    std::size_t toldFailures_ = 0; // of Detail::failures()
     PictureExport* copying_ = nullptr; // to the clipboard
     QPointer<FilmDialog> film_;        // while it is open
     bool isBusyCursor_ = false;

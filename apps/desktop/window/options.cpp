@@ -45,6 +45,10 @@ Options parseOptions(const QCoreApplication& application) {
     const QCommandLineOption frame("frame", tr("Which volume of a 4D file, counted from 0."), "N");
     const QCommandLineOption level("level", tr("Which level of a store of OME-Zarr; 0 is the finest."), "N");
     const QCommandLineOption channel("channel", tr("Which channel of a store, counted from 0."), "N");
+    const QCommandLineOption deviceMemory(
+        "device-memory",
+        tr("What volumes and edits may take on the device, for example 512MiB or 4GiB."), "AMOUNT");
+    const QCommandLineOption memory("memory", tr("What they may take on the host, likewise."), "AMOUNT");
     const QCommandLineOption layout(
         "layout-file",
         tr("For tests and automation: keep PATH up to date with a JSON object of the program's state "
@@ -61,7 +65,7 @@ Options parseOptions(const QCoreApplication& application) {
            "else for "
            "more than 40 ms (\"blocks\"), in milliseconds."),
         "PATH");
-    parser.addOptions({session, raw, series, frame, level, channel, layout, timings});
+    parser.addOptions({session, raw, series, frame, level, channel, deviceMemory, memory, layout, timings});
     parser.process(application);
 
     Options options;
@@ -83,6 +87,11 @@ Options parseOptions(const QCoreApplication& application) {
     options.open.frame = countOf(parser, frame);
     options.open.level = countOf(parser, level);
     options.open.channel = countOf(parser, channel);
+    const auto amountOf = [&](const QCommandLineOption& option) {
+        const std::string name = "--" + option.names().first().toStdString();
+        return parser.isSet(option) ? studio::memoryOf(parser.value(option).toStdString(), name) : 0;
+    };
+    options.budgets = {amountOf(deviceMemory), amountOf(memory)};
     options.layoutFile = pathOf(parser.value(layout));
     options.timingsFile = pathOf(parser.value(timings));
     return options;

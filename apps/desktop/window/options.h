@@ -14,6 +14,7 @@ struct Options {
     OpenRequest open; // both paths empty: nothing to open
     std::filesystem::path layoutFile;
     std::filesystem::path timingsFile;
+    studio::MemoryBudgets budgets;
 };
 
 Options parseOptions(const QCoreApplication& application);

@@ -33,7 +33,7 @@ BrickPool::BrickPool(int texels, gl::Format format, std::size_t bytes, std::size
     std::reverse(free_.begin(), free_.end());
 }
 
-std::size_t BrickPool::slots() const {
+std::size_t BrickPool::slotCount() const {
     return std::size_t(counts_.x) * std::size_t(counts_.y) * std::size_t(counts_.z);
 }
 

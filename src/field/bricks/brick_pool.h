@@ -21,7 +21,7 @@ public:
     // GlError when the device has no room.
     BrickPool(int texels, gl::Format format, std::size_t bytes, std::size_t most);
 
-    [[nodiscard]] std::size_t slots() const;
+    [[nodiscard]] std::size_t slotCount() const;
     [[nodiscard]] const gl::Texture& texture() const { return texture_; }
     [[nodiscard]] std::size_t bytes() const;
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "studio/document/finer_levels.h"
 
+#include "base/error.h"
 #include "base/parallel.h"
 #include "volume/reading/read_volume.h"
 #include "volume/reading/store_bricks.h"
@@ -10,6 +11,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <charconv>
 
 namespace vs::studio {
 
@@ -53,50 +55,6 @@ field::DetailOptions optionsFor(const MemoryBudgets& budgets, std::size_t workBy
     return options;
 }
 
-// What finer voxels have counts too: a mean of them is never as great as the greatest.
-void widen(volume::Volume& volume, const volume::CellExtremes& extremes) {
-    constexpr float notMeasured = 1e15F;
-    Range range = volume.range;
-    for (const glm::vec2& cell : extremes.ranges) {
-        range.lo = cell.x > -notMeasured ? std::min(range.lo, double(cell.x)) : range.lo;
-        range.hi = cell.y < notMeasured ? std::max(range.hi, double(cell.y)) : range.hi;
-    }
-    const bool areAllUsual = volume.usual == volume.range;
-    volume.range = range;
-    volume.usual = areAllUsual ? range : volume.usual;
-}
-
-OpenedScan openStore(const std::filesystem::path& path, volume::ReadOptions options, bool ofBricks,
-                     const MemoryBudgets& budgets) {
-    auto store = std::make_shared<volume::StoreBricks>(path, options);
-    if (!options.level) {
-        options.level = levelToWorkOn(*store, budgets);
-    }
-    OpenedScan opened{volume::readVolume(path, options), {}};
-    if (*options.level == 0 && !ofBricks) {
-        return opened;
-    }
-    FinerLevels finer{store, store->extremes(), {}};
-    finer.options = optionsFor(budgets, workBytes(opened.read.volume.geometry, store->type()));
-    finer.options.hasOwnLevel = ofBricks;
-    if (field::brickGrid(store->levels().front(), opened.read.volume.geometry, finer.options.side)) {
-        if (finer.extremes) {
-            widen(opened.read.volume, *finer.extremes);
-        } else {
-            opened.read.notices.push_back(
-                fmt::format("{}: what is where in its finer levels is not known before they are read, so pictures "
-                            "of them take long; vstudio convert makes a store that says it",
-                            path.string()));
-        }
-        opened.finer = std::move(finer);
-    } else {
-        opened.read.notices.push_back(fmt::format(
-            "{}: its levels do not lie along the same axes, so pictures show level {} only", path.string(),
-            *options.level));
-    }
-    return opened;
-}
-
 } // namespace
 
 MemoryBudgets MemoryBudgets::filledIn() const {
@@ -104,22 +62,64 @@ MemoryBudgets MemoryBudgets::filledIn() const {
     return {deviceBytes > 0 ? deviceBytes : memory / 2, hostBytes > 0 ? hostBytes : memory / 4};
 }
 
-FinerLevels ownLevel(const MemoryBudgets& budgets) {
-    FinerLevels own{nullptr, {}, optionsFor(budgets.filledIn(), 0)};
-    own.options.hasOwnLevel = true;
-    return own;
+std::size_t memoryOf(const std::string& text, const std::string& what) {
+    double number = 0;
+    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+    const std::string unit(end, text.data() + text.size());
+    const double mebibytes = unit.empty() || unit == "MiB" ? number : unit == "GiB" ? 1024 * number : -1;
+    if (error != std::errc() || !(mebibytes >= 1) || mebibytes > 1e9) {
+        throw UsageError("{} {}: it is no amount of memory; give one as 512MiB or 4GiB", what, text);
+    }
+    return std::size_t(mebibytes * 1024 * 1024);
+}
+
+std::optional<int> levelToWorkOn(const std::filesystem::path& path, const volume::ReadOptions& options,
+                                 Storage storage, const MemoryBudgets& budgets) {
+    if (options.level || storage == Storage::Dense || !volume::hasLevels(path)) {
+        return options.level;
+    }
+    const int level = levelToWorkOn(volume::StoreBricks(path, options), budgets.filledIn());
+    return level > 0 ? std::optional(level) : std::nullopt;
+}
+
+std::optional<FinerLevels> finerLevels(const volume::Volume& scan, const volume::ReadOptions& read,
+                                       Storage storage, const MemoryBudgets& budgets,
+                                       std::vector<std::string>& notices) {
+    const bool ofBricks = storage == Storage::Bricks;
+    const bool hasLevels = !scan.path.empty() && volume::hasLevels(scan.path);
+    if (storage == Storage::Dense || !(ofBricks || (hasLevels && read.level.value_or(0) > 0))) {
+        return {};
+    }
+    const MemoryBudgets room = budgets.filledIn();
+    FinerLevels finer{nullptr, {}, optionsFor(room, workBytes(scan.geometry, scan.type))};
+    finer.options.hasOwnLevel = ofBricks;
+    if (!hasLevels) {
+        return finer;
+    }
+    const auto store = std::make_shared<volume::StoreBricks>(scan.path, read);
+    if (!field::brickGrid(store->levels().front(), scan.geometry, finer.options.side)) {
+        notices.push_back(fmt::format("{}: its levels do not lie along the same axes, so pictures show level {} "
+                                      "only",
+                                      scan.path.string(), read.level.value_or(0)));
+        return {};
+    }
+    finer.source = store;
+    finer.extremes = store->extremes();
+    if (!finer.extremes) {
+        notices.push_back(fmt::format("{}: what is where in its finer levels is not known before they are read, "
+                                      "so pictures of them take long; vstudio convert makes a store that says it",
+                                      scan.path.string()));
+    }
+    return finer;
 }
 
 OpenedScan openScan(const std::filesystem::path& path, const volume::ReadOptions& options, Storage storage,
                     const MemoryBudgets& budgets) {
-    const bool ofBricks = storage == Storage::Bricks;
-    if (storage != Storage::Dense && volume::hasLevels(path)) {
-        return openStore(path, options, ofBricks, budgets.filledIn());
-    }
-    OpenedScan opened{volume::readVolume(path, options), {}};
-    if (ofBricks) {
-        opened.finer = ownLevel(budgets);
-    }
+    OpenedScan opened;
+    opened.options = options;
+    opened.options.level = levelToWorkOn(path, options, storage, budgets);
+    opened.read = volume::readVolume(path, opened.options);
+    opened.finer = finerLevels(opened.read.volume, opened.options, storage, budgets, opened.read.notices);
     return opened;
 }
 

@@ -10,6 +10,8 @@
 #include <filesystem>
 #include <memory>
 #include <optional>
+#include <string>
+#include <vector>
 
 namespace vs::studio {
 
@@ -29,6 +31,9 @@ struct MemoryBudgets {
     [[nodiscard]] MemoryBudgets filledIn() const;
 };
 
+// An amount of memory in bytes: "512MiB", "2GiB", or a number of MiB. Throws UsageError naming `what`.
+std::size_t memoryOf(const std::string& text, const std::string& what);
+
 // Levels of a scan that are finer than the one that is worked on.
 struct FinerLevels {
     std::shared_ptr<const volume::BrickSource> source; // null: the document's own volume
@@ -36,19 +41,26 @@ struct FinerLevels {
     field::DetailOptions options;
 };
 
-// A scan, read at the level that is worked on, with those that are finer.
+// The level that a scan is worked on at: of a store the one that the options name, or else the finest that
+// leaves room to work on it within the budgets; nothing: the finest, or there are none. Throws ReadError.
+std::optional<int> levelToWorkOn(const std::filesystem::path& path, const volume::ReadOptions& options,
+                                 Storage storage, const MemoryBudgets& budgets);
+
+// The levels of a scan's store that are finer than what was read with these options; with Storage::Bricks that
+// one too, and that of any other volume; with Storage::Dense none. Throws ReadError; notices are appended.
+std::optional<FinerLevels> finerLevels(const volume::Volume& scan, const volume::ReadOptions& read,
+                                       Storage storage, const MemoryBudgets& budgets,
+                                       std::vector<std::string>& notices);
+
+// A scan, read at the level that is worked on.
 struct OpenedScan {
     volume::ReadResult read;
+    volume::ReadOptions options; // with that level
     std::optional<FinerLevels> finer;
 };
 
-// Reads a scan: of a store the level that the options name, or the finest that leaves room to work on it within
-// the budgets, and says so where that is not the finest of all; of anything else all of it. Storage::Dense has
-// no finer levels. Throws as volume::readVolume() does.
+// Reads a scan, all of this together. Throws as volume::readVolume() does.
 OpenedScan openScan(const std::filesystem::path& path, const volume::ReadOptions& options, Storage storage,
                     const MemoryBudgets& budgets);
-
-// A volume in memory in bricks of its own: none that are finer.
-FinerLevels ownLevel(const MemoryBudgets& budgets);
 
 } // namespace vs::studio

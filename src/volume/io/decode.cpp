@@ -129,6 +129,12 @@ ReadResult decodeVolume(const std::filesystem::path& path, const ReadOptions& op
         const auto normal = path.lexically_normal();
         volume.name = (normal.has_filename() ? normal.filename() : normal.parent_path().filename()).string();
         computeRange(volume);
+        if (result.ofFinest) {
+            const bool areAllUsual = volume.usual == volume.range;
+            volume.range = {std::min(volume.range.lo, result.ofFinest->lo),
+                            std::max(volume.range.hi, result.ofFinest->hi)};
+            volume.usual = areAllUsual ? volume.range : volume.usual;
+        }
         if (volume.nonFiniteCount > 0) {
             result.notices.push_back(
                 fmt::format("{}: {} of {} voxels are not finite (NaN or infinite); they lie "

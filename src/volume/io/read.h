@@ -46,6 +46,9 @@ struct ReadOptions {
 struct ReadResult {
     Volume volume;
     std::vector<std::string> notices; // what was unusual and what was done about it, one line each
+    // Smallest and largest value of the finest level, where a coarser one was read and that is known: its
+    // means never are as small and as great. They count in the volume's range.
+    std::optional<Range> ofFinest = {};
 };
 
 // One DICOM series of a folder, for choosing: `series` of ReadOptions takes its number in the list, or its

@@ -5,7 +5,9 @@
 #include "volume/io/inspect.h"
 #include "volume/reading/decoder_process.h"
 
+#include <algorithm>
 #include <cstring>
+#include <utility>
 
 namespace vs::volume {
 
@@ -39,6 +41,10 @@ StoreBricks::Decoder StoreBricks::take() const {
             return decoder;
         }
     }
+    return start();
+}
+
+StoreBricks::Decoder StoreBricks::start() const {
     Levels levels;
     Decoder decoder = start(levels);
     const auto areAlike = [](const GridGeometry& a, const GridGeometry& b) { return a.dims == b.dims; };
@@ -54,24 +60,34 @@ void StoreBricks::giveBack(Decoder decoder) const {
     idle_.push_back(std::move(decoder));
 }
 
+// One that waits may be gone: it ends with the thread that started it. Then another one is asked.
 std::vector<std::byte> StoreBricks::read(int level, const Box3& box) const {
-    Decoder decoder = take();
-    decoder->ask(BoxRequest{level, box});
-    SentValues sent;
-    try {
-        sent = decoder->finalAnswer<SentValues>(path_);
-    } catch (const ReadError&) {
-        if (decoder->whyItEnded().empty()) {
-            giveBack(std::move(decoder)); // it refused this one, and works still
+    bool mayBeGone = true;
+    while (true) {
+        Decoder decoder = mayBeGone ? take() : start();
+        decoder->ask(BoxRequest{level, box});
+        try {
+            auto values = received(*decoder, box.volume() * sizeOf(type_));
+            giveBack(std::move(decoder));
+            return values;
+        } catch (const Error&) {
+            const bool hasEnded = !decoder->whyItEnded().empty();
+            if (!hasEnded) {
+                giveBack(std::move(decoder)); // it refused this one, and works still
+            }
+            if (!hasEnded || !std::exchange(mayBeGone, false)) {
+                throw;
+            }
         }
-        throw;
     }
-    if (sent.bytes != box.volume() * sizeOf(type_)) {
+}
+
+std::vector<std::byte> StoreBricks::received(DecoderProcess& decoder, std::size_t bytes) const {
+    const auto sent = decoder.finalAnswer<SentValues>(path_);
+    if (sent.bytes != bytes) {
         refuse(path_, "its decoder gave another number of values", "get an intact copy of the store");
     }
-    auto values = decoder->content(sent.bytes);
-    giveBack(std::move(decoder));
-    return values;
+    return decoder.content(sent.bytes);
 }
 
 std::optional<CellExtremes> StoreBricks::extremes() const {

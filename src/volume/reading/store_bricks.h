@@ -34,7 +34,9 @@ private:
     struct Levels;
     using Decoder = std::unique_ptr<DecoderProcess>;
     [[nodiscard]] Decoder start(Levels& levels) const;
+    [[nodiscard]] Decoder start() const;
     [[nodiscard]] Decoder take() const;
+    [[nodiscard]] std::vector<std::byte> received(DecoderProcess& decoder, std::size_t bytes) const;
     void giveBack(Decoder decoder) const;
 
     std::filesystem::path path_;

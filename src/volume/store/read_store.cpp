@@ -5,9 +5,11 @@
 #include "base/progress.h"
 #include "volume/io/take_values.h"
 #include "volume/store/box_reader.h"
+#include "volume/store/store_extremes.h"
 #include "volume/store/store_progress.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace vs::volume {
 
@@ -52,6 +54,19 @@ int announceChunks(const BoxReader& reader, std::uint64_t bytes) {
     return files;
 }
 
+// Of all that was measured.
+std::optional<Range> rangeOf(const std::optional<CellExtremes>& extremes) {
+    Range range{1, -1};
+    for (const glm::vec2& cell : extremes ? extremes->ranges : std::vector<glm::vec2>()) {
+        const bool isFirst = range.lo > range.hi;
+        if (std::abs(cell.x) < kNotMeasured && std::abs(cell.y) < kNotMeasured) {
+            range = isFirst ? Range{cell.x, cell.y}
+                            : Range{std::min(range.lo, double(cell.x)), std::max(range.hi, double(cell.y))};
+        }
+    }
+    return range.lo <= range.hi ? std::optional(range) : std::nullopt;
+}
+
 } // namespace
 
 ReadResult readStore(const std::filesystem::path& path, const ReadOptions& options) {
@@ -84,6 +99,9 @@ ReadResult readStore(const std::filesystem::path& path, const ReadOptions& optio
     if (level > 0) {
         result.notices.push_back(
             fmt::format("{}: this is level {} of {}", path.string(), level, store.levelsText()));
+    }
+    if (level > 0 && store.extremes) {
+        result.ofFinest = rangeOf(readExtremes(store));
     }
     Volume& volume = result.volume;
     volume.geometry = geometry;

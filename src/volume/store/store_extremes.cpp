@@ -146,6 +146,10 @@ std::optional<CellExtremes> readExtremes(const Multiscales& store) {
     }
     const ZarrArray& array = store.extremes->array;
     const glm::ivec3 cells = divideUp(store.levels.front().geometry.dims, store.extremes->side);
+    announcePromised(2 * countOf(cells) * sizeof(glm::vec2));
+    for (int n = 0; n < int(array.chunkCount(0)); ++n) {
+        announceStored(array.storedBytes(std::array<std::int64_t, 4>{n, 0, 0, 0}));
+    }
     CellExtremes all{store.extremes->side, cells, std::vector<glm::vec2>(countOf(cells))};
     const auto perSlice = std::size_t(cells.x) * std::size_t(cells.y);
     const int deep = int(array.chunks.front());

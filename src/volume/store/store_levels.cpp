@@ -42,14 +42,6 @@ std::vector<std::byte> StoreLevels::read(int level, const Box3& box) const {
 }
 
 std::optional<CellExtremes> StoreLevels::extremes() const {
-    if (store_.extremes) {
-        const glm::dvec3 cells(divideUp(grids_.front().dims, store_.extremes->side));
-        announcePromised(std::uint64_t(cells.x * cells.y * cells.z * 2 * sizeof(glm::vec2)));
-        const auto& array = store_.extremes->array;
-        for (int n = 0; n < int(array.chunkCount(0)); ++n) {
-            announceStored(array.storedBytes(std::array<std::int64_t, 4>{n, 0, 0, 0}));
-        }
-    }
     return readExtremes(store_);
 }
 

@@ -29,9 +29,13 @@ sculpt::Precision precisionOf(const Loaded& loaded) {
 }
 
 std::unique_ptr<studio::Document> documentOf(Loaded& loaded) {
-    return loaded.state
-               ? std::make_unique<studio::Document>(std::move(loaded.volume), std::move(*loaded.state))
-               : std::make_unique<studio::Document>(std::move(loaded.volume), precisionOf(loaded));
+    auto document = loaded.state
+                        ? std::make_unique<studio::Document>(std::move(loaded.volume), std::move(*loaded.state))
+                        : std::make_unique<studio::Document>(std::move(loaded.volume), precisionOf(loaded));
+    if (loaded.finer) {
+        document->showFinerLevels(*loaded.finer);
+    }
+    return document;
 }
 
 } // namespace
@@ -115,6 +119,7 @@ void DocumentFiles::open(const OpenRequest& request) {
     host_.say(begun(request));
     host_.setOpening(DocumentHost::Opening::Reading);
     OpenRequest asked = request;
+    asked.budgets = budgets_;
     if (folders_ && (!request.session.empty() || !request.journal.empty())) {
         asked.folders = folders_();
     }

@@ -48,6 +48,8 @@ public:
     void searchIn(std::function<std::vector<std::filesystem::path>()> folders) {
         folders_ = std::move(folders);
     }
+    // What volumes and edits may take from now on.
+    void limitMemory(const studio::MemoryBudgets& budgets) { budgets_ = budgets; }
     // Returns at once; DocumentHost::opened() or openFailed() tells how it ended.
     void open(const OpenRequest& request);
     [[nodiscard]] const OpenRequest& source() const { return source_; }
@@ -89,6 +91,7 @@ private:
     Model model_;
     DocumentHost& host_;
     VolumeLoader loader_;
+    studio::MemoryBudgets budgets_;
     OpenRequest source_;
     std::string checksum_;                 // of the volume
     std::size_t savedEdits_ = 0;           // edits in the log when it was last saved or opened

@@ -27,6 +27,13 @@ public:
 
     // Where a brick lies, in slots; nothing: it is not there.
     [[nodiscard]] std::optional<glm::ivec3> find(const BrickKey& key) const;
+    // Calls visit(key, slot) with each brick that is there.
+    template <typename Visit>
+    void forEach(const Visit& visit) const {
+        for (const auto& [key, brick] : bricks_) {
+            visit(key, brick.slot);
+        }
+    }
     // What is used from here on is in use now, what was used before is not.
     void beginRound() { ++round_; }
     void use(const BrickKey& key);

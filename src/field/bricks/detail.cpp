@@ -97,11 +97,16 @@ void Detail::use(int level) {
 void Detail::writePages() {
     const BrickGrid& grid = grids_[std::size_t(level_)];
     pageOf_.assign(grid.count(), kNotThere);
-    for (int place = 0; place < int(grid.count()); ++place) {
-        const BrickKey key{level_, place};
-        const auto slot = pool_.find(key);
-        pageOf_[std::size_t(place)] = slot ? pageOf(*slot) : failed_.contains(key) ? kNotReadable : kNotThere;
+    for (const BrickKey& key : failed_) {
+        if (key.level == level_) {
+            pageOf_[std::size_t(key.place)] = kNotReadable;
+        }
     }
+    pool_.forEach([&](const BrickKey& key, glm::ivec3 slot) {
+        if (key.level == level_) {
+            pageOf_[std::size_t(key.place)] = pageOf(slot);
+        }
+    });
     if (pages_.texels() < pageOf_.size()) {
         pages_ = gl::TexelBuffer(pageOf_.size(), gl::Format::R32UI, "pages of bricks");
         uses_ = gl::Buffer(pageOf_.size() * sizeof(std::uint32_t), "uses of bricks");

@@ -1,6 +1,7 @@
 // Draws one layer of voxels (render::SliceRenderer, which says what is seen).
 // SCULPTED: the sculpture hides some. SEGMENTED: there are segments. TINTED: what the 3D picture shows is
 // coloured: by the transfer function where there is a TF_KIND, else in one tint.
+// BRICKS: values are those of a finer level. FINER: see cast_rays.comp.
 // Spaces: the slice runs through voxel centres, so of a place's cell only four corners count; they are asked
 // for once, and everything is interpolated from them: corner 0 is the cell's first, 1 across, 2 down, 3 both.
 // In: the scene, texture 14 segment colours. Out: image 0.
@@ -85,10 +86,20 @@ float pixelsInside(Cell cell, vec4 values) {
     return here ? pixels : -pixels;
 }
 
+#ifdef BRICKS
+// Of a finer level, of which the slice lies between two layers of voxels.
+float valueAt(vec3 p, Cell cell) {
+    vec3 q = sampledFromVoxel(p);
+    return levelValueAt(isSmooth != 0 ? q : round(q));
+}
+#else
 vec4 valuesAround(Cell cell) {
     return vec4(voxelValue(cell.corners[0]), voxelValue(cell.corners[1]), voxelValue(cell.corners[2]),
                 voxelValue(cell.corners[3]));
 }
+
+float valueAt(vec3 p, Cell cell) { return blend(cell, valuesAround(cell)); }
+#endif
 
 float greyAt(float value) {
     float t = window.y > window.x ? (value - window.x) / (window.y - window.x) : step(window.x, value);
@@ -192,7 +203,7 @@ void main() {
     vec3 colour = kOutside;
     if (all(greaterThanEqual(p, vec3(-0.5))) && all(lessThan(p, vec3(dims.xyz) - 0.5))) {
         Cell cell = cellAt(p);
-        colour = valueColour(blend(cell, valuesAround(cell)), p);
+        colour = valueColour(valueAt(p, cell), p);
 #ifdef SCULPTED
         colour = hideCut(colour, cell, pixel);
 #endif

@@ -2,6 +2,7 @@
 #include "render/slices/slice_renderer.h"
 
 #include "base/check.h"
+#include "base/timer.h"
 #include "gl/pass.h"
 #include "render/shaders/bindings.h"
 
@@ -15,7 +16,9 @@ gl::Defines definesFor(const SliceFrame& frame) {
     gl::Defines defines = gl::switchesOn(
         {{"SCULPTED", frame.scene.sculpture != nullptr && frame.scene.view != field::SculptureView::Whole},
          {"SEGMENTED", frame.scene.segmentation != nullptr},
-         {"TINTED", frame.tintsVisible}});
+         {"TINTED", frame.tintsVisible},
+         {"BRICKS", frame.detail != nullptr},
+         {"FINER", frame.detail != nullptr && frame.detail->step() < 1}});
     if (frame.tintsVisible && frame.classification != nullptr) {
         frame.classification->addDefines(defines);
     }
@@ -30,16 +33,45 @@ glm::ivec3 unit(int axis) {
 
 } // namespace
 
-void SliceRenderer::render(const SliceFrame& frame) {
-    VS_CHECK(frame.scene.data != nullptr);
+void SliceRenderer::render(const SliceFrame& asked, double waitMs) {
+    VS_CHECK(asked.scene.data != nullptr);
     const gl::Pass pass("draw slice");
+    SliceFrame frame = asked;
     const SliceView& view = frame.view;
+    const auto& grid = frame.scene.data->geometry;
+    const auto level =
+        frame.detail != nullptr ? frame.detail->levelFor(view.pixelMm / grid.stepMm()) : std::nullopt;
+    frame.detail = level ? frame.detail : nullptr;
+    if (level) {
+        frame.detail->use(*level);
+    }
     if (glm::ivec2(picture_.size()) != view.size) {
         picture_ = gl::Texture(view.size, gl::Format::RGBA8, gl::Filter::Linear, "slice");
     }
+    segmentColours_.upload({glm::ivec3(0), segmentColours_.size()},
+                           std::as_bytes(std::span(frame.segmentColours.entries)));
+    gl::Program& program = draw_.with(definesFor(frame));
+    const Timer timer;
+    draw(frame, program);
+    missesBricks_ = false;
+    const glm::dvec3 middle = SliceGeometry(grid, view.kind).voxelAt(view.placeAt(0.5 * glm::dvec2(view.size)), view.index);
+    while (level && frame.detail->endRound(middle) > 0) {
+        const double left = waitMs - timer.milliseconds();
+        if (!frame.detail->deliver(std::max(left, 0.0)) && frame.detail->isFull()) {
+            break; // more than there is room for: the rest stays as it is
+        }
+        missesBricks_ = left <= 0;
+        if (missesBricks_) {
+            break;
+        }
+        draw(frame, program);
+    }
+}
+
+void SliceRenderer::draw(const SliceFrame& frame, gl::Program& program) {
+    const SliceView& view = frame.view;
     const SliceGeometry geometry(frame.scene.data->geometry, view.kind);
     const glm::dvec3 first = geometry.voxelAt(view.placeAt({0.5, 0.5}), view.index);
-    gl::Program& program = draw_.with(definesFor(frame));
     program.set("first", glm::vec3(first))
         .set("perRight", glm::vec3(geometry.voxelsPerMmRight() * view.pixelMm))
         .set("perDown", glm::vec3(geometry.voxelsPerMmDown() * view.pixelMm))
@@ -48,10 +80,11 @@ void SliceRenderer::render(const SliceFrame& frame) {
         .set("isSmooth", frame.isSmooth ? 1 : 0)
         .set("window", glm::vec2(frame.window.lo, frame.window.hi))
         .set("segmentLook", glm::vec2(frame.fill, frame.outlinePixels));
-    segmentColours_.upload({glm::ivec3(0), segmentColours_.size()},
-                           std::as_bytes(std::span(frame.segmentColours.entries)));
     segmentColours_.bindTexture(kSegmentColoursTexture);
     sceneBinding_.bind(frame.scene);
+    if (frame.detail != nullptr) {
+        frame.detail->bind();
+    }
     if (frame.tintsVisible && frame.classification != nullptr) {
         frame.classification->bind();
     } else if (frame.tintsVisible) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "field/bricks/detail.h"
 #include "field/scene.h"
 #include "gl/program.h"
 #include "image/image.h"
@@ -13,6 +14,7 @@ namespace vs::render {
 // Everything one picture of a slice depends on. The pointers must stay alive until it is drawn.
 struct SliceFrame {
     field::Scene scene;
+    field::Detail* detail = nullptr; // finer levels of its data, as render::Frame has them
     Range window; // the values that are shown from black to white
     // Tints, over the greys, the values that the 3D picture shows: by its function, or for null in one tint.
     bool tintsVisible = false;
@@ -33,7 +35,11 @@ struct SliceFrame {
 // an outline.
 class SliceRenderer {
 public:
-    void render(const SliceFrame& frame);
+    // Where the frame has finer levels the one is used that its pixels ask for; bricks that are not there are
+    // asked for, and waited for as long as `waitMs`.
+    void render(const SliceFrame& frame, double waitMs = 1e9);
+    // Whether the picture has less than its pixels ask for, in places whose bricks are still to come.
+    [[nodiscard]] bool missesBricks() const { return missesBricks_; }
     // The picture: RGBA8, of the last frame's size, rows from the top.
     [[nodiscard]] const gl::Texture& picture() const { return picture_; }
     [[nodiscard]] image::Image readPicture() const;
@@ -43,7 +49,10 @@ private:
     field::SceneBinding sceneBinding_;
     gl::Texture segmentColours_{glm::ivec2(256, 1), gl::Format::RGBA32F, gl::Filter::Nearest,
                                 "segment colours"};
+    void draw(const SliceFrame& frame, gl::Program& program);
+
     gl::Texture picture_;
+    bool missesBricks_ = false;
 };
 
 } // namespace vs::render

@@ -171,6 +171,7 @@ render::SliceFrame Pipeline::slice(const State& state, const render::SliceView& 
         frame.classification = classify(*state.view);
     }
     frame.view = view;
+    frame.detail = detail_;
     return frame;
 }
 

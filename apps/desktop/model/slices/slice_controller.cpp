@@ -15,6 +15,7 @@ namespace {
 constexpr double kLeastZoom = 0.25;
 constexpr double kMostZoom = 64;
 constexpr double kSegmentsMs = 10; // a slice, to smooth what grew
+constexpr double kBricksMs = 20;   // and to wait for finer levels
 } // namespace
 
 SliceController::SliceController(DocumentHost& host, ViewModel& view) : host_(host), view_(view) {
@@ -224,7 +225,8 @@ void SliceController::draw(Kind kind) {
         isBehind = host_.document()->isBehind();
         frame.isSmooth = key.isSmooth;
         frame.outlinePixels = float(1.25 * shown.perLogical);
-        renderer_->render(frame);
+        renderer_->render(frame, kBricksMs);
+        isBehind = isBehind || renderer_->missesBricks();
         image = renderer_->readPicture();
     });
     if (isDrawn) { // opaque: the fastest to put on the screen
@@ -234,7 +236,7 @@ void SliceController::draw(Kind kind) {
         shown.picture.setDevicePixelRatio(shown.perLogical);
     }
     if (isBehind) {
-        shown.drawn.reset(); // and once more, with more of the segments
+        shown.drawn.reset(); // and once more, with more of the segments, or of finer levels
     }
     emit pictureChanged(kind);
 }

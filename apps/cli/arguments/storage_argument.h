@@ -32,6 +32,15 @@ studio::OpenedScan loadScan(const VolumeArgument& argument, const StorageArgumen
 // A document of it, which shows the finer levels that it has. Needs a current context.
 std::unique_ptr<studio::Document> documentOf(studio::OpenedScan scan);
 
+// studio::finerLevels(); notices are appended and printed.
+std::optional<studio::FinerLevels> findFiner(const volume::Volume& scan, const volume::ReadOptions& read,
+                                             const StorageArgument& storage,
+                                             std::vector<std::string>& notices);
+
+// Has a document show finer levels, or says in a notice, which is appended and printed, why it cannot.
+void showFiner(studio::Document& document, const std::optional<studio::FinerLevels>& levels,
+               std::vector<std::string>& notices);
+
 // Prints what of finer levels could not be read: pictures show there what is worked on.
 void tellFailures(const studio::Document& document);
 

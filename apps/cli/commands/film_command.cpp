@@ -135,11 +135,9 @@ std::unique_ptr<studio::Document> openInput(const FilmOptions& options, const gl
         volume::ReadOptions used;
         auto volume = loadSessionVolume(session, options.input, options.volume, notices, &used);
         const auto finer =
-            studio::finerLevels(volume, used, options.storage.kind(), options.storage.budgets(), notices);
+            findFiner(volume, used, options.storage, notices);
         auto document = openDocument(session, options.input, std::move(volume), context);
-        if (finer) {
-            document->showFinerLevels(*finer);
-        }
+        showFiner(*document, finer, notices);
         return document;
     }
     VolumeArgument argument = options.volume;

@@ -199,22 +199,20 @@ void runSession(const RunOptions& options) {
     volume::ReadOptions used;
     auto volume = loadSessionVolume(session, options.session, options.volume, notices, &used);
     const auto finer =
-        studio::finerLevels(volume, used, options.storage.kind(), options.storage.budgets(), notices);
+        findFiner(volume, used, options.storage, notices);
     const auto context = gl::Context::createHeadless();
     const std::string volumeName = volume.name;
     const auto document = options.fromState
                               ? fromState(session, options, std::move(volume))
                               : std::make_unique<studio::Document>(std::move(volume), session.precision);
-    if (finer) {
-        document->showFinerLevels(*finer);
-    }
+    showFiner(*document, finer, notices);
     gl::Context::finish();
     makeFolders(folder, session.operations);
     Report report(folder, {{"session", options.session},
                            {"volume", volumeName},
                            {"device", context.device().renderer},
                            {"level", used.level.value_or(0)},
-                           {"storage", finer ? "bricks" : "dense"},
+                           {"storage", document->detail() != nullptr ? "bricks" : "dense"},
                            {"loadMilliseconds", loading.milliseconds()},
                            {"notices", notices}});
     try {

@@ -49,6 +49,7 @@ void PictureLoop::setDocument(studio::Document* document) {
     isFullDone_ = false;
     isBehind_ = false;
     shown_ = finished_ = base_ = {};
+    brickFailures_.clear();
     wholePace_.forget();
     partPace_.forget();
     ++pictures_;
@@ -131,6 +132,9 @@ void PictureLoop::advance(double budgetMs) {
     const Timer timer;
     run_([&] { caster_.renderSome(budgetMs); });
     passMs_ += timer.milliseconds();
+    if (const field::Detail* detail = document_->detail()) {
+        brickFailures_ = detail->failures();
+    }
     passShare_ = caster_.share();
     if (pass_ == Pass::Draft && caster_.isComplete()) {
         show();

@@ -71,6 +71,8 @@ public:
     [[nodiscard]] std::optional<double> refined() const;
     // Bricks of finer levels that the picture under way waits for.
     [[nodiscard]] std::size_t bricksComing() const;
+    // What pictures of this document show coarser than their pixels ask for, a line each.
+    [[nodiscard]] const std::vector<std::string>& brickFailures() const { return brickFailures_; }
     // The finished picture. isComplete() must hold.
     [[nodiscard]] image::Image readPicture() const;
 
@@ -96,6 +98,7 @@ private:
     void finishFull();
     [[nodiscard]] double segmentsMs() const;
 
+    std::vector<std::string> brickFailures_;
     Run run_;
     render::RayCaster caster_;
     studio::Document* document_ = nullptr;

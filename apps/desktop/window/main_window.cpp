@@ -256,13 +256,12 @@ void MainWindow::refresh() {
 
 // What is worked on, where pictures show more than that.
 void MainWindow::showLevels() {
-    const field::Detail* detail = studio_.host().document()->detail();
-    if (detail == nullptr) {
+    const glm::ivec3 finest = studio_.host().facts()->finestDims;
+    if (finest == glm::ivec3(0)) {
         volume_->setToolTip({});
         return;
     }
     const int level = studio_.files().source().level.value_or(0);
-    const glm::ivec3 finest = detail->grids().front().dims;
     volume_->setText(volume_->text() + tr("  level %1").arg(level));
     volume_->setToolTip(tr("Edits are made on level %1. Pictures at rest show up to %2 × %3 × %4 voxels.")
                             .arg(level)
@@ -273,14 +272,11 @@ void MainWindow::showLevels() {
 
 // Pictures show there what is worked on, which nobody would see.
 void MainWindow::tellUnreadBricks() {
-    const studio::Document* document = studio_.host().document();
-    const field::Detail* detail = document != nullptr ? document->detail() : nullptr;
-    const std::size_t known = detail != nullptr ? detail->failures().size() : 0;
-    for (; toldFailures_ < known; ++toldFailures_) {
-        studio_.notices().add(
-            {detail->failures()[toldFailures_] + tr("; the picture is coarser there").toStdString()});
+    const auto& failures = studio_.picture().brickFailures();
+    for (; toldFailures_ < failures.size(); ++toldFailures_) {
+        studio_.notices().add({failures[toldFailures_]});
     }
-    toldFailures_ = known; // another document begins anew
+    toldFailures_ = failures.size(); // another document begins anew
 }
 
 void MainWindow::refreshHint() {

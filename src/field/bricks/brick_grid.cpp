@@ -28,6 +28,7 @@ std::optional<BrickGrid> brickGrid(const volume::GridGeometry& level, const volu
         grid.perSceneVoxel = glm::dvec3(1);
         grid.origin = glm::round(grid.origin * 1e6) / 1e6;
     }
+    grid.spacing = level.spacing() / scene.stepMm();
     grid.step = level.stepMm() / scene.stepMm();
     return grid;
 }

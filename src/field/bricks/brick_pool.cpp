@@ -2,6 +2,7 @@
 #include "field/bricks/brick_pool.h"
 
 #include "base/check.h"
+#include "base/error.h"
 #include "gl/limits.h"
 
 #include <algorithm>
@@ -10,6 +11,9 @@
 namespace vs::field {
 
 namespace {
+
+constexpr std::size_t kMostBytes = (std::size_t(2) << 30) - (std::size_t(64) << 20); // of one texture of llvmpipe
+constexpr std::size_t kFewSlots = 64;
 
 // A box of slots, about as wide as it is high and deep, of no more than so many in all.
 glm::ivec3 slotsAlong(std::size_t slots, int mostAlong) {
@@ -25,10 +29,20 @@ glm::ivec3 slotsAlong(std::size_t slots, int mostAlong) {
 BrickPool::BrickPool(int texels, gl::Format format, std::size_t bytes, std::size_t most) : texels_(texels) {
     const std::size_t perSlot =
         std::size_t(texels) * std::size_t(texels) * std::size_t(texels) * gl::bytesPerTexel(format);
-    const std::size_t wanted = std::clamp<std::size_t>(bytes / perSlot, 1, std::max<std::size_t>(most, 1));
-    // Page tables have ten bits for a slot's place along an axis.
-    counts_ = slotsAlong(wanted, std::clamp(gl::limits().texture3D / texels, 1, 1023));
-    texture_ = gl::Texture(counts_ * texels, format, gl::Filter::Linear, "bricks");
+    std::size_t slots = std::clamp<std::size_t>(std::min(bytes, kMostBytes) / perSlot, 1,
+                                                std::max<std::size_t>(most, 1));
+    while (!texture_) {
+        // Page tables have ten bits for a slot's place along an axis.
+        counts_ = slotsAlong(slots, std::clamp(gl::limits().texture3D / texels, 1, 1023));
+        try {
+            texture_ = gl::Texture(counts_ * texels, format, gl::Filter::Linear, "bricks");
+        } catch (const GlError&) {
+            if (slots <= kFewSlots) {
+                throw;
+            }
+            slots /= 2; // the budget is what is allowed, and may be more than there is
+        }
+    }
     forEachVoxel({glm::ivec3(0), counts_}, [&](glm::ivec3 slot, std::size_t) { free_.push_back(slot); });
     std::reverse(free_.begin(), free_.end());
 }

@@ -13,6 +13,8 @@ namespace vs::field {
 
 namespace {
 
+constexpr std::size_t kMostDone = 64; // bricks that wait for being taken
+
 // One stored value as a texel of the format that brickTexels() says.
 struct AsTexel {
     std::uint8_t operator()(std::uint8_t v) const { return v; }
@@ -114,8 +116,6 @@ BrickReader::~BrickReader() {
 
 void BrickReader::want(const std::vector<BrickKey>& keys) {
     const std::lock_guard lock(mutex_);
-    const std::set<BrickKey> now(keys.begin(), keys.end());
-    std::erase_if(done_, [&](const ReadBrick& brick) { return !now.contains(brick.key); });
     wanted_.clear();
     for (auto key = keys.rbegin(); key != keys.rend(); ++key) {
         const bool isDone = std::any_of(done_.begin(), done_.end(),
@@ -131,6 +131,7 @@ std::vector<ReadBrick> BrickReader::take(double waitMs) {
     std::unique_lock lock(mutex_);
     hasChanged_.wait_for(lock, std::chrono::duration<double, std::milli>(std::min(waitMs, 3.6e6)),
                          [&] { return !done_.empty() || (wanted_.empty() && inHand_.empty()); });
+    hasChanged_.notify_all(); // there is room for more
     return std::exchange(done_, {});
 }
 
@@ -142,7 +143,7 @@ std::size_t BrickReader::outstanding() const {
 void BrickReader::work(const std::stop_token& stop) {
     std::unique_lock lock(mutex_);
     while (true) {
-        hasChanged_.wait(lock, stop, [&] { return !wanted_.empty(); });
+        hasChanged_.wait(lock, stop, [&] { return !wanted_.empty() && done_.size() < kMostDone; });
         if (stop.stop_requested()) {
             return;
         }

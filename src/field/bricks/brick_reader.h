@@ -42,7 +42,7 @@ public:
     BrickReader& operator=(const BrickReader&) = delete;
 
     // From now on these are wanted, in this order, and no others: what was wanted before and has not been
-    // begun is forgotten.
+    // begun is forgotten. When some have been read that nobody takes, no more are read.
     void want(const std::vector<BrickKey>& keys);
     // Waits up to so long until something wanted has been read, if anything is being read, and gives all of
     // that.

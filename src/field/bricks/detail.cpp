@@ -26,10 +26,8 @@ std::vector<BrickGrid> gridsOf(const volume::BrickSource& source, const volume::
     std::vector<BrickGrid> grids;
     for (const volume::GridGeometry& level : source.levels()) {
         const auto grid = brickGrid(level, scene, options.side);
-        const double finest = grid ? glm::max(grid->perSceneVoxel.x,
-                                              glm::max(grid->perSceneVoxel.y, grid->perSceneVoxel.z))
-                                   : 0;
-        if (!grid || (options.hasOwnLevel ? finest < 0.99 : finest < 1.01)) {
+        const bool isCoarser = grid && glm::any(glm::lessThan(grid->perSceneVoxel, glm::dvec3(0.99)));
+        if (!grid || isCoarser || !(grid->isFiner() || options.hasOwnLevel)) {
             break;
         }
         grids.push_back(*grid);
@@ -63,17 +61,40 @@ Detail::Detail(std::shared_ptr<const volume::BrickSource> source, const volume::
     use(finest_);
 }
 
+// Along axes that become no finer, voxels are as small as they ever will be.
+bool Detail::isFineEnough(glm::dvec3 spacing, double pixelSteps) const {
+    const glm::dvec3 finest = grids_[std::size_t(finest_)].spacing;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (spacing[axis] > pixelSteps && finest[axis] < 0.99 * spacing[axis]) {
+            return false;
+        }
+    }
+    return true;
+}
+
 std::optional<int> Detail::levelFor(double pixelSteps) const {
-    const bool hasOwnLevel = grids_.back().step > 0.99;
-    if (pixelSteps >= 1 && !hasOwnLevel) {
+    const BrickGrid& last = grids_.back();
+    if (last.isFiner() && isFineEnough(last.spacing * last.perSceneVoxel, pixelSteps)) {
         return {};
     }
     for (int level = int(grids_.size()) - 1; level > finest_; --level) {
-        if (grids_[std::size_t(level)].step <= pixelSteps) {
+        if (isFineEnough(grids_[std::size_t(level)].spacing, pixelSteps)) {
             return level;
         }
     }
     return finest_;
+}
+
+std::optional<int> Detail::coarserThan(int level) const {
+    const bool hasCoarser = level + 1 < int(grids_.size());
+    return hasCoarser ? std::optional(level + 1) : std::nullopt;
+}
+
+void Detail::tell(const std::string& line) {
+    const bool isKnown = std::find(failures_.begin(), failures_.end(), line) != failures_.end();
+    if (!isKnown && failures_.size() < kMostFailures) {
+        failures_.push_back(line);
+    }
 }
 
 void Detail::use(int level) {
@@ -129,6 +150,7 @@ void Detail::bind() const {
 
 std::size_t Detail::endRound(glm::dvec3 viewerVoxel) {
     const gl::Pass pass("bricks asked for");
+    deliver(0); // what others asked for is not lost when something else is wanted
     const BrickGrid& grid = grids_[std::size_t(level_)];
     const auto uses = uses_.read<std::uint32_t>(grid.count());
     uses_.clear();
@@ -162,9 +184,7 @@ bool Detail::deliver(double waitMs) {
     for (const ReadBrick& brick : reader_.take(waitMs)) {
         if (!brick.failure.empty()) {
             failed_.insert(brick.key);
-            if (failures_.size() < kMostFailures) {
-                failures_.push_back(brick.failure);
-            }
+            tell(brick.failure + "; pictures are coarser there");
             if (brick.key.level == level_) {
                 setPage(brick.key.place, kNotReadable);
             }

@@ -54,13 +54,17 @@ public:
     Detail(std::shared_ptr<const volume::BrickSource> source, const volume::GridGeometry& scene,
            const DetailOptions& options);
 
-    // The coarsest level whose voxels are no larger than a pixel of so many steps of the scene, or the finest;
-    // nothing: the scene's own voxels are no larger.
+    // The coarsest level whose voxels are no larger than a pixel of so many steps of the scene, along all axes
+    // that finer ones divide more finely, or the finest; nothing: the scene's own voxels are no larger.
     [[nodiscard]] std::optional<int> levelFor(double pixelSteps) const;
+    // The next; nothing: the scene's own voxels come next.
+    [[nodiscard]] std::optional<int> coarserThan(int level) const;
 
     // Shaders see this level from now on.
     void use(int level);
     [[nodiscard]] int level() const { return level_; }
+    // Whether its voxels are smaller than the scene's.
+    [[nodiscard]] bool isFiner() const { return grids_[std::size_t(level_)].isFiner(); }
     // One of its steps, in steps of the scene: 0.25 for a level four times as fine.
     [[nodiscard]] double step() const { return grids_[std::size_t(level_)].step; }
     // Binds uniform block 4, textures 6 and 12 and storage 6: see field/shaders/bricks.glsl.
@@ -76,8 +80,10 @@ public:
     // The last round used more bricks than there is room for.
     [[nodiscard]] bool isFull() const { return isFull_; }
 
-    // Lines about bricks that could not be read, once each; a picture shows the scene's own values there.
+    // Lines about what pictures show coarser than their pixels ask for, each once: bricks that could not be
+    // read, and what there was no room for.
     [[nodiscard]] const std::vector<std::string>& failures() const { return failures_; }
+    void tell(const std::string& line);
 
     [[nodiscard]] const std::vector<BrickGrid>& grids() const { return grids_; }
     [[nodiscard]] std::size_t deviceBytes() const;
@@ -85,6 +91,7 @@ public:
     [[nodiscard]] std::size_t bricksRead() const { return bricksRead_; }
 
 private:
+    [[nodiscard]] bool isFineEnough(glm::dvec3 spacing, double pixelSteps) const;
     void setPage(int place, std::uint32_t page);
     void writePages();
 

@@ -10,13 +10,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace vs::render {
 
 namespace {
 
 constexpr int kFewSquares = 256;     // no submission is shorter, but for what is left
-constexpr int kAllSquares = 1 << 30; // more than there are
 constexpr double kSubmissionMs = 25; // nor much longer than this
 constexpr glm::vec2 kCentre{0.5F, 0.5F};
 constexpr int kSettling = 2; // samples, after which some squares may take no more
@@ -92,9 +92,7 @@ void RayCaster::start(const Frame& frame) {
         // The whole picture is complemented when it is resolved.
         frame_.background = complement(forInverted(frame.background));
     }
-    sample_ = 0;
-    stage_ = 0;
-    square_ = 0;
+    begin();
     const glm::ivec2 size = frame.rays.size;
     if (glm::ivec2(accumulation_.size()) != size) {
         // Each time last what is asked for: where it is, the others are.
@@ -115,6 +113,15 @@ void RayCaster::start(const Frame& frame) {
     segmentColours_.upload({glm::ivec3(0), segmentColours_.size()},
                            std::as_bytes(std::span(frame.segmentColours.entries)));
     arrangeParts();
+}
+
+void RayCaster::begin() {
+    sample_ = 0;
+    stage_ = 0;
+    square_ = 0;
+    hasBegunSample_ = false;
+    awaited_ = 0;
+    squaresAtOnce_ = kAllSquares;
 }
 
 double RayCaster::share() const {
@@ -280,6 +287,12 @@ int RayCaster::squaresOfStage(std::size_t stage) const {
 }
 
 void RayCaster::beginSample() {
+    if (sample_ == 0) {
+        findBeams();
+        listSquares();
+        boundSlabs();
+        bindPicture();
+    }
     if (hasFilm()) {
         fillFilm();
     }
@@ -301,12 +314,14 @@ void RayCaster::beginStage() {
 // Some squares of the current stage from the present one on.
 void RayCaster::castSome(double milliseconds) {
     const bool shows = hasParts() && isLastStage();
+    const bool isRepeated = awaited_ > 0;
+    if (isRepeated && !haveBricksCome(milliseconds)) {
+        return;
+    }
     double& pace = shows ? shownSquaresPerMs_ : parts_[stage_].squaresPerMs;
     const int left = squaresOfStage(stage_) - square_;
     const int wanted = std::max(int(pace * std::min(milliseconds, kSubmissionMs)), kFewSquares);
-    const bool seesBricks = !shows && frame_.detail != nullptr;
-    const int count =
-        std::min({wanted, left, seesBricks && squaresAtOnce_ > 0 ? squaresAtOnce_ : kAllSquares});
+    const int count = std::min({isRepeated ? awaited_ : wanted, left, squaresAtOnce_});
     const Timer submission;
     if (shows) {
         showSeen(count);
@@ -314,8 +329,8 @@ void RayCaster::castSome(double milliseconds) {
         castSquares(parts_[stage_], count);
     }
     gl::Context::finish(); // or the budget would count only submissions
-    pace = count / std::max(submission.milliseconds(), 1e-3);
-    if (!seesBricks || !awaitsBricks(parts_[stage_], count, milliseconds - submission.milliseconds())) {
+    pace = isRepeated ? pace : count / std::max(submission.milliseconds(), 1e-3);
+    if (shows || frame_.detail == nullptr || !missesBricks(parts_[stage_], count)) {
         square_ += count;
     }
 }
@@ -328,6 +343,7 @@ void RayCaster::endStage() {
     }
     stage_ = 0;
     ++sample_;
+    hasBegunSample_ = false;
     if (frame_.endsEarly && sample_ == kSettling) {
         squares_.setSettledAside();
         listPartSquares();
@@ -336,14 +352,10 @@ void RayCaster::endStage() {
 
 bool RayCaster::renderSome(double budgetMs) {
     const Timer timer;
-    if (sample_ == 0 && stage_ == 0 && square_ == 0) {
-        findBeams();
-        listSquares();
-        boundSlabs();
-    }
     bindPicture();
     while (!isComplete()) {
-        if (stage_ == 0 && square_ == 0) {
+        const int sample = sample_;
+        if (!std::exchange(hasBegunSample_, true)) {
             beginSample();
         }
         beginStage();
@@ -351,7 +363,9 @@ bool RayCaster::renderSome(double budgetMs) {
         if (square_ == squaresOfStage(stage_)) {
             endStage();
         }
-        if (timer.milliseconds() >= budgetMs) {
+        // While pixels wait for bricks others have a sample more: a picture is shown of whole samples.
+        const bool isWhole = frame_.detail != nullptr && sample_ > sample;
+        if (timer.milliseconds() >= budgetMs || isWhole) {
             break;
         }
     }
@@ -360,7 +374,8 @@ bool RayCaster::renderSome(double budgetMs) {
 
 void RayCaster::render(const Frame& frame) {
     start(frame);
-    renderSome(1e9);
+    while (!renderSome(1e9)) {
+    }
 }
 
 const gl::Texture& RayCaster::picture() {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "base/timer.h"
 #include "field/bricks/detail.h"
 #include "field/scene.h"
 #include "gl/block_layout.h"
@@ -114,7 +115,7 @@ public:
     // Renders squares for about `budgetMs`, some at the least. True when all samples of the frame are done.
     // Where the frame has finer levels (Frame::detail) the one is used that its pixels ask for, and
     // rays that met missing bricks are cast again when those have been read, for which it waits within the
-    // budget.
+    // budget; then it returns after each whole sample, or mixed ones could be seen.
     bool renderSome(double budgetMs);
     // start() and everything at once.
     void render(const Frame& frame);
@@ -184,8 +185,12 @@ private:
     void endStage();
     void setSample(gl::Program& program, int count) const;
     void castSquares(const Part& part, int count);
+    void begin();
     void chooseLevel();
-    [[nodiscard]] bool awaitsBricks(const Part& part, int count, double milliseconds);
+    void takeLevel();
+    bool missesBricks(const Part& part, int count);
+    bool haveBricksCome(double milliseconds);
+    bool makeDo();
     [[nodiscard]] double sampleStep() const;
     [[nodiscard]] int castRound() const;
     void clearSeen();
@@ -208,7 +213,12 @@ private:
     gl::Texture accumulation_;
     gl::Texture rounds_;       // of each pixel, which casting of it was the last without missing bricks
     std::optional<int> level_; // of the frame's detail, that its pixels ask for
-    int squaresAtOnce_ = 0;    // whose rays the pool has room for; 0: any number
+    static constexpr int kAllSquares = 1 << 29; // more than there are
+    int squaresAtOnce_ = kAllSquares;           // whose rays the pool has room for
+    int awaited_ = 0;                           // squares that were just cast and wait for bricks; 0: none
+    bool haveSomeCome_ = false;                 // since then
+    Timer awaiting_;
+    bool hasBegunSample_ = false;
     gl::Texture picture_;
     Frame frame_;
     int sample_ = 0;

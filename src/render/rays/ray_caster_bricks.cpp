@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: Apache-2.0
 // Pictures of finer levels than the scene's, from bricks that are read while rays ask for them.
-#include "base/error.h"
 #include "base/timer.h"
 #include "render/rays/ray_caster.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 
@@ -10,18 +11,22 @@ namespace vs::render {
 
 namespace {
 
-constexpr double kLookMs = 25; // between looks whether something has been read
+constexpr double kLookMs = 25;      // between looks whether something has been read
+constexpr double kTogetherMs = 100; // bricks that come one after the other are waited for
 
 } // namespace
 
 // A pixel asks for voxels as large as itself where it is nearest to the volume.
 void RayCaster::chooseLevel() {
     level_.reset();
-    squaresAtOnce_ = 0;
     if (frame_.detail != nullptr && frame_.scene.smoothed == nullptr) {
         const auto& geometry = frame_.scene.data->geometry;
         level_ = frame_.detail->levelFor(leastPixelMm(frame_.rays, geometry) / geometry.stepMm());
     }
+    takeLevel();
+}
+
+void RayCaster::takeLevel() {
     if (!level_) {
         frame_.detail = nullptr;
         return;
@@ -41,28 +46,53 @@ double RayCaster::sampleStep() const {
 
 int RayCaster::castRound() const { return sample_ * int(stages()) + int(stage_) + 1; }
 
-// Whether rays of the squares that were just cast have met missing bricks. Then some have come meanwhile, or
-// so much time has passed.
-bool RayCaster::awaitsBricks(const Part& part, int count, double milliseconds) {
-    field::Detail& detail = *frame_.detail;
+// Asks for the bricks that rays of the squares that were just cast have missed, if there are any.
+bool RayCaster::missesBricks(const Part& part, int count) {
     const auto& geometry = part.scene.data->geometry;
-    if (detail.endRound(glm::dvec3(geometry.voxelFromWorld() * glm::dvec4(part.rays.eye, 1))) == 0) {
+    const glm::dvec3 viewer(geometry.voxelFromWorld() * glm::dvec4(part.rays.eye, 1));
+    if (frame_.detail->endRound(viewer) == 0) {
+        awaited_ = 0;
+        squaresAtOnce_ = std::min(2 * squaresAtOnce_, kAllSquares);
         return false;
     }
-    const Timer waiting;
-    bool hasCome = detail.deliver(0);
-    while (!hasCome && !detail.isFull() && waiting.milliseconds() < milliseconds) {
-        hasCome = detail.deliver(std::min(milliseconds - waiting.milliseconds(), kLookMs));
-    }
-    if (detail.isFull() && !hasCome) {
-        if (count == 1) {
-            throw GlError("the bricks that rays of a few pixels go through do not fit into {} MiB; give "
-                          "--device-memory more",
-                          detail.deviceBytes() >> 20);
-        }
-        squaresAtOnce_ = std::max(count / 4, 1);
-    }
+    awaited_ = count;
+    haveSomeCome_ = false;
+    awaiting_ = Timer();
     return true;
+}
+
+// Waits until all have come, or for some time until some have: squares are not cast again for each of them.
+bool RayCaster::haveBricksCome(double milliseconds) {
+    field::Detail& detail = *frame_.detail;
+    const Timer waiting;
+    const auto isEnough = [&] {
+        return detail.coming() == 0 || detail.isFull() ||
+               (haveSomeCome_ && awaiting_.milliseconds() > kTogetherMs);
+    };
+    do {
+        const double left = milliseconds - waiting.milliseconds();
+        haveSomeCome_ = detail.deliver(std::clamp(left, 0.0, kLookMs)) || haveSomeCome_;
+    } while (!isEnough() && waiting.milliseconds() < milliseconds);
+    if (detail.isFull() && !haveSomeCome_) {
+        return makeDo();
+    }
+    return isEnough();
+}
+
+// There is no room for the bricks of all squares at once, or of a single one. Whether to cast them again.
+bool RayCaster::makeDo() {
+    if (awaited_ > 1) {
+        squaresAtOnce_ = std::max(awaited_ / 4, 1);
+        return true;
+    }
+    frame_.detail->tell(fmt::format("bricks for {} MiB are too few for what rays meet: pictures are coarser than "
+                                    "their pixels ask for; give --device-memory more",
+                                    frame_.detail->deviceBytes() >> 20));
+    level_ = frame_.detail->coarserThan(*level_);
+    takeLevel();
+    arrangeParts();
+    begin();
+    return false;
 }
 
 } // namespace vs::render

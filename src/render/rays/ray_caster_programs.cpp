@@ -33,7 +33,7 @@ gl::Defines RayCaster::definesFor(const Frame& frame) {
         {"PARTS", !frame.pasted.empty() || !frame.pulled.empty()},
         {"QUADS", bool(searched.quads) && frame.detail == nullptr},
         {"BRICKS", frame.detail != nullptr},
-        {"FINER", frame.detail != nullptr && frame.detail->step() < 1},
+        {"FINER", frame.detail != nullptr && frame.detail->isFiner()},
         {"SMOOTHED", scene.smoothed != nullptr},
         {"TRICUBIC", scene.sampling == field::Sampling::Tricubic},
         {"SEGMENTS", addsSegments(frame)},

@@ -18,7 +18,7 @@ gl::Defines definesFor(const SliceFrame& frame) {
          {"SEGMENTED", frame.scene.segmentation != nullptr},
          {"TINTED", frame.tintsVisible},
          {"BRICKS", frame.detail != nullptr},
-         {"FINER", frame.detail != nullptr && frame.detail->step() < 1}});
+         {"FINER", frame.detail != nullptr && frame.detail->isFiner()}});
     if (frame.tintsVisible && frame.classification != nullptr) {
         frame.classification->addDefines(defines);
     }
@@ -39,32 +39,36 @@ void SliceRenderer::render(const SliceFrame& asked, double waitMs) {
     SliceFrame frame = asked;
     const SliceView& view = frame.view;
     const auto& grid = frame.scene.data->geometry;
-    const auto level =
-        frame.detail != nullptr ? frame.detail->levelFor(view.pixelMm / grid.stepMm()) : std::nullopt;
-    frame.detail = level ? frame.detail : nullptr;
-    if (level) {
-        frame.detail->use(*level);
+    std::optional<int> level;
+    if (frame.detail != nullptr) {
+        level = frame.detail->levelFor(view.pixelMm / grid.stepMm());
     }
     if (glm::ivec2(picture_.size()) != view.size) {
         picture_ = gl::Texture(view.size, gl::Format::RGBA8, gl::Filter::Linear, "slice");
     }
     segmentColours_.upload({glm::ivec3(0), segmentColours_.size()},
                            std::as_bytes(std::span(frame.segmentColours.entries)));
-    gl::Program& program = draw_.with(definesFor(frame));
     const Timer timer;
-    draw(frame, program);
+    const glm::dvec3 middle =
+        SliceGeometry(grid, view.kind).voxelAt(view.placeAt(0.5 * glm::dvec2(view.size)), view.index);
     missesBricks_ = false;
-    const glm::dvec3 middle = SliceGeometry(grid, view.kind).voxelAt(view.placeAt(0.5 * glm::dvec2(view.size)), view.index);
-    while (level && frame.detail->endRound(middle) > 0) {
+    while (true) {
+        frame.detail = level ? frame.detail : nullptr;
+        if (level) {
+            frame.detail->use(*level);
+        }
+        draw(frame, draw_.with(definesFor(frame)));
+        if (!level || frame.detail->endRound(middle) == 0) {
+            return;
+        }
         const double left = waitMs - timer.milliseconds();
-        if (!frame.detail->deliver(std::max(left, 0.0)) && frame.detail->isFull()) {
-            break; // more than there is room for: the rest stays as it is
+        const bool hasChanged = frame.detail->deliver(std::max(left, 0.0));
+        if (!hasChanged && frame.detail->isFull()) {
+            level = frame.detail->coarserThan(*level); // there is no room for all of this one
+        } else if (left <= 0) {
+            missesBricks_ = true;
+            return;
         }
-        missesBricks_ = left <= 0;
-        if (missesBricks_) {
-            break;
-        }
-        draw(frame, program);
     }
 }
 

@@ -33,13 +33,12 @@ void Document::showFinerLevels(const FinerLevels& levels) {
     Contents& contents = impl_->contents;
     Scan& scan = contents.scan;
     std::shared_ptr<const volume::BrickSource> source = levels.source;
-    const bool isOwn = source == nullptr;
-    if (isOwn) {
-        source = std::make_shared<volume::VolumeBricks>(scan.volume);
+    if (source == nullptr) {
+        source = std::make_shared<volume::VolumeBricks>(scan.volume, scan.inFile);
     }
     auto detail = std::make_unique<field::Detail>(source, scan.inFile, levels.options);
     const field::BrickGrid& finest = detail->grids().front();
-    impl_->display.showFiner(*detail, finest.step > 0.99 ? field::computeCellRanges(scan.field)
+    impl_->display.showFiner(*detail, !finest.isFiner() ? field::computeCellRanges(scan.field)
                                                          : field::finerCellRanges(scan.inFile.dims, finest,
                                                                                   levels.extremes));
     scan.detail = std::move(detail);

@@ -72,6 +72,8 @@ std::shared_ptr<const DocumentFacts> factsOf(const Contents& contents, std::size
     facts->logged = logged;
     facts->inHand = contents.inHand;
     facts->geometry = contents.scan.volume.geometry;
+    facts->finestDims =
+        contents.scan.detail != nullptr ? contents.scan.detail->grids().front().dims : glm::ivec3(0);
     facts->view = contents.view;
     facts->firstLook = contents.scan.firstLook;
     facts->sliceWindow = contents.scan.slices;

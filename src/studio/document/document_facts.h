@@ -51,6 +51,7 @@ struct DocumentFacts {
     std::size_t logged = 0;    // operations in the log
     InHand inHand = InHand::Nothing;
     volume::GridGeometry geometry; // where the scan's voxels lie, corrected where that was done
+    glm::ivec3 finestDims{0};      // of the finest level that pictures show, where that is not this one
     View view;
     FirstLook firstLook; // that suits the scan: how the window shows it when it is opened
     Range sliceWindow;   // that suits the scan: what slices show where the view says nothing

@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "base/parallel.h"
+#include "studio/document/document.h"
 #include "volume/reading/read_volume.h"
 #include "volume/reading/store_bricks.h"
 
@@ -21,6 +22,8 @@ namespace {
 constexpr std::size_t kWorkBytes = 8;
 // More voxels are not worked on unless they are asked for: they take long to read.
 constexpr std::size_t kManyVoxels = std::size_t(1) << 27;
+// What bricks take where nobody said how much they may: more would hardly ever be used.
+constexpr std::size_t kUsualPool = std::size_t(1) << 30;
 constexpr int kLongestAxis = 2048; // of one texture
 
 std::size_t workBytes(const volume::GridGeometry& level, volume::ScalarType type) {
@@ -49,17 +52,38 @@ int levelToWorkOn(const volume::BrickSource& store, const MemoryBudgets& budgets
 
 field::DetailOptions optionsFor(const MemoryBudgets& budgets, std::size_t workBytes) {
     field::DetailOptions options;
-    options.deviceBytes = budgets.deviceBytes - std::min(workBytes, budgets.deviceBytes / 2);
+    const std::size_t left = budgets.deviceBytes - std::min(workBytes, budgets.deviceBytes / 2);
+    options.deviceBytes = budgets.isDeviceChosen ? left : std::min(left, kUsualPool);
     options.hostBytes = budgets.hostBytes / 4;
     options.threads = std::clamp(processorCount(), 2, 8);
     return options;
+}
+
+std::optional<FinerLevels> finerLevels(FinerLevels finer, const volume::Volume& scan,
+                                       const volume::ReadOptions& read, std::vector<std::string>& notices) {
+    const auto store = std::make_shared<volume::StoreBricks>(scan.path, read);
+    if (!field::brickGrid(store->levels().front(), scan.geometry, finer.options.side)) {
+        notices.push_back(fmt::format("{}: its levels do not lie along the same axes, so pictures show level {} "
+                                      "only",
+                                      scan.path.string(), read.level.value_or(0)));
+        return {};
+    }
+    finer.source = store;
+    finer.extremes = store->extremes();
+    if (!finer.extremes) {
+        notices.push_back(fmt::format("{}: what is where in its finer levels is not known before they are read, "
+                                      "so pictures of them take long; vstudio convert makes a store that says it",
+                                      scan.path.string()));
+    }
+    return finer;
 }
 
 } // namespace
 
 MemoryBudgets MemoryBudgets::filledIn() const {
     const auto memory = std::size_t(sysconf(_SC_PHYS_PAGES)) * std::size_t(sysconf(_SC_PAGESIZE));
-    return {deviceBytes > 0 ? deviceBytes : memory / 2, hostBytes > 0 ? hostBytes : memory / 4};
+    return {deviceBytes > 0 ? deviceBytes : memory / 2, hostBytes > 0 ? hostBytes : memory / 4,
+            isDeviceChosen || deviceBytes > 0};
 }
 
 std::size_t memoryOf(const std::string& text, const std::string& what) {
@@ -96,21 +120,23 @@ std::optional<FinerLevels> finerLevels(const volume::Volume& scan, const volume:
     if (!hasLevels) {
         return finer;
     }
-    const auto store = std::make_shared<volume::StoreBricks>(scan.path, read);
-    if (!field::brickGrid(store->levels().front(), scan.geometry, finer.options.side)) {
-        notices.push_back(fmt::format("{}: its levels do not lie along the same axes, so pictures show level {} "
-                                      "only",
-                                      scan.path.string(), read.level.value_or(0)));
+    try {
+        return finerLevels(std::move(finer), scan, read, notices);
+    } catch (const Error& error) { // what is worked on has been read all the same
+        notices.push_back(fmt::format("{}; pictures show level {} only", error.what(), read.level.value_or(0)));
         return {};
     }
-    finer.source = store;
-    finer.extremes = store->extremes();
-    if (!finer.extremes) {
-        notices.push_back(fmt::format("{}: what is where in its finer levels is not known before they are read, "
-                                      "so pictures of them take long; vstudio convert makes a store that says it",
-                                      scan.path.string()));
+}
+
+void showFinerLevels(Document& document, const std::optional<FinerLevels>& levels,
+                     std::vector<std::string>& notices) {
+    try {
+        if (levels) {
+            document.showFinerLevels(*levels);
+        }
+    } catch (const Error& error) {
+        notices.push_back(fmt::format("{}; pictures show what is worked on only", error.what()));
     }
-    return finer;
 }
 
 OpenedScan openScan(const std::filesystem::path& path, const volume::ReadOptions& options, Storage storage,

@@ -15,6 +15,8 @@
 
 namespace vs::studio {
 
+class Document;
+
 // How a scan lies in memory: all of it in one texture, or, as far as pictures are concerned, in bricks.
 // `Bricks` draws everything from bricks, what would fit too.
 enum class Storage { Auto, Dense, Bricks };
@@ -25,6 +27,7 @@ constexpr const auto& namesOf(Storage) { return kStorages; }
 struct MemoryBudgets {
     std::size_t deviceBytes = 0;
     std::size_t hostBytes = 0;
+    bool isDeviceChosen = false; // somebody said how much the device has
 
     // With what this machine has instead of zeros: half of its memory for what a software renderer calls its
     // device, a quarter for the host.
@@ -47,10 +50,15 @@ std::optional<int> levelToWorkOn(const std::filesystem::path& path, const volume
                                  Storage storage, const MemoryBudgets& budgets);
 
 // The levels of a scan's store that are finer than what was read with these options; with Storage::Bricks that
-// one too, and that of any other volume; with Storage::Dense none. Throws ReadError; notices are appended.
+// one too, and that of any other volume; with Storage::Dense none. Notices are appended, also where they cannot be had: the
+// scan is there without them.
 std::optional<FinerLevels> finerLevels(const volume::Volume& scan, const volume::ReadOptions& read,
                                        Storage storage, const MemoryBudgets& budgets,
                                        std::vector<std::string>& notices);
+
+// Has the document show them, or says in a notice why it cannot.
+void showFinerLevels(Document& document, const std::optional<FinerLevels>& levels,
+                     std::vector<std::string>& notices);
 
 // A scan, read at the level that is worked on.
 struct OpenedScan {

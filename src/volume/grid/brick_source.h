@@ -44,7 +44,8 @@ std::vector<std::byte> valuesIn(const Volume& volume, const Box3& box);
 // A volume in memory, of one level; it must live as long.
 class VolumeBricks : public BrickSource {
 public:
-    explicit VolumeBricks(const Volume& volume) : volume_(volume), levels_{volume.geometry} {}
+    // `geometry` says where its voxels lie.
+    VolumeBricks(const Volume& volume, const GridGeometry& geometry) : volume_(volume), levels_{geometry} {}
 
     [[nodiscard]] const std::vector<GridGeometry>& levels() const override { return levels_; }
     [[nodiscard]] ScalarType type() const override { return volume_.type; }

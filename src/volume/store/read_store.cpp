@@ -101,7 +101,11 @@ ReadResult readStore(const std::filesystem::path& path, const ReadOptions& optio
             fmt::format("{}: this is level {} of {}", path.string(), level, store.levelsText()));
     }
     if (level > 0 && store.extremes) {
-        result.ofFinest = rangeOf(readExtremes(store));
+        try {
+            result.ofFinest = rangeOf(readExtremes(store));
+        } catch (const ReadError& error) { // the level is there all the same
+            result.notices.push_back(error.what());
+        }
     }
     Volume& volume = result.volume;
     volume.geometry = geometry;

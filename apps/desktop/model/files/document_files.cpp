@@ -32,9 +32,7 @@ std::unique_ptr<studio::Document> documentOf(Loaded& loaded) {
     auto document = loaded.state
                         ? std::make_unique<studio::Document>(std::move(loaded.volume), std::move(*loaded.state))
                         : std::make_unique<studio::Document>(std::move(loaded.volume), precisionOf(loaded));
-    if (loaded.finer) {
-        document->showFinerLevels(*loaded.finer);
-    }
+    studio::showFinerLevels(*document, loaded.finer, loaded.notices);
     return document;
 }
 

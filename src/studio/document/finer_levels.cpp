@@ -24,6 +24,8 @@ constexpr std::size_t kWorkBytes = 8;
 constexpr std::size_t kManyVoxels = std::size_t(1) << 27;
 // What bricks take where nobody said how much they may: more would hardly ever be used.
 constexpr std::size_t kUsualPool = std::size_t(1) << 30;
+constexpr int kFewBricks = 128;
+constexpr int kSmallestBrick = 16;
 constexpr int kLongestAxis = 2048; // of one texture
 
 std::size_t workBytes(const volume::GridGeometry& level, volume::ScalarType type) {
@@ -50,11 +52,20 @@ int levelToWorkOn(const volume::BrickSource& store, const MemoryBudgets& budgets
     return int(std::min(found, levels.end() - 1) - levels.begin());
 }
 
-field::DetailOptions optionsFor(const MemoryBudgets& budgets, std::size_t workBytes) {
+std::size_t bytesOfBricks(int count, int side, volume::ScalarType type) {
+    const auto texels = std::size_t(side + 1);
+    return std::size_t(count) * texels * texels * texels * gl::bytesPerTexel(field::brickTexels(type).format);
+}
+
+field::DetailOptions optionsFor(const MemoryBudgets& budgets, std::size_t workBytes, volume::ScalarType type) {
     field::DetailOptions options;
     const std::size_t left = budgets.deviceBytes - std::min(workBytes, budgets.deviceBytes / 2);
     options.deviceBytes = budgets.isDeviceChosen ? left : std::min(left, kUsualPool);
     options.hostBytes = budgets.hostBytes / 4;
+    // Many small bricks fit rays better than few large ones.
+    while (options.side > kSmallestBrick && bytesOfBricks(kFewBricks, options.side, type) > options.deviceBytes) {
+        options.side /= 2;
+    }
     options.threads = std::clamp(processorCount(), 2, 8);
     return options;
 }
@@ -115,7 +126,7 @@ std::optional<FinerLevels> finerLevels(const volume::Volume& scan, const volume:
         return {};
     }
     const MemoryBudgets room = budgets.filledIn();
-    FinerLevels finer{nullptr, {}, optionsFor(room, workBytes(scan.geometry, scan.type))};
+    FinerLevels finer{nullptr, {}, optionsFor(room, workBytes(scan.geometry, scan.type), scan.type)};
     finer.options.hasOwnLevel = ofBricks;
     if (!hasLevels) {
         return finer;

@@ -175,6 +175,9 @@ public:
                     const auto bytes = std::as_bytes(std::span(extremes.ranges));
                     send(SentValues{bytes.size(), extremes.side, extremes.cells});
                     sendBytes(bytes);
+                } else if (const auto* files = std::get_if<FilesRequest>(&*next)) {
+                    send(FileNames{files->isOfExtremes ? store.filesOfExtremes()
+                                                       : store.filesOf(files->of.level, files->of.box)});
                 } else {
                     return;
                 }
@@ -185,6 +188,8 @@ public:
     }
     void operator()(const BoxRequest& /*request*/) const { throw ReadError("no store has been opened"); }
     void operator()(const ExtremesRequest& /*request*/) const { throw ReadError("no store has been opened"); }
+    void operator()(const FilesRequest& /*request*/) const { throw ReadError("no store has been opened"); }
+    void operator()(const DescriptionRequest& request) const { send(FileNames{descriptionFiles(request.path)}); }
 
 private:
     // Nothing: nobody asks any more.
@@ -231,6 +236,9 @@ std::filesystem::path pathOf(const DecoderRequest& request) {
     }
     if (const auto* levels = std::get_if<LevelsRequest>(&request)) {
         return levels->path;
+    }
+    if (const auto* description = std::get_if<DescriptionRequest>(&request)) {
+        return description->path;
     }
     if (const auto* picture = std::get_if<PictureRequest>(&request)) {
         return picture->path;

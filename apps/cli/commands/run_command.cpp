@@ -13,6 +13,7 @@
 #include "gl/context.h"
 #include "gl/device_bytes.h"
 #include "studio/json/session_state.h"
+#include "volume/reading/read_volume.h"
 
 #include <CLI/CLI.hpp>
 #include <nlohmann/json.hpp>
@@ -151,7 +152,7 @@ studio::Session sourceOf(const studio::Session& session, const RunOptions& optio
                          const studio::Document& document, const volume::ReadOptions& used) {
     studio::Session source = session;
     if (!session.isMade()) {
-        source.volumePath = std::filesystem::absolute(document.volume().path);
+        source.volumePath = volume::absolutePath(document.volume().path);
     }
     if (!used.raw) {
         source.rawLayout.clear();

@@ -11,6 +11,7 @@
 #include "studio/json/operation_json.h"
 #include "studio/json/session_json.h"
 #include "studio/operations/segment_list.h"
+#include "volume/reading/read_volume.h"
 
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
@@ -61,8 +62,11 @@ Session::Block readBlock(const JsonReader& reader) {
 }
 
 // Relative when the volume lies in or below the session's folder, so that the two can move together.
-std::filesystem::path storedPath(const std::filesystem::path& volume, const std::filesystem::path& session) {
-    const auto absolute = std::filesystem::absolute(volume).lexically_normal();
+std::filesystem::path storedPath(const std::filesystem::path& scan, const std::filesystem::path& session) {
+    if (volume::isWebAddress(scan)) {
+        return scan;
+    }
+    const auto absolute = std::filesystem::absolute(scan).lexically_normal();
     const auto folder = std::filesystem::absolute(session).lexically_normal().parent_path();
     const auto relative = absolute.lexically_relative(folder);
     return relative.empty() || *relative.begin() == ".." ? absolute : relative;

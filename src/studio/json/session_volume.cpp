@@ -82,7 +82,7 @@ volume::ReadOptions optionsFor(const Session& session, const volume::ReadOptions
 // Also false where nobody may look, or a network is gone.
 bool isThere(const std::filesystem::path& path) {
     std::error_code error;
-    return std::filesystem::exists(path, error) && !error;
+    return volume::isWebAddress(path) || (std::filesystem::exists(path, error) && !error);
 }
 
 // What lies in a folder under the name of the session's volume, if it is that.
@@ -131,7 +131,8 @@ volume::Volume openVolume(const Session& session, const std::filesystem::path& s
                           const std::vector<std::filesystem::path>& folders, volume::ReadOptions* used) {
     const std::filesystem::path path =
         replacement ? *replacement
-                    : (session.volumePath.is_absolute() ? session.volumePath
+                    : (session.volumePath.is_absolute() || volume::isWebAddress(session.volumePath)
+                           ? session.volumePath
                                                         : sessionPath.parent_path() / session.volumePath);
     volume::ReadOptions options = optionsFor(session, overrides, path, replacement.has_value());
     const auto tell = [&] {

@@ -246,6 +246,13 @@ struct Packer {
         }
         return {{"levels", std::move(grids)}, {"type", int(answer.type)}};
     }
+    Json operator()(const FileNames& answer) const {
+        Json names = Json::array();
+        for (const std::string& name : answer.names) {
+            names.push_back(name);
+        }
+        return {{"files", std::move(names)}};
+    }
     Json operator()(const SentValues& answer) const {
         return {{"values", answer.bytes}, {"side", answer.side}, {"cells", packed(answer.cells)}};
     }
@@ -266,6 +273,13 @@ struct RequestPacker {
         return {{"box", request.level}, {"lo", packed(request.box.lo)}, {"hi", packed(request.box.hi)}};
     }
     Json operator()(const ExtremesRequest& /*request*/) const { return {{"extremes", true}}; }
+    Json operator()(const DescriptionRequest& request) const { return {{"description", request.path.string()}}; }
+    Json operator()(const FilesRequest& request) const {
+        Json json = (*this)(request.of);
+        json["files"] = true;
+        json["isOfExtremes"] = request.isOfExtremes;
+        return json;
+    }
 };
 
 DecoderRequest requestOf(const Json& json) {
@@ -278,8 +292,15 @@ DecoderRequest requestOf(const Json& json) {
     if (json.contains("levels")) {
         return LevelsRequest{json.at("levels").get<std::string>(), optionsOf(json.at("options"))};
     }
+    if (json.contains("description")) {
+        return DescriptionRequest{json.at("description").get<std::string>()};
+    }
     if (json.contains("box")) {
-        return BoxRequest{wholeOf<int>(json.at("box")), {ivec3Of(json.at("lo")), ivec3Of(json.at("hi"))}};
+        const BoxRequest box{wholeOf<int>(json.at("box")), {ivec3Of(json.at("lo")), ivec3Of(json.at("hi"))}};
+        if (json.contains("files")) {
+            return FilesRequest{box, json.at("isOfExtremes").get<bool>()};
+        }
+        return box;
     }
     if (json.contains("extremes")) {
         return ExtremesRequest{};
@@ -326,6 +347,13 @@ DecoderAnswer answerOf(const Json& json) {
     }
     if (json.contains("levels")) {
         return levelsOf(json);
+    }
+    if (json.contains("files")) {
+        FileNames files;
+        for (const Json& name : json.at("files")) {
+            files.names.push_back(name.get<std::string>());
+        }
+        return files;
     }
     if (json.contains("values")) {
         return SentValues{wholeOf<std::uint64_t>(json.at("values")), wholeOf<int>(json.at("side")),

@@ -50,8 +50,17 @@ struct BoxRequest {
 };
 // The ranges of its CellExtremes, two floats a cell.
 struct ExtremesRequest {};
+// The names of files: those that describe the arrays of a store, of which nothing but .zattrs need be there;
+// or, of a store whose levels were opened, those of a box, or of its extremes.
+struct DescriptionRequest {
+    std::filesystem::path path;
+};
+struct FilesRequest {
+    BoxRequest of;
+    bool isOfExtremes = false;
+};
 using DecoderRequest = std::variant<DecodeRequest, PictureRequest, SegmentationRequest, LevelsRequest, BoxRequest,
-                                    ExtremesRequest>;
+                                    ExtremesRequest, DescriptionRequest, FilesRequest>;
 
 // How far the decoder is; nothing: that is not known.
 struct DecodeShare {
@@ -88,8 +97,11 @@ struct SentValues {
     int side = 0;
     glm::ivec3 cells{0};
 };
+struct FileNames {
+    std::vector<std::string> names;
+};
 using DecoderAnswer = std::variant<DecodeShare, DecodeRefusal, DecodedVolume, DecodedPicture, MadeSegmentation,
-                                   OpenedLevels, SentValues>;
+                                   OpenedLevels, SentValues, FileNames>;
 
 MessageBytes pack(const DecoderRequest& request);
 MessageBytes pack(const DecoderAnswer& answer);

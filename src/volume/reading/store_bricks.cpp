@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "volume/reading/store_bricks.h"
 
+#include "base/progress.h"
 #include "volume/io/formats.h"
 #include "volume/io/inspect.h"
 #include "volume/reading/decoder_process.h"
+#include "volume/reading/read_volume.h"
+#include "volume/reading/web_store.h"
+#include "volume/store/store_progress.h"
 
 #include <algorithm>
 #include <cstring>
@@ -13,10 +17,18 @@ namespace vs::volume {
 
 struct StoreBricks::Levels : OpenedLevels {};
 
-bool hasLevels(const std::filesystem::path& path) { return isStore(path); }
+bool hasLevels(const std::filesystem::path& path) { return isWebAddress(path) || isStore(path); }
 
 StoreBricks::StoreBricks(std::filesystem::path path, const ReadOptions& options)
-    : path_(std::move(path)), options_(options) {
+    : path_(std::move(path)), folder_(path_), options_(options) {
+    if (isWebAddress(path_)) {
+        web_ = std::make_unique<WebStore>(path_.string(), ".zattrs");
+        folder_ = web_->folder();
+        DecoderProcess decoder{DescriptionRequest{folder_}};
+        auto names = decoder.finalAnswer<FileNames>(path_).names;
+        names.emplace_back(kUnfinishedStore);
+        web_->fetch(names);
+    }
     Levels levels;
     giveBack(start(levels));
     grids_ = levels.grids;
@@ -26,7 +38,7 @@ StoreBricks::StoreBricks(std::filesystem::path path, const ReadOptions& options)
 StoreBricks::~StoreBricks() = default;
 
 StoreBricks::Decoder StoreBricks::start(Levels& levels) const {
-    auto decoder = std::make_unique<DecoderProcess>(LevelsRequest{path_, options_});
+    auto decoder = std::make_unique<DecoderProcess>(LevelsRequest{folder_, options_});
     static_cast<OpenedLevels&>(levels) = decoder->finalAnswer<OpenedLevels>(path_);
     return decoder;
 }
@@ -65,8 +77,9 @@ std::vector<std::byte> StoreBricks::read(int level, const Box3& box) const {
     bool mayBeGone = true;
     while (true) {
         Decoder decoder = mayBeGone ? take() : start();
-        decoder->ask(BoxRequest{level, box});
         try {
+            fetch(*decoder, level, box, false);
+            decoder->ask(BoxRequest{level, box});
             auto values = received(*decoder, box.volume() * sizeOf(type_));
             giveBack(std::move(decoder));
             return values;
@@ -82,6 +95,30 @@ std::vector<std::byte> StoreBricks::read(int level, const Box3& box) const {
     }
 }
 
+void StoreBricks::fetch(DecoderProcess& decoder, int level, const Box3& box, bool isOfExtremes) const {
+    if (web_) {
+        decoder.ask(FilesRequest{{level, box}, isOfExtremes});
+        web_->fetch(decoder.finalAnswer<FileNames>(path_).names);
+    }
+}
+
+void StoreBricks::fetchLevel(int level) const {
+    if (level < 0 || level >= int(grids_.size())) {
+        return; // reading it says what is wrong
+    }
+    Decoder decoder = take();
+    const Box3 all = grids_[std::size_t(level)].box();
+    constexpr int atOnce = 64; // slices
+    for (int z = 0; z < all.hi.z; z += atOnce) {
+        reportProgress(double(z) / all.hi.z);
+        fetch(*decoder, level, intersect(all, {{0, 0, z}, {all.hi.x, all.hi.y, z + atOnce}}), false);
+    }
+    if (level > 0) {
+        fetch(*decoder, 0, {}, true);
+    }
+    giveBack(std::move(decoder));
+}
+
 std::vector<std::byte> StoreBricks::received(DecoderProcess& decoder, std::size_t bytes) const {
     const auto sent = decoder.finalAnswer<SentValues>(path_);
     if (sent.bytes != bytes) {
@@ -92,6 +129,7 @@ std::vector<std::byte> StoreBricks::received(DecoderProcess& decoder, std::size_
 
 std::optional<CellExtremes> StoreBricks::extremes() const {
     Decoder decoder = take();
+    fetch(*decoder, 0, {}, true);
     decoder->ask(ExtremesRequest{});
     const auto sent = decoder->finalAnswer<SentValues>(path_);
     if (sent.bytes == 0) {

@@ -13,10 +13,12 @@ namespace vs::volume {
 
 class DecoderProcess;
 
-// Whether a path leads to a store, of which levels can be read box by box.
+// Whether a path leads to a store, of which levels can be read box by box, or is the address of one.
 bool hasLevels(const std::filesystem::path& path);
 
-// A store of OME-Zarr whose boxes are read by decoders (decision 0030) that stay for as long as this object:
+class WebStore;
+
+// A store of OME-Zarr, on the disk or on a web server, whose boxes are read by decoders (decision 0030) that stay for as long as this object:
 // as many as threads ask at once.
 class StoreBricks : public BrickSource {
 public:
@@ -30,6 +32,11 @@ public:
     [[nodiscard]] std::vector<std::byte> read(int level, const Box3& box) const override;
     [[nodiscard]] std::optional<CellExtremes> extremes() const override;
 
+    // Where it lies on the disk; of one on a web server, where what was fetched of it does.
+    [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }
+    // Fetches all of a level, where it is on a web server.
+    void fetchLevel(int level) const;
+
 private:
     struct Levels;
     using Decoder = std::unique_ptr<DecoderProcess>;
@@ -39,7 +46,11 @@ private:
     [[nodiscard]] std::vector<std::byte> received(DecoderProcess& decoder, std::size_t bytes) const;
     void giveBack(Decoder decoder) const;
 
+    void fetch(DecoderProcess& decoder, int level, const Box3& box, bool isOfExtremes) const;
+
     std::filesystem::path path_;
+    std::unique_ptr<WebStore> web_; // null: it is on the disk
+    std::filesystem::path folder_;
     ReadOptions options_;
     std::vector<GridGeometry> grids_;
     ScalarType type_ = ScalarType::UInt8;

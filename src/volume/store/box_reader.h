@@ -14,6 +14,7 @@ public:
     BoxReader(const Multiscales& store, std::size_t level, const Box3& box, int channel = 0, int time = 0);
 
     [[nodiscard]] int chunks() const { return count_.x * count_.y * count_.z; }
+    [[nodiscard]] std::filesystem::path file(int n) const { return array_.chunkFile(chunkAt(n)); }
     // The size of chunk n's file, 0 where it has none.
     [[nodiscard]] std::uint64_t storedBytes(int n) const { return array_.storedBytes(chunkAt(n)); }
 

@@ -295,6 +295,24 @@ std::string namesOf(const Multiscales& store) {
     return names;
 }
 
+std::vector<std::string> descriptionFiles(const fs::path& path) {
+    return readStoreFile(path / ".zattrs", "the description of an image of OME-Zarr 0.4",
+                         [&](const JsonReader& from) {
+                             std::vector<std::string> files;
+                             const auto add = [&](const JsonReader& array) {
+                                 files.push_back(array.member("path").text() + "/.zarray");
+                             };
+                             const JsonReader levels = from.member("multiscales").at(0).member("datasets");
+                             for (std::size_t n = 0; n < std::min(levels.size(), kMostLevels); ++n) {
+                                 add(levels.at(n));
+                             }
+                             if (from.has(kOurs)) {
+                                 from.member(kOurs).ifHas("ranges", add);
+                             }
+                             return files;
+                         });
+}
+
 Multiscales openMultiscales(const fs::path& path) {
     std::error_code error;
     if (fs::exists(path / "zarr.json", error)) {

@@ -50,6 +50,9 @@ private:
     }
 };
 
+// The files that describe the arrays of a store, of whose files only .zattrs need be there: names in the store.
+std::vector<std::string> descriptionFiles(const std::filesystem::path& path);
+
 // The names of its channels as messages list them: ": 0 DAPI, 1 actin".
 std::string namesOf(const Multiscales& store);
 

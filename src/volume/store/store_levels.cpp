@@ -22,11 +22,34 @@ StoreLevels::StoreLevels(const std::filesystem::path& path, const ReadOptions& o
     type_ = none.type;
 }
 
-std::vector<std::byte> StoreLevels::read(int level, const Box3& box) const {
+void StoreLevels::expectInside(int level, const Box3& box) const {
     if (level < 0 || level >= int(grids_.size()) || box.isEmpty() ||
         !(intersect(box, grids_[std::size_t(level)].box()) == box)) {
         throw ReadError("{}: a box outside of its levels was asked for", store_.path.string());
     }
+}
+
+std::vector<std::string> StoreLevels::filesOf(int level, const Box3& box) const {
+    expectInside(level, box);
+    const BoxReader reader(store_, std::size_t(level), box, channel_, time_);
+    std::vector<std::string> names;
+    for (int n = 0; n < reader.chunks(); ++n) {
+        names.push_back(reader.file(n).lexically_relative(store_.path).string());
+    }
+    return names;
+}
+
+std::vector<std::string> StoreLevels::filesOfExtremes() const {
+    std::vector<std::string> names;
+    for (std::int64_t n = 0; store_.extremes && n < store_.extremes->array.chunkCount(0); ++n) {
+        const std::array<std::int64_t, 4> chunk{n, 0, 0, 0};
+        names.push_back(store_.extremes->array.chunkFile(chunk).lexically_relative(store_.path).string());
+    }
+    return names;
+}
+
+std::vector<std::byte> StoreLevels::read(int level, const Box3& box) const {
+    expectInside(level, box);
     const StoredType stored = store_.levels[std::size_t(level)].array.type;
     const BoxReader reader(store_, std::size_t(level), box, channel_, time_);
     std::vector<std::byte> values(box.volume() * bytesOf(stored));

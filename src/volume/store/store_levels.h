@@ -5,6 +5,9 @@
 #include "volume/io/read.h"
 #include "volume/store/multiscales.h"
 
+#include <string>
+#include <vector>
+
 namespace vs::volume {
 
 // All levels of a store, read box by box in this process, with the libraries that decode it: for the decoder
@@ -21,7 +24,13 @@ public:
     [[nodiscard]] std::vector<std::byte> read(int level, const Box3& box) const override;
     [[nodiscard]] std::optional<CellExtremes> extremes() const override;
 
+    // The files that a box's values are in, and the extremes: names in the store.
+    [[nodiscard]] std::vector<std::string> filesOf(int level, const Box3& box) const;
+    [[nodiscard]] std::vector<std::string> filesOfExtremes() const;
+
 private:
+    void expectInside(int level, const Box3& box) const;
+
     Multiscales store_;
     std::vector<GridGeometry> grids_;
     ScalarType type_ = ScalarType::Float32;

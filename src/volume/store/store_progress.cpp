@@ -18,8 +18,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kFile = ".volume-studio-unfinished";
-
 // Throws where what was written may not be on the disk.
 void syncFolder(const fs::path& folder) {
     const int file = ::open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_CLOEXEC);
@@ -48,7 +46,7 @@ void removeParts(const fs::path& store) {
 } // namespace
 
 StoreProgress::StoreProgress(const fs::path& store, const std::string& what)
-    : store_(store), file_(store / kFile) {
+    : store_(store), file_(store / kUnfinishedStore) {
     std::error_code error;
     const bool isNew = !fs::exists(file_, error);
     if (isNew) {
@@ -123,7 +121,7 @@ void StoreProgress::finish() {
 
 void requireFinished(const fs::path& store) {
     std::error_code error;
-    if (fs::exists(store / kFile, error)) {
+    if (fs::exists(store / kUnfinishedStore, error)) {
         throw ReadError("{}: it is not finished; write it again to go on where it stopped", store.string());
     }
 }

@@ -8,6 +8,9 @@
 
 namespace vs::volume {
 
+// The file of a store that is not finished.
+inline constexpr const char* kUnfinishedStore = ".volume-studio-unfinished";
+
 // How far the writing of a store has come, in a file of the store that goes when it is done: who writes the
 // same again goes on there, and nobody takes half a store for a whole one.
 class StoreProgress {

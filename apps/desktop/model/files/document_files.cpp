@@ -14,6 +14,7 @@
 
 #include "base/progress.h"
 #include "studio/document/document_facts.h"
+#include "volume/reading/read_volume.h"
 
 #include <algorithm>
 #include <exception>
@@ -268,7 +269,7 @@ studio::Session DocumentFiles::provenance() const {
         const auto& geometry = host_.document()->geometryInFile();
         source.block = studio::Session::Block{geometry.dims, geometry.spacing()};
     } else if (!source.phantom) {
-        source.volumePath = std::filesystem::absolute(volume.path);
+        source.volumePath = volume::absolutePath(volume.path);
     }
     source.volumeChecksum = checksum_;
     source.precision = host_.document()->sculpture().precision();

@@ -27,6 +27,7 @@ MODULES = {
     "studio": ["phantom", "reference", "sculpt", "segment", "render", "mesh"],
 }
 ROOMS = {
+    "src/field": {"bricks": []},
     "src/volume": {"grid": [], "measures": ["grid"], "io": ["grid"], "dicom": ["io"], "store": ["io"], "tiff": ["io"],
                    "reading": ["dicom", "store", "tiff"]},
     "src/sculpt": {"mask": [], "path": [], "radiation": ["mask", "path"], "sculpture": ["radiation"],

@@ -15,7 +15,7 @@ PACKAGES=(
   libcairo2-dev fonts-dejavu-core
   libvtk9-dev libdcmtk-dev
   mricron-data
-  ffmpeg
+  ffmpeg curl
 )
 # To test: a display without a screen, a hand on the mouse, and the checkers.
 TEST_PACKAGES=(libgtest-dev librapidcheck-dev libxcb1-dev python3 python3-pydicom python3-nibabel python3-zarr python3-tifffile teem-apps git xvfb xdotool glslang-tools spirv-tools clang-format-14 clang-tidy-14 clang-14 libclang-rt-14-dev dpkg-dev file

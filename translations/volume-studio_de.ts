@@ -2561,6 +2561,14 @@
         <source>Which channel of a store, counted from 0.</source>
         <translation>Welcher Kanal eines Speichers, gezählt ab 0.</translation>
     </message>
+    <message>
+        <source>What volumes and edits may take on the device, for example 512MiB or 4GiB.</source>
+        <translation>Was Volumen und Bearbeitungen auf dem Gerät belegen dürfen, zum Beispiel 512MiB oder 4GiB.</translation>
+    </message>
+    <message>
+        <source>What they may take on the host, likewise.</source>
+        <translation>Was sie im Arbeitsspeicher belegen dürfen, ebenso.</translation>
+    </message>
 </context>
 <context>
     <name>vs::desktop::BlockDialog</name>
@@ -5371,6 +5379,18 @@ DIMS:TYPE[:SPACING[:OFFSET]]</translation>
     <message>
         <source>&amp;Start again</source>
         <translation>&amp;Neu starten</translation>
+    </message>
+    <message>
+        <source>  level %1</source>
+        <translation>  Stufe %1</translation>
+    </message>
+    <message>
+        <source>Edits are made on level %1. Pictures at rest show up to %2 × %3 × %4 voxels.</source>
+        <translation>Bearbeitet wird auf Stufe %1. Ruhende Bilder zeigen bis zu %2 × %3 × %4 Voxel.</translation>
+    </message>
+    <message>
+        <source>Reading bricks: %1</source>
+        <translation>Blöcke lesen: %1</translation>
     </message>
 </context>
 <context>

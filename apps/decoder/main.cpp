@@ -189,7 +189,9 @@ public:
     void operator()(const BoxRequest& /*request*/) const { throw ReadError("no store has been opened"); }
     void operator()(const ExtremesRequest& /*request*/) const { throw ReadError("no store has been opened"); }
     void operator()(const FilesRequest& /*request*/) const { throw ReadError("no store has been opened"); }
-    void operator()(const DescriptionRequest& request) const { send(FileNames{descriptionFiles(request.path)}); }
+    void operator()(const DescriptionRequest& request) const {
+        send(FileNames{descriptionFiles(request.path)});
+    }
 
 private:
     // Nothing: nobody asks any more.

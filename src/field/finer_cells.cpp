@@ -12,7 +12,8 @@ constexpr float kAnything = 1e30F;
 // The cells of the finest level of which samples between two places along an axis of the scene may have some:
 // a coarser level's voxels are means of what lies within three quarters of a voxel of the scene, and a sample
 // of the finest lies between two of its own.
-glm::ivec2 reached(double from, double to, int axis, const BrickGrid& finest, const volume::CellExtremes& all) {
+glm::ivec2 reached(double from, double to, int axis, const BrickGrid& finest,
+                   const volume::CellExtremes& all) {
     const double scale = finest.perSceneVoxel[axis];
     const double margin = std::max(1.0, 0.75 * scale);
     const double lo = from * scale + finest.origin[axis] - margin;

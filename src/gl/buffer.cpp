@@ -3,7 +3,6 @@
 
 #include "base/error.h"
 #include "base/large_pages.h"
-#include "gl/device_bytes.h"
 #include "gl/errors.h"
 #include "gl/hazard_watch.h"
 #include "gl/limits.h"

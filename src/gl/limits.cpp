@@ -9,7 +9,10 @@
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
+#include <map>
+#include <mutex>
 #include <string_view>
+#include <utility>
 
 namespace vs::gl {
 
@@ -50,6 +53,45 @@ ComputeLimits computeLimits() {
     glGetIntegerv(GL_MAX_COMPUTE_IMAGE_UNIFORMS, &out.images);
     glGetIntegerv(GL_MAX_COMPUTE_TEXTURE_IMAGE_UNITS, &out.textures);
     return out;
+}
+
+namespace {
+
+struct Counts {
+    std::mutex mutex;
+    std::map<std::pair<Counted, unsigned int>, std::size_t> sizes;
+    DeviceBytes bytes;
+};
+
+// Never destroyed: textures may be deleted at the very end of a program.
+Counts& counts() {
+    static auto* const all = new Counts;
+    return *all;
+}
+
+} // namespace
+
+DeviceBytes deviceBytes() {
+    const std::lock_guard lock(counts().mutex);
+    return counts().bytes;
+}
+
+void countMade(Counted kind, unsigned int name, std::size_t bytes) {
+    Counts& all = counts();
+    const std::lock_guard lock(all.mutex);
+    all.sizes[{kind, name}] = bytes;
+    all.bytes.now += bytes;
+    all.bytes.peak = std::max(all.bytes.peak, all.bytes.now);
+}
+
+void countDeleted(Counted kind, unsigned int name) {
+    Counts& all = counts();
+    const std::lock_guard lock(all.mutex);
+    const auto found = all.sizes.find({kind, name});
+    if (found != all.sizes.end()) {
+        all.bytes.now -= found->second;
+        all.sizes.erase(found);
+    }
 }
 
 } // namespace vs::gl

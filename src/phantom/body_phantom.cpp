@@ -112,10 +112,10 @@ private:
 
 Scanner bodyScanner(const BodyPhantomOptions& options) {
     return ctScanner({options.dims, kBodyExtentMm, options.noisePercent, options.seed}, "body phantom",
-                    [](glm::dvec3 p, double voxelMm, std::size_t n) {
-                        const double grain = double(randomBits(n) >> 12) / double(1ULL << 51) - 1;
-                        return Body(p, voxelMm).paint(grain);
-                    });
+                     [](glm::dvec3 p, double voxelMm, std::size_t n) {
+                         const double grain = double(randomBits(n) >> 12) / double(1ULL << 51) - 1;
+                         return Body(p, voxelMm).paint(grain);
+                     });
 }
 
 LabelledVolume makeBodyPhantom(const BodyPhantomOptions& options) { return scanAll(bodyScanner(options)); }

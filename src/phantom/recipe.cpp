@@ -27,14 +27,13 @@ constexpr const char* kArteries = "large arteries";
 
 Scanner scanHead(const Recipe& recipe) {
     return headScanner({recipe.dims.value_or(HeadPhantomOptions{}.dims), recipe.noisePercent,
-                            recipe.biasPercent, std::uint64_t(recipe.seed)});
+                        recipe.biasPercent, std::uint64_t(recipe.seed)});
 }
 
 // The others are alike: a grid, noise, and the noise's seed.
 template <typename Options, Scanner (*scanner)(const Options&)>
 Scanner scanWithNoise(const Recipe& recipe) {
-    return scanner(
-        {recipe.dims.value_or(Options{}.dims), recipe.noisePercent, std::uint64_t(recipe.seed)});
+    return scanner({recipe.dims.value_or(Options{}.dims), recipe.noisePercent, std::uint64_t(recipe.seed)});
 }
 
 const std::array<About, kKinds.size()> kAbout{

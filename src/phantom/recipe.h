@@ -15,7 +15,7 @@ enum class Kind { Head, Body, Vessels, Abdomen, Skull };
 inline constexpr std::array<const char*, 5> kKinds{"head", "body", "vessels", "abdomen", "skull"};
 constexpr const auto& namesOf(Kind) { return kKinds; }
 
-inline constexpr int kLeastVoxels = 8; // along each axis
+inline constexpr int kLeastVoxels = 8;          // along each axis
 inline constexpr int kMostVoxels = 2048;        // of one that is in memory
 inline constexpr int kMostStoredVoxels = 16384; // of one that is written box by box
 

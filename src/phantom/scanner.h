@@ -38,7 +38,8 @@ struct Measured {
 
 // A scanner of values of type T that `measure(place in the world, number of the voxel, x fastest)` gives.
 template <typename T, typename Measure>
-Scanner scannerOf(std::string name, const volume::GridGeometry& grid, volume::ScalarType type, Measure measure) {
+Scanner scannerOf(std::string name, const volume::GridGeometry& grid, volume::ScalarType type,
+                  Measure measure) {
     return {std::move(name), grid, type,
             [grid, measure = std::move(measure)](const Box3& box, std::span<std::byte> values,
                                                  std::span<std::uint8_t> labels) {
@@ -47,7 +48,8 @@ Scanner scannerOf(std::string name, const volume::GridGeometry& grid, volume::Sc
                 auto* out = reinterpret_cast<T*>(values.data());
                 forEachVoxel(box, [&](glm::ivec3 v, std::size_t i) {
                     const auto place = glm::dvec3(grid.worldFromVoxel * glm::dvec4(v, 1));
-                    const std::size_t n = slice * std::size_t(v.z) + row * std::size_t(v.y) + std::size_t(v.x);
+                    const std::size_t n =
+                        slice * std::size_t(v.z) + row * std::size_t(v.y) + std::size_t(v.x);
                     const Measured measured = measure(place, n);
                     out[i] = T(measured.value);
                     if (!labels.empty()) {

@@ -172,9 +172,9 @@ void Skull::paintBrain() {
 
 Scanner skullScanner(const SkullPhantomOptions& options) {
     return ctScanner({options.dims, kSkullExtentMm, options.noisePercent, options.seed}, "skull phantom",
-                    [](glm::dvec3 p, double voxelMm, std::size_t) {
-                        return Skull(p + kSkullMiddleInHead, voxelMm).paint();
-                    });
+                     [](glm::dvec3 p, double voxelMm, std::size_t) {
+                         return Skull(p + kSkullMiddleInHead, voxelMm).paint();
+                     });
 }
 
 LabelledVolume makeSkullPhantom(const SkullPhantomOptions& options) { return scanAll(skullScanner(options)); }

@@ -148,8 +148,8 @@ Scanner vesselsScanner(const VesselsPhantomOptions& options) {
     const double sigma = 0.01 * options.noisePercent * tof::largeArtery;
     return scannerOf<std::uint8_t>(
         "vessels phantom", grid, volume::ScalarType::UInt8,
-        [trees = std::make_shared<const Trees>(), voxelMm, sigma, seed = options.seed](
-            glm::dvec3 place, std::size_t n) -> Measured {
+        [trees = std::make_shared<const Trees>(), voxelMm, sigma,
+         seed = options.seed](glm::dvec3 place, std::size_t n) -> Measured {
             const glm::dvec3 p = place + kMiddleInHead;
             const TissuePainter painted = AngioHead(trees->arteries, trees->veins, p, voxelMm).paint();
             double value = painted.value();

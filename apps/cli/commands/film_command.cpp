@@ -134,8 +134,7 @@ std::unique_ptr<studio::Document> openInput(const FilmOptions& options, const gl
         const studio::Session session = studio::loadSession(options.input);
         volume::ReadOptions used;
         auto volume = loadSessionVolume(session, options.input, options.volume, notices, &used);
-        const auto finer =
-            findFiner(volume, used, options.storage, notices);
+        const auto finer = findFiner(volume, used, options.storage, notices);
         auto document = openDocument(session, options.input, std::move(volume), context);
         showFiner(*document, finer, notices);
         return document;

@@ -58,8 +58,9 @@ phantom::Recipe recipeFrom(const PhantomOptions& options) {
         throw UsageError("--bias {}: a {} has none", recipe.biasPercent, phantom::about(recipe.kind).meaning);
     }
     if (!options.size.empty()) {
-        recipe.dims = dimsFrom(options.size, phantom::about(recipe.kind).dims,
-                               isStoreName(options.output) ? phantom::kMostStoredVoxels : phantom::kMostVoxels);
+        recipe.dims =
+            dimsFrom(options.size, phantom::about(recipe.kind).dims,
+                     isStoreName(options.output) ? phantom::kMostStoredVoxels : phantom::kMostVoxels);
     }
     return recipe;
 }
@@ -79,9 +80,9 @@ void writeStore(const std::string& path, const phantom::Scanner& scanner, const 
     volume::StoreSource source;
     source.facts = {scanner.grid, "", scanner.name};
     source.type = isOfLabels ? volume::ScalarType::UInt8 : scanner.type;
-    source.identity = fmt::format("{} {} {} x {} x {}, {} {} {}", scanner.name, isOfLabels ? "labels" : "values",
-                                  scanner.grid.dims.x, scanner.grid.dims.y, scanner.grid.dims.z,
-                                  recipe.noisePercent, recipe.biasPercent, recipe.seed);
+    source.identity = fmt::format("{} {} {} x {} x {}, {} {} {}", scanner.name,
+                                  isOfLabels ? "labels" : "values", scanner.grid.dims.x, scanner.grid.dims.y,
+                                  scanner.grid.dims.z, recipe.noisePercent, recipe.biasPercent, recipe.seed);
     source.read = [&scanner, isOfLabels](const Box3& box) {
         std::vector<std::byte> values(box.volume() * volume::sizeOf(scanner.type));
         std::vector<std::uint8_t> labels(isOfLabels ? box.volume() : 0);
@@ -113,8 +114,9 @@ void runToStore(const PhantomOptions& options) {
 
 void run(const PhantomOptions& options) {
     if (isStoreName(options.output) != isStoreName(options.labels) && !options.labels.empty()) {
-        throw UsageError("--labels {}: write them as the volume is written, both as stores (.zarr) or neither",
-                         options.labels);
+        throw UsageError(
+            "--labels {}: write them as the volume is written, both as stores (.zarr) or neither",
+            options.labels);
     }
     if (isStoreName(options.output)) {
         runToStore(options);
@@ -170,8 +172,11 @@ void addPhantomCommand(CLI::App& app) {
                      ofEachKind([](const phantom::About& kind) { return std::string(kind.meaning); }))
         ->required()
         ->check(CLI::IsMember(std::vector<std::string>(phantom::kKinds.begin(), phantom::kKinds.end())));
-    command->add_option("-o,--output", options->output, "File to write: .nrrd, .nii, .nii.gz, .mha or .mhd; or a store of OME-Zarr, .zarr, which may be "
-                    "larger than memory")
+    command
+        ->add_option(
+            "-o,--output", options->output,
+            "File to write: .nrrd, .nii, .nii.gz, .mha or .mhd; or a store of OME-Zarr, .zarr, which may be "
+            "larger than memory")
         ->required();
     command->add_option("--labels", options->labels, "File for the true labels. " + ofEachKind(tissuesOf));
     command->add_option("--size", options->size,

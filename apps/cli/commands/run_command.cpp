@@ -11,7 +11,7 @@
 #include "base/log.h"
 #include "base/timer.h"
 #include "gl/context.h"
-#include "gl/device_bytes.h"
+#include "gl/limits.h"
 #include "studio/json/session_state.h"
 #include "volume/reading/read_volume.h"
 
@@ -199,8 +199,7 @@ void runSession(const RunOptions& options) {
     const Timer loading;
     volume::ReadOptions used;
     auto volume = loadSessionVolume(session, options.session, options.volume, notices, &used);
-    const auto finer =
-        findFiner(volume, used, options.storage, notices);
+    const auto finer = findFiner(volume, used, options.storage, notices);
     const auto context = gl::Context::createHeadless();
     const std::string volumeName = volume.name;
     const auto document = options.fromState

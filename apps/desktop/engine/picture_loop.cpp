@@ -180,7 +180,7 @@ void PictureLoop::begin(Pass pass) {
         frame.endsEarly = true;
         if (isDraft) {
             frame.detail = nullptr; // what is worked on is there at once
-            frame.sampleStep = 1; // pixels of a draft are wider than that
+            frame.sampleStep = 1;   // pixels of a draft are wider than that
             frame.scene.sampling =
                 field::Sampling::Trilinear; // many times faster; the difference is seen at rest
         }

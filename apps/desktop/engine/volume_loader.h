@@ -40,7 +40,7 @@ struct OpenRequest {
     std::shared_ptr<const studio::Session> given = {};
     // Where a session's volume is looked for that is not where the session says.
     std::vector<std::filesystem::path> folders = {};
-    bool isPlayed = false;         // a session's operations are not done at once, but before one's eyes
+    bool isPlayed = false; // a session's operations are not done at once, but before one's eyes
     studio::MemoryBudgets budgets = {};
     std::string stateTrouble = {}; // why a session's operations are done again although it has a state
 };
@@ -51,7 +51,7 @@ struct Loaded {
     std::optional<studio::Session> session;
     std::optional<studio::DocumentState> state; // what the session's operations led to, if it was saved
     std::vector<std::string> notices;
-    std::string checksum; // of the volume
+    std::string checksum;                     // of the volume
     std::optional<studio::FinerLevels> finer; // than the level that was read, where a store has them
 };
 

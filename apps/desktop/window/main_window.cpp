@@ -116,7 +116,7 @@ MainWindow::MainWindow(StudioController& studio, ToolBox& tools, QWidget* parent
         const auto refined = studio_.picture().refined();
         tellUnreadBricks();
         const std::size_t coming = studio_.picture().bricksComing();
-        rate_->setText(coming > 0 ? tr("Reading %n brick(s)", nullptr, int(coming))
+        rate_->setText(coming > 0 ? tr("Reading bricks: %1").arg(coming)
                        : refined  ? tr("Refining %1 %").arg(int(100 * *refined))
                        : rate > 0 ? tr("%1 fps").arg(rate, 0, 'f', rate < 10 ? 1 : 0)
                                   : QString());
@@ -225,7 +225,7 @@ void MainWindow::makeStatusBar() {
     connect(&studio_.editor(), &Editor::done, this, &MainWindow::showDuration);
     volume_ = add("volume", tr("Size and type of the volume"));
     rate_ = add("rate", tr("Frame rate; at rest, how far the picture is refined"));
-    rate_->setText(tr("Reading %n brick(s)", nullptr, 1000)); // the longest that it says
+    rate_->setText(tr("Reading bricks: %1").arg(1000)); // the longest that it says
     rate_->setFixedWidth(rate_->sizeHint().width());
     rate_->clear();
     rate_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);

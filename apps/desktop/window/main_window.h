@@ -201,7 +201,7 @@ private:
     QToolButton* giveUp_ = nullptr; // beside the progress bar
     QTimer probeTimer_;
     QTimer rateTimer_;
-    std::size_t toldFailures_ = 0; // of Detail::failures()
+    std::size_t toldFailures_ = 0;     // of Detail::failures()
     PictureExport* copying_ = nullptr; // to the clipboard
     QPointer<FilmDialog> film_;        // while it is open
     bool isBusyCursor_ = false;

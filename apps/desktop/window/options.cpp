@@ -46,8 +46,8 @@ Options parseOptions(const QCoreApplication& application) {
     const QCommandLineOption level("level", tr("Which level of a store of OME-Zarr; 0 is the finest."), "N");
     const QCommandLineOption channel("channel", tr("Which channel of a store, counted from 0."), "N");
     const QCommandLineOption deviceMemory(
-        "device-memory",
-        tr("What volumes and edits may take on the device, for example 512MiB or 4GiB."), "AMOUNT");
+        "device-memory", tr("What volumes and edits may take on the device, for example 512MiB or 4GiB."),
+        "AMOUNT");
     const QCommandLineOption memory("memory", tr("What they may take on the host, likewise."), "AMOUNT");
     const QCommandLineOption layout(
         "layout-file",

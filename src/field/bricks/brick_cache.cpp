@@ -3,8 +3,7 @@
 
 namespace vs::field {
 
-BrickCache::Values BrickCache::get(const BrickKey& key,
-                                   const std::function<std::vector<std::byte>()>& read) {
+BrickCache::Values BrickCache::get(const BrickKey& key, const std::function<std::vector<std::byte>()>& read) {
     std::unique_lock lock(mutex_);
     while (true) {
         const auto found = entries_.find(key);

@@ -20,17 +20,15 @@ struct BrickKey {
 // between its own voxels and the first ones of the bricks behind it, so that it has texels of side + 1 voxels
 // along each axis; what lies beyond the grid is what is at its border.
 struct BrickGrid {
-    glm::ivec3 dims{1};         // voxels of the level
-    int side = 64;              // voxels of a brick along each axis
+    glm::ivec3 dims{1};          // voxels of the level
+    int side = 64;               // voxels of a brick along each axis
     glm::dvec3 perSceneVoxel{1}; // place in the level = place in the scene * this
     glm::dvec3 origin{0};        // + this
     double step = 1;             // its smallest spacing, in steps of the scene
     glm::dvec3 spacing{1};       // all three, likewise
 
     // Finer than the scene along some axis.
-    [[nodiscard]] bool isFiner() const {
-        return glm::any(glm::greaterThan(perSceneVoxel, glm::dvec3(1.01)));
-    }
+    [[nodiscard]] bool isFiner() const { return glm::any(glm::greaterThan(perSceneVoxel, glm::dvec3(1.01))); }
     [[nodiscard]] glm::ivec3 counts() const { return divideUp(dims, side); }
     [[nodiscard]] std::size_t count() const {
         const glm::ivec3 n = counts();

@@ -12,7 +12,8 @@ namespace vs::field {
 
 namespace {
 
-constexpr std::size_t kMostBytes = (std::size_t(2) << 30) - (std::size_t(64) << 20); // of one texture of llvmpipe
+constexpr std::size_t kMostBytes =
+    (std::size_t(2) << 30) - (std::size_t(64) << 20); // of one texture of llvmpipe
 constexpr std::size_t kFewSlots = 64;
 
 // A box of slots, about as wide as it is high and deep, of no more than so many in all.
@@ -29,8 +30,8 @@ glm::ivec3 slotsAlong(std::size_t slots, int mostAlong) {
 BrickPool::BrickPool(int texels, gl::Format format, std::size_t bytes, std::size_t most) : texels_(texels) {
     const std::size_t perSlot =
         std::size_t(texels) * std::size_t(texels) * std::size_t(texels) * gl::bytesPerTexel(format);
-    std::size_t slots = std::clamp<std::size_t>(std::min(bytes, kMostBytes) / perSlot, 1,
-                                                std::max<std::size_t>(most, 1));
+    std::size_t slots =
+        std::clamp<std::size_t>(std::min(bytes, kMostBytes) / perSlot, 1, std::max<std::size_t>(most, 1));
     while (!texture_) {
         // Page tables have ten bits for a slot's place along an axis.
         counts_ = slotsAlong(slots, std::clamp(gl::limits().texture3D / texels, 1, 1023));

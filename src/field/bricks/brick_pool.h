@@ -17,8 +17,8 @@ namespace vs::field {
 // least recently, but none of those that are in use now.
 class BrickPool {
 public:
-    // As many slots of texels^3 as so many bytes and the device have room for, `most` at the most. Throws
-    // GlError when the device has no room.
+    // Makes slots of texels^3: so many as the bytes and the device have room for, `most` at the most. Throws
+    // GlError when the device has room for hardly any.
     BrickPool(int texels, gl::Format format, std::size_t bytes, std::size_t most);
 
     [[nodiscard]] std::size_t slotCount() const;

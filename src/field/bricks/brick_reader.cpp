@@ -41,9 +41,10 @@ void copyInto(std::vector<std::byte>& texels, int side, const std::vector<std::b
         for (int y = wanted.lo.y; y < wanted.hi.y; ++y) {
             const glm::ivec3 inFrom = glm::ivec3(wanted.lo.x, y, z) - from.lo;
             const glm::ivec3 inTo = glm::ivec3(wanted.lo.x, y, z) - origin;
-            const T* row = in + (std::size_t(inFrom.z) * std::size_t(size.y) + std::size_t(inFrom.y)) *
-                                    std::size_t(size.x) +
-                           std::size_t(inFrom.x);
+            const T* row =
+                in +
+                (std::size_t(inFrom.z) * std::size_t(size.y) + std::size_t(inFrom.y)) * std::size_t(size.x) +
+                std::size_t(inFrom.x);
             Texel* to = out +
                         (std::size_t(inTo.z) * std::size_t(side) + std::size_t(inTo.y)) * std::size_t(side) +
                         std::size_t(inTo.x);
@@ -181,11 +182,10 @@ std::vector<std::byte> BrickReader::texelsOf(const BrickKey& key) {
             return;
         }
         const Box3 box = grid.boxOf(from);
-        const auto values = cache_.get({key.level, grid.placeOf(from)},
-                                       [&] { return source_->read(key.level, box); });
-        visitType(source_->type(), [&]<typename T>(const T*) {
-            copyInto<T>(texels, side, *values, box, brick * grid.side);
-        });
+        const auto values =
+            cache_.get({key.level, grid.placeOf(from)}, [&] { return source_->read(key.level, box); });
+        visitType(source_->type(),
+                  [&]<typename T>(const T*) { copyInto<T>(texels, side, *values, box, brick * grid.side); });
     });
     const glm::ivec3 filled = glm::min(grid.dims - brick * grid.side, glm::ivec3(side));
     repeatBorder(texels, side, filled, texelBytes);

@@ -50,8 +50,8 @@ std::size_t mostBricks(const std::vector<BrickGrid>& grids) {
 
 Detail::Detail(std::shared_ptr<const volume::BrickSource> source, const volume::GridGeometry& scene,
                const DetailOptions& options)
-    : grids_(gridsOf(*source, scene, options)),
-      reader_(source, grids_, options.hostBytes, options.threads), texels_(brickTexels(source->type())),
+    : grids_(gridsOf(*source, scene, options)), reader_(source, grids_, options.hostBytes, options.threads),
+      texels_(brickTexels(source->type())),
       pool_(options.side + 1, texels_.format, options.deviceBytes, mostBricks(grids_)),
       block_(sizeof(BricksBlock), "bricks") {
     while (finest_ + 1 < int(grids_.size()) &&

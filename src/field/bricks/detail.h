@@ -54,8 +54,8 @@ public:
     Detail(std::shared_ptr<const volume::BrickSource> source, const volume::GridGeometry& scene,
            const DetailOptions& options);
 
-    // The coarsest level whose voxels are no larger than a pixel of so many steps of the scene, along all axes
-    // that finer ones divide more finely, or the finest; nothing: the scene's own voxels are no larger.
+    // The coarsest level whose voxels are no larger than a pixel of so many steps of the scene, along all
+    // axes that finer ones divide more finely, or the finest; nothing: the scene's own voxels are no larger.
     [[nodiscard]] std::optional<int> levelFor(double pixelSteps) const;
     // The next; nothing: the scene's own voxels come next.
     [[nodiscard]] std::optional<int> coarserThan(int level) const;

@@ -40,9 +40,9 @@ float levelValueAt(vec3 q) {
     }
     vec3 inBrick = max(inside - vec3(brick * levelDims.w), 0.0);
     vec3 slot = vec3(uvec3(page, page >> 10, page >> 20) & 0x3ffu);
-    float value = textureLod(brickPool, (slot * poolScale.w + inBrick + 0.5) * poolScale.xyz, 0.0).r *
-                      brickValue.x +
-                  brickValue.y;
+    float value =
+        textureLod(brickPool, (slot * poolScale.w + inBrick + 0.5) * poolScale.xyz, 0.0).r * brickValue.x +
+        brickValue.y;
     bool isAway = page < 2u;
     while (isAway) {
         vec3 p = (q - levelOrigin.xyz) / levelScale.xyz;

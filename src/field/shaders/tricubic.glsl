@@ -65,9 +65,7 @@ Taps tapsAlong(vec3 axis, Taps values, Taps slopes) {
                 mix(values.weightUpper, slopes.weightUpper, axis));
 }
 
-float dataAt(vec3 p) {
-    return eightTaps(valueTaps(sampledFromVoxel(p))) * storedScale().x + storedScale().y;
-}
+float dataAt(vec3 p) { return eightTaps(valueTaps(sampledFromVoxel(p))) * storedScale().x + storedScale().y; }
 
 // Value per voxel along each axis.
 vec3 voxelGradientAt(vec3 p) {

@@ -67,8 +67,8 @@ struct ViewRays {
 
 ViewRays viewRays(const Camera& camera, const volume::GridGeometry& geometry, glm::ivec2 size);
 
-// The least width in mm that a pixel has anywhere in the volume: where it is nearest to the viewer, 0 where the
-// viewer is in it.
+// The least width in mm that a pixel has anywhere in the volume: where it is nearest to the viewer, 0 where
+// the viewer is in it.
 double leastPixelMm(const ViewRays& rays, const volume::GridGeometry& geometry);
 
 // The pixels of the picture whose rays may pass through these voxels: the smallest rectangle around the box

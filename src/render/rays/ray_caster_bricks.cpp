@@ -85,9 +85,10 @@ bool RayCaster::makeDo() {
         squaresAtOnce_ = std::max(awaited_ / 4, 1);
         return true;
     }
-    frame_.detail->tell(fmt::format("bricks for {} MiB are too few for what rays meet: pictures are coarser than "
-                                    "their pixels ask for; give --device-memory more",
-                                    frame_.detail->deviceBytes() >> 20));
+    frame_.detail->tell(
+        fmt::format("bricks for {} MiB are too few for what rays meet: pictures are coarser than "
+                    "their pixels ask for; give --device-memory more",
+                    frame_.detail->deviceBytes() >> 20));
     level_ = frame_.detail->coarserThan(*level_);
     takeLevel();
     arrangeParts();

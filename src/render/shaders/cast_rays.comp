@@ -7,11 +7,12 @@
 // picture, one dispatch each; show_parts.comp shows them together. These are switches and no uniforms because
 // each changes what is done at every sample of a ray or every hit, and a software renderer does both sides of
 // a branch. PULLED: of the scene only one segment is seen, and in MIP and X-ray the data in it; APART: see
-// scene.glsl. BRICKS: the data is that of a finer level, of which bricks may be missing: a ray that met such a
-// place adds nothing, and is cast again when the brick has come. FINER: and its voxels are smaller than the scene's. PARTS alone stands outside of all loops: it is a switch because Mesa's software renderer
-// compiles a program anew for other formats of the images that it names, and these would be whatever was
-// bound before. In: the scene (field/shaders/scene.glsl), the view (rays.glsl). Out: image 0 (rgba32f) sum of
-// display colours, and of coverage: how much of the background they hide.
+// scene.glsl. BRICKS: the data is that of a finer level, of which bricks may be missing: a ray that met such
+// a place adds nothing, and is cast again when the brick has come. FINER: and its voxels are smaller than the
+// scene's. PARTS alone stands outside of all loops: it is a switch because Mesa's software renderer compiles
+// a program anew for other formats of the images that it names, and these would be whatever was bound before.
+// In: the scene (field/shaders/scene.glsl), the view (rays.glsl). Out: image 0 (rgba32f) sum of display
+// colours, and of coverage: how much of the background they hide.
 // variants: MODE=0;MODE=0 SCULPTED=1;MODE=1;MODE=2 SCULPTED=1;MODE=3 SCULPTED=1;MODE=4;MODE=3 SCULPTED=1 TRANSLUCENT=1 PARTS=1;MODE=4 TRANSLUCENT=1 LIT=1;MODE=5 TF_KIND=0;MODE=5 SCULPTED=1 TF_KIND=2;MODE=0 TF_KIND=1;MODE=1 TF_KIND=0;MODE=2 TF_KIND=2;MODE=0 TRICUBIC=1;MODE=0 LIT=1;MODE=5 TF_KIND=0 LIT=1 PARTS=1;MODE=3 SCULPTED=1 PARTS=1;MODE=1 PARTS=1;MODE=0 QUADS=1;MODE=4 SCULPTED=1 QUADS=1 SMOOTHED=1;MODE=4 SCULPTED=1 CUT_ALONG_SEGMENTS=1;MODE=0 SCULPTED=1 TRICUBIC=1 SMOOTHED=1 TF_KIND=0;MODE=5 SCULPTED=1 TF_KIND=0 QUADS=1 TRICUBIC=1;MODE=5 SCULPTED=1 TF_KIND=0 SEGMENTS=1 TRANSLUCENT=1 PARTS=1;MODE=5 TF_KIND=2 SEGMENTS=1 LIT=1;MODE=1 SEGMENTS=1;MODE=1 TF_KIND=0 SEGMENTS=1;MODE=2 SCULPTED=1 SEGMENTS=1;MODE=2 TF_KIND=1 SEGMENTS=1;MODE=4 PULLED=1 PARTS=1;MODE=4 PULLED=1 APART=1 SCULPTED=1 PARTS=1;MODE=3 PULLED=1 APART=1 TRANSLUCENT=1 PARTS=1;MODE=1 PULLED=1 APART=1 PARTS=1;MODE=2 PULLED=1 PARTS=1;MODE=5 TF_KIND=2 SEGMENTS=1 PULLED=1 APART=1 PARTS=1;MODE=0 BRICKS=1;MODE=1 BRICKS=1;MODE=2 BRICKS=1 SCULPTED=1;MODE=5 TF_KIND=0 BRICKS=1 TRICUBIC=1;MODE=5 TF_KIND=2 BRICKS=1 FINER=1 LIT=1;MODE=4 BRICKS=1 SCULPTED=1 TRANSLUCENT=1 PARTS=1
 layout(local_size_x = 64) in;
 

@@ -15,7 +15,8 @@ float gradientAt(vec3 p) {
 }
 #endif
 #else
-// With tricubic sampling, of a finer level than the scene's, and where the device has no room for all of them, that of the data at p.
+// With tricubic sampling, of a finer level than the scene's, and where the device has no room for all of
+// them, that of the data at p.
 float gradientAt(vec3 p) { return length(dataGradient(p)); }
 #endif
 #endif

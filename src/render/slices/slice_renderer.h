@@ -15,7 +15,7 @@ namespace vs::render {
 struct SliceFrame {
     field::Scene scene;
     field::Detail* detail = nullptr; // finer levels of its data, as render::Frame has them
-    Range window; // the values that are shown from black to white
+    Range window;                    // the values that are shown from black to white
     // Tints, over the greys, the values that the 3D picture shows: by its function, or for null in one tint.
     bool tintsVisible = false;
     Range visible;

@@ -38,9 +38,9 @@ void Document::showFinerLevels(const FinerLevels& levels) {
     }
     auto detail = std::make_unique<field::Detail>(source, scan.inFile, levels.options);
     const field::BrickGrid& finest = detail->grids().front();
-    impl_->display.showFiner(*detail, !finest.isFiner() ? field::computeCellRanges(scan.field)
-                                                         : field::finerCellRanges(scan.inFile.dims, finest,
-                                                                                  levels.extremes));
+    impl_->display.showFiner(
+        *detail, !finest.isFiner() ? field::computeCellRanges(scan.field)
+                                   : field::finerCellRanges(scan.inFile.dims, finest, levels.extremes));
     scan.detail = std::move(detail);
     ++contents.version;
 }

@@ -102,8 +102,8 @@ public:
     // Changes the view without logging; used while the view is being dragged. The next apply() logs it first.
     void showView(const View& view);
 
-    // Pictures show finer levels of the scan from now on, where their pixels ask for them; all that is done is
-    // done to volume() all the same. Throws Error, and GlError where the device has no room.
+    // Pictures show finer levels of the scan from now on, where their pixels ask for them; all that is done
+    // is done to volume() all the same. Throws Error, and GlError where the device has no room.
     void showFinerLevels(const FinerLevels& levels);
     // What it has of them; null: it shows none.
     [[nodiscard]] const field::Detail* detail() const;

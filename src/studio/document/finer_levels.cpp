@@ -36,8 +36,8 @@ bool fitsATexture(const volume::GridGeometry& level) {
     return std::max({level.dims.x, level.dims.y, level.dims.z}) <= kLongestAxis;
 }
 
-// The finest level, where the device has room for it twice over; else the finest that leaves most of the room to
-// bricks of the others.
+// The finest level, where the device has room for it twice over; else the finest that leaves most of the room
+// to bricks of the others.
 int levelToWorkOn(const volume::BrickSource& store, const MemoryBudgets& budgets) {
     const auto& levels = store.levels();
     const std::size_t all = workBytes(levels.front(), store.type());
@@ -57,13 +57,15 @@ std::size_t bytesOfBricks(int count, int side, volume::ScalarType type) {
     return std::size_t(count) * texels * texels * texels * gl::bytesPerTexel(field::brickTexels(type).format);
 }
 
-field::DetailOptions optionsFor(const MemoryBudgets& budgets, std::size_t workBytes, volume::ScalarType type) {
+field::DetailOptions optionsFor(const MemoryBudgets& budgets, std::size_t workBytes,
+                                volume::ScalarType type) {
     field::DetailOptions options;
     const std::size_t left = budgets.deviceBytes - std::min(workBytes, budgets.deviceBytes / 2);
     options.deviceBytes = budgets.isDeviceChosen ? left : std::min(left, kUsualPool);
     options.hostBytes = budgets.hostBytes / 4;
     // Many small bricks fit rays better than few large ones.
-    while (options.side > kSmallestBrick && bytesOfBricks(kFewBricks, options.side, type) > options.deviceBytes) {
+    while (options.side > kSmallestBrick &&
+           bytesOfBricks(kFewBricks, options.side, type) > options.deviceBytes) {
         options.side /= 2;
     }
     options.threads = std::clamp(processorCount(), 2, 8);
@@ -74,17 +76,19 @@ std::optional<FinerLevels> finerLevels(FinerLevels finer, const volume::Volume& 
                                        const volume::ReadOptions& read, std::vector<std::string>& notices) {
     const auto store = std::make_shared<volume::StoreBricks>(scan.path, read);
     if (!field::brickGrid(store->levels().front(), scan.geometry, finer.options.side)) {
-        notices.push_back(fmt::format("{}: its levels do not lie along the same axes, so pictures show level {} "
-                                      "only",
-                                      scan.path.string(), read.level.value_or(0)));
+        notices.push_back(
+            fmt::format("{}: its levels do not lie along the same axes, so pictures show level {} "
+                        "only",
+                        scan.path.string(), read.level.value_or(0)));
         return {};
     }
     finer.source = store;
     finer.extremes = store->extremes();
     if (!finer.extremes) {
-        notices.push_back(fmt::format("{}: what is where in its finer levels is not known before they are read, "
-                                      "so pictures of them take long; vstudio convert makes a store that says it",
-                                      scan.path.string()));
+        notices.push_back(
+            fmt::format("{}: what is where in its finer levels is not known before they are read, "
+                        "so pictures of them take long; vstudio convert makes a store that says it",
+                        scan.path.string()));
     }
     return finer;
 }
@@ -134,7 +138,8 @@ std::optional<FinerLevels> finerLevels(const volume::Volume& scan, const volume:
     try {
         return finerLevels(std::move(finer), scan, read, notices);
     } catch (const Error& error) { // what is worked on has been read all the same
-        notices.push_back(fmt::format("{}; pictures show level {} only", error.what(), read.level.value_or(0)));
+        notices.push_back(
+            fmt::format("{}; pictures show level {} only", error.what(), read.level.value_or(0)));
         return {};
     }
 }

@@ -40,7 +40,7 @@ std::size_t memoryOf(const std::string& text, const std::string& what);
 // Levels of a scan that are finer than the one that is worked on.
 struct FinerLevels {
     std::shared_ptr<const volume::BrickSource> source; // null: the document's own volume
-    std::optional<volume::CellExtremes> extremes; // of the finest
+    std::optional<volume::CellExtremes> extremes;      // of the finest
     field::DetailOptions options;
 };
 
@@ -49,9 +49,9 @@ struct FinerLevels {
 std::optional<int> levelToWorkOn(const std::filesystem::path& path, const volume::ReadOptions& options,
                                  Storage storage, const MemoryBudgets& budgets);
 
-// The levels of a scan's store that are finer than what was read with these options; with Storage::Bricks that
-// one too, and that of any other volume; with Storage::Dense none. Notices are appended, also where they cannot be had: the
-// scan is there without them.
+// The levels of a scan's store that are finer than what was read with these options; with Storage::Bricks
+// that one too, and that of any other volume; with Storage::Dense none. Notices are appended, also where they
+// cannot be had: the scan is there without them.
 std::optional<FinerLevels> finerLevels(const volume::Volume& scan, const volume::ReadOptions& read,
                                        Storage storage, const MemoryBudgets& budgets,
                                        std::vector<std::string>& notices);

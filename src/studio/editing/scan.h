@@ -26,11 +26,11 @@ struct Scan {
     volume::Volume volume;
     field::Field field;
     std::unique_ptr<field::Detail> detail; // finer levels of it, which pictures show; null: there are none
-    std::vector<std::uint32_t> histogram; // voxel counts in equal bins over volume.usual, at most 256
-    Range shown;                          // the displayed range to begin with
-    FirstLook firstLook;                  // as the window shows it to begin with
-    Range grey;                           // the values that cut faces show from black to white
-    Range slices;                         // the values that slices show so, where nobody chose others
+    std::vector<std::uint32_t> histogram;  // voxel counts in equal bins over volume.usual, at most 256
+    Range shown;                           // the displayed range to begin with
+    FirstLook firstLook;                   // as the window shows it to begin with
+    Range grey;                            // the values that cut faces show from black to white
+    Range slices;                          // the values that slices show so, where nobody chose others
 };
 
 } // namespace vs::studio

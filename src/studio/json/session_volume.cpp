@@ -133,7 +133,7 @@ volume::Volume openVolume(const Session& session, const std::filesystem::path& s
         replacement ? *replacement
                     : (session.volumePath.is_absolute() || volume::isWebAddress(session.volumePath)
                            ? session.volumePath
-                                                        : sessionPath.parent_path() / session.volumePath);
+                           : sessionPath.parent_path() / session.volumePath);
     volume::ReadOptions options = optionsFor(session, overrides, path, replacement.has_value());
     const auto tell = [&] {
         if (used != nullptr) {

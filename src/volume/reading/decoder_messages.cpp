@@ -273,7 +273,9 @@ struct RequestPacker {
         return {{"box", request.level}, {"lo", packed(request.box.lo)}, {"hi", packed(request.box.hi)}};
     }
     Json operator()(const ExtremesRequest& /*request*/) const { return {{"extremes", true}}; }
-    Json operator()(const DescriptionRequest& request) const { return {{"description", request.path.string()}}; }
+    Json operator()(const DescriptionRequest& request) const {
+        return {{"description", request.path.string()}};
+    }
     Json operator()(const FilesRequest& request) const {
         Json json = (*this)(request.of);
         json["files"] = true;

@@ -59,8 +59,8 @@ struct FilesRequest {
     BoxRequest of;
     bool isOfExtremes = false;
 };
-using DecoderRequest = std::variant<DecodeRequest, PictureRequest, SegmentationRequest, LevelsRequest, BoxRequest,
-                                    ExtremesRequest, DescriptionRequest, FilesRequest>;
+using DecoderRequest = std::variant<DecodeRequest, PictureRequest, SegmentationRequest, LevelsRequest,
+                                    BoxRequest, ExtremesRequest, DescriptionRequest, FilesRequest>;
 
 // How far the decoder is; nothing: that is not known.
 struct DecodeShare {
@@ -90,8 +90,8 @@ struct OpenedLevels {
     std::vector<GridGeometry> grids; // the finest first
     ScalarType type = ScalarType::UInt8;
 };
-// What a box or the extremes are, whose bytes follow: of extremes also how they lie (CellExtremes), or no bytes
-// where the store has none.
+// What a box or the extremes are, whose bytes follow: of extremes also how they lie (CellExtremes), or no
+// bytes where the store has none.
 struct SentValues {
     std::uint64_t bytes = 0;
     int side = 0;
@@ -100,8 +100,8 @@ struct SentValues {
 struct FileNames {
     std::vector<std::string> names;
 };
-using DecoderAnswer = std::variant<DecodeShare, DecodeRefusal, DecodedVolume, DecodedPicture, MadeSegmentation,
-                                   OpenedLevels, SentValues, FileNames>;
+using DecoderAnswer = std::variant<DecodeShare, DecodeRefusal, DecodedVolume, DecodedPicture,
+                                   MadeSegmentation, OpenedLevels, SentValues, FileNames>;
 
 MessageBytes pack(const DecoderRequest& request);
 MessageBytes pack(const DecoderAnswer& answer);

@@ -18,8 +18,8 @@ bool hasLevels(const std::filesystem::path& path);
 
 class WebStore;
 
-// A store of OME-Zarr, on the disk or on a web server, whose boxes are read by decoders (decision 0030) that stay for as long as this object:
-// as many as threads ask at once.
+// A store of OME-Zarr, on the disk or on a web server, whose boxes are read by decoders (decision 0030) that
+// stay for as long as this object: as many as threads ask at once.
 class StoreBricks : public BrickSource {
 public:
     // `channel` and `frame` of the options are chosen; `level` counts for nothing. Throws ReadError.

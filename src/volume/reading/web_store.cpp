@@ -19,6 +19,7 @@
 #include <array>
 #include <atomic>
 #include <cctype>
+#include <cstdlib>
 #include <fstream>
 #include <iterator>
 #include <map>
@@ -30,8 +31,9 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t kMostCached = std::uintmax_t(10) << 30; // bytes that all stores may have in the cache
-constexpr std::size_t kAtOnce = 1000;                            // files that one curl is asked for
+constexpr std::uintmax_t kMostCached = std::uintmax_t(10)
+                                       << 30; // bytes that all stores may have in the cache
+constexpr std::size_t kAtOnce = 1000;         // files that one curl is asked for
 constexpr const char* kMissing = ".volume-studio-missing";
 
 fs::path cacheOfStores() { return cacheFolder() / "volume-studio" / "stores"; }
@@ -65,6 +67,12 @@ std::string quoted(const std::string& text) {
         out += c == '"' || c == '\\' ? std::string("\\") + c : std::string(1, c);
     }
     return out + "\"";
+}
+
+// For how many seconds a server may do nothing. VOLUME_STUDIO_WEB_SECONDS says otherwise, for tests.
+std::string patience() {
+    const char* said = std::getenv("VOLUME_STUDIO_WEB_SECONDS");
+    return said != nullptr ? said : "20";
 }
 
 // What a program writes to its standard output until it ends. Throws GivenUp.
@@ -258,10 +266,32 @@ void WebStore::fetchAll(const std::vector<std::string>& names) {
                 << '\n';
         }
     }
-    const auto answers = answersOf(outputOf(
-        {"curl", "--disable", "--silent", "--globoff", "--parallel", "--parallel-max", "16", "--proto", "=http,https",
-         "--location", "--max-redirs", "5", "--connect-timeout", "10", "--speed-limit", "1", "--speed-time", "20",
-         "--retry", "1", "--write-out", "%{http_code} %{exitcode} %{urlnum}\\n", "--config", orders.string()}));
+    const auto answers = answersOf(outputOf({"curl",
+                                             "--disable",
+                                             "--silent",
+                                             "--globoff",
+                                             "--parallel",
+                                             "--parallel-max",
+                                             "16",
+                                             "--proto",
+                                             "=http,https",
+                                             "--location",
+                                             "--max-redirs",
+                                             "5",
+                                             "--proto-redir",
+                                             "=http,https",
+                                             "--connect-timeout",
+                                             patience(),
+                                             "--speed-limit",
+                                             "1",
+                                             "--speed-time",
+                                             patience(),
+                                             "--retry",
+                                             "1",
+                                             "--write-out",
+                                             "%{http_code} %{exitcode} %{urlnum}\\n",
+                                             "--config",
+                                             orders.string()}));
     std::error_code ignored;
     fs::remove(orders, ignored);
     std::vector<std::string> missing;

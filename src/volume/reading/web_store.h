@@ -9,13 +9,13 @@
 
 namespace vs::volume {
 
-// A store on a web server, as a folder on the disk in which its files appear when they are asked for, and stay:
-// the next time they need not be fetched. Files are fetched by the program `curl`, several at once; what the
-// server does not have is remembered. Threads may call it at once. Internal to this folder.
+// A store on a web server, as a folder on the disk in which its files appear when they are asked for, and
+// stay: the next time they need not be fetched. Files are fetched by the program `curl`, several at once;
+// what the server does not have is remembered. Threads may call it at once. Internal to this folder.
 class WebStore {
 public:
-    // Fetches nothing yet, but forgets what was kept of a store whose description `description` (a file of it)
-    // has become another. Throws ReadError.
+    // Fetches nothing yet, but forgets what was kept of a store whose description `description` (a file of
+    // it) has become another. Throws ReadError.
     WebStore(std::string address, const std::string& description);
 
     [[nodiscard]] const std::filesystem::path& folder() const { return folder_; }

@@ -50,7 +50,8 @@ private:
     }
 };
 
-// The files that describe the arrays of a store, of whose files only .zattrs need be there: names in the store.
+// The files that describe the arrays of a store, of whose files only .zattrs need be there: names in the
+// store.
 std::vector<std::string> descriptionFiles(const std::filesystem::path& path);
 
 // The names of its channels as messages list them: ": 0 DAPI, 1 actin".

@@ -60,7 +60,8 @@ void widen(T value, T& lo, T& hi) {
 }
 
 template <typename T>
-void addCells(std::byte* bytes, glm::ivec3 cells, glm::ivec3 first, int side, const Box3& box, const T* values) {
+void addCells(std::byte* bytes, glm::ivec3 cells, glm::ivec3 first, int side, const Box3& box,
+              const T* values) {
     auto* ranges = reinterpret_cast<T*>(bytes);
     const glm::ivec3 size = box.size();
     forEachVoxel({glm::ivec3(0), divideUp(size, side)}, [&](glm::ivec3 cell, std::size_t) {
@@ -69,15 +70,17 @@ void addCells(std::byte* bytes, glm::ivec3 cells, glm::ivec3 first, int side, co
         const Box3 inBox = intersect({cell * side, (cell + 1) * side}, {glm::ivec3(0), size});
         for (int z = inBox.lo.z; z < inBox.hi.z; ++z) {
             for (int y = inBox.lo.y; y < inBox.hi.y; ++y) {
-                const T* row = values + (std::size_t(z) * std::size_t(size.y) + std::size_t(y)) * std::size_t(size.x);
+                const T* row =
+                    values + (std::size_t(z) * std::size_t(size.y) + std::size_t(y)) * std::size_t(size.x);
                 for (int x = inBox.lo.x; x < inBox.hi.x; ++x) {
                     widen(row[x], lo, hi);
                 }
             }
         }
         const glm::ivec3 at = first + cell;
-        T* out = ranges + 2 * ((std::size_t(at.z) * std::size_t(cells.y) + std::size_t(at.y)) * std::size_t(cells.x) +
-                               std::size_t(at.x));
+        T* out = ranges +
+                 2 * ((std::size_t(at.z) * std::size_t(cells.y) + std::size_t(at.y)) * std::size_t(cells.x) +
+                      std::size_t(at.x));
         out[0] = lo;
         out[1] = hi;
     });
@@ -111,7 +114,8 @@ int extremesSide(glm::ivec3 dims, int chunk) {
     return chunk % side == 0 ? side : 0;
 }
 
-ZarrArray extremesArray(const std::filesystem::path& store, const ZarrArray& finest, glm::ivec3 dims, int side) {
+ZarrArray extremesArray(const std::filesystem::path& store, const ZarrArray& finest, glm::ivec3 dims,
+                        int side) {
     const glm::ivec3 cells = divideUp(dims, side);
     ZarrArray array;
     array.folder = store / "ranges";
@@ -159,8 +163,9 @@ std::optional<CellExtremes> readExtremes(const Multiscales& store) {
         const std::size_t slices = std::size_t(std::min(deep, cells.z - n * deep));
         if (values) {
             visitType(*type, [&]<typename T>(const T*) {
-                takePairs<T>(*values, std::span(all.ranges)
-                                          .subspan(std::size_t(n) * std::size_t(deep) * perSlice, slices * perSlice));
+                takePairs<T>(*values,
+                             std::span(all.ranges)
+                                 .subspan(std::size_t(n) * std::size_t(deep) * perSlice, slices * perSlice));
             });
         }
     });

@@ -11,21 +11,22 @@
 // levels (axes z, y, x and lo, hi): what can be seen where is known from them before any voxel is read.
 namespace vs::volume {
 
-// As which stores keep values of a type.
+// How stores keep values of a type.
 StoredType storedTypeOf(ScalarType type);
 
-// Voxels along each side of a cell of a level in chunks of so many: a power of two that divides them, as small
-// as some tens of millions of cells allow. 0: there is none.
+// Voxels along each side of a cell of a level in chunks of so many: a power of two that divides them, as
+// small as some tens of millions of cells allow. 0: there is none.
 int extremesSide(glm::ivec3 dims, int chunk);
 
 // The array of such cells in a store of values of a type. Its chunks are as deep as those of the level, and
 // have all cells of a slice.
-ZarrArray extremesArray(const std::filesystem::path& store, const ZarrArray& finest, glm::ivec3 dims, int side);
+ZarrArray extremesArray(const std::filesystem::path& store, const ZarrArray& finest, glm::ivec3 dims,
+                        int side);
 
 // The extremes of a slab of chunks, gathered chunk by chunk, by several threads at once.
 class SlabExtremes {
 public:
-    // Of the chunks of a level from slice `firstZ` on.
+    // The slab is that of the chunks from slice `firstZ` on.
     SlabExtremes(const ZarrArray& extremes, ScalarType type, int side, int firstZ);
 
     // The values of a box of the slab, whose lower corner is a cell's.

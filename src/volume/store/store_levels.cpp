@@ -64,8 +64,6 @@ std::vector<std::byte> StoreLevels::read(int level, const Box3& box) const {
     return std::move(part.bytes);
 }
 
-std::optional<CellExtremes> StoreLevels::extremes() const {
-    return readExtremes(store_);
-}
+std::optional<CellExtremes> StoreLevels::extremes() const { return readExtremes(store_); }
 
 } // namespace vs::volume

@@ -75,7 +75,8 @@ public:
         }
         StoreFacts facts = source_.facts;
         facts.reducing = layout_.reducing == Reducing::Mean ? "mean" : "commonest";
-        writeStoreFile(store_.path / ".zattrs", multiscalesJson(facts, grids, store_.extremes ? store_.extremes->side : 0));
+        writeStoreFile(store_.path / ".zattrs",
+                       multiscalesJson(facts, grids, store_.extremes ? store_.extremes->side : 0));
         progress_.finish();
     }
 
@@ -87,7 +88,8 @@ private:
         const int atOnce = 4 * processorCount();
         std::optional<SlabExtremes> extremes;
         if (level == 0 && store_.extremes) {
-            extremes.emplace(store_.extremes->array, source_.type, store_.extremes->side, slab * layout_.chunk);
+            extremes.emplace(store_.extremes->array, source_.type, store_.extremes->side,
+                             slab * layout_.chunk);
         }
         for (int first = 0; first < count; first += atOnce) {
             // A slab of the finest level costs about eight times one of the next.
@@ -97,7 +99,8 @@ private:
             });
         }
         if (extremes) {
-            writeOrRemove(store_.extremes->array, std::array<std::int64_t, 4>{slab, 0, 0, 0}, extremes->bytes());
+            writeOrRemove(store_.extremes->array, std::array<std::int64_t, 4>{slab, 0, 0, 0},
+                          extremes->bytes());
         }
     }
 

@@ -38,12 +38,26 @@ struct AnswerCheck {
         require(picture.size.x >= 1 && picture.size.y >= 1, "a picture without pixels");
     }
     void operator()(const MadeSegmentation&) const {}
+    void operator()(const OpenedLevels& opened) const {
+        require(!opened.grids.empty(), "a store without levels");
+        for (const GridGeometry& grid : opened.grids) {
+            requireSound(grid);
+        }
+        require(opened.type >= ScalarType::UInt8 && opened.type <= ScalarType::Float32, "an unknown type");
+    }
+    void operator()(const SentValues&) const {} // StoreBricks compares them with what was asked for
+    void operator()(const FileNames&) const {}  // and these with what may be fetched
 };
 
 struct RequestCheck {
     void operator()(const DecodeRequest&) const {}
     void operator()(const PictureRequest&) const {}
     void operator()(const SegmentationRequest& request) const { requireSound(request.order.geometry); }
+    void operator()(const LevelsRequest&) const {}
+    void operator()(const BoxRequest&) const {} // StoreLevels refuses boxes that lead out of a level
+    void operator()(const ExtremesRequest&) const {}
+    void operator()(const DescriptionRequest&) const {}
+    void operator()(const FilesRequest&) const {}
 };
 
 // A message that is taken is sound, and says the same when it is written again.

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Pictures from bricks beside those of the same volume in one texture, whatever the bricks' size, the room for
-// them and the order in which they come; and what is seen of a level that is finer than the scene's.
+// Pictures from bricks beside those of the same volume in one texture, whatever the bricks' size, the room
+// for them and the order in which they come; and what is seen of a level that is finer than the scene's.
 #include "base/error.h"
 #include "field/bricks/detail.h"
 #include "field/finer_cells.h"
@@ -25,7 +25,8 @@ namespace {
 using BricksTest = test::GlTest;
 using test::Stage;
 
-// A few soft balls of any brightness: smooth, so that a hair in where a sample lies is a hair in what is seen.
+// A few soft balls of any brightness: smooth, so that a hair in where a sample lies is a hair in what is
+// seen.
 volume::Volume drawVolume(int seed, volume::ScalarType type) {
     std::mt19937 random{std::mt19937::result_type(seed)};
     const auto upTo = [&](int n) { return double(random() % unsigned(n)); };
@@ -49,16 +50,15 @@ volume::Volume drawVolume(int seed, volume::ScalarType type) {
             return std::min(value, 127.0);
         },
         {1 + upTo(10) / 10, 1, 1 + upTo(10) / 10});
-    volume.geometry.worldFromVoxel = glm::rotate(glm::dmat4(1), upTo(60) / 10, glm::dvec3(1, 2, 3)) *
-                                     volume.geometry.worldFromVoxel;
+    volume.geometry.worldFromVoxel =
+        glm::rotate(glm::dmat4(1), upTo(60) / 10, glm::dvec3(1, 2, 3)) * volume.geometry.worldFromVoxel;
     return volume;
 }
 
 // Reads late, each box by another time.
 class LateBricks : public volume::VolumeBricks {
 public:
-    LateBricks(const volume::Volume& volume, int seed)
-        : VolumeBricks(volume, volume.geometry), seed_(seed) {}
+    LateBricks(const volume::Volume& volume, int seed) : VolumeBricks(volume, volume.geometry), seed_(seed) {}
     [[nodiscard]] std::vector<std::byte> read(int level, const Box3& box) const override {
         const unsigned hash = unsigned(seed_ + box.lo.x * 7 + box.lo.y * 131 + box.lo.z * 1031) * 2654435761U;
         std::this_thread::sleep_for(std::chrono::microseconds(hash >> 22));
@@ -110,7 +110,8 @@ TEST_F(BricksTest, PicturesAreThoseOfOneTexture) {
         const int fewest = fewestBricks(stage.volume.geometry.dims, side);
         options.deviceBytes = bytesFor(fewest + *test::below(60), side, type);
         options.hostBytes = bytesFor(1 + *test::below(100), side, type);
-        field::Detail detail(std::make_shared<LateBricks>(stage.volume, seed), stage.volume.geometry, options);
+        field::Detail detail(std::make_shared<LateBricks>(stage.volume, seed), stage.volume.geometry,
+                             options);
         stage.frame.detail = &detail;
         const auto inBricks = stage.picture(mode);
         stage.frame.detail = nullptr;
@@ -147,12 +148,14 @@ TEST_F(BricksTest, SlicesAreThoseOfOneTexture) {
     }
 }
 
-// The volume and one of half its resolution, or less along some axes; bricks of the finer one can be made unreadable.
+// The volume and one of half its resolution, or less along some axes; bricks of the finer one can be made
+// unreadable.
 class TwoLevels : public volume::BrickSource {
 public:
     explicit TwoLevels(const volume::Volume& fine, glm::ivec3 by = glm::ivec3(2))
-        : fine_(fine), coarse_(volume::reduced(fine, by, volume::Reducing::Mean)),
-          levels_{fine.geometry, coarse_.geometry} {}
+        : fine_(fine), coarse_(volume::reduced(fine, by, volume::Reducing::Mean)), levels_{fine.geometry,
+                                                                                           coarse_.geometry} {
+    }
 
     [[nodiscard]] const std::vector<volume::GridGeometry>& levels() const override { return levels_; }
     [[nodiscard]] volume::ScalarType type() const override { return fine_.type; }
@@ -279,7 +282,8 @@ TEST_F(BricksTest, FinerCellsHoldWhatSamplesFind) {
         extremes.cells = divideUp(fine.geometry.dims, extremes.side);
         forEachVoxel({glm::ivec3(0), extremes.cells}, [&](glm::ivec3 cell, std::size_t) {
             glm::vec2 range(1e9F, -1e9F);
-            const Box3 box = intersect({cell * extremes.side, (cell + 1) * extremes.side}, fine.geometry.box());
+            const Box3 box =
+                intersect({cell * extremes.side, (cell + 1) * extremes.side}, fine.geometry.box());
             forEachVoxel(box, [&](glm::ivec3 v, std::size_t) {
                 const float value = float(fine.at(v));
                 range = {std::min(range.x, value), std::max(range.y, value)};

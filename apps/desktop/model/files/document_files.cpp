@@ -30,9 +30,9 @@ sculpt::Precision precisionOf(const Loaded& loaded) {
 }
 
 std::unique_ptr<studio::Document> documentOf(Loaded& loaded) {
-    auto document = loaded.state
-                        ? std::make_unique<studio::Document>(std::move(loaded.volume), std::move(*loaded.state))
-                        : std::make_unique<studio::Document>(std::move(loaded.volume), precisionOf(loaded));
+    auto document =
+        loaded.state ? std::make_unique<studio::Document>(std::move(loaded.volume), std::move(*loaded.state))
+                     : std::make_unique<studio::Document>(std::move(loaded.volume), precisionOf(loaded));
     studio::showFinerLevels(*document, loaded.finer, loaded.notices);
     return document;
 }

@@ -21,7 +21,8 @@ VSTUDIO = sys.argv.pop(1)
 # A fault for each stage that a shader has a part in: the shader, what stands in it, and what is put there.
 FAULTS = {
     "order of work": ("gl/shaders/fill_words.comp", "] = value", "] = value | 1u"),
-    "sampling between voxels": ("field/shaders/scene.glsl", "storedAt(p) * dataScale().x", "storedAt(p) * 0.999 * dataScale().x"),
+    "sampling between voxels": ("field/shaders/scene.glsl", "storedAt(sampledFromVoxel(p)) * storedScale().x",
+                                "storedAt(sampledFromVoxel(p)) * 0.999 * storedScale().x"),
     "intensity histogram": ("field/shaders/count_histogram.comp", "(value - valueRange.x) * scale)",
                             "(value - valueRange.x) * scale + 0.05)"),
     "gradient magnitudes": ("field/shaders/count_gradients.comp", "(0.5 * vec3(right", "(0.501 * vec3(right"),
@@ -48,6 +49,7 @@ FAULTS = {
     "islands and solids": ("sculpt/shaders/cut_islands.comp", "lessThanEqual(abs(offset), ivec2(1))", "lessThanEqual(abs(offset), ivec2(0))"),
     "pasted parts": ("render/shaders/seen.glsl", "one.front = other.front.a > one.front.a ? other.front : one.front;", ""),
     "light": ("render/shaders/average_occlusion.comp", "kInTheWay = 0.6", "kInTheWay = 0.5"),
+    "bricks": ("field/shaders/bricks.glsl", "+ inBrick + 0.5)", "+ inBrick + 0.6)"),
     "slices": ("render/shaders/draw_slice.comp", "(1.0 - f.x) * (1.0 - f.y)", "0.97 * (1.0 - f.x) * (1.0 - f.y)"),
 }
 WITHOUT_SHADER = {"upload and read-back"}

@@ -15,7 +15,7 @@ import third_party  # noqa: E402
 PROGRAMS = ["vstudio", "volume-studio", "volume-studio-decoder"]
 # The compiler's and the system's own headers; what they make of a program is linked from libc6, libgcc-s1 and libstdc++6.
 TOOLCHAIN = re.compile(r"(lib(c6|stdc\+\+-\d+|gcc-\d+|crypt)-dev|linux-libc-dev)$")
-LICENCE = re.compile(r"[A-Z0-9][\w.+-]*( WITH [\w.-]+)?( (AND|OR) [A-Z0-9][\w.+-]*( WITH [\w.-]+)?)*$|libpng-2\.0$|libtiff$")
+LICENCE = re.compile(r"[A-Z0-9][\w.+-]*( WITH [\w.-]+)?( (AND|OR) [A-Z0-9][\w.+-]*( WITH [\w.-]+)?)*$|libpng-2\.0$|libtiff$|curl$")
 
 
 def expect(condition, message):

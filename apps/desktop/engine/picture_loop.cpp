@@ -22,6 +22,7 @@ constexpr double kLeastShare = 0.35; // of a frame for its rays, however much el
 constexpr double kSegmentsMs = 25;   // a draft, to smooth what grew
 constexpr double kHurriedSegmentsMs = 3;
 constexpr double kCalmMs = 180;      // longer than the pauses within a hand's movement
+constexpr double kPartMs = 500;      // between looks at a picture that waits for bricks
 constexpr double kLongPassMs = 1000; // from then on a person is told how far a picture is
 
 glm::ivec2 sizeOf(const QImage& image) { return {image.width(), image.height()}; }
@@ -146,6 +147,9 @@ void PictureLoop::advance(double budgetMs) {
         if (samples > 0 && (samples >= 2 * samplesShown_ || caster_.isComplete())) {
             show();
             samplesShown_ = samples;
+        } else if (samples == 0 && caster_.squaresAwaited() > 0 && sincePart_.milliseconds() > kPartMs &&
+                   !shown_.image.isNull()) {
+            showPixelsDone();
         }
         if (caster_.isComplete()) {
             finishFull();
@@ -194,6 +198,7 @@ void PictureLoop::begin(Pass pass) {
     startedViewport_ = viewport_;
     isFullDone_ = false;
     samplesShown_ = 0;
+    sincePart_ = Timer();
     prepareMs_ = passMs_ = timer.milliseconds();
     passShare_ = 0;
     if (pixels_.isEmpty()) {
@@ -268,6 +273,23 @@ void PictureLoop::show() {
     }
     shown_.content = sizeOf(shown_.image) == viewport_ ? content_ : std::nullopt;
     ++pictures_;
+}
+
+// While bricks of finer levels come: over what is shown, the pixels that have all of theirs.
+void PictureLoop::showPixelsDone() {
+    image::Image picture;
+    run_([&] { picture = caster_.readPixelsDone(); });
+    const QImage seen(picture.rgba.data(), picture.width, picture.height, qsizetype(4) * picture.width,
+                      QImage::Format_RGBA8888);
+    if (sizeOf(shown_.image) != viewport_) { // a draft of fewer pixels
+        shown_.image =
+            shown_.image.scaled(viewport_.x, viewport_.y, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
+    }
+    const glm::ivec2 corner = window_ ? window_->lo : glm::ivec2(0);
+    QPainter(&shown_.image).drawImage(QPoint(corner.x, corner.y), seen);
+    shown_.content.reset(); // no later picture goes on from what is fine in parts
+    ++pictures_;
+    sincePart_ = Timer();
 }
 
 void PictureLoop::finishDraft() {

@@ -94,6 +94,7 @@ private:
     void takeOver();
     void advance(double budgetMs);
     void show();
+    void showPixelsDone();
     void finishDraft();
     void finishFull();
     [[nodiscard]] double segmentsMs() const;
@@ -122,6 +123,7 @@ private:
     double besideMs_ = 0;    // charged since the last draft began
     double meanBesideMs_ = 0;
     int samplesShown_ = 0;
+    Timer sincePart_; // of a picture that waits for bricks was shown
     int pictures_ = 0;
 
     Picture shown_;

@@ -79,8 +79,7 @@ ViewBlock viewBlock(const ViewRays& rays, const volume::GridGeometry& geometry) 
 }
 
 RayCaster::RayCaster()
-    : resolve_("render/shaders/resolve_picture.comp"), findBeams_("render/shaders/find_beams.comp"),
-      fillFilm_("render/shaders/fill_film.comp"),
+    : findBeams_("render/shaders/find_beams.comp"), fillFilm_("render/shaders/fill_film.comp"),
       segmentColours_(glm::ivec2(256, 1), gl::Format::RGBA32F, gl::Filter::Nearest, "segment colours") {}
 
 void RayCaster::start(const Frame& frame) {
@@ -379,13 +378,18 @@ void RayCaster::render(const Frame& frame) {
 }
 
 const gl::Texture& RayCaster::picture() {
+    resolve(resolve_.with({}));
+    return picture_;
+}
+
+void RayCaster::resolve(gl::Program& program) {
     const gl::Pass pass("resolve picture");
     accumulation_.bindImage(kAccumulationImage, gl::Access::Read);
     picture_.bindImage(kPictureImage, gl::Access::Write);
     const Background& background = frame_.background;
     squares_.bindPlaces();
     const int shown = isLastStage() ? square_ : 0;
-    resolve_.set("window", glm::vec4(window().lo, window().hi))
+    program.set("window", glm::vec4(window().lo, window().hi))
         .set("progress", glm::ivec3(sample_, shown, squares_.occupied()))
         .set("isFilmAhead", stage_ > 0 || square_ > 0 ? 1 : 0)
         .set("isTransparent", background.isTransparent ? 1 : 0)
@@ -395,14 +399,24 @@ const gl::Texture& RayCaster::picture() {
         .set("settled", glm::ivec2(squares_.active(), kSettling))
         .set("backgroundTop", glm::vec4(background.top, 0.0F))
         .set("backgroundBottom", glm::vec4(background.bottom, 0.0F));
-    resolve_.dispatchOver({window().size(), 1}, gl::Barrier::All);
-    return picture_;
+    program.dispatchOver({window().size(), 1}, gl::Barrier::All);
 }
 
 image::Image RayCaster::readPicture() {
+    picture();
+    return downloaded();
+}
+
+image::Image RayCaster::readPixelsDone() {
+    rounds_.bindImage(kRoundsImage, gl::Access::Read);
+    resolve(resolve_.with({{"PIXELS_DONE", "1"}}));
+    return downloaded();
+}
+
+image::Image RayCaster::downloaded() const {
     const Box2 window = this->window();
     image::Image out(window.size().x, window.size().y);
-    const auto texels = picture().download({glm::ivec3(window.lo, 0), glm::ivec3(window.hi, 1)});
+    const auto texels = picture_.download({glm::ivec3(window.lo, 0), glm::ivec3(window.hi, 1)});
     std::transform(texels.begin(), texels.end(), out.rgba.begin(),
                    [](std::byte b) { return std::uint8_t(b); });
     return out;

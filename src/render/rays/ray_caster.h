@@ -130,6 +130,11 @@ public:
     const gl::Texture& picture();
     // Downloaded: of the window's size where there is one.
     image::Image readPicture();
+    // While rays of a picture of one part wait for bricks: how many squares of pixels do, 0 for none.
+    [[nodiscard]] int squaresAwaited() const { return hasParts() ? 0 : awaited_; }
+    // What there is of the first sample meanwhile: the pixels whose rays have all they need; the others are
+    // transparent.
+    image::Image readPixelsDone();
 
 private:
     // What is drawn where: the pasted parts, the segments that are pulled out, and last what remains.
@@ -170,6 +175,8 @@ private:
     void listSquares();
     void listPartSquares();
     void boundSlabs();
+    void resolve(gl::Program& program);
+    [[nodiscard]] image::Image downloaded() const;
     [[nodiscard]] bool hasFilm() const;
     void fillFilm();
 
@@ -203,7 +210,7 @@ private:
     gl::Texture seenGlass_; // and where some segment is translucent
     gl::Texture seenGlassDepth_;
     gl::ProgramVariants castRays_{"render/shaders/cast_rays.comp"};
-    gl::Program resolve_;
+    gl::ProgramVariants resolve_{"render/shaders/resolve_picture.comp"};
     gl::ProgramVariants showParts_{"render/shaders/show_parts.comp"};
     gl::Program findBeams_;
     gl::Program fillFilm_;

@@ -1,6 +1,7 @@
 // Divides the accumulated samples by their number. In: image 0 (rgba32f) sums of display colours and coverage
 // (a). Out: image 1 (rgba8) the picture; a 1, or on nothing the coverage, with colours that are not
-// multiplied by it.
+// multiplied by it. PIXELS_DONE: of the first sample, which is under way, those that have it: a 0 elsewhere.
+// variants: ;PIXELS_DONE=1
 layout(local_size_x = 8, local_size_y = 8) in;
 
 #include "render/shaders/shading.glsl"
@@ -8,6 +9,10 @@ layout(local_size_x = 8, local_size_y = 8) in;
 #include "render/shaders/bindings.glsl"
 layout(rgba32f, binding = kAccumulationImage) uniform readonly image2D accumulation;
 layout(rgba8, binding = kPictureImage) uniform writeonly image2D picture;
+
+#ifdef PIXELS_DONE
+layout(r32ui, binding = kRoundsImage) uniform readonly uimage2D rounds; // see cast_rays.comp
+#endif
 
 layout(std430, binding = kPlacesStorage) readonly buffer Places {
     uint places[];
@@ -58,6 +63,12 @@ void main() {
         return;
     }
     int place = placeOfSquareAt(pixel);
+#ifdef PIXELS_DONE
+    if (place < progress.z && imageLoad(rounds, pixel).r == 0u) {
+        imageStore(picture, pixel, vec4(0.0));
+        return;
+    }
+#endif
     vec4 sum = imageLoad(accumulation, pixel);
     float samples = max(samplesAt(place), 1.0);
     if (isBare != 0 && place >= progress.z) {

@@ -66,5 +66,6 @@ void checkParts(Tally& tally);
 void checkLight(Tally& tally);
 // Slices show the values that lie in them.
 void checkSlices(Tally& tally);
+void checkBricks(Tally& tally);
 
 } // namespace vs::studio

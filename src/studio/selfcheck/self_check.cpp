@@ -40,6 +40,7 @@ constexpr StageCheck kStageChecks[] = {
     {"pasted parts", checkParts},
     {"light", checkLight},
     {"slices", checkSlices},
+    {"bricks", checkBricks},
 };
 
 } // namespace

@@ -7,6 +7,7 @@
 #include "render/slices/slice_renderer.h"
 
 #include <cmath>
+#include <memory>
 
 namespace vs::studio {
 
@@ -17,13 +18,14 @@ constexpr glm::dvec3 kBesideGrid = 255.0 * glm::dvec3(0.043, 0.051, 0.059);
 
 // Compares a slice with the values that lie under its pixels, each in a grey of the window.
 void compareSlice(Tally& tally, const volume::Volume& volume, const field::Field& field,
-                  const render::SliceView& view, bool isSmooth) {
+                  const render::SliceView& view, bool isSmooth, field::Detail* detail = nullptr) {
     render::SliceFrame frame;
     frame.scene.data = &field;
     frame.scene.displayedRange = volume.range;
     frame.window = kGreyWindow;
     frame.view = view;
     frame.isSmooth = isSmooth;
+    frame.detail = detail;
     render::SliceRenderer renderer;
     renderer.render(frame);
     const auto picture = renderer.readPicture();
@@ -68,6 +70,28 @@ void checkSlices(Tally& tally) {
                 compareSlice(tally, volume, field,
                              {kind, geometry.count() / 2, {1.3, -2.1}, 0.3 * all, {67, 45}}, isSmooth);
             }
+        }
+    }
+}
+
+// Slices again, but from bricks: of a volume's own level, which must look the same.
+void checkBricks(Tally& tally) {
+    for (const auto type :
+         {volume::ScalarType::UInt8, volume::ScalarType::Int16, volume::ScalarType::Float32}) {
+        auto volume = makeNoise({23, 17, 12}, type, 0, type == volume::ScalarType::UInt8 ? 200 : 220);
+        turnOblique(volume);
+        const auto field = field::uploadVolume(volume);
+        field::DetailOptions options;
+        options.side = 8;
+        options.hasOwnLevel = true;
+        options.deviceBytes = std::size_t(1) << 20;
+        field::Detail detail(std::make_shared<volume::VolumeBricks>(volume, volume.geometry), volume.geometry,
+                             options);
+        for (const auto kind : render::kSliceKinds) {
+            const render::SliceGeometry geometry(volume.geometry, kind);
+            const double all = render::pixelMmToShowAll(geometry, {67, 45});
+            compareSlice(tally, volume, field, {kind, geometry.count() / 2, {1.3, -2.1}, 0.3 * all, {67, 45}},
+                         true, &detail);
         }
     }
 }

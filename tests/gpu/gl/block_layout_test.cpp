@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: Apache-2.0
+#include "field/bricks/detail.h"
 #include "field/scene.h"
 #include "gl/embedded_shaders.h"
 #include "gl/program.h"
@@ -25,6 +26,7 @@ using BlockLayoutTest = test::GlTest;
 // Every uniform block of the project.
 const std::map<std::string, const BlockLayout*> kLayouts{
     {"SceneBlock", &field::kSceneBlockLayout},
+    {"BricksBlock", &field::kBricksBlockLayout},
     {"ViewBlock", &render::kViewBlockLayout},
     {"ClassificationBlock", &render::kClassificationBlockLayout},
     {"OcclusionBlock", &render::kOcclusionBlockLayout},

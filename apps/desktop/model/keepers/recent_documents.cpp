@@ -4,6 +4,7 @@
 #include "model/settings/settings.h"
 #include "model/texts/library_texts.h"
 #include "model/texts/texts.h"
+#include "volume/reading/read_volume.h"
 
 #include <QCoreApplication>
 #include <QCryptographicHash>
@@ -94,7 +95,9 @@ QString KnownDocument::name() const {
     return title.isEmpty() ? QFileInfo(QDir::cleanPath(path())).fileName() : title;
 }
 
-bool KnownDocument::isMissing() const { return !request.given && !QFileInfo::exists(path()); }
+bool KnownDocument::isMissing() const {
+    return !request.given && !volume::isWebAddress(pathOf(path())) && !QFileInfo::exists(path());
+}
 
 QString KnownDocument::key() const {
     const auto text = [](std::optional<int> count) { return count ? QString::number(*count) : QString(); };

@@ -3,6 +3,7 @@
 
 #include "model/studio/studio_controller.h"
 #include "studio/document/document_facts.h"
+#include "volume/reading/read_volume.h"
 
 #include <QCoreApplication>
 #include <QDir>
@@ -60,7 +61,9 @@ KnownDocument ThumbnailKeeper::present() const {
     KnownDocument known;
     known.request = studio_.files().source();
     for (auto* path : {&known.request.volume, &known.request.session}) {
-        *path = path->empty() ? *path : std::filesystem::absolute(*path).lexically_normal();
+        if (!path->empty() && !volume::isWebAddress(*path)) {
+            *path = std::filesystem::absolute(*path).lexically_normal();
+        }
     }
     if (known.isSession()) {
         known.scan = known.request.volume;

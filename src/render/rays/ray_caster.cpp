@@ -19,7 +19,6 @@ namespace {
 constexpr int kFewSquares = 256;     // no submission is shorter, but for what is left
 constexpr double kSubmissionMs = 25; // nor much longer than this
 constexpr glm::vec2 kCentre{0.5F, 0.5F};
-constexpr int kSettling = 2; // samples, after which some squares may take no more
 
 // Evenly spread places in a pixel: the R2 sequence (Roberts 2018, "The unreasonable effectiveness of
 // quasirandom sequences"), starting at the centre so that one sample is the plain picture.
@@ -121,9 +120,14 @@ void RayCaster::begin() {
     hasBegunSample_ = false;
     awaited_ = 0;
     squaresAtOnce_ = kAllSquares;
+    groupEnd_ = 0;
 }
 
 double RayCaster::share() const {
+    if (isInGroups()) {
+        const double ofGroups = double(groupBegin_) / std::max(squares_.active(), 1);
+        return glm::mix(double(kSettling), double(frame_.samples), ofGroups) / frame_.samples;
+    }
     double done = square_;
     double all = 0;
     for (std::size_t stage = 0; stage < stages(); ++stage) {
@@ -224,7 +228,8 @@ void RayCaster::setPicture(gl::Program& program) {
 }
 
 void RayCaster::setSample(gl::Program& program, int count) const {
-    program.set("squareRange", glm::ivec2(square_, count))
+    program
+        .set("squareRange", glm::ivec2(goesBackwards() ? endOfSquares() - square_ - count : square_, count))
         .set("pixelOffset", sample_ == 0 ? kCentre : placeInPixel(sample_))
         .set("addToPrevious", sample_ > 0 ? 1 : 0)
         .set("measuresContrast", frame_.endsEarly && sample_ == 1 ? 1 : 0);
@@ -318,7 +323,7 @@ void RayCaster::castSome(double milliseconds) {
         return;
     }
     double& pace = shows ? shownSquaresPerMs_ : parts_[stage_].squaresPerMs;
-    const int left = squaresOfStage(stage_) - square_;
+    const int left = endOfSquares() - square_;
     const int wanted = std::max(int(pace * std::min(milliseconds, kSubmissionMs)), kFewSquares);
     const int count = std::min({isRepeated ? awaited_ : wanted, left, squaresAtOnce_});
     const Timer submission;
@@ -335,6 +340,10 @@ void RayCaster::castSome(double milliseconds) {
 }
 
 void RayCaster::endStage() {
+    if (isInGroups()) {
+        endSampleOfGroup();
+        return;
+    }
     square_ = 0;
     if (!isLastStage()) {
         ++stage_;
@@ -346,6 +355,9 @@ void RayCaster::endStage() {
     if (frame_.endsEarly && sample_ == kSettling) {
         squares_.setSettledAside();
         listPartSquares();
+    }
+    if (frame_.detail != nullptr && !hasParts() && sample_ == kSettling && sample_ < frame_.samples) {
+        beginGroups();
     }
 }
 
@@ -359,11 +371,11 @@ bool RayCaster::renderSome(double budgetMs) {
         }
         beginStage();
         castSome(budgetMs - timer.milliseconds());
-        if (square_ == squaresOfStage(stage_)) {
+        if (square_ == endOfSquares()) {
             endStage();
         }
         // While pixels wait for bricks others have a sample more: a picture is shown of whole samples.
-        const bool isWhole = frame_.detail != nullptr && sample_ > sample;
+        const bool isWhole = frame_.detail != nullptr && sample_ > sample && !isInGroups();
         if (timer.milliseconds() >= budgetMs || isWhole) {
             break;
         }

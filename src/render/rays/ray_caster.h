@@ -122,7 +122,7 @@ public:
 
     [[nodiscard]] bool isComplete() const;
     // Samples per pixel that the picture holds everywhere so far.
-    [[nodiscard]] int completedSamples() const { return sample_; }
+    [[nodiscard]] int completedSamples() const { return isInGroups() ? kSettling : sample_; }
     // How much of the frame is done, 0 to 1.
     [[nodiscard]] double share() const;
     // The samples so far, averaged, as an RGBA8 texture of the frame's size; of its window alone, where it
@@ -198,6 +198,11 @@ private:
     bool missesBricks(const Part& part, int count);
     bool haveBricksCome(double milliseconds);
     bool makeDo();
+    void beginGroups();
+    void endSampleOfGroup();
+    [[nodiscard]] bool isInGroups() const { return groupEnd_ > 0; }
+    [[nodiscard]] bool goesBackwards() const;
+    [[nodiscard]] int endOfSquares() const { return isInGroups() ? groupEnd_ : squaresOfStage(stage_); }
     [[nodiscard]] double sampleStep() const;
     [[nodiscard]] int castRound() const;
     void clearSeen();
@@ -226,6 +231,9 @@ private:
     bool haveSomeCome_ = false;                 // since then
     Timer awaiting_;
     bool hasBegunSample_ = false;
+    static constexpr int kSettling = 2; // samples, after which some squares may take no more
+    int groupBegin_ = 0;                // squares that take all their other samples one after the other
+    int groupEnd_ = 0;                  // 0: all squares take one sample after the other
     gl::Texture picture_;
     Frame frame_;
     int sample_ = 0;

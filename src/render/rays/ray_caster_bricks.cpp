@@ -14,6 +14,8 @@ namespace {
 constexpr double kLookMs = 25;      // between looks whether something has been read
 constexpr double kTogetherMs = 100; // bricks that come one after the other are waited for
 
+constexpr int kSquaresOfGroup = 1024;
+
 } // namespace
 
 // A pixel asks for voxels as large as itself where it is nearest to the volume.
@@ -95,5 +97,38 @@ bool RayCaster::makeDo() {
     begin();
     return false;
 }
+
+// Where a picture needs more bricks than there is room for, each sample of all of it would read all of them
+// again. So, once it is known which squares need more than two samples, some squares take all of theirs
+// before the next do; the first two samples go forth and back, so that the second begins with bricks that are
+// there.
+void RayCaster::beginGroups() {
+    for (; sample_ < frame_.samples; ++sample_) {
+        if (hasFilm()) {
+            fillFilm();
+        }
+    }
+    groupBegin_ = 0;
+    groupEnd_ = std::min(kSquaresOfGroup, squares_.active());
+    sample_ = isInGroups() ? kSettling : frame_.samples;
+    hasBegunSample_ = true;
+}
+
+void RayCaster::endSampleOfGroup() {
+    ++sample_;
+    if (sample_ == frame_.samples && groupEnd_ == squares_.active()) {
+        groupEnd_ = 0;
+        square_ = 0;
+        return;
+    }
+    if (sample_ == frame_.samples) {
+        sample_ = kSettling;
+        groupBegin_ = groupEnd_;
+        groupEnd_ = std::min(groupBegin_ + kSquaresOfGroup, squares_.active());
+    }
+    square_ = groupBegin_;
+}
+
+bool RayCaster::goesBackwards() const { return frame_.detail != nullptr && !hasParts() && sample_ == 1; }
 
 } // namespace vs::render

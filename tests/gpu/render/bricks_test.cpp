@@ -91,7 +91,9 @@ TEST_F(BricksTest, PicturesAreThoseOfOneTexture) {
         const Mode mode = Mode(std::array{0, 1, 2, 5}[std::size_t(*test::below(4))]);
         stage.frame.scene.sampling =
             *test::below(4) == 0 ? field::Sampling::Tricubic : field::Sampling::Trilinear;
-        stage.frame.samples = 1 + *test::below(3);
+        stage.frame.samples = 1 + *test::below(5);
+        stage.frame.endsEarly = *test::coin();
+        stage.frame.background = backgroundFromName(*test::coin() ? "white" : "studio");
         Camera camera{double(*test::below(360)), double(*test::below(90)), 0.7 + 0.1 * *test::below(20)};
         camera.projection = *test::coin() ? Projection::Orthographic : Projection::Perspective;
         stage.look(camera, {120, 90});

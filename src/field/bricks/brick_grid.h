@@ -4,8 +4,8 @@
 #include "base/math.h"
 #include "volume/grid/geometry.h"
 
-#include <compare>
 #include <optional>
+#include <tuple>
 
 namespace vs::field {
 
@@ -13,7 +13,10 @@ namespace vs::field {
 struct BrickKey {
     int level = 0;
     int place = 0;
-    auto operator<=>(const BrickKey&) const = default;
+    bool operator==(const BrickKey&) const = default;
+    bool operator<(const BrickKey& other) const {
+        return std::tie(level, place) < std::tie(other.level, other.place);
+    }
 };
 
 // How a level is cut into bricks, and how its voxel space lies in that of a scene. A brick is looked up

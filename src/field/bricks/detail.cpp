@@ -48,7 +48,7 @@ std::size_t mostBricks(const std::vector<BrickGrid>& grids) {
 
 } // namespace
 
-Detail::Detail(std::shared_ptr<const volume::BrickSource> source, const volume::GridGeometry& scene,
+Detail::Detail(const std::shared_ptr<const volume::BrickSource>& source, const volume::GridGeometry& scene,
                const DetailOptions& options)
     : grids_(gridsOf(*source, scene, options)), reader_(source, grids_, options.hostBytes, options.threads),
       texels_(brickTexels(source->type())),

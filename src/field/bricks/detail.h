@@ -51,7 +51,7 @@ class Detail {
 public:
     // Levels of `source` that are finer than the scene's grid and lie as it does. Throws Error where there is
     // none, and GlError where the device has no room for the pool.
-    Detail(std::shared_ptr<const volume::BrickSource> source, const volume::GridGeometry& scene,
+    Detail(const std::shared_ptr<const volume::BrickSource>& source, const volume::GridGeometry& scene,
            const DetailOptions& options);
 
     // The coarsest level whose voxels are no larger than a pixel of so many steps of the scene, along all

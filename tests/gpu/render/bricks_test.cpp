@@ -297,7 +297,9 @@ TEST_F(BricksTest, FinerCellsHoldWhatSamplesFind) {
         // The voxels around samples in a cell, of both levels.
         const glm::ivec3 count = cells.cells.size();
         forEachVoxel({glm::ivec3(0), count}, [&](glm::ivec3 cell, std::size_t n) {
-            for (const auto& [volume, level] : {std::pair(&fine, &*grid), std::pair(&middle, &*ofMiddle)}) {
+            for (const auto& seen : {std::pair(&fine, &*grid), std::pair(&middle, &*ofMiddle)}) {
+                const volume::Volume* volume = seen.first;
+                const field::BrickGrid* level = seen.second;
                 const glm::dvec3 lo = glm::dvec3(cell * field::kCell) * level->perSceneVoxel + level->origin;
                 const glm::dvec3 hi =
                     glm::dvec3((cell + 1) * field::kCell) * level->perSceneVoxel + level->origin;

@@ -3,6 +3,7 @@
 
 #include "base/error.h"
 #include "field/bricks/non_finite.h"
+#include "volume/grid/visit_type.h"
 
 #include <algorithm>
 #include <chrono>
@@ -72,13 +73,6 @@ void repeatBorder(std::vector<std::byte>& texels, int side, glm::ivec3 filled, s
     for (auto z = std::size_t(filled.z); z < n; ++z) {
         std::memcpy(at(0, 0, z), at(0, 0, z - 1), n * n * texelBytes);
     }
-}
-
-template <typename F>
-void visitType(volume::ScalarType type, F&& f) {
-    volume::Volume none;
-    none.type = type;
-    volume::visit(none, std::forward<F>(f));
 }
 
 } // namespace
@@ -184,8 +178,9 @@ std::vector<std::byte> BrickReader::texelsOf(const BrickKey& key) {
         const Box3 box = grid.boxOf(from);
         const auto values =
             cache_.get({key.level, grid.placeOf(from)}, [&] { return source_->read(key.level, box); });
-        visitType(source_->type(),
-                  [&]<typename T>(const T*) { copyInto<T>(texels, side, *values, box, brick * grid.side); });
+        volume::visitType(source_->type(), [&]<typename T>(const T*) {
+            copyInto<T>(texels, side, *values, box, brick * grid.side);
+        });
     });
     const glm::ivec3 filled = glm::min(grid.dims - brick * grid.side, glm::ivec3(side));
     repeatBorder(texels, side, filled, texelBytes);

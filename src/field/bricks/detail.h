@@ -70,8 +70,8 @@ public:
     // Binds uniform block 4, textures 6 and 12 and storage 6: see field/shaders/bricks.glsl.
     void bind() const;
 
-    // After a dispatch: asks for what it missed, in the order of `distance` from the viewer that callers give
-    // for a place in the scene's voxel space. Returns how many bricks are missing.
+    // After a dispatch: asks for what it missed, what is nearest to the viewer first, whose place in the
+    // scene's voxel space that is. Returns how many bricks are missing.
     std::size_t endRound(glm::dvec3 viewerVoxel);
     // Puts what was read in its place, waiting up to so long for something. Returns whether anything changed.
     bool deliver(double waitMs);

@@ -13,7 +13,6 @@ namespace {
 
 constexpr double kLookMs = 25;      // between looks whether something has been read
 constexpr double kTogetherMs = 100; // bricks that come one after the other are waited for
-
 constexpr int kSquaresOfGroup = 1024;
 
 } // namespace

@@ -15,8 +15,6 @@
 
 namespace vs::volume {
 
-struct StoreBricks::Levels : OpenedLevels {};
-
 bool hasLevels(const std::filesystem::path& path) { return isWebAddress(path) || isStore(path); }
 
 StoreBricks::StoreBricks(std::filesystem::path path, const ReadOptions& options)
@@ -29,7 +27,7 @@ StoreBricks::StoreBricks(std::filesystem::path path, const ReadOptions& options)
         names.emplace_back(kUnfinishedStore);
         web_->fetch(names);
     }
-    Levels levels;
+    OpenedLevels levels;
     giveBack(start(levels));
     grids_ = levels.grids;
     type_ = levels.type;
@@ -37,9 +35,9 @@ StoreBricks::StoreBricks(std::filesystem::path path, const ReadOptions& options)
 
 StoreBricks::~StoreBricks() = default;
 
-StoreBricks::Decoder StoreBricks::start(Levels& levels) const {
+StoreBricks::Decoder StoreBricks::start(OpenedLevels& levels) const {
     auto decoder = std::make_unique<DecoderProcess>(LevelsRequest{folder_, options_});
-    static_cast<OpenedLevels&>(levels) = decoder->finalAnswer<OpenedLevels>(path_);
+    levels = decoder->finalAnswer<OpenedLevels>(path_);
     return decoder;
 }
 
@@ -57,7 +55,7 @@ StoreBricks::Decoder StoreBricks::take() const {
 }
 
 StoreBricks::Decoder StoreBricks::start() const {
-    Levels levels;
+    OpenedLevels levels;
     Decoder decoder = start(levels);
     const auto areAlike = [](const GridGeometry& a, const GridGeometry& b) { return a.dims == b.dims; };
     if (levels.type != type_ ||

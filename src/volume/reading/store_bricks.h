@@ -12,6 +12,7 @@
 namespace vs::volume {
 
 class DecoderProcess;
+struct OpenedLevels;
 
 // Whether a path leads to a store, of which levels can be read box by box, or is the address of one.
 bool hasLevels(const std::filesystem::path& path);
@@ -38,9 +39,8 @@ public:
     void fetchLevel(int level) const;
 
 private:
-    struct Levels;
     using Decoder = std::unique_ptr<DecoderProcess>;
-    [[nodiscard]] Decoder start(Levels& levels) const;
+    [[nodiscard]] Decoder start(OpenedLevels& levels) const;
     [[nodiscard]] Decoder start() const;
     [[nodiscard]] Decoder take() const;
     [[nodiscard]] std::vector<std::byte> received(DecoderProcess& decoder, std::size_t bytes) const;

@@ -31,9 +31,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr std::uintmax_t kMostCached = std::uintmax_t(10)
-                                       << 30; // bytes that all stores may have in the cache
-constexpr std::size_t kAtOnce = 1000;         // files that one curl is asked for
+constexpr std::uintmax_t kMostCached = std::uintmax_t(10) << 30; // bytes of all stores in the cache
+constexpr std::size_t kAtOnce = 1000;                            // files that one curl is asked for
 constexpr const char* kMissing = ".volume-studio-missing";
 
 fs::path cacheOfStores() { return cacheFolder() / "volume-studio" / "stores"; }

@@ -3,6 +3,7 @@
 
 #include "base/check.h"
 #include "base/parallel.h"
+#include "volume/grid/visit_type.h"
 
 #include <algorithm>
 #include <array>
@@ -38,13 +39,6 @@ constexpr std::size_t kMostCells = std::size_t(1) << 25;
 
 std::size_t countOf(glm::ivec3 cells) {
     return std::size_t(cells.x) * std::size_t(cells.y) * std::size_t(cells.z);
-}
-
-template <typename F>
-decltype(auto) visitType(ScalarType type, F&& f) {
-    Volume none;
-    none.type = type;
-    return visit(none, std::forward<F>(f));
 }
 
 // Values that are not finite stand for nothing that is seen; what lies between them and others has any value

@@ -45,32 +45,31 @@ studio::DocumentContent contentOfState(const CheckOptions& options, const studio
 }
 
 studio::DocumentContent contentOfReplay(const CheckOptions& options, const studio::Session& session,
-                                        volume::Volume volume, const gl::Context& context) {
+                                        SessionScan scan, const gl::Context& context) {
     const Timer timer;
     studio::Session log = session; // all that is known without the state
     log.stateChecksum.clear();
-    const auto document = openDocument(log, options.session, std::move(volume), context);
+    const auto document = openDocument(log, options.session, std::move(scan), context);
     fmt::print("its {} operations can be done again: {:.1f} s\n", session.operations.size(),
                timer.milliseconds() / 1000);
     return studio::contentOf(*document);
 }
 
 void check(const CheckOptions& options) {
-    const studio::Session session = studio::loadSession(options.session);
+    studio::Session session = studio::loadSession(options.session);
     fmt::print("{}: session version {}, {} operations{}\n", options.session, session.version,
                session.operations.size(), session.stateChecksum.empty() ? ", no state" : "");
-    std::vector<std::string> notices;
-    auto volume = loadSessionVolume(session, options.session, options.volume, notices);
-    fmt::print("its volume is there: {}\n", volume.name);
+    SessionScan scan = loadSessionScan(session, options.session, options.volume, {});
+    fmt::print("its volume is there: {}\n", scan.volume.name);
     const auto context = gl::Context::createHeadless();
     std::optional<studio::DocumentContent> saved;
     if (!session.stateChecksum.empty()) {
-        saved = contentOfState(options, session, volume);
+        saved = contentOfState(options, session, scan.volume);
     }
     if (options.skipsReplay) {
         return;
     }
-    const auto replayed = contentOfReplay(options, session, std::move(volume), context);
+    const auto replayed = contentOfReplay(options, session, std::move(scan), context);
     context.requireNoErrors();
     if (!saved) {
         return;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // vstudio export: segments, or what is left of a volume, as files of other programs.
 #include "arguments/parse.h"
+#include "arguments/storage_argument.h"
 #include "arguments/volume_argument.h"
 #include "commands/commands.h"
 #include "reports/label_map.h"
@@ -29,6 +30,7 @@ struct ExportOptions {
     std::string output;
     std::string what = "segments";
     VolumeArgument volume;
+    StorageArgument storage;
     std::vector<std::string> segments; // names, or values of labels; empty: all
     std::string range;
     std::optional<double> level;
@@ -84,11 +86,10 @@ void readFromDocument(Input& input, const ExportOptions& options) {
 
 Input readSession(const ExportOptions& options) {
     Input input;
-    const studio::Session session = studio::loadSession(options.input);
-    std::vector<std::string> notices;
-    auto volume = loadSessionVolume(session, options.input, options.volume, notices);
+    studio::Session session = studio::loadSession(options.input);
+    SessionScan scan = loadSessionScan(session, options.input, options.volume, options.storage);
     input.context = std::make_unique<gl::Context>(gl::Context::createHeadless());
-    input.document = openDocument(session, options.input, std::move(volume), *input.context);
+    input.document = openDocument(session, options.input, std::move(scan), *input.context);
     readFromDocument(input, options);
     if (options.volume.path.empty()) {
         if (!session.series.empty()) {
@@ -236,6 +237,7 @@ void addExportCommand(CLI::App& app) {
     command->add_option("--volume", options->volume.path,
                         "The volume that a label map lies on; of a session, to be used instead of its own");
     addReadOptions(*command, options->volume, "--store-level"); // --level is a value here
+    addStorageOptions(*command, options->storage);
     command->callback([options] { runExport(*options); });
 }
 

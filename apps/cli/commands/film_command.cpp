@@ -129,15 +129,10 @@ studio::SaveMovie filmOf(const FilmOptions& options) {
 }
 
 std::unique_ptr<studio::Document> openInput(const FilmOptions& options, const gl::Context& context) {
-    std::vector<std::string> notices;
     if (options.input.ends_with(".json")) {
-        const studio::Session session = studio::loadSession(options.input);
-        volume::ReadOptions used;
-        auto volume = loadSessionVolume(session, options.input, options.volume, notices, &used);
-        const auto finer = findFiner(volume, used, options.storage, notices);
-        auto document = openDocument(session, options.input, std::move(volume), context);
-        showFiner(*document, finer, notices);
-        return document;
+        studio::Session session = studio::loadSession(options.input);
+        return openDocument(session, options.input,
+                            loadSessionScan(session, options.input, options.volume, options.storage), context);
     }
     VolumeArgument argument = options.volume;
     argument.path = options.input;

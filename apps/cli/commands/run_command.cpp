@@ -192,14 +192,12 @@ std::unique_ptr<studio::Document> fromState(const studio::Session& session, cons
 }
 
 void runSession(const RunOptions& options) {
-    const studio::Session session = studio::loadSession(options.session);
+    studio::Session session = studio::loadSession(options.session);
     const auto last = options.picture.empty() ? std::nullopt : std::optional(lastPicture(options));
     const std::filesystem::path folder = options.output;
-    std::vector<std::string> notices;
     const Timer loading;
-    volume::ReadOptions used;
-    auto volume = loadSessionVolume(session, options.session, options.volume, notices, &used);
-    const auto finer = findFiner(volume, used, options.storage, notices);
+    auto [volume, finer, notices, used] =
+        loadSessionScan(session, options.session, options.volume, options.storage);
     const auto context = gl::Context::createHeadless();
     const std::string volumeName = volume.name;
     const auto document = options.fromState

@@ -57,11 +57,10 @@ struct SessionFigures {
 };
 
 SessionFigures measureSession(const StatsOptions& options) {
-    const studio::Session session = studio::loadSession(options.labels);
-    std::vector<std::string> notices;
-    auto volume = loadSessionVolume(session, options.labels, options.volume, notices);
+    studio::Session session = studio::loadSession(options.labels);
+    SessionScan scan = loadSessionScan(session, options.labels, options.volume, {});
     const auto context = gl::Context::createHeadless();
-    const auto opened = openDocument(session, options.labels, std::move(volume), context);
+    const auto opened = openDocument(session, options.labels, std::move(scan), context);
     const studio::Document& document = *opened;
     const auto& infos = document.segments().segments;
     SessionFigures figures{{}, *document.facts()->measured, document.volume().geometry};

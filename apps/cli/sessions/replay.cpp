@@ -49,31 +49,58 @@ studio::Outcome replayOperation(const studio::Session& session, const std::strin
     }
 }
 
+SessionScan loadSessionScan(studio::Session& session, const std::string& sessionPath,
+                            const VolumeArgument& instead, const StorageArgument& storage) {
+    SessionScan scan;
+    scan.volume = loadSessionVolume(session, sessionPath, instead, scan.notices, &scan.used);
+    const auto replacement =
+        instead.path.empty() ? std::nullopt : std::optional<std::filesystem::path>(instead.path);
+    const std::size_t told = scan.notices.size();
+    studio::goToLevel(session, sessionPath, replacement, scan.used, scan.notices);
+    for (std::size_t n = told; n < scan.notices.size(); ++n) {
+        logNotice(scan.notices[n]);
+    }
+    scan.finer = findFiner(scan.volume, scan.used, storage, scan.notices);
+    return scan;
+}
+
+namespace {
+
+void replayEdits(const studio::Session& session, const std::string& sessionPath, studio::Document& document,
+                 const gl::Context& context) {
+    Progress progress("replaying", session.operations.size());
+    for (std::size_t i = 0; i < session.operations.size(); ++i) {
+        if (studio::isOutput(session.operations[i])) {
+            document.logOutput(session.operations[i]);
+        } else {
+            replayOperation(session, sessionPath, i, document, context, {});
+        }
+        progress.advance();
+    }
+}
+
+} // namespace
+
 std::unique_ptr<studio::Document> openDocument(const studio::Session& session, const std::string& sessionPath,
-                                               volume::Volume volume, const gl::Context& context) {
+                                               SessionScan scan, const gl::Context& context) {
     std::vector<std::string> notices;
-    auto state = studio::loadState(sessionPath, session, volume, notices);
+    auto state = studio::loadState(sessionPath, session, scan.volume, notices);
     for (const auto& notice : notices) {
         logNotice(notice);
     }
     if (state) {
         try {
-            return std::make_unique<studio::Document>(std::move(volume), std::move(*state));
+            auto document = std::make_unique<studio::Document>(std::move(scan.volume), std::move(*state));
+            showFiner(*document, scan.finer, scan.notices);
+            return document;
         } catch (const Error& error) {
             throw SessionError("{}: its state cannot be used ({}); remove {}, and everything is done again",
                                sessionPath, error.what(), studio::statePath(sessionPath).string());
         }
     }
-    auto document = std::make_unique<studio::Document>(std::move(volume), session.precision);
-    Progress progress("replaying", session.operations.size());
-    for (std::size_t i = 0; i < session.operations.size(); ++i) {
-        if (studio::isOutput(session.operations[i])) {
-            document->logOutput(session.operations[i]);
-        } else {
-            replayOperation(session, sessionPath, i, *document, context, {});
-        }
-        progress.advance();
-    }
+    auto document = std::make_unique<studio::Document>(std::move(scan.volume), session.precision);
+    showFiner(*document, scan.finer, scan.notices);
+    replayEdits(session, sessionPath, *document, context);
     return document;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "arguments/storage_argument.h"
 #include "arguments/volume_argument.h"
 
 #include "gl/context.h"
@@ -9,6 +10,7 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -26,9 +28,21 @@ studio::Outcome replayOperation(const studio::Session& session, const std::strin
                                 std::size_t index, studio::Document& document, const gl::Context& context,
                                 const std::filesystem::path& outputFolder);
 
+// A session's volume, and levels of it that are finer.
+struct SessionScan {
+    volume::Volume volume;
+    std::optional<studio::FinerLevels> finer;
+    std::vector<std::string> notices;
+    volume::ReadOptions used; // what it was read with
+};
+// Reads them as loadSessionVolume() and findFiner() do. A session that was made on another level speaks of
+// this one afterwards.
+SessionScan loadSessionScan(studio::Session& session, const std::string& sessionPath,
+                            const VolumeArgument& instead, const StorageArgument& storage);
+
 // The document of a session: from the state that was saved with it, or, if there is none that fits, by doing
 // all of its operations again but those that write files.
 std::unique_ptr<studio::Document> openDocument(const studio::Session& session, const std::string& sessionPath,
-                                               volume::Volume volume, const gl::Context& context);
+                                               SessionScan scan, const gl::Context& context);
 
 } // namespace vs::cli

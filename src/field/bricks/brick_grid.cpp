@@ -33,4 +33,16 @@ std::optional<BrickGrid> brickGrid(const volume::GridGeometry& level, const volu
     return grid;
 }
 
+volume::GridGeometry finerGeometry(const volume::GridGeometry& scene, const BrickGrid& grid) {
+    volume::GridGeometry finer = scene;
+    finer.dims = grid.dims;
+    glm::dmat4 sceneFromLevel(1);
+    for (int axis = 0; axis < 3; ++axis) {
+        sceneFromLevel[axis][axis] = 1 / grid.perSceneVoxel[axis];
+        sceneFromLevel[3][axis] = -grid.origin[axis] / grid.perSceneVoxel[axis];
+    }
+    finer.worldFromVoxel = scene.worldFromVoxel * sceneFromLevel;
+    return finer;
+}
+
 } // namespace vs::field

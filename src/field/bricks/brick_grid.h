@@ -57,4 +57,7 @@ struct BrickGrid {
 std::optional<BrickGrid> brickGrid(const volume::GridGeometry& level, const volume::GridGeometry& scene,
                                    int side);
 
+// Where the voxels of such a level lie when the scene's lie there.
+volume::GridGeometry finerGeometry(const volume::GridGeometry& scene, const BrickGrid& grid);
+
 } // namespace vs::field

@@ -27,15 +27,22 @@ glm::ivec3 slotsAlong(std::size_t slots, int mostAlong) {
 
 } // namespace
 
-BrickPool::BrickPool(int texels, gl::Format format, std::size_t bytes, std::size_t most) : texels_(texels) {
-    const std::size_t perSlot =
-        std::size_t(texels) * std::size_t(texels) * std::size_t(texels) * gl::bytesPerTexel(format);
-    std::size_t slots =
-        std::clamp<std::size_t>(std::min(bytes, kMostBytes) / perSlot, 1, std::max<std::size_t>(most, 1));
+BrickPool::BrickPool(int texels, gl::Format format, std::size_t bytes, std::size_t most,
+                     std::optional<gl::Format> overlay)
+    : texels_(texels) {
+    const std::size_t texelsOfSlot = std::size_t(texels) * std::size_t(texels) * std::size_t(texels);
+    const std::size_t own = gl::bytesPerTexel(format);
+    const std::size_t over = overlay ? gl::bytesPerTexel(*overlay) : 0;
+    std::size_t slots = std::clamp<std::size_t>(std::min(bytes / (texelsOfSlot * (own + over)),
+                                                         kMostBytes / (texelsOfSlot * std::max(own, over))),
+                                                1, std::max<std::size_t>(most, 1));
     while (!texture_) {
         // Page tables have ten bits for a slot's place along an axis.
         counts_ = slotsAlong(slots, std::clamp(gl::limits().texture3D / texels, 1, 1023));
         try {
+            if (overlay) {
+                overlay_ = gl::Texture(counts_ * texels, *overlay, gl::Filter::Linear, "over bricks");
+            }
             texture_ = gl::Texture(counts_ * texels, format, gl::Filter::Linear, "bricks");
         } catch (const GlError&) {
             if (slots <= kFewSlots) {
@@ -53,7 +60,8 @@ std::size_t BrickPool::slotCount() const {
 }
 
 std::size_t BrickPool::bytes() const {
-    return Box3{glm::ivec3(0), texture_.size()}.volume() * gl::bytesPerTexel(texture_.format());
+    return Box3{glm::ivec3(0), texture_.size()}.volume() *
+           (gl::bytesPerTexel(texture_.format()) + (overlay_ ? gl::bytesPerTexel(overlay_.format()) : 0));
 }
 
 Box3 BrickPool::boxOf(glm::ivec3 slot) const { return {slot * texels_, (slot + 1) * texels_}; }
@@ -68,6 +76,17 @@ void BrickPool::use(const BrickKey& key) {
     if (found != bricks_.end()) {
         found->second.round = round_;
         order_.splice(order_.begin(), order_, found->second.order);
+    }
+}
+
+void BrickPool::lay(const BrickKey& key, std::span<const std::byte> texels) {
+    const glm::ivec3 slot = bricks_.at(key).slot;
+    const std::array<int, 3> at{slot.x, slot.y, slot.z};
+    if (!texels.empty()) {
+        overlay_.upload(boxOf(slot), texels);
+        laidOver_.insert(at);
+    } else if (laidOver_.erase(at) > 0) {
+        overlay_.clear(boxOf(slot));
     }
 }
 

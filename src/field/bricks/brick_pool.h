@@ -4,10 +4,12 @@
 #include "field/bricks/brick_grid.h"
 #include "gl/texture.h"
 
+#include <array>
 #include <cstdint>
 #include <list>
 #include <map>
 #include <optional>
+#include <set>
 #include <span>
 #include <vector>
 
@@ -19,10 +21,13 @@ class BrickPool {
 public:
     // Makes slots of texels^3: so many as the bytes and the device have room for, `most` at the most. Throws
     // GlError when the device has room for hardly any.
-    BrickPool(int texels, gl::Format format, std::size_t bytes, std::size_t most);
+    // With an overlay each slot has room for as many texels of that format, which are zero at first.
+    BrickPool(int texels, gl::Format format, std::size_t bytes, std::size_t most,
+              std::optional<gl::Format> overlay = {});
 
     [[nodiscard]] std::size_t slotCount() const;
     [[nodiscard]] const gl::Texture& texture() const { return texture_; }
+    [[nodiscard]] const gl::Texture& overlay() const { return overlay_; }
     [[nodiscard]] std::size_t bytes() const;
 
     // Where a brick lies, in slots; nothing: it is not there.
@@ -43,6 +48,8 @@ public:
     };
     // Puts a brick's texels there. Nothing: every slot is in use.
     std::optional<Put> put(const BrickKey& key, std::span<const std::byte> texels);
+    // Lays that over a brick that is there; no texels: zeros.
+    void lay(const BrickKey& key, std::span<const std::byte> texels);
 
 private:
     struct Brick {
@@ -55,6 +62,8 @@ private:
     int texels_;
     glm::ivec3 counts_{0}; // slots along each axis
     gl::Texture texture_;
+    gl::Texture overlay_;
+    std::set<std::array<int, 3>> laidOver_; // slots whose overlay is not all zero
     std::vector<glm::ivec3> free_;
     std::map<BrickKey, Brick> bricks_;
     std::list<BrickKey> order_; // the one used last first

@@ -51,7 +51,7 @@ std::size_t mostBricks(const std::vector<BrickGrid>& grids) {
 Detail::Detail(const std::shared_ptr<const volume::BrickSource>& source, const volume::GridGeometry& scene,
                const DetailOptions& options)
     : grids_(gridsOf(*source, scene, options)), reader_(source, grids_, options.hostBytes, options.threads),
-      texels_(brickTexels(source->type())),
+      texels_(brickTexels(source->type())), options_(options),
       pool_(options.side + 1, texels_.format, options.deviceBytes, mostBricks(grids_)),
       block_(sizeof(BricksBlock), "bricks") {
     while (finest_ + 1 < int(grids_.size()) &&
@@ -102,7 +102,12 @@ void Detail::use(int level) {
         return;
     }
     level_ = level;
-    const BrickGrid& grid = grids_[std::size_t(level)];
+    writeBlock();
+    writePages();
+}
+
+void Detail::writeBlock() {
+    const BrickGrid& grid = grids_[std::size_t(level_)];
     const glm::vec3 pool(pool_.texture().size());
     BricksBlock block;
     block.levelScale = glm::vec4(grid.perSceneVoxel, step());
@@ -112,7 +117,59 @@ void Detail::use(int level) {
     block.poolScale = glm::vec4(1.0F / pool, float(grid.texels()));
     block.brickValue = {texels_.valueScale, texels_.valueOffset, 0, 0};
     block_.writeValue(block);
+}
+
+// A brick of a level meets a box of the finest level's voxels, or what lies between those and the next.
+bool Detail::reaches(const BrickKey& key, const Box3& finest) const {
+    const BrickGrid& top = grids_.front();
+    const BrickGrid& grid = grids_[std::size_t(key.level)];
+    const glm::dvec3 scale = top.perSceneVoxel / grid.perSceneVoxel;
+    const glm::dvec3 offset = top.origin - grid.origin * scale;
+    const glm::dvec3 lo(grid.brickAt(key.place) * grid.side);
+    const glm::dvec3 hi = lo + double(grid.side);
+    return glm::all(glm::lessThanEqual(lo * scale + offset - 1.0, glm::dvec3(finest.hi))) &&
+           glm::all(glm::greaterThanEqual(hi * scale + offset + 1.0, glm::dvec3(finest.lo)));
+}
+
+void Detail::layOver(const BrickKey& key) {
+    if (overlay_ != nullptr && pool_.overlay()) {
+        const BrickGrid& grid = grids_[std::size_t(key.level)];
+        pool_.lay(key, overlay_->texelsOf(grid, grid.brickAt(key.place)));
+    }
+}
+
+// Bricks share their room with what lies over them from now on; those that were there come again from the
+// host.
+void Detail::makeRoomForOverlay() {
+    pool_ = BrickPool(1, texels_.format, 1, 1); // freed first, so that old and new need not fit together
+    pool_ = BrickPool(options_.side + 1, texels_.format, options_.deviceBytes, mostBricks(grids_),
+                      overlay_->format());
+    writeBlock();
     writePages();
+}
+
+void Detail::lay(const std::shared_ptr<const BrickOverlay>& overlay, std::uint64_t version,
+                 const std::function<Box3(std::uint64_t)>& changedSince) {
+    if (version == laidVersion_) {
+        return;
+    }
+    const gl::Pass pass("lay over bricks");
+    const Box3 changed = changedSince(std::min(version, laidVersion_));
+    overlay_ = overlay;
+    laidVersion_ = version;
+    if (!pool_.overlay() && !overlay_->isEmpty()) {
+        makeRoomForOverlay();
+        return;
+    }
+    std::vector<BrickKey> keys;
+    pool_.forEach([&](const BrickKey& key, glm::ivec3) {
+        if (reaches(key, changed)) {
+            keys.push_back(key);
+        }
+    });
+    for (const BrickKey& key : keys) {
+        layOver(key);
+    }
 }
 
 void Detail::writePages() {
@@ -146,6 +203,9 @@ void Detail::bind() const {
     pages_.bindTexture(kBrickPagesTexture);
     pool_.texture().bindTexture(kBrickPoolTexture);
     uses_.bindStorage(kBrickUsesStorage);
+    if (pool_.overlay()) {
+        pool_.overlay().bindTexture(kBrickOverlayTexture);
+    }
 }
 
 std::size_t Detail::endRound(glm::dvec3 viewerVoxel) {
@@ -199,6 +259,7 @@ bool Detail::deliver(double waitMs) {
             isFull_ = true; // it is in the host's cache, and comes again when it is asked for again
             continue;
         }
+        layOver(brick.key);
         ++bricksRead_;
         hasChanged = true;
         if (put->goneInstead && put->goneInstead->level == level_) {

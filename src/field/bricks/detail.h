@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "field/bricks/brick_overlay.h"
 #include "field/bricks/brick_pool.h"
 #include "field/bricks/brick_reader.h"
 #include "gl/block_layout.h"
 #include "gl/buffer.h"
 #include "gl/texel_buffer.h"
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <set>
@@ -63,12 +65,20 @@ public:
     // Shaders see this level from now on.
     void use(int level);
     [[nodiscard]] int level() const { return level_; }
+    // The finest that can be used.
+    [[nodiscard]] int finest() const { return finest_; }
     // Whether its voxels are smaller than the scene's.
     [[nodiscard]] bool isFiner() const { return grids_[std::size_t(level_)].isFiner(); }
     // One of its steps, in steps of the scene: 0.25 for a level four times as fine.
     [[nodiscard]] double step() const { return grids_[std::size_t(level_)].step; }
     // Binds uniform block 4, textures 6 and 12 and storage 6: see field/shaders/bricks.glsl.
     void bind() const;
+
+    // What lies over the scan is that from now on, as of that version of it; `changedSince` says in which box
+    // of the finest level's voxels it may differ from what it was at another one.
+    void lay(const std::shared_ptr<const BrickOverlay>& overlay, std::uint64_t version,
+             const std::function<Box3(std::uint64_t)>& changedSince);
+    [[nodiscard]] std::uint64_t laidVersion() const { return laidVersion_; }
 
     // After a dispatch: asks for what it missed, what is nearest to the viewer first, whose place in the
     // scene's voxel space that is. Returns how many bricks are missing.
@@ -92,13 +102,20 @@ public:
 
 private:
     [[nodiscard]] bool isFineEnough(glm::dvec3 spacing, double pixelSteps) const;
+    [[nodiscard]] bool reaches(const BrickKey& key, const Box3& finest) const;
+    void layOver(const BrickKey& key);
+    void makeRoomForOverlay();
     void setPage(int place, std::uint32_t page);
+    void writeBlock();
     void writePages();
 
     std::vector<BrickGrid> grids_; // of the source's levels that are used, the finest first
     BrickReader reader_;
     BrickTexels texels_;
+    DetailOptions options_;
     BrickPool pool_;
+    std::shared_ptr<const BrickOverlay> overlay_; // null: nothing lies over the bricks
+    std::uint64_t laidVersion_ = 0;
     gl::Buffer block_;
     gl::TexelBuffer pages_;
     gl::Buffer uses_;

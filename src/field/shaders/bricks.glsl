@@ -24,26 +24,56 @@ bool isBrickMissing = false;
 
 vec3 levelFromVoxel(vec3 p) { return p * levelScale.xyz + levelOrigin.xyz; }
 
-// The value at a place in the level's voxel space. Loops instead of branches: a software renderer leaves them
-// where nothing is to be done, and does both sides of a branch.
-float levelValueAt(vec3 q) {
+// Where in the pool a place in the level's voxel space is found: the first texel of its brick's slot, and
+// what lies between that and the place, in texels; false: its brick is not there. Loops instead of branches: a software renderer leaves them where nothing is to be done, and does
+// both sides of a branch.
+bool findInPool(vec3 q, out vec3 slot, out vec3 inBrick) {
     vec3 inside = clamp(q, vec3(0.0), vec3(levelDims.xyz - 1));
     ivec3 brick = ivec3(inside * levelOrigin.w);
-    int place = (brick.z * brickCounts.y + brick.y) * brickCounts.x + brick.x;
-    uint page = texelFetch(brickPages, place).r;
-    bool isNew = place != lastBrick;
+    int number = (brick.z * brickCounts.y + brick.y) * brickCounts.x + brick.x;
+    uint page = texelFetch(brickPages, number).r;
+    bool isNew = number != lastBrick;
     while (isNew) {
-        brickUses[place] = 1u;
-        lastBrick = place;
+        brickUses[number] = 1u;
+        lastBrick = number;
         isBrickMissing = isBrickMissing || page == 0u;
         isNew = false;
     }
-    vec3 inBrick = max(inside - vec3(brick * levelDims.w), 0.0);
-    vec3 slot = vec3(uvec3(page, page >> 10, page >> 20) & 0x3ffu);
-    float value =
-        textureLod(brickPool, (slot * poolScale.w + inBrick + 0.5) * poolScale.xyz, 0.0).r * brickValue.x +
-        brickValue.y;
-    bool isAway = page < 2u;
+    inBrick = max(inside - vec3(brick * levelDims.w), 0.0);
+    slot = vec3(uvec3(page, page >> 10, page >> 20) & 0x3ffu) * poolScale.w;
+    return page >= 2u;
+}
+
+// What lies there. FETCHED: the same to the last bit, whichever slot the brick lies in, for what decides what
+// is cut: a texture unit's weights are rounded with the place in the texture.
+#ifdef FETCHED
+float inPool(sampler3D pool, vec3 slot, vec3 inBrick) {
+    ivec3 cell = ivec3(inBrick);
+    vec3 f = inBrick - vec3(cell);
+    ivec3 first = ivec3(slot) + cell;
+    vec4 low = vec4(texelFetch(pool, first, 0).r, texelFetch(pool, first + ivec3(1, 0, 0), 0).r,
+                    texelFetch(pool, first + ivec3(0, 1, 0), 0).r,
+                    texelFetch(pool, first + ivec3(1, 1, 0), 0).r);
+    vec4 high = vec4(texelFetch(pool, first + ivec3(0, 0, 1), 0).r,
+                     texelFetch(pool, first + ivec3(1, 0, 1), 0).r,
+                     texelFetch(pool, first + ivec3(0, 1, 1), 0).r,
+                     texelFetch(pool, first + ivec3(1, 1, 1), 0).r);
+    vec4 planes = mix(low, high, f.z);
+    vec2 rows = mix(planes.xy, planes.zw, f.y);
+    return mix(rows.x, rows.y, f.x);
+}
+#else
+float inPool(sampler3D pool, vec3 slot, vec3 inBrick) {
+    return textureLod(pool, (slot + inBrick + 0.5) * poolScale.xyz, 0.0).r;
+}
+#endif
+
+// The value at a place in the level's voxel space.
+float levelValueAt(vec3 q) {
+    vec3 slot;
+    vec3 inBrick;
+    bool isAway = !findInPool(q, slot, inBrick);
+    float value = inPool(brickPool, slot, inBrick) * brickValue.x + brickValue.y;
     while (isAway) {
         vec3 p = (q - levelOrigin.xyz) / levelScale.xyz;
         value = textureLod(dataTexture, textureFromVoxel(p), 0.0).r * dataScale().x + dataScale().y;
@@ -51,3 +81,21 @@ float levelValueAt(vec3 q) {
     }
     return value;
 }
+
+#ifdef FINER_CUTS
+// What was cut away at the finest level, as it lies over the bricks of this one.
+layout(binding = kBrickOverlayTexture) uniform sampler3D brickOverlay;
+
+float levelSculptureAt(vec3 q) {
+    vec3 slot;
+    vec3 inBrick;
+    bool isAway = !findInPool(q, slot, inBrick);
+    float value = inPool(brickOverlay, slot, inBrick);
+    while (isAway) {
+        vec3 p = (q - levelOrigin.xyz) / levelScale.xyz;
+        value = textureLod(sculptureTexture, textureFromVoxel(p), 0.0).r;
+        isAway = false;
+    }
+    return value;
+}
+#endif

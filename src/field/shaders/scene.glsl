@@ -3,7 +3,8 @@
 //
 // Spaces: voxel space has voxel centres at integers; texture space is (p + 0.5) / dims; world is LPS
 // millimetres. Bindings: uniform block 0; textures 0 data, 1 sculpture, 2 segmentation, 13 labels, with QUADS
-// 6 (field::SceneBinding). BRICKS: the data's values are those of a finer level, from bricks (bricks.glsl).
+// 6 (field::SceneBinding). BRICKS: the data's values are those of a finer level, from bricks (bricks.glsl),
+// and with FINER_CUTS what was cut is.
 // ALL_SEGMENTS: translucent segments count as opaque ones do. SMOOTHED: dataAt()
 // gives smoothed values, of textures 15 and 12, sectionValueAt() the values themselves. PULLED: of segments
 // only one is there; APART: others may touch it (one_segment.glsl).
@@ -101,7 +102,11 @@ float voxelValue(ivec3 v) {
     return valueScale.z > 0.5 ? round(value) : value;
 }
 
+#ifdef FINER_CUTS
+float sculptureAt(vec3 p) { return levelSculptureAt(sampledFromVoxel(p)); }
+#else
 float sculptureAt(vec3 p) { return textureLod(sculptureTexture, textureFromVoxel(p), 0.0).r; }
+#endif
 
 #ifdef PULLED
 uniform ivec2 pulled; // x the label of that segment; y 0 if it is opaque, 1 if it is translucent
@@ -195,6 +200,19 @@ vec3 dataGradient(vec3 p) {
 #else
 DEFINE_GRADIENT(dataGradient, dataAt)
 #endif
+#ifdef FINER_CUTS
+vec3 sculptureGradient(vec3 p) {
+    vec3 q = sampledFromVoxel(p);
+    vec3 before = placesBefore(q);
+    vec3 after = q + 1.0;
+    return worldGradient(
+        0.5 * sampledPerVoxel() *
+        vec3(levelSculptureAt(vec3(after.x, q.yz)) - levelSculptureAt(vec3(before.x, q.yz)),
+             levelSculptureAt(vec3(q.x, after.y, q.z)) - levelSculptureAt(vec3(q.x, before.y, q.z)),
+             levelSculptureAt(vec3(q.xy, after.z)) - levelSculptureAt(vec3(q.xy, before.z))));
+}
+#else
 DEFINE_GRADIENT(sculptureGradient, sculptureAt)
+#endif
 DEFINE_GRADIENT(segmentationGradient, segmentationAt)
 DEFINE_GRADIENT(translucentGradient, translucentAt)

@@ -20,7 +20,9 @@ public:
     Picker();
 
     // One surface point for each viewport position (pixels, y down), in order. `frame` says what is drawn and
-    // from where; its picture is not touched.
+    // from where; its picture is not touched. Where it has finer levels, points are looked for in the finest,
+    // and bricks of that are waited for; where those cannot be had, or there is no room for those of a few
+    // points, in the scene.
     field::SurfacePoints pick(const Frame& frame, std::span<const glm::vec2> positions,
                               Meets meets = Meets::Surface);
 
@@ -29,6 +31,10 @@ public:
                                                 Meets meets = Meets::Surface);
 
 private:
+    struct Asked;
+    void pickSome(const Frame& frame, const Asked& asked);
+    void pickInBricks(const Frame& frame, const Asked& asked);
+
     gl::ProgramVariants pickPoints_{"render/shaders/pick_points.comp"};
     gl::Buffer view_;
     gl::Buffer positions_;

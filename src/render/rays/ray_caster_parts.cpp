@@ -47,6 +47,12 @@ void RayCaster::arrangeParts() {
 
 void RayCaster::become(Part& part, const PastedPart& pasted) {
     VS_CHECK(pasted.macrocells != nullptr);
+    if (part.scene.hasFinerCuts && pasted.sculpture != frame_.scene.sculpture) {
+        Frame coarse = frame_; // what is finer is that of all that was cut
+        coarse.scene.hasFinerCuts = false;
+        part.scene.hasFinerCuts = false;
+        part.defines = definesFor(coarse);
+    }
     part.scene.sculpture = pasted.sculpture;
     part.scene.view = field::SculptureView::Probe;
     if (pasted.segmentation != nullptr) {

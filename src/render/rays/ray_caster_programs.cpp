@@ -34,6 +34,7 @@ gl::Defines RayCaster::definesFor(const Frame& frame) {
         {"QUADS", bool(searched.quads) && frame.detail == nullptr},
         {"BRICKS", frame.detail != nullptr},
         {"FINER", frame.detail != nullptr && frame.detail->isFiner()},
+        {"FINER_CUTS", frame.detail != nullptr && isSculpted && scene.hasFinerCuts},
         {"SMOOTHED", scene.smoothed != nullptr},
         {"TRICUBIC", scene.sampling == field::Sampling::Tricubic},
         {"SEGMENTS", addsSegments(frame)},
@@ -53,6 +54,8 @@ gl::Defines RayCaster::definesFor(const Frame& frame, const PulledSegment& segme
     alone.occlusion = nullptr;
     alone.mode = frame.mode == Mode::Surface ? Mode::Segment : frame.mode;
     alone.scene.smoothed = nullptr;
+    // What is apart has tiles of its own where those would be bound.
+    alone.scene.hasFinerCuts = segment.scene.hasFinerCuts && segment.scene.apartPages == nullptr;
     if (frame.mode == Mode::Surface) {
         alone.segmentColours = {}; // no glass
     }

@@ -3,7 +3,7 @@
 // one, hide it. PICK_MAXIMUM: the place of the greatest value instead (what is seen in MIP). CONTENT and
 // SCULPTED: see surface.glsl. In: storage 0 positions in pixels. Out: storage 1 field::SurfacePoint, one
 // each.
-// variants: CONTENT=0;CONTENT=3 TF_KIND=2 SCULPTED=1;CONTENT=2 SCULPTED=1;CONTENT=1 SCULPTED=1;CONTENT=0 PICK_MAXIMUM=1;CONTENT=0 QUADS=1;CONTENT=2 QUADS=1 SMOOTHED=1;CONTENT=3 TF_KIND=1 SEGMENTS=1
+// variants: CONTENT=0;CONTENT=3 TF_KIND=2 SCULPTED=1;CONTENT=2 SCULPTED=1;CONTENT=1 SCULPTED=1;CONTENT=0 PICK_MAXIMUM=1;CONTENT=0 QUADS=1;CONTENT=2 QUADS=1 SMOOTHED=1;CONTENT=3 TF_KIND=1 SEGMENTS=1;CONTENT=0 BRICKS=1 FETCHED=1;CONTENT=3 TF_KIND=2 SCULPTED=1 BRICKS=1 FINER=1 FETCHED=1 FINER_CUTS=1;CONTENT=0 SCULPTED=1 BRICKS=1 FINER=1 FETCHED=1 FINER_CUTS=1
 layout(local_size_x = 64) in;
 
 #define ALL_SEGMENTS
@@ -28,6 +28,7 @@ layout(std430, binding = kPositionsStorage) readonly buffer Positions { vec2 pos
 layout(std430, binding = kPointsStorage) writeonly buffer Points { SurfacePoint points[]; };
 
 uniform int count;
+uniform int first; // of the points
 
 #ifdef PICK_MAXIMUM
 Hit findMaximum(Ray ray) {
@@ -52,6 +53,6 @@ void main() {
 #else
     Hit hit = findSurface(ray, 0.0);
 #endif
-    points[i].voxel = hit.found ? vec4(hit.voxel, 1.0) : vec4(0.0);
-    points[i].normal = hit.found ? vec4(hit.normal, hit.t * spacing.w) : vec4(0.0);
+    points[first + i].voxel = hit.found ? vec4(hit.voxel, 1.0) : vec4(0.0);
+    points[first + i].normal = hit.found ? vec4(hit.normal, hit.t * spacing.w) : vec4(0.0);
 }

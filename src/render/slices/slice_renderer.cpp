@@ -18,7 +18,9 @@ gl::Defines definesFor(const SliceFrame& frame) {
          {"SEGMENTED", frame.scene.segmentation != nullptr},
          {"TINTED", frame.tintsVisible},
          {"BRICKS", frame.detail != nullptr},
-         {"FINER", frame.detail != nullptr && frame.detail->isFiner()}});
+         {"FINER", frame.detail != nullptr && frame.detail->isFiner()},
+         {"FINER_CUTS", frame.detail != nullptr && frame.scene.sculpture != nullptr &&
+                            frame.scene.view != field::SculptureView::Whole && frame.scene.hasFinerCuts}});
     if (frame.tintsVisible && frame.classification != nullptr) {
         frame.classification->addDefines(defines);
     }

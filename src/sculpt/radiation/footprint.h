@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "base/math.h"
+
 #include <glm/glm.hpp>
 
 #include <array>
@@ -55,6 +57,12 @@ struct FootprintShape {
 // over all places of a point between voxels, against the truncated normalised Gaussian of referenceWeights();
 // those of the cube are exact.
 Footprint fitFootprint(const FootprintShape& shape, glm::dvec3 spacing = glm::dvec3(1.0));
+
+// What points in a box of voxels can reach, and the points of which box can reach it.
+inline Box3 reachOf(const Box3& box, const Footprint& footprint) {
+    const glm::ivec3 reach = footprint.reachVoxels() + 1;
+    return {box.lo - reach, box.hi + reach};
+}
 
 // The Gaussian footprint of a radius, which must be 2, 3 or 4.
 Footprint fitFootprint(int radius, glm::dvec3 spacing = glm::dvec3(1.0));

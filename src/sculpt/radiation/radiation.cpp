@@ -85,7 +85,7 @@ void Radiator::growScratch(glm::ivec3 texels) {
     deposited_ = gl::Texture(texels, gl::Format::R32UI, gl::Filter::Nearest, "radiation deposits");
 }
 
-void Radiator::begin(const Box3& points, glm::ivec3 dims, const Footprint& footprint) {
+void Radiator::begin(const Box3& points, const Box3& within, const Footprint& footprint) {
     const gl::Pass pass("begin radiation");
     if ((open_ || running_) && deposited_) {
         deposited_.clear(); // the last use never came to its finish(), or kept its deposits
@@ -93,11 +93,11 @@ void Radiator::begin(const Box3& points, glm::ivec3 dims, const Footprint& footp
     running_ = false;
     round_ = 0;
     footprint_ = footprint;
-    dims_ = dims;
+    within_ = within;
     result_ = {};
-    // Points farther outside the grid than the footprint reaches touch nothing in it.
+    // Points farther outside than the footprint reaches touch nothing in it.
     const glm::ivec3 reach = footprint.reachVoxels() + 1;
-    const Box3 useful = intersect(points, {-reach, dims + reach});
+    const Box3 useful = intersect(points, {within.lo - reach, within.hi + reach});
     open_ = !useful.isEmpty();
     if (!open_) {
         tileDims_ = glm::ivec3(0);
@@ -119,8 +119,8 @@ void Radiator::begin(const Box3& points, glm::ivec3 dims, const Footprint& footp
     beginRound();
 }
 
-void Radiator::beginRunning(const Box3& points, glm::ivec3 dims, const Footprint& footprint) {
-    begin(points, dims, footprint);
+void Radiator::beginRunning(const Box3& points, const Box3& within, const Footprint& footprint) {
+    begin(points, within, footprint);
     running_ = open_;
     if (running_ && scratchC_.size() != scratchA_.size()) {
         scratchC_ = gl::Texture(scratchA_.size(), gl::Format::R32F, gl::Filter::Nearest, "radiation c");
@@ -199,8 +199,8 @@ Box3 Radiator::finish() {
     }
     bounds_.bindStorage(kTileBoundsStorage);
     list_.set("tileDims", tileDims_)
-        .set("insideLo", tileOf(-origin_))
-        .set("insideHi", tileOf(dims_ - 1 - origin_) + 1)
+        .set("insideLo", tileOf(within_.lo - origin_))
+        .set("insideHi", tileOf(within_.hi - 1 - origin_) + 1)
         .set("round", round_);
     list_.dispatchOver(tileDims_, gl::Barrier::All); // lists are read as arguments, by shaders and below
     const gl::Texture& alongX = running_ ? scratchC_ : scratchA_;
@@ -210,7 +210,7 @@ Box3 Radiator::finish() {
     const auto bounds = bounds_.read<glm::ivec3>(2);
     if (bounds[1].x >= 0) {
         const Box3 tiles{origin_ + bounds[0] * kTile, origin_ + (bounds[1] + 1) * kTile};
-        result_ = intersect(tiles, {glm::ivec3(0), dims_});
+        result_ = intersect(tiles, within_);
     }
     return result_;
 }

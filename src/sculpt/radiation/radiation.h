@@ -39,7 +39,12 @@ public:
 
     // `points` is a box of voxels, all centres within half a voxel of which the points lie (points elsewhere
     // are left out); it may reach beyond the grid of `dims` voxels, outside of which nothing is computed.
-    void begin(const Box3& points, glm::ivec3 dims, const Footprint& footprint);
+    void begin(const Box3& points, glm::ivec3 dims, const Footprint& footprint) {
+        begin(points, Box3{glm::ivec3(0), dims}, footprint);
+    }
+    // Computes what lies `within` a box, of tiles where it does not end with the grid: there the result is
+    // that of the whole grid, to the bit.
+    void begin(const Box3& points, const Box3& within, const Footprint& footprint);
     // Adds the first `count` points of a buffer of vec4: xyz in voxel space, w energy (voxels of density 1).
     void deposit(const gl::Buffer& points, std::size_t count);
     // Convolves. Returns the box of voxels that may have energy: touched tiles, clipped to the grid.
@@ -48,7 +53,7 @@ public:
     // Begins a running radiation: rounds of deposit(), takeBack() and finish() until the next begin of either
     // kind. Takes what begin() takes. Results and their lists are those of the last round's tiles;
     // resultBox() is where energies may have changed.
-    void beginRunning(const Box3& points, glm::ivec3 dims, const Footprint& footprint);
+    void beginRunning(const Box3& points, const Box3& within, const Footprint& footprint);
     // Undoes a deposit() of the very same points.
     void takeBack(const gl::Buffer& points, std::size_t count);
 
@@ -85,7 +90,7 @@ private:
     std::array<gl::Buffer, 3> lists_; // indirect arguments, then the tiles of the pass along x, y, z
     gl::Buffer bounds_;               // lowest and highest result tile
     Footprint footprint_;
-    glm::ivec3 dims_{0};
+    Box3 within_;
     glm::ivec3 origin_{0};
     glm::ivec3 tileDims_{0};
     Box3 result_;

@@ -12,8 +12,10 @@ namespace {
 
 constexpr int kMostFrames = 4096;
 
-// The voxels whose centres are nearest to the mask's corners in any of its frames, and all between.
-Box3 boxAround(const MaskRaster& mask, std::span<const MaskFrame> frames, const glm::dvec3& voxelFromSteps) {
+} // namespace
+
+// Those whose centres are nearest to the mask's corners in any of its frames, and all between.
+Box3 rawPointBox(const MaskRaster& mask, std::span<const MaskFrame> frames, const glm::dvec3& voxelFromSteps) {
     Box3 box;
     for (const MaskFrame& frame : frames) {
         for (int corner = 0; corner < 4; ++corner) {
@@ -25,8 +27,6 @@ Box3 boxAround(const MaskRaster& mask, std::span<const MaskFrame> frames, const 
     }
     return box;
 }
-
-} // namespace
 
 std::vector<MaskFrame> framesEachStep(std::span<const PathPiece> path) {
     double total = 0;
@@ -54,7 +54,13 @@ std::vector<MaskFrame> framesEachStep(std::span<const PathPiece> path) {
 
 Box3 radiateRaw(Radiator& radiator, const MaskRaster& mask, std::span<const MaskFrame> frames,
                 glm::ivec3 dims, const Footprint& footprint, const glm::dvec3& voxelFromSteps) {
-    radiator.begin(boxAround(mask, frames, voxelFromSteps), dims, footprint);
+    return radiateRaw(radiator, mask, frames, dims, {glm::ivec3(0), dims}, footprint, voxelFromSteps);
+}
+
+Box3 radiateRaw(Radiator& radiator, const MaskRaster& mask, std::span<const MaskFrame> frames,
+                glm::ivec3 dims, const Box3& within, const Footprint& footprint,
+                const glm::dvec3& voxelFromSteps) {
+    radiator.begin(rawPointBox(mask, frames, voxelFromSteps), within, footprint);
     const SweepGrid grid = sweepGrid(dims, footprint, voxelFromSteps);
     std::vector<glm::vec4> points;
     gl::Buffer buffer(4, "raw points");

@@ -161,12 +161,9 @@ SweptPatches sweepPiece(const MaskRaster& mask, const PathPiece& piece, const Sw
     return out;
 }
 
-Box3 sweepMask(Radiator& radiator, PointGenerator& generator, const MaskRaster& mask,
-               std::span<const PathPiece> path, glm::ivec3 dims, const Footprint& footprint,
-               const glm::dvec3& voxelFromSteps) {
-    const SweepGrid grid = sweepGrid(dims, footprint, voxelFromSteps);
-    std::vector<PathPiece> pieces; // that come into the grid
-    Box3 box;
+SweptWay wayInto(const SweepGrid& grid, glm::ivec3 dims, const MaskRaster& mask,
+                 std::span<const PathPiece> path) {
+    SweptWay way;
     // What is swept through a grid over and over says nothing more, and takes hours: solids that are made
     // pass each voxel a few times.
     const double voxels = double(dims.x) * dims.y * dims.z;
@@ -183,20 +180,33 @@ Box3 sweepMask(Radiator& radiator, PointGenerator& generator, const MaskRaster& 
         }
         const Box3 points = sweepPiece(mask, piece, grid).pointBox();
         if (!points.isEmpty()) {
-            pieces.push_back(piece);
-            box = unite(box, points);
+            way.pieces.push_back(piece);
+            way.points = unite(way.points, points);
         }
         reportProgress(0.0);
     }
-    radiator.begin(box, dims, footprint);
-    for (std::size_t n = 0; n < pieces.size(); ++n) {
-        const PathPiece& piece = pieces[n];
-        reportProgress(double(n) / double(pieces.size()));
-        generator.generate(sweepPiece(mask, piece, grid), [&](const gl::Buffer& points, std::size_t count) {
-            radiator.deposit(points, count);
-        });
+    return way;
+}
+
+Box3 sweepWay(Radiator& radiator, PointGenerator& generator, const MaskRaster& mask, const SweptWay& way,
+              const SweepGrid& grid, const Box3& within, const Footprint& footprint) {
+    radiator.begin(way.points, within, footprint);
+    const Box3 near = reachOf(within, footprint);
+    for (std::size_t n = 0; n < way.pieces.size(); ++n) {
+        reportProgress(double(n) / double(way.pieces.size()));
+        generator.generateIn(
+            near, sweepPiece(mask, way.pieces[n], grid),
+            [&](const gl::Buffer& points, std::size_t count) { radiator.deposit(points, count); });
     }
     return radiator.finish();
+}
+
+Box3 sweepMask(Radiator& radiator, PointGenerator& generator, const MaskRaster& mask,
+               std::span<const PathPiece> path, glm::ivec3 dims, const Footprint& footprint,
+               const glm::dvec3& voxelFromSteps) {
+    const SweepGrid grid = sweepGrid(dims, footprint, voxelFromSteps);
+    return sweepWay(radiator, generator, mask, wayInto(grid, dims, mask, path), grid, {glm::ivec3(0), dims},
+                    footprint);
 }
 
 } // namespace vs::sculpt

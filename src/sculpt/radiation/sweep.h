@@ -7,6 +7,7 @@
 #include "sculpt/radiation/tool_points.h"
 
 #include <span>
+#include <vector>
 
 namespace vs::sculpt {
 
@@ -59,6 +60,18 @@ Outline outlineInto(const SweepGrid& grid, Outline outline, std::span<const Path
 // voxel space: density 1 inside, its ends exactly at the piece's ends. Nothing for pieces that move the mask
 // within its own plane.
 SweptPatches sweepPiece(const MaskRaster& mask, const PathPiece& piece, const SweepGrid& grid = {});
+
+// Pieces of a path on which a mask comes into a grid, and the box of voxels that the points are in.
+struct SweptWay {
+    std::vector<PathPiece> pieces;
+    Box3 points;
+};
+// Throws Error for what passes every voxel of the grid, of `dims` voxels, over and over.
+SweptWay wayInto(const SweepGrid& grid, glm::ivec3 dims, const MaskRaster& mask,
+                 std::span<const PathPiece> path);
+// Radiates the mask along such a way, as far as it comes `within` a box (Radiator::begin()).
+Box3 sweepWay(Radiator& radiator, PointGenerator& generator, const MaskRaster& mask, const SweptWay& way,
+              const SweepGrid& grid, const Box3& within, const Footprint& footprint);
 
 // Radiates a mask (in steps) swept along a path in the space of steps into a volume built from nothing
 // (doc/behaviour.md, "Sweeps"). Afterwards `radiator` holds the result. Returns the box of voxels that may

@@ -256,6 +256,32 @@ void SweptPatches::addPart(Part part) {
     pointCount_ += std::size_t(nu) * std::size_t(nv) * std::size_t(nd);
 }
 
+SweptPatches::Some SweptPatches::patchesIn(const Box3& voxels) const {
+    const glm::vec3 lo = glm::vec3(voxels.lo) - 1.0F;
+    const glm::vec3 hi(voxels.hi);
+    Some some;
+    for (const SweptPatch& patch : patches_) {
+        glm::vec3 least(1e30F);
+        glm::vec3 most(-1e30F);
+        for (const std::uint32_t n : patch.corners) {
+            for (const float depth : {patch.depthLo, patch.depthHi}) {
+                const glm::vec3 p(corners_[n].start + depth * corners_[n].direction);
+                least = glm::min(least, p);
+                most = glm::max(most, p);
+            }
+        }
+        if (glm::any(glm::lessThan(most, lo)) || glm::any(glm::greaterThan(least, hi))) {
+            continue;
+        }
+        const std::uint32_t count =
+            (patch.counts & 0xFFU) * (patch.counts >> 8U & 0xFFU) * (patch.counts >> 16U);
+        some.patches.push_back(patch);
+        some.patches.back().firstPoint = std::uint32_t(some.pointCount);
+        some.pointCount += count;
+    }
+    return some;
+}
+
 void SweptPatches::splitAlongDepth(const Part& part) {
     const float middle = 0.5F * (part.depths.lo + part.depths.hi);
     Part half = part;

@@ -95,6 +95,12 @@ public:
     [[nodiscard]] std::size_t pointCount() const { return pointCount_; }
     // Voxels whose centres are nearest to the points: what Radiator::begin() wants.
     [[nodiscard]] Box3 pointBox() const;
+    // The patches that may have points in a box of voxels, as a list of their own.
+    struct Some {
+        std::vector<SweptPatch> patches;
+        std::size_t pointCount = 0;
+    };
+    [[nodiscard]] Some patchesIn(const Box3& voxels) const;
 
 private:
     struct Interval {

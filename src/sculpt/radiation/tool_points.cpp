@@ -14,7 +14,21 @@ PointGenerator::PointGenerator()
       patches_(4, "tool patches"), points_(4, "tool points") {}
 
 void PointGenerator::generate(const SweptPatches& swept, const Consume& consume) {
-    const auto& all = swept.patches();
+    generate(swept, swept.patches(), swept.pointCount(), consume);
+}
+
+void PointGenerator::generateIn(const Box3& voxels, const SweptPatches& swept, const Consume& consume) {
+    const Box3 points = swept.pointBox();
+    if (intersect(points, voxels) == points) {
+        generate(swept, consume);
+        return;
+    }
+    const SweptPatches::Some some = swept.patchesIn(voxels);
+    generate(swept, some.patches, some.pointCount, consume);
+}
+
+void PointGenerator::generate(const SweptPatches& swept, const std::vector<SweptPatch>& all,
+                              std::size_t pointCount, const Consume& consume) {
     if (all.empty()) {
         return;
     }
@@ -22,8 +36,8 @@ void PointGenerator::generate(const SweptPatches& swept, const Consume& consume)
     corners_.write(std::span(swept.corners()));
     patches_.reserve(all.size() * sizeof(SweptPatch));
     patches_.write(std::span(all));
-    points_.reserve(std::min(swept.pointCount(), Radiator::kMaxPoints) * sizeof(glm::vec4));
-    const auto endOf = [&](std::size_t n) { return n < all.size() ? all[n].firstPoint : swept.pointCount(); };
+    points_.reserve(std::min(pointCount, Radiator::kMaxPoints) * sizeof(glm::vec4));
+    const auto endOf = [&](std::size_t n) { return n < all.size() ? all[n].firstPoint : pointCount; };
     for (std::size_t first = 0; first < all.size();) {
         const std::size_t base = endOf(first);
         std::size_t last = first + 1;

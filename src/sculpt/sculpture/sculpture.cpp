@@ -48,6 +48,12 @@ Sculpture::Sculpture(glm::ivec3 dims, Precision precision)
     changes_.reserve(kChangesRemembered);
 }
 
+Sculpture Sculpture::window(glm::ivec3 dims, Precision precision) {
+    Sculpture window(dims, precision);
+    window.isWindow_ = true;
+    return window;
+}
+
 gl::Texture& Sculpture::allocated() const {
     if (!texels_) {
         texels_ = gl::Texture(dims_, format(), gl::Filter::Linear, "sculpture");
@@ -59,6 +65,9 @@ gl::Defines Sculpture::defines() const {
     gl::Defines defines = storedDefines(precision_);
     if (limits_.memberships != nullptr) {
         defines.emplace_back("LIMITED", "1");
+        if (limits_.place) {
+            defines.emplace_back("LIMITS_COARSER", "1");
+        }
     }
     return defines;
 }
@@ -67,6 +76,10 @@ void Sculpture::bindLimits(gl::Program& program) const {
     if (limits_.memberships != nullptr) {
         limits_.memberships->bindTexture(kLimitsTexture);
         program.set("takesOnly", limits_.takesOnly ? 1 : 0);
+        if (limits_.place) {
+            program.set("limitsScale", glm::vec3(limits_.place->scale))
+                .set("limitsOffset", glm::vec3(limits_.place->offset));
+        }
     }
 }
 
@@ -81,7 +94,7 @@ Box3 Sculpture::combineWith(const gl::Texture* before, const Radiator& radiation
 Box3 Sculpture::combine(const Radiator& radiation, Combine how, Base base, const gl::Texture* before) {
     changed_.clear();
     const Box3 box = radiation.resultBox();
-    if (box.isEmpty() || (how == Combine::Restore && isEmpty())) {
+    if (box.isEmpty() || (how == Combine::Restore && !isWindow_ && isEmpty())) {
         return {};
     }
     {
@@ -95,11 +108,15 @@ Box3 Sculpture::combine(const Radiator& radiation, Combine how, Base base, const
         bindLimits(program);
         program.set("tileDims", radiation.tileDims())
             .set("originVoxel", radiation.originVoxel())
+            .set("firstVoxel", origin_)
             .set("dims", dims())
             .set("isRestore", how == Combine::Restore ? 1 : 0)
             .set("base", int(base));
         // The list of tiles is written again by the next round of radiation.
         program.dispatchIndirect(radiation.tileArguments(), 0, gl::Barrier::All);
+    }
+    if (isWindow_) {
+        return box;
     }
     // A cut only adds: what was not empty stays so.
     const bool staysNonEmpty = how == Combine::Cut && base == Base::Itself && isEmpty_ == false;
@@ -196,6 +213,59 @@ void Sculpture::swap(BrickDelta& delta) {
     refresh(delta.box());
 }
 
+void Sculpture::swap(SculptureDelta& delta) {
+    delta.BrickDelta::swap(texels());
+    Box3 box = delta.box();
+    if (finer_ != nullptr && !delta.finer.isEmpty()) {
+        const std::uint64_t before = finer_->version();
+        finer_->swap(delta.finer);
+        box = unite(box, finer_->sceneBox(finer_->changedSince(before)));
+    }
+    refresh(intersect(box, {glm::ivec3(0), dims_}));
+}
+
+void Sculpture::refine(std::unique_ptr<FineSculpture> finer) {
+    finer_ = std::move(finer);
+    const Box3 whole{glm::ivec3(0), dims_};
+    if (!isEmpty()) {
+        const std::vector<float> nothing(whole.volume(), 0.0F);
+        finer_->raise(whole, nothing, values(whole));
+        refresh(whole);
+    }
+}
+
+void Sculpture::derive(const Box3& finerBox, BrickBackup& backup) {
+    const Box3 box = intersect(finer_->sceneBox(finerBox), {glm::ivec3(0), dims_});
+    if (!box.isEmpty()) {
+        backup.protect(box);
+        upload(box, texelsOf(finer_->sceneValues(box), precision_));
+    }
+}
+
+FineDelta Sculpture::cutFiner(const BrickDelta& change) {
+    if (finer_ == nullptr || change.isEmpty()) {
+        return {};
+    }
+    const Box3 box = intersect(grow(change.box(), 1), {glm::ivec3(0), dims_});
+    const auto after = download(box);
+    auto before = after;
+    const gl::Texture was = change.before(texels(), "sculpture before a cut");
+    const Box3 changed = change.box();
+    const auto bytes = was.download({glm::ivec3(0), changed.size()});
+    const std::size_t texelBytes = gl::bytesPerTexel(format());
+    const glm::ivec3 size = box.size();
+    forEachVoxel(changed, [&](glm::ivec3 v, std::size_t n) {
+        const glm::ivec3 at = v - box.lo;
+        const std::size_t to =
+            (std::size_t(at.z) * std::size_t(size.y) + std::size_t(at.y)) * std::size_t(size.x) +
+            std::size_t(at.x);
+        std::copy_n(&bytes[n * texelBytes], texelBytes, &before[to * texelBytes]);
+    });
+    FineDelta delta = finer_->raise(box, valuesOf(before, precision_), valuesOf(after, precision_));
+    refresh(box);
+    return delta;
+}
+
 BrickDelta Sculpture::content() const {
     return takesRoom() ? contentOf(texels(), touchedBricks(), untouchedTexel(precision_)) : BrickDelta{};
 }
@@ -206,7 +276,7 @@ void Sculpture::restore(const BrickDelta& content, std::uint64_t version, std::u
         content.bringInto(texels(), untouchedTexel(precision_));
     }
     for (const Box3& brick : content.bricks()) {
-        updater_.update(texels(), brick, cells_);
+        summarize(brick);
         markTouched(brick);
     }
     isEmpty_.reset();
@@ -216,10 +286,21 @@ void Sculpture::restore(const BrickDelta& content, std::uint64_t version, std::u
 }
 
 void Sculpture::refresh(const Box3& box) {
-    if (!box.isEmpty()) {
-        updater_.update(texels(), box, cells_);
+    if (!box.isEmpty() && !isWindow_) {
+        summarize(box);
         noteWritten(box);
     }
+}
+
+// The macrocells that have corners in a box.
+void Sculpture::summarize(const Box3& box) {
+    if (finer_ == nullptr) {
+        updater_.update(texels(), box, cells_);
+        return;
+    }
+    const Box3 cells = cellsOf(box, cells_.size());
+    const std::vector<glm::vec2> ranges = finer_->cellRanges(cells);
+    cells_.upload(cells, std::as_bytes(std::span(ranges)));
 }
 
 void Sculpture::noteWritten(const Box3& box) {
@@ -229,6 +310,9 @@ void Sculpture::noteWritten(const Box3& box) {
 }
 
 bool Sculpture::isEmpty() const {
+    if (finer_ != nullptr && !finer_->isEmpty()) {
+        return false;
+    }
     if (!isEmpty_) {
         // The cells know: a voxel is a corner of some cell, and only where something was written can there be
         // anything.

@@ -7,10 +7,12 @@
 #include "gl/program.h"
 #include "gl/texture.h"
 #include "sculpt/radiation/radiation.h"
-#include "sculpt/sculpture/brick_backup.h"
+#include "sculpt/sculpture/fine_sculpture.h"
 #include "sculpt/sculpture/precision.h"
+#include "sculpt/sculpture/sculpture_delta.h"
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -26,6 +28,13 @@ enum class Combine { Cut, Restore };
 struct Limits {
     const gl::Texture* memberships = nullptr; // null: everywhere
     bool takesOnly = false;
+    // Where the sculpture's grid is finer than theirs: voxel v lies at v * scale + offset among them, and what
+    // is between them counts.
+    struct Place {
+        glm::dvec3 scale{1};
+        glm::dvec3 offset{0};
+    };
+    std::optional<Place> place = {};
 };
 // The greatest energy that a tool may give to each voxel of a box (x fastest); empty: 1 everywhere.
 std::vector<float> mostEnergies(const Limits& limits, const Box3& box);
@@ -36,6 +45,23 @@ std::vector<float> mostEnergies(const Limits& limits, const Box3& box);
 class Sculpture {
 public:
     explicit Sculpture(glm::ivec3 dims, Precision precision = Precision::Bits16);
+    // A window onto a larger sculpture: has `dims` of its voxels, those from where moveTo() says on. What is
+    // outside of it is left out. It has no macrocells and remembers no changes.
+    static Sculpture window(glm::ivec3 dims, Precision precision);
+    void moveTo(glm::ivec3 origin) { origin_ = origin; }
+    // The voxel, of the grid in which radiation and solids are given, that its first one is.
+    [[nodiscard]] glm::ivec3 origin() const { return origin_; }
+
+    // From now on there is a finer one, from which this is derived: its texels hold what is at its voxels,
+    // and its macrocells all that lies in them. What is cut already is cut in that one, too.
+    void refine(std::unique_ptr<FineSculpture> finer);
+    [[nodiscard]] FineSculpture* finer() const { return finer_.get(); }
+    // Takes over what the finer one has now in a box of its voxels; bricks are protected in `backup` before
+    // they change.
+    void derive(const Box3& finerBox, BrickBackup& backup);
+    // What was cut here, and not in the finer one, is cut there: `change` undoes it here. Gives what undoes
+    // it there.
+    FineDelta cutFiner(const BrickDelta& change);
 
     // Union with a radiation E, clamped to [0, 1]: S = max(S, E) for a cut, S = min(S, 1 - E) for a restore
     // (doc/behaviour.md, "Point radiation"). Where a restore has E >= 0.5 the result stays below 0.5, so
@@ -53,6 +79,7 @@ public:
     // must outlive it, or the next call.
     void limitTo(const Limits& limits) { limits_ = limits; }
     [[nodiscard]] bool isLimited() const { return limits_.memberships != nullptr; }
+    [[nodiscard]] const Limits& limits() const { return limits_; }
     // For programs that write texels(): what shaders/stored_values.glsl and limits.glsl want to know, and the
     // limits themselves.
     [[nodiscard]] gl::Defines defines() const;
@@ -70,7 +97,8 @@ public:
     }
     void upload(const Box3& box, std::span<const std::byte> texels);
     // Undo or redo, with the macrocells. Throws as BrickDelta::swap() does; then nothing has changed.
-    void swap(BrickDelta& delta);
+    void swap(BrickDelta& delta); // where there is no finer one
+    void swap(SculptureDelta& delta);
     // All that is cut, for files; and a sculpture that is untouched becomes what was kept so. Its versions go
     // on from those that it had.
     [[nodiscard]] BrickDelta content() const;
@@ -110,8 +138,12 @@ private:
     void markTouched(const Box3& box);
 
     gl::Texture& allocated() const;
+    void summarize(const Box3& box);
 
     glm::ivec3 dims_;
+    glm::ivec3 origin_{0};
+    bool isWindow_ = false;
+    std::unique_ptr<FineSculpture> finer_; // null: there is none
     Precision precision_;
     mutable gl::Texture texels_; // nothing: all 0 still
     gl::Texture cells_;

@@ -10,7 +10,8 @@ layout(SCULPTURE_FORMAT, binding = kSolidSculptureImage) uniform image3D sculptu
 layout(std430, binding = kTileListStorage) readonly buffer TileList { uint tileList[]; };
 
 uniform ivec3 tileDims;
-uniform ivec3 dims;
+uniform ivec3 firstVoxel; // of the sculpture, where it is a window onto a larger one
+uniform ivec3 dims;       // of the grid
 uniform int isRestore;
 uniform mat4 worldFromVoxel;
 uniform float sigma; // of the edge, mm
@@ -36,12 +37,12 @@ float energyBehind(float distance) {
 void combineVoxel(ivec3 voxel, float wholeEnergy) {
     float energy = min(wholeEnergy, mostEnergy(voxel));
     if (energy > negligible) {
-        float before = imageLoad(sculpture, voxel).r;
+        float before = imageLoad(sculpture, voxel - firstVoxel).r;
         float e = energy > 1.0 - negligible ? 1.0 : energy;
         float remains = e >= 0.5 ? min(1.0 - e, justVisible) : 1.0 - e;
         float wanted = asStored(isRestore != 0 ? min(before, remains) : max(before, e));
         if (differ(wanted, before)) {
-            imageStore(sculpture, voxel, vec4(wanted));
+            imageStore(sculpture, voxel - firstVoxel, vec4(wanted));
         }
     }
 }

@@ -1,6 +1,6 @@
 // Cuts by energies given for each voxel.
-// In: image 1 energies. In/out: image 0 sculpture.
-// variants: SCULPTURE_BITS=16;SCULPTURE_BITS=16 LIMITED=1
+// In: image 1 energies of the voxels that the sculpture has. In/out: image 0 sculpture.
+// variants: SCULPTURE_BITS=16;SCULPTURE_BITS=16 LIMITED=1;SCULPTURE_BITS=16 LIMITED=1 LIMITS_COARSER=1
 #include "sculpt/shaders/cut_solid.glsl"
 
 #include "sculpt/shaders/bindings.glsl"
@@ -12,7 +12,7 @@ void main() {
         return;
     }
     for (int n = 0; n < 8 && voxel.x < dims.x; ++n) {
-        combineVoxel(voxel, clamp(imageLoad(energies, voxel).r, 0.0, 1.0));
+        combineVoxel(voxel, clamp(imageLoad(energies, voxel - firstVoxel).r, 0.0, 1.0));
         ++voxel.x;
     }
 }

@@ -2,13 +2,17 @@
 #include "sculpt/solids/solid_cut.h"
 
 #include "base/check.h"
+#include "base/progress.h"
 #include "field/field.h"
 #include "gl/pass.h"
 #include "sculpt/shaders/bindings.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <deque>
+#include <map>
+#include <set>
 
 namespace vs::sculpt {
 
@@ -155,38 +159,102 @@ SolidCutter::Tiles SolidCutter::find(const Box3& box, int radius, const DepthOfT
     return tiles;
 }
 
-Box3 SolidCutter::run(gl::Program& program, const Tiles& tiles, Sculpture& sculpture, int radius, Combine how,
-                      BrickBackup& backup) {
-    if (how == Combine::Restore && sculpture.isEmpty()) {
-        return {};
-    }
+Box3 SolidCutter::boxOf(std::uint32_t tile) const {
     const glm::ivec3 grid = divideUp(geometry_.dims, kTile);
-    Box3 all;
-    for (const auto* list : {&tiles.partly, &tiles.wholly}) {
-        for (const std::uint32_t number : *list) {
-            const int n = int(number);
-            const glm::ivec3 lo = kTile * glm::ivec3(n % grid.x, n / grid.x % grid.y, n / (grid.x * grid.y));
-            const Box3 tile = intersect({lo, lo + kTile}, geometry_.box());
-            backup.protect(tile);
-            all = unite(all, tile);
+    const int n = int(tile);
+    const glm::ivec3 lo = kTile * glm::ivec3(n % grid.x, n / grid.x % grid.y, n / (grid.x * grid.y));
+    return intersect({lo, lo + kTile}, geometry_.box());
+}
+
+// Bricks all of whose tiles are cut whole need no program.
+void SolidCutter::fillBricks(Tiles& tiles, CutTarget& target, Combine how) const {
+    const glm::ivec3 grid = divideUp(geometry_.dims, field::kBrick);
+    const auto brickOf = [&](std::uint32_t tile) {
+        const glm::ivec3 at = boxOf(tile).lo / field::kBrick;
+        return (at.z * grid.y + at.y) * grid.x + at.x;
+    };
+    std::map<int, int> whole; // tiles of each brick
+    for (const std::uint32_t tile : tiles.wholly) {
+        ++whole[brickOf(tile)];
+    }
+    std::set<int> filled;
+    for (const auto& [brick, count] : whole) {
+        const glm::ivec3 lo =
+            field::kBrick * glm::ivec3(brick % grid.x, brick / grid.x % grid.y, brick / grid.x / grid.y);
+        const Box3 box = intersect({lo, lo + field::kBrick}, geometry_.box());
+        const glm::ivec3 size = divideUp(box.size(), kTile);
+        if (count == size.x * size.y * size.z && target.fill(box, how)) {
+            filled.insert(brick);
         }
     }
-    if (all.isEmpty()) {
+    std::erase_if(tiles.wholly, [&](std::uint32_t tile) { return filled.contains(brickOf(tile)); });
+}
+
+Box3 SolidCutter::run(const Prepare& prepare, Tiles tiles, CutTarget& target, int radius, Combine how) {
+    if (how == Combine::Restore && target.isEmpty()) {
         return {};
     }
+    Box3 all;
+    std::map<std::array<int, 3>, Tiles> parts; // by the cell of the target's grid of parts
+    const auto add = [&](std::vector<std::uint32_t> Tiles::*list) {
+        for (const std::uint32_t tile : tiles.*list) {
+            const Box3 box = boxOf(tile);
+            const glm::ivec3 cell = target.side() == 0 ? glm::ivec3(0) : box.lo / target.side();
+            (parts[{cell.z, cell.y, cell.x}].*list).push_back(tile);
+            all = unite(all, box);
+        }
+    };
+    if (target.side() != 0) {
+        for (const std::uint32_t tile : tiles.wholly) {
+            all = unite(all, boxOf(tile));
+        }
+        fillBricks(tiles, target, how);
+    }
+    add(&Tiles::partly);
+    add(&Tiles::wholly);
     const gl::Pass pass("cut solid");
-    sculpture.texels().bindImage(kSolidSculptureImage, gl::Access::ReadWrite);
-    gl::Program& fill = fill_.with(sculpture.defines());
-    sculpture.bindLimits(program);
-    sculpture.bindLimits(fill);
-    dispatch(program, tiles.partly, radius, how);
-    dispatch(fill, tiles.wholly, radius, how);
-    sculpture.refresh(all);
+    for (const auto& [cell, some] : parts) {
+        reportProgress();
+        Box3 box;
+        for (const auto* list : {&some.partly, &some.wholly}) {
+            for (const std::uint32_t tile : *list) {
+                box = unite(box, boxOf(tile));
+            }
+        }
+        target.cutIn(box, [&](const CutTarget::Part& part) {
+            return runIn(part, prepare, some, radius, how);
+        });
+    }
+    target.finish();
     return all;
 }
 
-void SolidCutter::dispatch(gl::Program& program, const std::vector<std::uint32_t>& tiles, int radius,
-                           Combine how) {
+Box3 SolidCutter::runIn(const CutTarget::Part& part, const Prepare& prepare, const Tiles& tiles, int radius,
+                        Combine how) {
+    Box3 box;
+    for (const auto* list : {&tiles.partly, &tiles.wholly}) {
+        for (const std::uint32_t number : *list) {
+            const Box3 tile = boxOf(number);
+            if (part.backup != nullptr) {
+                part.backup->protect(tile);
+            }
+            box = unite(box, tile);
+        }
+    }
+    Sculpture& sculpture = *part.sculpture;
+    sculpture.texels().bindImage(kSolidSculptureImage, gl::Access::ReadWrite);
+    gl::Program& program = prepare(part);
+    gl::Program& fill = fill_.with(sculpture.defines());
+    sculpture.bindLimits(program);
+    sculpture.bindLimits(fill);
+    dispatch(program, tiles.partly, sculpture.origin(), radius, how);
+    dispatch(fill, tiles.wholly, sculpture.origin(), radius, how);
+    sculpture.refresh(box);
+    return box;
+}
+
+void SolidCutter::dispatch(gl::Program& program, const std::vector<std::uint32_t>& tiles,
+                           glm::ivec3 firstVoxel, int radius, Combine how) {
     constexpr std::size_t row = 32768; // as in tiles.glsl
     if (tiles.empty()) {
         return;
@@ -197,6 +265,7 @@ void SolidCutter::dispatch(gl::Program& program, const std::vector<std::uint32_t
     list_.write(std::span<const std::uint32_t>(list));
     list_.bindStorage(kTileListStorage);
     program.set("tileDims", divideUp(geometry_.dims, kTile))
+        .set("firstVoxel", firstVoxel)
         .set("dims", geometry_.dims)
         .set("isRestore", how == Combine::Restore ? 1 : 0)
         .set("worldFromVoxel", glm::mat4(geometry_.worldFromVoxel))
@@ -205,7 +274,7 @@ void SolidCutter::dispatch(gl::Program& program, const std::vector<std::uint32_t
     program.dispatch({int(std::min(tiles.size(), row)), int(rows), 1}, gl::Barrier::Texture);
 }
 
-Box3 SolidCutter::extrude(Sculpture& sculpture, const Extrusion& solid, Combine how, BrickBackup& backup) {
+Box3 SolidCutter::extrude(CutTarget& target, const Extrusion& solid, Combine how) {
     const Projector& view = solid.projector;
     const double step = geometry_.stepMm();
     // As wide as the edge is where the volume is nearest to the eye, about.
@@ -221,7 +290,6 @@ Box3 SolidCutter::extrude(Sculpture& sculpture, const Extrusion& solid, Combine 
     }
     const auto outline = asTexture(distances.size, std::span<const float>(distances.values), gl::Format::R32F,
                                    gl::Filter::Linear, "outline distances");
-    outline.bindTexture(kOutlineDistancesTexture);
     const bool hasDepth = !solid.beginMm.empty();
     gl::Texture own;
     gl::Texture front;
@@ -237,15 +305,21 @@ Box3 SolidCutter::extrude(Sculpture& sculpture, const Extrusion& solid, Combine 
         };
         own = upload(spans, "depths under pixels");
         front = upload(nearest, "depths in front");
-        own.bindTexture(kOwnDepthsTexture);
-        front.bindTexture(kFrontDepthsTexture);
     }
-    gl::Program& program = extrude_.with(sculpture.defines());
-    program.set("pixelFromVoxel", glm::mat4(view.pixelFromWorld * geometry_.worldFromVoxel))
-        .set("outlinePlace", glm::vec4(distances.origin, band, view.pixelMm))
-        .set("eye", glm::vec4(view.eye, view.isOrthographic ? 1.0 : 0.0))
-        .set("forward", glm::vec3(view.forward))
-        .set("kind", glm::vec3(solid.cutsOutside ? 1.0 : 0.0, hasDepth ? 1.0 : 0.0, solid.radius * step));
+    const auto prepare = [&](const CutTarget::Part& part) -> gl::Program& {
+        outline.bindTexture(kOutlineDistancesTexture);
+        if (hasDepth) {
+            own.bindTexture(kOwnDepthsTexture);
+            front.bindTexture(kFrontDepthsTexture);
+        }
+        gl::Program& program = extrude_.with(part.sculpture->defines());
+        program.set("pixelFromVoxel", glm::mat4(view.pixelFromWorld * geometry_.worldFromVoxel))
+            .set("outlinePlace", glm::vec4(distances.origin, band, view.pixelMm))
+            .set("eye", glm::vec4(view.eye, view.isOrthographic ? 1.0 : 0.0))
+            .set("forward", glm::vec3(view.forward))
+            .set("kind", glm::vec3(solid.cutsOutside ? 1.0 : 0.0, hasDepth ? 1.0 : 0.0, solid.radius * step));
+        return program;
+    };
     const Box3 box = solid.cutsOutside ? geometry_.box() : boxSeenThrough(distances, view, geometry_);
     Tiles tiles = find(box, solid.radius, [&](const glm::dvec3& centre) {
         const double depth = depthInOutline(distances, view, centre, geometry_.diagonalMm());
@@ -255,38 +329,55 @@ Box3 SolidCutter::extrude(Sculpture& sculpture, const Extrusion& solid, Combine 
         tiles.partly.insert(tiles.partly.end(), tiles.wholly.begin(), tiles.wholly.end());
         tiles.wholly.clear();
     }
-    return run(program, tiles, sculpture, solid.radius, how, backup);
+    return run(prepare, std::move(tiles), target, solid.radius, how);
 }
 
-Box3 SolidCutter::clip(Sculpture& sculpture, const HalfSpaces& solid, Combine how, BrickBackup& backup) {
+Box3 SolidCutter::clip(CutTarget& target, const HalfSpaces& solid, Combine how) {
     if (solid.planes.empty()) {
         return {};
     }
     VS_CHECK(solid.planes.size() <= kMaxPlanes);
-    gl::Defines defines = sculpture.defines();
-    defines.emplace_back("MAX_PLANES", std::to_string(kMaxPlanes));
-    gl::Program& program = clip_.with(defines);
-    const std::vector<glm::vec4> planes(solid.planes.begin(), solid.planes.end());
-    program.set("kind", glm::ivec2(int(solid.planes.size()), solid.cutsInside ? 1 : 0)).set("planes", planes);
-    const Tiles tiles = find(geometry_.box(), solid.radius, [&](const glm::dvec3& centre) {
+    const auto prepare = [&](const CutTarget::Part& part) -> gl::Program& {
+        gl::Defines defines = part.sculpture->defines();
+        defines.emplace_back("MAX_PLANES", std::to_string(kMaxPlanes));
+        gl::Program& program = clip_.with(defines);
+        const std::vector<glm::vec4> planes(solid.planes.begin(), solid.planes.end());
+        program.set("kind", glm::ivec2(int(solid.planes.size()), solid.cutsInside ? 1 : 0))
+            .set("planes", planes);
+        return program;
+    };
+    Tiles tiles = find(geometry_.box(), solid.radius, [&](const glm::dvec3& centre) {
         double outside = -1e30;
         for (const glm::dvec4& plane : solid.planes) {
             outside = std::max(outside, glm::dot(plane, glm::dvec4(centre, 1.0)));
         }
         return solid.cutsInside ? -outside : outside;
     });
-    return run(program, tiles, sculpture, solid.radius, how, backup);
+    return run(prepare, std::move(tiles), target, solid.radius, how);
 }
 
-Box3 SolidCutter::cutValues(Sculpture& sculpture, std::span<const float> energies, Combine how,
-                            BrickBackup& backup) {
+Box3 SolidCutter::cutValues(CutTarget& target, std::span<const float> energies, Combine how) {
     const Box3 grid = geometry_.box();
     VS_CHECK_EQ(energies.size(), grid.volume());
-    gl::Texture texels(geometry_.dims, gl::Format::R32F, gl::Filter::Nearest, "energies");
-    texels.upload(grid, std::as_bytes(energies));
-    texels.bindImage(kEnergiesImage, gl::Access::Read);
-    const Tiles tiles = find(grid, 3, [](const glm::dvec3&) { return 0.0; });
-    return run(cutValues_.with(sculpture.defines()), tiles, sculpture, 3, how, backup);
+    gl::Texture texels;
+    const auto prepare = [&](const CutTarget::Part& part) -> gl::Program& {
+        const Box3 box{part.sculpture->origin(), part.within.hi};
+        const glm::ivec3 size = box.size();
+        std::vector<float> own;
+        if (box != grid) {
+            own.reserve(box.volume());
+            forEachVoxel(box, [&](glm::ivec3 v, std::size_t) {
+                own.push_back(energies[(std::size_t(v.z) * std::size_t(grid.hi.y) + std::size_t(v.y)) *
+                                           std::size_t(grid.hi.x) +
+                                       std::size_t(v.x)]);
+            });
+        }
+        texels = gl::Texture(size, gl::Format::R32F, gl::Filter::Nearest, "energies");
+        texels.upload({glm::ivec3(0), size}, own.empty() ? std::as_bytes(energies) : std::as_bytes(std::span(own)));
+        texels.bindImage(kEnergiesImage, gl::Access::Read);
+        return cutValues_.with(part.sculpture->defines());
+    };
+    return run(prepare, find(grid, 3, [](const glm::dvec3&) { return 0.0; }), target, 3, how);
 }
 
 } // namespace vs::sculpt

@@ -4,7 +4,7 @@
 #include "gl/program.h"
 #include "gl/texture.h"
 #include "sculpt/mask/mask.h"
-#include "sculpt/sculpture/sculpture.h"
+#include "sculpt/sculpture/cut_target.h"
 #include "volume/grid/geometry.h"
 
 #include <cstdint>
@@ -55,13 +55,13 @@ public:
     // From now on voxels lie there.
     void follow(const volume::GridGeometry& geometry) { geometry_ = geometry; }
 
-    // Bricks are protected in `backup` before they change. Return the box that may have changed; outlines of
-    // fewer than three points and empty lists of planes change nothing.
-    Box3 extrude(Sculpture& sculpture, const Extrusion& solid, Combine how, BrickBackup& backup);
-    Box3 clip(Sculpture& sculpture, const HalfSpaces& solid, Combine how, BrickBackup& backup);
-    // Cuts a solid that is given by its energies, one for each voxel of the grid, x fastest. Bricks are
-    // protected in `backup` before they change; returns the box that may have changed.
-    Box3 cutValues(Sculpture& sculpture, std::span<const float> energies, Combine how, BrickBackup& backup);
+    // Return the box that may have changed; outlines of fewer than three points and empty lists of planes
+    // change nothing.
+    Box3 extrude(CutTarget& target, const Extrusion& solid, Combine how);
+    Box3 clip(CutTarget& target, const HalfSpaces& solid, Combine how);
+    // Cuts a solid that is given by its energies, one for each voxel of the grid, x fastest. Returns the box
+    // that may have changed.
+    Box3 cutValues(CutTarget& target, std::span<const float> energies, Combine how);
 
 private:
     // How much of a tile of 8^3 voxels a solid takes, judged by how deep (mm, negative outside) its centre
@@ -73,9 +73,15 @@ private:
     };
     [[nodiscard]] double tileReach(int radius) const;
     [[nodiscard]] Tiles find(const Box3& box, int radius, const DepthOfTile& depth) const;
-    Box3 run(gl::Program& program, const Tiles& tiles, Sculpture& sculpture, int radius, Combine how,
-             BrickBackup& backup);
-    void dispatch(gl::Program& program, const std::vector<std::uint32_t>& tiles, int radius, Combine how);
+    // Binds what a program for tiles that are cut partly needs, and gives the program.
+    using Prepare = std::function<gl::Program&(const CutTarget::Part&)>;
+    Box3 run(const Prepare& prepare, Tiles tiles, CutTarget& target, int radius, Combine how);
+    Box3 runIn(const CutTarget::Part& part, const Prepare& prepare, const Tiles& tiles, int radius,
+               Combine how);
+    void fillBricks(Tiles& tiles, CutTarget& target, Combine how) const;
+    [[nodiscard]] Box3 boxOf(std::uint32_t tile) const;
+    void dispatch(gl::Program& program, const std::vector<std::uint32_t>& tiles, glm::ivec3 firstVoxel,
+                  int radius, Combine how);
 
     volume::GridGeometry geometry_;
     gl::Buffer list_;

@@ -77,6 +77,35 @@ Box3 LayeredCut::cutTo(double depthSteps, Radiator& radiator, PointGenerator& ge
     return sculpture.combineWith(before_, radiator);
 }
 
+Box3 LayeredCut::cutAtOnce(double depthSteps, Radiator& radiator, PointGenerator& generator,
+                           CutTarget& target) {
+    const State wanted = stateAt(depthSteps);
+    if (wanted == stateAt(0)) {
+        return {};
+    }
+    const Box3 points = grow(swept_.hullBox(edge(0), wanted.partial.hi), 1);
+    return target.cutIn(reachOf(points, footprint_), [&](const CutTarget::Part& part) {
+        radiator.beginRunning(points, part.within, footprint_);
+        const Box3 near = reachOf(part.within, footprint_);
+        for (int layer = 0; layer <= wanted.layers; ++layer) {
+            const Piece piece =
+                layer < wanted.layers ? Piece{edge(layer), edge(layer + 1)} : wanted.partial;
+            if (piece.lo < piece.hi && !isBeyondAll(piece)) {
+                swept_.sweepPiece(piece.lo, piece.hi);
+                emptyFrom_ = swept_.patches().empty() ? std::min(emptyFrom_, piece.lo) : emptyFrom_;
+                generator.generateIn(near, swept_, [&](const gl::Buffer& made, std::size_t count) {
+                    radiator.deposit(made, count);
+                });
+            }
+        }
+        const Box3 touched = radiator.finish();
+        if (part.backup != nullptr) {
+            part.backup->protect(touched);
+        }
+        return part.sculpture->combine(radiator, Combine::Cut);
+    });
+}
+
 // The radiation keeps its deposits in a box of fixed size, which has room for a certain depth. For more it
 // begins again with twice the depth, and what was there is deposited again.
 void LayeredCut::makeRoom(float depth, Radiator& radiator, PointGenerator& generator) {
@@ -90,7 +119,7 @@ void LayeredCut::makeRoom(float depth, Radiator& radiator, PointGenerator& gener
     } else {
         room_ = grow(swept_.hullBox(edge(0), roomDepth_), 1);
     }
-    radiator.beginRunning(room_, dims_, footprint_);
+    radiator.beginRunning(room_, {glm::ivec3(0), dims_}, footprint_);
     for (int layer = 0; layer < state_.layers; ++layer) {
         put({edge(layer), edge(layer + 1)}, false, radiator, generator);
     }

@@ -3,8 +3,7 @@
 
 #include "sculpt/radiation/radiation.h"
 #include "sculpt/radiation/tool_points.h"
-#include "sculpt/sculpture/brick_backup.h"
-#include "sculpt/sculpture/sculpture.h"
+#include "sculpt/sculpture/cut_target.h"
 #include "sculpt/surface/tool_surface.h"
 
 #include <vector>
@@ -27,6 +26,9 @@ public:
     // changed. Throws GlError when the device has no room.
     Box3 cutTo(double depthSteps, Radiator& radiator, PointGenerator& generator, Sculpture& sculpture,
                BrickBackup* backup);
+
+    // Cuts that deep into what has not been cut by this before. The state stays that of no depth.
+    Box3 cutAtOnce(double depthSteps, Radiator& radiator, PointGenerator& generator, CutTarget& target);
 
     // Points deposited and taken back by the last cutTo().
     [[nodiscard]] std::size_t pointsMoved() const { return pointsMoved_; }

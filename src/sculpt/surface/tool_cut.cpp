@@ -15,20 +15,24 @@ Box3 ToolCutter::cut(Sculpture& sculpture, const field::SurfacePoints& surface, 
                      backup);
 }
 
-Box3 ToolCutter::cut(Sculpture& sculpture, std::span<const field::SurfacePoint> surface,
-                     const MaskRaster& mask, const ToolCut& cut, BrickBackup* backup) {
+Box3 ToolCutter::cut(CutTarget& target, std::span<const field::SurfacePoint> surface, const MaskRaster& mask,
+                     const ToolCut& cut) {
     const SweptPatches patches = sweepSurface(surface, mask, geometry_, cut.sweep);
     if (patches.patches().empty()) {
         return {};
     }
-    radiator_.begin(patches.pointBox(), geometry_.dims, fitFootprint(cut.sweep.radius, geometry_.spacing()));
-    generator_.generate(
-        patches, [&](const gl::Buffer& points, std::size_t count) { radiator_.deposit(points, count); });
-    const Box3 touched = radiator_.finish();
-    if (backup != nullptr) {
-        backup->protect(touched);
-    }
-    return sculpture.combine(radiator_, cut.how);
+    const Footprint footprint = fitFootprint(cut.sweep.radius, geometry_.spacing());
+    return target.cutIn(reachOf(patches.pointBox(), footprint), [&](const CutTarget::Part& part) {
+        radiator_.begin(patches.pointBox(), part.within, footprint);
+        generator_.generateIn(
+            reachOf(part.within, footprint), patches,
+            [&](const gl::Buffer& points, std::size_t count) { radiator_.deposit(points, count); });
+        const Box3 touched = radiator_.finish();
+        if (part.backup != nullptr) {
+            part.backup->protect(touched);
+        }
+        return part.sculpture->combine(radiator_, cut.how);
+    });
 }
 
 } // namespace vs::sculpt

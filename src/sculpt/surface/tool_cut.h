@@ -3,8 +3,7 @@
 
 #include "sculpt/radiation/radiation.h"
 #include "sculpt/radiation/tool_points.h"
-#include "sculpt/sculpture/brick_backup.h"
-#include "sculpt/sculpture/sculpture.h"
+#include "sculpt/sculpture/cut_target.h"
 #include "sculpt/surface/tool_surface.h"
 
 namespace vs::sculpt {
@@ -30,7 +29,12 @@ public:
              const ToolCut& cut, BrickBackup* backup);
     // Runs a stamp whose surface points are at hand in memory.
     Box3 cut(Sculpture& sculpture, std::span<const field::SurfacePoint> surface, const MaskRaster& mask,
-             const ToolCut& cut, BrickBackup* backup);
+             const ToolCut& cut, BrickBackup* backup) {
+        WholeTarget target(sculpture, backup);
+        return this->cut(target, surface, mask, cut);
+    }
+    Box3 cut(CutTarget& target, std::span<const field::SurfacePoint> surface, const MaskRaster& mask,
+             const ToolCut& cut);
 
     [[nodiscard]] Radiator& radiator() { return radiator_; }
     [[nodiscard]] PointGenerator& generator() { return generator_; }

@@ -41,10 +41,18 @@ void Document::showFinerLevels(const FinerLevels& levels) {
     impl_->display.showFiner(
         *detail, !finest.isFiner() ? field::computeCellRanges(scan.field)
                                    : field::finerCellRanges(scan.inFile.dims, finest, levels.extremes));
+    const bool isFiner = finest.isFiner();
+    if (isFiner) {
+        contents.sculpture.refine(
+            std::make_unique<sculpt::FineSculpture>(finest, contents.sculpture.precision()));
+        impl_->cutter.refine(*detail);
+    }
     scan.detail = std::move(detail);
+    scan.levels = source;
     ++contents.version;
 }
 
+std::shared_ptr<const volume::BrickSource> Document::levels() const { return impl_->contents.scan.levels; }
 const field::Detail* Document::detail() const { return impl_->contents.scan.detail.get(); }
 
 void Document::setUndoMemory(std::size_t bytes) { impl_->contents.history.setMemoryLimit(bytes); }

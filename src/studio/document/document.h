@@ -107,6 +107,8 @@ public:
     void showFinerLevels(const FinerLevels& levels);
     // What it has of them; null: it shows none.
     [[nodiscard]] const field::Detail* detail() const;
+    // All levels of the scan, where finer ones are shown; else null.
+    [[nodiscard]] std::shared_ptr<const volume::BrickSource> levels() const;
 
     // Undo has no end, but what it keeps of cuts takes no more than so many bytes of memory; the rest is in a
     // temporary file.

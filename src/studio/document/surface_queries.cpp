@@ -47,7 +47,7 @@ std::vector<glm::dvec2> SurfaceQueries::outlineOnSurface(const Sketch& mask, glm
                                                          glm::ivec2 viewport) {
     const render::Frame frame = display_.frame(contents_.view, viewport);
     const ToolMask toolMask(mask, frame, contents_.scan.volume.geometry);
-    const auto plane = layOnSurface(cutter_.picker, frame, toolMask, pixel);
+    const auto plane = layOnSurface(cutter_, frame, toolMask, pixel);
     std::vector<glm::dvec2> outline;
     if (plane) {
         for (const glm::dvec2 point : outlineOf(mask)) {

@@ -76,7 +76,7 @@ void CutEditor::discard() {
     ++contents_.version;
 }
 
-void CutEditor::remember(const Operation& operation, sculpt::BrickDelta& cut, bool isLimited) {
+void CutEditor::remember(const Operation& operation, sculpt::SculptureDelta& cut, bool isLimited) {
     const bool isTrim = std::visit(
         [](const auto& op) {
             if constexpr (requires { op.isTrim(); }) {
@@ -96,7 +96,7 @@ void CutEditor::remember(const Operation& operation, sculpt::BrickDelta& cut, bo
     contents_.remember(std::move(edit));
 }
 
-Phrase CutEditor::saidOf(const sculpt::BrickDelta& delta) const {
+Phrase CutEditor::saidOf(const sculpt::SculptureDelta& delta) const {
     if (!delta.isEmpty()) {
         return say(VS_TEXT("library", "%1 voxels changed"), delta.changedVoxels());
     }
@@ -111,7 +111,7 @@ Phrase CutEditor::saidOf(const sculpt::BrickDelta& delta) const {
 }
 
 Outcome CutEditor::finish() {
-    sculpt::BrickDelta delta;
+    sculpt::SculptureDelta delta;
     try {
         delta = stroke_->finish();
     } catch (...) { // no memory to hold what would undo it
@@ -161,7 +161,7 @@ Outcome CutEditor::run(KeepConnected& op) { return cutAtOnce(op); }
 
 // The voxels of a delta that are cut now and were not before it; of them, where a range is given, those with
 // values in that. The sculpture is as before the delta afterwards.
-segment::VoxelSet CutEditor::takeBackAndTell(sculpt::BrickDelta& delta, const std::optional<Range>& seen) {
+segment::VoxelSet CutEditor::takeBackAndTell(sculpt::SculptureDelta& delta, const std::optional<Range>& seen) {
     segment::VoxelSet set = segment::emptySet(delta.box());
     std::vector<std::vector<float>> after;
     for (const Box3& brick : delta.bricks()) {
@@ -193,7 +193,7 @@ segment::VoxelSet CutEditor::wouldCut(const BrushSegment& op) {
             open(drawn);
         },
         op.stroke);
-    sculpt::BrickDelta delta;
+    sculpt::SculptureDelta delta;
     try {
         stroke_->replay();
         delta = stroke_->finish();
@@ -216,7 +216,7 @@ segment::VoxelSet CutEditor::wouldCut(const BrushSegment& op) {
     }
 }
 
-sculpt::BrickDelta CutEditor::cutBy(const segment::VoxelSet& set, const CutSegment& op,
+sculpt::SculptureDelta CutEditor::cutBy(const segment::VoxelSet& set, const CutSegment& op,
                                     const std::vector<float>& most) {
     const auto inside = smoothMembership(
         contents_.scan.field, segment::changeMargin(set, contents_.scan.volume.geometry, op.marginMm));
@@ -235,7 +235,9 @@ sculpt::BrickDelta CutEditor::cutBy(const segment::VoxelSet& set, const CutSegme
     backup.protect(box);
     contents_.sculpture.upload(box, texels);
     try {
-        return backup.finish();
+        sculpt::SculptureDelta delta(backup.finish());
+        delta.finer = contents_.sculpture.cutFiner(delta);
+        return delta;
     } catch (...) { // no memory to hold what would undo it
         contents_.sculpture.refresh(backup.restore());
         contents_.sculpture.contentIsAsAt(content);
@@ -252,7 +254,7 @@ Outcome CutEditor::run(CutSegment& op) {
     const std::uint64_t content = contents_.sculpture.contentVersion();
     const std::vector<float> most =
         sculpt::mostEnergies(limits_.find(contents_), contents_.scan.volume.geometry.box());
-    sculpt::BrickDelta delta = cutBy(set, op, most);
+    sculpt::SculptureDelta delta = cutBy(set, op, most);
     const std::size_t changed = delta.changedVoxels();
     try {
         Outcome outcome{{}, 0, changed, say(VS_TEXT("library", "%1 voxels changed"), changed)};

@@ -49,13 +49,13 @@ private:
     Outcome cutAtOnce(Cut& op);
     void open(const Operation& operation); // a stroke without limits
     void forget();                         // the stroke
-    segment::VoxelSet takeBackAndTell(sculpt::BrickDelta& delta, const std::optional<Range>& seen);
+    segment::VoxelSet takeBackAndTell(sculpt::SculptureDelta& delta, const std::optional<Range>& seen);
     // Remembers a cut that has been made as a step, with what it does to what is trimmed. If there is no
     // memory for that, it throws, and whoever made the cut must take it back.
-    void remember(const Operation& operation, sculpt::BrickDelta& cut, bool isLimited);
-    [[nodiscard]] Phrase saidOf(const sculpt::BrickDelta& delta) const;
+    void remember(const Operation& operation, sculpt::SculptureDelta& cut, bool isLimited);
+    [[nodiscard]] Phrase saidOf(const sculpt::SculptureDelta& delta) const;
     // Cuts what lies in a set of voxels, or outside it, with at most so much energy; says what undoes that.
-    sculpt::BrickDelta cutBy(const segment::VoxelSet& set, const CutSegment& op,
+    sculpt::SculptureDelta cutBy(const segment::VoxelSet& set, const CutSegment& op,
                              const std::vector<float>& most);
 
     Contents& contents_;

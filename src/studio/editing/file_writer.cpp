@@ -6,8 +6,12 @@
 #include "studio/editing/measurement_marks.h"
 #include "studio/editing/stroke_marks.h"
 #include "volume/io/write.h"
+#include "volume/store/write_store.h"
 
+#include <chrono>
+#include <functional>
 #include <span>
+#include <string>
 
 namespace vs::studio {
 
@@ -36,15 +40,74 @@ Outcome FileWriter::run(const SavePicture& op, const std::filesystem::path& fold
     return {{}, 0, 0, say("%1", op.file)};
 }
 
+namespace {
+
+// Values of boxes of a grid, as a store with levels.
+template <typename T>
+void writeStore(const std::filesystem::path& path, const volume::GridGeometry& grid, volume::ScalarType type,
+                volume::Reducing reducing, const std::function<std::vector<T>(const Box3&)>& valuesIn) {
+    volume::StoreSource source;
+    source.facts.geometry = grid;
+    source.facts.name = path.stem().string();
+    source.type = type;
+    // Nobody goes on with it: what it is made from may have changed before the same is asked for again.
+    source.identity = std::to_string(std::chrono::system_clock::now().time_since_epoch().count());
+    source.read = [&](const Box3& box) {
+        const std::vector<T> values = valuesIn(box);
+        const auto bytes = std::as_bytes(std::span(values));
+        return std::vector<std::byte>(bytes.begin(), bytes.end());
+    };
+    volume::StoreLayout layout;
+    layout.reducing = reducing;
+    volume::writeStore(path, source, layout);
+}
+
+// Boxes of values that are all there, x fastest.
+template <typename T>
+std::function<std::vector<T>(const Box3&)> boxesOf(const std::vector<T>& values, glm::ivec3 dims) {
+    return [&values, dims](const Box3& box) {
+        std::vector<T> part;
+        part.reserve(box.volume());
+        forEachVoxel(box, [&](glm::ivec3 v, std::size_t) {
+            part.push_back(values[(std::size_t(v.z) * std::size_t(dims.y) + std::size_t(v.y)) *
+                                      std::size_t(dims.x) +
+                                  std::size_t(v.x)]);
+        });
+        return part;
+    };
+}
+
+bool isStore(const std::string& file) { return std::filesystem::path(file).extension() == ".zarr"; }
+
+} // namespace
+
 Outcome FileWriter::run(const SaveLabels& op, const std::filesystem::path& folder) {
     const auto labels = contents_.region.labelMap();
+    if (isStore(op.file)) {
+        const volume::GridGeometry& grid = contents_.scan.volume.geometry;
+        writeStore<std::uint8_t>(folder / op.file, grid, volume::ScalarType::UInt8,
+                                 volume::Reducing::Commonest, boxesOf(labels, grid.dims));
+        return {{}, 0, contents_.grownVoxels(), say("%1", op.file)};
+    }
     volume::writeGrid(folder / op.file, contents_.scan.volume.geometry,
                       std::span<const std::uint8_t>(labels));
     return {{}, 0, contents_.grownVoxels(), say("%1", op.file)};
 }
 
 Outcome FileWriter::run(const SaveSculpture& op, const std::filesystem::path& folder) {
+    const sculpt::FineSculpture* finer = contents_.sculpture.finer();
+    if (finer != nullptr && isStore(op.file)) {
+        writeStore<float>(folder / op.file, *cutter_.geometry, volume::ScalarType::Float32,
+                          volume::Reducing::Mean, finer->reader());
+        return {{}, 0, 0, say("%1", op.file)};
+    }
     const std::vector<float> values = cutter_.sculptureAsFloats();
+    if (isStore(op.file)) {
+        const volume::GridGeometry& grid = contents_.scan.volume.geometry;
+        writeStore<float>(folder / op.file, grid, volume::ScalarType::Float32, volume::Reducing::Mean,
+                          boxesOf(values, grid.dims));
+        return {{}, 0, 0, say("%1", op.file)};
+    }
     volume::writeGrid(folder / op.file, contents_.scan.volume.geometry, std::span<const float>(values));
     return {{}, 0, 0, say("%1", op.file)};
 }

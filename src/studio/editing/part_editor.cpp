@@ -114,7 +114,7 @@ Outcome PartEditor::run(DiscardPart& op) {
     return saying(op.part);
 }
 
-sculpt::BrickDelta PartEditor::clearSculpture() {
+sculpt::SculptureDelta PartEditor::clearSculpture() {
     sculpt::Sculpture& sculpture = contents_.sculpture;
     const std::uint64_t content = sculpture.contentVersion();
     sculpt::BrickBackup backup(sculpture.texels());
@@ -123,7 +123,11 @@ sculpt::BrickDelta PartEditor::clearSculpture() {
     }
     sculpture.clear();
     try {
-        return backup.finish();
+        sculpt::SculptureDelta delta(backup.finish());
+        if (sculpture.finer() != nullptr) {
+            delta.finer = sculpture.finer()->clear();
+        }
+        return delta;
     } catch (...) { // no memory to hold what would undo it
         sculpture.refresh(backup.restore());
         sculpture.contentIsAsAt(content);
@@ -143,7 +147,7 @@ Outcome PartEditor::run(UnCut& op) {
     edit.partsAfter = nothing;
     contents_.history.makeRoom();
     const std::uint64_t content = sculpture.contentVersion();
-    sculpt::BrickDelta delta = clearSculpture();
+    sculpt::SculptureDelta delta = clearSculpture();
     const std::size_t changed = delta.changedVoxels();
     Outcome outcome{{}, 0, changed, {}};
     try {

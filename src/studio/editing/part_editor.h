@@ -31,7 +31,7 @@ private:
     [[nodiscard]] PastedPart& partOf(PastedState& state, int number) const;
     void change(Edit edit, PastedState state);
     // Clears the sculpture; says what undoes that. When it throws, nothing has changed.
-    sculpt::BrickDelta clearSculpture();
+    sculpt::SculptureDelta clearSculpture();
 
     Contents& contents_;
     Display& display_;

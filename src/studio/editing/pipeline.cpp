@@ -130,6 +130,8 @@ field::Scene Pipeline::scene(const State& state, bool wantsSegments) {
     field::Scene scene;
     scene.data = field_;
     scene.sculpture = isSculpted ? &state.sculpture->texels() : nullptr;
+    scene.hasFinerCuts = isSculpted && state.sculpture->finer() != nullptr;
+    layCuts(state);
     scene.isCutAlongSegments = state.isCutAlongSegments;
     scene.segmentation = hasSegmentation ? &segmentation_->texels() : nullptr;
     if (hasSegmentation && state.growth->hasOthers()) {
@@ -142,6 +144,15 @@ field::Scene Pipeline::scene(const State& state, bool wantsSegments) {
     scene.view = isSculpted ? state.view->sculptureView : field::SculptureView::Whole;
     scene.sampling = state.view->sampling;
     return scene;
+}
+
+// Finer levels show what is cut there now.
+void Pipeline::layCuts(const State& state) {
+    const sculpt::FineSculpture* finer = state.sculpture->finer();
+    if (detail_ != nullptr && finer != nullptr && detail_->laidVersion() != finer->version()) {
+        detail_->lay(finer->snapshot(), finer->version(),
+                     [finer](std::uint64_t version) { return finer->changedSince(version); });
+    }
 }
 
 render::SegmentColours Pipeline::segmentColours(const State& state) {

@@ -101,6 +101,7 @@ private:
     void makeSegmentation();
     // What shaders see of the document, with the segments if they are wanted; brings those up to date.
     field::Scene scene(const State& state, bool wantsSegments);
+    void layCuts(const State& state);
     // What the viewer does not see of the sculpture in a view.
     static segment::Fence fence(const State& state, field::SculptureView view);
     // The segments as pasted parts show them: their cut faces look the other way.

@@ -25,6 +25,7 @@ struct Scan {
     volume::GridGeometry inFile; // as it was opened
     volume::Volume volume;
     field::Field field;
+    std::shared_ptr<const volume::BrickSource> levels; // all of them, the finest first; null: not known
     std::unique_ptr<field::Detail> detail; // finer levels of it, which pictures show; null: there are none
     std::vector<std::uint32_t> histogram;  // voxel counts in equal bins over volume.usual, at most 256
     Range shown;                           // the displayed range to begin with

@@ -39,6 +39,10 @@ ExportReader::ExportReader(Document& document, ExportSettings::What what,
             places_.push_back(part.at);
         }
         sculptures_ = isCut ? 1 + parts.size() : 0;
+        if (const sculpt::FineSculpture* finer = document.sculpture().finer()) {
+            source_.finest = {document.levels(), finer->reader(),
+                              field::finerGeometry(source_.geometry, finer->grid())};
+        }
     }
 }
 

@@ -8,6 +8,7 @@
 #include "render/camera/placement.h"
 #include "segment/edits/label_sets.h"
 #include "segment/measures/measured_segment.h"
+#include "studio/exports/store_export.h"
 #include "volume/io/inspect.h"
 #include "volume/io/write.h"
 #include "volume/reading/write_segmentation.h"
@@ -196,14 +197,14 @@ std::string writeVolume(const std::filesystem::path& path, const ExportSource& s
 
 void checkExportName(const std::filesystem::path& path, const ExportSettings& settings) {
     const bool isTable = endsIn(path, ".csv") || endsIn(path, ".dcm");
-    if (mesh::isMeshName(path) || (isTable && settings.what == What::Segments)) {
+    if (mesh::isMeshName(path) || isStoreName(path) || (isTable && settings.what == What::Segments)) {
         return;
     }
     try {
         volume::checkGridName(path);
     } catch (const WriteError&) {
         throw WriteError("{}: the extension names no format of {}; it must be .stl, .ply, .obj or .glb for "
-                         "surfaces, {}.nrrd, .nii, .nii.gz, .mha or .mhd for voxels",
+                         "surfaces, {}.nrrd, .nii, .nii.gz, .mha, .mhd or .zarr for voxels",
                          path.string(),
                          settings.what == What::Segments ? "segments" : "what is left of a volume",
                          settings.what == What::Segments ? ".dcm for DICOM, .csv for a table, " : "");
@@ -221,6 +222,10 @@ std::vector<std::string> writeExport(const std::filesystem::path& path, const Ex
         return writeSurfaces(path, source, settings, progress);
     }
     mesh::report(progress, 0);
+    if (isStoreName(path)) {
+        return {settings.what == What::Volume ? writeSculptedStore(path, source, settings.fill)
+                                              : writeLabelStore(path, source)};
+    }
     if (settings.what == What::Volume) {
         return {writeVolume(path, source, settings.fill)};
     }

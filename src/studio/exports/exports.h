@@ -4,11 +4,15 @@
 #include "mesh/refine.h"
 #include "mesh/visible_surface.h"
 #include "studio/document/document.h"
+#include "volume/grid/brick_source.h"
 #include "volume/io/read.h"
 
 #include <array>
 #include <filesystem>
+#include <functional>
+#include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -58,6 +62,14 @@ struct ExportSource {
         std::string name;
     };
     std::vector<Part> parts;
+    // Volume: the finest level of a scan that is worked on at a coarser one, for stores, and what is cut of
+    // it (0 to 1), both for boxes of its voxels.
+    struct Finest {
+        std::shared_ptr<const volume::BrickSource> levels;
+        std::function<std::vector<float>(const Box3&)> cut;
+        volume::GridGeometry geometry;
+    };
+    std::optional<Finest> finest;
 };
 
 // All segments of a document that have voxels.
@@ -93,6 +105,9 @@ private:
 // away go over to the fill from where the sculpture is a half to where it is 1, so that the cut face stays
 // smooth. The displayed range and pasted parts play no role.
 volume::Volume sculptedVolume(const ExportSource& source, const std::optional<double>& fill);
+// Has values of a type go over to the fill so where the sculpture (0 to 1, a number for each) has cut them.
+void takeCutAway(std::span<std::byte> values, volume::ScalarType type, std::span<const float> sculpture,
+                 field::SculptureView view, double fill);
 
 // Says what is wrong with a file's name for what is to be exported: WriteError.
 void checkExportName(const std::filesystem::path& path, const ExportSettings& settings);

@@ -101,7 +101,10 @@ void saveDocument(const std::filesystem::path& path, const Document& document, c
     const std::filesystem::path target = outputFile(path);
     settle(target);
     // What was done to a view alone is done again at once.
-    const bool hasEdits = document.history().canUndo() || document.history().canRedo();
+    // So is what was cut at a finer level than the one that is worked on: states have no room for it.
+    const sculpt::FineSculpture* finer = document.sculpture().finer();
+    const bool hasEdits = (document.history().canUndo() || document.history().canRedo()) &&
+                          (finer == nullptr || finer->version() == 0);
     try {
         if (hasEdits) {
             const Json identity =

@@ -2,7 +2,9 @@
 #include "base/error.h"
 #include "phantom/phantom.h"
 #include "studio/json/session.h"
+#include "studio/operations/other_grid.h"
 #include "volume/reading/read_volume.h"
+#include "volume/reading/store_bricks.h"
 
 #include <fmt/format.h>
 
@@ -125,15 +127,52 @@ volume::Volume findMoved(const Session& session, const std::filesystem::path& se
 
 } // namespace
 
+namespace {
+
+std::filesystem::path volumePathOf(const Session& session, const std::filesystem::path& sessionPath,
+                                   const std::optional<std::filesystem::path>& replacement) {
+    if (replacement) {
+        return *replacement;
+    }
+    const bool isWhole = session.volumePath.is_absolute() || volume::isWebAddress(session.volumePath);
+    return isWhole ? session.volumePath : sessionPath.parent_path() / session.volumePath;
+}
+
+} // namespace
+
+bool goToLevel(Session& session, const std::filesystem::path& sessionPath,
+               const std::optional<std::filesystem::path>& replacement, const volume::ReadOptions& used,
+               std::vector<std::string>& notices) {
+    const auto madeOn = std::size_t(session.level.value_or(0));
+    const auto wanted = std::size_t(used.level.value_or(0));
+    const std::filesystem::path path = volumePathOf(session, sessionPath, replacement);
+    if (madeOn == wanted || session.isMade() || !volume::hasLevels(path)) {
+        return false;
+    }
+    const volume::StoreBricks store(path, used);
+    const auto& levels = store.levels();
+    if (madeOn >= levels.size() || wanted >= levels.size()) {
+        return false;
+    }
+    const OtherGrid grid = otherGrid(levels[madeOn], levels[wanted]);
+    for (Operation& operation : session.operations) {
+        operation = onGrid(std::move(operation), grid);
+    }
+    session.level = used.level;
+    session.volumeChecksum.clear();
+    session.stateChecksum.clear(); // the state is that of the other level
+    notices.push_back(fmt::format(
+        "{}: it was made on level {} and is replayed on level {}: places, depths and generations are those "
+        "of that level",
+        sessionPath.string(), madeOn, wanted));
+    return true;
+}
+
 volume::Volume openVolume(const Session& session, const std::filesystem::path& sessionPath,
                           const std::optional<std::filesystem::path>& replacement,
                           std::vector<std::string>& notices, const volume::ReadOptions& overrides,
                           const std::vector<std::filesystem::path>& folders, volume::ReadOptions* used) {
-    const std::filesystem::path path =
-        replacement ? *replacement
-                    : (session.volumePath.is_absolute() || volume::isWebAddress(session.volumePath)
-                           ? session.volumePath
-                           : sessionPath.parent_path() / session.volumePath);
+    const std::filesystem::path path = volumePathOf(session, sessionPath, replacement);
     volume::ReadOptions options = optionsFor(session, overrides, path, replacement.has_value());
     const auto tell = [&] {
         if (used != nullptr) {
@@ -162,8 +201,13 @@ volume::Volume openVolume(const Session& session, const std::filesystem::path& s
                 "the right file with --volume",
                 sessionPath.string(), path.string(), volume::checksum(result.volume), session.volumeChecksum);
         }
-        notices.push_back(fmt::format("{} is not the volume that {} was made with; the result will differ",
-                                      path.string(), sessionPath.string()));
+        const bool isOtherLevel =
+            !replacement && options.level.value_or(0) != session.level.value_or(0); // goToLevel() tells
+        if (!isOtherLevel) {
+            notices.push_back(
+                fmt::format("{} is not the volume that {} was made with; the result will differ",
+                            path.string(), sessionPath.string()));
+        }
     }
     return std::move(result.volume);
 }

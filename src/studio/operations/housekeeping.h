@@ -87,7 +87,7 @@ struct SavePicture {
 };
 
 // Writes the segments as a label map (uint8, numbered in the order they were made, 0 = none) into the output
-// folder.
+// folder; a name that ends in .zarr makes a store with levels, here and of the sculpture.
 struct SaveLabels {
     static constexpr About kAbout{
         VS_TEXT("library", "labels"), Effect::Writes,
@@ -101,7 +101,8 @@ struct SaveLabels {
     }
 };
 
-// Writes the sculpture volume (float, 0 untouched .. 1 cut away) into the output folder.
+// Writes the sculpture volume (float, 0 untouched .. 1 cut away) into the output folder; into a store at the
+// finest level of the scan.
 struct SaveSculpture {
     static constexpr About kAbout{VS_TEXT("library", "sculpture"), Effect::Writes,
                                   "writes the sculpture volume (float, 0 untouched to 1 cut away)"};

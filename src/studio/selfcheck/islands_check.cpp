@@ -52,7 +52,8 @@ void checkIslands(Tally& tally) {
     for (std::size_t n = 0; n < energies.size(); ++n) {
         energies[n] = float(n % 17) / 16;
     }
-    sculpt::SolidCutter(volume.geometry).cutValues(sculpture, energies, sculpt::Combine::Cut, backup);
+    sculpt::WholeTarget target(sculpture, &backup);
+    sculpt::SolidCutter(volume.geometry).cutValues(target, energies, sculpt::Combine::Cut);
     const auto united = sculpture.values(volume.geometry.box());
     tally.about("values of a united solid");
     for (std::size_t n = 0; n < united.size(); ++n) {

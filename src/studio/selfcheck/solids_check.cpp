@@ -45,7 +45,8 @@ void checkSolids(Tally& tally) {
     for (const bool cutsInside : {false, true}) {
         sculpt::Sculpture sculpture(kSolidDims);
         sculpt::BrickBackup backup(sculpture.texels());
-        cutter.clip(sculpture, {planes, cutsInside}, sculpt::Combine::Cut, backup);
+        sculpt::WholeTarget target(sculpture, &backup);
+        cutter.clip(target, {planes, cutsInside}, sculpt::Combine::Cut);
         tally.about(cutsInside ? "a clip of what is inside" : "a clip of what is outside");
         compareSolid(tally, sculpture,
                      [&](glm::dvec3 world) { return cutsInside ? -outside(world) : outside(world); });
@@ -60,7 +61,8 @@ void checkSolids(Tally& tally) {
     circle.projector.viewport = {160, 160};
     sculpt::Sculpture sculpture(kSolidDims);
     sculpt::BrickBackup backup(sculpture.texels());
-    cutter.extrude(sculpture, circle, sculpt::Combine::Cut, backup);
+    sculpt::WholeTarget target(sculpture, &backup);
+    cutter.extrude(target, circle, sculpt::Combine::Cut);
     tally.about("a circle through everything");
     compareSolid(tally, sculpture,
                  [](glm::dvec3 world) { return 10 - glm::length(glm::dvec2(world) - glm::dvec2(20, 17.5)); });

@@ -164,6 +164,7 @@ UndoStatistics History::statistics() const {
     for (const auto* edits : {&done_, &undone_}) {
         for (const Edit& edit : *edits) {
             all.changedVoxels += edit.cut ? edit.cut->changedVoxels() : 0;
+            all.bytesInMemory += edit.cut ? edit.cut->finer.memoryBytes() : 0;
         }
     }
     return all;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
-#include "sculpt/sculpture/brick_backup.h"
+#include "sculpt/sculpture/sculpture_delta.h"
 #include "segment/growth/growth_undo.h"
 #include "studio/operations/operation.h"
 #include "studio/operations/segment_list.h"
@@ -20,7 +20,7 @@ namespace vs::studio {
 struct Edit {
     // Shared with those who show what undo and redo go through.
     std::shared_ptr<const Operation> operation;
-    std::optional<sculpt::BrickDelta> cut;
+    std::optional<sculpt::SculptureDelta> cut;
     std::vector<segment::GrowthUndo> growth;
     // Pasted parts before and after, where the operation changed them.
     std::optional<PastedState> partsBefore = {};

@@ -6,6 +6,7 @@
 #include "studio/strokes/cutter.h"
 
 #include <functional>
+#include <memory>
 
 namespace vs::studio {
 
@@ -16,7 +17,7 @@ using MakeFrame = std::function<render::Frame()>;
 // delta that undoes it, discard() puts everything back.
 class CutStroke {
 public:
-    virtual ~CutStroke() = default;
+    virtual ~CutStroke() { cutter_->letSurfacesGo(); }
     CutStroke(const CutStroke&) = delete;
     CutStroke& operator=(const CutStroke&) = delete;
 
@@ -30,17 +31,22 @@ public:
     // Whether it only takes away: then all that can be seen could be seen at the beginning.
     [[nodiscard]] bool onlyCuts() const { return how_ == sculpt::Combine::Cut; }
     // When nothing has changed after all, the sculpture counts as untouched.
-    sculpt::BrickDelta finish();
+    sculpt::SculptureDelta finish();
     void discard();
     // After finish(), whose delta this is: everything is back as discard() leaves it.
-    void takeBack(sculpt::BrickDelta& delta);
+    void takeBack(sculpt::SculptureDelta& delta);
 
 protected:
     CutStroke(Cutter& cutter, Operation operation, bool restores)
         : cutter_(&cutter), operation_(std::move(operation)),
           how_(restores ? sculpt::Combine::Restore : sculpt::Combine::Cut),
           sculptureVersion_(cutter.sculpture->version()), contentVersion_(cutter.sculpture->contentVersion()),
-          backup_(cutter.sculpture->texels()) {}
+          backup_(cutter.sculpture->texels()), target_(cutter.target(backup_, originals_)) {}
+
+    // What the stroke cuts into.
+    [[nodiscard]] sculpt::CutTarget& target() { return *target_; }
+    // The sculpture is cut by something else, at the scene's resolution; finish() has the finer one follow.
+    void cutsInScene() { cutsInScene_ = true; }
 
     Cutter* cutter_;
     Operation operation_;
@@ -48,6 +54,11 @@ protected:
     std::uint64_t sculptureVersion_;
     std::uint64_t contentVersion_;
     sculpt::BrickBackup backup_;
+
+private:
+    sculpt::FineBricks originals_; // of the finer sculpture
+    std::unique_ptr<sculpt::CutTarget> target_;
+    bool cutsInScene_ = false;
 };
 
 } // namespace vs::studio

@@ -3,6 +3,8 @@
 
 #include "gl/pass.h"
 
+#include <cmath>
+
 namespace vs::studio {
 
 const gl::Texture& Cutter::snapshot() {
@@ -34,11 +36,85 @@ field::Scene Cutter::restoreScene(const render::Frame& frame) {
     return scene;
 }
 
-void Cutter::follow(const volume::GridGeometry& corrected) {
-    tools.follow(corrected);
-    solids.follow(corrected);
+void Cutter::refine(field::Detail& detail) {
+    detail_ = &detail;
+    window_.emplace(sculpture->precision());
+    geometry = &finest_;
+    follow(*scene);
 }
 
-std::vector<float> Cutter::sculptureAsFloats() const { return sculpture->values(geometry->box()); }
+void Cutter::follow(const volume::GridGeometry& corrected) {
+    if (detail_ != nullptr) {
+        finest_ = field::finerGeometry(corrected, sculpture->finer()->grid());
+    }
+    tools.follow(detail_ != nullptr ? finest_ : corrected);
+    solids.follow(detail_ != nullptr ? finest_ : corrected);
+}
+
+std::unique_ptr<sculpt::CutTarget> Cutter::target(sculpt::BrickBackup& backup,
+                                                  sculpt::FineBricks& originals) {
+    if (detail_ != nullptr) {
+        return std::make_unique<sculpt::FineTarget>(*sculpture, *window_, originals, backup);
+    }
+    return std::make_unique<sculpt::WholeTarget>(*sculpture, &backup);
+}
+
+glm::dvec3 Cutter::toolPlace(const glm::dvec3& sceneVoxel) const {
+    if (detail_ == nullptr) {
+        return sceneVoxel;
+    }
+    const field::BrickGrid& grid = sculpture->finer()->grid();
+    return sceneVoxel * grid.perSceneVoxel + grid.origin;
+}
+
+glm::dvec3 Cutter::scenePlace(const glm::dvec3& toolVoxel) const {
+    if (detail_ == nullptr) {
+        return toolVoxel;
+    }
+    const field::BrickGrid& grid = sculpture->finer()->grid();
+    return (toolVoxel - grid.origin) / grid.perSceneVoxel;
+}
+
+void Cutter::keepSurfaces() {
+    if (detail_ != nullptr) {
+        kept_ = sculpture->finer()->snapshot();
+        keptVersion_ = sculpture->finer()->version();
+    }
+}
+
+std::vector<field::SurfacePoint> Cutter::pick(const render::Frame& frame, std::span<const glm::vec2> pixels) {
+    if (detail_ != nullptr && kept_ != nullptr) {
+        detail_->lay(kept_, keptVersion_, [this](std::uint64_t version) {
+            return sculpture->finer()->changedSince(version);
+        });
+    }
+    auto points = picker.pickPoints(frame, pixels);
+    for (field::SurfacePoint& point : points) {
+        point.voxel = glm::vec4(glm::vec3(toolPlace(glm::dvec3(point.voxel))), point.voxel.w);
+    }
+    return points;
+}
+
+std::vector<float> Cutter::reachOf(const render::Frame& frame, std::span<const field::SurfacePoint> points,
+                                   std::span<const glm::vec3> directions, std::span<const float> depths,
+                                   int radius) {
+    const double steps = toolSteps();
+    std::vector<field::SurfacePoint> inScene(points.begin(), points.end());
+    for (field::SurfacePoint& point : inScene) {
+        point.voxel = glm::vec4(glm::vec3(scenePlace(glm::dvec3(point.voxel))), point.voxel.w);
+    }
+    std::vector<float> sceneDepths(depths.begin(), depths.end());
+    for (float& depth : sceneDepths) {
+        depth = float(depth / steps);
+    }
+    auto reach = restoreReach.measure(restoreScene(frame), inScene, directions, sceneDepths,
+                                      int(std::ceil(radius / steps)));
+    for (float& each : reach) {
+        each = float(each * steps);
+    }
+    return reach;
+}
+
+std::vector<float> Cutter::sculptureAsFloats() const { return sculpture->values(scene->box()); }
 
 } // namespace vs::studio

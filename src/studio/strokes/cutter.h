@@ -1,11 +1,17 @@
 // SPDX-License-Identifier: Apache-2.0
 #pragma once
 
+#include "field/bricks/detail.h"
 #include "render/rays/picker.h"
 #include "sculpt/solids/island_cut.h"
 #include "sculpt/solids/solid_cut.h"
 #include "sculpt/surface/restore_reach.h"
 #include "sculpt/surface/tool_cut.h"
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
 
 namespace vs::studio {
 
@@ -13,10 +19,30 @@ namespace vs::studio {
 class Cutter {
 public:
     Cutter(const field::Field& field, sculpt::Sculpture& target)
-        : tools(field.geometry), solids(field.geometry), sculpture(&target), geometry(&field.geometry) {}
+        : tools(field.geometry), solids(field.geometry), sculpture(&target), scene(&field.geometry),
+          geometry(&field.geometry) {}
 
+    // Tools work on the sculpture's finer one from now on, which it must have, on surfaces that lie in the
+    // finest of these levels.
+    void refine(field::Detail& detail);
     // The field's voxels lie elsewhere now.
     void follow(const volume::GridGeometry& corrected);
+    // What a stroke cuts into. What was there before goes into the backup and, of the finer sculpture, into
+    // `originals`.
+    std::unique_ptr<sculpt::CutTarget> target(sculpt::BrickBackup& backup, sculpt::FineBricks& originals);
+    // The surface under places of a frame's picture, in the voxel space that tools work in.
+    std::vector<field::SurfacePoint> pick(const render::Frame& frame, std::span<const glm::vec2> pixels);
+    // RestoreReach::measure() of points that pick() gave, with depths and the reach in the tools' steps.
+    std::vector<float> reachOf(const render::Frame& frame, std::span<const field::SurfacePoint> points,
+                               std::span<const glm::vec3> directions, std::span<const float> depths,
+                               int radius);
+    // Operations count steps of the scene, tools those of the grid that they work on: so many in one.
+    [[nodiscard]] double toolSteps() const { return scene->stepMm() / geometry->stepMm(); }
+    // A place in the scene's voxel space in that which tools work in.
+    [[nodiscard]] glm::dvec3 toolPlace(const glm::dvec3& sceneVoxel) const;
+    // Surfaces stay for pick() what they are now, also where tools cut; until they are let go.
+    void keepSurfaces();
+    void letSurfacesGo() { kept_.reset(); }
     // The sculpture as it is now, as a texture that stays so: a stroke keeps seeing the surface it began on.
     // Only what has changed since the last one is copied.
     const gl::Texture& snapshot();
@@ -37,9 +63,17 @@ public:
     sculpt::RestoreReach restoreReach;
     render::Picker picker;
     sculpt::Sculpture* sculpture;
-    const volume::GridGeometry* geometry;
+    const volume::GridGeometry* scene;    // the grid that operations speak of
+    const volume::GridGeometry* geometry; // the grid that tools work on
 
 private:
+    [[nodiscard]] glm::dvec3 scenePlace(const glm::dvec3& toolVoxel) const;
+
+    volume::GridGeometry finest_;
+    field::Detail* detail_ = nullptr;           // null: tools work on the scene's grid
+    std::optional<sculpt::FineWindow> window_;  // onto the finer sculpture
+    std::shared_ptr<const field::BrickOverlay> kept_;
+    std::uint64_t keptVersion_ = 0; // of the finer sculpture
     gl::Texture snapshot_;
     std::uint64_t snapshotVersion_ = 0;
     std::size_t copiedVoxels_ = 0;

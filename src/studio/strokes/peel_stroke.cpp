@@ -21,7 +21,8 @@ PeelStroke::PeelStroke(Cutter& cutter, const MakeFrame& makeFrame, const Peel& o
         return;
     }
     const gl::Texture* before = cutter.sculpture->isEmpty() ? nullptr : &cutter.snapshot();
-    surface_ = cutter.picker.pickPoints(frame_, pixelsOf(mask_.raster, mask_.drawnAt));
+    cutter.keepSurfaces();
+    surface_ = cutter.pick(frame_, pixelsOf(mask_.raster, mask_.drawnAt));
     if (onlyCuts()) {
         layers_.emplace(surface_, mask_.raster, sweepOf(operation), *cutter.geometry, before);
     } else {
@@ -33,9 +34,13 @@ PeelStroke::PeelStroke(Cutter& cutter, const MakeFrame& makeFrame, const Peel& o
 void PeelStroke::peelTo(double layers) {
     Peel& op = std::get<Peel>(operation_);
     op.layers = std::max(layers, 0.0);
-    if (layers_) {
-        auto& tools = cutter_->tools;
-        layers_->cutTo(op.layers, tools.radiator(), tools.generator(), *cutter_->sculpture, &backup_);
+    auto& tools = cutter_->tools;
+    const double depth = op.layers * cutter_->toolSteps();
+    if (layers_ && cutter_->sculpture->finer() != nullptr) {
+        discard();
+        layers_->cutAtOnce(depth, tools.radiator(), tools.generator(), target());
+    } else if (layers_) {
+        layers_->cutTo(depth, tools.radiator(), tools.generator(), *cutter_->sculpture, &backup_);
     } else {
         restoreTo(op);
     }
@@ -47,14 +52,14 @@ void PeelStroke::restoreTo(const Peel& op) {
     if (surface_.empty() || op.layers <= 0) {
         return;
     }
-    const std::vector<float> depths(surface_.size(), float(op.layers));
-    const auto reach =
-        cutter_->restoreReach.measure(Cutter::restoreScene(frame_), surface_, directions_, depths, op.radius);
+    const double depth = op.layers * cutter_->toolSteps();
+    const std::vector<float> depths(surface_.size(), float(depth));
+    const auto reach = cutter_->reachOf(frame_, surface_, directions_, depths, op.radius);
     sculpt::ToolCut cut{sweepOf(op), how_};
-    cut.sweep.depthSteps = op.layers;
+    cut.sweep.depthSteps = depth;
     cut.sweep.directions = directions_;
     cut.sweep.outwardSteps = reach;
-    cutter_->tools.cut(*cutter_->sculpture, surface_, mask_.raster, cut, &backup_);
+    cutter_->tools.cut(target(), surface_, mask_.raster, cut);
 }
 
 } // namespace vs::studio

@@ -52,14 +52,14 @@ MaskPlane planeAt(const glm::dvec3& centre, const glm::dvec3& normal, const rend
 
 } // namespace
 
-std::optional<MaskPlane> layOnSurface(render::Picker& picker, const render::Frame& frame,
-                                      const ToolMask& mask, glm::dvec2 pixel) {
+std::optional<MaskPlane> layOnSurface(Cutter& cutter, const render::Frame& frame, const ToolMask& mask,
+                                      glm::dvec2 pixel) {
     std::vector<glm::vec2> pixels{glm::vec2(pixel)};
     for (const glm::dvec2 sample : samplesOf(mask)) {
         pixels.emplace_back(pixel + sample);
     }
-    const auto points = picker.pickPoints(frame, pixels);
-    const volume::GridGeometry& geometry = frame.scene.data->geometry;
+    const auto points = cutter.pick(frame, pixels);
+    const volume::GridGeometry& geometry = *cutter.geometry;
     if (points.front().voxel.w < 0.5F) {
         return std::nullopt;
     }
@@ -106,6 +106,7 @@ void PenStroke::detectAgain() {
             frame_.scene.sculpture = &cutter_->snapshot();
         }
         frame_.macrocells = &cutter_->snapshot(*frame_.macrocells);
+        cutter_->keepSurfaces();
     }
 }
 
@@ -162,7 +163,7 @@ void PenStroke::goTo(const sculpt::PenPoint& from, const sculpt::PenPoint& to) {
 }
 
 double PenStroke::depthOf(const sculpt::PenPoint& pen) {
-    return cut().depthMax * std::clamp(pen.pressure, 0.0, 1.0);
+    return cut().depthMax * cutter_->toolSteps() * std::clamp(pen.pressure, 0.0, 1.0);
 }
 
 glm::dvec3 PenStroke::drillDirection(glm::dvec2 pixel, glm::dvec2 tiltDegrees) const {
@@ -196,7 +197,7 @@ void PenStroke::drill(const sculpt::PenPoint& from, const sculpt::PenPoint& to) 
     static_assert((sculpt::kMaxBlock & (sculpt::kMaxBlock - 1)) == 0);
     const ElementBox box{(changed.lo - margin) & ~(sculpt::kMaxBlock - 1), changed.hi + margin};
     covered_.lookUnder(changed,
-                       [&](const auto& pixels) { return cutter_->picker.pickPoints(frame_, pixels); });
+                       [&](const auto& pixels) { return cutter_->pick(frame_, pixels); });
     auto part = covered_.part(box);
     sculpt::ToolCut tool{{}, how_};
     for (std::size_t n = 0; n < part.directions.size(); ++n) {
@@ -212,7 +213,7 @@ void PenStroke::drill(const sculpt::PenPoint& from, const sculpt::PenPoint& to) 
 // Each piece of the way has a plane of its own, so what it covers is collected about the piece's middle.
 void PenStroke::burn(const sculpt::PenPoint& from, const sculpt::PenPoint& to) {
     const glm::dvec2 centre = 0.5 * (from.pixel + to.pixel);
-    const auto plane = layOnSurface(cutter_->picker, frame_, mask_, centre);
+    const auto plane = layOnSurface(*cutter_, frame_, mask_, centre);
     if (!plane) {
         return;
     }
@@ -231,7 +232,7 @@ void PenStroke::burn(const sculpt::PenPoint& from, const sculpt::PenPoint& to) {
     }
     sculpt::ToolCut tool{{}, how_};
     tool.sweep.directionWorld = -plane->normal;
-    const auto seen = cutter_->picker.pickPoints(frame_, pixels);
+    const auto seen = cutter_->pick(frame_, pixels);
     if (how_ == sculpt::Combine::Restore) {
         sweep(seen, mask.mask, mask.depths, tool); // put back from each place of the floor
         return;
@@ -262,12 +263,11 @@ void PenStroke::sweep(std::span<const field::SurfacePoint> surface, const sculpt
     std::vector<float> reach;
     if (how_ == sculpt::Combine::Restore) {
         directions = sculpt::toolDirections(surface, mask, *cutter_->geometry, tool.sweep);
-        reach = cutter_->restoreReach.measure(Cutter::restoreScene(frame_), surface, directions, depths,
-                                              tool.sweep.radius);
+        reach = cutter_->reachOf(frame_, surface, directions, depths, tool.sweep.radius);
         tool.sweep.directions = directions;
         tool.sweep.outwardSteps = reach;
     }
-    cutter_->tools.cut(*cutter_->sculpture, surface, mask, tool, &backup_);
+    cutter_->tools.cut(target(), surface, mask, tool);
 }
 
 } // namespace vs::studio

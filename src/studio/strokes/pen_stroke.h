@@ -24,8 +24,8 @@ struct MaskPlane {
 
 // Lays a mask on the surface seen under a pixel, turned to its normal, which is smoothed over the mask's
 // scale. Nothing where the pixel meets nothing.
-std::optional<MaskPlane> layOnSurface(render::Picker& picker, const render::Frame& frame,
-                                      const ToolMask& mask, glm::dvec2 pixel);
+std::optional<MaskPlane> layOnSurface(Cutter& cutter, const render::Frame& frame, const ToolMask& mask,
+                                      glm::dvec2 pixel);
 
 // One stroke of the drill or the laser, from pen-down to pen-up. Surfaces are those seen at pen-down: going
 // slower, or over the same place again, cuts no deeper (doc/behaviour.md, "Tools"; thesis, sections 4.3.1

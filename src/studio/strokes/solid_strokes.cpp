@@ -80,7 +80,7 @@ void ScissorsStroke::replay() {
     if (op.depth) {
         limitDepth(solid, *op.depth);
     }
-    cutter_->solids.extrude(*cutter_->sculpture, solid, how_, backup_);
+    cutter_->solids.extrude(target(), solid, how_);
 }
 
 // From the radius outside the surface to the depth below it; for a restore from the radius inside the surface
@@ -88,8 +88,9 @@ void ScissorsStroke::replay() {
 void ScissorsStroke::limitDepth(sculpt::Extrusion& solid, double depthSteps) {
     const double step = cutter_->geometry->stepMm();
     const double radius = solid.radius * step;
+    const double depth = depthSteps * cutter_->toolSteps();
     const auto pixels = allPixels(frame_.rays.size);
-    const auto points = cutter_->picker.pickPoints(frame_, pixels);
+    const auto points = cutter_->pick(frame_, pixels);
     std::vector<float> reach;
     if (!onlyCuts()) {
         std::vector<glm::vec3> directions;
@@ -97,9 +98,8 @@ void ScissorsStroke::limitDepth(sculpt::Extrusion& solid, double depthSteps) {
         for (const glm::vec2 pixel : pixels) {
             directions.emplace_back(frame_.rays.through(pixel).direction);
         }
-        reach =
-            cutter_->restoreReach.measure(Cutter::restoreScene(frame_), points, directions,
-                                          std::vector<float>(points.size(), float(depthSteps)), solid.radius);
+        reach = cutter_->reachOf(frame_, points, directions,
+                                 std::vector<float>(points.size(), float(depth)), solid.radius);
     }
     beginMm_.assign(points.size(), -1.0F);
     endMm_.assign(points.size(), -1.0F);
@@ -107,7 +107,7 @@ void ScissorsStroke::limitDepth(sculpt::Extrusion& solid, double depthSteps) {
         if (points[n].voxel.w > 0.5F && (onlyCuts() || reach[n] > 0)) {
             const double surface = points[n].normal.w;
             beginMm_[n] = float(std::max(onlyCuts() ? surface - radius : surface - reach[n] * step, 0.0));
-            endMm_[n] = float(onlyCuts() ? surface + depthSteps * step : surface + radius);
+            endMm_[n] = float(onlyCuts() ? surface + depth * step : surface + radius);
         }
     }
     solid.beginMm = beginMm_;
@@ -118,8 +118,8 @@ void ClipStroke::clipTo(const Clip& clip) {
     VS_CHECK(clip.restores == !onlyCuts());
     operation_ = clip;
     discard();
-    const sculpt::HalfSpaces solid{planesOf(clip, *cutter_->geometry), clip.cutsInside, clip.radius};
-    cutter_->solids.clip(*cutter_->sculpture, solid, how_, backup_);
+    const sculpt::HalfSpaces solid{planesOf(clip, *cutter_->scene), clip.cutsInside, clip.radius};
+    cutter_->solids.clip(target(), solid, how_);
 }
 
 KeepConnectedStroke::KeepConnectedStroke(Cutter& cutter, const MakeFrame& makeFrame, Region& region,
@@ -155,6 +155,7 @@ void KeepConnectedStroke::replay() {
     growth.advance(Region::kEndless);
     growth.syncLabels();
     cutter_->islands.cut(*cutter_->sculpture, frame_.scene, growth.seedMap().labels(), backup_);
+    cutsInScene();
 }
 
 } // namespace vs::studio

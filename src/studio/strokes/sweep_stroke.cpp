@@ -14,6 +14,7 @@ namespace vs::studio {
 namespace {
 
 constexpr std::size_t kMostPreviews = 24;
+constexpr std::size_t kMostProjected = std::size_t(1) << 29; // voxels, an energy each
 
 // A sweep in the space of steps: voxel space scaled to the smallest spacing (sculpt/path/path.h).
 struct Track {
@@ -32,10 +33,9 @@ struct DrawnPath {
 class TrackMaker {
 public:
     // The path is exact where the mask may come into `grid`.
-    TrackMaker(render::Picker& picker, const render::Frame& frame, const volume::GridGeometry& geometry,
-               const sculpt::SweepGrid& grid)
-        : picker_(picker), frame_(frame), geometry_(geometry), grid_(grid),
-          voxelFromSteps_(sculpt::voxelFromSteps(geometry.spacing())) {}
+    TrackMaker(Cutter& cutter, const render::Frame& frame, const sculpt::SweepGrid& grid)
+        : cutter_(cutter), frame_(frame), geometry_(*cutter.geometry), grid_(grid),
+          voxelFromSteps_(sculpt::voxelFromSteps(geometry_.spacing())) {}
 
     Track make(const Sweep& op) {
         if (op.path.isDrawn()) {
@@ -43,17 +43,21 @@ public:
         }
         Track track;
         track.outline = outlineOf(op.mask);
+        for (glm::dvec2& point : track.outline) {
+            point *= cutter_.toolSteps();
+        }
         const sculpt::PathRegion region = grid_.region(sculpt::windowAround(track.outline));
         std::vector<glm::dvec3> points;
         for (const glm::dvec3& voxel : op.path.points) {
-            points.push_back(voxel / voxelFromSteps_);
+            points.push_back(cutter_.toolPlace(voxel) / voxelFromSteps_);
         }
         switch (op.path.kind) {
         case SweepPath::Kind::Spline:
             track.pieces = sculpt::splinePath(points, op.frame, region);
             break;
         case SweepPath::Kind::Helix:
-            track.pieces = sculpt::helixPath({points.at(0), points.at(1), op.path.helixRadius, op.path.turns},
+            track.pieces = sculpt::helixPath({points.at(0), points.at(1),
+                                              op.path.helixRadius * cutter_.toolSteps(), op.path.turns},
                                              op.frame, region);
             break;
         case SweepPath::Kind::Standing: {
@@ -103,7 +107,7 @@ private:
     DrawnPath onSurface(const std::vector<glm::dvec2>& stroke) {
         const std::vector<glm::vec2> pixels(stroke.begin(), stroke.end());
         DrawnPath path;
-        for (const auto& point : picker_.pickPoints(frame_, pixels)) {
+        for (const auto& point : cutter_.pick(frame_, pixels)) {
             if (point.voxel.w < 0.5F) {
                 continue; // beside the object the way is straight
             }
@@ -124,7 +128,7 @@ private:
             return path;
         }
         const glm::vec2 begin(stroke.front());
-        const auto hit = picker_.pickPoints(frame_, std::span(&begin, 1)).front();
+        const auto hit = cutter_.pick(frame_, std::span(&begin, 1)).front();
         const glm::dvec3 anchor =
             hit.voxel.w > 0.5F ? glm::dvec3(geometry_.worldFromVoxel * glm::dvec4(glm::dvec3(hit.voxel), 1.0))
                                : geometry_.centreWorld();
@@ -139,7 +143,7 @@ private:
         return path;
     }
 
-    render::Picker& picker_;
+    Cutter& cutter_;
     const render::Frame& frame_;
     const volume::GridGeometry& geometry_;
     const sculpt::SweepGrid& grid_;
@@ -163,7 +167,7 @@ void SweepStroke::replay() {
     const glm::dvec3 scale = sculpt::voxelFromSteps(geometry.spacing());
     const sculpt::Footprint footprint = sculpt::sweepFootprint(op.radius, geometry.spacing());
     const sculpt::SweepGrid grid = sculpt::sweepGrid(geometry.dims, footprint, scale);
-    const Track track = TrackMaker(cutter_->picker, frame_, geometry, grid).make(op);
+    const Track track = TrackMaker(*cutter_, frame_, grid).make(op);
     const auto outline = sculpt::subdivide(track.outline, op.subdivision, op.subdivisionLevels);
     const auto mask = sculpt::rasterize(sculpt::outlineInto(grid, outline, track.pieces, op.pitch, op.filter),
                                         op.pitch, op.filter);
@@ -171,18 +175,38 @@ void SweepStroke::replay() {
         return;
     }
     if (op.method == Sweep::Method::Projection) {
-        cutter_->solids.cutValues(*cutter_->sculpture,
-                                  sculpt::projectSweep(mask, track.pieces, geometry.dims, scale), how_,
-                                  backup_);
+        if (geometry.box().volume() > kMostProjected) {
+            throw Error("sweep: by projection the volume may have {} voxels at the most, and this one has {} "
+                        "at its finest level; use radiation",
+                        kMostProjected, geometry.box().volume());
+        }
+        cutter_->solids.cutValues(target(), sculpt::projectSweep(mask, track.pieces, geometry.dims, scale),
+                                  how_);
         return;
     }
     sculpt::Radiator& radiator = cutter_->tools.radiator();
-    const Box3 touched =
-        op.isRaw ? sculpt::radiateRaw(radiator, mask, framesOf(op, track), geometry.dims, footprint, scale)
-                 : sculpt::sweepMask(radiator, cutter_->tools.generator(), mask, track.pieces, geometry.dims,
-                                     footprint, scale);
-    backup_.protect(touched);
-    cutter_->sculpture->combine(radiator, how_);
+    std::vector<sculpt::MaskFrame> frames;
+    sculpt::SweptWay way;
+    if (op.isRaw) {
+        frames = framesOf(op, track);
+        way.points = sculpt::rawPointBox(mask, frames, scale);
+    } else {
+        way = sculpt::wayInto(grid, geometry.dims, mask, track.pieces);
+    }
+    if (way.points.isEmpty()) {
+        return;
+    }
+    target().cutIn(sculpt::reachOf(way.points, footprint), [&](const sculpt::CutTarget::Part& part) {
+        const Box3 touched = op.isRaw
+                                 ? sculpt::radiateRaw(radiator, mask, frames, geometry.dims, part.within,
+                                                      footprint, scale)
+                                 : sculpt::sweepWay(radiator, cutter_->tools.generator(), mask, way, grid,
+                                                    part.within, footprint);
+        if (part.backup != nullptr) {
+            part.backup->protect(touched);
+        }
+        return part.sculpture->combine(radiator, how_);
+    });
 }
 
 std::vector<std::vector<glm::dvec2>> sweptOutlines(Cutter& cutter, const render::Frame& frame,
@@ -192,7 +216,7 @@ std::vector<std::vector<glm::dvec2>> sweptOutlines(Cutter& cutter, const render:
     sculpt::SweepGrid nowhere; // outlines to look at need no exact chords
     nowhere.voxelFromSteps = voxelFromSteps;
     nowhere.lo = nowhere.hi;
-    const Track track = TrackMaker(cutter.picker, frame, geometry, nowhere).make(operation);
+    const Track track = TrackMaker(cutter, frame, nowhere).make(operation);
     std::vector<std::vector<glm::dvec2>> outlines;
     const std::size_t stride =
         std::max<std::size_t>(1, (track.pieces.size() + kMostPreviews - 1) / kMostPreviews);

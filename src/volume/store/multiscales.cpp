@@ -355,12 +355,22 @@ nlohmann::ordered_json multiscalesJson(const StoreFacts& facts, const std::vecto
     if (extremesSide > 0) {
         ours["ranges"] = {{"path", "ranges"}, {"side", extremesSide}};
     }
-    return {{"multiscales", Json::array({{{"version", "0.4"},
-                                          {"name", printable(facts.name)},
-                                          {"axes", axes},
-                                          {"datasets", datasets},
-                                          {"type", facts.reducing}}})},
-            {kOurs, std::move(ours)}};
+    Json json{{"multiscales", Json::array({{{"version", "0.4"},
+                                            {"name", printable(facts.name)},
+                                            {"axes", axes},
+                                            {"datasets", datasets},
+                                            {"type", facts.reducing}}})},
+              {kOurs, std::move(ours)}};
+    if (!facts.labels.empty()) { // "image-label" of the format
+        Json colours = Json::array();
+        Json properties = Json::array();
+        for (const StoreFacts::Label& label : facts.labels) {
+            colours.push_back({{"label-value", label.value}, {"rgba", label.colour}});
+            properties.push_back({{"label-value", label.value}, {"name", printable(label.name)}});
+        }
+        json["image-label"] = {{"version", "0.4"}, {"colors", colours}, {"properties", properties}};
+    }
+    return json;
 }
 
 } // namespace vs::volume

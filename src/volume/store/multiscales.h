@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include <array>
+#include <cstdint>
 #include <filesystem>
 #include <optional>
 #include <string>
@@ -66,6 +67,13 @@ struct StoreFacts {
     std::string unit;
     std::string name;
     std::string reducing = "mean"; // how voxels became coarser ones, for people
+    // Of label maps: what a label is called, and its colour (sRGB, 0 to 255, and opacity).
+    struct Label {
+        std::int64_t value = 0;
+        std::string name;
+        std::array<std::uint8_t, 4> colour{};
+    };
+    std::vector<Label> labels = {};
 };
 
 // The attributes of a store of `levels`, each half as fine along the axes that `halves` names as the one

@@ -4,6 +4,7 @@
 #include "base/error.h"
 #include "field/bricks/detail.h"
 #include "field/finer_cells.h"
+#include "gpu/field/two_levels.h"
 #include "gpu/gl_test.h"
 #include "gpu/render/stage.h"
 #include "image/compare.h"
@@ -24,6 +25,7 @@ namespace {
 
 using BricksTest = test::GlTest;
 using test::Stage;
+using test::TwoLevels;
 
 // A few soft balls of any brightness: smooth, so that a hair in where a sample lies is a hair in what is
 // seen.
@@ -149,34 +151,6 @@ TEST_F(BricksTest, SlicesAreThoseOfOneTexture) {
         }
     }
 }
-
-// The volume and one of half its resolution, or less along some axes; bricks of the finer one can be made
-// unreadable.
-class TwoLevels : public volume::BrickSource {
-public:
-    explicit TwoLevels(const volume::Volume& fine, glm::ivec3 by = glm::ivec3(2))
-        : fine_(fine), coarse_(volume::reduced(fine, by, volume::Reducing::Mean)), levels_{fine.geometry,
-                                                                                           coarse_.geometry} {
-    }
-
-    [[nodiscard]] const std::vector<volume::GridGeometry>& levels() const override { return levels_; }
-    [[nodiscard]] volume::ScalarType type() const override { return fine_.type; }
-    [[nodiscard]] std::string name() const override { return "two levels"; }
-    [[nodiscard]] std::vector<std::byte> read(int level, const Box3& box) const override {
-        if (level == 0 && unreadable && box.lo == *unreadable) {
-            throw ReadError("chunk {}.{}.{}: it is damaged", box.lo.x, box.lo.y, box.lo.z);
-        }
-        return valuesIn(level == 0 ? fine_ : coarse_, box);
-    }
-    [[nodiscard]] const volume::Volume& coarse() const { return coarse_; }
-
-    std::optional<glm::ivec3> unreadable;
-
-private:
-    const volume::Volume& fine_;
-    volume::Volume coarse_;
-    std::vector<volume::GridGeometry> levels_;
-};
 
 TEST_F(BricksTest, APictureOfAFinerLevelIsThatOfItsVolume) {
     for (const int seed : {1, 5}) {

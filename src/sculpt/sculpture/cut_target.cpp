@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sculpt/sculpture/cut_target.h"
+
+#include "base/progress.h"
+#include "field/field.h"
+
+#include <algorithm>
+
+namespace vs::sculpt {
+
+namespace {
+
+// A box that begins and ends with bricks, or with the grid.
+Box3 toBricks(const Box3& box, glm::ivec3 dims) {
+    const Box3 part = intersect(box, {glm::ivec3(0), dims});
+    if (part.isEmpty()) {
+        return {};
+    }
+    return {part.lo / kFineBrick * kFineBrick,
+            glm::min(divideUp(part.hi, kFineBrick) * kFineBrick, dims)};
+}
+
+} // namespace
+
+Sculpture& FineWindow::look(const FineSculpture& fine, const Box3& box, const Limits& limits) {
+    const bool isThere = version_ == fine.version() && intersect(shown_, box) == box;
+    if (!isThere) {
+        sculpture_.moveTo(box.lo);
+        sculpture_.texels().upload({glm::ivec3(0), box.size()}, fine.texels(box));
+        shown_ = box;
+        version_ = fine.version();
+    }
+    sculpture_.limitTo(limits);
+    return sculpture_;
+}
+
+std::vector<std::byte> FineWindow::texels(const Box3& box) const {
+    return sculpture_.download({box.lo - sculpture_.origin(), box.hi - sculpture_.origin()});
+}
+
+Box3 FineTarget::cutIn(const Box3& box, const Work& work) {
+    const Box3 all = toBricks(box, fine_.dims());
+    if (all.isEmpty()) {
+        return {};
+    }
+    constexpr int side = FineWindow::kSide;
+    Box3 changed;
+    if (glm::all(glm::lessThanEqual(all.size(), glm::ivec3(side)))) {
+        changed = cutInWindow(all, work);
+    } else {
+        const Box3 cells{all.lo / side, (all.hi - 1) / side + 1};
+        forEachVoxel(cells, [&](glm::ivec3 cell, std::size_t n) {
+            reportProgress(double(n) / double(cells.volume()));
+            changed = unite(changed, cutInWindow(intersect(all, {cell * side, (cell + 1) * side}), work));
+        });
+    }
+    derived_.derive(changed, backup_);
+    return changed;
+}
+
+// Half of what was cut is taken back by whoever holds the originals, if something is thrown.
+Box3 FineTarget::cutInWindow(const Box3& box, const Work& work) {
+    Limits limits = derived_.limits();
+    if (limits.memberships != nullptr) {
+        const field::BrickGrid& grid = fine_.grid();
+        limits.place = Limits::Place{1.0 / grid.perSceneVoxel, -grid.origin / grid.perSceneVoxel};
+    }
+    Sculpture& window = window_.look(fine_, box, limits);
+    window_.disagrees();
+    const Box3 changed = toBricks(intersect(work({&window, box, nullptr}), box), fine_.dims());
+    if (!changed.isEmpty()) {
+        fine_.put(changed, window_.texels(changed), originals_);
+    }
+    window_.agrees(fine_);
+    return changed;
+}
+
+bool FineTarget::fill(const Box3& brick, Combine how) {
+    if (derived_.limits().memberships != nullptr) {
+        return false;
+    }
+    fine_.fill(brick.lo / kFineBrick, how == Combine::Cut, originals_);
+    filled_ = unite(filled_, brick);
+    return true;
+}
+
+void FineTarget::finish() {
+    derived_.derive(filled_, backup_);
+    filled_ = {};
+}
+
+} // namespace vs::sculpt

@@ -1,0 +1,364 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "sculpt/sculpture/fine_sculpture.h"
+
+#include "base/check.h"
+#include "base/parallel.h"
+#include "field/cell_ranges.h"
+#include "field/field.h"
+#include "sculpt/sculpture/fine_reader.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+
+namespace vs::sculpt {
+
+namespace {
+
+constexpr std::size_t kChangesRemembered = 64;
+
+std::vector<std::byte> oneTexel(float value, Precision precision) {
+    return texelsOf(std::span(&value, 1), precision);
+}
+
+// Null where all texels are 0, one texel where they are alike.
+FineBrick brickOf(std::vector<std::byte> texels, std::size_t texelBytes) {
+    const bool isUniform =
+        std::memcmp(texels.data(), texels.data() + texelBytes, texels.size() - texelBytes) == 0;
+    if (isUniform) {
+        texels.resize(texelBytes);
+        texels.shrink_to_fit();
+        if (std::all_of(texels.begin(), texels.end(), [](std::byte b) { return b == std::byte(0); })) {
+            return {};
+        }
+    }
+    return std::make_shared<const std::vector<std::byte>>(std::move(texels));
+}
+
+// Copies the part of one box of texels that another one shares with it.
+void copyTexels(const Box3& from, const std::byte* source, const Box3& to, std::byte* target,
+                std::size_t texelBytes) {
+    const Box3 part = intersect(from, to);
+    const auto at = [&](const Box3& box, int y, int z) {
+        const glm::ivec3 size = box.size();
+        return ((std::size_t(z - box.lo.z) * std::size_t(size.y) + std::size_t(y - box.lo.y)) *
+                    std::size_t(size.x) +
+                std::size_t(part.lo.x - box.lo.x)) *
+               texelBytes;
+    };
+    for (int z = part.lo.z; z < part.hi.z; ++z) {
+        for (int y = part.lo.y; y < part.hi.y; ++y) {
+            std::memcpy(target + at(to, y, z), source + at(from, y, z),
+                        std::size_t(part.size().x) * texelBytes);
+        }
+    }
+}
+
+void fillTexels(const Box3& part, const Box3& box, std::byte* target, const std::vector<std::byte>& texel) {
+    const glm::ivec3 size = box.size();
+    for (int z = part.lo.z; z < part.hi.z; ++z) {
+        for (int y = part.lo.y; y < part.hi.y; ++y) {
+            std::byte* row = target + ((std::size_t(z - box.lo.z) * std::size_t(size.y) +
+                                        std::size_t(y - box.lo.y)) *
+                                           std::size_t(size.x) +
+                                       std::size_t(part.lo.x - box.lo.x)) *
+                                          texel.size();
+            for (int x = 0; x < part.size().x; ++x) {
+                std::memcpy(row + std::size_t(x) * texel.size(), texel.data(), texel.size());
+            }
+        }
+    }
+}
+
+// Texels of a box of a grid, of which these are the bricks.
+std::vector<std::byte> texelsIn(const FineBricks& bricks, glm::ivec3 dims, std::size_t texelBytes,
+                                const Box3& box) {
+    std::vector<std::byte> all(box.volume() * texelBytes);
+    const glm::ivec3 counts = divideUp(dims, kFineBrick);
+    const Box3 part = intersect(box, {glm::ivec3(0), dims});
+    if (part.isEmpty()) {
+        return all;
+    }
+    const Box3 places{part.lo / kFineBrick, (part.hi - 1) / kFineBrick + 1};
+    forEachVoxel(places, [&](glm::ivec3 brick, std::size_t) {
+        const auto found = bricks.find((brick.z * counts.y + brick.y) * counts.x + brick.x);
+        if (found == bricks.end()) {
+            return;
+        }
+        const Box3 own{brick * kFineBrick, glm::min((brick + 1) * kFineBrick, dims)};
+        const std::vector<std::byte>& texels = *found->second;
+        if (texels.size() == texelBytes) {
+            fillTexels(intersect(own, box), box, all.data(), texels);
+        } else {
+            copyTexels(own, texels.data(), box, all.data(), texelBytes);
+        }
+    });
+    return all;
+}
+
+// A sculpture as it was at one moment.
+class Snapshot : public field::BrickOverlay {
+public:
+    Snapshot(std::shared_ptr<const FineBricks> bricks, const field::BrickGrid& grid, Precision precision)
+        : bricks_(std::move(bricks)), grid_(grid), precision_(precision) {}
+
+    [[nodiscard]] gl::Format format() const override { return formatOf(precision_); }
+    [[nodiscard]] bool isEmpty() const override { return bricks_->empty(); }
+    [[nodiscard]] std::vector<std::byte> texelsOf(const field::BrickGrid& level,
+                                                  glm::ivec3 brick) const override {
+        OtherGrid grid;
+        grid.scale = grid_.perSceneVoxel / level.perSceneVoxel;
+        grid.offset = grid_.origin - level.origin * grid.scale;
+        if (glm::all(glm::lessThan(glm::abs(grid.scale - 1.0), glm::dvec3(1e-9)))) { // the very same
+            grid.scale = glm::dvec3(1);
+            grid.offset = glm::round(grid.offset);
+        }
+        const glm::ivec3 lo = brick * level.side;
+        const Box3 box{lo, lo + level.texels()};
+        std::vector<float> values;
+        FineReader reader(*bricks_, grid_.dims, precision_);
+        sample(reader, *bricks_, grid, box, [&](std::size_t n, float value) {
+            if (values.empty()) {
+                values.resize(box.volume());
+            }
+            values[n] = value;
+        });
+        return values.empty() ? std::vector<std::byte>() : sculpt::texelsOf(values, precision_);
+    }
+
+private:
+    std::shared_ptr<const FineBricks> bricks_;
+    field::BrickGrid grid_;
+    Precision precision_;
+};
+
+} // namespace
+
+FineSculpture::FineSculpture(field::BrickGrid grid, Precision precision) : grid_(grid), precision_(precision) {
+    changes_.reserve(kChangesRemembered);
+}
+
+glm::ivec3 FineSculpture::counts() const { return divideUp(grid_.dims, kFineBrick); }
+
+int FineSculpture::placeOf(glm::ivec3 brick) const {
+    const glm::ivec3 n = counts();
+    return (brick.z * n.y + brick.y) * n.x + brick.x;
+}
+
+Box3 FineSculpture::boxOf(int place) const {
+    const glm::ivec3 n = counts();
+    const glm::ivec3 lo = glm::ivec3(place % n.x, place / n.x % n.y, place / n.x / n.y) * kFineBrick;
+    return {lo, glm::min(lo + kFineBrick, grid_.dims)};
+}
+
+FineBrick FineSculpture::at(int place) const {
+    const auto found = bricks_->find(place);
+    return found == bricks_->end() ? FineBrick() : found->second;
+}
+
+std::size_t FineSculpture::bytesOf(int place) const {
+    return boxOf(place).volume() * gl::bytesPerTexel(formatOf(precision_));
+}
+
+// What snapshots share is copied before it changes.
+FineBricks& FineSculpture::writable() {
+    if (bricks_.use_count() > 1) {
+        bricks_ = std::make_shared<FineBricks>(*bricks_);
+    }
+    return *bricks_;
+}
+
+void FineSculpture::set(int place, FineBrick brick) {
+    if (brick == nullptr) {
+        writable().erase(place);
+    } else {
+        writable()[place] = std::move(brick);
+    }
+}
+
+void FineSculpture::noteChange(const Box3& box) {
+    if (changes_.size() == kChangesRemembered) { // the oldest two become one
+        changes_[1].box = unite(changes_[0].box, changes_[1].box);
+        changes_.erase(changes_.begin());
+    }
+    changes_.push_back({++version_, box});
+}
+
+Box3 FineSculpture::changedSince(std::uint64_t version) const {
+    Box3 all;
+    for (const Change& change : changes_) {
+        all = change.version > version ? unite(all, change.box) : all;
+    }
+    return all;
+}
+
+std::vector<std::byte> FineSculpture::texels(const Box3& box) const {
+    return texelsIn(*bricks_, grid_.dims, gl::bytesPerTexel(formatOf(precision_)), box);
+}
+
+std::function<std::vector<float>(const Box3&)> FineSculpture::reader() const {
+    return [bricks = std::shared_ptr<const FineBricks>(bricks_), dims = grid_.dims,
+            precision = precision_](const Box3& box) {
+        return valuesOf(texelsIn(*bricks, dims, gl::bytesPerTexel(formatOf(precision)), box), precision);
+    };
+}
+
+void FineSculpture::put(const Box3& box, std::span<const std::byte> texels, FineBricks& before) {
+    const std::size_t texelBytes = gl::bytesPerTexel(formatOf(precision_));
+    Box3 changed;
+    forEachVoxel(Box3{box.lo / kFineBrick, (box.hi - 1) / kFineBrick + 1}, [&](glm::ivec3 brickAt, std::size_t) {
+        const int place = placeOf(brickAt);
+        const Box3 own = boxOf(place);
+        VS_CHECK(intersect(own, box) == own);
+        std::vector<std::byte> now(own.volume() * texelBytes);
+        copyTexels(box, texels.data(), own, now.data(), texelBytes);
+        const FineBrick was = at(place);
+        FineBrick brick = brickOf(std::move(now), texelBytes);
+        const bool isSame = was == nullptr || brick == nullptr ? was == brick : *was == *brick;
+        if (!isSame) {
+            before.emplace(place, was);
+            set(place, std::move(brick));
+            changed = unite(changed, own);
+        }
+    });
+    if (!changed.isEmpty()) {
+        noteChange(changed);
+    }
+}
+
+void FineSculpture::fill(glm::ivec3 brick, bool isCut, FineBricks& before) {
+    const int place = placeOf(brick);
+    const FineBrick was = at(place);
+    const auto texel = oneTexel(1, precision_);
+    if (isCut ? was != nullptr && *was == texel : was == nullptr) {
+        return;
+    }
+    before.emplace(place, was);
+    set(place, isCut ? std::make_shared<const std::vector<std::byte>>(texel) : FineBrick());
+    noteChange(boxOf(place));
+}
+
+void FineSculpture::swap(FineDelta& delta) {
+    const std::size_t count = delta.bricks.size();
+    std::vector<FineBrick> wanted(count);
+    std::vector<FineBrick> kept(count);
+    inParallel(int(count), [&](int n) {
+        const auto& [place, brick] = delta.bricks[std::size_t(n)];
+        wanted[std::size_t(n)] = unpacked(brick, bytesOf(place));
+        kept[std::size_t(n)] = packed(at(place));
+    });
+    Box3 changed;
+    for (std::size_t n = 0; n < count; ++n) {
+        auto& [place, brick] = delta.bricks[n];
+        set(place, std::move(wanted[n]));
+        brick = std::move(kept[n]);
+        changed = unite(changed, boxOf(place));
+    }
+    if (!changed.isEmpty()) {
+        noteChange(changed);
+    }
+}
+
+FineDelta FineSculpture::since(FineBricks before) const {
+    const std::size_t texelBytes = gl::bytesPerTexel(formatOf(precision_));
+    const std::vector<std::byte> zero(texelBytes);
+    std::vector<std::pair<int, FineBrick>> bricks(before.begin(), before.end());
+    std::sort(bricks.begin(), bricks.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    std::vector<std::size_t> counts(bricks.size());
+    inParallel(int(bricks.size()), [&](int n) {
+        auto& [place, was] = bricks[std::size_t(n)];
+        const FineBrick now = at(place);
+        if (was == now) {
+            return;
+        }
+        const auto texel = [&](const FineBrick& brick, std::size_t i) {
+            return brick == nullptr ? zero.data()
+                                    : brick->data() + (brick->size() == texelBytes ? 0 : i * texelBytes);
+        };
+        const std::size_t voxels = boxOf(place).volume();
+        std::size_t& count = counts[std::size_t(n)];
+        for (std::size_t i = 0; i < voxels; ++i) {
+            count += std::memcmp(texel(was, i), texel(now, i), texelBytes) != 0 ? 1 : 0;
+        }
+        was = packed(was);
+    });
+    FineDelta delta;
+    for (std::size_t n = 0; n < bricks.size(); ++n) {
+        if (counts[n] > 0) {
+            delta.changedVoxels += counts[n];
+            delta.bricks.push_back(std::move(bricks[n]));
+        }
+    }
+    return delta;
+}
+
+void FineSculpture::takeBack(const FineBricks& before) {
+    Box3 changed;
+    for (const auto& [place, brick] : before) {
+        set(place, brick);
+        changed = unite(changed, boxOf(place));
+    }
+    if (!changed.isEmpty()) {
+        noteChange(changed);
+    }
+}
+
+FineDelta FineSculpture::clear() {
+    FineBricks before = *bricks_;
+    FineBricks nothing;
+    for (const auto& [place, brick] : before) {
+        nothing.emplace(place, FineBrick());
+    }
+    takeBack(nothing);
+    return since(std::move(before));
+}
+
+std::shared_ptr<const field::BrickOverlay> FineSculpture::snapshot() const {
+    return std::make_shared<Snapshot>(bricks_, grid_, precision_);
+}
+
+Box3 FineSculpture::sceneBox(const Box3& box) const {
+    if (box.isEmpty()) {
+        return {};
+    }
+    // The half voxel around the outermost centres belongs to them.
+    const glm::dvec3 lo = (glm::dvec3(box.lo) - 1.0 - grid_.origin) / grid_.perSceneVoxel;
+    const glm::dvec3 hi = (glm::dvec3(box.hi) - grid_.origin) / grid_.perSceneVoxel;
+    return {glm::ivec3(glm::floor(lo)), glm::ivec3(glm::ceil(hi)) + 1};
+}
+
+std::vector<float> FineSculpture::sceneValues(const Box3& sceneBox) const {
+    std::vector<float> values(sceneBox.volume());
+    FineReader reader(*bricks_, grid_.dims, precision_);
+    sample(reader, *bricks_, {grid_.perSceneVoxel, grid_.origin}, sceneBox,
+           [&](std::size_t n, float value) { values[n] = value; });
+    return values;
+}
+
+std::vector<glm::vec2> FineSculpture::cellRanges(const Box3& cells) const {
+    std::vector<glm::vec2> ranges(cells.volume(), glm::vec2(0));
+    if (bricks_->empty()) {
+        return ranges;
+    }
+    const glm::ivec3 size = cells.size();
+    inParallel(size.z, [&](int slice) {
+        FineReader reader(*bricks_, grid_.dims, precision_);
+        const Box3 own{{cells.lo.x, cells.lo.y, cells.lo.z + slice},
+                       {cells.hi.x, cells.hi.y, cells.lo.z + slice + 1}};
+        forEachVoxel(own, [&](glm::ivec3 cell, std::size_t n) {
+            // What lies beyond a cell's corners by half a voxel of the scene may be looked up in it.
+            const glm::dvec3 lo =
+                (glm::dvec3(cell * field::kCell) - 0.5) * grid_.perSceneVoxel + grid_.origin;
+            const glm::dvec3 hi =
+                (glm::dvec3((cell + 1) * field::kCell) + 0.5) * grid_.perSceneVoxel + grid_.origin;
+            const glm::ivec3 top = grid_.dims - 1;
+            const glm::ivec3 first = glm::clamp(glm::ivec3(glm::floor(lo)), glm::ivec3(0), top);
+            const glm::ivec3 last = glm::clamp(glm::ivec3(glm::ceil(hi)), glm::ivec3(0), top);
+            ranges[std::size_t(slice) * std::size_t(size.x) * std::size_t(size.y) + n] =
+                reader.rangeOf({first, last + 1});
+        });
+    });
+    return ranges;
+}
+
+} // namespace vs::sculpt

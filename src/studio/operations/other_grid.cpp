@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "studio/operations/other_grid.h"
+
+#include "base/error.h"
+
+#include <cmath>
+#include <string_view>
+#include <type_traits>
+#include <variant>
+#include <vector>
+
+namespace vs::studio {
+
+namespace {
+
+template <typename T>
+struct IsOptional : std::false_type {};
+template <typename T>
+struct IsOptional<std::optional<T>> : std::true_type {};
+template <typename T>
+struct IsList : std::false_type {};
+template <typename T>
+struct IsList<std::vector<T>> : std::true_type {};
+template <typename T>
+struct IsVariant : std::false_type {};
+template <typename... T>
+struct IsVariant<std::variant<T...>> : std::true_type {};
+
+// Goes through everything that an operation says of itself, and changes what is in voxels or steps: units are
+// part of the descriptions.
+class Converter {
+public:
+    explicit Converter(const OtherGrid& grid) : grid_(grid) {}
+
+    template <typename T>
+    void convert(T& value, const Rule& rule) const {
+        if constexpr (IsOptional<T>::value) {
+            if (value) {
+                convert(*value, rule);
+            }
+        } else if constexpr (IsList<T>::value) {
+            for (auto& element : value) {
+                convert(element, rule);
+            }
+        } else if constexpr (IsVariant<T>::value) {
+            std::visit([&](auto& one) { convert(one, rule); }, value);
+        } else if constexpr (Described<T>) {
+            convertFields(value, T::fields());
+        } else {
+            convertNumbers(value, std::string_view(rule.unit));
+        }
+    }
+
+private:
+    template <typename T, typename Fields>
+    void convertFields(T& object, const Fields& fields) const {
+        forEachField(fields, [&](const auto& field) {
+            using F = std::remove_cvref_t<decltype(field)>;
+            if (!field.applies(object)) {
+                return;
+            }
+            if constexpr (F::kPresence == Presence::Group) {
+                convertFields(object, field.inner);
+            } else {
+                convert(valueOf(object, field.access), field.rule);
+            }
+        });
+    }
+
+    template <typename T>
+    void convertNumbers(T& value, std::string_view unit) const {
+        if constexpr (std::is_same_v<T, glm::dvec3>) {
+            value = unit == "voxels" ? value * grid_.scale + grid_.offset : value;
+        } else if constexpr (std::is_same_v<T, glm::ivec3>) {
+            const glm::dvec3 place = glm::dvec3(value) * grid_.scale + grid_.offset;
+            value = unit == "voxels" ? glm::max(glm::ivec3(glm::floor(place + 0.5)), glm::ivec3(0)) : value;
+        } else if constexpr (std::is_same_v<T, Clip::Box>) {
+            convertNumbers(value.lo, unit);
+            convertNumbers(value.hi, unit);
+        } else if constexpr (std::is_same_v<T, double>) {
+            value *= unit == "steps" ? grid_.steps : 1;
+        }
+    }
+
+    const OtherGrid& grid_;
+};
+
+// So many generations go as far.
+int asFar(int generations, double steps) { return int(std::ceil(generations * steps - 1e-9)); }
+
+// What descriptions do not tell.
+void convertMore(Sweep& op, const Sweep& before, const OtherGrid& grid) {
+    op.pitch = before.pitch; // of samples, in steps of the grid that is cut
+    if (!op.path.isDrawn()) {
+        for (glm::dvec2& point : op.mask.points) { // about the path
+            point *= grid.steps;
+        }
+    }
+}
+void convertMore(Grow& op, const Grow& /*before*/, const OtherGrid& grid) {
+    op.generations = op.generations ? std::optional(asFar(*op.generations, grid.steps)) : std::nullopt;
+}
+void convertMore(Rewind& op, const Rewind& /*before*/, const OtherGrid& grid) {
+    op.generations = asFar(op.generations, grid.steps);
+}
+void convertMore(ShowGeneration& op, const ShowGeneration& /*before*/, const OtherGrid& grid) {
+    op.generation = asFar(op.generation, grid.steps);
+}
+void convertMore(Absorb& op, const Absorb& /*before*/, const OtherGrid& grid) {
+    op.expansions = op.expansions ? std::optional(asFar(*op.expansions, grid.steps)) : std::nullopt;
+    if (!op.strokes.empty()) {
+        op.voxels.clear();
+    }
+}
+void convertMore(Seed& op, const Seed& /*before*/, const OtherGrid& /*grid*/) {
+    if (!op.strokes.empty() || !op.trails.empty()) {
+        op.voxels.clear();
+    }
+}
+void convertMore(KeepConnected& op, const KeepConnected& /*before*/, const OtherGrid& /*grid*/) {
+    if (op.canvas) {
+        op.voxel.reset(); // it is looked for again under the pixel
+    }
+}
+void convertMore(EditSegment& op, const EditSegment& /*before*/, const OtherGrid& /*grid*/) {
+    if (op.pixel && op.canvas) {
+        op.voxel.reset();
+    }
+}
+void convertMore(CorrectGeometry& op, const CorrectGeometry& /*before*/, const OtherGrid& grid) {
+    op.spacing = op.spacing ? std::optional(*op.spacing / grid.scale) : std::nullopt;
+}
+template <typename T>
+void convertMore(T& /*op*/, const T& /*before*/, const OtherGrid& /*grid*/) {}
+
+} // namespace
+
+OtherGrid otherGrid(const volume::GridGeometry& from, const volume::GridGeometry& to) {
+    const glm::dmat4 map = to.voxelFromWorld() * from.worldFromVoxel;
+    OtherGrid grid;
+    for (int axis = 0; axis < 3; ++axis) {
+        grid.scale[axis] = map[axis][axis];
+        grid.offset[axis] = map[3][axis];
+        for (int other = 0; other < 3; ++other) {
+            if (other != axis && std::abs(map[axis][other]) * from.dims[axis] > 1e-3) {
+                throw Error("the levels' axes lie in different directions; a session of one cannot be "
+                            "replayed on the other");
+            }
+        }
+    }
+    grid.steps = from.stepMm() / to.stepMm();
+    return grid;
+}
+
+Operation onGrid(Operation operation, const OtherGrid& grid) {
+    std::visit(
+        [&](auto& op) {
+            const auto before = op;
+            Converter(grid).convert(op, {});
+            convertMore(op, before, grid);
+        },
+        operation);
+    return operation;
+}
+
+} // namespace vs::studio

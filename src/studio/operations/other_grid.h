@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "studio/operations/operation.h"
+#include "volume/grid/geometry.h"
+
+namespace vs::studio {
+
+// How an operation that speaks of the voxels and steps of one grid speaks of those of another one that covers
+// the same: another level of a store.
+struct OtherGrid {
+    glm::dvec3 scale{1}; // voxel v lies at v * scale + offset in the other grid
+    glm::dvec3 offset{0};
+    double steps = 1; // steps of the other grid in one of its own
+};
+// Throws Error where axes of the grids lie otherwise.
+OtherGrid otherGrid(const volume::GridGeometry& from, const volume::GridGeometry& to);
+
+// The operation on the other grid: places, depths, and of growth how far it goes, are what they were in
+// millimetres, as nearly as its voxels allow; the radiation's radius, which is one of voxels, stays. Seeds
+// that strokes found are looked for again.
+Operation onGrid(Operation operation, const OtherGrid& grid);
+
+} // namespace vs::studio

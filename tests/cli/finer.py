@@ -1,0 +1,118 @@
+#!/usr/bin/env python3
+# SPDX-License-Identifier: Apache-2.0
+"""What is done to a store that is worked on at a coarser level than its finest is what is done to that one: sculptures, what is left of
+the volume, and sessions that were made on another level.
+
+usage: finer.py VSTUDIO
+"""
+import json
+import re
+import unittest
+
+from scan_case import ScanCase, libraries
+
+numpy, zarr = libraries("numpy", "zarr")
+
+SHAPE = (128, 160, 192)  # z, y, x
+CUTS = [
+    {"op": "view", "range": [60, 255], "camera": {"azimuth": 25, "elevation": 30}},
+    {"op": "scissors", "outline": {"shape": "ellipse", "points": [[500, 180], [560, 240]]}},
+    {"op": "drill", "depthMax": 14, "mask": {"shape": "circle", "points": [[640, 330], [665, 330]]},
+     "stroke": [[640, 330, 0.5], [700, 380, 1]]},
+    {"op": "laser", "depthMax": 12, "mask": {"shape": "circle", "points": [[560, 430], [580, 430]]}, "stroke": [[560, 430, 1], [600, 470, 1]]},
+    {"op": "peel", "layers": 5, "mask": {"shape": "ellipse", "points": [[680, 480], [760, 560]]}},
+    {"op": "sweep", "mask": {"shape": "circle", "points": [[0, 0], [6, 0]]},
+     "path": {"kind": "spline", "points": [[60, 40, 100], [96, 30, 110], [130, 50, 90]]}},
+    {"op": "clip", "box": [[20, 10, 16], [170, 150, 120]]},
+]
+SEED = [{"op": "seed", "range": [60, 255], "voxels": [[96, 80, 64]]}, {"op": "grow"}]
+
+
+class Finer(ScanCase):
+    def store(self):
+        path = self.folder / "head.zarr"
+        self.succeed("phantom", "head", "--size", "x".join(map(str, SHAPE[::-1])), "-o", path, "--noise", "2")
+        return path
+
+    def session(self, name, store, operations, **volume):
+        path = self.folder / name
+        path.write_text(json.dumps({"volumeStudioSession": 1, "volume": {"path": str(store), **volume}, "operations": operations}))
+        return path
+
+    def run_session(self, session, out, *options):
+        done = self.succeed("run", session, "-o", self.folder / out, *options)
+        return self.folder / out, json.loads((self.folder / out / "report.json").read_text()), done.stderr
+
+    def values(self, path):
+        return zarr.open_group(str(path), "r")["0"][:]
+
+    def test_a_session_cuts_the_finest_level_whatever_it_is_replayed_on(self):
+        outputs = [{"op": "picture", "file": "p.png", "size": [615, 435], "samples": 4}, {"op": "sculpture", "file": "s.zarr"}]
+        session = self.session("s.json", self.store(), CUTS + outputs)
+        dense, report, said = self.run_session(session, "dense", "--level", 0)
+        self.assertEqual((report["level"], report["storage"]), (0, "dense"))
+        self.assertNotIn("replayed on level", said)
+        wanted = self.values(dense / "s.zarr")
+        self.assertGreater((wanted > 0.5).mean(), 0.3)
+        for level in (1, 2):
+            with self.subTest(level=level):
+                bricks, report, said = self.run_session(session, f"bricks{level}", "--level", level)
+                self.assertEqual((report["level"], report["storage"]), (level, "bricks"))
+                self.assertIn(f"made on level 0 and is replayed on level {level}", said)
+                cut = self.values(bricks / "s.zarr")
+                self.assertEqual(cut.shape, SHAPE)
+                # What tools find on surfaces is found in another voxel space, and rounded there.
+                off = numpy.abs(cut - wanted) > 0.02
+                self.assertLess(off.mean(), 2e-4)
+                most, mean = map(float, re.search(r"max (\d+) mean ([\d.]+)",
+                                                  self.call("compare", dense / "p.png", bricks / "p.png").stdout).groups())
+                self.assertLess(mean, 1.0)
+
+    def test_a_session_of_one_level_grows_on_another(self):
+        store = self.store()
+        session = self.session("s.json", store, SEED + [{"op": "labels", "file": "l.zarr"}])
+        millilitres = {}
+        for level in (0, 1):
+            out, report, _ = self.run_session(session, str(level), "--level", level)
+            labels = self.values(out / "l.zarr")
+            self.assertEqual(labels.shape, tuple(n >> level for n in SHAPE))
+            millilitres[level] = (labels > 0).sum() * 8 ** level
+        self.assertLess(abs(millilitres[1] / millilitres[0] - 1), 0.05)
+
+    def test_what_is_left_goes_out_as_a_store(self):
+        store = self.store()
+        session = self.session("s.json", store, CUTS, level=1)
+        for out, options, shape in (("fine.zarr", (), SHAPE), ("coarse.zarr", ("--storage", "dense"), tuple(n // 2 for n in SHAPE))):
+            with self.subTest(out=out):
+                self.succeed("export", session, "--what", "volume", "-o", self.folder / out, "--fill", 7, *options)
+                left = self.values(self.folder / out)
+                self.assertEqual(left.shape, shape)
+                whole = zarr.open_group(str(store), "r")["0" if shape == SHAPE else "1"][:]
+                self.assertGreater((left == 7).mean(), 0.3)
+                self.assertGreater((left == whole).mean(), 0.2)
+        group = zarr.open_group(str(self.folder / "fine.zarr"), "r")
+        self.assertGreater(len(group.attrs["multiscales"][0]["datasets"]), 1)
+        # And it opens here, where it lies.
+        self.assertIn("192 x 160 x 128", self.succeed("info", self.folder / "fine.zarr").stdout)
+
+    def test_labels_go_out_as_a_store_with_names_and_colours(self):
+        session = self.session("s.json", self.store(), [{"op": "segment", "segment": "Brain", "colour": [1, 0.5, 0]}] + SEED)
+        self.succeed("export", session, "-o", self.folder / "l.zarr")
+        group = zarr.open_group(str(self.folder / "l.zarr"), "r")
+        look = group.attrs["image-label"]
+        self.assertEqual(look["properties"], [{"label-value": 1, "name": "Brain"}])
+        self.assertEqual(look["colors"], [{"label-value": 1, "rgba": [255, 128, 0, 255]}])
+        self.assertEqual(set(numpy.unique(group["0"][:])), {0, 1})
+        self.assertEqual(set(numpy.unique(group["1"][:])), {0, 1})
+
+    def test_a_saved_session_cuts_the_same_again(self):
+        session = self.session("s.json", self.store(), CUTS, level=1)
+        saved = self.folder / "saved.json"
+        self.succeed("run", session, "-o", self.folder / "a", "--save", saved)
+        self.succeed("export", session, "--what", "volume", "-o", self.folder / "a.zarr", "--fill", 7)
+        self.succeed("export", saved, "--what", "volume", "-o", self.folder / "b.zarr", "--fill", 7)
+        self.assertTrue(numpy.array_equal(self.values(self.folder / "a.zarr"), self.values(self.folder / "b.zarr")))
+
+
+if __name__ == "__main__":
+    unittest.main()

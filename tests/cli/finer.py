@@ -25,7 +25,7 @@ CUTS = [
      "path": {"kind": "spline", "points": [[60, 40, 100], [96, 30, 110], [130, 50, 90]]}},
     {"op": "clip", "box": [[20, 10, 16], [170, 150, 120]]},
 ]
-SEED = [{"op": "seed", "range": [60, 255], "voxels": [[96, 80, 64]]}, {"op": "grow"}]
+SEED = [{"op": "seed", "range": [85, 255], "voxels": [[66, 80, 64]]}, {"op": "grow"}]
 
 
 class Finer(ScanCase):

@@ -132,7 +132,8 @@ std::unique_ptr<studio::Document> openInput(const FilmOptions& options, const gl
     if (options.input.ends_with(".json")) {
         studio::Session session = studio::loadSession(options.input);
         return openDocument(session, options.input,
-                            loadSessionScan(session, options.input, options.volume, options.storage), context);
+                            loadSessionScan(session, options.input, options.volume, options.storage),
+                            context);
     }
     VolumeArgument argument = options.volume;
     argument.path = options.input;

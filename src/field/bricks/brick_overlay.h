@@ -14,7 +14,7 @@ namespace vs::field {
 class BrickOverlay {
 public:
     virtual ~BrickOverlay() = default;
-    // Of one channel, 0 to 1.
+    // One channel, 0 to 1.
     [[nodiscard]] virtual gl::Format format() const = 0;
     [[nodiscard]] virtual bool isEmpty() const = 0;
     // Its texels for a brick of a level, BrickGrid::texels()^3, x fastest; none: all are zero.

@@ -33,9 +33,9 @@ BrickPool::BrickPool(int texels, gl::Format format, std::size_t bytes, std::size
     const std::size_t texelsOfSlot = std::size_t(texels) * std::size_t(texels) * std::size_t(texels);
     const std::size_t own = gl::bytesPerTexel(format);
     const std::size_t over = overlay ? gl::bytesPerTexel(*overlay) : 0;
-    std::size_t slots = std::clamp<std::size_t>(std::min(bytes / (texelsOfSlot * (own + over)),
-                                                         kMostBytes / (texelsOfSlot * std::max(own, over))),
-                                                1, std::max<std::size_t>(most, 1));
+    std::size_t slots = std::clamp<std::size_t>(
+        std::min(bytes / (texelsOfSlot * (own + over)), kMostBytes / (texelsOfSlot * std::max(own, over))), 1,
+        std::max<std::size_t>(most, 1));
     while (!texture_) {
         // Page tables have ten bits for a slot's place along an axis.
         counts_ = slotsAlong(slots, std::clamp(gl::limits().texture3D / texels, 1, 1023));

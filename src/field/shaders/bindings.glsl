@@ -16,7 +16,7 @@ const int kApartTilesTexture = 7;
 const int kSmoothedQuadsTexture = 12;
 const int kBrickPoolTexture = 12; // nor smoothed values
 const int kSegmentLabelsTexture = 13;
-const int kApartPagesTexture = 15; // of a segment, whose surfaces are not looked for in smoothed values
+const int kApartPagesTexture = 15;   // of a segment, whose surfaces are not looked for in smoothed values
 const int kBrickOverlayTexture = 15; // not where a segment is drawn apart from others
 const int kSmoothedTexture = 15;
 

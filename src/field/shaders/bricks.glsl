@@ -25,8 +25,8 @@ bool isBrickMissing = false;
 vec3 levelFromVoxel(vec3 p) { return p * levelScale.xyz + levelOrigin.xyz; }
 
 // Where in the pool a place in the level's voxel space is found: the first texel of its brick's slot, and
-// what lies between that and the place, in texels; false: its brick is not there. Loops instead of branches: a software renderer leaves them where nothing is to be done, and does
-// both sides of a branch.
+// what lies between that and the place, in texels; false: its brick is not there. Loops instead of branches:
+// a software renderer leaves them where nothing is to be done, and does both sides of a branch.
 bool findInPool(vec3 q, out vec3 slot, out vec3 inBrick) {
     vec3 inside = clamp(q, vec3(0.0), vec3(levelDims.xyz - 1));
     ivec3 brick = ivec3(inside * levelOrigin.w);
@@ -51,13 +51,12 @@ float inPool(sampler3D pool, vec3 slot, vec3 inBrick) {
     ivec3 cell = ivec3(inBrick);
     vec3 f = inBrick - vec3(cell);
     ivec3 first = ivec3(slot) + cell;
-    vec4 low = vec4(texelFetch(pool, first, 0).r, texelFetch(pool, first + ivec3(1, 0, 0), 0).r,
-                    texelFetch(pool, first + ivec3(0, 1, 0), 0).r,
-                    texelFetch(pool, first + ivec3(1, 1, 0), 0).r);
-    vec4 high = vec4(texelFetch(pool, first + ivec3(0, 0, 1), 0).r,
-                     texelFetch(pool, first + ivec3(1, 0, 1), 0).r,
-                     texelFetch(pool, first + ivec3(0, 1, 1), 0).r,
-                     texelFetch(pool, first + ivec3(1, 1, 1), 0).r);
+    vec4 low =
+        vec4(texelFetch(pool, first, 0).r, texelFetch(pool, first + ivec3(1, 0, 0), 0).r,
+             texelFetch(pool, first + ivec3(0, 1, 0), 0).r, texelFetch(pool, first + ivec3(1, 1, 0), 0).r);
+    vec4 high =
+        vec4(texelFetch(pool, first + ivec3(0, 0, 1), 0).r, texelFetch(pool, first + ivec3(1, 0, 1), 0).r,
+             texelFetch(pool, first + ivec3(0, 1, 1), 0).r, texelFetch(pool, first + ivec3(1, 1, 1), 0).r);
     vec4 planes = mix(low, high, f.z);
     vec2 rows = mix(planes.xy, planes.zw, f.y);
     return mix(rows.x, rows.y, f.x);

@@ -15,7 +15,8 @@ constexpr int kMostFrames = 4096;
 } // namespace
 
 // Those whose centres are nearest to the mask's corners in any of its frames, and all between.
-Box3 rawPointBox(const MaskRaster& mask, std::span<const MaskFrame> frames, const glm::dvec3& voxelFromSteps) {
+Box3 rawPointBox(const MaskRaster& mask, std::span<const MaskFrame> frames,
+                 const glm::dvec3& voxelFromSteps) {
     Box3 box;
     for (const MaskFrame& frame : frames) {
         for (int corner = 0; corner < 4; ++corner) {

@@ -27,7 +27,7 @@ std::vector<MaskFrame> framesEachStep(std::span<const PathPiece> path);
 Box3 radiateRaw(Radiator& radiator, const MaskRaster& mask, std::span<const MaskFrame> frames,
                 glm::ivec3 dims, const Footprint& footprint,
                 const glm::dvec3& voxelFromSteps = glm::dvec3(1));
-// As far as it comes `within` a box of the grid (Radiator::begin()).
+// Does so as far as it comes `within` a box of the grid (Radiator::begin()).
 Box3 radiateRaw(Radiator& radiator, const MaskRaster& mask, std::span<const MaskFrame> frames,
                 glm::ivec3 dims, const Box3& within, const Footprint& footprint,
                 const glm::dvec3& voxelFromSteps);

@@ -22,7 +22,7 @@ public:
     // Makes the points chunk by chunk (at most Radiator::kMaxPoints each); the buffer is reused, so `consume`
     // must be done with it, or have submitted what reads it, when it returns.
     void generate(const SweptPatches& patches, const Consume& consume);
-    // Those of the patches that may have some in a box of voxels.
+    // Makes the points of those patches that may have some in a box of voxels.
     void generateIn(const Box3& voxels, const SweptPatches& patches, const Consume& consume);
 
 private:

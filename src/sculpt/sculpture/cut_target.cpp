@@ -16,8 +16,7 @@ Box3 toBricks(const Box3& box, glm::ivec3 dims) {
     if (part.isEmpty()) {
         return {};
     }
-    return {part.lo / kFineBrick * kFineBrick,
-            glm::min(divideUp(part.hi, kFineBrick) * kFineBrick, dims)};
+    return {part.lo / kFineBrick * kFineBrick, glm::min(divideUp(part.hi, kFineBrick) * kFineBrick, dims)};
 }
 
 } // namespace

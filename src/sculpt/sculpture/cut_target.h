@@ -14,8 +14,9 @@ public:
     // A part that can be worked on.
     struct Part {
         Sculpture* sculpture = nullptr;
-        Box3 within;                   // voxels of the grid that it has
-        BrickBackup* backup = nullptr; // bricks are protected there before they change; null: they are already
+        Box3 within; // voxels of the grid that it has
+        BrickBackup* backup =
+            nullptr; // bricks are protected there before they change; null: they are already
     };
     // Cuts or restores in a part, and says in which box something may have changed.
     using Work = std::function<Box3(const Part&)>;
@@ -57,8 +58,7 @@ class FineWindow {
 public:
     static constexpr int kSide = 192; // voxels
 
-    explicit FineWindow(Precision precision)
-        : sculpture_(Sculpture::window(glm::ivec3(kSide), precision)) {}
+    explicit FineWindow(Precision precision) : sculpture_(Sculpture::window(glm::ivec3(kSide), precision)) {}
 
     // Shows a box of the fine sculpture that is no larger than the window and begins and ends with bricks.
     Sculpture& look(const FineSculpture& fine, const Box3& box, const Limits& limits);

@@ -23,7 +23,8 @@ FineBrick packed(const FineBrick& brick) {
     if (ZSTD_isError(size) != 0U) {
         throw Error("undo data could not be compressed: {}; free some memory", ZSTD_getErrorName(size));
     }
-    return std::make_shared<const std::vector<std::byte>>(bytes.begin(), bytes.begin() + std::ptrdiff_t(size));
+    return std::make_shared<const std::vector<std::byte>>(bytes.begin(),
+                                                          bytes.begin() + std::ptrdiff_t(size));
 }
 
 FineBrick unpacked(const FineBrick& kept, std::size_t bytes) {

@@ -11,7 +11,6 @@ namespace vs::sculpt {
 
 namespace {
 
-
 // Values at the scene's voxels of a box, and between them.
 class SceneValues {
 public:
@@ -60,14 +59,13 @@ FineDelta FineSculpture::raise(const Box3& sceneBox, std::span<const float> befo
     // The half voxel around the scene's outermost centres belongs to them.
     const glm::dvec3 half = 0.5 * grid_.perSceneVoxel;
     const glm::ivec3 top = counts() - 1;
-    const Box3 bricks{
-        glm::clamp(glm::ivec3(glm::max(lo - half, 0.0)) / kFineBrick, glm::ivec3(0), top),
-        glm::clamp(glm::ivec3(glm::max(hi + half, 0.0)) / kFineBrick, glm::ivec3(0), top) + 1};
+    const Box3 bricks{glm::clamp(glm::ivec3(glm::max(lo - half, 0.0)) / kFineBrick, glm::ivec3(0), top),
+                      glm::clamp(glm::ivec3(glm::max(hi + half, 0.0)) / kFineBrick, glm::ivec3(0), top) + 1};
     std::vector<glm::ivec3> places;
     forEachVoxel(bricks, [&](glm::ivec3 brick, std::size_t) { places.push_back(brick); });
     FineBricks originals;
     std::mutex mutex;
-    inParallel(int(places.size()), [&](int n) {
+    const auto raiseBrick = [&](int n) {
         const glm::ivec3 brick = places[std::size_t(n)];
         const Box3 box = boxOf(placeOf(brick));
         const Box3 scene = intersect(this->sceneBox(box), sceneBox);
@@ -100,8 +98,14 @@ FineDelta FineSculpture::raise(const Box3& sceneBox, std::span<const float> befo
         const auto raised = texelsOf(values, precision_);
         const std::lock_guard lock(mutex);
         put(box, raised, originals);
-    });
-    return since(std::move(originals));
+    };
+    try {
+        inParallel(int(places.size()), raiseBrick);
+        return since(originals);
+    } catch (...) {
+        takeBack(originals);
+        throw;
+    }
 }
 
 } // namespace vs::sculpt

@@ -15,7 +15,6 @@ namespace vs::sculpt {
 
 namespace {
 
-
 // The values of all 16-bit floats.
 const std::vector<float>& halves() {
     static const std::vector<float> values = [] {
@@ -79,8 +78,9 @@ float FineReader::at(glm::ivec3 voxel) {
     const Box3 box = boxOf(brick);
     const glm::ivec3 size = box.size();
     const glm::ivec3 v = voxel - box.lo;
-    return decoded(*texels, (std::size_t(v.z) * std::size_t(size.y) + std::size_t(v.y)) * std::size_t(size.x) +
-                                std::size_t(v.x));
+    return decoded(*texels,
+                   (std::size_t(v.z) * std::size_t(size.y) + std::size_t(v.y)) * std::size_t(size.x) +
+                       std::size_t(v.x));
 }
 
 float FineReader::between(const glm::dvec3& place) {
@@ -146,8 +146,8 @@ void sample(FineReader& reader, const FineBricks& bricks, const OtherGrid& grid,
     const glm::ivec3 top = reader.counts() - 1;
     const glm::ivec3 first =
         glm::clamp(glm::ivec3(glm::floor(grid.finePlace(voxels.lo))) / kFineBrick, glm::ivec3(0), top);
-    const glm::ivec3 last =
-        glm::clamp((glm::ivec3(glm::floor(grid.finePlace(voxels.hi - 1))) + 1) / kFineBrick, glm::ivec3(0), top);
+    const glm::ivec3 last = glm::clamp(
+        (glm::ivec3(glm::floor(grid.finePlace(voxels.hi - 1))) + 1) / kFineBrick, glm::ivec3(0), top);
     forEachVoxel(Box3{first, last + 1}, [&](glm::ivec3 brick, std::size_t) {
         if (reader.brickAt(brick) == nullptr) {
             return;

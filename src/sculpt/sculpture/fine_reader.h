@@ -42,9 +42,7 @@ struct OtherGrid {
     glm::dvec3 scale{1};
     glm::dvec3 offset{0};
 
-    [[nodiscard]] glm::dvec3 finePlace(glm::ivec3 voxel) const {
-        return glm::dvec3(voxel) * scale + offset;
-    }
+    [[nodiscard]] glm::dvec3 finePlace(glm::ivec3 voxel) const { return glm::dvec3(voxel) * scale + offset; }
 };
 // Calls tell(number, value) for the voxels of a box (numbered x fastest) that bricks with something cut
 // reach, some of them more than once; all others are 0.

@@ -58,11 +58,11 @@ void fillTexels(const Box3& part, const Box3& box, std::byte* target, const std:
     const glm::ivec3 size = box.size();
     for (int z = part.lo.z; z < part.hi.z; ++z) {
         for (int y = part.lo.y; y < part.hi.y; ++y) {
-            std::byte* row = target + ((std::size_t(z - box.lo.z) * std::size_t(size.y) +
-                                        std::size_t(y - box.lo.y)) *
-                                           std::size_t(size.x) +
-                                       std::size_t(part.lo.x - box.lo.x)) *
-                                          texel.size();
+            std::byte* row =
+                target + ((std::size_t(z - box.lo.z) * std::size_t(size.y) + std::size_t(y - box.lo.y)) *
+                              std::size_t(size.x) +
+                          std::size_t(part.lo.x - box.lo.x)) *
+                             texel.size();
             for (int x = 0; x < part.size().x; ++x) {
                 std::memcpy(row + std::size_t(x) * texel.size(), texel.data(), texel.size());
             }
@@ -134,7 +134,8 @@ private:
 
 } // namespace
 
-FineSculpture::FineSculpture(field::BrickGrid grid, Precision precision) : grid_(grid), precision_(precision) {
+FineSculpture::FineSculpture(field::BrickGrid grid, Precision precision)
+    : grid_(grid), precision_(precision) {
     changes_.reserve(kChangesRemembered);
 }
 
@@ -206,21 +207,22 @@ std::function<std::vector<float>(const Box3&)> FineSculpture::reader() const {
 void FineSculpture::put(const Box3& box, std::span<const std::byte> texels, FineBricks& before) {
     const std::size_t texelBytes = gl::bytesPerTexel(formatOf(precision_));
     Box3 changed;
-    forEachVoxel(Box3{box.lo / kFineBrick, (box.hi - 1) / kFineBrick + 1}, [&](glm::ivec3 brickAt, std::size_t) {
-        const int place = placeOf(brickAt);
-        const Box3 own = boxOf(place);
-        VS_CHECK(intersect(own, box) == own);
-        std::vector<std::byte> now(own.volume() * texelBytes);
-        copyTexels(box, texels.data(), own, now.data(), texelBytes);
-        const FineBrick was = at(place);
-        FineBrick brick = brickOf(std::move(now), texelBytes);
-        const bool isSame = was == nullptr || brick == nullptr ? was == brick : *was == *brick;
-        if (!isSame) {
-            before.emplace(place, was);
-            set(place, std::move(brick));
-            changed = unite(changed, own);
-        }
-    });
+    forEachVoxel(Box3{box.lo / kFineBrick, (box.hi - 1) / kFineBrick + 1},
+                 [&](glm::ivec3 brickAt, std::size_t) {
+                     const int place = placeOf(brickAt);
+                     const Box3 own = boxOf(place);
+                     VS_CHECK(intersect(own, box) == own);
+                     std::vector<std::byte> now(own.volume() * texelBytes);
+                     copyTexels(box, texels.data(), own, now.data(), texelBytes);
+                     const FineBrick was = at(place);
+                     FineBrick brick = brickOf(std::move(now), texelBytes);
+                     const bool isSame = was == nullptr || brick == nullptr ? was == brick : *was == *brick;
+                     if (!isSame) {
+                         before.emplace(place, was);
+                         set(place, std::move(brick));
+                         changed = unite(changed, own);
+                     }
+                 });
     if (!changed.isEmpty()) {
         noteChange(changed);
     }
@@ -259,7 +261,7 @@ void FineSculpture::swap(FineDelta& delta) {
     }
 }
 
-FineDelta FineSculpture::since(FineBricks before) const {
+FineDelta FineSculpture::since(const FineBricks& before) const {
     const std::size_t texelBytes = gl::bytesPerTexel(formatOf(precision_));
     const std::vector<std::byte> zero(texelBytes);
     std::vector<std::pair<int, FineBrick>> bricks(before.begin(), before.end());
@@ -304,13 +306,20 @@ void FineSculpture::takeBack(const FineBricks& before) {
 }
 
 FineDelta FineSculpture::clear() {
-    FineBricks before = *bricks_;
+    const std::size_t texelBytes = gl::bytesPerTexel(formatOf(precision_));
+    const std::vector<std::byte> zero(texelBytes);
+    FineDelta delta;
     FineBricks nothing;
-    for (const auto& [place, brick] : before) {
+    for (const auto& [place, brick] : *bricks_) {
+        delta.bricks.emplace_back(place, packed(brick));
         nothing.emplace(place, FineBrick());
+        for (std::size_t n = 0; n < brick->size(); n += texelBytes) {
+            const bool isCut = std::memcmp(brick->data() + n, zero.data(), texelBytes) != 0;
+            delta.changedVoxels += !isCut ? 0 : brick->size() == texelBytes ? boxOf(place).volume() : 1;
+        }
     }
     takeBack(nothing);
-    return since(std::move(before));
+    return delta;
 }
 
 std::shared_ptr<const field::BrickOverlay> FineSculpture::snapshot() const {

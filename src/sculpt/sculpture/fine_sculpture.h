@@ -66,7 +66,7 @@ public:
     // Undo and redo. When it throws, nothing has changed.
     void swap(FineDelta& delta);
     // What undoes all that has happened since `before` was begun. Bricks that are as they were are left out.
-    [[nodiscard]] FineDelta since(FineBricks before) const;
+    [[nodiscard]] FineDelta since(const FineBricks& before) const;
     // Puts everything back as it was then.
     void takeBack(const FineBricks& before);
     // Nothing is cut any more. Returns what undoes that.

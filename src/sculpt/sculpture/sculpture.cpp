@@ -242,28 +242,28 @@ void Sculpture::derive(const Box3& finerBox, BrickBackup& backup) {
     }
 }
 
-FineDelta Sculpture::cutFiner(const BrickDelta& change) {
-    if (finer_ == nullptr || change.isEmpty()) {
-        return {};
+void Sculpture::cutFiner(SculptureDelta& change) {
+    if (finer_ == nullptr || change.BrickDelta::isEmpty()) {
+        return;
     }
-    const Box3 box = intersect(grow(change.box(), 1), {glm::ivec3(0), dims_});
-    const auto after = download(box);
-    auto before = after;
-    const gl::Texture was = change.before(texels(), "sculpture before a cut");
-    const Box3 changed = change.box();
-    const auto bytes = was.download({glm::ivec3(0), changed.size()});
-    const std::size_t texelBytes = gl::bytesPerTexel(format());
-    const glm::ivec3 size = box.size();
-    forEachVoxel(changed, [&](glm::ivec3 v, std::size_t n) {
-        const glm::ivec3 at = v - box.lo;
-        const std::size_t to =
-            (std::size_t(at.z) * std::size_t(size.y) + std::size_t(at.y)) * std::size_t(size.x) +
-            std::size_t(at.x);
-        std::copy_n(&bytes[n * texelBytes], texelBytes, &before[to * texelBytes]);
-    });
-    FineDelta delta = finer_->raise(box, valuesOf(before, precision_), valuesOf(after, precision_));
-    refresh(box);
-    return delta;
+    try {
+        const Box3 box = intersect(grow(change.box(), 1), {glm::ivec3(0), dims_});
+        const auto after = values(box);
+        auto before = after;
+        const gl::Texture was = change.before(texels(), "sculpture before a cut");
+        const auto valuesBefore = valuesOf(was.download({glm::ivec3(0), change.box().size()}), precision_);
+        const glm::ivec3 size = box.size();
+        forEachVoxel(change.box(), [&](glm::ivec3 v, std::size_t n) {
+            const glm::ivec3 at = v - box.lo;
+            before[(std::size_t(at.z) * std::size_t(size.y) + std::size_t(at.y)) * std::size_t(size.x) +
+                   std::size_t(at.x)] = valuesBefore[n];
+        });
+        change.finer = finer_->raise(box, before, after);
+        refresh(box);
+    } catch (...) {
+        swap(change);
+        throw;
+    }
 }
 
 BrickDelta Sculpture::content() const {

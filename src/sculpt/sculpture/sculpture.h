@@ -28,8 +28,8 @@ enum class Combine { Cut, Restore };
 struct Limits {
     const gl::Texture* memberships = nullptr; // null: everywhere
     bool takesOnly = false;
-    // Where the sculpture's grid is finer than theirs: voxel v lies at v * scale + offset among them, and what
-    // is between them counts.
+    // Where the sculpture's grid is finer than theirs: voxel v lies at v * scale + offset among them, and
+    // what is between them counts.
     struct Place {
         glm::dvec3 scale{1};
         glm::dvec3 offset{0};
@@ -59,9 +59,9 @@ public:
     // Takes over what the finer one has now in a box of its voxels; bricks are protected in `backup` before
     // they change.
     void derive(const Box3& finerBox, BrickBackup& backup);
-    // What was cut here, and not in the finer one, is cut there: `change` undoes it here. Gives what undoes
-    // it there.
-    FineDelta cutFiner(const BrickDelta& change);
+    // What was cut here, and not in the finer one, is cut there: `change` undoes it here, and both
+    // afterwards. When it throws, both are as they were before that cut.
+    void cutFiner(SculptureDelta& change);
 
     // Union with a radiation E, clamped to [0, 1]: S = max(S, E) for a cut, S = min(S, 1 - E) for a restore
     // (doc/behaviour.md, "Point radiation"). Where a restore has E >= 0.5 the result stays below 0.5, so

@@ -19,7 +19,7 @@ struct SculptureDelta : BrickDelta {
     FineDelta finer;
 
     [[nodiscard]] bool isEmpty() const { return BrickDelta::isEmpty() && finer.isEmpty(); }
-    // Of the finer one, where that has changed.
+    // Counts the finer one's voxels, where that has changed.
     [[nodiscard]] std::size_t changedVoxels() const {
         return finer.isEmpty() ? BrickDelta::changedVoxels() : finer.changedVoxels;
     }

@@ -6,7 +6,7 @@
 layout(binding = kLimitsTexture) uniform sampler3D memberships; // r what is spared, g what alone is taken
 uniform int takesOnly;
 #ifdef LIMITS_COARSER
-uniform vec3 limitsScale; // place among the memberships = voxel * this
+uniform vec3 limitsScale;  // place among the memberships = voxel * this
 uniform vec3 limitsOffset; // + this
 vec2 membershipsOf(ivec3 voxel) {
     vec3 place = vec3(voxel) * limitsScale + limitsOffset;

@@ -221,9 +221,8 @@ Box3 SolidCutter::run(const Prepare& prepare, Tiles tiles, CutTarget& target, in
                 box = unite(box, boxOf(tile));
             }
         }
-        target.cutIn(box, [&](const CutTarget::Part& part) {
-            return runIn(part, prepare, some, radius, how);
-        });
+        target.cutIn(box,
+                     [&](const CutTarget::Part& part) { return runIn(part, prepare, some, radius, how); });
     }
     target.finish();
     return all;
@@ -373,7 +372,8 @@ Box3 SolidCutter::cutValues(CutTarget& target, std::span<const float> energies, 
             });
         }
         texels = gl::Texture(size, gl::Format::R32F, gl::Filter::Nearest, "energies");
-        texels.upload({glm::ivec3(0), size}, own.empty() ? std::as_bytes(energies) : std::as_bytes(std::span(own)));
+        texels.upload({glm::ivec3(0), size},
+                      own.empty() ? std::as_bytes(energies) : std::as_bytes(std::span(own)));
         texels.bindImage(kEnergiesImage, gl::Access::Read);
         return cutValues_.with(part.sculpture->defines());
     };

@@ -88,8 +88,7 @@ Box3 LayeredCut::cutAtOnce(double depthSteps, Radiator& radiator, PointGenerator
         radiator.beginRunning(points, part.within, footprint_);
         const Box3 near = reachOf(part.within, footprint_);
         for (int layer = 0; layer <= wanted.layers; ++layer) {
-            const Piece piece =
-                layer < wanted.layers ? Piece{edge(layer), edge(layer + 1)} : wanted.partial;
+            const Piece piece = layer < wanted.layers ? Piece{edge(layer), edge(layer + 1)} : wanted.partial;
             if (piece.lo < piece.hi && !isBeyondAll(piece)) {
                 swept_.sweepPiece(piece.lo, piece.hi);
                 emptyFrom_ = swept_.patches().empty() ? std::min(emptyFrom_, piece.lo) : emptyFrom_;

@@ -161,7 +161,8 @@ Outcome CutEditor::run(KeepConnected& op) { return cutAtOnce(op); }
 
 // The voxels of a delta that are cut now and were not before it; of them, where a range is given, those with
 // values in that. The sculpture is as before the delta afterwards.
-segment::VoxelSet CutEditor::takeBackAndTell(sculpt::SculptureDelta& delta, const std::optional<Range>& seen) {
+segment::VoxelSet CutEditor::takeBackAndTell(sculpt::SculptureDelta& delta,
+                                             const std::optional<Range>& seen) {
     segment::VoxelSet set = segment::emptySet(delta.box());
     std::vector<std::vector<float>> after;
     for (const Box3& brick : delta.bricks()) {
@@ -217,7 +218,7 @@ segment::VoxelSet CutEditor::wouldCut(const BrushSegment& op) {
 }
 
 sculpt::SculptureDelta CutEditor::cutBy(const segment::VoxelSet& set, const CutSegment& op,
-                                    const std::vector<float>& most) {
+                                        const std::vector<float>& most) {
     const auto inside = smoothMembership(
         contents_.scan.field, segment::changeMargin(set, contents_.scan.volume.geometry, op.marginMm));
     reportProgress();
@@ -236,7 +237,7 @@ sculpt::SculptureDelta CutEditor::cutBy(const segment::VoxelSet& set, const CutS
     contents_.sculpture.upload(box, texels);
     try {
         sculpt::SculptureDelta delta(backup.finish());
-        delta.finer = contents_.sculpture.cutFiner(delta);
+        contents_.sculpture.cutFiner(delta);
         return delta;
     } catch (...) { // no memory to hold what would undo it
         contents_.sculpture.refresh(backup.restore());

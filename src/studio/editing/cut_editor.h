@@ -56,7 +56,7 @@ private:
     [[nodiscard]] Phrase saidOf(const sculpt::SculptureDelta& delta) const;
     // Cuts what lies in a set of voxels, or outside it, with at most so much energy; says what undoes that.
     sculpt::SculptureDelta cutBy(const segment::VoxelSet& set, const CutSegment& op,
-                             const std::vector<float>& most);
+                                 const std::vector<float>& most);
 
     Contents& contents_;
     Display& display_;

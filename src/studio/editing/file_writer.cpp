@@ -69,9 +69,9 @@ std::function<std::vector<T>(const Box3&)> boxesOf(const std::vector<T>& values,
         std::vector<T> part;
         part.reserve(box.volume());
         forEachVoxel(box, [&](glm::ivec3 v, std::size_t) {
-            part.push_back(values[(std::size_t(v.z) * std::size_t(dims.y) + std::size_t(v.y)) *
-                                      std::size_t(dims.x) +
-                                  std::size_t(v.x)]);
+            part.push_back(
+                values[(std::size_t(v.z) * std::size_t(dims.y) + std::size_t(v.y)) * std::size_t(dims.x) +
+                       std::size_t(v.x)]);
         });
         return part;
     };

@@ -121,14 +121,15 @@ sculpt::SculptureDelta PartEditor::clearSculpture() {
     for (const Box3& brick : sculpture.touchedBricks()) {
         backup.protect(brick);
     }
+    sculpt::FineSculpture* finer = sculpture.finer();
+    sculpt::FineDelta finest = finer != nullptr ? finer->clear() : sculpt::FineDelta();
     sculpture.clear();
     try {
-        sculpt::SculptureDelta delta(backup.finish());
-        if (sculpture.finer() != nullptr) {
-            delta.finer = sculpture.finer()->clear();
-        }
-        return delta;
+        return {backup.finish(), std::move(finest)};
     } catch (...) { // no memory to hold what would undo it
+        if (finer != nullptr) {
+            finer->swap(finest);
+        }
         sculpture.refresh(backup.restore());
         sculpture.contentIsAsAt(content);
         throw;

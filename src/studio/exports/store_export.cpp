@@ -70,9 +70,10 @@ std::string writeLabelStore(const std::filesystem::path& path, const ExportSourc
         }
         values[segment.label] = std::uint32_t(segment.value);
         const glm::u8vec3 colour(glm::round(segment.colour * 255.0));
-        store.facts.labels.push_back({segment.value, segment.name,
-                                      {colour.x, colour.y, colour.z,
-                                       std::uint8_t(std::round(segment.opacity * 255))}});
+        store.facts.labels.push_back(
+            {segment.value,
+             segment.name,
+             {colour.x, colour.y, colour.z, std::uint8_t(std::round(segment.opacity * 255))}});
     }
     store.facts.geometry = source.geometry;
     store.facts.name = path.stem().string();

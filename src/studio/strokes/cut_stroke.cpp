@@ -6,10 +6,13 @@
 namespace vs::studio {
 
 sculpt::SculptureDelta CutStroke::finish() {
-    sculpt::SculptureDelta delta(backup_.finish());
-    if (sculpt::FineSculpture* finer = cutter_->sculpture->finer()) {
-        delta.finer = cutsInScene_ ? cutter_->sculpture->cutFiner(delta)
-                                   : finer->since(std::exchange(originals_, {}));
+    const sculpt::FineSculpture* finer = cutter_->sculpture->finer();
+    // What needs memory comes first: when it throws, everything is as it was.
+    sculpt::FineDelta finest = finer != nullptr ? finer->since(originals_) : sculpt::FineDelta();
+    sculpt::SculptureDelta delta(backup_.finish(), std::move(finest));
+    originals_.clear();
+    if (cutsInScene_) {
+        cutter_->sculpture->cutFiner(delta);
     }
     if (delta.isEmpty()) {
         cutter_->sculpture->contentIsAsAt(contentVersion_);

@@ -84,9 +84,8 @@ void Cutter::keepSurfaces() {
 
 std::vector<field::SurfacePoint> Cutter::pick(const render::Frame& frame, std::span<const glm::vec2> pixels) {
     if (detail_ != nullptr && kept_ != nullptr) {
-        detail_->lay(kept_, keptVersion_, [this](std::uint64_t version) {
-            return sculpture->finer()->changedSince(version);
-        });
+        detail_->lay(kept_, keptVersion_,
+                     [this](std::uint64_t version) { return sculpture->finer()->changedSince(version); });
     }
     auto points = picker.pickPoints(frame, pixels);
     for (field::SurfacePoint& point : points) {

@@ -70,8 +70,8 @@ private:
     [[nodiscard]] glm::dvec3 scenePlace(const glm::dvec3& toolVoxel) const;
 
     volume::GridGeometry finest_;
-    field::Detail* detail_ = nullptr;           // null: tools work on the scene's grid
-    std::optional<sculpt::FineWindow> window_;  // onto the finer sculpture
+    field::Detail* detail_ = nullptr;          // null: tools work on the scene's grid
+    std::optional<sculpt::FineWindow> window_; // onto the finer sculpture
     std::shared_ptr<const field::BrickOverlay> kept_;
     std::uint64_t keptVersion_ = 0; // of the finer sculpture
     gl::Texture snapshot_;

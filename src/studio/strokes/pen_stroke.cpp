@@ -196,8 +196,7 @@ void PenStroke::drill(const sculpt::PenPoint& from, const sculpt::PenPoint& to) 
     const int margin = 2 + int(std::ceil(2 * cut().radius * stepPixels / mask_.raster.pitch));
     static_assert((sculpt::kMaxBlock & (sculpt::kMaxBlock - 1)) == 0);
     const ElementBox box{(changed.lo - margin) & ~(sculpt::kMaxBlock - 1), changed.hi + margin};
-    covered_.lookUnder(changed,
-                       [&](const auto& pixels) { return cutter_->pick(frame_, pixels); });
+    covered_.lookUnder(changed, [&](const auto& pixels) { return cutter_->pick(frame_, pixels); });
     auto part = covered_.part(box);
     sculpt::ToolCut tool{{}, how_};
     for (std::size_t n = 0; n < part.directions.size(); ++n) {

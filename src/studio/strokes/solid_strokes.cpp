@@ -98,8 +98,8 @@ void ScissorsStroke::limitDepth(sculpt::Extrusion& solid, double depthSteps) {
         for (const glm::vec2 pixel : pixels) {
             directions.emplace_back(frame_.rays.through(pixel).direction);
         }
-        reach = cutter_->reachOf(frame_, points, directions,
-                                 std::vector<float>(points.size(), float(depth)), solid.radius);
+        reach = cutter_->reachOf(frame_, points, directions, std::vector<float>(points.size(), float(depth)),
+                                 solid.radius);
     }
     beginMm_.assign(points.size(), -1.0F);
     endMm_.assign(points.size(), -1.0F);

@@ -56,9 +56,9 @@ public:
             track.pieces = sculpt::splinePath(points, op.frame, region);
             break;
         case SweepPath::Kind::Helix:
-            track.pieces = sculpt::helixPath({points.at(0), points.at(1),
-                                              op.path.helixRadius * cutter_.toolSteps(), op.path.turns},
-                                             op.frame, region);
+            track.pieces = sculpt::helixPath(
+                {points.at(0), points.at(1), op.path.helixRadius * cutter_.toolSteps(), op.path.turns},
+                op.frame, region);
             break;
         case SweepPath::Kind::Standing: {
             const sculpt::MaskFrame frame = sculpt::frameFacing(points.at(0), points.at(1) - points.at(0));
@@ -197,11 +197,10 @@ void SweepStroke::replay() {
         return;
     }
     target().cutIn(sculpt::reachOf(way.points, footprint), [&](const sculpt::CutTarget::Part& part) {
-        const Box3 touched = op.isRaw
-                                 ? sculpt::radiateRaw(radiator, mask, frames, geometry.dims, part.within,
-                                                      footprint, scale)
-                                 : sculpt::sweepWay(radiator, cutter_->tools.generator(), mask, way, grid,
-                                                    part.within, footprint);
+        const Box3 touched = op.isRaw ? sculpt::radiateRaw(radiator, mask, frames, geometry.dims, part.within,
+                                                           footprint, scale)
+                                      : sculpt::sweepWay(radiator, cutter_->tools.generator(), mask, way,
+                                                         grid, part.within, footprint);
         if (part.backup != nullptr) {
             part.backup->protect(touched);
         }

@@ -230,9 +230,9 @@ TEST_F(FinerCutsTest, AreSeenAsTheyAre) {
         View view = document.view();
         view.shadows = false; // what blocks the light is the scene
         document.showView(view);
-        render::Frame frame = document.frame({400, 300});
+        render::Frame frame = document.frame({240, 180});
         frame.scene.greyWindow = {0, 255}; // of its own histogram otherwise
-        frame.samples = 4;
+        frame.samples = 2;
         caster.render(frame);
         return caster.readPicture();
     };

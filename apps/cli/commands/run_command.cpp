@@ -179,9 +179,9 @@ void save(const studio::Session& session, const RunOptions& options, const studi
 
 // As it was when it was saved.
 std::unique_ptr<studio::Document> fromState(const studio::Session& session, const RunOptions& options,
-                                            volume::Volume volume) {
+                                            volume::Volume volume, bool cutsFinest) {
     std::vector<std::string> notices;
-    auto state = studio::loadState(options.session, session, volume, notices);
+    auto state = studio::loadState(options.session, session, volume, notices, cutsFinest);
     if (!state) {
         throw SessionError("{}", notices.empty() ? options.session +
                                                        ": has no state to be opened from; leave --state out, "
@@ -200,8 +200,9 @@ void runSession(const RunOptions& options) {
         loadSessionScan(session, options.session, options.volume, options.storage);
     const auto context = gl::Context::createHeadless();
     const std::string volumeName = volume.name;
+    const bool cutsFinest = finer && finer->areFinerThan(volume);
     const auto document = options.fromState
-                              ? fromState(session, options, std::move(volume))
+                              ? fromState(session, options, std::move(volume), cutsFinest)
                               : std::make_unique<studio::Document>(std::move(volume), session.precision);
     showFiner(*document, finer, notices);
     gl::Context::finish();

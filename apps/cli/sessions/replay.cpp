@@ -84,7 +84,8 @@ void replayEdits(const studio::Session& session, const std::string& sessionPath,
 std::unique_ptr<studio::Document> openDocument(const studio::Session& session, const std::string& sessionPath,
                                                SessionScan scan, const gl::Context& context) {
     std::vector<std::string> notices;
-    auto state = studio::loadState(sessionPath, session, scan.volume, notices);
+    auto state = studio::loadState(sessionPath, session, scan.volume, notices,
+                                   scan.finer && scan.finer->areFinerThan(scan.volume));
     for (const auto& notice : notices) {
         logNotice(notice);
     }

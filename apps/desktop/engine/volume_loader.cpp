@@ -62,7 +62,8 @@ void load(Loaded& result) {
             result.notices.push_back(request.session.string() + ": its state cannot be used (" +
                                      request.stateTrouble + "); everything is done again");
         } else if (!request.isPlayed) {
-            result.state = studio::loadState(request.session, *result.session, result.volume, result.notices);
+            result.state = studio::loadState(request.session, *result.session, result.volume, result.notices,
+                                             result.finer && result.finer->areFinerThan(result.volume));
         }
         return;
     }

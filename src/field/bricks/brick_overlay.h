@@ -19,6 +19,10 @@ public:
     [[nodiscard]] virtual bool isEmpty() const = 0;
     // Its texels for a brick of a level, BrickGrid::texels()^3, x fastest; none: all are zero.
     [[nodiscard]] virtual std::vector<std::byte> texelsOf(const BrickGrid& level, glm::ivec3 brick) const = 0;
+    // Whether another one, of the same scan at another time, gives the same for such a brick; false where
+    // that is not known at once.
+    [[nodiscard]] virtual bool isAlike(const BrickOverlay& other, const BrickGrid& level,
+                                       glm::ivec3 brick) const = 0;
 };
 
 } // namespace vs::field

@@ -102,6 +102,7 @@ void Detail::use(int level) {
         return;
     }
     level_ = level;
+    laidOverAll_ = {};
     writeBlock();
     writePages();
 }
@@ -132,43 +133,74 @@ bool Detail::reaches(const BrickKey& key, const Box3& finest) const {
 }
 
 void Detail::layOver(const BrickKey& key) {
-    if (overlay_ != nullptr && pool_.overlay()) {
-        const BrickGrid& grid = grids_[std::size_t(key.level)];
-        pool_.lay(key, overlay_->texelsOf(grid, grid.brickAt(key.place)));
+    const BrickGrid& grid = grids_[std::size_t(key.level)];
+    pool_.lay(key, overlay_->texelsOf(grid, grid.brickAt(key.place)));
+    laid_[key] = {overlay_, laidVersion_};
+}
+
+// Brings what lies over the bricks of the level in use up to date: a stroke that is drawn asks for what was
+// there before it and what is there now in turns, and most bricks have the same in both.
+void Detail::layOverAll() {
+    if (laidOverAll_.overlay == overlay_) {
+        return;
     }
+    const gl::Pass pass("lay over bricks");
+    const BrickGrid& grid = grids_[std::size_t(level_)];
+    std::map<std::uint64_t, Box3> changed; // since versions
+    std::vector<BrickKey> keys;
+    pool_.forEach([&](const BrickKey& key, glm::ivec3) {
+        if (key.level != level_) {
+            return;
+        }
+        Laid& laid = laid_[key];
+        const std::uint64_t since = std::min(laid.version, laidVersion_);
+        if (!changed.contains(since)) {
+            changed[since] = changedSince_(since);
+        }
+        const bool isSame =
+            laid.version == laidVersion_ || !reaches(key, changed[since]) ||
+            (laid.overlay != nullptr && overlay_->isAlike(*laid.overlay, grid, grid.brickAt(key.place)));
+        if (isSame) {
+            laid = {overlay_, laidVersion_};
+        } else {
+            keys.push_back(key);
+        }
+    });
+    for (const BrickKey& key : keys) {
+        layOver(key);
+    }
+    laidOverAll_ = {overlay_, laidVersion_};
 }
 
 // Bricks share their room with what lies over them from now on; those that were there come again from the
-// host.
+// host. Where there is no room, they stay as they are without it.
 void Detail::makeRoomForOverlay() {
-    pool_ = BrickPool(1, texels_.format, 1, 1); // freed first, so that old and new need not fit together
-    pool_ = BrickPool(options_.side + 1, texels_.format, options_.deviceBytes, mostBricks(grids_),
-                      overlay_->format());
+    const auto make = [&](std::optional<gl::Format> overlay) {
+        pool_ = BrickPool(1, texels_.format, 1, 1); // freed first, so that old and new need not fit together
+        pool_ =
+            BrickPool(options_.side + 1, texels_.format, options_.deviceBytes, mostBricks(grids_), overlay);
+    };
+    try {
+        make(overlay_->format());
+    } catch (const GlError&) {
+        make({});
+        tell("the device has no room for what is cut at the finest level: pictures show cuts at the "
+             "resolution "
+             "that is worked on; give --device-memory less");
+    }
+    laid_.clear();
     writeBlock();
     writePages();
 }
 
 void Detail::lay(const std::shared_ptr<const BrickOverlay>& overlay, std::uint64_t version,
                  const std::function<Box3(std::uint64_t)>& changedSince) {
-    if (version == laidVersion_) {
-        return;
-    }
-    const gl::Pass pass("lay over bricks");
-    const Box3 changed = changedSince(std::min(version, laidVersion_));
+    const bool isFirst = overlay_ == nullptr || overlay_->isEmpty();
     overlay_ = overlay;
     laidVersion_ = version;
-    if (!pool_.overlay() && !overlay_->isEmpty()) {
+    changedSince_ = changedSince;
+    if (isFirst && !pool_.overlay() && !overlay_->isEmpty()) {
         makeRoomForOverlay();
-        return;
-    }
-    std::vector<BrickKey> keys;
-    pool_.forEach([&](const BrickKey& key, glm::ivec3) {
-        if (reaches(key, changed)) {
-            keys.push_back(key);
-        }
-    });
-    for (const BrickKey& key : keys) {
-        layOver(key);
     }
 }
 
@@ -198,12 +230,13 @@ void Detail::setPage(int place, std::uint32_t page) {
     pages_.write(std::as_bytes(std::span(&page, 1)), std::size_t(place));
 }
 
-void Detail::bind() const {
+void Detail::bind(bool hasFinerCuts) {
     block_.bindUniform(kBricksBlock);
     pages_.bindTexture(kBrickPagesTexture);
     pool_.texture().bindTexture(kBrickPoolTexture);
     uses_.bindStorage(kBrickUsesStorage);
-    if (pool_.overlay()) {
+    if (hasFinerCuts) {
+        layOverAll();
         pool_.overlay().bindTexture(kBrickOverlayTexture);
     }
 }
@@ -259,7 +292,12 @@ bool Detail::deliver(double waitMs) {
             isFull_ = true; // it is in the host's cache, and comes again when it is asked for again
             continue;
         }
-        layOver(brick.key);
+        if (put->goneInstead) {
+            laid_.erase(*put->goneInstead);
+        }
+        if (pool_.overlay() && overlay_ != nullptr) {
+            layOver(brick.key);
+        }
         ++bricksRead_;
         hasChanged = true;
         if (put->goneInstead && put->goneInstead->level == level_) {

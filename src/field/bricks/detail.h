@@ -9,6 +9,7 @@
 #include "gl/texel_buffer.h"
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <set>
@@ -71,14 +72,17 @@ public:
     [[nodiscard]] bool isFiner() const { return grids_[std::size_t(level_)].isFiner(); }
     // One of its steps, in steps of the scene: 0.25 for a level four times as fine.
     [[nodiscard]] double step() const { return grids_[std::size_t(level_)].step; }
-    // Binds uniform block 4, textures 6 and 12 and storage 6: see field/shaders/bricks.glsl.
-    void bind() const;
+    // Binds uniform block 4, textures 6 and 12 and storage 6: see field/shaders/bricks.glsl; for a program
+    // with FINER_CUTS also texture 15, with what lies over the bricks now.
+    void bind(bool hasFinerCuts);
 
     // What lies over the scan is that from now on, as of that version of it; `changedSince` says in which box
     // of the finest level's voxels it may differ from what it was at another one.
     void lay(const std::shared_ptr<const BrickOverlay>& overlay, std::uint64_t version,
              const std::function<Box3(std::uint64_t)>& changedSince);
     [[nodiscard]] std::uint64_t laidVersion() const { return laidVersion_; }
+    // Whether there is room for that on the device; else failures() tells.
+    [[nodiscard]] bool hasOverlay() const { return bool(pool_.overlay()); }
 
     // After a dispatch: asks for what it missed, what is nearest to the viewer first, whose place in the
     // scene's voxel space that is. Returns how many bricks are missing.
@@ -104,6 +108,7 @@ private:
     [[nodiscard]] bool isFineEnough(glm::dvec3 spacing, double pixelSteps) const;
     [[nodiscard]] bool reaches(const BrickKey& key, const Box3& finest) const;
     void layOver(const BrickKey& key);
+    void layOverAll();
     void makeRoomForOverlay();
     void setPage(int place, std::uint32_t page);
     void writeBlock();
@@ -116,6 +121,13 @@ private:
     BrickPool pool_;
     std::shared_ptr<const BrickOverlay> overlay_; // null: nothing lies over the bricks
     std::uint64_t laidVersion_ = 0;
+    std::function<Box3(std::uint64_t)> changedSince_;
+    struct Laid {
+        std::shared_ptr<const BrickOverlay> overlay;
+        std::uint64_t version = 0;
+    };
+    std::map<BrickKey, Laid> laid_; // over the bricks of the pool
+    Laid laidOverAll_;              // over all of the level in use that are in the pool
     gl::Buffer block_;
     gl::TexelBuffer pages_;
     gl::Buffer uses_;

@@ -11,6 +11,10 @@ namespace vs::render {
 
 namespace {
 
+bool hasFinerCuts(const Frame& frame) {
+    return frame.detail != nullptr && frame.scene.sculpture != nullptr && frame.scene.hasFinerCuts;
+}
+
 gl::Defines definesFor(const Frame& frame, Picker::Meets meets) {
     const field::Scene& scene = frame.scene;
     const field::Field& searched = scene.smoothed != nullptr ? *scene.smoothed : *scene.data;
@@ -30,7 +34,7 @@ gl::Defines definesFor(const Frame& frame, Picker::Meets meets) {
         {"BRICKS", frame.detail != nullptr},
         {"FINER", frame.detail != nullptr && frame.detail->isFiner()},
         {"FETCHED", frame.detail != nullptr},
-        {"FINER_CUTS", frame.detail != nullptr && scene.sculpture != nullptr && scene.hasFinerCuts},
+        {"FINER_CUTS", hasFinerCuts(frame)},
         {"SEGMENTS", byFunction && scene.segmentation != nullptr},
         {"PICK_MAXIMUM", frame.mode == Mode::Mip && meets != Picker::Meets::Surface},
     });
@@ -59,7 +63,9 @@ field::SurfacePoints Picker::pick(const Frame& frame, std::span<const glm::vec2>
     out.size = {int(positions.size()), 1};
     out.points = gl::Buffer(positions.size() * sizeof(field::SurfacePoint), "surface points");
     const Asked asked{positions, meets, out.points};
-    const bool isInBricks = frame.detail != nullptr && frame.scene.smoothed == nullptr;
+    // What fits is looked for where it was always looked for.
+    const bool isInBricks =
+        frame.detail != nullptr && frame.scene.smoothed == nullptr && frame.detail->grids().front().isFiner();
     if (!positions.empty() && isInBricks) {
         pickInBricks(frame, asked);
     } else if (!positions.empty()) {
@@ -74,7 +80,7 @@ void Picker::pickSome(const Frame& frame, const Asked& asked) {
     gl::Program& program = pickPoints_.with(definesFor(frame, asked.meets));
     sceneBinding_.bind(frame.scene);
     if (frame.detail != nullptr) {
-        frame.detail->bind();
+        frame.detail->bind(hasFinerCuts(frame));
     }
     view_.writeValue(viewBlock(frame.rays, frame.scene.data->geometry));
     view_.bindUniform(kViewBlock);

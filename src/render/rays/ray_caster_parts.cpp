@@ -82,7 +82,11 @@ void RayCaster::bindPart(const Part& part) {
     sceneBinding_.bind(part.scene);
     if (frame_.detail != nullptr) {
         frame_.detail->use(*level_);
-        frame_.detail->bind();
+        const bool isSculpted =
+            part.scene.sculpture != nullptr || part.scene.view == field::SculptureView::Probe;
+        // A segment that is apart has its own texture where those cuts would be.
+        frame_.detail->bind(isSculpted && part.scene.hasFinerCuts &&
+                            (!part.pulled || part.scene.apartPages == nullptr));
     }
     part.view.bindUniform(kViewBlock);
     part.macrocells->bind();

@@ -12,6 +12,11 @@ namespace vs::render {
 
 namespace {
 
+bool hasFinerCuts(const SliceFrame& frame) {
+    return frame.detail != nullptr && frame.scene.sculpture != nullptr &&
+           frame.scene.view != field::SculptureView::Whole && frame.scene.hasFinerCuts;
+}
+
 gl::Defines definesFor(const SliceFrame& frame) {
     gl::Defines defines = gl::switchesOn(
         {{"SCULPTED", frame.scene.sculpture != nullptr && frame.scene.view != field::SculptureView::Whole},
@@ -19,8 +24,7 @@ gl::Defines definesFor(const SliceFrame& frame) {
          {"TINTED", frame.tintsVisible},
          {"BRICKS", frame.detail != nullptr},
          {"FINER", frame.detail != nullptr && frame.detail->isFiner()},
-         {"FINER_CUTS", frame.detail != nullptr && frame.scene.sculpture != nullptr &&
-                            frame.scene.view != field::SculptureView::Whole && frame.scene.hasFinerCuts}});
+         {"FINER_CUTS", hasFinerCuts(frame)}});
     if (frame.tintsVisible && frame.classification != nullptr) {
         frame.classification->addDefines(defines);
     }
@@ -89,7 +93,7 @@ void SliceRenderer::draw(const SliceFrame& frame, gl::Program& program) {
     segmentColours_.bindTexture(kSegmentColoursTexture);
     sceneBinding_.bind(frame.scene);
     if (frame.detail != nullptr) {
-        frame.detail->bind();
+        frame.detail->bind(hasFinerCuts(frame));
     }
     if (frame.tintsVisible && frame.classification != nullptr) {
         frame.classification->bind();

@@ -73,7 +73,11 @@ Box3 radiateRaw(Radiator& radiator, const MaskRaster& mask, std::span<const Mask
             points.clear();
         }
     };
+    const Box3 near = reachOf(within, footprint);
     for (const MaskFrame& frame : frames) {
+        if (intersect(rawPointBox(mask, std::span(&frame, 1), voxelFromSteps), near).isEmpty()) {
+            continue;
+        }
         const MaskElements elements = elementsInto(grid, mask, {frame, frame});
         for (int j = elements.lo.y; j < elements.hi.y; ++j) {
             for (int i = elements.lo.x; i < elements.hi.x; ++i) {

@@ -181,6 +181,7 @@ SweptWay wayInto(const SweepGrid& grid, glm::ivec3 dims, const MaskRaster& mask,
         const Box3 points = sweepPiece(mask, piece, grid).pointBox();
         if (!points.isEmpty()) {
             way.pieces.push_back(piece);
+            way.boxes.push_back(points);
             way.points = unite(way.points, points);
         }
         reportProgress(0.0);
@@ -194,6 +195,9 @@ Box3 sweepWay(Radiator& radiator, PointGenerator& generator, const MaskRaster& m
     const Box3 near = reachOf(within, footprint);
     for (std::size_t n = 0; n < way.pieces.size(); ++n) {
         reportProgress(double(n) / double(way.pieces.size()));
+        if (intersect(way.boxes[n], near).isEmpty()) {
+            continue;
+        }
         generator.generateIn(
             near, sweepPiece(mask, way.pieces[n], grid),
             [&](const gl::Buffer& points, std::size_t count) { radiator.deposit(points, count); });

@@ -64,7 +64,8 @@ SweptPatches sweepPiece(const MaskRaster& mask, const PathPiece& piece, const Sw
 // Pieces of a path on which a mask comes into a grid, and the box of voxels that the points are in.
 struct SweptWay {
     std::vector<PathPiece> pieces;
-    Box3 points;
+    std::vector<Box3> boxes; // of the points of each piece
+    Box3 points;             // of all of them
 };
 // Throws Error for what passes every voxel of the grid, of `dims` voxels, over and over.
 SweptWay wayInto(const SweepGrid& grid, glm::ivec3 dims, const MaskRaster& mask,

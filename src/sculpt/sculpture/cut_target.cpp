@@ -37,7 +37,7 @@ std::vector<std::byte> FineWindow::texels(const Box3& box) const {
     return sculpture_.download({box.lo - sculpture_.origin(), box.hi - sculpture_.origin()});
 }
 
-Box3 FineTarget::cutIn(const Box3& box, const Work& work) {
+Box3 FineTarget::cutIn(const Box3& box, const Work& work, const Reaches& reaches) {
     const Box3 all = toBricks(box, fine_.dims());
     if (all.isEmpty()) {
         return {};
@@ -50,7 +50,10 @@ Box3 FineTarget::cutIn(const Box3& box, const Work& work) {
         const Box3 cells{all.lo / side, (all.hi - 1) / side + 1};
         forEachVoxel(cells, [&](glm::ivec3 cell, std::size_t n) {
             reportProgress(double(n) / double(cells.volume()));
-            changed = unite(changed, cutInWindow(intersect(all, {cell * side, (cell + 1) * side}), work));
+            const Box3 part = intersect(all, {cell * side, (cell + 1) * side});
+            if (!reaches || reaches(part)) {
+                changed = unite(changed, cutInWindow(part, work));
+            }
         });
     }
     derived_.derive(changed, backup_);
@@ -78,8 +81,9 @@ bool FineTarget::fill(const Box3& brick, Combine how) {
     if (derived_.limits().memberships != nullptr) {
         return false;
     }
-    fine_.fill(brick.lo / kFineBrick, how == Combine::Cut, originals_);
-    filled_ = unite(filled_, brick);
+    if (fine_.fill(brick.lo / kFineBrick, how == Combine::Cut, originals_)) {
+        filled_ = unite(filled_, brick);
+    }
     return true;
 }
 

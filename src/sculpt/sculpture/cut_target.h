@@ -26,9 +26,11 @@ public:
     CutTarget(const CutTarget&) = delete;
     CutTarget& operator=(const CutTarget&) = delete;
 
-    // Calls work() for parts that together have all of a box, one after the other. Returns the box in which
-    // something may have changed.
-    virtual Box3 cutIn(const Box3& box, const Work& work) = 0;
+    // Says whether anything at all would be cut in a box.
+    using Reaches = std::function<bool(const Box3&)>;
+    // Calls work() for parts that together have all of a box, one after the other, without those that nothing
+    // reaches. Returns the box in which something may have changed.
+    virtual Box3 cutIn(const Box3& box, const Work& work, const Reaches& reaches = {}) = 0;
     // The parts that cutIn() makes of a large box are the cells of a grid with this side; 0: it has one part.
     [[nodiscard]] virtual int side() const { return 0; }
     // Cuts or restores the brick (32^3) that a box is, all of it. Returns whether that could be done so.
@@ -43,7 +45,7 @@ class WholeTarget : public CutTarget {
 public:
     WholeTarget(Sculpture& sculpture, BrickBackup* backup) : sculpture_(sculpture), backup_(backup) {}
 
-    Box3 cutIn(const Box3& /*box*/, const Work& work) override {
+    Box3 cutIn(const Box3& /*box*/, const Work& work, const Reaches& /*reaches*/ = {}) override {
         return work({&sculpture_, {glm::ivec3(0), sculpture_.dims()}, backup_});
     }
     [[nodiscard]] bool isEmpty() const override { return sculpture_.isEmpty(); }
@@ -83,7 +85,7 @@ public:
         : derived_(derived), fine_(*derived.finer()), window_(window), originals_(originals),
           backup_(backup) {}
 
-    Box3 cutIn(const Box3& box, const Work& work) override;
+    Box3 cutIn(const Box3& box, const Work& work, const Reaches& reaches = {}) override;
     [[nodiscard]] int side() const override { return FineWindow::kSide; }
     bool fill(const Box3& brick, Combine how) override;
     [[nodiscard]] bool isEmpty() const override { return fine_.isEmpty(); }

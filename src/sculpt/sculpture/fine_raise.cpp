@@ -49,8 +49,8 @@ private:
 
 } // namespace
 
-FineDelta FineSculpture::raise(const Box3& sceneBox, std::span<const float> before,
-                               std::span<const float> after) {
+void FineSculpture::raise(const Box3& sceneBox, std::span<const float> before, std::span<const float> after,
+                          FineBricks& originals) {
     constexpr float kHair = 1e-3F;
     const SceneValues was(sceneBox, before);
     const SceneValues is(sceneBox, after);
@@ -63,7 +63,6 @@ FineDelta FineSculpture::raise(const Box3& sceneBox, std::span<const float> befo
                       glm::clamp(glm::ivec3(glm::max(hi + half, 0.0)) / kFineBrick, glm::ivec3(0), top) + 1};
     std::vector<glm::ivec3> places;
     forEachVoxel(bricks, [&](glm::ivec3 brick, std::size_t) { places.push_back(brick); });
-    FineBricks originals;
     std::mutex mutex;
     const auto raiseBrick = [&](int n) {
         const glm::ivec3 brick = places[std::size_t(n)];
@@ -99,13 +98,7 @@ FineDelta FineSculpture::raise(const Box3& sceneBox, std::span<const float> befo
         const std::lock_guard lock(mutex);
         put(box, raised, originals);
     };
-    try {
-        inParallel(int(places.size()), raiseBrick);
-        return since(originals);
-    } catch (...) {
-        takeBack(originals);
-        throw;
-    }
+    inParallel(int(places.size()), raiseBrick);
 }
 
 } // namespace vs::sculpt

@@ -90,7 +90,7 @@ float FineReader::between(const glm::dvec3& place) {
     const glm::ivec3 next = glm::min(v + 1, dims_ - 1);
     if (v / kFineBrick == next / kFineBrick) {
         const std::vector<std::byte>* texels = brickAt(v / kFineBrick);
-        if (texels == nullptr || texels->size() == texelBytes_) {
+        if (texels == nullptr || texels->size() == texelBytes_) { // all alike
             return texels == nullptr ? 0 : decoded(*texels, 0);
         }
     }

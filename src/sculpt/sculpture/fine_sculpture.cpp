@@ -115,6 +115,11 @@ public:
         }
         const glm::ivec3 lo = brick * level.side;
         const Box3 box{lo, lo + level.texels()};
+        const bool isFinest = grid.scale == glm::dvec3(1) && grid.offset == glm::dvec3(0);
+        if (isFinest && intersect(box, {glm::ivec3(0), grid_.dims}) == box) {
+            return anyIn(box) ? texelsIn(*bricks_, grid_.dims, gl::bytesPerTexel(format()), box)
+                              : std::vector<std::byte>();
+        }
         std::vector<float> values;
         FineReader reader(*bricks_, grid_.dims, precision_);
         sample(reader, *bricks_, grid, box, [&](std::size_t n, float value) {
@@ -125,8 +130,43 @@ public:
         });
         return values.empty() ? std::vector<std::byte>() : sculpt::texelsOf(values, precision_);
     }
+    [[nodiscard]] bool isAlike(const BrickOverlay& other, const field::BrickGrid& level,
+                               glm::ivec3 brick) const override {
+        const auto* before = dynamic_cast<const Snapshot*>(&other);
+        if (before == nullptr) {
+            return false;
+        }
+        const glm::dvec3 scale = grid_.perSceneVoxel / level.perSceneVoxel;
+        const glm::dvec3 offset = grid_.origin - level.origin * scale;
+        const glm::dvec3 lo = glm::dvec3(brick * level.side) * scale + offset - 1.0;
+        const glm::dvec3 hi = glm::dvec3(brick * level.side + level.texels()) * scale + offset + 1.0;
+        bool isSame = true;
+        forEachBrick({glm::ivec3(glm::floor(lo)), glm::ivec3(glm::ceil(hi)) + 1},
+                     [&](int place) { isSame = isSame && at(place) == before->at(place); });
+        return isSame;
+    }
 
 private:
+    // Calls visit(place) with the bricks that meet a box, or are at the border nearest to it.
+    template <typename Visit>
+    void forEachBrick(const Box3& box, const Visit& visit) const {
+        const glm::ivec3 counts = divideUp(grid_.dims, kFineBrick);
+        const glm::ivec3 first = glm::clamp(glm::max(box.lo, 0) / kFineBrick, glm::ivec3(0), counts - 1);
+        const glm::ivec3 last = glm::clamp(glm::max(box.hi - 1, 0) / kFineBrick, glm::ivec3(0), counts - 1);
+        forEachVoxel(Box3{first, last + 1}, [&](glm::ivec3 brick, std::size_t) {
+            visit((brick.z * counts.y + brick.y) * counts.x + brick.x);
+        });
+    }
+    [[nodiscard]] FineBrick at(int place) const {
+        const auto found = bricks_->find(place);
+        return found == bricks_->end() ? FineBrick() : found->second;
+    }
+    [[nodiscard]] bool anyIn(const Box3& box) const {
+        bool any = false;
+        forEachBrick(box, [&](int place) { any = any || bricks_->contains(place); });
+        return any;
+    }
+
     std::shared_ptr<const FineBricks> bricks_;
     field::BrickGrid grid_;
     Precision precision_;
@@ -228,16 +268,17 @@ void FineSculpture::put(const Box3& box, std::span<const std::byte> texels, Fine
     }
 }
 
-void FineSculpture::fill(glm::ivec3 brick, bool isCut, FineBricks& before) {
+bool FineSculpture::fill(glm::ivec3 brick, bool isCut, FineBricks& before) {
     const int place = placeOf(brick);
     const FineBrick was = at(place);
     const auto texel = oneTexel(1, precision_);
     if (isCut ? was != nullptr && *was == texel : was == nullptr) {
-        return;
+        return false;
     }
     before.emplace(place, was);
     set(place, isCut ? std::make_shared<const std::vector<std::byte>>(texel) : FineBrick());
     noteChange(boxOf(place));
+    return true;
 }
 
 void FineSculpture::swap(FineDelta& delta) {
@@ -249,10 +290,26 @@ void FineSculpture::swap(FineDelta& delta) {
         wanted[std::size_t(n)] = unpacked(brick, bytesOf(place));
         kept[std::size_t(n)] = packed(at(place));
     });
+    // Places get their room first; then nothing fails.
+    FineBricks& bricks = writable();
+    try {
+        for (std::size_t n = 0; n < count; ++n) {
+            if (wanted[n] != nullptr) {
+                bricks.try_emplace(delta.bricks[n].first);
+            }
+        }
+    } catch (...) {
+        std::erase_if(bricks, [](const auto& entry) { return entry.second == nullptr; });
+        throw;
+    }
     Box3 changed;
     for (std::size_t n = 0; n < count; ++n) {
         auto& [place, brick] = delta.bricks[n];
-        set(place, std::move(wanted[n]));
+        if (wanted[n] == nullptr) {
+            bricks.erase(place);
+        } else {
+            bricks[place] = std::move(wanted[n]);
+        }
         brick = std::move(kept[n]);
         changed = unite(changed, boxOf(place));
     }
@@ -277,8 +334,14 @@ FineDelta FineSculpture::since(const FineBricks& before) const {
             return brick == nullptr ? zero.data()
                                     : brick->data() + (brick->size() == texelBytes ? 0 : i * texelBytes);
         };
+        const bool areUniform =
+            (was == nullptr || was->size() == texelBytes) && (now == nullptr || now->size() == texelBytes);
         const std::size_t voxels = boxOf(place).volume();
         std::size_t& count = counts[std::size_t(n)];
+        if (areUniform) {
+            count = std::memcmp(texel(was, 0), texel(now, 0), texelBytes) != 0 ? voxels : 0;
+            return;
+        }
         for (std::size_t i = 0; i < voxels; ++i) {
             count += std::memcmp(texel(was, i), texel(now, i), texelBytes) != 0 ? 1 : 0;
         }
@@ -338,9 +401,21 @@ Box3 FineSculpture::sceneBox(const Box3& box) const {
 
 std::vector<float> FineSculpture::sceneValues(const Box3& sceneBox) const {
     std::vector<float> values(sceneBox.volume());
-    FineReader reader(*bricks_, grid_.dims, precision_);
-    sample(reader, *bricks_, {grid_.perSceneVoxel, grid_.origin}, sceneBox,
-           [&](std::size_t n, float value) { values[n] = value; });
+    if (values.empty() || bricks_->empty()) {
+        return values;
+    }
+    // In slabs, each on a processor; with few of them none is worth it.
+    constexpr int kSlab = 16;
+    const std::size_t slice = std::size_t(sceneBox.size().x) * std::size_t(sceneBox.size().y);
+    inParallel(divideUp(sceneBox.size().z, kSlab), [&](int n) {
+        FineReader reader(*bricks_, grid_.dims, precision_);
+        Box3 slab = sceneBox;
+        slab.lo.z = sceneBox.lo.z + n * kSlab;
+        slab.hi.z = std::min(slab.lo.z + kSlab, sceneBox.hi.z);
+        float* first = values.data() + std::size_t(n) * kSlab * slice;
+        sample(reader, *bricks_, {grid_.perSceneVoxel, grid_.origin}, slab,
+               [&](std::size_t i, float value) { first[i] = value; });
+    });
     return values;
 }
 

@@ -58,11 +58,13 @@ public:
     // The bricks that meet `box` get these texels there. `box` begins and ends where bricks do, or the grid.
     // What was there before is added to `before`, where that has nothing for the place yet.
     void put(const Box3& box, std::span<const std::byte> texels, FineBricks& before);
-    // A whole brick is cut, or whole again.
-    void fill(glm::ivec3 brick, bool isCut, FineBricks& before);
+    // A whole brick is cut, or whole again. Returns whether it was not.
+    bool fill(glm::ivec3 brick, bool isCut, FineBricks& before);
     // Follows a cut that was made in the scene's sculpture: where its values in a box of the scene's voxels
-    // (x fastest) rose, voxels rise to what is between them there. Returns what undoes it.
-    FineDelta raise(const Box3& sceneBox, std::span<const float> before, std::span<const float> after);
+    // (x fastest) rose, voxels rise to what is between them there. What was there before is added to
+    // `originals`, as put() does.
+    void raise(const Box3& sceneBox, std::span<const float> before, std::span<const float> after,
+               FineBricks& originals);
     // Undo and redo. When it throws, nothing has changed.
     void swap(FineDelta& delta);
     // What undoes all that has happened since `before` was begun. Bricks that are as they were are left out.

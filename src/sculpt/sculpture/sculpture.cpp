@@ -214,23 +214,36 @@ void Sculpture::swap(BrickDelta& delta) {
 }
 
 void Sculpture::swap(SculptureDelta& delta) {
-    delta.BrickDelta::swap(texels());
     Box3 box = delta.box();
-    if (finer_ != nullptr && !delta.finer.isEmpty()) {
+    const bool hasFiner = finer_ != nullptr && !delta.finer.isEmpty();
+    if (hasFiner) {
         const std::uint64_t before = finer_->version();
         finer_->swap(delta.finer);
         box = unite(box, finer_->sceneBox(finer_->changedSince(before)));
+    }
+    try {
+        delta.BrickDelta::swap(texels());
+    } catch (...) {
+        if (hasFiner) {
+            finer_->swap(delta.finer);
+        }
+        throw;
     }
     refresh(intersect(box, {glm::ivec3(0), dims_}));
 }
 
 void Sculpture::refine(std::unique_ptr<FineSculpture> finer) {
-    finer_ = std::move(finer);
-    const Box3 whole{glm::ivec3(0), dims_};
     if (!isEmpty()) {
-        const std::vector<float> nothing(whole.volume(), 0.0F);
-        finer_->raise(whole, nothing, values(whole));
-        refresh(whole);
+        FineBricks originals; // all of it is new
+        for (const Box3& brick : touchedBricks()) {
+            const Box3 box = intersect(grow(brick, 1), {glm::ivec3(0), dims_});
+            finer->raise(box, std::vector<float>(box.volume(), 0.0F), values(box), originals);
+        }
+    }
+    const bool isCut = !isEmpty();
+    finer_ = std::move(finer);
+    if (isCut) {
+        refresh({glm::ivec3(0), dims_});
     }
 }
 
@@ -246,21 +259,31 @@ void Sculpture::cutFiner(SculptureDelta& change) {
     if (finer_ == nullptr || change.BrickDelta::isEmpty()) {
         return;
     }
+    FineBricks originals;
     try {
-        const Box3 box = intersect(grow(change.box(), 1), {glm::ivec3(0), dims_});
-        const auto after = values(box);
-        auto before = after;
+        const Box3 whole{glm::ivec3(0), dims_};
+        const Box3 all = change.box();
         const gl::Texture was = change.before(texels(), "sculpture before a cut");
-        const auto valuesBefore = valuesOf(was.download({glm::ivec3(0), change.box().size()}), precision_);
-        const glm::ivec3 size = box.size();
-        forEachVoxel(change.box(), [&](glm::ivec3 v, std::size_t n) {
-            const glm::ivec3 at = v - box.lo;
-            before[(std::size_t(at.z) * std::size_t(size.y) + std::size_t(at.y)) * std::size_t(size.x) +
-                   std::size_t(at.x)] = valuesBefore[n];
-        });
-        change.finer = finer_->raise(box, before, after);
-        refresh(box);
+        for (const Box3& brick : change.bricks()) {
+            // What is between the brick's voxels and those beside it rises too; those are in turn.
+            const Box3 box = intersect(grow(brick, 1), whole);
+            const Box3 known = intersect(box, all);
+            auto before = values(box); // what lies beside all that has changed is as it was
+            const auto earlier = valuesOf(was.download({known.lo - all.lo, known.hi - all.lo}), precision_);
+            const auto after = before;
+            const glm::ivec3 size = box.size();
+            forEachVoxel(known, [&](glm::ivec3 v, std::size_t n) {
+                const glm::ivec3 at = v - box.lo;
+                before[(std::size_t(at.z) * std::size_t(size.y) + std::size_t(at.y)) * std::size_t(size.x) +
+                       std::size_t(at.x)] = earlier[n];
+            });
+            finer_->raise(box, before, after, originals);
+        }
+        change.finer = finer_->since(originals);
+        refresh(all);
     } catch (...) {
+        finer_->takeBack(originals);
+        change.finer = {};
         swap(change);
         throw;
     }

@@ -12,7 +12,7 @@
 #include <cmath>
 #include <deque>
 #include <map>
-#include <set>
+#include <vector>
 
 namespace vs::sculpt {
 
@@ -173,21 +173,20 @@ void SolidCutter::fillBricks(Tiles& tiles, CutTarget& target, Combine how) const
         const glm::ivec3 at = boxOf(tile).lo / field::kBrick;
         return (at.z * grid.y + at.y) * grid.x + at.x;
     };
-    std::map<int, int> whole; // tiles of each brick
+    std::vector<std::uint8_t> whole(Box3{glm::ivec3(0), grid}.volume()); // tiles of each brick
     for (const std::uint32_t tile : tiles.wholly) {
-        ++whole[brickOf(tile)];
+        ++whole[std::size_t(brickOf(tile))];
     }
-    std::set<int> filled;
-    for (const auto& [brick, count] : whole) {
+    std::vector<bool> isFilled(whole.size());
+    for (std::size_t n = 0; n < whole.size(); ++n) {
+        const int brick = int(n);
         const glm::ivec3 lo =
             field::kBrick * glm::ivec3(brick % grid.x, brick / grid.x % grid.y, brick / grid.x / grid.y);
         const Box3 box = intersect({lo, lo + field::kBrick}, geometry_.box());
         const glm::ivec3 size = divideUp(box.size(), kTile);
-        if (count == size.x * size.y * size.z && target.fill(box, how)) {
-            filled.insert(brick);
-        }
+        isFilled[n] = whole[n] > 0 && whole[n] == size.x * size.y * size.z && target.fill(box, how);
     }
-    std::erase_if(tiles.wholly, [&](std::uint32_t tile) { return filled.contains(brickOf(tile)); });
+    std::erase_if(tiles.wholly, [&](std::uint32_t tile) { return isFilled[std::size_t(brickOf(tile))]; });
 }
 
 Box3 SolidCutter::run(const Prepare& prepare, Tiles tiles, CutTarget& target, int radius, Combine how) {

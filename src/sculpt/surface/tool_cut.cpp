@@ -22,7 +22,7 @@ Box3 ToolCutter::cut(CutTarget& target, std::span<const field::SurfacePoint> sur
         return {};
     }
     const Footprint footprint = fitFootprint(cut.sweep.radius, geometry_.spacing());
-    return target.cutIn(reachOf(patches.pointBox(), footprint), [&](const CutTarget::Part& part) {
+    const auto cutPart = [&](const CutTarget::Part& part) {
         radiator_.begin(patches.pointBox(), part.within, footprint);
         generator_.generateIn(
             reachOf(part.within, footprint), patches,
@@ -32,6 +32,9 @@ Box3 ToolCutter::cut(CutTarget& target, std::span<const field::SurfacePoint> sur
             part.backup->protect(touched);
         }
         return part.sculpture->combine(radiator_, cut.how);
+    };
+    return target.cutIn(reachOf(patches.pointBox(), footprint), cutPart, [&](const Box3& box) {
+        return !patches.patchesIn(reachOf(box, footprint)).patches.empty();
     });
 }
 

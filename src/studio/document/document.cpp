@@ -38,17 +38,18 @@ void Document::showFinerLevels(const FinerLevels& levels) {
     }
     auto detail = std::make_unique<field::Detail>(source, scan.inFile, levels.options);
     const field::BrickGrid& finest = detail->grids().front();
-    impl_->display.showFiner(
-        *detail, !finest.isFiner() ? field::computeCellRanges(scan.field)
-                                   : field::finerCellRanges(scan.inFile.dims, finest, levels.extremes));
-    const bool isFiner = finest.isFiner();
-    if (isFiner) {
+    field::CellRanges cells = !finest.isFiner()
+                                  ? field::computeCellRanges(scan.field)
+                                  : field::finerCellRanges(scan.inFile.dims, finest, levels.extremes);
+    if (finest.isFiner()) {
         contents.sculpture.refine(
             std::make_unique<sculpt::FineSculpture>(finest, contents.sculpture.precision()));
         impl_->cutter.refine(*detail);
     }
-    scan.detail = std::move(detail);
+    // From here on nothing fails.
+    impl_->display.showFiner(*detail, std::move(cells));
     scan.levels = source;
+    scan.detail = std::move(detail);
     ++contents.version;
 }
 

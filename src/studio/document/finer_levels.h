@@ -42,6 +42,11 @@ struct FinerLevels {
     std::shared_ptr<const volume::BrickSource> source; // null: the document's own volume
     std::optional<volume::CellExtremes> extremes;      // of the finest
     field::DetailOptions options;
+
+    // Whether their finest is finer than a volume that is worked on, so that tools cut that one.
+    [[nodiscard]] bool areFinerThan(const volume::Volume& volume) const {
+        return source != nullptr && source->levels().front().dims != volume.geometry.dims;
+    }
 };
 
 // The level that a scan is worked on at: of a store the one that the options name, or else the finest that

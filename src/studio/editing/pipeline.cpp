@@ -130,8 +130,9 @@ field::Scene Pipeline::scene(const State& state, bool wantsSegments) {
     field::Scene scene;
     scene.data = field_;
     scene.sculpture = isSculpted ? &state.sculpture->texels() : nullptr;
-    scene.hasFinerCuts = isSculpted && state.sculpture->finer() != nullptr;
     layCuts(state);
+    scene.hasFinerCuts =
+        isSculpted && state.sculpture->finer() != nullptr && detail_ != nullptr && detail_->hasOverlay();
     scene.isCutAlongSegments = state.isCutAlongSegments;
     scene.segmentation = hasSegmentation ? &segmentation_->texels() : nullptr;
     if (hasSegmentation && state.growth->hasOthers()) {

@@ -9,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <system_error>
 
 namespace vs::studio {
@@ -131,7 +132,8 @@ void saveDocument(const std::filesystem::path& path, const Document& document, c
 }
 
 std::optional<DocumentState> loadState(const std::filesystem::path& path, const Session& session,
-                                       const volume::Volume& volume, std::vector<std::string>& notices) {
+                                       const volume::Volume& volume, std::vector<std::string>& notices,
+                                       bool cutsFinest) {
     if (session.stateChecksum.empty()) {
         return {};
     }
@@ -152,6 +154,12 @@ std::optional<DocumentState> loadState(const std::filesystem::path& path, const 
             return decline("the session, its volume or where that lies has been changed since");
         }
         DocumentState state = readState(*file, volume.geometry.dims);
+        const auto hasCut = [](const SavedEdit& edit) { return edit.cut.has_value(); };
+        if (cutsFinest &&
+            (!state.cut.isEmpty() || std::any_of(state.done.begin(), state.done.end(), hasCut) ||
+             std::any_of(state.undone.begin(), state.undone.end(), hasCut))) {
+            return decline("tools cut a finer level now than the one that it has");
+        }
         state.log = session.operations;
         return state;
     } catch (const Error& error) {

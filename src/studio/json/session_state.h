@@ -26,8 +26,10 @@ void saveDocument(const std::filesystem::path& path, const Document& document, c
                   std::vector<std::string>& notices);
 
 // The state that lies beside a session, for its volume. Nothing if there is none, or, with a notice, if it
-// does not fit: the session is to be replayed then.
+// does not fit: the session is to be replayed then. `cutsFinest`: tools will cut a level that is finer than
+// the volume (sculpt::FineSculpture), of which states say nothing; then one with cuts does not fit.
 std::optional<DocumentState> loadState(const std::filesystem::path& path, const Session& session,
-                                       const volume::Volume& volume, std::vector<std::string>& notices);
+                                       const volume::Volume& volume, std::vector<std::string>& notices,
+                                       bool cutsFinest = false);
 
 } // namespace vs::studio

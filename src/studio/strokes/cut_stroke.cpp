@@ -27,7 +27,8 @@ void CutStroke::takeBack(sculpt::SculptureDelta& delta) {
 
 void CutStroke::discard() {
     if (!originals_.empty()) {
-        cutter_->sculpture->finer()->takeBack(std::exchange(originals_, {}));
+        cutter_->sculpture->finer()->takeBack(originals_);
+        originals_.clear();
     }
     if (!backup_.isEmpty()) {
         cutter_->sculpture->refresh(backup_.restore());

@@ -37,8 +37,8 @@ field::Scene Cutter::restoreScene(const render::Frame& frame) {
 }
 
 void Cutter::refine(field::Detail& detail) {
-    detail_ = &detail;
     window_.emplace(sculpture->precision());
+    detail_ = &detail;
     geometry = &finest_;
     follow(*scene);
 }
@@ -83,11 +83,18 @@ void Cutter::keepSurfaces() {
 }
 
 std::vector<field::SurfacePoint> Cutter::pick(const render::Frame& frame, std::span<const glm::vec2> pixels) {
-    if (detail_ != nullptr && kept_ != nullptr) {
-        detail_->lay(kept_, keptVersion_,
-                     [this](std::uint64_t version) { return sculpture->finer()->changedSince(version); });
+    const auto lay = [&](const std::shared_ptr<const field::BrickOverlay>& cuts, std::uint64_t version) {
+        detail_->lay(cuts, version,
+                     [this](std::uint64_t since) { return sculpture->finer()->changedSince(since); });
+    };
+    const bool isKept = detail_ != nullptr && kept_ != nullptr;
+    if (isKept) {
+        lay(kept_, keptVersion_);
     }
     auto points = picker.pickPoints(frame, pixels);
+    if (isKept) { // a picture that goes on shows what is there now
+        lay(sculpture->finer()->snapshot(), sculpture->finer()->version());
+    }
     for (field::SurfacePoint& point : points) {
         point.voxel = glm::vec4(glm::vec3(toolPlace(glm::dvec3(point.voxel))), point.voxel.w);
     }

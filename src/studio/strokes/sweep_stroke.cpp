@@ -7,6 +7,7 @@
 #include "sculpt/radiation/sweep.h"
 #include "studio/operations/sketch.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace vs::studio {
@@ -196,7 +197,7 @@ void SweepStroke::replay() {
     if (way.points.isEmpty()) {
         return;
     }
-    target().cutIn(sculpt::reachOf(way.points, footprint), [&](const sculpt::CutTarget::Part& part) {
+    const auto cutPart = [&](const sculpt::CutTarget::Part& part) {
         const Box3 touched = op.isRaw ? sculpt::radiateRaw(radiator, mask, frames, geometry.dims, part.within,
                                                            footprint, scale)
                                       : sculpt::sweepWay(radiator, cutter_->tools.generator(), mask, way,
@@ -205,6 +206,12 @@ void SweepStroke::replay() {
             part.backup->protect(touched);
         }
         return part.sculpture->combine(radiator, how_);
+    };
+    target().cutIn(sculpt::reachOf(way.points, footprint), cutPart, [&](const Box3& box) {
+        const Box3 near = sculpt::reachOf(box, footprint);
+        return op.isRaw || std::any_of(way.boxes.begin(), way.boxes.end(), [&](const Box3& points) {
+                   return !intersect(points, near).isEmpty();
+               });
     });
 }
 

@@ -199,7 +199,9 @@ TEST(FineSculptureTest, RisesWhereTheSceneRose) {
         auto high = low;
         const int from = int(random() % unsigned(sceneDims.x));
         forEachVoxel(scene, [&](glm::ivec3 v, std::size_t n) { high[n] = v.x >= from ? 1.0F : low[n]; });
-        FineDelta delta = pair.fine.raise(scene, low, high);
+        FineBricks originals;
+        pair.fine.raise(scene, low, high, originals);
+        FineDelta delta = pair.fine.since(originals);
         const auto is = pair.all();
         forEachVoxel(pair.box, [&](glm::ivec3 v, std::size_t n) {
             const double x = (v.x - grid.origin.x) / grid.perSceneVoxel.x;

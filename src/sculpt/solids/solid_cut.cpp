@@ -212,7 +212,8 @@ Box3 SolidCutter::run(const Prepare& prepare, Tiles tiles, CutTarget& target, in
     add(&Tiles::partly);
     add(&Tiles::wholly);
     const gl::Pass pass("cut solid");
-    for (const auto& [cell, some] : parts) {
+    for (const auto& part : parts) {
+        const Tiles& some = part.second;
         reportProgress();
         Box3 box;
         for (const auto* list : {&some.partly, &some.wholly}) {
@@ -221,7 +222,7 @@ Box3 SolidCutter::run(const Prepare& prepare, Tiles tiles, CutTarget& target, in
             }
         }
         target.cutIn(box,
-                     [&](const CutTarget::Part& part) { return runIn(part, prepare, some, radius, how); });
+                     [&](const CutTarget::Part& where) { return runIn(where, prepare, some, radius, how); });
     }
     target.finish();
     return all;

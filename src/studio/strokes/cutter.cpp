@@ -46,6 +46,7 @@ void Cutter::refine(field::Detail& detail) {
 void Cutter::follow(const volume::GridGeometry& corrected) {
     if (detail_ != nullptr) {
         finest_ = field::finerGeometry(corrected, sculpture->finer()->grid());
+        toolSteps_ = corrected.stepMm() / finest_.stepMm();
     }
     tools.follow(detail_ != nullptr ? finest_ : corrected);
     solids.follow(detail_ != nullptr ? finest_ : corrected);

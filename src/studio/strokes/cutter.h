@@ -37,7 +37,7 @@ public:
                                std::span<const glm::vec3> directions, std::span<const float> depths,
                                int radius);
     // Operations count steps of the scene, tools those of the grid that they work on: so many in one.
-    [[nodiscard]] double toolSteps() const { return scene->stepMm() / geometry->stepMm(); }
+    [[nodiscard]] double toolSteps() const { return toolSteps_; }
     // A place in the scene's voxel space in that which tools work in.
     [[nodiscard]] glm::dvec3 toolPlace(const glm::dvec3& sceneVoxel) const;
     // Surfaces stay for pick() what they are now, also where tools cut; until they are let go.
@@ -70,6 +70,7 @@ private:
     [[nodiscard]] glm::dvec3 scenePlace(const glm::dvec3& toolVoxel) const;
 
     volume::GridGeometry finest_;
+    double toolSteps_ = 1;
     field::Detail* detail_ = nullptr;          // null: tools work on the scene's grid
     std::optional<sculpt::FineWindow> window_; // onto the finer sculpture
     std::shared_ptr<const field::BrickOverlay> kept_;

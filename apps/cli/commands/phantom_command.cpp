@@ -32,8 +32,6 @@ struct PhantomOptions {
     phantom::Recipe recipe; // the rest
 };
 
-bool isStoreName(const std::string& path) { return std::filesystem::path(path).extension() == ".zarr"; }
-
 // "N": voxels along the longest side of `whole`, the others in proportion; "NxMxK": along each.
 glm::ivec3 dimsFrom(const std::string& text, glm::ivec3 whole, int most) {
     const bool isOne = text.find('x') == std::string::npos;
@@ -60,7 +58,7 @@ phantom::Recipe recipeFrom(const PhantomOptions& options) {
     if (!options.size.empty()) {
         recipe.dims =
             dimsFrom(options.size, phantom::about(recipe.kind).dims,
-                     isStoreName(options.output) ? phantom::kMostStoredVoxels : phantom::kMostVoxels);
+                     volume::isStoreName(options.output) ? phantom::kMostStoredVoxels : phantom::kMostVoxels);
     }
     return recipe;
 }
@@ -113,12 +111,13 @@ void runToStore(const PhantomOptions& options) {
 }
 
 void run(const PhantomOptions& options) {
-    if (isStoreName(options.output) != isStoreName(options.labels) && !options.labels.empty()) {
+    if (volume::isStoreName(options.output) != volume::isStoreName(options.labels) &&
+        !options.labels.empty()) {
         throw UsageError(
             "--labels {}: write them as the volume is written, both as stores (.zarr) or neither",
             options.labels);
     }
-    if (isStoreName(options.output)) {
+    if (volume::isStoreName(options.output)) {
         runToStore(options);
         return;
     }

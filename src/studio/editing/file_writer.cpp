@@ -77,13 +77,11 @@ std::function<std::vector<T>(const Box3&)> boxesOf(const std::vector<T>& values,
     };
 }
 
-bool isStore(const std::string& file) { return std::filesystem::path(file).extension() == ".zarr"; }
-
 } // namespace
 
 Outcome FileWriter::run(const SaveLabels& op, const std::filesystem::path& folder) {
     const auto labels = contents_.region.labelMap();
-    if (isStore(op.file)) {
+    if (volume::isStoreName(op.file)) {
         const volume::GridGeometry& grid = contents_.scan.volume.geometry;
         writeStore<std::uint8_t>(folder / op.file, grid, volume::ScalarType::UInt8,
                                  volume::Reducing::Commonest, boxesOf(labels, grid.dims));
@@ -96,13 +94,13 @@ Outcome FileWriter::run(const SaveLabels& op, const std::filesystem::path& folde
 
 Outcome FileWriter::run(const SaveSculpture& op, const std::filesystem::path& folder) {
     const sculpt::FineSculpture* finer = contents_.sculpture.finer();
-    if (finer != nullptr && isStore(op.file)) {
+    if (finer != nullptr && volume::isStoreName(op.file)) {
         writeStore<float>(folder / op.file, *cutter_.geometry, volume::ScalarType::Float32,
                           volume::Reducing::Mean, finer->reader());
         return {{}, 0, 0, say("%1", op.file)};
     }
     const std::vector<float> values = cutter_.sculptureAsFloats();
-    if (isStore(op.file)) {
+    if (volume::isStoreName(op.file)) {
         const volume::GridGeometry& grid = contents_.scan.volume.geometry;
         writeStore<float>(folder / op.file, grid, volume::ScalarType::Float32, volume::Reducing::Mean,
                           boxesOf(values, grid.dims));

@@ -12,6 +12,7 @@
 #include "volume/io/inspect.h"
 #include "volume/io/write.h"
 #include "volume/reading/write_segmentation.h"
+#include "volume/store/write_store.h"
 
 #include <algorithm>
 #include <utility>
@@ -197,7 +198,7 @@ std::string writeVolume(const std::filesystem::path& path, const ExportSource& s
 
 void checkExportName(const std::filesystem::path& path, const ExportSettings& settings) {
     const bool isTable = endsIn(path, ".csv") || endsIn(path, ".dcm");
-    if (mesh::isMeshName(path) || isStoreName(path) || (isTable && settings.what == What::Segments)) {
+    if (mesh::isMeshName(path) || volume::isStoreName(path) || (isTable && settings.what == What::Segments)) {
         return;
     }
     try {
@@ -222,7 +223,7 @@ std::vector<std::string> writeExport(const std::filesystem::path& path, const Ex
         return writeSurfaces(path, source, settings, progress);
     }
     mesh::report(progress, 0);
-    if (isStoreName(path)) {
+    if (volume::isStoreName(path)) {
         return {settings.what == What::Volume ? writeSculptedStore(path, source, settings.fill)
                                               : writeLabelStore(path, source)};
     }

@@ -26,8 +26,6 @@ std::string described(const std::filesystem::path& path, const volume::GridGeome
 
 } // namespace
 
-bool isStoreName(const std::filesystem::path& path) { return path.extension() == ".zarr"; }
-
 std::string writeSculptedStore(const std::filesystem::path& path, const ExportSource& source,
                                const std::optional<double>& fill) {
     const double filled = fill.value_or(source.volume->range.lo);

@@ -5,9 +5,6 @@
 
 namespace vs::studio {
 
-// Whether a file is to be a store of OME-Zarr.
-bool isStoreName(const std::filesystem::path& path);
-
 // What is left of the volume, as a store; of a scan that is worked on at a coarser level, its finest one, box
 // by box. Returns a line about it. Throws WriteError.
 std::string writeSculptedStore(const std::filesystem::path& path, const ExportSource& source,

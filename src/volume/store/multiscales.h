@@ -67,7 +67,7 @@ struct StoreFacts {
     std::string unit;
     std::string name;
     std::string reducing = "mean"; // how voxels became coarser ones, for people
-    // Of label maps: what a label is called, and its colour (sRGB, 0 to 255, and opacity).
+    // What a label of a label map is called, and its colour (sRGB, 0 to 255, and opacity).
     struct Label {
         std::int64_t value = 0;
         std::string name;

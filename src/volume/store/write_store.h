@@ -9,6 +9,9 @@
 
 namespace vs::volume {
 
+// Whether a file that is to be written is a store.
+inline bool isStoreName(const std::filesystem::path& path) { return path.extension() == ".zarr"; }
+
 // What a store is to hold, whoever has it: never more than a few chunks at once are asked for.
 struct StoreSource {
     StoreFacts facts;

@@ -123,6 +123,13 @@ public:
     [[nodiscard]] GrowthSnapshot snapshot() const;
     void restore(const GrowthSnapshot& all);
 
+    // Shows from now on what has grown elsewhere, at a finer level of the same scan
+    // (segment/finer/scene_view.h): which segment is at work there and how far each has grown, in that level's
+    // generations and voxels, and the bricks that have changed since it was last called. Nothing else may
+    // change it then.
+    void mirror(std::uint8_t label, const GrowthState& atWork,
+                const std::map<std::uint8_t, GrowthState>& others, std::span<const MirroredBrick> bricks);
+
     [[nodiscard]] int playhead() const { return state_.playhead; }
     [[nodiscard]] int extent() const { return state_.extent; }
     // Whether everything computed is shown, and nothing more grows under these rules.

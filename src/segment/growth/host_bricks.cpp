@@ -24,8 +24,26 @@ void close(HostBrick& brick, const std::uint32_t* plane) {
 
 } // namespace
 
-HostBricks::HostBricks(const SeedMap& seedMap)
-    : brickDims_(seedMap.bricks().brickDims()), bricks_(seedMap.bricks().count()) {}
+HostBricks::HostBricks(glm::ivec3 dims)
+    : brickDims_(divideUp(dims, field::kBrick)),
+      bricks_(std::size_t(brickDims_.x) * std::size_t(brickDims_.y) * std::size_t(brickDims_.z)) {}
+
+void HostBricks::keepOnly(const std::vector<HostBrick*>& needed) {
+    std::vector<std::unique_ptr<HostBrick>> kept;
+    kept.reserve(needed.size());
+    for (HostBrick* brick : needed) {
+        if (bricks_[brick->number] != nullptr) { // else it is listed twice
+            kept.push_back(std::move(bricks_[brick->number]));
+        }
+    }
+    for (std::unique_ptr<HostBrick>& brick : bricks_) {
+        brick.reset();
+    }
+    made_ = kept.size();
+    for (std::unique_ptr<HostBrick>& brick : kept) {
+        bricks_[brick->number] = std::move(brick);
+    }
+}
 
 void HostBricks::forget() {
     ++present_;
@@ -90,7 +108,7 @@ void HostBricks::writeJoined(HostBrick& brick, std::uint32_t* plane) noexcept {
     });
 }
 
-void BricksToGrowInto::open(HostBrick& brick) const {
+void BricksToGrowInto::open(HostBrick& brick) {
     const glm::ivec3 left = seedMap_->dims() - brick.place * field::kBrick;
     for (std::uint32_t tile = 0; tile < brick.tiles.size(); ++tile) {
         brick.tiles[tile].open =
@@ -119,7 +137,7 @@ void BricksToGrowInto::closeBehindFence(HostBrick& brick) const {
     });
 }
 
-void BricksOfRegion::open(HostBrick& brick) const {
+void BricksOfRegion::open(HostBrick& brick) {
     forEachTile(brick, region_,
                 [](HostTile& tile, const std::uint32_t* words) { tile.open = slices::fromWords(words); });
     brick.isTested.fill(1);

@@ -5,6 +5,7 @@
 #include "segment/growth/slices.h"
 
 #include <array>
+#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <utility>
@@ -31,6 +32,13 @@ struct HostBrick {
     glm::ivec3 place{0};     // in bricks
     GenerationSpan joinedIn; // the generations of what has joined; 0, 0: nothing has
     std::uint64_t madeFor = 0;
+    // Where whoever spreads keeps the generations of what joins, tile by tile; null until something does.
+    std::atomic<std::uint32_t*> generations = nullptr;
+
+    HostBrick() = default;
+    HostBrick(const HostBrick&) = delete;
+    HostBrick& operator=(const HostBrick&) = delete;
+    ~HostBrick() { delete[] generations.load(); }
 };
 
 // A tile, by its brick.
@@ -64,7 +72,8 @@ inline constexpr std::uint32_t kItself = 13; // among the 27
 // folder.
 class HostBricks {
 public:
-    explicit HostBricks(const SeedMap& seedMap);
+    explicit HostBricks(const SeedMap& seedMap) : HostBricks(seedMap.dims()) {}
+    explicit HostBricks(glm::ivec3 dims);
     virtual ~HostBricks() = default;
     HostBricks(const HostBricks&) = delete;
     HostBricks& operator=(const HostBricks&) = delete;
@@ -112,6 +121,23 @@ public:
         joined_.clear();
     }
 
+    // Hands out the bricks in which something has joined, with their spans; after that nothing has.
+    template <typename F>
+    void takeJoined(F&& take) {
+        for (HostBrick* brick : joined_) {
+            take(*brick, std::exchange(brick->joinedIn, {}));
+            for (std::size_t tile = 0; tile < brick->tiles.size(); ++tile) {
+                if (std::exchange(brick->hasJoined[tile], std::uint8_t(0)) != 0) {
+                    brick->tiles[tile].joined = {};
+                }
+            }
+        }
+        joined_.clear();
+    }
+    // Lets go of all bricks but those listed, in which nothing may have joined; they can be made again.
+    void keepOnly(const std::vector<HostBrick*>& needed);
+    [[nodiscard]] bool isMade(std::uint32_t number) const { return bricks_[number] != nullptr; }
+
     [[nodiscard]] std::size_t bytes() const {
         return made_ * sizeof(HostBrick) + bricks_.size() * sizeof(bricks_[0]);
     }
@@ -122,7 +148,12 @@ public:
 
 protected:
     // Says what is open in a brick, and whether that has been tested.
-    virtual void open(HostBrick& brick) const = 0;
+    virtual void open(HostBrick& brick) = 0;
+    // A brick that was made, or null.
+    [[nodiscard]] const HostBrick* found(glm::ivec3 voxel) const {
+        const glm::ivec3 place = voxel / field::kBrick;
+        return bricks_[std::size_t((place.z * brickDims_.y + place.y) * brickDims_.x + place.x)].get();
+    }
 
 private:
     TileOfBrick across(const HostBrick& from, const glm::ivec3& step, std::uint32_t tile);
@@ -148,7 +179,7 @@ public:
     }
 
 private:
-    void open(HostBrick& brick) const override;
+    void open(HostBrick& brick) override;
     void closeBehindFence(HostBrick& brick) const;
 
     const SeedMap* seedMap_ = nullptr;
@@ -162,7 +193,7 @@ public:
         : HostBricks(seedMap), region_(region) {}
 
 private:
-    void open(HostBrick& brick) const override;
+    void open(HostBrick& brick) override;
 
     const std::uint32_t* region_;
 };

@@ -113,9 +113,12 @@ std::vector<std::uint64_t> HostFrontier::expand(SeedMap& seedMap, const Rules& r
     try {
         volume::visit(values_.get(), [&](const auto* values) {
             const HostRules hostRules(values, *rules.field, *rules.constraints);
-            spread_.expand(hostRules,
-                           {rules.constraints->connectivity, &map, generation, expansions, kManyVoxels},
-                           grown);
+            spread_.expand(
+                hostRules, {rules.constraints->connectivity, generation, expansions, kManyVoxels},
+                [&](const TileOfBrick& tile, std::uint32_t place, std::uint32_t joinedIn) {
+                    map.setGeneration(tile.number() * slices::kVoxels + slices::numberOf(place), joinedIn);
+                },
+                grown);
         });
     } catch (...) {
         writeJoined(seedMap);
@@ -154,7 +157,9 @@ int HostFrontier::flood(const SeedMap& seedMap, const Rules& rules, std::span<co
     std::vector<std::uint64_t> joined;
     volume::visit(values_.get(), [&](const auto* values) {
         const HostRules hostRules(values, *rules.field, *rules.constraints);
-        spread.expand(hostRules, {rules.constraints->connectivity, nullptr, 1, expansions}, joined);
+        spread.expand(
+            hostRules, {rules.constraints->connectivity, 1, expansions},
+            [](const TileOfBrick&, std::uint32_t, std::uint32_t) {}, joined);
     });
     bricks.writeJoined(reinterpret_cast<std::uint32_t*>(reached.shared().data()),
                        [](std::uint32_t, GenerationSpan) {});

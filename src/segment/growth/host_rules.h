@@ -17,9 +17,12 @@ namespace vs::segment {
 template <typename T>
 class HostRules {
 public:
-    // The values of the field, x fastest, must outlive this.
+    // The values, x fastest, must outlive this: those of the field, or of a box of so many voxels, which the
+    // voxels that are asked about are then counted in; its outermost ones have no gradients of their own.
     HostRules(const T* values, const field::Field& field, const Constraints& constraints)
-        : values_(values), dims_(field.geometry.dims), range_(comparable(field, constraints.range)),
+        : HostRules(values, field.geometry.dims, field, constraints) {}
+    HostRules(const T* values, glm::ivec3 dims, const field::Field& field, const Constraints& constraints)
+        : values_(values), dims_(dims), range_(comparable(field, constraints.range)),
           gradient_(rounded(constraints.gradient)), difference_(differenceOf(field, constraints.difference)),
           gradientDifference_(rounded(constraints.gradientDifference)),
           gradientAlong_(gradientColumns(field)) {}

@@ -54,9 +54,24 @@ std::uint32_t tilesTouched(const Slices& voxels, Connectivity connectivity) {
 
 void HostSpread::clear() {
     tiles_.clear();
+    looked_.clear();
     queue_.clear();
     isByTile_ = false;
     last_ = 0;
+}
+
+std::vector<HostBrick*> HostSpread::front() const {
+    std::vector<HostBrick*> bricks;
+    for (const Queued& voxel : queue_) {
+        bricks.push_back(voxel.brick);
+    }
+    // The newest voxels lie in those that were looked at last, or were added since.
+    for (const std::vector<TileOfBrick>* tiles : {&tiles_, &looked_}) {
+        for (const TileOfBrick& tile : *tiles) {
+            bricks.push_back(tile.brick);
+        }
+    }
+    return bricks;
 }
 
 void HostSpread::add(glm::ivec3 voxel) {

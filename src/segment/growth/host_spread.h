@@ -32,6 +32,8 @@ public:
 
     // There are no newest voxels any more.
     void clear();
+    // The bricks that the next expansion needs, some of them more than once.
+    [[nodiscard]] std::vector<HostBrick*> front() const;
     // A voxel is among the newest, and no longer open.
     void add(glm::ivec3 voxel);
     // So are the given ones of a tile, which has no others.
@@ -41,17 +43,18 @@ public:
     // voxels have joined.
     struct Order {
         Connectivity connectivity = Connectivity::Six;
-        const SeedMap::Shared* map = nullptr; // where generations are written; null: nowhere
-        int generation = 1;                   // of the first expansion
+        int generation = 1; // of the first expansion
         int expansions = 1;
         std::uint64_t mostVoxels = std::numeric_limits<std::uint64_t>::max();
     };
-    // In an expansion everything open next to the newest voxels that the rules let in joins, and they are the
-    // newest then. Adds to `joined` how many by each. When this throws, what has joined so far is noted in
-    // the bricks.
-    template <typename T>
-    void expand(const HostRules<T>& rules, const Order& order, std::vector<std::uint64_t>& joined) {
-        Step<T> step{rules, order.connectivity, order.map, std::uint32_t(order.generation)};
+    // In an expansion everything open next to the newest voxels that the rules (HostRules, or what answers
+    // as they do) let in joins, and they are the newest then. Adds to `joined` how many by each. `store` is
+    // told of each: store(tile, place in it, generation), by several threads at once. When this throws, what
+    // has joined so far is noted in the bricks.
+    template <typename Rules, typename Store>
+    void expand(const Rules& rules, const Order& order, const Store& store,
+                std::vector<std::uint64_t>& joined) {
+        Step<Rules, Store> step{rules, order.connectivity, store, std::uint32_t(order.generation)};
         std::uint64_t total = 0;
         bool goesOn = true;
         for (int i = 0; i < order.expansions && total < order.mostVoxels && goesOn; ++i) {
@@ -83,18 +86,14 @@ private:
         std::uint32_t joined = 0;
         std::uint32_t touched = 0; // of the 27 tiles around it: in these the newest voxels have neighbours
     };
-    template <typename T>
+    template <typename Rules, typename Store>
     struct Step {
-        const HostRules<T>& rules;
+        const Rules& rules;
         Connectivity connectivity;
-        const SeedMap::Shared* map; // null: the set has no generations
+        const Store& told;
         std::uint32_t generation;
 
-        void store(const TileOfBrick& tile, std::uint32_t place) const {
-            if (map != nullptr) {
-                map->setGeneration(tile.number() * slices::kVoxels + slices::numberOf(place), generation);
-            }
-        }
+        void store(const TileOfBrick& tile, std::uint32_t place) const { told(tile, place, generation); }
     };
 
     // So many in a generation make tiles worth their while, so few do not.
@@ -118,18 +117,18 @@ private:
     [[nodiscard]] Slices offeredAcrossFaces(const TileOfBrick& tile, std::uint32_t around) const;
     [[nodiscard]] Slices offeredAllAround(const TileOfBrick& tile, std::uint32_t around) const;
 
-    template <typename T>
-    std::uint64_t expandTiles(const Step<T>& step);
-    template <typename T>
-    Found expandTile(const Step<T>& step, const TileOfBrick& tile);
-    template <typename T>
-    void test(const Step<T>& step, const TileOfBrick& tile, Slices& fresh);
-    template <typename T>
-    void testPairs(const Step<T>& step, const TileOfBrick& tile, std::uint32_t around, Slices& fresh) const;
-    template <typename T>
-    std::uint64_t expandQueue(const Step<T>& step);
-    template <typename T, typename Ask>
-    void expandQueueBy(const Step<T>& step, const Ask& ask);
+    template <typename S>
+    std::uint64_t expandTiles(const S& step);
+    template <typename S>
+    Found expandTile(const S& step, const TileOfBrick& tile);
+    template <typename S>
+    void test(const S& step, const TileOfBrick& tile, Slices& fresh);
+    template <typename S>
+    void testPairs(const S& step, const TileOfBrick& tile, std::uint32_t around, Slices& fresh) const;
+    template <typename S>
+    std::uint64_t expandQueue(const S& step);
+    template <typename S, typename Ask>
+    void expandQueueBy(const S& step, const Ask& ask);
     [[nodiscard]] std::size_t indexOf(glm::ivec3 voxel) const;
     [[nodiscard]] const std::vector<Way>& ways(Connectivity connectivity) const {
         return connectivity == Connectivity::Six ? acrossFaces_ : allAround_;
@@ -153,8 +152,8 @@ private:
 // The tiles around one, itself among them, in which some of these voxels have neighbours.
 std::uint32_t tilesTouched(const Slices& voxels, Connectivity connectivity);
 
-template <typename T>
-std::uint64_t HostSpread::expandTiles(const Step<T>& step) {
+template <typename S>
+std::uint64_t HostSpread::expandTiles(const S& step) {
     looked_.swap(tiles_);
     tiles_.clear();
     found_.resize(looked_.size());
@@ -184,8 +183,8 @@ std::uint64_t HostSpread::expandTiles(const Step<T>& step) {
     return joined;
 }
 
-template <typename T>
-HostSpread::Found HostSpread::expandTile(const Step<T>& step, const TileOfBrick& tile) {
+template <typename S>
+HostSpread::Found HostSpread::expandTile(const S& step, const TileOfBrick& tile) {
     const std::uint32_t around = std::exchange(tile.around(), 0U);
     Slices fresh = offered(tile, around, step.connectivity);
     fresh &= tile->open;
@@ -215,8 +214,8 @@ HostSpread::Found HostSpread::expandTile(const Step<T>& step, const TileOfBrick&
 
 // Leaves of the fresh voxels those that the rules let in by themselves. A tile is tested whole as soon as
 // they let some in; until then what they refuse is not asked about again.
-template <typename T>
-void HostSpread::test(const Step<T>& step, const TileOfBrick& tile, Slices& fresh) {
+template <typename S>
+void HostSpread::test(const S& step, const TileOfBrick& tile, Slices& fresh) {
     const glm::ivec3 origin = tile.origin();
     bool letsIn = false;
     slices::forEach(fresh, [&](std::uint32_t place) {
@@ -233,8 +232,8 @@ void HostSpread::test(const Step<T>& step, const TileOfBrick& tile, Slices& fres
 }
 
 // Leaves those that one of the newest voxels around them may be left for.
-template <typename T>
-void HostSpread::testPairs(const Step<T>& step, const TileOfBrick& tile, std::uint32_t around,
+template <typename S>
+void HostSpread::testPairs(const S& step, const TileOfBrick& tile, std::uint32_t around,
                            Slices& fresh) const {
     const glm::ivec3 origin = tile.origin();
     const auto isNewest = [&](glm::ivec3 inTile) {
@@ -256,8 +255,8 @@ void HostSpread::testPairs(const Step<T>& step, const TileOfBrick& tile, std::ui
     });
 }
 
-template <typename T>
-std::uint64_t HostSpread::expandQueue(const Step<T>& step) {
+template <typename S>
+std::uint64_t HostSpread::expandQueue(const S& step) {
     joining_.clear();
     if (step.rules.asksOnlyForRange()) {
         expandQueueBy(step, [&](TileOfBrick tile, std::uint32_t, std::size_t index, const Way&) {
@@ -276,8 +275,8 @@ std::uint64_t HostSpread::expandQueue(const Step<T>& step) {
     return queue_.size();
 }
 
-template <typename T, typename Ask>
-void HostSpread::expandQueueBy(const Step<T>& step, const Ask& ask) {
+template <typename S, typename Ask>
+void HostSpread::expandQueueBy(const S& step, const Ask& ask) {
     const std::vector<Way>& waysOut = ways(step.connectivity);
     for (const Queued& parent : queue_) {
         const std::uint32_t sides = slices::kSidesAt[parent.place];

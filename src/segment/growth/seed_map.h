@@ -6,6 +6,7 @@
 #include "gl/texel_buffer.h"
 #include "gl/texture.h"
 #include "segment/growth/brick_table.h"
+#include "segment/growth/growth_mirror.h"
 
 #include <cstdint>
 #include <span>
@@ -99,6 +100,8 @@ public:
     // All there is about a brick, for undo.
     [[nodiscard]] std::vector<std::byte> saveBrick(std::uint32_t brick) const;
     void restoreBrick(std::uint32_t brick, std::span<const std::byte> bytes);
+    // What saveBrick() would give of a brick that holds this.
+    [[nodiscard]] std::vector<std::byte> brickOf(const MirroredBrick& from) const;
     // Whether so many bytes can be a brick's: with or without generations above kLongest16.
     [[nodiscard]] bool isBrick(std::uint32_t brick, std::size_t sizeBytes) const;
 

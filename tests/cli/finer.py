@@ -5,6 +5,7 @@ the volume, and sessions that were made on another level.
 
 usage: finer.py VSTUDIO
 """
+import gzip
 import json
 import re
 import unittest
@@ -25,7 +26,26 @@ CUTS = [
      "path": {"kind": "spline", "points": [[60, 40, 100], [96, 30, 110], [130, 50, 90]]}},
     {"op": "clip", "box": [[20, 10, 16], [170, 150, 120]]},
 ]
+GROWTH = [
+    {"op": "view", "range": [60, 255], "camera": {"azimuth": 25, "elevation": 30}},
+    CUTS[2],
+    {"op": "seed", "range": [85, 255], "voxels": [[66, 80, 64]]}, {"op": "grow", "generations": 30},
+    {"op": "growth rules", "range": [90, 240], "difference": [-60, 60], "live": True}, {"op": "grow", "generations": 50},
+    {"op": "absorb", "voxels": [[66, 80, 64]], "expansions": 12}, {"op": "rewind", "generations": 5},
+    {"op": "segment", "segment": "Skin"},
+    {"op": "seed", "range": [40, 84], "voxels": [[94, 74, 30], [115, 18, 64]]}, {"op": "grow", "generations": 40},
+    {"op": "show generation", "generation": 30}, {"op": "undo"}, {"op": "undo"}, {"op": "redo"},
+]
 SEED = [{"op": "seed", "range": [85, 255], "voxels": [[66, 80, 64]]}, {"op": "grow"}]
+HALF_SEED = [{"op": "seed", "range": [85, 255], "voxels": [[33, 40, 32]]}, {"op": "grow"}]
+
+
+def read_nrrd(path):
+    """Values (z, y, x) of bytes that vstudio wrote."""
+    header, data = path.read_bytes().split(b"\n\n", 1)
+    fields = dict(line.split(": ", 1) for line in header.decode().split("\n") if ": " in line)
+    data = gzip.decompress(data) if fields["encoding"] == "gzip" else data
+    return numpy.frombuffer(data, "u1").reshape([int(n) for n in fields["sizes"].split()][::-1])
 
 
 class Finer(ScanCase):
@@ -68,12 +88,38 @@ class Finer(ScanCase):
                                                   self.call("compare", dense / "p.png", bricks / "p.png").stdout).groups())
                 self.assertLess(mean, 1.0)
 
-    def test_a_session_of_one_level_grows_on_another(self):
+    def test_segments_grow_at_the_finest_level_whatever_is_worked_on(self):
+        session = self.session("s.json", self.store(), GROWTH + [{"op": "labels", "file": "l.zarr"}, {"op": "labels", "file": "l.nrrd"}])
+        wanted = {}
+        for level in (0, 1, 2):
+            with self.subTest(level=level):
+                out, report, _ = self.run_session(session, str(level), "--level", level)
+                grown = self.values(out / "l.zarr"), [o["message"] for o in report["operations"] if o["name"] in ("grow", "rewind", "absorb")]
+                self.assertEqual(grown[0].shape, SHAPE)
+                wanted = wanted or grown
+                self.assertGreater((grown[0] == 1).sum(), 10_000)
+                self.assertGreater((grown[0] == 2).sum(), 1_000)
+                # Where and when all voxels joined is the same, to the byte.
+                self.assertTrue(numpy.array_equal(grown[0], wanted[0]))
+                self.assertEqual(grown[1], wanted[1])
+
+    def test_what_is_worked_on_shows_what_grew_there(self):
+        session = self.session("s.json", self.store(), HALF_SEED + [{"op": "labels", "file": "l.zarr"}, {"op": "labels", "file": "l.nrrd"}],
+                               level=1)
+        out, _, _ = self.run_session(session, "out")
+        fine, scene = self.values(out / "l.zarr"), read_nrrd(out / "l.nrrd").astype(int)
+        self.assertEqual(scene.shape, tuple(n // 2 for n in SHAPE))
+        shares = fine.reshape(scene.shape[0], 2, scene.shape[1], 2, scene.shape[2], 2).sum(axis=(1, 3, 5))
+        self.assertTrue((scene[shares >= 4] == 1).all())
+        self.assertTrue((scene[shares == 0] == 0).all())
+        self.assertLess(abs(scene.sum() * 8 / fine.sum() - 1), 0.1)  # halves count as all
+
+    def test_a_session_of_one_level_grows_on_another_that_is_all_there_is(self):
         store = self.store()
         session = self.session("s.json", store, SEED + [{"op": "labels", "file": "l.zarr"}])
         millilitres = {}
         for level in (0, 1):
-            out, report, _ = self.run_session(session, str(level), "--level", level)
+            out, report, _ = self.run_session(session, str(level), "--level", level, "--storage", "dense")
             labels = self.values(out / "l.zarr")
             self.assertEqual(labels.shape, tuple(n >> level for n in SHAPE))
             millilitres[level] = (labels > 0).sum() * 8 ** level
@@ -103,6 +149,10 @@ class Finer(ScanCase):
         self.assertEqual(look["properties"], [{"label-value": 1, "name": "Brain"}])
         self.assertEqual(look["colors"], [{"label-value": 1, "rgba": [255, 128, 0, 255]}])
         self.assertEqual(set(numpy.unique(group["0"][:])), {0, 1})
+        session = self.session("c.json", self.folder / "head.zarr", HALF_SEED, level=1)
+        self.succeed("export", session, "-o", self.folder / "c.zarr")
+        # All of a voxel of the scene that the rules let in is seeded: the same grows in the end.
+        self.assertTrue(numpy.array_equal(self.values(self.folder / "c.zarr"), group["0"][:]))
         self.assertEqual(set(numpy.unique(group["1"][:])), {0, 1})
 
     def test_a_saved_session_cuts_the_same_again(self):

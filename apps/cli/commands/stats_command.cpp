@@ -14,6 +14,7 @@
 #include "segment/measures/statistics.h"
 #include "studio/document/document.h"
 #include "studio/document/document_facts.h"
+#include "studio/exports/segment_measures.h"
 #include "studio/json/session.h"
 #include "studio/state/region.h"
 
@@ -64,7 +65,7 @@ SessionFigures measureSession(const StatsOptions& options) {
     const studio::Document& document = *opened;
     const auto& infos = document.segments().segments;
     SessionFigures figures{{}, *document.facts()->measured, document.volume().geometry};
-    for (const auto& statistics : segment::measure(document.volume(), document.region().labelMap())) {
+    for (const auto& statistics : studio::SegmentMeasures(document).all()) {
         const auto info = std::find_if(infos.begin(), infos.end(), [&](const studio::SegmentInfo& segment) {
             return segment.label == statistics.label;
         });

@@ -56,7 +56,8 @@ SessionScan loadSessionScan(studio::Session& session, const std::string& session
     const auto replacement =
         instead.path.empty() ? std::nullopt : std::optional<std::filesystem::path>(instead.path);
     const std::size_t told = scan.notices.size();
-    studio::goToLevel(session, sessionPath, replacement, scan.used, scan.notices);
+    const bool growsFinest = storage.kind() != studio::Storage::Dense;
+    studio::goToLevel(session, sessionPath, replacement, scan.used, growsFinest, scan.notices);
     for (std::size_t n = told; n < scan.notices.size(); ++n) {
         logNotice(scan.notices[n]);
     }

@@ -185,9 +185,9 @@ void SegmentTable::contextMenuEvent(QContextMenuEvent* event) {
 
 // What tools do with a segment, as a choice in its menu.
 void SegmentTable::addTreatments(QMenu& menu, const studio::SegmentInfo& info) {
-    using Treatment = studio::SegmentInfo::Treatment;
+    using Treated = studio::SegmentInfo::Treatment;
     auto* choice = new QActionGroup(&menu);
-    const auto add = [&](const char* name, const QString& text, Treatment treatment) {
+    const auto add = [&](const char* name, const QString& text, Treated treatment) {
         auto* action = menu.addAction(text);
         action->setObjectName(name);
         action->setCheckable(true);
@@ -196,9 +196,9 @@ void SegmentTable::addTreatments(QMenu& menu, const studio::SegmentInfo& info) {
         connect(action, &QAction::triggered, this,
                 [this, name = info.name, treatment] { studio_.segments().setTreatment(name, treatment); });
     };
-    add("toolsTake", tr("Tools take it like all else"), Treatment::Take);
-    add("toolsSpare", tr("Tools spare it"), Treatment::Spare);
-    add("toolsTakeOnly", tr("Tools take only this"), Treatment::TakeOnly);
+    add("toolsTake", tr("Tools take it like all else"), Treated::Take);
+    add("toolsSpare", tr("Tools spare it"), Treated::Spare);
+    add("toolsTakeOnly", tr("Tools take only this"), Treated::TakeOnly);
 }
 
 void SegmentTable::activate(const QModelIndex& index) {

@@ -47,10 +47,10 @@ ShapePage::ShapePage(StudioController& studio, FunctionEditor& editor, PlaneView
 }
 
 QWidget* ShapePage::makeBrush() {
-    constexpr int kSmallest = 2;
+    constexpr int kLeast = 2;
     constexpr int kLargest = 40;
     constexpr int kUsual = 10;
-    auto* slider = makeSlider("brushSize", tr("Size of the brush, in pixels"), kSmallest, kLargest, kUsual);
+    auto* slider = makeSlider("brushSize", tr("Size of the brush, in pixels"), kLeast, kLargest, kUsual);
     connect(slider, &QSlider::valueChanged, this, [this](int radius) { chart_->setBrush(radius); });
     auto* holder = new QWidget;
     auto* row = new QHBoxLayout(holder);

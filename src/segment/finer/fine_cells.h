@@ -26,7 +26,8 @@ constexpr std::size_t cellOf(glm::ivec3 inBrick) {
 constexpr glm::ivec3 voxelOfCell(std::size_t cell) {
     const auto tile = int(cell >> 9U);
     const auto place = int(cell & 511U);
-    return {(tile & 3) << 3 | (place & 7), (tile >> 2 & 3) << 3 | (place >> 3 & 7), (tile >> 4) << 3 | place >> 6};
+    return {(tile & 3) << 3 | (place & 7), (tile >> 2 & 3) << 3 | (place >> 3 & 7),
+            (tile >> 4) << 3 | place >> 6};
 }
 
 // What has grown in a brick, while it changes: of each voxel its generation (0: none) and its segment.
@@ -35,8 +36,8 @@ struct OpenCells {
     std::vector<std::uint8_t> labels = std::vector<std::uint8_t>(kBrickVoxels);
 };
 
-// The same as it is kept: it never changes. Generations that lie next to one another, as those in a brick
-// do, take a byte a voxel, and labels take one byte in all where there is but one.
+// What has grown in a brick, as it is kept: it never changes. Generations that lie next to one another, as
+// those in a brick do, take a byte a voxel, and labels take one byte in all where there is but one.
 class FineCells {
 public:
     explicit FineCells(const OpenCells& open);
@@ -50,7 +51,7 @@ public:
             },
             entries_);
     }
-    // Of a voxel that has grown.
+    // The segment of a voxel that has grown.
     [[nodiscard]] std::uint8_t label(std::size_t cell) const {
         return labels_[labels_.size() == 1 ? 0 : cell];
     }

@@ -12,9 +12,8 @@ namespace {
 // Calls f with a pointer to values of their own type.
 template <typename F>
 auto visitValues(volume::ScalarType type, const std::vector<std::byte>& values, F&& f) {
-    return volume::visitType(type, [&](const auto* none) {
-        return f(reinterpret_cast<decltype(none)>(values.data()));
-    });
+    return volume::visitType(
+        type, [&](const auto* none) { return f(reinterpret_cast<decltype(none)>(values.data())); });
 }
 
 template <typename F>

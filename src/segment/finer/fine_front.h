@@ -72,7 +72,7 @@ protected:
     std::unordered_map<std::uint32_t, std::vector<std::byte>> values_; // for rules for pairs
 };
 
-// Those in which a segment may grow: what nobody has and the rules let in.
+// The bricks in which a segment may grow: open is what nobody has and the rules let in.
 class FineBricksToGrowInto final : public FineBricks {
 public:
     using FineBricks::FineBricks;
@@ -81,7 +81,8 @@ private:
     void open(HostBrick& brick) override;
 };
 
-// Those of what a segment has of generations after one; with constraints, what these would let in of it.
+// The bricks of a segment: open is what it has of generations after one; with constraints, what these would
+// let in of that.
 class FineBricksOfSegment final : public FineBricks {
 public:
     FineBricksOfSegment(glm::ivec3 dims, int after) : FineBricks(dims), after_(after) {}
@@ -97,8 +98,8 @@ template <typename T>
 class FinePairs {
 public:
     explicit FinePairs(const FineBricks& bricks)
-        : bricks_(bricks), has_(bricks.rules().constraints != nullptr &&
-                                FineBricks::hasPairs(*bricks.rules().constraints)) {}
+        : bricks_(bricks),
+          has_(bricks.rules().constraints != nullptr && FineBricks::hasPairs(*bricks.rules().constraints)) {}
 
     [[nodiscard]] bool asksOnlyForRange() const { return !has_; }
     [[nodiscard]] bool hasPairs() const { return has_; }

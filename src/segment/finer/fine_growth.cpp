@@ -44,16 +44,47 @@ std::uint32_t* generationsOf(HostBrick& brick) {
     return list;
 }
 
+// The label that each voxel of a box is shown with.
+std::vector<std::uint8_t> labelsIn(const FineMap& map, glm::ivec3 dims, std::uint8_t atWork, int playhead,
+                                   const Box3& box) {
+    std::vector<std::uint8_t> labels(box.volume());
+    const glm::ivec3 size = box.size();
+    const field::BrickGrid grid{dims, field::kBrick};
+    forEachVoxel(
+        Box3{box.lo / field::kBrick, divideUp(box.hi, field::kBrick)}, [&](glm::ivec3 at, std::size_t) {
+            const auto known = map.find(std::uint32_t(grid.placeOf(at)));
+            if (known == map.end()) {
+                return;
+            }
+            const FineCells& cells = *known->second;
+            const glm::ivec3 lo = at * field::kBrick;
+            forEachVoxel(intersect(box, {lo, lo + field::kBrick}), [&](glm::ivec3 voxel, std::size_t) {
+                const std::size_t cell = cellOf(voxel - lo);
+                const std::uint32_t generation = cells.generation(cell);
+                if (generation == 0) {
+                    return;
+                }
+                const std::uint8_t label = cells.label(cell);
+                if (label != atWork || int(generation) <= playhead) {
+                    const glm::ivec3 v = voxel - box.lo;
+                    labels[(std::size_t(v.z) * std::size_t(size.y) + std::size_t(v.y)) * std::size_t(size.x) +
+                           std::size_t(v.x)] = label;
+                }
+            });
+        });
+    return labels;
+}
+
 } // namespace
 
 FineGrowth::FineGrowth(std::unique_ptr<FineValues> values, std::function<FineFence()> fenceNow,
                        std::size_t frontBytes)
-    : values_(std::move(values)), fenceNow_(std::move(fenceNow)), frontBytes_(frontBytes), bricks_(values_->field().geometry.dims),
-      spread_(bricks_, values_->field().geometry.dims) {}
+    : values_(std::move(values)), fenceNow_(std::move(fenceNow)), frontBytes_(frontBytes),
+      bricks_(values_->field().geometry.dims), spread_(bricks_, values_->field().geometry.dims) {}
 
 FineRules FineGrowth::rules() const {
-    return {values_.get(), &map_,  &run_.state.constraints, run_.fence ? &run_.fence : nullptr, run_.forbidden.get(),
-            label_};
+    return {values_.get(),        &map_, &run_.state.constraints, run_.fence ? &run_.fence : nullptr,
+            run_.forbidden.get(), label_};
 }
 
 glm::ivec3 FineGrowth::placeOfBrick(std::uint32_t brick) const {
@@ -128,9 +159,8 @@ int FineGrowth::enteringGeneration() const {
 SeedCounts FineGrowth::addSeeds(std::span<const glm::ivec3> seeds, FineUndo* undo) {
     const Recording recording(undo, *this);
     std::vector<glm::ivec3> voxels;
-    std::copy_if(seeds.begin(), seeds.end(), std::back_inserter(voxels), [&](glm::ivec3 v) {
-        return glm::all(glm::lessThan(glm::uvec3(v), glm::uvec3(dims())));
-    });
+    std::copy_if(seeds.begin(), seeds.end(), std::back_inserter(voxels),
+                 [&](glm::ivec3 v) { return glm::all(glm::lessThan(glm::uvec3(v), glm::uvec3(dims()))); });
     SeedCounts counts;
     counts.refused = int(seeds.size() - voxels.size());
     const std::size_t offered = voxels.size();
@@ -221,8 +251,7 @@ std::optional<glm::ivec3> FineGrowth::nearestAdmitted(const glm::dvec3& place,
         const double apart = glm::length(millimetres * (glm::dvec3(voxel) - place));
         const bool isInside = glm::all(glm::lessThan(glm::uvec3(voxel), glm::uvec3(dims())));
         if (apart < nearest && isInside && admitsByValue(voxel, asked)) {
-            const bool isCut =
-                constraints.hasFence() && fence(Box3{voxel, voxel + 1}).front() >= 0.5F;
+            const bool isCut = constraints.hasFence() && fence(Box3{voxel, voxel + 1}).front() >= 0.5F;
             if (!constraints.hasFence() || isCut == (constraints.view == field::SculptureView::Probe)) {
                 nearest = apart;
                 found = voxel;
@@ -422,31 +451,14 @@ Box3 FineGrowth::boxOf(std::uint8_t label) const {
     return box;
 }
 
+std::function<std::vector<std::uint8_t>(const Box3&)> FineGrowth::labelReader() const {
+    return [map = map_, dims = dims(), atWork = label_, playhead = run_.state.playhead](const Box3& box) {
+        return labelsIn(map, dims, atWork, playhead, box);
+    };
+}
+
 std::vector<std::uint8_t> FineGrowth::labelMap(const Box3& box) const {
-    std::vector<std::uint8_t> labels(box.volume());
-    const glm::ivec3 size = box.size();
-    forEachVoxel(Box3{box.lo / field::kBrick, divideUp(box.hi, field::kBrick)}, [&](glm::ivec3 at, std::size_t) {
-        const glm::ivec3 lo = at * field::kBrick;
-        const auto known = map_.find(brickOf(lo));
-        if (known == map_.end()) {
-            return;
-        }
-        const FineCells& cells = *known->second;
-        forEachVoxel(intersect(box, {lo, lo + field::kBrick}), [&](glm::ivec3 voxel, std::size_t) {
-            const std::size_t cell = cellOf(voxel - lo);
-            const std::uint32_t generation = cells.generation(cell);
-            if (generation == 0) {
-                return;
-            }
-            const std::uint8_t label = cells.label(cell);
-            if (label != label_ || int(generation) <= run_.state.playhead) {
-                const glm::ivec3 v = voxel - box.lo;
-                labels[(std::size_t(v.z) * std::size_t(size.y) + std::size_t(v.y)) * std::size_t(size.x) +
-                       std::size_t(v.x)] = label;
-            }
-        });
-    });
-    return labels;
+    return labelsIn(map_, dims(), label_, run_.state.playhead, box);
 }
 
 std::vector<std::uint32_t> FineGrowth::generations(const Box3& box) const {

@@ -74,6 +74,7 @@ public:
     [[nodiscard]] glm::ivec3 dims() const { return values_->field().geometry.dims; }
     [[nodiscard]] std::uint8_t label() const { return label_; }
     [[nodiscard]] const GrowthState& state() const { return run_.state; }
+    [[nodiscard]] const std::vector<Seed>& seeds() const { return *run_.seeds; }
     [[nodiscard]] const std::map<std::uint8_t, Run>& others() const { return others_; }
     [[nodiscard]] bool isFinished() const {
         return run_.state.isFinished && run_.state.playhead == run_.state.extent;
@@ -91,6 +92,8 @@ public:
     // segment at work, hidden ones too.
     [[nodiscard]] std::vector<std::uint8_t> labelMap(const Box3& box) const;
     [[nodiscard]] std::vector<std::uint32_t> generations(const Box3& box) const;
+    // Label maps of boxes of all as it is now: it stays so, and threads may ask at once.
+    [[nodiscard]] std::function<std::vector<std::uint8_t>(const Box3&)> labelReader() const;
     // The bricks' box around what is shown of a segment.
     [[nodiscard]] Box3 boxOf(std::uint8_t label) const;
     // What it takes on the host.
@@ -121,7 +124,8 @@ private:
     void commit();
     void freeze();
     // Spreads from seeds through `region`; the voxels that were reached, by brick.
-    std::unordered_map<std::uint32_t, CellBits> flood(FineBricks& region, const std::vector<glm::ivec3>& seeds,
+    std::unordered_map<std::uint32_t, CellBits> flood(FineBricks& region,
+                                                      const std::vector<glm::ivec3>& seeds,
                                                       Connectivity connectivity, int expansions,
                                                       int& found) const;
     // Takes voxels of generations after `last` away that `isTaken` says, and counts them off.

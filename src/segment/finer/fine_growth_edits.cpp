@@ -141,9 +141,8 @@ int FineGrowth::absorb(std::span<const glm::ivec3> voxels, int expansions, FineU
     own.constraints = nullptr;
     region.goBy(own);
     std::vector<glm::ivec3> from;
-    std::copy_if(voxels.begin(), voxels.end(), std::back_inserter(from), [&](glm::ivec3 v) {
-        return glm::all(glm::lessThan(glm::uvec3(v), glm::uvec3(dims())));
-    });
+    std::copy_if(voxels.begin(), voxels.end(), std::back_inserter(from),
+                 [&](glm::ivec3 v) { return glm::all(glm::lessThan(glm::uvec3(v), glm::uvec3(dims()))); });
     int found = 0;
     const auto reached = flood(region, from, run_.state.constraints.connectivity, expansions, found);
     auto forbidden = std::make_shared<ForbiddenBits>(*run_.forbidden);
@@ -157,8 +156,7 @@ int FineGrowth::absorb(std::span<const glm::ivec3> voxels, int expansions, FineU
         }
         known = std::move(more);
     }
-    erase(among, 0,
-          [&](std::uint32_t brick, std::size_t cell) { return has(reached.at(brick), cell); });
+    erase(among, 0, [&](std::uint32_t brick, std::size_t cell) { return has(reached.at(brick), cell); });
     run_.forbidden = std::move(forbidden);
     isValid_ = false;
     run_.state.isFinished = false;

@@ -54,7 +54,8 @@ private:
 
 } // namespace
 
-SceneView::SceneView(const field::BrickGrid& grid, glm::ivec3 sceneDims) : grid_(grid), sceneDims_(sceneDims) {}
+SceneView::SceneView(const field::BrickGrid& grid, glm::ivec3 sceneDims)
+    : grid_(grid), sceneDims_(sceneDims) {}
 
 Box3 SceneView::finestIn(const Box3& sceneBox) const {
     const auto edge = [&](glm::ivec3 voxel) {
@@ -150,9 +151,11 @@ void SceneView::update(FineGrowth& finest, Growth& scene) const {
         const glm::ivec3 lo = finest.placeOfBrick(brick) * field::kBrick;
         const glm::ivec3 hi = glm::min(lo + field::kBrick, grid_.dims);
         // A voxel depends on those around it.
-        const Box3 reached = intersect({sceneVoxelOf(lo) - 1, sceneVoxelOf(hi - 1) + 2}, {glm::ivec3(0), sceneDims_});
-        forEachVoxel(Box3{reached.lo / field::kBrick, divideUp(reached.hi, field::kBrick)},
-                     [&](glm::ivec3 place, std::size_t) { stale.insert(table.brickOf(place * field::kBrick)); });
+        const Box3 reached =
+            intersect({sceneVoxelOf(lo) - 1, sceneVoxelOf(hi - 1) + 2}, {glm::ivec3(0), sceneDims_});
+        forEachVoxel(
+            Box3{reached.lo / field::kBrick, divideUp(reached.hi, field::kBrick)},
+            [&](glm::ivec3 place, std::size_t) { stale.insert(table.brickOf(place * field::kBrick)); });
     };
     for (const std::uint32_t brick : finest.changed()) {
         add(brick);
@@ -172,7 +175,13 @@ void SceneView::update(FineGrowth& finest, Growth& scene) const {
     for (const auto& [label, run] : finest.others()) {
         others.emplace(label, run.state);
     }
-    scene.mirror(finest.label(), finest.state(), others, bricks);
+    GrowthState atWork = finest.state();
+    std::vector<segment::Seed> seeds; // when, not where: they are of another grid
+    for (const FineGrowth::Seed& seed : finest.seeds()) {
+        seeds.push_back({0, seed.generation});
+    }
+    atWork.seeds = std::make_shared<const std::vector<segment::Seed>>(std::move(seeds));
+    scene.mirror(finest.label(), atWork, others, bricks);
     finest.noteShown();
 }
 

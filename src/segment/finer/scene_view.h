@@ -23,14 +23,17 @@ public:
     void update(FineGrowth& finest, Growth& scene) const;
 
     // The finest voxels that lie in a voxel of the scene.
-    [[nodiscard]] Box3 finestIn(glm::ivec3 sceneVoxel) const { return finestIn(Box3{sceneVoxel, sceneVoxel + 1}); }
+    [[nodiscard]] Box3 finestIn(glm::ivec3 sceneVoxel) const {
+        return finestIn(Box3{sceneVoxel, sceneVoxel + 1});
+    }
     [[nodiscard]] Box3 finestIn(const Box3& sceneBox) const;
     // The voxel of the scene that a finest one lies in.
     [[nodiscard]] glm::ivec3 sceneVoxelOf(glm::ivec3 finest) const;
 
 private:
     [[nodiscard]] MirroredBrick seen(const FineGrowth& finest, const Box3& sceneBrick) const;
-    void seeSlab(const FineGrowth& finest, const Box3& slab, const Box3& sceneBrick, MirroredBrick& brick) const;
+    void seeSlab(const FineGrowth& finest, const Box3& slab, const Box3& sceneBrick,
+                 MirroredBrick& brick) const;
 
     field::BrickGrid grid_;
     glm::ivec3 sceneDims_;

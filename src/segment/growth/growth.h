@@ -124,9 +124,9 @@ public:
     void restore(const GrowthSnapshot& all);
 
     // Shows from now on what has grown elsewhere, at a finer level of the same scan
-    // (segment/finer/scene_view.h): which segment is at work there and how far each has grown, in that level's
-    // generations and voxels, and the bricks that have changed since it was last called. Nothing else may
-    // change it then.
+    // (segment/finer/scene_view.h): which segment is at work there and how far each has grown, in that
+    // level's generations and voxels, and the bricks that have changed since it was last called. Nothing else
+    // may change it then.
     void mirror(std::uint8_t label, const GrowthState& atWork,
                 const std::map<std::uint8_t, GrowthState>& others, std::span<const MirroredBrick> bricks);
 

@@ -35,7 +35,8 @@ std::vector<std::byte> SeedMap::brickOf(const MirroredBrick& from) const {
             }
         }
     });
-    std::vector<std::byte> bytes(grown.size() * 4 + generations.size() * 2 + late.size() + from.labels.size());
+    std::vector<std::byte> bytes(grown.size() * 4 + generations.size() * 2 + late.size() +
+                                 from.labels.size());
     std::byte* to = bytes.data();
     const auto append = [&](const auto& values) {
         const std::size_t size = values.size() * sizeof(values[0]);
@@ -50,7 +51,8 @@ std::vector<std::byte> SeedMap::brickOf(const MirroredBrick& from) const {
 }
 
 void Growth::mirror(std::uint8_t label, const GrowthState& atWork,
-                    const std::map<std::uint8_t, GrowthState>& others, std::span<const MirroredBrick> bricks) {
+                    const std::map<std::uint8_t, GrowthState>& others,
+                    std::span<const MirroredBrick> bricks) {
     if (atWork.extent > SeedMap::kLongest16) {
         seedMap_.widen();
     }

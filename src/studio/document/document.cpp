@@ -45,6 +45,9 @@ void Document::showFinerLevels(const FinerLevels& levels) {
         contents.sculpture.refine(
             std::make_unique<sculpt::FineSculpture>(finest, contents.sculpture.precision()));
         impl_->cutter.refine(*detail);
+        if (!contents.region.exists()) {
+            contents.region.refine({source, finest, levels.options.hostBytes / 2});
+        }
     }
     // From here on nothing fails.
     impl_->display.showFiner(*detail, std::move(cells));

@@ -39,7 +39,7 @@ GrowthStatus statusOf(const Contents& contents) {
         status.generation = growth->playhead();
         status.extent = growth->extent();
         status.voxels = std::size_t(growth->voxelCount());
-        status.millilitres = double(status.voxels) * contents.scan.volume.geometry.voxelMm3() / 1000;
+        status.millilitres = double(status.voxels) * contents.region.geometry().voxelMm3() / 1000;
         status.range = growth->constraints().range;
         status.hasSeeds = contents.region.hasSeeds();
         status.leaks = segment::leaks(growth->state().voxels, begunAt(growth->state()));
@@ -88,6 +88,7 @@ std::shared_ptr<const DocumentFacts> factsOf(const Contents& contents, std::size
     for (const SegmentInfo& segment : contents.segments.segments) {
         facts->voxels[segment.label] = contents.region.voxelCount(segment.label);
     }
+    facts->segmentVoxelMm3 = contents.region.geometry().voxelMm3();
     facts->segmentsRevision = contents.region.revision();
     facts->growth = statusOf(contents);
     facts->rules = rulesOf(contents.region);

@@ -62,6 +62,7 @@ struct DocumentFacts {
     std::vector<PartInfo> parts; // that were pasted, in the order of the view's places
     SegmentList segments;
     std::array<std::size_t, 256> voxels{}; // shown of each segment, by its label
+    double segmentVoxelMm3 = 0;            // of a voxel that segments are of
     std::uint64_t segmentsRevision = 0;    // counts changes of what is shown of segments
     GrowthStatus growth;
     GrowthRules rules;

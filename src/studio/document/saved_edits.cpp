@@ -31,7 +31,9 @@ SavedEdit savedEdit(const History& history, const Edit& edit, bool isDone, KeptP
     saved.trim = edit.trim;
     saved.changesSegments = !edit.growth.empty();
     if (isDone) {
-        saved.growth = edit.growth;
+        for (const RegionUndo& record : edit.growth) { // of finer levels no states are saved
+            saved.growth.push_back(record.scene);
+        }
     }
     if (edit.partsBefore) {
         saved.partsBefore = pastes.saved(*edit.partsBefore);
@@ -55,7 +57,7 @@ Edit restoredEdit(SavedEdit saved, const RestoredPastes& pastes, const gl::Textu
     for (const segment::GrowthUndo& record : saved.growth) {
         auto content = record.content();
         fence(content.before, sculpture);
-        edit.growth.emplace_back(std::move(content));
+        edit.growth.push_back({segment::GrowthUndo(std::move(content))});
     }
     if (edit.growth.empty() && saved.changesSegments) {
         edit.growth.emplace_back(); // redo makes others

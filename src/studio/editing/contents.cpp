@@ -48,7 +48,7 @@ std::size_t Contents::grownVoxels() const {
 }
 
 std::string Contents::millilitres(std::size_t voxels) const {
-    return fmt::format("{:.1f}", double(voxels) * scan.volume.geometry.voxelMm3() / 1000);
+    return fmt::format("{:.1f}", double(voxels) * region.geometry().voxelMm3() / 1000);
 }
 
 } // namespace vs::studio

@@ -80,6 +80,11 @@ std::function<std::vector<T>(const Box3&)> boxesOf(const std::vector<T>& values,
 } // namespace
 
 Outcome FileWriter::run(const SaveLabels& op, const std::filesystem::path& folder) {
+    if (const auto* finest = contents_.region.finest(); finest != nullptr && volume::isStoreName(op.file)) {
+        writeStore<std::uint8_t>(folder / op.file, contents_.region.geometry(), volume::ScalarType::UInt8,
+                                 volume::Reducing::Commonest, finest->labelReader());
+        return {{}, 0, contents_.grownVoxels(), say("%1", op.file)};
+    }
     const auto labels = contents_.region.labelMap();
     if (volume::isStoreName(op.file)) {
         const volume::GridGeometry& grid = contents_.scan.volume.geometry;

@@ -63,7 +63,7 @@ std::vector<glm::ivec3> nearestOf(const segment::VoxelSet& set, const std::vecto
 
 std::vector<glm::ivec3> GrowthEditor::voxelsUnder(const std::vector<Sketch>& strokes, double widthPixels,
                                                   const Canvas& canvas,
-                                                  const segment::Constraints& constraints) {
+                                                  const segment::Constraints& constraints, bool isOfFinest) {
     // Piece by piece, so that a stroke over all of a large window takes no more room.
     constexpr std::size_t kMostAtOnce = std::size_t(1) << 20;
     const auto pixels = pixelsUnder(strokes, widthPixels, canvas.viewport);
@@ -71,8 +71,9 @@ std::vector<glm::ivec3> GrowthEditor::voxelsUnder(const std::vector<Sketch>& str
     std::vector<glm::ivec3> voxels;
     for (std::size_t done = 0; done < pixels.size(); done += kMostAtOnce) {
         const auto some = std::span(pixels).subspan(done, std::min(kMostAtOnce, pixels.size() - done));
-        const auto found = contents_.region.findSeeds(
-            cutter_.picker.pick(frame, some, render::Picker::Meets::Brightest), constraints);
+        const auto points = cutter_.picker.pick(frame, some, render::Picker::Meets::Brightest);
+        const auto found = isOfFinest ? contents_.region.findFinestSeeds(points, constraints)
+                                      : contents_.region.findSeeds(points, constraints);
         std::vector<glm::ivec3> both;
         std::set_union(voxels.begin(), voxels.end(), found.begin(), found.end(), std::back_inserter(both),
                        isBefore);
@@ -83,7 +84,7 @@ std::vector<glm::ivec3> GrowthEditor::voxelsUnder(const std::vector<Sketch>& str
 
 segment::SeedCounts GrowthEditor::perform(const Seed& op, Region::Records& records) {
     workUnlocked(contents_, records);
-    return contents_.region.seed(op.voxels,
+    return contents_.region.seed(op.voxels, op.finest,
                                  contents_.region.constraints(*op.range, op.canvas->view.sculptureView,
                                                               connectivityOf(op.connectivity)),
                                  records);
@@ -106,17 +107,24 @@ Outcome GrowthEditor::run(Seed& op) {
     if (!op.range) {
         op.range = op.canvas->view.visibleRange(contents_.scan.volume.range);
     }
-    if (op.voxels.empty()) {
+    const bool isFiner = contents_.region.isFiner();
+    if (op.voxels.empty() && !(isFiner && !op.finest.empty())) {
         if (!op.strokes.empty()) {
-            op.voxels = voxelsUnder(op.strokes, op.widthPixels, *op.canvas,
-                                    contents_.region.constraints(*op.range, op.canvas->view.sculptureView,
-                                                                 connectivityOf(op.connectivity)));
+            auto found = voxelsUnder(op.strokes, op.widthPixels, *op.canvas,
+                                     contents_.region.constraints(*op.range, op.canvas->view.sculptureView,
+                                                                  connectivityOf(op.connectivity)),
+                                     isFiner);
+            (isFiner ? op.finest : op.voxels) = std::move(found);
         }
         for (const Trail& trail : op.trails) {
             addTo(op.voxels, voxelsAlong(trail, contents_.scan.volume, op.range));
         }
+        if (!op.finest.empty()) { // trails are of the scene's voxels
+            const auto widened = contents_.region.finestIn(op.voxels);
+            op.finest.insert(op.finest.end(), widened.begin(), widened.end());
+        }
     }
-    if (op.voxels.empty()) {
+    if (op.voxels.empty() && op.finest.empty()) {
         return {{}, 0, 0, say(VS_TEXT("library", "nothing seeded: no voxel in range lies under the stroke"))};
     }
     const segment::SeedCounts counts = changeSegments(contents_, *this, op);
@@ -180,16 +188,16 @@ Outcome GrowthEditor::run(SetGrowthRules& op) {
 
 int GrowthEditor::perform(const Absorb& op, Region::Records& records) {
     workUnlocked(contents_, records);
-    return contents_.region.absorb(op.voxels, op.expansions.value_or(Region::kEndless), records);
+    return contents_.region.absorb(op.voxels, op.finest, op.expansions.value_or(Region::kEndless), records);
 }
 
 Outcome GrowthEditor::run(Absorb& op) {
     contents_.fillIn(op.canvas);
-    if (op.voxels.empty()) {
+    if (op.voxels.empty() && !(contents_.region.isFiner() && !op.finest.empty())) {
         segment::Constraints anything; // of what is seen: only the segment's own voxels are taken
         anything.range = contents_.scan.volume.range;
         op.voxels = nearestOf(contents_.region.voxelsOf(contents_.segments.atWork),
-                              voxelsUnder(op.strokes, op.widthPixels, *op.canvas, anything),
+                              voxelsUnder(op.strokes, op.widthPixels, *op.canvas, anything, false),
                               contents_.scan.volume.geometry);
     }
     const std::size_t before = contents_.grownVoxels();

@@ -38,9 +38,11 @@ public:
     void perform(const ReSeed& op, Region::Records& records);
 
 private:
-    // The voxels seen under strokes on a canvas that growth by these constraints may enter.
+    // The voxels, of the scene or of the finest level, seen under strokes on a canvas that growth by these
+    // constraints may enter.
     std::vector<glm::ivec3> voxelsUnder(const std::vector<Sketch>& strokes, double widthPixels,
-                                        const Canvas& canvas, const segment::Constraints& constraints);
+                                        const Canvas& canvas, const segment::Constraints& constraints,
+                                        bool isOfFinest);
 
     Contents& contents_;
     Display& display_;

@@ -71,6 +71,9 @@ bool ExportReader::readSome(double budgetMs) {
     const Timer timer;
     if (needsLabels_) {
         source_.labels = document_.region().labelMap();
+        if (const segment::FineGrowth* finest = document_.region().finest()) {
+            source_.finestLabels = {finest->labelReader(), document_.region().geometry()};
+        }
         needsLabels_ = false;
     }
     for (bool isFirst = true; at_ < sculptures_ && (isFirst || timer.milliseconds() < budgetMs);

@@ -70,6 +70,12 @@ struct ExportSource {
         volume::GridGeometry geometry;
     };
     std::optional<Finest> finest;
+    // Segments, for stores: labels of boxes of the finest level, where they grew at that.
+    struct FinestLabels {
+        std::function<std::vector<std::uint8_t>(const Box3&)> labels;
+        volume::GridGeometry geometry;
+    };
+    std::optional<FinestLabels> finestLabels;
 };
 
 // All segments of a document that have voxels.

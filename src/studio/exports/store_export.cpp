@@ -73,20 +73,28 @@ std::string writeLabelStore(const std::filesystem::path& path, const ExportSourc
              segment.name,
              {colour.x, colour.y, colour.z, std::uint8_t(std::round(segment.opacity * 255))}});
     }
-    store.facts.geometry = source.geometry;
+    store.facts.geometry = source.finestLabels ? source.finestLabels->geometry : source.geometry;
     store.facts.name = path.stem().string();
     store.type = isSmall ? volume::ScalarType::UInt8 : volume::ScalarType::UInt32;
     store.identity = onceOnly();
     store.read = [&](const Box3& box) {
         const std::size_t bytes = volume::sizeOf(store.type);
         std::vector<std::byte> written(box.volume() * bytes);
+        const auto write = [&](std::size_t n, std::uint8_t label) { // little-endian, as every device here
+            std::memcpy(&written[n * bytes], &values[label], bytes);
+        };
+        if (source.finestLabels) {
+            const auto labels = source.finestLabels->labels(box);
+            for (std::size_t n = 0; n < labels.size(); ++n) {
+                write(n, labels[n]);
+            }
+            return written;
+        }
         const glm::ivec3 dims = source.geometry.dims;
         forEachVoxel(box, [&](glm::ivec3 v, std::size_t n) {
-            const std::uint32_t value =
-                values[source.labels[(std::size_t(v.z) * std::size_t(dims.y) + std::size_t(v.y)) *
-                                         std::size_t(dims.x) +
-                                     std::size_t(v.x)]];
-            std::memcpy(&written[n * bytes], &value, bytes); // little-endian, as every device this runs on
+            write(n, source.labels[(std::size_t(v.z) * std::size_t(dims.y) + std::size_t(v.y)) *
+                                       std::size_t(dims.x) +
+                                   std::size_t(v.x)]);
         });
         return written;
     };

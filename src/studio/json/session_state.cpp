@@ -6,6 +6,7 @@
 #include "base/value_json.h"
 #include "studio/json/kept_json.h"
 #include "studio/json/state_json.h"
+#include "studio/state/region.h"
 
 #include <fmt/format.h>
 
@@ -102,10 +103,12 @@ void saveDocument(const std::filesystem::path& path, const Document& document, c
     const std::filesystem::path target = outputFile(path);
     settle(target);
     // What was done to a view alone is done again at once.
-    // So is what was cut at a finer level than the one that is worked on: states have no room for it.
+    // So is what was cut, or has grown, at a finer level than the one that is worked on: states have no room
+    // for it.
     const sculpt::FineSculpture* finer = document.sculpture().finer();
     const bool hasEdits = (document.history().canUndo() || document.history().canRedo()) &&
-                          (finer == nullptr || finer->version() == 0);
+                          (finer == nullptr || finer->version() == 0) &&
+                          document.region().finest() == nullptr;
     try {
         if (hasEdits) {
             const Json identity =
@@ -155,10 +158,10 @@ std::optional<DocumentState> loadState(const std::filesystem::path& path, const 
         }
         DocumentState state = readState(*file, volume.geometry.dims);
         const auto hasCut = [](const SavedEdit& edit) { return edit.cut.has_value(); };
-        if (cutsFinest &&
-            (!state.cut.isEmpty() || std::any_of(state.done.begin(), state.done.end(), hasCut) ||
-             std::any_of(state.undone.begin(), state.undone.end(), hasCut))) {
-            return decline("tools cut a finer level now than the one that it has");
+        if (cutsFinest && (!state.cut.isEmpty() || state.growth ||
+                           std::any_of(state.done.begin(), state.done.end(), hasCut) ||
+                           std::any_of(state.undone.begin(), state.undone.end(), hasCut))) {
+            return decline("tools cut, and segments grow at, a finer level now than the one that it has");
         }
         state.log = session.operations;
         return state;

@@ -142,7 +142,7 @@ std::filesystem::path volumePathOf(const Session& session, const std::filesystem
 
 bool goToLevel(Session& session, const std::filesystem::path& sessionPath,
                const std::optional<std::filesystem::path>& replacement, const volume::ReadOptions& used,
-               std::vector<std::string>& notices) {
+               bool growsFinest, std::vector<std::string>& notices) {
     const auto madeOn = std::size_t(session.level.value_or(0));
     const auto wanted = std::size_t(used.level.value_or(0));
     const std::filesystem::path path = volumePathOf(session, sessionPath, replacement);
@@ -154,7 +154,11 @@ bool goToLevel(Session& session, const std::filesystem::path& sessionPath,
     if (madeOn >= levels.size() || wanted >= levels.size()) {
         return false;
     }
-    const OtherGrid grid = otherGrid(levels[madeOn], levels[wanted]);
+    OtherGrid grid = otherGrid(levels[madeOn], levels[wanted]);
+    grid.isFromFinest = madeOn == 0;
+    grid.isToFinest = wanted == 0;
+    grid.generations =
+        growsFinest ? 1 : levels.front().stepMm() / levels[wanted].stepMm(); // it was made so, too
     for (Operation& operation : session.operations) {
         operation = onGrid(std::move(operation), grid);
     }
@@ -162,8 +166,8 @@ bool goToLevel(Session& session, const std::filesystem::path& sessionPath,
     session.volumeChecksum.clear();
     session.stateChecksum.clear(); // the state is that of the other level
     notices.push_back(fmt::format(
-        "{}: it was made on level {} and is replayed on level {}: places, depths and generations are those "
-        "of that level",
+        "{}: it was made on level {} and is replayed on level {}: places and depths are those of that "
+        "level",
         sessionPath.string(), madeOn, wanted));
     return true;
 }

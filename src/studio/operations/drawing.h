@@ -17,6 +17,7 @@ inline constexpr Rule kTwoPixels{.least = -kFarthestPixel,
                                  .mostCount = 2,
                                  .wrongCount = "this shape takes exactly two points"};
 inline constexpr Rule kVoxel{.least = 0, .most = 1 << 20, .unit = "voxels"};
+inline constexpr Rule kFinestVoxel{.least = 0, .most = 1 << 20, .unit = "voxels of the finest level"};
 inline constexpr Rule kPictureSize{.least = 1, .most = 16384, .unit = "pixels"};
 inline constexpr int kMostPixels = 1 << 26;       // of a picture: 8192 x 8192
 inline constexpr int kMostCanvasPixels = 1 << 25; // of a window: what the largest screens have

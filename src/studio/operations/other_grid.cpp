@@ -6,6 +6,7 @@
 #include <cmath>
 #include <string_view>
 #include <type_traits>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -88,6 +89,18 @@ private:
 // So many generations go as far.
 int asFar(int generations, double steps) { return int(std::ceil(generations * steps - 1e-9)); }
 
+// Voxels of the finest level stay what they are; `before`: the voxels that the operation spoke of.
+template <typename Op>
+void keepFinest(Op& op, const std::vector<glm::ivec3>& before, const OtherGrid& grid) {
+    if (grid.isFromFinest && op.finest.empty()) {
+        op.finest = before;
+    }
+    if (grid.isToFinest && !op.finest.empty()) {
+        op.voxels = std::move(op.finest);
+        op.finest.clear();
+    }
+}
+
 // What descriptions do not tell.
 void convertMore(Sweep& op, const Sweep& before, const OtherGrid& grid) {
     op.pitch = before.pitch; // of samples, in steps of the grid that is cut
@@ -98,24 +111,26 @@ void convertMore(Sweep& op, const Sweep& before, const OtherGrid& grid) {
     }
 }
 void convertMore(Grow& op, const Grow& /*before*/, const OtherGrid& grid) {
-    op.generations = op.generations ? std::optional(asFar(*op.generations, grid.steps)) : std::nullopt;
+    op.generations = op.generations ? std::optional(asFar(*op.generations, grid.generations)) : std::nullopt;
 }
 void convertMore(Rewind& op, const Rewind& /*before*/, const OtherGrid& grid) {
-    op.generations = asFar(op.generations, grid.steps);
+    op.generations = asFar(op.generations, grid.generations);
 }
 void convertMore(ShowGeneration& op, const ShowGeneration& /*before*/, const OtherGrid& grid) {
-    op.generation = asFar(op.generation, grid.steps);
+    op.generation = asFar(op.generation, grid.generations);
 }
-void convertMore(Absorb& op, const Absorb& /*before*/, const OtherGrid& grid) {
-    op.expansions = op.expansions ? std::optional(asFar(*op.expansions, grid.steps)) : std::nullopt;
+void convertMore(Absorb& op, const Absorb& before, const OtherGrid& grid) {
+    op.expansions = op.expansions ? std::optional(asFar(*op.expansions, grid.generations)) : std::nullopt;
     if (!op.strokes.empty()) {
         op.voxels.clear();
     }
+    keepFinest(op, before.voxels, grid);
 }
-void convertMore(Seed& op, const Seed& /*before*/, const OtherGrid& /*grid*/) {
+void convertMore(Seed& op, const Seed& before, const OtherGrid& grid) {
     if (!op.strokes.empty() || !op.trails.empty()) {
         op.voxels.clear();
     }
+    keepFinest(op, before.voxels, grid);
 }
 void convertMore(KeepConnected& op, const KeepConnected& /*before*/, const OtherGrid& /*grid*/) {
     if (op.canvas) {
@@ -149,6 +164,7 @@ OtherGrid otherGrid(const volume::GridGeometry& from, const volume::GridGeometry
         }
     }
     grid.steps = from.stepMm() / to.stepMm();
+    grid.generations = grid.steps;
     return grid;
 }
 

@@ -11,7 +11,11 @@ namespace vs::studio {
 struct OtherGrid {
     glm::dvec3 scale{1}; // voxel v lies at v * scale + offset in the other grid
     glm::dvec3 offset{0};
-    double steps = 1; // steps of the other grid in one of its own
+    double steps = 1;       // steps of the other grid in one of its own
+    double generations = 1; // of growth there in one of growth here
+    // Whether a grid is that of the finest level, at which growth takes place on coarser ones too.
+    bool isFromFinest = false;
+    bool isToFinest = false;
 };
 // Throws Error where axes of the grids lie otherwise.
 OtherGrid otherGrid(const volume::GridGeometry& from, const volume::GridGeometry& to);

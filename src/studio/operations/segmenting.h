@@ -23,13 +23,16 @@ inline constexpr Rule kMillimetres{.least = -1e4, .most = 1e4, .unit = "mm"};
 // Puts seeds on the surface under the strokes: free-form and polyline sketches are open lines of the given
 // width, the others are filled; and on the voxels in range under trails, as they are drawn on slices. The run
 // takes the displayed range as its intensity range when `range` is not set. `voxels` holds what was found;
-// when it is not empty on replay, those are used instead of looking again.
+// when it is not empty on replay, those are used instead of looking again. `finest` holds what was found of
+// the finest level of a scan that is worked on at a coarser one; there it comes before `voxels`, which mean
+// all of that level in them.
 struct Seed {
     static constexpr About kAbout{VS_TEXT("library", "seed"), Effect::Segments,
                                   "seeds on the surface under the strokes, and on the voxels in range under "
-                                  "the trails; `voxels` (if not empty) are used instead of looking again",
+                                  "the trails; `voxels`, or `finest` where segments grow at a finer level "
+                                  "than the one that is worked on, are used instead of looking again",
                                   "seed"};
-    static constexpr std::array<const char*, 3> kNeedsOneOf{"strokes", "trails", "voxels"};
+    static constexpr std::array<const char*, 4> kNeedsOneOf{"strokes", "trails", "voxels", "finest"};
 
     std::vector<Sketch> strokes;
     double widthPixels = 5;
@@ -38,6 +41,7 @@ struct Seed {
     std::vector<glm::ivec3> voxels;
     std::optional<Canvas> canvas;
     std::vector<Trail> trails = {};
+    std::vector<glm::ivec3> finest = {};
 
     template <typename = void>
     static constexpr auto fields() {
@@ -47,7 +51,8 @@ struct Seed {
                           written("strokes", &Seed::strokes),
                           written("voxels", &Seed::voxels, kVoxel),
                           sparse("canvas", &Seed::canvas, {}, "on what it was drawn"),
-                          sparse("trails", &Seed::trails)};
+                          sparse("trails", &Seed::trails),
+                          sparse("finest", &Seed::finest, kFinestVoxel)};
     }
 };
 
@@ -130,27 +135,31 @@ struct SetGrowthRules {
 };
 
 // Targeted shrink: takes away the segment at work from under the strokes outward, by so many expansions or
-// until nothing is left. What was taken away does not grow again until it is seeded. `voxels` as in Seed.
+// until nothing is left. What was taken away does not grow again until it is seeded. `voxels` and `finest` as
+// in Seed.
 struct Absorb {
     static constexpr About kAbout{
         VS_TEXT("library", "absorb"), Effect::Segments,
         "targeted shrink: takes the segment away from under the strokes outward, so many expansions or all; "
         "that does not grow again until it is seeded"};
-    static constexpr std::array<const char*, 2> kNeedsOneOf{"strokes", "voxels"};
+    static constexpr std::array<const char*, 3> kNeedsOneOf{"strokes", "voxels", "finest"};
 
     std::vector<Sketch> strokes;
     double widthPixels = 5;
     std::optional<int> expansions = {};
     std::vector<glm::ivec3> voxels = {};
     std::optional<Canvas> canvas = {};
+    std::vector<glm::ivec3> finest = {};
 
     template <typename = void>
     static constexpr auto fields() {
         return std::tuple{
             written("width", &Absorb::widthPixels, kLineWidth, "of strokes that are open lines"),
-            sparse("expansions", &Absorb::expansions, kGenerations), written("strokes", &Absorb::strokes),
+            sparse("expansions", &Absorb::expansions, kGenerations),
+            written("strokes", &Absorb::strokes),
             written("voxels", &Absorb::voxels, kVoxel),
-            sparse("canvas", &Absorb::canvas, {}, "on what it was drawn")};
+            sparse("canvas", &Absorb::canvas, {}, "on what it was drawn"),
+            sparse("finest", &Absorb::finest, kFinestVoxel)};
     }
 };
 

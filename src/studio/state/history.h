@@ -2,11 +2,11 @@
 #pragma once
 
 #include "sculpt/sculpture/sculpture_delta.h"
-#include "segment/growth/growth_undo.h"
 #include "studio/operations/operation.h"
 #include "studio/operations/segment_list.h"
 #include "studio/state/measured.h"
 #include "studio/state/pasted_parts.h"
+#include "studio/state/region_undo.h"
 #include "studio/state/spill_file.h"
 
 #include <memory>
@@ -21,7 +21,7 @@ struct Edit {
     // Shared with those who show what undo and redo go through.
     std::shared_ptr<const Operation> operation;
     std::optional<sculpt::SculptureDelta> cut;
-    std::vector<segment::GrowthUndo> growth;
+    std::vector<RegionUndo> growth;
     // Pasted parts before and after, where the operation changed them.
     std::optional<PastedState> partsBefore = {};
     std::optional<PastedState> partsAfter = {};

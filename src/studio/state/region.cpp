@@ -3,9 +3,21 @@
 
 #include "base/error.h"
 
+#include <algorithm>
 #include <new>
+#include <type_traits>
 
 namespace vs::studio {
+
+namespace {
+
+// Segments of the scene are edited in other ways.
+void edit(segment::FineGrowth& growth, const FinestRegion::Edits& edits, segment::FineUndo* undo) {
+    growth.edit(edits, undo);
+}
+void edit(segment::Growth&, const FinestRegion::Edits&, segment::GrowthUndo*) {}
+
+} // namespace
 
 segment::Connectivity connectivityOf(int neighbours) {
     return neighbours == 26 ? segment::Connectivity::TwentySix : segment::Connectivity::Six;
@@ -32,6 +44,42 @@ segment::Growth& Region::madeGrowth() {
     return *growth_;
 }
 
+FinestRegion& Region::madeFinest() {
+    if (!finest_) {
+        finest_ = std::make_unique<FinestRegion>(*finestLevel_, *field_, *sculpture_);
+    }
+    finest_->follow(field_->geometry);
+    return *finest_;
+}
+
+template <typename Change>
+void Region::change(const Change& change) {
+    if (isFiner()) {
+        segment::Growth& scene = madeGrowth();
+        FinestRegion& finest = madeFinest();
+        change(finest.growth());
+        finest.show(scene);
+    } else {
+        change(madeGrowth());
+    }
+}
+
+template <typename Change>
+void Region::change(Records& records, const Change& change) {
+    RegionUndo& record = records.emplace_back();
+    this->change([&](auto& growth) {
+        if constexpr (std::is_same_v<std::remove_cvref_t<decltype(growth)>, segment::Growth>) {
+            change(growth, &record.scene);
+        } else {
+            change(growth, &record.finest);
+        }
+    });
+}
+
+volume::GridGeometry Region::geometry() const {
+    return isFiner() ? field::finerGeometry(field_->geometry, finestLevel_->grid) : field_->geometry;
+}
+
 segment::Constraints Region::constraints(const Range& range, field::SculptureView view,
                                          segment::Connectivity connectivity) const {
     segment::Constraints constraints = rules();
@@ -53,16 +101,33 @@ std::vector<glm::ivec3> Region::findSeeds(const field::SurfacePoints& points,
     return finder_.find(points, *field_, constraints);
 }
 
-segment::SeedCounts Region::seed(const std::vector<glm::ivec3>& voxels,
+std::vector<glm::ivec3> Region::findFinestSeeds(const field::SurfacePoints& points,
+                                                const segment::Constraints& constraints) {
+    return madeFinest().found(points, constraints);
+}
+
+std::vector<glm::ivec3> Region::finestIn(const std::vector<glm::ivec3>& sceneVoxels) {
+    return madeFinest().finestIn(sceneVoxels);
+}
+
+segment::SeedCounts Region::seed(const std::vector<glm::ivec3>& voxels, const std::vector<glm::ivec3>& finest,
                                  const segment::Constraints& constraints, Records& records) {
-    segment::Growth& growth = madeGrowth();
-    growth.setConstraints(constraints, &records.emplace_back());
-    return growth.addSeeds(voxels, &records.emplace_back());
+    change(records, [&](auto& growth, auto* undo) { growth.setConstraints(constraints, undo); });
+    const bool isWidened = isFiner() && finest.empty();
+    const std::vector<glm::ivec3> widened = isWidened ? finest_->finestIn(voxels) : std::vector<glm::ivec3>();
+    const auto& seeds = isWidened ? widened : isFiner() ? finest : voxels;
+    segment::SeedCounts counts;
+    change(records, [&](auto& growth, auto* undo) { counts = growth.addSeeds(seeds, undo); });
+    if (isWidened && counts.added + counts.present > 0) {
+        counts.refused = 0; // voxels of the scene need not lie in the range wholly
+    }
+    return counts;
 }
 
 void Region::refreshFence(field::SculptureView view, Records& records) {
     const auto& now = growth_->constraints();
-    growth_->setConstraints(constraints(now.range, view, now.connectivity), &records.emplace_back());
+    const auto refreshed = constraints(now.range, view, now.connectivity);
+    change(records, [&](auto& growth, auto* undo) { growth.setConstraints(refreshed, undo); });
 }
 
 int Region::grow(int generations, field::SculptureView view, Records& records) {
@@ -70,24 +135,30 @@ int Region::grow(int generations, field::SculptureView view, Records& records) {
         throw Error("nothing to grow from: draw seeds first");
     }
     refreshFence(view, records);
-    return growth_->advance(generations, &records.emplace_back());
+    int grown = 0;
+    change(records, [&](auto& growth, auto* undo) { grown = growth.advance(generations, undo); });
+    return grown;
 }
 
 int Region::rewind(int generations, Records& records) {
     if (!hasSeeds()) {
         throw Error("nothing to rewind: no region has been grown");
     }
-    return growth_->takeBack(generations, &records.emplace_back());
+    int taken = 0;
+    change(records, [&](auto& growth, auto* undo) { taken = growth.takeBack(generations, undo); });
+    return taken;
 }
 
 void Region::showGeneration(int generation, Records& records) {
     if (!hasSeeds()) {
         throw Error("nothing to show: no region has been grown");
     }
-    growth_->setPlayhead(generation, &records.emplace_back());
+    change(records, [&](auto& growth, auto* undo) { growth.setPlayhead(generation, undo); });
 }
 
-void Region::scrub(int generation) { growth_->setPlayhead(generation); }
+void Region::scrub(int generation) {
+    change([&](auto& growth) { growth.setPlayhead(generation); });
+}
 
 const segment::Constraints& Region::rules() const {
     static const segment::Constraints none;
@@ -95,11 +166,11 @@ const segment::Constraints& Region::rules() const {
 }
 
 void Region::setRules(const SetGrowthRules& rules, Records& records) {
-    segment::Growth& growth = madeGrowth();
+    madeGrowth();
     if (rules.isLive) {
-        growth.setLive(*rules.isLive, &records.emplace_back());
+        change(records, [&](auto& growth, auto* undo) { growth.setLive(*rules.isLive, undo); });
     }
-    segment::Constraints changed = growth.constraints();
+    segment::Constraints changed = growth_->constraints();
     changed.range = rules.range.value_or(changed.range);
     changed.difference = rules.difference.value_or(changed.difference);
     changed.gradient = rules.gradient.value_or(changed.gradient);
@@ -107,19 +178,32 @@ void Region::setRules(const SetGrowthRules& rules, Records& records) {
     if (rules.connectivity) {
         changed.connectivity = connectivityOf(*rules.connectivity);
     }
-    growth.setConstraints(changed, &records.emplace_back());
+    change(records, [&](auto& growth, auto* undo) { growth.setConstraints(changed, undo); });
 }
 
-int Region::absorb(const std::vector<glm::ivec3>& voxels, int expansions, Records& records) {
+int Region::absorb(const std::vector<glm::ivec3>& voxels, const std::vector<glm::ivec3>& finest,
+                   int expansions, Records& records) {
     if (!hasSeeds()) {
         throw Error("nothing to absorb: the segment is empty");
     }
-    return growth_->absorb(voxels, expansions, &records.emplace_back());
+    const bool isWidened = isFiner() && finest.empty();
+    const std::vector<glm::ivec3> widened =
+        isWidened ? madeFinest().finestIn(voxels) : std::vector<glm::ivec3>();
+    const auto& from = isWidened ? widened : isFiner() ? finest : voxels;
+    int found = 0;
+    change(records, [&](auto& growth, auto* undo) { found = growth.absorb(from, expansions, undo); });
+    return found;
 }
 
 segment::VoxelSet Region::voxels(std::uint8_t label, Records& records) {
     if (!growth_) {
         return {};
+    }
+    if (isFiner()) {
+        segment::VoxelSet set{field_->geometry.box(), growth_->labelMap()};
+        std::transform(set.inside.begin(), set.inside.end(), set.inside.begin(),
+                       [&](std::uint8_t own) { return std::uint8_t(own == label ? 1 : 0); });
+        return set.tight();
     }
     const std::uint8_t before = growth_->activeLabel();
     workOn(label, records);
@@ -143,51 +227,75 @@ segment::VoxelSet Region::voxelsOf(std::uint8_t label) {
 }
 
 void Region::replace(const segment::VoxelSet& set, Records& records) {
-    madeGrowth().replace(set.box, set.inside, &records.emplace_back());
+    if (isFiner()) {
+        FinestRegion& finest = madeFinest();
+        const auto edits = finest.replacing(voxelsOf(madeGrowth().activeLabel()), set);
+        change(records, [&](auto& growth, auto* undo) { edit(growth, edits, undo); });
+    } else {
+        madeGrowth().replace(set.box, set.inside, &records.emplace_back().scene);
+    }
 }
 
 void Region::paint(const segment::VoxelSet& set, bool isToAdd, Records& records) {
-    madeGrowth().paint(set.box, set.inside, isToAdd, &records.emplace_back());
+    if (isFiner()) {
+        const auto edits = madeFinest().painting(set, isToAdd);
+        change(records, [&](auto& growth, auto* undo) { edit(growth, edits, undo); });
+    } else {
+        madeGrowth().paint(set.box, set.inside, isToAdd, &records.emplace_back().scene);
+    }
 }
 
 void Region::workOn(std::uint8_t label, Records& records) {
     if ((growth_ || label != 1) && madeGrowth().activeLabel() != label) {
-        growth_->activate(label, &records.emplace_back());
+        change(records, [&](auto& growth, auto* undo) { growth.activate(label, undo); });
     }
 }
 
 void Region::clear(Records& records) {
     if (growth_) {
-        growth_->reset(&records.emplace_back());
+        change(records, [&](auto& growth, auto* undo) { growth.reset(undo); });
     }
 }
 
 void Region::forgetRules(Records& records) {
     if (growth_) {
-        growth_->setLive(false, &records.emplace_back());
-        growth_->setConstraints({}, &records.emplace_back());
+        change(records, [&](auto& growth, auto* undo) { growth.setLive(false, undo); });
+        change(records, [&](auto& growth, auto* undo) { growth.setConstraints({}, undo); });
     }
 }
 
 void Region::undo(const Records& records) {
     for (auto record = records.rbegin(); record != records.rend(); ++record) {
-        try {
-            record->undo(*growth_);
-        } catch (const std::bad_alloc&) {
-            record->undo(*growth_);
-        } catch (const GlError&) {
-            record->undo(*growth_);
+        if (finest_) {
+            finest_->growth().undo(record->finest);
+            continue;
         }
+        try {
+            record->scene.undo(*growth_);
+        } catch (const std::bad_alloc&) {
+            record->scene.undo(*growth_);
+        } catch (const GlError&) {
+            record->scene.undo(*growth_);
+        }
+    }
+    if (finest_) {
+        finest_->show(*growth_);
     }
 }
 
 void Region::beginLive(field::SculptureView view, Records& records) { grow(0, view, records); }
 
 int Region::growFor(double budgetMs, int maxGenerations, std::uint64_t mostVoxels) {
-    return growth_->advanceFor(budgetMs, maxGenerations, nullptr, mostVoxels);
+    int grown = 0;
+    change([&](auto& growth) { grown = growth.advanceFor(budgetMs, maxGenerations, nullptr, mostVoxels); });
+    return grown;
 }
 
-void Region::endLive(Records& records) { records.back().continueTo(*growth_); }
+void Region::endLive(Records& records) {
+    if (!isFiner()) { // there undoing erases whatever advancing added
+        records.back().scene.continueTo(*growth_);
+    }
+}
 
 std::size_t Region::voxelCount(std::uint8_t label) const {
     return exists() ? std::size_t(growth_->voxelCount(label)) : 0;

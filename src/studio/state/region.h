@@ -4,12 +4,13 @@
 #include "sculpt/sculpture/sculpture.h"
 #include "segment/edits/voxel_set.h"
 #include "segment/growth/growth_snapshot.h"
-#include "segment/growth/growth_undo.h"
 #include "segment/growth/seeds.h"
 #include "studio/operations/operation.h"
+#include "studio/state/finest_region.h"
 #include "studio/state/history.h"
 
 #include <memory>
+#include <optional>
 
 namespace vs::studio {
 
@@ -24,7 +25,20 @@ public:
     Region(const field::Field& field, const sculpt::Sculpture& sculpture)
         : field_(&field), sculpture_(&sculpture) {}
 
-    using Records = std::vector<segment::GrowthUndo>;
+    using Records = std::vector<RegionUndo>;
+
+    // Segments grow at a finer level than the scene's from now on; there must be none yet. The sculpture has
+    // a finer one. What is said of voxels is then of the scene's, which show what has grown there
+    // (segment::SceneView), but for seeds that are given as finest ones; generations, and numbers of voxels,
+    // are the finest level's.
+    void refine(const FinestLevel& level) { finestLevel_ = level; }
+    [[nodiscard]] bool isFiner() const { return finestLevel_.has_value(); }
+    // What has grown there; null: nothing yet, or segments are the scene's.
+    [[nodiscard]] const segment::FineGrowth* finest() const {
+        return growth_ && finest_ ? &finest_->growth() : nullptr;
+    }
+    // Where the voxels lie that segments are of.
+    [[nodiscard]] volume::GridGeometry geometry() const;
 
     // What growth may enter: the range, and the visible side of the sculpture.
     [[nodiscard]] segment::Constraints constraints(const Range& range, field::SculptureView view,
@@ -39,8 +53,15 @@ public:
     std::vector<glm::ivec3> findSeeds(const field::SurfacePoints& points,
                                       const segment::Constraints& constraints);
 
-    segment::SeedCounts seed(const std::vector<glm::ivec3>& voxels, const segment::Constraints& constraints,
-                             Records& records);
+    // The voxels of the finest level that strokes found, where segments grow at that one; and all of it that
+    // lie in some of the scene's.
+    std::vector<glm::ivec3> findFinestSeeds(const field::SurfacePoints& points,
+                                            const segment::Constraints& constraints);
+    [[nodiscard]] std::vector<glm::ivec3> finestIn(const std::vector<glm::ivec3>& sceneVoxels);
+
+    // `finest`, where segments grow at the finest level and any are given, otherwise `voxels`.
+    segment::SeedCounts seed(const std::vector<glm::ivec3>& voxels, const std::vector<glm::ivec3>& finest,
+                             const segment::Constraints& constraints, Records& records);
     // Generations really added. Takes in first what has happened to the sculpture since the last call.
     int grow(int generations, field::SculptureView view, Records& records);
     int rewind(int generations, Records& records);
@@ -49,7 +70,8 @@ public:
     void scrub(int generation);
     void setRules(const SetGrowthRules& rules, Records& records);
     // Targeted shrink; returns how many expansions found something.
-    int absorb(const std::vector<glm::ivec3>& voxels, int expansions, Records& records);
+    int absorb(const std::vector<glm::ivec3>& voxels, const std::vector<glm::ivec3>& finest, int expansions,
+               Records& records);
     // Voxels shown of any segment, and making the segment at work a set of them (as segment::Growth does).
     segment::VoxelSet voxels(std::uint8_t label, Records& records);
     // The voxels alone; everything is as before.
@@ -67,7 +89,10 @@ public:
     // goes on where it stopped.
     void undo(const Records& records);
     // There are no segments any more: for a call that threw and made them.
-    void unmake() { growth_.reset(); }
+    void unmake() {
+        growth_.reset();
+        finest_.reset();
+    }
 
     // Live growth: begin, any number of slices, end. The records of begin() undo all of it.
     void beginLive(field::SculptureView view, Records& records);
@@ -86,7 +111,7 @@ public:
     [[nodiscard]] const segment::Constraints& rules() const;
     [[nodiscard]] const segment::Growth* growth() const { return growth_.get(); }
 
-    // Voxels shown of a segment, by its label.
+    // Voxels shown of a segment, by its label, of the level that it grows at.
     [[nodiscard]] std::size_t voxelCount(std::uint8_t label) const;
     // Counts changes of what is shown of segments.
     [[nodiscard]] std::uint64_t revision() const;
@@ -98,6 +123,12 @@ public:
 
 private:
     segment::Growth& madeGrowth();
+    FinestRegion& madeFinest();
+    // Has the growth that segments are of changed: change(it, the record that undoes that).
+    template <typename Change>
+    void change(Records& records, const Change& change);
+    template <typename Change>
+    void change(const Change& change);
     void refreshFence(field::SculptureView view, Records& records);
 
     const field::Field* field_;
@@ -105,6 +136,8 @@ private:
     std::unique_ptr<segment::Growth> growth_;
     std::unique_ptr<segment::Growth> prepared_; // will be that, for the field
     std::uint64_t preparedFor_ = 0;             // with this serial
+    std::optional<FinestLevel> finestLevel_;
+    std::unique_ptr<FinestRegion> finest_; // of which growth_ is what the scene shows
     segment::SeedFinder finder_;
 };
 

@@ -29,17 +29,17 @@ float cutAt(glm::ivec3 v, int seed) {
 struct Both {
     Both(const volume::Volume& values, const field::Field& field, std::size_t frontBytes)
         : volume(values), whole(field, GrowthEngine::Host),
-          finest(std::make_unique<FineValues>(
-                     std::make_shared<volume::VolumeBricks>(values, values.geometry), field, values.geometry,
-                     std::size_t(1) << 20),
-                 [this] {
-                     return [seed = fence](const Box3& box) {
-                         std::vector<float> cuts;
-                         forEachVoxel(box, [&](glm::ivec3 v, std::size_t) { cuts.push_back(cutAt(v, seed)); });
-                         return cuts;
-                     };
-                 },
-                 frontBytes) {}
+          finest(
+              std::make_unique<FineValues>(std::make_shared<volume::VolumeBricks>(values, values.geometry),
+                                           field, values.geometry, std::size_t(1) << 20),
+              [this] {
+                  return [seed = fence](const Box3& box) {
+                      std::vector<float> cuts;
+                      forEachVoxel(box, [&](glm::ivec3 v, std::size_t) { cuts.push_back(cutAt(v, seed)); });
+                      return cuts;
+                  };
+              },
+              frontBytes) {}
 
     void layFence(int seed) {
         fence = seed;

@@ -1,46 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 // What tools do to a scan that is worked on at a coarser level than its finest is what they do to that.
-#include "gpu/field/two_levels.h"
+#include "gpu/studio/head_in_bricks.h"
 #include "gpu/studio/test_tools.h"
 #include "image/compare.h"
 #include "property.h"
 #include "render/rays/ray_caster.h"
-#include "studio/document/finer_levels.h"
 #include "studio/document/live_stroke.h"
-
-#include <memory>
 
 namespace vs::studio {
 namespace {
 
 using FinerCutsTest = test::GlTest;
-
-// The head, worked on at a half of its resolution.
-struct InBricks {
-    explicit InBricks(int side = 16, int bricks = 400)
-        : fine(testHead()), source(std::make_shared<test::TwoLevels>(fine)) {
-        volume::Volume coarse = source->coarse();
-        coarse.range = fine.range; // as a store says it of all its levels
-        coarse.usual = fine.usual;
-        document = std::make_unique<Document>(std::move(coarse));
-        document->showView(testCanvas().view);
-        FinerLevels levels;
-        levels.source = source;
-        levels.options.side = side;
-        levels.options.deviceBytes =
-            std::size_t(bricks) * std::size_t(side + 1) * std::size_t(side + 1) * std::size_t(side + 1) * 3;
-        document->showFinerLevels(levels);
-    }
-
-    [[nodiscard]] std::vector<float> cuts() const {
-        return sculpt::valuesOf(document->sculpture().finer()->texels(fine.geometry.box()),
-                                sculpt::Precision::Bits16);
-    }
-
-    volume::Volume fine;
-    std::shared_ptr<test::TwoLevels> source;
-    std::unique_ptr<Document> document;
-};
 
 // An operation that counts steps of the finest level, in those of one of half the resolution.
 Operation inCoarseSteps(Operation operation) {

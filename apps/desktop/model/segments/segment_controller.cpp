@@ -28,8 +28,7 @@ const studio::SegmentList& SegmentController::list() const {
 std::size_t SegmentController::voxels(std::uint8_t label) const { return host_.facts()->voxels[label]; }
 
 double SegmentController::millilitres(std::uint8_t label) const {
-    const auto* geometry = host_.geometry();
-    return geometry != nullptr ? double(voxels(label)) * geometry->voxelMm3() / 1000 : 0;
+    return double(voxels(label)) * host_.facts()->segmentVoxelMm3 / 1000;
 }
 
 bool SegmentController::hasVoxels() const {

@@ -6,6 +6,7 @@
 #include "model/segments/growth_controller.h"
 #include "model/segments/segment_controller.h"
 #include "studio/document/document_facts.h"
+#include "studio/exports/segment_measures.h"
 #include "studio/state/region.h"
 
 #include <algorithm>
@@ -36,12 +37,10 @@ std::vector<std::uint32_t> histogramOf(const volume::Volume& volume, const std::
     return counts;
 }
 
-std::vector<segment::MeasuredSegment> measureAll(const volume::Volume& volume,
-                                                 const volume::GridGeometry& geometry,
-                                                 const std::vector<std::uint8_t>& labels,
+std::vector<segment::MeasuredSegment> measureAll(const studio::SegmentMeasures& measures,
                                                  const std::vector<studio::SegmentInfo>& infos) {
     std::vector<segment::MeasuredSegment> segments;
-    for (const auto& statistics : segment::measure(volume, geometry, labels)) {
+    for (const auto& statistics : measures.all()) {
         const auto info = std::find_if(infos.begin(), infos.end(), [&](const studio::SegmentInfo& one) {
             return one.label == statistics.label;
         });
@@ -123,8 +122,8 @@ void SegmentMeasurer::poll() {
 
 void SegmentMeasurer::begin(const Key& key) {
     const auto& document = *host_.document();
-    std::vector<std::uint8_t> labels;
-    if (!host_.workLong([&] { labels = document.region().labelMap(); })) {
+    std::shared_ptr<const studio::SegmentMeasures> measures;
+    if (!host_.workLong([&] { measures = std::make_shared<studio::SegmentMeasures>(document); })) {
         key_ = key; // once is enough to be told
         return;
     }
@@ -132,13 +131,12 @@ void SegmentMeasurer::begin(const Key& key) {
     emit changed();
     // The volume stays as long as the document, and that goes only after stop().
     worker_ = std::jthread([this, key, &volume = document.volume(), bins = document.histogram().size(),
-                            infos = document.segments().segments,
-                            labels = std::move(labels)](const std::stop_token& stop) {
+                            infos = document.segments().segments, measures](const std::stop_token& stop) {
         const ProgressListener listener([&stop](std::optional<double>) { return !stop.stop_requested(); });
         Found found;
         try {
-            found.segments = measureAll(volume, key.geometry, labels, infos);
-            found.histogram = histogramOf(volume, labels, key.atWork, bins);
+            found.segments = measureAll(*measures, infos);
+            found.histogram = histogramOf(volume, measures->labels(), key.atWork, bins);
         } catch (const std::exception&) { // no memory, or nobody wants it any more: nothing is known then
             found = {};
         }

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: Apache-2.0
+#pragma once
+
+#include "field/surface_points.h"
+#include "sculpt/sculpture/sculpture.h"
+#include "segment/edits/voxel_set.h"
+#include "segment/finer/scene_view.h"
+#include "volume/grid/brick_source.h"
+
+#include <memory>
+#include <vector>
+
+namespace vs::studio {
+
+// The finest level of a scan that is worked on at a coarser one.
+struct FinestLevel {
+    std::shared_ptr<const volume::BrickSource> source;
+    field::BrickGrid grid;     // of its finest level, in the scene's voxel space
+    std::size_t hostBytes = 0; // that growth may take for values, and as much again for its front
+};
+
+// The segments of a document that grow at such a level, and what the scene shows of them. What is said in
+// voxels of the scene means all finest voxels in them.
+class FinestRegion {
+public:
+    // All but `level` must outlive it; the sculpture has a finer one, which fences growth.
+    FinestRegion(const FinestLevel& level, const field::Field& scene, const sculpt::Sculpture& sculpture);
+
+    segment::FineGrowth& growth() { return growth_; }
+    [[nodiscard]] const segment::FineGrowth& growth() const { return growth_; }
+    // Brings the scene's segments up to date.
+    void show(segment::Growth& scene) { view_.update(growth_, scene); }
+    // Voxels lie where the scene now says.
+    void follow(const volume::GridGeometry& scene) { growth_.follow(geometry(scene)); }
+    [[nodiscard]] volume::GridGeometry geometry(const volume::GridGeometry& scene) const {
+        return field::finerGeometry(scene, grid_);
+    }
+
+    [[nodiscard]] std::vector<glm::ivec3> finestIn(const std::vector<glm::ivec3>& sceneVoxels) const;
+    // The finest voxels nearest to points in the scene's voxel space that the rules let in, as
+    // segment::SeedFinder::find() finds the scene's.
+    [[nodiscard]] std::vector<glm::ivec3> found(const field::SurfacePoints& points,
+                                                const segment::Constraints& constraints) const;
+
+    using Edits = std::vector<segment::FineGrowth::BrickEdit>;
+    // What a set of the scene's voxels adds or takes away.
+    [[nodiscard]] Edits painting(const segment::VoxelSet& set, bool isToAdd) const;
+    // What makes the segment at work, which the scene shows as `before`, one that it shows as `after`: where
+    // both agree, so do the finest voxels with what they were.
+    [[nodiscard]] Edits replacing(const segment::VoxelSet& before, const segment::VoxelSet& after) const;
+
+private:
+    field::BrickGrid grid_;
+    segment::FineGrowth growth_;
+    segment::SceneView view_;
+};
+
+} // namespace vs::studio

@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: Apache-2.0
+// Segments of a scan that is worked on at a coarser level than its finest grow at that one.
+#include "gpu/studio/head_in_bricks.h"
+#include "studio/document/live_growth.h"
+
+#include <algorithm>
+
+namespace vs::studio {
+namespace {
+
+using FinerGrowthTest = test::GlTest;
+
+Seed seedAt(double x, double y) {
+    Seed seed;
+    seed.strokes = {Sketch{Shape::Polyline, {{x, y}, {x + 12, y + 4}}}};
+    seed.range = Range{20, 255};
+    seed.canvas = testCanvas();
+    return seed;
+}
+
+Absorb absorbAt(double x, double y) {
+    Absorb absorb;
+    absorb.strokes = {Sketch{Shape::Polyline, {{x, y}, {x + 5, y}}}};
+    absorb.expansions = 4;
+    absorb.canvas = testCanvas();
+    return absorb;
+}
+
+UseSegment useSegment(const char* name) {
+    UseSegment use;
+    use.segment = name;
+    return use;
+}
+
+EditSegment edit(EditSegment::Kind kind, double amount) {
+    EditSegment edit;
+    edit.kind = kind;
+    edit.amount = amount;
+    return edit;
+}
+
+PaintSegment paintAround(glm::dvec3 voxel) {
+    PaintSegment paint;
+    paint.trail.points = {voxel};
+    paint.trail.radiusMm = 6;
+    return paint;
+}
+
+std::vector<Operation> history() {
+    SetGrowthRules rules;
+    rules.range = Range{40, 200};
+    rules.isLive = true;
+    return {seedAt(200, 130),
+            Grow{12},
+            rules,
+            Grow{10},
+            absorbAt(203, 131),
+            Rewind{3},
+            edit(EditSegment::Kind::Margin, 4),
+            edit(EditSegment::Kind::Margin, -3),
+            useSegment("Other"),
+            seedAt(150, 170),
+            Grow{},
+            ShowGeneration{5},
+            paintAround({20, 20, 20}),
+            ReSeed{}};
+}
+
+std::size_t countOf(const std::vector<std::uint8_t>& labels, std::uint8_t label) {
+    return std::size_t(std::count(labels.begin(), labels.end(), label));
+}
+
+TEST_F(FinerGrowthTest, EachStepIsUndoneAndRedoneToTheByte) {
+    InBricks inBricks;
+    Document& document = *inBricks.document;
+    std::vector<std::vector<std::uint8_t>> labels;
+    std::vector<std::vector<std::uint8_t>> scene;
+    for (const Operation& operation : history()) {
+        labels.push_back(inBricks.labels());
+        scene.push_back(document.region().labelMap());
+        document.apply(operation);
+        const auto& region = document.region();
+        EXPECT_EQ(region.voxelCount(1), countOf(inBricks.labels(), 1)) << name(operation);
+        EXPECT_EQ(region.voxelCount(2), countOf(inBricks.labels(), 2)) << name(operation);
+    }
+    const auto after = inBricks.labels();
+    for (std::size_t n = labels.size(); n-- > 0;) {
+        document.apply(Undo{});
+        EXPECT_TRUE(n == 0 ? countOf(inBricks.labels(), 0) == inBricks.labels().size()
+                           : inBricks.labels() == labels[n])
+            << n;
+        EXPECT_EQ(document.region().labelMap(), scene[n]) << n;
+    }
+    for (std::size_t n = 1; n < labels.size(); ++n) {
+        document.apply(Redo{});
+        EXPECT_EQ(inBricks.labels(), labels[n]) << n;
+        EXPECT_EQ(document.region().labelMap(), scene[n]) << n;
+    }
+    document.apply(Redo{});
+    EXPECT_EQ(inBricks.labels(), after);
+}
+
+TEST_F(FinerGrowthTest, GrowthThatIsShownIsItsOperation) {
+    InBricks shown;
+    InBricks atOnce;
+    for (InBricks* one : {&shown, &atOnce}) {
+        one->document->apply(seedAt(200, 130));
+    }
+    LiveGrowth& live = shown.document->growing();
+    live.begin();
+    int portions = 0;
+    while (live.growFor(0.1, 3)) {
+        ++portions;
+    }
+    live.end();
+    EXPECT_GT(portions, 5);
+    atOnce.document->apply(Grow{});
+    EXPECT_EQ(shown.labels(), atOnce.labels());
+    EXPECT_GT(countOf(shown.labels(), 1), 5000U);
+    shown.document->apply(Undo{});
+    atOnce.document->apply(Undo{});
+    EXPECT_EQ(shown.labels(), atOnce.labels());
+    EXPECT_GT(countOf(shown.labels(), 1), 0U);
+}
+
+TEST_F(FinerGrowthTest, ScrubbingShowsWhatThereWasThen) {
+    InBricks inBricks;
+    Document& document = *inBricks.document;
+    document.apply(seedAt(200, 130));
+    document.apply(Grow{6});
+    const auto then = inBricks.labels();
+    const auto sceneThen = document.region().labelMap();
+    document.apply(Grow{20});
+    const auto now = inBricks.labels();
+    ASSERT_NE(now, then);
+    document.growing().scrub(int(document.facts()->growth.generation) - 20);
+    EXPECT_EQ(inBricks.labels(), then);
+    document.growing().dropScrub();
+    EXPECT_EQ(inBricks.labels(), now);
+    EXPECT_EQ(countOf(sceneThen, 0) + countOf(sceneThen, 1), sceneThen.size());
+}
+
+TEST_F(FinerGrowthTest, WhereValuesCannotBeReadNothingIsDone) {
+    InBricks inBricks;
+    Document& document = *inBricks.document;
+    document.apply(seedAt(200, 130));
+    document.apply(Grow{2});
+    const auto before = inBricks.labels();
+    const auto logged = document.log().size();
+    inBricks.source->unreadable = glm::ivec3(64, 0, 0);
+    try {
+        document.apply(Grow{});
+        ADD_FAILURE() << "it grew where nothing can be read";
+    } catch (const ReadError& error) {
+        EXPECT_NE(std::string(error.what()).find("damaged"), std::string::npos);
+    }
+    EXPECT_EQ(inBricks.labels(), before);
+    EXPECT_EQ(document.log().size(), logged);
+    inBricks.source->unreadable.reset();
+    document.apply(Grow{});
+    EXPECT_GT(countOf(inBricks.labels(), 1), countOf(before, 1));
+}
+
+TEST_F(FinerGrowthTest, WhatIsCutFencesIt) {
+    InBricks inBricks;
+    Document& document = *inBricks.document;
+    document.apply(scissorsAt(200, 130, 25));
+    document.apply(seedAt(150, 170));
+    document.apply(Grow{});
+    const auto labels = inBricks.labels();
+    const auto cuts = inBricks.cuts();
+    std::size_t inside = 0;
+    for (std::size_t n = 0; n < labels.size(); ++n) {
+        inside += labels[n] != 0 && cuts[n] >= 0.5F ? 1 : 0;
+    }
+    EXPECT_EQ(inside, 0U);
+    EXPECT_GT(countOf(labels, 1), 5000U);
+}
+
+TEST_F(FinerGrowthTest, EditsFollowTheScenesVoxels) {
+    InBricks inBricks;
+    Document& document = *inBricks.document;
+    document.apply(paintAround({20, 20, 20}));
+    const auto scene = document.region().labelMap();
+    EXPECT_EQ(countOf(inBricks.labels(), 1), 8 * countOf(scene, 1)); // all of each voxel
+    document.apply(edit(EditSegment::Kind::Margin, 4));
+    const auto wider = document.region().labelMap();
+    EXPECT_EQ(countOf(inBricks.labels(), 1), 8 * countOf(wider, 1));
+    EXPECT_GT(countOf(wider, 1), countOf(scene, 1));
+}
+
+} // namespace
+} // namespace vs::studio

@@ -33,6 +33,7 @@ void closeByValues(HostBrick& brick, const Box3& box, const FineRules& rules) {
     const int margin = rules.constraints->gradient ? 1 : 0;
     const Box3 around = grow(box, margin);
     const auto values = rules.values->read(around);
+    rules.values->readAhead(grow(box, field::kBrick));
     visitValues(rules.values->type(), values, [&](const auto* first) {
         const HostRules byValue(first, around.size(), rules.values->field(), *rules.constraints);
         forEachTile(brick, [&](HostTile& tile, std::uint32_t, glm::ivec3 inBrick) {
@@ -100,7 +101,7 @@ void FineBricks::letGoBehind(const std::vector<HostBrick*>& front) {
 }
 
 std::size_t FineBricks::memoryBytes() const {
-    std::size_t bytes = this->bytes();
+    std::size_t bytes = madeBytes();
     for (const auto& [brick, values] : values_) {
         bytes += values.size();
     }

@@ -99,7 +99,9 @@ class FinePairs {
 public:
     explicit FinePairs(const FineBricks& bricks)
         : bricks_(bricks),
-          has_(bricks.rules().constraints != nullptr && FineBricks::hasPairs(*bricks.rules().constraints)) {}
+          has_(bricks.rules().constraints != nullptr && FineBricks::hasPairs(*bricks.rules().constraints)),
+          rules_(nullptr, FineBricks::boxAround(glm::ivec3(0)).size(), bricks.rules().values->field(),
+                 has_ ? *bricks.rules().constraints : Constraints()) {}
 
     [[nodiscard]] bool asksOnlyForRange() const { return !has_; }
     [[nodiscard]] bool hasPairs() const { return has_; }
@@ -110,16 +112,15 @@ public:
         if (!has_) {
             return true;
         }
-        const auto& values = bricks_.valuesAround(child);
-        const Box3 box = FineBricks::boxAround(child);
-        const HostRules<T> rules(reinterpret_cast<const T*>(values.data()), box.size(),
-                                 bricks_.rules().values->field(), *bricks_.rules().constraints);
-        return rules.admitsFrom(parent - box.lo, child - box.lo);
+        const auto* values = reinterpret_cast<const T*>(bricks_.valuesAround(child).data());
+        const glm::ivec3 lo = FineBricks::boxAround(child).lo;
+        return rules_.of(values).admitsFrom(parent - lo, child - lo);
     }
 
 private:
     const FineBricks& bricks_;
     bool has_;
+    HostRules<T> rules_; // of values that are said with each question
 };
 
 } // namespace vs::segment

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "segment/finer/fine_growth.h"
 
+#include "base/parallel.h"
 #include "base/progress.h"
 #include "base/timer.h"
 #include "segment/finer/fine_recording.h"
 #include "volume/grid/visit_type.h"
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
+#include <new>
 #include <numeric>
 #include <tuple>
 #include <utility>
@@ -30,11 +33,14 @@ void makeUnique(std::vector<glm::ivec3>& voxels) {
     voxels.erase(std::unique(voxels.begin(), voxels.end()), voxels.end());
 }
 
-// The list of a brick's generations, made by whichever thread comes first.
+// The list of a brick's generations, made by whichever thread comes first; null: there is no memory.
 std::uint32_t* generationsOf(HostBrick& brick) {
     std::uint32_t* list = brick.generations.load(std::memory_order_acquire);
     if (list == nullptr) {
-        auto* made = new std::uint32_t[kBrickVoxels];
+        auto* made = new (std::nothrow) std::uint32_t[kBrickVoxels];
+        if (made == nullptr) {
+            return nullptr;
+        }
         if (brick.generations.compare_exchange_strong(list, made, std::memory_order_acq_rel)) {
             list = made;
         } else {
@@ -235,26 +241,33 @@ void FineGrowth::reinstateSeeds() {
     }
 }
 
-std::optional<glm::ivec3> FineGrowth::nearestAdmitted(const glm::dvec3& place,
-                                                      const Constraints& constraints) const {
+std::vector<glm::ivec3> FineGrowth::nearestAdmitted(const std::vector<glm::dvec3>& places,
+                                                    const Constraints& constraints) const {
     const FineFence fence = constraints.hasFence() ? fenceNow_() : FineFence();
-    FineRules asked = rules();
-    asked.constraints = &constraints;
-    asked.fence = &fence;
-    static const ForbiddenBits nothing;
-    asked.forbidden = &nothing;
+    const bool keepsCutPart = constraints.view == field::SculptureView::Probe;
     const glm::dmat3 millimetres(values_->field().geometry.worldFromVoxel);
-    const glm::ivec3 cell(glm::floor(place));
-    double nearest = std::numeric_limits<double>::infinity();
-    std::optional<glm::ivec3> found;
-    forEachVoxel(Box3{cell, cell + 2}, [&](glm::ivec3 voxel, std::size_t) {
-        const double apart = glm::length(millimetres * (glm::dvec3(voxel) - place));
-        const bool isInside = glm::all(glm::lessThan(glm::uvec3(voxel), glm::uvec3(dims())));
-        if (apart < nearest && isInside && admitsByValue(voxel, asked)) {
-            const bool isCut = constraints.hasFence() && fence(Box3{voxel, voxel + 1}).front() >= 0.5F;
-            if (!constraints.hasFence() || isCut == (constraints.view == field::SculptureView::Probe)) {
-                nearest = apart;
-                found = voxel;
+    std::vector<glm::ivec3> found;
+    volume::visitType(values_->type(), [&](const auto* none) {
+        const HostRules rules(none, glm::ivec3(4), values_->field(), constraints);
+        for (const glm::dvec3& place : places) {
+            const glm::ivec3 cell(glm::floor(place));
+            const Box3 around{cell - 1, cell + 3};
+            const auto values = values_->read(around);
+            const auto here = rules.of(reinterpret_cast<decltype(none)>(values.data()));
+            double nearest = std::numeric_limits<double>::infinity();
+            glm::ivec3 best{0};
+            forEachVoxel(Box3{cell, cell + 2}, [&](glm::ivec3 voxel, std::size_t) {
+                const double apart = glm::length(millimetres * (glm::dvec3(voxel) - place));
+                const bool isInside = glm::all(glm::lessThan(glm::uvec3(voxel), glm::uvec3(dims())));
+                if (apart < nearest && isInside && here.admits(voxel - around.lo) &&
+                    (!constraints.hasFence() ||
+                     (fence(Box3{voxel, voxel + 1}).front() >= 0.5F) == keepsCutPart)) {
+                    nearest = apart;
+                    best = voxel;
+                }
+            });
+            if (nearest < std::numeric_limits<double>::infinity()) {
+                found.push_back(best);
             }
         }
     });
@@ -309,9 +322,7 @@ int FineGrowth::cutBack(std::uint64_t mostVoxels) {
     const int surplus = state.playhead - last;
     if (surplus > 0) {
         state.playhead = last;
-        FineUndo* const noted = std::exchange(recording_, nullptr); // undoing erases all that advancing added
         truncate(last);
-        recording_ = noted;
     }
     return surplus;
 }
@@ -344,16 +355,24 @@ std::vector<std::uint64_t> FineGrowth::expand(int expansions) {
     }
     added_.clear();
     std::vector<std::uint64_t> grown;
+    std::atomic<bool> isOutOfMemory = false;
     const Connectivity connectivity = run_.state.constraints.connectivity;
     volume::visitType(values_->type(), [&](const auto* none) {
         const FinePairs<std::remove_cv_t<std::remove_pointer_t<decltype(none)>>> pairs(bricks_);
         spread_.expand(
             pairs, {connectivity, run_.state.extent + 1, expansions, kManyVoxels},
-            [](const TileOfBrick& tile, std::uint32_t place, std::uint32_t generation) {
-                generationsOf(*tile.brick)[std::size_t(tile.tile) << 9U | place] = generation;
+            [&](const TileOfBrick& tile, std::uint32_t place, std::uint32_t generation) {
+                if (std::uint32_t* list = generationsOf(*tile.brick)) {
+                    list[std::size_t(tile.tile) << 9U | place] = generation;
+                } else { // threads must not throw
+                    isOutOfMemory = true;
+                }
             },
             grown);
     });
+    if (isOutOfMemory) {
+        throw std::bad_alloc();
+    }
     commit();
     isValid_ = true;
     if (bricks_.memoryBytes() > frontBytes_) {
@@ -368,6 +387,7 @@ void FineGrowth::collect() {
     spread_.clear();
     added_.clear();
     for (const std::uint32_t number : holding(run_.state.frozen)) {
+        reportProgress();
         const FineCells& cells = *map_.at(number);
         std::array<Slices, 64> grown{};
         cells.forEachGrown([&](std::size_t cell, std::uint32_t generation) {
@@ -386,23 +406,52 @@ void FineGrowth::collect() {
 
 // What has joined in the last expansions becomes part of what has grown.
 void FineGrowth::commit() {
+    struct Joined {
+        std::uint32_t brick = 0;
+        FineCellsPtr before;
+        FineCellsPtr after;
+        std::unique_ptr<const std::uint32_t[]> generations;
+        std::vector<std::pair<std::size_t, Slices>> tiles;
+    };
+    std::vector<Joined> joined;
     bricks_.takeJoined([&](HostBrick& brick, GenerationSpan) {
         const auto known = map_.find(brick.number);
-        OpenCells open = known == map_.end() ? OpenCells() : known->second->opened();
-        const std::uint32_t* generations = brick.generations.load();
+        Joined& one = joined.emplace_back();
+        one.brick = brick.number;
+        one.before = known == map_.end() ? FineCellsPtr() : known->second;
+        one.generations.reset(brick.generations.exchange(nullptr));
         for (std::size_t tile = 0; tile < brick.tiles.size(); ++tile) {
             if (brick.hasJoined[tile] != 0) {
-                slices::forEach(brick.tiles[tile].joined, [&](std::uint32_t place) {
-                    const std::size_t cell = tile << 9U | place;
-                    open.generations[cell] = generations[cell];
-                    open.labels[cell] = label_;
-                });
+                one.tiles.emplace_back(tile, brick.tiles[tile].joined);
             }
         }
-        delete[] brick.generations.exchange(nullptr);
-        map_[brick.number] = std::make_shared<const FineCells>(open);
-        changed_.insert(brick.number);
     });
+    const auto put = [&](int n) {
+        Joined& one = joined[std::size_t(n)];
+        OpenCells open = one.before == nullptr ? OpenCells() : one.before->opened();
+        for (const auto& [tile, slices] : one.tiles) {
+            slices::forEach(slices, [&, first = tile << 9U](std::uint32_t place) {
+                open.generations[first | place] = one.generations[first | place];
+                open.labels[first | place] = label_;
+            });
+        }
+        one.after = std::make_shared<const FineCells>(open);
+    };
+    constexpr int kWorthThreads = 16;
+    if (int(joined.size()) < kWorthThreads) {
+        for (int n = 0; n < int(joined.size()); ++n) {
+            put(n);
+        }
+    } else {
+        inParallel(int(joined.size()), put);
+    }
+    for (Joined& one : joined) {
+        if (recording_ != nullptr) {
+            recording_->bricks.try_emplace(one.brick, one.before);
+        }
+        changed_.insert(one.brick);
+        map_[one.brick] = std::move(one.after);
+    }
 }
 
 int FineGrowth::takeBack(int generations, FineUndo* undo) {
@@ -417,6 +466,21 @@ void FineGrowth::setPlayhead(int generation, FineUndo* undo) {
 }
 
 // --- asking
+
+int FineGrowth::lastSeeded() const {
+    int last = 0;
+    for (const Seed& seed : *run_.seeds) {
+        last = std::max(last, seed.generation);
+    }
+    return last;
+}
+
+void FineGrowth::follow(const volume::GridGeometry& finest) {
+    if (!(finest == values_->field().geometry)) {
+        values_->follow(finest);
+        isValid_ = false; // gradients are others
+    }
+}
 
 std::uint64_t FineGrowth::voxelCount() const {
     const GrowthState& state = run_.state;

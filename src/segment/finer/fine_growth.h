@@ -8,7 +8,6 @@
 #include <cstdint>
 #include <map>
 #include <memory>
-#include <optional>
 #include <span>
 #include <unordered_set>
 #include <vector>
@@ -53,6 +52,8 @@ public:
     void setPlayhead(int generation, FineUndo* undo = nullptr);
     int absorb(std::span<const glm::ivec3> voxels, int expansions, FineUndo* undo = nullptr);
     void reset(FineUndo* undo = nullptr);
+    // Generations after the playhead are no more, as whatever changes the rules has it.
+    void forgetHidden(FineUndo* undo = nullptr);
     void activate(std::uint8_t label, FineUndo* undo = nullptr);
 
     // What becomes of some voxels of a brick: the segment loses those that are in `taken`, and gains those in
@@ -66,20 +67,24 @@ public:
 
     void undo(const FineUndo& undo);
 
-    // Voxels that the rules let in by their values alone, of the eight around a place the one nearest to it
-    // in mm; nothing: none of them.
-    [[nodiscard]] std::optional<glm::ivec3> nearestAdmitted(const glm::dvec3& place,
-                                                            const Constraints& constraints) const;
+    // For each place, of the eight voxels around it that the rules let in by themselves the one nearest to it
+    // in mm; places without such a voxel give none.
+    [[nodiscard]] std::vector<glm::ivec3> nearestAdmitted(const std::vector<glm::dvec3>& places,
+                                                          const Constraints& constraints) const;
 
     [[nodiscard]] glm::ivec3 dims() const { return values_->field().geometry.dims; }
     [[nodiscard]] std::uint8_t label() const { return label_; }
     [[nodiscard]] const GrowthState& state() const { return run_.state; }
-    [[nodiscard]] const std::vector<Seed>& seeds() const { return *run_.seeds; }
+    // The generation in which seeds entered last, of those shown or kept; 0: none did.
+    [[nodiscard]] int lastSeeded() const;
     [[nodiscard]] const std::map<std::uint8_t, Run>& others() const { return others_; }
     [[nodiscard]] bool isFinished() const {
         return run_.state.isFinished && run_.state.playhead == run_.state.extent;
     }
     [[nodiscard]] std::uint64_t voxelCount() const;
+    using Bricks = std::vector<std::uint32_t>;
+    // The bricks that hold generations of the segment at work after one.
+    [[nodiscard]] Bricks holding(int after) const;
     [[nodiscard]] const FineMap& map() const { return map_; }
     [[nodiscard]] glm::ivec3 brickCounts() const { return divideUp(dims(), field::kBrick); }
     [[nodiscard]] glm::ivec3 placeOfBrick(std::uint32_t brick) const;
@@ -98,16 +103,16 @@ public:
     [[nodiscard]] Box3 boxOf(std::uint8_t label) const;
     // What it takes on the host.
     [[nodiscard]] std::size_t memoryBytes() const;
-    // Where the level's voxels lie was corrected.
-    void follow(const volume::GridGeometry& finest) { values_->follow(finest); }
+    // Where the level's voxels lie, which may have been corrected.
+    void follow(const volume::GridGeometry& finest);
 
 private:
     class Recording;
 
-    using Bricks = std::vector<std::uint32_t>;
-
     [[nodiscard]] FineRules rules() const;
     void replaceCells(std::uint32_t brick, const OpenCells& open);
+    void putBack(const std::map<std::uint32_t, FineCellsPtr>& bricks);
+    void takeBack(const FineUndo& noted);
     // Gives listed voxels the generation that enters now.
     void enterSeeds(const std::vector<glm::ivec3>& voxels);
     void reinstateSeeds();
@@ -130,7 +135,6 @@ private:
                                                       int& found) const;
     // Takes voxels of generations after `last` away that `isTaken` says, and counts them off.
     void erase(const Bricks& among, int last, const std::function<bool(std::uint32_t, std::size_t)>& isTaken);
-    [[nodiscard]] Bricks holding(int after) const;
 
     std::unique_ptr<FineValues> values_;
     std::function<FineFence()> fenceNow_;

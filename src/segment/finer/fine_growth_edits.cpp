@@ -19,16 +19,44 @@ constexpr int kAll = std::numeric_limits<int>::max();
 // A brick becomes what it was not; the record keeps what it was.
 void FineGrowth::replaceCells(std::uint32_t brick, const OpenCells& open) {
     auto cells = std::make_shared<const FineCells>(open);
-    FineCellsPtr& now = map_[brick];
+    const auto known = map_.find(brick);
     if (recording_ != nullptr) {
-        recording_->bricks.try_emplace(brick, now);
+        recording_->bricks.try_emplace(brick, known == map_.end() ? FineCellsPtr() : known->second);
     }
     changed_.insert(brick);
-    if (cells->isEmpty()) {
-        map_.erase(brick);
-    } else {
-        now = std::move(cells);
+    if (!cells->isEmpty()) {
+        map_[brick] = std::move(cells);
+    } else if (known != map_.end()) {
+        map_.erase(known);
     }
+}
+
+void FineGrowth::putBack(const std::map<std::uint32_t, FineCellsPtr>& bricks) {
+    for (const auto& [brick, cells] : bricks) {
+        changed_.insert(brick);
+        if (cells == nullptr) {
+            map_.erase(brick);
+        } else {
+            map_[brick] = cells;
+        }
+    }
+}
+
+// After a call that threw: all that it changed is noted.
+void FineGrowth::takeBack(const FineUndo& noted) {
+    isValid_ = false;
+    if (noted.label != label_) {
+        others_[label_] = std::move(run_);
+        others_.erase(noted.label);
+        label_ = noted.label;
+    }
+    putBack(noted.bricks);
+    run_ = noted.run;
+}
+
+void FineGrowth::forgetHidden(FineUndo* undo) {
+    const Recording recording(undo, *this);
+    truncate(run_.state.playhead);
 }
 
 void FineGrowth::erase(const Bricks& among, int last,
@@ -230,23 +258,10 @@ void FineGrowth::undo(const FineUndo& undo) {
     if (undo.label == 0) {
         return;
     }
-    isValid_ = false;
-    if (undo.label != label_) {
-        others_[label_] = std::move(run_);
-        others_.erase(undo.label);
-        label_ = undo.label;
-    } else {
+    if (undo.label == label_) { // calls without a record may have gone on growing
         eraseAfter(std::min(undo.run.state.extent, run_.state.extent));
     }
-    for (const auto& [brick, cells] : undo.bricks) {
-        changed_.insert(brick);
-        if (cells == nullptr) {
-            map_.erase(brick);
-        } else {
-            map_[brick] = cells;
-        }
-    }
-    run_ = undo.run;
+    takeBack(undo);
 }
 
 } // namespace vs::segment

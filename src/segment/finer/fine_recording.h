@@ -23,7 +23,7 @@ public:
         if (isOutermost_) {
             growth_.recording_ = nullptr;
             if (std::uncaught_exceptions() > exceptions_) {
-                growth_.undo(*noted_);
+                growth_.takeBack(*noted_);
                 *noted_ = {};
             }
         }

@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "segment/finer/fine_values.h"
 
-#include "base/parallel.h"
+#include "volume/grid/visit_type.h"
 
 #include <algorithm>
 #include <cstring>
-#include <set>
+#include <exception>
+#include <limits>
+#include <type_traits>
+#include <utility>
 
 namespace vs::segment {
 
 namespace {
 
-constexpr int kFinest = 0; // of the source's levels
+constexpr int kFinest = 0;                // of the source's levels
+constexpr std::size_t kMostWanted = 64;   // blocks to be read ahead
+constexpr std::size_t kRemembered = 4096; // that were
 
 Box3 clamped(const Box3& box, glm::ivec3 dims) {
     return {glm::clamp(box.lo, glm::ivec3(0), dims - 1), glm::clamp(box.hi, glm::ivec3(1), dims)};
@@ -20,34 +25,73 @@ Box3 clamped(const Box3& box, glm::ivec3 dims) {
 } // namespace
 
 FineValues::FineValues(std::shared_ptr<const volume::BrickSource> source, const field::Field& scene,
-                       const volume::GridGeometry& finest, std::size_t cacheBytes)
-    : source_(std::move(source)), cache_(cacheBytes) {
+                       const volume::GridGeometry& finest, std::size_t cacheBytes, int threads)
+    : source_(std::move(source)), blocks_{finest.dims, kBlock}, cache_(cacheBytes) {
     field_.geometry = finest;
     field_.isIntegral = scene.isIntegral;
-    field_.range = scene.range;
+    // Values of the scene's level are means of this one's: there may be greater and smaller ones here.
+    field_.range = volume::visitType(source_->type(), [](const auto* none) {
+        using T = std::remove_cv_t<std::remove_pointer_t<decltype(none)>>;
+        using Limits = std::numeric_limits<std::conditional_t<std::is_integral_v<T>, T, float>>;
+        return Range{double(Limits::lowest()), double(Limits::max())};
+    });
     field_.serial = field::nextSerial();
+    for (int n = 0; n < threads; ++n) {
+        threads_.emplace_back([this](const std::stop_token& stop) { work(stop); });
+    }
+}
+
+FineValues::~FineValues() {
+    const std::lock_guard lock(mutex_);
+    wanted_.clear();
+    for (std::jthread& thread : threads_) {
+        thread.request_stop();
+    }
 }
 
 field::BrickCache::Values FineValues::block(int place) {
-    const field::BrickGrid grid = blocks();
+    const field::BrickGrid& grid = blocks_;
     return cache_.get({kFinest, place},
                       [&] { return source_->read(kFinest, grid.boxOf(grid.brickAt(place))); });
 }
 
-void FineValues::fetch(const std::vector<Box3>& boxes) {
-    const field::BrickGrid grid = blocks();
-    std::set<int> places;
-    for (const Box3& box : boxes) {
-        const Box3 inside = clamped(box, grid.dims);
-        forEachVoxel(Box3{inside.lo / kBlock, (inside.hi - 1) / kBlock + 1},
-                     [&](glm::ivec3 at, std::size_t) { places.insert(grid.placeOf(at)); });
+void FineValues::readAhead(const Box3& box) {
+    const field::BrickGrid& grid = blocks_;
+    const Box3 inside = intersect(box, {glm::ivec3(0), grid.dims});
+    if (inside.isEmpty()) {
+        return;
     }
-    const std::vector<int> all(places.begin(), places.end());
-    inParallel(int(all.size()), [&](int n) { static_cast<void>(block(all[std::size_t(n)])); });
+    const std::lock_guard lock(mutex_);
+    if (asked_.size() > kRemembered) { // they may have been let go of since
+        asked_.clear();
+    }
+    forEachVoxel(Box3{inside.lo / kBlock, (inside.hi - 1) / kBlock + 1}, [&](glm::ivec3 at, std::size_t) {
+        if (asked_.insert(grid.placeOf(at)).second) {
+            wanted_.push_back(grid.placeOf(at));
+        }
+    });
+    if (wanted_.size() > kMostWanted) { // the front is elsewhere by now
+        wanted_.erase(wanted_.begin(), wanted_.end() - std::ptrdiff_t(kMostWanted));
+    }
+    hasChanged_.notify_all();
+}
+
+void FineValues::work(const std::stop_token& stop) {
+    std::unique_lock lock(mutex_);
+    while (hasChanged_.wait(lock, stop, [this] { return !wanted_.empty(); }) && !stop.stop_requested()) {
+        const int place = wanted_.back();
+        wanted_.pop_back();
+        lock.unlock();
+        try {
+            static_cast<void>(block(place));
+        } catch (const std::exception&) { // who needs it is told
+        }
+        lock.lock();
+    }
 }
 
 std::vector<std::byte> FineValues::read(const Box3& box) {
-    const field::BrickGrid grid = blocks();
+    const field::BrickGrid& grid = blocks_;
     const std::size_t size = volume::sizeOf(type());
     const glm::ivec3 boxSize = box.size();
     std::vector<std::byte> values(box.volume() * size);

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <utility>
 
 namespace vs::segment {
 
@@ -18,169 +18,229 @@ std::size_t indexIn(const Box3& box, glm::ivec3 voxel) {
            std::size_t(at.x);
 }
 
-// The finest voxels that one segment has in each voxel of a box of the scene: their generations.
-class Shares {
+// The cells of finest bricks, of which neighbouring voxels mostly ask for the same one.
+class CellReader {
 public:
-    explicit Shares(const Box3& box) : box_(box), counts_(box.volume()), firsts_(box.volume() + 1) {}
+    explicit CellReader(const FineGrowth& growth) : growth_(growth) {}
 
-    // Once for each finest voxel; then again, after share(), with its generation.
-    void count(std::size_t voxel) { ++counts_[voxel]; }
-    void share() {
-        for (std::size_t i = 0; i < counts_.size(); ++i) {
-            firsts_[i + 1] = firsts_[i] + counts_[i];
-            counts_[i] = 0;
+    // The brick of a voxel; null: nothing has grown in it.
+    const FineCells* brickOf(glm::ivec3 voxel) {
+        const std::uint32_t number = growth_.brickOf(voxel);
+        if (number != number_) {
+            number_ = number;
+            const auto found = growth_.map().find(number);
+            cells_ = found == growth_.map().end() ? nullptr : found->second.get();
         }
-        generations_.resize(firsts_.back());
+        return cells_;
     }
-    void add(std::size_t voxel, std::uint32_t generation) {
-        generations_[firsts_[voxel] + counts_[voxel]++] = generation;
-    }
-
-    [[nodiscard]] std::uint32_t of(std::size_t voxel) const { return counts_[voxel]; }
-    // The generation in which there were so many.
-    [[nodiscard]] std::uint32_t generationOf(std::size_t voxel, std::uint32_t many) {
-        const auto first = generations_.begin() + std::ptrdiff_t(firsts_[voxel]);
-        std::nth_element(first, first + std::ptrdiff_t(many) - 1, first + std::ptrdiff_t(counts_[voxel]));
-        return first[std::ptrdiff_t(many) - 1];
-    }
-    [[nodiscard]] const Box3& box() const { return box_; }
 
 private:
-    Box3 box_;
-    std::vector<std::uint32_t> counts_;
-    std::vector<std::size_t> firsts_;
-    std::vector<std::uint32_t> generations_;
+    const FineGrowth& growth_;
+    std::uint32_t number_ = ~0U;
+    const FineCells* cells_ = nullptr;
+};
+
+// The generations of one voxel of the scene's finest voxels, by segment.
+class Gathered {
+public:
+    using List = std::pair<std::uint8_t, std::vector<std::uint32_t>>;
+
+    void clear() { used_ = 0; }
+    void add(std::uint8_t label, std::uint32_t generation) {
+        const auto end = lists_.begin() + std::ptrdiff_t(used_);
+        auto list =
+            std::find_if(lists_.begin(), end, [&](const List& known) { return known.first == label; });
+        if (list == end) {
+            if (used_ == lists_.size()) {
+                lists_.emplace_back();
+            }
+            list = lists_.begin() + std::ptrdiff_t(used_++);
+            list->first = label;
+            list->second.clear();
+        }
+        list->second.push_back(generation);
+    }
+    // The one with the most, of equal ones that with the smallest label; null: none.
+    List* most() {
+        const auto end = lists_.begin() + std::ptrdiff_t(used_);
+        const auto found = std::max_element(lists_.begin(), end, [](const List& a, const List& b) {
+            return a.second.size() != b.second.size() ? a.second.size() < b.second.size() : a.first > b.first;
+        });
+        return found == end ? nullptr : &*found;
+    }
+
+private:
+    std::vector<List> lists_; // kept from voxel to voxel for their memory
+    std::size_t used_ = 0;    // so many of them are this voxel's
 };
 
 } // namespace
 
 SceneView::SceneView(const field::BrickGrid& grid, glm::ivec3 sceneDims)
-    : grid_(grid), sceneDims_(sceneDims) {}
+    : grid_(grid), sceneDims_(sceneDims) {
+    for (int axis = 0; axis < 3; ++axis) {
+        for (int voxel = 0; voxel <= sceneDims[axis]; ++voxel) {
+            const double edge = (voxel - 0.5) * grid.perSceneVoxel[axis] + grid.origin[axis];
+            edges_[std::size_t(axis)].push_back(std::clamp(int(std::ceil(edge - 1e-9)), 0, grid.dims[axis]));
+        }
+        edges_[std::size_t(axis)].front() = 0; // what lies beyond the outermost centres belongs to them
+        edges_[std::size_t(axis)].back() = grid.dims[axis];
+    }
+}
 
-Box3 SceneView::finestIn(const Box3& sceneBox) const {
-    const auto edge = [&](glm::ivec3 voxel) {
-        return glm::ivec3(glm::ceil((glm::dvec3(voxel) - 0.5) * grid_.perSceneVoxel + grid_.origin - 1e-9));
-    };
-    return intersect({edge(sceneBox.lo), edge(sceneBox.hi)}, {glm::ivec3(0), grid_.dims});
+Box3 SceneView::finestIn(glm::ivec3 v) const {
+    const auto edge = [&](int axis, int at) { return edges_[std::size_t(axis)][std::size_t(at)]; };
+    return {{edge(0, v.x), edge(1, v.y), edge(2, v.z)},
+            {edge(0, v.x + 1), edge(1, v.y + 1), edge(2, v.z + 1)}};
 }
 
 glm::ivec3 SceneView::sceneVoxelOf(glm::ivec3 finest) const {
-    const glm::dvec3 place = (glm::dvec3(finest) - grid_.origin) / grid_.perSceneVoxel;
-    return glm::clamp(glm::ivec3(glm::floor(place + 0.5 + 1e-9)), glm::ivec3(0), sceneDims_ - 1);
+    glm::ivec3 voxel;
+    for (int axis = 0; axis < 3; ++axis) {
+        const std::vector<int>& edges = edges_[std::size_t(axis)];
+        voxel[axis] = int(std::upper_bound(edges.begin(), edges.end(), finest[axis]) - edges.begin()) - 1;
+    }
+    return glm::clamp(voxel, glm::ivec3(0), sceneDims_ - 1);
 }
 
-void SceneView::seeSlab(const FineGrowth& finest, const Box3& slab, const Box3& sceneBrick,
-                        MirroredBrick& brick) const {
-    const Box3 around = intersect(grow(slab, 1), {glm::ivec3(0), sceneDims_});
-    const Box3 voxels = finestIn(around);
-    std::vector<std::pair<const FineCells*, glm::ivec3>> bricks;
-    std::set<std::uint8_t> labels;
-    forEachVoxel(Box3{voxels.lo / field::kBrick, divideUp(voxels.hi, field::kBrick)},
-                 [&](glm::ivec3 place, std::size_t) {
-                     const auto known = finest.map().find(finest.brickOf(place * field::kBrick));
-                     if (known != finest.map().end()) {
-                         bricks.emplace_back(known->second.get(), place * field::kBrick);
-                         for (const auto& [label, span] : known->second->spans()) {
-                             labels.insert(label);
-                         }
-                     }
-                 });
-    const auto halfOf = [&](glm::ivec3 voxel) { return (finestIn(voxel).volume() + 1) / 2; };
-    std::vector<std::uint32_t> most(slab.volume());
-    for (const std::uint8_t label : labels) {
-        Shares shares(around);
-        const auto forEach = [&](const auto& tell) {
-            for (const auto& [cells, lo] : bricks) {
-                cells->forEachGrown([&, cells = cells, lo = lo](std::size_t cell, std::uint32_t generation) {
-                    if (cells->label(cell) == label) {
-                        const glm::ivec3 voxel = sceneVoxelOf(lo + voxelOfCell(cell));
-                        if (glm::all(glm::greaterThanEqual(voxel, around.lo)) &&
-                            glm::all(glm::lessThan(voxel, around.hi))) {
-                            tell(indexIn(around, voxel), generation);
-                        }
-                    }
-                });
-            }
-        };
-        forEach([&](std::size_t voxel, std::uint32_t) { shares.count(voxel); });
-        shares.share();
-        forEach([&](std::size_t voxel, std::uint32_t generation) { shares.add(voxel, generation); });
-        forEachVoxel(slab, [&](glm::ivec3 voxel, std::size_t i) {
-            const std::size_t at = indexIn(around, voxel);
-            const std::uint32_t share = shares.of(at);
-            if (share <= most[i]) {
-                return;
-            }
-            const auto half = std::uint32_t(halfOf(voxel));
-            bool isThin = true; // so far
-            if (share < half) {
-                forEachVoxel(intersect(grow(Box3{voxel, voxel + 1}, 1), around),
-                             [&](glm::ivec3 near, std::size_t) {
-                                 isThin = isThin && shares.of(indexIn(around, near)) < halfOf(near);
-                             });
-            }
-            if (share >= half || isThin) {
-                most[i] = share;
-                const std::size_t to = indexIn(sceneBrick, voxel);
-                brick.generations[to] = shares.generationOf(at, std::min(half, share));
-                brick.labels[to] = label;
+// What some voxels of a brick of the scene have.
+void SceneView::share(const FineGrowth& finest, const Box3& sceneVoxels, const Box3& brick,
+                      Shares& shares) const {
+    shares.labels.resize(brick.volume());
+    shares.hasHalf.resize(brick.volume());
+    shares.generations.resize(brick.volume());
+    CellReader reader(finest);
+    Gathered gathered;
+    forEachVoxel(sceneVoxels, [&](glm::ivec3 voxel, std::size_t) {
+        const Box3 inside = finestIn(voxel);
+        gathered.clear();
+        forEachVoxel(inside, [&](glm::ivec3 v, std::size_t) {
+            if (const FineCells* cells = reader.brickOf(v)) {
+                const std::size_t cell = cellOf(v & (field::kBrick - 1));
+                const std::uint32_t generation = cells->generation(cell);
+                if (generation != 0 && (int(generation) <= upTo_ || cells->label(cell) != label_)) {
+                    gathered.add(cells->label(cell), generation);
+                }
             }
         });
-    }
+        const std::size_t at = indexIn(brick, voxel);
+        Gathered::List* const most = gathered.most();
+        shares.labels[at] = most == nullptr ? 0 : most->first;
+        if (most == nullptr) {
+            shares.hasHalf[at] = 0;
+            return;
+        }
+        std::vector<std::uint32_t>& generations = most->second;
+        const std::size_t half = (inside.volume() + 1) / 2;
+        const std::size_t many = std::min(half, generations.size());
+        const auto last = generations.begin() + std::ptrdiff_t(many) - 1;
+        std::nth_element(generations.begin(), last, generations.end());
+        shares.generations[at] = *last;
+        shares.hasHalf[at] = many == half ? 1 : 0;
+    });
 }
 
-MirroredBrick SceneView::seen(const FineGrowth& finest, const Box3& sceneBrick) const {
+bool SceneView::isThinAt(glm::ivec3 sceneVoxel, std::uint8_t label, const BrickTable& table) const {
+    bool isThin = true;
+    const Box3 around = intersect(grow(Box3{sceneVoxel, sceneVoxel + 1}, 1), {glm::ivec3(0), sceneDims_});
+    forEachVoxel(around, [&](glm::ivec3 near, std::size_t) {
+        const std::uint32_t number = table.brickOf(near);
+        const auto shares = shares_.find(number);
+        if (shares != shares_.end()) {
+            const std::size_t at = indexIn(table.box(number), near);
+            isThin = isThin && !(shares->second.labels[at] == label && shares->second.hasHalf[at] != 0);
+        }
+    });
+    return isThin;
+}
+
+MirroredBrick SceneView::seen(std::uint32_t number, const BrickTable& table) const {
+    const Box3 box = table.box(number);
     MirroredBrick brick;
-    brick.generations.resize(sceneBrick.volume());
-    brick.labels.resize(sceneBrick.volume());
-    // Slab by slab, each about as thick as a brick of the finest level.
-    const int thick = std::max(1, int(std::ceil(field::kBrick / grid_.perSceneVoxel.z)));
-    for (int z = sceneBrick.lo.z; z < sceneBrick.hi.z; z += thick) {
-        Box3 slab = sceneBrick;
-        slab.lo.z = z;
-        slab.hi.z = std::min(z + thick, sceneBrick.hi.z);
-        seeSlab(finest, slab, sceneBrick, brick);
+    brick.brick = number;
+    brick.generations.resize(box.volume());
+    brick.labels.resize(box.volume());
+    const auto known = shares_.find(number);
+    if (known == shares_.end()) {
+        return brick;
     }
+    const Shares& shares = known->second;
+    forEachVoxel(box, [&](glm::ivec3 voxel, std::size_t i) {
+        const std::uint8_t label = shares.labels[i];
+        if (label != 0 && (shares.hasHalf[i] != 0 || isThinAt(voxel, label, table))) {
+            brick.labels[i] = label;
+            brick.generations[i] = shares.generations[i];
+        }
+    });
     return brick;
 }
 
-void SceneView::update(FineGrowth& finest, Growth& scene) const {
+// Which generations of the segment at work count now; bricks that hold some that do no more, or do again,
+// have changed.
+void SceneView::countUpTo(const FineGrowth& finest, Going going, std::set<std::uint32_t>& changed) {
+    const GrowthState& state = finest.state();
+    if (finest.label() != label_) { // going to another segment forgets what the former one hid
+        label_ = finest.label();
+        upTo_ = state.playhead;
+        return;
+    }
+    const bool isMoved = state.playhead > upTo_ || (going == Going::Nowhere && state.playhead < upTo_);
+    if (isMoved) {
+        const int from = std::exchange(upTo_, going == Going::Nowhere ? state.playhead : state.extent);
+        for (const std::uint32_t brick : finest.holding(std::min(from, upTo_))) {
+            changed.insert(brick);
+        }
+    }
+}
+
+void SceneView::update(FineGrowth& finest, Growth& scene, Going going) {
     const BrickTable& table = scene.seedMap().bricks();
+    const Box3 all{glm::ivec3(0), sceneDims_};
+    std::map<std::uint32_t, std::vector<Box3>> changed; // in each brick of the scene
     std::set<std::uint32_t> stale;
-    const auto add = [&](std::uint32_t brick) {
+    const auto forEachBrick = [&](const Box3& voxels, const auto& visit) {
+        forEachVoxel(Box3{voxels.lo / field::kBrick, divideUp(voxels.hi, field::kBrick)},
+                     [&](glm::ivec3 place, std::size_t) { visit(table.brickOf(place * field::kBrick)); });
+    };
+    const auto since = finest.changed();
+    std::set<std::uint32_t> bricksChanged(since.begin(), since.end());
+    countUpTo(finest, going, bricksChanged);
+    for (const std::uint32_t brick : bricksChanged) {
         const glm::ivec3 lo = finest.placeOfBrick(brick) * field::kBrick;
         const glm::ivec3 hi = glm::min(lo + field::kBrick, grid_.dims);
-        // A voxel depends on those around it.
-        const Box3 reached =
-            intersect({sceneVoxelOf(lo) - 1, sceneVoxelOf(hi - 1) + 2}, {glm::ivec3(0), sceneDims_});
-        forEachVoxel(
-            Box3{reached.lo / field::kBrick, divideUp(reached.hi, field::kBrick)},
-            [&](glm::ivec3 place, std::size_t) { stale.insert(table.brickOf(place * field::kBrick)); });
-    };
-    for (const std::uint32_t brick : finest.changed()) {
-        add(brick);
+        const Box3 voxels{sceneVoxelOf(lo), sceneVoxelOf(hi - 1) + 1};
+        forEachBrick(voxels, [&](std::uint32_t number) {
+            changed[number].push_back(intersect(voxels, table.box(number)));
+            shares_[number];
+        });
+        // Whether voxels beside those are thin may have changed too.
+        forEachBrick(intersect(grow(voxels, 1), all), [&](std::uint32_t number) { stale.insert(number); });
     }
-    if (finest.label() != scene.activeLabel()) {
-        for (const std::uint32_t brick : table.occupied()) { // whose spans are another segment's
-            stale.insert(brick);
+    const std::vector<std::pair<std::uint32_t, std::vector<Box3>>> work(changed.begin(), changed.end());
+    inParallel(int(work.size()), [&](int n) {
+        const auto& [number, boxes] = work[std::size_t(n)];
+        for (const Box3& box : boxes) {
+            share(finest, box, table.box(number), shares_.at(number));
+        }
+    });
+    for (const auto& [number, boxes] : work) {
+        const auto& labels = shares_.at(number).labels;
+        if (std::all_of(labels.begin(), labels.end(), [](std::uint8_t label) { return label == 0; })) {
+            shares_.erase(number);
         }
     }
     const std::vector<std::uint32_t> numbers(stale.begin(), stale.end());
     std::vector<MirroredBrick> bricks(numbers.size());
-    inParallel(int(numbers.size()), [&](int n) {
-        bricks[std::size_t(n)] = seen(finest, table.box(numbers[std::size_t(n)]));
-        bricks[std::size_t(n)].brick = numbers[std::size_t(n)];
-    });
+    inParallel(int(numbers.size()),
+               [&](int n) { bricks[std::size_t(n)] = seen(numbers[std::size_t(n)], table); });
     std::map<std::uint8_t, GrowthState> others;
     for (const auto& [label, run] : finest.others()) {
         others.emplace(label, run.state);
     }
     GrowthState atWork = finest.state();
-    std::vector<segment::Seed> seeds; // when, not where: they are of another grid
-    for (const FineGrowth::Seed& seed : finest.seeds()) {
-        seeds.push_back({0, seed.generation});
+    if (const int seeded = finest.lastSeeded(); seeded > 0) { // when, not where: they are of another grid
+        atWork.seeds = std::make_shared<const std::vector<segment::Seed>>(1, segment::Seed{0, seeded});
     }
-    atWork.seeds = std::make_shared<const std::vector<segment::Seed>>(std::move(seeds));
     scene.mirror(finest.label(), atWork, others, bricks);
     finest.noteShown();
 }

@@ -5,38 +5,53 @@
 #include "segment/finer/fine_growth.h"
 #include "segment/growth/growth_mirror.h"
 
+#include <array>
 #include <cstdint>
 #include <map>
+#include <set>
 #include <vector>
 
 namespace vs::segment {
 
 // What has grown at the finest level, as the level that is worked on shows it. A voxel of the scene is in the
-// segment that has at least half of it; or in one that has any of it, where the segment is so thin that it
-// has half of no voxel around. It enters in the generation in which the segment gets to have that much.
+// segment that has most of its finest voxels, if that is at least half of them; or if the segment is so thin
+// there that it has half of no voxel around. It enters in the generation in which the segment gets to have
+// that much.
 class SceneView {
 public:
     // `grid` is the finest level's, in the scene's voxel space.
     SceneView(const field::BrickGrid& grid, glm::ivec3 sceneDims);
 
-    // Brings the scene's segments up to date.
-    void update(FineGrowth& finest, Growth& scene) const;
+    // Whether generations are being gone through: then those after the playhead stay ready to be shown, and
+    // count for where segments are thin.
+    enum class Going { Nowhere, Through };
+    // Brings the scene's segments up to date, always the same ones. The cost follows the bricks of the finest
+    // level that have changed.
+    void update(FineGrowth& finest, Growth& scene, Going going = Going::Nowhere);
 
     // The finest voxels that lie in a voxel of the scene.
-    [[nodiscard]] Box3 finestIn(glm::ivec3 sceneVoxel) const {
-        return finestIn(Box3{sceneVoxel, sceneVoxel + 1});
-    }
-    [[nodiscard]] Box3 finestIn(const Box3& sceneBox) const;
+    [[nodiscard]] Box3 finestIn(glm::ivec3 sceneVoxel) const;
     // The voxel of the scene that a finest one lies in.
     [[nodiscard]] glm::ivec3 sceneVoxelOf(glm::ivec3 finest) const;
 
 private:
-    [[nodiscard]] MirroredBrick seen(const FineGrowth& finest, const Box3& sceneBrick) const;
-    void seeSlab(const FineGrowth& finest, const Box3& slab, const Box3& sceneBrick,
-                 MirroredBrick& brick) const;
+    // What a brick of the scene has of the segments.
+    struct Shares {
+        std::vector<std::uint8_t> labels;       // the one with the largest share; 0: none has any
+        std::vector<std::uint8_t> hasHalf;      // 1: at least half
+        std::vector<std::uint32_t> generations; // in which it got to have half, or all that it has
+    };
+    void share(const FineGrowth& finest, const Box3& sceneVoxels, const Box3& brick, Shares& shares) const;
+    void countUpTo(const FineGrowth& finest, Going going, std::set<std::uint32_t>& changed);
+    [[nodiscard]] MirroredBrick seen(std::uint32_t number, const BrickTable& table) const;
+    [[nodiscard]] bool isThinAt(glm::ivec3 sceneVoxel, std::uint8_t label, const BrickTable& table) const;
 
     field::BrickGrid grid_;
     glm::ivec3 sceneDims_;
+    std::array<std::vector<int>, 3> edges_;  // along each axis: the first finest voxel in each of the scene
+    std::uint8_t label_ = 1;                 // of the segment at work at the last update
+    int upTo_ = 0;                           // generations of it after this one do not count
+    std::map<std::uint32_t, Shares> shares_; // by brick of the scene
 };
 
 } // namespace vs::segment

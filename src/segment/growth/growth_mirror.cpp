@@ -57,6 +57,11 @@ void Growth::mirror(std::uint8_t label, const GrowthState& atWork,
         seedMap_.widen();
     }
     BrickTable& table = seedMap_.bricks();
+    if (label != owner_.label) {
+        const auto known = others_.find(label);
+        others_[owner_.label].spans = table.exchangeSpans(
+            known == others_.end() ? std::vector<GenerationSpan>() : std::move(known->second.spans));
+    }
     for (const auto& [other, state] : others) {
         others_[other].state = state;
         others_[other].spans.resize(table.count());

@@ -74,6 +74,7 @@ HostBrick& HostBricks::brickAt(std::uint32_t number, glm::ivec3 place) {
         brick->around.fill(0);
         brick->isTested.fill(0);
         brick->hasJoined.fill(0);
+        delete[] brick->generations.exchange(nullptr);
         for (HostTile& tile : brick->tiles) {
             tile.joined = {};
         }

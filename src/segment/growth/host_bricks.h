@@ -138,6 +138,7 @@ public:
     void keepOnly(const std::vector<HostBrick*>& needed);
     [[nodiscard]] bool isMade(std::uint32_t number) const { return bricks_[number] != nullptr; }
 
+    [[nodiscard]] std::size_t madeBytes() const { return made_ * sizeof(HostBrick); }
     [[nodiscard]] std::size_t bytes() const {
         return made_ * sizeof(HostBrick) + bricks_.size() * sizeof(bricks_[0]);
     }

@@ -27,6 +27,12 @@ public:
           gradientDifference_(rounded(constraints.gradientDifference)),
           gradientAlong_(gradientColumns(field)) {}
 
+    // The rules asked of values that lie elsewhere, of a box of the same size.
+    [[nodiscard]] HostRules of(const T* values) const {
+        HostRules rules = *this;
+        rules.values_ = values;
+        return rules;
+    }
     [[nodiscard]] glm::ivec3 dims() const { return dims_; }
     [[nodiscard]] std::size_t indexOf(glm::ivec3 voxel) const {
         return (std::size_t(voxel.z) * std::size_t(dims_.y) + std::size_t(voxel.y)) * std::size_t(dims_.x) +

@@ -46,7 +46,7 @@ void Document::showFinerLevels(const FinerLevels& levels) {
             std::make_unique<sculpt::FineSculpture>(finest, contents.sculpture.precision()));
         impl_->cutter.refine(*detail);
         if (!contents.region.exists()) {
-            contents.region.refine({source, finest, levels.options.hostBytes / 2});
+            contents.region.refine({source, finest, levels.options.hostBytes / 2, levels.options.threads});
         }
     }
     // From here on nothing fails.

@@ -122,6 +122,7 @@ Outcome GrowthEditor::run(Seed& op) {
         if (!op.finest.empty()) { // trails are of the scene's voxels
             const auto widened = contents_.region.finestIn(op.voxels);
             op.finest.insert(op.finest.end(), widened.begin(), widened.end());
+            op.voxels.clear(); // or strokes would not be looked under again where only the scene is grown in
         }
     }
     if (op.voxels.empty() && op.finest.empty()) {
@@ -199,6 +200,9 @@ Outcome GrowthEditor::run(Absorb& op) {
         op.voxels = nearestOf(contents_.region.voxelsOf(contents_.segments.atWork),
                               voxelsUnder(op.strokes, op.widthPixels, *op.canvas, anything, false),
                               contents_.scan.volume.geometry);
+        if (contents_.region.isFiner()) { // those are what it is about on any level
+            op.finest = contents_.region.finestIn(op.voxels);
+        }
     }
     const std::size_t before = contents_.grownVoxels();
     const int expansions = changeSegments(contents_, *this, op);

@@ -73,6 +73,7 @@ bool ExportReader::readSome(double budgetMs) {
         source_.labels = document_.region().labelMap();
         if (const segment::FineGrowth* finest = document_.region().finest()) {
             source_.finestLabels = {finest->labelReader(), document_.region().geometry()};
+            source_.finestMeasures = std::make_shared<const SegmentMeasures>(document_);
         }
         needsLabels_ = false;
     }

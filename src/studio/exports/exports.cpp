@@ -173,7 +173,10 @@ std::string writeDicom(const std::filesystem::path& path, const ExportSource& so
 
 std::string writeTable(const std::filesystem::path& path, const ExportSource& source) {
     std::vector<segment::MeasuredSegment> rows;
-    for (const auto& statistics : segment::measure(*source.volume, source.geometry, source.labels)) {
+    const auto figures = source.finestMeasures != nullptr
+                             ? source.finestMeasures->all()
+                             : segment::measure(*source.volume, source.geometry, source.labels);
+    for (const auto& statistics : figures) {
         const auto segment =
             std::find_if(source.segments.begin(), source.segments.end(),
                          [&](const ExportedSegment& one) { return one.label == statistics.label; });

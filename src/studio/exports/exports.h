@@ -4,6 +4,7 @@
 #include "mesh/refine.h"
 #include "mesh/visible_surface.h"
 #include "studio/document/document.h"
+#include "studio/exports/segment_measures.h"
 #include "volume/grid/brick_source.h"
 #include "volume/io/read.h"
 
@@ -76,6 +77,7 @@ struct ExportSource {
         volume::GridGeometry geometry;
     };
     std::optional<FinestLabels> finestLabels;
+    std::shared_ptr<const SegmentMeasures> finestMeasures; // figures of those; null: of `labels`
 };
 
 // All segments of a document that have voxels.

@@ -46,8 +46,8 @@ std::optional<segment::SegmentStatistics> SegmentMeasures::measured(const Finest
     volume::Volume around;
     around.geometry = part(finest_->geometry, segment.box);
     around.type = type;
-    around.range = volume_.range;
     around.bytes = finest_->source->read(0, segment.box);
+    volume::computeRange(around);
     auto labels = finest_->labels(segment.box);
     std::replace_if(
         labels.begin(), labels.end(), [&](std::uint8_t label) { return label != segment.label; },

@@ -45,11 +45,12 @@ private:
 
 FinestRegion::FinestRegion(const FinestLevel& level, const field::Field& scene,
                            const sculpt::Sculpture& sculpture)
-    : grid_(level.grid), growth_(
-                             std::make_unique<segment::FineValues>(level.source, scene,
-                                                                   geometry(scene.geometry), level.hostBytes),
-                             [&sculpture] { return sculpture.finer()->reader(); }, level.hostBytes),
-      view_(level.grid, scene.geometry.dims) {}
+    : grid_(level.grid),
+      growth_(
+          std::make_unique<segment::FineValues>(level.source, scene, geometry(scene.geometry),
+                                                level.hostBytes, level.threads),
+          [&sculpture] { return sculpture.finer()->reader(); }, level.hostBytes),
+      sceneDims_(scene.geometry.dims), view_(level.grid, scene.geometry.dims) {}
 
 std::vector<glm::ivec3> FinestRegion::finestIn(const std::vector<glm::ivec3>& sceneVoxels) const {
     std::vector<glm::ivec3> finest;
@@ -65,16 +66,13 @@ std::vector<glm::ivec3> FinestRegion::found(const field::SurfacePoints& points,
     if (count == 0) {
         return {};
     }
-    const auto onHost = points.points.read<field::SurfacePoint>(count);
-    std::vector<glm::ivec3> voxels;
-    for (const field::SurfacePoint& point : onHost) {
+    std::vector<glm::dvec3> places;
+    for (const field::SurfacePoint& point : points.points.read<field::SurfacePoint>(count)) {
         if (point.voxel.w >= 0.5F) {
-            const glm::dvec3 place = glm::dvec3(point.voxel) * grid_.perSceneVoxel + grid_.origin;
-            if (const auto voxel = growth_.nearestAdmitted(place, constraints)) {
-                voxels.push_back(*voxel);
-            }
+            places.push_back(glm::dvec3(point.voxel) * grid_.perSceneVoxel + grid_.origin);
         }
     }
+    std::vector<glm::ivec3> voxels = growth_.nearestAdmitted(places, constraints);
     sortUnique(voxels);
     return voxels;
 }
@@ -92,20 +90,21 @@ FinestRegion::Edits FinestRegion::painting(const segment::VoxelSet& set, bool is
 FinestRegion::Edits FinestRegion::replacing(const segment::VoxelSet& before,
                                             const segment::VoxelSet& after) const {
     EditList edits(growth_);
-    const auto isGone = [&](glm::ivec3 voxel) { return before.contains(voxel) && !after.contains(voxel); };
     // What is left of the segment in voxels beside those that it lost goes with them.
-    const auto isBesideGone = [&](glm::ivec3 voxel) {
-        bool isBeside = false;
-        forEachVoxel(grow(Box3{voxel, voxel + 1}, 1),
-                     [&](glm::ivec3 near, std::size_t) { isBeside = isBeside || isGone(near); });
-        return isBeside;
-    };
-    forEachVoxel(grow(unite(before.box, after.box), 1), [&](glm::ivec3 voxel, std::size_t) {
-        const bool was = before.contains(voxel);
+    segment::VoxelSet besideGone = segment::emptySet(grow(unite(before.box, after.box), 1));
+    forEachVoxel(before.box, [&](glm::ivec3 voxel, std::size_t i) {
+        if (before.inside[i] != 0 && !after.contains(voxel)) {
+            forEachVoxel(grow(Box3{voxel, voxel + 1}, 1), [&](glm::ivec3 near, std::size_t) {
+                besideGone.inside[besideGone.indexOf(near)] = 1;
+            });
+        }
+    });
+    const Box3 scene{glm::ivec3(0), sceneDims_};
+    forEachVoxel(intersect(besideGone.box, scene), [&](glm::ivec3 voxel, std::size_t) {
         const bool is = after.contains(voxel);
-        if (is && !was) {
+        if (is && !before.contains(voxel)) {
             edits.add(view_.finestIn(voxel), true);
-        } else if (!is && (was || isBesideGone(voxel))) {
+        } else if (!is && besideGone.inside[besideGone.indexOf(voxel)] != 0) {
             edits.add(view_.finestIn(voxel), false);
         }
     });

@@ -17,6 +17,7 @@ struct FinestLevel {
     std::shared_ptr<const volume::BrickSource> source;
     field::BrickGrid grid;     // of its finest level, in the scene's voxel space
     std::size_t hostBytes = 0; // that growth may take for values, and as much again for its front
+    int threads = 2;           // that read
 };
 
 // The segments of a document that grow at such a level, and what the scene shows of them. What is said in
@@ -29,7 +30,9 @@ public:
     segment::FineGrowth& growth() { return growth_; }
     [[nodiscard]] const segment::FineGrowth& growth() const { return growth_; }
     // Brings the scene's segments up to date.
-    void show(segment::Growth& scene) { view_.update(growth_, scene); }
+    void show(segment::Growth& scene) { view_.update(growth_, scene, segment::SceneView::Going::Nowhere); }
+    // Does so while generations are gone through: what comes later stays ready to be shown.
+    void scrub(segment::Growth& scene) { view_.update(growth_, scene, segment::SceneView::Going::Through); }
     // Voxels lie where the scene now says.
     void follow(const volume::GridGeometry& scene) { growth_.follow(geometry(scene)); }
     [[nodiscard]] volume::GridGeometry geometry(const volume::GridGeometry& scene) const {
@@ -52,6 +55,7 @@ public:
 private:
     field::BrickGrid grid_;
     segment::FineGrowth growth_;
+    glm::ivec3 sceneDims_;
     segment::SceneView view_;
 };
 

@@ -16,6 +16,8 @@ void edit(segment::FineGrowth& growth, const FinestRegion::Edits& edits, segment
     growth.edit(edits, undo);
 }
 void edit(segment::Growth&, const FinestRegion::Edits&, segment::GrowthUndo*) {}
+void forgetHidden(segment::FineGrowth& growth, segment::FineUndo* undo) { growth.forgetHidden(undo); }
+void forgetHidden(segment::Growth&, segment::GrowthUndo*) {}
 
 } // namespace
 
@@ -71,7 +73,8 @@ void Region::change(Records& records, const Change& change) {
         if constexpr (std::is_same_v<std::remove_cvref_t<decltype(growth)>, segment::Growth>) {
             change(growth, &record.scene);
         } else {
-            change(growth, &record.finest);
+            record.finest = std::make_shared<segment::FineUndo>();
+            change(growth, record.finest.get());
         }
     });
 }
@@ -157,7 +160,12 @@ void Region::showGeneration(int generation, Records& records) {
 }
 
 void Region::scrub(int generation) {
-    change([&](auto& growth) { growth.setPlayhead(generation); });
+    if (isFiner()) {
+        finest_->growth().setPlayhead(generation);
+        finest_->scrub(*growth_);
+    } else {
+        growth_->setPlayhead(generation);
+    }
 }
 
 const segment::Constraints& Region::rules() const {
@@ -229,7 +237,9 @@ segment::VoxelSet Region::voxelsOf(std::uint8_t label) {
 void Region::replace(const segment::VoxelSet& set, Records& records) {
     if (isFiner()) {
         FinestRegion& finest = madeFinest();
-        const auto edits = finest.replacing(voxelsOf(madeGrowth().activeLabel()), set);
+        change(records,
+               [&](auto& growth, auto* undo) { forgetHidden(growth, undo); }); // what is edited is seen
+        const auto edits = finest.replacing(voxelsOf(growth_->activeLabel()), set);
         change(records, [&](auto& growth, auto* undo) { edit(growth, edits, undo); });
     } else {
         madeGrowth().replace(set.box, set.inside, &records.emplace_back().scene);
@@ -267,7 +277,9 @@ void Region::forgetRules(Records& records) {
 void Region::undo(const Records& records) {
     for (auto record = records.rbegin(); record != records.rend(); ++record) {
         if (finest_) {
-            finest_->growth().undo(record->finest);
+            if (record->finest != nullptr) { // else the call never began
+                finest_->growth().undo(*record->finest);
+            }
             continue;
         }
         try {
@@ -278,7 +290,7 @@ void Region::undo(const Records& records) {
             record->scene.undo(*growth_);
         }
     }
-    if (finest_) {
+    if (finest_ && growth_) {
         finest_->show(*growth_);
     }
 }

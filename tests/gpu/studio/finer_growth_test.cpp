@@ -143,11 +143,11 @@ TEST_F(FinerGrowthTest, ScrubbingShowsWhatThereWasThen) {
 TEST_F(FinerGrowthTest, WhereValuesCannotBeReadNothingIsDone) {
     InBricks inBricks;
     Document& document = *inBricks.document;
+    inBricks.source->unreadable = glm::ivec3(64, 0, 0);
     document.apply(seedAt(200, 130));
     document.apply(Grow{2});
     const auto before = inBricks.labels();
     const auto logged = document.log().size();
-    inBricks.source->unreadable = glm::ivec3(64, 0, 0);
     try {
         document.apply(Grow{});
         ADD_FAILURE() << "it grew where nothing can be read";

@@ -81,7 +81,9 @@ void GrowthController::limitFirstStroke() {
         const auto* visible = host_.document()->visibleHistogram(std::numeric_limits<double>::infinity());
         displayed = field::countWithin(*visible, host_.volume()->range, view_.visibleRange());
     });
-    limit_.hold(host_.facts()->segments.atWork, displayed);
+    // Segments may be of a finer level's voxels than those that were counted.
+    const double share = host_.geometry()->voxelMm3() / host_.facts()->segmentVoxelMm3;
+    limit_.hold(host_.facts()->segments.atWork, displayed * share);
 }
 
 std::uint64_t GrowthController::mostVoxels() const {

@@ -68,6 +68,11 @@ public:
             },
             entries_);
     }
+    // Calls f(entries, base): a voxel's generation is base + its entry, and 0 where that is 0.
+    template <typename F>
+    void visitEntries(F&& f) const {
+        std::visit([&](const auto& entries) { f(entries, base_); }, entries_);
+    }
     // The generations of each segment that has voxels here.
     [[nodiscard]] const std::map<std::uint8_t, GenerationSpan>& spans() const { return spans_; }
     [[nodiscard]] bool holds(std::uint8_t label, int after) const {

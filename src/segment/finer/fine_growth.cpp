@@ -22,7 +22,7 @@ namespace {
 constexpr int kNever = GrowthState::kNever;
 // The most expansions at once, and the voxels after which no further one is tried.
 constexpr int kMostExpansions = 1 << 14;
-constexpr std::uint64_t kManyVoxels = 1'000'000;
+constexpr std::uint64_t kManyVoxels = 3'000'000;
 
 using SeedAnswer = Frontier::SeedAnswer;
 

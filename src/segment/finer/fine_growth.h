@@ -111,6 +111,7 @@ private:
 
     [[nodiscard]] FineRules rules() const;
     void replaceCells(std::uint32_t brick, const OpenCells& open);
+    void dropCells(std::uint32_t brick);
     void putBack(const std::map<std::uint32_t, FineCellsPtr>& bricks);
     void takeBack(const FineUndo& noted);
     // Gives listed voxels the generation that enters now.

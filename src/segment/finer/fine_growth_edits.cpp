@@ -31,6 +31,15 @@ void FineGrowth::replaceCells(std::uint32_t brick, const OpenCells& open) {
     }
 }
 
+void FineGrowth::dropCells(std::uint32_t brick) {
+    const auto known = map_.find(brick);
+    if (recording_ != nullptr) {
+        recording_->bricks.try_emplace(brick, known->second);
+    }
+    changed_.insert(brick);
+    map_.erase(known);
+}
+
 void FineGrowth::putBack(const std::map<std::uint32_t, FineCellsPtr>& bricks) {
     for (const auto& [brick, cells] : bricks) {
         changed_.insert(brick);
@@ -84,7 +93,16 @@ void FineGrowth::erase(const Bricks& among, int last,
 }
 
 void FineGrowth::eraseAfter(int last) {
-    erase(holding(last), last, [](std::uint32_t, std::size_t) { return true; });
+    Bricks inPart;
+    for (const std::uint32_t brick : holding(last)) {
+        const auto& spans = map_.at(brick)->spans();
+        if (spans.size() == 1 && int(spans.begin()->second.first) > last) {
+            dropCells(brick);
+        } else {
+            inPart.push_back(brick);
+        }
+    }
+    erase(inPart, last, [](std::uint32_t, std::size_t) { return true; });
     isValid_ = false;
 }
 

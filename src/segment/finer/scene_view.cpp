@@ -9,6 +9,41 @@
 
 namespace vs::segment {
 
+// The generations of one voxel of the scene's finest voxels, by segment.
+class SceneView::Gathered {
+public:
+    using List = std::pair<std::uint8_t, std::vector<std::uint32_t>>;
+
+    void clear() { used_ = 0; }
+    // The list of a segment; it stays where it is until the next is asked for.
+    List& of(std::uint8_t label) {
+        const auto end = lists_.begin() + std::ptrdiff_t(used_);
+        auto list =
+            std::find_if(lists_.begin(), end, [&](const List& known) { return known.first == label; });
+        if (list == end) {
+            if (used_ == lists_.size()) {
+                lists_.emplace_back();
+            }
+            list = lists_.begin() + std::ptrdiff_t(used_++);
+            list->first = label;
+            list->second.clear();
+        }
+        return *list;
+    }
+    // The one with the most, of equal ones that with the smallest label; null: none.
+    List* most() {
+        const auto end = lists_.begin() + std::ptrdiff_t(used_);
+        const auto found = std::max_element(lists_.begin(), end, [](const List& a, const List& b) {
+            return a.second.size() != b.second.size() ? a.second.size() < b.second.size() : a.first > b.first;
+        });
+        return found == end || found->second.empty() ? nullptr : &*found;
+    }
+
+private:
+    std::vector<List> lists_; // kept from voxel to voxel for their memory
+    std::size_t used_ = 0;    // so many of them are this voxel's
+};
+
 namespace {
 
 std::size_t indexIn(const Box3& box, glm::ivec3 voxel) {
@@ -38,40 +73,6 @@ private:
     const FineGrowth& growth_;
     std::uint32_t number_ = ~0U;
     const FineCells* cells_ = nullptr;
-};
-
-// The generations of one voxel of the scene's finest voxels, by segment.
-class Gathered {
-public:
-    using List = std::pair<std::uint8_t, std::vector<std::uint32_t>>;
-
-    void clear() { used_ = 0; }
-    void add(std::uint8_t label, std::uint32_t generation) {
-        const auto end = lists_.begin() + std::ptrdiff_t(used_);
-        auto list =
-            std::find_if(lists_.begin(), end, [&](const List& known) { return known.first == label; });
-        if (list == end) {
-            if (used_ == lists_.size()) {
-                lists_.emplace_back();
-            }
-            list = lists_.begin() + std::ptrdiff_t(used_++);
-            list->first = label;
-            list->second.clear();
-        }
-        list->second.push_back(generation);
-    }
-    // The one with the most, of equal ones that with the smallest label; null: none.
-    List* most() {
-        const auto end = lists_.begin() + std::ptrdiff_t(used_);
-        const auto found = std::max_element(lists_.begin(), end, [](const List& a, const List& b) {
-            return a.second.size() != b.second.size() ? a.second.size() < b.second.size() : a.first > b.first;
-        });
-        return found == end ? nullptr : &*found;
-    }
-
-private:
-    std::vector<List> lists_; // kept from voxel to voxel for their memory
-    std::size_t used_ = 0;    // so many of them are this voxel's
 };
 
 } // namespace
@@ -114,15 +115,17 @@ void SceneView::share(const FineGrowth& finest, const Box3& sceneVoxels, const B
     forEachVoxel(sceneVoxels, [&](glm::ivec3 voxel, std::size_t) {
         const Box3 inside = finestIn(voxel);
         gathered.clear();
-        forEachVoxel(inside, [&](glm::ivec3 v, std::size_t) {
-            if (const FineCells* cells = reader.brickOf(v)) {
-                const std::size_t cell = cellOf(v & (field::kBrick - 1));
-                const std::uint32_t generation = cells->generation(cell);
-                if (generation != 0 && (int(generation) <= upTo_ || cells->label(cell) != label_)) {
-                    gathered.add(cells->label(cell), generation);
-                }
-            }
-        });
+        // Mostly one brick, seldom as many as eight.
+        forEachVoxel(Box3{inside.lo / field::kBrick, (inside.hi - 1) / field::kBrick + 1},
+                     [&](glm::ivec3 place, std::size_t) {
+                         const glm::ivec3 lo = place * field::kBrick;
+                         if (const FineCells* cells = reader.brickOf(lo)) {
+                             gather(*cells,
+                                    {glm::max(inside.lo - lo, glm::ivec3(0)),
+                                     glm::min(inside.hi - lo, glm::ivec3(field::kBrick))},
+                                    gathered);
+                         }
+                     });
         const std::size_t at = indexIn(brick, voxel);
         Gathered::List* const most = gathered.most();
         shares.labels[at] = most == nullptr ? 0 : most->first;
@@ -137,6 +140,27 @@ void SceneView::share(const FineGrowth& finest, const Box3& sceneVoxels, const B
         std::nth_element(generations.begin(), last, generations.end());
         shares.generations[at] = *last;
         shares.hasHalf[at] = many == half ? 1 : 0;
+    });
+}
+
+// What counts of some voxels of a brick.
+void SceneView::gather(const FineCells& cells, const Box3& inBrick, Gathered& gathered) const {
+    const auto& spans = cells.spans();
+    const auto own = spans.find(label_);
+    const bool countsAll = own == spans.end() || int(own->second.last) <= upTo_;
+    Gathered::List* const only = spans.size() == 1 ? &gathered.of(spans.begin()->first) : nullptr;
+    cells.visitEntries([&](const auto& entries, std::uint32_t base) {
+        forEachVoxel(inBrick, [&](glm::ivec3 v, std::size_t) {
+            const std::size_t cell = cellOf(v);
+            if (entries[cell] == 0) {
+                return;
+            }
+            const std::uint32_t generation = base + entries[cell];
+            const std::uint8_t label = only != nullptr ? only->first : cells.label(cell);
+            if (countsAll || label != label_ || int(generation) <= upTo_) {
+                (only != nullptr ? *only : gathered.of(label)).second.push_back(generation);
+            }
+        });
     });
 }
 

@@ -41,7 +41,9 @@ private:
         std::vector<std::uint8_t> hasHalf;      // 1: at least half
         std::vector<std::uint32_t> generations; // in which it got to have half, or all that it has
     };
+    class Gathered;
     void share(const FineGrowth& finest, const Box3& sceneVoxels, const Box3& brick, Shares& shares) const;
+    void gather(const FineCells& cells, const Box3& inBrick, Gathered& gathered) const;
     void countUpTo(const FineGrowth& finest, Going going, std::set<std::uint32_t>& changed);
     [[nodiscard]] MirroredBrick seen(std::uint32_t number, const BrickTable& table) const;
     [[nodiscard]] bool isThinAt(glm::ivec3 sceneVoxel, std::uint8_t label, const BrickTable& table) const;

@@ -84,7 +84,7 @@ int fewestBricks(glm::ivec3 dims, int side) {
 }
 
 TEST_F(BricksTest, PicturesAreThoseOfOneTexture) {
-    test::checkProperty(60, [] {
+    test::checkProperty(24, [] {
         const auto type = volume::kScalarTypes[std::size_t(*test::below(int(volume::kScalarTypes.size())))];
         const int seed = *test::below(10000);
         Stage stage(drawVolume(seed, type), {30, 200});

@@ -8,6 +8,8 @@ usage: finer.py VSTUDIO
 import gzip
 import json
 import re
+import subprocess
+import sys
 import unittest
 
 from scan_case import ScanCase, libraries
@@ -154,6 +156,22 @@ class Finer(ScanCase):
         # All of a voxel of the scene that the rules let in is seeded: the same grows in the end.
         self.assertTrue(numpy.array_equal(self.values(self.folder / "c.zarr"), group["0"][:]))
         self.assertEqual(set(numpy.unique(group["1"][:])), {0, 1})
+
+    def test_pictures_on_a_busy_machine_are_those_of_an_idle_one(self):
+        """Bricks come while rays are cast again for those that came before."""
+        view = {"op": "view", "range": [60, 255], "mode": "mip", "camera": {"azimuth": 25, "elevation": 30}}
+        session = self.session("s.json", self.store(), [view, {"op": "picture", "file": "p.png", "size": [410, 290], "samples": 1}])
+        dense, _, _ = self.run_session(session, "dense", "--storage", "dense", "--level", 0)
+        busy = [subprocess.Popen([sys.executable, "-c", "while True: pass"]) for _ in range(4)]
+        try:
+            for n in range(3):
+                bricks, _, _ = self.run_session(session, f"bricks{n}", "--storage", "bricks", "--level", 0)
+                compared = self.call("compare", dense / "p.png", bricks / "p.png").stdout
+                self.assertLessEqual(float(re.search(r"max (\d+)", compared).group(1)), 1, compared)
+        finally:
+            for process in busy:
+                process.kill()
+                process.wait()
 
     def test_a_saved_session_cuts_the_same_again(self):
         session = self.session("s.json", self.store(), CUTS, level=1)

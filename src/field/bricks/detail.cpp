@@ -243,18 +243,23 @@ void Detail::bind(bool hasFinerCuts) {
 
 std::size_t Detail::endRound(glm::dvec3 viewerVoxel) {
     const gl::Pass pass("bricks asked for");
-    deliver(0); // what others asked for is not lost when something else is wanted
     const BrickGrid& grid = grids_[std::size_t(level_)];
     const auto uses = uses_.read<std::uint32_t>(grid.count());
     uses_.clear();
+    std::vector<int> used;
+    std::size_t missed = 0; // when they were asked for: some may have come since
+    for (int place = 0; place < int(uses.size()); ++place) {
+        if (uses[std::size_t(place)] != 0) {
+            used.push_back(place);
+            missed += pageOf_[std::size_t(place)] == kNotThere ? 1 : 0;
+        }
+    }
+    deliver(0); // what others asked for is not lost when something else is wanted
     pool_.beginRound();
     isFull_ = false;
     std::vector<std::pair<double, BrickKey>> missing;
     const glm::dvec3 viewer = viewerVoxel * grid.perSceneVoxel + grid.origin;
-    for (int place = 0; place < int(uses.size()); ++place) {
-        if (uses[std::size_t(place)] == 0) {
-            continue;
-        }
+    for (const int place : used) {
         const BrickKey key{level_, place};
         if (pageOf_[std::size_t(place)] == kNotThere) {
             const glm::dvec3 middle = (glm::dvec3(grid.brickAt(place)) + 0.5) * double(grid.side);
@@ -268,8 +273,8 @@ std::size_t Detail::endRound(glm::dvec3 viewerVoxel) {
     for (const auto& [distance, key] : missing) {
         keys.push_back(key);
     }
-    reader_.want(keys);
-    return keys.size();
+    reader_.want(missed > 0 ? keys : std::vector<BrickKey>());
+    return missed;
 }
 
 bool Detail::deliver(double waitMs) {

@@ -203,7 +203,7 @@ TEST(OperationJson, ComplaintsAboutSegmentsNameThePlace) {
            "gradient: its first number must not be above its second");
     expect(R"({"op": "growth rules", "connectivity": 18})", "connectivity: must be 6 or 26");
     expect(R"({"op": "growth rules", "live": 1})", "live: must be true or false");
-    expect(R"({"op": "absorb", "expansions": 3})", "needs 'strokes' or 'voxels'");
+    expect(R"({"op": "absorb", "expansions": 3})", "needs 'strokes', 'voxels' or 'finest'");
     expect(R"({"op": "absorb", "voxels": [[1, 2]]})", "voxels[0]: must be a list of 3 numbers");
     expect(R"({"op": "geometry", "orientation": "LLS"})",
            "orientation: must be a letter of L and R, one of P and A, and one of S and I, in any order");

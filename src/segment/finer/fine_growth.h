@@ -117,7 +117,6 @@ private:
     // Gives listed voxels the generation that enters now.
     void enterSeeds(const std::vector<glm::ivec3>& voxels);
     void reinstateSeeds();
-    [[nodiscard]] int enteringGeneration() const;
     [[nodiscard]] Frontier::SeedAnswer answer(glm::ivec3 voxel, const FineRules& rules) const;
     void retract();
     void truncate(int last);

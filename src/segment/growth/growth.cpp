@@ -5,11 +5,11 @@
 #include "base/timer.h"
 #include "gl/pass.h"
 #include "segment/growth/growth_undo.h"
+#include "segment/growth/playback.h"
 #include "segment/shaders/bindings.h"
 
 #include <algorithm>
 #include <limits>
-#include <numeric>
 
 namespace vs::segment {
 
@@ -73,9 +73,7 @@ std::vector<SeedAnswer> Growth::testSeeds(const std::vector<std::uint32_t>& voxe
     return frontier_->testSeeds(seedMap_, rules(), state_.playhead, voxels);
 }
 
-int Growth::enteringGeneration() const {
-    return std::max({1, state_.playhead, std::min(state_.frozen, state_.playhead) + 1});
-}
+int Growth::enteringGeneration() const { return playback::enteringGeneration(state_); }
 
 SeedCounts Growth::addSeeds(std::span<const glm::ivec3> seeds, GrowthUndo* undo) {
     const gl::Pass pass("add seeds");
@@ -192,23 +190,14 @@ int Growth::advanceFor(double budgetMs, int generations, GrowthUndo* undo, std::
 
 int Growth::reveal(int generations, std::uint64_t mostVoxels) {
     const int before = state_.playhead;
-    const int last = before + std::clamp(state_.extent - before, 0, std::max(generations, 0));
-    int generation = before;
-    for (auto count = voxelCount(); generation < last && count < mostVoxels; ++generation) {
-        count += state_.voxels[std::size_t(generation)];
-    }
-    movePlayhead(generation);
-    return generation - before;
+    movePlayhead(playback::revealed(state_, generations, mostVoxels));
+    return state_.playhead - before;
 }
 
 // Takes back what has just been computed after the first generation by which there are so many voxels, as if
 // that had been the last one. Returns how many generations that were.
 int Growth::cutBack(std::uint64_t mostVoxels) {
-    int last = state_.playhead;
-    for (auto count = voxelCount(); last > 1 && count - state_.voxels[std::size_t(last - 1)] >= mostVoxels;
-         --last) {
-        count -= state_.voxels[std::size_t(last - 1)];
-    }
+    const int last = playback::firstWith(state_, mostVoxels);
     const int surplus = state_.playhead - last;
     if (surplus > 0) {
         movePlayhead(last);
@@ -321,9 +310,7 @@ void Growth::reset(GrowthUndo* undo) {
 
 // --- asking
 
-std::uint64_t Growth::voxelCount() const {
-    return std::accumulate(state_.voxels.begin(), state_.voxels.begin() + state_.playhead, std::uint64_t(0));
-}
+std::uint64_t Growth::voxelCount() const { return playback::shownVoxels(state_); }
 
 Box3 Growth::touchedBox() const {
     Box3 box;

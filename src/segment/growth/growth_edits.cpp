@@ -5,6 +5,7 @@
 #include "gl/pass.h"
 #include "segment/growth/growth.h"
 #include "segment/growth/growth_undo.h"
+#include "segment/growth/playback.h"
 
 #include <algorithm>
 #include <limits>
@@ -209,10 +210,7 @@ const GrowthState& Growth::state(std::uint8_t label) const {
     return label == owner_.label ? state_ : other != others_.end() ? other->second.state : fresh;
 }
 
-std::uint64_t Growth::voxelCount(std::uint8_t label) const {
-    const GrowthState& run = state(label);
-    return std::accumulate(run.voxels.begin(), run.voxels.begin() + run.playhead, std::uint64_t(0));
-}
+std::uint64_t Growth::voxelCount(std::uint8_t label) const { return playback::shownVoxels(state(label)); }
 
 void Growth::syncLabels() const {
     seedMap_.writeLabels(seedMap_.bricks().changedSince(labelledRevision_), owner_);

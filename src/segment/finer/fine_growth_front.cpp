@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: Apache-2.0
+// How growth at the finest level goes on: its front, and what has joined.
+#include "segment/finer/fine_growth.h"
+
+#include "base/parallel.h"
+#include "base/progress.h"
+#include "volume/grid/visit_type.h"
+
+#include <atomic>
+#include <new>
+#include <utility>
+
+namespace vs::segment {
+
+namespace {
+
+// The voxels after which no further expansion is tried.
+constexpr std::uint64_t kManyVoxels = 3'000'000;
+
+// The list of a brick's generations, made by whichever thread comes first; null: there is no memory.
+std::uint32_t* generationsOf(HostBrick& brick) {
+    std::uint32_t* list = brick.generations.load(std::memory_order_acquire);
+    if (list == nullptr) {
+        auto* made = new (std::nothrow) std::uint32_t[kBrickVoxels];
+        if (made == nullptr) {
+            return nullptr;
+        }
+        if (brick.generations.compare_exchange_strong(list, made, std::memory_order_acq_rel)) {
+            list = made;
+        } else {
+            delete[] made;
+        }
+    }
+    return list;
+}
+
+} // namespace
+
+// Voxels grown by each expansion tried.
+std::vector<std::uint64_t> FineGrowth::expand(int expansions) {
+    bricks_.goBy(rules());
+    if (!std::exchange(isValid_, false)) { // until all has gone well
+        collect();
+    }
+    for (const glm::ivec3 voxel : added_) {
+        spread_.add(voxel);
+    }
+    added_.clear();
+    std::vector<std::uint64_t> grown;
+    std::atomic<bool> isOutOfMemory = false;
+    const Connectivity connectivity = run_.state.constraints.connectivity;
+    volume::visitType(values_->type(), [&](const auto* none) {
+        const FinePairs<std::remove_cv_t<std::remove_pointer_t<decltype(none)>>> pairs(bricks_);
+        spread_.expand(
+            pairs, {connectivity, run_.state.extent + 1, expansions, kManyVoxels},
+            [&](const TileOfBrick& tile, std::uint32_t place, std::uint32_t generation) {
+                if (std::uint32_t* list = generationsOf(*tile.brick)) {
+                    list[std::size_t(tile.tile) << 9U | place] = generation;
+                } else { // threads must not throw
+                    isOutOfMemory = true;
+                }
+            },
+            grown);
+    });
+    if (isOutOfMemory) {
+        throw std::bad_alloc();
+    }
+    commit();
+    isValid_ = true;
+    if (bricks_.memoryBytes() > frontBytes_) {
+        bricks_.letGoBehind(spread_.front());
+    }
+    return grown;
+}
+
+// All voxels of the segment at work, other than frozen ones, are the newest.
+void FineGrowth::collect() {
+    bricks_.forget();
+    spread_.clear();
+    added_.clear();
+    for (const std::uint32_t number : holding(run_.state.frozen)) {
+        reportProgress();
+        const FineCells& cells = *map_.at(number);
+        std::array<Slices, 64> grown{};
+        cells.forEachGrown([&](std::size_t cell, std::uint32_t generation) {
+            if (int(generation) > run_.state.frozen && cells.label(cell) == label_) {
+                slices::set(grown[cell >> 9U], std::uint32_t(cell & 511U));
+            }
+        });
+        HostBrick& brick = bricks_.brick(number);
+        for (std::uint32_t tile = 0; tile < grown.size(); ++tile) {
+            if (grown[tile].any() != 0) {
+                spread_.add({&brick, tile}, grown[tile], run_.state.constraints.connectivity);
+            }
+        }
+    }
+}
+
+// What has joined in the last expansions becomes part of what has grown.
+void FineGrowth::commit() {
+    struct Joined {
+        std::uint32_t brick = 0;
+        FineCellsPtr before;
+        FineCellsPtr after;
+        std::unique_ptr<const std::uint32_t[]> generations;
+        std::vector<std::pair<std::size_t, Slices>> tiles;
+    };
+    std::vector<Joined> joined;
+    bricks_.takeJoined([&](HostBrick& brick, GenerationSpan) {
+        const auto known = map_.find(brick.number);
+        Joined& one = joined.emplace_back();
+        one.brick = brick.number;
+        one.before = known == map_.end() ? FineCellsPtr() : known->second;
+        one.generations.reset(brick.generations.exchange(nullptr));
+        for (std::size_t tile = 0; tile < brick.tiles.size(); ++tile) {
+            if (brick.hasJoined[tile] != 0) {
+                one.tiles.emplace_back(tile, brick.tiles[tile].joined);
+            }
+        }
+    });
+    const auto put = [&](int n) {
+        Joined& one = joined[std::size_t(n)];
+        OpenCells open = one.before == nullptr ? OpenCells() : one.before->opened();
+        for (const auto& [tile, slices] : one.tiles) {
+            slices::forEach(slices, [&, first = tile << 9U](std::uint32_t place) {
+                open.generations[first | place] = one.generations[first | place];
+                open.labels[first | place] = label_;
+            });
+        }
+        one.after = std::make_shared<const FineCells>(open);
+    };
+    constexpr int kWorthThreads = 16;
+    if (int(joined.size()) < kWorthThreads) {
+        for (int n = 0; n < int(joined.size()); ++n) {
+            put(n);
+        }
+    } else {
+        inParallel(int(joined.size()), put);
+    }
+    for (Joined& one : joined) {
+        if (recording_ != nullptr) {
+            recording_->bricks.try_emplace(one.brick, one.before);
+        }
+        changed_.insert(one.brick);
+        map_[one.brick] = std::move(one.after);
+    }
+}
+
+} // namespace vs::segment

@@ -51,6 +51,8 @@ struct Scene {
     bool isCutAlongSegments = false;
     // Whether what lies over the bricks of finer levels (field::Detail::lay()) says more exactly what is cut.
     bool hasFinerCuts = false;
+    // Whether other texels over those bricks say more exactly what belongs to segments.
+    bool hasFinerSegments = false;
     // Anti-aliased membership, 0 to 1, surfaces at 0.5: red of all visible opaque segments together, green of
     // all visible translucent ones (a texture of one channel has none). Hidden segments are in neither.
     const gl::Texture* segmentation = nullptr;

@@ -4,17 +4,26 @@
 #include "field/bricks/brick_grid.h"
 #include "gl/texture.h"
 
+#include <array>
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace vs::field {
 
-// A scalar that lies over the finest level of a scan and is looked up where its values are: what was cut away
-// there. It never changes; another one takes its place.
+// What may lie over the bricks of a scan, each in a texture of its own.
+enum class BrickLayer { Cuts, Segments };
+inline constexpr std::array kBrickLayers{BrickLayer::Cuts, BrickLayer::Segments};
+template <typename T>
+using OfBrickLayers = std::array<T, kBrickLayers.size()>;
+using LayerFormats = OfBrickLayers<std::optional<gl::Format>>; // nothing: it has no texture
+
+// A layer of what is known at the finest level of a scan, and is looked up where its values are: what was cut
+// away there, or how much belongs to segments. It never changes; another one takes its place.
 class BrickOverlay {
 public:
     virtual ~BrickOverlay() = default;
-    // One channel, 0 to 1.
+    // Channels from 0 to 1.
     [[nodiscard]] virtual gl::Format format() const = 0;
     [[nodiscard]] virtual bool isEmpty() const = 0;
     // Its texels for a brick of a level, BrickGrid::texels()^3, x fastest; none: all are zero.

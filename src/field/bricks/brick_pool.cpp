@@ -28,20 +28,28 @@ glm::ivec3 slotsAlong(std::size_t slots, int mostAlong) {
 } // namespace
 
 BrickPool::BrickPool(int texels, gl::Format format, std::size_t bytes, std::size_t most,
-                     std::optional<gl::Format> overlay)
+                     const LayerFormats& layers)
     : texels_(texels) {
     const std::size_t texelsOfSlot = std::size_t(texels) * std::size_t(texels) * std::size_t(texels);
     const std::size_t own = gl::bytesPerTexel(format);
-    const std::size_t over = overlay ? gl::bytesPerTexel(*overlay) : 0;
-    std::size_t slots = std::clamp<std::size_t>(
-        std::min(bytes / (texelsOfSlot * (own + over)), kMostBytes / (texelsOfSlot * std::max(own, over))), 1,
-        std::max<std::size_t>(most, 1));
+    std::size_t all = own;
+    std::size_t widest = own;
+    for (const std::optional<gl::Format>& layer : layers) {
+        const std::size_t over = layer ? gl::bytesPerTexel(*layer) : 0;
+        all += over;
+        widest = std::max(widest, over);
+    }
+    std::size_t slots =
+        std::clamp<std::size_t>(std::min(bytes / (texelsOfSlot * all), kMostBytes / (texelsOfSlot * widest)),
+                                1, std::max<std::size_t>(most, 1));
     while (!texture_) {
         // Page tables have ten bits for a slot's place along an axis.
         counts_ = slotsAlong(slots, std::clamp(gl::limits().texture3D / texels, 1, 1023));
         try {
-            if (overlay) {
-                overlay_ = gl::Texture(counts_ * texels, *overlay, gl::Filter::Linear, "over bricks");
+            for (std::size_t i = 0; i < layers.size(); ++i) {
+                over_[i].texture =
+                    layers[i] ? gl::Texture(counts_ * texels, *layers[i], gl::Filter::Linear, "over bricks")
+                              : gl::Texture();
             }
             texture_ = gl::Texture(counts_ * texels, format, gl::Filter::Linear, "bricks");
         } catch (const GlError&) {
@@ -60,8 +68,11 @@ std::size_t BrickPool::slotCount() const {
 }
 
 std::size_t BrickPool::bytes() const {
-    return Box3{glm::ivec3(0), texture_.size()}.volume() *
-           (gl::bytesPerTexel(texture_.format()) + (overlay_ ? gl::bytesPerTexel(overlay_.format()) : 0));
+    std::size_t perTexel = gl::bytesPerTexel(texture_.format());
+    for (const Over& over : over_) {
+        perTexel += over.texture ? gl::bytesPerTexel(over.texture.format()) : 0;
+    }
+    return Box3{glm::ivec3(0), texture_.size()}.volume() * perTexel;
 }
 
 Box3 BrickPool::boxOf(glm::ivec3 slot) const { return {slot * texels_, (slot + 1) * texels_}; }
@@ -79,14 +90,15 @@ void BrickPool::use(const BrickKey& key) {
     }
 }
 
-void BrickPool::lay(const BrickKey& key, std::span<const std::byte> texels) {
+void BrickPool::lay(BrickLayer layer, const BrickKey& key, std::span<const std::byte> texels) {
+    Over& over = over_[std::size_t(layer)];
     const glm::ivec3 slot = bricks_.at(key).slot;
     const std::array<int, 3> at{slot.x, slot.y, slot.z};
     if (!texels.empty()) {
-        overlay_.upload(boxOf(slot), texels);
-        laidOver_.insert(at);
-    } else if (laidOver_.erase(at) > 0) {
-        overlay_.clear(boxOf(slot));
+        over.texture.upload(boxOf(slot), texels);
+        over.slots.insert(at);
+    } else if (over.slots.erase(at) > 0) {
+        over.texture.clear(boxOf(slot));
     }
 }
 

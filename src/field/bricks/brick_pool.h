@@ -2,6 +2,7 @@
 #pragma once
 
 #include "field/bricks/brick_grid.h"
+#include "field/bricks/brick_overlay.h"
 #include "gl/texture.h"
 
 #include <array>
@@ -21,13 +22,16 @@ class BrickPool {
 public:
     // Makes slots of texels^3: so many as the bytes and the device have room for, `most` at the most. Throws
     // GlError when the device has room for hardly any.
-    // With an overlay each slot has room for as many texels of that format, which are zero at first.
+    // Each slot has room for as many texels of each layer that has a format, which are zero at first.
     BrickPool(int texels, gl::Format format, std::size_t bytes, std::size_t most,
-              std::optional<gl::Format> overlay = {});
+              const LayerFormats& layers = {});
 
     [[nodiscard]] std::size_t slotCount() const;
     [[nodiscard]] const gl::Texture& texture() const { return texture_; }
-    [[nodiscard]] const gl::Texture& overlay() const { return overlay_; }
+    // Null where the layer has no room.
+    [[nodiscard]] const gl::Texture& overlay(BrickLayer layer) const {
+        return over_[std::size_t(layer)].texture;
+    }
     [[nodiscard]] std::size_t bytes() const;
 
     // Where a brick lies, in slots; nothing: it is not there.
@@ -49,7 +53,7 @@ public:
     // Puts a brick's texels there. Nothing: every slot is in use.
     std::optional<Put> put(const BrickKey& key, std::span<const std::byte> texels);
     // Lays that over a brick that is there; no texels: zeros.
-    void lay(const BrickKey& key, std::span<const std::byte> texels);
+    void lay(BrickLayer layer, const BrickKey& key, std::span<const std::byte> texels);
 
 private:
     struct Brick {
@@ -62,8 +66,11 @@ private:
     int texels_;
     glm::ivec3 counts_{0}; // slots along each axis
     gl::Texture texture_;
-    gl::Texture overlay_;
-    std::set<std::array<int, 3>> laidOver_; // slots whose overlay is not all zero
+    struct Over {
+        gl::Texture texture;
+        std::set<std::array<int, 3>> slots; // where it is not all zero
+    };
+    OfBrickLayers<Over> over_;
     std::vector<glm::ivec3> free_;
     std::map<BrickKey, Brick> bricks_;
     std::list<BrickKey> order_; // the one used last first

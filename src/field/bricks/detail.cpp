@@ -102,7 +102,9 @@ void Detail::use(int level) {
         return;
     }
     level_ = level;
-    laidOverAll_ = {};
+    for (Over& over : over_) {
+        over.laidOverAll = {};
+    }
     writeBlock();
     writePages();
 }
@@ -132,16 +134,18 @@ bool Detail::reaches(const BrickKey& key, const Box3& finest) const {
            glm::all(glm::greaterThanEqual(hi * scale + offset + 1.0, glm::dvec3(finest.lo)));
 }
 
-void Detail::layOver(const BrickKey& key) {
+void Detail::layOver(BrickLayer layer, const BrickKey& key) {
+    Over& over = overIn(layer);
     const BrickGrid& grid = grids_[std::size_t(key.level)];
-    pool_.lay(key, overlay_->texelsOf(grid, grid.brickAt(key.place)));
-    laid_[key] = {overlay_, laidVersion_};
+    pool_.lay(layer, key, over.overlay->texelsOf(grid, grid.brickAt(key.place)));
+    over.laid[key] = {over.overlay, over.version};
 }
 
 // Brings what lies over the bricks of the level in use up to date: a stroke that is drawn asks for what was
 // there before it and what is there now in turns, and most bricks have the same in both.
-void Detail::layOverAll() {
-    if (laidOverAll_.overlay == overlay_) {
+void Detail::layOverAll(BrickLayer layer) {
+    Over& over = overIn(layer);
+    if (over.laidOverAll.overlay == over.overlay) {
         return;
     }
     const gl::Pass pass("lay over bricks");
@@ -152,55 +156,69 @@ void Detail::layOverAll() {
         if (key.level != level_) {
             return;
         }
-        Laid& laid = laid_[key];
-        const std::uint64_t since = std::min(laid.version, laidVersion_);
+        Laid& laid = over.laid[key];
+        const std::uint64_t since = std::min(laid.version, over.version);
         if (!changed.contains(since)) {
-            changed[since] = changedSince_(since);
+            changed[since] = over.changedSince(since);
         }
         const bool isSame =
-            laid.version == laidVersion_ || !reaches(key, changed[since]) ||
-            (laid.overlay != nullptr && overlay_->isAlike(*laid.overlay, grid, grid.brickAt(key.place)));
+            laid.version == over.version || !reaches(key, changed[since]) ||
+            (laid.overlay != nullptr && over.overlay->isAlike(*laid.overlay, grid, grid.brickAt(key.place)));
         if (isSame) {
-            laid = {overlay_, laidVersion_};
+            laid = {over.overlay, over.version};
         } else {
             keys.push_back(key);
         }
     });
     for (const BrickKey& key : keys) {
-        layOver(key);
+        layOver(layer, key);
     }
-    laidOverAll_ = {overlay_, laidVersion_};
+    over.laidOverAll = {over.overlay, over.version};
 }
 
 // Bricks share their room with what lies over them from now on; those that were there come again from the
 // host. Where there is no room, they stay as they are without it.
-void Detail::makeRoomForOverlay() {
-    const auto make = [&](std::optional<gl::Format> overlay) {
+void Detail::makeRoomFor(BrickLayer layer) {
+    LayerFormats formats;
+    for (const BrickLayer other : kBrickLayers) {
+        formats[std::size_t(other)] =
+            pool_.overlay(other) ? std::optional(pool_.overlay(other).format()) : std::nullopt;
+    }
+    const auto make = [&](std::optional<gl::Format> format) {
+        formats[std::size_t(layer)] = format;
         pool_ = BrickPool(1, texels_.format, 1, 1); // freed first, so that old and new need not fit together
         pool_ =
-            BrickPool(options_.side + 1, texels_.format, options_.deviceBytes, mostBricks(grids_), overlay);
+            BrickPool(options_.side + 1, texels_.format, options_.deviceBytes, mostBricks(grids_), formats);
     };
     try {
-        make(overlay_->format());
+        make(overIn(layer).overlay->format());
     } catch (const GlError&) {
         make({});
-        tell("the device has no room for what is cut at the finest level: pictures show cuts at the "
-             "resolution "
-             "that is worked on; give --device-memory less");
+        tell(layer == BrickLayer::Cuts
+                 ? "the device has no room for what is cut at the finest level: pictures show cuts at the "
+                   "resolution that is worked on; give --device-memory less"
+                 : "the device has no room for segments at the finest level: pictures show them at the "
+                   "resolution that is worked on; give --device-memory less");
     }
-    laid_.clear();
+    for (Over& over : over_) {
+        over.laid.clear();
+        over.laidOverAll = {};
+    }
     writeBlock();
     writePages();
 }
 
-void Detail::lay(const std::shared_ptr<const BrickOverlay>& overlay, std::uint64_t version,
+void Detail::lay(BrickLayer layer, const std::shared_ptr<const BrickOverlay>& overlay, std::uint64_t version,
                  const std::function<Box3(std::uint64_t)>& changedSince) {
-    const bool isFirst = overlay_ == nullptr || overlay_->isEmpty();
-    overlay_ = overlay;
-    laidVersion_ = version;
-    changedSince_ = changedSince;
-    if (isFirst && !pool_.overlay() && !overlay_->isEmpty()) {
-        makeRoomForOverlay();
+    Over& over = overIn(layer);
+    const bool isFirst = over.overlay == nullptr || over.overlay->isEmpty();
+    over.overlay = overlay;
+    over.version = version;
+    over.changedSince = changedSince;
+    const bool isOtherFormat =
+        pool_.overlay(layer) && !overlay->isEmpty() && pool_.overlay(layer).format() != overlay->format();
+    if (isOtherFormat || (isFirst && !pool_.overlay(layer) && !overlay->isEmpty())) {
+        makeRoomFor(layer);
     }
 }
 
@@ -230,14 +248,18 @@ void Detail::setPage(int place, std::uint32_t page) {
     pages_.write(std::as_bytes(std::span(&page, 1)), std::size_t(place));
 }
 
-void Detail::bind(bool hasFinerCuts) {
+void Detail::bind(const Layers& layers) {
     block_.bindUniform(kBricksBlock);
     pages_.bindTexture(kBrickPagesTexture);
     pool_.texture().bindTexture(kBrickPoolTexture);
     uses_.bindStorage(kBrickUsesStorage);
-    if (hasFinerCuts) {
-        layOverAll();
-        pool_.overlay().bindTexture(kBrickOverlayTexture);
+    if (layers.hasCuts) {
+        layOverAll(BrickLayer::Cuts);
+        pool_.overlay(BrickLayer::Cuts).bindTexture(kBrickCutsTexture);
+    }
+    if (layers.hasSegments) {
+        layOverAll(BrickLayer::Segments);
+        pool_.overlay(BrickLayer::Segments).bindTexture(kBrickSegmentsTexture);
     }
 }
 
@@ -297,11 +319,13 @@ bool Detail::deliver(double waitMs) {
             isFull_ = true; // it is in the host's cache, and comes again when it is asked for again
             continue;
         }
-        if (put->goneInstead) {
-            laid_.erase(*put->goneInstead);
-        }
-        if (pool_.overlay() && overlay_ != nullptr) {
-            layOver(brick.key);
+        for (const BrickLayer layer : kBrickLayers) {
+            if (put->goneInstead) {
+                overIn(layer).laid.erase(*put->goneInstead);
+            }
+            if (hasOverlay(layer) && overIn(layer).overlay != nullptr) {
+                layOver(layer, brick.key);
+            }
         }
         ++bricksRead_;
         hasChanged = true;

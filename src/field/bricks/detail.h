@@ -72,17 +72,22 @@ public:
     [[nodiscard]] bool isFiner() const { return grids_[std::size_t(level_)].isFiner(); }
     // One of its steps, in steps of the scene: 0.25 for a level four times as fine.
     [[nodiscard]] double step() const { return grids_[std::size_t(level_)].step; }
-    // Binds uniform block 4, textures 6 and 12 and storage 6: see field/shaders/bricks.glsl; for a program
-    // with FINER_CUTS also texture 15, with what lies over the bricks now.
-    void bind(bool hasFinerCuts);
+    // Which layers a program looks up besides: compiled with FINER_CUTS and FINER_SEGMENTS.
+    struct Layers {
+        bool hasCuts = false;
+        bool hasSegments = false;
+    };
+    // Binds uniform block 4, textures 6 and 12 and storage 6: see field/shaders/bricks.glsl; of layers also
+    // textures 15 (cuts) and 4 (segments), with what lies over the bricks now.
+    void bind(const Layers& layers);
 
-    // What lies over the scan is that from now on, as of that version of it; `changedSince` says in which box
-    // of the finest level's voxels it may differ from what it was at another one.
-    void lay(const std::shared_ptr<const BrickOverlay>& overlay, std::uint64_t version,
+    // What lies over the scan in a layer is that from now on, as of that version of it; `changedSince` says
+    // in which box of the finest level's voxels it may differ from what it was at another one.
+    void lay(BrickLayer layer, const std::shared_ptr<const BrickOverlay>& overlay, std::uint64_t version,
              const std::function<Box3(std::uint64_t)>& changedSince);
-    [[nodiscard]] std::uint64_t laidVersion() const { return laidVersion_; }
-    // Whether there is room for that on the device; else failures() tells.
-    [[nodiscard]] bool hasOverlay() const { return bool(pool_.overlay()); }
+    [[nodiscard]] std::uint64_t laidVersion(BrickLayer layer) const { return overIn(layer).version; }
+    // Whether there is room for a layer on the device; else failures() tells.
+    [[nodiscard]] bool hasOverlay(BrickLayer layer) const { return bool(pool_.overlay(layer)); }
 
     // After a dispatch: asks for what it missed, what is nearest to the viewer first, whose place in the
     // scene's voxel space that is. Returns how many bricks are missing.
@@ -107,9 +112,9 @@ public:
 private:
     [[nodiscard]] bool isFineEnough(glm::dvec3 spacing, double pixelSteps) const;
     [[nodiscard]] bool reaches(const BrickKey& key, const Box3& finest) const;
-    void layOver(const BrickKey& key);
-    void layOverAll();
-    void makeRoomForOverlay();
+    void layOver(BrickLayer layer, const BrickKey& key);
+    void layOverAll(BrickLayer layer);
+    void makeRoomFor(BrickLayer layer);
     void setPage(int place, std::uint32_t page);
     void writeBlock();
     void writePages();
@@ -119,15 +124,20 @@ private:
     BrickTexels texels_;
     DetailOptions options_;
     BrickPool pool_;
-    std::shared_ptr<const BrickOverlay> overlay_; // null: nothing lies over the bricks
-    std::uint64_t laidVersion_ = 0;
-    std::function<Box3(std::uint64_t)> changedSince_;
     struct Laid {
         std::shared_ptr<const BrickOverlay> overlay;
         std::uint64_t version = 0;
     };
-    std::map<BrickKey, Laid> laid_; // over the bricks of the pool
-    Laid laidOverAll_;              // over all of the level in use that are in the pool
+    struct Over {
+        std::shared_ptr<const BrickOverlay> overlay; // null: nothing lies over the bricks
+        std::uint64_t version = 0;
+        std::function<Box3(std::uint64_t)> changedSince;
+        std::map<BrickKey, Laid> laid; // over the bricks of the pool
+        Laid laidOverAll;              // over all of the level in use that are in the pool
+    };
+    OfBrickLayers<Over> over_;
+    [[nodiscard]] const Over& overIn(BrickLayer layer) const { return over_[std::size_t(layer)]; }
+    [[nodiscard]] Over& overIn(BrickLayer layer) { return over_[std::size_t(layer)]; }
     gl::Buffer block_;
     gl::TexelBuffer pages_;
     gl::Buffer uses_;

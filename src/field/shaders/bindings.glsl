@@ -10,14 +10,15 @@ const int kTexelsTexture = 0;
 const int kValuesTexture = 0;
 const int kSculptureTexture = 1;
 const int kSegmentationTexture = 2;
+const int kBrickSegmentsTexture = 4; // not where maxima are looked for
 const int kQuadsTexture = 6;
 const int kBrickPagesTexture = 6; // of bricks there are no quads
 const int kApartTilesTexture = 7;
 const int kSmoothedQuadsTexture = 12;
 const int kBrickPoolTexture = 12; // nor smoothed values
 const int kSegmentLabelsTexture = 13;
-const int kApartPagesTexture = 15;   // of a segment, whose surfaces are not looked for in smoothed values
-const int kBrickOverlayTexture = 15; // not where a segment is drawn apart from others
+const int kApartPagesTexture = 15; // of a segment, whose surfaces are not looked for in smoothed values
+const int kBrickCutsTexture = 15;  // not where a segment is drawn apart from others
 const int kSmoothedTexture = 15;
 
 // Image units.

@@ -83,18 +83,55 @@ float levelValueAt(vec3 q) {
 
 #ifdef FINER_CUTS
 // What was cut away at the finest level, as it lies over the bricks of this one.
-layout(binding = kBrickOverlayTexture) uniform sampler3D brickOverlay;
+layout(binding = kBrickCutsTexture) uniform sampler3D brickCuts;
 
 float levelSculptureAt(vec3 q) {
     vec3 slot;
     vec3 inBrick;
     bool isAway = !findInPool(q, slot, inBrick);
-    float value = inPool(brickOverlay, slot, inBrick);
+    float value = inPool(brickCuts, slot, inBrick);
     while (isAway) {
         vec3 p = (q - levelOrigin.xyz) / levelScale.xyz;
         value = textureLod(sculptureTexture, textureFromVoxel(p), 0.0).r;
         isAway = false;
     }
     return value;
+}
+#endif
+
+#ifdef FINER_SEGMENTS
+// How much belongs to opaque segments (x) and to translucent ones (y) of the finest level, likewise.
+layout(binding = kBrickSegmentsTexture) uniform sampler3D brickSegments;
+
+#ifdef FETCHED
+vec2 pairInPool(sampler3D pool, vec3 slot, vec3 inBrick) {
+    ivec3 cell = ivec3(inBrick);
+    vec3 f = inBrick - vec3(cell);
+    ivec3 first = ivec3(slot) + cell;
+    vec2 sum = vec2(0.0);
+    for (int corner = 0; corner < 8; ++corner) {
+        ivec3 offset = ivec3(corner & 1, (corner >> 1) & 1, corner >> 2);
+        vec3 w = mix(1.0 - f, f, vec3(offset));
+        sum += w.x * w.y * w.z * texelFetch(pool, first + offset, 0).rg;
+    }
+    return sum;
+}
+#else
+vec2 pairInPool(sampler3D pool, vec3 slot, vec3 inBrick) {
+    return textureLod(pool, (slot + inBrick + 0.5) * poolScale.xyz, 0.0).rg;
+}
+#endif
+
+vec2 levelMembershipsAt(vec3 q) {
+    vec3 slot;
+    vec3 inBrick;
+    bool isAway = !findInPool(q, slot, inBrick);
+    vec2 memberships = pairInPool(brickSegments, slot, inBrick);
+    while (isAway) {
+        vec3 p = (q - levelOrigin.xyz) / levelScale.xyz;
+        memberships = textureLod(segmentationTexture, textureFromVoxel(p), 0.0).rg;
+        isAway = false;
+    }
+    return memberships;
 }
 #endif

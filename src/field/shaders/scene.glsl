@@ -4,7 +4,7 @@
 // Spaces: voxel space has voxel centres at integers; texture space is (p + 0.5) / dims; world is LPS
 // millimetres. Bindings: uniform block 0; textures 0 data, 1 sculpture, 2 segmentation, 13 labels, with QUADS
 // 6 (field::SceneBinding). BRICKS: the data's values are those of a finer level, from bricks (bricks.glsl),
-// and with FINER_CUTS what was cut is.
+// with FINER_CUTS what was cut is, and with FINER_SEGMENTS so is what belongs to segments.
 // ALL_SEGMENTS: translucent segments count as opaque ones do. SMOOTHED: dataAt()
 // gives smoothed values, of textures 15 and 12, sectionValueAt() the values themselves. PULLED: of segments
 // only one is there; APART: others may touch it (one_segment.glsl).
@@ -65,6 +65,13 @@ ivec3 sampledDims() { return dims.xyz; }
 float fineStep() { return 1.0; }
 #endif
 
+// A voxel of the grid that segments are sampled in, in steps of the scene.
+#ifdef FINER_SEGMENTS
+float segmentStep() { return fineStep(); }
+#else
+float segmentStep() { return 1.0; }
+#endif
+
 #include "field/shaders/quads.glsl"
 #if defined(BRICKS)
 float storedAt(vec3 q) { return levelValueAt(q); }
@@ -119,6 +126,8 @@ vec2 membershipsAt(vec3 p) {
     float own = ownMembershipAt(p);
     return pulled.y == 0 ? vec2(own, 0.0) : vec2(0.0, own);
 }
+#elif defined(FINER_SEGMENTS)
+vec2 membershipsAt(vec3 p) { return levelMembershipsAt(sampledFromVoxel(p)); }
 #else
 vec2 membershipsAt(vec3 p) { return textureLod(segmentationTexture, textureFromVoxel(p), 0.0).rg; }
 #endif
@@ -185,34 +194,45 @@ vec3 placesBefore(vec3 p) { return max(p - 1.0, vec3(-0.5)); }
                                   valueAt(vec3(p.xy, after.z)) - valueAt(vec3(p.xy, before.z))));            \
     }
 
+#ifdef BRICKS
+// The gradient of a `valueAt` that takes places of the level that is sampled, over a voxel of that.
+#define DEFINE_FINER_GRADIENT(gradientAt, valueAt)                                                           \
+    vec3 gradientAt(vec3 p) {                                                                                \
+        vec3 q = sampledFromVoxel(p);                                                                        \
+        vec3 before = placesBefore(q);                                                                       \
+        vec3 after = q + 1.0;                                                                                \
+        return worldGradient(0.5 * sampledPerVoxel() *                                                       \
+                             vec3(valueAt(vec3(after.x, q.yz)) - valueAt(vec3(before.x, q.yz)),              \
+                                  valueAt(vec3(q.x, after.y, q.z)) - valueAt(vec3(q.x, before.y, q.z)),      \
+                                  valueAt(vec3(q.xy, after.z)) - valueAt(vec3(q.xy, before.z))));            \
+    }
+#endif
+
 #ifdef TRICUBIC
 vec3 dataGradient(vec3 p) { return worldGradient(voxelGradientAt(p)); }
 #elif defined(BRICKS)
-vec3 dataGradient(vec3 p) {
-    vec3 q = sampledFromVoxel(p);
-    vec3 before = placesBefore(q);
-    vec3 after = q + 1.0;
-    return worldGradient(0.5 * sampledPerVoxel() *
-                         vec3(storedAt(vec3(after.x, q.yz)) - storedAt(vec3(before.x, q.yz)),
-                              storedAt(vec3(q.x, after.y, q.z)) - storedAt(vec3(q.x, before.y, q.z)),
-                              storedAt(vec3(q.xy, after.z)) - storedAt(vec3(q.xy, before.z))));
-}
+DEFINE_FINER_GRADIENT(dataGradient, storedAt)
 #else
 DEFINE_GRADIENT(dataGradient, dataAt)
 #endif
 #ifdef FINER_CUTS
-vec3 sculptureGradient(vec3 p) {
-    vec3 q = sampledFromVoxel(p);
-    vec3 before = placesBefore(q);
-    vec3 after = q + 1.0;
-    return worldGradient(
-        0.5 * sampledPerVoxel() *
-        vec3(levelSculptureAt(vec3(after.x, q.yz)) - levelSculptureAt(vec3(before.x, q.yz)),
-             levelSculptureAt(vec3(q.x, after.y, q.z)) - levelSculptureAt(vec3(q.x, before.y, q.z)),
-             levelSculptureAt(vec3(q.xy, after.z)) - levelSculptureAt(vec3(q.xy, before.z))));
-}
+DEFINE_FINER_GRADIENT(sculptureGradient, levelSculptureAt)
 #else
 DEFINE_GRADIENT(sculptureGradient, sculptureAt)
 #endif
+#if defined(FINER_SEGMENTS) && !(defined(PULLED) && defined(APART))
+#ifdef ALL_SEGMENTS
+float levelSegmentationAt(vec3 q) {
+    vec2 memberships = levelMembershipsAt(q);
+    return max(memberships.x, memberships.y);
+}
+#else
+float levelSegmentationAt(vec3 q) { return levelMembershipsAt(q).x; }
+#endif
+float levelTranslucentAt(vec3 q) { return levelMembershipsAt(q).y; }
+DEFINE_FINER_GRADIENT(segmentationGradient, levelSegmentationAt)
+DEFINE_FINER_GRADIENT(translucentGradient, levelTranslucentAt)
+#else
 DEFINE_GRADIENT(segmentationGradient, segmentationAt)
 DEFINE_GRADIENT(translucentGradient, translucentAt)
+#endif

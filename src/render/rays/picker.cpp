@@ -11,8 +11,13 @@ namespace vs::render {
 
 namespace {
 
-bool hasFinerCuts(const Frame& frame) {
-    return frame.detail != nullptr && frame.scene.sculpture != nullptr && frame.scene.hasFinerCuts;
+// Where maxima are looked for, their ranges are bound where the segments of finer levels would be.
+field::Detail::Layers layersOf(const Frame& frame) {
+    field::Detail::Layers layers;
+    layers.hasCuts = frame.detail != nullptr && frame.scene.sculpture != nullptr && frame.scene.hasFinerCuts;
+    layers.hasSegments = frame.detail != nullptr && frame.scene.segmentation != nullptr &&
+                         frame.scene.hasFinerSegments && frame.mode != Mode::Mip;
+    return layers;
 }
 
 gl::Defines definesFor(const Frame& frame, Picker::Meets meets) {
@@ -34,7 +39,8 @@ gl::Defines definesFor(const Frame& frame, Picker::Meets meets) {
         {"BRICKS", frame.detail != nullptr},
         {"FINER", frame.detail != nullptr && frame.detail->isFiner()},
         {"FETCHED", frame.detail != nullptr},
-        {"FINER_CUTS", hasFinerCuts(frame)},
+        {"FINER_CUTS", layersOf(frame).hasCuts},
+        {"FINER_SEGMENTS", layersOf(frame).hasSegments},
         {"SEGMENTS", byFunction && scene.segmentation != nullptr},
         {"PICK_MAXIMUM", frame.mode == Mode::Mip && meets != Picker::Meets::Surface},
     });
@@ -79,12 +85,12 @@ field::SurfacePoints Picker::pick(const Frame& frame, std::span<const glm::vec2>
 void Picker::pickSome(const Frame& frame, const Asked& asked) {
     gl::Program& program = pickPoints_.with(definesFor(frame, asked.meets));
     sceneBinding_.bind(frame.scene);
-    if (frame.detail != nullptr) {
-        frame.detail->bind(hasFinerCuts(frame));
-    }
     view_.writeValue(viewBlock(frame.rays, frame.scene.data->geometry));
     view_.bindUniform(kViewBlock);
     frame.macrocells->bind();
+    if (frame.detail != nullptr) {
+        frame.detail->bind(layersOf(frame));
+    }
     if (frame.mode == Mode::Volume) {
         frame.classification->bind();
     }

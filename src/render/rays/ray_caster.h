@@ -157,6 +157,7 @@ private:
     static bool drawsTranslucent(const Frame& frame);
     // The variant that draws what remains and pasted parts, and the one that draws a segment that is pulled
     // out.
+    static field::Detail::Layers layersOf(const Frame& frame);
     static gl::Defines definesFor(const Frame& frame);
     static gl::Defines definesFor(const Frame& frame, const PulledSegment& segment);
     void arrangeParts();

@@ -47,10 +47,14 @@ void RayCaster::arrangeParts() {
 
 void RayCaster::become(Part& part, const PastedPart& pasted) {
     VS_CHECK(pasted.macrocells != nullptr);
-    if (part.scene.hasFinerCuts && pasted.sculpture != frame_.scene.sculpture) {
-        Frame coarse = frame_; // what is finer is that of all that was cut
-        coarse.scene.hasFinerCuts = false;
-        part.scene.hasFinerCuts = false;
+    // What is finer is that of all that was cut, and of segments as they end there.
+    Frame coarse = frame_;
+    coarse.scene.hasFinerCuts = part.scene.hasFinerCuts && pasted.sculpture == frame_.scene.sculpture;
+    coarse.scene.hasFinerSegments = part.scene.hasFinerSegments && pasted.segmentation == nullptr;
+    if (coarse.scene.hasFinerCuts != part.scene.hasFinerCuts ||
+        coarse.scene.hasFinerSegments != part.scene.hasFinerSegments) {
+        part.scene.hasFinerCuts = coarse.scene.hasFinerCuts;
+        part.scene.hasFinerSegments = coarse.scene.hasFinerSegments;
         part.defines = definesFor(coarse);
     }
     part.scene.sculpture = pasted.sculpture;
@@ -80,16 +84,17 @@ void RayCaster::place(Part& part, const Placement& placement) {
 
 void RayCaster::bindPart(const Part& part) {
     sceneBinding_.bind(part.scene);
-    if (frame_.detail != nullptr) {
-        frame_.detail->use(*level_);
-        const bool isSculpted =
-            part.scene.sculpture != nullptr || part.scene.view == field::SculptureView::Probe;
-        // A segment that is apart has its own texture where those cuts would be.
-        frame_.detail->bind(isSculpted && part.scene.hasFinerCuts &&
-                            (!part.pulled || part.scene.apartPages == nullptr));
-    }
     part.view.bindUniform(kViewBlock);
     part.macrocells->bind();
+    if (frame_.detail != nullptr) {
+        frame_.detail->use(*level_);
+        Frame seen = frame_;
+        seen.scene = part.scene;
+        if (part.pulled && part.scene.apartPages != nullptr) { // has its own texture where those would be
+            seen.scene.hasFinerCuts = seen.scene.hasFinerSegments = false;
+        }
+        frame_.detail->bind(layersOf(seen));
+    }
     part.beams.bindTexture(kBeamsTexture);
     if (frame_.mode == Mode::Mip) {
         part.slabs.bind();

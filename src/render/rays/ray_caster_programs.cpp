@@ -21,6 +21,17 @@ bool addsSegments(const Frame& frame) {
 
 } // namespace
 
+// Where maxima are looked for, their ranges are bound where the segments of finer levels would be.
+field::Detail::Layers RayCaster::layersOf(const Frame& frame) {
+    const field::Scene& scene = frame.scene;
+    const bool isSculpted = scene.sculpture != nullptr || scene.view == field::SculptureView::Probe;
+    field::Detail::Layers layers;
+    layers.hasCuts = frame.detail != nullptr && isSculpted && scene.hasFinerCuts;
+    layers.hasSegments = frame.detail != nullptr && frame.mode != Mode::Mip &&
+                         scene.segmentation != nullptr && scene.hasFinerSegments;
+    return layers;
+}
+
 gl::Defines RayCaster::definesFor(const Frame& frame) {
     const field::Scene& scene = frame.scene;
     const bool isLit = frame.mode != Mode::Mip && frame.mode != Mode::XRay; // these have no surfaces
@@ -34,7 +45,8 @@ gl::Defines RayCaster::definesFor(const Frame& frame) {
         {"QUADS", bool(searched.quads) && frame.detail == nullptr},
         {"BRICKS", frame.detail != nullptr},
         {"FINER", frame.detail != nullptr && frame.detail->isFiner()},
-        {"FINER_CUTS", frame.detail != nullptr && isSculpted && scene.hasFinerCuts},
+        {"FINER_CUTS", layersOf(frame).hasCuts},
+        {"FINER_SEGMENTS", layersOf(frame).hasSegments},
         {"SMOOTHED", scene.smoothed != nullptr},
         {"TRICUBIC", scene.sampling == field::Sampling::Tricubic},
         {"SEGMENTS", addsSegments(frame)},
@@ -56,6 +68,7 @@ gl::Defines RayCaster::definesFor(const Frame& frame, const PulledSegment& segme
     alone.scene.smoothed = nullptr;
     // What is apart has tiles of its own where those would be bound.
     alone.scene.hasFinerCuts = segment.scene.hasFinerCuts && segment.scene.apartPages == nullptr;
+    alone.scene.hasFinerSegments = segment.scene.hasFinerSegments && segment.scene.apartPages == nullptr;
     if (frame.mode == Mode::Surface) {
         alone.segmentColours = {}; // no glass
     }

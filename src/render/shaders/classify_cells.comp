@@ -1,10 +1,11 @@
 // Marks the macrocells that may hold something visible, one bit each: the first of the planes of
 // cell_bits.glsl. One invocation a row of 32 cells along x. In: textures 0 data ranges; with VS_SCULPTURE 1
-// sculpture ranges; with VS_SEGMENTATION 2 segmentation ranges (rg: smallest, largest value in the cell).
-// With VS_DATA the data is drawn; with VS_BY_FUNCTION the transfer function says what of it can be seen, not
-// the displayed range, with VS_GRADIENTS also by the gradient magnitudes in the cell (texture 8 gradient
+// sculpture ranges; with VS_SEGMENTATION 2 segmentation ranges (rg: smallest, largest value in the cell);
+// with VS_FINER_SEGMENTS surfaces are those of a finer level, which lie where the scene's segments are not
+// far. With VS_DATA the data is drawn; with VS_BY_FUNCTION the transfer function says what of it can be seen,
+// not the displayed range, with VS_GRADIENTS also by the gradient magnitudes in the cell (texture 8 gradient
 // ranges). In and out: storage 0 planes. Out: storage 1, 1 where the first plane was another.
-// variants: VS_DATA=1;VS_DATA=1 VS_BY_FUNCTION=1;VS_DATA=1 VS_BY_FUNCTION=1 VS_GRADIENTS=1 VS_SCULPTURE=1
+// variants: VS_DATA=1;VS_DATA=1 VS_BY_FUNCTION=1;VS_DATA=1 VS_BY_FUNCTION=1 VS_GRADIENTS=1 VS_SCULPTURE=1;VS_DATA=1 VS_SEGMENTATION=1 VS_FINER_SEGMENTS=1
 layout(local_size_x = 4, local_size_y = 16) in;
 
 #include "gl/shaders/place.glsl"
@@ -45,7 +46,12 @@ bool mayHoldSomething(ivec3 cell) {
 #endif
 #endif
 #ifdef VS_SEGMENTATION
-    mayHold = mayHold || texelFetch(segmentationCells, cell, 0).g >= 0.5;
+    float most = texelFetch(segmentationCells, cell, 0).g;
+#ifdef VS_FINER_SEGMENTS
+    mayHold = mayHold || most > 0.0;
+#else
+    mayHold = mayHold || most >= 0.5;
+#endif
 #endif
 #ifdef VS_SCULPTURE
     vec2 sculpture = texelFetch(sculptureCells, min(cell, textureSize(sculptureCells, 0) - 1), 0).rg;

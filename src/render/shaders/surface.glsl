@@ -316,7 +316,7 @@ Hit findSurface(Ray ray, float jitter) {
     hit.inSegment = hit.voxel;
 #ifndef PULLED
     for (int i = 1; i <= 3; ++i) {
-        vec3 behind = at(ray, hit.t + 0.5 * float(i));
+        vec3 behind = at(ray, hit.t + 0.5 * segmentStep() * float(i));
         float there = segmentationAt(behind);
         hit.inSegment = nearby < 0.5 && there >= 0.5 ? behind : hit.inSegment;
         nearby = max(nearby, there);

@@ -93,7 +93,7 @@ void SliceRenderer::draw(const SliceFrame& frame, gl::Program& program) {
     segmentColours_.bindTexture(kSegmentColoursTexture);
     sceneBinding_.bind(frame.scene);
     if (frame.detail != nullptr) {
-        frame.detail->bind(hasFinerCuts(frame));
+        frame.detail->bind({hasFinerCuts(frame), false});
     }
     if (frame.tintsVisible && frame.classification != nullptr) {
         frame.classification->bind();

@@ -48,6 +48,7 @@ gl::Defines definesFor(const Macrocells::Input& input) {
                            {"VS_BY_FUNCTION", input.classification != nullptr},
                            {"VS_GRADIENTS", gradientCells(input) != nullptr},
                            {"VS_SEGMENTATION", input.segmentationCells != nullptr},
+                           {"VS_FINER_SEGMENTS", input.hasFinerSegments},
                            {"VS_SCULPTURE", isSculpted}});
 }
 

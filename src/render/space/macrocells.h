@@ -35,6 +35,7 @@ public:
         const Classification* classification = nullptr;
         // Finer levels are drawn, whose gradients may be steeper than the scene's.
         bool isFiner = false;
+        bool hasFinerSegments = false; // which are a little more or less than the scene's
         // The voxels outside of which all ranges are what they were at the last rebuild(), all else being the
         // same; nothing: anything may be different.
         std::optional<Box3> changed = {};

@@ -89,6 +89,8 @@ public:
     [[nodiscard]] glm::ivec3 brickCounts() const { return divideUp(dims(), field::kBrick); }
     [[nodiscard]] glm::ivec3 placeOfBrick(std::uint32_t brick) const;
     [[nodiscard]] std::uint32_t brickOf(glm::ivec3 voxel) const;
+    // A number that moves on whenever a voxel changes, and is no other growth's.
+    [[nodiscard]] std::uint64_t revision() const { return revision_; }
     // The bricks whose voxels have changed since they were last said to be shown.
     [[nodiscard]] std::vector<std::uint32_t> changed() const;
     void noteShown() { changed_.clear(); }
@@ -147,7 +149,9 @@ private:
     HostSpread spread_;
     std::vector<glm::ivec3> added_; // seeds that the front has not taken up yet
     bool isValid_ = false;          // the front
+    void noteChanged(std::uint32_t brick);
     std::unordered_set<std::uint32_t> changed_;
+    std::uint64_t revision_ = 0;
     FineUndo* recording_ = nullptr; // of the call under way
 };
 

@@ -5,6 +5,7 @@
 #include "volume/grid/visit_type.h"
 
 #include <algorithm>
+#include <atomic>
 #include <limits>
 #include <utility>
 
@@ -16,6 +17,12 @@ constexpr int kAll = std::numeric_limits<int>::max();
 
 } // namespace
 
+void FineGrowth::noteChanged(std::uint32_t brick) {
+    static std::atomic<std::uint64_t> last{0};
+    changed_.insert(brick);
+    revision_ = ++last;
+}
+
 // A brick becomes what it was not; the record keeps what it was.
 void FineGrowth::replaceCells(std::uint32_t brick, const OpenCells& open) {
     auto cells = std::make_shared<const FineCells>(open);
@@ -23,7 +30,7 @@ void FineGrowth::replaceCells(std::uint32_t brick, const OpenCells& open) {
     if (recording_ != nullptr) {
         recording_->bricks.try_emplace(brick, known == map_.end() ? FineCellsPtr() : known->second);
     }
-    changed_.insert(brick);
+    noteChanged(brick);
     if (!cells->isEmpty()) {
         map_[brick] = std::move(cells);
     } else if (known != map_.end()) {
@@ -36,13 +43,13 @@ void FineGrowth::dropCells(std::uint32_t brick) {
     if (recording_ != nullptr) {
         recording_->bricks.try_emplace(brick, known->second);
     }
-    changed_.insert(brick);
+    noteChanged(brick);
     map_.erase(known);
 }
 
 void FineGrowth::putBack(const std::map<std::uint32_t, FineCellsPtr>& bricks) {
     for (const auto& [brick, cells] : bricks) {
-        changed_.insert(brick);
+        noteChanged(brick);
         if (cells == nullptr) {
             map_.erase(brick);
         } else {

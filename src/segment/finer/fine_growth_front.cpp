@@ -141,7 +141,7 @@ void FineGrowth::commit() {
         if (recording_ != nullptr) {
             recording_->bricks.try_emplace(one.brick, one.before);
         }
-        changed_.insert(one.brick);
+        noteChanged(one.brick);
         map_[one.brick] = std::move(one.after);
     }
 }

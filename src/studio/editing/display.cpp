@@ -10,6 +10,7 @@ Pipeline::State Display::stateOf(const View& from, double segmentsMs) const {
     state.trimmed = &contents_->trimmed;
     state.pasted = &contents_->pasted;
     state.growth = contents_->region.growth();
+    state.finest = contents_->inHand == InHand::Scrub ? nullptr : contents_->region.finest();
     state.segments = &contents_->segments;
     state.isCutAlongSegments = contents_->isCutAlongSegments();
     state.smoothing = contents_->inHand == InHand::Scrub || !from.smoothsSegments

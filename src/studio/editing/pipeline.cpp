@@ -39,9 +39,7 @@ void Pipeline::dropSegments() {
     partStages_.clear();
 }
 
-namespace {
-
-segment::Looks looksOf(const SegmentList& list) {
+segment::Looks Pipeline::looksOf(const SegmentList& list) {
     segment::Looks looks = segment::allOpaque();
     for (const SegmentInfo& segment : list.segments) {
         looks[segment.label] = !segment.isVisible    ? segment::Look::Hidden
@@ -50,8 +48,6 @@ segment::Looks looksOf(const SegmentList& list) {
     }
     return looks;
 }
-
-} // namespace
 
 render::TransferFunction Pipeline::resolved(const render::TransferFunction& function) {
     if (!classification_) {
@@ -131,10 +127,14 @@ field::Scene Pipeline::scene(const State& state, bool wantsSegments) {
     scene.data = field_;
     scene.sculpture = isSculpted ? &state.sculpture->texels() : nullptr;
     layCuts(state);
-    scene.hasFinerCuts =
-        isSculpted && state.sculpture->finer() != nullptr && detail_ != nullptr && detail_->hasOverlay();
+    scene.hasFinerCuts = isSculpted && state.sculpture->finer() != nullptr && detail_ != nullptr &&
+                         detail_->hasOverlay(field::BrickLayer::Cuts);
     scene.isCutAlongSegments = state.isCutAlongSegments;
     scene.segmentation = hasSegmentation ? &segmentation_->texels() : nullptr;
+    if (hasSegmentation && state.finest != nullptr && detail_ != nullptr) {
+        laySegments(state);
+        scene.hasFinerSegments = detail_->hasOverlay(field::BrickLayer::Segments);
+    }
     if (hasSegmentation && state.growth->hasOthers()) {
         state.growth->syncLabels();
         scene.segmentLabels = &state.growth->seedMap().labels();
@@ -145,15 +145,6 @@ field::Scene Pipeline::scene(const State& state, bool wantsSegments) {
     scene.view = isSculpted ? state.view->sculptureView : field::SculptureView::Whole;
     scene.sampling = state.view->sampling;
     return scene;
-}
-
-// Finer levels show what is cut there now.
-void Pipeline::layCuts(const State& state) {
-    const sculpt::FineSculpture* finer = state.sculpture->finer();
-    if (detail_ != nullptr && finer != nullptr && detail_->laidVersion() != finer->version()) {
-        detail_->lay(finer->snapshot(), finer->version(),
-                     [finer](std::uint64_t version) { return finer->changedSince(version); });
-    }
 }
 
 render::SegmentColours Pipeline::segmentColours(const State& state) {
@@ -226,12 +217,13 @@ render::Frame Pipeline::frame(const State& state, glm::ivec2 size) {
             true,
             byFunction ? classification_->version() : 0,
             view.sampling,
-            frame.scene.smoothed != nullptr ? view.surfaceSmoothing : 0};
+            frame.scene.smoothed != nullptr ? view.surfaceSmoothing : 0,
+            hasSurfaces && frame.scene.hasFinerSegments};
     refresh(cells_, key, state, frame, isSculpted ? &state.sculpture->cells() : nullptr,
             segmentation_ ? &*segmentation_ : nullptr);
     frame.macrocells = &cells_.macrocells;
     if (hasSurfaces && view.mode != render::Mode::Segment) {
-        refreshSegmentCells();
+        refreshSegmentCells(frame.scene.hasFinerSegments);
         frame.segmentCells = &segmentCells_.macrocells;
     }
     if (view.shadows) {
@@ -272,7 +264,8 @@ PictureContent Pipeline::contentOf(const State& state, const render::Frame& fram
                             segmentation_->version(),
                             segmentation_->looks(),
                             frame.segmentColours,
-                            frame.scene.segmentLabels != nullptr};
+                            frame.scene.segmentLabels != nullptr,
+                            frame.scene.hasFinerSegments ? laidVersion_ : 0};
     }
     return content;
 }
@@ -304,7 +297,7 @@ std::vector<std::uint8_t> Pipeline::apartFromOthers(const State& state) {
 }
 
 void Pipeline::addPulledOut(render::Frame& frame, const field::Scene& withSegments, const State& state) {
-    refreshSegmentCells();
+    refreshSegmentCells(withSegments.hasFinerSegments);
     const bool hasOthers = state.growth->hasOthers();
     for (const SegmentInfo* segment : pulledOut(state)) {
         if (state.growth->voxelCount(segment->label) == 0) {

@@ -16,6 +16,10 @@
 
 #include <memory>
 
+namespace vs::segment {
+class FineGrowth;
+}
+
 namespace vs::studio {
 
 // From the document's state to something that can be rendered: notices what is stale and runs only those
@@ -31,10 +35,11 @@ public:
         const View* view = nullptr;
         const sculpt::Sculpture* sculpture = nullptr;
         const sculpt::Trimmed* trimmed = nullptr;
-        const PastedState* pasted = nullptr;     // whose part is drawn at which of the view's places
-        const segment::Growth* growth = nullptr; // null: nothing seeded yet
-        const SegmentList* segments = nullptr;   // how they look
-        bool isCutAlongSegments = false;         // field::Scene
+        const PastedState* pasted = nullptr;         // whose part is drawn at which of the view's places
+        const segment::Growth* growth = nullptr;     // null: nothing seeded yet
+        const segment::FineGrowth* finest = nullptr; // at the finest level; null: nothing, or not to be shown
+        const SegmentList* segments = nullptr;       // how they look
+        bool isCutAlongSegments = false;             // field::Scene
         segment::Smoothing smoothing = segment::Smoothing::Smooth;
         double segmentsMs = segment::Segmentation::kNoHurry; // that bringing the segments up to date may take
         Range greyWindow;
@@ -80,6 +85,7 @@ private:
         int functionVersion = 0; // of the transfer function, where it says what can be seen
         field::Sampling sampling = field::Sampling::Trilinear;
         double surfaceSmoothing = 0; // steps
+        bool hasFinerSegments = false;
         bool operator==(const Key&) const = default;
     };
 
@@ -98,10 +104,25 @@ private:
     // The same for pasted parts, while they are drawn beside what is left and growth had a fence.
     std::optional<segment::Segmentation> partSegmentation_;
     bool isBehind_ = false;
+    // What segments over the bricks of finer levels were last made from.
+    struct LaidSegments {
+        std::uint64_t revision = 0; // of what has grown
+        std::uint8_t label = 0;     // of the segment at work, and how far it is shown
+        int playhead = 0;
+        segment::Looks looks = segment::allOpaque();
+        segment::Smoothing smoothing = segment::Smoothing::Smooth;
+        field::SculptureView view = field::SculptureView::Whole;
+        std::uint64_t cutsVersion = 0;
+        bool operator==(const LaidSegments&) const = default;
+    };
+    LaidSegments laidSegments_;
+    std::uint64_t laidVersion_ = 0; // counts those
     void makeSegmentation();
     // What shaders see of the document, with the segments if they are wanted; brings those up to date.
     field::Scene scene(const State& state, bool wantsSegments);
+    static segment::Looks looksOf(const SegmentList& list);
     void layCuts(const State& state);
+    void laySegments(const State& state);
     // What the viewer does not see of the sculpture in a view.
     static segment::Fence fence(const State& state, field::SculptureView view);
     // The segments as pasted parts show them: their cut faces look the other way.
@@ -152,7 +173,7 @@ private:
     void addPulledOut(render::Frame& frame, const field::Scene& withSegments, const State& state);
 
     // Brings the macrocells of the segments alone up to date.
-    void refreshSegmentCells();
+    void refreshSegmentCells(bool hasFinerSegments);
 
     Cells cells_;
     Cells segmentCells_;

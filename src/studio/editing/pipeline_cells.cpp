@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Macrocells and light, brought up to date where they are stale.
+#include "segment/finer/fine_growth.h"
+#include "segment/membership/fine_membership.h"
 #include "studio/editing/pipeline.h"
 
 #include <utility>
@@ -48,15 +50,52 @@ void Pipeline::refresh(Cells& cells, const Key& key, const State& state, const r
     input.sampling = key.sampling;
     input.classification = frame.mode == render::Mode::Volume ? frame.classification : nullptr;
     input.isFiner = detail_ != nullptr;
+    input.hasFinerSegments = key.hasFinerSegments;
     input.changed = old ? changedVoxels(*old, key, *state.sculpture, segmentation) : std::nullopt;
     cells.key.reset(); // or what is left half done would pass for it
     cells.macrocells.rebuild(input);
     cells.key = key;
 }
 
+// Finer levels show what is cut there now.
+void Pipeline::layCuts(const State& state) {
+    const sculpt::FineSculpture* finer = state.sculpture->finer();
+    if (detail_ != nullptr && finer != nullptr &&
+        detail_->laidVersion(field::BrickLayer::Cuts) != finer->version()) {
+        detail_->lay(field::BrickLayer::Cuts, finer->snapshot(), finer->version(),
+                     [finer](std::uint64_t version) { return finer->changedSince(version); });
+    }
+}
+
+// And what has grown there.
+void Pipeline::laySegments(const State& state) {
+    const sculpt::FineSculpture* finer = state.sculpture->isEmpty() ? nullptr : state.sculpture->finer();
+    LaidSegments laid;
+    laid.revision = state.finest->revision();
+    laid.label = state.finest->label();
+    laid.playhead = state.finest->state().playhead;
+    laid.looks = looksOf(*state.segments);
+    laid.smoothing = state.smoothing;
+    laid.view = finer != nullptr ? state.view->sculptureView : field::SculptureView::Whole;
+    laid.cutsVersion = laid.view != field::SculptureView::Whole ? finer->version() : 0;
+    if (laidVersion_ > 0 && laid == laidSegments_) {
+        return;
+    }
+    laidSegments_ = laid;
+    segment::FineShown shown{laid.looks, laid.smoothing, laid.view};
+    if (laid.view != field::SculptureView::Whole) {
+        shown.fence = finer->reader();
+        shown.cuts = finer->snapshot();
+    }
+    const field::BrickGrid& finest = detail_->grids().front();
+    detail_->lay(field::BrickLayer::Segments, segment::fineMembership(*state.finest, finest, shown),
+                 ++laidVersion_, [all = Box3{glm::ivec3(0), finest.dims}](std::uint64_t) { return all; });
+}
+
 // Of the whole grid, whatever was cut: so a stroke leaves them as they are, and pasted parts share them.
-void Pipeline::refreshSegmentCells() {
+void Pipeline::refreshSegmentCells(bool hasFinerSegments) {
     Key key;
+    key.hasFinerSegments = hasFinerSegments;
     key.segmentationVersion = segmentation_->version();
     key.drawsSegmentation = true;
     if (segmentCells_.key == key) {
@@ -67,7 +106,8 @@ void Pipeline::refreshSegmentCells() {
     input.segmentationCells = &segmentation_->cells();
     input.view = field::SculptureView::Whole;
     input.drawsData = false;
-    if (segmentCells_.key) {
+    input.hasFinerSegments = hasFinerSegments;
+    if (segmentCells_.key && segmentCells_.key->hasFinerSegments == hasFinerSegments) {
         input.changed = segmentation_->changedSince(segmentCells_.key->segmentationVersion);
     }
     segmentCells_.key.reset();

@@ -85,7 +85,7 @@ void Cutter::keepSurfaces() {
 
 std::vector<field::SurfacePoint> Cutter::pick(const render::Frame& frame, std::span<const glm::vec2> pixels) {
     const auto lay = [&](const std::shared_ptr<const field::BrickOverlay>& cuts, std::uint64_t version) {
-        detail_->lay(cuts, version,
+        detail_->lay(field::BrickLayer::Cuts, cuts, version,
                      [this](std::uint64_t since) { return sculpture->finer()->changedSince(since); });
     };
     const bool isKept = detail_ != nullptr && kept_ != nullptr;

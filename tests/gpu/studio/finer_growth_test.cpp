@@ -189,5 +189,66 @@ TEST_F(FinerGrowthTest, EditsFollowTheScenesVoxels) {
     EXPECT_GT(countOf(wider, 1), countOf(scene, 1));
 }
 
+// Pictures at rest show segments as pictures of the finest level would, whole and cut, with room for a few
+// bricks or many.
+TEST_F(FinerGrowthTest, SegmentsAreSeenAsTheyAre) {
+    InBricks roomy;
+    InBricks tight(16, 40);
+    Head whole;
+    roomy.document->apply(seedAt(200, 130));
+    Seed seed = std::get<Seed>(roomy.document->log().back());
+    tight.document->apply(seed);
+    seed.voxels = std::exchange(seed.finest, {});
+    whole.apply(seed);
+    render::RayCaster caster;
+    const auto pictureOf = [&](Document& document, render::Mode mode) {
+        View view = document.view();
+        view.mode = mode;
+        view.shadows = false; // what blocks the light is the scene
+        view.tintsSegments = true;
+        document.showView(view);
+        render::Frame frame = document.frame({200, 150});
+        frame.scene.greyWindow = {0, 255}; // of its own histogram otherwise
+        frame.samples = 1;
+        caster.render(frame);
+        document.showView(testCanvas().view);
+        return caster.readPicture();
+    };
+    const auto expectSame = [&](const char* what, bool isCut) {
+        ASSERT_EQ(whole.region().labelMap(), roomy.labels()) << what;
+        for (const auto mode : {render::Mode::Segment, render::Mode::Overlay, render::Mode::XRay}) {
+            const auto wanted = pictureOf(whole, mode);
+            for (InBricks* inBricks : {&roomy, &tight}) {
+                if (inBricks == &tight && mode != render::Mode::Segment) {
+                    continue;
+                }
+                const auto difference = image::compare(wanted, pictureOf(*inBricks->document, mode));
+                // Cut faces, behind which segments go on, do so by rules of values in one and not in the
+                // other.
+                EXPECT_LT(difference.mean, isCut ? 0.25 : 0.1) << what << int(mode);
+                EXPECT_LT(difference.changedFraction, isCut ? 0.02 : 0.01) << what << int(mode);
+            }
+        }
+    };
+    const auto applyToAll = [&](const Operation& operation) {
+        whole.apply(operation);
+        roomy.document->apply(operation);
+        tight.document->apply(operation);
+    };
+    applyToAll(Grow{14});
+    expectSame("grown", false);
+    UseSegment look;
+    look.segment = kFirstSegment;
+    look.opacity = 0.4;
+    applyToAll(look);
+    expectSame("translucent", false);
+    look.opacity = 1;
+    applyToAll(look);
+    applyToAll(Grow{});
+    expectSame("grown to the end", false);
+    applyToAll(scissorsAt(190, 120, 25));
+    expectSame("cut", true);
+}
+
 } // namespace
 } // namespace vs::studio

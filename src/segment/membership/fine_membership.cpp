@@ -1,0 +1,399 @@
+// SPDX-License-Identifier: Apache-2.0
+#include "segment/membership/fine_membership.h"
+
+#include "segment/finer/fine_growth.h"
+#include "segment/membership/membership.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <span>
+#include <utility>
+#include <vector>
+
+namespace vs::segment {
+
+namespace {
+
+// Whose a voxel is: 0 nobody's, else a Look.
+using Member = std::uint8_t;
+constexpr auto kOpaque = Member(Look::Opaque);
+constexpr auto kTranslucent = Member(Look::Translucent);
+constexpr Member kHidden = 255; // behind a cut: not known yet
+
+// A value for each voxel of a box, x fastest.
+template <typename T>
+struct Values {
+    explicit Values(const Box3& in) : box(in), all(in.volume()) {}
+    [[nodiscard]] std::size_t indexOf(glm::ivec3 v) const {
+        const glm::ivec3 at = v - box.lo;
+        const glm::ivec3 size = box.size();
+        return (std::size_t(at.z) * std::size_t(size.y) + std::size_t(at.y)) * std::size_t(size.x) +
+               std::size_t(at.x);
+    }
+    T& at(glm::ivec3 v) { return all[indexOf(v)]; }
+    [[nodiscard]] const T& at(glm::ivec3 v) const { return all[indexOf(v)]; }
+
+    Box3 box;
+    std::vector<T> all;
+};
+
+using Members = Values<Member>;
+
+// Where voxels of the finest level begin that lie in those of a level, along each axis, for a box of that.
+struct Edges {
+    Edges(const field::BrickGrid& finest, const field::BrickGrid& level, const Box3& of) : box(of) {
+        const glm::dvec3 scale = finest.perSceneVoxel / level.perSceneVoxel;
+        const glm::dvec3 offset = finest.origin - level.origin * scale;
+        for (int axis = 0; axis < 3; ++axis) {
+            for (int v = of.lo[axis]; v <= of.hi[axis]; ++v) {
+                const double edge = (v - 0.5) * scale[axis] + offset[axis];
+                const bool isFirst = v <= 0;
+                const bool isLast = v >= level.dims[axis];
+                const int at = isFirst  ? 0
+                               : isLast ? finest.dims[axis]
+                                        : std::clamp(int(std::ceil(edge - 1e-9)), 0, finest.dims[axis]);
+                along[std::size_t(axis)].push_back(at);
+            }
+        }
+    }
+    [[nodiscard]] int edge(int axis, int v) const {
+        return along[std::size_t(axis)][std::size_t(v - box.lo[axis])];
+    }
+    [[nodiscard]] Box3 finestIn(const Box3& of) const {
+        return {{edge(0, of.lo.x), edge(1, of.lo.y), edge(2, of.lo.z)},
+                {edge(0, of.hi.x), edge(1, of.hi.y), edge(2, of.hi.z)}};
+    }
+
+    Box3 box;
+    std::array<std::vector<int>, 3> along;
+};
+
+// Adds up values of up to kKernelReach neighbours to both sides along an axis, weighted; the result is so
+// much narrower along it.
+Values<float> smoothedAlong(int axis, const glm::vec4& weights, const Values<float>& from) {
+    Box3 box = from.box;
+    box.lo[axis] += kKernelReach;
+    box.hi[axis] -= kKernelReach;
+    Values<float> to(box);
+    const glm::ivec3 size = from.box.size();
+    const std::size_t stride = axis == 0   ? 1
+                               : axis == 1 ? std::size_t(size.x)
+                                           : std::size_t(size.x) * std::size_t(size.y);
+    const auto width = std::size_t(box.size().x);
+    for (int z = box.lo.z; z < box.hi.z; ++z) {
+        for (int y = box.lo.y; y < box.hi.y; ++y) {
+            const float* in = &from.at({box.lo.x, y, z});
+            float* out = &to.at({box.lo.x, y, z});
+            for (std::size_t x = 0; x < width; ++x) {
+                const float* middle = in + x;
+                out[x] = weights.x * middle[0] + weights.y * (*(middle - stride) + middle[stride]) +
+                         weights.z * (*(middle - 2 * stride) + middle[2 * stride]) +
+                         weights.w * (*(middle - 3 * stride) + middle[3 * stride]);
+            }
+        }
+    }
+    return to;
+}
+
+// How far segments go on behind a cut: as far as counts for the first voxel behind it.
+constexpr int kBehindCuts = kKernelReach + 1;
+
+// What was not known behind a cut becomes what most of its six neighbours are, from the cut on.
+void goOnBehindCuts(Members& members) {
+    std::vector<glm::ivec3> hidden;
+    forEachVoxel(members.box, [&](glm::ivec3 v, std::size_t i) {
+        if (members.all[i] == kHidden) {
+            hidden.push_back(v);
+        }
+    });
+    for (int step = 0; step < kBehindCuts && !hidden.empty(); ++step) {
+        std::vector<std::pair<glm::ivec3, Member>> found;
+        std::vector<glm::ivec3> left;
+        for (const glm::ivec3 v : hidden) {
+            std::array<int, 3> counts{};
+            for (int axis = 0; axis < 3; ++axis) {
+                for (const int side : {-1, 1}) {
+                    glm::ivec3 near = v;
+                    near[axis] += side;
+                    const bool isInside =
+                        near[axis] >= members.box.lo[axis] && near[axis] < members.box.hi[axis];
+                    const Member whose = isInside ? members.at(near) : kHidden;
+                    if (whose != kHidden) {
+                        ++counts[whose];
+                    }
+                }
+            }
+            const auto most = std::max_element(counts.begin(), counts.end());
+            if (*most > 0) {
+                found.emplace_back(v, Member(most - counts.begin()));
+            } else {
+                left.push_back(v);
+            }
+        }
+        for (const auto& [v, whose] : found) {
+            members.at(v) = whose;
+        }
+        hidden.swap(left);
+    }
+    for (const glm::ivec3 v : hidden) {
+        members.at(v) = 0;
+    }
+}
+
+class Snapshot final : public field::BrickOverlay {
+public:
+    Snapshot(const FineGrowth& growth, const field::BrickGrid& finest, FineShown shown)
+        : map_(growth.map()), atWork_(growth.label()), playhead_(growth.state().playhead), grid_(finest),
+          shown_(std::move(shown)), hasTranslucent_(std::find(shown_.looks.begin(), shown_.looks.end(),
+                                                              Look::Translucent) != shown_.looks.end()) {}
+
+    [[nodiscard]] gl::Format format() const override {
+        return hasTranslucent_ ? gl::Format::RG8 : gl::Format::R8;
+    }
+    [[nodiscard]] bool isEmpty() const override { return map_.empty(); }
+
+    [[nodiscard]] std::vector<std::byte> texelsOf(const field::BrickGrid& level,
+                                                  glm::ivec3 brick) const override {
+        const Members members = membersAround(level, brick);
+        const bool isAny =
+            std::any_of(members.all.begin(), members.all.end(), [](Member whose) { return whose != 0; });
+        if (!isAny) {
+            return {};
+        }
+        const std::size_t channels = hasTranslucent_ ? 2 : 1;
+        const Box3 box = boxOf(level, brick);
+        const Box3 own = intersect(box, {glm::ivec3(0), level.dims});
+        std::vector<std::byte> texels(channels * box.volume());
+        for (std::size_t channel = 0; channel < channels; ++channel) {
+            const Values<std::uint8_t> of =
+                membership(members, channel == 0 ? kOpaque : kTranslucent, own, level);
+            // What lies beyond the grid is what is at its border.
+            forEachVoxel(box, [&](glm::ivec3 v, std::size_t i) {
+                texels[channels * i + channel] = std::byte(of.at(glm::min(v, level.dims - 1)));
+            });
+        }
+        return texels;
+    }
+
+    [[nodiscard]] bool isAlike(const BrickOverlay& other, const field::BrickGrid& level,
+                               glm::ivec3 brick) const override {
+        const auto* before = dynamic_cast<const Snapshot*>(&other);
+        if (before == nullptr || before->shown_.looks != shown_.looks ||
+            before->shown_.smoothing != shown_.smoothing || !areCutsAlike(*before, level, brick)) {
+            return false;
+        }
+        const Box3 box = padded(level, brick);
+        bool isSame = true;
+        forEachBrick(Edges(grid_, level, box).finestIn(box), [&](std::uint32_t number, glm::ivec3) {
+            const FineCells* now = cellsOf(number);
+            isSame =
+                isSame && now == before->cellsOf(number) && (now == nullptr || showsAlike(*before, *now));
+        });
+        return isSame;
+    }
+
+private:
+    static constexpr int kPad = kKernelReach + 1; // the last for what is thin at coarser levels
+
+    [[nodiscard]] static Box3 boxOf(const field::BrickGrid& level, glm::ivec3 brick) {
+        return {brick * level.side, brick * level.side + level.texels()};
+    }
+    [[nodiscard]] static Box3 padded(const field::BrickGrid& level, glm::ivec3 brick) {
+        return intersect(grow(boxOf(level, brick), kPad), {glm::ivec3(0), level.dims});
+    }
+    [[nodiscard]] const FineCells* cellsOf(std::uint32_t number) const {
+        const auto found = map_.find(number);
+        return found == map_.end() ? nullptr : found->second.get();
+    }
+    // Generations of a segment that are shown end with this one.
+    [[nodiscard]] std::uint32_t lastShown(std::uint8_t label) const {
+        return label == atWork_ ? std::uint32_t(playhead_) : std::numeric_limits<std::uint32_t>::max();
+    }
+    [[nodiscard]] bool showsAlike(const Snapshot& before, const FineCells& cells) const {
+        return std::all_of(cells.spans().begin(), cells.spans().end(), [&](const auto& entry) {
+            const std::uint8_t label = entry.first;
+            const auto shownOf = [first = entry.second.first, last = entry.second.last](std::uint32_t upTo) {
+                return upTo < first ? 0U : std::min(upTo, last);
+            };
+            return shownOf(lastShown(label)) == shownOf(before.lastShown(label));
+        });
+    }
+    [[nodiscard]] bool areCutsAlike(const Snapshot& before, const field::BrickGrid& level,
+                                    glm::ivec3 brick) const {
+        if (shown_.view != before.shown_.view ||
+            (shown_.cuts == nullptr) != (before.shown_.cuts == nullptr)) {
+            return false;
+        }
+        bool isSame = true;
+        const Box3 around = intersect(grow(Box3{brick, brick + 1}, 1), {glm::ivec3(0), level.counts()});
+        forEachVoxel(shown_.cuts == nullptr ? Box3() : around, [&](glm::ivec3 near, std::size_t) {
+            isSame = isSame && shown_.cuts->isAlike(*before.shown_.cuts, level, near);
+        });
+        return isSame;
+    }
+
+    // Calls visit(number, first voxel) with the bricks of the finest level that meet a box.
+    template <typename Visit>
+    void forEachBrick(const Box3& finest, const Visit& visit) const {
+        const glm::ivec3 counts = divideUp(grid_.dims, field::kBrick);
+        if (finest.isEmpty()) {
+            return;
+        }
+        forEachVoxel(Box3{finest.lo / field::kBrick, (finest.hi - 1) / field::kBrick + 1},
+                     [&](glm::ivec3 place, std::size_t) {
+                         const int number = (place.z * counts.y + place.y) * counts.x + place.x;
+                         visit(std::uint32_t(number), place * field::kBrick);
+                     });
+    }
+    // Calls visit(voxel, whose) with the voxels of the finest level in a box that are shown in segments.
+    template <typename Visit>
+    void forEachMember(const Box3& finest, const Visit& visit) const {
+        forEachBrick(finest, [&](std::uint32_t number, glm::ivec3 lo) {
+            const FineCells* cells = cellsOf(number);
+            if (cells == nullptr) {
+                return;
+            }
+            cells->forEachGrown([&](std::size_t cell, std::uint32_t generation) {
+                const std::uint8_t label = cells->label(cell);
+                const auto whose = Member(shown_.looks[label]);
+                const glm::ivec3 voxel = lo + voxelOfCell(cell);
+                if (whose != 0 && generation <= lastShown(label) &&
+                    glm::all(glm::greaterThanEqual(voxel, finest.lo)) &&
+                    glm::all(glm::lessThan(voxel, finest.hi))) {
+                    visit(voxel, whose);
+                }
+            });
+        });
+    }
+
+    // Whose the voxels of a level are, in a brick and as far around as counts for it.
+    [[nodiscard]] Members membersAround(const field::BrickGrid& level, glm::ivec3 brick) const {
+        const Box3 box = padded(level, brick);
+        const Edges edges(grid_, level, box);
+        const Box3 finest = edges.finestIn(box);
+        Members members = level.dims == grid_.dims ? membersOfFinest(box) : sharesOf(edges, finest);
+        const bool isAny =
+            std::any_of(members.all.begin(), members.all.end(), [](Member whose) { return whose != 0; });
+        if (isAny && shown_.fence && shown_.view != field::SculptureView::Whole) {
+            hideCut(edges, members);
+            goOnBehindCuts(members);
+        }
+        return members;
+    }
+    [[nodiscard]] Members membersOfFinest(const Box3& box) const {
+        Members members(box);
+        forEachMember(box, [&](glm::ivec3 voxel, Member whose) { members.at(voxel) = whose; });
+        return members;
+    }
+    [[nodiscard]] Members sharesOf(const Edges& edges, const Box3& finest) const {
+        // The voxel of the level that each finest one lies in, along each axis.
+        std::array<std::vector<int>, 3> levelOf;
+        for (int axis = 0; axis < 3; ++axis) {
+            for (int v = edges.box.lo[axis]; v < edges.box.hi[axis]; ++v) {
+                const int count = edges.edge(axis, v + 1) - edges.edge(axis, v);
+                levelOf[std::size_t(axis)].insert(levelOf[std::size_t(axis)].end(), std::size_t(count), v);
+            }
+        }
+        Values<std::array<std::uint32_t, 3>> counts(edges.box); // by Member
+        forEachMember(finest, [&](glm::ivec3 voxel, Member whose) {
+            const glm::ivec3 at = voxel - finest.lo;
+            ++counts.at({levelOf[0][std::size_t(at.x)], levelOf[1][std::size_t(at.y)],
+                         levelOf[2][std::size_t(at.z)]})[whose];
+        });
+        Members members(edges.box);
+        std::vector<std::size_t> some; // which have less than half
+        forEachVoxel(edges.box, [&](glm::ivec3 v, std::size_t i) {
+            const auto& of = counts.all[i];
+            const std::size_t half = (edges.finestIn({v, v + 1}).volume() + 1) / 2;
+            const Member whose = of[kOpaque] >= of[kTranslucent] ? kOpaque : kTranslucent;
+            members.all[i] = of[whose] >= half ? whose : 0;
+            if (of[whose] > 0 && of[whose] < half) {
+                some.push_back(i);
+            }
+        });
+        addThin(counts, some, members);
+        return members;
+    }
+    static void addThin(const Values<std::array<std::uint32_t, 3>>& counts,
+                        const std::vector<std::size_t>& some, Members& members) {
+        const glm::ivec3 size = members.box.size();
+        std::vector<std::size_t> thin;
+        for (const std::size_t i : some) {
+            const auto& of = counts.all[i];
+            const Member whose = of[kOpaque] >= of[kTranslucent] ? kOpaque : kTranslucent;
+            const auto row = std::size_t(size.x);
+            const glm::ivec3 v = members.box.lo + glm::ivec3(i % row, i / row % std::size_t(size.y),
+                                                             i / row / std::size_t(size.y));
+            bool isThin = true;
+            forEachVoxel(intersect(grow(Box3{v, v + 1}, 1), members.box),
+                         [&](glm::ivec3 near, std::size_t) { isThin = isThin && members.at(near) != whose; });
+            if (isThin) {
+                thin.push_back(i);
+            }
+        }
+        for (const std::size_t i : thin) {
+            const auto& of = counts.all[i];
+            members.all[i] = of[kOpaque] >= of[kTranslucent] ? kOpaque : kTranslucent;
+        }
+    }
+    // What nobody has and the viewer does not see is not known.
+    void hideCut(const Edges& edges, Members& members) const {
+        const bool isProbe = shown_.view == field::SculptureView::Probe;
+        for (int z = members.box.lo.z; z < members.box.hi.z; ++z) {
+            // The finest voxels in the middle of the level's.
+            const Box3 slice = edges.finestIn(
+                {{members.box.lo.x, members.box.lo.y, z}, {members.box.hi.x, members.box.hi.y, z + 1}});
+            const int middleZ = (slice.lo.z + slice.hi.z) / 2;
+            Values<float> cut({{slice.lo.x, slice.lo.y, middleZ}, {slice.hi.x, slice.hi.y, middleZ + 1}});
+            cut.all = shown_.fence(cut.box);
+            for (int y = members.box.lo.y; y < members.box.hi.y; ++y) {
+                for (int x = members.box.lo.x; x < members.box.hi.x; ++x) {
+                    Member& whose = members.at({x, y, z});
+                    const glm::ivec3 middle{(edges.edge(0, x) + edges.edge(0, x + 1)) / 2,
+                                            (edges.edge(1, y) + edges.edge(1, y + 1)) / 2, middleZ};
+                    const bool isHidden = (cut.at(middle) >= 0.5F) != isProbe;
+                    whose = whose == 0 && isHidden ? kHidden : whose;
+                }
+            }
+        }
+    }
+
+    // How much belongs to one channel, from 0 to 255: at least half at its voxels, less at all others.
+    [[nodiscard]] Values<std::uint8_t> membership(const Members& members, Member channel, const Box3& own,
+                                                  const field::BrickGrid& level) const {
+        Values<float> values(grow(own, kKernelReach)); // nothing lies outside the grid
+        forEachVoxel(intersect(values.box, members.box), [&](glm::ivec3 v, std::size_t) {
+            values.at(v) = members.at(v) == channel ? 1.0F : 0.0F;
+        });
+        const bool isSmooth = shown_.smoothing == Smoothing::Smooth;
+        for (int axis = 0; isSmooth && axis < 3; ++axis) {
+            values = smoothedAlong(axis, smoothingKernel(level.step, level.spacing[axis]), values);
+        }
+        Values<std::uint8_t> result(own);
+        forEachVoxel(own, [&](glm::ivec3 v, std::size_t i) {
+            const bool isMember = members.at(v) == channel;
+            const int texel = int(std::lround(std::clamp(values.at(v), 0.0F, 1.0F) * 255));
+            result.all[i] =
+                std::uint8_t(isMember ? std::max(texel, 255 - texel) : std::min(texel, 255 - texel));
+        });
+        return result;
+    }
+
+    FineMap map_;
+    std::uint8_t atWork_;
+    int playhead_;
+    field::BrickGrid grid_;
+    FineShown shown_;
+    bool hasTranslucent_;
+};
+
+} // namespace
+
+std::shared_ptr<const field::BrickOverlay>
+fineMembership(const FineGrowth& growth, const field::BrickGrid& finest, const FineShown& shown) {
+    return std::make_shared<Snapshot>(growth, finest, shown);
+}
+
+} // namespace vs::segment

@@ -105,6 +105,25 @@ class Finer(ScanCase):
                 self.assertTrue(numpy.array_equal(grown[0], wanted[0]))
                 self.assertEqual(grown[1], wanted[1])
 
+    def test_pictures_show_segments_as_they_have_grown(self):
+        """Two that touch each other and a cut, as surfaces, over the data and as glass."""
+        looks = [{"op": "view", "mode": "overlay"}, {"op": "view", "mode": "segment", "camera": {"azimuth": 160, "elevation": 10}},
+                 {"op": "segment", "segment": "Skin", "opacity": 0.4, "work": False}]
+        pictures = [op for n, look in enumerate(looks) for op in (look, {"op": "picture", "file": f"{n}.png", "size": [320, 220], "samples": 1})]
+        session = self.session("s.json", self.store(), GROWTH + pictures)
+        dense, _, _ = self.run_session(session, "dense", "--level", 0)
+        off = {}
+        for out, options in (("half", ["--level", 1]), ("quarter", ["--level", 2]), ("scene", ["--level", 2, "--storage", "dense"])):
+            shown, _, _ = self.run_session(session, out, *options)
+            for n in range(len(looks)):
+                compared = self.call("compare", dense / f"{n}.png", shown / f"{n}.png").stdout
+                off[out, n] = float(re.search(r"mean ([\d.]+)", compared).group(1))
+        for n in range(len(looks)):
+            for out in ("half", "quarter"):
+                # Colours are blended over voxels of the level that is worked on.
+                self.assertLess(off[out, n], 1.0, off)
+                self.assertLess(off[out, n], 0.5 * off["scene", n], off)
+
     def test_what_is_worked_on_shows_what_grew_there(self):
         session = self.session("s.json", self.store(), HALF_SEED + [{"op": "labels", "file": "l.zarr"}, {"op": "labels", "file": "l.nrrd"}],
                                level=1)

@@ -96,8 +96,8 @@ void BrickPool::lay(BrickLayer layer, const BrickKey& key, std::span<const std::
     const std::array<int, 3> at{slot.x, slot.y, slot.z};
     if (!texels.empty()) {
         over.texture.upload(boxOf(slot), texels);
-        over.slots.insert(at);
-    } else if (over.slots.erase(at) > 0) {
+        over.laid.insert(at);
+    } else if (over.laid.erase(at) > 0) {
         over.texture.clear(boxOf(slot));
     }
 }

@@ -68,7 +68,7 @@ private:
     gl::Texture texture_;
     struct Over {
         gl::Texture texture;
-        std::set<std::array<int, 3>> slots; // where it is not all zero
+        std::set<std::array<int, 3>> laid; // slots where it is not all zero
     };
     OfBrickLayers<Over> over_;
     std::vector<glm::ivec3> free_;

@@ -156,14 +156,15 @@ void Detail::layOverAll(BrickLayer layer) {
         if (key.level != level_) {
             return;
         }
-        Laid& laid = over.laid[key];
+        const auto [entry, isNew] = over.laid.try_emplace(key); // new: nothing was laid since it came
+        Laid& laid = entry->second;
         const std::uint64_t since = std::min(laid.version, over.version);
         if (!changed.contains(since)) {
             changed[since] = over.changedSince(since);
         }
-        const bool isSame =
-            laid.version == over.version || !reaches(key, changed[since]) ||
-            (laid.overlay != nullptr && over.overlay->isAlike(*laid.overlay, grid, grid.brickAt(key.place)));
+        const bool isSame = !isNew && (laid.version == over.version || !reaches(key, changed[since]) ||
+                                       (laid.overlay != nullptr &&
+                                        over.overlay->isAlike(*laid.overlay, grid, grid.brickAt(key.place))));
         if (isSame) {
             laid = {over.overlay, over.version};
         } else {
@@ -320,10 +321,13 @@ bool Detail::deliver(double waitMs) {
             continue;
         }
         for (const BrickLayer layer : kBrickLayers) {
+            Over& over = overIn(layer);
             if (put->goneInstead) {
-                overIn(layer).laid.erase(*put->goneInstead);
+                over.laid.erase(*put->goneInstead);
             }
-            if (hasOverlay(layer) && overIn(layer).overlay != nullptr) {
+            // What nobody looks at is laid when somebody does.
+            if (over.overlay != nullptr && over.laidOverAll.overlay == over.overlay &&
+                brick.key.level == level_) {
                 layOver(layer, brick.key);
             }
         }

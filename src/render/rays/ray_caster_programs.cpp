@@ -79,6 +79,12 @@ gl::Defines RayCaster::definesFor(const Frame& frame, const PulledSegment& segme
         {"ALL_SEGMENTS", frame.mode == Mode::Surface},
     });
     defines.insert(defines.end(), more.begin(), more.end());
+    // It may be drawn where segments are not.
+    Frame own = alone;
+    own.scene.segmentation = segment.scene.segmentation;
+    if (layersOf(own).hasSegments && !layersOf(alone).hasSegments) {
+        defines.emplace_back("FINER_SEGMENTS", "1");
+    }
     return defines;
 }
 

@@ -146,11 +146,10 @@ class Snapshot final : public field::BrickOverlay {
 public:
     Snapshot(const FineGrowth& growth, const field::BrickGrid& finest, FineShown shown)
         : map_(growth.map()), atWork_(growth.label()), playhead_(growth.state().playhead), grid_(finest),
-          shown_(std::move(shown)), hasTranslucent_(std::find(shown_.looks.begin(), shown_.looks.end(),
-                                                              Look::Translucent) != shown_.looks.end()) {}
+          shown_(std::move(shown)) {}
 
     [[nodiscard]] gl::Format format() const override {
-        return hasTranslucent_ ? gl::Format::RG8 : gl::Format::R8;
+        return shown_.hasTranslucent ? gl::Format::RG8 : gl::Format::R8;
     }
     [[nodiscard]] bool isEmpty() const override { return map_.empty(); }
 
@@ -162,7 +161,7 @@ public:
         if (!isAny) {
             return {};
         }
-        const std::size_t channels = hasTranslucent_ ? 2 : 1;
+        const std::size_t channels = shown_.hasTranslucent ? 2 : 1;
         const Box3 box = boxOf(level, brick);
         const Box3 own = intersect(box, {glm::ivec3(0), level.dims});
         std::vector<std::byte> texels(channels * box.volume());
@@ -180,22 +179,45 @@ public:
     [[nodiscard]] bool isAlike(const BrickOverlay& other, const field::BrickGrid& level,
                                glm::ivec3 brick) const override {
         const auto* before = dynamic_cast<const Snapshot*>(&other);
-        if (before == nullptr || before->shown_.looks != shown_.looks ||
-            before->shown_.smoothing != shown_.smoothing || !areCutsAlike(*before, level, brick)) {
+        if (before == nullptr || !isMadeAlike(*before)) {
             return false;
         }
         const Box3 box = padded(level, brick);
         bool isSame = true;
+        bool isAny = false;
         forEachBrick(Edges(grid_, level, box).finestIn(box), [&](std::uint32_t number, glm::ivec3) {
-            const FineCells* now = cellsOf(number);
-            isSame =
-                isSame && now == before->cellsOf(number) && (now == nullptr || showsAlike(*before, *now));
+            isAny = isAny || cellsOf(number) != nullptr;
+            isSame = isSame && showsAlike(*before, number);
         });
-        return isSame;
+        return isSame && (!isAny || areCutsAlike(*before, level, brick));
+    }
+
+    [[nodiscard]] Box3 changedSince(const Snapshot& before) const {
+        const Box3 all{glm::ivec3(0), grid_.dims};
+        if (!isMadeAlike(before) || shown_.view != before.shown_.view) {
+            return all;
+        }
+        Box3 box;
+        const auto note = [&](std::uint32_t number) {
+            if (!showsAlike(before, number)) {
+                const glm::ivec3 counts = divideUp(grid_.dims, field::kBrick);
+                const auto row = std::uint32_t(counts.x);
+                const auto rows = std::uint32_t(counts.y);
+                const glm::ivec3 place(number % row, number / row % rows, number / row / rows);
+                box = unite(box, {place * field::kBrick, (place + 1) * field::kBrick});
+            }
+        };
+        for (const auto& [number, cells] : map_) {
+            note(number);
+        }
+        for (const auto& [number, cells] : before.map_) {
+            note(number);
+        }
+        return box;
     }
 
 private:
-    static constexpr int kPad = kKernelReach + 1; // the last for what is thin at coarser levels
+    static constexpr int kPad = kKernelReach + kBehindCuts; // which holds what is thin at coarser levels, too
 
     [[nodiscard]] static Box3 boxOf(const field::BrickGrid& level, glm::ivec3 brick) {
         return {brick * level.side, brick * level.side + level.texels()};
@@ -211,14 +233,27 @@ private:
     [[nodiscard]] std::uint32_t lastShown(std::uint8_t label) const {
         return label == atWork_ ? std::uint32_t(playhead_) : std::numeric_limits<std::uint32_t>::max();
     }
-    [[nodiscard]] bool showsAlike(const Snapshot& before, const FineCells& cells) const {
-        return std::all_of(cells.spans().begin(), cells.spans().end(), [&](const auto& entry) {
-            const std::uint8_t label = entry.first;
-            const auto shownOf = [first = entry.second.first, last = entry.second.last](std::uint32_t upTo) {
-                return upTo < first ? 0U : std::min(upTo, last);
-            };
-            return shownOf(lastShown(label)) == shownOf(before.lastShown(label));
-        });
+    [[nodiscard]] bool isMadeAlike(const Snapshot& before) const {
+        return before.shown_.smoothing == shown_.smoothing &&
+               before.shown_.hasTranslucent == shown_.hasTranslucent &&
+               before.shown_.sceneSpacing == shown_.sceneSpacing;
+    }
+    // The same voxels of a brick are shown in the same way.
+    [[nodiscard]] bool showsAlike(const Snapshot& before, std::uint32_t number) const {
+        const FineCells* cells = cellsOf(number);
+        if (cells != before.cellsOf(number)) {
+            return false;
+        }
+        return cells == nullptr ||
+               std::all_of(cells->spans().begin(), cells->spans().end(), [&](const auto& entry) {
+                   const std::uint8_t label = entry.first;
+                   const auto shownOf = [first = entry.second.first,
+                                         last = entry.second.last](std::uint32_t upTo) {
+                       return upTo < first ? 0U : std::min(upTo, last);
+                   };
+                   return shown_.looks[label] == before.shown_.looks[label] &&
+                          shownOf(lastShown(label)) == shownOf(before.lastShown(label));
+               });
     }
     [[nodiscard]] bool areCutsAlike(const Snapshot& before, const field::BrickGrid& level,
                                     glm::ivec3 brick) const {
@@ -247,12 +282,17 @@ private:
                          visit(std::uint32_t(number), place * field::kBrick);
                      });
     }
+    [[nodiscard]] bool isAnyShown(const FineCells& cells) const {
+        return std::any_of(cells.spans().begin(), cells.spans().end(), [&](const auto& entry) {
+            return shown_.looks[entry.first] != Look::Hidden && entry.second.first <= lastShown(entry.first);
+        });
+    }
     // Calls visit(voxel, whose) with the voxels of the finest level in a box that are shown in segments.
     template <typename Visit>
     void forEachMember(const Box3& finest, const Visit& visit) const {
         forEachBrick(finest, [&](std::uint32_t number, glm::ivec3 lo) {
             const FineCells* cells = cellsOf(number);
-            if (cells == nullptr) {
+            if (cells == nullptr || !isAnyShown(*cells)) {
                 return;
             }
             cells->forEachGrown([&](std::size_t cell, std::uint32_t generation) {
@@ -306,7 +346,7 @@ private:
         std::vector<std::size_t> some; // which have less than half
         forEachVoxel(edges.box, [&](glm::ivec3 v, std::size_t i) {
             const auto& of = counts.all[i];
-            const std::size_t half = (edges.finestIn({v, v + 1}).volume() + 1) / 2;
+            const std::size_t half = std::max<std::size_t>((edges.finestIn({v, v + 1}).volume() + 1) / 2, 1);
             const Member whose = of[kOpaque] >= of[kTranslucent] ? kOpaque : kTranslucent;
             members.all[i] = of[whose] >= half ? whose : 0;
             if (of[whose] > 0 && of[whose] < half) {
@@ -345,14 +385,15 @@ private:
             // The finest voxels in the middle of the level's.
             const Box3 slice = edges.finestIn(
                 {{members.box.lo.x, members.box.lo.y, z}, {members.box.hi.x, members.box.hi.y, z + 1}});
-            const int middleZ = (slice.lo.z + slice.hi.z) / 2;
+            const int middleZ = std::min((slice.lo.z + slice.hi.z) / 2, grid_.dims.z - 1);
             Values<float> cut({{slice.lo.x, slice.lo.y, middleZ}, {slice.hi.x, slice.hi.y, middleZ + 1}});
             cut.all = shown_.fence(cut.box);
             for (int y = members.box.lo.y; y < members.box.hi.y; ++y) {
                 for (int x = members.box.lo.x; x < members.box.hi.x; ++x) {
                     Member& whose = members.at({x, y, z});
-                    const glm::ivec3 middle{(edges.edge(0, x) + edges.edge(0, x + 1)) / 2,
-                                            (edges.edge(1, y) + edges.edge(1, y + 1)) / 2, middleZ};
+                    const glm::ivec3 middle{
+                        std::min((edges.edge(0, x) + edges.edge(0, x + 1)) / 2, grid_.dims.x - 1),
+                        std::min((edges.edge(1, y) + edges.edge(1, y + 1)) / 2, grid_.dims.y - 1), middleZ};
                     const bool isHidden = (cut.at(middle) >= 0.5F) != isProbe;
                     whose = whose == 0 && isHidden ? kHidden : whose;
                 }
@@ -368,8 +409,10 @@ private:
             values.at(v) = members.at(v) == channel ? 1.0F : 0.0F;
         });
         const bool isSmooth = shown_.smoothing == Smoothing::Smooth;
+        const glm::dvec3 spacing = shown_.sceneSpacing / level.perSceneVoxel;
+        const double step = std::min({spacing.x, spacing.y, spacing.z});
         for (int axis = 0; isSmooth && axis < 3; ++axis) {
-            values = smoothedAlong(axis, smoothingKernel(level.step, level.spacing[axis]), values);
+            values = smoothedAlong(axis, smoothingKernel(step, spacing[axis]), values);
         }
         Values<std::uint8_t> result(own);
         forEachVoxel(own, [&](glm::ivec3 v, std::size_t i) {
@@ -386,7 +429,6 @@ private:
     int playhead_;
     field::BrickGrid grid_;
     FineShown shown_;
-    bool hasTranslucent_;
 };
 
 } // namespace
@@ -394,6 +436,10 @@ private:
 std::shared_ptr<const field::BrickOverlay>
 fineMembership(const FineGrowth& growth, const field::BrickGrid& finest, const FineShown& shown) {
     return std::make_shared<Snapshot>(growth, finest, shown);
+}
+
+Box3 changedBetween(const field::BrickOverlay& before, const field::BrickOverlay& now) {
+    return dynamic_cast<const Snapshot&>(now).changedSince(dynamic_cast<const Snapshot&>(before));
 }
 
 } // namespace vs::segment

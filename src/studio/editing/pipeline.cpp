@@ -15,6 +15,7 @@ Pipeline::Pipeline(const field::Field& field)
 void Pipeline::showFiner(field::Detail& detail, field::CellRanges cells) {
     detail_ = &detail;
     cellRanges_ = std::move(cells);
+    segmentsLaid_ = {};
     cells_.key.reset();
     light_.key.reset();
     partStages_.clear();
@@ -131,7 +132,9 @@ field::Scene Pipeline::scene(const State& state, bool wantsSegments) {
                          detail_->hasOverlay(field::BrickLayer::Cuts);
     scene.isCutAlongSegments = state.isCutAlongSegments;
     scene.segmentation = hasSegmentation ? &segmentation_->texels() : nullptr;
-    if (hasSegmentation && state.finest != nullptr && detail_ != nullptr) {
+    // Tools that spare segments do so at the scene's resolution, and cut along its surfaces.
+    const bool endsAtScenes = isSculpted && state.isCutAlongSegments;
+    if (hasSegmentation && state.finest != nullptr && detail_ != nullptr && !endsAtScenes) {
         laySegments(state);
         scene.hasFinerSegments = detail_->hasOverlay(field::BrickLayer::Segments);
     }
@@ -152,6 +155,10 @@ render::SegmentColours Pipeline::segmentColours(const State& state) {
         return {};
     }
     auto colours = state.segments->colours();
+    if (state.finest != nullptr) {
+        // What is too thin in another one to have voxels of the scene.
+        colours.entries[0] = colours.entries[state.segments->atWork];
+    }
     if (!state.growth->hasOthers()) {
         colours.entries[1] = colours.entries[state.growth->activeLabel()];
     }
@@ -161,13 +168,15 @@ render::SegmentColours Pipeline::segmentColours(const State& state) {
 render::SliceFrame Pipeline::slice(const State& state, const render::SliceView& view) {
     follow(*state.view);
     render::SliceFrame frame;
-    frame.scene = scene(state, true);
+    State ofScene = state;
+    ofScene.finest = nullptr; // slices show the voxels of the scene
+    frame.scene = scene(ofScene, true);
     if (frame.scene.segmentation != nullptr && segmentation_->goesOnBehindCuts()) {
         // Slices show what is grown and nothing more, which is what labels say.
         state.growth->syncLabels();
         frame.scene.segmentLabels = &state.growth->seedMap().labels();
     }
-    frame.segmentColours = segmentColours(state);
+    frame.segmentColours = segmentColours(ofScene);
     frame.tintsVisible = state.view->tintsSlices;
     frame.visible = state.view->visibleRange(field_->range);
     if (frame.tintsVisible && state.view->transferFunction) {
@@ -265,13 +274,21 @@ PictureContent Pipeline::contentOf(const State& state, const render::Frame& fram
                             segmentation_->looks(),
                             frame.segmentColours,
                             frame.scene.segmentLabels != nullptr,
-                            frame.scene.hasFinerSegments ? laidVersion_ : 0};
+                            frame.scene.hasFinerSegments ? segmentsLaid_.version : 0};
     }
     return content;
 }
 
 std::optional<Box3> Pipeline::changedSince(const State& state, const PictureContent& before) const {
-    return changedBetween(before, content_, *state.sculpture, segmentation_ ? &*segmentation_ : nullptr);
+    const auto box =
+        changedBetween(before, content_, *state.sculpture, segmentation_ ? &*segmentation_ : nullptr);
+    const std::uint64_t laid = before.segments.finerVersion;
+    if (!box || laid == content_.segments.finerVersion) {
+        return box;
+    }
+    const auto finer =
+        laid > 0 && content_.segments.finerVersion > 0 ? finerSegmentsSince(laid) : std::nullopt;
+    return finer ? std::optional(unite(*box, *finer)) : std::nullopt;
 }
 
 std::vector<const SegmentInfo*> Pipeline::pulledOut(const State& state) {

@@ -8,12 +8,14 @@
 #include "render/space/macrocells.h"
 #include "sculpt/sculpture/sculpture.h"
 #include "segment/growth/growth.h"
+#include "segment/membership/fine_membership.h"
 #include "segment/membership/segmentation.h"
 #include "studio/operations/operation.h"
 #include "studio/operations/segment_list.h"
 #include "studio/state/pasted_parts.h"
 #include "studio/state/picture_content.h"
 
+#include <map>
 #include <memory>
 
 namespace vs::segment {
@@ -104,19 +106,32 @@ private:
     // The same for pasted parts, while they are drawn beside what is left and growth had a fence.
     std::optional<segment::Segmentation> partSegmentation_;
     bool isBehind_ = false;
-    // What segments over the bricks of finer levels were last made from.
-    struct LaidSegments {
+    // What segments over the bricks of finer levels are made from.
+    struct FinerSegments {
         std::uint64_t revision = 0; // of what has grown
+        std::uint64_t serial = 0;   // of the field
         std::uint8_t label = 0;     // of the segment at work, and how far it is shown
         int playhead = 0;
         segment::Looks looks = segment::allOpaque();
         segment::Smoothing smoothing = segment::Smoothing::Smooth;
         field::SculptureView view = field::SculptureView::Whole;
         std::uint64_t cutsVersion = 0;
-        bool operator==(const LaidSegments&) const = default;
+        bool operator==(const FinerSegments&) const = default;
     };
-    LaidSegments laidSegments_;
-    std::uint64_t laidVersion_ = 0; // counts those
+    // What lies over them now, its number, and in which voxels of the finest level late ones differ from
+    // those before.
+    struct SegmentsLaid {
+        FinerSegments from;
+        segment::FineShown shown;
+        std::shared_ptr<const field::BrickOverlay> overlay;
+        std::uint64_t version = 0;
+        std::map<std::uint64_t, Box3> changes;
+    };
+    SegmentsLaid segmentsLaid_;
+    std::uint64_t segmentsMade_ = 0;
+    [[nodiscard]] static std::optional<Box3> changedSince(const SegmentsLaid& laid, std::uint64_t version);
+    // The voxels of the scene in which they may differ from an earlier one; nothing: anywhere.
+    [[nodiscard]] std::optional<Box3> finerSegmentsSince(std::uint64_t version) const;
     void makeSegmentation();
     // What shaders see of the document, with the segments if they are wanted; brings those up to date.
     field::Scene scene(const State& state, bool wantsSegments);

@@ -4,9 +4,22 @@
 #include "segment/membership/fine_membership.h"
 #include "studio/editing/pipeline.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace vs::studio {
+
+namespace {
+
+// How many voxels of the finest level a change of segments or cuts reaches: a few of the coarsest level that
+// is finer than the scene.
+int reachOf(const field::BrickGrid& finest) {
+    const glm::dvec3 ratio = finest.perSceneVoxel;
+    return 8 * int(std::ceil(std::max({ratio.x, ratio.y, ratio.z})));
+}
+
+} // namespace
 
 // Where a cut or a segment changed what macrocells were made from. Nothing: more than that has changed.
 std::optional<Box3> Pipeline::changedVoxels(const Key& before, const Key& now,
@@ -36,7 +49,7 @@ void Pipeline::refresh(Cells& cells, const Key& key, const State& state, const r
         (old->view == key.view || old->view == field::SculptureView::Whole) && old->range == key.range &&
         old->functionVersion == key.functionVersion && old->sampling == key.sampling &&
         old->surfaceSmoothing == key.surfaceSmoothing && old->drawsSegmentation == key.drawsSegmentation &&
-        old->segmentationVersion == key.segmentationVersion;
+        old->segmentationVersion == key.segmentationVersion && old->hasFinerSegments == key.hasFinerSegments;
     if (mayKeep || old == key) {
         return;
     }
@@ -70,26 +83,86 @@ void Pipeline::layCuts(const State& state) {
 // And what has grown there.
 void Pipeline::laySegments(const State& state) {
     const sculpt::FineSculpture* finer = state.sculpture->isEmpty() ? nullptr : state.sculpture->finer();
-    LaidSegments laid;
-    laid.revision = state.finest->revision();
-    laid.label = state.finest->label();
-    laid.playhead = state.finest->state().playhead;
-    laid.looks = looksOf(*state.segments);
-    laid.smoothing = state.smoothing;
-    laid.view = finer != nullptr ? state.view->sculptureView : field::SculptureView::Whole;
-    laid.cutsVersion = laid.view != field::SculptureView::Whole ? finer->version() : 0;
-    if (laidVersion_ > 0 && laid == laidSegments_) {
+    FinerSegments from;
+    from.revision = state.finest->revision();
+    from.serial = field_->serial;
+    from.label = state.finest->label();
+    from.playhead = state.finest->state().playhead;
+    from.looks = looksOf(*state.segments);
+    from.smoothing = state.smoothing;
+    from.view = finer != nullptr ? state.view->sculptureView : field::SculptureView::Whole;
+    from.cutsVersion = from.view != field::SculptureView::Whole ? finer->version() : 0;
+    const bool isFirst = segmentsLaid_.overlay == nullptr;
+    // While a stroke cuts, they end where they ended before it: it cuts what was seen when it began.
+    const bool endAsBefore = state.cuttingSince && !isFirst;
+    if (endAsBefore) {
+        from.view = segmentsLaid_.from.view;
+        from.cutsVersion = segmentsLaid_.from.cutsVersion;
+    }
+    if (!isFirst && from == segmentsLaid_.from) {
         return;
     }
-    laidSegments_ = laid;
-    segment::FineShown shown{laid.looks, laid.smoothing, laid.view};
-    if (laid.view != field::SculptureView::Whole) {
-        shown.fence = finer->reader();
-        shown.cuts = finer->snapshot();
+    SegmentsLaid laid = segmentsLaid_;
+    laid.from = from;
+    laid.shown.looks = from.looks;
+    laid.shown.smoothing = from.smoothing;
+    laid.shown.sceneSpacing = field_->geometry.spacing();
+    // Room for a second channel stays once it was made: bricks would have to come again.
+    laid.shown.hasTranslucent =
+        laid.shown.hasTranslucent ||
+        std::find(from.looks.begin(), from.looks.end(), segment::Look::Translucent) != from.looks.end();
+    Box3 cut;
+    if (!endAsBefore) {
+        const bool isCut = from.view != field::SculptureView::Whole;
+        const bool haveChanged =
+            laid.shown.view != from.view || segmentsLaid_.from.cutsVersion != from.cutsVersion;
+        cut = isCut && haveChanged ? finer->changedSince(segmentsLaid_.from.cutsVersion) : Box3();
+        laid.shown.view = from.view;
+        laid.shown.fence = isCut ? finer->reader() : segment::FineFence();
+        laid.shown.cuts = isCut && haveChanged ? finer->snapshot() : laid.shown.cuts;
+        laid.shown.cuts = isCut ? laid.shown.cuts : nullptr;
     }
     const field::BrickGrid& finest = detail_->grids().front();
-    detail_->lay(field::BrickLayer::Segments, segment::fineMembership(*state.finest, finest, shown),
-                 ++laidVersion_, [all = Box3{glm::ivec3(0), finest.dims}](std::uint64_t) { return all; });
+    laid.overlay = segment::fineMembership(*state.finest, finest, laid.shown);
+    laid.version = ++segmentsMade_;
+    if (!isFirst) {
+        const Box3 box = unite(cut, segment::changedBetween(*segmentsLaid_.overlay, *laid.overlay));
+        laid.changes[laid.version] = box.isEmpty() ? box : grow(box, reachOf(finest));
+    }
+    constexpr std::size_t kMostRemembered = 64;
+    if (laid.changes.size() > kMostRemembered) {
+        laid.changes.erase(laid.changes.begin());
+    }
+    detail_->lay(field::BrickLayer::Segments, laid.overlay, laid.version,
+                 [this, all = Box3{glm::ivec3(0), finest.dims}](std::uint64_t version) {
+                     return changedSince(segmentsLaid_, version).value_or(all);
+                 });
+    segmentsLaid_ = std::move(laid);
+}
+
+std::optional<Box3> Pipeline::changedSince(const SegmentsLaid& laid, std::uint64_t version) {
+    Box3 box;
+    for (std::uint64_t step = version + 1; step <= laid.version; ++step) {
+        const auto change = laid.changes.find(step);
+        if (change == laid.changes.end()) {
+            return std::nullopt;
+        }
+        box = unite(box, change->second);
+    }
+    return box;
+}
+
+std::optional<Box3> Pipeline::finerSegmentsSince(std::uint64_t version) const {
+    const auto finest = changedSince(segmentsLaid_, version);
+    if (!finest || finest->isEmpty()) {
+        return finest;
+    }
+    const field::BrickGrid& grid = detail_->grids().front();
+    const glm::dvec3 lo = (glm::dvec3(finest->lo) - grid.origin) / grid.perSceneVoxel;
+    const glm::dvec3 hi = (glm::dvec3(finest->hi) - grid.origin) / grid.perSceneVoxel;
+    const Box3 box{glm::ivec3(glm::floor(lo)), glm::ivec3(glm::ceil(hi)) + 1};
+    constexpr int kReach = 4; // of rays that look at it, as in picture_content.cpp
+    return intersect(grow(box, kReach), {glm::ivec3(0), field_->geometry.dims});
 }
 
 // Of the whole grid, whatever was cut: so a stroke leaves them as they are, and pasted parts share them.

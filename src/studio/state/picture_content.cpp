@@ -23,7 +23,7 @@ std::optional<Box3> changedBetween(const PictureContent::Segments& before,
         return segmentation->changedSince(0);
     }
     const bool isSame = before.looks == now.looks && before.colours.entries == now.colours.entries &&
-                        before.haveLabels == now.haveLabels && before.finerVersion == now.finerVersion;
+                        before.haveLabels == now.haveLabels;
     return isSame ? std::optional(segmentation->changedSince(before.version)) : std::nullopt;
 }
 

@@ -15,8 +15,9 @@ import subprocess
 import sys
 import tempfile
 
-SECONDS = 2.0  # on a processor that makes a phantom of 128^3 in USUAL seconds
-USUAL = 0.9
+from usual_machine import slowness
+
+SECONDS = 2.0  # on a usual machine
 MEGABYTES = 500
 SANITIZED = "ASAN_OPTIONS" in os.environ or "TSAN_OPTIONS" in os.environ  # which cost many times as much
 COSTLY = "cost too much"
@@ -119,13 +120,6 @@ def cases(chance):
         yield f"zoom {zoom} peel", [{"op": "peel", "layers": 4096, "mask": huge, "canvas": near_camera}]
         yield f"zoom {zoom} drill", [{"op": "drill", "mask": huge, "stroke": pressed, "canvas": near_camera}]
         yield f"zoom {zoom} laser", [{"op": "laser", "mask": box, "stroke": pressed, "canvas": near_camera}]
-
-
-def slowness(program, folder):
-    """How many times as long as usual this machine takes for what is the same each time; at least 1."""
-    phantom = [program, "phantom", "vessels", "--size", "128x128x128", "-o", os.path.join(folder, "phantom.nrrd")]
-    done = subprocess.run([sys.executable, "-c", MEASURE, *phantom], capture_output=True, text=True, check=True)
-    return max(1.0, float(done.stderr.splitlines()[-1].split()[0]) / USUAL)
 
 
 def wrong(program, session, out, most):

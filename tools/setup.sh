@@ -23,6 +23,9 @@ TEST_PACKAGES=(libgtest-dev librapidcheck-dev libxcb1-dev python3 python3-pydico
 
 say() { printf '== %s\n' "$*"; }
 
+# is_time_for SECONDS: whether so much is left before TESTS_UNTIL (seconds of date +%s), if that is set.
+is_time_for() { [ -z "${TESTS_UNTIL:-}" ] || [ $(($(date +%s) + $1)) -lt "$TESTS_UNTIL" ]; }
+
 install_packages() {
   local wanted=("${PACKAGES[@]}") missing=()
   [ "${1:-}" = test ] && wanted+=("${TEST_PACKAGES[@]}")

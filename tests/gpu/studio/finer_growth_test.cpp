@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 // Segments of a scan that is worked on at a coarser level than its finest grow at that one.
 #include "gpu/studio/head_in_bricks.h"
+#include "image/compare.h"
 #include "studio/document/live_growth.h"
 
 #include <algorithm>

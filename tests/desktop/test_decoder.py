@@ -76,7 +76,7 @@ def need_as_before(studio, what):
     """The first scan is shown, can be looked at, and nothing runs that was started to read another, but for the decoder that waits."""
     state = studio.wait_idle("the first scan again", lambda s: s["pictureComplete"] and not s["loading"])
     need(state["title"].startswith("first"), f"{what}: the window shows {state['title']}")
-    studio.wait(f"the decoder to be gone ({what})", lambda s: len(processes_of(studio.process.pid)) <= 1)
+    studio.wait(f"the decoder to be gone ({what})", lambda s: len(processes_of(studio.process.pid)) <= 1, seconds=300)
 
 
 def close_refusal(studio):

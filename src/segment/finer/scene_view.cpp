@@ -77,28 +77,26 @@ private:
 
 } // namespace
 
-SceneView::SceneView(const field::BrickGrid& grid, glm::ivec3 sceneDims)
-    : grid_(grid), sceneDims_(sceneDims) {
-    for (int axis = 0; axis < 3; ++axis) {
-        for (int voxel = 0; voxel <= sceneDims[axis]; ++voxel) {
-            const double edge = (voxel - 0.5) * grid.perSceneVoxel[axis] + grid.origin[axis];
-            edges_[std::size_t(axis)].push_back(std::clamp(int(std::ceil(edge - 1e-9)), 0, grid.dims[axis]));
-        }
-        edges_[std::size_t(axis)].front() = 0; // what lies beyond the outermost centres belongs to them
-        edges_[std::size_t(axis)].back() = grid.dims[axis];
-    }
+namespace {
+
+field::BrickGrid gridOfScene(glm::ivec3 dims) {
+    field::BrickGrid grid;
+    grid.dims = dims;
+    return grid;
 }
 
-Box3 SceneView::finestIn(glm::ivec3 v) const {
-    const auto edge = [&](int axis, int at) { return edges_[std::size_t(axis)][std::size_t(at)]; };
-    return {{edge(0, v.x), edge(1, v.y), edge(2, v.z)},
-            {edge(0, v.x + 1), edge(1, v.y + 1), edge(2, v.z + 1)}};
-}
+} // namespace
+
+SceneView::SceneView(const field::BrickGrid& grid, glm::ivec3 sceneDims)
+    : grid_(grid), sceneDims_(sceneDims),
+      edges_(grid, gridOfScene(sceneDims), Box3{glm::ivec3(0), sceneDims}) {}
+
+Box3 SceneView::finestIn(glm::ivec3 v) const { return edges_.finestIn({v, v + 1}); }
 
 glm::ivec3 SceneView::sceneVoxelOf(glm::ivec3 finest) const {
     glm::ivec3 voxel;
     for (int axis = 0; axis < 3; ++axis) {
-        const std::vector<int>& edges = edges_[std::size_t(axis)];
+        const std::vector<int>& edges = edges_.along[std::size_t(axis)];
         voxel[axis] = int(std::upper_bound(edges.begin(), edges.end(), finest[axis]) - edges.begin()) - 1;
     }
     return glm::clamp(voxel, glm::ivec3(0), sceneDims_ - 1);

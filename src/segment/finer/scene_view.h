@@ -3,6 +3,7 @@
 
 #include "field/bricks/brick_grid.h"
 #include "segment/finer/fine_growth.h"
+#include "segment/finer/finest_edges.h"
 #include "segment/growth/growth_mirror.h"
 
 #include <array>
@@ -50,7 +51,7 @@ private:
 
     field::BrickGrid grid_;
     glm::ivec3 sceneDims_;
-    std::array<std::vector<int>, 3> edges_;  // along each axis: the first finest voxel in each of the scene
+    FinestEdges edges_;                      // of all of the scene
     std::uint8_t label_ = 1;                 // of the segment at work at the last update
     int upTo_ = 0;                           // generations of it after this one do not count
     std::map<std::uint32_t, Shares> shares_; // by brick of the scene

@@ -2,145 +2,19 @@
 #include "segment/membership/fine_membership.h"
 
 #include "segment/finer/fine_growth.h"
-#include "segment/membership/membership.h"
+#include "segment/finer/finest_edges.h"
+#include "segment/membership/fine_members.h"
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <limits>
-#include <span>
 #include <utility>
 #include <vector>
 
 namespace vs::segment {
 
 namespace {
-
-// Whose a voxel is: 0 nobody's, else a Look.
-using Member = std::uint8_t;
-constexpr auto kOpaque = Member(Look::Opaque);
-constexpr auto kTranslucent = Member(Look::Translucent);
-constexpr Member kHidden = 255; // behind a cut: not known yet
-
-// A value for each voxel of a box, x fastest.
-template <typename T>
-struct Values {
-    explicit Values(const Box3& in) : box(in), all(in.volume()) {}
-    [[nodiscard]] std::size_t indexOf(glm::ivec3 v) const {
-        const glm::ivec3 at = v - box.lo;
-        const glm::ivec3 size = box.size();
-        return (std::size_t(at.z) * std::size_t(size.y) + std::size_t(at.y)) * std::size_t(size.x) +
-               std::size_t(at.x);
-    }
-    T& at(glm::ivec3 v) { return all[indexOf(v)]; }
-    [[nodiscard]] const T& at(glm::ivec3 v) const { return all[indexOf(v)]; }
-
-    Box3 box;
-    std::vector<T> all;
-};
-
-using Members = Values<Member>;
-
-// Where voxels of the finest level begin that lie in those of a level, along each axis, for a box of that.
-struct Edges {
-    Edges(const field::BrickGrid& finest, const field::BrickGrid& level, const Box3& of) : box(of) {
-        const glm::dvec3 scale = finest.perSceneVoxel / level.perSceneVoxel;
-        const glm::dvec3 offset = finest.origin - level.origin * scale;
-        for (int axis = 0; axis < 3; ++axis) {
-            for (int v = of.lo[axis]; v <= of.hi[axis]; ++v) {
-                const double edge = (v - 0.5) * scale[axis] + offset[axis];
-                const bool isFirst = v <= 0;
-                const bool isLast = v >= level.dims[axis];
-                const int at = isFirst  ? 0
-                               : isLast ? finest.dims[axis]
-                                        : std::clamp(int(std::ceil(edge - 1e-9)), 0, finest.dims[axis]);
-                along[std::size_t(axis)].push_back(at);
-            }
-        }
-    }
-    [[nodiscard]] int edge(int axis, int v) const {
-        return along[std::size_t(axis)][std::size_t(v - box.lo[axis])];
-    }
-    [[nodiscard]] Box3 finestIn(const Box3& of) const {
-        return {{edge(0, of.lo.x), edge(1, of.lo.y), edge(2, of.lo.z)},
-                {edge(0, of.hi.x), edge(1, of.hi.y), edge(2, of.hi.z)}};
-    }
-
-    Box3 box;
-    std::array<std::vector<int>, 3> along;
-};
-
-// Adds up values of up to kKernelReach neighbours to both sides along an axis, weighted; the result is so
-// much narrower along it.
-Values<float> smoothedAlong(int axis, const glm::vec4& weights, const Values<float>& from) {
-    Box3 box = from.box;
-    box.lo[axis] += kKernelReach;
-    box.hi[axis] -= kKernelReach;
-    Values<float> to(box);
-    const glm::ivec3 size = from.box.size();
-    const std::size_t stride = axis == 0   ? 1
-                               : axis == 1 ? std::size_t(size.x)
-                                           : std::size_t(size.x) * std::size_t(size.y);
-    const auto width = std::size_t(box.size().x);
-    for (int z = box.lo.z; z < box.hi.z; ++z) {
-        for (int y = box.lo.y; y < box.hi.y; ++y) {
-            const float* in = &from.at({box.lo.x, y, z});
-            float* out = &to.at({box.lo.x, y, z});
-            for (std::size_t x = 0; x < width; ++x) {
-                const float* middle = in + x;
-                out[x] = weights.x * middle[0] + weights.y * (*(middle - stride) + middle[stride]) +
-                         weights.z * (*(middle - 2 * stride) + middle[2 * stride]) +
-                         weights.w * (*(middle - 3 * stride) + middle[3 * stride]);
-            }
-        }
-    }
-    return to;
-}
-
-// How far segments go on behind a cut: as far as counts for the first voxel behind it.
-constexpr int kBehindCuts = kKernelReach + 1;
-
-// What was not known behind a cut becomes what most of its six neighbours are, from the cut on.
-void goOnBehindCuts(Members& members) {
-    std::vector<glm::ivec3> hidden;
-    forEachVoxel(members.box, [&](glm::ivec3 v, std::size_t i) {
-        if (members.all[i] == kHidden) {
-            hidden.push_back(v);
-        }
-    });
-    for (int step = 0; step < kBehindCuts && !hidden.empty(); ++step) {
-        std::vector<std::pair<glm::ivec3, Member>> found;
-        std::vector<glm::ivec3> left;
-        for (const glm::ivec3 v : hidden) {
-            std::array<int, 3> counts{};
-            for (int axis = 0; axis < 3; ++axis) {
-                for (const int side : {-1, 1}) {
-                    glm::ivec3 near = v;
-                    near[axis] += side;
-                    const bool isInside =
-                        near[axis] >= members.box.lo[axis] && near[axis] < members.box.hi[axis];
-                    const Member whose = isInside ? members.at(near) : kHidden;
-                    if (whose != kHidden) {
-                        ++counts[whose];
-                    }
-                }
-            }
-            const auto most = std::max_element(counts.begin(), counts.end());
-            if (*most > 0) {
-                found.emplace_back(v, Member(most - counts.begin()));
-            } else {
-                left.push_back(v);
-            }
-        }
-        for (const auto& [v, whose] : found) {
-            members.at(v) = whose;
-        }
-        hidden.swap(left);
-    }
-    for (const glm::ivec3 v : hidden) {
-        members.at(v) = 0;
-    }
-}
 
 class Snapshot final : public field::BrickOverlay {
 public:
@@ -185,7 +59,7 @@ public:
         const Box3 box = padded(level, brick);
         bool isSame = true;
         bool isAny = false;
-        forEachBrick(Edges(grid_, level, box).finestIn(box), [&](std::uint32_t number, glm::ivec3) {
+        forEachBrick(FinestEdges(grid_, level, box).finestIn(box), [&](std::uint32_t number, glm::ivec3) {
             isAny = isAny || cellsOf(number) != nullptr;
             isSame = isSame && showsAlike(*before, number);
         });
@@ -311,7 +185,7 @@ private:
     // Whose the voxels of a level are, in a brick and as far around as counts for it.
     [[nodiscard]] Members membersAround(const field::BrickGrid& level, glm::ivec3 brick) const {
         const Box3 box = padded(level, brick);
-        const Edges edges(grid_, level, box);
+        const FinestEdges edges(grid_, level, box);
         const Box3 finest = edges.finestIn(box);
         Members members = level.dims == grid_.dims ? membersOfFinest(box) : sharesOf(edges, finest);
         const bool isAny =
@@ -327,7 +201,7 @@ private:
         forEachMember(box, [&](glm::ivec3 voxel, Member whose) { members.at(voxel) = whose; });
         return members;
     }
-    [[nodiscard]] Members sharesOf(const Edges& edges, const Box3& finest) const {
+    [[nodiscard]] Members sharesOf(const FinestEdges& edges, const Box3& finest) const {
         // The voxel of the level that each finest one lies in, along each axis.
         std::array<std::vector<int>, 3> levelOf;
         for (int axis = 0; axis < 3; ++axis) {
@@ -379,7 +253,7 @@ private:
         }
     }
     // What nobody has and the viewer does not see is not known.
-    void hideCut(const Edges& edges, Members& members) const {
+    void hideCut(const FinestEdges& edges, Members& members) const {
         const bool isProbe = shown_.view == field::SculptureView::Probe;
         for (int z = members.box.lo.z; z < members.box.hi.z; ++z) {
             // The finest voxels in the middle of the level's.

@@ -18,10 +18,6 @@
 #include <map>
 #include <memory>
 
-namespace vs::segment {
-class FineGrowth;
-}
-
 namespace vs::studio {
 
 // From the document's state to something that can be rendered: notices what is stale and runs only those

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: Apache-2.0
-// Macrocells and light, brought up to date where they are stale.
+// Macrocells, light, and what lies over bricks, brought up to date where they are stale.
 #include "segment/finer/fine_growth.h"
-#include "segment/membership/fine_membership.h"
 #include "studio/editing/pipeline.h"
 
 #include <algorithm>

@@ -89,8 +89,8 @@ std::optional<double> PictureLoop::refined() const {
 }
 
 image::Image PictureLoop::readPicture() const {
-    image::Image picture(finished_.image.width(), finished_.image.height());
-    const QImage straight = finished_.image.convertToFormat(QImage::Format_RGBX8888);
+    image::Image picture(shown_.image.width(), shown_.image.height());
+    const QImage straight = shown_.image.convertToFormat(QImage::Format_RGBX8888);
     for (int y = 0; y < picture.height; ++y) {
         const auto row = std::size_t(4) * std::size_t(picture.width);
         std::copy_n(straight.constScanLine(y), row,
@@ -302,7 +302,10 @@ void PictureLoop::finishDraft() {
 }
 
 void PictureLoop::finishFull() {
-    finished_ = shown_;
+    const bool isRough = shown_.content && shown_.content->isRough;
+    if (!isRough) { // later pictures go on from what is as fine as they are
+        finished_ = shown_;
+    }
     isFullDone_ = true;
     pass_ = Pass::None;
 }

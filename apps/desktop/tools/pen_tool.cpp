@@ -142,23 +142,12 @@ void PenTool::ramp() {
 // A point costs as much as a whole stretch. Where the pen has gone on straight, the last of those that wait
 // says as much as all of them.
 void PenTool::straighten() {
-    constexpr double kWithinPixels = 1; // a mouse's places are rounded to whole ones
-    constexpr double kWithinPressure = 0.02;
-    const auto isOnWay = [&](const sculpt::PenPoint& point, const sculpt::PenPoint& end) {
-        const glm::dvec2 way = end.pixel - done_.pixel;
-        const double length = std::max(glm::length(way), 1e-9);
-        const double along = glm::dot(point.pixel - done_.pixel, way) / (length * length);
-        const glm::dvec2 nearest = done_.pixel + along * way;
-        const double pressure = glm::mix(done_.pressure, end.pressure, along);
-        return along >= 0 && along <= 1 && glm::distance(point.pixel, nearest) <= kWithinPixels &&
-               std::abs(point.pressure - pressure) <= kWithinPressure &&
-               glm::distance(point.tiltDegrees, end.tiltDegrees) <= 1;
-    };
     const auto begin = waiting_.begin();
     std::ptrdiff_t dropped = 0;
     while (dropped + 1 < std::ptrdiff_t(waiting_.size()) &&
-           std::all_of(begin, begin + dropped + 1,
-                       [&](const auto& point) { return isOnWay(point, begin[dropped + 1]); })) {
+           std::all_of(begin, begin + dropped + 1, [&](const auto& point) {
+               return sculpt::isOnWay(point, done_, begin[dropped + 1]);
+           })) {
         ++dropped;
     }
     waiting_.erase(begin, begin + dropped);

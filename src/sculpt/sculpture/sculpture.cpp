@@ -317,7 +317,7 @@ void Sculpture::refresh(const Box3& box) {
 
 // The macrocells that have corners in a box.
 void Sculpture::summarize(const Box3& box) {
-    if (finer_ == nullptr) {
+    if (finer_ == nullptr || isRough_) {
         updater_.update(texels(), box, cells_);
         return;
     }

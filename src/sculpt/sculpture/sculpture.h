@@ -62,6 +62,10 @@ public:
     // What was cut here, and not in the finer one, is cut there: `change` undoes it here, and both
     // afterwards. When it throws, both are as they were before that cut.
     void cutFiner(SculptureDelta& change);
+    // While it is rough, it is cut, and its macrocells are made, as if there were no finer one, which knows
+    // nothing of it. What was cut meanwhile must have been put back when that ends, or derived anew.
+    void setRough(bool isRough) { isRough_ = isRough; }
+    [[nodiscard]] bool isRough() const { return isRough_; }
 
     // Union with a radiation E, clamped to [0, 1]: S = max(S, E) for a cut, S = min(S, 1 - E) for a restore
     // (doc/behaviour.md, "Point radiation"). Where a restore has E >= 0.5 the result stays below 0.5, so
@@ -144,6 +148,7 @@ private:
     glm::ivec3 origin_{0};
     bool isWindow_ = false;
     std::unique_ptr<FineSculpture> finer_; // null: there is none
+    bool isRough_ = false;
     Precision precision_;
     mutable gl::Texture texels_; // nothing: all 0 still
     gl::Texture cells_;

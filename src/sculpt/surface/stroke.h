@@ -19,4 +19,10 @@ struct PenPoint {
 // The pen's way from down to up, unfiltered.
 using Stroke = std::vector<PenPoint>;
 
+// Whether a pen that has gone straight from one point to another came by a third, within a pixel and in
+// much the same way.
+bool isOnWay(const PenPoint& point, const PenPoint& from, const PenPoint& to);
+// The stroke without the points that the straight way between those that are left passes by.
+Stroke straightened(const Stroke& stroke);
+
 } // namespace vs::sculpt

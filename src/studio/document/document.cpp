@@ -44,7 +44,7 @@ void Document::showFinerLevels(const FinerLevels& levels) {
     if (finest.isFiner()) {
         contents.sculpture.refine(
             std::make_unique<sculpt::FineSculpture>(finest, contents.sculpture.precision()));
-        impl_->cutter.refine(*detail);
+        impl_->cutter.refine(scan.field, *detail);
         if (!contents.region.exists()) {
             contents.region.refine({source, finest, levels.options.hostBytes / 2, levels.options.threads});
         }

@@ -21,7 +21,7 @@ void LiveStroke::begin(Operation operation) {
         },
         operation);
     timer_ = Timer();
-    cuts_.begin(operation);
+    cuts_.beginInHand(operation);
     contents_.inHand = InHand::Stroke;
 }
 
@@ -44,6 +44,12 @@ Operation LiveStroke::operation() const {
 }
 
 Outcome LiveStroke::commit() {
+    try {
+        cuts_.settle();
+    } catch (...) {
+        contents_.inHand = InHand::Nothing;
+        throw;
+    }
     const Operation operation = this->operation();
     auto entry = log_.prepare(operation, contents_.view, contents_.view);
     Outcome outcome;

@@ -13,7 +13,8 @@ class OperationLog;
 
 // A stroke that goes on: what the pen does now is seen at once. commit() appends one operation and one undo
 // step, the same as Document::apply() of that operation would have given; discard() leaves no trace. Nothing
-// else may be done with the document meanwhile.
+// else may be done with the document meanwhile. Of a scan that is worked on at a coarser level, what is seen
+// at once is that level, and commit() cuts the finest (doc/decisions/0042).
 class LiveStroke {
 public:
     // All three must outlive it.

@@ -26,32 +26,89 @@ std::vector<float> smoothMembership(const field::Field& field, const segment::Vo
     return segmentation.values();
 }
 
+const PenCut* penCutOf(const Operation& operation) {
+    const Drill* drill = std::get_if<Drill>(&operation);
+    return drill != nullptr ? static_cast<const PenCut*>(drill) : std::get_if<Laser>(&operation);
+}
+
+// The pen has not been anywhere: an operation that says so means the place where its mask was drawn.
+bool isUndrawn(const Operation& operation) {
+    const PenCut* cut = penCutOf(operation);
+    return cut != nullptr && cut->stroke.empty();
+}
+
+// Each point of a pen's way costs as much as a whole stretch of it, so those on a straight stretch are left
+// out; where the pen digs deeper at each, they mean more than the way.
+Operation withoutDetours(Operation operation) {
+    const auto straighten = [](auto& op) {
+        if constexpr (std::is_base_of_v<PenCut, std::decay_t<decltype(op)>>) {
+            op.stroke = op.keepsDigging ? op.stroke : sculpt::straightened(op.stroke);
+        }
+    };
+    std::visit(straighten, operation);
+    return operation;
+}
+
 } // namespace
 
-void CutEditor::begin(const Operation& operation) {
+void CutEditor::begin(const Operation& operation) { begin(cutter_, operation); }
+
+void CutEditor::begin(Cutter& cutter, const Operation& operation) {
     const sculpt::Limits limits = limits_.find(contents_);
-    open(operation);
+    open(cutter, operation);
     contents_.sculpture.limitTo(limits);
 }
 
-void CutEditor::open(const Operation& operation) {
+void CutEditor::beginInHand(const Operation& operation) {
+    Cutter* rough = cutter_.rough();
+    if (rough == nullptr) {
+        begin(operation);
+        return;
+    }
+    contents_.sculpture.setRough(true);
+    try {
+        begin(*rough, operation);
+    } catch (...) {
+        contents_.sculpture.setRough(false);
+        throw;
+    }
+}
+
+void CutEditor::settle() {
+    if (!contents_.sculpture.isRough()) {
+        return;
+    }
+    const Operation operation = withoutDetours(stroke_->operation());
+    discard();
+    begin(operation);
+    try {
+        if (!isUndrawn(operation)) {
+            stroke_->replay();
+        }
+    } catch (...) {
+        discard();
+        throw;
+    }
+}
+
+void CutEditor::open(Cutter& cutter, const Operation& operation) {
     const auto onCanvas = [this](const std::optional<Canvas>& canvas) {
         return [this, canvas] { return display_.frame(canvas->view, canvas->viewport); };
     };
     const auto make = [&](const auto& op) -> std::unique_ptr<CutStroke> {
         using Op = std::decay_t<decltype(op)>;
         if constexpr (std::is_same_v<Op, Peel>) {
-            return std::make_unique<PeelStroke>(cutter_, onCanvas(op.canvas), op);
+            return std::make_unique<PeelStroke>(cutter, onCanvas(op.canvas), op);
         } else if constexpr (std::is_same_v<Op, Drill> || std::is_same_v<Op, Laser>) {
-            return std::make_unique<PenStroke>(cutter_, onCanvas(op.canvas), op);
+            return std::make_unique<PenStroke>(cutter, onCanvas(op.canvas), op);
         } else if constexpr (std::is_same_v<Op, Sweep>) {
-            return std::make_unique<SweepStroke>(cutter_, onCanvas(op.canvas), op);
+            return std::make_unique<SweepStroke>(cutter, onCanvas(op.canvas), op);
         } else if constexpr (std::is_same_v<Op, Scissors>) {
-            return std::make_unique<ScissorsStroke>(cutter_, onCanvas(op.canvas), op);
+            return std::make_unique<ScissorsStroke>(cutter, onCanvas(op.canvas), op);
         } else if constexpr (std::is_same_v<Op, Clip>) {
-            return std::make_unique<ClipStroke>(cutter_, op);
+            return std::make_unique<ClipStroke>(cutter, op);
         } else if constexpr (std::is_same_v<Op, KeepConnected>) {
-            return std::make_unique<KeepConnectedStroke>(cutter_, onCanvas(op.canvas), contents_.region, op);
+            return std::make_unique<KeepConnectedStroke>(cutter, onCanvas(op.canvas), contents_.region, op);
         } else {
             return nullptr;
         }
@@ -71,6 +128,7 @@ void CutEditor::forget() {
 }
 
 void CutEditor::discard() {
+    contents_.sculpture.setRough(false); // the macrocells become those of the finest level again
     stroke_->discard();
     forget();
     ++contents_.version;
@@ -111,6 +169,7 @@ Phrase CutEditor::saidOf(const sculpt::SculptureDelta& delta) const {
 }
 
 Outcome CutEditor::finish() {
+    VS_CHECK(!contents_.sculpture.isRough());
     sculpt::SculptureDelta delta;
     try {
         delta = stroke_->finish();
@@ -191,7 +250,7 @@ segment::VoxelSet CutEditor::wouldCut(const BrushSegment& op) {
             if (op.isToAdd) {
                 seen = drawn.canvas->view.visibleRange(contents_.scan.volume.range);
             }
-            open(drawn);
+            open(cutter_, drawn);
         },
         op.stroke);
     sculpt::SculptureDelta delta;

@@ -183,7 +183,7 @@ render::SliceFrame Pipeline::slice(const State& state, const render::SliceView& 
         frame.classification = classify(*state.view);
     }
     frame.view = view;
-    frame.detail = detail_;
+    frame.detail = detailFor(state);
     return frame;
 }
 
@@ -250,9 +250,13 @@ render::Frame Pipeline::frame(const State& state, glm::ivec2 size) {
     if (pullsOut) {
         addPulledOut(frame, withSegments, state);
     }
-    frame.detail = detail_;
+    frame.detail = detailFor(state);
     content_ = contentOf(state, frame);
     return frame;
+}
+
+field::Detail* Pipeline::detailFor(const State& state) const {
+    return state.sculpture->isRough() ? nullptr : detail_;
 }
 
 PictureContent Pipeline::contentOf(const State& state, const render::Frame& frame) const {
@@ -262,6 +266,7 @@ PictureContent Pipeline::contentOf(const State& state, const render::Frame& fram
     content.fieldSerial = field_->serial;
     content.functionVersion = frame.classification != nullptr ? frame.classification->version() : 0;
     content.sculptureVersion = state.sculpture->version();
+    content.isRough = state.sculpture->isRough();
     content.showsUncut =
         frame.scene.sculpture == nullptr && view.sculptureView == field::SculptureView::Probe;
     content.isCutAlongSegments = frame.scene.isCutAlongSegments;

@@ -87,6 +87,8 @@ private:
         bool operator==(const Key&) const = default;
     };
 
+    // The finer levels that a picture shows: none while a stroke in hand has cut nothing of them yet.
+    [[nodiscard]] field::Detail* detailFor(const State& state) const;
     // Drops what was made for voxels that lay elsewhere, or for segments that were smoothed otherwise.
     void follow(const View& view);
     void dropSegments();

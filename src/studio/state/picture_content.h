@@ -29,6 +29,7 @@ struct PictureContent {
     std::uint64_t fieldSerial = 0;
     int functionVersion = 0; // of the tables of the transfer function
     std::uint64_t sculptureVersion = 0;
+    bool isRough = false;    // with a stroke in hand that finer levels do not have yet
     bool showsUncut = false; // in a view of what was cut, because nothing was
     bool isCutAlongSegments = false;
     Segments segments;

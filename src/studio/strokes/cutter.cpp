@@ -36,7 +36,8 @@ field::Scene Cutter::restoreScene(const render::Frame& frame) {
     return scene;
 }
 
-void Cutter::refine(field::Detail& detail) {
+void Cutter::refine(const field::Field& field, field::Detail& detail) {
+    rough_ = std::make_unique<Cutter>(field, *sculpture);
     window_.emplace(sculpture->precision());
     detail_ = &detail;
     geometry = &finest_;
@@ -47,6 +48,9 @@ void Cutter::follow(const volume::GridGeometry& corrected) {
     if (detail_ != nullptr) {
         finest_ = field::finerGeometry(corrected, sculpture->finer()->grid());
         toolSteps_ = corrected.stepMm() / finest_.stepMm();
+    }
+    if (rough_ != nullptr) {
+        rough_->follow(corrected);
     }
     tools.follow(detail_ != nullptr ? finest_ : corrected);
     solids.follow(detail_ != nullptr ? finest_ : corrected);

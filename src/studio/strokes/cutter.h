@@ -24,7 +24,12 @@ public:
 
     // Tools work on the sculpture's finer one from now on, which it must have, on surfaces that lie in the
     // finest of these levels.
-    void refine(field::Detail& detail);
+    void refine(const field::Field& field, field::Detail& detail);
+    // Works on the scene's sculpture all the same, for strokes in hand that have no time for the finest level;
+    // null where there is none.
+    [[nodiscard]] Cutter* rough() { return rough_.get(); }
+    // Whether it works on the finer sculpture.
+    [[nodiscard]] bool cutsFiner() const { return detail_ != nullptr; }
     // The field's voxels lie elsewhere now.
     void follow(const volume::GridGeometry& corrected);
     // What a stroke cuts into. What was there before goes into the backup and, of the finer sculpture, into
@@ -69,6 +74,7 @@ public:
 private:
     [[nodiscard]] glm::dvec3 scenePlace(const glm::dvec3& toolVoxel) const;
 
+    std::unique_ptr<Cutter> rough_;
     volume::GridGeometry finest_;
     double toolSteps_ = 1;
     field::Detail* detail_ = nullptr;          // null: tools work on the scene's grid

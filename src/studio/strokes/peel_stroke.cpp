@@ -36,7 +36,7 @@ void PeelStroke::peelTo(double layers) {
     op.layers = std::max(layers, 0.0);
     auto& tools = cutter_->tools;
     const double depth = op.layers * cutter_->toolSteps();
-    if (layers_ && cutter_->sculpture->finer() != nullptr) {
+    if (layers_ && cutter_->cutsFiner()) {
         discard();
         layers_->cutAtOnce(depth, tools.radiator(), tools.generator(), target());
     } else if (layers_) {

@@ -190,6 +190,86 @@ TEST_F(FinerCutsTest, AStrokeInHandBecomesItsOperation) {
     }
 }
 
+// The pen, all over the head; what the scene's sculpture has in the end is kept from the moment before.
+template <typename Op>
+void drawOn(LiveStroke& stroke, const Operation& begun) {
+    stroke.begin(begun);
+    if constexpr (std::is_same_v<Op, Peel>) {
+        stroke.peelTo(3);
+        stroke.peelTo(5);
+    } else if constexpr (std::is_same_v<Op, Clip>) {
+        stroke.clipTo(std::get<Clip>(begun));
+    } else {
+        for (int n = 0; n < 6; ++n) {
+            stroke.drawAt({{180.0 + 9 * n, 120.0 + n}, 0.3 + 0.1 * n});
+        }
+    }
+}
+
+// While it goes on, the level that is worked on has about what the finest will have; the finest has nothing
+// of it, and pictures show the former.
+TEST_F(FinerCutsTest, AStrokeInHandIsSeenAtOnceAndCutAtTheFinestWhenItEnds) {
+    Clip clip;
+    clip.box = Clip::Box{{5, 6, 4}, {30, 35, 22}};
+    Drill drill = penAt<Drill>(180, 120, 9);
+    Laser laser = penAt<Laser>(180, 120, 9);
+    drill.stroke.clear();
+    laser.stroke.clear();
+    const std::vector<std::pair<Operation, void (*)(LiveStroke&, const Operation&)>> strokes = {
+        {inCoarseSteps(peelAt(200, 130, 14)), drawOn<Peel>},
+        {inCoarseSteps(drill), drawOn<Drill>},
+        {inCoarseSteps(laser), drawOn<Laser>},
+        {clip, drawOn<Clip>}};
+    for (const auto& [begun, draw] : strokes) {
+        const std::string what(name(begun));
+        for (const bool isKept : {false, true}) {
+            InBricks inHand;
+            Document& document = *inHand.document;
+            document.apply(scissorsAt(150, 180, 12));
+            const auto before = inHand.cuts();
+            const auto sceneBefore = sculptureOf(document);
+            const auto cellsBefore = document.sculpture().cells().downloadAll<glm::vec2>();
+            const std::uint64_t content = document.sculpture().contentVersion();
+            draw(document.stroke(), begun);
+            EXPECT_EQ(before, inHand.cuts()) << what;
+            EXPECT_EQ(nullptr, document.frame({240, 180}).detail) << what;
+            const auto rough = sculptureOf(document);
+            EXPECT_NE(sceneBefore, rough) << what;
+            if (!isKept) {
+                document.stroke().discard();
+                EXPECT_EQ(before, inHand.cuts()) << what;
+                EXPECT_EQ(sceneBefore, sculptureOf(document)) << what;
+                EXPECT_EQ(cellsBefore, document.sculpture().cells().downloadAll<glm::vec2>()) << what;
+                EXPECT_EQ(content, document.sculpture().contentVersion()) << what;
+            } else {
+                const Outcome outcome = document.stroke().commit();
+                EXPECT_GT(outcome.voxelsTouched, 0U) << what;
+                EXPECT_NE(before, inHand.cuts()) << what;
+                std::size_t cut = 0;
+                std::size_t otherwise = 0;
+                const auto now = sculptureOf(document);
+                for (std::size_t n = 0; n < now.size(); ++n) {
+                    cut += now[n] >= 0.5F ? 1 : 0;
+                    otherwise += std::abs(now[n] - rough[n]) > 0.7F ? 1 : 0; // not beside a face
+                }
+                EXPECT_LT(double(otherwise), 0.03 * double(cut)) << what;
+            }
+            EXPECT_NE(nullptr, document.frame({240, 180}).detail) << what;
+        }
+    }
+}
+
+// A pen that was put down and drew nothing leaves nothing, though its operation would mean a stamp.
+TEST_F(FinerCutsTest, APenThatDrawsNothingCutsNothing) {
+    InBricks inHand;
+    Drill drill = penAt<Drill>(180, 120, 9);
+    drill.stroke.clear();
+    inHand.document->stroke().begin(drill);
+    EXPECT_EQ(0U, inHand.document->stroke().commit().voxelsTouched);
+    EXPECT_TRUE(inHand.document->sculpture().isEmpty());
+    EXPECT_TRUE(inHand.document->log().empty());
+}
+
 // Pictures at rest show them as pictures of the finest level would, with room for a few bricks or many.
 TEST_F(FinerCutsTest, AreSeenAsTheyAre) {
     Head whole;

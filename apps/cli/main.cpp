@@ -2,6 +2,7 @@
 #include "commands/commands.h"
 
 #include "base/error.h"
+#include "base/large_pages.h"
 
 #include <fmt/format.h>
 
@@ -63,6 +64,7 @@ int run(int argc, char** argv) {
 } // namespace
 
 int main(int argc, char** argv) {
+    vs::keepFreedMemory();
     try {
         const int code = run(argc, argv);
         // What was printed may still wait to be written; a full disk shows only now.

@@ -15,6 +15,7 @@
 #include "window/options.h"
 
 #include "base/error.h"
+#include "base/large_pages.h"
 #include "base/log.h"
 #include "volume/reading/decoder_at_hand.h"
 
@@ -106,6 +107,7 @@ void answerWithoutDisplay(int argc, char** argv) {
 } // namespace
 
 int main(int argc, char** argv) {
+    vs::keepFreedMemory();
     using vs::desktop::RehearsalKeeper;
     if (argc >= 4 && argv[1] == std::string_view(RehearsalKeeper::kRehearse)) {
         if (argc == 5 && argv[4] == std::string_view(RehearsalKeeper::kAside)) {

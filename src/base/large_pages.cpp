@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "base/large_pages.h"
 
+#include <malloc.h>
 #include <sys/mman.h>
 
 #include <memory>
@@ -21,6 +22,11 @@ void askForLargePages(std::span<std::byte> memory) {
 void reserveInLargePages(std::vector<std::byte>& bytes, std::size_t count) {
     bytes.reserve(count);
     askForLargePages({bytes.data(), bytes.capacity()});
+}
+
+void keepFreedMemory() {
+    mallopt(M_MMAP_THRESHOLD, 32 << 20); // less than that is taken from what was kept; the most there can be
+    mallopt(M_TRIM_THRESHOLD, 128 << 20);
 }
 
 } // namespace vs

@@ -15,4 +15,8 @@ void askForLargePages(std::span<std::byte> memory);
 // Makes room for so many bytes in such pages. Throws std::bad_alloc.
 void reserveInLargePages(std::vector<std::byte>& bytes, std::size_t count);
 
+// From now on freed memory stays with the program, up to 128 MiB of it, for whatever is asked for next: what
+// comes from the system is touched for the first time each time. Call it when the program begins.
+void keepFreedMemory();
+
 } // namespace vs

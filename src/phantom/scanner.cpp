@@ -5,6 +5,20 @@
 
 namespace vs::phantom {
 
+void scanBox(const Scanner& scanner, const Box3& box, std::span<std::byte> values,
+             std::span<std::uint8_t> labels) {
+    const std::size_t slice = std::size_t(box.size().x) * std::size_t(box.size().y);
+    const std::size_t bytes = volume::sizeOf(scanner.type);
+    inParallel(box.size().z, [&](int n) {
+        Box3 own = box;
+        own.lo.z = box.lo.z + n;
+        own.hi.z = own.lo.z + 1;
+        const std::size_t first = slice * std::size_t(n);
+        scanner.scan(own, values.subspan(bytes * first, bytes * slice),
+                     labels.empty() ? labels : labels.subspan(first, slice));
+    });
+}
+
 LabelledVolume scanAll(const Scanner& scanner) {
     LabelledVolume all;
     const glm::ivec3 dims = scanner.grid.dims;
@@ -13,14 +27,7 @@ LabelledVolume scanAll(const Scanner& scanner) {
     all.volume.name = scanner.name;
     all.volume.bytes.resize(scanner.grid.voxelCount() * volume::sizeOf(scanner.type));
     all.labels.resize(scanner.grid.voxelCount());
-    const std::size_t slice = std::size_t(dims.x) * std::size_t(dims.y);
-    inParallel(dims.z, [&](int z) {
-        const std::size_t first = slice * std::size_t(z);
-        const std::size_t bytes = volume::sizeOf(scanner.type);
-        scanner.scan({{0, 0, z}, {dims.x, dims.y, z + 1}},
-                     std::span(all.volume.bytes).subspan(bytes * first, bytes * slice),
-                     std::span(all.labels).subspan(first, slice));
-    });
+    scanBox(scanner, {glm::ivec3(0), dims}, all.volume.bytes, all.labels);
     volume::computeRange(all.volume);
     return all;
 }

@@ -27,6 +27,9 @@ struct Scanner {
     std::function<void(const Box3& box, std::span<std::byte> values, std::span<std::uint8_t> labels)> scan;
 };
 
+// A box of it, on all processors: see Scanner::scan.
+void scanBox(const Scanner& scanner, const Box3& box, std::span<std::byte> values,
+             std::span<std::uint8_t> labels);
 // All of it, on all processors.
 LabelledVolume scanAll(const Scanner& scanner);
 

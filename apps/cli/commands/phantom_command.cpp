@@ -7,6 +7,7 @@
 #include "base/error.h"
 #include "base/names.h"
 #include "phantom/recipe.h"
+#include "phantom/scanner.h"
 #include "volume/io/write.h"
 #include "volume/store/write_store.h"
 
@@ -84,7 +85,7 @@ void writeStore(const std::string& path, const phantom::Scanner& scanner, const 
     source.read = [&scanner, isOfLabels](const Box3& box) {
         std::vector<std::byte> values(box.volume() * volume::sizeOf(scanner.type));
         std::vector<std::uint8_t> labels(isOfLabels ? box.volume() : 0);
-        scanner.scan(box, values, labels);
+        phantom::scanBox(scanner, box, values, labels);
         if (isOfLabels) {
             values.resize(labels.size());
             std::transform(labels.begin(), labels.end(), values.begin(), [](auto l) { return std::byte(l); });

@@ -6,30 +6,26 @@
 
 namespace vs::segment {
 
-namespace {
-
-template <typename Entry>
-std::vector<Entry> entriesOf(const std::vector<std::uint32_t>& generations, std::uint32_t base) {
-    std::vector<Entry> entries(generations.size());
-    std::transform(generations.begin(), generations.end(), entries.begin(),
-                   [&](std::uint32_t g) { return g == 0 ? Entry(0) : Entry(g - base); });
-    return entries;
-}
-
-} // namespace
-
 FineCells::FineCells(const OpenCells& open) {
     std::array<GenerationSpan, 256> spans{};
-    std::uint32_t first = std::numeric_limits<std::uint32_t>::max();
-    std::uint32_t last = 0;
-    for (std::size_t cell = 0; cell < kBrickVoxels; ++cell) {
-        const std::uint32_t generation = open.generations[cell];
-        if (generation != 0) {
-            GenerationSpan& span = spans[open.labels[cell]];
-            span.first = span.first == 0 ? generation : std::min(span.first, generation);
-            span.last = std::max(span.last, generation);
+    for (std::size_t tile = 0; tile < kBrickTiles; ++tile) {
+        const std::size_t slot = open.slots_.slotOf(tile);
+        bool isAny = false;
+        for (std::size_t n = 0; slot > 0 && n < kTileVoxels; ++n) {
+            const std::size_t place = (slot - 1) * kTileVoxels + n;
+            if (const std::uint32_t generation = open.generations_[place]; generation != 0) {
+                GenerationSpan& span = spans[open.labels_[place]];
+                span.first = span.first == 0 ? generation : std::min(span.first, generation);
+                span.last = std::max(span.last, generation);
+                isAny = true;
+            }
+        }
+        if (isAny) {
+            slots_.add(tile);
         }
     }
+    std::uint32_t first = std::numeric_limits<std::uint32_t>::max();
+    std::uint32_t last = 0;
     for (std::size_t label = 0; label < spans.size(); ++label) {
         if (spans[label].first != 0) {
             spans_.emplace(std::uint8_t(label), spans[label]);
@@ -42,29 +38,54 @@ FineCells::FineCells(const OpenCells& open) {
     }
     base_ = first - 1;
     if (last - base_ <= std::numeric_limits<std::uint8_t>::max()) {
-        entries_ = entriesOf<std::uint8_t>(open.generations, base_);
+        entries_ = entriesOf<std::uint8_t>(open);
     } else if (last - base_ <= std::numeric_limits<std::uint16_t>::max()) {
-        entries_ = entriesOf<std::uint16_t>(open.generations, base_);
+        entries_ = entriesOf<std::uint16_t>(open);
     } else {
-        entries_ = entriesOf<std::uint32_t>(open.generations, base_);
+        entries_ = entriesOf<std::uint32_t>(open);
     }
-    labels_ = spans_.size() == 1 ? std::vector<std::uint8_t>{spans_.begin()->first} : open.labels;
+    if (spans_.size() == 1) {
+        labels_ = {spans_.begin()->first};
+        return;
+    }
+    labels_.reserve(slots_.count() * kTileVoxels);
+    for (std::size_t tile = 0; tile < kBrickTiles; ++tile) {
+        if (!isTileEmpty(tile)) {
+            const auto own = open.labels_.begin() + std::ptrdiff_t(open.slots_.placeOf(tile * kTileVoxels));
+            labels_.insert(labels_.end(), own, own + std::ptrdiff_t(kTileVoxels));
+        }
+    }
+}
+
+template <typename Entry>
+std::vector<Entry> FineCells::entriesOf(const OpenCells& open) const {
+    std::vector<Entry> entries;
+    entries.reserve(slots_.count() * kTileVoxels);
+    for (std::size_t tile = 0; tile < kBrickTiles; ++tile) {
+        if (!isTileEmpty(tile)) {
+            const auto own =
+                open.generations_.begin() + std::ptrdiff_t(open.slots_.placeOf(tile * kTileVoxels));
+            std::transform(own, own + std::ptrdiff_t(kTileVoxels), std::back_inserter(entries),
+                           [&](std::uint32_t g) { return g == 0 ? Entry(0) : Entry(g - base_); });
+        }
+    }
+    return entries;
 }
 
 OpenCells FineCells::opened() const {
     OpenCells open;
+    open.slots_ = slots_;
     std::visit(
         [&](const auto& entries) {
-            for (std::size_t cell = 0; cell < entries.size(); ++cell) {
-                const std::uint32_t entry = entries[cell];
-                open.generations[cell] = entry == 0 ? 0 : base_ + entry;
-            }
+            open.generations_.resize(entries.size());
+            std::transform(entries.begin(), entries.end(), open.generations_.begin(), [&](auto entry) {
+                return entry == 0 ? 0U : std::uint32_t(base_ + std::uint32_t(entry));
+            });
         },
         entries_);
-    if (labels_.size() == 1) {
-        std::fill(open.labels.begin(), open.labels.end(), labels_.front());
-    } else if (!labels_.empty()) {
-        open.labels = labels_;
+    open.labels_.assign(open.generations_.size(), labels_.empty() ? std::uint8_t(0) : labels_.front());
+    if (labels_.size() > 1) {
+        open.labels_ = labels_;
     }
     return open;
 }

@@ -86,7 +86,7 @@ void FineGrowth::erase(const Bricks& among, int last,
                 if (!std::exchange(isChanged, true)) {
                     open = cells->opened();
                 }
-                open.generations[cell] = 0;
+                open.erase(cell);
                 if (generation <= run_.state.voxels.size()) {
                     --run_.state.voxels[generation - 1];
                 }
@@ -228,14 +228,13 @@ void FineGrowth::edit(std::span<const BrickEdit> edits, FineUndo* undo) {
         OpenCells open = known == map_.end() ? OpenCells() : known->second->opened();
         bool isChanged = false;
         for (std::size_t cell = 0; cell < kBrickVoxels; ++cell) {
-            std::uint32_t& grown = open.generations[cell];
-            if (grown != 0 && open.labels[cell] == label_ && has(edit.taken, cell)) {
+            const std::uint32_t grown = open.generation(cell);
+            if (grown != 0 && open.label(cell) == label_ && has(edit.taken, cell)) {
                 --state.voxels[grown - 1];
-                grown = 0;
+                open.erase(cell);
                 isChanged = true;
             } else if (grown == 0 && has(edit.given, cell)) {
-                grown = std::uint32_t(generation);
-                open.labels[cell] = label_;
+                open.set(cell, std::uint32_t(generation), label_);
                 ++state.voxels[std::size_t(generation - 1)];
                 isChanged = true;
             }

@@ -17,21 +17,13 @@ namespace {
 // The voxels after which no further expansion is tried.
 constexpr std::uint64_t kManyVoxels = 3'000'000;
 
-// The list of a brick's generations, made by whichever thread comes first; null: there is no memory.
-std::uint32_t* generationsOf(HostBrick& brick) {
-    std::uint32_t* list = brick.generations.load(std::memory_order_acquire);
+// The list of a tile's generations; null: there is no memory. One thread at a time looks at a tile.
+std::uint32_t* generationsOf(const TileOfBrick& tile) {
+    auto& list = tile.brick->generations[tile.tile];
     if (list == nullptr) {
-        auto* made = new (std::nothrow) std::uint32_t[kBrickVoxels];
-        if (made == nullptr) {
-            return nullptr;
-        }
-        if (brick.generations.compare_exchange_strong(list, made, std::memory_order_acq_rel)) {
-            list = made;
-        } else {
-            delete[] made;
-        }
+        list.reset(new (std::nothrow) std::uint32_t[kTileVoxels]);
     }
-    return list;
+    return list.get();
 }
 
 } // namespace
@@ -54,8 +46,8 @@ std::vector<std::uint64_t> FineGrowth::expand(int expansions) {
         spread_.expand(
             pairs, {connectivity, run_.state.extent + 1, expansions, kManyVoxels},
             [&](const TileOfBrick& tile, std::uint32_t place, std::uint32_t generation) {
-                if (std::uint32_t* list = generationsOf(*tile.brick)) {
-                    list[std::size_t(tile.tile) << 9U | place] = generation;
+                if (std::uint32_t* list = generationsOf(tile)) {
+                    list[place] = generation;
                 } else { // threads must not throw
                     isOutOfMemory = true;
                 }
@@ -81,7 +73,7 @@ void FineGrowth::collect() {
     for (const std::uint32_t number : holding(run_.state.frozen)) {
         reportProgress();
         const FineCells& cells = *map_.at(number);
-        std::array<Slices, 64> grown{};
+        std::array<Slices, kBrickTiles> grown{};
         cells.forEachGrown([&](std::size_t cell, std::uint32_t generation) {
             if (int(generation) > run_.state.frozen && cells.label(cell) == label_) {
                 slices::set(grown[cell >> 9U], std::uint32_t(cell & 511U));
@@ -102,8 +94,12 @@ void FineGrowth::commit() {
         std::uint32_t brick = 0;
         FineCellsPtr before;
         FineCellsPtr after;
-        std::unique_ptr<const std::uint32_t[]> generations;
-        std::vector<std::pair<std::size_t, Slices>> tiles;
+        struct Tile {
+            std::size_t tile = 0;
+            Slices joined;
+            std::unique_ptr<const std::uint32_t[]> generations;
+        };
+        std::vector<Tile> tiles;
     };
     std::vector<Joined> joined;
     bricks_.takeJoined([&](HostBrick& brick, GenerationSpan) {
@@ -111,20 +107,19 @@ void FineGrowth::commit() {
         Joined& one = joined.emplace_back();
         one.brick = brick.number;
         one.before = known == map_.end() ? FineCellsPtr() : known->second;
-        one.generations.reset(brick.generations.exchange(nullptr));
         for (std::size_t tile = 0; tile < brick.tiles.size(); ++tile) {
             if (brick.hasJoined[tile] != 0) {
-                one.tiles.emplace_back(tile, brick.tiles[tile].joined);
+                one.tiles.push_back(
+                    {tile, brick.tiles[tile].joined, std::exchange(brick.generations[tile], nullptr)});
             }
         }
     });
     const auto put = [&](int n) {
         Joined& one = joined[std::size_t(n)];
         OpenCells open = one.before == nullptr ? OpenCells() : one.before->opened();
-        for (const auto& [tile, slices] : one.tiles) {
-            slices::forEach(slices, [&, first = tile << 9U](std::uint32_t place) {
-                open.generations[first | place] = one.generations[first | place];
-                open.labels[first | place] = label_;
+        for (const Joined::Tile& tile : one.tiles) {
+            slices::forEach(tile.joined, [&](std::uint32_t place) {
+                open.set(tile.tile * kTileVoxels + place, tile.generations[place], label_);
             });
         }
         one.after = std::make_shared<const FineCells>(open);

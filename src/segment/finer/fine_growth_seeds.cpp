@@ -99,8 +99,7 @@ void FineGrowth::enterSeeds(const std::vector<glm::ivec3>& voxels) {
         const auto known = map_.find(brick);
         OpenCells open = known == map_.end() ? OpenCells() : known->second->opened();
         for (const std::size_t cell : cells) {
-            open.generations[cell] = std::uint32_t(generation);
-            open.labels[cell] = label_;
+            open.set(cell, std::uint32_t(generation), label_);
         }
         replaceCells(brick, open);
     }

@@ -62,6 +62,7 @@ void FineValues::readAhead(const Box3& box) {
         return;
     }
     const std::lock_guard lock(mutex_);
+    const std::size_t before = wanted_.size();
     if (asked_.size() > kRemembered) { // they may have been let go of since
         asked_.clear();
     }
@@ -70,6 +71,9 @@ void FineValues::readAhead(const Box3& box) {
             wanted_.push_back(grid.placeOf(at));
         }
     });
+    if (wanted_.size() == before) {
+        return;
+    }
     if (wanted_.size() > kMostWanted) { // the front is elsewhere by now
         wanted_.erase(wanted_.begin(), wanted_.end() - std::ptrdiff_t(kMostWanted));
     }

@@ -143,17 +143,21 @@ void SceneView::share(const FineGrowth& finest, const Box3& sceneVoxels, const B
 
 // What counts of some voxels of a brick.
 void SceneView::gather(const FineCells& cells, const Box3& inBrick, Gathered& gathered) const {
+    const std::size_t tile = cellOf(inBrick.lo) / kTileVoxels;
+    if (tile == cellOf(inBrick.hi - 1) / kTileVoxels && cells.isTileEmpty(tile)) {
+        return;
+    }
     const auto& spans = cells.spans();
     const auto own = spans.find(label_);
     const bool countsAll = own == spans.end() || int(own->second.last) <= upTo_;
     Gathered::List* const only = spans.size() == 1 ? &gathered.of(spans.begin()->first) : nullptr;
-    cells.visitEntries([&](const auto& entries, std::uint32_t base) {
+    cells.visitGenerations([&](const auto& generationOf) {
         forEachVoxel(inBrick, [&](glm::ivec3 v, std::size_t) {
             const std::size_t cell = cellOf(v);
-            if (entries[cell] == 0) {
+            const std::uint32_t generation = generationOf(cell);
+            if (generation == 0) {
                 return;
             }
-            const std::uint32_t generation = base + entries[cell];
             const std::uint8_t label = only != nullptr ? only->first : cells.label(cell);
             if (countsAll || label != label_ || int(generation) <= upTo_) {
                 (only != nullptr ? *only : gathered.of(label)).second.push_back(generation);
@@ -176,15 +180,13 @@ bool SceneView::isThinAt(glm::ivec3 sceneVoxel, std::uint8_t label, const BrickT
     return isThin;
 }
 
-MirroredBrick SceneView::seen(std::uint32_t number, const BrickTable& table) const {
+void SceneView::tell(std::uint32_t number, const BrickTable& table, MirroredBrick& brick) const {
     const Box3 box = table.box(number);
-    MirroredBrick brick;
-    brick.brick = number;
-    brick.generations.resize(box.volume());
-    brick.labels.resize(box.volume());
+    brick.generations.assign(box.volume(), 0);
+    brick.labels.assign(box.volume(), 0);
     const auto known = shares_.find(number);
     if (known == shares_.end()) {
-        return brick;
+        return;
     }
     const Shares& shares = known->second;
     forEachVoxel(box, [&](glm::ivec3 voxel, std::size_t i) {
@@ -194,7 +196,6 @@ MirroredBrick SceneView::seen(std::uint32_t number, const BrickTable& table) con
             brick.generations[i] = shares.generations[i];
         }
     });
-    return brick;
 }
 
 // Which generations of the segment at work count now; bricks that hold some that do no more, or do again,
@@ -252,9 +253,6 @@ void SceneView::update(FineGrowth& finest, Growth& scene, Going going) {
         }
     }
     const std::vector<std::uint32_t> numbers(stale.begin(), stale.end());
-    std::vector<MirroredBrick> bricks(numbers.size());
-    inParallel(int(numbers.size()),
-               [&](int n) { bricks[std::size_t(n)] = seen(numbers[std::size_t(n)], table); });
     std::map<std::uint8_t, GrowthState> others;
     for (const auto& [label, run] : finest.others()) {
         others.emplace(label, run.state);
@@ -263,7 +261,8 @@ void SceneView::update(FineGrowth& finest, Growth& scene, Going going) {
     if (const int seeded = finest.lastSeeded(); seeded > 0) { // when, not where: they are of another grid
         atWork.seeds = std::make_shared<const std::vector<segment::Seed>>(1, segment::Seed{0, seeded});
     }
-    scene.mirror(finest.label(), atWork, others, bricks);
+    scene.mirror(finest.label(), atWork, others, numbers,
+                 [&](std::uint32_t number, MirroredBrick& brick) { tell(number, table, brick); });
     finest.noteShown();
 }
 

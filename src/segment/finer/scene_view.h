@@ -46,7 +46,7 @@ private:
     void share(const FineGrowth& finest, const Box3& sceneVoxels, const Box3& brick, Shares& shares) const;
     void gather(const FineCells& cells, const Box3& inBrick, Gathered& gathered) const;
     void countUpTo(const FineGrowth& finest, Going going, std::set<std::uint32_t>& changed);
-    [[nodiscard]] MirroredBrick seen(std::uint32_t number, const BrickTable& table) const;
+    void tell(std::uint32_t number, const BrickTable& table, MirroredBrick& brick) const;
     [[nodiscard]] bool isThinAt(glm::ivec3 sceneVoxel, std::uint8_t label, const BrickTable& table) const;
 
     field::BrickGrid grid_;

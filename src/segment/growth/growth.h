@@ -128,7 +128,8 @@ public:
     // level's generations and voxels, and the bricks that have changed since it was last called. Nothing else
     // may change it then.
     void mirror(std::uint8_t label, const GrowthState& atWork,
-                const std::map<std::uint8_t, GrowthState>& others, std::span<const MirroredBrick> bricks);
+                const std::map<std::uint8_t, GrowthState>& others, std::span<const std::uint32_t> bricks,
+                const MirrorOf& told);
 
     [[nodiscard]] int playhead() const { return state_.playhead; }
     [[nodiscard]] int extent() const { return state_.extent; }

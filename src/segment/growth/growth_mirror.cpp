@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: Apache-2.0
 #include "segment/growth/growth_mirror.h"
 
+#include "base/parallel.h"
 #include "segment/growth/growth.h"
 
 #include <algorithm>
@@ -20,39 +21,29 @@ void widen(GenerationSpan& span, std::uint32_t generation) {
 
 } // namespace
 
-// As saveBrick() lays it out.
-std::vector<std::byte> SeedMap::brickOf(const MirroredBrick& from) const {
-    std::vector<std::uint32_t> grown(kWordsPerBrick);
-    std::vector<std::uint16_t> generations(kVoxels);
-    std::vector<std::uint8_t> late(isWide() ? kVoxels : 0);
-    forEachVoxel(bricks_.box(from.brick), [&](glm::ivec3 voxel, std::size_t i) {
+void SeedMap::layOut(std::uint32_t brick, const MirroredBrick& from, std::vector<std::byte>& bytes) const {
+    const std::size_t lateBytes = isWide() ? kLateBytes : 0;
+    bytes.assign(kGrownBytes + kGenerationBytes + lateBytes + from.labels.size(), std::byte(0));
+    auto* const grown = reinterpret_cast<std::uint32_t*>(bytes.data());
+    auto* const generations = reinterpret_cast<std::uint16_t*>(bytes.data() + kGrownBytes);
+    auto* const late = reinterpret_cast<std::uint8_t*>(bytes.data() + kGrownBytes + kGenerationBytes);
+    forEachVoxel(bricks_.box(brick), [&](glm::ivec3 voxel, std::size_t i) {
         if (from.generations[i] != 0) {
-            const std::size_t bit = bitOf(voxel) - from.brick * kVoxels;
+            const std::size_t bit = bitOf(voxel) - brick * kVoxels;
             grown[bit / 32] |= 1U << bit % 32;
             generations[bit] = std::uint16_t(from.generations[i]);
-            if (!late.empty()) {
+            if (lateBytes > 0) {
                 late[bit] = std::uint8_t(from.generations[i] >> 16U);
             }
         }
     });
-    std::vector<std::byte> bytes(grown.size() * 4 + generations.size() * 2 + late.size() +
-                                 from.labels.size());
-    std::byte* to = bytes.data();
-    const auto append = [&](const auto& values) {
-        const std::size_t size = values.size() * sizeof(values[0]);
-        std::copy_n(reinterpret_cast<const std::byte*>(values.data()), size, to);
-        to += size;
-    };
-    append(grown);
-    append(generations);
-    append(late);
-    append(from.labels);
-    return bytes;
+    std::copy_n(reinterpret_cast<const std::byte*>(from.labels.data()), from.labels.size(),
+                bytes.end() - std::ptrdiff_t(from.labels.size()));
 }
 
 void Growth::mirror(std::uint8_t label, const GrowthState& atWork,
-                    const std::map<std::uint8_t, GrowthState>& others,
-                    std::span<const MirroredBrick> bricks) {
+                    const std::map<std::uint8_t, GrowthState>& others, std::span<const std::uint32_t> bricks,
+                    const MirrorOf& told) {
     if (atWork.extent > SeedMap::kLongest16) {
         seedMap_.widen();
     }
@@ -67,23 +58,38 @@ void Growth::mirror(std::uint8_t label, const GrowthState& atWork,
         others_[other].spans.resize(table.count());
     }
     others_.erase(label);
-    std::vector<std::uint32_t> changed;
-    for (const MirroredBrick& brick : bricks) {
-        seedMap_.restoreBrick(brick.brick, seedMap_.brickOf(brick));
+    // Some together, so that lists are made once and not for each brick.
+    struct Mirrored {
+        MirroredBrick told;
+        std::vector<std::byte> bytes;
         std::array<GenerationSpan, 256> spans{};
-        for (std::size_t i = 0; i < brick.labels.size(); ++i) {
-            if (brick.generations[i] != 0) {
-                widen(spans[brick.labels[i]], brick.generations[i]);
+    };
+    constexpr std::size_t kTogether = 64;
+    std::vector<Mirrored> group(std::min(kTogether, bricks.size()));
+    for (std::size_t first = 0; first < bricks.size(); first += kTogether) {
+        const auto some = bricks.subspan(first, std::min(kTogether, bricks.size() - first));
+        inParallel(int(some.size()), [&](int n) {
+            Mirrored& one = group[std::size_t(n)];
+            told(some[std::size_t(n)], one.told);
+            seedMap_.layOut(some[std::size_t(n)], one.told, one.bytes);
+            one.spans.fill({});
+            for (std::size_t i = 0; i < one.told.labels.size(); ++i) {
+                if (one.told.generations[i] != 0) {
+                    widen(one.spans[one.told.labels[i]], one.told.generations[i]);
+                }
+            }
+        });
+        for (std::size_t n = 0; n < some.size(); ++n) {
+            seedMap_.restoreBrick(some[n], group[n].bytes);
+            table.setSpan(some[n], group[n].spans[label]);
+            for (auto& [other, run] : others_) {
+                if (!run.spans.empty()) {
+                    run.spans[some[n]] = group[n].spans[other];
+                }
             }
         }
-        table.setSpan(brick.brick, spans[label]);
-        for (auto& [other, run] : others_) {
-            if (!run.spans.empty()) {
-                run.spans[brick.brick] = spans[other];
-            }
-        }
-        changed.push_back(brick.brick);
     }
+    const std::vector<std::uint32_t> changed(bricks.begin(), bricks.end());
     table.occupy(changed);
     table.upload();
     table.markChanged(changed);

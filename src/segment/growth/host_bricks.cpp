@@ -74,7 +74,9 @@ HostBrick& HostBricks::brickAt(std::uint32_t number, glm::ivec3 place) {
         brick->around.fill(0);
         brick->isTested.fill(0);
         brick->hasJoined.fill(0);
-        delete[] brick->generations.exchange(nullptr);
+        for (auto& list : brick->generations) {
+            list.reset();
+        }
         for (HostTile& tile : brick->tiles) {
             tile.joined = {};
         }

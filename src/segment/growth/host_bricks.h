@@ -5,7 +5,6 @@
 #include "segment/growth/slices.h"
 
 #include <array>
-#include <atomic>
 #include <cstdint>
 #include <memory>
 #include <utility>
@@ -32,13 +31,8 @@ struct HostBrick {
     glm::ivec3 place{0};     // in bricks
     GenerationSpan joinedIn; // the generations of what has joined; 0, 0: nothing has
     std::uint64_t madeFor = 0;
-    // Where whoever spreads keeps the generations of what joins, tile by tile; null until something does.
-    std::atomic<std::uint32_t*> generations = nullptr;
-
-    HostBrick() = default;
-    HostBrick(const HostBrick&) = delete;
-    HostBrick& operator=(const HostBrick&) = delete;
-    ~HostBrick() { delete[] generations.load(); }
+    // Where whoever spreads keeps the generations of what joins in each tile; null until something does.
+    std::array<std::unique_ptr<std::uint32_t[]>, 64> generations{};
 };
 
 // A tile, by its brick.

@@ -14,9 +14,6 @@ namespace vs::segment {
 namespace {
 
 constexpr std::size_t kSlabBytes = 16;
-constexpr std::size_t kGrownBytes = SeedMap::kWordsPerBrick * 4;
-constexpr std::size_t kGenerationBytes = SeedMap::kWordsPerBrick * 64;
-constexpr std::size_t kLateBytes = SeedMap::kWordsPerBrick * 32;
 
 glm::ivec3 checked(glm::ivec3 dims) {
     if (double(dims.x) * dims.y * dims.z > double(std::numeric_limits<std::uint32_t>::max())) {

@@ -32,6 +32,10 @@ public:
     // Words of a plane: 32 voxels each.
     static constexpr std::size_t kWordsPerTile = 16;
     static constexpr std::size_t kWordsPerBrick = 1024;
+    // A brick in the planes of grown voxels, of generations, and of their high bits.
+    static constexpr std::size_t kGrownBytes = kWordsPerBrick * 4;
+    static constexpr std::size_t kGenerationBytes = kWordsPerBrick * 64;
+    static constexpr std::size_t kLateBytes = kWordsPerBrick * 32;
 
     // Makes an empty map of a grid. Throws GlError when the device has no room, or when there are more voxels
     // than lists can name.
@@ -100,8 +104,8 @@ public:
     // All there is about a brick, for undo.
     [[nodiscard]] std::vector<std::byte> saveBrick(std::uint32_t brick) const;
     void restoreBrick(std::uint32_t brick, std::span<const std::byte> bytes);
-    // What saveBrick() would give of a brick that holds this.
-    [[nodiscard]] std::vector<std::byte> brickOf(const MirroredBrick& from) const;
+    // Makes of a list what saveBrick() would give of a brick that holds this.
+    void layOut(std::uint32_t brick, const MirroredBrick& from, std::vector<std::byte>& bytes) const;
     // Whether so many bytes can be a brick's: with or without generations above kLongest16.
     [[nodiscard]] bool isBrick(std::uint32_t brick, std::size_t sizeBytes) const;
 

@@ -170,8 +170,10 @@ public:
                     const auto values = store.read(box->level, box->box);
                     send(SentValues{values.size()});
                     sendBytes(values);
-                } else if (std::holds_alternative<ExtremesRequest>(*next)) {
-                    const auto extremes = store.extremes().value_or(CellExtremes());
+                } else if (const auto* wanted = std::get_if<ExtremesRequest>(&*next)) {
+                    auto known = store.extremes();
+                    known = !known && wanted->isAllHere ? store.extremesByMissing() : known;
+                    const CellExtremes extremes = known.value_or(CellExtremes());
                     const auto bytes = std::as_bytes(std::span(extremes.ranges));
                     send(SentValues{bytes.size(), extremes.side, extremes.cells});
                     sendBytes(bytes);

@@ -49,7 +49,8 @@ CellRanges finerCellRanges(glm::ivec3 sceneDims, const BrickGrid& finest,
                             const auto row =
                                 (std::size_t(k) * std::size_t(extremes->cells.y) + std::size_t(j)) * perRow;
                             for (int i = wide.x; i <= wide.y; ++i) {
-                                const glm::vec2 here = extremes->ranges[row + std::size_t(i)];
+                                const glm::vec2 here =
+                                    glm::clamp(extremes->ranges[row + std::size_t(i)], -kAnything, kAnything);
                                 range = {std::min(range.x, here.x), std::max(range.y, here.y)};
                             }
                         }

@@ -52,9 +52,14 @@ studio::Outcome replayOperation(const studio::Session& session, const std::strin
 SessionScan loadSessionScan(studio::Session& session, const std::string& sessionPath,
                             const VolumeArgument& instead, const StorageArgument& storage) {
     SessionScan scan;
-    scan.volume = loadSessionVolume(session, sessionPath, instead, scan.notices, &scan.used);
     const auto replacement =
         instead.path.empty() ? std::nullopt : std::optional<std::filesystem::path>(instead.path);
+    VolumeArgument wanted = instead;
+    if (!wanted.level && !session.level && !session.isMade()) {
+        wanted.level = studio::levelInReach(studio::volumePathOf(session, sessionPath, replacement),
+                                            readOptions(instead), storage.budgets());
+    }
+    scan.volume = loadSessionVolume(session, sessionPath, wanted, scan.notices, &scan.used);
     const std::size_t told = scan.notices.size();
     const bool growsFinest = storage.kind() != studio::Storage::Dense;
     studio::goToLevel(session, sessionPath, replacement, scan.used, growsFinest, scan.notices);

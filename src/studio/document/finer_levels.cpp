@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 namespace vs::studio {
 
@@ -27,6 +28,10 @@ constexpr std::size_t kUsualPool = std::size_t(1) << 30;
 constexpr int kFewBricks = 128;
 constexpr int kSmallestBrick = 16;
 constexpr int kLongestAxis = 2048; // of one texture
+
+std::size_t machineMemory() {
+    return std::size_t(sysconf(_SC_PHYS_PAGES)) * std::size_t(sysconf(_SC_PAGESIZE));
+}
 
 std::size_t workBytes(const volume::GridGeometry& level, volume::ScalarType type) {
     return level.voxelCount() * (volume::sizeOf(type) + kWorkBytes);
@@ -72,6 +77,12 @@ field::DetailOptions optionsFor(const MemoryBudgets& budgets, std::size_t workBy
     return options;
 }
 
+// Not where cells are those of which nobody knows anything.
+bool isAllKnown(const std::optional<volume::CellExtremes>& extremes) {
+    return extremes && std::none_of(extremes->ranges.begin(), extremes->ranges.end(),
+                                    [](glm::vec2 range) { return std::isinf(range.y); });
+}
+
 std::optional<FinerLevels> finerLevels(FinerLevels finer, const volume::Volume& scan,
                                        const volume::ReadOptions& read, std::vector<std::string>& notices) {
     const auto store = std::make_shared<volume::StoreBricks>(scan.path, read);
@@ -84,7 +95,7 @@ std::optional<FinerLevels> finerLevels(FinerLevels finer, const volume::Volume& 
     }
     finer.source = store;
     finer.extremes = store->extremes();
-    if (!finer.extremes) {
+    if (!isAllKnown(finer.extremes)) {
         notices.push_back(
             fmt::format("{}: what is where in its finer levels is not known before they are read, "
                         "so pictures of them take long; vstudio convert makes a store that says it",
@@ -96,7 +107,7 @@ std::optional<FinerLevels> finerLevels(FinerLevels finer, const volume::Volume& 
 } // namespace
 
 MemoryBudgets MemoryBudgets::filledIn() const {
-    const auto memory = std::size_t(sysconf(_SC_PHYS_PAGES)) * std::size_t(sysconf(_SC_PAGESIZE));
+    const std::size_t memory = machineMemory();
     return {deviceBytes > 0 ? deviceBytes : memory / 2, hostBytes > 0 ? hostBytes : memory / 4,
             isDeviceChosen || deviceBytes > 0};
 }
@@ -118,6 +129,18 @@ std::optional<int> levelToWorkOn(const std::filesystem::path& path, const volume
         return options.level;
     }
     const int level = levelToWorkOn(volume::StoreBricks(path, options), budgets.filledIn());
+    return level > 0 ? std::optional(level) : std::nullopt;
+}
+
+std::optional<int> levelInReach(const std::filesystem::path& path, const volume::ReadOptions& options,
+                                const MemoryBudgets& budgets) {
+    if (options.level || !volume::hasLevels(path)) {
+        return options.level;
+    }
+    const volume::StoreBricks store(path, options);
+    const bool isInReach = fitsATexture(store.levels().front()) &&
+                           workBytes(store.levels().front(), store.type()) <= machineMemory();
+    const int level = isInReach ? 0 : levelToWorkOn(store, budgets.filledIn());
     return level > 0 ? std::optional(level) : std::nullopt;
 }
 

@@ -54,6 +54,11 @@ struct FinerLevels {
 std::optional<int> levelToWorkOn(const std::filesystem::path& path, const volume::ReadOptions& options,
                                  Storage storage, const MemoryBudgets& budgets);
 
+// The level that is worked on where all of the finest was meant and nobody said so: that, unless this
+// machine's memory has no room to work on it; then as levelToWorkOn(). Throws ReadError.
+std::optional<int> levelInReach(const std::filesystem::path& path, const volume::ReadOptions& options,
+                                const MemoryBudgets& budgets);
+
 // The levels of a scan's store that are finer than what was read with these options; with Storage::Bricks
 // that one too, and that of any other volume; with Storage::Dense none. Notices are appended, also where they
 // cannot be had: the scan is there without them.

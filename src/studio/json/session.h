@@ -91,6 +91,10 @@ volume::Volume openVolume(const Session& session, const std::filesystem::path& s
                           const std::vector<std::filesystem::path>& folders = {},
                           volume::ReadOptions* used = nullptr);
 
+// Where the session's volume, or the replacement, lies; of a volume that is made, nowhere.
+std::filesystem::path volumePathOf(const Session& session, const std::filesystem::path& sessionPath,
+                                   const std::optional<std::filesystem::path>& replacement);
+
 // Where the session's volume, or the replacement, is a store and was read at another level than the session
 // was made on: has its operations speak of that level, for a look at what they do, and says so in a notice.
 // `growsFinest`: segments grow at the finest level whatever is worked on.

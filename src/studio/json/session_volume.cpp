@@ -127,8 +127,6 @@ volume::Volume findMoved(const Session& session, const std::filesystem::path& se
 
 } // namespace
 
-namespace {
-
 std::filesystem::path volumePathOf(const Session& session, const std::filesystem::path& sessionPath,
                                    const std::optional<std::filesystem::path>& replacement) {
     if (replacement) {
@@ -137,8 +135,6 @@ std::filesystem::path volumePathOf(const Session& session, const std::filesystem
     const bool isWhole = session.volumePath.is_absolute() || volume::isWebAddress(session.volumePath);
     return isWhole ? session.volumePath : sessionPath.parent_path() / session.volumePath;
 }
-
-} // namespace
 
 bool goToLevel(Session& session, const std::filesystem::path& sessionPath,
                const std::optional<std::filesystem::path>& replacement, const volume::ReadOptions& used,

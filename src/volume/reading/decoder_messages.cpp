@@ -272,7 +272,7 @@ struct RequestPacker {
     Json operator()(const BoxRequest& request) const {
         return {{"box", request.level}, {"lo", packed(request.box.lo)}, {"hi", packed(request.box.hi)}};
     }
-    Json operator()(const ExtremesRequest& /*request*/) const { return {{"extremes", true}}; }
+    Json operator()(const ExtremesRequest& request) const { return {{"extremes", request.isAllHere}}; }
     Json operator()(const DescriptionRequest& request) const {
         return {{"description", request.path.string()}};
     }
@@ -305,7 +305,7 @@ DecoderRequest requestOf(const Json& json) {
         return box;
     }
     if (json.contains("extremes")) {
-        return ExtremesRequest{};
+        return ExtremesRequest{json.at("extremes").get<bool>()};
     }
     return DecodeRequest{json.at("path").get<std::string>(), optionsOf(json.at("options"))};
 }

@@ -49,7 +49,9 @@ struct BoxRequest {
     Box3 box;
 };
 // The ranges of its CellExtremes, two floats a cell.
-struct ExtremesRequest {};
+struct ExtremesRequest {
+    bool isAllHere = false; // a chunk without a file is empty, and not just somewhere else
+};
 // The names of files: those that describe the arrays of a store, of which nothing but .zattrs need be there;
 // or, of a store whose levels were opened, those of a box, or of its extremes.
 struct DescriptionRequest {

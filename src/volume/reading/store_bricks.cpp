@@ -128,7 +128,7 @@ std::vector<std::byte> StoreBricks::received(DecoderProcess& decoder, std::size_
 std::optional<CellExtremes> StoreBricks::extremes() const {
     Decoder decoder = take();
     fetch(*decoder, 0, {}, true);
-    decoder->ask(ExtremesRequest{});
+    decoder->ask(ExtremesRequest{web_ == nullptr});
     const auto sent = decoder->finalAnswer<SentValues>(path_);
     if (sent.bytes == 0) {
         giveBack(std::move(decoder));

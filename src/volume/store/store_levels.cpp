@@ -4,6 +4,7 @@
 #include "volume/io/inspect.h"
 #include "volume/io/take_values.h"
 #include "volume/store/box_reader.h"
+#include "volume/store/missing_chunks.h"
 #include "volume/store/store_extremes.h"
 #include "volume/store/store_progress.h"
 
@@ -65,5 +66,9 @@ std::vector<std::byte> StoreLevels::read(int level, const Box3& box) const {
 }
 
 std::optional<CellExtremes> StoreLevels::extremes() const { return readExtremes(store_); }
+
+std::optional<CellExtremes> StoreLevels::extremesByMissing() const {
+    return volume::extremesByMissing(store_, channel_, time_);
+}
 
 } // namespace vs::volume

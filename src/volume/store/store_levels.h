@@ -23,6 +23,8 @@ public:
     [[nodiscard]] std::string name() const override { return store_.path.filename().string(); }
     [[nodiscard]] std::vector<std::byte> read(int level, const Box3& box) const override;
     [[nodiscard]] std::optional<CellExtremes> extremes() const override;
+    // What can be said without them, of a store all of which is there (missing_chunks.h).
+    [[nodiscard]] std::optional<CellExtremes> extremesByMissing() const;
 
     // The files that a box's values are in, and the extremes: names in the store.
     [[nodiscard]] std::vector<std::string> filesOf(int level, const Box3& box) const;

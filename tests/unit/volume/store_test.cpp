@@ -6,12 +6,16 @@
 #include "property.h"
 #include "volume/io/decode.h"
 #include "volume/store/box_reader.h"
+#include "volume/store/missing_chunks.h"
 #include "volume/store/write_store.h"
 
 #include "test_files.h"
 
 #include <glm/gtc/matrix_transform.hpp>
 
+#include <algorithm>
+#include <cmath>
+#include <fstream>
 #include <random>
 
 namespace vs::volume {
@@ -98,6 +102,51 @@ TEST(Store, ChunksOfNothingHaveNoFile) {
     EXPECT_TRUE(std::filesystem::exists(folder / "a.zarr/0/0/0/0"));
     EXPECT_FALSE(std::filesystem::exists(folder / "a.zarr/0/0/0/1"));
     EXPECT_TRUE(decodeVolume(folder / "a.zarr").volume.bytes == volume.bytes);
+}
+
+// What is said by which chunks have no file holds of every voxel, and nothing is said where all have one.
+TEST(Store, MissingChunksSayWhatIsThere) {
+    test::checkProperty(40, [] {
+        const TemporaryFolder folder;
+        const Volume volume = drawVolume();
+        const std::filesystem::path path = folder / "a.zarr";
+        writeStore(path, sourceOf(volume), {8 + *test::below(20), drawCodec()});
+        const Multiscales store = openMultiscales(path);
+        const glm::ivec3 dims = volume.geometry.dims;
+        const BoxReader all(store, 0, {glm::ivec3(0), dims});
+        int missing = 0;
+        for (int n = 0; n < all.chunks(); ++n) {
+            if (*test::below(4) == 0) {
+                std::filesystem::remove(all.file(n));
+            }
+            missing += std::filesystem::exists(all.file(n)) ? 0 : 1;
+        }
+        const auto known = extremesByMissing(store, 0, 0);
+        RC_ASSERT(known.has_value() == (missing > 0));
+        if (known) {
+            Volume now = volume;
+            now.bytes = readBox(store, 0, {glm::ivec3(0), dims});
+            forEachVoxel(volume.geometry.box(), [&](glm::ivec3 v, std::size_t) {
+                const glm::ivec3 cell = v / known->side;
+                const glm::vec2 range =
+                    known->ranges[std::size_t((cell.z * known->cells.y + cell.y) * known->cells.x + cell.x)];
+                const double value = now.at(v);
+                RC_ASSERT((value >= range.x && value <= range.y));
+            });
+        }
+    });
+    // A corner of a larger one, in a chunk by itself.
+    const TemporaryFolder folder;
+    const Volume volume = phantom::makePhantom({96, 64, 64}, ScalarType::UInt8, [](glm::dvec3 p) {
+        return p.x < 16 && p.y < 16 && p.z < 16 ? 9 : 0;
+    });
+    writeStore(folder / "a.zarr", sourceOf(volume), {16, {}});
+    std::ofstream(folder / "a.zarr/0/notes.txt") << "no chunk";
+    const auto known = extremesByMissing(openMultiscales(folder / "a.zarr"), 0, 0);
+    ASSERT_TRUE(known.has_value());
+    EXPECT_EQ(glm::ivec3(3, 2, 2), known->cells);
+    EXPECT_TRUE(std::isinf(known->ranges.front().y));
+    EXPECT_EQ(11, std::count(known->ranges.begin(), known->ranges.end(), glm::vec2(0)));
 }
 
 // Given up at any moment, it is gone on with, and nobody takes it for finished before.

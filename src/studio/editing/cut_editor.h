@@ -34,7 +34,7 @@ public:
     // Opens the stroke of an operation that cuts, whose canvas is set, within the limits that hold for tools;
     // then there is a stroke(), until finish() makes a step of it or discard() leaves no trace.
     void begin(const Operation& operation);
-    // As begin(), for a stroke in hand, which must be seen at once: of a scan that is worked on at a coarser
+    // Does so for a stroke in hand, which must be seen at once: of a scan that is worked on at a coarser
     // level, that level alone is cut, roughly, until settle() cuts the finest.
     void beginInHand(const Operation& operation);
     // If a stroke was cut roughly, opens the one that cuts as its operation says and replays it. When it
@@ -55,7 +55,7 @@ private:
     Outcome cutAtOnce(Cut& op);
     void begin(Cutter& cutter, const Operation& operation);
     void open(Cutter& cutter, const Operation& operation); // a stroke without limits
-    void forget();                         // the stroke
+    void forget();                                         // the stroke
     segment::VoxelSet takeBackAndTell(sculpt::SculptureDelta& delta, const std::optional<Range>& seen);
     // Remembers a cut that has been made as a step, with what it does to what is trimmed. If there is no
     // memory for that, it throws, and whoever made the cut must take it back.

@@ -25,8 +25,8 @@ public:
     // Tools work on the sculpture's finer one from now on, which it must have, on surfaces that lie in the
     // finest of these levels.
     void refine(const field::Field& field, field::Detail& detail);
-    // Works on the scene's sculpture all the same, for strokes in hand that have no time for the finest level;
-    // null where there is none.
+    // Works on the scene's sculpture all the same, for strokes in hand that have no time for the finest
+    // level; null where there is none.
     [[nodiscard]] Cutter* rough() { return rough_.get(); }
     // Whether it works on the finer sculpture.
     [[nodiscard]] bool cutsFiner() const { return detail_ != nullptr; }

@@ -26,7 +26,7 @@ glm::ivec2 reached(double from, double to, int axis, const BrickGrid& finest,
 } // namespace
 
 CellRanges finerCellRanges(glm::ivec3 sceneDims, const BrickGrid& finest,
-                           const std::optional<volume::CellExtremes>& extremes) {
+                           const std::optional<volume::CellExtremes>& extremes, const CellRanges* ofScene) {
     const glm::ivec3 count = cellDims(sceneDims);
     const Box3 all{glm::ivec3(0), count};
     std::vector<glm::vec2> ranges(all.volume(), glm::vec2(-kAnything, kAnything));
@@ -59,6 +59,12 @@ CellRanges finerCellRanges(glm::ivec3 sceneDims, const BrickGrid& finest,
                 }
             }
         });
+    }
+    if (extremes && ofScene != nullptr) {
+        const auto own = ofScene->cells.downloadAll<glm::vec2>();
+        for (std::size_t n = 0; n < ranges.size(); ++n) {
+            ranges[n] = {std::min(ranges[n].x, own[n].x), std::max(ranges[n].y, own[n].y)};
+        }
     }
     gl::Texture cells(count, gl::Format::RG32F, gl::Filter::Nearest, "cell ranges of finer levels");
     cells.upload(all, std::as_bytes(std::span(ranges)));

@@ -4,7 +4,6 @@
 #include "commands/commands.h"
 #include "reports/value_counts.h"
 
-#include "studio/document/finer_levels.h"
 #include "volume/grid/histogram.h"
 
 #include <fmt/format.h>
@@ -168,11 +167,7 @@ void addInfoCommand(CLI::App& app) {
     const auto json = std::make_shared<bool>(false);
     command->add_flag("--json", *json, "Print JSON instead of text");
     command->callback([argument, json] {
-        VolumeArgument that = *argument;
-        if (!that.level) { // of what is too large for memory, a level that is not
-            that.level = studio::levelToWorkOn(that.path, readOptions(that), studio::Storage::Auto, {});
-        }
-        const auto result = loadVolume(that);
+        const auto result = loadVolume(*argument);
         if (*json) {
             // File names need not be UTF-8, JSON must be.
             fmt::print("{}\n", toJson(result).dump(2, ' ', false, nlohmann::json::error_handler_t::replace));

@@ -56,8 +56,11 @@ SessionScan loadSessionScan(studio::Session& session, const std::string& session
         instead.path.empty() ? std::nullopt : std::optional<std::filesystem::path>(instead.path);
     VolumeArgument wanted = instead;
     if (!wanted.level && !session.level && !session.isMade()) {
-        wanted.level = studio::levelInReach(studio::volumePathOf(session, sessionPath, replacement),
-                                            readOptions(instead), storage.budgets());
+        volume::ReadOptions options = readOptions(instead);
+        options.channel = options.channel ? options.channel : session.channel;
+        options.frame = options.frame ? options.frame : session.frame;
+        wanted.level = studio::levelInReach(studio::volumePathOf(session, sessionPath, replacement), options,
+                                            storage.budgets());
     }
     scan.volume = loadSessionVolume(session, sessionPath, wanted, scan.notices, &scan.used);
     const std::size_t told = scan.notices.size();

@@ -46,15 +46,9 @@ void load(Loaded& result) {
         result.session = studio::loadSession(request.session);
         const auto replacement =
             request.volume.empty() ? std::nullopt : std::optional<std::filesystem::path>(request.volume);
-        volume::ReadOptions wanted;
-        if (!result.session->level && !result.session->isMade()) {
-            wanted.level = studio::levelInReach(
-                studio::volumePathOf(*result.session, request.session, replacement), {}, request.budgets);
-        }
         volume::ReadOptions used;
-        result.volume = studio::openVolume(*result.session, request.session, replacement, result.notices,
-                                           wanted, request.folders, &used);
-        studio::goToLevel(*result.session, request.session, replacement, used, true, result.notices);
+        result.volume = studio::openVolume(*result.session, request.session, replacement, result.notices, {},
+                                           request.folders, &used);
         // What did not fit another volume is not said of it when the session is saved.
         if (!used.raw) {
             result.session->rawLayout.clear();

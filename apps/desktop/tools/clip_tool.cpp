@@ -213,9 +213,11 @@ void ClipTool::finish() {
     isOpen_ = false;
     const studio::Clip clip = operation();
     const bool clipsNothing = !clip.box && clip.planes.empty();
-    studio_.editor().endStroke(!clipsNothing);
+    const bool isDone = studio_.editor().endStroke(!clipsNothing);
     if (clipsNothing) {
         studio_.host().say(tr("Nothing is clipped"));
+    } else if (!isDone && replaces_) { // given up: the one before stays
+        studio_.editor().apply(studio::Redo{});
     }
     emit overlayChanged();
 }

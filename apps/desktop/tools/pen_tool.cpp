@@ -75,6 +75,9 @@ void PenTool::move(const Pen& pen) {
 bool PenTool::finish(const Pen&) {
     ramping_.reset();
     cut(1e9); // all that is waiting
+    if (state() == State::Cutting) {
+        studio_.host().document()->stroke().setByHand();
+    }
     return true;
 }
 

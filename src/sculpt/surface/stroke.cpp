@@ -9,14 +9,17 @@ namespace vs::sculpt {
 bool isOnWay(const PenPoint& point, const PenPoint& from, const PenPoint& to) {
     constexpr double kWithinPixels = 1; // a mouse's places are rounded to whole ones
     constexpr double kWithinPressure = 0.02;
+    constexpr double kWithinDegrees = 1;
     const glm::dvec2 way = to.pixel - from.pixel;
     const double length = std::max(glm::length(way), 1e-9);
     const double along = glm::dot(point.pixel - from.pixel, way) / (length * length);
     const glm::dvec2 nearest = from.pixel + along * way;
     const double pressure = glm::mix(from.pressure, to.pressure, along);
-    return along >= 0 && along <= 1 && glm::distance(point.pixel, nearest) <= kWithinPixels &&
+    const glm::dvec2 tilt = glm::mix(from.tiltDegrees, to.tiltDegrees, along);
+    return point.pressure > 0 && along >= 0 && along <= 1 &&
+           glm::distance(point.pixel, nearest) <= kWithinPixels &&
            std::abs(point.pressure - pressure) <= kWithinPressure &&
-           glm::distance(point.tiltDegrees, to.tiltDegrees) <= 1;
+           glm::distance(point.tiltDegrees, tilt) <= kWithinDegrees;
 }
 
 Stroke straightened(const Stroke& stroke) {

@@ -20,7 +20,7 @@ struct PenPoint {
 using Stroke = std::vector<PenPoint>;
 
 // Whether a pen that has gone straight from one point to another came by a third, within a pixel and in
-// much the same way.
+// much the same way. A pen that was lifted there looks at the surface anew, so it did not.
 bool isOnWay(const PenPoint& point, const PenPoint& from, const PenPoint& to);
 // The stroke without the points that the straight way between those that are left passes by.
 Stroke straightened(const Stroke& stroke);

@@ -38,9 +38,15 @@ void Document::showFinerLevels(const FinerLevels& levels) {
     }
     auto detail = std::make_unique<field::Detail>(source, scan.inFile, levels.options);
     const field::BrickGrid& finest = detail->grids().front();
+    const bool needsScenes = !finest.isFiner() || (levels.extremes && !levels.isAllKnown);
+    std::optional<field::CellRanges> ofScene;
+    if (needsScenes) {
+        ofScene = field::computeCellRanges(scan.field);
+    }
     field::CellRanges cells = !finest.isFiner()
-                                  ? field::computeCellRanges(scan.field)
-                                  : field::finerCellRanges(scan.inFile.dims, finest, levels.extremes);
+                                  ? std::move(*ofScene)
+                                  : field::finerCellRanges(scan.inFile.dims, finest, levels.extremes,
+                                                           ofScene ? &*ofScene : nullptr);
     if (finest.isFiner()) {
         contents.sculpture.refine(
             std::make_unique<sculpt::FineSculpture>(finest, contents.sculpture.precision()));

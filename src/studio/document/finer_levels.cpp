@@ -95,7 +95,8 @@ std::optional<FinerLevels> finerLevels(FinerLevels finer, const volume::Volume& 
     }
     finer.source = store;
     finer.extremes = store->extremes();
-    if (!isAllKnown(finer.extremes)) {
+    finer.isAllKnown = isAllKnown(finer.extremes);
+    if (!finer.isAllKnown) {
         notices.push_back(
             fmt::format("{}: what is where in its finer levels is not known before they are read, "
                         "so pictures of them take long; vstudio convert makes a store that says it",

@@ -42,6 +42,7 @@ struct FinerLevels {
     std::shared_ptr<const volume::BrickSource> source; // null: the document's own volume
     std::optional<volume::CellExtremes> extremes;      // of the finest
     field::DetailOptions options;
+    bool isAllKnown = false; // whether the extremes are known of all of it
 
     // Whether their finest is finer than a volume that is worked on, so that tools cut that one.
     [[nodiscard]] bool areFinerThan(const volume::Volume& volume) const {

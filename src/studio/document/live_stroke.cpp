@@ -21,6 +21,7 @@ void LiveStroke::begin(Operation operation) {
         },
         operation);
     timer_ = Timer();
+    isByHand_ = false;
     cuts_.beginInHand(operation);
     contents_.inHand = InHand::Stroke;
 }
@@ -40,17 +41,19 @@ void LiveStroke::clipTo(const Clip& clip) { stroke<ClipStroke>().clipTo(clip); }
 
 Operation LiveStroke::operation() const {
     VS_CHECK(isOpen());
-    return cuts_.stroke().operation();
+    const Operation& operation = cuts_.stroke().operation();
+    return isByHand_ && cuts_.isRough() ? withoutDetours(operation) : operation;
 }
 
 Outcome LiveStroke::commit() {
+    Operation operation = this->operation();
     try {
-        cuts_.settle();
+        cuts_.settle(operation);
     } catch (...) {
-        contents_.inHand = InHand::Nothing;
+        contents_.inHand = cuts_.isOpen() ? InHand::Stroke : InHand::Nothing;
         throw;
     }
-    const Operation operation = this->operation();
+    operation = cuts_.stroke().operation();
     auto entry = log_.prepare(operation, contents_.view, contents_.view);
     Outcome outcome;
     try {

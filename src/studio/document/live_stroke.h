@@ -26,6 +26,9 @@ public:
     void peelTo(double layers);               // the total so far; fewer than before puts layers back
     void drawAt(const sculpt::PenPoint& pen); // drill and laser
     void clipTo(const Clip& clip);            // instead of the one before
+    // The pen was led by a hand, from which points on straight stretches may be left out where each costs
+    // much; without, what commit() appends has all of them.
+    void setByHand() { isByHand_ = true; }
     [[nodiscard]] bool isOpen() const;
     // The operation that commit() would append.
     [[nodiscard]] Operation operation() const;
@@ -40,6 +43,7 @@ private:
     CutEditor& cuts_;
     OperationLog& log_;
     Timer timer_;
+    bool isByHand_ = false;
 };
 
 } // namespace vs::studio

@@ -37,8 +37,8 @@ bool isUndrawn(const Operation& operation) {
     return cut != nullptr && cut->stroke.empty();
 }
 
-// Each point of a pen's way costs as much as a whole stretch of it, so those on a straight stretch are left
-// out; where the pen digs deeper at each, they mean more than the way.
+} // namespace
+
 Operation withoutDetours(Operation operation) {
     const auto straighten = [](auto& op) {
         if constexpr (std::is_base_of_v<PenCut, std::decay_t<decltype(op)>>) {
@@ -48,8 +48,6 @@ Operation withoutDetours(Operation operation) {
     std::visit(straighten, operation);
     return operation;
 }
-
-} // namespace
 
 void CutEditor::begin(const Operation& operation) { begin(cutter_, operation); }
 
@@ -74,11 +72,10 @@ void CutEditor::beginInHand(const Operation& operation) {
     }
 }
 
-void CutEditor::settle() {
-    if (!contents_.sculpture.isRough()) {
+void CutEditor::settle(const Operation& operation) {
+    if (!isRough()) {
         return;
     }
-    const Operation operation = withoutDetours(stroke_->operation());
     discard();
     begin(operation);
     try {
@@ -128,8 +125,14 @@ void CutEditor::forget() {
 }
 
 void CutEditor::discard() {
+    const bool wasRough = isRough();
     contents_.sculpture.setRough(false); // the macrocells become those of the finest level again
-    stroke_->discard();
+    try {
+        stroke_->discard();
+    } catch (...) {
+        contents_.sculpture.setRough(wasRough);
+        throw;
+    }
     forget();
     ++contents_.version;
 }

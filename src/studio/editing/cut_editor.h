@@ -12,6 +12,10 @@
 
 namespace vs::studio {
 
+// A pen's stroke without the points on straight stretches of its way, each of which costs as much as a
+// stretch; where it digs deeper at each, they mean more than the way, and stay. Other operations as they are.
+Operation withoutDetours(Operation operation);
+
 // Carries out the operations that cut and restore, all at once or as a stroke that is seen while it goes on.
 // run() writes what the stroke has found into the operation and remembers it as a step; it throws Error
 // before anything has changed. If something is thrown in the midst of a stroke (a device without room),
@@ -37,9 +41,10 @@ public:
     // Does so for a stroke in hand, which must be seen at once: of a scan that is worked on at a coarser
     // level, that level alone is cut, roughly, until settle() cuts the finest.
     void beginInHand(const Operation& operation);
-    // If a stroke was cut roughly, opens the one that cuts as its operation says and replays it. When it
-    // throws, there is no stroke any more, and everything is as before.
-    void settle();
+    // If the stroke was cut roughly, opens one that cuts as `operation` says instead, and replays it. When it
+    // throws, and isOpen() does not hold, there is no stroke any more, and everything is as before.
+    void settle(const Operation& operation);
+    [[nodiscard]] bool isRough() const { return contents_.sculpture.isRough(); }
     [[nodiscard]] bool isOpen() const { return stroke_ != nullptr; }
     [[nodiscard]] CutStroke& stroke() { return *stroke_; }
     [[nodiscard]] const CutStroke& stroke() const { return *stroke_; }

@@ -2,6 +2,7 @@
 #include "volume/store/missing_chunks.h"
 
 #include "volume/io/inspect.h"
+#include "volume/io/take_values.h"
 
 #include <algorithm>
 #include <charconv>
@@ -94,7 +95,11 @@ private:
 std::optional<CellExtremes> extremesByMissing(const Multiscales& store, int channel, int time) {
     const ZarrArray& array = store.levels.front().array;
     const glm::ivec3 dims = store.levels.front().geometry.dims;
-    if (!std::isfinite(array.fill)) {
+    Volume filled; // as values that are read are
+    filled.geometry = makeGeometry(glm::ivec3(1));
+    takeValues(filled, array.type, array.fillValue());
+    const auto fill = float(filled.at(glm::ivec3(0)));
+    if (!std::isfinite(fill)) {
         return {};
     }
     int side = 32;
@@ -103,12 +108,13 @@ std::optional<CellExtremes> extremesByMissing(const Multiscales& store, int chan
     }
     const glm::ivec3 cells = divideUp(dims, side);
     announcePromised(countOf(cells) * sizeof(glm::vec2));
-    CellExtremes all{side, cells, std::vector<glm::vec2>(countOf(cells), glm::vec2(float(array.fill)))};
+    CellExtremes all{side, cells, std::vector<glm::vec2>(countOf(cells), glm::vec2(fill))};
     const Chunks chunks(store, channel, time);
     std::size_t there = 0;
     int files = 0;
     std::error_code error;
-    for (fs::recursive_directory_iterator at(array.folder, error), end; !error && at != end;
+    const auto withLinks = fs::directory_options::follow_directory_symlink;
+    for (fs::recursive_directory_iterator at(array.folder, withLinks, error), end; !error && at != end;
          at.increment(error)) {
         if (++files > kMostFiles) {
             return {};

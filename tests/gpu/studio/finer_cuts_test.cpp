@@ -203,6 +203,15 @@ void drawOn(LiveStroke& stroke, const Operation& begun) {
         for (int n = 0; n < 6; ++n) {
             stroke.drawAt({{180.0 + 9 * n, 120.0 + n}, 0.3 + 0.1 * n});
         }
+        stroke.setByHand();
+        const auto straight = stroke.operation();
+        const auto points = [](const auto& op) {
+            if constexpr (requires { op.stroke.size(); }) {
+                return op.stroke.size();
+            }
+            return std::size_t(0);
+        };
+        EXPECT_EQ(2U, std::visit(points, straight));
     }
 }
 

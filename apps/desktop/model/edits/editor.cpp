@@ -75,23 +75,25 @@ bool Editor::beginStroke(const std::function<void(studio::Document&, const studi
     return host_.workLong([&] { begin(*host_.document(), on); });
 }
 
-void Editor::endStroke(bool keep) {
+bool Editor::endStroke(bool keep) {
     if (host_.geometry() == nullptr || !host_.facts()->isStrokeOpen()) {
-        return;
+        return false;
     }
     if (keep && hand_.tool().actsOnSegment()) {
         const studio::Operation stroke = host_.document()->stroke().operation(); // it has shown what it takes
         host_.workLong([&] { host_.document()->stroke().discard(); });
-        cut(stroke);
-        return;
+        return cut(stroke);
     }
+    bool isDone = false;
     if (keep) {
-        perform([&] { return host_.document()->stroke().commit(); });
+        isDone = perform([&] { return host_.document()->stroke().commit(); });
     } else if (host_.workLong([&] { host_.document()->stroke().discard(); })) {
+        isDone = true;
         host_.say(tr("Nothing was changed"));
     }
     host_.wake();
     emit host_.changed();
+    return isDone;
 }
 
 bool Editor::cut(const studio::Operation& stroke) {

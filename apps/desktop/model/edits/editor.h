@@ -38,7 +38,8 @@ public:
 
     // Runs `begin`, which opens a live stroke on the view's canvas.
     bool beginStroke(const std::function<void(studio::Document&, const studio::Canvas&)>& begin);
-    void endStroke(bool keep);
+    // Whether it ended so: what takes long can be given up, and then the stroke is gone.
+    bool endStroke(bool keep);
     // Does a whole stroke, to the scan or, if the tool acts on it, to the segment at work.
     bool cut(const studio::Operation& stroke);
     // Pastes what tools cut since the last paste where there is room beside the object and the parts pasted

@@ -188,8 +188,7 @@ Act::State CutAct::cutTo(double share) {
 
 Act::State CutAct::commit() {
     isOpen_ = false;
-    studio_.editor().endStroke(true);
-    return State::Done;
+    return studio_.editor().endStroke(true) ? State::Done : State::Failed;
 }
 
 Act::State CutAct::carryOut(double seconds) {

@@ -64,8 +64,9 @@ std::vector<glm::ivec3> nearestOf(const segment::VoxelSet& set, const std::vecto
 std::vector<glm::ivec3> GrowthEditor::voxelsUnder(const std::vector<Sketch>& strokes, double widthPixels,
                                                   const Canvas& canvas,
                                                   const segment::Constraints& constraints, bool isOfFinest) {
-    // Piece by piece, so that a stroke over all of a large window takes no more room.
-    constexpr std::size_t kMostAtOnce = std::size_t(1) << 20;
+    // Piece by piece, so that a stroke over all of a large window takes no more room, and none that a
+    // processor's cache has not: to fill fresh memory costs more than to look for points.
+    constexpr std::size_t kMostAtOnce = std::size_t(1) << 17;
     const auto pixels = pixelsUnder(strokes, widthPixels, canvas.viewport);
     const render::Frame frame = display_.frame(canvas.view, canvas.viewport);
     std::vector<glm::ivec3> voxels;

@@ -50,6 +50,7 @@ public:
     // The centres of all that were painted, row by row.
     [[nodiscard]] std::vector<glm::vec2> pixels() const {
         std::vector<glm::vec2> pixels;
+        pixels.reserve(std::size_t(std::count(set_.begin(), set_.end(), true)));
         const auto width = std::size_t(size_.x);
         for (std::size_t i = 0; i < set_.size(); ++i) {
             if (set_[i]) {
